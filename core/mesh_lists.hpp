@@ -1,0 +1,24 @@
+// A mesh as a file or a caller gives it: raw lists, nothing checked, nothing dropped.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "talweg/intrinsic/surface.hpp"
+
+namespace talweg {
+
+using Point = Eigen::Vector3d;
+
+/// Vertex and face numbers here are the numbers of all results. Polygons are fan-triangulated when
+/// a file is read: the triangles of one polygon follow each other.
+struct MeshLists {
+  std::vector<Point> points;
+  std::vector<Triangle> triangles;
+  std::size_t polygon_count = 0;  ///< faces of the file that had more than three corners
+  bool single_precision = false;  ///< the file stores its coordinates as 32-bit floats
+};
+
+}  // namespace talweg
