@@ -23,6 +23,7 @@ std::vector<MetricTriangle> metric_triangles(const Surface& surface);
 /// metric, cotan weights of all inner edges >= 0 up to rounding (Bobenko & Springborn 2007).
 /// `flips`, if given, receives the number of flips. Edges that no flip can improve (in zero-area
 /// diamonds) stay as they are, so this always ends.
-std::vector<MetricTriangle> delaunay_triangles(const Surface& surface, std::size_t* flips = nullptr);
+std::vector<MetricTriangle> delaunay_triangles(const Surface& surface,
+                                               std::size_t* flips = nullptr);
 
 }  // namespace talweg

@@ -7,12 +7,12 @@
 namespace talweg {
 
 enum class ErrorCode {
-  kBadUsage,      ///< an option or argument out of its range
-  kBadMesh,       ///< the mesh is not a surface that can be worked on
-  kBadCurve,      ///< the curve does not lie on the mesh, or not properly
-  kBadFile,       ///< a file cannot be opened, read, parsed or written
-  kNumerical,     ///< a factorization or solve failed
-  kOutOfMemory,   ///< memory ran out
+  kBadUsage,     ///< an option or argument out of its range
+  kBadMesh,      ///< the mesh is not a surface that can be worked on
+  kBadCurve,     ///< the curve does not lie on the mesh, or not properly
+  kBadFile,      ///< a file cannot be opened, read, parsed or written
+  kNumerical,    ///< a factorization or solve failed
+  kOutOfMemory,  ///< memory ran out
 };
 
 /// What the caller gave cannot be used. The message is one sentence that says what is wrong and

@@ -38,7 +38,8 @@ class Surface {
   static Surface from_gluing(std::size_t vertex_count, std::span<const Triangle> triangles,
                              std::span<const std::uint32_t> gluing);
 
-  /// One length per edge, finite and >= 0. Throws Error(kBadMesh) naming the first edge that is not.
+  /// One length per edge, finite and >= 0. Throws Error(kBadMesh) naming the first edge that is
+  /// not.
   void set_lengths(std::vector<double> lengths);
 
   [[nodiscard]] std::size_t vertex_count() const { return vertex_halfedge_.size(); }
