@@ -1,0 +1,47 @@
+// A triangle from its side lengths: angles, area, layout. Clamped, so that lengths which miss the
+// triangle inequality by rounding give flat triangles and never NaN.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace talweg {
+
+/// The angle opposite side c, between sides a and b, in [0, pi]. Kahan, "Miscalculating area and
+/// angles of a needle-like triangle" (2014): relative error of a few ulp also for needles.
+/// A side of length 0 between equal sides gives pi/2 at its ends, so that angles sum to pi.
+inline double angle_between(double a, double b, double c) {
+  if (a < b) std::swap(a, b);
+  if (b <= 0) return std::numbers::pi / 2;
+  const double mu = b >= c ? c - (a - b) : b - (a - c);
+  if (mu <= 0) return b >= c || c <= a - b ? 0.0 : std::numbers::pi;
+  const double denominator = (a + (b + c)) * ((a - c) + b);
+  if (denominator <= 0) return std::numbers::pi;
+  return 2 * std::atan(std::sqrt(((a - b) + c) * mu / denominator));
+}
+
+/// Heron's formula in Kahan's stable form; 0 where the triangle inequality does not hold.
+inline double triangle_area(double a, double b, double c) {
+  if (a < b) std::swap(a, b);
+  if (b < c) std::swap(b, c);
+  if (a < b) std::swap(a, b);
+  const double product = (a + (b + c)) * (c - (a - b)) * (c + (a - b)) * (a + (b - c));
+  return product > 0 ? std::sqrt(product) / 4 : 0.0;
+}
+
+struct PlanePoint {
+  double x = 0;
+  double y = 0;
+};
+
+/// The apex of a triangle whose base runs from (0, 0) to (base, 0); y >= 0.
+/// `left` and `right` are the distances of the apex from the two ends.
+inline PlanePoint apex(double base, double left, double right) {
+  if (base <= 0) return {0, left};
+  const double x = (base + (left - right) * ((left + right) / base)) / 2;
+  return {x, 2 * triangle_area(base, left, right) / base};
+}
+
+}  // namespace talweg
