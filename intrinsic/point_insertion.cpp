@@ -1,0 +1,196 @@
+#include "talweg/intrinsic/point_insertion.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "talweg/intrinsic/error.hpp"
+
+namespace talweg {
+namespace {
+
+constexpr double kOnSide = 1e-10;  // of a piece's extent
+
+using Weights = std::array<double, 3>;
+
+/// Twice the signed area of a triangle, in units of the face (barycentrics are affine).
+double orient(const Weights& a, const Weights& b, const Weights& c) {
+  return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+}
+
+Weights mix(const Weights& a, const Weights& b, double t) {
+  return {(1 - t) * a[0] + t * b[0], (1 - t) * a[1] + t * b[1], (1 - t) * a[2] + t * b[2]};
+}
+
+}  // namespace
+
+std::vector<HalfedgeId>& PointInsertion::pieces(FaceId face) {
+  std::vector<HalfedgeId>& list = pieces_[face];
+  if (list.empty()) list.push_back(triangulation_->surface().halfedge(face));
+  return list;
+}
+
+Weights PointInsertion::barycentric(VertexId v, FaceId face) const {
+  return coordinates_in(triangulation_->surface(), triangulation_->location(v), face).barycentric;
+}
+
+PointInsertion::Place PointInsertion::locate(FaceId face, const Weights& point) {
+  Place best;
+  double best_margin = -std::numeric_limits<double>::infinity();
+  for (const HalfedgeId side : pieces(face)) {
+    const Weights a = barycentric(triangulation_->tail(side), face);
+    const Weights b = barycentric(triangulation_->tail(triangulation_->next(side)), face);
+    const Weights c = barycentric(triangulation_->tail(triangulation_->prev(side)), face);
+    const double area = orient(a, b, c);
+    if (!(area > 0)) continue;
+    const Weights weight = {orient(point, b, c) / area, orient(a, point, c) / area,
+                            orient(a, b, point) / area};
+    const double margin = std::min({weight[0], weight[1], weight[2]});
+    if (margin > best_margin) {
+      best_margin = margin;
+      best = {side, weight};
+    }
+  }
+  return best;
+}
+
+double PointInsertion::distance(VertexId v, FaceId face, const Weights& point) const {
+  return distance_in_face(triangulation_->surface(), {face, barycentric(v, face)}, {face, point});
+}
+
+void PointInsertion::replace_pieces(FaceId face, HalfedgeId old,
+                                    std::span<const HalfedgeId> fresh) {
+  std::vector<HalfedgeId>& list = pieces(face);
+  for (HalfedgeId& side : list) {
+    if (side != old && triangulation_->next(side) != old && triangulation_->prev(side) != old) {
+      continue;
+    }
+    side = fresh[0];
+    list.insert(list.end(), fresh.begin() + 1, fresh.end());
+    return;
+  }
+}
+
+VertexId PointInsertion::insert(const SurfacePoint& point) {
+  const Surface& surface = triangulation_->surface();
+  if (const auto* v = std::get_if<AtVertex>(&point.where())) return v->vertex;
+  const FaceId face = any_face(surface, point);
+  const Weights weights = coordinates_in(surface, point, face).barycentric;
+  Place place = locate(face, weights);
+
+  std::array<HalfedgeId, 3> side = {place.side, triangulation_->next(place.side),
+                                    triangulation_->prev(place.side)};
+  std::array<bool, 3> zero{};
+  for (std::size_t k = 0; k < 3; ++k) zero[k] = place.weight[k] <= kOnSide;
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (zero[(k + 1) % 3] && zero[(k + 2) % 3]) return triangulation_->tail(side[k]);
+  }
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (!zero[k]) continue;
+    const double from = place.weight[(k + 1) % 3], to = place.weight[(k + 2) % 3];
+    return insert_on_side(side[(k + 1) % 3], to / (from + to));
+  }
+
+  std::array<double, 3> lengths{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    lengths[k] = distance(triangulation_->tail(side[k]), face, weights);
+  }
+  // The list still knows the old face by one of its sides; each side keeps one of the new faces.
+  std::vector<HalfedgeId>& list = pieces(face);
+  const auto known = std::find_if(list.begin(), list.end(), [&](HalfedgeId h) {
+    return h == side[0] || h == side[1] || h == side[2];
+  });
+  *known = side[0];
+  list.push_back(side[1]);
+  list.push_back(side[2]);
+  return triangulation_->split_face(side[0], lengths, point);
+}
+
+VertexId PointInsertion::insert_on_side(HalfedgeId side, double t) {
+  if (!triangulation_->has_face(side)) {
+    side = twin(side);
+    t = 1 - t;
+  }
+  const Surface& surface = triangulation_->surface();
+  const HalfedgeId other = twin(side);
+  const FaceId left = triangulation_->surface_face(side);
+  // Exactly on the side, so that a point near an edge of the surface is known to both its faces.
+  const SurfacePoint location =
+      SurfacePoint::from_barycentric(surface, left,
+                                     mix(barycentric(triangulation_->tail(side), left),
+                                         barycentric(triangulation_->head(side), left), t));
+  const double whole = triangulation_->surface_length(edge_of(side));
+  SignpostTriangulation::EdgeSplit split{t * whole, (1 - t) * whole, 0, 0};
+  split.to_left = distance(triangulation_->tail(triangulation_->prev(side)), left,
+                           coordinates_in(surface, location, left).barycentric);
+  const HalfedgeId left_next = triangulation_->next(side);
+  const HalfedgeId left_prev = triangulation_->prev(side);
+  HalfedgeId right_next, right_prev;
+  FaceId right;
+  pieces(left);
+  if (triangulation_->has_face(other)) {
+    right = triangulation_->surface_face(other);
+    right_next = triangulation_->next(other);
+    right_prev = triangulation_->prev(other);
+    pieces(right);
+    split.to_right = distance(triangulation_->tail(right_prev), right,
+                              coordinates_in(surface, location, right).barycentric);
+  }
+  // Before the split the old faces are still known by any of their sides.
+  const std::array<HalfedgeId, 2> fresh_left = {left_prev, left_next};
+  replace_pieces(left, side, fresh_left);
+  if (right.valid()) {
+    const std::array<HalfedgeId, 2> fresh_right = {right_next, right_prev};
+    replace_pieces(right, other, fresh_right);
+  }
+  return triangulation_->split_edge(side, split, location);
+}
+
+/// The halfedge from `from` towards `to` inside the face; inserts its end where need be.
+HalfedgeId PointInsertion::step(VertexId from, VertexId to, FaceId face) {
+  SignpostTriangulation& t = *triangulation_;
+  const Weights p = barycentric(from, face), q = barycentric(to, face);
+  const HalfedgeId first = t.halfedge(from);
+  HalfedgeId h = first;
+  do {
+    const bool left_inside = t.has_face(h) && t.surface_face(h) == face;
+    const bool right_inside = t.has_face(twin(h)) && t.surface_face(twin(h)) == face;
+    if ((left_inside || right_inside) && t.head(h) == to) return h;
+    if (left_inside) {
+      const Weights b = barycentric(t.head(h), face);
+      const Weights c = barycentric(t.head(t.next(h)), face);
+      const double right_of = orient(p, b, q), left_of = orient(p, q, c);
+      const double size = orient(p, b, c);
+      // Ahead, between the two sides of this piece.
+      if (right_of >= -kOnSide * size && left_of >= -kOnSide * size && right_of + left_of > 0 &&
+          orient(b, c, q) <= kOnSide * size) {
+        if (right_of <= kOnSide * (right_of + left_of)) return h;
+        if (left_of <= kOnSide * (right_of + left_of)) return twin(t.prev(h));
+        return t.find_halfedge(from, insert_on_side(t.next(h), right_of / (right_of + left_of)));
+      }
+    }
+    if (!t.has_face(h)) break;
+    h = t.turn_ccw(h);
+  } while (h != first);
+  return {};
+}
+
+void PointInsertion::connect(VertexId from, VertexId to, std::vector<HalfedgeId>& path) {
+  const SurfacePoint p = triangulation_->location(from), q = triangulation_->location(to);
+  const FaceId face = common_face(triangulation_->surface(), p, q);
+  const auto fail = [&](const char* what) {
+    throw Error(ErrorCode::kBadCurve, std::string("Two consecutive points of the curve ") + what);
+  };
+  if (!face.valid()) fail("do not lie in a common face.");
+  // A straight segment meets each piece of the face once.
+  for (std::size_t left = pieces(face).size() + 2; from != to; --left) {
+    const HalfedgeId h = left > 0 ? step(from, to, face) : HalfedgeId{};
+    if (!h.valid()) fail("cannot be joined inside their face, which is degenerate.");
+    path.push_back(h);
+    from = triangulation_->head(h);
+  }
+}
+
+}  // namespace talweg
