@@ -90,7 +90,7 @@ VertexId PointInsertion::insert(const SurfacePoint& point) {
   for (std::size_t k = 0; k < 3; ++k) {
     if (!zero[k]) continue;
     const double from = place.weight[(k + 1) % 3], to = place.weight[(k + 2) % 3];
-    return insert_on_side(side[(k + 1) % 3], to / (from + to));
+    return insert_on_side(side[(k + 1) % 3], to / (from + to), &point);
   }
 
   std::array<double, 3> lengths{};
@@ -108,7 +108,7 @@ VertexId PointInsertion::insert(const SurfacePoint& point) {
   return triangulation_->split_face(side[0], lengths, point);
 }
 
-VertexId PointInsertion::insert_on_side(HalfedgeId side, double t) {
+VertexId PointInsertion::insert_on_side(HalfedgeId side, double t, const SurfacePoint* exact) {
   if (!triangulation_->has_face(side)) {
     side = twin(side);
     t = 1 - t;
@@ -116,11 +116,14 @@ VertexId PointInsertion::insert_on_side(HalfedgeId side, double t) {
   const Surface& surface = triangulation_->surface();
   const HalfedgeId other = twin(side);
   const FaceId left = triangulation_->surface_face(side);
-  // Exactly on the side, so that a point near an edge of the surface is known to both its faces.
+  // On the side to the last bit, so that a point of a mesh edge is known to both faces there.
+  const bool inner = triangulation_->has_face(other) && triangulation_->surface_face(other) == left;
+  const bool keep = exact != nullptr && (inner || std::holds_alternative<OnEdge>(exact->where()));
   const SurfacePoint location =
-      SurfacePoint::from_barycentric(surface, left,
-                                     mix(barycentric(triangulation_->tail(side), left),
-                                         barycentric(triangulation_->head(side), left), t));
+      keep ? *exact
+           : SurfacePoint::from_barycentric(surface, left,
+                                            mix(barycentric(triangulation_->tail(side), left),
+                                                barycentric(triangulation_->head(side), left), t));
   const double whole = triangulation_->surface_length(edge_of(side));
   SignpostTriangulation::EdgeSplit split{t * whole, (1 - t) * whole, 0, 0};
   split.to_left = distance(triangulation_->tail(triangulation_->prev(side)), left,

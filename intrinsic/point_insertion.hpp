@@ -37,7 +37,7 @@ class PointInsertion {
   std::array<double, 3> barycentric(VertexId v, FaceId face) const;
   Place locate(FaceId face, const std::array<double, 3>& point);
   double distance(VertexId v, FaceId face, const std::array<double, 3>& point) const;
-  VertexId insert_on_side(HalfedgeId side, double t);
+  VertexId insert_on_side(HalfedgeId side, double t, const SurfacePoint* exact = nullptr);
   void replace_pieces(FaceId face, HalfedgeId old, std::span<const HalfedgeId> fresh);
   HalfedgeId step(VertexId from, VertexId to, FaceId face);
 
