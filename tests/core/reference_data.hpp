@@ -1,0 +1,100 @@
+// The reference curves on real meshes: absent where the meshes are, see TALWEG_MESHES.
+#pragma once
+
+#include <cstdint>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "talweg/core/surface_mesh.hpp"
+
+namespace talweg::test {
+
+/// Where the real meshes are; the reference data lies beside that folder.
+inline std::filesystem::path mesh_folder() {
+  if (const char* given = std::getenv("TALWEG_MESHES")) return given;
+  const auto root = std::filesystem::path(__FILE__).parent_path().parent_path().parent_path();
+  return root.parent_path() / "shared" / "meshes";
+}
+inline std::filesystem::path reference_folder() {
+  return (mesh_folder() / "..").lexically_normal() / "reference";
+}
+
+/// A little-endian binary PLY of float or double points and `uchar int` triangles.
+inline MeshLists read_reference_mesh(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::size_t vertices = 0;
+  std::size_t faces = 0;
+  bool wide = false;
+  for (std::string line; std::getline(in, line) && line.rfind("end_header", 0) != 0;) {
+    std::istringstream words(line);
+    std::string first;
+    std::string second;
+    words >> first >> second;
+    if (second == "vertex") words >> vertices;
+    if (second == "face") words >> faces;
+    if (first == "property" && second == "double") wide = true;
+  }
+  MeshLists lists;
+  lists.points.resize(vertices);
+  for (Point& p : lists.points) {
+    for (int k = 0; k < 3; ++k) {
+      float narrow = 0;
+      if (wide) {
+        in.read(reinterpret_cast<char*>(&p[k]), sizeof(double));
+      } else {
+        in.read(reinterpret_cast<char*>(&narrow), sizeof(float));
+        p[k] = narrow;
+      }
+    }
+  }
+  lists.triangles.resize(faces);
+  for (Triangle& t : lists.triangles) {
+    in.get();
+    in.read(reinterpret_cast<char*>(t.data()), sizeof(t));
+  }
+  return lists;
+}
+
+struct ReferenceCurve {
+  SurfaceMesh mesh;
+  std::vector<VertexId> path;  ///< of the drawn curve; a closed one does not repeat its first
+  bool closed = false;
+};
+
+inline std::optional<ReferenceCurve> reference_curve(const std::string& name) {
+  const auto mesh_file = mesh_folder() / (name + ".ply");
+  std::ifstream numbers(reference_folder() / "curves" / (name + ".txt"));
+  if (!numbers || !std::filesystem::exists(mesh_file)) return std::nullopt;
+  ReferenceCurve curve{SurfaceMesh::open(read_reference_mesh(mesh_file)), {}, false};
+  for (std::size_t v = 0; numbers >> v;) curve.path.push_back(VertexId{v});
+  curve.closed = curve.path.front() == curve.path.back();
+  if (curve.closed) curve.path.pop_back();
+  return curve;
+}
+
+/// The points of the reference's result for tau = 1.
+inline std::vector<Point> reference_result(const std::string& name) {
+  std::ifstream in(reference_folder() / "results" / (name + "_tau1.xyz"));
+  std::vector<Point> points;
+  for (Point p; in >> p.x() >> p.y() >> p.z();) points.push_back(p);
+  return points;
+}
+
+/// What the reference measured with the paper's potential.
+inline nlohmann::json reference_numbers(const std::string& name, double tau) {
+  std::ifstream in(reference_folder() / "paper_potential.json");
+  for (const auto& entry : nlohmann::json::parse(in)) {
+    if (entry["mesh"] == name + ".ply" && entry["tau"] == tau) return entry;
+  }
+  return {};
+}
+
+}  // namespace talweg::test
