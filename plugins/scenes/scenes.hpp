@@ -1,0 +1,32 @@
+// Realistic meshes with a jagged curve on each, made from nothing.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "scenes/waypoints.hpp"
+#include "talweg/core/mesh_lists.hpp"
+
+namespace talweg::scenes {
+
+struct DemoScene {
+  std::string name;
+  MeshLists mesh;  ///< manifold, consistently oriented, one component, no unused vertex
+  Waypoints through;
+};
+
+/// A blood vessel with a bifurcation and an aneurysm, as a segmentation gives it, cut open where it
+/// leaves the scanned volume; the curve goes round the aneurysm's neck. About 45,000 faces.
+DemoScene vessel_scene();
+/// A closed, bumpy clay figure with limbs; the curve runs across the bumps like a sash. About
+/// 80,000 faces.
+DemoScene figure_scene();
+/// An open terrain, irregularly triangulated; the curve is a border along a river. About 60,000
+/// faces.
+DemoScene terrain_scene();
+
+/// All of them, in this order. The same bytes on every run.
+std::vector<DemoScene> demo_scenes();
+
+}  // namespace talweg::scenes
