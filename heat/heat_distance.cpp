@@ -1,0 +1,275 @@
+#include "talweg/heat/heat_distance.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <future>
+#include <limits>
+#include <string>
+#include <utility>
+
+#include "talweg/heat/cholesky_factor.hpp"
+#include "talweg/heat/cotan_laplacian.hpp"
+#include "talweg/heat/heat_flow.hpp"
+#include "talweg/heat/heat_systems.hpp"
+#include "talweg/heat/heat_triangles.hpp"
+#include "talweg/heat/mollification.hpp"
+#include "talweg/heat/unit_gradient.hpp"
+#include "talweg/intrinsic/error.hpp"
+
+namespace talweg {
+namespace {
+
+void check_range(double value, double low, double high, const char* name) {
+  if (value >= low && value <= high) return;
+  throw Error(ErrorCode::kBadUsage, std::string(name) + " must be in [" + std::to_string(low) +
+                                        ", " + std::to_string(high) + "], not " +
+                                        std::to_string(value) + ".");
+}
+
+class Stopwatch {
+ public:
+  double lap() {
+    const auto now = std::chrono::steady_clock::now();
+    const std::chrono::duration<double, std::milli> passed = now - last_;
+    last_ = now;
+    return passed.count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+std::vector<char> boundary_vertices(const Surface& surface) {
+  std::vector<char> boundary(surface.vertex_count(), 0);
+  for (std::size_t v = 0; v < boundary.size(); ++v) {
+    boundary[v] = surface.on_boundary(VertexId{v}) ? 1 : 0;
+  }
+  return boundary;
+}
+
+std::vector<MetricTriangle> triangles_of(const Surface& surface, const Mollification& mollified,
+                                         bool delaunay, std::size_t& flips) {
+  const auto triangles = [&](const Surface& s) {
+    return delaunay ? delaunay_triangles(s, &flips) : metric_triangles(s);
+  };
+  if (!mollified.changed()) return triangles(surface);
+  Surface thickened = surface;
+  thickened.set_lengths(mollified.lengths);
+  return triangles(thickened);
+}
+
+/// Factors one after the other or two at a time; the factors are the same.
+class Factoring {
+ public:
+  Factoring(const SymbolicFactor& symbolic, unsigned threads)
+      : symbolic_(symbolic),
+        policy_(threads > 1 ? std::launch::async | std::launch::deferred : std::launch::deferred) {}
+  std::future<CholeskyFactor> start(SymmetricMatrix matrix) {
+    return std::async(policy_, [symbolic = symbolic_, matrix = std::move(matrix)] {
+      return CholeskyFactor(symbolic, matrix);
+    });
+  }
+
+ private:
+  SymbolicFactor symbolic_;
+  std::launch policy_;
+};
+
+}  // namespace
+
+void HeatOptions::validate() const {
+  check_range(time_scale, 1e-3, 1e6, "time_scale");
+  check_range(mollification, 1e-10, 1e-2, "mollification");
+  if (threads < 1) throw Error(ErrorCode::kBadUsage, "threads must be at least 1.");
+}
+
+struct HeatDistance::Impl {
+  double time_scale = 0;
+  Components components;
+  std::vector<char> boundary;  // by vertex
+  std::vector<HeatTriangle> triangles;
+  std::vector<char> pinned;  // by vertex, in the Poisson system
+  std::optional<CholeskyFactor> neumann, dirichlet, poisson;
+  HeatReport report;
+
+  /// The sources, checked, and what they mean for each component.
+  struct Start {
+    std::vector<double> total;  // weight, by component
+    std::vector<char> inside;   // by component: a source off the boundary
+    std::vector<double> heat;   // by vertex; sums to 1 over each component with a source
+    std::vector<char> reached;  // by vertex
+  };
+
+  bool prepare(const Surface& surface, const HeatOptions& options, const Progress& progress);
+  bool factor(const CotanLaplacian& laplacian, unsigned threads, const Progress& progress);
+  Start start(std::span<const WeightedVertex> sources) const;
+  ScaledField heat(const Start& start) const;
+  void finish(std::vector<double>& distance, std::span<const WeightedVertex> sources,
+              const Start& start, const DistanceOptions& options) const;
+};
+
+bool HeatDistance::Impl::prepare(const Surface& surface, const HeatOptions& options,
+                                 const Progress& progress) {
+  options.validate();
+  if (surface.vertex_count() == 0) throw Error(ErrorCode::kBadMesh, "The mesh has no vertices.");
+  if (!go_on(progress, "laplacian", 0)) return false;
+  Stopwatch watch;
+  time_scale = options.time_scale;
+  components = components_of(surface);
+  boundary = boundary_vertices(surface);
+  report.components = components.count;
+  report.mean_edge_length = mean_edge_lengths(surface, components);
+
+  CotanLaplacian laplacian;
+  {
+    Mollification mollified = mollify(surface, components, options.mollification);
+    const std::vector<MetricTriangle> metric =
+        triangles_of(surface, mollified, options.delaunay, report.flips);
+    report.mollification = std::move(mollified.amount);
+    laplacian = cotan_laplacian(surface.vertex_count(), metric);
+    triangles = heat_triangles(metric);
+    report.flat_triangles = metric.size() - triangles.size();
+  }
+  report.laplacian_ms = watch.lap();
+  return factor(laplacian, options.threads, progress);
+}
+
+bool HeatDistance::Impl::factor(const CotanLaplacian& laplacian, unsigned threads,
+                                const Progress& progress) {
+  if (!go_on(progress, "order", 0.1)) return false;
+  Stopwatch watch;
+  const SymbolicFactor symbolic(laplacian.stiffness);
+  report.factor_entries = symbolic.factor_entries();
+  report.order_ms = watch.lap();
+  if (!go_on(progress, "factor", 0.6)) return false;
+
+  Factoring factoring(symbolic, threads);
+  auto poisson_job = factoring.start(pinned_poisson_matrix(laplacian, components, pinned));
+  SymmetricMatrix heat =
+      neumann_heat_matrix(laplacian, components, report.mean_edge_length, time_scale);
+  neumann = factoring.start(heat).get();
+  poisson = poisson_job.get();
+  if (std::find(boundary.begin(), boundary.end(), 1) != boundary.end()) {
+    if (!go_on(progress, "factor", 0.8)) return false;
+    replace_by_identity(heat, boundary);
+    dirichlet = CholeskyFactor(symbolic, heat);
+  }
+  report.factor_ms = watch.lap();
+  return go_on(progress, "factor", 1);
+}
+
+HeatDistance::Impl::Start HeatDistance::Impl::start(std::span<const WeightedVertex> sources) const {
+  const std::size_t vertices = boundary.size();
+  Start start;
+  start.total.assign(components.count, 0.0);
+  start.inside.assign(components.count, 0);
+  start.heat.assign(vertices, 0.0);
+  start.reached.assign(vertices, 0);
+  bool any = false;
+  for (const auto& [vertex, weight] : sources) {
+    const std::size_t v = vertex.index();
+    if (v >= vertices || !(weight >= 0) || !std::isfinite(weight)) {
+      throw Error(ErrorCode::kBadCurve,
+                  "The source at vertex " + std::to_string(v) +
+                      (v >= vertices ? " is not on the mesh." : " has a weight that is not >= 0."));
+    }
+    if (!(weight > 0)) continue;
+    any = true;
+    start.total[components.of_vertex[v]] += weight;
+    start.heat[v] += weight;
+    if (boundary[v] == 0) start.inside[components.of_vertex[v]] = 1;
+  }
+  if (!any) throw Error(ErrorCode::kBadCurve, "The curve has no source of positive weight.");
+  for (std::size_t v = 0; v < vertices; ++v) {
+    const double total = start.total[components.of_vertex[v]];
+    if (!(total > 0)) continue;
+    start.reached[v] = 1;
+    start.heat[v] /= total;
+  }
+  return start;
+}
+
+ScaledField HeatDistance::Impl::heat(const Start& start) const {
+  ScaledField u = heat_flow(*neumann, triangles, time_scale, start.heat, start.reached);
+  if (!dirichlet) return u;
+  // Components with a boundary and a source off it; a closed one would just get u again.
+  std::vector<char> bounded(components.count, 0);
+  for (std::size_t v = 0; v < boundary.size(); ++v) {
+    if (boundary[v] != 0) bounded[components.of_vertex[v]] = 1;
+  }
+  std::vector<char> averaged(boundary.size(), 0), reached(boundary.size(), 0);
+  std::vector<double> source(boundary.size(), 0.0);
+  bool any = false;
+  for (std::size_t v = 0; v < boundary.size(); ++v) {
+    const std::size_t c = components.of_vertex[v];
+    if (bounded[c] == 0 || start.inside[c] == 0) continue;
+    any = true;
+    averaged[v] = 1;
+    if (boundary[v] != 0) continue;
+    reached[v] = 1;
+    source[v] = start.heat[v];
+  }
+  if (!any) return u;
+  return average(std::move(u), heat_flow(*dirichlet, triangles, time_scale, source, reached),
+                 averaged);
+}
+
+void HeatDistance::Impl::finish(std::vector<double>& distance,
+                                std::span<const WeightedVertex> sources, const Start& start,
+                                const DistanceOptions& options) const {
+  std::vector<double> mean(components.count, 0.0);
+  for (const auto& [vertex, weight] : sources) {
+    const std::size_t c = components.of_vertex[vertex.index()];
+    if (weight > 0) mean[c] += distance[vertex.index()] * (weight / start.total[c]);
+  }
+  for (std::size_t v = 0; v < distance.size(); ++v) {
+    if (start.reached[v] == 0) {
+      distance[v] = std::numeric_limits<double>::infinity();
+      continue;
+    }
+    if (options.zero_on_sources) distance[v] -= mean[components.of_vertex[v]];
+    if (options.clamp) distance[v] = std::max(distance[v], 0.0);
+  }
+}
+
+HeatDistance::HeatDistance(const Surface& surface, const HeatOptions& options)
+    : HeatDistance(std::move(*open(surface, options, {}))) {}
+
+HeatDistance::HeatDistance(std::unique_ptr<const Impl> impl) : impl_(std::move(impl)) {}
+HeatDistance::~HeatDistance() = default;
+HeatDistance::HeatDistance(HeatDistance&&) noexcept = default;
+HeatDistance& HeatDistance::operator=(HeatDistance&&) noexcept = default;
+
+std::optional<HeatDistance> HeatDistance::open(const Surface& surface, const HeatOptions& options,
+                                               const Progress& progress) {
+  auto impl = std::make_unique<Impl>();
+  if (!impl->prepare(surface, options, progress)) return std::nullopt;
+  return HeatDistance(std::move(impl));
+}
+
+std::vector<double> HeatDistance::solve(std::span<const WeightedVertex> sources,
+                                        const DistanceOptions& options) const {
+  const Impl::Start start = impl_->start(sources);
+  std::vector<double> right = unit_gradient_divergence(impl_->triangles, impl_->heat(start));
+  for (std::size_t v = 0; v < right.size(); ++v) {
+    if (impl_->pinned[v] != 0) right[v] = 0;
+  }
+  std::vector<double> distance = impl_->poisson->solve(right);
+  impl_->finish(distance, sources, start, options);
+  for (std::size_t v = 0; v < distance.size(); ++v) {
+    if (!std::isnan(distance[v])) continue;
+    throw Error(ErrorCode::kNumerical,
+                "The distance at vertex " + std::to_string(v) + " is not a number.");
+  }
+  return distance;
+}
+
+const HeatReport& HeatDistance::report() const { return impl_->report; }
+
+std::vector<double> heat_distance(const Surface& surface, const SurfaceCurve& curve,
+                                  const HeatOptions& options) {
+  return HeatDistance(surface, options).solve(curve_sources(surface, curve));
+}
+
+}  // namespace talweg

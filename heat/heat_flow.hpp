@@ -1,0 +1,38 @@
+// The heat after one implicit step, however far from its source.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "talweg/heat/cholesky_factor.hpp"
+#include "talweg/heat/heat_triangles.hpp"
+
+namespace talweg {
+
+/// A field of huge range: entry i is value[i] · 2^(-kStageBits · stage[i]).
+struct ScaledField {
+  static constexpr int kStageBits = 800;
+  std::vector<double> value;
+  std::vector<std::int32_t> stage;
+};
+
+/// Solves (M / h² + s S) u = source, the heat flow of time s h² (Crane, Weischedel & Wardetzky
+/// 2013, equation 3), with `factor` the factor of that matrix (or of the one with Dirichlet rows).
+///
+/// u falls by a factor of about exp(-1 / √s) per edge, so doubles underflow after some 2,000 edges.
+/// Where |u| is below 2^-800 the equation is therefore solved again, scaled: with A the vertices
+/// known so far, the rest of u has the source -(s S u_A) beyond A's rim and +(s S u_rest) on it,
+/// and the same matrix. This is u itself, not an approximation, to a few digits less than one
+/// solve; one more solve for each 1,700 edge lengths or so.
+///
+/// `source` has one entry per vertex, of order 1 at most; `reached[i]` tells where u is not 0 by
+/// itself (components with a source, Dirichlet rows excepted).
+ScaledField heat_flow(const CholeskyFactor& factor, std::span<const HeatTriangle> triangles,
+                      double time_scale, const std::vector<double>& source,
+                      const std::vector<char>& reached);
+
+/// (a + b) / 2 where `where` is set, else a. b must not exceed a by more than 2^kStageBits.
+ScaledField average(ScaledField a, const ScaledField& b, const std::vector<char>& where);
+
+}  // namespace talweg

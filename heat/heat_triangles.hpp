@@ -1,0 +1,23 @@
+// What a distance solve needs of each triangle, laid out once.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "talweg/intrinsic/delaunay.hpp"
+
+namespace talweg {
+
+/// Corners ordered so that the longest side runs from corner 0 to corner 1.
+struct HeatTriangle {
+  std::array<std::uint32_t, 3> corner{};
+  std::array<double, 3> half_cotangent{};  ///< at each corner: the weight of the opposite side
+  double longest_side = 0;
+};
+
+/// Triangles without area are left out: nothing flows through them. O(triangles).
+std::vector<HeatTriangle> heat_triangles(std::span<const MetricTriangle> triangles);
+
+}  // namespace talweg

@@ -1,0 +1,23 @@
+// The divergence of the normalised gradient of the heat.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "talweg/heat/heat_flow.hpp"
+#include "talweg/heat/heat_triangles.hpp"
+
+namespace talweg {
+
+/// The right-hand side b of S δ = b whose solution has gradients closest to X = -∇u / |∇u| (Crane,
+/// Weischedel & Wardetzky 2013, equations 4 and 5): b_i = -∫ X · ∇λ_i... summed over the triangles
+/// at i, in length units, and Σ b = 0 up to rounding.
+///
+/// Only differences along sides are needed: X · e_ij = (u_i - u_j) / |∇u|, and |∇u| comes from
+/// the layout of the triangle on its longest side. Each triangle is scaled by its own largest |u|
+/// first, so the direction survives wherever u is not 0. Triangles where u is constant have no
+/// direction and add nothing. O(triangles).
+std::vector<double> unit_gradient_divergence(std::span<const HeatTriangle> triangles,
+                                             const ScaledField& u);
+
+}  // namespace talweg
