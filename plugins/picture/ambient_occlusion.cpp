@@ -54,7 +54,7 @@ std::vector<float> openness(const SampleBuffer& buffer, std::size_t samples, dou
         const bool far_in_front = std::max(one, two) > 4 * reach;
         hidden += far_in_front ? 0.3 * rise : rise;
       }
-      open[y * width + x] = static_cast<float>(1 - std::min(0.85, 1.3 * hidden / 16));
+      open[y * width + x] = static_cast<float>(1 - std::min(0.85, 1.15 * hidden / 16));
     }
   }
   return blurred(open, width, height);

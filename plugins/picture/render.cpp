@@ -53,8 +53,16 @@ bool has_curve_points(const Scene& scene) {
                      [](const PictureCurve& c) { return !c.points.empty(); });
 }
 
-Camera detail_camera(const Studio& studio, const Panel& panel, double width, double height) {
-  const Detail detail = most_turning_place(studio.scene, studio.normals);
+Point shared_direction(Studio& studio) {
+  if (!studio.direction) {
+    studio.direction = best_direction(studio.scene, studio.normals, studio.up);
+  }
+  return *studio.direction;
+}
+
+Camera detail_camera(Studio& studio, const Panel& panel, double width, double height) {
+  const Detail detail = most_turning_place(
+      studio.scene, studio.normals, panel.view ? *panel.view : shared_direction(studio), studio.up);
   const double radius = detail.radius > 0 ? detail.radius : 5 * studio.mean_edge;
   Camera camera;
   camera.axes = axes_for(panel.view.value_or(detail.normal), studio.up);
@@ -67,7 +75,7 @@ Camera detail_camera(const Studio& studio, const Panel& panel, double width, dou
 
 // Frames a curve with its surroundings: larger than the curve, but not larger than the mesh.
 Extent with_surroundings(Extent curve, const Extent& mesh) {
-  const Point grow = 0.3 * Point::Constant(curve.size().head<2>().maxCoeff());
+  const Point grow = 0.9 * Point::Constant(curve.size().head<2>().maxCoeff());
   curve.low = (curve.low - grow).cwiseMax(mesh.low);
   curve.high = (curve.high + grow).cwiseMin(mesh.high);
   return curve;
@@ -75,22 +83,19 @@ Extent with_surroundings(Extent curve, const Extent& mesh) {
 
 Camera camera_for(Studio& studio, const Panel& panel, double width, double height) {
   const Scene& scene = studio.scene;
-  const bool curves = has_curve_points(scene);
-  if (panel.fit == Fit::kDetail && curves && !scene.curves.front().points.empty()) {
+  if (panel.fit == Fit::kDetail && !scene.curves.empty() && !scene.curves.front().points.empty()) {
     return detail_camera(studio, panel, width, height);
   }
-  if (!panel.view && !studio.direction) {
-    studio.direction = best_direction(scene, studio.normals, studio.up);
-  }
-  const Eigen::Matrix3d axes = axes_for(panel.view ? *panel.view : *studio.direction, studio.up);
+  const Point direction = panel.view ? *panel.view : shared_direction(studio);
+  const Eigen::Matrix3d axes = axes_for(direction, studio.up);
   const Extent mesh = mesh_extent(scene.mesh, axes);
-  // All curves count, not only the panel's: panels side by side then have one frame.
   Extent extent = mesh;
-  if (curves && panel.fit != Fit::kMesh) {
+  if (has_curve_points(scene) && panel.fit != Fit::kMesh) {
+    // All curves count, not only the panel's: panels side by side then have one frame.
     extent = curve_extent(scene, curves_of({}, scene), axes);
     if (panel.fit == Fit::kAuto) extent = with_surroundings(extent, mesh);
   }
-  const double margin = panel.fit == Fit::kCurve ? 0.12 : 0.06;
+  const double margin = panel.fit == Fit::kCurve ? 0.12 : 0.05;
   Camera camera = framed(axes, extent, width, height, margin);
   camera.scale *= panel.zoom;
   return camera;
@@ -98,13 +103,15 @@ Camera camera_for(Studio& studio, const Panel& panel, double width, double heigh
 
 SampleBuffer rasterize(const Studio& studio, const Panel& panel, const Camera& camera,
                        const std::vector<Point>& projected) {
-  SampleBuffer buffer(std::size_t(camera.width), std::size_t(camera.height));
+  const RenderOptions& options = studio.options;
+  SampleBuffer buffer(options.panel_width * options.supersampling,
+                      options.panel_height * options.supersampling);
   const MeshLists& mesh = studio.scene.mesh;
   for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
     const auto& [a, b, c] = mesh.triangles[f];
     buffer.draw_triangle(static_cast<std::uint32_t>(f), projected[a], projected[b], projected[c]);
   }
-  const auto samples = static_cast<double>(studio.options.supersampling);
+  const auto samples = static_cast<double>(options.supersampling);
   double order = 0;
   for (const std::size_t c : curves_of(panel, studio.scene)) {
     const PictureCurve& curve = studio.scene.curves[c];
@@ -131,7 +138,7 @@ class Shader {
         material_(to_linear(studio.options.material)) {
     const double samples = double(studio.options.supersampling);
     const double edge = studio.mean_edge * camera.scale / samples;  // pixels
-    line_ = studio.options.mesh_edges ? 0.42 * std::clamp((edge - 7) / 12, 0.0, 1.0) : 0;
+    line_ = studio.options.mesh_edges ? 0.42 * std::clamp((edge - 11) / 12, 0.0, 1.0) : 0;
     line_width_ = 0.55 * samples;
     for (const PictureCurve& c : studio.scene.curves) tubes_.push_back(to_linear(c.color));
   }
@@ -188,11 +195,23 @@ Light background_at(const RenderOptions& options, double height_fraction) {
   return to_linear(options.background) * (1.02 - 0.14 * height_fraction);
 }
 
+// Where captions stand, at the bottom of a panel, in pixels.
+struct CaptionBand {
+  double letters;
+  double height;
+};
+
+CaptionBand caption_band(const RenderOptions& options, const Panel& panel) {
+  const double letters = std::max(9.0, 0.022 * double(options.panel_height));
+  return {letters, options.captions && !panel.caption.empty() ? 3.4 * letters : 0};
+}
+
 void draw_panel(Studio& studio, const Panel& panel, std::size_t left, Image& image) {
   const RenderOptions& options = studio.options;
   const std::size_t samples = options.supersampling;
+  const CaptionBand band = caption_band(options, panel);
   const Camera camera = camera_for(studio, panel, double(options.panel_width * samples),
-                                   double(options.panel_height * samples));
+                                   (double(options.panel_height) - band.height) * double(samples));
   std::vector<Point> projected(studio.scene.mesh.points.size());
   for (std::size_t v = 0; v < projected.size(); ++v) {
     projected[v] = camera.project(studio.scene.mesh.points[v]);
@@ -215,10 +234,18 @@ void draw_panel(Studio& studio, const Panel& panel, std::size_t left, Image& ima
       store(sum / double(samples * samples), image.pixel(left + x, y));
     }
   }
-  if (!options.captions || panel.caption.empty()) return;
-  const double letters = std::max(9.0, 0.021 * double(options.panel_height));
+  if (band.height == 0) return;
   draw_caption(image, panel.caption, double(left) + 0.5 * double(options.panel_width),
-               double(options.panel_height) - 1.6 * letters, letters, to_linear({0.2, 0.2, 0.22}));
+               double(options.panel_height) - 1.4 * band.letters, band.letters,
+               to_linear({0.2, 0.2, 0.22}));
+}
+
+// A white line at the right of a panel.
+void draw_separator(const RenderOptions& options, std::size_t right, Image& image) {
+  const std::size_t width = std::max<std::size_t>(1, options.panel_width / 160);
+  for (std::size_t y = 0; y < image.height; ++y) {
+    std::fill_n(image.pixel(right - width, y), 3 * width, std::uint8_t{255});
+  }
 }
 
 }  // namespace
@@ -251,6 +278,7 @@ Image render(const Scene& scene, const RenderOptions& options) {
   image.rgb.resize(3 * image.width * image.height);
   for (std::size_t k = 0; k < panels.size(); ++k) {
     draw_panel(studio, panels[k], k * options.panel_width, image);
+    if (k > 0) draw_separator(options, k * options.panel_width, image);
   }
   return image;
 }

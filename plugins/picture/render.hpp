@@ -55,7 +55,7 @@ struct RenderOptions {
   bool captions = true;
   bool mesh_edges = true;  ///< thin lines along the mesh's edges where these are long enough
   Color background{0.965, 0.965, 0.96};
-  Color material{0.87, 0.83, 0.77};
+  Color material{0.91, 0.85, 0.775};
 
   /// Throws Error(kBadUsage) naming the field and its bound.
   void validate() const;

@@ -29,13 +29,13 @@ Light shade_surface(const Light& material, const Eigen::Vector3d& normal, double
   static const Eigen::Vector3d fill = Eigen::Vector3d(0.80, 0.05, 0.55).normalized();
   static const Eigen::Vector3d halfway = (key + Eigen::Vector3d::UnitZ()).normalized();
   static const Light key_color(0.86, 0.83, 0.77), fill_color(0.13, 0.15, 0.20);
-  static const Light sky(0.31, 0.33, 0.37), ground(0.17, 0.15, 0.13);
+  static const Light sky(0.36, 0.37, 0.40), ground(0.24, 0.21, 0.19);
 
   // Wrapped diffuse light keeps the shadow side soft.
   const double wrapped = std::max(0.0, (n.dot(key) + 0.25) / 1.25);
   const double up = 0.5 + 0.5 * n.y();
   const Light around = openness * (up * sky + (1 - up) * ground);
-  const double direct = 0.35 + 0.65 * openness;
+  const double direct = 0.5 + 0.5 * openness;
   Light light =
       material *
       (around + direct * (wrapped * wrapped * key_color + std::max(0.0, n.dot(fill)) * fill_color));

@@ -51,20 +51,26 @@ Thumbnail draw_thumbnail(const MeshLists& mesh, const Point& direction, const Po
   return result;
 }
 
+// How well a point on the surface can be seen, in [0, 1]: 0 where something is in front of it.
+double visibility(const std::vector<Eigen::Vector3f>& normals, const Thumbnail& view,
+                  const Point& point, const Point& direction) {
+  const Point p = view.camera.project(point);
+  const auto column = static_cast<std::size_t>(std::clamp(p.x(), 0.0, kThumbnail - 1));
+  const auto row = static_cast<std::size_t>(std::clamp(p.y(), 0.0, kThumbnail - 1));
+  const std::uint32_t face = view.buffer.id(column, row);
+  if (face == SampleBuffer::kNothing || view.buffer.depth(column, row) > p.z() + 3) return 0;
+  return worth(normals[3 * std::size_t(face)].cast<double>().dot(direction));
+}
+
 // The visible part of the curves' length, weighted by inclination.
 double visible_length(const Scene& scene, const std::vector<Eigen::Vector3f>& normals,
                       const Thumbnail& view, const Point& direction) {
   double sum = 0;
   for (const PictureCurve& curve : scene.curves) {
     for (std::size_t i = 0; i + 1 < curve.points.size(); ++i) {
-      const Point p = view.camera.project(0.5 * (curve.points[i] + curve.points[i + 1]));
-      const double x = std::clamp(p.x(), 0.0, kThumbnail - 1);
-      const double y = std::clamp(p.y(), 0.0, kThumbnail - 1);
-      const auto column = static_cast<std::size_t>(x), row = static_cast<std::size_t>(y);
-      const std::uint32_t face = view.buffer.id(column, row);
-      if (face == SampleBuffer::kNothing || view.buffer.depth(column, row) > p.z() + 3) continue;
-      const double cosine = normals[3 * face].cast<double>().dot(direction);
-      sum += worth(cosine) * (curve.points[i + 1] - curve.points[i]).norm();
+      const Point middle = 0.5 * (curve.points[i] + curve.points[i + 1]);
+      sum += visibility(normals, view, middle, direction) *
+             (curve.points[i + 1] - curve.points[i]).norm();
     }
   }
   return sum;
@@ -102,6 +108,34 @@ std::vector<double> turning(const PictureCurve& curve) {
     angles[i] = std::atan2(u.cross(w).norm(), u.dot(w));
   }
   return angles;
+}
+
+// The middle of the window of 2 half + 1 values with the largest sum, the first of several.
+std::size_t fullest_window(const std::vector<double>& values, std::size_t half) {
+  double sum = 0, most = -1;
+  std::size_t middle = values.size() / 2;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    sum += values[i];
+    if (i > 2 * half) sum -= values[i - 2 * half - 1];
+    if (i >= 2 * half && sum > most) {
+      most = sum;
+      middle = i - half;
+    }
+  }
+  return middle;
+}
+
+// The mean of the normals within a ball.
+Point normal_around(const MeshLists& mesh, const std::vector<Eigen::Vector3f>& normals,
+                    const Point& center, double radius) {
+  Point normal = Point::Zero();
+  for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Point& p = mesh.points[mesh.triangles[f][k]];
+      if ((p - center).norm() < radius) normal += normals[3 * f + k].cast<double>();
+    }
+  }
+  return normal.norm() > 0 ? Point(normal.normalized()) : Point(Point::UnitZ());
 }
 
 }  // namespace
@@ -154,36 +188,32 @@ Point best_direction(const Scene& scene, const std::vector<Eigen::Vector3f>& nor
   return best;
 }
 
-Detail most_turning_place(const Scene& scene, const std::vector<Eigen::Vector3f>& normals) {
+Detail most_turning_place(const Scene& scene, const std::vector<Eigen::Vector3f>& normals,
+                          const Point& direction, const Point& up) {
   Detail detail;
-  const PictureCurve& curve = scene.curves.front();
-  const std::size_t n = curve.points.size();
-  const std::vector<double> angles = turning(curve);
-  const std::size_t half = std::max<std::size_t>(2, std::min<std::size_t>(n / 12, 14));
-  double sum = 0, most = -1;
-  std::size_t place = n / 2;
+  const std::vector<Point>& points = scene.curves.front().points;
+  const std::size_t n = points.size();
+  const std::size_t half = std::max<std::size_t>(2, std::min<std::size_t>(n / 8, 22));
+  std::vector<double> angles = turning(scene.curves.front());
+  const Thumbnail view = draw_thumbnail(scene.mesh, direction, up);
   for (std::size_t i = 0; i < n; ++i) {
-    sum += angles[i];
-    if (i > 2 * half) sum -= angles[i - 2 * half - 1];
-    if (i >= 2 * half && sum > most * (1 + 1e-9)) {
-      most = sum;
-      place = i - half;
-    }
+    angles[i] = (angles[i] + 0.1) * visibility(normals, view, points[i], direction);
   }
+  const std::size_t place = fullest_window(angles, half);
+  const std::size_t begin = place - std::min(place, half), end = std::min(n, place + half + 1);
   Extent extent;
-  for (std::size_t i = place - std::min(place, half); i < std::min(n, place + half + 1); ++i) {
-    extent.add(curve.points[i]);
-  }
+  for (std::size_t i = begin; i < end; ++i) extent.add(points[i]);
   detail.center = extent.center();
   detail.radius = 0.5 * extent.size().norm();
-  Point normal = Point::Zero();
-  for (std::size_t f = 0; f < scene.mesh.triangles.size(); ++f) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Point& p = scene.mesh.points[scene.mesh.triangles[f][k]];
-      if ((p - detail.center).norm() < detail.radius) normal += normals[3 * f + k].cast<double>();
-    }
+  detail.normal = normal_around(scene.mesh, normals, detail.center, detail.radius);
+
+  const Thumbnail above = draw_thumbnail(scene.mesh, detail.normal, up);
+  double clear = 0, before = 0;
+  for (std::size_t i = begin; i < end; ++i) {
+    clear += visibility(normals, above, points[i], detail.normal);
+    before += visibility(normals, view, points[i], direction);
   }
-  detail.normal = normal.norm() > 0 ? Point(normal.normalized()) : Point(Point::UnitZ());
+  if (clear < before) detail.normal = direction;
   return detail;
 }
 

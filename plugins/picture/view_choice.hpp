@@ -27,8 +27,11 @@ struct Detail {
   double radius = 0;
 };
 
-/// Where the first curve turns most within a window of its length. O(vertices + curve points).
-Detail most_turning_place(const Scene& scene, const std::vector<Eigen::Vector3f>& normals);
+/// Where the first curve turns most within a window of its length, among the parts of it that can
+/// be seen from `direction`. Its normal is the direction to look from: the surface's, or
+/// `direction` where something is in the way of that. O(faces).
+Detail most_turning_place(const Scene& scene, const std::vector<Eigen::Vector3f>& normals,
+                          const Point& direction, const Point& up);
 
 /// The mesh's extent along the axes; vertices without faces do not count.
 Extent mesh_extent(const MeshLists& mesh, const Eigen::Matrix3d& axes);

@@ -46,8 +46,8 @@ Field figure() {
     d = smooth_union(d, limbs(mirrored(p), arm, leg), 0.09);
     d = smooth_union(d, ellipsoid(p, {0, -0.72, -0.55}, {0.16, 0.16, 0.16}), 0.08);
     // Pressed by fingers, and the grain of the clay.
-    return d + 0.022 * fractal_noise(4.5 * p, 2, 101) + 0.016 * noise(9 * p, 131) +
-           0.0045 * noise(22 * p, 151);
+    return d + 0.030 * fractal_noise(3.7 * p, 2, 101) + 0.012 * noise(9 * p, 131) +
+           0.003 * noise(20 * p, 151);
   };
 }
 
@@ -64,18 +64,18 @@ DemoScene figure_scene() {
   DemoScene scene;
   scene.name = "figure";
   const Field field = figure();
-  const double cell = 0.0325;
+  const double cell = 0.0435;
   scene.mesh = isosurface(field, {-1.15, -1.35, -0.95}, {1.15, 1.50, 1.20}, cell);
   relax(scene.mesh, field, cell, 5);
 
   // A sash over the belly, from one shoulder to the other hip.
   Random hand(17);
   std::vector<Point> places;
-  constexpr int kCount = 20;
+  constexpr int kCount = 22;
   for (int i = 0; i <= kCount; ++i) {
     const double t = double(i) / kCount;
-    const double x = -0.42 + 0.84 * t + 0.03 * std::sin(9 * t);
-    const double y = 0.20 - 0.72 * t - 0.10 * std::sin(3.1 * t);
+    const double x = -0.44 + 0.86 * t + 0.04 * std::sin(9 * t);
+    const double y = 0.26 - 0.86 * t - 0.10 * std::sin(3.1 * t);
     places.push_back(front(field, x + hand.in(-0.035, 0.035), y + hand.in(-0.035, 0.035)));
   }
   scene.through = nearest_vertices(scene.mesh, places, false);

@@ -8,11 +8,16 @@
 namespace talweg::scenes {
 namespace {
 
-double lattice_value(std::int64_t x, std::int64_t y, std::int64_t z, std::uint64_t seed) {
+// The product of a random vector at the lattice point with d.
+double lattice_slope(std::int64_t x, std::int64_t y, std::int64_t z, std::uint64_t seed,
+                     const Point& d) {
   std::uint64_t h = mix_bits(seed ^ static_cast<std::uint64_t>(x));
   h = mix_bits(h ^ static_cast<std::uint64_t>(y));
   h = mix_bits(h ^ static_cast<std::uint64_t>(z));
-  return static_cast<double>(h >> 11U) * 0x1p-52 - 1;
+  const auto component = [&](unsigned shift) {
+    return static_cast<double>((h >> shift) & 0xFFFFU) * 0x1p-15 - 1;
+  };
+  return component(0) * d.x() + component(16) * d.y() + component(32) * d.z();
 }
 
 double eased(double t) { return t * t * t * (t * (6 * t - 15) + 10); }
@@ -29,9 +34,10 @@ double noise(const Point& p, std::uint64_t seed) {
   for (int corner = 0; corner < 8; ++corner) {
     const int i = corner & 1, j = (corner >> 1) & 1, k = corner >> 2;
     const double weight = (i ? t[0] : 1 - t[0]) * (j ? t[1] : 1 - t[1]) * (k ? t[2] : 1 - t[2]);
-    sum += weight * lattice_value(x + i, y + j, z + k, seed);
+    const Point d = p - base - Point(i, j, k);
+    sum += weight * lattice_slope(x + i, y + j, z + k, seed, d);
   }
-  return sum;
+  return 1.5 * sum;
 }
 
 double fractal_noise(const Point& p, int octaves, std::uint64_t seed) {

@@ -7,7 +7,8 @@
 
 namespace talweg::scenes {
 
-/// Value noise: random values in [-1, 1] at integer points, joined smoothly (C²).
+/// Gradient noise (Perlin 2002): zero with a random slope at integer points, joined smoothly (C²);
+/// mostly within [-1, 1].
 double noise(const Point& p, std::uint64_t seed);
 
 /// `octaves` layers of noise, each twice as fine and half as strong; in about [-1, 1].

@@ -21,12 +21,12 @@ double river(double y) {
 // Metres over (x, y) in units of the side: ridges, hills, and a valley along the river.
 double elevation(double x, double y) {
   const Point p(x, y, 0.5);
-  const Point bent = 3.2 * p + 0.35 * Point(noise(4 * p, 3), noise(4 * p, 4), 0);
+  const Point bent = 3.0 * p + 0.45 * Point(noise(3 * p, 3), noise(3 * p, 4), 0);
   double ridges = 0, strength = 0.55;
   Point q = bent;
   double weight = 1;
   for (std::uint64_t k = 0; k < 6; ++k) {
-    const double ridge = 1 - std::abs(noise(q, 40 + k));
+    const double ridge = 1 - std::hypot(noise(q, 40 + k), 0.07);
     const double layer = ridge * ridge * weight;
     ridges += strength * layer;
     weight = std::clamp(1.6 * layer, 0.0, 1.0);

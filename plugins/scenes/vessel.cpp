@@ -73,7 +73,7 @@ DemoScene vessel_scene() {
   DemoScene scene;
   scene.name = "vessel";
   const Field field = vessel();
-  const double cell = 0.0345;
+  const double cell = 0.0455;
   scene.mesh = isosurface(field, {-1.60, -1.60, -0.75}, {1.62, 1.60, 0.95}, cell);
   relax(scene.mesh, field, cell, 5);
 
