@@ -209,5 +209,21 @@ TEST(Measures, AgreesWithTheReferenceOnDrawnCurves) {
   }
 }
 
+TEST(Measures, AgreesWithTheReferenceOnResults) {
+  for (const char* name : {"fandisk_14k", "aneurysm_14k", "armadillo_86k"}) {
+    const auto drawn = test::reference_curve(name);
+    if (!drawn) GTEST_SKIP() << "reference data not found for " << name;
+    const auto numbers = test::reference_numbers(name, 1.0);
+    double moved = 0;
+    const SurfaceCurve result = test::reference_result_curve(*drawn, name, moved);
+    EXPECT_LT(moved, 1e-6 * drawn->mesh.mean_edge_length()) << name;
+    const auto measures = measure_curve(drawn->mesh.surface(), result);
+    const double length = numbers["length_after"];
+    const double curvature = numbers["curvature_after"];
+    EXPECT_NEAR(measures.length, length, 1e-6 * length) << name;
+    EXPECT_NEAR(measures.total_curvature, curvature, 1e-3 * curvature) << name;
+  }
+}
+
 }  // namespace
 }  // namespace talweg

@@ -1,11 +1,13 @@
 // The reference curves on real meshes: absent where the meshes are, see TALWEG_MESHES.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <cstdlib>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <optional>
 #include <sstream>
 #include <string>
@@ -80,12 +82,49 @@ inline std::optional<ReferenceCurve> reference_curve(const std::string& name) {
   return curve;
 }
 
-/// The points of the reference's result for tau = 1.
+/// The points of the reference's result for tau = 1; its files repeat the first point of a closed
+/// curve at the end, this does not.
 inline std::vector<Point> reference_result(const std::string& name) {
   std::ifstream in(reference_folder() / "results" / (name + "_tau1.xyz"));
   std::vector<Point> points;
   for (Point p; in >> p.x() >> p.y() >> p.z();) points.push_back(p);
+  if (points.size() > 1 && points.front() == points.back()) points.pop_back();
   return points;
+}
+
+/// The same as a curve on the mesh: every point on the edge or vertex nearest to it. The largest
+/// distance that a point was moved goes to `moved`.
+inline SurfaceCurve reference_result_curve(const ReferenceCurve& drawn, const std::string& name,
+                                           double& moved) {
+  const Surface& surface = drawn.mesh.surface();
+  SurfaceCurve curve{drawn.closed, {}};
+  moved = 0;
+  for (const Point& p : reference_result(name)) {
+    double best = std::numeric_limits<double>::infinity();
+    EdgeId edge;
+    double place = 0;
+    for (std::size_t e = 0; e < surface.edge_count(); ++e) {
+      const HalfedgeId h = halfedge_of(EdgeId{e});
+      const Point& a = drawn.mesh.point(surface.tail(h));
+      const Point along = drawn.mesh.point(surface.head(h)) - a;
+      const double t = std::clamp((p - a).dot(along) / along.squaredNorm(), 0.0, 1.0);
+      const double squared = (a + t * along - p).squaredNorm();
+      if (squared >= best) continue;
+      best = squared;
+      edge = EdgeId{e};
+      place = t;
+    }
+    moved = std::max(moved, std::sqrt(best));
+    const HalfedgeId h = halfedge_of(edge);
+    if (place < 1e-9) {
+      curve.points.push_back(SurfacePoint::at_vertex(surface, surface.tail(h)));
+    } else if (place > 1 - 1e-9) {
+      curve.points.push_back(SurfacePoint::at_vertex(surface, surface.head(h)));
+    } else {
+      curve.points.push_back(SurfacePoint::on_edge(surface, edge, place));
+    }
+  }
+  return curve;
 }
 
 /// What the reference measured with the paper's potential.
