@@ -181,6 +181,13 @@ HalfedgeId PointInsertion::step(VertexId from, VertexId to, FaceId face) {
 }
 
 void PointInsertion::connect(VertexId from, VertexId to, std::vector<HalfedgeId>& path) {
+  const std::size_t own = triangulation_->surface().vertex_count();
+  if (from.index() < own && to.index() < own) {  // the common case: an edge of the surface
+    if (const HalfedgeId h = triangulation_->find_halfedge(from, to); h.valid()) {
+      path.push_back(h);
+      return;
+    }
+  }
   const SurfacePoint p = triangulation_->location(from), q = triangulation_->location(to);
   const FaceId face = common_face(triangulation_->surface(), p, q);
   const auto fail = [&](const char* what) {

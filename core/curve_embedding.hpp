@@ -1,0 +1,24 @@
+// Drawn curves become edge paths of a triangulation.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "talweg/intrinsic/edge_path.hpp"
+#include "talweg/intrinsic/signpost_triangulation.hpp"
+#include "talweg/intrinsic/surface_point.hpp"
+
+namespace talweg {
+
+/// What a drawn curve must be: at least two points (three when closed), no point twice, each point
+/// and the next in a common face. Throws Error(kBadCurve) naming the first position (counted from
+/// 1) that is not so.
+void check_drawn(const Surface& surface, const SurfaceCurve& curve);
+
+/// The curves as edge paths, in their order, after inserting those of their points that are not
+/// vertices. Different curves may touch or share edges.
+/// Throws Error(kBadCurve) when a curve crosses or touches itself.
+std::vector<EdgePath> embed_curves(SignpostTriangulation& triangulation,
+                                   std::span<const SurfaceCurve> curves);
+
+}  // namespace talweg

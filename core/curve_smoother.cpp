@@ -1,0 +1,423 @@
+#include "talweg/core/curve_smoother.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "talweg/core/bump_convolution.hpp"
+#include "talweg/core/capping.hpp"
+#include "talweg/core/curve_embedding.hpp"
+#include "talweg/core/deviation.hpp"
+#include "talweg/core/lifted_lengths.hpp"
+#include "talweg/core/relaxation.hpp"
+#include "talweg/core/stopwatch.hpp"
+#include "talweg/core/version.hpp"
+#include "talweg/heat/curve_sources.hpp"
+#include "talweg/intrinsic/error.hpp"
+
+namespace talweg {
+namespace {
+
+[[noreturn]] void bad_usage(const std::string& message) {
+  throw Error(ErrorCode::kBadUsage, message);
+}
+
+bool along_vertices(const SurfaceCurve& curve) {
+  return std::all_of(curve.points.begin(), curve.points.end(),
+                     [](const SurfacePoint& p) { return p.is_vertex(); });
+}
+
+SurfaceCurve cap(const Surface& surface, const SurfaceCurve& curve,
+                 std::span<const VertexId> pins) {
+  if (!along_vertices(curve)) return curve;
+  std::vector<VertexId> path;
+  for (const SurfacePoint& p : curve.points) path.push_back(std::get<AtVertex>(p.where()).vertex);
+  cap_corners(surface, path, curve.closed, pins);
+  SurfaceCurve capped{curve.closed, {}};
+  for (const VertexId v : path) capped.points.push_back(SurfacePoint::at_vertex(surface, v));
+  return capped;
+}
+
+void check_pins(std::span<const SurfaceCurve> curves, std::span<const VertexId> pins) {
+  for (const VertexId pin : pins) {
+    const bool passed = std::any_of(curves.begin(), curves.end(), [&](const SurfaceCurve& c) {
+      return std::any_of(c.points.begin(), c.points.end(), [&](const SurfacePoint& p) {
+        return p.is_vertex() && std::get<AtVertex>(p.where()).vertex == pin;
+      });
+    });
+    if (!passed) {
+      bad_usage("The pinned vertex " + std::to_string(pin.index()) + " is not on the curve.");
+    }
+  }
+}
+
+/// The union of the curves as a source set; where curves meet their weights add.
+std::vector<WeightedVertex> sources_of(const Surface& surface,
+                                       std::span<const SurfaceCurve> curves) {
+  std::vector<WeightedVertex> sources;
+  for (const SurfaceCurve& curve : curves) {
+    const std::vector<WeightedVertex> more = curve_sources(surface, curve);
+    sources.insert(sources.end(), more.begin(), more.end());
+  }
+  std::stable_sort(sources.begin(), sources.end(),
+                   [](const auto& a, const auto& b) { return a.vertex < b.vertex; });
+  std::size_t kept = 0;
+  for (const WeightedVertex& source : sources) {
+    if (kept > 0 && sources[kept - 1].vertex == source.vertex) {
+      sources[kept - 1].weight += source.weight;
+    } else {
+      sources[kept++] = source;
+    }
+  }
+  sources.resize(kept);
+  return sources;
+}
+
+}  // namespace
+
+void CurveOptions::validate() const {
+  if (!(heat_time >= 1e-3 && heat_time <= 1e6)) bad_usage("heat_time must be in [1e-3, 1e6].");
+  if (!(bump_radius >= 0 && std::isfinite(bump_radius))) {
+    bad_usage("bump_radius must be finite and >= 0.");
+  }
+}
+
+void SmoothingOptions::validate() const {
+  if (!(tau >= 0 && std::isfinite(tau))) bad_usage("tau must be finite and >= 0.");
+  potential.validate();
+  RelaxationOptions{relax_rounds}.validate();
+  if (!(min_relative_length >= 0 && min_relative_length < 1)) {
+    bad_usage("min_relative_length must be in [0, 1).");
+  }
+  if (length_floor && !(*length_floor >= 0 && std::isfinite(*length_floor))) {
+    bad_usage("length_floor must be finite and >= 0.");
+  }
+}
+
+CurveSmoother::CurveSmoother(std::shared_ptr<const OpenedMesh> mesh)
+    : mesh_(std::move(mesh)),
+      triangulation_(mesh_->surface()),
+      flip_out_(triangulation_),
+      tracer_(triangulation_) {}
+
+void CurveSmoother::forget() {
+  triangulation_.remove_inserted();
+  drawn_.clear();
+  capped_.clear();
+  paths_.clear();
+  distance_.clear();
+  inserted_distance_.clear();
+  drawn_measures_.clear();
+  warnings_.clear();
+  heat_open_ms_ = solve_ms_ = 0;
+}
+
+void CurveSmoother::embed(std::span<const SurfaceCurve> curves, const CurveOptions& options) {
+  if (curves.empty()) bad_usage("There is no curve to smooth.");
+  options.validate();
+  const Surface& surface = mesh_->surface();
+  for (const SurfaceCurve& curve : curves) check_drawn(surface, curve);
+  check_pins(curves, options.pins);
+  curve_options_ = options;
+  std::sort(curve_options_.pins.begin(), curve_options_.pins.end());
+  drawn_.assign(curves.begin(), curves.end());
+  for (const SurfaceCurve& curve : drawn_) {
+    drawn_measures_.push_back(measure_curve(surface, curve));
+    capped_.push_back(options.cap_corners ? cap(surface, curve, curve_options_.pins) : curve);
+  }
+  paths_ = embed_curves(triangulation_, capped_);
+}
+
+bool CurveSmoother::set_curve(const SurfaceCurve& curve, const CurveOptions& options,
+                              const Progress& progress) {
+  return set_curves(std::span(&curve, 1), options, progress);
+}
+
+bool CurveSmoother::set_curves(std::span<const SurfaceCurve> curves, const CurveOptions& options,
+                               const Progress& progress) {
+  const std::vector<SurfaceCurve> own(curves.begin(), curves.end());  // may be our own drawing
+  forget();
+  try {
+    embed(own, options);
+    if (solve_distance(options, progress)) return true;
+  } catch (...) {
+    forget();
+    throw;
+  }
+  forget();
+  return false;
+}
+
+bool CurveSmoother::set_curves(std::span<const SurfaceCurve> curves, std::vector<double> distance,
+                               const CurveOptions& options) {
+  const std::vector<SurfaceCurve> own(curves.begin(), curves.end());
+  forget();
+  const Stopwatch watch;
+  if (distance.size() != mesh_->surface().vertex_count()) {
+    bad_usage("There are " + std::to_string(distance.size()) + " distances for " +
+              std::to_string(mesh_->surface().vertex_count()) + " vertices.");
+  }
+  for (std::size_t v = 0; v < distance.size(); ++v) {
+    if (std::isnan(distance[v]) || distance[v] == -HUGE_VAL) {
+      bad_usage("The distance of vertex " + std::to_string(v) + " is not a number.");
+    }
+  }
+  try {
+    embed(own, options);
+    distance_ = std::move(distance);
+    inserted_distance_ = at_inserted(distance_, 1);
+  } catch (...) {
+    forget();
+    throw;
+  }
+  solve_ms_ = watch.ms();
+  return true;
+}
+
+bool CurveSmoother::solve_distance(const CurveOptions& options, const Progress& progress) {
+  const Stopwatch open_watch;
+  const HeatDistance* heat = mesh_->heat(options.heat_time, progress);
+  if (heat == nullptr) return false;
+  heat_open_ms_ = open_watch.ms();
+
+  const Stopwatch watch;
+  if (!go_on(progress, "solve", 0)) return false;
+  distance_ = heat->solve(sources_of(mesh_->surface(), capped_));
+  if (options.bump_radius > 0) {
+    BumpOptions bump;
+    bump.radius = options.bump_radius;
+    distance_ = convolve_with_bump(mesh_->surface(), distance_, bump);
+    inserted_distance_ = at_inserted(distance_, 1);
+  } else {
+    // Inserted vertices lie on the drawing, where the distance is 0 whatever the mesh can resolve.
+    inserted_distance_.assign(triangulation_.inserted_count(), 0.0);
+  }
+  const auto& mollified = heat->report().mollification;
+  const double most = mollified.empty() ? 0 : *std::max_element(mollified.begin(), mollified.end());
+  if (most > 0) {
+    warnings_.push_back("Needle triangles: edges were lengthened by up to " +
+                        std::to_string(most / mesh_->mesh().mean_edge_length()) +
+                        " mean edge lengths for the distance (and only for it).");
+  }
+  solve_ms_ = watch.ms();
+  return true;
+}
+
+std::vector<double> CurveSmoother::at_inserted(std::span<const double> values,
+                                               std::size_t k) const {
+  const Surface& surface = mesh_->surface();
+  std::vector<double> result;
+  for (std::size_t i = 0; i < triangulation_.inserted_count(); ++i) {
+    const SurfacePoint point = triangulation_.location(VertexId{surface.vertex_count() + i});
+    const FaceCoordinates at = coordinates_in(surface, point, any_face(surface, point));
+    const auto corners = surface.corners(at.face);
+    for (std::size_t j = 0; j < k; ++j) {
+      double value = 0;
+      for (std::size_t c = 0; c < 3; ++c) {
+        if (at.barycentric[c] > 0) value += at.barycentric[c] * values[corners[c].index() * k + j];
+      }
+      result.push_back(value);
+    }
+  }
+  return result;
+}
+
+double CurveSmoother::characteristic_length(const PotentialOptions& options) const {
+  if (options.length == PotentialOptions::Length::kGiven) return options.given_length;
+  double length = 0;
+  for (const CurveMeasures& m : drawn_measures_) length += m.length;
+  if (options.length == PotentialOptions::Length::kCurveLength) return length;
+  double largest = 0;
+  for (const double d : distance_) {
+    if (std::isfinite(d)) largest = std::max(largest, d);
+  }
+  return largest > 0 ? largest : length;  // a curve over every vertex leaves no distance at all
+}
+
+/// A loop of this length is a handful of edges around a vertex: three mean edges of the drawing,
+/// but less than half a loop that is drawn so small.
+double CurveSmoother::default_floor() const {
+  double floor = HUGE_VAL;
+  for (std::size_t c = 0; c < capped_.size(); ++c) {
+    if (!capped_[c].closed) continue;
+    const double length = curve_length(mesh_->surface(), capped_[c]);
+    const double mean = length / static_cast<double>(capped_[c].points.size());
+    floor = std::min({floor, 3 * mean, length / 2});
+  }
+  return std::isfinite(floor) ? floor : 0;
+}
+
+SmoothingResult CurveSmoother::smooth(double tau) {
+  SmoothingOptions options;
+  options.tau = tau;
+  return smooth(options);
+}
+
+SmoothingResult CurveSmoother::smooth(const SmoothingOptions& options) {
+  options.validate();
+  if (paths_.empty()) bad_usage("No curve is set.");
+  const Potential potential(options.potential, options.tau,
+                            characteristic_length(options.potential));
+  const std::size_t own = mesh_->surface().vertex_count();
+  return run(options, [this, potential, own](VertexId p, VertexId q, double length) {
+    const auto at = [&](VertexId v) {
+      return potential(v.index() < own ? distance_[v.index()]
+                                       : inserted_distance_[v.index() - own]);
+    };
+    return lifted_length(length, at(p), at(q));
+  });
+}
+
+SmoothingResult CurveSmoother::smooth(const SmoothingOptions& options,
+                                      std::span<const double> potential, std::size_t components) {
+  options.validate();
+  if (paths_.empty()) bad_usage("No curve is set.");
+  const std::size_t own = mesh_->surface().vertex_count();
+  if (components == 0 || potential.size() != own * components) {
+    bad_usage("A potential of " + std::to_string(components) + " components needs " +
+              std::to_string(own * components) + " values, not " +
+              std::to_string(potential.size()) + ".");
+  }
+  for (std::size_t i = 0; i < potential.size(); ++i) {
+    if (!(std::abs(potential[i]) <= 1e150)) {
+      bad_usage("The potential of vertex " + std::to_string(i / components) +
+                " is not a number of at most 1e150.");
+    }
+  }
+  const std::vector<double> inserted = at_inserted(potential, components);
+  SmoothingResult result = run(options, [&](VertexId p, VertexId q, double length) {
+    const auto at = [&](VertexId v) {
+      return v.index() < own
+                 ? potential.subspan(v.index() * components, components)
+                 : std::span(inserted).subspan((v.index() - own) * components, components);
+    };
+    return lifted_length(length, at(p), at(q));
+  });
+  triangulation_.set_metric({});  // the caller's array may go away
+  for (SmoothingReport& report : result.reports) report.potential = "custom";
+  result.total.potential = "custom";
+  return result;
+}
+
+SmoothingResult CurveSmoother::run(const SmoothingOptions& options,
+                                   SignpostTriangulation::Metric metric) {
+  Stopwatch watch;
+  triangulation_.set_metric(std::move(metric));
+  if (options.prepare_whole_mesh) triangulation_.prepare_all();
+  FlipOutOptions flip_options;
+  flip_options.max_iterations = options.max_iterations;
+  flip_options.min_relative_length = options.min_relative_length;
+  flip_options.length_floor = options.length_floor.value_or(default_floor());
+  flip_options.pinned = curve_options_.pins;
+  flip_options.progress = options.progress;
+  const FlipOutResult straight = flip_out_.run(paths_, flip_options);
+  const double straighten_ms = watch.ms();
+
+  watch = Stopwatch();
+  std::vector<EdgePath> paths;
+  for (const FlipOutResult::Path& path : straight.paths) paths.push_back(path.path);
+  TraceResult traced = tracer_.trace_and_undo(paths);
+  const double trace_ms = watch.ms();
+
+  watch = Stopwatch();
+  SmoothingResult result;
+  result.curves = std::move(traced.curves);
+  for (SurfaceCurve& curve : result.curves) relax(mesh_->mesh(), curve, {options.relax_rounds});
+  const double relax_ms = watch.ms();
+
+  for (std::size_t c = 0; c < result.curves.size(); ++c) {
+    SmoothingReport& report = result.reports.emplace_back(report_on(c, result.curves[c]));
+    const FlipOutResult::Path& path = straight.paths[c];
+    report.tau = options.tau;
+    report.lifted_length_before = path.length_before;
+    report.lifted_length_after = path.length_after;
+    report.termination = to_string(path.termination);
+    report.flips = straight.flips;
+    report.iterations = straight.iterations;
+    report.faces_touched = count_touched_faces();
+    report.trace_fallbacks = traced.clamped;
+    report.warnings = warnings_;
+    if (path.termination == Termination::kCollapsed) {
+      report.warnings.emplace_back(
+          "The loop shrinks to a point; it is returned as it was when it fell below the floor.");
+    }
+    if (straight.blocked > 0) {
+      report.warnings.emplace_back("The curve stays bent at " + std::to_string(straight.blocked) +
+                                   " points where another part of the drawing is in the way.");
+    }
+    report.time_ms.open = mesh_->open_ms() + heat_open_ms_;
+    report.time_ms.solve = solve_ms_;
+    report.time_ms.straighten = straighten_ms;
+    report.time_ms.trace = trace_ms;
+    report.time_ms.relax = relax_ms;
+    report.time_ms.total = report.time_ms.open + solve_ms_ + straighten_ms + trace_ms + relax_ms;
+    report.peak_memory_mib = peak_memory_mib();
+  }
+  result.total = total_of(result.reports);
+  return result;
+}
+
+std::size_t CurveSmoother::count_touched_faces() const {
+  const Surface& surface = mesh_->surface();
+  std::vector<FaceId> faces;
+  for (const VertexId v : triangulation_.touched()) {
+    const std::vector<FaceId> around = faces_at(surface, triangulation_.location(v));
+    faces.insert(faces.end(), around.begin(), around.end());
+  }
+  std::sort(faces.begin(), faces.end());
+  return static_cast<std::size_t>(std::unique(faces.begin(), faces.end()) - faces.begin());
+}
+
+SmoothingReport CurveSmoother::report_on(std::size_t curve, const SurfaceCurve& result) const {
+  const SurfaceMesh& mesh = mesh_->mesh();
+  const SurfaceCurve& drawn = drawn_[curve];
+  SmoothingReport report;
+  report.version = version();
+  report.faces = mesh.surface().face_count();
+  report.vertices = mesh.surface().vertex_count();
+  report.potential = "paper";
+  report.engine = "full";
+  report.closed = drawn.closed;
+  report.points_before = drawn.points.size();
+  report.points_after = result.points.size();
+  const CurveMeasures after = measure_curve(mesh.surface(), result);
+  report.length_before = drawn_measures_[curve].length;
+  report.length_after = after.length;
+  report.curvature_before = drawn_measures_[curve].total_curvature;
+  report.curvature_after = after.total_curvature;
+  report.curvature_max_before = drawn_measures_[curve].max_curvature;
+  report.curvature_max_after = after.max_curvature;
+  const Deviation apart =
+      deviation(positions_of(mesh, result), result.closed, positions_of(mesh, drawn), drawn.closed);
+  report.deviation_to_drawn_max = apart.to_drawn.max;
+  report.deviation_to_drawn_mean = apart.to_drawn.mean;
+  report.deviation_from_drawn_max = apart.from_drawn.max;
+  report.deviation_from_drawn_mean = apart.from_drawn.mean;
+  report.deviation_at = apart.at;
+  return report;
+}
+
+SmoothingResult smooth_curve(std::shared_ptr<const OpenedMesh> mesh, const SurfaceCurve& curve,
+                             const SmoothingOptions& options, const CurveOptions& curve_options) {
+  CurveSmoother smoother(std::move(mesh));
+  if (!smoother.set_curve(curve, curve_options, options.progress)) {
+    SmoothingResult cancelled;
+    cancelled.curves.push_back(curve);
+    cancelled.reports.emplace_back();
+    cancelled.reports.back().termination = to_string(Termination::kCancelled);
+    cancelled.total = cancelled.reports.back();
+    return cancelled;
+  }
+  return smoother.smooth(options);
+}
+
+SurfaceCurve curve_through(const Surface& surface, std::span<const VertexId> vertices) {
+  SurfaceCurve curve;
+  curve.closed = vertices.size() > 1 && vertices.front() == vertices.back();
+  if (curve.closed) vertices = vertices.first(vertices.size() - 1);
+  for (const VertexId v : vertices) curve.points.push_back(SurfacePoint::at_vertex(surface, v));
+  check_drawn(surface, curve);
+  return curve;
+}
+
+}  // namespace talweg

@@ -1,0 +1,133 @@
+// The method, end to end: open a mesh, set a curve, smooth for a tau.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "talweg/core/measures.hpp"
+#include "talweg/core/opened_mesh.hpp"
+#include "talweg/core/potential.hpp"
+#include "talweg/core/report.hpp"
+#include "talweg/intrinsic/flip_out.hpp"
+#include "talweg/intrinsic/point_insertion.hpp"
+#include "talweg/intrinsic/signpost_triangulation.hpp"
+#include "talweg/intrinsic/surface_point.hpp"
+#include "talweg/intrinsic/trace.hpp"
+
+namespace talweg {
+
+/// What setting a curve depends on.
+struct CurveOptions {
+  double heat_time = 10;       ///< of the distance's heat flow, in units of h²; [1e-3, 1e6]
+  double bump_radius = 0;      ///< mesh units; > 0 smooths the distance once more by equation 3
+  bool cap_corners = true;     ///< as the paper does; only curves that run along mesh edges
+  std::vector<VertexId> pins;  ///< mesh vertices of the drawing that the result must pass through
+
+  void validate() const;
+};
+
+/// What a new tau depends on.
+struct SmoothingOptions {
+  double tau = 1;  ///< [0, infinity): 0 gives geodesics, more keeps closer to the drawing
+  PotentialOptions potential;
+  int relax_rounds = 0;                ///< of the paper's relaxation; its authors use 5
+  std::size_t max_iterations = 0;      ///< of FlipOut; 0: FlipOut's own bound
+  double min_relative_length = 0;      ///< stop at this fraction of the lifted length; [0, 1)
+  std::optional<double> length_floor;  ///< mesh units; default: 3 mean edges of the drawn loop
+  bool prepare_whole_mesh = false;     ///< lay out everything first; slower, same result
+  Progress progress;                   ///< may cancel
+
+  void validate() const;
+};
+
+struct SmoothingResult {
+  std::vector<SurfaceCurve> curves;  ///< one per drawn curve, in their order
+  std::vector<SmoothingReport> reports;
+  SmoothingReport total;
+
+  [[nodiscard]] const SurfaceCurve& curve() const { return curves.front(); }
+  [[nodiscard]] const SmoothingReport& report() const { return total; }
+};
+
+/// Smooths curves on one opened mesh. Holds the working memory, which is made once; one thread at a
+/// time per smoother, any number of smoothers per opened mesh.
+///
+///   CurveSmoother smoother(OpenedMesh::open(lists));
+///   smoother.set_curve(curve);
+///   SmoothingResult result = smoother.smooth(2.0);
+class CurveSmoother {
+ public:
+  /// O(mesh), once.
+  explicit CurveSmoother(std::shared_ptr<const OpenedMesh> mesh);
+
+  /// Sets the drawing: checks and embeds it and computes the distance to it. False when cancelled;
+  /// no curve is set then. Throws Error(kBadCurve) for a curve that check_drawn() or embed_curves()
+  /// refuse (no curve is set then), Error(kBadUsage) for bad options or a pin that is not on it.
+  bool set_curve(const SurfaceCurve& curve, const CurveOptions& options = {},
+                 const Progress& progress = {});
+  /// A set of curves: the distance is to their union, and none crosses another by straightening.
+  bool set_curves(std::span<const SurfaceCurve> curves, const CurveOptions& options = {},
+                  const Progress& progress = {});
+  /// The same with a distance of the caller's, one value per mesh vertex, used as it is; it may be
+  /// negative, and +infinity in components without a curve.
+  bool set_curves(std::span<const SurfaceCurve> curves, std::vector<double> distance,
+                  const CurveOptions& options = {});
+
+  /// The smoothed curves. Costs what the curves touch, whatever the size of the mesh.
+  /// Throws Error(kBadUsage) when no curve is set or an option is out of range.
+  SmoothingResult smooth(double tau = 1);
+  SmoothingResult smooth(const SmoothingOptions& options);
+  /// With a potential of the caller's, row by row k values per mesh vertex (n x k, mesh units).
+  /// Throws Error(kBadUsage) when the size is not n x k or a value at the curve is not finite.
+  SmoothingResult smooth(const SmoothingOptions& options, std::span<const double> potential,
+                         std::size_t components);
+
+  [[nodiscard]] const OpenedMesh& opened() const { return *mesh_; }
+  /// The distance per mesh vertex that the last set_curve made or was given.
+  [[nodiscard]] std::span<const double> distance() const { return distance_; }
+  /// The drawn curves, corners capped, that are being smoothed.
+  [[nodiscard]] std::span<const SurfaceCurve> capped() const { return capped_; }
+
+ private:
+  void embed(std::span<const SurfaceCurve> curves, const CurveOptions& options);
+  void forget();
+  [[nodiscard]] double characteristic_length(const PotentialOptions& options) const;
+  [[nodiscard]] double default_floor() const;
+  bool solve_distance(const CurveOptions& options, const Progress& progress);
+  /// Per-vertex values (k a row) at the inserted vertices, linear in each face.
+  [[nodiscard]] std::vector<double> at_inserted(std::span<const double> values,
+                                                std::size_t k) const;
+  SmoothingResult run(const SmoothingOptions& options, SignpostTriangulation::Metric metric);
+  SmoothingReport report_on(std::size_t curve, const SurfaceCurve& result) const;
+  [[nodiscard]] std::size_t count_touched_faces() const;
+
+  std::shared_ptr<const OpenedMesh> mesh_;
+  SignpostTriangulation triangulation_;
+  FlipOut flip_out_;
+  Tracer tracer_;
+
+  CurveOptions curve_options_;
+  std::vector<SurfaceCurve> drawn_, capped_;
+  std::vector<EdgePath> paths_;
+  std::vector<double> distance_;           // per mesh vertex
+  std::vector<double> inserted_distance_;  // per inserted vertex
+  bool zero_on_curve_ = true;              // of the distance at inserted vertices
+  std::vector<CurveMeasures> drawn_measures_;
+  double solve_ms_ = 0;
+  double heat_open_ms_ = 0;
+  std::vector<std::string> warnings_;
+};
+
+/// One curve in one call: CurveSmoother for it alone.
+SmoothingResult smooth_curve(std::shared_ptr<const OpenedMesh> mesh, const SurfaceCurve& curve,
+                             const SmoothingOptions& options = {},
+                             const CurveOptions& curve_options = {});
+
+/// A curve along mesh edges through these vertices; a list that ends with its first vertex is
+/// closed. Throws Error(kBadCurve) as check_drawn does.
+SurfaceCurve curve_through(const Surface& surface, std::span<const VertexId> vertices);
+
+}  // namespace talweg

@@ -1,0 +1,24 @@
+// Lengths in the lifted surface.
+#pragma once
+
+#include <cmath>
+#include <span>
+
+namespace talweg {
+
+/// Equation 7 of the paper for a potential of any number of components: √(|p−q|² + |Φp−Φq|²).
+/// Whatever Φ, the lengths of a triangle's sides satisfy the triangle inequality.
+inline double lifted_length(double length, std::span<const double> at_p,
+                            std::span<const double> at_q) {
+  double squared = length * length;
+  for (std::size_t k = 0; k < at_p.size(); ++k) {
+    squared += (at_p[k] - at_q[k]) * (at_p[k] - at_q[k]);
+  }
+  return std::sqrt(squared);
+}
+
+inline double lifted_length(double length, double at_p, double at_q) {
+  return std::sqrt(length * length + (at_p - at_q) * (at_p - at_q));
+}
+
+}  // namespace talweg

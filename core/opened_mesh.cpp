@@ -1,0 +1,31 @@
+#include "talweg/core/opened_mesh.hpp"
+
+#include <optional>
+#include <utility>
+
+#include "talweg/core/stopwatch.hpp"
+
+namespace talweg {
+
+std::shared_ptr<const OpenedMesh> OpenedMesh::open(const MeshLists& lists) {
+  const Stopwatch watch;
+  std::shared_ptr<OpenedMesh> opened(new OpenedMesh(SurfaceMesh::open(lists)));
+  opened->open_ms_ = watch.ms();
+  return opened;
+}
+
+std::shared_ptr<const OpenedMesh> OpenedMesh::open(SurfaceMesh mesh) {
+  return std::shared_ptr<OpenedMesh>(new OpenedMesh(std::move(mesh)));
+}
+
+const HeatDistance* OpenedMesh::heat(double time_scale, const Progress& progress) const {
+  const std::lock_guard lock(mutex_);
+  if (const auto known = heat_.find(time_scale); known != heat_.end()) return &known->second;
+  HeatOptions options;
+  options.time_scale = time_scale;
+  std::optional<HeatDistance> made = HeatDistance::open(surface(), options, progress);
+  if (!made) return nullptr;
+  return &heat_.emplace(time_scale, std::move(*made)).first->second;
+}
+
+}  // namespace talweg

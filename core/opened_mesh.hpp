@@ -1,0 +1,40 @@
+// A mesh made ready for curves: everything that depends on the mesh alone.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <mutex>
+
+#include "talweg/core/surface_mesh.hpp"
+#include "talweg/heat/heat_distance.hpp"
+#include "talweg/intrinsic/progress.hpp"
+
+namespace talweg {
+
+/// The first stage. Shared by any number of smoothers and threads; only the heat factors, which
+/// take most of the time of opening, are made when somebody first asks for them.
+class OpenedMesh {
+ public:
+  /// Throws Error(kBadMesh) as SurfaceMesh::open does.
+  static std::shared_ptr<const OpenedMesh> open(const MeshLists& lists);
+  static std::shared_ptr<const OpenedMesh> open(SurfaceMesh mesh);
+
+  [[nodiscard]] const SurfaceMesh& mesh() const { return mesh_; }
+  [[nodiscard]] const Surface& surface() const { return mesh_.surface(); }
+  /// Time to check the mesh and build the surface, in ms.
+  [[nodiscard]] double open_ms() const { return open_ms_; }
+
+  /// The heat solver for this time scale (in units of h²), factored on first use; safe to call from
+  /// any thread. nullptr when cancelled. Throws as HeatDistance does.
+  [[nodiscard]] const HeatDistance* heat(double time_scale, const Progress& progress = {}) const;
+
+ private:
+  explicit OpenedMesh(SurfaceMesh mesh) : mesh_(std::move(mesh)) {}
+
+  SurfaceMesh mesh_;
+  double open_ms_ = 0;
+  mutable std::mutex mutex_;
+  mutable std::map<double, HeatDistance> heat_;
+};
+
+}  // namespace talweg

@@ -1,0 +1,45 @@
+// The paper's family of penalty potentials.
+#pragma once
+
+namespace talweg {
+
+/// m_tau(x) = L f(a tau x / L), equations 4 to 6 of the paper. The defaults are the paper's.
+struct PotentialOptions {
+  enum class Shape {
+    kPower,        ///< f(x) = x^exponent
+    kExponential,  ///< f(x) = e^x - 1
+  };
+  enum class Length {
+    kMaximumDistance,  ///< L = max δ over the components that have a curve
+    kCurveLength,      ///< L = total length of the drawn curves
+    kGiven,            ///< L = given_length
+  };
+  Shape shape = Shape::kPower;
+  double exponent = 2;  ///< in [1, 16]
+  double gain = 10;     ///< a; finite, > 0
+  Length length = Length::kMaximumDistance;
+  double given_length = 0;  ///< mesh units; > 0 where used
+
+  /// Throws Error(kBadUsage) naming the field and its bound.
+  void validate() const;
+};
+
+/// φ as a function of the distance.
+class Potential {
+ public:
+  /// tau in [0, infinity), characteristic_length L > 0 in mesh units.
+  /// Throws Error(kBadUsage) naming what is out of range.
+  Potential(const PotentialOptions& options, double tau, double characteristic_length);
+
+  /// Mesh units. Even in the distance; 0 at 0; always finite (a value beyond 1e100 L is cut off
+  /// there), and 0 where the distance is infinite, so that components without a curve stay flat.
+  double operator()(double distance) const;
+  [[nodiscard]] double characteristic_length() const { return length_; }
+
+ private:
+  PotentialOptions options_;
+  double scale_;  // a tau / L
+  double length_;
+};
+
+}  // namespace talweg
