@@ -1,0 +1,128 @@
+#include "talweg/heat/cholesky_factor.hpp"
+
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <thread>
+
+#include <gtest/gtest.h>
+
+#include "talweg/intrinsic/error.hpp"
+
+namespace talweg {
+namespace {
+
+/// The second difference matrix on n points with `diagonal` on the diagonal: definite from 2 on.
+SymmetricMatrix chain(std::size_t n, double diagonal) {
+  SymmetricMatrix matrix;
+  matrix.column_start.push_back(0);
+  for (std::size_t j = 0; j < n; ++j) {
+    matrix.row.push_back(static_cast<std::int32_t>(j));
+    matrix.value.push_back(diagonal);
+    if (j + 1 < n) {
+      matrix.row.push_back(static_cast<std::int32_t>(j + 1));
+      matrix.value.push_back(-1);
+    }
+    matrix.column_start.push_back(static_cast<std::int32_t>(matrix.row.size()));
+  }
+  return matrix;
+}
+
+std::string message_of(const SymmetricMatrix& matrix, ErrorCode expected) {
+  try {
+    const SymbolicFactor symbolic(matrix);
+    const CholeskyFactor factor(symbolic, matrix);
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), expected);
+    return error.what();
+  }
+  return "";
+}
+
+TEST(CholeskyFactor, SolvesTheDiscreteParabola) {
+  // -x'' = 1 with x = 0 outside: x_j = (j + 1)(n - j) / 2 exactly.
+  const std::size_t n = 100;
+  const SymmetricMatrix matrix = chain(n, 2);
+  const SymbolicFactor symbolic(matrix);
+  const CholeskyFactor factor(symbolic, matrix);
+  const std::vector<double> x = factor.solve(std::vector<double>(n, 1.0));
+  for (std::size_t j = 0; j < n; ++j) {
+    const double expected = static_cast<double>((j + 1) * (n - j)) / 2;
+    EXPECT_NEAR(x[j], expected, 1e-12 * 1250) << j;  // condition number 4 n² / π² · ε
+  }
+  const std::vector<double> back = multiply(matrix, x);
+  for (const double b : back) EXPECT_NEAR(b, 1, 1e-11);
+}
+
+TEST(CholeskyFactor, SeveralMatricesShareOneAnalysis) {
+  const SymbolicFactor symbolic(chain(50, 2));
+  EXPECT_EQ(symbolic.size(), 50u);
+  EXPECT_GE(symbolic.factor_entries(), 99u);  // at least the entries of the matrix
+  for (const double diagonal : {2.0, 3.0, 1e6}) {
+    const SymmetricMatrix matrix = chain(50, diagonal);
+    const CholeskyFactor factor(symbolic, matrix);
+    std::vector<double> x(50);
+    for (std::size_t j = 0; j < 50; ++j) x[j] = std::sin(static_cast<double>(j));
+    const std::vector<double> solved = factor.solve(multiply(matrix, x));
+    for (std::size_t j = 0; j < 50; ++j) EXPECT_NEAR(solved[j], x[j], 1e-12);
+  }
+}
+
+TEST(CholeskyFactor, IndefiniteMatrixIsAnErrorInWordsWithItsColumn) {
+  SymmetricMatrix matrix = chain(5, 2);
+  matrix.diagonal(3) = -7;
+  const std::string message = message_of(matrix, ErrorCode::kNumerical);
+  EXPECT_NE(message.find("not positive definite"), std::string::npos) << message;
+  EXPECT_NE(message.find("column"), std::string::npos) << message;
+  // Without neighbours only its own column can be the one that fails.
+  SymmetricMatrix diagonal;
+  diagonal.column_start = {0, 1, 2, 3, 4};
+  diagonal.row = {0, 1, 2, 3};
+  diagonal.value = {1, 1, -1, 1};
+  EXPECT_NE(message_of(diagonal, ErrorCode::kNumerical).find("column 2"), std::string::npos);
+}
+
+TEST(CholeskyFactor, NonFiniteEntryAndBadPatternAreErrors) {
+  SymmetricMatrix matrix = chain(5, 2);
+  matrix.diagonal(4) = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_NE(message_of(matrix, ErrorCode::kNumerical).find("column 4"), std::string::npos);
+  matrix = chain(5, 2);
+  matrix.row[1] = 7;
+  EXPECT_NE(message_of(matrix, ErrorCode::kNumerical).find("column 0"), std::string::npos);
+  EXPECT_NE(message_of({}, ErrorCode::kNumerical).find("empty"), std::string::npos);
+}
+
+TEST(CholeskyFactor, RightHandSideOfAnotherSizeIsAnError) {
+  const SymmetricMatrix matrix = chain(5, 2);
+  const SymbolicFactor symbolic(matrix);
+  const CholeskyFactor factor(symbolic, matrix);
+  EXPECT_THROW((void)factor.solve({1, 2}), Error);
+}
+
+TEST(CholeskyFactor, ThreadsMaySolveTogether) {
+  const SymmetricMatrix matrix = chain(2000, 2.5);
+  const SymbolicFactor symbolic(matrix);
+  const CholeskyFactor factor(symbolic, matrix);
+  std::vector<double> b(2000);
+  for (std::size_t j = 0; j < b.size(); ++j) b[j] = std::cos(static_cast<double>(j));
+  const std::vector<double> alone = factor.solve(b);
+  std::vector<double> first, second;
+  std::thread other([&] {
+    for (int i = 0; i < 50; ++i) first = factor.solve(b);
+  });
+  for (int i = 0; i < 50; ++i) second = factor.solve(b);
+  other.join();
+  EXPECT_EQ(first, alone);
+  EXPECT_EQ(second, alone);
+}
+
+TEST(SymmetricMatrix, ReplacingByTheIdentityKeepsThePattern) {
+  SymmetricMatrix matrix = chain(4, 2);
+  const std::vector<std::int32_t> rows = matrix.row;
+  replace_by_identity(matrix, {0, 1, 0, 0});
+  EXPECT_EQ(matrix.row, rows);
+  EXPECT_EQ(multiply(matrix, {1, 10, 100, 1000}), (std::vector<double>{2, 10, -800, 1900}));
+}
+
+}  // namespace
+}  // namespace talweg
