@@ -1,0 +1,79 @@
+#include "talweg/core/straight_lines.hpp"
+
+#include <string>
+
+#include "talweg/intrinsic/error.hpp"
+#include "talweg/intrinsic/point_insertion.hpp"
+
+namespace talweg {
+
+StraightLines::StraightLines(const Surface& surface)
+    : surface_(&surface),
+      triangulation_(surface),
+      flip_out_(triangulation_),
+      tracer_(triangulation_),
+      dijkstra_(surface) {}
+
+VertexId StraightLines::nearest_corner(const SurfacePoint& point) const {
+  if (const auto* v = std::get_if<AtVertex>(&point.where())) return v->vertex;
+  const FaceCoordinates at = coordinates_in(*surface_, point, any_face(*surface_, point));
+  std::size_t best = 0;
+  for (std::size_t k = 1; k < 3; ++k) {
+    if (at.barycentric[k] > at.barycentric[best]) best = k;
+  }
+  return surface_->corners(at.face)[best];
+}
+
+void StraightLines::append_leg(const SurfacePoint& from, const SurfacePoint& to,
+                               std::vector<SurfacePoint>& points) {
+  points.push_back(from);
+  if (common_face(*surface_, from, to).valid()) return;
+  const VertexId a = nearest_corner(from), b = nearest_corner(to);
+  std::vector<VertexId> vertices = {a};
+  if (a != b) {
+    const std::array<VertexId, 2> ends = {a, b};
+    vertices = dijkstra_.draw(ends, false);
+  }
+  PointInsertion insertion(triangulation_);
+  const VertexId start = insertion.insert(from), end = insertion.insert(to);
+  if (vertices.front() != start) vertices.insert(vertices.begin(), start);
+  if (vertices.back() != end) vertices.push_back(end);
+  std::vector<HalfedgeId> chain;
+  for (std::size_t i = 0; i + 1 < vertices.size(); ++i) {
+    insertion.connect(vertices[i], vertices[i + 1], chain);
+  }
+  const std::array<EdgePath, 1> path = {EdgePath::make(triangulation_, std::move(chain), false)};
+  const FlipOutResult straight = flip_out_.run(path, {});
+  const std::array<EdgePath, 1> result = {straight.paths.front().path};
+  const TraceResult traced = tracer_.trace_and_undo(result);
+  const std::vector<SurfacePoint>& line = traced.curves.front().points;
+  points.insert(points.end(), line.begin() + 1, line.end() - 1);
+  triangulation_.remove_inserted();
+}
+
+SurfaceCurve StraightLines::join(std::span<const SurfacePoint> points, bool closed) {
+  std::vector<SurfacePoint> distinct;
+  for (const SurfacePoint& p : points) {
+    if (distinct.empty() || !(distinct.back() == p)) distinct.push_back(p);
+  }
+  if (closed && distinct.size() > 1 && distinct.front() == distinct.back()) distinct.pop_back();
+  const std::size_t least = closed ? 3 : 2;
+  if (distinct.size() < least) {
+    throw Error(ErrorCode::kBadCurve, std::string(closed ? "A closed" : "An open") +
+                                          " curve needs at least " + std::to_string(least) +
+                                          " different points, but there are " +
+                                          std::to_string(distinct.size()) + ".");
+  }
+  SurfaceCurve curve{closed, {}};
+  for (std::size_t i = 0; i + 1 < distinct.size(); ++i) {
+    append_leg(distinct[i], distinct[i + 1], curve.points);
+  }
+  if (closed) {
+    append_leg(distinct.back(), distinct.front(), curve.points);
+  } else {
+    curve.points.push_back(distinct.back());
+  }
+  return curve;
+}
+
+}  // namespace talweg
