@@ -88,8 +88,9 @@ void check_drawn(const Surface& surface, const SurfaceCurve& curve) {
   }
 }
 
-std::vector<EdgePath> embed_curves(SignpostTriangulation& triangulation,
-                                   std::span<const SurfaceCurve> curves) {
+EmbeddedCurves embed_curves(SignpostTriangulation& triangulation,
+                            std::span<const SurfaceCurve> curves,
+                            std::span<const SurfacePoint> pins) {
   PointInsertion insertion(triangulation);
   std::vector<std::vector<VertexId>> vertices(curves.size());
   for (std::size_t c = 0; c < curves.size(); ++c) {
@@ -116,15 +117,17 @@ std::vector<EdgePath> embed_curves(SignpostTriangulation& triangulation,
       if (curves[c].closed) insertion.connect(vertices[c][count - 1], vertices[c][0], chains[c]);
     }
   }
-  std::vector<EdgePath> paths;
+  EmbeddedCurves embedded;
+  for (const SurfacePoint& pin : pins) embedded.pinned.push_back(insertion.insert(pin));
+  std::sort(embedded.pinned.begin(), embedded.pinned.end());
   for (std::size_t c = 0; c < curves.size(); ++c) {
     if (chains[c].size() < (curves[c].closed ? 3U : 1U)) {
       bad_curve("The curve's points are too close together to be told apart.");
     }
     check_no_vertex_twice(triangulation, chains[c], curves[c].closed);
-    paths.push_back(EdgePath::make(triangulation, std::move(chains[c]), curves[c].closed));
+    embedded.paths.push_back(EdgePath::make(triangulation, std::move(chains[c]), curves[c].closed));
   }
-  return paths;
+  return embedded;
 }
 
 }  // namespace talweg

@@ -15,10 +15,16 @@ namespace talweg {
 /// 1) that is not so.
 void check_drawn(const Surface& surface, const SurfaceCurve& curve);
 
-/// The curves as edge paths, in their order, after inserting those of their points that are not
-/// vertices. Different curves may touch or share edges.
+struct EmbeddedCurves {
+  std::vector<EdgePath> paths;   ///< in the order of the curves
+  std::vector<VertexId> pinned;  ///< the vertices at the pins, sorted
+};
+
+/// The curves as edge paths, after inserting those of their points that are not vertices. Different
+/// curves may touch or share edges. `pins` are points of the curves.
 /// Throws Error(kBadCurve) when a curve crosses or touches itself.
-std::vector<EdgePath> embed_curves(SignpostTriangulation& triangulation,
-                                   std::span<const SurfaceCurve> curves);
+EmbeddedCurves embed_curves(SignpostTriangulation& triangulation,
+                            std::span<const SurfaceCurve> curves,
+                            std::span<const SurfacePoint> pins = {});
 
 }  // namespace talweg

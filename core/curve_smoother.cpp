@@ -6,7 +6,6 @@
 
 #include "talweg/core/bump_convolution.hpp"
 #include "talweg/core/capping.hpp"
-#include "talweg/core/curve_embedding.hpp"
 #include "talweg/core/deviation.hpp"
 #include "talweg/core/lifted_lengths.hpp"
 #include "talweg/core/relaxation.hpp"
@@ -28,26 +27,25 @@ bool along_vertices(const SurfaceCurve& curve) {
 }
 
 SurfaceCurve cap(const Surface& surface, const SurfaceCurve& curve,
-                 std::span<const VertexId> pins) {
+                 std::span<const SurfacePoint> pins) {
   if (!along_vertices(curve)) return curve;
-  std::vector<VertexId> path;
+  std::vector<VertexId> path, pinned;
   for (const SurfacePoint& p : curve.points) path.push_back(std::get<AtVertex>(p.where()).vertex);
-  cap_corners(surface, path, curve.closed, pins);
+  for (const SurfacePoint& p : pins) {
+    if (p.is_vertex()) pinned.push_back(std::get<AtVertex>(p.where()).vertex);
+  }
+  cap_corners(surface, path, curve.closed, pinned);
   SurfaceCurve capped{curve.closed, {}};
   for (const VertexId v : path) capped.points.push_back(SurfacePoint::at_vertex(surface, v));
   return capped;
 }
 
-void check_pins(std::span<const SurfaceCurve> curves, std::span<const VertexId> pins) {
-  for (const VertexId pin : pins) {
+void check_pins(std::span<const SurfaceCurve> curves, std::span<const SurfacePoint> pins) {
+  for (std::size_t i = 0; i < pins.size(); ++i) {
     const bool passed = std::any_of(curves.begin(), curves.end(), [&](const SurfaceCurve& c) {
-      return std::any_of(c.points.begin(), c.points.end(), [&](const SurfacePoint& p) {
-        return p.is_vertex() && std::get<AtVertex>(p.where()).vertex == pin;
-      });
+      return std::find(c.points.begin(), c.points.end(), pins[i]) != c.points.end();
     });
-    if (!passed) {
-      bad_usage("The pinned vertex " + std::to_string(pin.index()) + " is not on the curve.");
-    }
+    if (!passed) bad_usage("Pin " + std::to_string(i + 1) + " is not a point of the curve.");
   }
 }
 
@@ -104,7 +102,7 @@ void CurveSmoother::forget() {
   triangulation_.remove_inserted();
   drawn_.clear();
   capped_.clear();
-  paths_.clear();
+  embedded_ = {};
   distance_.clear();
   inserted_distance_.clear();
   drawn_measures_.clear();
@@ -118,14 +116,12 @@ void CurveSmoother::embed(std::span<const SurfaceCurve> curves, const CurveOptio
   const Surface& surface = mesh_->surface();
   for (const SurfaceCurve& curve : curves) check_drawn(surface, curve);
   check_pins(curves, options.pins);
-  curve_options_ = options;
-  std::sort(curve_options_.pins.begin(), curve_options_.pins.end());
   drawn_.assign(curves.begin(), curves.end());
   for (const SurfaceCurve& curve : drawn_) {
     drawn_measures_.push_back(measure_curve(surface, curve));
-    capped_.push_back(options.cap_corners ? cap(surface, curve, curve_options_.pins) : curve);
+    capped_.push_back(options.cap_corners ? cap(surface, curve, options.pins) : curve);
   }
-  paths_ = embed_curves(triangulation_, capped_);
+  embedded_ = embed_curves(triangulation_, capped_, options.pins);
 }
 
 bool CurveSmoother::set_curve(const SurfaceCurve& curve, const CurveOptions& options,
@@ -255,7 +251,7 @@ SmoothingResult CurveSmoother::smooth(double tau) {
 
 SmoothingResult CurveSmoother::smooth(const SmoothingOptions& options) {
   options.validate();
-  if (paths_.empty()) bad_usage("No curve is set.");
+  if (embedded_.paths.empty()) bad_usage("No curve is set.");
   const Potential potential(options.potential, options.tau,
                             characteristic_length(options.potential));
   const std::size_t own = mesh_->surface().vertex_count();
@@ -271,7 +267,7 @@ SmoothingResult CurveSmoother::smooth(const SmoothingOptions& options) {
 SmoothingResult CurveSmoother::smooth(const SmoothingOptions& options,
                                       std::span<const double> potential, std::size_t components) {
   options.validate();
-  if (paths_.empty()) bad_usage("No curve is set.");
+  if (embedded_.paths.empty()) bad_usage("No curve is set.");
   const std::size_t own = mesh_->surface().vertex_count();
   if (components == 0 || potential.size() != own * components) {
     bad_usage("A potential of " + std::to_string(components) + " components needs " +
@@ -308,9 +304,9 @@ SmoothingResult CurveSmoother::run(const SmoothingOptions& options,
   flip_options.max_iterations = options.max_iterations;
   flip_options.min_relative_length = options.min_relative_length;
   flip_options.length_floor = options.length_floor.value_or(default_floor());
-  flip_options.pinned = curve_options_.pins;
+  flip_options.pinned = embedded_.pinned;
   flip_options.progress = options.progress;
-  const FlipOutResult straight = flip_out_.run(paths_, flip_options);
+  const FlipOutResult straight = flip_out_.run(embedded_.paths, flip_options);
   const double straighten_ms = watch.ms();
 
   watch = Stopwatch();

@@ -7,12 +7,12 @@
 #include <string>
 #include <vector>
 
+#include "talweg/core/curve_embedding.hpp"
 #include "talweg/core/measures.hpp"
 #include "talweg/core/opened_mesh.hpp"
 #include "talweg/core/potential.hpp"
 #include "talweg/core/report.hpp"
 #include "talweg/intrinsic/flip_out.hpp"
-#include "talweg/intrinsic/point_insertion.hpp"
 #include "talweg/intrinsic/signpost_triangulation.hpp"
 #include "talweg/intrinsic/surface_point.hpp"
 #include "talweg/intrinsic/trace.hpp"
@@ -21,10 +21,10 @@ namespace talweg {
 
 /// What setting a curve depends on.
 struct CurveOptions {
-  double heat_time = 10;       ///< of the distance's heat flow, in units of h²; [1e-3, 1e6]
-  double bump_radius = 0;      ///< mesh units; > 0 smooths the distance once more by equation 3
-  bool cap_corners = true;     ///< as the paper does; only curves that run along mesh edges
-  std::vector<VertexId> pins;  ///< mesh vertices of the drawing that the result must pass through
+  double heat_time = 10;           ///< of the distance's heat flow, in units of h²; [1e-3, 1e6]
+  double bump_radius = 0;          ///< mesh units; > 0 smooths the distance once more by equation 3
+  bool cap_corners = true;         ///< as the paper does; only curves that run along mesh edges
+  std::vector<SurfacePoint> pins;  ///< points of the drawing that the result must pass through
 
   void validate() const;
 };
@@ -109,12 +109,10 @@ class CurveSmoother {
   FlipOut flip_out_;
   Tracer tracer_;
 
-  CurveOptions curve_options_;
   std::vector<SurfaceCurve> drawn_, capped_;
-  std::vector<EdgePath> paths_;
+  EmbeddedCurves embedded_;
   std::vector<double> distance_;           // per mesh vertex
   std::vector<double> inserted_distance_;  // per inserted vertex
-  bool zero_on_curve_ = true;              // of the distance at inserted vertices
   std::vector<CurveMeasures> drawn_measures_;
   double solve_ms_ = 0;
   double heat_open_ms_ = 0;
