@@ -1,8 +1,10 @@
 #include "picture/corner_normals.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 
 #include <Eigen/Geometry>
 
@@ -31,16 +33,30 @@ CornersOfVertices corners_of_vertices(const MeshLists& mesh) {
   return result;
 }
 
+// As long as twice the face's area.
+Point normal_of(const MeshLists& mesh, std::size_t f) {
+  const auto& [a, b, c] = mesh.triangles[f];
+  return (mesh.points[b] - mesh.points[a]).cross(mesh.points[c] - mesh.points[a]);
+}
+
+double largest_area(const MeshLists& mesh) {
+  double largest = std::numeric_limits<double>::min();
+  for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
+    largest = std::max(largest, normal_of(mesh, f).norm());
+  }
+  return largest;
+}
+
 }  // namespace
 
 std::vector<Eigen::Vector3f> corner_normals(const MeshLists& mesh, double crease_angle) {
   const std::size_t faces = mesh.triangles.size();
   std::vector<Eigen::Vector3f> area(faces), unit(faces);
+  const double largest = largest_area(mesh);  // scales the weights into the range of floats
   for (std::size_t f = 0; f < faces; ++f) {
-    const auto& [a, b, c] = mesh.triangles[f];
-    const Point n = (mesh.points[b] - mesh.points[a]).cross(mesh.points[c] - mesh.points[a]);
+    const Point n = normal_of(mesh, f);
     const double norm = n.norm();
-    area[f] = n.cast<float>();
+    area[f] = (n / largest).cast<float>();
     unit[f] = norm > 0 ? Eigen::Vector3f((n / norm).cast<float>()) : Eigen::Vector3f(0, 0, 1);
   }
   const CornersOfVertices around = corners_of_vertices(mesh);

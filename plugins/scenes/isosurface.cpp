@@ -129,6 +129,21 @@ Lattice sample(const Field& field, const Point& low, const Point& high, double c
   return lattice;
 }
 
+// Cuts off faces that hang on one edge only, as a boundary of tetrahedra leaves them: they would
+// become slivers when the boundary is smoothed.
+void cut_ears(MeshLists& mesh) {
+  for (std::size_t before = 0; before != mesh.triangles.size();) {
+    before = mesh.triangles.size();
+    std::vector<std::uint32_t> faces(mesh.points.size(), 0);
+    for (const Triangle& t : mesh.triangles) {
+      for (const std::uint32_t v : t) ++faces[v];
+    }
+    std::erase_if(mesh.triangles, [&](const Triangle& t) {
+      return faces[t[0]] == 1 || faces[t[1]] == 1 || faces[t[2]] == 1;
+    });
+  }
+}
+
 }  // namespace
 
 MeshLists isosurface(const Field& field, const Point& low, const Point& high, double cell) {
@@ -157,7 +172,9 @@ MeshLists isosurface(const Field& field, const Point& low, const Point& high, do
       }
     }
   }
-  return largest_component(marcher.take());
+  MeshLists mesh = marcher.take();
+  cut_ears(mesh);
+  return largest_component(mesh);
 }
 
 }  // namespace talweg::scenes
