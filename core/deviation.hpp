@@ -26,10 +26,11 @@ struct Deviation {
 /// Distance of every point of the segments `from`, not only of their ends, to the nearest point of
 /// `to`. Distances are Euclidean, so never more than those along the surface.
 ///
-/// `max` is at most the true maximum and at least that divided by 1 + 1e-6: along a segment the
-/// distance to each single segment of `to` is convex, hence bounded by its values at the two ends;
-/// intervals are halved until that bound rules them out. `mean` is integrated by adaptive
-/// Simpson's rule to about 1e-4 relative. O((m + n) log n) for curves that are not all ties.
+/// `max` is at most the true maximum and at least that divided by 1 + 1e-6 (but for a few ulp of
+/// the coordinates): along a segment the distance to each single segment of `to` is convex, hence
+/// bounded by its values at the two ends; intervals are halved until that bound rules them out.
+/// `mean` is integrated by adaptive Simpson's rule to about 1e-4 relative.
+/// O((m + n) log n) for curves that are not all ties.
 /// Throws Error(kBadCurve) when `from` is empty or has a coordinate that is not finite.
 OneSidedDeviation one_sided_deviation(std::span<const Segment> from, const SegmentTree& to);
 

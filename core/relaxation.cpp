@@ -10,11 +10,12 @@
 namespace talweg {
 namespace {
 
-constexpr double kMargin = 1e-6;     // of the edge, between a point and the edge's ends
-constexpr double kOwnShare = 0.499;  // of the gap between two points of one edge
+constexpr double kStep = 2.0 / 3;  // damps all short waves by 1/3 or better
+constexpr double kMargin = 1e-6;   // of the edge: between a point and an end or another point
 
 /// A point that slides along the edge origin + t · along.
 struct Slider {
+  std::size_t curve = 0;
   std::size_t index = 0;  ///< in the curve
   EdgeId edge;
   double t = 0;
@@ -24,59 +25,67 @@ struct Slider {
   Point along;
 };
 
-std::vector<Slider> sliders_of(const SurfaceMesh& mesh, const SurfaceCurve& curve) {
-  std::vector<Slider> sliders;
-  const std::size_t n = curve.points.size();
-  for (std::size_t i = 0; i < n; ++i) {
-    const auto* on_edge = std::get_if<OnEdge>(&curve.points[i].where());
-    if (on_edge == nullptr || (!curve.closed && (i == 0 || i + 1 == n))) continue;
-    Slider s;
-    s.index = i;
-    s.edge = on_edge->edge;
-    s.t = on_edge->t;
-    const HalfedgeId h = halfedge_of(s.edge);
-    s.origin = mesh.point(mesh.surface().tail(h));
-    s.along = mesh.point(mesh.surface().head(h)) - s.origin;
-    sliders.push_back(s);
-  }
-  return sliders;
-}
-
-/// All points of the curve on edges, sorted along them: fixed ends of the curve take part, too.
+/// A point of a curve on an edge.
 struct Place {
   EdgeId edge;
-  double t;
-  Slider* slider;  ///< null for a point that stays
+  double t = 0;
+  Slider* slider = nullptr;  ///< null for an end of a curve, which stays
 };
 
-void limit(const SurfaceCurve& curve, std::vector<Slider>& sliders) {
-  std::vector<Place> places;
-  for (Slider& s : sliders) places.push_back({s.edge, s.t, &s});
-  if (!curve.closed && !curve.points.empty()) {
-    for (const SurfacePoint& end : {curve.points.front(), curve.points.back()}) {
-      if (const auto* e = std::get_if<OnEdge>(&end.where())) {
-        places.push_back({e->edge, e->t, nullptr});
+class Sliders {
+ public:
+  Sliders(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves) {
+    for (std::size_t c = 0; c < curves.size(); ++c) {
+      for (std::size_t i = 0; i < curves[c].points.size(); ++i) {
+        const auto* at = std::get_if<OnEdge>(&curves[c].points[i].where());
+        if (at == nullptr) continue;
+        const bool end = !curves[c].closed && (i == 0 || i + 1 == curves[c].points.size());
+        if (end) {
+          places_.push_back({at->edge, at->t, nullptr});
+          continue;
+        }
+        const HalfedgeId h = halfedge_of(at->edge);
+        const Point& origin = mesh.point(mesh.surface().tail(h));
+        sliders_.push_back(
+            {c, i, at->edge, at->t, 0, 1, origin, mesh.point(mesh.surface().head(h)) - origin});
       }
     }
+    for (Slider& s : sliders_) places_.push_back({s.edge, s.t, &s});
+    // The order along each edge is found once and kept by all rounds.
+    std::stable_sort(places_.begin(), places_.end(), [](const Place& a, const Place& b) {
+      return a.edge != b.edge ? a.edge < b.edge : a.t < b.t;
+    });
   }
-  std::stable_sort(places.begin(), places.end(), [](const Place& a, const Place& b) {
-    return a.edge != b.edge ? a.edge < b.edge : a.t < b.t;
-  });
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    Slider* s = places[i].slider;
-    if (s == nullptr) continue;
-    s->low = std::min(s->t, kMargin);
-    s->high = std::max(s->t, 1 - kMargin);
-    if (i > 0 && places[i - 1].edge == s->edge) {
-      s->low = std::max(s->low, s->t - kOwnShare * (s->t - places[i - 1].t));
-    }
-    if (i + 1 < places.size() && places[i + 1].edge == s->edge) {
-      s->high = std::min(s->high, s->t + kOwnShare * (places[i + 1].t - s->t));
-    }
+  Sliders(const Sliders&) = delete;
+  Sliders& operator=(const Sliders&) = delete;
+
+  std::vector<Slider>& all() { return sliders_; }
+  void limit();
+
+ private:
+  std::vector<Slider> sliders_;
+  std::vector<Place> places_;
+};
+
+/// Two points of one edge may each use half of the gap between them.
+void Sliders::limit() {
+  for (Place& place : places_) {
+    if (place.slider == nullptr) continue;
+    place.t = place.slider->t;
+    place.slider->low = std::min(place.t, kMargin);
+    place.slider->high = std::max(place.t, 1 - kMargin);
+  }
+  for (std::size_t i = 0; i + 1 < places_.size(); ++i) {
+    const Place& a = places_[i];
+    const Place& b = places_[i + 1];
+    if (a.edge != b.edge) continue;
+    const double share = std::max(0.0, b.t - a.t - kMargin) / 2;
+    if (a.slider != nullptr) a.slider->high = std::min(a.slider->high, a.t + share);
+    if (b.slider != nullptr) b.slider->low = std::max(b.slider->low, b.t - share);
   }
 }
 
-/// Half the way to the best place between two neighbours.
+/// A step towards the best place between two neighbours.
 double moved(const Slider& s, const Point& at, const Point& before, const Point& after) {
   const double squared = s.along.squaredNorm();
   const double first = (before - at).norm();
@@ -86,7 +95,7 @@ double moved(const Slider& s, const Point& at, const Point& before, const Point&
   // Both weights times first · second.
   const double pull = second * (before - at).dot(s.along) + first * (after - at).dot(s.along);
   const double best = s.t + pull / ((first + second) * squared);
-  return s.t + (std::clamp(best, s.low, s.high) - s.t) / 2;
+  return s.t + kStep * (std::clamp(best, s.low, s.high) - s.t);
 }
 
 }  // namespace
@@ -98,28 +107,34 @@ void RelaxationOptions::validate() const {
   }
 }
 
-void relax(const SurfaceMesh& mesh, SurfaceCurve& curve, const RelaxationOptions& options) {
+void relax(const SurfaceMesh& mesh, std::span<SurfaceCurve> curves,
+           const RelaxationOptions& options) {
   options.validate();
-  const std::size_t n = curve.points.size();
-  if (n < 3) return;
-  std::vector<Slider> sliders = sliders_of(mesh, curve);
-  std::vector<Point> points = positions_of(mesh, curve);
-  std::vector<double> t(sliders.size());
+  Sliders sliders(mesh, curves);
+  std::vector<std::vector<Point>> points;
+  for (const SurfaceCurve& curve : curves) points.push_back(positions_of(mesh, curve));
+  std::vector<double> t(sliders.all().size());
   for (int round = 0; round < options.rounds; ++round) {
-    limit(curve, sliders);
-    for (std::size_t k = 0; k < sliders.size(); ++k) {
-      const std::size_t i = sliders[k].index;
-      t[k] = moved(sliders[k], points[i], points[(i + n - 1) % n], points[(i + 1) % n]);
+    sliders.limit();
+    for (std::size_t k = 0; k < t.size(); ++k) {
+      const Slider& s = sliders.all()[k];
+      const std::vector<Point>& p = points[s.curve];
+      t[k] =
+          moved(s, p[s.index], p[(s.index + p.size() - 1) % p.size()], p[(s.index + 1) % p.size()]);
     }
-    for (std::size_t k = 0; k < sliders.size(); ++k) {
-      Slider& s = sliders[k];
+    for (std::size_t k = 0; k < t.size(); ++k) {
+      Slider& s = sliders.all()[k];
       s.t = t[k];
-      points[s.index] = s.origin + s.t * s.along;
+      points[s.curve][s.index] = s.origin + s.t * s.along;
     }
   }
-  for (const Slider& s : sliders) {
-    curve.points[s.index] = SurfacePoint::on_edge(mesh.surface(), s.edge, s.t);
+  for (const Slider& s : sliders.all()) {
+    curves[s.curve].points[s.index] = SurfacePoint::on_edge(mesh.surface(), s.edge, s.t);
   }
+}
+
+void relax(const SurfaceMesh& mesh, SurfaceCurve& curve, const RelaxationOptions& options) {
+  relax(mesh, std::span<SurfaceCurve>(&curve, 1), options);
 }
 
 }  // namespace talweg

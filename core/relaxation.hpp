@@ -1,6 +1,8 @@
 // Relaxation of a curve along the edges that carry it.
 #pragma once
 
+#include <span>
+
 #include "talweg/core/surface_mesh.hpp"
 #include "talweg/intrinsic/surface_point.hpp"
 
@@ -17,19 +19,25 @@ struct RelaxationOptions {
 /// points on the mesh edges that carry them, as proposed by Lawonn et al. (2014), without splitting
 /// or merging of points. Points at vertices and inside faces and the ends of an open curve stay.
 ///
-/// In each round every other point p moves half the way to the place on its edge that minimises
-/// |p - a|²/|a - p0| + |p - b|²/|b - p0|, with neighbours a, b and present place p0: the weighted
-/// mean of the neighbours, projected to the edge. The weights are the inverse segment lengths,
-/// because then, and not with equal weights, a straight line (also across a bent edge) stays as it
-/// is. All points move at once (Jacobi), so that the direction of the curve does not matter; the
-/// half step damps zigzags instead of turning them over.
+/// In each round every other point p moves two thirds of the way to the place on its edge that
+/// minimises |p - a|²/|a - p0| + |p - b|²/|b - p0|, with neighbours a, b and present place p0: the
+/// weighted mean of the neighbours, projected to the edge. The weights are the inverse segment
+/// lengths, because then, and not with equal weights, a straight line (also across a bent edge)
+/// stays as it is; equal weights can even raise length and curvature. All points move at once
+/// (Jacobi), so that the direction of the curve does not matter; the shortened step damps zigzags
+/// instead of turning them over.
 ///
 /// The curve's length never grows (but by rounding): the sum of the terms above bounds the length
-/// (Weiszfeld), and half a Jacobi step never raises it. Points stay strictly inside their edges, at
-/// least 1e-6 of the edge from its ends unless they came nearer, and several points of one edge
-/// keep their order, so a curve that does not cross itself does not do so afterwards.
+/// (Weiszfeld), and a Jacobi step, whole or in part, never raises it. Points stay strictly inside
+/// their edges, and several points of one edge, of one curve or of several, keep their order, so
+/// curves without points inside faces that do not cross do not do so afterwards. They come no
+/// nearer to the edge's ends or to each other than 1e-6 of the edge, unless they were.
 ///
 /// O(rounds · points + points log points). Independent of scale and position but for rounding.
+void relax(const SurfaceMesh& mesh, std::span<SurfaceCurve> curves,
+           const RelaxationOptions& options = {});
+
+/// The same for one curve.
 void relax(const SurfaceMesh& mesh, SurfaceCurve& curve, const RelaxationOptions& options = {});
 
 }  // namespace talweg

@@ -99,6 +99,8 @@ inline SurfaceCurve reference_result_curve(const ReferenceCurve& drawn, const st
   const Surface& surface = drawn.mesh.surface();
   SurfaceCurve curve{drawn.closed, {}};
   moved = 0;
+  const auto lengths = surface.lengths();
+  const double longest = *std::max_element(lengths.begin(), lengths.end());
   for (const Point& p : reference_result(name)) {
     double best = std::numeric_limits<double>::infinity();
     EdgeId edge;
@@ -106,6 +108,7 @@ inline SurfaceCurve reference_result_curve(const ReferenceCurve& drawn, const st
     for (std::size_t e = 0; e < surface.edge_count(); ++e) {
       const HalfedgeId h = halfedge_of(EdgeId{e});
       const Point& a = drawn.mesh.point(surface.tail(h));
+      if ((p - a).cwiseAbs().maxCoeff() > 1.01 * longest) continue;
       const Point along = drawn.mesh.point(surface.head(h)) - a;
       const double t = std::clamp((p - a).dot(along) / along.squaredNorm(), 0.0, 1.0);
       const double squared = (a + t * along - p).squaredNorm();

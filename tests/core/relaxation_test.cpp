@@ -166,6 +166,21 @@ TEST(Relaxation, PointsOfOneEdgeKeepTheirOrder) {
   EXPECT_GT(points[1].y(), points[3].y());
 }
 
+TEST(Relaxation, CurvesOfASetDoNotCross) {
+  // Two curves along a strip, one close above the other; both straighten.
+  const SurfaceMesh mesh = SurfaceMesh::open(grid(6, 1));
+  std::vector<double> low(13, 0.3);
+  std::vector<double> high(13, 0.7);
+  low.front() = low.back() = 0.6;
+  high.front() = high.back() = 0.61;
+  for (std::size_t k = 4; k < 9; ++k) high[k] = 0.31;
+  std::vector<SurfaceCurve> curves{across(mesh.surface(), 6, low), across(mesh.surface(), 6, high)};
+  relax(mesh, curves, {.rounds = 500});
+  const auto below = positions_of(mesh, curves[0]);
+  const auto above = positions_of(mesh, curves[1]);
+  for (std::size_t k = 0; k < below.size(); ++k) EXPECT_LT(below[k].y(), above[k].y()) << k;
+}
+
 TEST(Relaxation, NothingToDoAndBadOptions) {
   const SurfaceMesh mesh = SurfaceMesh::open(grid(2, 1));
   SurfaceCurve curve{true, {between(mesh.surface(), 1, 4, 0.8)}};
