@@ -51,6 +51,40 @@ TEST(HeatFlow, StaysExactFarBeyondUnderflow) {
   EXPECT_GE(u.stage[columns / 2], 2);
 }
 
+TEST(HeatFlow, AverageIgnoresAStraightBoundary) {
+  // Method of images: a tube of R rows is half of a torus of 2 R. Its free solution is the torus'
+  // with the source and its mirror image, its cold solution that with the source minus the image;
+  // the average is the torus' with the source alone, exactly.
+  const std::size_t columns = 9, rows = 8;
+  const std::vector<double> width(columns, 1.0), h = {1.0};
+  const auto matrix_of = [&](const Surface& surface) {
+    return neumann_heat_matrix(cotan_laplacian(surface.vertex_count(), metric_triangles(surface)),
+                               components_of(surface), h, 2.0);
+  };
+  const Surface torus = test::band(width, 2 * rows, true), tube = test::band(width, rows, false);
+  const auto solve = [&](const SymmetricMatrix& matrix, const Surface& surface,
+                         const std::vector<char>& reached) {
+    std::vector<double> source(surface.vertex_count(), 0.0);
+    source[2 * columns + 4] = 1;
+    const CholeskyFactor factor(SymbolicFactor(matrix), matrix);
+    return heat_flow(factor, heat_triangles(metric_triangles(surface)), 2.0, source, reached);
+  };
+  const std::vector<char> everywhere(torus.vertex_count(), 1);
+  std::vector<char> boundary, inside;
+  for (std::size_t v = 0; v < tube.vertex_count(); ++v) {
+    boundary.push_back(tube.on_boundary(VertexId{v}) ? 1 : 0);
+    inside.push_back(boundary.back() != 0 ? 0 : 1);
+  }
+  SymmetricMatrix matrix = matrix_of(tube);
+  ScaledField mean = solve(matrix, tube, everywhere);
+  replace_by_identity(matrix, boundary);
+  mean = average(std::move(mean), solve(matrix, tube, inside), everywhere);
+  const ScaledField expected = solve(matrix_of(torus), torus, everywhere);
+  for (std::size_t v = 0; v < mean.value.size(); ++v) {
+    EXPECT_NEAR(mean.value[v] / expected.value[v], 1, 1e-12) << v;
+  }
+}
+
 TEST(HeatFlow, UnreachedVerticesStayZero) {
   const Surface surface = test::together(test::grid(3, 3), test::grid(2, 2)).surface();
   const Flow flow(surface, 1);

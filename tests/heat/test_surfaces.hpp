@@ -114,13 +114,14 @@ inline TestMesh scaled(TestMesh mesh, double factor) {
   return mesh;
 }
 
-/// A flat torus: width.size() columns of these widths, `rows` rows of height 1; vertex (x, y) has
-/// the number y · columns + x. All diagonals run the same way, so masses and weights are those of
-/// the five-point stencil, and fields that depend on one coordinate are solved exactly.
-inline Surface torus(const std::vector<double>& width, std::size_t rows) {
-  const std::size_t columns = width.size();
+/// A flat band, closed along x: width.size() columns of these widths, `rows` rows of height 1;
+/// vertex (x, y) has the number y · columns + x. With `torus` it is closed along y, too, else it
+/// has rows + 1 rows of vertices. All diagonals run the same way, so masses and weights are those
+/// of the five-point stencil, and fields that depend on one coordinate are solved exactly.
+inline Surface band(const std::vector<double>& width, std::size_t rows, bool torus) {
+  const std::size_t columns = width.size(), levels = torus ? rows : rows + 1;
   const auto id = [&](std::size_t x, std::size_t y) {
-    return static_cast<std::uint32_t>((y % rows) * columns + x % columns);
+    return static_cast<std::uint32_t>((y % levels) * columns + x % columns);
   };
   std::vector<Triangle> triangles;
   for (std::size_t y = 0; y < rows; ++y) {
@@ -129,7 +130,7 @@ inline Surface torus(const std::vector<double>& width, std::size_t rows) {
       triangles.push_back({id(x, y), id(x + 1, y + 1), id(x, y + 1)});
     }
   }
-  Surface surface = Surface::from_triangles(columns * rows, triangles);
+  Surface surface = Surface::from_triangles(columns * levels, triangles);
   std::vector<double> lengths(surface.edge_count());
   for (std::size_t f = 0; f < triangles.size(); ++f) {
     const double w = width[(f / 2) % columns];
@@ -142,6 +143,10 @@ inline Surface torus(const std::vector<double>& width, std::size_t rows) {
   }
   surface.set_lengths(std::move(lengths));
   return surface;
+}
+
+inline Surface torus(const std::vector<double>& width, std::size_t rows) {
+  return band(width, rows, true);
 }
 
 /// Moves every vertex off the grid by a reproducible amount of at most `size` along x and y.
