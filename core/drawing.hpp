@@ -1,8 +1,8 @@
 // Drawing on a mesh: shortest edge paths through given vertices.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <span>
 #include <vector>
 
