@@ -111,7 +111,8 @@ void push_new(std::vector<std::uint32_t>& list, std::uint32_t v) {
 std::string draw_arguments(const Waypoints& through) {
   std::string text = "--through ";
   for (std::size_t i = 0; i < through.vertices.size(); ++i) {
-    text += (i == 0 ? "" : ",") + std::to_string(through.vertices[i]);
+    if (i > 0) text += ',';
+    text += std::to_string(through.vertices[i]);
   }
   return through.closed ? text + " --closed" : text;
 }

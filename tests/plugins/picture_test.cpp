@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "picture/arguments.hpp"
 #include "picture/corner_normals.hpp"
 #include "picture/image.hpp"
 #include "picture/render.hpp"
@@ -236,6 +237,31 @@ TEST(Render, RefusesWhatCannotBeDrawn) {
   RenderOptions options;
   options.supersampling = 9;
   EXPECT_EQ(code_of([&] { render(square_scene(), options); }), ErrorCode::kBadUsage);
+}
+
+TEST(Arguments, CurvesWithColourAndWidth) {
+  const CurveArgument full = curve_argument("a/b.json:ff0080:7.5");
+  EXPECT_EQ(full.file, "a/b.json");
+  EXPECT_EQ(full.color, (Color{1, 0, 128 / 255.0}));
+  EXPECT_EQ(full.width, 7.5);
+  EXPECT_EQ(curve_argument("x.obj").file, "x.obj");
+  EXPECT_EQ(curve_argument("c:x.obj:00ff00").file, "c:x.obj");
+  EXPECT_EQ(code_of([] { curve_argument(""); }), ErrorCode::kBadUsage);
+  EXPECT_EQ(code_of([] { curve_argument("x:00ff00:wide"); }), ErrorCode::kBadUsage);
+  EXPECT_EQ(code_of([] { curve_argument("x:00ff00:0"); }), ErrorCode::kBadUsage);
+}
+
+TEST(Arguments, Panels) {
+  const Panel panel = panel_argument("Before|curves=1,3|fit=detail|zoom=2|view=0,0,-1");
+  EXPECT_EQ(panel.caption, "Before");
+  EXPECT_EQ(panel.curves, (std::vector<std::size_t>{0, 2}));
+  EXPECT_EQ(panel.fit, Fit::kDetail);
+  EXPECT_EQ(panel.zoom, 2);
+  ASSERT_TRUE(panel.view.has_value());
+  EXPECT_EQ(*panel.view, Point(0, 0, -1));
+  for (const char* bad : {"A|curves=0", "A|fit=all", "A|zoom", "A|view=1,2", "A|tilt=3"}) {
+    EXPECT_EQ(code_of([&] { panel_argument(bad); }), ErrorCode::kBadUsage) << bad;
+  }
 }
 
 TEST(WritePng, WritesAFileAndNamesTheOneThatItCannot) {

@@ -1,0 +1,26 @@
+// The renderer's command-line arguments that have a form of their own.
+#pragma once
+
+#include <string>
+
+#include "picture/render.hpp"
+
+namespace talweg::picture {
+
+/// FILE[:rrggbb[:width]]; the colour in hexadecimal sRGB, the width in pixels.
+struct CurveArgument {
+  std::string file;
+  Color color{0.1, 0.1, 0.1};
+  double width = 5;
+};
+
+/// Each of these throws Error(kBadUsage) that quotes what cannot be understood.
+CurveArgument curve_argument(const std::string& text);
+/// x,y,z
+Point direction_argument(const std::string& text);
+/// auto, curve, mesh or detail
+Fit fit_argument(const std::string& text);
+/// CAPTION[|curves=1,2][|fit=FIT][|zoom=Z][|view=x,y,z]; curves are counted from 1.
+Panel panel_argument(const std::string& text);
+
+}  // namespace talweg::picture
