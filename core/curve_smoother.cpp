@@ -318,7 +318,7 @@ SmoothingResult CurveSmoother::run(const SmoothingOptions& options,
   watch = Stopwatch();
   SmoothingResult result;
   result.curves = std::move(traced.curves);
-  for (SurfaceCurve& curve : result.curves) relax(mesh_->mesh(), curve, {options.relax_rounds});
+  relax(mesh_->mesh(), result.curves, {options.relax_rounds});
   const double relax_ms = watch.ms();
 
   for (std::size_t c = 0; c < result.curves.size(); ++c) {

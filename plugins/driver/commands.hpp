@@ -1,0 +1,32 @@
+// The driver's commands. Each adds itself to the command line and returns an exit code when run.
+#pragma once
+
+#include <functional>
+
+#include <CLI/CLI.hpp>
+
+namespace talweg::driver {
+
+enum ExitCode {
+  kDone = 0,
+  kBadUsage = 1,
+  kBadInput = 2,
+  kNotConverged = 3,  ///< results are written all the same
+  kCancelled = 4,
+  kInternal = 5,
+};
+
+struct GlobalOptions {
+  bool quiet = false;
+  bool verbose = false;
+  unsigned threads = 2;
+  unsigned seed = 1;
+};
+
+using Command = std::function<int()>;
+
+Command add_draw(CLI::App& app, const GlobalOptions& global);
+Command add_smooth(CLI::App& app, const GlobalOptions& global);
+Command add_info(CLI::App& app, const GlobalOptions& global);
+
+}  // namespace talweg::driver

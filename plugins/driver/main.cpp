@@ -1,0 +1,102 @@
+// talweg: curves on surface meshes from the command line.
+#include <cstdio>
+#include <exception>
+#include <new>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "cancellation.hpp"
+#include "commands.hpp"
+#include "progress_bar.hpp"
+#include "talweg/core/version.hpp"
+#include "talweg/intrinsic/error.hpp"
+
+namespace talweg::driver {
+namespace {
+
+int fail(int code, const std::string& message) {
+  clear_progress_bar();
+  std::fprintf(stderr, "talweg: %s\n", message.c_str());
+  return code;
+}
+
+int exit_code_of(ErrorCode code) {
+  switch (code) {
+    case ErrorCode::kBadUsage:
+      return kBadUsage;
+    case ErrorCode::kBadMesh:
+    case ErrorCode::kBadCurve:
+    case ErrorCode::kBadFile:
+      return kBadInput;
+    case ErrorCode::kNumerical:
+    case ErrorCode::kOutOfMemory:
+      return kInternal;
+  }
+  return kInternal;
+}
+
+int run(int argc, char** argv) {
+  CLI::App app("Curves on triangle meshes: draw, smooth while staying close, measure.", "talweg");
+  app.set_version_flag("--version", std::string("talweg ") + version());
+  app.require_subcommand(1);
+  app.fallthrough();
+  app.footer(
+      "Exit codes: 0 done, 1 bad usage, 2 bad input, 3 not converged or a limit was reached (the "
+      "result is written), 4 cancelled, 5 internal error.\n"
+      "Example:\n"
+      "  talweg draw vessel.ply --through 12,845,9001 -o drawn.obj\n"
+      "  talweg smooth vessel.ply --curve drawn.obj --tau 2 -o smooth.vtp --report smooth.json");
+  GlobalOptions global;
+  app.add_flag("-q,--quiet", global.quiet, "Print nothing but errors");
+  app.add_flag("-v,--verbose", global.verbose, "Print the warnings and times of each curve");
+  app.add_option("--threads", global.threads, "Threads to use at most; never changes a result")
+      ->check(CLI::Range(1U, 1024U))
+      ->capture_default_str();
+  app.add_option("--seed", global.seed,
+                 "Seed of everything random; nothing in draw, smooth and info is")
+      ->capture_default_str();
+
+  std::vector<std::pair<const CLI::App*, Command>> commands;
+  const auto add = [&](auto adder) {
+    const std::size_t known = app.get_subcommands([](CLI::App*) { return true; }).size();
+    Command command = adder(app, global);
+    commands.emplace_back(app.get_subcommands([](CLI::App*) { return true; })[known],
+                          std::move(command));
+  };
+  add(add_draw);
+  add(add_smooth);
+  add(add_info);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& asked) {
+    return app.exit(asked);  // --help, --version
+  } catch (const CLI::ParseError& error) {
+    return fail(kBadUsage, error.what() + std::string(" (see talweg --help)"));
+  }
+  catch_interrupts();
+  for (const auto& [subcommand, command] : commands) {
+    if (subcommand->parsed()) {
+      const int code = command();
+      clear_progress_bar();
+      return code;
+    }
+  }
+  return kBadUsage;
+}
+
+}  // namespace
+}  // namespace talweg::driver
+
+int main(int argc, char** argv) {
+  using namespace talweg::driver;
+  try {
+    return run(argc, argv);
+  } catch (const talweg::Error& error) {
+    return fail(exit_code_of(error.code()), error.what());
+  } catch (const std::bad_alloc&) {
+    return fail(kInternal, "There is not enough memory.");
+  } catch (const std::exception& error) {
+    return fail(kInternal, std::string("Internal error: ") + error.what());
+  }
+}

@@ -1,0 +1,44 @@
+#include "report_table.hpp"
+
+#include <iterator>
+
+#include <fmt/format.h>
+
+namespace talweg::driver {
+
+std::string table_of(const SmoothingReport& r) {
+  std::string out;
+  const auto line = [&](const char* name, auto before, auto after, const char* unit) {
+    fmt::format_to(std::back_inserter(out), "{:<22}{:>14}{:>14}  {}\n", name, before, after, unit);
+  };
+  const auto number = [](double value) { return fmt::format("{:.6g}", value); };
+  fmt::format_to(std::back_inserter(out), "{:<22}{:>14}{:>14}\n", "", "drawn", "smoothed");
+  line("points", r.points_before, r.points_after, "");
+  line("length", number(r.length_before), number(r.length_after), "mesh units");
+  line("lifted length", number(r.lifted_length_before), number(r.lifted_length_after), "");
+  line("total curvature", number(r.curvature_before), number(r.curvature_after), "rad");
+  line("largest turn", number(r.curvature_max_before), number(r.curvature_max_after), "rad");
+  fmt::format_to(std::back_inserter(out), "{:<22}{:>14}{:>14}\n", "deviation", "max", "mean");
+  line("  smoothed to drawn", number(r.deviation_to_drawn_max), number(r.deviation_to_drawn_mean),
+       "mesh units");
+  line("  drawn to smoothed", number(r.deviation_from_drawn_max),
+       number(r.deviation_from_drawn_mean), "mesh units");
+  fmt::format_to(std::back_inserter(out), "  largest at          {:.6g} {:.6g} {:.6g}\n",
+                 r.deviation_at[0], r.deviation_at[1], r.deviation_at[2]);
+  fmt::format_to(std::back_inserter(out),
+                 "tau {:g}, potential {}, engine {}: {} after {} iterations, {} flips, {} of {} "
+                 "faces touched\n",
+                 r.tau, r.potential, r.engine, r.termination, r.iterations, r.flips,
+                 r.faces_touched, r.faces);
+  const StageTimes& t = r.time_ms;
+  fmt::format_to(std::back_inserter(out),
+                 "ms: load {:.1f}, open {:.1f}, solve {:.1f}, straighten {:.2f}, trace {:.2f}, "
+                 "relax {:.2f}; memory {:.0f} MiB\n",
+                 t.load, t.open, t.solve, t.straighten, t.trace, t.relax, r.peak_memory_mib);
+  for (const std::string& warning : r.warnings) {
+    fmt::format_to(std::back_inserter(out), "warning: {}\n", warning);
+  }
+  return out;
+}
+
+}  // namespace talweg::driver

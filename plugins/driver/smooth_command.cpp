@@ -1,0 +1,218 @@
+// talweg smooth: the whole method on the curves of a file.
+#include <algorithm>
+#include <cstdio>
+#include <fstream>
+#include <limits>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "commands.hpp"
+#include "progress_bar.hpp"
+#include "report_table.hpp"
+#include "talweg/core/curve_smoother.hpp"
+#include "talweg/core/formats/curve_file.hpp"
+#include "talweg/core/mesh_reader.hpp"
+#include "talweg/core/snapping.hpp"
+#include "talweg/core/stopwatch.hpp"
+#include "talweg/core/straight_lines.hpp"
+#include "talweg/intrinsic/error.hpp"
+
+namespace talweg::driver {
+namespace {
+
+struct SmoothOptions {
+  std::string mesh;
+  std::string curve;
+  std::vector<std::string> outputs;
+  std::string report;
+  std::string potential = "paper";
+  std::string engine = "auto";
+  std::string distance;
+  std::vector<std::size_t> pins;
+  std::size_t repeat = 1;
+  CurveOptions curve_options;
+  SmoothingOptions smoothing;
+};
+
+struct Drawing {
+  std::vector<SurfaceCurve> curves;
+  std::vector<SurfacePoint> pins;
+  double largest_snap_distance = 0;
+};
+
+Drawing read_drawing(const std::string& path, const SurfaceMesh& mesh) {
+  Drawing drawing;
+  StraightLines lines(mesh.surface());
+  for (const CurveInput& input : read_curves(path)) {
+    const SnappedCurve snapped = snap(mesh, input);
+    for (const std::size_t pin : snapped.pins) drawing.pins.push_back(snapped.points[pin]);
+    drawing.curves.push_back(lines.join(snapped.points, snapped.closed));
+    drawing.largest_snap_distance =
+        std::max(drawing.largest_snap_distance, snapped.largest_snap_distance);
+  }
+  return drawing;
+}
+
+std::vector<double> read_distance(const std::string& path, std::size_t vertices) {
+  std::ifstream in(path);
+  if (!in) throw Error(ErrorCode::kBadFile, path + ": cannot be opened.");
+  std::vector<double> values;
+  for (std::string word; in >> word;) {
+    char* end = nullptr;
+    values.push_back(std::strtod(word.c_str(), &end));
+    if (end == word.c_str() || *end != '\0') {
+      throw Error(ErrorCode::kBadFile, path + ": value " + std::to_string(values.size()) + " (\"" +
+                                           word.substr(0, 40) + "\") is not a number.");
+    }
+  }
+  if (values.size() != vertices) {
+    throw Error(ErrorCode::kBadFile, path + ": " + std::to_string(values.size()) +
+                                         " distances, but the mesh has " +
+                                         std::to_string(vertices) + " vertices.");
+  }
+  return values;
+}
+
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  return values[values.size() / 2];
+}
+
+/// The median of each stage over several runs that gave the same result.
+StageTimes median_times(const std::vector<StageTimes>& runs) {
+  StageTimes times;
+  for (double StageTimes::*stage :
+       {&StageTimes::load, &StageTimes::open, &StageTimes::solve, &StageTimes::straighten,
+        &StageTimes::trace, &StageTimes::relax, &StageTimes::polish, &StageTimes::total}) {
+    std::vector<double> values;
+    for (const StageTimes& run : runs) values.push_back(run.*stage);
+    times.*stage = median(values);
+  }
+  return times;
+}
+
+bool set_curves(CurveSmoother& smoother, const Drawing& drawing, const SmoothOptions& options,
+                const Progress& progress) {
+  CurveOptions curve_options = options.curve_options;
+  curve_options.pins = drawing.pins;
+  if (options.distance.empty()) return smoother.set_curves(drawing.curves, curve_options, progress);
+  const std::size_t vertices = smoother.opened().surface().vertex_count();
+  return smoother.set_curves(drawing.curves, read_distance(options.distance, vertices),
+                             curve_options);
+}
+
+int finish(const SmoothOptions& options, const GlobalOptions& global, const SurfaceMesh& mesh,
+           const SmoothingResult& result) {
+  clear_progress_bar();
+  if (result.total.termination == to_string(Termination::kCancelled)) {
+    std::fprintf(stderr, "talweg: cancelled; nothing was written.\n");
+    return kCancelled;
+  }
+  for (const std::string& output : options.outputs) write_curves(output, mesh, result.curves);
+  if (!options.report.empty()) {
+    write_text_file(options.report, to_json(result.total, result.reports));
+  }
+  const bool table = global.verbose || (options.outputs.empty() && options.report.empty());
+  if (table && !global.quiet) std::fputs(table_of(result.total).c_str(), stdout);
+  if (result.total.termination == to_string(Termination::kConverged)) return kDone;
+  if (!global.quiet) {
+    std::fprintf(stderr, "talweg: the result did not converge (%s); it was written all the same.\n",
+                 result.total.termination.c_str());
+  }
+  return kNotConverged;
+}
+
+int run(SmoothOptions options, const GlobalOptions& global) {
+  const Stopwatch load_watch;
+  MeshLists lists = read_mesh(options.mesh);
+  const double load_ms = load_watch.ms();
+  const auto opened = OpenedMesh::open(lists);
+  const std::size_t polygons = lists.polygon_count;
+  lists = {};
+  Drawing drawing = read_drawing(options.curve, opened->mesh());
+  for (const std::size_t pin : options.pins) {
+    drawing.pins.push_back(SurfacePoint::at_vertex(opened->surface(), VertexId{pin}));
+  }
+
+  const Progress progress = progress_bar(global.quiet);
+  options.smoothing.progress = progress;
+  CurveSmoother smoother(opened);
+  SmoothingResult result;
+  std::vector<std::vector<StageTimes>> times;
+  for (std::size_t k = 0; k < options.repeat; ++k) {
+    if (!set_curves(smoother, drawing, options, progress)) {
+      result.total.termination = to_string(Termination::kCancelled);
+      break;
+    }
+    result = smoother.smooth(options.smoothing);
+    times.resize(result.reports.size());
+    for (std::size_t c = 0; c < times.size(); ++c) {
+      times[c].push_back(result.reports[c].time_ms);
+    }
+  }
+  for (std::size_t c = 0; c < result.reports.size(); ++c) {
+    SmoothingReport& report = result.reports[c];
+    report.time_ms = median_times(times[c]);
+    report.time_ms.open = times[c].front().open;  // the factors are made in the first run
+    report.time_ms.load = load_ms;
+    report.time_ms.total += load_ms;
+    if (drawing.largest_snap_distance > 0) {
+      report.warnings.push_back("The curve was moved onto the mesh, by up to " +
+                                std::to_string(drawing.largest_snap_distance) + " mesh units.");
+    }
+    if (polygons > 0) {
+      report.warnings.push_back(std::to_string(polygons) +
+                                " polygons of the mesh were split into triangles.");
+    }
+  }
+  if (!result.reports.empty()) result.total = total_of(result.reports);
+  return finish(options, global, opened->mesh(), result);
+}
+
+}  // namespace
+
+Command add_smooth(CLI::App& app, const GlobalOptions& global) {
+  auto o = std::make_shared<SmoothOptions>();
+  CLI::App* command =
+      app.add_subcommand("smooth", "Smooth drawn curves while they stay close to the drawing");
+  command->add_option("mesh", o->mesh, "Mesh: OBJ, OFF, PLY, STL or OM")->required();
+  command
+      ->add_option(
+          "--curve", o->curve,
+          "Drawn curves: .obj, .ply, .vtp, .vtk, .mrk.json, .txt (vertex numbers) or .json")
+      ->required();
+  command
+      ->add_option("--tau", o->smoothing.tau, "0: straight lines; more keeps closer to the drawing")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  command->add_option("-o,--output", o->outputs,
+                      "Smoothed curves; the ending chooses the format; may be given several times");
+  command->add_option("--report", o->report, "What was done and measured, as JSON");
+  command->add_option("--potential", o->potential, "paper: equations 4 to 6")
+      ->check(CLI::IsMember({"paper"}))
+      ->capture_default_str();
+  command->add_option("--engine", o->engine, "full: distance over the whole mesh; auto chooses")
+      ->check(CLI::IsMember({"auto", "full"}))
+      ->capture_default_str();
+  command
+      ->add_option("--heat-time", o->curve_options.heat_time,
+                   "Smoothing of the distance, in squared mean edge lengths")
+      ->capture_default_str();
+  command->add_option("--distance", o->distance,
+                      "Distance to the drawing, one number per vertex, used as it is");
+  command->add_option("--pin", o->pins, "Vertices of the drawing that the result passes through")
+      ->delimiter(',');
+  command
+      ->add_option("--relax", o->smoothing.relax_rounds,
+                   "Rounds of relaxation along the supporting edges (the paper: 5)")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  command->add_option("--repeat", o->repeat, "Run so often and report median times")
+      ->check(CLI::Range(1, 10000))
+      ->capture_default_str();
+  return [o, &global] { return run(*o, global); };
+}
+
+}  // namespace talweg::driver
