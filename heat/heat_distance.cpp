@@ -228,6 +228,10 @@ void HeatDistance::Impl::finish(std::vector<double>& distance,
       distance[v] = std::numeric_limits<double>::infinity();
       continue;
     }
+    if (!std::isfinite(distance[v])) {
+      throw Error(ErrorCode::kNumerical,
+                  "The distance at vertex " + std::to_string(v) + " is not a finite number.");
+    }
     if (options.zero_on_sources) distance[v] -= mean[components.of_vertex[v]];
     if (options.clamp) distance[v] = std::max(distance[v], 0.0);
   }
@@ -257,11 +261,6 @@ std::vector<double> HeatDistance::solve(std::span<const WeightedVertex> sources,
   }
   std::vector<double> distance = impl_->poisson->solve(right);
   impl_->finish(distance, sources, start, options);
-  for (std::size_t v = 0; v < distance.size(); ++v) {
-    if (!std::isnan(distance[v])) continue;
-    throw Error(ErrorCode::kNumerical,
-                "The distance at vertex " + std::to_string(v) + " is not a number.");
-  }
   return distance;
 }
 

@@ -52,7 +52,7 @@ struct HeatReport {
 /// the surface afterwards.
 ///
 /// Where a component has a boundary and a source off it, the heat is the average of the solutions
-/// with free and with cold boundary (same paper, section 3.4); elsewhere the boundary is free. The
+/// with free and with cold boundary (as that paper advises); elsewhere the boundary is free. The
 /// time and all other scales are taken per component, so components do not influence each other.
 class HeatDistance {
  public:
@@ -71,7 +71,7 @@ class HeatDistance {
   /// One distance per vertex, in length units: +infinity in components without a source, finite
   /// elsewhere. Without zero_on_sources only differences within a component mean anything.
   /// Throws Error(kBadCurve) when a source is no vertex of the surface, a weight is negative or
-  /// not finite, or no weight is positive.
+  /// not finite, or no weight is positive; Error(kNumerical) should a distance not be finite.
   [[nodiscard]] std::vector<double> solve(std::span<const WeightedVertex> sources,
                                           const DistanceOptions& options = {}) const;
 

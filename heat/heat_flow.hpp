@@ -18,7 +18,7 @@ struct ScaledField {
 };
 
 /// Solves (M / h² + s S) u = source, the heat flow of time s h² (Crane, Weischedel & Wardetzky
-/// 2013, equation 3), with `factor` the factor of that matrix (or of the one with Dirichlet rows).
+/// 2013, step I), with `factor` the factor of that matrix (or of the one with Dirichlet rows).
 ///
 /// u falls by a factor of about exp(-1 / √s) per edge, so doubles underflow after some 2,000 edges.
 /// Where |u| is below 2^-800 the equation is therefore solved again, scaled: with A the vertices

@@ -21,7 +21,7 @@ struct Mollification {
 
 /// Adds to all edges of a component the smallest amount by which every triangle satisfies the
 /// triangle inequality with slack: a + b >= c + slack · h, h the component's mean edge length
-/// (Sharp & Crane 2020, "A Laplacian for Nonmanifold Triangle Meshes", section 4.5). Components
+/// (Sharp & Crane 2020, "A Laplacian for Nonmanifold Triangle Meshes"). Components
 /// without bad triangles keep their lengths bit for bit. The amount is at most slack · h on a
 /// surface whose lengths satisfy the triangle inequality. Scale covariant. O(faces).
 Mollification mollify(const Surface& surface, const Components& components, double slack = 1e-5);

@@ -9,9 +9,9 @@
 
 namespace talweg {
 
-/// The right-hand side b of S δ = b whose solution has gradients closest to X = -∇u / |∇u| (Crane,
-/// Weischedel & Wardetzky 2013, equations 4 and 5): b_i = -∫ X · ∇λ_i... summed over the triangles
-/// at i, in length units, and Σ b = 0 up to rounding.
+/// The right-hand side b of S δ = b whose solution has the gradients closest to X = -∇u / |∇u|
+/// (Crane, Weischedel & Wardetzky 2013, steps II and III): b_i = ∫ X · ∇λ_i over the triangles at
+/// i, λ_i the hat function. One number per vertex, in length units; Σ b = 0 up to rounding.
 ///
 /// Only differences along sides are needed: X · e_ij = (u_i - u_j) / |∇u|, and |∇u| comes from
 /// the layout of the triangle on its longest side. Each triangle is scaled by its own largest |u|
