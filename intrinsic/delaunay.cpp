@@ -18,16 +18,17 @@ std::array<double, 3> side_lengths(SignpostTriangulation& triangulation, Halfedg
 /// N = b² + c² - a²; the sum's sign is that of N₁ A₂ + N₂ A₁, which also holds for areas of 0.
 bool wants_flip(SignpostTriangulation& triangulation, EdgeId e) {
   const HalfedgeId h = halfedge_of(e);
-  double numerator[2], area[2];
+  double numerator[2], area[2], size[2];
   int k = 0;
   for (const HalfedgeId side : {h, twin(h)}) {
     const auto [a, b, c] = side_lengths(triangulation, side);
     numerator[k] = b * b + (c - a) * (c + a);
+    size[k] = a * a + b * b + c * c;
     area[k++] = triangle_area(a, b, c);
   }
-  const double first = numerator[0] * area[1], second = numerator[1] * area[0];
-  const double rounding = 1e-12;
-  return first + second < -rounding * (std::abs(first) + std::abs(second));
+  // Where four points lie on a circle the sum is rounding; such edges stay as they are.
+  const double rounding = 1e-12 * (size[0] * area[1] + size[1] * area[0]);
+  return numerator[0] * area[1] + numerator[1] * area[0] < -rounding;
 }
 
 void push(std::vector<EdgeId>& stack, std::vector<char>& waiting, EdgeId e) {

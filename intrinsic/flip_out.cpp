@@ -128,8 +128,27 @@ bool FlipOut::clear_wedge(const Wedge& wedge) {
     length += t.length(arc_.back());
   }
   if (!(length < t.length(wedge.out) + t.length(wedge.back))) return false;
+  const std::size_t path = network_.segment(wedge.before).path;
+  if (network_.path(path).closed && only_a_spike_remains(wedge)) {
+    terminations_[path] = Termination::kCollapsed;
+    return false;
+  }
   accept(wedge, arc_);
   return true;
+}
+
+/// True when the loop would become an edge out and back. It is contractible then, and what it is
+/// now is the last proper loop.
+bool FlipOut::only_a_spike_remains(const Wedge& wedge) const {
+  const SegmentId rest = network_.segment(wedge.after).next;
+  switch (network_.path(network_.segment(wedge.before).path).size) {
+    case 2:
+      return arc_.size() == 2 && edge_of(arc_[0]) == edge_of(arc_[1]);
+    case 3:
+      return arc_.size() == 1 && edge_of(arc_[0]) == edge_of(network_.segment(rest).halfedge);
+    default:
+      return false;
+  }
 }
 
 bool FlipOut::remove_spike(const Wedge& wedge) {

@@ -89,6 +89,7 @@ class FlipOut {
   bool clear_wedge(const Wedge& wedge);
   bool open_single_edge_loop(const Wedge& wedge);
   bool shorten_opened_loop(const Wedge& first, double target);
+  [[nodiscard]] bool only_a_spike_remains(const Wedge& wedge) const;
   bool remove_spike(const Wedge& wedge);
   void flip_inside(HalfedgeId out, HalfedgeId back);
   void accept(const Wedge& wedge, std::span<const HalfedgeId> arc);
