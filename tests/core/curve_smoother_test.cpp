@@ -6,6 +6,7 @@
 #include <numbers>
 #include <random>
 
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include "core/reference_data.hpp"
