@@ -1,0 +1,94 @@
+#include "talweg/core/surface_mesh.hpp"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "talweg/core/mesh_inspection.hpp"
+#include "talweg/core/point_distance.hpp"
+#include "talweg/intrinsic/error.hpp"
+
+namespace talweg {
+namespace {
+
+/// What `inspect` calls an obstacle and Surface::from_triangles does not find.
+bool acceptable(const MeshLists& lists) {
+  if (lists.points.empty() || lists.triangles.empty()) return false;
+  return std::all_of(lists.points.begin(), lists.points.end(),
+                     [](const Point& p) { return p.allFinite(); });
+}
+
+[[noreturn]] void refuse(const MeshLists& lists, const std::string& otherwise) {
+  const std::string why = obstacle(inspect(lists));
+  throw Error(ErrorCode::kBadMesh, why.empty() ? otherwise : why);
+}
+
+Surface connect(const MeshLists& lists) {
+  try {
+    return Surface::from_triangles(lists.points.size(), lists.triangles);
+  } catch (const Error& error) {
+    refuse(lists, error.what());
+  }
+}
+
+/// Two faces back to back glue to a closed pillow, which connectivity alone would allow.
+bool has_pillow(const Surface& surface) {
+  for (std::size_t f = 0; f < surface.face_count(); ++f) {
+    const HalfedgeId h = surface.halfedge(FaceId{f});
+    const HalfedgeId across = twin(h);
+    if (!surface.has_face(across)) continue;
+    const FaceId other = surface.face(across);
+    const HalfedgeId second = twin(surface.next(h));
+    const HalfedgeId third = twin(surface.prev(h));
+    if (surface.has_face(second) && surface.face(second) == other && surface.has_face(third) &&
+        surface.face(third) == other) {
+      return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+SurfaceMesh SurfaceMesh::open(const MeshLists& lists) {
+  if (!acceptable(lists)) refuse(lists, "The mesh cannot be used.");
+  SurfaceMesh mesh;
+  mesh.surface_ = connect(lists);
+  if (has_pillow(mesh.surface_)) refuse(lists, "Two faces have the same three vertices.");
+  mesh.points_ = lists.points;
+
+  std::vector<double> lengths(mesh.surface_.edge_count());
+  double total = 0;
+  for (std::size_t e = 0; e < lengths.size(); ++e) {
+    const HalfedgeId h = halfedge_of(EdgeId{e});
+    lengths[e] =
+        point_distance(mesh.point(mesh.surface_.tail(h)), mesh.point(mesh.surface_.head(h)));
+    total += lengths[e];
+  }
+  mesh.mean_edge_length_ = total / static_cast<double>(lengths.size());
+  mesh.surface_.set_lengths(std::move(lengths));
+  return mesh;
+}
+
+Point SurfaceMesh::position(const SurfacePoint& point) const {
+  if (const auto* v = std::get_if<AtVertex>(&point.where())) return this->point(v->vertex);
+  if (const auto* e = std::get_if<OnEdge>(&point.where())) {
+    const HalfedgeId h = halfedge_of(e->edge);
+    return (1 - e->t) * this->point(surface_.tail(h)) + e->t * this->point(surface_.head(h));
+  }
+  const auto& inside = std::get<InFace>(point.where());
+  const std::array<VertexId, 3> corner = surface_.corners(inside.face);
+  // Relative to a corner, so that far from the origin no digits of the sum are lost.
+  const Point& base = this->point(corner[0]);
+  return base + inside.barycentric[1] * (this->point(corner[1]) - base) +
+         inside.barycentric[2] * (this->point(corner[2]) - base);
+}
+
+std::vector<Point> positions_of(const SurfaceMesh& mesh, const SurfaceCurve& curve) {
+  std::vector<Point> positions;
+  positions.reserve(curve.points.size());
+  for (const SurfacePoint& point : curve.points) positions.push_back(mesh.position(point));
+  return positions;
+}
+
+}  // namespace talweg
