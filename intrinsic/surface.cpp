@@ -64,14 +64,23 @@ std::uint32_t opposite(std::span<const Triangle> triangles, const SidesByTail& s
   const VertexId a = corner(triangles, side, 0);
   const VertexId b = corner(triangles, side, 1);
   std::uint32_t found = Surface::kNoSide;
-  for (std::uint32_t i = sorted.first[b.index()]; i < sorted.first[b.index() + 1]; ++i) {
-    const std::uint32_t candidate = sorted.sides[i];
-    if (corner(triangles, candidate, 1) != a) continue;
+  const auto look = [&](std::uint32_t candidate) {
+    if (corner(triangles, candidate, 0) != b || corner(triangles, candidate, 1) != a) return;
     if (found != Surface::kNoSide) {
       bad_mesh("Faces " + text(found / 3) + " and " + text(candidate / 3) + " run along " +
                edge_text(triangles, candidate) + " in the same direction.");
     }
     found = candidate;
+  };
+  // Sides that start at b or that end at a, whichever are fewer: the hub of a fan has many.
+  const auto degree = [&](VertexId v) {
+    return sorted.first[v.index() + 1] - sorted.first[v.index()];
+  };
+  const bool starting = degree(b) <= degree(a);
+  const VertexId center = starting ? b : a;
+  for (std::uint32_t i = sorted.first[center.index()]; i < sorted.first[center.index() + 1]; ++i) {
+    const std::uint32_t spoke = sorted.sides[i];
+    look(starting ? spoke : spoke % 3 == 0 ? spoke + 2 : spoke - 1);
   }
   if (found != Surface::kNoSide) return found;
   for (std::uint32_t i = sorted.first[a.index()]; i < sorted.first[a.index() + 1]; ++i) {
