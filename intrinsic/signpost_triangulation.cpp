@@ -24,6 +24,10 @@ SignpostTriangulation::SignpostTriangulation(const Surface& surface)
 void SignpostTriangulation::set_metric(Metric metric) {
   assert(log_.empty());
   metric_ = std::move(metric);
+  forget();
+}
+
+void SignpostTriangulation::forget() {
   touched_.clear();
   if (++epoch_ == 0) {
     std::fill(edge_epoch_.begin(), edge_epoch_.end(), 0U);
@@ -201,6 +205,7 @@ HalfedgeId SignpostTriangulation::new_edge(VertexId tail, VertexId head, double 
 
 VertexId SignpostTriangulation::new_vertex(const SurfacePoint& location) {
   assert(log_.empty());
+  forget();  // what was laid out around the place
   vertex_halfedge_.emplace_back();
   vertex_epoch_.push_back(0);
   cone_.push_back(0);
@@ -230,7 +235,6 @@ VertexId SignpostTriangulation::split_edge(HalfedgeId h, const EdgeSplit& length
   const HalfedgeId n = new_edge(m, b, lengths.to_head);
   const HalfedgeId p = new_edge(m, tail(h2), lengths.to_left);
   surface_length_[edge_of(h).index()] = lengths.from_tail;
-  edge_epoch_[edge_of(h).index()] = 0;
   halfedges_[t.index()].tail = m;
   note_change(t);
   if (vertex_halfedge_[b.index()] == t) vertex_halfedge_[b.index()] = twin(n);

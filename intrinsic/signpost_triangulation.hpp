@@ -79,7 +79,8 @@ class SignpostTriangulation {
   /// Switches signposts and log off, for flips that nobody undoes or walks along.
   void flip_without_trace() { keep_trace_ = false; }
 
-  // Inserted vertices (point_insertion.hpp places them). No flip may be pending.
+  // Inserted vertices (point_insertion.hpp places them). No flip may be pending; lengths and
+  // directions that were looked at are forgotten.
   /// Splits the edge of h (which must have a face) at distance `from_tail` from its tail; `to_left`
   /// and `to_right` are the distances to the opposite corners. Returns the new vertex; h then ends
   /// at it.
@@ -90,7 +91,7 @@ class SignpostTriangulation {
   /// Splits the face of h; the distances go to the tails of h, next(h) and prev(h).
   VertexId split_face(HalfedgeId h, const std::array<double, 3>& lengths,
                       const SurfacePoint& location);
-  /// Removes every inserted vertex. O(inserted).
+  /// Removes every inserted vertex; the metric is the surface's own again. O(inserted).
   void remove_inserted();
   [[nodiscard]] std::size_t inserted_count() const {
     return vertex_count() - surface_->vertex_count();
@@ -113,6 +114,7 @@ class SignpostTriangulation {
     bool represented[2] = {false, false};  // it was its tail's (head's) own halfedge
   };
 
+  void forget();
   void touch(VertexId v);
   double swept(HalfedgeId from, HalfedgeId to);
   double wrapped(double angle, VertexId v) const;

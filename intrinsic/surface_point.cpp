@@ -89,6 +89,10 @@ SurfacePoint SurfacePoint::from_barycentric(const Surface& surface, FaceId face,
     if (!(t < 1)) return at_vertex(surface, surface.corners(face)[(k + 2) % 3]);
     return on_side(surface, face, (k + 1) % 3, t);
   }
+  if (const auto whole = std::find_if(b.begin(), b.end(), [](double x) { return x >= 1; });
+      whole != b.end()) {
+    return at_vertex(surface, surface.corners(face)[static_cast<std::size_t>(whole - b.begin())]);
+  }
   return in_face(surface, face, b);
 }
 

@@ -11,10 +11,11 @@ namespace talweg {
 
 /// The angle opposite side c, between sides a and b, in [0, pi]. Kahan, "Miscalculating area and
 /// angles of a needle-like triangle" (2014): relative error of a few ulp also for needles.
-/// A side of length 0 between equal sides gives pi/2 at its ends, so that angles sum to pi.
+/// A side of length 0 between equal sides gives pi/2 at its ends, and three of them pi/3, so that
+/// angles always sum to pi.
 inline double angle_between(double a, double b, double c) {
   if (a < b) std::swap(a, b);
-  if (b <= 0) return std::numbers::pi / 2;
+  if (b <= 0) return a <= 0 && c <= 0 ? std::numbers::pi / 3 : std::numbers::pi / 2;
   const double mu = b >= c ? c - (a - b) : b - (a - c);
   if (mu <= 0) return b >= c || c <= a - b ? 0.0 : std::numbers::pi;
   const double denominator = (a + (b + c)) * ((a - c) + b);
