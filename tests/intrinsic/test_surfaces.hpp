@@ -1,0 +1,510 @@
+// Small surfaces, paths and checks for the tests of the intrinsic layer. Lengths come from
+// positions here; the library never sees them.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <numbers>
+#include <numeric>
+#include <random>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "talweg/intrinsic/edge_path.hpp"
+#include "talweg/intrinsic/signpost_triangulation.hpp"
+#include "talweg/intrinsic/surface.hpp"
+#include "talweg/intrinsic/surface_point.hpp"
+
+namespace talweg::test {
+
+using Point = std::array<double, 3>;
+constexpr double kPi = std::numbers::pi;
+
+inline Point operator-(const Point& a, const Point& b) {
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+inline double norm(const Point& a) { return std::hypot(a[0], a[1], a[2]); }
+inline double distance(const Point& a, const Point& b) { return norm(a - b); }
+
+/// The same numbers on every platform (standard distributions are not).
+class Random {
+ public:
+  explicit Random(std::uint64_t seed) : engine_(seed) {}
+  double uniform() { return static_cast<double>(engine_() >> 11U) * 0x1p-53; }
+  double uniform(double low, double high) { return low + (high - low) * uniform(); }
+  std::size_t below(std::size_t n) { return static_cast<std::size_t>(engine_() % n); }
+
+ private:
+  std::mt19937_64 engine_;
+};
+
+struct TestMesh {
+  std::vector<Point> points;
+  std::vector<Triangle> triangles;
+};
+
+inline std::vector<double> lengths_from(const Surface& surface, const std::vector<Point>& points) {
+  std::vector<double> lengths(surface.edge_count());
+  for (std::size_t e = 0; e < lengths.size(); ++e) {
+    const HalfedgeId h = halfedge_of(EdgeId{e});
+    lengths[e] = distance(points[surface.tail(h).index()], points[surface.head(h).index()]);
+  }
+  return lengths;
+}
+
+inline Surface surface_of(const TestMesh& mesh) {
+  Surface surface = Surface::from_triangles(mesh.points.size(), mesh.triangles);
+  surface.set_lengths(lengths_from(surface, mesh.points));
+  return surface;
+}
+
+/// (nx + 1) × (ny + 1) vertices, vertex (i, j) is i + j (nx + 1); inner ones moved by up to
+/// `jitter` (< 0.25) in x and y.
+inline TestMesh grid(std::size_t nx, std::size_t ny, double jitter = 0, std::uint64_t seed = 1) {
+  Random random(seed);
+  TestMesh mesh;
+  for (std::size_t j = 0; j <= ny; ++j) {
+    for (std::size_t i = 0; i <= nx; ++i) {
+      const bool inner = i > 0 && i < nx && j > 0 && j < ny;
+      const double dx = inner ? random.uniform(-jitter, jitter) : 0;
+      const double dy = inner ? random.uniform(-jitter, jitter) : 0;
+      mesh.points.push_back({static_cast<double>(i) + dx, static_cast<double>(j) + dy, 0});
+    }
+  }
+  const auto id = [&](std::size_t i, std::size_t j) {
+    return static_cast<std::uint32_t>(i + j * (nx + 1));
+  };
+  for (std::size_t j = 0; j < ny; ++j) {
+    for (std::size_t i = 0; i < nx; ++i) {
+      mesh.triangles.push_back({id(i, j), id(i + 1, j), id(i + 1, j + 1)});
+      mesh.triangles.push_back({id(i, j), id(i + 1, j + 1), id(i, j + 1)});
+    }
+  }
+  return mesh;
+}
+
+/// A grid without the cells for which `drop(i, j)` holds; vertices without faces stay.
+template <class Drop>
+TestMesh grid_without(std::size_t nx, std::size_t ny, Drop drop) {
+  TestMesh mesh = grid(nx, ny);
+  std::vector<Triangle> kept;
+  for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
+    const std::size_t cell = f / 2;
+    if (!drop(cell % nx, cell / nx)) kept.push_back(mesh.triangles[f]);
+  }
+  mesh.triangles = kept;
+  return mesh;
+}
+
+/// Rings of n vertices at the given (radius, height), vertex k of ring r is k + r n; closed around.
+inline TestMesh rings_of(std::size_t n, const std::vector<std::array<double, 2>>& rings,
+                         double twist = 0) {
+  TestMesh mesh;
+  for (std::size_t r = 0; r < rings.size(); ++r) {
+    for (std::size_t k = 0; k < n; ++k) {
+      const double angle = 2 * kPi * (static_cast<double>(k) + twist * static_cast<double>(r)) /
+                           static_cast<double>(n);
+      mesh.points.push_back(
+          {rings[r][0] * std::cos(angle), rings[r][0] * std::sin(angle), rings[r][1]});
+    }
+  }
+  for (std::size_t r = 0; r + 1 < rings.size(); ++r) {
+    for (std::size_t k = 0; k < n; ++k) {
+      const auto a = static_cast<std::uint32_t>(k + r * n);
+      const auto b = static_cast<std::uint32_t>((k + 1) % n + r * n);
+      const auto c = static_cast<std::uint32_t>(b + n), d = static_cast<std::uint32_t>(a + n);
+      mesh.triangles.push_back({a, b, c});
+      mesh.triangles.push_back({a, c, d});
+    }
+  }
+  return mesh;
+}
+
+/// An open cylinder (a prism over the regular n-gon) of m bands.
+inline TestMesh cylinder(std::size_t n, std::size_t m, double radius, double height) {
+  std::vector<std::array<double, 2>> rings;
+  for (std::size_t r = 0; r <= m; ++r) {
+    rings.push_back({radius, height * static_cast<double>(r) / static_cast<double>(m)});
+  }
+  return rings_of(n, rings);
+}
+
+/// A flat annulus.
+inline TestMesh annulus(std::size_t n, std::size_t m, double inner, double outer) {
+  std::vector<std::array<double, 2>> rings;
+  for (std::size_t r = 0; r <= m; ++r) {
+    const double s = static_cast<double>(r) / static_cast<double>(m);
+    rings.push_back({outer + s * (inner - outer), 0});
+  }
+  return rings_of(n, rings);
+}
+
+/// A cone of m bands with its tip, which is the last vertex; ring m - 1 lies next to the tip.
+inline TestMesh cone(std::size_t n, std::size_t m, double radius, double height) {
+  std::vector<std::array<double, 2>> rings;
+  for (std::size_t r = 0; r < m; ++r) {
+    const double s = 1 - static_cast<double>(r) / static_cast<double>(m);
+    rings.push_back({radius * s, height * (1 - s)});
+  }
+  TestMesh mesh = rings_of(n, rings);
+  const auto tip = static_cast<std::uint32_t>(mesh.points.size());
+  mesh.points.push_back({0, 0, height});
+  for (std::size_t k = 0; k < n; ++k) {
+    mesh.triangles.push_back({static_cast<std::uint32_t>((m - 1) * n + k),
+                              static_cast<std::uint32_t>((m - 1) * n + (k + 1) % n), tip});
+  }
+  return mesh;
+}
+
+inline TestMesh disc(std::size_t n, std::size_t m) { return cone(n, m, 1, 0); }
+
+inline TestMesh torus(std::size_t n, std::size_t m, double major, double minor) {
+  TestMesh mesh;
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t j = 0; j < m; ++j) {
+      const double u = 2 * kPi * static_cast<double>(i) / static_cast<double>(n);
+      const double v = 2 * kPi * static_cast<double>(j) / static_cast<double>(m);
+      const double r = major + minor * std::cos(v);
+      mesh.points.push_back({r * std::cos(u), r * std::sin(u), minor * std::sin(v)});
+    }
+  }
+  const auto id = [&](std::size_t i, std::size_t j) {
+    return static_cast<std::uint32_t>((i % n) * m + j % m);
+  };
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t j = 0; j < m; ++j) {
+      mesh.triangles.push_back({id(i, j), id(i + 1, j), id(i + 1, j + 1)});
+      mesh.triangles.push_back({id(i, j), id(i + 1, j + 1), id(i, j + 1)});
+    }
+  }
+  return mesh;
+}
+
+inline TestMesh tetrahedron() {
+  return {{{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}},
+          {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}}};
+}
+
+inline TestMesh octahedron() {
+  return {{{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}},
+          {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}}};
+}
+
+/// Each level splits every triangle in four and puts the new vertices on the unit sphere.
+inline TestMesh sphere(int levels) {
+  TestMesh mesh = octahedron();
+  for (int level = 0; level < levels; ++level) {
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middle;
+    const auto mid = [&](std::uint32_t a, std::uint32_t b) {
+      const auto [it, fresh] = middle.try_emplace({std::min(a, b), std::max(a, b)},
+                                                  static_cast<std::uint32_t>(mesh.points.size()));
+      if (fresh) {
+        Point p{};
+        for (std::size_t k = 0; k < 3; ++k) p[k] = mesh.points[a][k] + mesh.points[b][k];
+        const double size = norm(p);
+        mesh.points.push_back({p[0] / size, p[1] / size, p[2] / size});
+      }
+      return it->second;
+    };
+    std::vector<Triangle> fine;
+    for (const auto& [a, b, c] : mesh.triangles) {
+      const std::uint32_t ab = mid(a, b), bc = mid(b, c), ca = mid(c, a);
+      fine.insert(fine.end(), {{a, ab, ca}, {b, bc, ab}, {c, ca, bc}, {ab, bc, ca}});
+    }
+    mesh.triangles = fine;
+  }
+  return mesh;
+}
+
+/// The surface of the unit cubes for which `solid(i, j, k)` holds, each square in two triangles;
+/// coordinates are multiplied by `scale`. The solid must not meet itself along a mere edge.
+template <class Solid>
+TestMesh voxels(int nx, int ny, int nz, Solid solid, double scale = 1) {
+  TestMesh mesh;
+  std::map<std::array<int, 3>, std::uint32_t> ids;
+  const auto id = [&](std::array<int, 3> p) {
+    const auto [it, fresh] = ids.try_emplace(p, static_cast<std::uint32_t>(mesh.points.size()));
+    if (fresh) mesh.points.push_back({scale * p[0], scale * p[1], scale * p[2]});
+    return it->second;
+  };
+  const auto filled = [&](const std::array<int, 3>& c) {
+    return c[0] >= 0 && c[1] >= 0 && c[2] >= 0 && c[0] < nx && c[1] < ny && c[2] < nz &&
+           solid(c[0], c[1], c[2]);
+  };
+  for (int k = 0; k < nz; ++k) {
+    for (int j = 0; j < ny; ++j) {
+      for (int i = 0; i < nx; ++i) {
+        if (!filled({i, j, k})) continue;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+          for (const int side : {0, 1}) {
+            std::array<int, 3> beyond = {i, j, k};
+            beyond[axis] += side == 1 ? 1 : -1;
+            if (filled(beyond)) continue;
+            std::array<int, 3> p = {i, j, k};
+            p[axis] += side;
+            auto q = p, r = p, s = p;
+            ++q[(axis + 1) % 3];
+            ++r[(axis + 1) % 3];
+            ++r[(axis + 2) % 3];
+            ++s[(axis + 2) % 3];
+            if (side == 0) std::swap(q, s);
+            mesh.triangles.push_back({id(p), id(q), id(r)});
+            mesh.triangles.push_back({id(p), id(r), id(s)});
+          }
+        }
+      }
+    }
+  }
+  return mesh;
+}
+
+inline TestMesh box(int nx, int ny, int nz) {
+  return voxels(nx, ny, nz, [](int, int, int) { return true; });
+}
+
+/// Genus 2: a slab of 5 × 3 × 1 cubes with two holes, refined `n` times.
+inline TestMesh double_torus(int n) {
+  return voxels(
+      5 * n, 3 * n, n, [n](int i, int j, int) { return j / n != 1 || (i / n != 1 && i / n != 3); },
+      1.0 / n);
+}
+
+/// `count` triangles glued along random sides: multi-edges, self-edges and faces glued to
+/// themselves are common. With probability `open` a side stays on the boundary.
+/// `spread` = 0 draws lengths from [1, 2); otherwise an edge has the sum of its ends' weights,
+/// drawn from 10^[-spread, spread], which is a triangle always and a needle often.
+inline Surface random_complex(Random& random, std::size_t count, double open, double spread = 0) {
+  const std::size_t sides = 3 * count;
+  std::vector<std::uint32_t> order(sides);
+  std::iota(order.begin(), order.end(), 0U);
+  for (std::size_t i = sides; i-- > 1;) std::swap(order[i], order[random.below(i + 1)]);
+  std::vector<std::uint32_t> gluing(sides, Surface::kNoSide);
+  for (std::size_t i = 0; i + 1 < sides; i += 2) {
+    if (random.uniform() < open) continue;
+    gluing[order[i]] = order[i + 1];
+    gluing[order[i + 1]] = order[i];
+  }
+  std::vector<std::uint32_t> parent(sides);
+  std::iota(parent.begin(), parent.end(), 0U);
+  const auto root = [&](std::size_t c) {
+    while (parent[c] != c) c = parent[c];
+    return static_cast<std::uint32_t>(c);
+  };
+  const auto onward = [](std::size_t s) { return s % 3 == 2 ? s - 2 : s + 1; };
+  for (std::size_t s = 0; s < sides; ++s) {
+    if (gluing[s] == Surface::kNoSide) continue;
+    parent[root(s)] = root(onward(gluing[s]));
+    parent[root(onward(s))] = root(gluing[s]);
+  }
+  std::map<std::uint32_t, std::uint32_t> number;
+  std::vector<Triangle> triangles(count);
+  for (std::size_t s = 0; s < sides; ++s) {
+    triangles[s / 3][s % 3] =
+        number.try_emplace(root(s), static_cast<std::uint32_t>(number.size())).first->second;
+  }
+  Surface surface = Surface::from_gluing(number.size(), triangles, gluing);
+  std::vector<double> weight(number.size());
+  for (double& w : weight) w = std::pow(10.0, random.uniform(-spread, spread));
+  std::vector<double> lengths(surface.edge_count());
+  for (std::size_t e = 0; e < lengths.size(); ++e) {
+    const HalfedgeId h = halfedge_of(EdgeId{e});
+    lengths[e] = spread > 0 ? weight[surface.tail(h).index()] + weight[surface.head(h).index()]
+                            : random.uniform(1, 2);
+  }
+  surface.set_lengths(lengths);
+  return surface;
+}
+
+// ---- paths ----
+
+inline std::vector<HalfedgeId> halfedges_through(const SignpostTriangulation& t,
+                                                 const std::vector<std::size_t>& vertices,
+                                                 bool closed = false) {
+  std::vector<HalfedgeId> path;
+  for (std::size_t i = 0; i + (closed ? 0 : 1) < vertices.size(); ++i) {
+    path.push_back(
+        t.find_halfedge(VertexId{vertices[i]}, VertexId{vertices[(i + 1) % vertices.size()]}));
+  }
+  return path;
+}
+
+inline EdgePath path_through(const SignpostTriangulation& t,
+                             const std::vector<std::size_t>& vertices, bool closed = false) {
+  return EdgePath::make(t, halfedges_through(t, vertices, closed), closed);
+}
+
+/// Dijkstra along edges.
+inline std::vector<std::size_t> shortest_vertices(const Surface& s, std::size_t from,
+                                                  std::size_t to) {
+  std::vector<double> best(s.vertex_count(), std::numeric_limits<double>::infinity());
+  std::vector<std::size_t> parent(s.vertex_count(), from);
+  std::set<std::pair<double, std::size_t>> queue = {{0, from}};
+  best[from] = 0;
+  while (!queue.empty()) {
+    const auto [d, v] = *queue.begin();
+    queue.erase(queue.begin());
+    if (v == to) break;
+    const HalfedgeId first = s.halfedge(VertexId{v});
+    HalfedgeId h = first;
+    do {
+      const std::size_t w = s.head(h).index();
+      const double length = d + s.length(edge_of(h));
+      if (length < best[w]) {
+        queue.erase({best[w], w});
+        best[w] = length;
+        parent[w] = v;
+        queue.insert({length, w});
+      }
+      if (!s.has_face(h)) break;
+      h = s.turn_ccw(h);
+    } while (h != first);
+  }
+  std::vector<std::size_t> path = {to};
+  while (path.back() != from) path.push_back(parent[path.back()]);
+  std::reverse(path.begin(), path.end());
+  return path;
+}
+
+/// A random walk of up to `steps` edges; empty at an isolated vertex.
+inline std::vector<HalfedgeId> random_walk(SignpostTriangulation& t, Random& random,
+                                           std::size_t steps) {
+  std::vector<HalfedgeId> path;
+  VertexId v{random.below(t.vertex_count())};
+  for (std::size_t k = 0; k < steps; ++k) {
+    std::vector<HalfedgeId> spokes;
+    const HalfedgeId first = t.halfedge(v);
+    if (!first.valid()) return path;
+    HalfedgeId h = first;
+    do {
+      spokes.push_back(h);
+      if (!t.has_face(h)) break;
+      h = t.turn_ccw(h);
+    } while (h != first);
+    path.push_back(spokes[random.below(spokes.size())]);
+    v = t.head(path.back());
+  }
+  return path;
+}
+
+// ---- measures that owe nothing to signposts ----
+
+/// The angle from one outgoing halfedge counterclockwise to another, corner by corner; +infinity
+/// where the boundary is in between; the whole cone if they are the same.
+inline double corner_sum(SignpostTriangulation& t, HalfedgeId from, HalfedgeId to) {
+  double sum = 0;
+  do {
+    if (!t.has_face(from)) return std::numeric_limits<double>::infinity();
+    sum += t.corner_angle(from);
+    from = t.turn_ccw(from);
+  } while (from != to);
+  return sum;
+}
+
+/// The smaller side angle at every joint of a path, corner by corner; spikes count as 0.
+inline std::vector<double> side_angles(SignpostTriangulation& t, const EdgePath& path) {
+  std::vector<double> angles;
+  const auto h = path.halfedges();
+  for (std::size_t i = 0; i + (path.closed() ? 0 : 1) < h.size(); ++i) {
+    const HalfedgeId into = twin(h[i]), onward = h[(i + 1) % h.size()];
+    angles.push_back(
+        into == onward ? 0 : std::min(corner_sum(t, into, onward), corner_sum(t, onward, into)));
+  }
+  return angles;
+}
+
+/// Position of a point of a simplicial surface, from the vertices' positions.
+inline Point position(const Surface& surface, const std::vector<Point>& points,
+                      const SurfacePoint& p) {
+  if (const auto* v = std::get_if<AtVertex>(&p.where())) return points[v->vertex.index()];
+  const FaceId face = any_face(surface, p);
+  const auto weights = coordinates_in(surface, p, face).barycentric;
+  const auto corners = surface.corners(face);
+  Point sum{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    for (std::size_t x = 0; x < 3; ++x) sum[x] += weights[k] * points[corners[k].index()][x];
+  }
+  return sum;
+}
+
+inline double length_of(const Surface& surface, const std::vector<Point>& points,
+                        const SurfaceCurve& curve) {
+  double length = 0;
+  const std::size_t n = curve.points.size();
+  for (std::size_t i = 0; i + (curve.closed ? 0 : 1) < n; ++i) {
+    length += distance(position(surface, points, curve.points[i]),
+                       position(surface, points, curve.points[(i + 1) % n]));
+  }
+  return length;
+}
+
+/// True when every point and the next lie in one face.
+inline bool runs_in_faces(const Surface& surface, const SurfaceCurve& curve) {
+  const std::size_t n = curve.points.size();
+  for (std::size_t i = 0; i + (curve.closed ? 0 : 1) < n; ++i) {
+    if (!common_face(surface, curve.points[i], curve.points[(i + 1) % n]).valid()) return false;
+  }
+  return n > 0;
+}
+
+/// Everything a triangulation knows about its present state, to compare bit for bit.
+struct Snapshot {
+  std::vector<std::size_t> connectivity;
+  std::vector<double> numbers;
+  friend bool operator==(const Snapshot&, const Snapshot&) = default;
+};
+
+inline Snapshot snapshot(SignpostTriangulation& t) {
+  Snapshot s;
+  for (std::size_t v = 0; v < t.vertex_count(); ++v) {
+    s.connectivity.push_back(t.halfedge(VertexId{v}).index());
+    s.numbers.push_back(t.cone_angle(VertexId{v}));
+  }
+  for (std::size_t i = 0; i < 2 * t.edge_count(); ++i) {
+    const HalfedgeId h{i};
+    s.connectivity.push_back(t.next(h).index());
+    s.connectivity.push_back(t.tail(h).index());
+    s.connectivity.push_back(t.surface_face(h).index());
+    s.numbers.push_back(t.length(h));
+    // The direction relative to the vertex's own halfedge.
+    if (t.halfedge(t.tail(h)).valid()) s.numbers.push_back(t.angle_ccw(t.halfedge(t.tail(h)), h));
+  }
+  return s;
+}
+
+inline std::size_t flip_at_random(SignpostTriangulation& t, Random& random, std::size_t tries) {
+  std::size_t flips = 0;
+  for (std::size_t k = 0; k < tries; ++k) {
+    flips += t.flip(EdgeId{random.below(t.edge_count())}) ? 1 : 0;
+  }
+  return flips;
+}
+
+/// Random flips that leave no angle below `smallest`: a triangle's angles know its sides to an
+/// error of ulp / angle only, so unbounded flips would measure nothing but that.
+inline std::size_t flip_fat(SignpostTriangulation& t, Random& random, std::size_t tries,
+                            double smallest) {
+  std::size_t flips = 0;
+  for (std::size_t k = 0; k < tries; ++k) {
+    const EdgeId e{random.below(t.edge_count())};
+    if (!t.flip(e)) continue;
+    double least = kPi;
+    for (const HalfedgeId h : {halfedge_of(e), twin(halfedge_of(e))}) {
+      for (const HalfedgeId side : {h, t.next(h), t.prev(h)}) {
+        least = std::min(least, t.corner_angle(side));
+      }
+    }
+    if (least < smallest) {
+      t.undo_flip();
+    } else {
+      ++flips;
+    }
+  }
+  return flips;
+}
+
+}  // namespace talweg::test
