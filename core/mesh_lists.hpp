@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>  // cross()
 
 #include "talweg/intrinsic/surface.hpp"
 
