@@ -1,0 +1,64 @@
+// talweg-scenes: meshes and jagged curves for the demo.
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+#include "scenes/ply_writer.hpp"
+#include "scenes/scenes.hpp"
+#include "talweg/core/mesh_reader.hpp"
+#include "talweg/intrinsic/error.hpp"
+
+namespace talweg::scenes {
+namespace {
+
+void write_scenes(const std::filesystem::path& folder) {
+  std::filesystem::create_directories(folder);
+  for (const DemoScene& scene : demo_scenes()) {
+    write_bytes(folder / (scene.name + ".ply"), ply_bytes(scene.mesh));
+    write_bytes(folder / (scene.name + ".through"), draw_arguments(scene.through) + "\n");
+    std::printf("%-8s %7zu faces\n", scene.name.c_str(), scene.mesh.triangles.size());
+  }
+}
+
+int run(int argc, char** argv) {
+  CLI::App app("Generates the demo's meshes, and jagged curves to draw on them.", "talweg-scenes");
+  std::string folder, mesh;
+  CLI::Option* out = app.add_option(
+      "OUTDIR", folder,
+      "Where to write NAME.ply and NAME.through (arguments for talweg draw) of every scene");
+  app.add_option("--through-for", mesh, "Print arguments for talweg draw on this mesh instead")
+      ->excludes(out);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& asked) {
+    return app.exit(asked);
+  } catch (const CLI::ParseError& error) {
+    throw Error(ErrorCode::kBadUsage, error.what());
+  }
+  if (!mesh.empty()) {
+    std::printf("%s\n", draw_arguments(waypoints_across(read_mesh(mesh))).c_str());
+  } else if (!folder.empty()) {
+    write_scenes(folder);
+  } else {
+    throw Error(ErrorCode::kBadUsage, "a folder OUTDIR or --through-for MESH is needed");
+  }
+  return 0;
+}
+
+}  // namespace
+}  // namespace talweg::scenes
+
+int main(int argc, char** argv) {
+  try {
+    return talweg::scenes::run(argc, argv);
+  } catch (const talweg::Error& error) {
+    std::fprintf(stderr, "talweg-scenes: %s\n", error.what());
+    return error.code() == talweg::ErrorCode::kBadUsage ? 1 : 2;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "talweg-scenes: %s\n", error.what());
+    return 5;
+  }
+}
