@@ -1,0 +1,23 @@
+#include "talweg/core/formats/mesh_file.hpp"
+
+#include "talweg/intrinsic/error.hpp"
+
+namespace talweg {
+
+void bad_file(const std::filesystem::path& path, const std::string& what) {
+  throw Error(ErrorCode::kBadFile, "Cannot read " + path.string() + ": " + what);
+}
+
+void bad_line(const std::filesystem::path& path, std::size_t line, const std::string& what) {
+  throw Error(ErrorCode::kBadFile,
+              "Cannot read " + path.string() + ", line " + std::to_string(line) + ": " + what);
+}
+
+void add_polygon(MeshLists& lists, std::span<const std::uint32_t> corners) {
+  for (std::size_t k = 2; k < corners.size(); ++k) {
+    lists.triangles.push_back({corners[0], corners[k - 1], corners[k]});
+  }
+  if (corners.size() > 3) ++lists.polygon_count;
+}
+
+}  // namespace talweg

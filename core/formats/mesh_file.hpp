@@ -1,0 +1,35 @@
+// What the readers of mesh formats share: the file's bytes, its errors, its polygons.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "talweg/core/mesh_lists.hpp"
+
+namespace talweg {
+
+/// A file in memory.
+struct MeshFile {
+  std::filesystem::path path;
+  std::string_view bytes;
+};
+
+/// Throws Error(kBadFile): "Cannot read PATH: what" or
+/// "Cannot read PATH, line N: what"; `what` ends with a period.
+[[noreturn]] void bad_file(const std::filesystem::path& path, const std::string& what);
+[[noreturn]] void bad_line(const std::filesystem::path& path, std::size_t line,
+                           const std::string& what);
+
+/// Appends the fan of a polygon with at least three corners.
+void add_polygon(MeshLists& lists, std::span<const std::uint32_t> corners);
+
+MeshLists read_obj(const MeshFile& file);
+MeshLists read_off(const MeshFile& file);
+MeshLists read_ply(const MeshFile& file);
+MeshLists read_stl(const MeshFile& file);
+MeshLists read_om(const MeshFile& file);
+
+}  // namespace talweg

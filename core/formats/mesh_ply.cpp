@@ -1,0 +1,301 @@
+// PLY, text and binary: vertex positions and face corners; everything else is passed over.
+#include <algorithm>
+#include <optional>
+
+#include "talweg/core/formats/line_scanner.hpp"
+#include "talweg/core/formats/ply_header.hpp"
+
+namespace talweg {
+namespace {
+
+constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+
+std::size_t property_index(const PlyElement& element, std::string_view name) {
+  for (std::size_t i = 0; i < element.properties.size(); ++i) {
+    if (element.properties[i].name == name) return i;
+  }
+  return kNone;
+}
+
+std::string numbered(const PlyElement& element, std::size_t index) {
+  return element.name + " " + std::to_string(index) + " of " + std::to_string(element.count);
+}
+
+/// What to do with the two elements that matter.
+struct Plan {
+  PlyHeader header;
+  std::size_t vertices = 0;
+  std::array<std::size_t, 3> coordinate{kNone, kNone, kNone};  ///< properties of a vertex
+  std::size_t corners = kNone;                                 ///< property of a face
+};
+
+void plan_vertices(const MeshFile& file, const PlyElement& element, Plan& plan) {
+  plan.vertices = element.count;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::string name(1, "xyz"[k]);
+    plan.coordinate[k] = property_index(element, name);
+    if (plan.coordinate[k] == kNone || element.properties[plan.coordinate[k]].is_list) {
+      bad_file(file.path, "the vertices have no coordinate " + name + ".");
+    }
+  }
+}
+
+void plan_faces(const MeshFile& file, const PlyElement& element, Plan& plan) {
+  plan.corners = property_index(element, "vertex_indices");
+  if (plan.corners == kNone) plan.corners = property_index(element, "vertex_index");
+  if (plan.corners == kNone || !element.properties[plan.corners].is_list) {
+    bad_file(file.path, "the faces have no list vertex_indices.");
+  }
+  if (element.properties[plan.corners].type >= NumberType::kFloat32) {
+    bad_file(file.path, "the list vertex_indices must hold whole numbers.");
+  }
+}
+
+Plan make_plan(const MeshFile& file) {
+  Plan plan;
+  plan.header = read_ply_header(file);
+  std::size_t vertex_elements = 0;
+  std::size_t face_elements = 0;
+  for (const PlyElement& element : plan.header.elements) {
+    if (element.name == "vertex") {
+      ++vertex_elements;
+      plan_vertices(file, element, plan);
+    } else if (element.name == "face") {
+      ++face_elements;
+      plan_faces(file, element, plan);
+    } else if (element.name == "tristrips" && element.count > 0) {
+      bad_file(file.path, "triangle strips are not supported; save the mesh with plain faces.");
+    }
+  }
+  if (vertex_elements != 1 || face_elements > 1) {
+    bad_file(file.path, "the PLY header must announce vertices once and faces at most once.");
+  }
+  return plan;
+}
+
+/// Adds faces; counts and indices are checked here for text and binary alike.
+class FaceSink {
+ public:
+  FaceSink(const MeshFile& file, const Plan& plan, MeshLists& lists)
+      : file_(file), vertices_(static_cast<std::int64_t>(plan.vertices)), lists_(lists) {}
+
+  void begin(std::size_t face, std::int64_t corners) {
+    face_ = face;
+    corners_.clear();
+    if (corners < 3) {
+      bad_file(file_.path, "face " + std::to_string(face) + " has " + std::to_string(corners) +
+                               " corners, but a face needs three or more.");
+    }
+  }
+  void add(std::int64_t vertex) {
+    if (vertex < 0 || vertex >= vertices_) {
+      bad_file(file_.path, "face " + std::to_string(face_) + " refers to vertex " +
+                               std::to_string(vertex) + ", but the file has " +
+                               std::to_string(vertices_) + " vertices.");
+    }
+    corners_.push_back(static_cast<std::uint32_t>(vertex));
+  }
+  void end() { add_polygon(lists_, corners_); }
+
+ private:
+  const MeshFile& file_;
+  std::int64_t vertices_;
+  MeshLists& lists_;
+  std::size_t face_ = 0;
+  std::vector<std::uint32_t> corners_;
+};
+
+class TextBody {
+ public:
+  TextBody(const MeshFile& file, const Plan& plan, MeshLists& lists)
+      : plan_(plan),
+        lists_(lists),
+        lines_(file, '\0', plan.header.body, plan.header.lines),
+        faces_(file, plan, lists) {}
+
+  void read() {
+    for (const PlyElement& element : plan_.header.elements) {
+      for (std::size_t i = 0; i < element.count; ++i) {
+        if (!lines_.next_line()) lines_.need_line(numbered(element, i));
+        if (element.name == "vertex") {
+          read_vertex(element);
+        } else if (element.name == "face") {
+          read_face(element, i);
+        }
+      }
+    }
+    if (lines_.next_line()) lines_.fail("the file goes on after all that its header announces.");
+  }
+
+ private:
+  void skip(const PlyProperty& property) {
+    std::int64_t words = 1;
+    if (property.is_list) words = lines_.integer("the length of a list");
+    for (std::int64_t k = 0; k < words; ++k) {
+      if (lines_.word().empty()) lines_.fail("the line ends before '" + property.name + "'.");
+    }
+  }
+
+  void read_vertex(const PlyElement& element) {
+    Point p;
+    for (std::size_t i = 0; i < element.properties.size(); ++i) {
+      const auto k =
+          static_cast<std::size_t>(std::find(plan_.coordinate.begin(), plan_.coordinate.end(), i) -
+                                   plan_.coordinate.begin());
+      if (k < 3) {
+        p[static_cast<int>(k)] = lines_.number("a coordinate");
+      } else {
+        skip(element.properties[i]);
+      }
+    }
+    lists_.points.push_back(p);
+  }
+
+  void read_face(const PlyElement& element, std::size_t face) {
+    for (std::size_t i = 0; i < element.properties.size(); ++i) {
+      if (i != plan_.corners) {
+        skip(element.properties[i]);
+        continue;
+      }
+      const std::int64_t n = lines_.integer("the number of the face's corners");
+      faces_.begin(face, n);
+      for (std::int64_t k = 0; k < n; ++k) faces_.add(lines_.integer("the index of a vertex"));
+      faces_.end();
+    }
+  }
+
+  const Plan& plan_;
+  MeshLists& lists_;
+  LineScanner lines_;
+  FaceSink faces_;
+};
+
+class BinaryBody {
+ public:
+  BinaryBody(const MeshFile& file, const Plan& plan, MeshLists& lists)
+      : file_(file),
+        plan_(plan),
+        lists_(lists),
+        cursor_(file.bytes.substr(plan.header.body)),
+        faces_(file, plan, lists),
+        swap_((plan.header.encoding == PlyEncoding::kBigEndian) ==
+              (std::endian::native == std::endian::little)) {}
+
+  void read() {
+    for (const PlyElement& element : plan_.header.elements) {
+      if (element.properties.empty()) continue;
+      for (std::size_t i = 0; i < element.count; ++i) {
+        if (element.name == "vertex") {
+          read_vertex(element, i);
+        } else {
+          read_element(element, i);
+        }
+      }
+    }
+    // Some writers end the file with a line break.
+    if (cursor_.rest().find_first_not_of("\r\n") != std::string_view::npos || cursor_.left() > 2) {
+      bad_file(file_.path, "the file goes on for " + std::to_string(cursor_.left()) +
+                               " bytes after all that its header announces.");
+    }
+  }
+
+ private:
+  const char* take(const PlyElement& element, std::size_t index, std::size_t size) {
+    const char* at = cursor_.take(size);
+    if (at == nullptr) bad_file(file_.path, "the file ends in " + numbered(element, index) + ".");
+    return at;
+  }
+
+  void read_vertex(const PlyElement& element, std::size_t index) {
+    Point p;
+    for (std::size_t i = 0; i < element.properties.size(); ++i) {
+      const PlyProperty& property = element.properties[i];
+      if (property.is_list) {
+        pass_list(element, property, index);
+        continue;
+      }
+      const char* at = take(element, index, size_of(property.type));
+      for (int k = 0; k < 3; ++k) {
+        if (plan_.coordinate[static_cast<std::size_t>(k)] == i) {
+          p[k] = load_number(property.type, at, swap_);
+        }
+      }
+    }
+    lists_.points.push_back(p);
+  }
+
+  void read_element(const PlyElement& element, std::size_t index) {
+    const bool is_face = element.name == "face";
+    for (std::size_t i = 0; i < element.properties.size(); ++i) {
+      const PlyProperty& property = element.properties[i];
+      if (is_face && i == plan_.corners) {
+        read_corners(element, property, index);
+      } else if (property.is_list) {
+        pass_list(element, property, index);
+      } else {
+        take(element, index, size_of(property.type));
+      }
+    }
+  }
+
+  std::size_t list_length(const PlyElement& element, const PlyProperty& property,
+                          std::size_t index) {
+    const char* at = take(element, index, size_of(property.count_type));
+    const std::int64_t n = load_integer(property.count_type, at, swap_);
+    if (n < 0) {
+      bad_file(file_.path, "a list of " + numbered(element, index) + " has a negative length.");
+    }
+    return static_cast<std::size_t>(n);
+  }
+
+  void pass_list(const PlyElement& element, const PlyProperty& property, std::size_t index) {
+    take(element, index, list_length(element, property, index) * size_of(property.type));
+  }
+
+  void read_corners(const PlyElement& element, const PlyProperty& property, std::size_t index) {
+    const std::size_t n = list_length(element, property, index);
+    faces_.begin(index, static_cast<std::int64_t>(n));
+    const std::size_t step = size_of(property.type);
+    const char* at = take(element, index, n * step);
+    for (std::size_t k = 0; k < n; ++k)
+      faces_.add(load_integer(property.type, at + k * step, swap_));
+    faces_.end();
+  }
+
+  const MeshFile& file_;
+  const Plan& plan_;
+  MeshLists& lists_;
+  ByteCursor cursor_;
+  FaceSink faces_;
+  bool swap_;
+};
+
+void set_aside(const MeshFile& file, const Plan& plan, MeshLists& lists) {
+  // No more than the file can fill: the header may promise anything.
+  for (const PlyElement& element : plan.header.elements) {
+    if (element.name == "vertex") {
+      lists.points.reserve(std::min(element.count, file.bytes.size() / 3));
+      lists.single_precision = std::all_of(
+          plan.coordinate.begin(), plan.coordinate.end(),
+          [&](std::size_t k) { return element.properties[k].type == NumberType::kFloat32; });
+    } else if (element.name == "face") {
+      lists.triangles.reserve(std::min(element.count, file.bytes.size() / 4));
+    }
+  }
+}
+
+}  // namespace
+
+MeshLists read_ply(const MeshFile& file) {
+  const Plan plan = make_plan(file);
+  MeshLists lists;
+  set_aside(file, plan, lists);
+  if (plan.header.encoding == PlyEncoding::kText) {
+    TextBody(file, plan, lists).read();
+  } else {
+    BinaryBody(file, plan, lists).read();
+  }
+  return lists;
+}
+
+}  // namespace talweg
