@@ -290,8 +290,8 @@ void measure_box(const MeshLists& lists, MeshInspection& found) {
   found.offset = (low / 2 + high / 2).stableNorm();
 }
 
-/// The smallest angle lies opposite the shortest side; `flat` where the height on the longest side
-/// is below what one unit in the last place of the coordinates moves it.
+/// `flat` where twice the area is within the rounding of a cross product of the longest side's
+/// square, so that the angles mean nothing.
 struct Shape {
   double smallest_angle = 0;
   bool flat = false;
@@ -304,12 +304,13 @@ Shape shape_of(const std::array<Point, 3>& p) {
       static_cast<std::size_t>(std::min_element(length.begin(), length.end()) - length.begin());
   const double longest = *std::max_element(length.begin(), length.end());
   if (!(longest > 0)) return {0, true};
-  // Side k runs from corner k to k + 1; scaled, so that tiny units do not underflow.
+  // The smallest angle lies opposite the shortest side; side k runs from corner k to k + 1.
+  // Scaled, so that tiny units do not underflow.
   const Point& tip = p[(shortest + 2) % 3];
   const Point a = (p[shortest] - tip) / longest;
   const Point b = (p[(shortest + 1) % 3] - tip) / longest;
   const double area = a.cross(b).norm();
-  return {std::atan2(area, a.dot(b)), area == 0};
+  return {std::atan2(area, a.dot(b)), area <= 4 * std::numeric_limits<double>::epsilon()};
 }
 
 void measure_faces(const MeshLists& lists, const std::vector<bool>& proper, MeshInspection& found) {
@@ -321,11 +322,11 @@ void measure_faces(const MeshLists& lists, const std::vector<bool>& proper, Mesh
     const std::array<Point, 3> p{lists.points[t[0]], lists.points[t[1]], lists.points[t[2]]};
     if (!p[0].allFinite() || !p[1].allFinite() || !p[2].allFinite()) continue;
     const Shape shape = shape_of(p);
+    if (shape.flat || shape.smallest_angle < std::numbers::pi / 180) found.needle_faces.add(f);
     if (shape.flat) {
       found.zero_area_faces.add(f);
       continue;
     }
-    if (shape.smallest_angle < std::numbers::pi / 180) found.needle_faces.add(f);
     smallest = std::min(smallest, shape.smallest_angle);
     any = true;
   }

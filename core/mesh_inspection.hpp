@@ -42,7 +42,7 @@ struct RepeatPlace {
   std::uint32_t earlier = 0;
 };
 
-enum class Verdict { kUsable, kUsableWithRepair, kNotUsable };
+enum class MeshVerdict { kUsable, kRepairable, kUnusable };
 
 /// Ids are those of the lists. Lengths in mesh units, angles in radians.
 /// Faces with an index out of range or a repeated vertex take no part in the topology; faces with a
@@ -74,7 +74,7 @@ struct MeshInspection {
   Defect<std::uint32_t> isolated_vertices;  ///< in no face
   Defect<RepeatPlace> duplicate_positions;  ///< vertices exactly where an earlier one is
   Defect<std::uint32_t> zero_area_faces;    ///< flat up to the rounding of their coordinates
-  Defect<std::uint32_t> needle_faces;       ///< smallest angle in (0, 1 degree)
+  Defect<std::uint32_t> needle_faces;       ///< smallest angle < 1 degree; zero-area faces too
 
   // Measures.
   std::array<double, 3> box_min{};
@@ -86,7 +86,7 @@ struct MeshInspection {
   double offset = 0;          ///< distance of the box's centre from the origin
   double size = 0;            ///< the box's diagonal
 
-  Verdict verdict = Verdict::kNotUsable;
+  MeshVerdict verdict = MeshVerdict::kUnusable;
   std::string reason;  ///< the verdict in one sentence
 };
 

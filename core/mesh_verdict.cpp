@@ -99,18 +99,18 @@ std::string obstacle(const MeshInspection& inspection) {
 void judge(MeshInspection& inspection) {
   inspection.reason = obstacle(inspection);
   if (!fatal(inspection).empty()) {
-    inspection.verdict = Verdict::kNotUsable;
+    inspection.verdict = MeshVerdict::kUnusable;
   } else if (inspection.reason.empty()) {
-    inspection.verdict = Verdict::kUsable;
+    inspection.verdict = MeshVerdict::kUsable;
     inspection.reason = "The mesh is a consistently oriented manifold surface.";
   } else if (inspection.repeated_vertex_faces.count == inspection.faces) {
-    inspection.verdict = Verdict::kNotUsable;
+    inspection.verdict = MeshVerdict::kUnusable;
   } else if (!inspection.orientable) {
-    inspection.verdict = Verdict::kNotUsable;
+    inspection.verdict = MeshVerdict::kUnusable;
     inspection.reason = "The surface is one-sided, so its faces cannot be oriented consistently: " +
                         inspection.reason;
   } else {
-    inspection.verdict = Verdict::kUsableWithRepair;
+    inspection.verdict = MeshVerdict::kRepairable;
   }
 }
 

@@ -168,7 +168,7 @@ class OmReader {
     std::vector<std::uint32_t> corners;
     for (std::size_t f = 0; f < faces_; ++f) {
       corners.clear();
-      // A face starts at the tail of its halfedge, as OpenMesh's own faces do.
+      // A face starts at the head of its halfedge: the first vertex that OpenMesh was given.
       std::uint32_t h = first_[f];
       do {
         if (h >= halfedges_.size() || corners.size() > halfedges_.size()) {
