@@ -1,6 +1,5 @@
 #include "talweg/core/mesh_reader.hpp"
 
-#include <algorithm>
 #include <limits>
 #include <string>
 
@@ -9,14 +8,6 @@
 
 namespace talweg {
 namespace {
-
-std::string lower_extension(const std::filesystem::path& path) {
-  std::string extension = path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(), [](char c) {
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  });
-  return extension;
-}
 
 using Reader = MeshLists (*)(const MeshFile&);
 

@@ -1,5 +1,7 @@
 #include "talweg/core/formats/mesh_file.hpp"
 
+#include <algorithm>
+
 #include "talweg/intrinsic/error.hpp"
 
 namespace talweg {
@@ -11,6 +13,14 @@ void bad_file(const std::filesystem::path& path, const std::string& what) {
 void bad_line(const std::filesystem::path& path, std::size_t line, const std::string& what) {
   throw Error(ErrorCode::kBadFile,
               "Cannot read " + path.string() + ", line " + std::to_string(line) + ": " + what);
+}
+
+std::string lower_extension(const std::filesystem::path& path) {
+  std::string extension = path.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(), [](char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  });
+  return extension;
 }
 
 void add_polygon(MeshLists& lists, std::span<const std::uint32_t> corners) {

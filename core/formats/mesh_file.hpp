@@ -23,6 +23,9 @@ struct MeshFile {
 [[noreturn]] void bad_line(const std::filesystem::path& path, std::size_t line,
                            const std::string& what);
 
+/// ".ply" of "A.PLY".
+std::string lower_extension(const std::filesystem::path& path);
+
 /// Appends the fan of a polygon with at least three corners.
 void add_polygon(MeshLists& lists, std::span<const std::uint32_t> corners);
 
