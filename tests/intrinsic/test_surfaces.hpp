@@ -391,6 +391,29 @@ inline std::vector<HalfedgeId> random_walk(SignpostTriangulation& t, Random& ran
   return path;
 }
 
+/// A random walk that never meets a vertex twice; ends early where it is caught.
+inline std::vector<HalfedgeId> self_avoiding_walk(SignpostTriangulation& t, Random& random,
+                                                  std::size_t steps) {
+  std::vector<HalfedgeId> path;
+  VertexId v{random.below(t.vertex_count())};
+  std::set<VertexId> met = {v};
+  for (std::size_t k = 0; k < steps; ++k) {
+    std::vector<HalfedgeId> spokes;
+    const HalfedgeId first = t.halfedge(v);
+    HalfedgeId h = first;
+    do {
+      if (!met.contains(t.head(h))) spokes.push_back(h);
+      if (!t.has_face(h)) break;
+      h = t.turn_ccw(h);
+    } while (h != first);
+    if (spokes.empty()) break;
+    path.push_back(spokes[random.below(spokes.size())]);
+    v = t.head(path.back());
+    met.insert(v);
+  }
+  return path;
+}
+
 // ---- measures that owe nothing to signposts ----
 
 /// The angle from one outgoing halfedge counterclockwise to another, corner by corner; +infinity
