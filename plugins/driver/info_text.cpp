@@ -14,7 +14,7 @@ using nlohmann::ordered_json;
 /// 1,234,567
 std::string grouped(std::size_t n) {
   std::string digits = std::to_string(n);
-  for (std::size_t k = digits.size(); k > 3; k -= 3) digits.insert(k - 3, ",");
+  for (std::size_t k = digits.size(); k > 3; k -= 3) digits.insert(k - 3, 1, ',');
   return digits;
 }
 
