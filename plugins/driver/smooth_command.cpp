@@ -13,6 +13,7 @@
 #include "report_table.hpp"
 #include "talweg/core/curve_smoother.hpp"
 #include "talweg/core/formats/curve_file.hpp"
+#include "talweg/core/formats/file_bytes.hpp"
 #include "talweg/core/mesh_reader.hpp"
 #include "talweg/core/snapping.hpp"
 #include "talweg/core/stopwatch.hpp"
@@ -112,7 +113,7 @@ int finish(const SmoothOptions& options, const GlobalOptions& global, const Surf
   }
   for (const std::string& output : options.outputs) write_curves(output, mesh, result.curves);
   if (!options.report.empty()) {
-    write_text_file(options.report, to_json(result.total, result.reports));
+    write_file(options.report, to_json(result.total, result.reports));
   }
   const bool table = global.verbose || (options.outputs.empty() && options.report.empty());
   if (table && !global.quiet) std::fputs(table_of(result.total).c_str(), stdout);
