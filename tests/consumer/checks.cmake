@@ -1,0 +1,12 @@
+# What both consumers expect of the targets. Each layer links on its own.
+file(WRITE ${CMAKE_CURRENT_BINARY_DIR}/layer.cpp "int main() {}\n")
+foreach(layer intrinsic heat core)
+  foreach(property INTERFACE_COMPILE_OPTIONS INTERFACE_COMPILE_DEFINITIONS INTERFACE_LINK_OPTIONS)
+    get_target_property(value talweg::${layer} ${property})
+    if(value)
+      message(FATAL_ERROR "talweg::${layer} forces ${property} on its users: ${value}")
+    endif()
+  endforeach()
+  add_executable(link_${layer} ${CMAKE_CURRENT_BINARY_DIR}/layer.cpp)
+  target_link_libraries(link_${layer} PRIVATE talweg::${layer})
+endforeach()
