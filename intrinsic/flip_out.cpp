@@ -45,10 +45,7 @@ void FlipOut::push(SegmentId before, Side side) {
   const PathNetwork::Segment& segment = network_.segment(before);
   if (!segment.alive || segment.next == PathNetwork::kNone) return;
   if (terminations_[segment.path] != Termination::kConverged) return;
-  if (!options_.pinned.empty() && std::binary_search(options_.pinned.begin(), options_.pinned.end(),
-                                                     triangulation_->head(segment.halfedge))) {
-    return;
-  }
+  if (segment.pinned) return;
   const double angle = network_.angle(network_.wedge(before, side));
   if (angle >= std::numbers::pi - options_.angle_tolerance) return;
   heap_.push_back({angle, before, segment.next, side});
@@ -204,6 +201,7 @@ bool FlipOut::shorten_opened_loop(const Wedge& first, double target) {
       if (best.before != PathNetwork::kNone) break;
       SegmentId s = network_.path(path).first;
       for (std::size_t k = 0; k < network_.path(path).size; ++k, s = network_.segment(s).next) {
+        if (network_.segment(s).pinned) continue;
         const Wedge wedge = network_.wedge(s, side);
         const double angle = network_.angle(wedge);
         if (angle < best_angle && network_.is_free(wedge)) {
@@ -250,6 +248,13 @@ FlipOutResult FlipOut::run(std::span<const EdgePath> paths, const FlipOutOptions
   const std::size_t segments = network_.segment_count();
   const std::size_t limit =
       options.max_iterations > 0 ? options.max_iterations : 1'000'000 + 1'000 * segments;
+  for (std::size_t s = 0; s < segments; ++s) {
+    const auto id = static_cast<SegmentId>(s);
+    if (std::binary_search(options.pinned.begin(), options.pinned.end(),
+                           triangulation_->head(network_.segment(id).halfedge))) {
+      network_.pin(id);
+    }
+  }
   for (std::size_t s = 0; s < segments; ++s) push(static_cast<SegmentId>(s));
 
   Termination stop = Termination::kConverged;

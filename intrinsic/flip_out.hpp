@@ -21,7 +21,7 @@ struct FlipOutOptions {
   double min_relative_length = 0;
   /// A closed path shorter than this counts as collapsed. Units of length, >= 0.
   double length_floor = 0;
-  /// Vertices that the paths must keep, where they pass one. Sorted.
+  /// Vertices that the paths must keep, where they pass one as they are given. Sorted.
   std::vector<VertexId> pinned;
   Progress progress;
 

@@ -233,6 +233,8 @@ void PathNetwork::replace(const Wedge& w, std::span<const HalfedgeId> arc,
     if (b != kNone) segments_[b].prev = a;
   };
   for (std::size_t k = 0; k + 1 < ids.size(); ++k) link(ids[k], ids[k + 1]);
+  const SegmentId last = ids.empty() ? prev : ids.back();
+  if (last != kNone && segments_[w.after].pinned) pin(last);
   if (whole) {
     link(ids.back(), ids.front());
   } else if (ids.empty()) {

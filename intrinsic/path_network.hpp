@@ -32,6 +32,7 @@ class PathNetwork {
     std::uint32_t path = 0;
     bool alive = true;
     bool blocked = false;  // a wedge behind it could not be cleared because another path was in it
+    bool pinned = false;   // the joint behind it must stay
   };
 
   struct Path {
@@ -69,6 +70,7 @@ class PathNetwork {
   /// No other segment runs inside the wedge or between it and its own two segments. O(degree).
   [[nodiscard]] bool is_free(const Wedge& wedge) const;
   void set_blocked(SegmentId s, bool blocked);
+  void pin(SegmentId s) { segments_[s].pinned = true; }
   [[nodiscard]] std::size_t blocked_count() const { return blocked_count_; }
   /// Calls `visit` for every segment that ends at the vertex `tail(around)`. O(degree).
   template <class Visit>
@@ -77,7 +79,8 @@ class PathNetwork {
   /// Replaces the wedge's two segments (or its one, for a one-edge loop) by a path with the same
   /// ends, given so that the wedge lies on the left of each halfedge and in counterclockwise order
   /// from the head of `out` to the head of `back`. New segments are nearest to the wedge's vertex.
-  /// `ids` receives them in the order of the path.
+  /// The wedge's own joint must not be pinned; the one behind it stays so if it was.
+  /// `ids` receives the new segments in the order of the path.
   void replace(const Wedge& wedge, std::span<const HalfedgeId> arc, std::vector<SegmentId>& ids);
 
   /// Makes a closed path one edge again, outermost on the left of `inward`.

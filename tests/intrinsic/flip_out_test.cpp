@@ -297,6 +297,35 @@ TEST(FlipOut, PinnedVerticesAreKept) {
   EXPECT_EQ(other.paths[0].termination, Termination::kConverged);
 }
 
+TEST(FlipOut, PinsThatThePathDoesNotPassAreNothingToIt) {
+  // On its way to the straight line the path meets vertices that are pinned for others.
+  const TestMesh mesh = grid(8, 8, 0.2);
+  const Surface s = surface_of(mesh);
+  SignpostTriangulation t(s);
+  std::vector<std::size_t> arch;
+  for (std::size_t j = 1; j < 8; ++j) arch.push_back(9 * j);
+  for (std::size_t i = 0; i < 8; ++i) arch.push_back(72 + i);
+  for (std::size_t j = 8; j > 0; --j) arch.push_back(8 + 9 * j);
+  FlipOutOptions options;
+  for (std::size_t v = 0; v < s.vertex_count(); ++v) {
+    if (std::find(arch.begin(), arch.end(), v) == arch.end()) options.pinned.emplace_back(v);
+  }
+  const FlipOutResult result = straighten(t, path_through(t, arch), options);
+  EXPECT_NEAR(result.paths[0].length_after, 8, 1e-8);
+  Tracer(t).trace_and_undo({});
+  // A spike that ends at a pin stays; its foot may not slide when the pin is there.
+  const EdgePath spike = path_through(t, {0, 10, 20, 21, 20, 30, 40});
+  options.pinned = {VertexId{21}};
+  const Point &a = mesh.points[0], &b = mesh.points[21], &c = mesh.points[40];
+  EXPECT_NEAR(straighten(t, spike, options).paths[0].length_after, distance(a, b) + distance(b, c),
+              1e-8);
+  Tracer(t).trace_and_undo({});
+  const Point& foot = mesh.points[20];
+  options.pinned = {VertexId{20}};
+  EXPECT_NEAR(straighten(t, spike, options).paths[0].length_after,
+              distance(a, foot) + distance(foot, c), 1e-8);
+}
+
 TEST(FlipOut, OptionsAreChecked) {
   const Surface s = surface_of(grid(1, 1));
   SignpostTriangulation t(s);
