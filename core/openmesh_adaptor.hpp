@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -11,6 +12,7 @@
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 
 #include "talweg/core/mesh_lists.hpp"
+#include "talweg/core/opened_mesh.hpp"
 #include "talweg/core/surface_mesh.hpp"
 #include "talweg/intrinsic/error.hpp"
 
@@ -97,6 +99,13 @@ template <class Traits>
 SurfaceMesh surface_of(const OpenMesh::TriMesh_ArrayKernelT<Traits>& mesh,
                        OpenMeshIds* ids = nullptr) {
   return SurfaceMesh::open(lists_of(mesh, ids));
+}
+
+/// The same, made ready for CurveSmoother.
+template <class Traits>
+std::shared_ptr<const OpenedMesh> open_mesh(const OpenMesh::TriMesh_ArrayKernelT<Traits>& mesh,
+                                            OpenMeshIds* ids = nullptr) {
+  return OpenedMesh::open(surface_of(mesh, ids));
 }
 
 }  // namespace talweg

@@ -46,8 +46,7 @@ struct Drawing {
 Drawing read_drawing(const std::string& path, const SurfaceMesh& mesh) {
   Drawing drawing;
   StraightLines lines(mesh.surface());
-  for (const CurveInput& input : read_curves(path)) {
-    const SnappedCurve snapped = snap(mesh, input);
+  for (const SnappedCurve& snapped : snap(mesh, read_curves(path))) {
     for (const std::size_t pin : snapped.pins) drawing.pins.push_back(snapped.points[pin]);
     drawing.curves.push_back(lines.join(snapped.points, snapped.closed));
     drawing.largest_snap_distance =
