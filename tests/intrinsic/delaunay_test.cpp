@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "intrinsic/test_surfaces.hpp"
+#include "intrinsic/test_paths.hpp"
 #include "talweg/intrinsic/triangle.hpp"
 
 namespace talweg {

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "intrinsic/test_surfaces.hpp"
+#include "intrinsic/test_paths.hpp"
 #include "talweg/intrinsic/error.hpp"
 
 namespace talweg {

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "intrinsic/test_surfaces.hpp"
+#include "intrinsic/test_paths.hpp"
 #include "talweg/intrinsic/flip_out.hpp"
 #include "talweg/intrinsic/trace.hpp"
 

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "intrinsic/test_surfaces.hpp"
+#include "intrinsic/test_paths.hpp"
 
 namespace talweg {
 namespace {
@@ -167,7 +167,7 @@ TEST(SignpostTriangulation, ConeAnglesOfKnownVertices) {
   with_lonely.prepare_all();
 }
 
-SignpostTriangulation::Metric bumpy(const Surface&, const TestMesh& mesh) {
+SignpostTriangulation::Metric bumpy(const TestMesh& mesh) {
   return [&mesh](VertexId a, VertexId b, double length) {
     const auto height = [&](VertexId v) {
       const Point& p = mesh.points[v.index()];
@@ -183,8 +183,8 @@ TEST(SignpostTriangulation, LazyAndPreparedAgreeBitForBit) {
     const Surface s = surface_of(mesh);
     SignpostTriangulation lazy(s), prepared(s);
     if (lifted) {
-      lazy.set_metric(bumpy(s, mesh));
-      prepared.set_metric(bumpy(s, mesh));
+      lazy.set_metric(bumpy(mesh));
+      prepared.set_metric(bumpy(mesh));
     }
     prepared.prepare_all();
     EXPECT_TRUE(lazy.touched().empty());
@@ -215,7 +215,7 @@ TEST(SignpostTriangulation, SetMetricForgetsAndReturns) {
   const Surface s = surface_of(mesh);
   SignpostTriangulation t(s);
   const Snapshot own = snapshot(t);
-  t.set_metric(bumpy(s, mesh));
+  t.set_metric(bumpy(mesh));
   const Snapshot lifted = snapshot(t);
   EXPECT_FALSE(own == lifted);
   for (std::size_t e = 0; e < t.edge_count(); ++e) {
