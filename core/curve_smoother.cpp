@@ -45,7 +45,11 @@ void check_pins(std::span<const SurfaceCurve> curves, std::span<const SurfacePoi
     const bool passed = std::any_of(curves.begin(), curves.end(), [&](const SurfaceCurve& c) {
       return std::find(c.points.begin(), c.points.end(), pins[i]) != c.points.end();
     });
-    if (!passed) bad_usage("Pin " + std::to_string(i + 1) + " is not a point of the curve.");
+    if (passed) continue;
+    const auto* v = std::get_if<AtVertex>(&pins[i].where());
+    bad_usage((v != nullptr ? "The pinned vertex " + std::to_string(v->vertex.index())
+                            : "Pin " + std::to_string(i + 1)) +
+              " is not a point of the curve.");
   }
 }
 

@@ -39,7 +39,6 @@ int exit_code_of(ErrorCode code) {
 int run(int argc, char** argv) {
   CLI::App app("Curves on triangle meshes: draw, smooth while staying close, measure.", "talweg");
   app.set_version_flag("--version", std::string("talweg ") + version());
-  app.require_subcommand(1);
   app.fallthrough();
   app.footer(
       "Exit codes: 0 done, 1 bad usage, 2 bad input, 3 not converged or a limit was reached (the "
@@ -67,12 +66,16 @@ int run(int argc, char** argv) {
   add(add_draw);
   add(add_smooth);
   add(add_info);
+  app.allow_extras();  // they get a sentence of ours
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& asked) {
     return app.exit(asked);  // --help, --version
   } catch (const CLI::ParseError& error) {
     return fail(kBadUsage, error.what() + std::string(" (see talweg --help)"));
+  }
+  for (const std::string& extra : app.remaining(true)) {
+    return fail(kBadUsage, "\"" + extra + "\" was not expected (see talweg --help)");
   }
   catch_interrupts();
   for (const auto& [subcommand, command] : commands) {
@@ -82,7 +85,7 @@ int run(int argc, char** argv) {
       return code;
     }
   }
-  return kBadUsage;
+  return fail(kBadUsage, "A command is needed: draw, smooth or info (see talweg --help)");
 }
 
 }  // namespace

@@ -185,7 +185,6 @@ Command add_smooth(CLI::App& app, const GlobalOptions& global) {
       ->required();
   command
       ->add_option("--tau", o->smoothing.tau, "0: straight lines; more keeps closer to the drawing")
-      ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
   command->add_option("-o,--output", o->outputs,
                       "Smoothed curves; the ending chooses the format; may be given several times");
@@ -207,7 +206,6 @@ Command add_smooth(CLI::App& app, const GlobalOptions& global) {
   command
       ->add_option("--relax", o->smoothing.relax_rounds,
                    "Rounds of relaxation along the supporting edges (the paper: 5)")
-      ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
   command->add_option("--repeat", o->repeat, "Run so often and report median times")
       ->check(CLI::Range(1, 10000))
