@@ -1,0 +1,60 @@
+// Curve files: what they hold, reading and writing them by extension.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <span>
+#include <variant>
+#include <vector>
+
+#include "talweg/core/mesh_lists.hpp"
+#include "talweg/core/surface_mesh.hpp"
+#include "talweg/intrinsic/ids.hpp"
+#include "talweg/intrinsic/surface_point.hpp"
+
+namespace talweg {
+
+/// One curve as a file gives it; nothing is checked against a mesh yet (snapping.hpp does that).
+struct CurveInput {
+  bool closed = false;  ///< the first point is not repeated then
+  /// Vertices of the mesh, points in its faces, or positions in space.
+  std::variant<std::vector<VertexId>, std::vector<FaceCoordinates>, std::vector<Point>> points;
+  std::vector<std::size_t> pins;  ///< indices of points that shall stay, ascending
+};
+
+/// Reads every curve of a file, in the file's order. By extension, in either case:
+///
+/// - `.obj`: `v` and `l`. `.ply`: vertices and edges (`vertex1 vertex2`), ascii or binary.
+///   `.vtp`, `.vtk`: the lines of polydata (ascii, base64, raw, zlib; legacy ascii and binary).
+///   Lines that meet end to end, two and no more at a point, are joined into one curve, which keeps
+///   the direction of its first line. A line is closed when it ends at its first point, or
+///   (four points or more) at a copy of it with the same coordinates.
+/// - `.mrk.json`: the Curve and ClosedCurve markups of 3D Slicer (schema 1.0.x), by their control
+///   points; a locked control point is a pin, one without a defined position is left out. The mesh
+///   is taken to be in LPS, as Slicer itself writes meshes; positions of a markup in RAS get x and
+///   y negated. `coordinateUnits` is not looked at: curve and mesh are in the same unit.
+/// - `.txt`: vertex ids from 0, separated by blanks, commas or ends of lines; `#` starts a comment,
+///   a blank line separates curves; a list that repeats its first id at its end is closed.
+/// - `.json`: ours (below). A `.json` that holds Slicer's markups is read as such.
+///
+/// Throws Error(kBadFile) with one sentence that names the file, the place (line, or byte in
+/// binary data) and what was expected. Every index is in range of the file's own points and every
+/// coordinate finite in what is returned; at least one curve is.
+std::vector<CurveInput> read_curves(const std::filesystem::path& path);
+
+/// Writes curves by extension, in the formats of read_curves. Coordinates and barycentrics have 17
+/// digits (doubles in binary); nothing else goes in, so equal curves are equal files.
+///
+/// Our JSON: {"format": "talweg-curves", "version": 1, "curves": [{"closed": false, "points":
+/// [{"face": 12, "barycentric": [a, b, c], "xyz": [x, y, z]}, ...]}]}. `face` is a face that
+/// contains the point and the next (the one of smallest id), for an open curve's last point the one
+/// before; the barycentrics are in the order of Surface::corners(face). It gives back the same
+/// SurfacePoints, bit for bit. `.vtp` and `.vtk` carry `face` and `barycentric` as point data.
+///
+/// Throws Error(kBadFile) when the file cannot be written (an old file is then as it was) or the
+/// format cannot hold the curves: `.txt` only vertices. Throws Error(kBadCurve) when there is no
+/// curve, a curve has no points, or a point and the next lie in no common face.
+void write_curves(const std::filesystem::path& path, const SurfaceMesh& mesh,
+                  std::span<const SurfaceCurve> curves);
+
+}  // namespace talweg

@@ -1,0 +1,98 @@
+#include "talweg/core/formats/file_bytes.hpp"
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+#include <system_error>
+
+#include "talweg/intrinsic/error.hpp"
+
+namespace talweg {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Close {
+  void operator()(std::FILE* file) const { std::fclose(file); }
+};
+using File = std::unique_ptr<std::FILE, Close>;
+
+constexpr std::size_t kLargestFile = std::size_t{1} << 31;
+constexpr int kTemporaryNames = 1000;
+
+/// Empty on success, else the reason.
+std::string put(File file, std::string_view bytes) {
+  errno = 0;
+  const bool written = std::fwrite(bytes.data(), 1, bytes.size(), file.get()) == bytes.size();
+  const int write_errno = errno;
+  const bool closed = std::fclose(file.release()) == 0;
+  if (written && closed) return {};
+  return std::strerror(written ? errno : write_errno);
+}
+
+/// A new file beside the target that nobody else uses.
+File open_beside(const fs::path& target, fs::path& temporary) {
+  for (int k = 0; k < kTemporaryNames; ++k) {
+    temporary = target;
+    temporary += ".tmp" + std::to_string(k);
+    File file(std::fopen(temporary.c_str(), "wbx"));
+    if (file || errno != EEXIST) return file;
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+void cannot_read(const fs::path& path, const std::string& what) {
+  throw Error(ErrorCode::kBadFile, "Cannot read " + path.string() + ": " + what + ".");
+}
+
+void cannot_write(const fs::path& path, const std::string& what) {
+  throw Error(ErrorCode::kBadFile, "Cannot write " + path.string() + ": " + what + ".");
+}
+
+std::string read_file(const fs::path& path) {
+  std::error_code status;
+  if (fs::is_directory(path, status)) cannot_read(path, "it is a directory");
+  const File file(std::fopen(path.c_str(), "rb"));
+  if (!file) cannot_read(path, std::strerror(errno));
+  std::string bytes;
+  char block[1 << 16];
+  for (std::size_t got; (got = std::fread(block, 1, sizeof block, file.get())) > 0;) {
+    bytes.append(block, got);
+    if (bytes.size() > kLargestFile) cannot_read(path, "it is larger than 2 GiB");
+  }
+  if (std::ferror(file.get())) cannot_read(path, std::strerror(errno));
+  if (bytes.empty()) cannot_read(path, "the file is empty");
+  return bytes;
+}
+
+void write_file(const fs::path& path, std::string_view bytes) {
+  std::error_code status;
+  const bool exists = fs::exists(path, status);
+  if (exists && fs::is_directory(path, status)) cannot_write(path, "it is a directory");
+  if (exists && !fs::is_regular_file(path, status)) {
+    File file(std::fopen(path.c_str(), "wb"));
+    const std::string reason = file ? put(std::move(file), bytes) : std::strerror(errno);
+    if (!reason.empty()) cannot_write(path, reason);
+    return;
+  }
+  fs::path target = exists ? fs::canonical(path, status) : path;
+  if (status) target = path;
+  fs::path temporary;
+  File file = open_beside(target, temporary);
+  if (!file) cannot_write(path, std::strerror(errno));
+  std::string reason = put(std::move(file), bytes);
+  if (reason.empty()) {
+    std::error_code failed;
+    if (exists) fs::permissions(temporary, fs::status(target).permissions(), failed);
+    fs::rename(temporary, target, failed);
+    if (failed) reason = failed.message();
+  }
+  if (reason.empty()) return;
+  fs::remove(temporary, status);
+  cannot_write(path, reason);
+}
+
+}  // namespace talweg

@@ -1,0 +1,24 @@
+// Whole files in and out.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace talweg {
+
+/// The file's bytes. Pipes work too. Throws Error(kBadFile) naming path and reason when it cannot
+/// be opened or read, is a directory, is empty, or is larger than 2 GiB.
+std::string read_file(const std::filesystem::path& path);
+
+/// Writes beside the target and renames, so that the target is either as it was or complete.
+/// Keeps the permissions of an existing file and follows symbolic links; what is no regular file
+/// (/dev/stdout) is written in place. Throws Error(kBadFile) naming path and reason.
+void write_file(const std::filesystem::path& path, std::string_view bytes);
+
+/// Throws Error(kBadFile): "Cannot read PATH: WHAT."
+[[noreturn]] void cannot_read(const std::filesystem::path& path, const std::string& what);
+/// Throws Error(kBadFile): "Cannot write PATH: WHAT."
+[[noreturn]] void cannot_write(const std::filesystem::path& path, const std::string& what);
+
+}  // namespace talweg

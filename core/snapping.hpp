@@ -1,0 +1,46 @@
+// From what a curve file holds to points on a mesh.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "talweg/core/formats/curve_file.hpp"
+#include "talweg/core/surface_mesh.hpp"
+
+namespace talweg {
+
+struct SnapOptions {
+  /// Vertex ids need not be neighbours: the caller connects them.
+  bool connect = false;
+};
+
+/// A curve's points on a mesh; consecutive ones differ but need not share a face.
+struct SnappedCurve {
+  bool closed = false;
+  std::vector<SurfacePoint> points;  ///< at least two, at least three where closed
+  double largest_snap_distance = 0;  ///< of 3D positions, mesh units
+  std::size_t merged = 0;            ///< points that fell together with the one before
+  std::vector<std::size_t> pins;     ///< indices of points, ascending
+};
+
+/// Puts a curve on the mesh.
+///
+/// Vertex ids must exist and each be the neighbour of the one before (unless `connect`); none may
+/// come twice. Points in faces are taken as they are. Positions go to the nearest point of the
+/// mesh, and there to a vertex or else an edge within 1e-9 of the face's longest side, or within
+/// the rounding of single-precision coordinates (1.2e-7 of the largest one, but no more than 1e-4
+/// of the longest side): so mesh vertices come back as themselves from files with 9 digits or
+/// 32-bit floats. Points in faces and positions that fall together with the one before are merged.
+///
+/// Throws Error(kBadCurve) naming the position in the curve (from 0) and the ids: an id or face
+/// out of range, neighbours that share no edge, a repeated vertex, barycentrics out of range, a
+/// position without finite coordinates, fewer than two points, closed with fewer than three.
+SnappedCurve snap(const SurfaceMesh& mesh, const CurveInput& curve,
+                  const SnapOptions& options = {});
+
+/// The same for several curves; what searches the mesh is built once. Errors name the curve too.
+std::vector<SnappedCurve> snap(const SurfaceMesh& mesh, std::span<const CurveInput> curves,
+                               const SnapOptions& options = {});
+
+}  // namespace talweg
