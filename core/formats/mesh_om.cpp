@@ -165,13 +165,15 @@ class OmReader {
   }
 
   void faces_from_halfedges() {
+    std::size_t corners_seen = 0;
     std::vector<std::uint32_t> corners;
     for (std::size_t f = 0; f < faces_; ++f) {
       corners.clear();
       // A face starts at the head of its halfedge: the first vertex that OpenMesh was given.
       std::uint32_t h = first_[f];
       do {
-        if (h >= halfedges_.size() || corners.size() > halfedges_.size()) {
+        // A halfedge belongs to one face, so all faces together have no more corners.
+        if (h >= halfedges_.size() || ++corners_seen > halfedges_.size()) {
           bad_file(file_.path, "the halfedges of face " + std::to_string(f) + " do not close.");
         }
         corners.push_back(halfedges_[h].head);
