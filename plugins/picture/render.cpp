@@ -75,10 +75,12 @@ Camera detail_camera(Studio& studio, const Panel& panel, double width, double he
 
 // Frames a curve with its surroundings: larger than the curve, but not larger than the mesh.
 Extent with_surroundings(Extent curve, const Extent& mesh) {
-  const Point grow = 1.0 * Point::Constant(curve.size().head<2>().maxCoeff());
+  const Point grow = 1.2 * Point::Constant(curve.size().head<2>().maxCoeff());
   curve.low = (curve.low - grow).cwiseMax(mesh.low);
   curve.high = (curve.high + grow).cwiseMin(mesh.high);
-  return curve;
+  // Where little would be cut off, nothing is.
+  const double seen = (curve.size().head<2>().cwiseQuotient(mesh.size().head<2>())).minCoeff();
+  return seen > 0.75 ? mesh : curve;
 }
 
 Camera camera_for(Studio& studio, const Panel& panel, double width, double height) {
