@@ -143,6 +143,60 @@ TEST(FlipOutSets, PathsThatShareEdgesKeepTheirSides) {
   }
 }
 
+TEST(FlipOutSets, PathCannotPassAWallWhoseEdgesItShares) {
+  // The wall turns by a right angle at a pin; the other path shares both edges there, on the outer
+  // side, and is drawn towards the inner one.
+  const TestMesh mesh = grid(8, 8);
+  const Surface s = surface_of(mesh);
+  const auto id = [](std::size_t i, std::size_t j) { return i + 9 * j; };
+  const std::vector<std::size_t> wall = {id(2, 4), id(3, 4), id(4, 4), id(4, 5), id(4, 6)};
+  std::vector<std::size_t> leaning = {id(3, 3), id(3, 4), id(4, 4), id(4, 5), id(5, 6)};
+  FlipOutOptions options;
+  options.pinned = {VertexId{id(4, 4)}};
+  const double wall_length = 4, taut = std::sqrt(2) + std::sqrt(5);
+  for (const bool reversed : {false, true}) {
+    if (reversed) std::reverse(leaning.begin(), leaning.end());
+    for (const std::size_t wall_first : {0U, 1U}) {
+      SignpostTriangulation t(s);
+      std::vector<EdgePath> paths = {path_through(t, leaning), path_through(t, wall)};
+      if (wall_first == 1) std::swap(paths[0], paths[1]);
+      const FlipOutResult result = FlipOut(t).run(paths, options);
+      EXPECT_NEAR(result.paths[1 - wall_first].length_after, wall_length, 1e-12);
+      EXPECT_NEAR(result.paths[wall_first].length_after, taut, 1e-9);
+    }
+  }
+  // Without the pin the wall yields, and both are straight in the end.
+  SignpostTriangulation t(s);
+  const std::array paths = {path_through(t, wall), path_through(t, leaning)};
+  const FlipOutResult result = FlipOut(t).run(paths, {});
+  EXPECT_NEAR(result.paths[0].length_after, std::hypot(2, 2), 1e-9);
+  EXPECT_NEAR(result.paths[1].length_after, std::hypot(2, 3), 1e-9);
+}
+
+TEST(FlipOutSets, PathHangsOnTheEndOfAWallWhoseLastEdgeItShares) {
+  const TestMesh mesh = grid(8, 8);
+  const Surface s = surface_of(mesh);
+  const auto id = [](std::size_t i, std::size_t j) { return i + 9 * j; };
+  const std::vector<std::size_t> wall = {id(4, 6), id(4, 5), id(4, 4)};
+  const std::vector<std::size_t> from_right = {id(5, 6), id(4, 5), id(4, 4),
+                                               id(3, 4), id(3, 5), id(2, 5)};
+  const std::vector<std::size_t> from_left = {id(3, 6), id(3, 5), id(4, 5),
+                                              id(4, 4), id(5, 4), id(6, 5)};
+  for (std::vector<std::size_t> hanging : {from_right, from_left}) {
+    for (const bool reversed : {false, true}) {
+      if (reversed) std::reverse(hanging.begin(), hanging.end());
+      for (const std::size_t place : {0U, 1U}) {
+        SignpostTriangulation t(s);
+        std::vector<EdgePath> paths = {path_through(t, hanging), path_through(t, wall)};
+        if (place == 1) std::swap(paths[0], paths[1]);
+        const FlipOutResult result = FlipOut(t).run(paths, {});
+        EXPECT_NEAR(result.paths[1 - place].length_after, 2, 1e-12);
+        EXPECT_NEAR(result.paths[place].length_after, 2 * std::sqrt(5), 1e-9);
+      }
+    }
+  }
+}
+
 TEST(FlipOutSets, EqualPathsStayTogether) {
   const TestMesh mesh = grid(8, 8, 0.2);
   const Surface s = surface_of(mesh);
@@ -231,9 +285,33 @@ TEST(FlipOutSets, NestedLoopsOnADisc) {
   }
 }
 
+/// A joint that is bent although no path runs in its wedge or shares its edges.
+bool has_free_bend(SignpostTriangulation& t, const std::vector<EdgePath>& paths) {
+  std::vector<int> used(t.edge_count(), 0);
+  for (const EdgePath& p : paths) {
+    for (const HalfedgeId h : p.halfedges()) ++used[edge_of(h).index()];
+  }
+  for (const EdgePath& p : paths) {
+    const auto h = p.halfedges();
+    for (std::size_t i = 0; i + (p.closed() ? 0 : 1) < h.size(); ++i) {
+      const HalfedgeId into = twin(h[i]), onward = h[(i + 1) % h.size()];
+      if (used[edge_of(into).index()] > 1 || used[edge_of(onward).index()] > 1) continue;
+      for (const auto& [from, to] : {std::pair{into, onward}, {onward, into}}) {
+        bool free = corner_sum(t, from, to) < kPi - 1.1e-5;
+        for (HalfedgeId k = t.turn_ccw(from); free && k != to; k = t.turn_ccw(k)) {
+          free = used[edge_of(k).index()] == 0;
+        }
+        if (free) return true;
+      }
+    }
+  }
+  return false;
+}
+
 TEST(FlipOutSets, ManyPathsOnRandomComplexes) {
   Random random(43);
-  for (int k = 0; k < 1000; ++k) {
+  std::size_t checked = 0;
+  for (int k = 0; k < 4000; ++k) {
     const Surface s = random_complex(random, 1 + random.below(12), random.uniform(0, 0.4));
     SignpostTriangulation t(s);
     const Snapshot before = snapshot(t);
@@ -245,14 +323,22 @@ TEST(FlipOutSets, ManyPathsOnRandomComplexes) {
     }
     const FlipOutResult result = FlipOut(t).run(paths, {});
     std::vector<EdgePath> ends;
+    bool converged = true;
     for (const auto& p : result.paths) {
+      converged &= p.termination == Termination::kConverged;
       ASSERT_NE(p.termination, Termination::kLimit) << k;
       ASSERT_LE(p.length_after, p.length_before * (1 + 1e-12)) << k;
       ends.push_back(p.path);
     }
+    // What was blocked is looked at again when the others have moved.
+    if (converged) {
+      ++checked;
+      ASSERT_FALSE(has_free_bend(t, ends)) << k;
+    }
     Tracer(t).trace_and_undo(ends);
     ASSERT_EQ(snapshot(t), before);
   }
+  EXPECT_GT(checked, 2000U);
 }
 
 TEST(FlipOutSets, CancelAtAnyMoment) {
