@@ -297,7 +297,8 @@ bool has_free_bend(SignpostTriangulation& t, const std::vector<EdgePath>& paths)
       const HalfedgeId into = twin(h[i]), onward = h[(i + 1) % h.size()];
       if (used[edge_of(into).index()] > 1 || used[edge_of(onward).index()] > 1) continue;
       for (const auto& [from, to] : {std::pair{into, onward}, {onward, into}}) {
-        bool free = corner_sum(t, from, to) < kPi - 1.1e-5;
+        if (corner_sum(t, from, to) >= kPi - 1.1e-5) continue;  // or past the boundary
+        bool free = true;
         for (HalfedgeId k = t.turn_ccw(from); free && k != to; k = t.turn_ccw(k)) {
           free = used[edge_of(k).index()] == 0;
         }
