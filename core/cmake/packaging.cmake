@@ -33,8 +33,8 @@ set(CPACK_DEBIAN_DRIVER_PACKAGE_SECTION science)
 
 # What the binaries need is read from them; what the headers need is named here.
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_SHLIBDEPS ON)
-set(CPACK_DEBIAN_RUNTIME_PACKAGE_GENERATE_SHLIBS ON)
 set(CPACK_DEBIAN_DRIVER_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS
     ${PROJECT_BINARY_DIR}/intrinsic ${PROJECT_BINARY_DIR}/heat ${PROJECT_BINARY_DIR}/core)
 set(CPACK_DEBIAN_ENABLE_COMPONENT_DEPENDS ON)
@@ -47,28 +47,45 @@ else()
          ", libsuitesparse-dev, libpugixml-dev, zlib1g-dev, libfmt-dev")
 endif()
 
-set(about "Talweg draws curves on triangle meshes, smooths them while they keep close to the
-drawing, and measures them.")
-set(CPACK_DEBIAN_RUNTIME_DESCRIPTION "curves on surface meshes (libraries)
-${about} This package holds the shared libraries.")
+# The first line of each is its synopsis, so there is no common one.
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "")
+set(about "Talweg draws curves on triangle meshes, smooths them while they keep
+close to the drawing, and measures them.")
+set(CPACK_DEBIAN_RUNTIME_DESCRIPTION "curves on surface meshes (shared libraries)
+${about}
+.
+This package holds the shared libraries.")
 set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION "curves on surface meshes (development files)
-${about} This package holds the C++20 headers, a CMake package and a pkg-config file.")
+${about}
+.
+This package holds the C++20 headers, a CMake package and a pkg-config file.")
 set(CPACK_DEBIAN_DRIVER_DESCRIPTION "curves on surface meshes (command line)
-${about} This package holds the program talweg.")
+${about}
+.
+This package holds the program talweg.")
 
-# Debian wants the licence and the changes in every package; a plain installation needs no copies.
+# Debian wants the licence and a changelog in every package; a plain installation needs no copies.
+string(TIMESTAMP now "%a, %d %b %Y %H:%M:%S +0000" UTC)
+file(WRITE ${PROJECT_BINARY_DIR}/changelog.Debian
+"talweg (${PROJECT_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE}) unstable; urgency=medium
+
+  * Version ${PROJECT_VERSION}; changelog.gz says what is new.
+
+ -- ${CPACK_PACKAGE_CONTACT}  ${now}
+")
+file(COPY_FILE ${PROJECT_SOURCE_DIR}/CHANGELOG.md ${PROJECT_BINARY_DIR}/changelog)
 find_program(TALWEG_GZIP gzip)
 mark_as_advanced(TALWEG_GZIP)
 if(TALWEG_GZIP)
-  execute_process(COMMAND ${TALWEG_GZIP} -9nc ${PROJECT_SOURCE_DIR}/CHANGELOG.md
-                  OUTPUT_FILE ${PROJECT_BINARY_DIR}/changelog.gz)
+  execute_process(COMMAND ${TALWEG_GZIP} -9nf changelog changelog.Debian
+                  WORKING_DIRECTORY ${PROJECT_BINARY_DIR})
 endif()
 foreach(component IN LISTS CPACK_COMPONENTS_ALL)
   string(TOUPPER ${component} upper)
   set(folder ${CMAKE_INSTALL_DATAROOTDIR}/doc/${CPACK_DEBIAN_${upper}_PACKAGE_NAME})
   install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${folder} RENAME copyright
           COMPONENT ${component} EXCLUDE_FROM_ALL)
-  install(FILES ${PROJECT_BINARY_DIR}/changelog.gz DESTINATION ${folder} OPTIONAL
-          COMPONENT ${component} EXCLUDE_FROM_ALL)
+  install(FILES ${PROJECT_BINARY_DIR}/changelog.gz ${PROJECT_BINARY_DIR}/changelog.Debian.gz
+          DESTINATION ${folder} OPTIONAL COMPONENT ${component} EXCLUDE_FROM_ALL)
 endforeach()
 include(CPack)
