@@ -1,0 +1,121 @@
+// Distance along the surface to drawn curves, exact, and only as far out as somebody asks.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "talweg/intrinsic/polyline_pieces.hpp"
+#include "talweg/intrinsic/polyline_queue.hpp"
+#include "talweg/intrinsic/polyline_window.hpp"
+#include "talweg/intrinsic/surface.hpp"
+#include "talweg/intrinsic/surface_point.hpp"
+
+namespace talweg {
+
+/// The length of the shortest way along the surface to the nearest of a set of curves; exact (but
+/// for rounding) on the polyhedral surface and for the curves' straight segments. How it is done,
+/// and what else was tried: docs/distance.md.
+///
+/// Windows (see EdgeWindow) spread from the curve in the order of their distance; a query lets
+/// them spread until its answer is final. What is asked, and in what order, changes no answer, not
+/// by a bit. Memory is made once per object; set() and queries cost what they touch.
+/// One thread at a time. The surface must outlive the object.
+class PolylineDistance {
+ public:
+  /// O(vertices + edges).
+  explicit PolylineDistance(const Surface& surface);
+
+  /// Measures from these curves now. O(points of the curves + what the last ones had touched).
+  /// A curve of one point is a point. Throws Error(kBadCurve) naming the curve and the point when
+  /// a curve has no points or two neighbours have no common face; nothing is set then.
+  void set(std::span<const SurfaceCurve> curves);
+
+  struct Nearest {
+    double distance = 0;      ///< mesh units; infinite where no curve can be reached
+    std::uint32_t curve = 0;  ///< the curve with the nearest point; of several the first
+    double arc_length = 0;    ///< where on that curve, in [0, its length]
+  };
+  Nearest at_vertex(VertexId v);
+  Nearest at(const SurfacePoint& point);
+  /// t in [0, 1] from the tail to the head of halfedge_of(edge).
+  Nearest on_edge(EdgeId edge, double t);
+
+  /// The distance along an edge and its derivatives by t. Where two ways are equally short, those
+  /// of one of them.
+  struct EdgeValue {
+    double value = 0;
+    double first = 0;
+    double second = 0;
+  };
+  /// The same distance as on_edge(). O(ways that reach the edge) once the edge has been reached.
+  EdgeValue at_edge(EdgeId edge, double t);
+
+  /// Makes all distances below `distance` known, as queries do by themselves.
+  void reach(double distance) {
+    while (!is_final(distance)) march();
+  }
+
+  /// Mesh units; of a closed curve with its last segment.
+  [[nodiscard]] double curve_length(std::size_t curve) const { return pieces_.lengths[curve]; }
+  /// All distances below this are known already.
+  [[nodiscard]] double front() const { return queue_.front(); }
+  /// Windows made since set(): what the last curves cost.
+  [[nodiscard]] std::size_t window_count() const { return windows_.size(); }
+
+ private:
+  static constexpr std::uint32_t kNone = 0xFFFFFFFFU;
+  enum ItemKind : std::uint32_t { kWindowItem, kVertexItem };
+
+  // polyline_sources.cpp
+  void forget();
+  [[nodiscard]] double step_width() const;
+  void send_vertex(const PolylinePiece& piece);
+  void send_point(const PolylinePiece& piece);
+  void send_segment(const PolylinePiece& piece);
+  void send(HalfedgeId side, EdgeWindow window);
+
+  // polyline_march.cpp
+  void march();
+  struct Beyond {
+    PlanePoint apex;
+    EdgeWindow right, left;
+  };
+  [[nodiscard]] Beyond beyond(const EdgeWindow& window) const;
+  void propagate(const EdgeWindow& stored);
+  void pass_on(const EdgeWindow& window, int most = 64);
+  void insert(const EdgeWindow& window);
+  void add(const EdgeWindow& window);
+  void spread_from(VertexId v);
+  void lower(VertexId v, double distance, std::uint32_t curve, double arc);
+  bool bends_at(VertexId v);
+
+  // What is known so far; the front may still change it.
+  struct EdgeHit {
+    Nearest nearest;
+    const EdgeWindow* window = nullptr;  // none: along the edge from one end
+    double bend = 0;                     // where on the edge the way arrives
+  };
+  [[nodiscard]] EdgeHit hit_on_edge(EdgeId edge, double x) const;
+  [[nodiscard]] Nearest nearest_in_face(const InFace& point) const;
+  [[nodiscard]] Nearest finish(Nearest nearest) const;
+  [[nodiscard]] bool reachable(VertexId v) const { return has_curve_[component_[v.index()]] != 0; }
+  [[nodiscard]] bool is_final(double distance) const {
+    return queue_.empty() || distance + queue_.step() / 64 < queue_.front();
+  }
+
+  const Surface* surface_;
+  std::vector<std::uint32_t> component_;
+  std::vector<std::uint8_t> bends_;      // per vertex: not known yet, no, yes
+  std::vector<std::uint8_t> has_curve_;  // per component
+  std::vector<Nearest> vertex_;
+  std::vector<std::uint32_t> first_window_;  // per edge
+
+  std::vector<EdgeWindow> windows_;
+  StepQueue queue_;
+  PolylinePieces pieces_;
+  std::vector<VertexId> touched_vertices_;
+  std::vector<EdgeId> touched_edges_;
+};
+
+}  // namespace talweg

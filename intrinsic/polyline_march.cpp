@@ -1,0 +1,307 @@
+// PolylineDistance: windows spread over the surface.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "talweg/intrinsic/polyline_distance.hpp"
+#include "talweg/intrinsic/triangle.hpp"
+
+namespace talweg {
+namespace {
+
+// Ways that differ by less than this, relative to what they are made of, are equally short.
+constexpr double kSame = 1e-13;
+// Borders of windows are this exact, relative to the edge or to the distance of the source, which
+// can be far shorter than the edge while its ways lead everywhere; neighbours overlap by a few
+// times that, and what is narrower than kNarrow times that is no window.
+constexpr double kBorder = 1e-10;
+constexpr double kNarrow = 8;
+
+/// The shorter of the edge and the source's distance from the window.
+double size_of(const EdgeWindow& w, double length) {
+  if (!w.from_point() || w.py == 0) return length;
+  return std::min(length, std::abs(w.py) + std::max({w.begin - w.px, w.px - w.end, 0.0}));
+}
+
+/// The way from a source below the side (0, 0) - (length, 0) through its point b.
+PlanePoint direction(const EdgeWindow& w, double b) {
+  return w.from_point() ? PlanePoint{b - w.px, -w.py} : PlanePoint{w.px, w.py};
+}
+
+/// The window's source as seen from another side: origin o, direction u.
+EdgeWindow seen_from(const EdgeWindow& w, PlanePoint o, PlanePoint u) {
+  EdgeWindow seen = w;
+  if (w.from_point()) {
+    const double x = w.px - o.x, y = w.py - o.y;
+    seen.px = x * u.x + y * u.y;
+    seen.py = std::min(u.x * y - u.y * x, 0.0);
+  } else {
+    seen.px = w.px * u.x + w.py * u.y;
+    seen.py = std::max(u.x * w.py - u.y * w.px, 0.0);
+    seen.offset = w.offset + w.px * o.x + w.py * o.y;
+    seen.arc = w.arc + w.sense * (w.py * o.x - w.px * o.y);
+  }
+  return seen;
+}
+
+PlanePoint unit(double x, double y, double length) {
+  return length > 0 ? PlanePoint{x / length, y / length} : PlanePoint{1, 0};
+}
+
+/// a / (a + b) for a, b >= 0.
+double part(double a, double b) { return a > 0 ? a / (a + b) : 0.0; }
+
+/// Disjoint parts of an edge. When there are too many, gaps are closed, which costs time only.
+struct Parts {
+  std::size_t count = 0;
+  std::array<std::array<double, 2>, 12> at{};
+
+  void add(double from, double to) {
+    if (count > 0 && (from <= at[count - 1][1] || count == at.size())) {
+      at[count - 1][1] = to;
+    } else {
+      at[count++] = {from, to};
+    }
+  }
+};
+
+/// The parts where `window` is below `other`, or `other` is not; cuts off from `other` what lies
+/// below it at its ends. Narrow parts are left out. `length` is that of the edge.
+Parts parts_below(const Parts& parts, const EdgeWindow& window, EdgeWindow& other, double same,
+                  double length) {
+  Parts left;
+  const double size = size_of(window, length);
+  const auto keep = [&](double from, double to) {
+    if (to - from > kNarrow * kBorder * size || length <= 0) left.add(from, to);
+  };
+  for (std::size_t i = 0; i < parts.count; ++i) {
+    const auto [begin, end] = parts.at[i];
+    const double low = std::max(begin, other.begin), high = std::min(end, other.end);
+    if (other.is_empty() || low > high) {
+      left.add(begin, end);
+      continue;
+    }
+    const double border = kBorder * std::min(size, size_of(other, length));
+    const Stretches won = where_below(window, other, low, high, same, border);
+    // Where the window has won up to the end of the overlap, it goes on behind it.
+    double open = begin < low ? begin : high;
+    double until = begin < low ? low : high;
+    bool any = begin < low;
+    for (int k = 0; k < won.count; ++k) {
+      const auto [from, to] = won.at[k];
+      if (any && from <= until) {
+        until = to;
+      } else {
+        if (any) keep(open, until);
+        open = from;
+        until = to;
+        any = true;
+      }
+    }
+    if (high < end) {
+      if (any && until >= high) {
+        until = end;
+      } else {
+        if (any) keep(open, until);
+        open = high;
+        until = end;
+        any = true;
+      }
+    }
+    if (any) keep(open, until);
+    for (int k = 0; k < won.count; ++k)
+      other.cut(won.at[k][0], won.at[k][1], 2 * border, kNarrow * border);
+  }
+  return left;
+}
+
+}  // namespace
+
+/// All items of one step of the queue.
+void PolylineDistance::march() {
+  StepQueue::Item item{};
+  while (queue_.pop(item)) {
+    if (item.kind == kVertexItem) {
+      const VertexId v{item.id};
+      if (item.key <= vertex_[v.index()].distance * (1 + 1e-9)) spread_from(v);
+      continue;
+    }
+    const EdgeWindow window = windows_[item.id];
+    if (window.end < window.begin) continue;
+    if (const double lowest = window.lowest(); queue_.is_later(lowest)) {
+      queue_.push({lowest, item.id, kWindowItem});  // it was cut since
+    } else {
+      propagate(window);
+    }
+  }
+}
+
+/// The face that a window (whose edge runs along `into`) leads to, with the source as seen through
+/// its two other sides, all of them.
+PolylineDistance::Beyond PolylineDistance::beyond(const EdgeWindow& window) const {
+  const HalfedgeId right = surface_->next(window.into), left = surface_->next(right);
+  const double length = surface_->length(edge_of(window.into));
+  const double right_length = surface_->length(edge_of(right));
+  const double left_length = surface_->length(edge_of(left));
+  const PlanePoint a = apex(length, left_length, right_length);
+  Beyond face{a, seen_from(window, a, unit(length - a.x, -a.y, right_length)),
+              seen_from(window, {0, 0}, unit(a.x, a.y, left_length))};
+  face.right.into = twin(right);
+  face.left.into = twin(left);
+  face.right.begin = face.left.begin = 0;
+  face.right.end = right_length;
+  face.left.end = left_length;
+  return face;
+}
+
+void PolylineDistance::propagate(const EdgeWindow& stored) {
+  const HalfedgeId h = stored.into;
+  if (!surface_->has_face(h) || stored.py == 0) return;
+  const double length = surface_->length(edge_of(h));
+  const EdgeWindow w = h == halfedge_of(edge_of(h)) ? stored : stored.turned(length);
+  auto [a, right, left] = beyond(w);
+  // Positive where the apex is to the left of the way through the window's end.
+  const PlanePoint d0 = direction(w, w.begin), d1 = direction(w, w.end);
+  const double side0 = d0.x * a.y - d0.y * (a.x - w.begin);
+  const double side1 = d1.x * a.y - d1.y * (a.x - w.end);
+  if (side1 > 0) {
+    const double all = right.end;
+    if (side0 > 0) right.begin = all * part(side0, d0.y * (length - w.begin));
+    right.end = all * part(side1, d1.y * (length - w.end));
+    add(right);
+  }
+  if (side0 < 0) {
+    const double all = left.end;
+    left.begin = all * part(d0.y * w.begin, -side0);
+    if (side1 < 0) left.end = all * part(d1.y * w.end, -side1);
+    add(left);
+  }
+}
+
+/// Adds a window whose edge runs along `into`.
+void PolylineDistance::add(const EdgeWindow& window) {
+  const EdgeId edge = edge_of(window.into);
+  insert(window.into == halfedge_of(edge) ? window : window.turned(surface_->length(edge)));
+}
+
+/// A point source on the very side that its window is on, as happens in faces without area, sends
+/// all its ways through that one point, however little of the side is nearest to it. They go on at
+/// once, through a stack of such faces if need be.
+void PolylineDistance::pass_on(const EdgeWindow& window, int most) {
+  const HalfedgeId h = window.into;
+  const bool through = window.px > 0 && window.px < surface_->length(edge_of(h));
+  if (window.py != 0 || !through || !surface_->has_face(h) || most == 0) return;
+  const Beyond face = beyond(window);
+  for (const EdgeWindow& side : {face.right, face.left}) {
+    add(side);
+    pass_on(side, most - 1);
+  }
+}
+
+/// Ways around a vertex start at the vertex.
+void PolylineDistance::spread_from(VertexId v) {
+  const Nearest from = vertex_[v.index()];
+  const HalfedgeId first = surface_->halfedge(v);
+  if (!first.valid()) return;
+  HalfedgeId h = first;
+  do {
+    lower(surface_->head(h), from.distance + surface_->length(edge_of(h)), from.curve,
+          from.arc_length);
+    if (!surface_->has_face(h)) break;
+    const HalfedgeId opposite = surface_->next(h);
+    const double length = surface_->length(edge_of(opposite));
+    const PlanePoint source = apex(length, surface_->length(edge_of(h)),
+                                   surface_->length(edge_of(surface_->next(opposite))));
+    EdgeWindow window;
+    window.end = length;
+    window.px = length - source.x;
+    window.py = -source.y;
+    window.offset = from.distance;
+    window.arc = from.arc_length;
+    window.curve = from.curve;
+    window.into = twin(opposite);
+    add(window);
+    pass_on(window);
+    h = surface_->turn_ccw(h);
+  } while (h != first);
+}
+
+void PolylineDistance::lower(VertexId v, double distance, std::uint32_t curve, double arc) {
+  Nearest& known = vertex_[v.index()];
+  if (!(distance < known.distance)) return;
+  const bool fresh = std::isinf(known.distance);
+  const bool much = fresh || distance < known.distance * (1 - kSame);
+  known = {std::max(distance, 0.0), curve, arc};
+  if (fresh) touched_vertices_.push_back(v);
+  if (much && bends_at(v)) {
+    queue_.push({known.distance, static_cast<std::uint32_t>(v.index()), kVertexItem});
+  }
+}
+
+/// Whether a shortest way can bend at the vertex: more than a full turn around it (more than half
+/// a turn at the boundary), or an edge of no length.
+bool PolylineDistance::bends_at(VertexId v) {
+  constexpr double kSlack = 1e-7;  // radians; the ways left out are longer by less than its square
+  std::uint8_t& known = bends_[v.index()];
+  if (known != 0) return known == 2;
+  double sum = surface_->on_boundary(v) ? std::numbers::pi : 0.0;
+  bool no_length = false;
+  const HalfedgeId first = surface_->halfedge(v);
+  HalfedgeId h = first;
+  while (h.valid()) {
+    const double length = surface_->length(edge_of(h));
+    no_length |= length <= 0;
+    if (!surface_->has_face(h)) break;
+    sum += angle_between(length, surface_->length(edge_of(surface_->prev(h))),
+                         surface_->length(edge_of(surface_->next(h))));
+    h = surface_->turn_ccw(h);
+    if (h == first) break;
+  }
+  known = no_length || sum > 2 * std::numbers::pi + kSlack ? 2 : 1;
+  return known == 2;
+}
+
+/// Keeps of a new window what is shorter than all that is known on its edge, and takes from the
+/// others what it makes superfluous.
+void PolylineDistance::insert(const EdgeWindow& window) {
+  const EdgeId edge = edge_of(window.into);
+  const double length = surface_->length(edge);
+  const VertexId tail = surface_->tail(halfedge_of(edge));
+  const VertexId head = surface_->head(halfedge_of(edge));
+  const double at_begin = window.value(window.begin), at_end = window.value(window.end);
+  const double same = kSame * (length + at_begin);
+  // Everywhere longer than along the edge from one of its ends.
+  if (vertex_[tail.index()].distance + window.end + same < at_end) return;
+  if (vertex_[head.index()].distance + (length - window.begin) + same < at_begin) return;
+  lower(tail, at_begin + window.begin, window.curve, window.arc_at(window.begin));
+  lower(head, at_end + (length - window.end), window.curve, window.arc_at(window.end));
+
+  Parts parts;
+  parts.add(window.begin, window.end);
+  std::uint32_t* link = &first_window_[edge.index()];
+  const bool is_first = *link == kNone;
+  while (*link != kNone) {
+    EdgeWindow& other = windows_[*link];
+    parts = parts_below(parts, window, other, same, length);
+    if (other.is_empty()) {
+      *link = other.next;
+    } else {
+      link = &other.next;
+    }
+    if (parts.count == 0) return;
+  }
+  if (is_first) touched_edges_.push_back(edge);
+  for (std::size_t i = 0; i < parts.count; ++i) {
+    EdgeWindow part = window;
+    part.begin = parts.at[i][0];
+    part.end = parts.at[i][1];
+    part.next = first_window_[edge.index()];
+    const auto id = static_cast<std::uint32_t>(windows_.size());
+    first_window_[edge.index()] = id;
+    windows_.push_back(part);
+    queue_.push({part.lowest(), id, kWindowItem});
+  }
+}
+
+}  // namespace talweg
