@@ -407,6 +407,46 @@ TEST_P(Reference, LiftedLengthsWithTheReferenceDistanceAgree) {
   EXPECT_EQ(report.trace_fallbacks, 0U);
 }
 
+class OwnDistance : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(OwnDistance, SmoothsTheReferenceCurves) {
+  const std::string name = GetParam();
+  const std::string mesh = name.substr(0, name.find("_loop"));
+  std::ifstream numbers(test::reference_folder() / "curves" / (name + ".txt"));
+  if (!numbers) {
+    GTEST_SKIP() << "no real meshes in " << test::mesh_folder() << " (set TALWEG_MESHES)";
+  }
+  const auto opened =
+      OpenedMesh::open(test::read_reference_mesh(test::mesh_folder() / (mesh + ".ply")));
+  std::vector<VertexId> path;
+  for (std::size_t v = 0; numbers >> v;) path.emplace_back(v);
+  const SurfaceCurve drawn = curve_through(opened->surface(), path);
+  CurveSmoother smoother(opened);
+  smoother.set_curve(drawn);
+  for (const double tau : {0.0, 0.5, 1.0, 2.0}) {
+    const SmoothingResult result = smoother.smooth(tau);
+    const SmoothingReport& report = result.report();
+    expect_on_mesh(opened->surface(), result.curve());
+    EXPECT_LE(report.lifted_length_after, report.lifted_length_before);
+    EXPECT_TRUE(std::isfinite(report.curvature_after));
+    EXPECT_EQ(report.trace_fallbacks, 0U);
+    if (drawn.closed) {
+      EXPECT_TRUE(report.termination == "converged" || report.termination == "collapsed");
+      EXPECT_GE(result.curve().points.size(), 3U);
+    } else {
+      EXPECT_EQ(report.termination, "converged");
+      EXPECT_EQ(result.curve().points.front(), drawn.points.front());
+      EXPECT_EQ(result.curve().points.back(), drawn.points.back());
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Real, OwnDistance,
+                         ::testing::Values("fandisk_14k", "aneurysm_14k", "armadillo_86k",
+                                           "armadillo_86k_loop_large", "armadillo_86k_loop_small",
+                                           "skull_100k", "tooth_ct_119k", "brain_icbm_164k",
+                                           "mouse_skull_984k"));
+
 INSTANTIATE_TEST_SUITE_P(Real, Reference,
                          ::testing::Combine(::testing::Values("fandisk_14k", "aneurysm_14k",
                                                               "armadillo_86k"),

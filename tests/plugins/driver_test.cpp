@@ -1,0 +1,269 @@
+// The driver as its users see it: options, exit codes, one line on stderr, names in the report.
+#include <array>
+#include <cstdlib>
+#include <set>
+#include <string>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <sys/wait.h>
+
+#include "core/generated_meshes.hpp"
+#include "core/reference_data.hpp"
+#include "core/temporary_folder.hpp"
+#include "talweg/core/formats/curve_file.hpp"
+#include "talweg/core/mesh_writer.hpp"
+
+namespace talweg {
+namespace {
+
+struct Outcome {
+  int code = -1;
+  std::string out;
+  std::string err;
+};
+
+class Driver : public test::TemporaryFolder {
+ protected:
+  void SetUp() override {
+    TemporaryFolder::SetUp();
+    write_mesh(file("mesh.ply"), test::grid(30, 20));
+  }
+
+  Outcome run(const std::string& arguments) const {
+    const std::string command = "cd '" + file("").string() + "' && '" TALWEG_DRIVER "' " +
+                                arguments + " >out.log 2>err.log </dev/null";
+    const int status = std::system(command.c_str());
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, bytes_of(file("out.log")),
+            bytes_of(file("err.log"))};
+  }
+
+  /// Fails with this code, one line on stderr that has these words, and nothing on stdout.
+  void expect_failure(const std::string& arguments, int code,
+                      std::initializer_list<const char*> words) const {
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.code, code) << arguments << "\n" << outcome.err;
+    EXPECT_EQ(outcome.out, "") << arguments;
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+    for (const char* word : words)
+      EXPECT_NE(outcome.err.find(word), std::string::npos) << outcome.err;
+  }
+};
+
+TEST_F(Driver, DrawsAndSmoothsInEveryFormat) {
+  for (const char* ending : {"obj", "ply", "vtp", "vtk", "mrk.json", "txt", "json"}) {
+    const std::string name = std::string("drawn.") + ending;
+    ASSERT_EQ(run("draw mesh.ply --through 64,400,590 -o " + name).code, 0) << ending;
+    const Outcome outcome =
+        run("-q smooth mesh.ply --curve " + name + " -o smooth-" + ending + ".json");
+    ASSERT_EQ(outcome.code, 0) << ending << outcome.err;
+    EXPECT_EQ(outcome.out + outcome.err, "");
+    EXPECT_EQ(bytes_of(file(std::string("smooth-") + ending + ".json")),
+              bytes_of(file("smooth-obj.json")))
+        << ending;
+  }
+}
+
+TEST_F(Driver, ReportsWithStableNames) {
+  ASSERT_EQ(run("draw mesh.ply --through 64,400,590 -o drawn.obj").code, 0);
+  ASSERT_EQ(
+      run("smooth mesh.ply --curve drawn.obj --tau 2 --relax 5 --repeat 3 --report r.json").code,
+      0);
+  const auto report = nlohmann::json::parse(bytes_of(file("r.json")));
+  for (const char* name : {"version",
+                           "faces",
+                           "vertices",
+                           "tau",
+                           "slack",
+                           "potential",
+                           "engine",
+                           "points_before",
+                           "points_after",
+                           "length_before",
+                           "length_after",
+                           "lifted_length_before",
+                           "lifted_length_after",
+                           "curvature_before",
+                           "curvature_after",
+                           "curvature_max_before",
+                           "curvature_max_after",
+                           "deviation_to_drawn_max",
+                           "deviation_to_drawn_mean",
+                           "deviation_from_drawn_max",
+                           "deviation_from_drawn_mean",
+                           "deviation_at",
+                           "flips",
+                           "iterations",
+                           "faces_touched",
+                           "trace_fallbacks",
+                           "termination",
+                           "warnings",
+                           "time_ms",
+                           "peak_memory_mib"}) {
+    EXPECT_TRUE(report.contains(name)) << name;
+  }
+  for (const char* name :
+       {"load", "open", "solve", "straighten", "trace", "relax", "polish", "total"}) {
+    EXPECT_TRUE(report["time_ms"].contains(name)) << name;
+  }
+  EXPECT_EQ(report["faces"], 1200);
+  EXPECT_EQ(report["vertices"], 651);
+  EXPECT_EQ(report["tau"], 2);
+  EXPECT_EQ(report["termination"], "converged");
+  EXPECT_EQ(report["deviation_at"].size(), 3U);
+}
+
+TEST_F(Driver, PrintsATableWithoutOutputs) {
+  ASSERT_EQ(run("draw mesh.ply --through 64,590 -o drawn.txt").code, 0);
+  const Outcome outcome = run("smooth mesh.ply --curve drawn.txt");
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_NE(outcome.out.find("total curvature"), std::string::npos);
+}
+
+TEST_F(Driver, ReportsSeveralCurvesAndTheirTotals) {
+  write("two.txt", "64\n65\n66\n67\n\n126\n127\n128\n");
+  ASSERT_EQ(run("smooth mesh.ply --curve two.txt --report r.json -o two.json").code, 0);
+  const auto report = nlohmann::json::parse(bytes_of(file("r.json")));
+  ASSERT_EQ(report["curves"].size(), 2U);
+  EXPECT_EQ(report["curves"][0]["points_before"], 4);
+  EXPECT_EQ(report["points_before"], 7);
+  EXPECT_EQ(read_curves(file("two.json")).size(), 2U);
+}
+
+TEST_F(Driver, ALoopThatShrinksAwayIsWrittenWithExitCode3) {
+  ASSERT_EQ(run("draw mesh.ply --through 200,215,450,440 --closed -o loop.txt").code, 0);
+  const Outcome outcome =
+      run("smooth mesh.ply --curve loop.txt --tau 0 -o out.json --report r.json");
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_EQ(nlohmann::json::parse(bytes_of(file("r.json")))["termination"], "collapsed");
+  EXPECT_EQ(read_curves(file("out.json")).size(), 1U);
+}
+
+TEST_F(Driver, ResultsAreTheSameBytesEveryTime) {
+  ASSERT_EQ(run("draw mesh.ply --through 64,400,590 -o drawn.json").code, 0);
+  ASSERT_EQ(run("smooth mesh.ply --curve drawn.json -o a.json -o a.vtp --threads 1").code, 0);
+  ASSERT_EQ(run("smooth mesh.ply --curve drawn.json -o b.json -o b.vtp --threads 2").code, 0);
+  EXPECT_EQ(bytes_of(file("a.json")), bytes_of(file("b.json")));
+  EXPECT_EQ(bytes_of(file("a.vtp")), bytes_of(file("b.vtp")));
+}
+
+TEST_F(Driver, KeepsPins) {
+  ASSERT_EQ(run("draw mesh.ply --through 64,400,590 -o drawn.txt").code, 0);
+  ASSERT_EQ(run("smooth mesh.ply --curve drawn.txt --tau 0 --pin 400 -o out.obj").code, 0);
+  const auto curves = read_curves(file("out.obj"));
+  const auto& points = std::get<std::vector<Point>>(curves.at(0).points);
+  const Point pin = test::grid(30, 20).points[400];
+  EXPECT_NE(std::find(points.begin(), points.end(), pin), points.end());
+}
+
+TEST_F(Driver, UsesAGivenDistance) {
+  ASSERT_EQ(run("draw mesh.ply --through 64,590 -o drawn.txt").code, 0);
+  std::string flat;
+  for (int v = 0; v < 651; ++v) flat += "1\n";
+  write("flat.txt", flat);
+  ASSERT_EQ(
+      run("smooth mesh.ply --curve drawn.txt --tau 3 --distance flat.txt --report r.json").code, 0);
+  // A constant distance lifts nothing: the result is the straight line.
+  const auto report = nlohmann::json::parse(bytes_of(file("r.json")));
+  EXPECT_EQ(report["lifted_length_before"], report["length_before"]);
+  EXPECT_LT(report["curvature_after"], 1e-6);
+}
+
+TEST_F(Driver, SaysWhatIsWrongWithTheArguments) {
+  expect_failure("", 1, {"draw, smooth or info"});
+  expect_failure("smoth mesh.ply", 1, {"smoth"});
+  expect_failure("smooth mesh.ply", 1, {"--curve"});
+  expect_failure("smooth mesh.ply --curve a.txt --bogus", 1, {"--bogus"});
+  write("a.txt", "64\n65\n66\n");
+  expect_failure("smooth mesh.ply --curve a.txt --tau -1", 1, {"tau"});
+  expect_failure("smooth mesh.ply --curve a.txt --tau nan", 1, {"tau"});
+  expect_failure("smooth mesh.ply --curve a.txt --tau much", 1, {"--tau", "much"});
+  expect_failure("smooth mesh.ply --curve a.txt --heat-time 0", 1, {"heat_time"});
+  expect_failure("smooth mesh.ply --curve a.txt --relax -1", 1, {"rounds"});
+  expect_failure("smooth mesh.ply --curve a.txt --pin 5", 1, {"vertex 5"});
+  expect_failure("smooth mesh.ply --curve a.txt --potential steep", 1, {"steep"});
+}
+
+TEST_F(Driver, SaysWhatIsWrongWithTheCurve) {
+  const auto refuse = [&](const char* curve, std::initializer_list<const char*> words) {
+    write("c.txt", curve);
+    expect_failure("smooth mesh.ply --curve c.txt -o out.obj", 2, words);
+    EXPECT_FALSE(std::filesystem::exists(file("out.obj")));
+  };
+  refuse("", {"c.txt", "empty"});
+  refuse("64\n", {"two different points"});
+  refuse("64\n64\n", {"point"});
+  refuse("64\n65\n65\n66\n", {"65"});
+  refuse("64\n65\n66\n65\n", {"65"});
+  refuse("64\n200\n", {"64", "200"});
+  refuse("64\n9999\n", {"9999", "651"});
+  refuse("64\n-1\n", {"line 2"});
+  refuse("64\nsixty\n", {"line 2", "sixty"});
+  expect_failure("smooth mesh.ply --curve none.obj", 2, {"none.obj"});
+  expect_failure("draw mesh.ply --through 1,1 -o out.obj", 2, {"1"});
+  expect_failure("draw mesh.ply --through 1,99999 -o out.obj", 2, {"99999"});
+  expect_failure("draw mesh.ply --through 1,20 -o nowhere/out.obj", 2, {"nowhere"});
+}
+
+TEST_F(Driver, InfoTellsEveryDefectAndSmoothRefusesIt) {
+  write("a.txt", "0\n1\n");
+  const auto defect = [&](const MeshLists& lists, int info_code, const char* word) {
+    write_mesh(file("bad.ply"), lists);
+    const Outcome info = run("info bad.ply");
+    EXPECT_EQ(info.code, info_code) << word;
+    EXPECT_NE(info.out.find(word), std::string::npos) << info.out;
+    EXPECT_TRUE(nlohmann::json::accept(run("info --json bad.ply").out)) << word;
+    expect_failure("smooth bad.ply --curve a.txt -o out.obj", 2, {word});
+  };
+  defect(test::with_fin(test::grid(4, 4), 3), 0, "more than two faces");
+  defect(test::with_turned_face(test::grid(4, 4), 3), 0, "orient");
+  defect(test::with_bow_tie(test::grid(4, 4), 12), 0, "bow-tie");
+  defect(test::with_coordinate(test::grid(4, 4), 5, std::nan("")), 2, "finite");
+  EXPECT_EQ(run("info mesh.ply").code, 0);
+}
+
+TEST_F(Driver, RefusesBrokenMeshFiles) {
+  write("a.txt", "0\n1\n");
+  write("empty.ply", "");
+  const std::string whole = bytes_of(file("mesh.ply"));
+  write("short.ply", whole.substr(0, whole.size() / 2));
+  write("nan.obj", "v 0 0 0\nv 1 nan 0\nv 0 1 0\nf 1 2 3\n");
+  write("index.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n");
+  for (const char* name : {"empty.ply", "short.ply", "nan.obj", "index.obj", "none.ply"}) {
+    expect_failure(std::string("smooth ") + name + " --curve a.txt", 2, {name});
+    expect_failure(std::string("info ") + name, 2, {name});
+  }
+}
+
+TEST_F(Driver, SmoothsEveryManifoldRealMesh) {
+  if (!std::filesystem::exists(test::mesh_folder())) {
+    GTEST_SKIP() << "no real meshes in " << test::mesh_folder() << " (set TALWEG_MESHES)";
+  }
+  const std::set<std::string> refused = {"buildings_needles_400k", "car_nonmanifold_251k",
+                                         "misoriented_25k", "teeth_bowtie_10k"};
+  std::size_t smoothed = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(test::mesh_folder())) {
+    const std::string name = entry.path().stem().string();
+    const std::string ending = entry.path().extension().string();
+    // The two largest take most of a minute on a slow machine; other tests open them.
+    if ((ending != ".ply" && ending != ".off") || entry.file_size() > 11'000'000) continue;
+    const std::string mesh = "'" + std::filesystem::absolute(entry.path()).string() + "'";
+    if (refused.contains(name)) {
+      write("a.txt", "0\n1\n");
+      expect_failure("smooth " + mesh + " --curve a.txt", 2, {"first"});
+      continue;
+    }
+    ASSERT_EQ(run("draw " + mesh + " --through 7,1500 -o drawn.txt").code, 0) << name;
+    const Outcome outcome =
+        run("smooth " + mesh + " --curve drawn.txt -o out.json --report r.json");
+    ASSERT_EQ(outcome.code, 0) << name << outcome.err;
+    const auto report = nlohmann::json::parse(bytes_of(file("r.json")));
+    EXPECT_LE(report["lifted_length_after"], report["lifted_length_before"]) << name;
+    EXPECT_TRUE(report["curvature_after"].is_number()) << name;
+    ++smoothed;
+  }
+  EXPECT_GE(smoothed, 12U);
+}
+
+}  // namespace
+}  // namespace talweg
