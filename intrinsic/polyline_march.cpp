@@ -55,8 +55,10 @@ double part(double a, double b) { return a > 0 ? a / (a + b) : 0.0; }
 /// Disjoint parts of an edge. When there are too many, gaps are closed, which costs time only.
 struct Parts {
   std::size_t count = 0;
-  std::array<std::array<double, 2>, 12> at{};
+  std::array<std::array<double, 2>, 12> at;
 
+  [[nodiscard]] double begin() const { return at[0][0]; }
+  [[nodiscard]] double end() const { return at[count - 1][1]; }
   void add(double from, double to) {
     if (count > 0 && (from <= at[count - 1][1] || count == at.size())) {
       at[count - 1][1] = to;
@@ -209,10 +211,18 @@ void PolylineDistance::spread_from(VertexId v) {
     lower(surface_->head(h), from.distance + surface_->length(edge_of(h)), from.curve,
           from.arc_length);
     if (!surface_->has_face(h)) break;
-    const HalfedgeId opposite = surface_->next(h);
+    const HalfedgeId opposite = surface_->next(h), last = surface_->next(opposite);
+    h = twin(last);  // the next one counterclockwise
     const double length = surface_->length(edge_of(opposite));
-    const PlanePoint source = apex(length, surface_->length(edge_of(h)),
-                                   surface_->length(edge_of(surface_->next(opposite))));
+    const double near = surface_->length(edge_of(surface_->prev(opposite)));
+    const double far = surface_->length(edge_of(last));
+    // As in insert(), before anything is laid out.
+    const double same = kSame * (length + from.distance + near);
+    const double at_near = vertex_[surface_->tail(opposite).index()].distance;
+    const double at_far = vertex_[surface_->tail(last).index()].distance;
+    if (at_near + length + same < from.distance + far) continue;
+    if (at_far + length + same < from.distance + near) continue;
+    const PlanePoint source = apex(length, near, far);
     EdgeWindow window;
     window.end = length;
     window.px = length - source.x;
@@ -223,7 +233,6 @@ void PolylineDistance::spread_from(VertexId v) {
     window.into = twin(opposite);
     add(window);
     pass_on(window);
-    h = surface_->turn_ccw(h);
   } while (h != first);
 }
 
@@ -283,6 +292,10 @@ void PolylineDistance::insert(const EdgeWindow& window) {
   const bool is_first = *link == kNone;
   while (*link != kNone) {
     EdgeWindow& other = windows_[*link];
+    if (parts.end() < other.begin || other.end < parts.begin()) {
+      link = &other.next;
+      continue;
+    }
     parts = parts_below(parts, window, other, same, length);
     if (other.is_empty()) {
       *link = other.next;

@@ -44,7 +44,7 @@ void PolylineDistance::set(std::span<const SurfaceCurve> curves) {
   }
 }
 
-/// The step only decides how much is done in vain, not what comes out: a quarter of the mean side
+/// The step only decides how much is done in vain, not what comes out: an eighth of the mean side
 /// of the curves' faces.
 double PolylineDistance::step_width() const {
   double sum = 0;
@@ -63,7 +63,7 @@ double PolylineDistance::step_width() const {
   };
   for (const PolylinePiece& piece : pieces_.segments) add_face(piece);
   for (const PolylinePiece& piece : pieces_.points) add_face(piece);
-  if (sum > 0) return sum / static_cast<double>(count) / 4;
+  if (sum > 0) return sum / static_cast<double>(count) / 8;
   const auto lengths = surface_->lengths();
   const auto longest = std::max_element(lengths.begin(), lengths.end());
   return longest != lengths.end() && *longest > 0 ? *longest : 1.0;

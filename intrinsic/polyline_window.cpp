@@ -82,26 +82,17 @@ double critical_point(const EdgeWindow& a, const EdgeWindow& b) {
   return point.px + std::abs(point.py) * segment.px / std::abs(segment.py);
 }
 
-/// A zero of f, to within `tolerance` in f or `resolution` in x, between low and high where f has
-/// different signs: regula falsi with halved end values (Illinois).
-template <class Function>
-double zero_between(Function f, double low, double f_low, double high, double f_high,
-                    double tolerance, double resolution) {
-  double x = low;
-  for (int i = 0; i < 60 && high - low > resolution; ++i) {
-    x = low + (high - low) * (f_low / (f_low - f_high));
-    if (!(x > low && x < high)) x = low + (high - low) / 2;
-    const double fx = f(x);
-    if (std::abs(fx) <= tolerance) return x;
-    if ((fx < 0) == (f_low < 0)) {
-      low = x;
-      f_low = fx;
-      f_high /= 2;
-    } else {
-      high = x;
-      f_high = fx;
-      f_low /= 2;
-    }
+/// A zero of a - b + shift between low and high, where it has different signs, to within
+/// `precision` in value or in x: Newton's method, kept between the two.
+double crossing(const EdgeWindow& a, const EdgeWindow& b, double shift, double low, double f_low,
+                double high, double f_high, double precision) {
+  double x = low + (high - low) * (f_low / (f_low - f_high));
+  for (int i = 0; i < 60 && high - low > precision; ++i) {
+    const double fx = a.value(x) - b.value(x) + shift;
+    if (std::abs(fx) <= precision) break;
+    ((fx < 0) == (f_low < 0) ? low : high) = x;
+    const double step = fx / (a.slope(x) - b.slope(x));
+    x = x - step > low && x - step < high ? x - step : low + (high - low) / 2;
   }
   return x;
 }
@@ -112,7 +103,7 @@ Stretches where_below(const EdgeWindow& a, const EdgeWindow& b, double low, doub
                       double tolerance, double resolution) {
   const auto f = [&](double x) { return a.value(x) - b.value(x) + tolerance; };
   const auto border = [&](double from, double f_from, double to, double f_to) {
-    return zero_between(f, from, f_from, to, f_to, tolerance / 2, resolution);
+    return crossing(a, b, tolerance, from, f_from, to, f_to, resolution / 4);
   };
   Stretches result;
   const auto add = [&](double from, double to) {
