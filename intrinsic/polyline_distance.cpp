@@ -66,39 +66,52 @@ Nearest PolylineDistance::finish(Nearest nearest) const {
   return nearest;
 }
 
+/// Whether a vertex that is not reached yet never will be. Components are told apart only after so
+/// many windows that this costs little in comparison.
+bool PolylineDistance::marches_in_vain(VertexId v) {
+  if (std::isfinite(vertex_[v.index()].distance)) return false;
+  if (with_curve_.empty()) {
+    if (windows_.size() < surface_->vertex_count() / 8) return false;
+    if (component_.empty()) component_ = components_of(*surface_).of_vertex;
+    // All that is touched so far is connected to a curve.
+    for (const VertexId touched : touched_vertices_) {
+      with_curve_.push_back(component_[touched.index()]);
+    }
+    std::sort(with_curve_.begin(), with_curve_.end());
+    with_curve_.erase(std::unique(with_curve_.begin(), with_curve_.end()), with_curve_.end());
+  }
+  return !std::binary_search(with_curve_.begin(), with_curve_.end(), component_[v.index()]);
+}
+
 Nearest PolylineDistance::at_vertex(VertexId v) {
   const Nearest& known = vertex_[v.index()];
-  if (!reachable(v)) return {kInfinity, 0, 0};
-  while (!is_final(known.distance)) march();
+  while (!is_final(known.distance) && !marches_in_vain(v)) march();
   return finish(known);
 }
 
-Nearest PolylineDistance::on_edge(EdgeId edge, double t) {
-  if (!reachable(surface_->tail(halfedge_of(edge)))) return {kInfinity, 0, 0};
-  const double x = t * surface_->length(edge);
+PolylineDistance::EdgeHit PolylineDistance::final_hit(EdgeId edge, double x) {
+  const VertexId tail = surface_->tail(halfedge_of(edge));
   for (;;) {
     const EdgeHit hit = hit_on_edge(edge, x);
-    if (is_final(hit.nearest.distance)) return finish(hit.nearest);
+    if (is_final(hit.nearest.distance) || marches_in_vain(tail)) return hit;
     march();
   }
 }
 
+Nearest PolylineDistance::on_edge(EdgeId edge, double t) {
+  return finish(final_hit(edge, t * surface_->length(edge)).nearest);
+}
+
 PolylineDistance::EdgeValue PolylineDistance::at_edge(EdgeId edge, double t) {
-  if (!reachable(surface_->tail(halfedge_of(edge)))) return {kInfinity, 0, 0};
   const double length = surface_->length(edge), x = t * length;
-  for (;;) {
-    const EdgeHit hit = hit_on_edge(edge, x);
-    if (!is_final(hit.nearest.distance)) {
-      march();
-      continue;
-    }
-    // Narrow gaps between windows are rounding.
-    if (hit.window != nullptr && std::abs(x - hit.bend) <= 1e-9 * length) {
-      return {hit.nearest.distance, hit.window->slope(hit.bend) * length,
-              hit.window->curvature(hit.bend) * length * length};
-    }
-    return {hit.nearest.distance, x < hit.bend ? -length : length, 0};
+  const EdgeHit hit = final_hit(edge, x);
+  if (std::isinf(hit.nearest.distance)) return {kInfinity, 0, 0};
+  // Narrow gaps between windows are rounding.
+  if (hit.window != nullptr && std::abs(x - hit.bend) <= 1e-9 * length) {
+    return {hit.nearest.distance, hit.window->slope(hit.bend) * length,
+            hit.window->curvature(hit.bend) * length * length};
   }
+  return {hit.nearest.distance, x < hit.bend ? -length : length, 0};
 }
 
 Nearest PolylineDistance::nearest_in_face(const InFace& point) const {
@@ -140,10 +153,10 @@ Nearest PolylineDistance::at(const SurfacePoint& point) {
   if (const auto* v = std::get_if<AtVertex>(&point.where())) return at_vertex(v->vertex);
   if (const auto* e = std::get_if<OnEdge>(&point.where())) return on_edge(e->edge, e->t);
   const auto& inside = std::get<InFace>(point.where());
-  if (!reachable(surface_->corners(inside.face)[0])) return {kInfinity, 0, 0};
+  const VertexId corner = surface_->tail(surface_->halfedge(inside.face));
   for (;;) {
     const Nearest nearest = nearest_in_face(inside);
-    if (is_final(nearest.distance)) return finish(nearest);
+    if (is_final(nearest.distance) || marches_in_vain(corner)) return finish(nearest);
     march();
   }
 }

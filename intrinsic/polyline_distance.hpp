@@ -23,7 +23,7 @@ namespace talweg {
 /// One thread at a time. The surface must outlive the object.
 class PolylineDistance {
  public:
-  /// O(vertices + edges).
+  /// O(vertices + edges), memory only.
   explicit PolylineDistance(const Surface& surface);
 
   /// Measures from these curves now. O(points of the curves + what the last ones had touched).
@@ -97,17 +97,18 @@ class PolylineDistance {
     double bend = 0;                     // where on the edge the way arrives
   };
   [[nodiscard]] EdgeHit hit_on_edge(EdgeId edge, double x) const;
+  EdgeHit final_hit(EdgeId edge, double x);
   [[nodiscard]] Nearest nearest_in_face(const InFace& point) const;
   [[nodiscard]] Nearest finish(Nearest nearest) const;
-  [[nodiscard]] bool reachable(VertexId v) const { return has_curve_[component_[v.index()]] != 0; }
+  [[nodiscard]] bool marches_in_vain(VertexId v);
   [[nodiscard]] bool is_final(double distance) const {
     return queue_.empty() || distance + queue_.step() / 64 < queue_.front();
   }
 
   const Surface* surface_;
-  std::vector<std::uint32_t> component_;
-  std::vector<std::uint8_t> bends_;      // per vertex: not known yet, no, yes
-  std::vector<std::uint8_t> has_curve_;  // per component
+  std::vector<std::uint32_t> component_;   // per vertex; made when first needed
+  std::vector<std::uint8_t> bends_;        // per vertex: not known yet, no, yes
+  std::vector<std::uint32_t> with_curve_;  // components, in order; made when first needed
   std::vector<Nearest> vertex_;
   std::vector<std::uint32_t> first_window_;  // per edge
 

@@ -201,16 +201,23 @@ void PolylineDistance::pass_on(const EdgeWindow& window, int most) {
   }
 }
 
-/// Ways around a vertex start at the vertex.
+/// Along the edges a way leads from every vertex to its neighbours: seldom the shortest, but it
+/// bounds all distances whatever the triangles are like. Across the faces ways start only at
+/// vertices at which the shortest can bend.
 void PolylineDistance::spread_from(VertexId v) {
   const Nearest from = vertex_[v.index()];
   const HalfedgeId first = surface_->halfedge(v);
   if (!first.valid()) return;
+  const bool bends = from.distance == 0 || bends_at(v);
   HalfedgeId h = first;
   do {
     lower(surface_->head(h), from.distance + surface_->length(edge_of(h)), from.curve,
           from.arc_length);
     if (!surface_->has_face(h)) break;
+    if (!bends) {
+      h = surface_->turn_ccw(h);
+      continue;
+    }
     const HalfedgeId opposite = surface_->next(h), last = surface_->next(opposite);
     h = twin(last);  // the next one counterclockwise
     const double length = surface_->length(edge_of(opposite));
@@ -243,7 +250,7 @@ void PolylineDistance::lower(VertexId v, double distance, std::uint32_t curve, d
   const bool much = fresh || distance < known.distance * (1 - kSame);
   known = {std::max(distance, 0.0), curve, arc};
   if (fresh) touched_vertices_.push_back(v);
-  if (much && bends_at(v)) {
+  if (much) {
     queue_.push({known.distance, static_cast<std::uint32_t>(v.index()), kVertexItem});
   }
 }

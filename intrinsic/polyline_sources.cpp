@@ -9,23 +9,19 @@ namespace talweg {
 
 PolylineDistance::PolylineDistance(const Surface& surface)
     : surface_(&surface),
-      component_(components_of(surface).of_vertex),
       bends_(surface.vertex_count(), 0),
       vertex_(surface.vertex_count(), Nearest{std::numeric_limits<double>::infinity(), 0, 0}),
-      first_window_(surface.edge_count(), kNone) {
-  const auto last = std::max_element(component_.begin(), component_.end());
-  has_curve_.assign(last == component_.end() ? 0 : *last + 1, 0);
-}
+      first_window_(surface.edge_count(), kNone) {}
 
 void PolylineDistance::forget() {
   for (const EdgeId e : touched_edges_) first_window_[e.index()] = kNone;
   for (const VertexId v : touched_vertices_) {
     vertex_[v.index()].distance = std::numeric_limits<double>::infinity();
-    has_curve_[component_[v.index()]] = 0;
   }
   touched_edges_.clear();
   touched_vertices_.clear();
   windows_.clear();
+  with_curve_.clear();
 }
 
 void PolylineDistance::set(std::span<const SurfaceCurve> curves) {
@@ -70,13 +66,11 @@ double PolylineDistance::step_width() const {
 }
 
 void PolylineDistance::send_vertex(const PolylinePiece& piece) {
-  has_curve_[component_[piece.vertex.index()]] = 1;
   lower(piece.vertex, 0, piece.curve, piece.arc);
   queue_.push({0, static_cast<std::uint32_t>(piece.vertex.index()), kVertexItem});
 }
 
 void PolylineDistance::send(HalfedgeId side, EdgeWindow window) {
-  has_curve_[component_[surface_->tail(side).index()]] = 1;
   window.into = twin(side);
   const EdgeId edge = edge_of(side);
   const EdgeWindow turned = window.turned(surface_->length(edge));

@@ -150,12 +150,12 @@ TEST(PolylineDistance, IsEuclideanInThePlane) {
 }
 
 /// A plane grid in whose triangles vertices were inserted next to a side (caps) or next to a corner
-/// (needles), `small()` of the triangle's size away.
+/// (needles), `small()` of the triangle's size away; some of them inside each other.
 template <class Small>
 TestMesh plane_with_bad_triangles(Random& random, bool caps, Small small) {
   TestMesh mesh = test::grid(8, 8, 0.2, random.below(1000));
-  const std::size_t count = mesh.triangles.size();
-  for (std::size_t f = 0; f < count; f += 1 + random.below(2)) {
+  for (int i = 0; i < 120; ++i) {
+    const std::size_t f = random.below(mesh.triangles.size());
     const Triangle t = mesh.triangles[f];
     const double s = small(), a = caps ? random.uniform(0.2, 0.8) * (1 - s) : s / 2;
     const std::array<double, 3> b = {caps ? s : 1 - s, a, caps ? 1 - s - a : s / 2};
@@ -187,7 +187,7 @@ TEST(PolylineDistance, IsEuclideanOnPlanesOfCaps) {
 TEST(PolylineDistance, IsEuclideanOnPlanesOfNeedles) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     Random random(seed);
-    const auto small = [&] { return std::pow(10.0, -random.uniform(1, 8)); };
+    const auto small = [&] { return std::pow(10.0, -random.uniform(1, 5)); };
     const TestMesh mesh = plane_with_bad_triangles(random, false, small);
     const Surface surface = test::surface_of(mesh);
     expect_plane_distances(mesh, surface, random_walk(random, surface, 20), random, 1e-6);
