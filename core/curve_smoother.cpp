@@ -6,8 +6,11 @@
 
 #include "talweg/core/bump_convolution.hpp"
 #include "talweg/core/capping.hpp"
+#include "talweg/core/corridor.hpp"
+#include "talweg/core/crossings.hpp"
 #include "talweg/core/deviation.hpp"
 #include "talweg/core/lifted_lengths.hpp"
+#include "talweg/core/polish.hpp"
 #include "talweg/core/relaxation.hpp"
 #include "talweg/core/stopwatch.hpp"
 #include "talweg/core/version.hpp"
@@ -91,6 +94,8 @@ void SmoothingOptions::validate() const {
   if (!(min_relative_length >= 0 && min_relative_length < 1)) {
     bad_usage("min_relative_length must be in [0, 1).");
   }
+  if (slack && !(*slack >= 0 && std::isfinite(*slack))) bad_usage("slack must be finite and >= 0.");
+  if (phase_turns < 0 || phase_turns > 64) bad_usage("phase_turns must be in [0, 64].");
   if (length_floor && !(*length_floor >= 0 && std::isfinite(*length_floor))) {
     bad_usage("length_floor must be finite and >= 0.");
   }
@@ -120,6 +125,7 @@ void CurveSmoother::embed(std::span<const SurfaceCurve> curves, const CurveOptio
   const Surface& surface = mesh_->surface();
   for (const SurfaceCurve& curve : curves) check_drawn(surface, curve);
   check_pins(curves, options.pins);
+  curve_options_ = options;
   drawn_.assign(curves.begin(), curves.end());
   for (const SurfaceCurve& curve : drawn_) {
     drawn_measures_.push_back(measure_curve(surface, curve));
@@ -175,6 +181,13 @@ bool CurveSmoother::set_curves(std::span<const SurfaceCurve> curves, std::vector
 }
 
 bool CurveSmoother::solve_distance(const CurveOptions& options, const Progress& progress) {
+  if (options.method == Method::kCorridor) {
+    const Stopwatch watch;
+    if (!exact_distance_) exact_distance_.emplace(mesh_->surface());
+    exact_distance_->set(drawn_);
+    solve_ms_ = watch.ms();
+    return true;
+  }
   const Stopwatch open_watch;
   const HeatDistance* heat = mesh_->heat(options.heat_time, progress);
   if (heat == nullptr) return false;
@@ -256,6 +269,7 @@ SmoothingResult CurveSmoother::smooth(double tau) {
 SmoothingResult CurveSmoother::smooth(const SmoothingOptions& options) {
   options.validate();
   if (embedded_.paths.empty()) bad_usage("No curve is set.");
+  if (curve_options_.method == Method::kCorridor) return smooth_in_corridor(options);
   const Potential potential(options.potential, options.tau,
                             characteristic_length(options.potential));
   const std::size_t own = mesh_->surface().vertex_count();
@@ -266,6 +280,58 @@ SmoothingResult CurveSmoother::smooth(const SmoothingOptions& options) {
     };
     return lifted_length(length, at(p), at(q));
   });
+}
+
+SmoothingResult CurveSmoother::smooth_in_corridor(const SmoothingOptions& options) {
+  const SurfaceMesh& mesh = mesh_->mesh();
+  std::vector<bool> closed;
+  for (const SurfaceCurve& curve : drawn_) closed.push_back(curve.closed);
+  Corridor::Options corridor_options;
+  corridor_options.tau = options.tau;
+  corridor_options.slack = options.slack.value_or(default_slack(mesh.surface(), drawn_));
+  corridor_options.length = drawing_radius(mesh, drawn_);
+  corridor_options.turns = options.phase_turns;
+  for (const SurfaceCurve& curve : drawn_) {
+    if (!curve.closed) continue;
+    // With fewer points to a turn the phase could not follow the loop.
+    const auto most = std::max<std::size_t>(curve.points.size() / 8, 1);
+    corridor_options.turns = std::min(corridor_options.turns, static_cast<int>(most));
+  }
+  const Corridor corridor(*exact_distance_, closed, corridor_options);
+  const std::size_t own = mesh.surface().vertex_count();
+  const auto metric = [&](VertexId p, VertexId q, double length) {
+    const auto at = [&](VertexId v) {  // inserted vertices lie on the drawing
+      return v.index() < own ? corridor.at_vertex(v) : std::array<double, 2>{0, 0};
+    };
+    return lifted_length(length, at(p), at(q));
+  };
+  const ExactPotential exact = {
+      [&](EdgeId e, double t) { return corridor.on_edge(e, t); },
+      [&](const SurfacePoint& p) { return corridor.at(p); },
+  };
+  const bool polished = options.polish && options.tau > 0;
+  SmoothingResult result = run(options, metric, [&](std::vector<SurfaceCurve>& curves) {
+    if (!polished) return;
+    const std::vector<SurfaceCurve> straightened = curves;
+    for (SurfaceCurve& curve : curves) polish(mesh, curve, exact, curve_options_.pins);
+    // Each curve is polished for itself; where that made them cross they stay as they were.
+    for (auto crossing = crossing_curves(mesh.surface(), curves); !crossing.empty();
+         crossing = crossing_curves(mesh.surface(), curves)) {
+      const bool again = std::all_of(crossing.begin(), crossing.end(), [&](std::size_t c) {
+        return curves[c].points == straightened[c].points;
+      });
+      if (again) break;
+      for (const std::size_t c : crossing) curves[c] = straightened[c];
+    }
+  });
+  triangulation_.set_metric({});  // the corridor goes away
+  for (SmoothingReport& report : result.reports) {
+    report.potential = "corridor";
+    report.engine = "local";
+    report.slack = corridor_options.slack;
+  }
+  result.total = total_of(result.reports);
+  return result;
 }
 
 SmoothingResult CurveSmoother::smooth(const SmoothingOptions& options,
@@ -300,7 +366,7 @@ SmoothingResult CurveSmoother::smooth(const SmoothingOptions& options,
 }
 
 SmoothingResult CurveSmoother::run(const SmoothingOptions& options,
-                                   SignpostTriangulation::Metric metric) {
+                                   SignpostTriangulation::Metric metric, const Finish& polish) {
   Stopwatch watch;
   triangulation_.set_metric(std::move(metric));
   if (options.prepare_whole_mesh) triangulation_.prepare_all();
@@ -324,6 +390,10 @@ SmoothingResult CurveSmoother::run(const SmoothingOptions& options,
   result.curves = std::move(traced.curves);
   relax(mesh_->mesh(), result.curves, {options.relax_rounds});
   const double relax_ms = watch.ms();
+
+  watch = Stopwatch();
+  if (polish) polish(result.curves);
+  const double polish_ms = watch.ms();
 
   for (std::size_t c = 0; c < result.curves.size(); ++c) {
     SmoothingReport& report = result.reports.emplace_back(report_on(c, result.curves[c]));
@@ -350,7 +420,9 @@ SmoothingResult CurveSmoother::run(const SmoothingOptions& options,
     report.time_ms.straighten = straighten_ms;
     report.time_ms.trace = trace_ms;
     report.time_ms.relax = relax_ms;
-    report.time_ms.total = report.time_ms.open + solve_ms_ + straighten_ms + trace_ms + relax_ms;
+    report.time_ms.polish = polish_ms;
+    report.time_ms.total =
+        report.time_ms.open + solve_ms_ + straighten_ms + trace_ms + relax_ms + polish_ms;
     report.peak_memory_mib = peak_memory_mib();
   }
   result.total = total_of(result.reports);

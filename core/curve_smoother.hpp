@@ -1,6 +1,7 @@
 // The method, end to end: open a mesh, set a curve, smooth for a tau.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -13,14 +14,22 @@
 #include "talweg/core/potential.hpp"
 #include "talweg/core/report.hpp"
 #include "talweg/intrinsic/flip_out.hpp"
+#include "talweg/intrinsic/polyline_distance.hpp"
 #include "talweg/intrinsic/signpost_triangulation.hpp"
 #include "talweg/intrinsic/surface_point.hpp"
 #include "talweg/intrinsic/trace.hpp"
 
 namespace talweg {
 
+/// Which potential holds the curve, and with it which distance is measured.
+enum class Method {
+  kPaper,     ///< equations 4 to 6 over the heat method's distance on the whole mesh
+  kCorridor,  ///< flat within the slack, exact distance in a band, phase for loops, polished
+};
+
 /// What setting a curve depends on.
 struct CurveOptions {
+  Method method = Method::kPaper;
   double heat_time = 10;           ///< of the distance's heat flow, in units of h²; [1e-3, 1e6]
   double bump_radius = 0;          ///< mesh units; > 0 smooths the distance once more by equation 3
   bool cap_corners = true;         ///< as the paper does; only curves that run along mesh edges
@@ -32,8 +41,11 @@ struct CurveOptions {
 /// What a new tau depends on.
 struct SmoothingOptions {
   double tau = 1;  ///< [0, infinity): 0 gives geodesics, more keeps closer to the drawing
-  PotentialOptions potential;
-  int relax_rounds = 0;                ///< of the paper's relaxation; its authors use 5
+  PotentialOptions potential;   ///< of the paper's method
+  std::optional<double> slack;  ///< of the corridor, mesh units, >= 0; see default_slack()
+  int phase_turns = 3;   ///< of the corridor's phase around a loop, at most points / 8; [0, 64]
+  bool polish = true;    ///< the corridor's result
+  int relax_rounds = 0;  ///< of the paper's relaxation; its authors use 5
   std::size_t max_iterations = 0;      ///< of FlipOut; 0: FlipOut's own bound
   double min_relative_length = 0;      ///< stop at this fraction of the lifted length; [0, 1)
   std::optional<double> length_floor;  ///< mesh units; default: 3 mean edges of the drawn loop
@@ -100,7 +112,10 @@ class CurveSmoother {
   /// Per-vertex values (k a row) at the inserted vertices, linear in each face.
   [[nodiscard]] std::vector<double> at_inserted(std::span<const double> values,
                                                 std::size_t k) const;
-  SmoothingResult run(const SmoothingOptions& options, SignpostTriangulation::Metric metric);
+  SmoothingResult smooth_in_corridor(const SmoothingOptions& options);
+  using Finish = std::function<void(std::vector<SurfaceCurve>&)>;
+  SmoothingResult run(const SmoothingOptions& options, SignpostTriangulation::Metric metric,
+                      const Finish& polish = {});
   SmoothingReport report_on(std::size_t curve, const SurfaceCurve& result) const;
   [[nodiscard]] std::size_t count_touched_faces() const;
 
@@ -111,6 +126,8 @@ class CurveSmoother {
 
   std::vector<SurfaceCurve> drawn_, capped_;
   EmbeddedCurves embedded_;
+  CurveOptions curve_options_;
+  std::optional<PolylineDistance> exact_distance_;
   std::vector<double> distance_;           // per mesh vertex
   std::vector<double> inserted_distance_;  // per inserted vertex
   std::vector<CurveMeasures> drawn_measures_;

@@ -124,7 +124,18 @@ int finish(const SmoothOptions& options, const GlobalOptions& global, const Surf
   return kNotConverged;
 }
 
+void choose_method(SmoothOptions& options) {
+  const bool corridor = options.potential == "corridor";
+  const auto fail = [](const char* message) { throw Error(ErrorCode::kBadUsage, message); };
+  if (corridor && options.engine == "full") fail("The corridor needs --engine local.");
+  if (!corridor && options.engine == "local") fail("The paper's potential needs --engine full.");
+  if (corridor && !options.distance.empty()) fail("--distance needs --potential paper.");
+  if (!corridor && options.smoothing.slack) fail("--slack needs --potential corridor.");
+  options.curve_options.method = corridor ? Method::kCorridor : Method::kPaper;
+}
+
 int run(SmoothOptions options, const GlobalOptions& global) {
+  choose_method(options);
   const Stopwatch load_watch;
   MeshLists lists = read_mesh(options.mesh);
   const double load_ms = load_watch.ms();

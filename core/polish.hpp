@@ -1,0 +1,51 @@
+// The last kinks out of a straightened curve.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <span>
+
+#include "talweg/core/surface_mesh.hpp"
+#include "talweg/intrinsic/surface_point.hpp"
+
+namespace talweg {
+
+/// A potential along an edge with its derivatives by t, exact instead of linear in each face.
+/// Two components; for an open curve the second is 0.
+struct PotentialOnEdge {
+  std::array<double, 2> value{};
+  std::array<double, 2> first{};
+  std::array<double, 2> second{};
+};
+struct ExactPotential {
+  std::function<PotentialOnEdge(EdgeId, double)> on_edge;
+  std::function<std::array<double, 2>(const SurfacePoint&)> at;
+};
+
+struct PolishOptions {
+  int max_rounds = 12;      ///< of Newton's method followed by passing over vertices; >= 0
+  int newton_steps = 12;    ///< per round
+  double tolerance = 1e-9;  ///< relative gain in length below which it ends; > 0
+
+  /// Throws Error(kBadUsage) naming the field and its bound.
+  void validate() const;
+};
+
+struct PolishResult {
+  double length_before = 0;  ///< lifted, with the exact potential at the points
+  double length_after = 0;   ///< never more
+  std::size_t passed_vertices = 0;
+};
+
+/// Minimises the lifted length Σ √(|p−q|² + |Φp−Φq|²) of a curve over the places of its points on
+/// their edges by a tridiagonal Newton method, with the potential evaluated exactly. FlipOut's
+/// result bends where the piecewise linear potential has its creases, that is at mesh edges; this
+/// one does not know the mesh, but for where its points are. A point that is driven to the end of
+/// its edge goes around the vertex there, or stays at it, whichever is shorter.
+///
+/// The ends of an open curve and the `pinned` points (sorted indices) stay. Points inside faces are
+/// dropped where their neighbours share the face, since the curve is straight there.
+PolishResult polish(const SurfaceMesh& mesh, SurfaceCurve& curve, const ExactPotential& potential,
+                    std::span<const SurfacePoint> pinned, const PolishOptions& options = {});
+
+}  // namespace talweg
