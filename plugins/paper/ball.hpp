@@ -1,0 +1,21 @@
+// Bumpy balls of any size.
+#pragma once
+
+#include <cstdint>
+
+#include "talweg/core/mesh_lists.hpp"
+
+namespace talweg::paper {
+
+/// The unit sphere as an icosahedron whose faces are divided into frequency² each: 20 frequency²
+/// faces, closed, edge lengths within a factor of about 1.3. frequency >= 1.
+MeshLists sphere(std::uint32_t frequency);
+
+/// Moves the points of the unit sphere along their rays: hills of about a fifth of the radius with
+/// ever smaller ones on them.
+void make_bumpy(MeshLists& sphere, std::uint64_t seed);
+
+/// Both.
+MeshLists bumpy_ball(std::uint32_t frequency, std::uint64_t seed);
+
+}  // namespace talweg::paper

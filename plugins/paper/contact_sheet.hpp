@@ -1,0 +1,14 @@
+// Several pictures in one.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "picture/image.hpp"
+
+namespace talweg::paper {
+
+/// Pictures of one size, row by row, `columns` in a row (the last row may be shorter).
+picture::Image contact_sheet(const std::vector<picture::Image>& pictures, std::size_t columns);
+
+}  // namespace talweg::paper
