@@ -5,16 +5,15 @@
 #include <utility>
 
 #include "talweg/core/bump_convolution.hpp"
-#include "talweg/core/capping.hpp"
 #include "talweg/core/corridor.hpp"
 #include "talweg/core/crossings.hpp"
 #include "talweg/core/deviation.hpp"
+#include "talweg/core/drawn_curves.hpp"
 #include "talweg/core/lifted_lengths.hpp"
 #include "talweg/core/polish.hpp"
 #include "talweg/core/relaxation.hpp"
 #include "talweg/core/stopwatch.hpp"
 #include "talweg/core/version.hpp"
-#include "talweg/heat/curve_sources.hpp"
 #include "talweg/intrinsic/error.hpp"
 
 namespace talweg {
@@ -24,63 +23,10 @@ namespace {
   throw Error(ErrorCode::kBadUsage, message);
 }
 
-bool along_vertices(const SurfaceCurve& curve) {
-  return std::all_of(curve.points.begin(), curve.points.end(),
-                     [](const SurfacePoint& p) { return p.is_vertex(); });
-}
-
-SurfaceCurve cap(const Surface& surface, const SurfaceCurve& curve,
-                 std::span<const SurfacePoint> pins) {
-  if (!along_vertices(curve)) return curve;
-  std::vector<VertexId> path, pinned;
-  for (const SurfacePoint& p : curve.points) path.push_back(std::get<AtVertex>(p.where()).vertex);
-  for (const SurfacePoint& p : pins) {
-    if (p.is_vertex()) pinned.push_back(std::get<AtVertex>(p.where()).vertex);
-  }
-  cap_corners(surface, path, curve.closed, pinned);
-  SurfaceCurve capped{curve.closed, {}};
-  for (const VertexId v : path) capped.points.push_back(SurfacePoint::at_vertex(surface, v));
-  return capped;
-}
-
-void check_pins(std::span<const SurfaceCurve> curves, std::span<const SurfacePoint> pins) {
-  for (std::size_t i = 0; i < pins.size(); ++i) {
-    const bool passed = std::any_of(curves.begin(), curves.end(), [&](const SurfaceCurve& c) {
-      return std::find(c.points.begin(), c.points.end(), pins[i]) != c.points.end();
-    });
-    if (passed) continue;
-    const auto* v = std::get_if<AtVertex>(&pins[i].where());
-    bad_usage((v != nullptr ? "The pinned vertex " + std::to_string(v->vertex.index())
-                            : "Pin " + std::to_string(i + 1)) +
-              " is not a point of the curve.");
-  }
-}
-
-/// The union of the curves as a source set; where curves meet their weights add.
-std::vector<WeightedVertex> sources_of(const Surface& surface,
-                                       std::span<const SurfaceCurve> curves) {
-  std::vector<WeightedVertex> sources;
-  for (const SurfaceCurve& curve : curves) {
-    const std::vector<WeightedVertex> more = curve_sources(surface, curve);
-    sources.insert(sources.end(), more.begin(), more.end());
-  }
-  std::stable_sort(sources.begin(), sources.end(),
-                   [](const auto& a, const auto& b) { return a.vertex < b.vertex; });
-  std::size_t kept = 0;
-  for (const WeightedVertex& source : sources) {
-    if (kept > 0 && sources[kept - 1].vertex == source.vertex) {
-      sources[kept - 1].weight += source.weight;
-    } else {
-      sources[kept++] = source;
-    }
-  }
-  sources.resize(kept);
-  return sources;
-}
-
 }  // namespace
 
 void CurveOptions::validate() const {
+  if (threads < 1) bad_usage("threads must be >= 1.");
   if (!(heat_time >= 1e-3 && heat_time <= 1e6)) bad_usage("heat_time must be in [1e-3, 1e6].");
   if (!(bump_radius >= 0 && std::isfinite(bump_radius))) {
     bad_usage("bump_radius must be finite and >= 0.");
@@ -129,7 +75,7 @@ void CurveSmoother::embed(std::span<const SurfaceCurve> curves, const CurveOptio
   drawn_.assign(curves.begin(), curves.end());
   for (const SurfaceCurve& curve : drawn_) {
     drawn_measures_.push_back(measure_curve(surface, curve));
-    capped_.push_back(options.cap_corners ? cap(surface, curve, options.pins) : curve);
+    capped_.push_back(options.cap_corners ? capped_curve(surface, curve, options.pins) : curve);
   }
   embedded_ = embed_curves(triangulation_, capped_, options.pins);
 }
@@ -189,7 +135,7 @@ bool CurveSmoother::solve_distance(const CurveOptions& options, const Progress& 
     return true;
   }
   const Stopwatch open_watch;
-  const HeatDistance* heat = mesh_->heat(options.heat_time, progress);
+  const HeatDistance* heat = mesh_->heat(options.heat_time, progress, options.threads);
   if (heat == nullptr) return false;
   heat_open_ms_ = open_watch.ms();
 

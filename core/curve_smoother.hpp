@@ -30,9 +30,10 @@ enum class Method {
 /// What setting a curve depends on.
 struct CurveOptions {
   Method method = Method::kPaper;
-  double heat_time = 10;           ///< of the distance's heat flow, in units of h²; [1e-3, 1e6]
-  double bump_radius = 0;          ///< mesh units; > 0 smooths the distance once more by equation 3
-  bool cap_corners = true;         ///< as the paper does; only curves that run along mesh edges
+  double heat_time = 10;    ///< of the distance's heat flow, in units of h²; [1e-3, 1e6]
+  double bump_radius = 0;   ///< mesh units; > 0 smooths the distance once more by equation 3
+  bool cap_corners = true;  ///< as the paper does; only curves that run along mesh edges
+  unsigned threads = 2;  ///< at most, for the factors of the heat distance; >= 1; changes no result
   std::vector<SurfacePoint> pins;  ///< points of the drawing that the result must pass through
 
   void validate() const;

@@ -18,11 +18,13 @@ std::shared_ptr<const OpenedMesh> OpenedMesh::open(SurfaceMesh mesh) {
   return std::shared_ptr<OpenedMesh>(new OpenedMesh(std::move(mesh)));
 }
 
-const HeatDistance* OpenedMesh::heat(double time_scale, const Progress& progress) const {
+const HeatDistance* OpenedMesh::heat(double time_scale, const Progress& progress,
+                                     unsigned threads) const {
   const std::lock_guard lock(mutex_);
   if (const auto known = heat_.find(time_scale); known != heat_.end()) return &known->second;
   HeatOptions options;
   options.time_scale = time_scale;
+  options.threads = threads;
   std::optional<HeatDistance> made = HeatDistance::open(surface(), options, progress);
   if (!made) return nullptr;
   return &heat_.emplace(time_scale, std::move(*made)).first->second;

@@ -26,7 +26,9 @@ class OpenedMesh {
 
   /// The heat solver for this time scale (in units of h²), factored on first use; safe to call from
   /// any thread. nullptr when cancelled. Throws as HeatDistance does.
-  [[nodiscard]] const HeatDistance* heat(double time_scale, const Progress& progress = {}) const;
+  /// `threads` at most are used; their number changes no result.
+  [[nodiscard]] const HeatDistance* heat(double time_scale, const Progress& progress = {},
+                                         unsigned threads = 2) const;
 
  private:
   explicit OpenedMesh(SurfaceMesh mesh) : mesh_(std::move(mesh)) {}

@@ -2,25 +2,13 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
 #include <span>
 
+#include "talweg/core/lifted_chain.hpp"
 #include "talweg/core/surface_mesh.hpp"
 #include "talweg/intrinsic/surface_point.hpp"
 
 namespace talweg {
-
-/// A potential along an edge with its derivatives by t, exact instead of linear in each face.
-/// Two components; for an open curve the second is 0.
-struct PotentialOnEdge {
-  std::array<double, 2> value{};
-  std::array<double, 2> first{};
-  std::array<double, 2> second{};
-};
-struct ExactPotential {
-  std::function<PotentialOnEdge(EdgeId, double)> on_edge;
-  std::function<std::array<double, 2>(const SurfacePoint&)> at;
-};
 
 struct PolishOptions {
   int max_rounds = 12;      ///< of Newton's method followed by passing over vertices; >= 0

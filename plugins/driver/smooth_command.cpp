@@ -136,6 +136,7 @@ void choose_method(SmoothOptions& options) {
 
 int run(SmoothOptions options, const GlobalOptions& global) {
   choose_method(options);
+  options.curve_options.threads = global.threads;
   const Stopwatch load_watch;
   MeshLists lists = read_mesh(options.mesh);
   const double load_ms = load_watch.ms();

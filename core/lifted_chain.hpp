@@ -1,0 +1,73 @@
+// A lifted curve as a chain of points on edges, and Newton's method on it.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "talweg/core/surface_mesh.hpp"
+#include "talweg/intrinsic/surface_point.hpp"
+
+namespace talweg {
+
+/// A potential along an edge with its derivatives by t, exact instead of linear in each face.
+/// Two components; for an open curve the second is 0.
+struct PotentialOnEdge {
+  std::array<double, 2> value{};
+  std::array<double, 2> first{};
+  std::array<double, 2> second{};
+};
+struct ExactPotential {
+  std::function<PotentialOnEdge(EdgeId, double)> on_edge;
+  std::function<std::array<double, 2>(const SurfacePoint&)> at;
+};
+
+/// A point of the chain: free on an edge, or fixed.
+struct ChainNode {
+  using Lifted = Eigen::Matrix<double, 5, 1>;  // position and potential
+
+  SurfacePoint point;  ///< where it is fixed
+  bool fixed = true;
+  EdgeId edge;
+  double t = 0;
+  Lifted y, dy, ddy;  ///< place and derivatives by t
+};
+
+/// Minimises the lifted length of chains whose end points stay.
+class LiftedChain {
+ public:
+  using Nodes = std::vector<ChainNode>;
+
+  /// `tolerance`: relative gain in length below which a Newton step counts as none.
+  LiftedChain(const SurfaceMesh& mesh, const ExactPotential& potential, double tolerance)
+      : mesh_(mesh),
+        potential_(potential),
+        tolerance_(tolerance),
+        smallest_(1e-7 * mesh.mean_edge_length()) {}
+
+  /// A node at the point; free if it lies on an edge and `keep` is false.
+  [[nodiscard]] ChainNode node_at(const SurfacePoint& point, bool keep) const;
+  [[nodiscard]] SurfacePoint place(const ChainNode& node) const;
+  [[nodiscard]] double length(const Nodes& nodes) const;
+  /// At most so many damped Newton steps (the matrix is tridiagonal); returns the length, which
+  /// never grows.
+  double settle(Nodes& nodes, int steps) const;
+  /// The same on short overlapping parts: a crease of the potential at one point would make all
+  /// others take its small steps.
+  void settle_by_parts(Nodes& nodes) const;
+
+ private:
+  void evaluate(ChainNode& node) const;
+  void move(ChainNode& node, double t) const;
+  [[nodiscard]] double segment(const ChainNode& a, const ChainNode& b) const;
+  bool newton_step(Nodes& nodes, double& total) const;
+
+  const SurfaceMesh& mesh_;
+  const ExactPotential& potential_;
+  double tolerance_;
+  double smallest_;
+};
+
+}  // namespace talweg
