@@ -7,13 +7,12 @@
 #include "talweg/core/bump_convolution.hpp"
 #include "talweg/core/corridor.hpp"
 #include "talweg/core/crossings.hpp"
-#include "talweg/core/deviation.hpp"
 #include "talweg/core/drawn_curves.hpp"
 #include "talweg/core/lifted_lengths.hpp"
 #include "talweg/core/polish.hpp"
 #include "talweg/core/relaxation.hpp"
+#include "talweg/core/result_report.hpp"
 #include "talweg/core/stopwatch.hpp"
-#include "talweg/core/version.hpp"
 #include "talweg/intrinsic/error.hpp"
 
 namespace talweg {
@@ -341,8 +340,10 @@ SmoothingResult CurveSmoother::run(const SmoothingOptions& options,
   if (polish) polish(result.curves);
   const double polish_ms = watch.ms();
 
+  const std::size_t faces_touched = count_touched_faces(triangulation_);
   for (std::size_t c = 0; c < result.curves.size(); ++c) {
-    SmoothingReport& report = result.reports.emplace_back(report_on(c, result.curves[c]));
+    SmoothingReport& report = result.reports.emplace_back(
+        report_on_curve(mesh_->mesh(), drawn_[c], drawn_measures_[c], result.curves[c]));
     const FlipOutResult::Path& path = straight.paths[c];
     report.tau = options.tau;
     report.lifted_length_before = path.length_before;
@@ -350,7 +351,7 @@ SmoothingResult CurveSmoother::run(const SmoothingOptions& options,
     report.termination = to_string(path.termination);
     report.flips = straight.flips;
     report.iterations = straight.iterations;
-    report.faces_touched = count_touched_faces();
+    report.faces_touched = faces_touched;
     report.trace_fallbacks = traced.clamped;
     report.warnings = warnings_;
     if (path.termination == Termination::kCollapsed) {
@@ -373,46 +374,6 @@ SmoothingResult CurveSmoother::run(const SmoothingOptions& options,
   }
   result.total = total_of(result.reports);
   return result;
-}
-
-std::size_t CurveSmoother::count_touched_faces() const {
-  const Surface& surface = mesh_->surface();
-  std::vector<FaceId> faces;
-  for (const VertexId v : triangulation_.touched()) {
-    const std::vector<FaceId> around = faces_at(surface, triangulation_.location(v));
-    faces.insert(faces.end(), around.begin(), around.end());
-  }
-  std::sort(faces.begin(), faces.end());
-  return static_cast<std::size_t>(std::unique(faces.begin(), faces.end()) - faces.begin());
-}
-
-SmoothingReport CurveSmoother::report_on(std::size_t curve, const SurfaceCurve& result) const {
-  const SurfaceMesh& mesh = mesh_->mesh();
-  const SurfaceCurve& drawn = drawn_[curve];
-  SmoothingReport report;
-  report.version = version();
-  report.faces = mesh.surface().face_count();
-  report.vertices = mesh.surface().vertex_count();
-  report.potential = "paper";
-  report.engine = "full";
-  report.closed = drawn.closed;
-  report.points_before = drawn.points.size();
-  report.points_after = result.points.size();
-  const CurveMeasures after = measure_curve(mesh.surface(), result);
-  report.length_before = drawn_measures_[curve].length;
-  report.length_after = after.length;
-  report.curvature_before = drawn_measures_[curve].total_curvature;
-  report.curvature_after = after.total_curvature;
-  report.curvature_max_before = drawn_measures_[curve].max_curvature;
-  report.curvature_max_after = after.max_curvature;
-  const Deviation apart =
-      deviation(positions_of(mesh, result), result.closed, positions_of(mesh, drawn), drawn.closed);
-  report.deviation_to_drawn_max = apart.to_drawn.max;
-  report.deviation_to_drawn_mean = apart.to_drawn.mean;
-  report.deviation_from_drawn_max = apart.from_drawn.max;
-  report.deviation_from_drawn_mean = apart.from_drawn.mean;
-  report.deviation_at = apart.at;
-  return report;
 }
 
 SmoothingResult smooth_curve(std::shared_ptr<const OpenedMesh> mesh, const SurfaceCurve& curve,

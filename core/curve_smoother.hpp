@@ -117,8 +117,6 @@ class CurveSmoother {
   using Finish = std::function<void(std::vector<SurfaceCurve>&)>;
   SmoothingResult run(const SmoothingOptions& options, SignpostTriangulation::Metric metric,
                       const Finish& polish = {});
-  SmoothingReport report_on(std::size_t curve, const SurfaceCurve& result) const;
-  [[nodiscard]] std::size_t count_touched_faces() const;
 
   std::shared_ptr<const OpenedMesh> mesh_;
   SignpostTriangulation triangulation_;
