@@ -1,0 +1,247 @@
+// Laws of the whole pipeline, mesh and drawing in, smoothed curve out, on every subject: what must
+// not matter does not.
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include <Eigen/Geometry>
+#include <gtest/gtest.h>
+
+#include "laws/subjects.hpp"
+
+namespace talweg {
+namespace {
+
+using test::Outcome;
+using test::Subject;
+
+class PipelineLaw : public ::testing::TestWithParam<std::tuple<std::string, double>> {
+ protected:
+  void SetUp() override {
+    subject_ = test::make_subject(std::get<0>(GetParam()));
+    if (subject_.lists.points.empty()) {
+      GTEST_SKIP() << "no " << std::get<0>(GetParam()) << " in " << test::mesh_folder()
+                   << " (set TALWEG_MESHES)";
+    }
+    tau_ = std::get<1>(GetParam());
+    size_ = test::diameter_of(subject_.lists);
+  }
+
+  /// The outcome on another mesh, taken back by `back`, against that on the subject's own.
+  template <class Back>
+  void expect_same(const MeshLists& other, const Subject::Drawing& drawing,
+                   const Subject::Drawing& on_other, Back back, double tolerance) {
+    const Outcome expected = test::smooth_drawing(subject_.lists, drawing, tau_);
+    Outcome found = test::smooth_drawing(other, on_other, tau_);
+    for (Point& p : found.points) p = back(p);
+    EXPECT_EQ(found.report.termination, expected.report.termination);
+    EXPECT_LE(test::curve_gap(found.points, expected.points, drawing.closed), tolerance * size_)
+        << expected.points.size() << " and " << found.points.size() << " points";
+  }
+
+  Subject subject_;
+  double tau_ = 0;
+  double size_ = 0;
+};
+
+TEST_P(PipelineLaw, Scale) {
+  for (const Subject::Drawing& drawing : subject_.drawings) {
+    for (const double scale : {1e6, 1e-6, 0x1p40}) {
+      MeshLists other = subject_.lists;
+      for (Point& p : other.points) p *= scale;
+      expect_same(
+          other, drawing, drawing, [&](const Point& p) { return Point(p / scale); }, 1e-9);
+    }
+  }
+}
+
+TEST_P(PipelineLaw, ShiftAndRotation) {
+  const Eigen::AngleAxisd turn(1.1, Point(0.3, -0.8, 0.52).normalized());
+  const Point shift = size_ * Point(50, -70, 30);
+  MeshLists other = subject_.lists;
+  for (Point& p : other.points) p = turn * p + shift;
+  for (const Subject::Drawing& drawing : subject_.drawings) {
+    expect_same(
+        other, drawing, drawing,
+        [&](const Point& p) { return Point(turn.inverse() * (p - shift)); }, 1e-9);
+  }
+}
+
+TEST_P(PipelineLaw, Renumbering) {
+  std::mt19937 random(11);
+  const MeshLists& lists = subject_.lists;
+  std::vector<std::uint32_t> fresh(lists.points.size());
+  for (std::uint32_t v = 0; v < fresh.size(); ++v) fresh[v] = v;
+  std::shuffle(fresh.begin(), fresh.end(), random);
+  MeshLists other = lists;
+  for (std::size_t v = 0; v < fresh.size(); ++v) other.points[fresh[v]] = lists.points[v];
+  for (Triangle& t : other.triangles) {
+    for (std::uint32_t& v : t) v = fresh[v];
+    std::rotate(t.begin(), t.begin() + random() % 3, t.end());
+  }
+  std::shuffle(other.triangles.begin(), other.triangles.end(), random);
+  for (const Subject::Drawing& drawing : subject_.drawings) {
+    Subject::Drawing renamed = drawing;
+    for (VertexId& v : renamed.path) v = VertexId{fresh[v.index()]};
+    expect_same(
+        other, drawing, renamed, [](const Point& p) { return p; }, 1e-9);
+  }
+}
+
+TEST_P(PipelineLaw, Reversal) {
+  for (const Subject::Drawing& drawing : subject_.drawings) {
+    Subject::Drawing reversed = drawing;
+    std::reverse(reversed.path.begin(), reversed.path.end());
+    expect_same(
+        subject_.lists, drawing, reversed, [](const Point& p) { return p; }, 1e-9);
+  }
+}
+
+TEST_P(PipelineLaw, OtherStartOfAClosedCurve) {
+  for (const Subject::Drawing& drawing : subject_.drawings) {
+    if (!drawing.closed) continue;
+    for (const double part : {0.21, 0.5, 0.83}) {
+      Subject::Drawing turned = drawing;
+      const auto size = static_cast<double>(drawing.path.size());
+      std::rotate(turned.path.begin(),
+                  turned.path.begin() + static_cast<std::ptrdiff_t>(part * size),
+                  turned.path.end());
+      expect_same(
+          subject_.lists, drawing, turned, [](const Point& p) { return p; }, 1e-9);
+    }
+  }
+}
+
+/// The drawing along mesh edges with a point put on each of its edges.
+SurfaceCurve subdivided(const Surface& surface, const Subject::Drawing& drawing) {
+  SurfaceCurve fine{drawing.closed, {}};
+  const std::size_t n = drawing.path.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    fine.points.push_back(SurfacePoint::at_vertex(surface, drawing.path[i]));
+    if (i + 1 == n && !drawing.closed) break;
+    const auto a = static_cast<std::uint32_t>(drawing.path[i].index());
+    const auto b = static_cast<std::uint32_t>(drawing.path[(i + 1) % n].index());
+    fine.points.push_back(test::between(surface, a, b, 0.4));
+  }
+  return fine;
+}
+
+TEST_P(PipelineLaw, SubdividedDrawing) {
+  // At tau = 0 this is the same curve on the same surface. Above, the potential, which is linear in
+  // each triangle, is sampled at more places; these meshes are coarse (L is 15 to 60 edges), so at
+  // tau = 1, where an edge beside the drawing climbs several times its length, the results differ
+  // visibly, and at tau = 0.1 by a fraction of an edge.
+  const std::vector<double> taus =
+      tau_ == 0 ? std::vector<double>{0} : std::vector<double>{0.1, tau_};
+  const auto opened = OpenedMesh::open(subject_.lists);
+  const CurveOptions uncapped{.cap_corners = false};
+  CurveSmoother plain(opened);
+  CurveSmoother fine(opened);
+  for (const Subject::Drawing& drawing : subject_.drawings) {
+    plain.set_curve(test::curve_of(opened->surface(), drawing), uncapped);
+    fine.set_curve(subdivided(opened->surface(), drawing), uncapped);
+    const double largest = *std::max_element(plain.distance().begin(), plain.distance().end());
+    for (std::size_t v = 0; v < plain.distance().size(); ++v) {
+      ASSERT_NEAR(fine.distance()[v], plain.distance()[v], 1e-9 * largest) << v;
+    }
+    for (const double tau : taus) {
+      const double gap =
+          test::curve_gap(positions_of(opened->mesh(), fine.smooth(tau).curve()),
+                          positions_of(opened->mesh(), plain.smooth(tau).curve()), drawing.closed);
+      const double edges = gap / opened->mesh().mean_edge_length();
+      RecordProperty("gap_at_" + std::to_string(tau), std::to_string(edges));
+      const double bound = tau == 0 ? 1e-8 : tau < 1 ? 1 : 4;
+      EXPECT_LE(edges, bound) << "mean edge lengths, at tau = " << tau;
+    }
+  }
+}
+
+TEST_P(PipelineLaw, OtherOrderOfASet) {
+  const auto opened = OpenedMesh::open(subject_.lists);
+  const Surface& surface = opened->surface();
+  // Two parts of the first drawing; they do not touch.
+  const std::vector<VertexId>& path = subject_.drawings.front().path;
+  const auto part = [&](double from, double to) {
+    const auto n = static_cast<double>(path.size());
+    return Subject::Drawing{{path.begin() + static_cast<std::ptrdiff_t>(from * n),
+                             path.begin() + static_cast<std::ptrdiff_t>(to * n)},
+                            false};
+  };
+  const std::vector<SurfaceCurve> curves = {test::curve_of(surface, part(0, 0.45)),
+                                            test::curve_of(surface, part(0.55, 1))};
+  CurveSmoother smoother(opened);
+  smoother.set_curves(curves);
+  const SmoothingResult expected = smoother.smooth(tau_);
+  std::vector<SurfaceCurve> swapped(curves.rbegin(), curves.rend());
+  smoother.set_curves(swapped);
+  const SmoothingResult found = smoother.smooth(tau_);
+  ASSERT_EQ(found.curves.size(), curves.size());
+  for (std::size_t c = 0; c < curves.size(); ++c) {
+    const std::size_t d = curves.size() - 1 - c;
+    EXPECT_EQ(found.reports[d].termination, expected.reports[c].termination);
+    EXPECT_LE(test::curve_gap(positions_of(opened->mesh(), found.curves[d]),
+                              positions_of(opened->mesh(), expected.curves[c]), curves[c].closed),
+              1e-9 * size_);
+  }
+}
+
+TEST_P(PipelineLaw, AnotherComponentChangesNothing) {
+  // A far and much larger one, and one in the same place.
+  const MeshLists& own = subject_.lists;
+  MeshLists far = test::tube(12, 9, 3);
+  for (Point& p : far.points) p = 1e3 * size_ * (p + Point(5, 0, 0));
+  const Subject::Drawing& drawing = subject_.drawings.front();
+  const Outcome expected = test::smooth_drawing(own, drawing, tau_);
+  for (const MeshLists& second : {far, own}) {
+    const Outcome found = test::smooth_drawing(test::together(own, second, 0), drawing, tau_);
+    EXPECT_LE(test::curve_gap(found.points, expected.points, drawing.closed), 1e-9 * size_);
+    EXPECT_EQ(found.report.flips, expected.report.flips);
+  }
+}
+
+TEST_P(PipelineLaw, TwoComponentsAreSmoothedAsOne) {
+  // The mesh twice, the drawing on both: both results are that of the mesh alone.
+  const MeshLists& own = subject_.lists;
+  const MeshLists both = test::together(own, own, 0);
+  const auto opened = OpenedMesh::open(both);
+  const auto shift = own.points.size();
+  const Subject::Drawing& drawing = subject_.drawings.front();
+  Subject::Drawing on_second = drawing;
+  for (VertexId& v : on_second.path) v = VertexId{v.index() + shift};
+  const std::vector<SurfaceCurve> curves = {test::curve_of(opened->surface(), drawing),
+                                            test::curve_of(opened->surface(), on_second)};
+  CurveSmoother smoother(opened);
+  smoother.set_curves(curves);
+  const SmoothingResult found = smoother.smooth(tau_);
+  const Outcome expected = test::smooth_drawing(own, drawing, tau_);
+  for (const SurfaceCurve& curve : found.curves) {
+    EXPECT_LE(test::curve_gap(positions_of(opened->mesh(), curve), expected.points, drawing.closed),
+              1e-9 * size_);
+  }
+}
+
+TEST_P(PipelineLaw, InsertAndRemoveLeavesNoTrace) {
+  // Drawings through faces and edges insert vertices; the next drawing must not see them.
+  const auto opened = OpenedMesh::open(subject_.lists);
+  CurveSmoother used(opened);
+  const SurfaceCurve drawn = test::curve_of(opened->surface(), subject_.drawings.front());
+  used.set_curve(drawn);
+  const SmoothingResult first = used.smooth(tau_);
+  used.set_curve(first.curve());
+  used.smooth(tau_);
+  used.set_curve(drawn);
+  const SmoothingResult again = used.smooth(tau_);
+  EXPECT_EQ(again.curve().points, first.curve().points);
+  EXPECT_EQ(again.report().flips, first.report().flips);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, PipelineLaw,
+                         ::testing::Combine(::testing::ValuesIn(test::subject_names()),
+                                            ::testing::Values(0.0, 1.0)),
+                         [](const auto& one) {
+                           return std::get<0>(one.param) +
+                                  (std::get<1>(one.param) == 0 ? "_geodesic" : "_tau1");
+                         });
+
+}  // namespace
+}  // namespace talweg
