@@ -92,7 +92,7 @@ MeshLists sphere(std::uint32_t frequency) { return DividedIcosahedron(frequency)
 
 void make_bumpy(MeshLists& sphere, std::uint64_t seed) {
   for (Point& p : sphere.points) {
-    p *= 1 + 0.28 * scenes::fractal_noise(1.7 * p, 4, seed) + 0.006 * scenes::noise(21 * p, seed);
+    p *= 1 + 0.3 * scenes::fractal_noise(1.5 * p, 3, seed) + 0.004 * scenes::noise(17 * p, seed);
   }
 }
 

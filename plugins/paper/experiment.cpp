@@ -39,6 +39,8 @@ Timed Experiment::smooth(double tau, int relax_rounds, std::size_t repeats) {
     solve.push_back(times.solve);
     straighten.push_back(times.straighten + times.trace);
   }
+  timed.best_ms = *std::min_element(solve.begin(), solve.end()) +
+                  *std::min_element(straighten.begin(), straighten.end());
   timed.solve_ms = median(std::move(solve));
   timed.straighten_ms = median(std::move(straighten));
   return timed;

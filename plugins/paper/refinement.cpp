@@ -1,10 +1,13 @@
 #include "paper/refinement.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
 #include <numbers>
 #include <utility>
+
+#include "scenes/random.hpp"
 
 namespace talweg::paper {
 namespace {
@@ -84,10 +87,13 @@ MeshLists refined(const MeshLists& mesh, const std::function<bool(const Point& m
 
 MeshLists disc(std::uint32_t rings) {
   MeshLists mesh;
+  scenes::Random random(2);
   mesh.points.emplace_back(0, 0, 0);
   for (std::uint32_t k = 1; k <= rings; ++k) {
     for (std::uint32_t i = 0; i < 6 * k; ++i) {
-      const double angle = 2 * std::numbers::pi * i / (6 * k), r = double(k) / rings;
+      const double free = k < rings ? 0.22 : 0;
+      const double angle = 2 * std::numbers::pi * (i + random.in(-free, free)) / (6 * k);
+      const double r = (k + random.in(-free, free)) / rings;
       mesh.points.emplace_back(r * std::cos(angle), r * std::sin(angle), 0);
     }
   }

@@ -33,7 +33,7 @@ std::string relaxation_figure(const Folders& folders) {
   experiment.set_drawing(painted(experiment.mesh(), experiment.lists(), ring(), true));
   picture::Scene scene;
   scene.mesh = experiment.lists();
-  scene.curves.push_back(experiment.tube(experiment.drawn(), kDrawnColor, 3.5));
+  scene.curves.push_back(experiment.tube(experiment.drawn(), kDrawnColor, 3));
   std::string text =
       "| rounds | n | length | curvature [rad] | sharpest turn [rad] | largest deviation [h] |\n"
       "|--:|--:|--:|--:|--:|--:|\n";
@@ -53,12 +53,14 @@ std::string relaxation_figure(const Folders& folders) {
     picture::Panel panel;
     panel.caption = rounds == 0 ? "Not relaxed" : fmt::format("Relaxed, {} rounds", rounds);
     panel.curves = {0, scene.curves.size()};
-    panel.fit = picture::Fit::kCurve;
+    panel.fit = picture::Fit::kMesh;
     panel.view = Point(0, 0, 1);
-    scene.curves.push_back(experiment.tube(timed.result.curve(), kSmoothColor, 4));
+    scene.curves.push_back(experiment.tube(timed.result.curve(), kSmoothColor, 3.5));
     scene.panels.push_back(panel);
   }
-  picture::write_png(folders.out / "paper_relaxed.png", picture::render(scene));
+  picture::RenderOptions options;
+  options.panel_width = options.panel_height = 440;
+  picture::write_png(folders.out / "paper_relaxed.png", picture::render(scene, options));
   return fmt::format(
              "## Figure 9: a coarse mesh\n\n![](pictures/paper_relaxed.png)\n\n"
              "{} faces, τ = {}.\n\n",

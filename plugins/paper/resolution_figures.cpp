@@ -1,6 +1,8 @@
 // Figures 6 and 7: meshes whose resolution changes.
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 #include <fmt/format.h>
 
@@ -49,10 +51,10 @@ double mean_edge(const SurfaceMesh& mesh, double low, double high) {
 std::vector<Point> circle() {
   scenes::Random hand(7);
   std::vector<Point> places;
-  constexpr int kCount = 44;
+  constexpr int kCount = 70;
   for (int i = 0; i < kCount; ++i) {
     const double angle = 2 * std::numbers::pi * (i + hand.in(-0.2, 0.2)) / kCount;
-    const double r = 0.62 + hand.in(-0.035, 0.035);
+    const double r = 0.62 + hand.in(-0.03, 0.03);
     places.emplace_back(r * std::cos(angle), r * std::sin(angle), 0);
   }
   return places;
@@ -62,8 +64,8 @@ std::vector<Point> circle() {
 std::vector<Point> wave() {
   scenes::Random hand(8);
   std::vector<Point> places;
-  for (double x = -0.92; x < 0.92; x += 0.045) {
-    places.emplace_back(1.1 * x, 0.22 * std::sin(4.5 * x) + hand.in(-0.035, 0.035),
+  for (double x = -0.8; x < 0.8; x += 0.03) {
+    places.emplace_back(1.1 * x, 0.25 * std::sin(4.5 * x) + hand.in(-0.02, 0.02),
                         1.1 * std::sqrt(1 - x * x));
   }
   return places;
@@ -74,34 +76,56 @@ struct Part {
   double low, high;
 };
 
-std::string report_on(Experiment& experiment, double tau, const std::vector<Part>& parts,
-                      const std::filesystem::path& file, const Point& view) {
-  const Timed timed = experiment.smooth(tau);
-  const SmoothingReport& report = timed.result.report();
-  const SurfaceMesh& mesh = experiment.mesh().mesh();
-  std::string text = fmt::format(
-      "{} faces, τ = {}, n₀ = {}, n = {}, curvature {:.1f} → {:.1f} rad, {}.\n\n"
-      "| part | mean edge | turning drawn → smoothed [rad per unit length] |\n|---|--:|--:|\n",
-      report.faces, tau, report.points_before, report.points_after, report.curvature_before,
-      report.curvature_after, report.termination);
-  for (const Part& part : parts) {
-    text += fmt::format("| {} | {:.4f} | {:.1f} → {:.1f} |\n", part.name,
-                        mean_edge(mesh, part.low, part.high),
-                        bending(mesh, experiment.drawn(), part.low, part.high),
-                        bending(mesh, timed.result.curve(), part.low, part.high));
+// The mesh's edges as thin lines, since the renderer leaves out edges this short.
+void add_wires(const MeshLists& mesh, picture::Scene& scene) {
+  for (const Triangle& t : mesh.triangles) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t a = t[k], b = t[(k + 1) % 3];
+      if (a > b) continue;
+      scene.curves.push_back({{mesh.points[a], mesh.points[b]}, false, {0.66, 0.61, 0.55}, 0.5});
+    }
   }
+}
+
+// One panel and one part of the table per tau.
+std::string report_on(Experiment& experiment, const std::vector<double>& taus,
+                      const std::vector<Part>& parts, const std::filesystem::path& file) {
+  const SurfaceMesh& mesh = experiment.mesh().mesh();
   picture::Scene scene;
   scene.mesh = experiment.lists();
   scene.up = Point(0, 1, 0);
-  scene.curves = {experiment.tube(experiment.drawn(), kDrawnColor, 3.5),
-                  experiment.tube(timed.result.curve(), kSmoothColor, 4)};
-  picture::Panel panel;
-  panel.caption = fmt::format("tau = {}", tau);
-  panel.fit = picture::Fit::kMesh;
-  panel.view = view;
-  scene.panels = {panel};
+  add_wires(experiment.lists(), scene);
+  scene.curves.push_back(experiment.tube(experiment.drawn(), kDrawnColor, 3));
+  std::vector<std::size_t> common(scene.curves.size());
+  std::iota(common.begin(), common.end(), std::size_t{0});
+
+  std::string text = fmt::format(
+      "{} faces. Turning per length: in rad per unit length; the ball or disc has radius 1.\n\n"
+      "| τ | part | mean edge | n₀ → n, all | curvature drawn → smoothed [rad], all | turning per "
+      "length drawn → smoothed | ends |\n|--:|---|--:|--:|--:|--:|---|\n",
+      mesh.surface().face_count());
+  for (const double tau : taus) {
+    const Timed timed = experiment.smooth(tau);
+    const SmoothingReport& report = timed.result.report();
+    for (const Part& part : parts) {
+      text +=
+          fmt::format("| {} | {} | {:.4f} | {} → {} | {:.1f} → {:.1f} | {:.1f} → {:.1f} | {} |\n",
+                      tau, part.name, mean_edge(mesh, part.low, part.high), report.points_before,
+                      report.points_after, report.curvature_before, report.curvature_after,
+                      bending(mesh, experiment.drawn(), part.low, part.high),
+                      bending(mesh, timed.result.curve(), part.low, part.high), report.termination);
+    }
+    picture::Panel panel;
+    panel.caption = fmt::format("tau = {}", tau);
+    panel.fit = picture::Fit::kMesh;
+    panel.view = Point(0, 0, 1);
+    panel.curves = common;
+    panel.curves.push_back(scene.curves.size());
+    scene.curves.push_back(experiment.tube(timed.result.curve(), kSmoothColor, 3.5));
+    scene.panels.push_back(std::move(panel));
+  }
   picture::RenderOptions options;
-  options.panel_width = options.panel_height = 800;
+  options.panel_width = options.panel_height = std::min<std::size_t>(1200 / taus.size(), 480);
   picture::write_png(file, picture::render(scene, options));
   return text;
 }
@@ -114,8 +138,8 @@ std::string sudden_change(const Folders& folders) {
   Experiment experiment(std::move(mesh));
   experiment.set_drawing(painted(experiment.mesh(), experiment.lists(), circle(), true));
   return "## Figure 6: a sudden change of resolution\n\n![](pictures/paper_sudden.png)\n\n" +
-         report_on(experiment, 2, {{"coarse (left)", -1, 0}, {"fine (right)", 0, 1}},
-                   folders.out / "paper_sudden.png", Point(0, 0, 1));
+         report_on(experiment, {0.5, 0.7, 1}, {{"coarse (left)", -1, 0}, {"fine (right)", 0, 1}},
+                   folders.out / "paper_sudden.png");
 }
 
 std::string continuous_change(const Folders& folders) {
@@ -124,16 +148,16 @@ std::string continuous_change(const Folders& folders) {
     mesh = refined(mesh, [&](const Point& p) { return p.x() > from; });
     for (Point& p : mesh.points) p.normalize();
   }
-  make_bumpy(mesh, 5);
+  make_bumpy(mesh, 2);
   Experiment experiment(std::move(mesh));
   experiment.set_drawing(painted(experiment.mesh(), experiment.lists(), wave(), false));
   return "## Figure 7: ever finer\n\n![](pictures/paper_finer.png)\n\n" +
-         report_on(experiment, 1.5,
+         report_on(experiment, {0.5, 1.5},
                    {{"coarsest", -9, -0.55},
                     {"coarse", -0.55, 0},
                     {"fine", 0, 0.55},
                     {"finest", 0.55, 9}},
-                   folders.out / "paper_finer.png", Point(0, 0, 1));
+                   folders.out / "paper_finer.png");
 }
 
 }  // namespace

@@ -1,0 +1,41 @@
+// talweg-stage-instructions: every stage once, for callgrind to count (run bench --check).
+#include <cstdio>
+#include <cstring>
+
+#include <valgrind/callgrind.h>
+
+#include "stages.hpp"
+
+namespace talweg::benchmarks {
+namespace {
+
+void count_all() {
+  Stages stages(generated_mesh());
+  const auto count = [&](const char* name, void (Stages::*call)()) {
+    CALLGRIND_ZERO_STATS;
+    CALLGRIND_TOGGLE_COLLECT;
+    (stages.*call)();
+    CALLGRIND_TOGGLE_COLLECT;
+    CALLGRIND_DUMP_STATS_AT(name);
+  };
+  count("read", &Stages::read);
+  count("open", &Stages::open);
+  count("factor", &Stages::factor);
+  count("solve", &Stages::solve);
+  count("set_curve", &Stages::set_curve);
+  count("straighten", &Stages::straighten);
+  count("trace", &Stages::trace);
+  count("measures", &Stages::measures);
+  count("smooth", &Stages::smooth);
+}
+
+}  // namespace
+}  // namespace talweg::benchmarks
+
+int main(int argc, char** argv) {
+  if (argc > 1 && std::strcmp(argv[1], "--compiler") == 0) {
+    std::puts(TALWEG_COMPILER);
+    return 0;
+  }
+  talweg::benchmarks::count_all();
+}

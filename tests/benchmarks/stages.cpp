@@ -1,0 +1,83 @@
+#include "stages.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "paper/ball.hpp"
+#include "paper/hand.hpp"
+#include "scenes/ply_writer.hpp"
+#include "talweg/core/deviation.hpp"
+#include "talweg/core/lifted_lengths.hpp"
+#include "talweg/core/measures.hpp"
+#include "talweg/core/mesh_reader.hpp"
+#include "talweg/heat/curve_sources.hpp"
+
+namespace talweg::benchmarks {
+
+Stages::Stages(std::filesystem::path mesh_file)
+    : file_(std::move(mesh_file)),
+      lists_(read_mesh(file_)),
+      opened_(OpenedMesh::open(lists_)),
+      drawn_(paper::tour(*opened_, 400, 1)),
+      smoother_(opened_) {
+  smoother_.set_curve(drawn_);
+  triangulation_.emplace(opened_->surface());
+  flip_out_.emplace(*triangulation_);
+  tracer_.emplace(*triangulation_);
+  paths_ = embed_curves(*triangulation_, smoother_.capped()).paths;
+  straighten();
+  trace();
+}
+
+void Stages::read() { lists_ = read_mesh(file_); }
+
+void Stages::open() { SurfaceMesh::open(lists_); }
+
+void Stages::factor() {
+  HeatOptions options;
+  options.threads = 1;
+  const HeatDistance heat(opened_->surface(), options);
+}
+
+void Stages::solve() {
+  distance_ =
+      opened_->heat(10)->solve(curve_sources(opened_->surface(), smoother_.capped().front()));
+}
+
+void Stages::set_curve() { smoother_.set_curve(drawn_); }
+
+void Stages::straighten() {
+  const std::span<const double> distance = smoother_.distance();
+  double largest = 0;
+  for (const double d : distance) {
+    if (std::isfinite(d)) largest = std::max(largest, d);
+  }
+  const Potential potential({}, kTau, largest);
+  triangulation_->set_metric([&](VertexId p, VertexId q, double length) {
+    return lifted_length(length, potential(distance[p.index()]), potential(distance[q.index()]));
+  });
+  straight_ = flip_out_->run(paths_, {});
+}
+
+void Stages::trace() {
+  const std::vector<EdgePath> paths{straight_.paths.front().path};
+  traced_ = std::move(tracer_->trace_and_undo(paths).curves.front());
+  triangulation_->set_metric({});
+}
+
+void Stages::measures() {
+  const SurfaceMesh& mesh = opened_->mesh();
+  measure_curve(mesh.surface(), traced_);
+  deviation(positions_of(mesh, traced_), false, positions_of(mesh, drawn_), false);
+}
+
+void Stages::smooth() { smoother_.smooth(kTau); }
+
+std::filesystem::path generated_mesh() {
+  const auto file = std::filesystem::temp_directory_path() / "talweg-benchmark-50k.ply";
+  scenes::write_bytes(file, scenes::ply_bytes(paper::bumpy_ball(50, 1)));
+  return file;
+}
+
+}  // namespace talweg::benchmarks
