@@ -29,14 +29,14 @@ enum class Method {
 
 /// What setting a curve depends on.
 struct CurveOptions {
-  Method method = Method::kPaper;
-  double heat_time = 10;    ///< of the distance's heat flow, in units of h²; [1e-3, 1e6]
-  double bump_radius = 0;   ///< mesh units; > 0 smooths the distance once more by equation 3
-  bool cap_corners = true;  ///< as the paper does; only curves that run along mesh edges
+  Method method = Method::kPaper;  ///< and with it the distance
+  double heat_time = 10;           ///< of the distance's heat flow, in units of h²; [1e-3, 1e6]
+  double bump_radius = 0;          ///< mesh units; > 0 smooths the distance once more by equation 3
+  bool cap_corners = true;         ///< as the paper does; only curves that run along mesh edges
   unsigned threads = 2;  ///< at most, for the factors of the heat distance; >= 1; changes no result
   std::vector<SurfacePoint> pins;  ///< points of the drawing that the result must pass through
 
-  void validate() const;
+  void validate() const;  ///< throws Error(kBadUsage) naming the field and its bound
 };
 
 /// What a new tau depends on.
@@ -53,13 +53,14 @@ struct SmoothingOptions {
   bool prepare_whole_mesh = false;     ///< lay out everything first; slower, same result
   Progress progress;                   ///< may cancel
 
-  void validate() const;
+  void validate() const;  ///< throws Error(kBadUsage) naming the field and its bound
 };
 
+/// What smooth() returns. Keep it as long as references into it are used.
 struct SmoothingResult {
-  std::vector<SurfaceCurve> curves;  ///< one per drawn curve, in their order
-  std::vector<SmoothingReport> reports;
-  SmoothingReport total;
+  std::vector<SurfaceCurve> curves;      ///< one per drawn curve, in their order
+  std::vector<SmoothingReport> reports;  ///< one per curve, in their order
+  SmoothingReport total;                 ///< of all curves
 
   [[nodiscard]] const SurfaceCurve& curve() const { return curves.front(); }
   [[nodiscard]] const SmoothingReport& report() const { return total; }

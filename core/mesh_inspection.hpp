@@ -49,7 +49,7 @@ enum class MeshVerdict { kUsable, kRepairable, kUnusable };
 /// non-finite corner none in the measures.
 struct MeshInspection {
   // What it is.
-  std::size_t vertices = 0;
+  std::size_t vertices = 0;  ///< also those in no face
   std::size_t faces = 0;     ///< triangles, polygons counted as their fans
   std::size_t polygons = 0;  ///< faces of the file that had more than three corners
   std::size_t edges = 0;
@@ -58,8 +58,8 @@ struct MeshInspection {
   std::size_t boundary_loops = 0;         ///< connected sets of boundary edges
   std::int64_t euler_characteristic = 0;  ///< used vertices - edges + faces
   std::optional<std::int64_t> genus;      ///< of all components together, where manifold
-  bool orientable = true;  ///< turning faces around would make the orientation consistent
-  bool single_precision = false;
+  bool orientable = true;         ///< turning faces around would make the orientation consistent
+  bool single_precision = false;  ///< the file stores 32-bit floats
 
   // Defects that keep a mesh from being opened.
   Defect<FaceIndexPlace> indices_out_of_range;  ///< counted once per face
@@ -79,15 +79,15 @@ struct MeshInspection {
   // Measures.
   std::array<double, 3> box_min{};
   std::array<double, 3> box_max{};
-  double edge_length_min = 0;
-  double edge_length_mean = 0;
-  double edge_length_max = 0;
-  double smallest_angle = 0;  ///< of the faces that are not of zero area
-  double offset = 0;          ///< distance of the box's centre from the origin
-  double size = 0;            ///< the box's diagonal
+  double edge_length_min = 0;   ///< mesh units
+  double edge_length_mean = 0;  ///< mesh units
+  double edge_length_max = 0;   ///< mesh units
+  double smallest_angle = 0;    ///< of the faces that are not of zero area
+  double offset = 0;            ///< distance of the box's centre from the origin
+  double size = 0;              ///< the box's diagonal
 
-  MeshVerdict verdict = MeshVerdict::kUnusable;
-  std::string reason;  ///< the verdict in one sentence
+  MeshVerdict verdict = MeshVerdict::kUnusable;  ///< what judge() says
+  std::string reason;                            ///< the verdict in one sentence
 };
 
 /// Looks at everything. O(faces log degree); never throws on bad lists.

@@ -16,10 +16,10 @@ using Point = Eigen::Vector3d;
 /// Vertex and face numbers here are the numbers of all results. Polygons are fan-triangulated when
 /// a file is read: the triangles of one polygon follow each other.
 struct MeshLists {
-  std::vector<Point> points;
-  std::vector<Triangle> triangles;
-  std::size_t polygon_count = 0;  ///< faces of the file that had more than three corners
-  bool single_precision = false;  ///< the file stores its coordinates as 32-bit floats
+  std::vector<Point> points;        ///< mesh units
+  std::vector<Triangle> triangles;  ///< counterclockwise, indices of points
+  std::size_t polygon_count = 0;    ///< faces of the file that had more than three corners
+  bool single_precision = false;    ///< the file stores its coordinates as 32-bit floats
 };
 
 }  // namespace talweg

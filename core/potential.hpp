@@ -5,20 +5,22 @@ namespace talweg {
 
 /// m_tau(x) = L f(a tau x / L), equations 4 to 6 of the paper. The defaults are the paper's.
 struct PotentialOptions {
+  /// The function f.
   enum class Shape {
     kPower,        ///< f(x) = x^exponent
     kExponential,  ///< f(x) = e^x - 1
   };
+  /// What L is.
   enum class Length {
     kMaximumDistance,  ///< L = max δ over the components that have a curve
     kCurveLength,      ///< L = total length of the drawn curves
     kGiven,            ///< L = given_length
   };
-  Shape shape = Shape::kPower;
-  double exponent = 2;  ///< in [1, 16]
-  double gain = 10;     ///< a; finite, > 0
-  Length length = Length::kMaximumDistance;
-  double given_length = 0;  ///< mesh units; > 0 where used
+  Shape shape = Shape::kPower;               ///< of f
+  double exponent = 2;                       ///< in [1, 16]
+  double gain = 10;                          ///< a; finite, > 0
+  Length length = Length::kMaximumDistance;  ///< which length L is
+  double given_length = 0;                   ///< mesh units; > 0 where used
 
   /// Throws Error(kBadUsage) naming the field and its bound.
   void validate() const;

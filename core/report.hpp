@@ -12,14 +12,14 @@ namespace talweg {
 /// Milliseconds. `open` depends on the mesh only, `solve` on the drawing; the rest is what a new
 /// tau repeats.
 struct StageTimes {
-  double load = 0;
-  double open = 0;
-  double solve = 0;
-  double straighten = 0;
-  double trace = 0;
-  double relax = 0;
-  double polish = 0;
-  double total = 0;
+  double load = 0;        ///< reading files; 0 where there are none
+  double open = 0;        ///< checks, connectivity, factors
+  double solve = 0;       ///< embedding and distance
+  double straighten = 0;  ///< lift and FlipOut
+  double trace = 0;       ///< back to points on the mesh
+  double relax = 0;       ///< the paper's relaxation
+  double polish = 0;      ///< the corridor's
+  double total = 0;       ///< the sum of the above
 };
 
 /// The report on one curve, or the totals of a set: there counts, lengths and total curvatures are
@@ -27,37 +27,37 @@ struct StageTimes {
 /// Lengths in mesh units, angles in radians. "Before" and "drawn" mean the curve as it was given,
 /// before corners were capped.
 struct SmoothingReport {
-  std::string version;
-  std::size_t faces = 0;
-  std::size_t vertices = 0;
-  double tau = 0;
-  double slack = 0;
-  std::string potential;
-  std::string engine;
-  bool closed = false;
-  std::size_t points_before = 0;
-  std::size_t points_after = 0;
-  double length_before = 0;
-  double length_after = 0;
-  double lifted_length_before = 0;  ///< after capping, before straightening
-  double lifted_length_after = 0;   ///< after straightening, before relaxation
-  double curvature_before = 0;
-  double curvature_after = 0;
-  double curvature_max_before = 0;
-  double curvature_max_after = 0;
-  double deviation_to_drawn_max = 0;
-  double deviation_to_drawn_mean = 0;
-  double deviation_from_drawn_max = 0;
-  double deviation_from_drawn_mean = 0;
-  Point deviation_at = Point::Zero();
-  std::size_t flips = 0;
-  std::size_t iterations = 0;
-  std::size_t faces_touched = 0;
-  std::size_t trace_fallbacks = 0;
-  std::string termination;
-  std::vector<std::string> warnings;
-  StageTimes time_ms;
-  double peak_memory_mib = 0;
+  std::string version;                   ///< of the library
+  std::size_t faces = 0;                 ///< of the mesh
+  std::size_t vertices = 0;              ///< of the mesh
+  double tau = 0;                        ///< as asked for
+  double slack = 0;                      ///< mesh units; 0 for the paper's method
+  std::string potential;                 ///< "paper", "corridor" or "custom"
+  std::string engine;                    ///< "full" or "local"
+  bool closed = false;                   ///< the first point is not repeated, and counts once
+  std::size_t points_before = 0;         ///< as drawn
+  std::size_t points_after = 0;          ///< of the result
+  double length_before = 0;              ///< mesh units
+  double length_after = 0;               ///< mesh units
+  double lifted_length_before = 0;       ///< after capping, before straightening
+  double lifted_length_after = 0;        ///< after straightening, before relaxation
+  double curvature_before = 0;           ///< radians: sum of the turning angles
+  double curvature_after = 0;            ///< radians
+  double curvature_max_before = 0;       ///< radians: the largest turn at one point
+  double curvature_max_after = 0;        ///< radians
+  double deviation_to_drawn_max = 0;     ///< mesh units: of the result to the drawing
+  double deviation_to_drawn_mean = 0;    ///< mesh units
+  double deviation_from_drawn_max = 0;   ///< mesh units: of the drawing to the result
+  double deviation_from_drawn_mean = 0;  ///< mesh units
+  Point deviation_at = Point::Zero();    ///< where the larger of both is
+  std::size_t flips = 0;                 ///< of the whole run
+  std::size_t iterations = 0;            ///< cleared wedges of the whole run
+  std::size_t faces_touched = 0;         ///< of the mesh, by the whole run
+  std::size_t trace_fallbacks = 0;       ///< crossings put at the end of their edge
+  std::string termination;               ///< "converged", "collapsed", "limit" or "cancelled"
+  std::vector<std::string> warnings;     ///< sentences for the user
+  StageTimes time_ms;                    ///< milliseconds
+  double peak_memory_mib = 0;            ///< of the process so far, MiB
 };
 
 /// Sums up the reports on the curves of one run.

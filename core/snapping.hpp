@@ -17,7 +17,7 @@ struct SnapOptions {
 
 /// A curve's points on a mesh; consecutive ones differ but need not share a face.
 struct SnappedCurve {
-  bool closed = false;
+  bool closed = false;               ///< the first point is not repeated
   std::vector<SurfacePoint> points;  ///< at least two, at least three where closed
   double largest_snap_distance = 0;  ///< of 3D positions, mesh units
   std::size_t merged = 0;            ///< points that fell together with the one before

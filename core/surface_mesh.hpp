@@ -19,10 +19,10 @@ class SurfaceMesh {
   /// duplicate face, edge with more than two faces, inconsistent orientation, bow-tie vertex.
   static SurfaceMesh open(const MeshLists& lists);
 
-  [[nodiscard]] const Surface& surface() const { return surface_; }
-  [[nodiscard]] std::span<const Point> points() const { return points_; }
+  [[nodiscard]] const Surface& surface() const { return surface_; }        ///< lengths only
+  [[nodiscard]] std::span<const Point> points() const { return points_; }  ///< one per vertex
   [[nodiscard]] const Point& point(VertexId v) const { return points_[v.index()]; }
-  [[nodiscard]] double mean_edge_length() const { return mean_edge_length_; }
+  [[nodiscard]] double mean_edge_length() const { return mean_edge_length_; }  ///< h
 
   /// The point's position in space.
   [[nodiscard]] Point position(const SurfacePoint& point) const;

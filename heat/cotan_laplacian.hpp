@@ -14,7 +14,7 @@ namespace talweg {
 /// A triangle's shape. Cotangents and area are 0 where it has no area.
 struct TriangleShape {
   std::array<double, 3> cotangent{};  ///< at corner k
-  double area = 0;
+  double area = 0;                    ///< length squared
 };
 
 /// Side k runs from corner k to corner k + 1. From the four factors of Heron's formula in Kahan's

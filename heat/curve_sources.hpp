@@ -10,7 +10,7 @@ namespace talweg {
 
 /// A vertex of a source set. Only the ratios of weights within one component matter.
 struct WeightedVertex {
-  VertexId vertex;
+  VertexId vertex;    ///< of the surface
   double weight = 1;  ///< >= 0, finite
 
   friend bool operator==(const WeightedVertex&, const WeightedVertex&) = default;

@@ -32,7 +32,7 @@ struct DistanceOptions {
 
 /// What opening a surface did.
 struct HeatReport {
-  std::size_t components = 0;
+  std::size_t components = 0;            ///< connected parts of the surface
   std::size_t flips = 0;                 ///< to the intrinsic Delaunay triangulation
   std::size_t flat_triangles = 0;        ///< without area even after mollification; left out
   std::vector<double> mean_edge_length;  ///< h of each component

@@ -12,8 +12,8 @@ namespace talweg {
 /// stores its diagonal, which therefore comes first.
 struct SymmetricMatrix {
   std::vector<std::int32_t> column_start;  ///< n + 1 numbers
-  std::vector<std::int32_t> row;
-  std::vector<double> value;
+  std::vector<std::int32_t> row;           ///< of each entry
+  std::vector<double> value;               ///< of each entry
 
   [[nodiscard]] std::size_t size() const {
     return column_start.empty() ? 0 : column_start.size() - 1;

@@ -20,7 +20,7 @@ enum class ErrorCode {
 class Error : public std::runtime_error {
  public:
   Error(ErrorCode code, const std::string& message) : std::runtime_error(message), code_(code) {}
-  [[nodiscard]] ErrorCode code() const { return code_; }
+  [[nodiscard]] ErrorCode code() const { return code_; }  ///< to act on; what() is to show
 
  private:
   ErrorCode code_;

@@ -41,8 +41,9 @@ constexpr EdgeId edge_of(HalfedgeId h) { return EdgeId{h.index() >> 1U}; }
 constexpr HalfedgeId halfedge_of(EdgeId e) { return HalfedgeId{2 * e.index()}; }
 
 }  // namespace talweg
-
+/// @cond
 template <class Kind>
 struct std::hash<talweg::Id<Kind>> {
   std::size_t operator()(talweg::Id<Kind> id) const noexcept { return id.index(); }
 };
+/// @endcond

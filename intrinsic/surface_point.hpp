@@ -25,7 +25,7 @@ struct OnEdge {
 
 /// Inside a face: barycentrics > 0, summing to 1, in the order of Surface::corners(face).
 struct InFace {
-  FaceId face;
+  FaceId face;  ///< that contains the point
   std::array<double, 3> barycentric{};
   friend bool operator==(const InFace&, const InFace&) = default;
 };
