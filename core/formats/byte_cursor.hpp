@@ -18,12 +18,14 @@ enum class NumberType : std::uint8_t {
   kUint16,
   kInt32,
   kUint32,
+  kInt64,
+  kUint64,
   kFloat32,
   kFloat64
 };
 
 constexpr std::size_t size_of(NumberType type) {
-  constexpr std::array<std::size_t, 8> kSizes{1, 1, 2, 2, 4, 4, 4, 8};
+  constexpr std::array<std::size_t, 10> kSizes{1, 1, 2, 2, 4, 4, 8, 8, 4, 8};
   return kSizes[static_cast<std::size_t>(type)];
 }
 
@@ -36,7 +38,7 @@ T load(const char* at, bool swap) {
   return std::bit_cast<T>(bytes);
 }
 
-/// A value of any type, converted. Every one of these types fits a double exactly.
+/// A value of any type, converted. Integers beyond 2^53 are rounded; no index is that large.
 inline double load_number(NumberType type, const char* at, bool swap) {
   switch (type) {
     case NumberType::kInt8:
@@ -51,6 +53,10 @@ inline double load_number(NumberType type, const char* at, bool swap) {
       return load<std::int32_t>(at, swap);
     case NumberType::kUint32:
       return load<std::uint32_t>(at, swap);
+    case NumberType::kInt64:
+      return static_cast<double>(load<std::int64_t>(at, swap));
+    case NumberType::kUint64:
+      return static_cast<double>(load<std::uint64_t>(at, swap));
     case NumberType::kFloat32:
       return static_cast<double>(load<float>(at, swap));
     case NumberType::kFloat64:
@@ -59,7 +65,7 @@ inline double load_number(NumberType type, const char* at, bool swap) {
   return 0;
 }
 
-/// A whole number; 0 for the floating types, which callers refuse before.
+/// A whole number of at most 32 bits; 0 for the other types, which callers refuse before.
 inline std::int64_t load_integer(NumberType type, const char* at, bool swap) {
   switch (type) {
     case NumberType::kInt8:

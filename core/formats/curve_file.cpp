@@ -22,6 +22,19 @@ std::string curve_extension(const std::filesystem::path& path) {
                                      : std::filesystem::path(name).extension().string();
 }
 
+using Reader = std::vector<CurveInput> (*)(const formats::Source&);
+
+Reader reader_of(const std::filesystem::path& path) {
+  const std::string extension = curve_extension(path);
+  if (extension == ".obj") return formats::read_obj;
+  if (extension == ".ply") return formats::read_ply;
+  if (extension == ".vtp") return formats::read_vtp;
+  if (extension == ".vtk") return formats::read_vtk;
+  if (extension == ".txt") return formats::read_txt;
+  if (extension == ".json" || extension == ".mrk.json") return formats::read_json;
+  cannot_read(path, "no curve format has the extension '" + extension + "'; " + kKnown);
+}
+
 /// Barycentrics that SurfacePoint::on_edge gives back bit for bit: 1 - t is taken once.
 FaceCoordinates exact_coordinates(const Surface& surface, const SurfacePoint& point, FaceId face) {
   FaceCoordinates at = coordinates_in(surface, point, face);
@@ -29,11 +42,8 @@ FaceCoordinates exact_coordinates(const Surface& surface, const SurfacePoint& po
     const HalfedgeId h = halfedge_of(edge->edge);
     const auto corners = surface.corners(face);
     for (std::size_t k = 0; k < 3; ++k) {
-      if (at.barycentric[k] == 0 && corners[k] != surface.tail(h) &&
-          corners[k] != surface.head(h)) {
-        continue;
-      }
-      at.barycentric[k] = corners[k] == surface.tail(h) ? 1 - edge->t : edge->t;
+      if (corners[k] == surface.tail(h)) at.barycentric[k] = 1 - edge->t;
+      if (corners[k] == surface.head(h)) at.barycentric[k] = edge->t;
     }
   }
   return at;
@@ -60,19 +70,14 @@ WrittenCurve placed(const SurfaceMesh& mesh, const SurfaceCurve& curve, std::siz
 }  // namespace
 
 std::vector<CurveInput> read_curves(const std::filesystem::path& path) {
-  const std::string extension = curve_extension(path);
-  const auto reader = extension == ".obj"        ? formats::read_obj
-                      : extension == ".ply"      ? formats::read_ply
-                      : extension == ".vtp"      ? formats::read_vtp
-                      : extension == ".vtk"      ? formats::read_vtk
-                      : extension == ".txt"      ? formats::read_txt
-                      : extension == ".json"     ? formats::read_json
-                      : extension == ".mrk.json" ? formats::read_json
-                                                 : nullptr;
-  if (reader == nullptr) {
-    cannot_read(path, "no curve format has the extension '" + extension + "'; " + kKnown);
-  }
+  const Reader reader = reader_of(path);
   const std::string bytes = read_file(path);
+  return reader({path, bytes});
+}
+
+std::vector<CurveInput> read_curves(const std::filesystem::path& path, std::string_view bytes) {
+  const Reader reader = reader_of(path);
+  if (bytes.empty()) cannot_read(path, "the file is empty");
   return reader({path, bytes});
 }
 

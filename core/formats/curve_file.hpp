@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <span>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -41,6 +42,9 @@ struct CurveInput {
 /// binary data) and what was expected. Every index is in range of the file's own points and every
 /// coordinate finite in what is returned; at least one curve is.
 std::vector<CurveInput> read_curves(const std::filesystem::path& path);
+
+/// The same from a file's bytes in memory; the path gives the extension and the name in errors.
+std::vector<CurveInput> read_curves(const std::filesystem::path& path, std::string_view bytes);
 
 /// Writes curves by extension, in the formats of read_curves. Coordinates and barycentrics have 17
 /// digits (doubles in binary); nothing else goes in, so equal curves are equal files.

@@ -1,59 +1,34 @@
 // PLY: vertices and edges, ascii and binary.
 #include <algorithm>
+#include <bit>
 #include <limits>
-#include <optional>
 
 #include <fmt/format.h>
 
 #include "talweg/core/formats/curve_formats.hpp"
 #include "talweg/core/formats/file_bytes.hpp"
+#include "talweg/core/formats/ply_header.hpp"
 #include "talweg/core/formats/polylines.hpp"
-#include "talweg/core/formats/scalar.hpp"
 #include "talweg/core/formats/text_scanner.hpp"
 
 namespace talweg::formats {
 namespace {
 
-struct Property {
-  std::string_view name;
-  Scalar type = Scalar::kFloat32;
-  std::optional<Scalar> list_count;  ///< the type of a list's count
-};
-
-struct Element {
-  std::string_view name;
-  std::uint64_t count = 0;
-  std::vector<Property> properties;
-};
-
-std::optional<Scalar> scalar_named(std::string_view name) {
-  struct Name {
-    std::string_view old_name, new_name;
-    Scalar type;
-  };
-  static constexpr Name kNames[] = {
-      {"char", "int8", Scalar::kInt8},        {"uchar", "uint8", Scalar::kUInt8},
-      {"short", "int16", Scalar::kInt16},     {"ushort", "uint16", Scalar::kUInt16},
-      {"int", "int32", Scalar::kInt32},       {"uint", "uint32", Scalar::kUInt32},
-      {"float", "float32", Scalar::kFloat32}, {"double", "float64", Scalar::kFloat64}};
-  for (const Name& known : kNames) {
-    if (name == known.old_name || name == known.new_name) return known.type;
-  }
-  return std::nullopt;
-}
-
 class PlyReader {
  public:
-  explicit PlyReader(const Source& source) : source_(source), scanner_(source.path, source.bytes) {}
+  explicit PlyReader(const Source& source)
+      : source_(source),
+        header_(read_ply_header({source.path, source.bytes})),
+        scanner_(source.path, source.bytes, header_.body, header_.lines + 1),
+        ascii_(header_.encoding == PlyEncoding::kText),
+        swap_((header_.encoding == PlyEncoding::kBigEndian) !=
+              (std::endian::native == std::endian::big)) {}
 
   std::vector<CurveInput> read() {
-    read_header();
-    if (!has("vertex")) cannot_read(source_.path, "its header has no element 'vertex'");
-    if (!has("edge")) {
-      cannot_read(source_.path, "its header has no element 'edge', so it holds no curves");
-    }
+    need_one("vertex");
+    need_one("edge");
     std::size_t to_come = 2;
-    for (const Element& element : elements_) {
+    for (const PlyElement& element : header_.elements) {
       check_size(element);
       if (element.name == "vertex") {
         read_rows(element, {"x", "y", "z"}, [this](const Row& row) { add_vertex(row); });
@@ -73,71 +48,20 @@ class PlyReader {
  private:
   using Row = std::array<double, 3>;
 
-  bool has(std::string_view name) const {
-    return std::any_of(elements_.begin(), elements_.end(),
-                       [name](const Element& element) { return element.name == name; });
-  }
-
-  void read_header() {
-    if (scanner_.word_on_line() != "ply") scanner_.fail("expected 'ply'");
-    for (bool more = scanner_.next_line(); more; more = scanner_.next_line()) {
-      const std::string_view keyword = scanner_.word_on_line();
-      if (keyword == "end_header") {
-        scanner_.next_line();
-        if (!has_format_) scanner_.fail("the header has no line 'format'");
-        return;
-      }
-      if (keyword == "format") read_format();
-      if (keyword == "element") read_element();
-      if (keyword == "property") read_property();
-    }
-    scanner_.fail("expected 'end_header', found the end of the file");
-  }
-
-  void read_format() {
-    const std::string_view format = scanner_.word_on_line();
-    ascii_ = format == "ascii";
-    big_endian_ = format == "binary_big_endian";
-    if (!ascii_ && !big_endian_ && format != "binary_little_endian") {
-      scanner_.fail("ascii, binary_little_endian or binary_big_endian", format);
-    }
-    has_format_ = true;
-  }
-
-  void read_element() {
-    Element element;
-    element.name = scanner_.word_on_line();
-    if (has(element.name)) scanner_.fail("the element '" + shown(element.name) + "' comes twice");
-    element.count = scanner_.count(scanner_.word_on_line(), "a number of elements below 2^32",
-                                   std::numeric_limits<std::uint32_t>::max());
-    elements_.push_back(element);
-  }
-
-  Scalar read_type(std::string_view name) {
-    const std::optional<Scalar> type = scalar_named(name);
-    if (!type) scanner_.fail("a PLY scalar type", name);
-    return *type;
-  }
-
-  void read_property() {
-    if (elements_.empty()) scanner_.fail("a property comes before the first element");
-    Property property;
-    std::string_view type = scanner_.word_on_line();
-    if (type == "list") {
-      property.list_count = read_type(scanner_.word_on_line());
-      type = scanner_.word_on_line();
-    }
-    property.type = read_type(type);
-    property.name = scanner_.word_on_line();
-    if (property.name.empty()) scanner_.fail("the name of a property", {});
-    elements_.back().properties.push_back(property);
+  void need_one(std::string_view name) const {
+    const auto count =
+        std::count_if(header_.elements.begin(), header_.elements.end(),
+                      [name](const PlyElement& element) { return element.name == name; });
+    if (count == 1) return;
+    cannot_read(source_.path, fmt::format("its header has {} element '{}'",
+                                          count == 0 ? "no" : "more than one", name));
   }
 
   /// The header's counts are only believed as far as there are bytes.
-  void check_size(const Element& element) {
+  void check_size(const PlyElement& element) {
     std::size_t smallest = 0;
-    for (const Property& property : element.properties) {
-      smallest += ascii_ ? 1 : size_of(property.list_count.value_or(property.type));
+    for (const PlyProperty& property : element.properties) {
+      smallest += ascii_ ? 1 : size_of(property.is_list ? property.count_type : property.type);
     }
     if (smallest > 0 && element.count > (scanner_.remaining() + 1) / smallest) {
       fail(fmt::format("the header says {} elements '{}', the file ends before", element.count,
@@ -146,12 +70,12 @@ class PlyReader {
   }
 
   template <class Take>
-  void read_rows(const Element& element, std::vector<std::string_view> wanted, Take take) {
+  void read_rows(const PlyElement& element, std::vector<std::string_view> wanted, Take take) {
     std::vector<std::size_t> column(element.properties.size(), wanted.size());
     for (std::size_t w = 0; w < wanted.size(); ++w) {
       const auto at =
           std::find_if(element.properties.begin(), element.properties.end(),
-                       [&](const Property& p) { return p.name == wanted[w] && !p.list_count; });
+                       [&](const PlyProperty& p) { return p.name == wanted[w] && !p.is_list; });
       if (at == element.properties.end()) {
         cannot_read(source_.path, fmt::format("its element '{}' has no scalar property '{}'",
                                               element.name, wanted[w]));
@@ -162,8 +86,8 @@ class PlyReader {
     for (row_ = 0; row_ < element.count; ++row_) {
       Row row{};
       for (std::size_t k = 0; k < column.size(); ++k) {
-        const Property& property = element.properties[k];
-        if (property.list_count) {
+        const PlyProperty& property = element.properties[k];
+        if (property.is_list) {
           skip_list(property);
         } else {
           const double value = read_value(property.type);
@@ -174,7 +98,7 @@ class PlyReader {
     }
   }
 
-  double read_value(Scalar type) {
+  double read_value(NumberType type) {
     if (ascii_) {
       const std::string_view word = scanner_.word();
       // A value that nobody wants may be nan.
@@ -184,11 +108,11 @@ class PlyReader {
       return scanner_.number(word, "a number");
     }
     if (scanner_.remaining() < size_of(type)) fail("the data ends too early");
-    return load_number(type, scanner_.bytes(size_of(type)).data(), big_endian_);
+    return load_number(type, scanner_.bytes(size_of(type)).data(), swap_);
   }
 
-  void skip_list(const Property& property) {
-    const double count = read_value(*property.list_count);
+  void skip_list(const PlyProperty& property) {
+    const double count = read_value(property.count_type);
     const std::size_t size = ascii_ ? 1 : size_of(property.type);
     if (!(count >= 0 && count <= static_cast<double>(scanner_.remaining() / size))) {
       fail("a list is longer than the file");
@@ -202,8 +126,8 @@ class PlyReader {
 
   void add_vertex(const Row& row) {
     for (const double x : row) {
-      if (!std::isfinite(x))
-        fail(fmt::format("vertex {} has a coordinate that is not finite", row_));
+      if (std::isfinite(x)) continue;
+      fail(fmt::format("vertex {} has a coordinate that is not finite", row_));
     }
     points_.emplace_back(row[0], row[1], row[2]);
   }
@@ -236,12 +160,11 @@ class PlyReader {
   }
 
   const Source& source_;
+  PlyHeader header_;
   TextScanner scanner_;
-  bool has_format_ = false;
-  bool ascii_ = true;
-  bool big_endian_ = false;
-  std::uint64_t row_ = 0;
-  std::vector<Element> elements_;
+  bool ascii_;
+  bool swap_;
+  std::size_t row_ = 0;
   std::vector<Point> points_;
   std::vector<Row> edges_;
 };

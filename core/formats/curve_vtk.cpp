@@ -1,33 +1,36 @@
 // VTK legacy polydata: LINES, ascii and binary, versions 1 to 5.
+#include <bit>
 #include <limits>
 #include <optional>
 
 #include <fmt/format.h>
 
+#include "talweg/core/formats/byte_cursor.hpp"
 #include "talweg/core/formats/curve_formats.hpp"
 #include "talweg/core/formats/file_bytes.hpp"
 #include "talweg/core/formats/polylines.hpp"
-#include "talweg/core/formats/scalar.hpp"
 #include "talweg/core/formats/text_scanner.hpp"
 
 namespace talweg::formats {
 namespace {
 
+/// Legacy files are big-endian.
+constexpr bool kSwap = std::endian::native == std::endian::little;
 constexpr std::uint64_t kMostItems = std::numeric_limits<std::uint32_t>::max();
 
-std::optional<Scalar> scalar_named(std::string_view name) {
+std::optional<NumberType> scalar_named(std::string_view name) {
   struct Name {
     std::string_view name;
-    Scalar type;
+    NumberType type;
   };
   static constexpr Name kNames[] = {
-      {"char", Scalar::kInt8},          {"unsigned_char", Scalar::kUInt8},
-      {"short", Scalar::kInt16},        {"unsigned_short", Scalar::kUInt16},
-      {"int", Scalar::kInt32},          {"unsigned_int", Scalar::kUInt32},
-      {"long", Scalar::kInt64},         {"unsigned_long", Scalar::kUInt64},
-      {"vtktypeint64", Scalar::kInt64}, {"vtktypeuint64", Scalar::kUInt64},
-      {"vtkIdType", Scalar::kInt32},    {"float", Scalar::kFloat32},
-      {"double", Scalar::kFloat64}};
+      {"char", NumberType::kInt8},          {"unsigned_char", NumberType::kUint8},
+      {"short", NumberType::kInt16},        {"unsigned_short", NumberType::kUint16},
+      {"int", NumberType::kInt32},          {"unsigned_int", NumberType::kUint32},
+      {"long", NumberType::kInt64},         {"unsigned_long", NumberType::kUint64},
+      {"vtktypeint64", NumberType::kInt64}, {"vtktypeuint64", NumberType::kUint64},
+      {"vtkIdType", NumberType::kInt32},    {"float", NumberType::kFloat32},
+      {"double", NumberType::kFloat64}};
   for (const Name& known : kNames) {
     if (name == known.name) return known.type;
   }
@@ -89,15 +92,15 @@ class VtkReader {
     return scanner_.count(scanner_.word_on_line(), "a number of items below 2^32", kMostItems);
   }
 
-  Scalar read_type() {
+  NumberType read_type() {
     const std::string_view name = scanner_.word_on_line();
-    const std::optional<Scalar> type = scalar_named(name);
+    const std::optional<NumberType> type = scalar_named(name);
     if (!type) scanner_.fail("a VTK data type", name);
     return *type;
   }
 
   /// So many numbers, from the next line on.
-  std::vector<double> read_numbers(std::uint64_t n, Scalar type) {
+  std::vector<double> read_numbers(std::uint64_t n, NumberType type) {
     scanner_.next_line();
     const std::size_t size = ascii_ ? 1 : size_of(type);
     if (n > (scanner_.remaining() + 1) / size) {
@@ -110,14 +113,14 @@ class VtkReader {
     }
     if (n > scanner_.remaining() / size) fail("the data ends too early");
     const char* bytes = scanner_.bytes(n * size).data();
-    for (std::size_t k = 0; k < n; ++k) numbers[k] = load_number(type, bytes + k * size, true);
+    for (std::size_t k = 0; k < n; ++k) numbers[k] = load_number(type, bytes + k * size, kSwap);
     return numbers;
   }
 
   void read_points() {
     if (!points_.empty()) scanner_.fail("POINTS comes twice");
     const std::uint64_t n = read_count();
-    const Scalar type = read_type();
+    const NumberType type = read_type();
     const std::vector<double> x = read_numbers(3 * n, type);
     for (std::size_t k = 0; k < x.size(); ++k) {
       if (!std::isfinite(x[k]))
@@ -137,7 +140,7 @@ class VtkReader {
       }
       return;
     }
-    const std::vector<double> list = read_numbers(size, Scalar::kInt32);
+    const std::vector<double> list = read_numbers(size, NumberType::kInt32);
     std::size_t at = 0;
     for (std::uint64_t k = 0; are_lines && k < n; ++k) {
       if (at >= list.size()) fail(fmt::format("line {} is missing", k));
@@ -150,7 +153,7 @@ class VtkReader {
   std::vector<double> read_part(std::string_view name, std::uint64_t n) {
     const std::string_view word = scanner_.word();
     if (word != name) scanner_.fail(std::string(name), word);
-    const Scalar type = read_type();
+    const NumberType type = read_type();
     return read_numbers(n, type);
   }
 
@@ -176,7 +179,7 @@ class VtkReader {
       if (scanner_.word().empty()) scanner_.fail("the name of a field", {});
       const std::uint64_t components = read_count();
       const std::uint64_t tuples = read_count();
-      const Scalar type = read_type();
+      const NumberType type = read_type();
       read_numbers(components * tuples, type);
     }
   }

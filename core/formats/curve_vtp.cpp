@@ -1,4 +1,5 @@
 // VTK XML polydata: its lines.
+#include <bit>
 #include <charconv>
 #include <optional>
 #include <stdexcept>
@@ -15,11 +16,11 @@
 namespace talweg::formats {
 namespace {
 
-std::optional<Scalar> scalar_named(std::string_view name) {
+std::optional<NumberType> scalar_named(std::string_view name) {
   static constexpr std::string_view kNames[] = {"Int8",   "UInt8", "Int16",  "UInt16",  "Int32",
                                                 "UInt32", "Int64", "UInt64", "Float32", "Float64"};
   for (std::size_t k = 0; k < std::size(kNames); ++k) {
-    if (name == kNames[k]) return static_cast<Scalar>(k);
+    if (name == kNames[k]) return static_cast<NumberType>(k);
   }
   return std::nullopt;
 }
@@ -82,7 +83,7 @@ class VtpReader {
       fail(root, "only vtkZLibDataCompressor is read, not '" + shown(compressor) +
                      "': save the file with zlib or no compression");
     }
-    encoding_.big_endian = order == "BigEndian";
+    encoding_.swap = (order == "BigEndian") != (std::endian::native == std::endian::big);
     encoding_.wide_header = header == "UInt64";
     encoding_.compressed = !compressor.empty();
   }
@@ -154,7 +155,7 @@ class VtpReader {
     }
     try {
       const bool base64 = format == "binary" || encoding_.appended_base64;
-      return numbers_of(decoded_block(encoding_, stored, base64), *type, encoding_.big_endian);
+      return numbers_of(decoded_block(encoding_, stored, base64), *type, encoding_.swap);
     } catch (const std::runtime_error& error) {
       fail(array, error.what());
     }

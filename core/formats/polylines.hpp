@@ -1,8 +1,10 @@
 // Lines between numbered points, joined into curves.
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -12,6 +14,14 @@ namespace talweg::formats {
 
 /// Indices into a list of points.
 using Line = std::vector<std::uint32_t>;
+
+/// The value as an index below `count`; nothing where it is none.
+inline std::optional<std::uint32_t> index_below(double value, std::size_t count) {
+  constexpr double kLimit = 4294967295.0;  // the largest 32-bit number marks an invalid index
+  if (!(value >= 0 && value < kLimit && value < static_cast<double>(count))) return std::nullopt;
+  if (value != std::floor(value)) return std::nullopt;
+  return static_cast<std::uint32_t>(value);
+}
 
 /// Joins lines that meet end to end where exactly two line ends meet; junctions stay ends. A curve
 /// has the direction of its first line and comes in that line's place. Of two-point lines that

@@ -34,9 +34,10 @@ std::size_t line_of(std::string_view text, std::size_t position) {
   return 1 + static_cast<std::size_t>(std::count(before.begin(), before.end(), '\n'));
 }
 
-TextScanner::TextScanner(const std::filesystem::path& path, std::string_view text)
-    : path_(path), text_(text) {
-  if (text_.substr(0, 3) == "\xEF\xBB\xBF") position_ = 3;
+TextScanner::TextScanner(const std::filesystem::path& path, std::string_view text,
+                         std::size_t position, std::size_t line)
+    : path_(path), text_(text), position_(position), line_(line) {
+  if (position_ == 0 && text_.substr(0, 3) == "\xEF\xBB\xBF") position_ = 3;
 }
 
 std::string_view TextScanner::word() {
@@ -51,6 +52,7 @@ std::string_view TextScanner::word() {
 std::string_view TextScanner::word_on_line() {
   for (;;) {
     while (position_ < text_.size() && is_blank(text_[position_])) ++position_;
+    if (position_ == text_.size() || text_[position_] != '\\') break;
     const std::string_view rest = rest_of_line();
     if (rest != "\\" && rest != "\\\r") break;
     if (!next_line()) break;

@@ -19,7 +19,9 @@ std::size_t line_of(std::string_view text, std::size_t position);
 /// Error(kBadFile) and name the file, the line of the last word, what was expected and found.
 class TextScanner {
  public:
-  TextScanner(const std::filesystem::path& path, std::string_view text);
+  /// Begins at a byte that is on the given line; a byte order mark at the start is skipped.
+  TextScanner(const std::filesystem::path& path, std::string_view text, std::size_t position = 0,
+              std::size_t line = 1);
 
   /// The next word on any line; empty at the end of the file.
   std::string_view word();
@@ -49,8 +51,8 @@ class TextScanner {
  private:
   const std::filesystem::path& path_;
   std::string_view text_;
-  std::size_t position_ = 0;
-  std::size_t line_ = 1;
+  std::size_t position_;
+  std::size_t line_;
 };
 
 }  // namespace talweg::formats

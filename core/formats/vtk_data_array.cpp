@@ -74,8 +74,8 @@ class ByteStream {
 };
 
 std::uint64_t size_word(ByteStream& stream, const VtkEncoding& encoding) {
-  if (encoding.wide_header) return load<std::uint64_t>(stream.take(8).data(), encoding.big_endian);
-  return load<std::uint32_t>(stream.take(4).data(), encoding.big_endian);
+  if (encoding.wide_header) return load<std::uint64_t>(stream.take(8).data(), encoding.swap);
+  return load<std::uint32_t>(stream.take(4).data(), encoding.swap);
 }
 
 std::string inflated(const std::string& packed, std::uint64_t size) {
@@ -110,14 +110,14 @@ std::string decoded_block(const VtkEncoding& encoding, std::string_view stored, 
   return result;
 }
 
-std::vector<double> numbers_of(std::string_view bytes, Scalar type, bool big_endian) {
+std::vector<double> numbers_of(std::string_view bytes, NumberType type, bool swap) {
   const std::size_t size = size_of(type);
   if (bytes.size() % size != 0) {
     throw std::runtime_error(std::to_string(bytes.size()) + " bytes are no whole number of values");
   }
   std::vector<double> numbers(bytes.size() / size);
   for (std::size_t k = 0; k < numbers.size(); ++k) {
-    numbers[k] = load_number(type, bytes.data() + k * size, big_endian);
+    numbers[k] = load_number(type, bytes.data() + k * size, swap);
   }
   return numbers;
 }

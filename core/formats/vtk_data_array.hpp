@@ -7,13 +7,13 @@
 #include <string_view>
 #include <vector>
 
-#include "talweg/core/formats/scalar.hpp"
+#include "talweg/core/formats/byte_cursor.hpp"
 
 namespace talweg::formats {
 
 /// How a file stores its arrays; the same for all of them.
 struct VtkEncoding {
-  bool big_endian = false;
+  bool swap = false;             ///< bytes come in the other order than this machine's
   bool wide_header = false;      ///< sizes are 64 bits
   bool compressed = false;       ///< by zlib, in blocks
   bool appended_base64 = false;  ///< else the appended data is raw
@@ -25,6 +25,6 @@ struct VtkEncoding {
 std::string decoded_block(const VtkEncoding& encoding, std::string_view stored, bool base64);
 
 /// Numbers of one type from bytes. Throws std::runtime_error when the bytes do not divide.
-std::vector<double> numbers_of(std::string_view bytes, Scalar type, bool big_endian);
+std::vector<double> numbers_of(std::string_view bytes, NumberType type, bool swap);
 
 }  // namespace talweg::formats

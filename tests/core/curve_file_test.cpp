@@ -51,7 +51,8 @@ TEST_P(PositionFormats, EqualCurvesAreEqualFiles) {
 
 TEST_P(PositionFormats, RefuseEmptyAndMissingFiles) {
   expect_refused(GetParam(), "", {"the file is empty"});
-  fs::remove(path(GetParam()));
+  EXPECT_THROW(read_curves(path(GetParam())), Error);
+  put(GetParam(), "");
   EXPECT_THROW(read_curves(path(GetParam())), Error);
 }
 

@@ -44,14 +44,14 @@ class CurveFiles : public ::testing::Test {
   }
 
   std::vector<CurveInput> read(const std::string& name, std::string_view bytes) const {
-    return read_curves(put(name, bytes));
+    return read_curves(path(name), bytes);
   }
 
   /// The sentence of the one error that a malformed file must give.
   std::string refusal(const std::string& name, std::string_view bytes) const {
-    const std::filesystem::path file = put(name, bytes);
+    const std::filesystem::path file = path(name);
     try {
-      read_curves(file);
+      read_curves(file, bytes);
     } catch (const Error& error) {
       EXPECT_EQ(error.code(), ErrorCode::kBadFile);
       const std::string message = error.what();
