@@ -129,9 +129,9 @@ FaceCoordinates coordinates_in(const Surface& surface, const SurfacePoint& point
     const auto side = sides(surface, face);
     for (std::size_t k = 0; k < 3; ++k) {
       if (edge_of(side[k]) != e->edge) continue;
-      const double t = side[k] == halfedge_of(e->edge) ? e->t : 1 - e->t;
-      result.barycentric[k] = 1 - t;
-      result.barycentric[(k + 1) % 3] = t;
+      const bool along = side[k] == halfedge_of(e->edge);
+      result.barycentric[k] = along ? 1 - e->t : e->t;
+      result.barycentric[(k + 1) % 3] = along ? e->t : 1 - e->t;
       return result;
     }
   } else if (const auto& inside = std::get<InFace>(point.where()); inside.face == face) {
