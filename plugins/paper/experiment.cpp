@@ -1,6 +1,7 @@
 #include "paper/experiment.hpp"
 
 #include <algorithm>
+#include <ctime>
 #include <utility>
 
 #include "talweg/core/stopwatch.hpp"
@@ -27,20 +28,23 @@ Experiment::Experiment(MeshLists lists)
       smoother_(mesh_) {}
 
 Timed Experiment::smooth(double tau, int relax_rounds, std::size_t repeats) {
+  CurveOptions curve_options;
+  curve_options.method = Method::kPaper;
   SmoothingOptions options;
   options.tau = tau;
   options.relax_rounds = relax_rounds;
   Timed timed;
-  std::vector<double> solve, straighten;
+  std::vector<double> solve, straighten, processor;
   for (std::size_t k = 0; k < repeats; ++k) {
-    smoother_.set_curve(drawn_);
+    const std::clock_t start = std::clock();
+    smoother_.set_curve(drawn_, curve_options);
     timed.result = smoother_.smooth(options);
+    processor.push_back(1000.0 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
     const StageTimes& times = timed.result.report().time_ms;
     solve.push_back(times.solve);
     straighten.push_back(times.straighten + times.trace);
   }
-  timed.best_ms = *std::min_element(solve.begin(), solve.end()) +
-                  *std::min_element(straighten.begin(), straighten.end());
+  timed.processor_ms = median(std::move(processor));
   timed.solve_ms = median(std::move(solve));
   timed.straighten_ms = median(std::move(straighten));
   return timed;

@@ -16,7 +16,7 @@ struct Timed {
   SmoothingResult result;
   double solve_ms = 0;       ///< the paper's t_φ: the distance to the curve
   double straighten_ms = 0;  ///< the paper's t_λ: straightening and tracing
-  double best_ms = 0;  ///< both, the fastest of the runs: on a busy machine closer to the truth
+  double processor_ms = 0;   ///< of all of it, also the measures; other programs do not matter
 };
 
 /// A mesh with a drawing on it. All smoothing uses the paper's potential.

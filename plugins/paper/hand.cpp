@@ -12,44 +12,24 @@
 namespace talweg::paper {
 namespace {
 
-std::vector<double> distance_from(const OpenedMesh& mesh, VertexId v) {
-  const std::vector<WeightedVertex> source{{v, 1.0}};
-  return mesh.heat(10)->solve(source);
-}
-
-// Where the value is largest, of those that are finite.
-VertexId largest_of(const std::vector<double>& values) {
-  std::size_t best = 0;
-  for (std::size_t v = 0; v < values.size(); ++v) {
-    if (!std::isfinite(values[v])) continue;
-    if (!std::isfinite(values[best]) || values[v] > values[best]) best = v;
-  }
-  return VertexId{best};
-}
-
-// The stations of the tour: each as far as possible from those before, but none near the tip of a
-// limb, where the way out and the way back would run side by side.
-std::vector<VertexId> stations(const OpenedMesh& mesh, std::size_t count) {
-  const VertexId tip = largest_of(distance_from(mesh, VertexId{0}));
-  const std::vector<double> from_tip = distance_from(mesh, tip);
-  const VertexId other = largest_of(from_tip);
-  const std::vector<double> from_other = distance_from(mesh, other);
-  std::vector<double> distance(from_tip.size());
-  for (std::size_t v = 0; v < distance.size(); ++v) {
-    const bool near_a_tip = std::max(from_tip[v], from_other[v]) > 0.7 * from_tip[other.index()];
-    distance[v] = near_a_tip ? -HUGE_VAL : from_tip[v];
-  }
-  std::vector<VertexId> result;
-  while (result.size() < count) {
-    result.push_back(largest_of(distance));
-    const std::vector<double> from = distance_from(mesh, result.back());
+// The ends of the tour: each as far as possible from those before.
+std::vector<VertexId> far_ends(const OpenedMesh& mesh, std::size_t count) {
+  const HeatDistance& heat = *mesh.heat(10);
+  std::vector<VertexId> ends{VertexId{0}};
+  std::vector<double> distance(mesh.surface().vertex_count(), HUGE_VAL);
+  for (std::size_t k = 0; k <= count; ++k) {
+    const std::vector<WeightedVertex> source{{ends.back(), 1.0}};
+    const std::vector<double> from = heat.solve(source);
+    std::size_t farthest = 0;
     for (std::size_t v = 0; v < distance.size(); ++v) {
-      distance[v] = result.size() == 1 && std::isfinite(distance[v])
-                        ? from[v]
-                        : std::min(distance[v], from[v]);
+      distance[v] = k == 1 ? from[v] : std::min(distance[v], from[v]);  // vertex 0 is no end itself
+      if (!std::isfinite(distance[v])) continue;
+      if (!std::isfinite(distance[farthest]) || distance[v] > distance[farthest]) farthest = v;
     }
+    if (k == 0) ends.clear();
+    ends.push_back(VertexId{farthest});
   }
-  return result;
+  return ends;
 }
 
 VertexId strayed(const Surface& surface, VertexId v, int steps, scenes::Random& random) {
@@ -84,7 +64,7 @@ SurfaceCurve tour(const OpenedMesh& mesh, std::size_t vertices, std::uint64_t se
   constexpr int kSteps = 3;
   const Surface& surface = mesh.surface();
   EdgeDijkstra dijkstra(surface);
-  const std::vector<VertexId> ends = stations(mesh, 8);
+  const std::vector<VertexId> ends = far_ends(mesh, 8);
   scenes::Random random(seed);
   std::vector<VertexId> through;
   std::size_t along = 0;

@@ -14,6 +14,15 @@
 #include "talweg/heat/curve_sources.hpp"
 
 namespace talweg::benchmarks {
+namespace {
+
+CurveOptions paper_method() {
+  CurveOptions options;
+  options.method = Method::kPaper;
+  return options;
+}
+
+}  // namespace
 
 Stages::Stages(std::filesystem::path mesh_file)
     : file_(std::move(mesh_file)),
@@ -21,7 +30,7 @@ Stages::Stages(std::filesystem::path mesh_file)
       opened_(OpenedMesh::open(lists_)),
       drawn_(paper::tour(*opened_, 400, 1)),
       smoother_(opened_) {
-  smoother_.set_curve(drawn_);
+  smoother_.set_curve(drawn_, paper_method());
   triangulation_.emplace(opened_->surface());
   flip_out_.emplace(*triangulation_);
   tracer_.emplace(*triangulation_);
@@ -45,7 +54,7 @@ void Stages::solve() {
       opened_->heat(10)->solve(curve_sources(opened_->surface(), smoother_.capped().front()));
 }
 
-void Stages::set_curve() { smoother_.set_curve(drawn_); }
+void Stages::set_curve() { smoother_.set_curve(drawn_, paper_method()); }
 
 void Stages::straighten() {
   const std::span<const double> distance = smoother_.distance();
