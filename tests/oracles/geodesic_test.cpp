@@ -1,0 +1,138 @@
+// tau = 0 against CGAL's exact shortest paths.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include "core/generated_meshes.hpp"
+#include "core/reference_data.hpp"
+#include "core/small_meshes.hpp"
+#include "exact_distance.hpp"
+#include "talweg/core/curve_smoother.hpp"
+#include "talweg/core/drawing.hpp"
+#include "talweg/core/measures.hpp"
+#include "talweg/core/mesh_reader.hpp"
+
+namespace talweg {
+namespace {
+
+using test::ExactGeodesics;
+
+/// The edge path along one side of the strip of triangles that a shortest path runs through; from
+/// its first vertex to its last.
+std::vector<VertexId> beside(const std::vector<ExactGeodesics::Passage>& passages, bool left) {
+  std::vector<VertexId> path;
+  for (const ExactGeodesics::Passage& p : passages) {
+    const VertexId v = left ? p.left : p.right;
+    if (path.empty() || path.back() != v) path.push_back(v);
+  }
+  return path;
+}
+
+/// A bent curve inside the strip: a quarter of the way from the shortest path towards the middles
+/// of the edges that it crosses. No vertex lies between the two.
+SurfaceCurve inside_strip(const Surface& surface,
+                          const std::vector<ExactGeodesics::Passage>& passages) {
+  SurfaceCurve curve;
+  for (const auto& [left, right, from_left] : passages) {
+    curve.points.push_back(left == right
+                               ? SurfacePoint::at_vertex(surface, left)
+                               : test::between(surface, static_cast<std::uint32_t>(left.index()),
+                                               static_cast<std::uint32_t>(right.index()),
+                                               0.75 * from_left + 0.25 * 0.5));
+  }
+  return curve;
+}
+
+MeshLists mesh_named(const std::string& name) {
+  if (name == "torus") return test::torus(24, 40);
+  if (name == "box") return test::box();
+  if (name == "tube") return test::tube(24, 20, 5);
+  if (name == "sheet") {
+    MeshLists lists = test::grid(24, 24);
+    for (Point& p : lists.points) p.z() = 2 * std::sin(0.5 * p.x()) * std::cos(0.4 * p.y());
+    return lists;
+  }
+  const auto file = test::mesh_folder() / (name + ".ply");
+  return std::filesystem::exists(file) ? test::read_reference_mesh(file) : MeshLists{};
+}
+
+class Geodesic : public ::testing::TestWithParam<const char*> {
+ protected:
+  void SetUp() override {
+    lists_ = mesh_named(GetParam());
+    if (lists_.points.empty()) {
+      GTEST_SKIP() << "no " << GetParam() << " in " << test::mesh_folder()
+                   << " (set TALWEG_MESHES)";
+    }
+    opened_ = OpenedMesh::open(lists_);
+  }
+
+  double straightened(CurveSmoother& smoother, const std::vector<VertexId>& path) {
+    return straightened(smoother, test::vertex_curve(opened_->surface(), path, false));
+  }
+  double straightened(CurveSmoother& smoother, const SurfaceCurve& curve) {
+    smoother.set_curve(curve, {.cap_corners = false});
+    return smoother.smooth(0.0).report().length_after;
+  }
+
+  MeshLists lists_;
+  std::shared_ptr<const OpenedMesh> opened_;
+};
+
+TEST_P(Geodesic, NeverShorterThanTheShortestAndEqualFromInsideItsStrip) {
+  const Surface& surface = opened_->surface();
+  ExactGeodesics exact(lists_);
+  CurveSmoother smoother(opened_);
+  EdgeDijkstra dijkstra(surface);
+  std::mt19937 random(17);
+  const std::size_t n = surface.vertex_count();
+  int pairs = 0;
+  int bends = 0;
+  int equal_from_dijkstra = 0;
+  int sides = 0;
+  int equal_from_strip = 0;
+  for (int source = 0; source < 4; ++source) {
+    const VertexId s{random() % n};
+    exact.clear_sources();
+    exact.add_source(s);
+    for (int target = 0; target < 8; ++target) {
+      const VertexId t{random() % n};
+      if (t == s) continue;
+      const double shortest = exact.distance(t);
+      ++pairs;
+      const double drawn = straightened(smoother, dijkstra.draw(std::vector{t, s}, false));
+      EXPECT_GE(drawn, shortest * (1 - 1e-8)) << s.index() << " to " << t.index();
+      equal_from_dijkstra += drawn <= shortest * (1 + 1e-8) ? 1 : 0;
+      const auto passages = exact.path_from(t);
+      const SurfaceCurve bent = inside_strip(surface, passages);
+      bends += curve_length(surface, bent) > shortest * (1 + 1e-6) ? 1 : 0;
+      const double inside = straightened(smoother, bent);
+      EXPECT_NEAR(inside, shortest, 1e-8 * shortest) << s.index() << " to " << t.index();
+      // From a side of the strip a path may leave it, over a vertex where both its angles are less
+      // than pi; mostly it does not.
+      for (const bool left : {true, false}) {
+        const auto path = beside(passages, left);
+        ASSERT_EQ(path.front(), t);
+        ASSERT_EQ(path.back(), s);
+        const double found = straightened(smoother, path);
+        EXPECT_GE(found, shortest * (1 - 1e-8)) << s.index() << " to " << t.index();
+        ++sides;
+        equal_from_strip += found <= shortest * (1 + 1e-8) ? 1 : 0;
+      }
+    }
+  }
+  std::printf(
+      "  %d pairs: equal from the shortest edge path %d; from a side of the strip %d of %d\n",
+      pairs, equal_from_dijkstra, equal_from_strip, sides);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Geodesic,
+                         ::testing::Values("sheet", "torus", "tube", "box", "fandisk_14k",
+                                           "aneurysm_14k"),
+                         [](const auto& one) { return std::string(one.param); });
+
+}  // namespace
+}  // namespace talweg
