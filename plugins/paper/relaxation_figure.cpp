@@ -62,7 +62,7 @@ std::string relaxation_figure(const Folders& folders) {
   options.panel_width = options.panel_height = 440;
   picture::write_png(folders.out / "paper_relaxed.png", picture::render(scene, options));
   return fmt::format(
-             "## Figure 9: a coarse mesh\n\n![](pictures/paper_relaxed.png)\n\n"
+             "## Figure 9: a coarse mesh\n\n![](paper_relaxed.png)\n\n"
              "{} faces, τ = {}.\n\n",
              experiment.lists().triangles.size(), kTau) +
          text;

@@ -137,7 +137,7 @@ std::string sudden_change(const Folders& folders) {
   }
   Experiment experiment(std::move(mesh));
   experiment.set_drawing(painted(experiment.mesh(), experiment.lists(), circle(), true));
-  return "## Figure 6: a sudden change of resolution\n\n![](pictures/paper_sudden.png)\n\n" +
+  return "## Figure 6: a sudden change of resolution\n\n![](paper_sudden.png)\n\n" +
          report_on(experiment, {0.5, 0.7, 1}, {{"coarse (left)", -1, 0}, {"fine (right)", 0, 1}},
                    folders.out / "paper_sudden.png");
 }
@@ -151,7 +151,7 @@ std::string continuous_change(const Folders& folders) {
   make_bumpy(mesh, 2);
   Experiment experiment(std::move(mesh));
   experiment.set_drawing(painted(experiment.mesh(), experiment.lists(), wave(), false));
-  return "## Figure 7: ever finer\n\n![](pictures/paper_finer.png)\n\n" +
+  return "## Figure 7: ever finer\n\n![](paper_finer.png)\n\n" +
          report_on(experiment, {0.5, 1.5},
                    {{"coarsest", -9, -0.55},
                     {"coarse", -0.55, 0},

@@ -123,7 +123,7 @@ std::string table1(const Folders& folders) {
   picture::write_png(folders.out / "paper_models.png", contact_sheet(overviews, 3));
   picture::write_png(folders.out / "paper_details.png", contact_sheet(details, 3));
   return "## Table 1\n\n" + times + "\n" + measures +
-         "\n![](pictures/paper_models.png)\n\n![](pictures/paper_details.png)\n";
+         "\n![](paper_models.png)\n\n![](paper_details.png)\n";
 }
 
 }  // namespace talweg::paper

@@ -69,7 +69,7 @@ std::string tau_figure(const Folders& folders) {
   options.panel_height = 520;
   options.mesh_edges = false;
   picture::write_png(folders.out / "paper_tau.png", picture::render(scene, options));
-  return "## Figure 5: τ\n\n![](pictures/paper_tau.png)\n\n" + text;
+  return "## Figure 5: τ\n\n![](paper_tau.png)\n\n" + text;
 }
 
 }  // namespace talweg::paper
