@@ -104,6 +104,9 @@ bool CurveSmoother::set_curves(std::span<const SurfaceCurve> curves, std::vector
   const std::vector<SurfaceCurve> own(curves.begin(), curves.end());
   forget();
   const Stopwatch watch;
+  if (options.method != Method::kPaper) {
+    bad_usage("A distance of the caller's goes with Method::kPaper only.");
+  }
   if (distance.size() != mesh_->surface().vertex_count()) {
     bad_usage("There are " + std::to_string(distance.size()) + " distances for " +
               std::to_string(mesh_->surface().vertex_count()) + " vertices.");

@@ -201,11 +201,18 @@ Command add_smooth(CLI::App& app, const GlobalOptions& global) {
   command->add_option("-o,--output", o->outputs,
                       "Smoothed curves; the ending chooses the format; may be given several times");
   command->add_option("--report", o->report, "What was done and measured, as JSON");
-  command->add_option("--potential", o->potential, "paper: equations 4 to 6")
-      ->check(CLI::IsMember({"paper"}))
+  command
+      ->add_option("--potential", o->potential,
+                   "paper: equations 4 to 6; corridor: flat within the slack, exact distance")
+      ->check(CLI::IsMember({"paper", "corridor"}))
       ->capture_default_str();
-  command->add_option("--engine", o->engine, "full: distance over the whole mesh; auto chooses")
-      ->check(CLI::IsMember({"auto", "full"}))
+  command->add_option(
+      "--slack", o->smoothing.slack,
+      "How exact the drawing is, in mesh units (corridor; default: its mean segment)");
+  command
+      ->add_option("--engine", o->engine,
+                   "full: distance over the whole mesh (paper); local: near the drawing (corridor)")
+      ->check(CLI::IsMember({"auto", "full", "local"}))
       ->capture_default_str();
   command
       ->add_option("--heat-time", o->curve_options.heat_time,
