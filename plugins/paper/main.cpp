@@ -44,7 +44,8 @@ int run(int argc, char** argv) {
   }
   std::filesystem::create_directories(folders.out);
   std::string text = "Talweg " + std::string(version()) + ", one core of " + processor() +
-                     ", medians of 5. h: mean edge length.\n";
+                     ", medians of 5. h: mean edge length; "
+                     "deviation: from the result to the drawing.\n";
   for (const std::string& part : parts) {
     std::printf("%s\n", part.c_str());
     std::fflush(stdout);

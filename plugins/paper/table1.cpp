@@ -104,7 +104,7 @@ std::string table1(const Folders& folders) {
   for (const Row& row : kRows) {
     std::optional<MeshLists> shared = shared_mesh(folders, row);
     const char* mesh = shared ? row.mesh : "generated";
-    Experiment experiment(shared ? std::move(*shared) : bumpy_ball(row.frequency, seed));
+    Experiment experiment(shared ? std::move(*shared) : bumpy_ball(row.frequency, seed + 10));
     experiment.set_drawing(tour(experiment.mesh(), row.points_before, seed++));
     const Timed timed = experiment.smooth(row.tau);
     const SmoothingReport& report = timed.result.report();
