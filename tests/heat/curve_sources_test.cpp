@@ -60,6 +60,21 @@ TEST_F(CurveSources, WeightsSumToTheLengthWhereverPointsAreInserted) {
   for (const std::size_t v : {5, 6}) EXPECT_NEAR(weight(fine, v), weight(coarse, v), 1e-15);
 }
 
+TEST_F(CurveSources, TriangleCountsItsLastSegment) {
+  // The shortest closed curve: around one face. Each corner has half of its two sides.
+  const auto corner = surface_.corners(FaceId{0});
+  SurfaceCurve around{true, {}};
+  for (const VertexId v : corner) around.points.push_back(SurfacePoint::at_vertex(surface_, v));
+  const auto sources = curve_sources(surface_, around);
+  const HalfedgeId h = surface_.halfedge(FaceId{0});
+  const double a = surface_.length(edge_of(h));
+  const double b = surface_.length(edge_of(surface_.next(h)));
+  const double c = surface_.length(edge_of(surface_.prev(h)));
+  EXPECT_NEAR(weight(sources, corner[0].index()), (a + c) / 2, 1e-15);
+  EXPECT_NEAR(weight(sources, corner[1].index()), (a + b) / 2, 1e-15);
+  EXPECT_NEAR(weight(sources, corner[2].index()), (b + c) / 2, 1e-15);
+}
+
 TEST_F(CurveSources, OnePointWeighsOne) {
   EXPECT_EQ(curve_sources(surface_, {false, {at(7)}}),
             (std::vector<WeightedVertex>{{VertexId{7}, 1.0}}));
