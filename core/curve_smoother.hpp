@@ -86,7 +86,7 @@ class CurveSmoother {
   bool set_curves(std::span<const SurfaceCurve> curves, const CurveOptions& options = {},
                   const Progress& progress = {});
   /// The same with a distance of the caller's, one value per mesh vertex, used as it is; it may be
-  /// negative, and +infinity in components without a curve.
+  /// negative, and +infinity in components without a curve. With Method::kPaper only.
   bool set_curves(std::span<const SurfaceCurve> curves, std::vector<double> distance,
                   const CurveOptions& options = {});
 

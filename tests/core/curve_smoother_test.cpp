@@ -247,6 +247,8 @@ TEST(CurveSmoother, TakesADistanceAndAPotentialOfTheCallers) {
   EXPECT_EQ(by_potential.report().potential, "custom");
   potential.pop_back();
   EXPECT_THROW(smoother.smooth({}, potential, 2), Error);
+  EXPECT_THROW(smoother.set_curves(std::span(&drawn, 1), distance, {.method = Method::kCorridor}),
+               Error);
   distance.pop_back();
   EXPECT_THROW(smoother.set_curves(std::span(&drawn, 1), distance), Error);
 }
