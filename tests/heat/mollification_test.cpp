@@ -43,6 +43,19 @@ TEST(Mollification, AddsTheSmallestAmountThatGivesTheSlack) {
   EXPECT_NEAR(least_slack(surface, result.lengths), 1e-3 * h, 1e-15);
 }
 
+TEST(Mollification, SeesCapsWhateverSideIsTheLongest) {
+  // A vertex in the middle of the opposite side: no side is short and the slack is still 0.
+  const std::vector<Triangle> one = {{0, 1, 2}};
+  for (std::size_t longest = 0; longest < 3; ++longest) {
+    Surface surface = Surface::from_triangles(3, one);
+    std::vector<double> lengths(3, 1.0);
+    lengths[longest] = 2;
+    surface.set_lengths(lengths);
+    const Mollification result = mollify(surface, components_of(surface), 1e-3);
+    EXPECT_NEAR(result.amount[0], 1e-3 * 4 / 3, 1e-15) << longest;
+  }
+}
+
 TEST(Mollification, ComponentsAreIndependentAndScaleCovariant) {
   const Surface surface =
       test::together(test::grid(2, 2), test::scaled(flat_triangle(), 0x1p-40)).surface();
