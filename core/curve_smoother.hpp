@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "talweg/core/curve_embedding.hpp"
@@ -13,6 +14,7 @@
 #include "talweg/core/opened_mesh.hpp"
 #include "talweg/core/potential.hpp"
 #include "talweg/core/report.hpp"
+#include "talweg/intrinsic/error.hpp"
 #include "talweg/intrinsic/flip_out.hpp"
 #include "talweg/intrinsic/polyline_distance.hpp"
 #include "talweg/intrinsic/signpost_triangulation.hpp"
@@ -62,8 +64,12 @@ struct SmoothingResult {
   std::vector<SmoothingReport> reports;  ///< one per curve, in their order
   SmoothingReport total;                 ///< of all curves
 
-  [[nodiscard]] const SurfaceCurve& curve() const { return curves.front(); }
-  [[nodiscard]] const SmoothingReport& report() const { return total; }
+  /// The first curve, or the only one.
+  [[nodiscard]] const SurfaceCurve& curve() const& { return curves.front(); }
+  [[nodiscard]] SurfaceCurve curve() && { return std::move(curves.front()); }
+  /// The report on all curves together.
+  [[nodiscard]] const SmoothingReport& report() const& { return total; }
+  [[nodiscard]] SmoothingReport report() && { return std::move(total); }
 };
 
 /// Smooths curves on one opened mesh. Holds the working memory, which is made once; one thread at a
