@@ -120,6 +120,7 @@ bool CurveSmoother::set_curves(std::span<const SurfaceCurve> curves, std::vector
     embed(own, options);
     distance_ = std::move(distance);
     inserted_distance_ = at_inserted(distance_, 1);
+    find_largest_distances();
   } catch (...) {
     forget();
     throw;
@@ -153,6 +154,7 @@ bool CurveSmoother::solve_distance(const CurveOptions& options, const Progress& 
     // Inserted vertices lie on the drawing, where the distance is 0 whatever the mesh can resolve.
     inserted_distance_.assign(triangulation_.inserted_count(), 0.0);
   }
+  find_largest_distances();
   const auto& mollified = heat->report().mollification;
   const double most = mollified.empty() ? 0 : *std::max_element(mollified.begin(), mollified.end());
   if (most > 0) {
@@ -183,15 +185,34 @@ std::vector<double> CurveSmoother::at_inserted(std::span<const double> values,
   return result;
 }
 
-double CurveSmoother::characteristic_length(const PotentialOptions& options) const {
+/// The largest distance in each component, so that L follows the curve's own component only. With
+/// a single curve no other component has a distance to speak of, and all count as one.
+void CurveSmoother::find_largest_distances() {
+  const bool several = drawn_.size() > 1;
+  if (several && !components_) components_ = components_of(mesh_->surface());
+  largest_distance_.assign(several ? components_->count : 1, 0.0);
+  for (std::size_t v = 0; v < distance_.size(); ++v) {
+    double& largest = largest_distance_[several ? components_->of_vertex[v] : 0];
+    if (std::isfinite(distance_[v])) largest = std::max(largest, distance_[v]);
+  }
+}
+
+std::size_t CurveSmoother::component_of(VertexId v) const {
+  if (largest_distance_.size() == 1) return 0;
+  const Surface& surface = mesh_->surface();
+  if (v.index() >= surface.vertex_count()) {
+    v = surface.corners(any_face(surface, triangulation_.location(v)))[0];
+  }
+  return components_->of_vertex[v.index()];
+}
+
+double CurveSmoother::characteristic_length(const PotentialOptions& options,
+                                            std::size_t component) const {
   if (options.length == PotentialOptions::Length::kGiven) return options.given_length;
   double length = 0;
   for (const CurveMeasures& m : drawn_measures_) length += m.length;
   if (options.length == PotentialOptions::Length::kCurveLength) return length;
-  double largest = 0;
-  for (const double d : distance_) {
-    if (std::isfinite(d)) largest = std::max(largest, d);
-  }
+  const double largest = largest_distance_[component];
   return largest > 0 ? largest : length;  // a curve over every vertex leaves no distance at all
 }
 
@@ -218,10 +239,14 @@ SmoothingResult CurveSmoother::smooth(const SmoothingOptions& options) {
   options.validate();
   if (embedded_.paths.empty()) bad_usage("No curve is set.");
   if (curve_options_.method == Method::kCorridor) return smooth_in_corridor(options);
-  const Potential potential(options.potential, options.tau,
-                            characteristic_length(options.potential));
+  std::vector<Potential> potentials;  // by component
+  for (std::size_t k = 0; k < largest_distance_.size(); ++k) {
+    potentials.emplace_back(options.potential, options.tau,
+                            characteristic_length(options.potential, k));
+  }
   const std::size_t own = mesh_->surface().vertex_count();
-  return run(options, [this, potential, own](VertexId p, VertexId q, double length) {
+  return run(options, [this, potentials, own](VertexId p, VertexId q, double length) {
+    const Potential& potential = potentials[component_of(p)];
     const auto at = [&](VertexId v) {
       return potential(v.index() < own ? distance_[v.index()]
                                        : inserted_distance_[v.index() - own]);

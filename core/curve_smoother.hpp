@@ -114,7 +114,10 @@ class CurveSmoother {
  private:
   void embed(std::span<const SurfaceCurve> curves, const CurveOptions& options);
   void forget();
-  [[nodiscard]] double characteristic_length(const PotentialOptions& options) const;
+  void find_largest_distances();
+  [[nodiscard]] std::size_t component_of(VertexId v) const;
+  [[nodiscard]] double characteristic_length(const PotentialOptions& options,
+                                             std::size_t component) const;
   [[nodiscard]] double default_floor() const;
   bool solve_distance(const CurveOptions& options, const Progress& progress);
   /// Per-vertex values (k a row) at the inserted vertices, linear in each face.
@@ -136,6 +139,8 @@ class CurveSmoother {
   std::optional<PolylineDistance> exact_distance_;
   std::vector<double> distance_;           // per mesh vertex
   std::vector<double> inserted_distance_;  // per inserted vertex
+  std::optional<Components> components_;   // made when a set first asks
+  std::vector<double> largest_distance_;   // per component, or one for all
   std::vector<CurveMeasures> drawn_measures_;
   double solve_ms_ = 0;
   double heat_open_ms_ = 0;

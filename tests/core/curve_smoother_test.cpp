@@ -222,6 +222,32 @@ TEST(CurveSmoother, CurvesOfASetKeepApart) {
   EXPECT_NEAR(result.reports[1].length_after, 26, 1e-9);
 }
 
+TEST(CurveSmoother, ASetOverTwoComponentsIsTheTwoAlone) {
+  // A small grid and one ten times as large beside it: each has a characteristic length of its own.
+  const MeshLists small = grid(30, 20);
+  MeshLists both = small;
+  const auto shift = static_cast<std::uint32_t>(small.points.size());
+  for (const Point& p : small.points) both.points.push_back(10 * p + Point(1000, 0, 0));
+  for (Triangle t : small.triangles) {
+    for (std::uint32_t& v : t) v += shift;
+    both.triangles.push_back(t);
+  }
+  const auto alone = OpenedMesh::open(small);
+  const auto opened = OpenedMesh::open(both);
+  const SurfaceCurve first = zigzag(alone->mesh(), 30, 20);
+  SurfaceCurve second{false, {}};
+  for (const SurfacePoint& p : first.points) {
+    const std::size_t v = std::get<AtVertex>(p.where()).vertex.index();
+    second.points.push_back(SurfacePoint::at_vertex(opened->surface(), VertexId{v + shift}));
+  }
+  const double length = smooth_curve(alone, first, {.tau = 1}).report().length_after;
+  CurveSmoother smoother(opened);
+  smoother.set_curves(std::vector<SurfaceCurve>{first, second});
+  const SmoothingResult result = smoother.smooth(1.0);
+  EXPECT_NEAR(result.reports[0].length_after, length, 1e-9 * length);
+  EXPECT_NEAR(result.reports[1].length_after, 10 * length, 1e-8 * length);
+}
+
 TEST(CurveSmoother, TakesADistanceAndAPotentialOfTheCallers) {
   const auto opened = OpenedMesh::open(grid(30, 20));
   const SurfaceCurve drawn = zigzag(opened->mesh(), 30, 20);
