@@ -43,8 +43,8 @@ TEST(FlipOutOneEdge, LoopsThatOthersHoldStayAsTheyAre) {
   Random random(52);
   std::size_t held = 0;
   for (int k = 0; k < 20000; ++k) {
-    const Surface s =
-        random_complex(random, 2 + random.below(20), random.uniform(0, 0.3), random.below(2));
+    const Surface s = random_complex(random, 2 + random.below(20), random.uniform(0, 0.3),
+                                     static_cast<double>(random.below(2)));
     SignpostTriangulation t(s);
     const auto loops = one_edge_loops(t);
     if (loops.empty()) continue;
