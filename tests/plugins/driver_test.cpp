@@ -31,8 +31,9 @@ class Driver : public test::TemporaryFolder {
   }
 
   Outcome run(const std::string& arguments) const {
-    const std::string command = "cd '" + file("").string() + "' && '" TALWEG_DRIVER "' " +
-                                arguments + " >out.log 2>err.log </dev/null";
+    std::string command("cd '");
+    command.append(file("").string()).append("' && '" TALWEG_DRIVER "' ").append(arguments);
+    command.append(" >out.log 2>err.log </dev/null");
     const int status = std::system(command.c_str());
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, bytes_of(file("out.log")),
             bytes_of(file("err.log"))};
@@ -247,7 +248,9 @@ TEST_F(Driver, SmoothsEveryManifoldRealMesh) {
     const std::string ending = entry.path().extension().string();
     // The two largest take most of a minute on a slow machine; other tests open them.
     if ((ending != ".ply" && ending != ".off") || entry.file_size() > 11'000'000) continue;
-    const std::string mesh = "'" + std::filesystem::absolute(entry.path()).string() + "'";
+    std::string mesh = std::filesystem::absolute(entry.path()).string();
+    mesh.insert(0, 1, '\'');
+    mesh += '\'';
     if (refused.contains(name)) {
       write("a.txt", "0\n1\n");
       expect_failure("smooth " + mesh + " --curve a.txt", 2, {"first"});
