@@ -33,9 +33,8 @@ TEST(FlipOutRelease, JointAtTheOuterEndOfASpikeThatIsTakenBack) {
   constexpr std::size_t kCentre = 0, k0 = 1, k10 = 2, k20 = 3, k30 = 4, k150 = 6, k330 = 9;
   const Surface s = surface_of(mesh);
   SignpostTriangulation t(s);
-  const std::vector<EdgePath> paths = {
-      path_through(t, {k150, kCentre, k10, k20, kCentre, k330}),
-      path_through(t, {k0, kCentre, k30})};
+  const std::vector<EdgePath> paths = {path_through(t, {k150, kCentre, k10, k20, kCentre, k330}),
+                                       path_through(t, {k0, kCentre, k30})};
   const FlipOutResult result = FlipOut(t).run(paths, {});
   EXPECT_NEAR(result.paths[0].length_after, 2, 1e-12);
   EXPECT_NEAR(result.paths[1].length_after, 2 * std::sin(kPi / 12), 1e-12);
