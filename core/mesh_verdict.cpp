@@ -98,13 +98,12 @@ std::string obstacle(const MeshInspection& inspection) {
 
 void judge(MeshInspection& inspection) {
   inspection.reason = obstacle(inspection);
-  if (!fatal(inspection).empty()) {
+  const bool nothing_left = inspection.repeated_vertex_faces.count == inspection.faces;
+  if (!fatal(inspection).empty() || (nothing_left && !inspection.reason.empty())) {
     inspection.verdict = MeshVerdict::kUnusable;
   } else if (inspection.reason.empty()) {
     inspection.verdict = MeshVerdict::kUsable;
     inspection.reason = "The mesh is a consistently oriented manifold surface.";
-  } else if (inspection.repeated_vertex_faces.count == inspection.faces) {
-    inspection.verdict = MeshVerdict::kUnusable;
   } else if (!inspection.orientable) {
     inspection.verdict = MeshVerdict::kUnusable;
     inspection.reason = "The surface is one-sided, so its faces cannot be oriented consistently: " +

@@ -18,7 +18,7 @@ std::array<double, 3> side_lengths(SignpostTriangulation& triangulation, Halfedg
 /// N = b² + c² - a²; the sum's sign is that of N₁ A₂ + N₂ A₁, which also holds for areas of 0.
 bool wants_flip(SignpostTriangulation& triangulation, EdgeId e) {
   const HalfedgeId h = halfedge_of(e);
-  double numerator[2], area[2], size[2];
+  double numerator[2] = {}, area[2] = {}, size[2] = {};
   int k = 0;
   for (const HalfedgeId side : {h, twin(h)}) {
     const auto [a, b, c] = side_lengths(triangulation, side);
