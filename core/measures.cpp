@@ -96,15 +96,34 @@ double segment_length(const Surface& surface, const SurfaceCurve& curve, std::si
                           coordinates_in(surface, curve.points[j], f));
 }
 
+struct Turn {
+  double angle = 0;        ///< turning_angle()
+  double toward_left = 0;  ///< signed_turning()
+};
+
+Turn turn_at(const Surface& surface, const SurfacePoint& before, const SurfacePoint& at,
+             const SurfacePoint& after) {
+  const Direction in = direction_to(surface, at, before);
+  const Direction out = direction_to(surface, at, after);
+  const double swept = in.angle - out.angle;  // counterclockwise from the way on to the way back
+  if (in.open) {
+    const double turn = kPi - std::abs(swept);
+    return {std::clamp(turn, 0.0, kPi), swept > 0 ? turn : -turn};
+  }
+  const double left = swept < 0 ? swept + in.cone : swept;
+  return {std::clamp(kPi - std::min(left, in.cone - left), 0.0, kPi), in.cone / 2 - left};
+}
+
 }  // namespace
 
 double turning_angle(const Surface& surface, const SurfacePoint& before, const SurfacePoint& at,
                      const SurfacePoint& after) {
-  const Direction in = direction_to(surface, at, before);
-  const Direction out = direction_to(surface, at, after);
-  const double swept = std::abs(out.angle - in.angle);
-  const double side = in.open ? swept : std::min(swept, in.cone - swept);
-  return std::clamp(kPi - side, 0.0, kPi);
+  return turn_at(surface, before, at, after).angle;
+}
+
+double signed_turning(const Surface& surface, const SurfacePoint& before, const SurfacePoint& at,
+                      const SurfacePoint& after) {
+  return turn_at(surface, before, at, after).toward_left;
 }
 
 double curve_length(const Surface& surface, const SurfaceCurve& curve) {
@@ -123,11 +142,12 @@ CurveMeasures measure_curve(const Surface& surface, const SurfaceCurve& curve) {
   const std::size_t n = curve.points.size();
   if (n < 2) return measures;
   for (std::size_t i = curve.closed ? 0 : 1; i < (curve.closed ? n : n - 1); ++i) {
-    const double turn = turning_angle(surface, curve.points[(i + n - 1) % n], curve.points[i],
-                                      curve.points[(i + 1) % n]);
-    measures.total_curvature += turn;
-    if (turn > measures.max_curvature) {
-      measures.max_curvature = turn;
+    const Turn turn =
+        turn_at(surface, curve.points[(i + n - 1) % n], curve.points[i], curve.points[(i + 1) % n]);
+    measures.total_curvature += turn.angle;
+    measures.signed_curvature += turn.toward_left;
+    if (turn.angle > measures.max_curvature) {
+      measures.max_curvature = turn.angle;
       measures.max_at = i;
     }
   }

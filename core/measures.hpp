@@ -12,8 +12,10 @@ namespace talweg {
 struct CurveMeasures {
   double length = 0;           ///< mesh units
   double total_curvature = 0;  ///< radians: sum of the turning angles
-  double max_curvature = 0;    ///< radians: the largest turning angle
-  std::size_t max_at = 0;      ///< index of the point that turns most, the first one of equals
+  double signed_curvature =
+      0;                     ///< radians: left turns less right turns; on a loop Gauss and Bonnet's
+  double max_curvature = 0;  ///< radians: the largest turning angle
+  std::size_t max_at = 0;    ///< index of the point that turns most, the first one of equals
 };
 
 /// The turning angle at a point of a curve, in [0, pi] radians: pi minus the smaller of the two
@@ -26,6 +28,12 @@ struct CurveMeasures {
 /// Throws Error(kBadCurve) when a neighbour shares no face with the point.
 double turning_angle(const Surface& surface, const SurfacePoint& before, const SurfacePoint& at,
                      const SurfacePoint& after);
+
+/// Half of the right side angle less the left one, radians: positive where the curve turns left.
+/// Inside an edge or a face its size is the turning angle. On the boundary: pi minus the angle on
+/// the inner side, with its sign. Throws as turning_angle() does.
+double signed_turning(const Surface& surface, const SurfacePoint& before, const SurfacePoint& at,
+                      const SurfacePoint& after);
 
 /// The length of a curve in mesh units, each segment measured in its common face; 0 for fewer than
 /// two points. Throws Error(kBadCurve) naming the first pair of points without a common face.

@@ -40,6 +40,19 @@ TEST(Measures, AnglesInThePlane) {
   EXPECT_NEAR(turn(17, 11), kPi / 2, 1e-14);
 }
 
+TEST(Measures, SignedCurvatureOfALoopIsGaussAndBonnets) {
+  const Surface sheet = surface_of_lists(grid(4, 4));
+  const SurfaceCurve left = vertex_curve(sheet, ids({6, 7, 8, 13, 18, 17, 16, 11}), true);
+  const SurfaceCurve right = vertex_curve(sheet, ids({11, 16, 17, 18, 13, 8, 7, 6}), true);
+  EXPECT_NEAR(measure_curve(sheet, left).signed_curvature, 2 * kPi, 1e-13);
+  EXPECT_NEAR(measure_curve(sheet, right).signed_curvature, -2 * kPi, 1e-13);
+  // Along the boundary the inner angle counts: a turn about a corner of the sheet.
+  EXPECT_NEAR(signed_turning(sheet, vertex(sheet, 5), vertex(sheet, 0), vertex(sheet, 1)), kPi / 2,
+              1e-14);
+  EXPECT_NEAR(signed_turning(sheet, vertex(sheet, 1), vertex(sheet, 0), vertex(sheet, 5)), -kPi / 2,
+              1e-14);
+}
+
 TEST(Measures, StraightLineThroughTheSheetTurnsNowhere) {
   const Surface surface = surface_of_lists(grid(4, 2));
   // From (0, 0) along y = x / 2: over faces, edges and vertices.
