@@ -1,0 +1,33 @@
+// Curves as unsteady hands draw them, open and closed, small and large, on any mesh.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "talweg/core/opened_mesh.hpp"
+#include "talweg/intrinsic/surface_point.hpp"
+
+namespace talweg::quality {
+
+struct Drawing {
+  std::string name;  ///< "open 48", "loop 12", "section 80": kind and number of points
+  std::vector<VertexId> path;
+  bool closed = false;
+
+  [[nodiscard]] SurfaceCurve curve(const Surface& surface) const;
+};
+
+/// Five open and five closed drawings along mesh edges, as far as the mesh has room for them:
+/// shortest edge paths through way-points that a hand missed by up to a third of their distance.
+/// Closed ones are loops about a vertex (12 to 150 edges) and plane sections. Deterministic.
+std::vector<Drawing> generated_drawings(const OpenedMesh& mesh, std::uint64_t seed);
+
+/// The drawings MESH.txt and MESH_*.txt of a folder.
+std::vector<Drawing> stored_drawings(const std::filesystem::path& folder, const std::string& mesh);
+
+/// Mean length of the mesh edges within two rings of the drawing, mesh units.
+double local_edge_length(const Surface& surface, const Drawing& drawing);
+
+}  // namespace talweg::quality
