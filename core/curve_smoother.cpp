@@ -369,6 +369,8 @@ SmoothingResult CurveSmoother::run(const SmoothingOptions& options,
   const double polish_ms = watch.ms();
 
   const std::size_t faces_touched = count_touched_faces(triangulation_);
+  const bool band_is_there = curve_options_.method == Method::kCorridor && drawn_.size() == 1;
+  if (!deviation_meter_) deviation_meter_.emplace(mesh_->mesh());
   for (std::size_t c = 0; c < result.curves.size(); ++c) {
     SmoothingReport& report = result.reports.emplace_back(
         report_on_curve(mesh_->mesh(), drawn_[c], drawn_measures_[c], result.curves[c]));
@@ -382,6 +384,8 @@ SmoothingResult CurveSmoother::run(const SmoothingOptions& options,
     report.faces_touched = faces_touched;
     report.trace_fallbacks = traced.clamped;
     report.warnings = warnings_;
+    report_deviation(report, options.deviation, *deviation_meter_, mesh_->mesh(), drawn_[c],
+                     result.curves[c], band_is_there ? &*exact_distance_ : nullptr);
     if (path.termination == Termination::kCollapsed) {
       report.warnings.emplace_back(
           "The loop shrinks to a point; it is returned as it was when it fell below the floor.");

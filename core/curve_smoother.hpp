@@ -14,6 +14,7 @@
 #include "talweg/core/opened_mesh.hpp"
 #include "talweg/core/potential.hpp"
 #include "talweg/core/report.hpp"
+#include "talweg/core/surface_deviation.hpp"
 #include "talweg/intrinsic/error.hpp"
 #include "talweg/intrinsic/flip_out.hpp"
 #include "talweg/intrinsic/polyline_distance.hpp"
@@ -52,6 +53,8 @@ struct SmoothingOptions {
   std::size_t max_iterations = 0;      ///< of FlipOut; 0: FlipOut's own bound
   double min_relative_length = 0;      ///< stop at this fraction of the lifted length; [0, 1)
   std::optional<double> length_floor;  ///< mesh units; default: 3 mean edges of the drawn loop
+  /// Between result and drawing, for the report.
+  DeviationMeasure deviation = DeviationMeasure::kAlongSurface;
   bool prepare_whole_mesh = false;     ///< lay out everything first; slower, same result
   Progress progress;                   ///< may cancel
 
@@ -137,6 +140,7 @@ class CurveSmoother {
   EmbeddedCurves embedded_;
   CurveOptions curve_options_;
   std::optional<PolylineDistance> exact_distance_;
+  std::optional<DeviationMeter> deviation_meter_;  // made when first needed
   std::vector<double> distance_;           // per mesh vertex
   std::vector<double> inserted_distance_;  // per inserted vertex
   std::optional<Components> components_;   // made when a set first asks

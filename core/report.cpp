@@ -37,6 +37,7 @@ Json object_of(const SmoothingReport& r) {
   j["curvature_after"] = number(r.curvature_after);
   j["curvature_max_before"] = number(r.curvature_max_before);
   j["curvature_max_after"] = number(r.curvature_max_after);
+  j["deviation"] = r.deviation;
   j["deviation_to_drawn_max"] = number(r.deviation_to_drawn_max);
   j["deviation_to_drawn_mean"] = number(r.deviation_to_drawn_mean);
   j["deviation_from_drawn_max"] = number(r.deviation_from_drawn_max);
@@ -69,8 +70,12 @@ std::size_t rank(const std::string& termination) {
 SmoothingReport total_of(const std::vector<SmoothingReport>& reports) {
   if (reports.empty()) return {};
   SmoothingReport total = reports.front();
-  double mean_to = total.deviation_to_drawn_mean * total.length_after;
-  double mean_from = total.deviation_from_drawn_mean * total.length_before;
+  // Infinite even where the length is 0.
+  const auto weighted = [](double mean, double length) {
+    return std::isfinite(mean) ? mean * length : mean;
+  };
+  double mean_to = weighted(total.deviation_to_drawn_mean, total.length_after);
+  double mean_from = weighted(total.deviation_from_drawn_mean, total.length_before);
   double worst = std::max(total.deviation_to_drawn_max, total.deviation_from_drawn_max);
   for (std::size_t i = 1; i < reports.size(); ++i) {
     const SmoothingReport& r = reports[i];
@@ -88,8 +93,8 @@ SmoothingReport total_of(const std::vector<SmoothingReport>& reports) {
     total.deviation_to_drawn_max = std::max(total.deviation_to_drawn_max, r.deviation_to_drawn_max);
     total.deviation_from_drawn_max =
         std::max(total.deviation_from_drawn_max, r.deviation_from_drawn_max);
-    mean_to += r.deviation_to_drawn_mean * r.length_after;
-    mean_from += r.deviation_from_drawn_mean * r.length_before;
+    mean_to += weighted(r.deviation_to_drawn_mean, r.length_after);
+    mean_from += weighted(r.deviation_from_drawn_mean, r.length_before);
     const double own_worst = std::max(r.deviation_to_drawn_max, r.deviation_from_drawn_max);
     if (own_worst > worst) {
       worst = own_worst;

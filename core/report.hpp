@@ -24,8 +24,9 @@ struct StageTimes {
 
 /// The report on one curve, or the totals of a set: there counts, lengths and total curvatures are
 /// sums, maxima are maxima, means are weighted by length, and `termination` is the worst.
-/// Lengths in mesh units, angles in radians. "Before" and "drawn" mean the curve as it was given,
-/// before corners were capped.
+/// Lengths in mesh units, angles in radians; deviations that were not measured, or between curves
+/// on parts of the mesh that are not connected, are infinite. "Before" and "drawn" mean the curve
+/// as it was given, before corners were capped.
 struct SmoothingReport {
   std::string version;                   ///< of the library
   std::size_t faces = 0;                 ///< of the mesh
@@ -45,6 +46,7 @@ struct SmoothingReport {
   double curvature_after = 0;            ///< radians
   double curvature_max_before = 0;       ///< radians: the largest turn at one point
   double curvature_max_after = 0;        ///< radians
+  std::string deviation;                 ///< "surface", "euclidean" or "none": the distance below
   double deviation_to_drawn_max = 0;     ///< mesh units: of the result to the drawing
   double deviation_to_drawn_mean = 0;    ///< mesh units
   double deviation_from_drawn_max = 0;   ///< mesh units: of the drawing to the result

@@ -5,15 +5,23 @@
 
 #include "talweg/core/measures.hpp"
 #include "talweg/core/report.hpp"
+#include "talweg/core/surface_deviation.hpp"
 #include "talweg/core/surface_mesh.hpp"
 #include "talweg/intrinsic/signpost_triangulation.hpp"
 
 namespace talweg {
 
-/// Points, lengths, curvatures and deviations before and after. `before` are the measures of the
-/// drawing. O((m + n) log n) for curves of m and n points.
+/// Points, lengths and curvatures before and after; no deviation yet. `before` are the measures of
+/// the drawing. O(points · degree).
 SmoothingReport report_on_curve(const SurfaceMesh& mesh, const SurfaceCurve& drawn,
                                 const CurveMeasures& before, const SurfaceCurve& result);
+
+/// Adds how far result and drawing lie apart. `to_drawn` may be a distance that is set to the
+/// drawing alone; null: the meter has one of its own. Where neither reaches the other the deviation
+/// is infinite, and a warning says so.
+void report_deviation(SmoothingReport& report, DeviationMeasure measure, DeviationMeter& meter,
+                      const SurfaceMesh& mesh, const SurfaceCurve& drawn,
+                      const SurfaceCurve& result, PolylineDistance* to_drawn = nullptr);
 
 /// Faces of the surface with a corner whose directions have been laid out. O(touched).
 std::size_t count_touched_faces(const SignpostTriangulation& triangulation);

@@ -285,7 +285,7 @@ OneSidedSurfaceDeviation one_sided_deviation(const Surface& surface,
 SurfaceDeviation DeviationMeter::measure(std::span<const SurfaceCurve> result,
                                          std::span<const SurfaceCurve> drawn) {
   refuse_nothing(drawn);
-  if (!to_drawn_) to_drawn_.emplace(*surface_);
+  if (!to_drawn_) to_drawn_.emplace(mesh_->surface());
   if (!equal(drawn_, drawn)) {
     drawn_.clear();  // nothing is known if the next line throws
     to_drawn_->set(drawn);
@@ -299,10 +299,10 @@ SurfaceDeviation DeviationMeter::measure(std::span<const SurfaceCurve> result,
                                          PolylineDistance& to_drawn) {
   refuse_nothing(result);
   refuse_nothing(drawn);
-  if (!to_result_) to_result_.emplace(*surface_);
+  if (!to_result_) to_result_.emplace(mesh_->surface());
   to_result_->set(result);
-  return {one_sided_deviation(*surface_, result, to_drawn, drawn),
-          one_sided_deviation(*surface_, drawn, *to_result_, result)};
+  return {one_sided_deviation(mesh_->surface(), result, to_drawn, drawn),
+          one_sided_deviation(mesh_->surface(), drawn, *to_result_, result)};
 }
 
 }  // namespace talweg

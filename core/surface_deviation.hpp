@@ -5,11 +5,19 @@
 #include <span>
 #include <vector>
 
+#include "talweg/core/surface_mesh.hpp"
 #include "talweg/intrinsic/polyline_distance.hpp"
 #include "talweg/intrinsic/surface.hpp"
 #include "talweg/intrinsic/surface_point.hpp"
 
 namespace talweg {
+
+/// Which distance between result and drawing a report has.
+enum class DeviationMeasure {
+  kAlongSurface,  ///< exact, along the surface; its cost grows with the deviation
+  kEuclidean,     ///< through space: never more, and cheaper
+  kNone,          ///< none: the report's deviations are infinite, null in JSON
+};
 
 /// Distance of all points of some curves to others.
 struct OneSidedSurfaceDeviation {
@@ -45,13 +53,13 @@ OneSidedSurfaceDeviation one_sided_deviation(const Surface& surface,
                                              PolylineDistance& to,
                                              std::span<const SurfaceCurve> to_curves);
 
-/// Measures both directions again and again on one surface. Holds the working memory, O(mesh),
+/// Measures both directions again and again on one mesh. Holds the working memory, O(mesh),
 /// which is made when first needed. What the distance to a drawing has cost is kept for the next
 /// result that is compared with the same drawing. One thread at a time; the surface must outlive
 /// it.
 class DeviationMeter {
  public:
-  explicit DeviationMeter(const Surface& surface) : surface_(&surface) {}
+  explicit DeviationMeter(const SurfaceMesh& mesh) : mesh_(&mesh) {}
 
   /// All of `result` against all of `drawn`. Costs what lies within the distances that come out.
   /// Throws Error(kBadCurve) as one_sided_deviation() does.
@@ -62,7 +70,7 @@ class DeviationMeter {
                            std::span<const SurfaceCurve> drawn, PolylineDistance& to_drawn);
 
  private:
-  const Surface* surface_;
+  const SurfaceMesh* mesh_;
   std::optional<PolylineDistance> to_drawn_, to_result_;
   std::vector<SurfaceCurve> drawn_;  // what to_drawn_ is set to
 };

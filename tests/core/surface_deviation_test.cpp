@@ -31,7 +31,7 @@ SurfaceCurve line(const SurfaceMesh& mesh, std::vector<Point> points, bool close
 
 SurfaceDeviation measure(const SurfaceMesh& mesh, const SurfaceCurve& result,
                          const SurfaceCurve& drawn) {
-  return DeviationMeter(mesh.surface()).measure(std::span(&result, 1), std::span(&drawn, 1));
+  return DeviationMeter(mesh).measure(std::span(&result, 1), std::span(&drawn, 1));
 }
 
 /// What the header promises of a maximum: never more than the truth, and hardly less.
@@ -204,7 +204,7 @@ TEST(SurfaceDeviation, OnAnotherComponentIsInfiniteAndNeverNaN) {
     EXPECT_EQ(side.mean, infinity);
   }
   // Both against one of them: half of it is out of reach.
-  DeviationMeter meter(mesh.surface());
+  DeviationMeter meter(mesh);
   const SurfaceDeviation half = meter.measure(std::vector{here, there}, std::span(&here, 1));
   EXPECT_EQ(half.to_drawn.max, infinity);
   EXPECT_EQ(half.to_drawn.mean, infinity);
@@ -219,7 +219,7 @@ TEST(SurfaceDeviation, AMeterCanBeUsedAgain) {
     return vertex_curve(surface, draw_edge_path(surface, ids(through)), false);
   };
   const std::vector<SurfaceCurve> curves = {way({0, 600, 3}), way({0, 200, 3}), way({5, 900})};
-  DeviationMeter meter(surface);
+  DeviationMeter meter(mesh);
   const auto same = [&](const SurfaceDeviation& a, const SurfaceDeviation& b) {
     EXPECT_EQ(a.to_drawn.max, b.to_drawn.max);
     EXPECT_EQ(a.to_drawn.mean, b.to_drawn.mean);
