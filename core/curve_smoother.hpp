@@ -55,8 +55,8 @@ struct SmoothingOptions {
   std::optional<double> length_floor;  ///< mesh units; default: 3 mean edges of the drawn loop
   /// Between result and drawing, for the report.
   DeviationMeasure deviation = DeviationMeasure::kAlongSurface;
-  bool prepare_whole_mesh = false;     ///< lay out everything first; slower, same result
-  Progress progress;                   ///< may cancel
+  bool prepare_whole_mesh = false;  ///< lay out everything first; slower, same result
+  Progress progress;                ///< may cancel
 
   void validate() const;  ///< throws Error(kBadUsage) naming the field and its bound
 };
@@ -141,10 +141,10 @@ class CurveSmoother {
   CurveOptions curve_options_;
   std::optional<PolylineDistance> exact_distance_;
   std::optional<DeviationMeter> deviation_meter_;  // made when first needed
-  std::vector<double> distance_;           // per mesh vertex
-  std::vector<double> inserted_distance_;  // per inserted vertex
-  std::optional<Components> components_;   // made when a set first asks
-  std::vector<double> largest_distance_;   // per component, or one for all
+  std::vector<double> distance_;                   // per mesh vertex
+  std::vector<double> inserted_distance_;          // per inserted vertex
+  std::optional<Components> components_;           // made when a set first asks
+  std::vector<double> largest_distance_;           // per component, or one for all
   std::vector<CurveMeasures> drawn_measures_;
   double solve_ms_ = 0;
   double heat_open_ms_ = 0;
