@@ -6,6 +6,7 @@
 #include <limits>
 #include <string>
 
+#include "talweg/core/segment_tree.hpp"
 #include "talweg/intrinsic/error.hpp"
 #include "talweg/intrinsic/polyline_pieces.hpp"
 
@@ -167,7 +168,9 @@ class Measurement {
               double tolerance)
       : surface_(&surface), to_(&to), bounds_(surface, to, pieces), tolerance_(tolerance) {}
 
-  OneSidedSurfaceDeviation of(const std::vector<Stretch>& stretches) {
+  /// What is added comes in parts; between them `to` and `pieces` may be set to others.
+
+  void add(std::span<const Stretch> stretches) {
     struct Sampled {
       Sample a, middle, b;
     };
@@ -179,19 +182,24 @@ class Measurement {
       length += s.length;
       integral += s.length * simpson(a, middle, b);
     }
-    if (!std::isfinite(max_) || !(length > 0)) return {max_, max_, *at_};
+    if (!std::isfinite(max_)) return;
     const double missed = std::max(tolerance_, kTolerance * integral / length);
-    integral = 0;
     for (std::size_t i = 0; i < stretches.size(); ++i) {
       const Sampled& s = sampled[i];
-      integral += stretches[i].length * mean(stretches[i], s.a, s.middle, s.b, missed);
+      integral_ += stretches[i].length * mean(stretches[i], s.a, s.middle, s.b, missed);
     }
+    length_ += length;
     for (std::size_t i = 0; i < stretches.size(); ++i) {
       search(stretches[i], sampled[i].a, sampled[i].middle);
       search(stretches[i], sampled[i].middle, sampled[i].b);
     }
-    return {max_, integral / length, *at_};
   }
+
+  [[nodiscard]] OneSidedSurfaceDeviation result() const {
+    const bool is_mean = std::isfinite(max_) && length_ > 0;
+    return {max_, is_mean ? integral_ / length_ : max_, *at_};
+  }
+  [[nodiscard]] bool is_finite() const { return std::isfinite(max_); }
 
   /// The distance at a single point, which counts as a sample.
   double see(const SurfacePoint& point) {
@@ -239,16 +247,10 @@ class Measurement {
   PolylineDistance* to_;
   FaceBounds bounds_;
   double tolerance_;
+  double length_ = 0, integral_ = 0;
   double max_ = 0;
   std::optional<SurfacePoint> at_;
 };
-
-bool equal(std::span<const SurfaceCurve> a, std::span<const SurfaceCurve> b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                    [](const SurfaceCurve& p, const SurfaceCurve& q) {
-                      return p.closed == q.closed && p.points == q.points;
-                    });
-}
 
 void refuse_nothing(std::span<const SurfaceCurve> curves) {
   if (curves.empty()) throw Error(ErrorCode::kBadCurve, "There is no curve to measure.");
@@ -257,6 +259,170 @@ void refuse_nothing(std::span<const SurfaceCurve> curves) {
       throw Error(ErrorCode::kBadCurve, "Curve " + std::to_string(c) + " has no points.");
     }
   }
+}
+
+/// A thousandth of the mean segment of all the curves.
+double tolerance_for(std::span<const Stretch> stretches, std::span<const SurfaceCurve> others,
+                     const std::vector<double>& other_lengths) {
+  double length = 0;
+  std::size_t segments = stretches.size();
+  for (const Stretch& s : stretches) length += s.length;
+  for (std::size_t c = 0; c < others.size(); ++c) {
+    length += other_lengths[c];
+    segments += others[c].points.size() - (others[c].closed ? 0 : 1);
+  }
+  return segments > 0 ? kTolerance * length / static_cast<double>(segments) : 0;
+}
+
+using SpaceBox = Eigen::AlignedBox3d;
+
+/// Some curves, of which only what lies near in space is wanted. Ways along the surface are not
+/// shorter than through space, so the rest cannot be nearest.
+class NearParts {
+ public:
+  NearParts(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves) : curves_(curves) {
+    std::vector<Segment> segments;
+    for (const SurfaceCurve& curve : curves) {
+      const auto own = segments_of(positions_of(mesh, curve), curve.closed);
+      counts_.push_back(own.size());
+      segments.insert(segments.end(), own.begin(), own.end());
+    }
+    for (const Segment& s : segments) boxes_.push_back(SpaceBox(s.a).extend(s.b));
+    tree_.emplace(std::move(segments));
+  }
+
+  [[nodiscard]] double distance(const Point& p) const { return tree_->nearest(p).distance; }
+
+  /// The segments whose boxes meet one of these, as curves.
+  [[nodiscard]] std::vector<SurfaceCurve> meeting(std::span<const SpaceBox> boxes) const {
+    SpaceBox all;
+    for (const SpaceBox& box : boxes) all.extend(box);
+    std::vector<SurfaceCurve> parts;
+    std::size_t first = 0;
+    for (std::size_t c = 0; c < curves_.size(); first += counts_[c++]) {
+      const auto& points = curves_[c].points;
+      bool joined = false;
+      for (std::size_t i = 0; i < counts_[c]; ++i) {
+        const SpaceBox& box = boxes_[first + i];
+        const bool near =
+            all.intersects(box) && std::any_of(boxes.begin(), boxes.end(),
+                                               [&](const auto& b) { return b.intersects(box); });
+        if (near && !joined) parts.push_back({false, {points[i]}});
+        if (near && points.size() > 1) {
+          parts.back().points.push_back(points[(i + 1) % points.size()]);
+        }
+        joined = near;
+      }
+    }
+    return parts;
+  }
+
+ private:
+  std::span<const SurfaceCurve> curves_;
+  std::vector<std::size_t> counts_;  // of segments
+  std::vector<SpaceBox> boxes_;
+  std::optional<SegmentTree> tree_;
+};
+
+/// Sets a distance to what of the curves can be nearest to some stretches.
+class LocalDistance {
+ public:
+  LocalDistance(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves,
+                PolylineDistance& distance)
+      : mesh_(&mesh), curves_(curves), parts_(mesh, curves), distance_(&distance) {}
+
+  /// What the distance on a stretch is at most, by those in space: a guess, to be proved.
+  [[nodiscard]] double guess(const Stretch& s) const {
+    return kMore *
+           bound(s, [&](const SurfacePoint& p) { return parts_.distance(mesh_->position(p)); });
+  }
+
+  /// `reach` has the guesses. Returns what it is set to.
+  std::vector<SurfaceCurve> set_near(std::span<const Stretch> stretches, std::span<double> reach) {
+    std::vector<SurfaceCurve> near = set(stretches, reach);
+    bool proved = true;
+    for (std::size_t i = 0; i < stretches.size(); ++i) {
+      const double most =
+          bound(stretches[i], [&](const SurfacePoint& p) { return distance_->at(p).distance; });
+      proved = proved && most <= reach[i];
+      reach[i] = std::max(reach[i], most);
+    }
+    return proved ? near : set(stretches, reach);
+  }
+
+ private:
+  static constexpr double kMore = 1.05;
+
+  template <class Distance>
+  [[nodiscard]] double bound(const Stretch& s, Distance distance) const {
+    const Surface& surface = mesh_->surface();
+    return (distance(s.point(surface, 0)) + distance(s.point(surface, 1)) + s.length) / 2;
+  }
+
+  std::vector<SurfaceCurve> set(std::span<const Stretch> stretches, std::span<const double> reach) {
+    std::vector<SpaceBox> boxes;
+    bool everything = false;
+    for (std::size_t i = 0; i < stretches.size(); ++i) {
+      everything = everything || !std::isfinite(reach[i]);
+      const Surface& surface = mesh_->surface();
+      SpaceBox box(mesh_->position(stretches[i].point(surface, 0)));
+      box.extend(mesh_->position(stretches[i].point(surface, 1)));
+      const Point margin = Point::Constant(reach[i]);
+      boxes.emplace_back(box.min() - margin, box.max() + margin);
+    }
+    std::vector<SurfaceCurve> near =
+        everything ? std::vector(curves_.begin(), curves_.end()) : parts_.meeting(boxes);
+    distance_->set(near);
+    return near;
+  }
+
+  const SurfaceMesh* mesh_;
+  std::span<const SurfaceCurve> curves_;
+  NearParts parts_;
+  PolylineDistance* distance_;
+};
+
+/// Parts are long compared with their distances, so that little is marched twice.
+std::size_t end_of_part(std::span<const Stretch> stretches, std::span<const double> reach,
+                        std::size_t begin) {
+  constexpr double kLong = 4;
+  double length = 0, farthest = 0;
+  std::size_t end = begin;
+  while (end < stretches.size() && (end < begin + 8 || length < kLong * farthest)) {
+    length += stretches[end].length;
+    farthest = std::max(farthest, reach[end]);
+    ++end;
+  }
+  return end;
+}
+
+/// Part by part, each with the distance to what of the others is near it, so that one far corner
+/// does not cost a wide band along all of the curves.
+OneSidedSurfaceDeviation deviation_by_parts(const SurfaceMesh& mesh,
+                                            std::span<const SurfaceCurve> from,
+                                            std::span<const SurfaceCurve> others,
+                                            PolylineDistance& distance) {
+  const Surface& surface = mesh.surface();
+  const std::vector<Stretch> stretches = stretches_of(surface, from);
+  PolylinePieces pieces = pieces_of(surface, others);
+  const bool has_point = std::any_of(
+      from.begin(), from.end(), [](const SurfaceCurve& curve) { return curve.points.size() == 1; });
+  if (stretches.empty() || has_point) {
+    distance.set(others);
+    return one_sided_deviation(surface, from, distance, others);
+  }
+  Measurement measurement(surface, distance, pieces,
+                          tolerance_for(stretches, others, pieces.lengths));
+  LocalDistance local(mesh, others, distance);
+  std::vector<double> reach;
+  for (const Stretch& stretch : stretches) reach.push_back(local.guess(stretch));
+  for (std::size_t i = 0, end = 0; i < stretches.size() && measurement.is_finite(); i = end) {
+    end = end_of_part(stretches, reach, i);
+    const auto part = std::span(stretches).subspan(i, end - i);
+    pieces = pieces_of(surface, local.set_near(part, std::span(reach).subspan(i, end - i)));
+    measurement.add(part);
+  }
+  return measurement.result();
 }
 
 }  // namespace
@@ -269,29 +435,19 @@ OneSidedSurfaceDeviation one_sided_deviation(const Surface& surface,
   refuse_nothing(to_curves);
   const std::vector<Stretch> stretches = stretches_of(surface, from);
   const PolylinePieces pieces = pieces_of(surface, to_curves);
-  double length = 0;
-  std::size_t segments = stretches.size();
-  for (const Stretch& s : stretches) length += s.length;
-  for (std::size_t c = 0; c < to_curves.size(); ++c) {
-    length += pieces.lengths[c];
-    segments += to_curves[c].points.size() - (to_curves[c].closed ? 0 : 1);
-  }
-  const double mean = segments > 0 ? length / static_cast<double>(segments) : 0;
-  Measurement measurement(surface, to, pieces, kTolerance * mean);
+  Measurement measurement(surface, to, pieces, tolerance_for(stretches, to_curves, pieces.lengths));
   for (const SurfaceCurve& curve : from) measurement.see(curve.points.front());
-  return measurement.of(stretches);
+  measurement.add(stretches);
+  return measurement.result();
 }
 
 SurfaceDeviation DeviationMeter::measure(std::span<const SurfaceCurve> result,
                                          std::span<const SurfaceCurve> drawn) {
+  refuse_nothing(result);
   refuse_nothing(drawn);
-  if (!to_drawn_) to_drawn_.emplace(mesh_->surface());
-  if (!equal(drawn_, drawn)) {
-    drawn_.clear();  // nothing is known if the next line throws
-    to_drawn_->set(drawn);
-    drawn_.assign(drawn.begin(), drawn.end());
-  }
-  return measure(result, drawn, *to_drawn_);
+  if (!distance_) distance_.emplace(mesh_->surface());
+  return {deviation_by_parts(*mesh_, result, drawn, *distance_),
+          deviation_by_parts(*mesh_, drawn, result, *distance_)};
 }
 
 SurfaceDeviation DeviationMeter::measure(std::span<const SurfaceCurve> result,
@@ -299,10 +455,9 @@ SurfaceDeviation DeviationMeter::measure(std::span<const SurfaceCurve> result,
                                          PolylineDistance& to_drawn) {
   refuse_nothing(result);
   refuse_nothing(drawn);
-  if (!to_result_) to_result_.emplace(mesh_->surface());
-  to_result_->set(result);
+  if (!distance_) distance_.emplace(mesh_->surface());
   return {one_sided_deviation(mesh_->surface(), result, to_drawn, drawn),
-          one_sided_deviation(mesh_->surface(), drawn, *to_result_, result)};
+          deviation_by_parts(*mesh_, drawn, result, *distance_)};
 }
 
 }  // namespace talweg

@@ -53,26 +53,24 @@ OneSidedSurfaceDeviation one_sided_deviation(const Surface& surface,
                                              PolylineDistance& to,
                                              std::span<const SurfaceCurve> to_curves);
 
-/// Measures both directions again and again on one mesh. Holds the working memory, O(mesh),
-/// which is made when first needed. What the distance to a drawing has cost is kept for the next
-/// result that is compared with the same drawing. One thread at a time; the surface must outlive
-/// it.
+/// Measures both directions again and again on one mesh. Holds the working memory, O(mesh), which
+/// is made when first needed. One thread at a time; the mesh must outlive the object.
 class DeviationMeter {
  public:
   explicit DeviationMeter(const SurfaceMesh& mesh) : mesh_(&mesh) {}
 
-  /// All of `result` against all of `drawn`. Costs what lies within the distances that come out.
-  /// Throws Error(kBadCurve) as one_sided_deviation() does.
+  /// All of `result` against all of `drawn`. Goes along the curves part by part, so each part costs
+  /// what lies within its own distance. Throws Error(kBadCurve) as one_sided_deviation() does.
   SurfaceDeviation measure(std::span<const SurfaceCurve> result,
                            std::span<const SurfaceCurve> drawn);
-  /// The same with a distance of the caller's that is set to `drawn` already.
+  /// The same with a distance of the caller's that is set to `drawn` already, and used as a whole:
+  /// cheaper where its band is there.
   SurfaceDeviation measure(std::span<const SurfaceCurve> result,
                            std::span<const SurfaceCurve> drawn, PolylineDistance& to_drawn);
 
  private:
   const SurfaceMesh* mesh_;
-  std::optional<PolylineDistance> to_drawn_, to_result_;
-  std::vector<SurfaceCurve> drawn_;  // what to_drawn_ is set to
+  std::optional<PolylineDistance> distance_;
 };
 
 }  // namespace talweg
