@@ -1,4 +1,6 @@
 // Loops of a single edge: they open, or stay exactly as they are.
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "intrinsic/test_paths.hpp"
@@ -71,6 +73,68 @@ TEST(FlipOutOneEdge, LoopsThatOthersHoldStayAsTheyAre) {
     Tracer(t).trace_and_undo(ends);
   }
   EXPECT_GT(held, 100U);
+}
+
+/// A Δ-complex: pairs of sides (three times the face, plus the side) that are glued.
+Surface glued(std::size_t vertices, const std::vector<Triangle>& triangles,
+              const std::vector<std::array<std::uint32_t, 2>>& pairs) {
+  std::vector<std::uint32_t> gluing(3 * triangles.size(), Surface::kNoSide);
+  for (const auto& [a, b] : pairs) {
+    gluing[a] = b;
+    gluing[b] = a;
+  }
+  return Surface::from_gluing(vertices, triangles, gluing);
+}
+
+TEST(FlipOutOneEdge, AnnulusGivesItsClosedGeodesic) {
+  // An equilateral triangle of side 1 stands on the loop; the two triangles (apex, w) and (w, apex)
+  // close the annulus with an angle of 50° at the loop's vertex, from where w is at a distance r.
+  // The other boundary, apex - w - apex, is convex, so the opened loop must be pulled back from it.
+  // Laid out around the loop, the two images of w are 1 - 2 r cos(60° + 25°) apart.
+  for (const double r : {0.1, 0.3, 0.6}) {
+    Surface s = glued(3, {{0, 0, 1}, {0, 1, 2}, {0, 2, 1}}, {{2, 3}, {5, 6}, {8, 1}});
+    const double half = 25 * kPi / 180;
+    std::vector<double> lengths(s.edge_count(), 1);
+    const double rim = std::sqrt(1 + r * r - 2 * r * std::cos(half));
+    for (std::size_t e = 0; e < lengths.size(); ++e) {
+      const HalfedgeId h = halfedge_of(EdgeId{e});
+      if (s.tail(h).index() + s.head(h).index() == 2) lengths[e] = r;    // 0 to w
+      if (s.tail(h).index() + s.head(h).index() == 3) lengths[e] = rim;  // apex to w
+    }
+    s.set_lengths(lengths);
+    SignpostTriangulation t(s);
+    const HalfedgeId loop = s.halfedge(FaceId{0});
+    const FlipOutResult result = FlipOut(t).run(std::vector{EdgePath::make(t, {loop}, true)}, {});
+    EXPECT_EQ(result.paths[0].termination, Termination::kConverged);
+    EXPECT_NEAR(result.paths[0].length_after, 1 - 2 * r * std::cos(kPi / 3 + half), 1e-12) << r;
+    while (t.flip_count() > 0) t.undo_flip();
+  }
+}
+
+TEST(FlipOutOneEdge, AnOpeningThatFailsAfterFlipsIsTakenBack) {
+  // The loop gets shorter only on its far side, where the second path lies: alone it does, beside
+  // that path it is as if nothing had been tried. Every edge is as long as the weights of its ends
+  // together, so inside there is another loop of the same length.
+  Surface s = glued(4, {{0, 0, 1}, {2, 1, 0}, {3, 0, 0}, {1, 2, 0}, {2, 0, 0}},
+                    {{1, 4}, {2, 11}, {3, 9}, {5, 12}, {6, 8}, {7, 13}, {10, 14}});
+  const std::array<double, 4> weight = {11.6, 12.3, 0.07, 0.05};
+  std::vector<double> lengths(s.edge_count());
+  for (std::size_t e = 0; e < lengths.size(); ++e) {
+    const HalfedgeId h = halfedge_of(EdgeId{e});
+    lengths[e] = weight[s.tail(h).index()] + weight[s.head(h).index()];
+  }
+  s.set_lengths(lengths);
+  SignpostTriangulation t(s);
+  const EdgePath loop = EdgePath::make(t, {s.halfedge(FaceId{0})}, true);
+  const FlipOutResult alone = FlipOut(t).run(std::vector{loop}, {});
+  EXPECT_LT(alone.paths[0].length_after, alone.paths[0].length_before);
+  while (t.flip_count() > 0) t.undo_flip();
+
+  const FlipOutResult held = FlipOut(t).run(std::vector{loop, path_through(t, {2, 1})}, {});
+  EXPECT_EQ(held.flips, 0U);
+  EXPECT_EQ(held.paths[0].length_after, held.paths[0].length_before);
+  ASSERT_EQ(held.paths[0].path.halfedges().size(), 1U);
+  EXPECT_EQ(held.paths[0].path.halfedges()[0], loop.halfedges()[0]);
 }
 
 }  // namespace
