@@ -102,7 +102,10 @@ void FlipOut::accept(const Wedge& wedge, std::span<const HalfedgeId> arc) {
   network_.replace(wedge, arc, fresh_);
   const bool prev_remains = prev != PathNetwork::kNone && prev != last_of_path &&
                             prev != wedge.before && network_.segment(prev).alive;
-  if (prev_remains) push(prev);
+  if (prev_remains) {  // its joint is another one now
+    network_.set_blocked(prev, false);
+    push(prev);
+  }
   for (const SegmentId s : fresh_) push(s);
   push_around(around);
   push_around(twin(around));
