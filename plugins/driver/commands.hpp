@@ -27,6 +27,7 @@ using Command = std::function<int()>;
 
 Command add_draw(CLI::App& app, const GlobalOptions& global);
 Command add_smooth(CLI::App& app, const GlobalOptions& global);
+Command add_measure(CLI::App& app, const GlobalOptions& global);
 Command add_info(CLI::App& app, const GlobalOptions& global);
 
 }  // namespace talweg::driver

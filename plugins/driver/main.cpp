@@ -45,7 +45,8 @@ int run(int argc, char** argv) {
       "result is written), 4 cancelled, 5 internal error.\n"
       "Example:\n"
       "  talweg draw vessel.ply --through 12,845,9001 -o drawn.obj\n"
-      "  talweg smooth vessel.ply --curve drawn.obj --tau 2 -o smooth.vtp --report smooth.json");
+      "  talweg smooth vessel.ply --curve drawn.obj --tau 2 -o smooth.vtp --report smooth.json\n"
+      "  talweg measure vessel.ply smooth.vtp drawn.obj");
   GlobalOptions global;
   app.add_flag("-q,--quiet", global.quiet, "Print nothing but errors");
   app.add_flag("-v,--verbose", global.verbose, "Print the warnings and times of each curve");
@@ -53,7 +54,7 @@ int run(int argc, char** argv) {
       ->check(CLI::Range(1U, 1024U))
       ->capture_default_str();
   app.add_option("--seed", global.seed,
-                 "Seed of everything random; nothing in draw, smooth and info is")
+                 "Seed of everything random; nothing in draw, smooth, measure and info is")
       ->capture_default_str();
 
   std::vector<std::pair<const CLI::App*, Command>> commands;
@@ -65,6 +66,7 @@ int run(int argc, char** argv) {
   };
   add(add_draw);
   add(add_smooth);
+  add(add_measure);
   add(add_info);
   app.allow_extras();  // they get a sentence of ours
   try {
@@ -85,7 +87,7 @@ int run(int argc, char** argv) {
       return code;
     }
   }
-  return fail(kBadUsage, "A command is needed: draw, smooth or info (see talweg --help)");
+  return fail(kBadUsage, "A command is needed: draw, smooth, measure or info (see talweg --help)");
 }
 
 }  // namespace

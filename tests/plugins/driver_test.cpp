@@ -171,7 +171,7 @@ TEST_F(Driver, UsesAGivenDistance) {
 }
 
 TEST_F(Driver, SaysWhatIsWrongWithTheArguments) {
-  expect_failure("", 1, {"draw, smooth or info"});
+  expect_failure("", 1, {"draw, smooth, measure or info"});
   expect_failure("smoth mesh.ply", 1, {"smoth"});
   expect_failure("smooth mesh.ply", 1, {"--curve"});
   expect_failure("smooth mesh.ply --curve a.txt --bogus", 1, {"--bogus"});

@@ -1,0 +1,162 @@
+// talweg measure: what curves on a mesh measure, and how far apart two of them lie.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <memory>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "commands.hpp"
+#include "drawing_file.hpp"
+#include "measure_text.hpp"
+#include "talweg/core/formats/file_bytes.hpp"
+#include "talweg/core/mesh_reader.hpp"
+#include "talweg/core/self_contacts.hpp"
+#include "talweg/core/surface_deviation.hpp"
+
+namespace talweg::driver {
+namespace {
+
+struct MeasureOptions {
+  std::string mesh;
+  std::string curve;
+  std::string other;
+  std::string report;
+};
+
+void count_contacts(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves,
+                    MeasuredCurve& measured) {
+  for (const SelfContact& contact : self_contacts(mesh.surface(), curves)) {
+    measured.contacts.push_back(mesh.position(contact.at));
+    if (contact.stretch) ++measured.stretches;
+  }
+}
+
+MeasuredCurve measure_one(const SurfaceMesh& mesh, const SurfaceCurve& curve) {
+  MeasuredCurve measured{curve.points.size(), curve.closed, measure_curve(mesh.surface(), curve),
+                         Point::Zero(),       {},           0};
+  measured.max_at = mesh.position(curve.points[measured.measures.max_at]);
+  count_contacts(mesh, std::span(&curve, 1), measured);
+  return measured;
+}
+
+MeasuredFile measure_file(const SurfaceMesh& mesh, const std::string& name,
+                          const std::vector<SurfaceCurve>& curves) {
+  MeasuredFile file{name, {}, {}};
+  for (const SurfaceCurve& curve : curves) file.curves.push_back(measure_one(mesh, curve));
+  file.total = file.curves.front();
+  if (curves.size() == 1) return file;
+  file.total.contacts.clear();
+  file.total.stretches = 0;
+  count_contacts(mesh, curves, file.total);
+  for (const MeasuredCurve& c : std::span(file.curves).subspan(1)) {
+    MeasuredCurve& total = file.total;
+    total.points += c.points;
+    total.closed = total.closed && c.closed;
+    total.measures.length += c.measures.length;
+    total.measures.total_curvature += c.measures.total_curvature;
+    total.measures.signed_curvature += c.measures.signed_curvature;
+    if (c.measures.max_curvature > total.measures.max_curvature) {
+      total.measures.max_curvature = c.measures.max_curvature;
+      total.max_at = c.max_at;
+    }
+  }
+  return file;
+}
+
+/// The deviation of all from those of the pairs: the largest, and means by length.
+MeasuredDeviation all_of(const Measurement& m) {
+  MeasuredDeviation all = m.deviations.front();
+  double to = 0, from = 0;
+  for (std::size_t i = 0; i < m.deviations.size(); ++i) {
+    const MeasuredDeviation& d = m.deviations[i];
+    if (std::max(d.to_max, d.from_max) > std::max(all.to_max, all.from_max)) all.at = d.at;
+    all.to_max = std::max(all.to_max, d.to_max);
+    all.from_max = std::max(all.from_max, d.from_max);
+    to += d.to_mean * m.file.curves[i].measures.length;
+    from += d.from_mean * m.other->curves[i].measures.length;
+  }
+  all.to_mean = to / m.file.total.measures.length;
+  all.from_mean = from / m.other->total.measures.length;
+  return all;
+}
+
+void compare(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves,
+             std::span<const SurfaceCurve> others, Measurement& m) {
+  DeviationMeter meter(mesh);
+  const auto between = [&](std::span<const SurfaceCurve> a, std::span<const SurfaceCurve> b) {
+    const SurfaceDeviation d = meter.measure(a, b);
+    return MeasuredDeviation{d.to_drawn.max, d.to_drawn.mean, d.from_drawn.max, d.from_drawn.mean,
+                             mesh.position(d.larger().at)};
+  };
+  if (curves.size() == others.size()) {
+    for (std::size_t i = 0; i < curves.size(); ++i) {
+      m.deviations.push_back(between(curves.subspan(i, 1), others.subspan(i, 1)));
+    }
+    m.deviation = all_of(m);
+  } else {
+    m.deviation = between(curves, others);
+    m.warnings.push_back(std::to_string(curves.size()) + " curves are compared with " +
+                         std::to_string(others.size()) + ": all together, not one by one.");
+  }
+  if (!std::isfinite(std::max(m.deviation.to_max, m.deviation.from_max))) {
+    m.warnings.emplace_back(
+        "Some curves lie on parts of the mesh that are not connected: their deviation is "
+        "infinite.");
+  }
+}
+
+Measurement measure(const MeasureOptions& options) {
+  MeshLists lists = read_mesh(options.mesh);
+  const SurfaceMesh mesh = SurfaceMesh::open(lists);
+  const std::size_t polygons = lists.polygon_count;
+  lists = {};
+  const Drawing drawing = read_drawing(options.curve, mesh);
+  Measurement m{mesh.surface().face_count(),
+                mesh.surface().vertex_count(),
+                measure_file(mesh, options.curve, drawing.curves),
+                {},
+                {},
+                {},
+                {}};
+  double moved = drawing.largest_snap_distance;
+  if (!options.other.empty()) {
+    const Drawing other = read_drawing(options.other, mesh);
+    moved = std::max(moved, other.largest_snap_distance);
+    m.other = measure_file(mesh, options.other, other.curves);
+    compare(mesh, drawing.curves, other.curves, m);
+  }
+  const std::vector<std::string> reading = reading_warnings(moved, polygons);
+  m.warnings.insert(m.warnings.end(), reading.begin(), reading.end());
+  return m;
+}
+
+}  // namespace
+
+Command add_measure(CLI::App& app, const GlobalOptions& global) {
+  auto o = std::make_shared<MeasureOptions>();
+  CLI::App* command = app.add_subcommand(
+      "measure",
+      "Length, geodesic curvature and self-contacts of curves; with a second file also how far "
+      "apart they lie along the surface, both ways");
+  command->add_option("mesh", o->mesh, "Mesh: OBJ, OFF, PLY, STL or OM")->required();
+  command
+      ->add_option("curve", o->curve,
+                   "Curves: .obj, .ply, .vtp, .vtk, .mrk.json, .txt (vertex numbers) or .json")
+      ->required();
+  command->add_option("other", o->other,
+                      "Curves to compare with: as many are compared one by one in their order, "
+                      "more or fewer all together");
+  command->add_option("--report", o->report, "What was measured, as JSON");
+  return [o, &global] {
+    const Measurement m = measure(*o);
+    if (!o->report.empty()) write_file(o->report, measure_json(m));
+    const bool table = global.verbose || o->report.empty();
+    if (table && !global.quiet) std::fputs(measure_table(m).c_str(), stdout);
+    return static_cast<int>(kDone);
+  };
+}
+
+}  // namespace talweg::driver

@@ -1,0 +1,50 @@
+// What `talweg measure` tells: as a table and as JSON.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "talweg/core/measures.hpp"
+#include "talweg/core/mesh_lists.hpp"
+
+namespace talweg::driver {
+
+/// One curve, or the totals of several: counts, lengths and curvatures are sums, the largest turn
+/// is the largest, and contacts between the curves count too.
+struct MeasuredCurve {
+  std::size_t points = 0;
+  bool closed = false;
+  CurveMeasures measures;
+  Point max_at = Point::Zero();  ///< where the largest turn is
+  std::vector<Point> contacts;   ///< where self-contacts begin
+  std::size_t stretches = 0;     ///< how many of them are more than a point
+};
+
+/// Along the surface, mesh units; infinite between parts that are not connected.
+struct MeasuredDeviation {
+  double to_max = 0, to_mean = 0;      ///< of the curve's points to the other
+  double from_max = 0, from_mean = 0;  ///< of the other's points to the curve
+  Point at = Point::Zero();            ///< where the larger maximum is
+};
+
+struct MeasuredFile {
+  std::string name;
+  std::vector<MeasuredCurve> curves;
+  MeasuredCurve total;
+};
+
+struct Measurement {
+  std::size_t faces = 0, vertices = 0;  ///< of the mesh
+  MeasuredFile file;
+  std::optional<MeasuredFile> other;
+  std::vector<MeasuredDeviation> deviations;  ///< of pairs; empty where the counts differ
+  MeasuredDeviation deviation;                ///< of all
+  std::vector<std::string> warnings;
+};
+
+std::string measure_table(const Measurement& m);
+std::string measure_json(const Measurement& m);
+
+}  // namespace talweg::driver
