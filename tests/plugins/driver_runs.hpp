@@ -1,0 +1,45 @@
+// Runs the driver in a folder of its own, as a user would.
+#pragma once
+
+#include <algorithm>
+#include <cstdlib>
+#include <initializer_list>
+#include <string>
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include "core/temporary_folder.hpp"
+
+namespace talweg::test {
+
+class DriverRuns : public TemporaryFolder {
+ protected:
+  struct Outcome {
+    int code = -1;
+    std::string out;
+    std::string err;
+  };
+
+  [[nodiscard]] Outcome run(const std::string& arguments) const {
+    std::string command("cd '");
+    command.append(file("").string()).append("' && '" TALWEG_DRIVER "' ").append(arguments);
+    command.append(" >out.log 2>err.log </dev/null");
+    const int status = std::system(command.c_str());
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, bytes_of(file("out.log")),
+            bytes_of(file("err.log"))};
+  }
+
+  /// Fails with this code, one line on stderr that has these words, and nothing on stdout.
+  void expect_failure(const std::string& arguments, int code,
+                      std::initializer_list<const char*> words) const {
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.code, code) << arguments << "\n" << outcome.err;
+    EXPECT_EQ(outcome.out, "") << arguments;
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+    for (const char* word : words)
+      EXPECT_NE(outcome.err.find(word), std::string::npos) << outcome.err;
+  }
+};
+
+}  // namespace talweg::test
