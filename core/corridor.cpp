@@ -5,7 +5,10 @@
 #include <numbers>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "talweg/core/measures.hpp"
+#include "talweg/intrinsic/error.hpp"
 
 namespace talweg {
 namespace {
@@ -24,6 +27,20 @@ std::size_t count_segments(const Surface& surface, const SurfaceCurve& curve) {
     if (turn > kStraight) ++corners;
   }
   return curve.closed ? std::max<std::size_t>(corners, 1) : corners + 1;
+}
+
+void check_slack(const std::vector<double>& values, std::size_t curve, std::size_t points) {
+  if (values.size() != points) {
+    throw Error(ErrorCode::kBadUsage,
+                fmt::format("slack_at has {} values for the {} points of curve {}.", values.size(),
+                            points, curve));
+  }
+  for (std::size_t i = 0; i < points; ++i) {
+    if (values[i] >= 0 && std::isfinite(values[i])) continue;
+    throw Error(
+        ErrorCode::kBadUsage,
+        fmt::format("The slack of curve {} at its point {} must be finite and >= 0.", curve, i));
+  }
 }
 
 }  // namespace
@@ -65,19 +82,50 @@ Corridor::Corridor(PolylineDistance& distance, std::vector<bool> closed, const O
       closed_(std::move(closed)),
       slack_(options.slack),
       steepness_(kGain * options.tau * (kGain * options.tau / options.length)),
-      turns_(options.turns) {}
+      turns_(options.turns) {
+  if (!options.slack_at.empty()) set_field(options.slack_at);
+}
 
-double Corridor::phase(const PolylineDistance::Nearest& nearest) const {
-  if (!closed_[nearest.curve]) return 0;
-  return 2 * std::numbers::pi * turns_ * nearest.arc_length /
-         distance_->curve_length(nearest.curve);
+void Corridor::set_field(const std::vector<std::vector<double>>& slack_at) {
+  if (slack_at.size() != closed_.size()) {
+    throw Error(ErrorCode::kBadUsage, fmt::format("slack_at has values for {} curves, not for {}.",
+                                                  slack_at.size(), closed_.size()));
+  }
+  for (std::size_t c = 0; c < slack_at.size(); ++c) {
+    const auto arcs = distance_->point_arcs(c);
+    check_slack(slack_at[c], c, arcs.size());
+    Field& field = field_.emplace_back();
+    field.arcs.assign(arcs.begin(), arcs.end());
+    field.values = slack_at[c];
+    if (!closed_[c]) continue;
+    field.arcs.push_back(distance_->curve_length(c));
+    field.values.push_back(field.values.front());
+  }
+}
+
+Corridor::Varying Corridor::slack(std::uint32_t curve, double arc) const {
+  if (field_.empty()) return {slack_, 0};
+  const auto& [arcs, values] = field_[curve];
+  const auto after = std::upper_bound(arcs.begin(), arcs.end(), arc);
+  if (after == arcs.begin()) return {values.front(), 0};
+  if (after == arcs.end()) return {values.back(), 0};
+  const auto i = static_cast<std::size_t>(after - arcs.begin()) - 1;
+  const double change = values[i + 1] - values[i], width = arcs[i + 1] - arcs[i];
+  return {values[i] + change * ((arc - arcs[i]) / width), change / width};
+}
+
+double Corridor::phase_per_arc(std::uint32_t curve) const {
+  const double length = distance_->curve_length(curve);
+  return closed_[curve] && length > 0 ? 2 * std::numbers::pi * turns_ / length : 0.0;
 }
 
 std::array<double, 2> Corridor::lifted(const PolylineDistance::Nearest& nearest) const {
-  if (!std::isfinite(nearest.distance) || nearest.distance <= slack_) return {0, 0};
-  const double beyond = nearest.distance - slack_;
+  if (!std::isfinite(nearest.distance)) return {0, 0};
+  const double beyond = nearest.distance - slack(nearest.curve, nearest.arc_length).value;
+  if (!(beyond > 0)) return {0, 0};
   const double phi = std::min(steepness_ * beyond * beyond, kCut);
-  const double theta = phase(nearest);
+  const double theta = phase_per_arc(nearest.curve) * nearest.arc_length;
+  if (theta == 0) return {phi, 0};
   return {phi * std::cos(theta), phi * std::sin(theta)};
 }
 
@@ -92,21 +140,17 @@ std::array<double, 2> Corridor::at(const SurfacePoint& point) const {
 PotentialOnEdge Corridor::on_edge(EdgeId e, double t) const {
   PotentialOnEdge result;
   const PolylineDistance::EdgeValue d = distance_->at_edge(e, t);
-  const double beyond = d.value - slack_;
-  if (!(beyond > 0) || !std::isfinite(d.value)) return result;
+  if (!std::isfinite(d.value)) return result;
+  const Varying slack_here = slack(d.curve, d.arc_length);
+  const double beyond = d.value - slack_here.value;
+  if (!(beyond > 0)) return result;
+  const double slope = d.first - slack_here.slope * d.arc_first;
   const double phi = steepness_ * beyond * beyond;
-  const double first = 2 * steepness_ * beyond * d.first;
-  const double second = 2 * steepness_ * (d.first * d.first + beyond * d.second);
-  const PolylineDistance::Nearest here = distance_->on_edge(e, t);
-  const double theta = phase(here);
-  double dtheta = 0;
-  if (closed_[here.curve] && turns_ > 0) {
-    constexpr double kStep = 1e-4;
-    const double a = std::max(0.0, t - kStep), b = std::min(1.0, t + kStep);
-    const double turn = phase(distance_->on_edge(e, b)) - phase(distance_->on_edge(e, a));
-    // Over a seam of nearest points the phase jumps; there it has no derivative.
-    if (std::abs(turn) < 0.1) dtheta = turn / (b - a);
-  }
+  const double first = 2 * steepness_ * beyond * slope;
+  const double second = 2 * steepness_ * (slope * slope + beyond * d.second);
+  const double turn = phase_per_arc(d.curve);
+  if (turn == 0) return {{phi, 0}, {first, 0}, {second, 0}};
+  const double theta = turn * d.arc_length, dtheta = turn * d.arc_first;
   const double c = std::cos(theta), s = std::sin(theta);
   result.value = {phi * c, phi * s};
   result.first = {first * c - phi * s * dtheta, first * s + phi * c * dtheta};

@@ -24,7 +24,8 @@ double drawing_radius(const SurfaceMesh& mesh, std::span<const SurfaceCurve> dra
 /// φ = L (a τ max(0, δ − ε) / L)², a = 10, with the exact distance δ to the drawing. For closed
 /// curves a vector, φ (cos θ, sin θ), where θ runs from 0 to 2πk along the drawn loop and is taken
 /// from its nearest point: a loop that slides along a level set of δ has to walk around a circle
-/// of radius φ, so it does not slide inwards for nothing.
+/// of radius φ, so it does not slide inwards for nothing. ε may vary along the drawing; then that
+/// of the nearest point of the drawing counts.
 class Corridor {
  public:
   struct Options {
@@ -32,8 +33,13 @@ class Corridor {
     double slack = 0;   ///< ε, mesh units, >= 0
     double length = 1;  ///< L, mesh units, > 0
     int turns = 1;      ///< k, >= 0; 0 switches the phase off
+    /// Unless empty, ε instead of `slack`: per curve one value per point, mesh units, >= 0; linear
+    /// in the arc length between points, also from the last to the first of a closed curve.
+    std::vector<std::vector<double>> slack_at;
   };
   /// `distance` has the curves set, `closed` tells which of them are closed.
+  /// Throws Error(kBadUsage) naming the curve and the point when slack_at does not fit the curves
+  /// or has a value that is negative or not finite.
   Corridor(PolylineDistance& distance, std::vector<bool> closed, const Options& options);
 
   std::array<double, 2> at(const SurfacePoint& point) const;
@@ -41,13 +47,25 @@ class Corridor {
   PotentialOnEdge on_edge(EdgeId e, double t) const;
 
  private:
-  std::array<double, 2> lifted(const PolylineDistance::Nearest& nearest) const;
-  double phase(const PolylineDistance::Nearest& nearest) const;
+  /// ε along one curve.
+  struct Field {
+    std::vector<double> arcs, values;
+  };
+  /// A value and its derivative by arc length.
+  struct Varying {
+    double value = 0;
+    double slope = 0;
+  };
+  void set_field(const std::vector<std::vector<double>>& slack_at);
+  [[nodiscard]] Varying slack(std::uint32_t curve, double arc) const;
+  [[nodiscard]] double phase_per_arc(std::uint32_t curve) const;
+  [[nodiscard]] std::array<double, 2> lifted(const PolylineDistance::Nearest& nearest) const;
 
   PolylineDistance* distance_;
   std::vector<bool> closed_;
   double slack_;
-  double steepness_;  // (a τ)² / L
+  std::vector<Field> field_;  // per curve; empty: slack_ everywhere
+  double steepness_;          // (a τ)² / L
   int turns_;
 };
 

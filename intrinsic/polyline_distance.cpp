@@ -105,13 +105,18 @@ Nearest PolylineDistance::on_edge(EdgeId edge, double t) {
 PolylineDistance::EdgeValue PolylineDistance::at_edge(EdgeId edge, double t) {
   const double length = surface_->length(edge), x = t * length;
   const EdgeHit hit = final_hit(edge, x);
-  if (std::isinf(hit.nearest.distance)) return {kInfinity, 0, 0};
+  const Nearest nearest = finish(hit.nearest);
+  EdgeValue result{nearest.distance, 0, 0, nearest.curve, nearest.arc_length, 0};
+  if (std::isinf(nearest.distance)) return result;
   // Narrow gaps between windows are rounding.
   if (hit.window != nullptr && std::abs(x - hit.bend) <= 1e-9 * length) {
-    return {hit.nearest.distance, hit.window->slope(hit.bend) * length,
-            hit.window->curvature(hit.bend) * length * length};
+    result.first = hit.window->slope(hit.bend) * length;
+    result.second = hit.window->curvature(hit.bend) * length * length;
+    result.arc_first = hit.window->arc_slope() * length;
+  } else {
+    result.first = x < hit.bend ? -length : length;
   }
-  return {hit.nearest.distance, x < hit.bend ? -length : length, 0};
+  return result;
 }
 
 Nearest PolylineDistance::nearest_in_face(const InFace& point) const {

@@ -47,8 +47,11 @@ class PolylineDistance {
     double value = 0;
     double first = 0;
     double second = 0;
+    std::uint32_t curve = 0;  ///< as in Nearest
+    double arc_length = 0;    ///< as in Nearest
+    double arc_first = 0;     ///< its derivative by t; the second one is 0
   };
-  /// The same distance as on_edge(). O(ways that reach the edge) once the edge has been reached.
+  /// The same answer as on_edge(). O(ways that reach the edge) once the edge has been reached.
   EdgeValue at_edge(EdgeId edge, double t);
 
   /// Makes all distances below `distance` known, as queries do by themselves.
@@ -58,6 +61,10 @@ class PolylineDistance {
 
   /// Mesh units; of a closed curve with its last segment.
   [[nodiscard]] double curve_length(std::size_t curve) const { return pieces_.lengths[curve]; }
+  /// Arc length at every point of the curve as it was set, not decreasing.
+  [[nodiscard]] std::span<const double> point_arcs(std::size_t curve) const {
+    return pieces_.arcs[curve];
+  }
   /// All distances below this are known already.
   [[nodiscard]] double front() const { return queue_.front(); }
   /// Windows made since set(): what the last curves cost.

@@ -57,7 +57,9 @@ class Cutter {
       if (!exists(surface_, curve.points[i])) bad(id, i, "has a point that is not on the mesh");
     }
     double arc = 0;
+    std::vector<double>& arcs = pieces_.arcs.emplace_back();
     for (std::size_t i = 0; i < n; ++i) {
+      arcs.push_back(arc);
       add_point(curve.points[i], id, arc);
       if (i + 1 == n && !(curve.closed && n > 1)) break;
       arc += add_segment(curve.points[i], curve.points[(i + 1) % n], id, i, arc);

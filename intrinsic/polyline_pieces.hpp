@@ -39,9 +39,10 @@ struct PolylinePiece {
 };
 
 struct PolylinePieces {
-  std::vector<PolylinePiece> segments;  ///< by face; one along an edge is in both faces
-  std::vector<PolylinePiece> points;    ///< in the order of the curves; vertices once
-  std::vector<double> lengths;          ///< of the curves
+  std::vector<PolylinePiece> segments;    ///< by face; one along an edge is in both faces
+  std::vector<PolylinePiece> points;      ///< in the order of the curves; vertices once
+  std::vector<double> lengths;            ///< of the curves
+  std::vector<std::vector<double>> arcs;  ///< arc length at every point of every curve
 
   [[nodiscard]] std::span<const PolylinePiece> segments_in(FaceId face) const;
 };

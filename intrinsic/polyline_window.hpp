@@ -37,6 +37,7 @@ struct EdgeWindow {
   [[nodiscard]] double slope(double x) const;
   [[nodiscard]] double curvature(double x) const;
   [[nodiscard]] double arc_at(double x) const { return from_point() ? arc : arc + sense * py * x; }
+  [[nodiscard]] double arc_slope() const { return from_point() ? 0.0 : sense * py; }
   [[nodiscard]] bool is_empty() const { return end < begin; }
   /// Takes away what lies in [from, to], but for `overlap`, if that reaches within `narrow` of an
   /// end of the window.

@@ -9,6 +9,7 @@
 #include "talweg/core/crossings.hpp"
 #include "talweg/core/curve_smoother.hpp"
 #include "talweg/core/drawing.hpp"
+#include "talweg/core/polish.hpp"
 #include "talweg/intrinsic/error.hpp"
 
 namespace talweg {
@@ -74,6 +75,147 @@ TEST(Corridor, ItsDerivativesAlongAnEdgeAreThoseOfItsValues) {
     }
   }
   EXPECT_GT(compared, 300);
+}
+
+TEST(Corridor, AConstantFieldIsTheNumber) {
+  const auto opened = OpenedMesh::open(grid(30, 30));
+  const Surface& surface = opened->surface();
+  const SurfaceCurve drawn = jagged_circle(opened->mesh(), 30, 8);
+  PolylineDistance distance(surface);
+  distance.set(std::span(&drawn, 1));
+  const Corridor number(distance, {true}, {.tau = 1, .slack = 0.3, .length = 8});
+  const Corridor field(
+      distance, {true},
+      {.tau = 1, .length = 8, .slack_at = {std::vector<double>(drawn.points.size(), 0.3)}});
+  for (std::size_t v = 0; v < surface.vertex_count(); ++v) {
+    EXPECT_EQ(number.at_vertex(VertexId{v}), field.at_vertex(VertexId{v}));
+  }
+  for (std::size_t e = 0; e < surface.edge_count(); ++e) {
+    const PotentialOnEdge a = number.on_edge(EdgeId{e}, 0.3), b = field.on_edge(EdgeId{e}, 0.3);
+    EXPECT_EQ(a.value, b.value);
+    EXPECT_EQ(a.first, b.first);
+    EXPECT_EQ(a.second, b.second);
+  }
+  for (std::size_t f = 0; f < surface.face_count(); ++f) {
+    const SurfacePoint p = SurfacePoint::in_face(surface, FaceId{f}, {0.2, 0.3, 0.5});
+    EXPECT_EQ(number.at(p), field.at(p));
+  }
+}
+
+// A row of a plane grid with a slack that grows by 0.1 per unit: all in closed form.
+TEST(Corridor, AFieldIsLinearBetweenThePointsOfTheDrawing) {
+  const auto opened = OpenedMesh::open(grid(20, 20));
+  const Surface& surface = opened->surface();
+  std::vector<VertexId> row;
+  for (std::uint32_t i = 0; i <= 20; ++i) row.emplace_back(10 * 21 + i);
+  const SurfaceCurve drawn = test::vertex_curve(surface, row, false);
+  PolylineDistance distance(surface);
+  distance.set(std::span(&drawn, 1));
+  Corridor::Options options{.tau = 0.5, .length = 4};
+  auto& slack = options.slack_at.emplace_back();
+  for (int i = 0; i <= 20; ++i) slack.push_back(0.1 * i);
+  const Corridor corridor(distance, {false}, options);
+  const double steepness = std::pow(10 * 0.5, 2) / 4;
+  for (std::size_t e = 0; e < surface.edge_count(); ++e) {
+    const HalfedgeId h = halfedge_of(EdgeId{e});
+    const Point &p = opened->mesh().point(surface.tail(h)),
+                &q = opened->mesh().point(surface.head(h));
+    if (p.y() < 10 || q.y() < 10) continue;
+    const double t = 0.3;
+    const Point x = p + t * (q - p);
+    const double beyond = (x.y() - 10) - 0.1 * x.x();
+    const double slope = (q.y() - p.y()) - 0.1 * (q.x() - p.x());
+    const PotentialOnEdge at = corridor.on_edge(EdgeId{e}, t);
+    if (std::abs(beyond) < 1e-9) continue;  // on the border
+    const bool outside = beyond > 0;
+    EXPECT_NEAR(at.value[0], outside ? steepness * beyond * beyond : 0, 1e-9);
+    EXPECT_NEAR(at.first[0], outside ? 2 * steepness * beyond * slope : 0, 1e-9);
+    EXPECT_NEAR(at.second[0], outside ? 2 * steepness * slope * slope : 0, 1e-9);
+  }
+}
+
+TEST(Corridor, AFieldGoesOnAcrossTheEndOfALoop) {
+  const auto opened = OpenedMesh::open(grid(12, 12));
+  const Surface& surface = opened->surface();
+  // The square (4, 4), (8, 4), (8, 8), (4, 8); the last segment leads from (4, 8) back.
+  const SurfaceCurve drawn = test::vertex_curve(
+      surface, draw_edge_path(surface, ids({4 * 13 + 4, 4 * 13 + 8, 8 * 13 + 8, 8 * 13 + 4}), true),
+      true);
+  ASSERT_EQ(drawn.points.size(), 16U);
+  PolylineDistance distance(surface);
+  distance.set(std::span(&drawn, 1));
+  Corridor::Options options{.tau = 1, .length = 10, .turns = 0};
+  options.slack_at = {std::vector<double>(16, 0.5)};
+  options.slack_at[0][15] = 1;  // at (4, 5); 0.5 at (4, 4)
+  const Corridor corridor(distance, {true}, options);
+  // Left of the closing segment: the edge from (2, 4) to (2, 5).
+  const HalfedgeId h = surface.find_halfedge(VertexId{4 * 13 + 2}, VertexId{5 * 13 + 2});
+  const bool upwards = h == halfedge_of(edge_of(h));
+  const PotentialOnEdge at = corridor.on_edge(edge_of(h), upwards ? 0.25 : 0.75);
+  const double beyond = 2 - (0.5 + 0.25 * 0.5);
+  EXPECT_NEAR(at.value[0], 10 * beyond * beyond, 1e-9);
+  EXPECT_NEAR(at.first[0], (upwards ? 1 : -1) * 2 * 10 * beyond * -0.5, 1e-9);
+}
+
+/// A zigzag along a row of a plane grid, from left to right.
+SurfaceCurve zigzag(const Surface& surface, std::uint32_t columns) {
+  std::vector<VertexId> way;
+  for (std::uint32_t i = 0; i <= columns; ++i)
+    way.emplace_back((3 + (i / 2) % 2) * (columns + 1) + i);
+  return test::vertex_curve(surface, draw_edge_path(surface, way), false);
+}
+
+// To visit a point at height phi a curve must climb and come back: 2 phi <= the drawn length.
+TEST(Corridor, AFieldThatIsZeroOnOneHalfHoldsThatHalf) {
+  const auto opened = OpenedMesh::open(grid(40, 7));
+  const SurfaceMesh& mesh = opened->mesh();
+  const SurfaceCurve drawn = zigzag(mesh.surface(), 40);
+  PolylineDistance distance(mesh.surface());
+  distance.set(std::span(&drawn, 1));
+  const double tau = 40, length = 20, steepness = std::pow(10 * tau, 2) / length;
+  Corridor::Options options{.tau = tau, .length = length};
+  auto& slack = options.slack_at.emplace_back();
+  for (const Point& p : positions_of(mesh, drawn)) slack.push_back(p.x() <= 20 ? 0 : 2);
+  const Corridor corridor(distance, {false}, options);
+  const ExactPotential exact = {[&](EdgeId e, double t) { return corridor.on_edge(e, t); },
+                                [&](const SurfacePoint& p) { return corridor.at(p); }};
+  SurfaceCurve curve = drawn;
+  polish(mesh, curve, exact, {});
+  const double bound = std::sqrt(distance.curve_length(0) / 2 / steepness);
+  ASSERT_LT(bound, 0.1);
+  double left = 0, right = 0;
+  for (const SurfacePoint& p : curve.points) {
+    const double deviation = distance.at(p).distance;
+    double& side = mesh.position(p).x() <= 19 ? left : right;
+    side = std::max(side, deviation);
+  }
+  EXPECT_LE(left, bound);
+  EXPECT_GT(right, 0.3);
+}
+
+TEST(Corridor, RefusesAFieldThatDoesNotFit) {
+  const auto opened = OpenedMesh::open(grid(8, 8));
+  const Surface& surface = opened->surface();
+  const SurfaceCurve curves[] = {test::vertex_curve(surface, ids({10, 11, 12}), false),
+                                 test::vertex_curve(surface, ids({46, 47}), false)};
+  PolylineDistance distance(surface);
+  distance.set(curves);
+  const auto message = [&](const std::vector<std::vector<double>>& slack_at) -> std::string {
+    try {
+      const Corridor corridor(distance, {false, false}, {.slack_at = slack_at});
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), ErrorCode::kBadUsage);
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_EQ(message({{0, 1, 0}, {2, 2}}), "");
+  EXPECT_EQ(message({{0, 1, 0}}), "slack_at has values for 1 curves, not for 2.");
+  EXPECT_EQ(message({{0, 1, 0}, {2}}), "slack_at has 1 values for the 2 points of curve 1.");
+  for (const double bad : {-1.0, HUGE_VAL, std::nan("")}) {
+    EXPECT_EQ(message({{0, 1, 0}, {2, bad}}),
+              "The slack of curve 1 at its point 1 must be finite and >= 0.");
+  }
 }
 
 TEST(Corridor, LoopsOnADiscHoldAndAreRound) {

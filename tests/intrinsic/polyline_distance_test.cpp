@@ -386,13 +386,17 @@ TEST(PolylineDistance, EdgeValuesCarryTheirDerivatives) {
     const auto low = distance.at_edge(EdgeId{e}, t - step),
                high = distance.at_edge(EdgeId{e}, t + step);
     const auto at = distance.at_edge(EdgeId{e}, t);
-    EXPECT_EQ(at.value, distance.on_edge(EdgeId{e}, t).distance);
+    const auto nearest = distance.on_edge(EdgeId{e}, t);
+    EXPECT_EQ(at.value, nearest.distance);
+    EXPECT_EQ(at.curve, nearest.curve);
+    EXPECT_EQ(at.arc_length, nearest.arc_length);
     // Where the nearest feature changes in between, the derivatives jump.
     const double change = (low.second + high.second) / 2 * 2 * step;
     if (std::abs(high.first - low.first - change) > 1e-6) continue;
     ++smooth;
     EXPECT_NEAR((high.value - low.value) / (2 * step), at.first, 1e-5);
     EXPECT_NEAR((high.first - low.first) / (2 * step), at.second, 1e-1);
+    EXPECT_NEAR((high.arc_length - low.arc_length) / (2 * step), at.arc_first, 1e-6);
   }
   EXPECT_GT(smooth, static_cast<int>(surface.edge_count() * 9 / 10));
 }
@@ -495,6 +499,18 @@ TEST(PolylineDistance, NamesTheNearestOfSeveralCurves) {
       distance.on_edge(edge_of(surface.find_halfedge(VertexId{id(7, 1)}, VertexId{id(7, 2)})), 0.5);
   EXPECT_NEAR(closing.distance, 1, kExact);
   EXPECT_NEAR(closing.arc_length, 3.5, kExact);
+}
+
+TEST(PolylineDistance, KnowsTheArcLengthOfItsPoints) {
+  const Surface surface = test::surface_of(test::grid(10, 4));
+  const SurfaceCurve curves[] = {through_vertices(surface, {1, 2, 3, 4}),
+                                 through_vertices(surface, {6, 7, 18, 17}, true)};
+  PolylineDistance distance(surface);
+  distance.set(curves);
+  for (std::size_t c = 0; c < 2; ++c) {
+    const auto arcs = distance.point_arcs(c);
+    EXPECT_EQ(std::vector<double>(arcs.begin(), arcs.end()), (std::vector<double>{0, 1, 2, 3}));
+  }
 }
 
 TEST(PolylineDistance, CostsWhatItTouches) {
