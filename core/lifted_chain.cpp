@@ -41,6 +41,7 @@ ChainNode LiftedChain::node_at(const SurfacePoint& point, bool keep) const {
 
 void LiftedChain::move(ChainNode& node, double t) const {
   node.t = std::clamp(t, kEnd, 1 - kEnd);
+  node.changed = round_;
   evaluate(node);
 }
 
@@ -49,7 +50,7 @@ double LiftedChain::segment(const ChainNode& a, const ChainNode& b) const {
   return std::sqrt((b.y - a.y).squaredNorm() + smallest_ * smallest_);
 }
 
-double LiftedChain::length(const Nodes& nodes) const {
+double LiftedChain::length(std::span<const ChainNode> nodes) const {
   double sum = 0;
   for (std::size_t i = 0; i + 1 < nodes.size(); ++i) sum += segment(nodes[i], nodes[i + 1]);
   return sum;
@@ -59,66 +60,68 @@ SurfacePoint LiftedChain::place(const ChainNode& node) const {
   return node.fixed ? node.point : SurfacePoint::on_edge(mesh_.surface(), node.edge, node.t);
 }
 
-/// One damped Newton step on a chain whose ends stay. False when nothing is gained.
-bool LiftedChain::newton_step(Nodes& nodes, double& total) const {
+/// Gradient and second derivatives of the length. False when the curve is straight already.
+bool LiftedChain::assemble(std::span<const ChainNode> nodes) {
   const std::size_t n = nodes.size();
-  std::vector<double> gradient(n, 0), diagonal(n, 0), upper(n, 0);
+  rows_.assign(n, Row{});
   for (std::size_t i = 0; i + 1 < n; ++i) {
     const ChainNode &a = nodes[i], &b = nodes[i + 1];
-    const double l = segment(a, b);
-    const ChainNode::Lifted u = (b.y - a.y) / l;
-    const double ua = u.dot(a.dy), ub = u.dot(b.dy);
-    gradient[i] -= ua;
-    gradient[i + 1] += ub;
-    diagonal[i] += (a.dy.squaredNorm() - ua * ua) / l;
-    diagonal[i + 1] += (b.dy.squaredNorm() - ub * ub) / l;
-    upper[i] = -(a.dy.dot(b.dy) - ua * ub) / l;
+    Row &row = rows_[i], &next = rows_[i + 1];
+    row.direction = b.y - a.y;
+    const double l = std::sqrt(row.direction.squaredNorm() + smallest_ * smallest_);
+    row.direction /= l;
+    row.length = l;
+    const double ua = row.direction.dot(a.dy), ub = row.direction.dot(b.dy);
+    row.gradient -= ua;
+    next.gradient += ub;
+    row.diagonal += (a.dy.squaredNorm() - ua * ua) / l;
+    next.diagonal += (b.dy.squaredNorm() - ub * ub) / l;
+    row.upper = -(a.dy.dot(b.dy) - ua * ub) / l;
   }
-  for (std::size_t i = 1; i + 1 < n; ++i) {
-    const ChainNode::Lifted u = (nodes[i].y - nodes[i - 1].y) / segment(nodes[i - 1], nodes[i]);
-    const ChainNode::Lifted w = (nodes[i + 1].y - nodes[i].y) / segment(nodes[i], nodes[i + 1]);
-    diagonal[i] += std::max(0.0, (u - w).dot(nodes[i].ddy));
-  }
-  const auto held = [&](std::size_t i) {
-    if (nodes[i].fixed || i == 0 || i + 1 == n) return true;
-    return (nodes[i].t <= kEnd && gradient[i] > 0) || (nodes[i].t >= 1 - kEnd && gradient[i] < 0);
-  };
   double force = 0;  // sine of the angle by which the curve is not straight yet
   for (std::size_t i = 1; i + 1 < n; ++i) {
-    if (!held(i)) force = std::max(force, std::abs(gradient[i]) / nodes[i].dy.norm());
+    const ChainNode& node = nodes[i];
+    Row& row = rows_[i];
+    row.held = node.fixed || (node.t <= kEnd && row.gradient > 0) ||
+               (node.t >= 1 - kEnd && row.gradient < 0);
+    if (row.held) continue;
+    row.diagonal += std::max(0.0, (rows_[i - 1].direction - row.direction).dot(node.ddy));
+    force = std::max(force, std::abs(row.gradient) / node.dy.norm());
   }
-  if (force < kStraight) return false;
-  // Thomas' algorithm; held points are rows of the identity.
-  std::vector<double> c(n, 0), step(n, 0);
-  double before = 0;
-  bool before_held = true;
-  for (std::size_t i = 0; i < n; ++i) {
-    if (held(i)) {
-      c[i] = step[i] = 0;
-      before_held = true;
-      continue;
-    }
-    const double lower = before_held ? 0 : upper[i - 1];
-    const double pivot = diagonal[i] * (1 + 1e-9) + 1e-12 * nodes[i].dy.norm() - lower * before;
+  return force >= kStraight;
+}
+
+/// Thomas' algorithm; held points are rows of the identity.
+bool LiftedChain::solve(std::span<const ChainNode> nodes) {
+  for (std::size_t i = 1; i + 1 < nodes.size(); ++i) {
+    Row& row = rows_[i];
+    if (row.held) continue;
+    const Row& before = rows_[i - 1];
+    const double lower = before.held ? 0 : before.upper;
+    const double pivot =
+        row.diagonal * (1 + 1e-9) + 1e-12 * nodes[i].dy.norm() - lower * before.factor;
     if (!(pivot > 0)) return false;
-    c[i] = upper[i] / pivot;
-    step[i] = (-gradient[i] - (before_held ? 0 : lower * step[i - 1])) / pivot;
-    before = c[i];
-    before_held = false;
+    row.factor = row.upper / pivot;
+    row.step = (-row.gradient - lower * before.step) / pivot;
   }
-  for (std::size_t i = n - 1; i-- > 0;) {
-    if (step[i + 1] != 0 && !held(i)) step[i] -= c[i] * step[i + 1];
+  for (std::size_t i = nodes.size() - 1; i-- > 1;) {
+    if (!rows_[i].held) rows_[i].step -= rows_[i].factor * rows_[i + 1].step;
   }
-  Nodes moved = nodes;
+  return true;
+}
+
+/// One damped Newton step on a chain whose ends stay. False when nothing is gained.
+bool LiftedChain::newton_step(std::span<ChainNode> nodes, double& total) {
+  if (!assemble(nodes) || !solve(nodes)) return false;
+  moved_.assign(nodes.begin(), nodes.end());
   for (double scale = 1; scale > 1e-3; scale /= 2) {
-    for (std::size_t i = 1; i + 1 < n; ++i) {
-      if (!nodes[i].fixed && step[i] != 0) {
-        move(moved[i], nodes[i].t + scale * std::clamp(step[i], -0.5, 0.5));
-      }
+    for (std::size_t i = 1; i + 1 < nodes.size(); ++i) {
+      const double step = rows_[i].step;
+      if (step != 0) move(moved_[i], nodes[i].t + scale * std::clamp(step, -0.5, 0.5));
     }
-    const double shorter = length(moved);
+    const double shorter = length(moved_);
     if (shorter < total) {
-      nodes.swap(moved);
+      std::copy(moved_.begin(), moved_.end(), nodes.begin());
       const bool worth = total - shorter > tolerance_ * total;
       total = shorter;
       return worth;
@@ -127,24 +130,33 @@ bool LiftedChain::newton_step(Nodes& nodes, double& total) const {
   return false;
 }
 
-double LiftedChain::settle(Nodes& nodes, int steps) const {
+double LiftedChain::settle_between(std::span<ChainNode> nodes, int steps) {
   double total = length(nodes);
+  if (nodes.size() < 3) return total;
   for (int k = 0; k < steps && newton_step(nodes, total); ++k) {
   }
   return total;
 }
 
-/// A crease of the distance at one point would make all others take its small steps, so short
-/// overlapping parts are settled one after the other.
-void LiftedChain::settle_by_parts(Nodes& nodes) const {
+double LiftedChain::settle(std::span<ChainNode> nodes, int steps) {
+  double total = 0;
+  std::size_t begin = 0;
+  for (std::size_t i = 1; i < nodes.size(); ++i) {
+    if (!nodes[i].fixed && i + 1 < nodes.size()) continue;
+    total += settle_between(nodes.subspan(begin, i - begin + 1), steps);
+    begin = i;
+  }
+  return total;
+}
+
+void LiftedChain::settle_by_parts(std::span<ChainNode> nodes) {
   constexpr std::size_t kPart = 12;
-  Nodes part;
+  for (ChainNode& node : nodes) node.awake = false;
   for (std::size_t i = 0; i + 2 < nodes.size(); i += kPart / 2) {
-    const std::size_t end = std::min(nodes.size(), i + kPart);
-    part.assign(nodes.begin() + static_cast<std::ptrdiff_t>(i),
-                nodes.begin() + static_cast<std::ptrdiff_t>(end));
-    settle(part, 4);
-    std::copy(part.begin(), part.end(), nodes.begin() + static_cast<std::ptrdiff_t>(i));
+    const auto part = nodes.subspan(i, std::min(nodes.size() - i, kPart));
+    const double before = length(part);
+    if (before - settle(part, 4) <= tolerance_ * before) continue;
+    for (ChainNode& node : part) node.awake = true;
   }
 }
 

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <functional>
+#include <span>
 #include <vector>
 
 #include <Eigen/Core>
@@ -33,6 +34,8 @@ struct ChainNode {
   EdgeId edge;
   double t = 0;
   Lifted y, dy, ddy;  ///< place and derivatives by t
+  bool awake = true;  ///< it, or something near, still gains by moving
+  int changed = 0;    ///< the last round in which it moved or came
 };
 
 /// Minimises the lifted length of chains whose end points stay.
@@ -47,27 +50,45 @@ class LiftedChain {
         tolerance_(tolerance),
         smallest_(1e-7 * mesh.mean_edge_length()) {}
 
+  /// What `changed` of nodes that move from now on will be.
+  void begin_round(int round) { round_ = round; }
   /// A node at the point; free if it lies on an edge and `keep` is false.
   [[nodiscard]] ChainNode node_at(const SurfacePoint& point, bool keep) const;
   [[nodiscard]] SurfacePoint place(const ChainNode& node) const;
-  [[nodiscard]] double length(const Nodes& nodes) const;
-  /// At most so many damped Newton steps (the matrix is tridiagonal); returns the length, which
-  /// never grows.
-  double settle(Nodes& nodes, int steps) const;
+  [[nodiscard]] double length(std::span<const ChainNode> nodes) const;
+  /// At most so many damped Newton steps (the matrix is tridiagonal) between any two fixed nodes;
+  /// returns the length, which never grows.
+  double settle(std::span<ChainNode> nodes, int steps);
   /// The same on short overlapping parts: a crease of the potential at one point would make all
-  /// others take its small steps.
-  void settle_by_parts(Nodes& nodes) const;
+  /// others take its small steps. Nodes of parts that still gain are awake afterwards, the others
+  /// are not.
+  void settle_by_parts(std::span<ChainNode> nodes);
 
  private:
+  /// A row of the tridiagonal matrix, and the segment that follows the node.
+  struct Row {
+    ChainNode::Lifted direction;
+    double length = 0;
+    double gradient = 0, diagonal = 0, upper = 0;
+    double factor = 0, step = 0;
+    bool held = true;
+  };
+
   void evaluate(ChainNode& node) const;
   void move(ChainNode& node, double t) const;
   [[nodiscard]] double segment(const ChainNode& a, const ChainNode& b) const;
-  bool newton_step(Nodes& nodes, double& total) const;
+  double settle_between(std::span<ChainNode> nodes, int steps);
+  bool newton_step(std::span<ChainNode> nodes, double& total);
+  bool assemble(std::span<const ChainNode> nodes);
+  bool solve(std::span<const ChainNode> nodes);
 
   const SurfaceMesh& mesh_;
   const ExactPotential& potential_;
   double tolerance_;
   double smallest_;
+  int round_ = 0;
+  std::vector<Row> rows_;
+  Nodes moved_;
 };
 
 }  // namespace talweg

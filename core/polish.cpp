@@ -1,6 +1,7 @@
 #include "talweg/core/polish.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -23,19 +24,25 @@ class Polisher {
 
  private:
   void load(const SurfaceCurve& curve);
+  [[nodiscard]] std::pair<std::size_t, std::size_t> run_at(std::size_t i, bool whole) const;
+  void settle_awake(bool whole);
+  void turn();
+  [[nodiscard]] double length() const;
   void untangle();
+  [[nodiscard]] bool has_changed(std::size_t first, std::size_t count) const;
   bool pass_vertices();
   bool pass_vertex(std::size_t first, std::size_t count, VertexId v);
-  std::vector<HalfedgeId> spokes(VertexId v, bool& whole) const;
-  int slot(const SurfacePoint& p, VertexId v, const std::vector<HalfedgeId>& out) const;
+  [[nodiscard]] bool is_present(std::size_t first, std::size_t count, std::size_t before) const;
+  double settled_below(double goal);
+  bool way_around(int from, int to, int way, VertexId v, LiftedChain::Nodes& trial) const;
+  void find_spokes(VertexId v);
+  [[nodiscard]] int slot(const SurfacePoint& p, VertexId v) const;
   VertexId driven_to(const ChainNode& node) const;
   [[nodiscard]] bool pinned(const SurfacePoint& p) const {
     return std::find(pinned_.begin(), pinned_.end(), p) != pinned_.end();
   }
-  std::size_t index(std::ptrdiff_t i) const {
-    const auto n = static_cast<std::ptrdiff_t>(nodes_.size());
-    return static_cast<std::size_t>(((i % n) + n) % n);
-  }
+  [[nodiscard]] ChainNode& ahead(std::size_t next, std::size_t k);
+  [[nodiscard]] ChainNode& behind(std::size_t k);
 
   const Surface& surface_;
   LiftedChain chain_;
@@ -43,7 +50,12 @@ class Polisher {
   PolishOptions options_;
   bool closed_ = false;
   LiftedChain::Nodes nodes_;
+  LiftedChain::Nodes done_;  // while nodes_ are gone through: those that are behind
+  std::vector<HalfedgeId> spokes_;
+  bool whole_ = false;  // the spokes lead all around
+  LiftedChain::Nodes trial_, best_;
   std::size_t passed_ = 0;
+  int round_ = 0;
 };
 
 void Polisher::load(const SurfaceCurve& curve) {
@@ -77,24 +89,24 @@ VertexId Polisher::driven_to(const ChainNode& node) const {
   return {};
 }
 
-std::vector<HalfedgeId> Polisher::spokes(VertexId v, bool& whole) const {
-  std::vector<HalfedgeId> out;
+void Polisher::find_spokes(VertexId v) {
+  spokes_.clear();
   const HalfedgeId first = surface_.halfedge(v);
-  whole = true;
+  whole_ = true;
   HalfedgeId h = first;
   do {
-    out.push_back(h);
+    spokes_.push_back(h);
     if (!surface_.has_face(h)) {
-      whole = false;
+      whole_ = false;
       break;
     }
     h = surface_.turn_ccw(h);
   } while (h != first);
-  return out;
 }
 
 /// Where a point lies around v: 2 k on spoke k, 2 k + 1 in the face after it, -1 elsewhere.
-int Polisher::slot(const SurfacePoint& p, VertexId v, const std::vector<HalfedgeId>& out) const {
+int Polisher::slot(const SurfacePoint& p, VertexId v) const {
+  const auto& out = spokes_;
   for (std::size_t k = 0; k < out.size(); ++k) {
     if (const auto* e = std::get_if<OnEdge>(&p.where()); e != nullptr && e->edge == edge_of(out[k]))
       return static_cast<int>(2 * k);
@@ -114,140 +126,243 @@ int Polisher::slot(const SurfacePoint& p, VertexId v, const std::vector<Halfedge
   return -1;
 }
 
-/// Tries the ways around v for the nodes [first, first + count): on either side, or through it.
-bool Polisher::pass_vertex(std::size_t first, std::size_t count, VertexId v) {
-  constexpr std::ptrdiff_t kReach = 4;  // nodes on either side that may move along
-  const auto n = static_cast<std::ptrdiff_t>(nodes_.size());
-  const auto begin = static_cast<std::ptrdiff_t>(first);
-  const auto end = begin + static_cast<std::ptrdiff_t>(count);
-  if (!closed_ && (begin == 0 || end >= n)) return false;
-  if (closed_ && n < static_cast<std::ptrdiff_t>(count) + 2 * kReach + 2) return false;
-  const std::ptrdiff_t from =
-      closed_ ? begin - kReach : std::max<std::ptrdiff_t>(0, begin - kReach);
-  const std::ptrdiff_t to = closed_ ? end + kReach : std::min(n, end + kReach);
+/// The k-th node not gone through yet, and the k-th of those behind; around a loop over its seam.
+ChainNode& Polisher::ahead(std::size_t next, std::size_t k) {
+  const std::size_t left = nodes_.size() - next;
+  return k < left ? nodes_[next + k] : done_[k - left];
+}
+ChainNode& Polisher::behind(std::size_t k) {
+  const std::size_t n = done_.size();
+  return k < n ? done_[n - 1 - k] : nodes_[nodes_.size() - 1 - (k - n)];
+}
 
-  bool whole = false;
-  const std::vector<HalfedgeId> out = spokes(v, whole);
-  const int p = slot(chain_.place(nodes_[index(begin - 1)]), v, out);
-  const int q = slot(chain_.place(nodes_[index(end)]), v, out);
+/// Appends the nodes of one way around v, or of that through it. False where there is none.
+bool Polisher::way_around(int from, int to, int way, VertexId v, LiftedChain::Nodes& trial) const {
+  if (way == 0) {
+    trial.push_back(chain_.node_at(SurfacePoint::at_vertex(surface_, v), true));
+    return true;
+  }
+  const int slots = static_cast<int>(2 * spokes_.size());
+  for (int s = from; s != to;) {
+    const int next = s + way;
+    if (!whole_ && (next < 0 || next > slots - 2)) return false;
+    s = (next + slots) % slots;
+    if (s % 2 != 0 || s == to) continue;
+    const HalfedgeId h = spokes_[static_cast<std::size_t>(s) / 2];
+    const EdgeId e = edge_of(h);
+    constexpr double kStart = 0.02;
+    const double t = h == halfedge_of(e) ? kStart : 1 - kStart;
+    trial.push_back(chain_.node_at(SurfacePoint::on_edge(surface_, e, t), false));
+  }
+  return true;
+}
+
+/// Whether the way in trial_, after so many nodes, is the one that the curve goes already.
+bool Polisher::is_present(std::size_t first, std::size_t count, std::size_t before) const {
+  if (trial_.size() != before + count) return false;
+  for (std::size_t k = 0; k < count; ++k) {
+    const ChainNode &a = nodes_[first + k], &b = trial_[before + k];
+    if (a.fixed != b.fixed || (a.fixed ? a.point != b.point : a.edge != b.edge)) return false;
+  }
+  return true;
+}
+
+/// Settles trial_ and returns its length; gives up when that is not going to be less than `goal`,
+/// since Newton's steps gain less and less.
+double Polisher::settled_below(double goal) {
+  const double early = chain_.settle(trial_, 2);
+  const double late = chain_.settle(trial_, 1);
+  if (late - goal > 3 * (early - late)) return late;
+  return chain_.settle(trial_, 3);
+}
+
+/// Tries the ways around v for the nodes [first, first + count): on either side, or through it.
+/// What comes instead of them is put behind.
+bool Polisher::pass_vertex(std::size_t first, std::size_t count, VertexId v) {
+  constexpr std::size_t kReach = 4;  // nodes on either side that may move along
+  const std::size_t next = first + count;
+  std::size_t before = kReach, after = kReach;
+  if (closed_) {
+    if (done_.size() + nodes_.size() - first < count + 2 * kReach + 2) return false;
+  } else {
+    before = std::min(before, done_.size());
+    after = std::min(after, nodes_.size() - next);
+    if (before == 0 || after == 0) return false;
+  }
+  find_spokes(v);
+  const int p = slot(chain_.place(behind(0)), v), q = slot(chain_.place(ahead(next, 0)), v);
   if (p < 0 || q < 0) return false;
 
-  LiftedChain::Nodes present;
-  for (std::ptrdiff_t i = from; i < to; ++i) present.push_back(nodes_[index(i)]);
-  double best = chain_.length(present) * (1 - 1e-9);
-  LiftedChain::Nodes best_nodes;
-  const int slots = static_cast<int>(2 * out.size());
+  const auto begin = [&] {
+    trial_.clear();
+    for (std::size_t k = before; k-- > 0;) trial_.push_back(behind(k));
+  };
+  const auto end = [&] {
+    for (std::size_t k = 0; k < after; ++k) trial_.push_back(ahead(next, k));
+  };
+  begin();
+  for (std::size_t k = 0; k < count; ++k) trial_.push_back(nodes_[first + k]);
+  end();
+  double best = chain_.length(trial_) * (1 - 1e-9);
+  bool found = false;
   for (const int way : {+1, -1, 0}) {
-    LiftedChain::Nodes around;
-    bool possible = true;
-    if (way == 0) {
-      around.push_back(chain_.node_at(SurfacePoint::at_vertex(surface_, v), true));
-    } else {
-      for (int s = p; s != q;) {
-        const int next = s + way;
-        if (!whole && (next < 0 || next > slots - 2)) {
-          possible = false;
-          break;
-        }
-        s = (next + slots) % slots;
-        if (s % 2 != 0 || s == q) continue;
-        const HalfedgeId h = out[static_cast<std::size_t>(s) / 2];
-        const EdgeId e = edge_of(h);
-        constexpr double kStart = 0.02;
-        around.push_back(chain_.node_at(
-            SurfacePoint::on_edge(surface_, e, h == halfedge_of(e) ? kStart : 1 - kStart), false));
-      }
-    }
-    if (!possible) continue;
-    LiftedChain::Nodes trial;
-    for (std::ptrdiff_t i = from; i < begin; ++i) trial.push_back(nodes_[index(i)]);
-    trial.insert(trial.end(), around.begin(), around.end());
-    for (std::ptrdiff_t i = end; i < to; ++i) trial.push_back(nodes_[index(i)]);
-    const double length = chain_.settle(trial, 6);
-    if (length < best) {
-      best = length;
-      best_nodes = std::move(trial);
-    }
+    begin();
+    if (!way_around(p, q, way, v, trial_) || is_present(first, count, before)) continue;
+    end();
+    const double length = settled_below(best);
+    if (!(length < best)) continue;
+    best = length;
+    best_.swap(trial_);
+    found = true;
   }
-  if (best_nodes.empty()) return false;
+  if (!found) return false;
   ++passed_;
-  LiftedChain::Nodes all;
-  if (from < 0 || to > n) {  // over the seam of a closed curve: turn it so that the window is whole
-    std::rotate(nodes_.begin(), nodes_.begin() + static_cast<std::ptrdiff_t>(index(from)),
-                nodes_.end());
-    all = best_nodes;
-    all.insert(all.end(), nodes_.begin() + (to - from), nodes_.end());
-  } else {
-    all.assign(nodes_.begin(), nodes_.begin() + from);
-    all.insert(all.end(), best_nodes.begin(), best_nodes.end());
-    all.insert(all.end(), nodes_.begin() + to, nodes_.end());
+  for (ChainNode& node : best_) {
+    node.awake = true;
+    node.changed = round_ + 1;  // what it is driven to now is tried in the next round
   }
-  nodes_.swap(all);
+  for (std::size_t k = 0; k < before; ++k) behind(k) = best_[before - 1 - k];
+  for (std::size_t k = 0; k < after; ++k) ahead(next, k) = best_[best_.size() - after + k];
+  done_.insert(done_.end(), best_.begin() + static_cast<std::ptrdiff_t>(before),
+               best_.end() - static_cast<std::ptrdiff_t>(after));
   return true;
 }
 
 /// Two points in a row on one edge: the curve turns back there, or runs along it.
 void Polisher::untangle() {
-  const auto place = [&](std::size_t i) { return chain_.place(nodes_[i]); };
-  for (std::size_t i = 1; i + 2 < nodes_.size();) {
-    const ChainNode &a = nodes_[i], &b = nodes_[i + 1];
-    if (a.fixed || b.fixed || a.edge != b.edge) {
-      ++i;
-      continue;
+  const auto place = [&](const ChainNode& node) { return chain_.place(node); };
+  const auto doubled = [](const ChainNode& a, const ChainNode& b) {
+    return !a.fixed && !b.fixed && a.edge == b.edge;
+  };
+  if (std::adjacent_find(nodes_.begin(), nodes_.end(), doubled) == nodes_.end()) return;
+  done_.clear();
+  for (std::size_t next = 0; next < nodes_.size();) {
+    done_.push_back(nodes_[next++]);
+    while (done_.size() > 2 && next < nodes_.size() && doubled(behind(1), behind(0))) {
+      if (common_face(surface_, place(behind(2)), place(nodes_[next])).valid()) {
+        done_.resize(done_.size() - 2, done_.back());
+      } else if (common_face(surface_, place(behind(2)), place(behind(0))).valid()) {
+        done_.erase(done_.end() - 2);
+      } else {
+        break;
+      }
+      for (ChainNode* node : {&done_.back(), &nodes_[next]}) {
+        node->awake = true;
+        node->changed = round_ + 1;
+      }
     }
-    const auto at = nodes_.begin() + static_cast<std::ptrdiff_t>(i);
-    if (common_face(surface_, place(i - 1), place(i + 2)).valid()) {
-      nodes_.erase(at, at + 2);
-    } else if (common_face(surface_, place(i - 1), place(i + 1)).valid()) {
-      nodes_.erase(at);
-    } else {
-      ++i;
-      continue;
-    }
-    if (i > 1) --i;
   }
+  nodes_.swap(done_);
+}
+
+/// Whether these nodes or their neighbours are not as they were when they were last tried.
+bool Polisher::has_changed(std::size_t first, std::size_t count) const {
+  const auto changed = [&](const ChainNode& node) { return node.changed >= round_; };
+  if (!done_.empty() && changed(done_.back())) return true;
+  const std::size_t end = std::min(nodes_.size(), first + count + 1);
+  for (std::size_t i = first; i < end; ++i) {
+    if (changed(nodes_[i])) return true;
+  }
+  return false;
 }
 
 bool Polisher::pass_vertices() {
   bool changed = false;
-  for (std::size_t i = 0; i < nodes_.size(); ++i) {
+  done_.clear();
+  for (std::size_t i = 0; i < nodes_.size();) {
     const bool pin = nodes_[i].fixed && pinned(nodes_[i].point);
-    const VertexId v = driven_to(nodes_[i]);
-    if (!v.valid() || pin) continue;
+    const VertexId v = pin ? VertexId{} : driven_to(nodes_[i]);
     std::size_t count = 1;
-    while (i + count < nodes_.size() && driven_to(nodes_[i + count]) == v) ++count;
-    changed = pass_vertex(i, count, v) || changed;
+    if (v.valid()) {
+      while (i + count < nodes_.size() && driven_to(nodes_[i + count]) == v) ++count;
+    }
+    if (v.valid() && has_changed(i, count) && pass_vertex(i, count, v)) {
+      changed = true;
+    } else {
+      const auto from = nodes_.begin() + static_cast<std::ptrdiff_t>(i);
+      done_.insert(done_.end(), from, from + static_cast<std::ptrdiff_t>(count));
+    }
+    i += count;
   }
+  nodes_.swap(done_);
   return changed;
+}
+
+/// The nodes to settle together because of node i, [first, second): those near it that still gain
+/// and a few neighbours; or all between two fixed ones.
+std::pair<std::size_t, std::size_t> Polisher::run_at(std::size_t i, bool whole) const {
+  constexpr std::size_t kMargin = 4;
+  const std::size_t n = nodes_.size();
+  std::size_t begin = i - std::min(i, whole ? 1 : kMargin), last = i, end = i + 1;
+  if (whole) {
+    while (begin > 0 && !nodes_[begin].fixed) --begin;
+    while (end < n && !nodes_[end].fixed) ++end;
+    return {begin, std::min(n, end + 1)};
+  }
+  for (; end < n && end <= last + 2 * kMargin; ++end) {
+    if (nodes_[end].awake) last = end;
+  }
+  return {begin, std::min(n, last + 1 + kMargin)};
+}
+
+/// Settles what still gains, and nothing else.
+void Polisher::settle_awake(bool whole) {
+  const bool front = nodes_.front().awake;
+  if (closed_) nodes_.push_back(nodes_.front());
+  for (std::size_t i = 0; i < nodes_.size();) {
+    if (!nodes_[i].awake) {
+      ++i;
+      continue;
+    }
+    const auto [begin, end] = run_at(i, whole);
+    const auto run = std::span(nodes_).subspan(begin, end - begin);
+    chain_.settle(run, options_.newton_steps);
+    chain_.settle_by_parts(run);
+    i = std::max(end - 1, i + 1);
+  }
+  if (!closed_) return;
+  nodes_.pop_back();
+  nodes_.front().awake = front;  // the seam was held
+}
+
+/// Moves the seam of a loop, so that every point gets its turn.
+void Polisher::turn() {
+  if (!closed_) return;
+  const auto third = static_cast<std::ptrdiff_t>(nodes_.size() / 3);
+  std::rotate(nodes_.begin(), nodes_.begin() + third, nodes_.end());
+}
+
+double Polisher::length() const {
+  if (!closed_) return chain_.length(nodes_);
+  return chain_.length(nodes_) + chain_.length(std::array{nodes_.back(), nodes_.front()});
 }
 
 PolishResult Polisher::run(SurfaceCurve& curve) {
   load(curve);
   PolishResult result;
   if (nodes_.size() < 3) return result;
-  const auto chain = [&] {
-    LiftedChain::Nodes nodes = nodes_;
-    if (closed_) nodes.push_back(nodes_.front());
-    return nodes;
-  };
-  result.length_before = result.length_after = chain_.length(chain());
-  for (int round = 0; round < options_.max_rounds; ++round) {
-    if (closed_) {  // the seam moves, so every point gets its turn
-      std::rotate(nodes_.begin(), nodes_.begin() + static_cast<std::ptrdiff_t>(nodes_.size() / 3),
-                  nodes_.end());
-    }
-    LiftedChain::Nodes nodes = chain();
-    chain_.settle(nodes, options_.newton_steps);
-    chain_.settle_by_parts(nodes);
-    if (closed_) nodes.pop_back();
-    nodes_ = std::move(nodes);
+  result.length_before = result.length_after = length();
+  bool whole = true;  // first all together; then what is left to do here and there; and again
+  for (round_ = 0; round_ < options_.max_rounds; ++round_) {
+    turn();
+    chain_.begin_round(round_);
+    settle_awake(whole);
     const bool changed = pass_vertices();
     untangle();
-    const double now = chain_.length(chain());
-    const bool worth = result.length_after - now > options_.tolerance * now;
-    result.length_after = std::min(result.length_after, now);
-    if (!changed && !worth) break;
+    const bool awake =
+        std::any_of(nodes_.begin(), nodes_.end(), [](const ChainNode& node) { return node.awake; });
+    const bool was_whole = std::exchange(whole, !whole && (!(changed || awake) || round_ % 3 == 2));
+    if (was_whole) {
+      const double now = length();
+      const bool worth = result.length_after - now > options_.tolerance * now;
+      result.length_after = std::min(result.length_after, now);
+      if (!changed && !(worth && awake)) break;
+    }
+    if (whole) {
+      for (ChainNode& node : nodes_) node.awake = true;
+    }
   }
+  result.length_after = std::min(result.length_after, length());
   result.passed_vertices = passed_;
   curve.points.clear();
   for (const ChainNode& node : nodes_) curve.points.push_back(chain_.place(node));
