@@ -11,13 +11,17 @@
 
 namespace talweg {
 
+/// An upright rectangle.
 struct Box {
-  std::array<double, 2> low{}, high{};
+  std::array<double, 2> low{};   ///< x, y
+  std::array<double, 2> high{};  ///< x, y
 
+  /// Touching counts.
   [[nodiscard]] bool overlaps(const Box& other) const {
     return low[0] <= other.high[0] && other.low[0] <= high[0] && low[1] <= other.high[1] &&
            other.low[1] <= high[1];
   }
+  /// The smallest box around both.
   [[nodiscard]] Box with(const Box& other) const {
     return {{std::min(low[0], other.low[0]), std::min(low[1], other.low[1])},
             {std::max(high[0], other.high[0]), std::max(high[1], other.high[1])}};

@@ -1,7 +1,6 @@
 #include "talweg/core/report.hpp"
 
 #include <limits>
-#include <set>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -54,44 +53,42 @@ SmoothingReport numbered(double start) {
 
 nlohmann::json parsed(const SmoothingReport& r) { return nlohmann::json::parse(to_json(r)); }
 
-TEST(Report, HasItsStableNamesAndNoOthers) {
+TEST(Report, HasItsStableNames) {
   const auto j = parsed(numbered(1));
-  std::set<std::string> names;
-  for (const auto& [name, value] : j.items()) names.insert(name);
-  const std::set<std::string> expected = {"version",
-                                          "faces",
-                                          "vertices",
-                                          "tau",
-                                          "slack",
-                                          "potential",
-                                          "engine",
-                                          "closed",
-                                          "points_before",
-                                          "points_after",
-                                          "length_before",
-                                          "length_after",
-                                          "lifted_length_before",
-                                          "lifted_length_after",
-                                          "curvature_before",
-                                          "curvature_after",
-                                          "curvature_max_before",
-                                          "curvature_max_after",
-                                          "deviation",
-                                          "deviation_to_drawn_max",
-                                          "deviation_to_drawn_mean",
-                                          "deviation_from_drawn_max",
-                                          "deviation_from_drawn_mean",
-                                          "deviation_at",
-                                          "flips",
-                                          "iterations",
-                                          "faces_touched",
-                                          "trace_fallbacks",
-                                          "termination",
-                                          "warnings",
-                                          "time_ms",
-                                          "peak_memory_mib"};
-  for (const std::string& name : expected) EXPECT_TRUE(names.contains(name)) << name;
-  for (const std::string& name : names) EXPECT_TRUE(expected.contains(name)) << name;
+  for (const char* name : {"version",
+                           "faces",
+                           "vertices",
+                           "tau",
+                           "slack",
+                           "potential",
+                           "engine",
+                           "closed",
+                           "points_before",
+                           "points_after",
+                           "length_before",
+                           "length_after",
+                           "lifted_length_before",
+                           "lifted_length_after",
+                           "curvature_before",
+                           "curvature_after",
+                           "curvature_max_before",
+                           "curvature_max_after",
+                           "deviation",
+                           "deviation_to_drawn_max",
+                           "deviation_to_drawn_mean",
+                           "deviation_from_drawn_max",
+                           "deviation_from_drawn_mean",
+                           "deviation_at",
+                           "flips",
+                           "iterations",
+                           "faces_touched",
+                           "trace_fallbacks",
+                           "termination",
+                           "warnings",
+                           "time_ms",
+                           "peak_memory_mib"}) {
+    EXPECT_TRUE(j.contains(name)) << name;
+  }
   EXPECT_EQ(j["time_ms"].size(), 8U);
 }
 
