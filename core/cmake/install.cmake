@@ -45,3 +45,16 @@ cmake_path(APPEND talweg_pc_libdir "\${prefix}" "${CMAKE_INSTALL_LIBDIR}")
 configure_file(${CMAKE_CURRENT_LIST_DIR}/talweg.pc.in ${PROJECT_BINARY_DIR}/talweg.pc @ONLY)
 install(FILES ${PROJECT_BINARY_DIR}/talweg.pc
         DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT development)
+
+# The manual page, packed as Debian wants it where that can be done.
+if(TALWEG_BUILD_DRIVER)
+  configure_file(${CMAKE_CURRENT_LIST_DIR}/talweg.1.in ${PROJECT_BINARY_DIR}/talweg.1 @ONLY)
+  set(talweg_man_page ${PROJECT_BINARY_DIR}/talweg.1)
+  find_program(TALWEG_GZIP gzip)
+  mark_as_advanced(TALWEG_GZIP)
+  if(TALWEG_GZIP)
+    execute_process(COMMAND ${TALWEG_GZIP} -9nkf talweg.1 WORKING_DIRECTORY ${PROJECT_BINARY_DIR})
+    string(APPEND talweg_man_page .gz)
+  endif()
+  install(FILES ${talweg_man_page} DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT driver)
+endif()
