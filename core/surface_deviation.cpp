@@ -164,6 +164,7 @@ OneSidedSurfaceDeviation deviation_by_parts(const SurfaceMesh& mesh,
                           tolerance_for(stretches, others, pieces.lengths));
   LocalDistance local(mesh, others, distance);
   std::vector<double> reach;
+  reach.reserve(stretches.size());
   for (const Stretch& stretch : stretches) reach.push_back(local.guess(stretch));
   for (std::size_t i = 0, end = 0; i < stretches.size() && measurement.is_finite(); i = end) {
     end = end_of_part(stretches, reach, i);
