@@ -2,24 +2,14 @@
 #pragma once
 
 #include <array>
-#include <span>
+#include <cstddef>
 #include <vector>
 
-#include "talweg/core/polish.hpp"
-#include "talweg/core/surface_mesh.hpp"
+#include "talweg/core/lifted_chain.hpp"
 #include "talweg/intrinsic/polyline_distance.hpp"
 #include "talweg/intrinsic/surface_point.hpp"
 
 namespace talweg {
-
-/// How exact the drawing is: the mean length of its segments, collinear neighbours (turning by less
-/// than 0.1 rad) merged; for a closed curve at most 1/24 of its length. Mesh units.
-double default_slack(const Surface& surface, std::span<const SurfaceCurve> drawn);
-
-/// The size of what is drawn: the largest distance of its points from their centre of mass (along
-/// the curve); for several curves the largest of them. Follows the drawing, not the mesh; a small
-/// loop has a small one. Mesh units.
-double drawing_radius(const SurfaceMesh& mesh, std::span<const SurfaceCurve> drawn);
 
 /// φ = L (a τ max(0, δ − ε) / L)², a = 10, with the exact distance δ to the drawing. For closed
 /// curves a vector, φ (cos θ, sin θ), where θ runs from 0 to 2πk along the drawn loop and is taken
@@ -28,45 +18,44 @@ double drawing_radius(const SurfaceMesh& mesh, std::span<const SurfaceCurve> dra
 /// of the nearest point of the drawing counts.
 class Corridor {
  public:
-  struct Options {
-    double tau = 1;
+  /// What holds one of the curves.
+  struct Valley {
+    bool closed = false;
     double slack = 0;   ///< ε, mesh units, >= 0
     double length = 1;  ///< L, mesh units, > 0
-    int turns = 1;      ///< k, >= 0; 0 switches the phase off
-    /// Unless empty, ε instead of `slack`: per curve one value per point, mesh units, >= 0; linear
-    /// in the arc length between points, also from the last to the first of a closed curve.
-    std::vector<std::vector<double>> slack_at;
+    int turns = 1;      ///< k, >= 0; 0 switches the phase of a closed curve off
+    /// Unless empty, ε instead of `slack`: one value per point of the curve, mesh units, >= 0;
+    /// linear in the arc length between points, also from the last to the first of a closed curve.
+    std::vector<double> slack_at;
   };
-  /// `distance` has the curves set, `closed` tells which of them are closed.
-  /// Throws Error(kBadUsage) naming the curve and the point when slack_at does not fit the curves
-  /// or has a value that is negative or not finite.
-  Corridor(PolylineDistance& distance, std::vector<bool> closed, const Options& options);
+  /// `distance` has the curves set; one valley for each. tau in [0, infinity).
+  /// Throws Error(kBadUsage) naming the curve and the point when slack_at does not fit its curve or
+  /// has a value that is negative or not finite.
+  Corridor(PolylineDistance& distance, double tau, const std::vector<Valley>& valleys);
 
   std::array<double, 2> at(const SurfacePoint& point) const;
   std::array<double, 2> at_vertex(VertexId v) const;
   PotentialOnEdge on_edge(EdgeId e, double t) const;
 
  private:
-  /// ε along one curve.
-  struct Field {
-    std::vector<double> arcs, values;
+  /// One curve's valley, ready for use.
+  struct Profile {
+    double slack = 0;
+    double steepness = 0;              // (a τ)² / L
+    double phase_per_arc = 0;          // 2πk / length of a closed curve
+    std::vector<double> arcs, slacks;  // of a field, else empty
   };
   /// A value and its derivative by arc length.
   struct Varying {
     double value = 0;
     double slope = 0;
   };
-  void set_field(const std::vector<std::vector<double>>& slack_at);
-  [[nodiscard]] Varying slack(std::uint32_t curve, double arc) const;
-  [[nodiscard]] double phase_per_arc(std::uint32_t curve) const;
+  void set_field(Profile& profile, const Valley& valley, std::size_t curve) const;
+  [[nodiscard]] static Varying slack(const Profile& profile, double arc);
   [[nodiscard]] std::array<double, 2> lifted(const PolylineDistance::Nearest& nearest) const;
 
   PolylineDistance* distance_;
-  std::vector<bool> closed_;
-  double slack_;
-  std::vector<Field> field_;  // per curve; empty: slack_ everywhere
-  double steepness_;          // (a τ)² / L
-  int turns_;
+  std::vector<Profile> profiles_;  // per curve
 };
 
 }  // namespace talweg

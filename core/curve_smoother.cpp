@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "talweg/core/bump_convolution.hpp"
-#include "talweg/core/corridor.hpp"
+#include "talweg/core/corridor_scale.hpp"
 #include "talweg/core/crossings.hpp"
 #include "talweg/core/drawn_curves.hpp"
 #include "talweg/core/lifted_lengths.hpp"
@@ -61,6 +61,7 @@ void CurveSmoother::forget() {
   inserted_distance_.clear();
   drawn_measures_.clear();
   warnings_.clear();
+  valleys_.clear();
   heat_open_ms_ = solve_ms_ = 0;
 }
 
@@ -72,11 +73,28 @@ void CurveSmoother::embed(std::span<const SurfaceCurve> curves, const CurveOptio
   check_pins(curves, options.pins);
   curve_options_ = options;
   drawn_.assign(curves.begin(), curves.end());
+  for (const SurfaceCurve& curve : drawn_) drawn_measures_.push_back(measure_curve(surface, curve));
+  embed_drawn();
+}
+
+void CurveSmoother::embed_drawn() {
+  capped_.clear();
   for (const SurfaceCurve& curve : drawn_) {
-    drawn_measures_.push_back(measure_curve(surface, curve));
-    capped_.push_back(options.cap_corners ? capped_curve(surface, curve, options.pins) : curve);
+    capped_.push_back(curve_options_.cap_corners
+                          ? capped_curve(mesh_->surface(), curve, curve_options_.pins)
+                          : curve);
   }
-  embedded_ = embed_curves(triangulation_, capped_, options.pins);
+  embedded_ = embed_curves(triangulation_, capped_, curve_options_.pins);
+}
+
+void CurveSmoother::set_pins(std::span<const SurfacePoint> pins) {
+  if (embedded_.paths.empty()) bad_usage("No curve is set.");
+  if (curve_options_.method != Method::kCorridor) bad_usage("set_pins() needs the corridor.");
+  check_pins(drawn_, pins);
+  const std::vector<SurfacePoint> own(pins.begin(), pins.end());  // may be our own
+  curve_options_.pins = own;
+  triangulation_.remove_inserted();
+  embed_drawn();
 }
 
 bool CurveSmoother::set_curve(const SurfaceCurve& curve, const CurveOptions& options,
@@ -104,9 +122,6 @@ bool CurveSmoother::set_curves(std::span<const SurfaceCurve> curves, std::vector
   const std::vector<SurfaceCurve> own(curves.begin(), curves.end());
   forget();
   const Stopwatch watch;
-  if (options.method != Method::kPaper) {
-    bad_usage("A distance of the caller's goes with Method::kPaper only.");
-  }
   if (distance.size() != mesh_->surface().vertex_count()) {
     bad_usage("There are " + std::to_string(distance.size()) + " distances for " +
               std::to_string(mesh_->surface().vertex_count()) + " vertices.");
@@ -118,6 +133,7 @@ bool CurveSmoother::set_curves(std::span<const SurfaceCurve> curves, std::vector
   }
   try {
     embed(own, options);
+    curve_options_.method = Method::kPaper;
     distance_ = std::move(distance);
     inserted_distance_ = at_inserted(distance_, 1);
     find_largest_distances();
@@ -134,6 +150,8 @@ bool CurveSmoother::solve_distance(const CurveOptions& options, const Progress& 
     const Stopwatch watch;
     if (!exact_distance_) exact_distance_.emplace(mesh_->surface());
     exact_distance_->set(drawn_);
+    make_valleys();
+    hold_loops();
     solve_ms_ = watch.ms();
     return true;
   }
@@ -255,22 +273,68 @@ SmoothingResult CurveSmoother::smooth(const SmoothingOptions& options) {
   });
 }
 
+std::vector<double> CurveSmoother::slack() const {
+  std::vector<double> result;
+  for (const Corridor::Valley& valley : valleys_) result.push_back(valley.slack);
+  return result;
+}
+
+void CurveSmoother::make_valleys() {
+  valleys_.clear();
+  for (const SurfaceCurve& curve : drawn_) {
+    Corridor::Valley& valley = valleys_.emplace_back();
+    valley.closed = curve.closed;
+    valley.slack = default_slack(mesh_->surface(), curve);
+    valley.length = corridor_length(mesh_->mesh(), curve);
+  }
+}
+
+/// A loop that is thin, or small against its slack, could collapse within its own corridor. Whether
+/// it does is tried at the smallest tau at which it must not.
+void CurveSmoother::hold_loops() {
+  constexpr double kLeastTau = 0.25;
+  constexpr int kHalvings = 5;
+  std::vector<bool> doubtful(drawn_.size(), false);
+  for (std::size_t c = 0; c < drawn_.size(); ++c) {
+    const Corridor::Valley& valley = valleys_[c];
+    doubtful[c] = valley.closed && valley.slack > width_of_loop(mesh_->mesh(), drawn_[c]);
+  }
+  SmoothingOptions options;
+  options.tau = kLeastTau;
+  options.polish = false;
+  options.deviation = DeviationMeasure::kNone;
+  for (int k = 0; k < kHalvings && std::count(doubtful.begin(), doubtful.end(), true) > 0; ++k) {
+    const SmoothingResult tried = smooth_in_corridor(options);
+    for (std::size_t c = 0; c < drawn_.size(); ++c) {
+      const SmoothingReport& report = tried.reports[c];
+      doubtful[c] = doubtful[c] && (report.termination != to_string(Termination::kConverged) ||
+                                    report.length_after < report.length_before / 2);
+      if (doubtful[c]) valleys_[c].slack /= 2;
+    }
+  }
+}
+
+std::vector<Corridor::Valley> CurveSmoother::valleys_for(const SmoothingOptions& options) const {
+  if (!options.slack_at.empty() && options.slack_at.size() != drawn_.size()) {
+    bad_usage("slack_at has values for " + std::to_string(options.slack_at.size()) +
+              " curves, not for " + std::to_string(drawn_.size()) + ".");
+  }
+  std::vector<Corridor::Valley> valleys = valleys_;
+  for (std::size_t c = 0; c < valleys.size(); ++c) {
+    Corridor::Valley& valley = valleys[c];
+    if (options.slack) valley.slack = *options.slack;
+    if (!options.slack_at.empty()) valley.slack_at = options.slack_at[c];
+    // With fewer points to a turn the phase could not follow the loop.
+    const std::size_t most = std::max<std::size_t>(drawn_[c].points.size() / 8, 1);
+    valley.turns = std::min(options.phase_turns, static_cast<int>(most));
+  }
+  return valleys;
+}
+
 SmoothingResult CurveSmoother::smooth_in_corridor(const SmoothingOptions& options) {
   const SurfaceMesh& mesh = mesh_->mesh();
-  std::vector<bool> closed;
-  for (const SurfaceCurve& curve : drawn_) closed.push_back(curve.closed);
-  Corridor::Options corridor_options;
-  corridor_options.tau = options.tau;
-  corridor_options.slack = options.slack.value_or(default_slack(mesh.surface(), drawn_));
-  corridor_options.length = drawing_radius(mesh, drawn_);
-  corridor_options.turns = options.phase_turns;
-  for (const SurfaceCurve& curve : drawn_) {
-    if (!curve.closed) continue;
-    // With fewer points to a turn the phase could not follow the loop.
-    const auto most = std::max<std::size_t>(curve.points.size() / 8, 1);
-    corridor_options.turns = std::min(corridor_options.turns, static_cast<int>(most));
-  }
-  const Corridor corridor(*exact_distance_, closed, corridor_options);
+  const std::vector<Corridor::Valley> valleys = valleys_for(options);
+  const Corridor corridor(*exact_distance_, options.tau, valleys);
   const std::size_t own = mesh.surface().vertex_count();
   const auto metric = [&](VertexId p, VertexId q, double length) {
     const auto at = [&](VertexId v) {  // inserted vertices lie on the drawing
@@ -298,10 +362,12 @@ SmoothingResult CurveSmoother::smooth_in_corridor(const SmoothingOptions& option
     }
   });
   triangulation_.set_metric({});  // the corridor goes away
-  for (SmoothingReport& report : result.reports) {
+  for (std::size_t c = 0; c < valleys.size(); ++c) {
+    SmoothingReport& report = result.reports[c];
     report.potential = "corridor";
     report.engine = "local";
-    report.slack = corridor_options.slack;
+    const std::vector<double>& field = valleys[c].slack_at;
+    report.slack = field.empty() ? valleys[c].slack : *std::max_element(field.begin(), field.end());
   }
   result.total = total_of(result.reports);
   return result;
@@ -420,6 +486,31 @@ SmoothingResult smooth_curve(std::shared_ptr<const OpenedMesh> mesh, const Surfa
     return cancelled;
   }
   return smoother.smooth(options);
+}
+
+std::vector<double> slack_along(const Surface& surface, const SurfaceCurve& drawn,
+                                std::span<const double> per_vertex) {
+  if (per_vertex.size() != surface.vertex_count()) {
+    bad_usage("There are " + std::to_string(per_vertex.size()) + " slacks for " +
+              std::to_string(surface.vertex_count()) + " vertices.");
+  }
+  std::vector<double> along;
+  for (const SurfacePoint& point : drawn.points) {
+    const FaceCoordinates at = coordinates_in(surface, point, any_face(surface, point));
+    const auto corners = surface.corners(at.face);
+    double value = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (at.barycentric[k] == 0) continue;
+      const double here = per_vertex[corners[k].index()];
+      if (!(here >= 0 && std::isfinite(here))) {
+        bad_usage("The slack of vertex " + std::to_string(corners[k].index()) +
+                  " must be finite and >= 0.");
+      }
+      value += at.barycentric[k] * here;
+    }
+    along.push_back(value);
+  }
+  return along;
 }
 
 SurfaceCurve curve_through(const Surface& surface, std::span<const VertexId> vertices) {

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "talweg/core/corridor.hpp"
 #include "talweg/core/curve_embedding.hpp"
 #include "talweg/core/measures.hpp"
 #include "talweg/core/opened_mesh.hpp"
@@ -32,10 +33,10 @@ enum class Method {
 
 /// What setting a curve depends on.
 struct CurveOptions {
-  Method method = Method::kPaper;  ///< and with it the distance
-  double heat_time = 10;           ///< of the distance's heat flow, in units of h²; [1e-3, 1e6]
-  double bump_radius = 0;          ///< mesh units; > 0 smooths the distance once more by equation 3
-  bool cap_corners = true;         ///< as the paper does; only curves that run along mesh edges
+  Method method = Method::kCorridor;  ///< and with it the distance
+  double heat_time = 10;              ///< of the distance's heat flow, in units of h²; [1e-3, 1e6]
+  double bump_radius = 0;   ///< mesh units; > 0 smooths the distance once more by equation 3
+  bool cap_corners = true;  ///< as the paper does; only curves that run along mesh edges
   unsigned threads = 2;  ///< at most, for the factors of the heat distance; >= 1; changes no result
   std::vector<SurfacePoint> pins;  ///< points of the drawing that the result must pass through
 
@@ -46,7 +47,10 @@ struct CurveOptions {
 struct SmoothingOptions {
   double tau = 1;  ///< [0, infinity): 0 gives geodesics, more keeps closer to the drawing
   PotentialOptions potential;   ///< of the paper's method
-  std::optional<double> slack;  ///< of the corridor, mesh units, >= 0; see default_slack()
+  std::optional<double> slack;  ///< of the corridor, mesh units, >= 0; see CurveSmoother::slack()
+  /// Unless empty, the corridor's slack along the drawing instead: per drawn curve one value per
+  /// point, mesh units, >= 0, linear in between. See slack_along().
+  std::vector<std::vector<double>> slack_at;
   int phase_turns = 3;   ///< of the corridor's phase around a loop, at most points / 8; [0, 64]
   bool polish = true;    ///< the corridor's result
   int relax_rounds = 0;  ///< of the paper's relaxation; its authors use 5
@@ -95,9 +99,13 @@ class CurveSmoother {
   bool set_curves(std::span<const SurfaceCurve> curves, const CurveOptions& options = {},
                   const Progress& progress = {});
   /// The same with a distance of the caller's, one value per mesh vertex, used as it is; it may be
-  /// negative, and +infinity in components without a curve. With Method::kPaper only.
+  /// negative, and +infinity in components without a curve. Always Method::kPaper.
   bool set_curves(std::span<const SurfaceCurve> curves, std::vector<double> distance,
                   const CurveOptions& options = {});
+
+  /// Other pins for the curves that are set; the distance stays as it is. With the corridor only.
+  /// Throws Error(kBadUsage) for a pin that is not a point of the drawing, or another method.
+  void set_pins(std::span<const SurfacePoint> pins);
 
   /// The smoothed curves. Costs what the curves touch, whatever the size of the mesh.
   /// Throws Error(kBadUsage) when no curve is set or an option is out of range.
@@ -111,11 +119,19 @@ class CurveSmoother {
   [[nodiscard]] const OpenedMesh& opened() const { return *mesh_; }
   /// The distance per mesh vertex that the last set_curve made or was given.
   [[nodiscard]] std::span<const double> distance() const { return distance_; }
+  /// The curves as they were set.
+  [[nodiscard]] std::span<const SurfaceCurve> drawn() const { return drawn_; }
+  /// The points of them that stay.
+  [[nodiscard]] std::span<const SurfacePoint> pins() const { return curve_options_.pins; }
+  /// The corridor's slack for each curve where no other is asked for, mesh units: default_slack(),
+  /// less for loops that would collapse at tau = 1/4. Empty for the paper's method.
+  [[nodiscard]] std::vector<double> slack() const;
   /// The drawn curves, corners capped, that are being smoothed.
   [[nodiscard]] std::span<const SurfaceCurve> capped() const { return capped_; }
 
  private:
   void embed(std::span<const SurfaceCurve> curves, const CurveOptions& options);
+  void embed_drawn();
   void forget();
   void find_largest_distances();
   [[nodiscard]] std::size_t component_of(VertexId v) const;
@@ -126,6 +142,9 @@ class CurveSmoother {
   /// Per-vertex values (k a row) at the inserted vertices, linear in each face.
   [[nodiscard]] std::vector<double> at_inserted(std::span<const double> values,
                                                 std::size_t k) const;
+  void make_valleys();
+  void hold_loops();
+  [[nodiscard]] std::vector<Corridor::Valley> valleys_for(const SmoothingOptions& options) const;
   SmoothingResult smooth_in_corridor(const SmoothingOptions& options);
   using Finish = std::function<void(std::vector<SurfaceCurve>&)>;
   SmoothingResult run(const SmoothingOptions& options, SignpostTriangulation::Metric metric,
@@ -146,6 +165,7 @@ class CurveSmoother {
   std::optional<Components> components_;           // made when a set first asks
   std::vector<double> largest_distance_;           // per component, or one for all
   std::vector<CurveMeasures> drawn_measures_;
+  std::vector<Corridor::Valley> valleys_;  // per curve, of the corridor
   double solve_ms_ = 0;
   double heat_open_ms_ = 0;
   std::vector<std::string> warnings_;
@@ -155,6 +175,12 @@ class CurveSmoother {
 SmoothingResult smooth_curve(std::shared_ptr<const OpenedMesh> mesh, const SurfaceCurve& curve,
                              const SmoothingOptions& options = {},
                              const CurveOptions& curve_options = {});
+
+/// A field on the mesh vertices as one along a drawing, for SmoothingOptions::slack_at: linear in
+/// each face, at the drawing's points. Throws Error(kBadUsage) when there is not one value per
+/// vertex, or one that is used is not finite and >= 0.
+std::vector<double> slack_along(const Surface& surface, const SurfaceCurve& drawn,
+                                std::span<const double> per_vertex);
 
 /// A curve along mesh edges through these vertices; a list that ends with its first vertex is
 /// closed. Throws Error(kBadCurve) as check_drawn does.

@@ -24,6 +24,8 @@ Json object_of(const SmoothingReport& r) {
   j["vertices"] = r.vertices;
   j["tau"] = number(r.tau);
   j["slack"] = number(r.slack);
+  j["max_deviation"] = number(r.max_deviation);
+  j["pins_added"] = r.pins_added;
   j["potential"] = r.potential;
   j["engine"] = r.engine;
   j["closed"] = r.closed;
@@ -60,7 +62,8 @@ Json object_of(const SmoothingReport& r) {
 
 /// Worse outcomes last.
 std::size_t rank(const std::string& termination) {
-  constexpr std::array<const char*, 4> kOrder = {"converged", "collapsed", "limit", "cancelled"};
+  constexpr std::array<const char*, 5> kOrder = {"converged", "deviation", "collapsed", "limit",
+                                                 "cancelled"};
   const auto at = std::find(kOrder.begin(), kOrder.end(), termination);
   return static_cast<std::size_t>(at - kOrder.begin());
 }

@@ -1,6 +1,7 @@
 // What every result says about itself.
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -33,6 +34,8 @@ struct SmoothingReport {
   std::size_t vertices = 0;              ///< of the mesh
   double tau = 0;                        ///< as asked for
   double slack = 0;                      ///< mesh units; 0 for the paper's method
+  double max_deviation = HUGE_VAL;       ///< mesh units, as asked of smooth_within(), or none
+  std::size_t pins_added = 0;            ///< by smooth_within()
   std::string potential;                 ///< "paper", "corridor" or "custom"
   std::string engine;                    ///< "full" or "local"
   bool closed = false;                   ///< the first point is not repeated, and counts once
@@ -56,10 +59,10 @@ struct SmoothingReport {
   std::size_t iterations = 0;            ///< cleared wedges of the whole run
   std::size_t faces_touched = 0;         ///< of the mesh, by the whole run
   std::size_t trace_fallbacks = 0;       ///< crossings put at the end of their edge
-  std::string termination;               ///< "converged", "collapsed", "limit" or "cancelled"
-  std::vector<std::string> warnings;     ///< sentences for the user
-  StageTimes time_ms;                    ///< milliseconds
-  double peak_memory_mib = 0;            ///< of the process so far, MiB
+  std::string termination;  ///< "converged", "deviation", "collapsed", "limit" or "cancelled"
+  std::vector<std::string> warnings;  ///< sentences for the user
+  StageTimes time_ms;                 ///< milliseconds
+  double peak_memory_mib = 0;         ///< of the process so far, MiB
 };
 
 /// Sums up the reports on the curves of one run.

@@ -28,7 +28,7 @@ struct SmoothOptions {
   std::string curve;
   std::vector<std::string> outputs;
   std::string report;
-  std::string potential = "paper";
+  std::string potential = "corridor";
   std::string engine = "auto";
   std::string distance;
   std::vector<std::size_t> pins;

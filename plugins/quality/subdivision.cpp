@@ -4,7 +4,7 @@
 
 #include "paper/refinement.hpp"
 #include "quality/runs.hpp"
-#include "talweg/core/corridor.hpp"
+#include "talweg/core/corridor_scale.hpp"
 #include "talweg/core/deviation.hpp"
 
 namespace talweg::quality {
@@ -47,11 +47,10 @@ Subdivision subdivision(const Subject& subject, const Drawing& drawing, double t
                         const CurveOptions& curve_options) {
   Subdivision result{subject.name, drawing.name, {}, {}};
   const Surface& coarse = subject.mesh->surface();
-  const std::vector<SurfaceCurve> drawn{drawing.curve(coarse)};
   const double edge = local_edge_length(coarse, drawing);
   SmoothingOptions options;
   options.tau = tau;
-  options.slack = default_slack(coarse, drawn);
+  options.slack = default_slack(coarse, drawing.curve(coarse));
   MeshLists lists = subject.lists;
   Drawing now = drawing;
   std::vector<Point> coarsest;

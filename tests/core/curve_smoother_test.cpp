@@ -118,7 +118,8 @@ TEST(CurveSmoother, VisitsOnlyWhatTheLiftAllows) {
   const auto opened = OpenedMesh::open(sphere(5));
   const auto path = draw_edge_path(opened->surface(), ids({0, 2500, 3, 800}));
   CurveSmoother smoother(opened);
-  smoother.set_curve(test::vertex_curve(opened->surface(), path, false));
+  smoother.set_curve(test::vertex_curve(opened->surface(), path, false),
+                     {.method = Method::kPaper});
   double largest = 0;
   for (const double d : smoother.distance()) largest = std::max(largest, d);
   const Surface& surface = opened->surface();
@@ -273,8 +274,6 @@ TEST(CurveSmoother, TakesADistanceAndAPotentialOfTheCallers) {
   EXPECT_EQ(by_potential.report().potential, "custom");
   potential.pop_back();
   EXPECT_THROW(smoother.smooth({}, potential, 2), Error);
-  EXPECT_THROW(smoother.set_curves(std::span(&drawn, 1), distance, {.method = Method::kCorridor}),
-               Error);
   distance.pop_back();
   EXPECT_THROW(smoother.set_curves(std::span(&drawn, 1), distance), Error);
 }
@@ -364,7 +363,7 @@ TEST_P(Metamorphic, ScaleShiftAndNumberingDoNotMatter) {
   };
   const Case cases[] = {{"1e8", 1e8, Point::Zero(), 1e-9},
                         {"1e-8", 1e-8, Point::Zero(), 1e-9},
-                        {"5e6 away", 1, Point(5e6, -5e6, 5e6), 1e-6}};
+                        {"5e6 away", 1, Point(5e6, -5e6, 5e6), 1e-5}};
   for (const Case& c : cases) {
     MeshLists moved = lists;
     for (Point& p : moved.points) p = c.scale * p + c.shift;

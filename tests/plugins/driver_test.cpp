@@ -162,8 +162,10 @@ TEST_F(Driver, UsesAGivenDistance) {
   std::string flat;
   for (int v = 0; v < 651; ++v) flat += "1\n";
   write("flat.txt", flat);
-  ASSERT_EQ(
-      run("smooth mesh.ply --curve drawn.txt --tau 3 --distance flat.txt --report r.json").code, 0);
+  ASSERT_EQ(run("smooth mesh.ply --curve drawn.txt --potential paper --tau 3 --distance flat.txt "
+                "--report r.json")
+                .code,
+            0);
   // A constant distance lifts nothing: the result is the straight line.
   const auto report = nlohmann::json::parse(bytes_of(file("r.json")));
   EXPECT_EQ(report["lifted_length_before"], report["length_before"]);

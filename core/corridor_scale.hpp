@@ -1,0 +1,24 @@
+// What the corridor takes from the drawing: how exact it is, and how large.
+#pragma once
+
+#include "talweg/core/surface_mesh.hpp"
+#include "talweg/intrinsic/surface_point.hpp"
+
+namespace talweg {
+
+/// How exact the drawing is: four fifths of the median length of its segments, collinear neighbours
+/// (turning by less than 0.1 rad) merged, and at most 1/24 of its length. Follows the drawing, not
+/// the mesh. Mesh units. Throws Error(kBadCurve) as turning_angle() does.
+double default_slack(const Surface& surface, const SurfaceCurve& drawn);
+
+/// The corridor's characteristic length L: a quarter of the largest distance of the drawing's
+/// points from their centre of mass (along the curve), so that tau means the same for a small loop
+/// as for a large one. Mesh units.
+double corridor_length(const SurfaceMesh& mesh, const SurfaceCurve& drawn);
+
+/// Half the inradius of a strip with the area and length of a closed curve, about 1/24 of a
+/// circle's length: with less slack than this a loop cannot collapse within its own corridor. Mesh
+/// units; an estimate by the area vector, so too small for loops that are far from plane.
+double width_of_loop(const SurfaceMesh& mesh, const SurfaceCurve& drawn);
+
+}  // namespace talweg

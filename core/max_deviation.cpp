@@ -1,0 +1,190 @@
+#include "talweg/core/max_deviation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "talweg/intrinsic/error.hpp"
+#include "talweg/intrinsic/polyline_distance.hpp"
+
+namespace talweg {
+namespace {
+
+constexpr double kLeastTau = 1.0 / 64, kMostTau = 64;
+constexpr double kFineness = 1.05;  // of tau
+constexpr int kPinRounds = 8;
+
+double to_drawn(const SmoothingResult& result) { return result.total.deviation_to_drawn_max; }
+double both_ways(const SmoothingResult& result) {
+  return std::max(to_drawn(result), result.total.deviation_from_drawn_max);
+}
+
+class Search {
+ public:
+  Search(CurveSmoother& smoother, double bound, SmoothingOptions options)
+      : smoother_(smoother),
+        bound_(bound),
+        options_(std::move(options)),
+        own_pins_(smoother.pins().begin(), smoother.pins().end()) {
+    options_.deviation = DeviationMeasure::kAlongSurface;
+  }
+  ~Search() { smoother_.set_pins(own_pins_); }
+  Search(const Search&) = delete;
+  Search& operator=(const Search&) = delete;
+
+  SmoothingResult run() {
+    for (const double slack : slacks()) {
+      options_.slack = slack;
+      smoother_.set_pins(own_pins_);
+      pinned_ = 0;
+      // By tau alone, and by less of it with corners pinned.
+      const double loose = least_tau(to_drawn);
+      const double tight = least_tau(both_ways);
+      if (cancelled_) break;
+      if (tight > loose * kFineness * kFineness) pin_corners(loose);
+      if (cancelled_) break;
+    }
+    if (cancelled_ || best_.curves.empty()) return std::move(last_);
+    finish();
+    return std::move(best_);
+  }
+
+ private:
+  using Measure = double (*)(const SmoothingResult&);
+
+  [[nodiscard]] std::vector<double> slacks() const {
+    if (options_.slack) return {*options_.slack};
+    const std::vector<double> own = smoother_.slack();
+    if (own.empty()) throw Error(ErrorCode::kBadUsage, "smooth_within() needs the corridor.");
+    const double widest = std::min(*std::max_element(own.begin(), own.end()), 0.75 * bound_);
+    return {widest, widest / 2};
+  }
+
+  double measured(double tau, Measure measure) {
+    if (cancelled_) return HUGE_VAL;
+    options_.tau = tau;
+    last_ = smoother_.smooth(options_);
+    cancelled_ = last_.total.termination == to_string(Termination::kCancelled);
+    if (!cancelled_) keep_better();
+    return measure(last_);
+  }
+
+  /// The smallest tau within the bound, as far as it falls monotonically; the largest if none is.
+  double least_tau(Measure measure) {
+    double low = 1, high = 1;
+    if (measured(1, measure) <= bound_) {
+      do {
+        high = low;
+        low /= 4;
+      } while (low >= kLeastTau && measured(low, measure) <= bound_);
+      if (low < kLeastTau) return high;
+    } else {
+      do {
+        low = high;
+        high *= 4;
+      } while (high <= kMostTau && measured(high, measure) > bound_);
+      if (high > kMostTau) return low;
+    }
+    while (high > low * kFineness && !cancelled_) {
+      const double middle = std::sqrt(low * high);
+      (measured(middle, measure) <= bound_ ? high : low) = middle;
+    }
+    return high;
+  }
+
+  void pin_corners(double tau) {
+    std::vector<SurfacePoint> pins = own_pins_;
+    if (measured(tau, both_ways) <= bound_) return;
+    for (int round = 0; round < kPinRounds && !cancelled_; ++round) {
+      const std::size_t before = pins.size();
+      add_lost_corners(pins);
+      if (pins.size() == before || to_drawn(last_) > bound_) tau *= 1.25;
+      smoother_.set_pins(pins);
+      pinned_ = pins.size() - own_pins_.size();
+      if (measured(tau, both_ways) <= bound_) return;
+    }
+  }
+
+  /// Of each stretch of the drawing that lies too far from the last result the farthest point.
+  void add_lost_corners(std::vector<SurfacePoint>& pins) {
+    if (!to_result_) to_result_.emplace(smoother_.opened().surface());
+    for (std::size_t c = 0; c < smoother_.drawn().size(); ++c) {
+      const SurfaceCurve& drawn = smoother_.drawn()[c];
+      to_result_->set(std::span(&last_.curves[c], 1));
+      const SurfacePoint* farthest = nullptr;
+      double most = 0;
+      const auto add = [&] {
+        if (farthest != nullptr && std::find(pins.begin(), pins.end(), *farthest) == pins.end()) {
+          pins.push_back(*farthest);
+        }
+        farthest = nullptr;
+        most = 0;
+      };
+      for (const SurfacePoint& p : drawn.points) {
+        const double distance = to_result_->at(p).distance;
+        if (distance <= bound_) {
+          add();
+        } else if (distance > most) {
+          most = distance;
+          farthest = &p;
+        }
+      }
+      add();
+    }
+  }
+
+  /// Within the bound the smoothest, before that the nearest.
+  void keep_better() {
+    const auto worse = [this](const SmoothingResult& a, const SmoothingResult& b) {
+      const double over_a = std::max(both_ways(a), bound_), over_b = std::max(both_ways(b), bound_);
+      const bool proper_a = a.total.termination == to_string(Termination::kConverged);
+      const bool proper_b = b.total.termination == to_string(Termination::kConverged);
+      if (proper_a != proper_b) return proper_b;
+      return over_a != over_b ? over_a > over_b : a.total.curvature_after > b.total.curvature_after;
+    };
+    if (!best_.curves.empty() && !worse(best_, last_)) return;
+    best_ = last_;
+    best_pinned_ = pinned_;
+  }
+
+  void finish() {
+    const auto fill = [&](SmoothingReport& report) {
+      report.max_deviation = bound_;
+      report.pins_added = best_pinned_;
+      const double apart = std::max(report.deviation_to_drawn_max, report.deviation_from_drawn_max);
+      if (!(apart <= bound_)) {
+        report.termination = "deviation";
+        report.warnings.push_back("No curve within " + std::to_string(bound_) +
+                                  " of the drawing was found; this one deviates by " +
+                                  std::to_string(apart) + ".");
+      }
+    };
+    for (SmoothingReport& report : best_.reports) fill(report);
+    fill(best_.total);
+  }
+
+  CurveSmoother& smoother_;
+  double bound_;
+  SmoothingOptions options_;
+  std::vector<SurfacePoint> own_pins_;
+  std::optional<PolylineDistance> to_result_;
+  SmoothingResult last_, best_;
+  std::size_t pinned_ = 0, best_pinned_ = 0;
+  bool cancelled_ = false;
+};
+
+}  // namespace
+
+SmoothingResult smooth_within(CurveSmoother& smoother, double max_deviation,
+                              const SmoothingOptions& options) {
+  if (!(max_deviation > 0 && std::isfinite(max_deviation))) {
+    throw Error(ErrorCode::kBadUsage, "max_deviation must be finite and > 0.");
+  }
+  return Search(smoother, max_deviation, options).run();
+}
+
+}  // namespace talweg
