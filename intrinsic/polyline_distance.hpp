@@ -85,10 +85,13 @@ class PolylineDistance {
   // polyline_march.cpp
   void march();
   struct Beyond {
-    PlanePoint apex;
-    EdgeWindow right, left;
+    HalfedgeId right, left;
+    double length = 0, right_length = 0, left_length = 0;
+    PlanePoint top;
   };
-  [[nodiscard]] Beyond beyond(const EdgeWindow& window) const;
+  [[nodiscard]] Beyond beyond(HalfedgeId into) const;
+  static EdgeWindow through_right(const EdgeWindow& window, const Beyond& face);
+  static EdgeWindow through_left(const EdgeWindow& window, const Beyond& face);
   void propagate(const EdgeWindow& stored);
   void pass_on(const EdgeWindow& window, int most = 64);
   void insert(const EdgeWindow& window);

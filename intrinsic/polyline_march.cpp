@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 #include "talweg/intrinsic/polyline_distance.hpp"
 #include "talweg/intrinsic/triangle.hpp"
@@ -66,14 +67,18 @@ struct Parts {
       at[count++] = {from, to};
     }
   }
+  void take(const Parts& other) {
+    count = other.count;
+    std::copy_n(other.at.begin(), count, at.begin());
+  }
 };
 
-/// The parts where `window` is below `other`, or `other` is not; cuts off from `other` what lies
-/// below it at its ends. Narrow parts are left out. `length` is that of the edge.
-Parts parts_below(const Parts& parts, const EdgeWindow& window, EdgeWindow& other, double same,
-                  double length) {
+/// Keeps the parts where `window` is below `other`, or `other` is not; cuts off from `other` what
+/// lies below it at its ends. Narrow parts are left out. `length` is that of the edge, `size` the
+/// window's size_of().
+void keep_below(Parts& parts, const EdgeWindow& window, EdgeWindow& other, double same,
+                double length, double size) {
   Parts left;
-  const double size = size_of(window, length);
   const auto keep = [&](double from, double to) {
     if (to - from > kNarrow * kBorder * size || length <= 0) left.add(from, to);
   };
@@ -115,7 +120,7 @@ Parts parts_below(const Parts& parts, const EdgeWindow& window, EdgeWindow& othe
     for (int k = 0; k < won.count; ++k)
       other.cut(won.at[k][0], won.at[k][1], 2 * border, kNarrow * border);
   }
-  return left;
+  parts.take(left);
 }
 
 }  // namespace
@@ -139,41 +144,54 @@ void PolylineDistance::march() {
   }
 }
 
-/// The face that a window (whose edge runs along `into`) leads to, with the source as seen through
-/// its two other sides, all of them.
-PolylineDistance::Beyond PolylineDistance::beyond(const EdgeWindow& window) const {
-  const HalfedgeId right = surface_->next(window.into), left = surface_->next(right);
-  const double length = surface_->length(edge_of(window.into));
-  const double right_length = surface_->length(edge_of(right));
-  const double left_length = surface_->length(edge_of(left));
-  const PlanePoint a = apex(length, left_length, right_length);
-  Beyond face{a, seen_from(window, a, unit(length - a.x, -a.y, right_length)),
-              seen_from(window, {0, 0}, unit(a.x, a.y, left_length))};
-  face.right.into = twin(right);
-  face.left.into = twin(left);
-  face.right.begin = face.left.begin = 0;
-  face.right.end = right_length;
-  face.left.end = left_length;
+/// The face that a window (whose edge runs along `into`) leads to.
+PolylineDistance::Beyond PolylineDistance::beyond(HalfedgeId into) const {
+  Beyond face;
+  face.right = surface_->next(into);
+  face.left = surface_->next(face.right);
+  face.right_length = surface_->length(edge_of(face.right));
+  face.left_length = surface_->length(edge_of(face.left));
+  face.length = surface_->length(edge_of(into));
+  face.top = apex(face.length, face.left_length, face.right_length);
   return face;
+}
+
+/// The window's source as seen through the other sides of the face, all of them.
+EdgeWindow PolylineDistance::through_right(const EdgeWindow& window, const Beyond& face) {
+  const PlanePoint a = face.top;
+  EdgeWindow seen = seen_from(window, a, unit(face.length - a.x, -a.y, face.right_length));
+  seen.into = twin(face.right);
+  seen.begin = 0;
+  seen.end = face.right_length;
+  return seen;
+}
+EdgeWindow PolylineDistance::through_left(const EdgeWindow& window, const Beyond& face) {
+  EdgeWindow seen = seen_from(window, {0, 0}, unit(face.top.x, face.top.y, face.left_length));
+  seen.into = twin(face.left);
+  seen.begin = 0;
+  seen.end = face.left_length;
+  return seen;
 }
 
 void PolylineDistance::propagate(const EdgeWindow& stored) {
   const HalfedgeId h = stored.into;
   if (!surface_->has_face(h) || stored.py == 0) return;
-  const double length = surface_->length(edge_of(h));
+  const Beyond face = beyond(h);
+  const double length = face.length;
   const EdgeWindow w = h == halfedge_of(edge_of(h)) ? stored : stored.turned(length);
-  auto [a, right, left] = beyond(w);
   // Positive where the apex is to the left of the way through the window's end.
-  const PlanePoint d0 = direction(w, w.begin), d1 = direction(w, w.end);
+  const PlanePoint a = face.top, d0 = direction(w, w.begin), d1 = direction(w, w.end);
   const double side0 = d0.x * a.y - d0.y * (a.x - w.begin);
   const double side1 = d1.x * a.y - d1.y * (a.x - w.end);
   if (side1 > 0) {
+    EdgeWindow right = through_right(w, face);
     const double all = right.end;
     if (side0 > 0) right.begin = all * part(side0, d0.y * (length - w.begin));
     right.end = all * part(side1, d1.y * (length - w.end));
     add(right);
   }
   if (side0 < 0) {
+    EdgeWindow left = through_left(w, face);
     const double all = left.end;
     left.begin = all * part(d0.y * w.begin, -side0);
     if (side1 < 0) left.end = all * part(d1.y * w.end, -side1);
@@ -194,8 +212,8 @@ void PolylineDistance::pass_on(const EdgeWindow& window, int most) {
   const HalfedgeId h = window.into;
   const bool through = window.px > 0 && window.px < surface_->length(edge_of(h));
   if (window.py != 0 || !through || !surface_->has_face(h) || most == 0) return;
-  const Beyond face = beyond(window);
-  for (const EdgeWindow& side : {face.right, face.left}) {
+  const Beyond face = beyond(h);
+  for (const EdgeWindow& side : {through_right(window, face), through_left(window, face)}) {
     add(side);
     pass_on(side, most - 1);
   }
@@ -290,11 +308,17 @@ void PolylineDistance::insert(const EdgeWindow& window) {
   // Everywhere longer than along the edge from one of its ends.
   if (vertex_[tail.index()].distance + window.end + same < at_end) return;
   if (vertex_[head.index()].distance + (length - window.begin) + same < at_begin) return;
-  lower(tail, at_begin + window.begin, window.curve, window.arc_at(window.begin));
-  lower(head, at_end + (length - window.end), window.curve, window.arc_at(window.end));
+  const double to_tail = at_begin + window.begin, to_head = at_end + (length - window.end);
+  if (to_tail < vertex_[tail.index()].distance) {
+    lower(tail, to_tail, window.curve, window.arc_at(window.begin));
+  }
+  if (to_head < vertex_[head.index()].distance) {
+    lower(head, to_head, window.curve, window.arc_at(window.end));
+  }
 
   Parts parts;
   parts.add(window.begin, window.end);
+  const double size = size_of(window, length);
   std::uint32_t* link = &first_window_[edge.index()];
   const bool is_first = *link == kNone;
   while (*link != kNone) {
@@ -303,7 +327,7 @@ void PolylineDistance::insert(const EdgeWindow& window) {
       link = &other.next;
       continue;
     }
-    parts = parts_below(parts, window, other, same, length);
+    keep_below(parts, window, other, same, length, size);
     if (other.is_empty()) {
       *link = other.next;
     } else {
@@ -313,13 +337,11 @@ void PolylineDistance::insert(const EdgeWindow& window) {
   }
   if (is_first) touched_edges_.push_back(edge);
   for (std::size_t i = 0; i < parts.count; ++i) {
-    EdgeWindow part = window;
+    const auto id = static_cast<std::uint32_t>(windows_.size());
+    EdgeWindow& part = windows_.emplace_back(window);
     part.begin = parts.at[i][0];
     part.end = parts.at[i][1];
-    part.next = first_window_[edge.index()];
-    const auto id = static_cast<std::uint32_t>(windows_.size());
-    first_window_[edge.index()] = id;
-    windows_.push_back(part);
+    part.next = std::exchange(first_window_[edge.index()], id);
     queue_.push({part.lowest(), id, kWindowItem});
   }
 }

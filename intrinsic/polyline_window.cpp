@@ -82,16 +82,27 @@ double critical_point(const EdgeWindow& a, const EdgeWindow& b) {
   return point.px + std::abs(point.py) * segment.px / std::abs(segment.py);
 }
 
+struct Rise {
+  double value, slope;
+};
+/// value() and slope() with one root.
+Rise rise(const EdgeWindow& w, double x) {
+  if (!w.from_point()) return {w.offset + w.px * x, w.px};
+  const double r = std::sqrt((x - w.px) * (x - w.px) + w.py * w.py);
+  return {w.offset + r, r > 0 ? (x - w.px) / r : 0.0};
+}
+
 /// A zero of a - b + shift between low and high, where it has different signs, to within
 /// `precision` in value or in x: Newton's method, kept between the two.
 double crossing(const EdgeWindow& a, const EdgeWindow& b, double shift, double low, double f_low,
                 double high, double f_high, double precision) {
   double x = low + (high - low) * (f_low / (f_low - f_high));
   for (int i = 0; i < 60 && high - low > precision; ++i) {
-    const double fx = a.value(x) - b.value(x) + shift;
+    const Rise at_a = rise(a, x), at_b = rise(b, x);
+    const double fx = at_a.value - at_b.value + shift;
     if (std::abs(fx) <= precision) break;
     ((fx < 0) == (f_low < 0) ? low : high) = x;
-    const double step = fx / (a.slope(x) - b.slope(x));
+    const double step = fx / (at_a.slope - at_b.slope);
     x = x - step > low && x - step < high ? x - step : low + (high - low) / 2;
   }
   return x;
