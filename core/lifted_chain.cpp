@@ -6,7 +6,7 @@
 namespace talweg {
 namespace {
 
-constexpr double kStraight = 1e-5;  // rad
+constexpr double kStraight = 1e-4;  // rad
 constexpr double kEnd = 1e-7;       // points stay this far (in t) from the ends of their edges
 
 }  // namespace
