@@ -1,11 +1,10 @@
-#include "talweg/core/polish.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
 #include <vector>
 
+#include "talweg/core/polish.hpp"
 #include "talweg/intrinsic/error.hpp"
 
 namespace talweg {
@@ -228,20 +227,24 @@ bool Polisher::pass_vertex(std::size_t first, std::size_t count, VertexId v) {
   return true;
 }
 
-/// Two points in a row on one edge: the curve turns back there, or runs along it.
+/// Takes out points that the curve can do without: one whose neighbours share a face (the curve
+/// only touches its edge), and two in a row on one edge (it turns back there, or runs along it).
 void Polisher::untangle() {
-  const auto place = [&](const ChainNode& node) { return chain_.place(node); };
-  const auto doubled = [](const ChainNode& a, const ChainNode& b) {
-    return !a.fixed && !b.fixed && a.edge == b.edge;
+  const auto in_one_face = [&](const ChainNode& a, const ChainNode& b) {
+    return common_face(surface_, chain_.place(a), chain_.place(b)).valid();
   };
-  if (std::adjacent_find(nodes_.begin(), nodes_.end(), doubled) == nodes_.end()) return;
+  const std::size_t least = closed_ ? 3 : 2;
   done_.clear();
   for (std::size_t next = 0; next < nodes_.size();) {
     done_.push_back(nodes_[next++]);
-    while (done_.size() > 2 && next < nodes_.size() && doubled(behind(1), behind(0))) {
-      if (common_face(surface_, place(behind(2)), place(nodes_[next])).valid()) {
-        done_.resize(done_.size() - 2, done_.back());
-      } else if (common_face(surface_, place(behind(2)), place(behind(0))).valid()) {
+    while (done_.size() > 1 && next < nodes_.size() && !behind(0).fixed &&
+           done_.size() + nodes_.size() - next > least) {
+      const bool doubled = !behind(1).fixed && behind(1).edge == behind(0).edge;
+      const bool moved = std::max(behind(0).changed, nodes_[next].changed) >= round_;
+      if (!doubled && !moved) break;
+      if (in_one_face(behind(1), nodes_[next])) {
+        done_.pop_back();
+      } else if (doubled && done_.size() > 2 && in_one_face(behind(2), behind(0))) {
         done_.erase(done_.end() - 2);
       } else {
         break;

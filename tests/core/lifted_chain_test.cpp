@@ -1,0 +1,93 @@
+// Newton's method on a chain of points on edges, where the straight line is
+// known.
+#include "talweg/core/lifted_chain.hpp"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "core/small_meshes.hpp"
+
+namespace talweg {
+namespace {
+
+using test::grid;
+
+ExactPotential none() {
+  return {[](EdgeId, double) { return PotentialOnEdge{}; },
+          [](const SurfacePoint&) { return std::array<double, 2>{}; }};
+}
+
+/// Over the upright edges of a grid's middle row, from a vertex on its left to
+/// one on its right, up and down by turns, with the diagonals in between.
+class Chain : public ::testing::Test {
+ protected:
+  static constexpr std::uint32_t kColumns = 10;
+  Chain() : mesh_(SurfaceMesh::open(grid(kColumns, 3))), chain_(mesh_, potential_, 1e-12) {
+    const Surface& s = mesh_.surface();
+    const auto id = [](std::uint32_t i, std::uint32_t j) { return j * (kColumns + 1) + i; };
+    add(SurfacePoint::at_vertex(s, VertexId{id(0, 1)}), true);
+    for (std::uint32_t i = 0; i < kColumns; ++i) {
+      if (i > 0 && i + 1 < kColumns) add(test::between(s, id(i, 1), id(i + 1, 2), 0.5), false);
+      if (i + 1 < kColumns) {
+        add(test::between(s, id(i + 1, 1), id(i + 1, 2), i % 2 == 0 ? 0.9 : 0.2), false);
+      }
+    }
+    add(SurfacePoint::at_vertex(s, VertexId{id(kColumns, 2)}), true);
+  }
+  void add(const SurfacePoint& p, bool keep) { nodes_.push_back(chain_.node_at(p, keep)); }
+
+  SurfaceMesh mesh_;
+  ExactPotential potential_ = none();
+  LiftedChain chain_;
+  LiftedChain::Nodes nodes_;
+};
+
+TEST_F(Chain, SettlesToTheStraightLine) {
+  const double before = chain_.length(nodes_);
+  const double after = chain_.settle(nodes_, 50);
+  const double line = std::hypot(kColumns, 1);
+  EXPECT_GT(before, 1.05 * line);
+  EXPECT_NEAR(after, line, 1e-9 * line);
+  for (const ChainNode& node : nodes_) {  // all on y = 1 + x / 10
+    EXPECT_NEAR(node.y[1], 1 + node.y[0] / kColumns, 1e-4);
+    EXPECT_NEAR((mesh_.position(chain_.place(node)) - node.y.head<3>()).norm(), 0, 1e-12);
+  }
+}
+
+TEST_F(Chain, EveryStepGainsAndEndsStay) {
+  const SurfacePoint first = chain_.place(nodes_.front()), last = chain_.place(nodes_.back());
+  double length = chain_.length(nodes_);
+  for (int k = 0; k < 20; ++k) {
+    const double now = chain_.settle(nodes_, 1);
+    EXPECT_LE(now, length);
+    EXPECT_NEAR(now, chain_.length(nodes_), 1e-12 * now);
+    length = now;
+  }
+  EXPECT_EQ(chain_.place(nodes_.front()), first);
+  EXPECT_EQ(chain_.place(nodes_.back()), last);
+}
+
+TEST_F(Chain, APointOnAnEdgeThatIsKeptParts) {
+  const std::size_t middle = nodes_.size() / 2;
+  const SurfacePoint kept = chain_.place(nodes_[middle]);
+  nodes_[middle] = chain_.node_at(kept, true);
+  chain_.settle(nodes_, 50);
+  EXPECT_EQ(chain_.place(nodes_[middle]), kept);
+  const Point p = mesh_.position(kept), a = nodes_.front().y.head<3>(),
+              b = nodes_.back().y.head<3>();
+  EXPECT_NEAR(chain_.length(nodes_), (p - a).norm() + (b - p).norm(), 1e-8);
+}
+
+TEST_F(Chain, PartsComeToTheSameLine) {
+  double length = chain_.length(nodes_);
+  for (int k = 0; k < 200; ++k) {
+    chain_.settle_by_parts(nodes_);
+    EXPECT_LE(chain_.length(nodes_), length * (1 + 1e-15));
+    length = chain_.length(nodes_);
+  }
+  EXPECT_NEAR(length, std::hypot(kColumns, 1), 1e-6);
+}
+
+}  // namespace
+}  // namespace talweg
