@@ -1,10 +1,11 @@
+#include "talweg/core/polish.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
 #include <vector>
 
-#include "talweg/core/polish.hpp"
 #include "talweg/intrinsic/error.hpp"
 
 namespace talweg {
