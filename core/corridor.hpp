@@ -27,6 +27,8 @@ class Corridor {
     /// Unless empty, ε instead of `slack`: one value per point of the curve, mesh units, >= 0;
     /// linear in the arc length between points, also from the last to the first of a closed curve.
     std::vector<double> slack_at;
+
+    friend bool operator==(const Valley&, const Valley&) = default;
   };
   /// `distance` has the curves set; one valley for each. tau in [0, infinity).
   /// Throws Error(kBadUsage) naming the curve and the point when slack_at does not fit its curve or

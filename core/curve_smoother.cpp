@@ -5,11 +5,8 @@
 #include <utility>
 
 #include "talweg/core/bump_convolution.hpp"
-#include "talweg/core/corridor_scale.hpp"
-#include "talweg/core/crossings.hpp"
 #include "talweg/core/drawn_curves.hpp"
 #include "talweg/core/lifted_lengths.hpp"
-#include "talweg/core/polish.hpp"
 #include "talweg/core/relaxation.hpp"
 #include "talweg/core/result_report.hpp"
 #include "talweg/core/stopwatch.hpp"
@@ -62,6 +59,7 @@ void CurveSmoother::forget() {
   drawn_measures_.clear();
   warnings_.clear();
   valleys_.clear();
+  anchors_.clear();
   heat_open_ms_ = solve_ms_ = 0;
 }
 
@@ -94,6 +92,7 @@ void CurveSmoother::set_pins(std::span<const SurfacePoint> pins) {
   const std::vector<SurfacePoint> own(pins.begin(), pins.end());  // may be our own
   curve_options_.pins = own;
   triangulation_.remove_inserted();
+  anchors_.clear();
   embed_drawn();
 }
 
@@ -273,106 +272,6 @@ SmoothingResult CurveSmoother::smooth(const SmoothingOptions& options) {
   });
 }
 
-std::vector<double> CurveSmoother::slack() const {
-  std::vector<double> result;
-  for (const Corridor::Valley& valley : valleys_) result.push_back(valley.slack);
-  return result;
-}
-
-void CurveSmoother::make_valleys() {
-  valleys_.clear();
-  for (const SurfaceCurve& curve : drawn_) {
-    Corridor::Valley& valley = valleys_.emplace_back();
-    valley.closed = curve.closed;
-    valley.slack = default_slack(mesh_->surface(), curve);
-    valley.length = corridor_length(mesh_->mesh(), curve);
-  }
-}
-
-/// A loop that is thin, or small against its slack, could collapse within its own corridor. Whether
-/// it does is tried at the smallest tau at which it must not.
-void CurveSmoother::hold_loops() {
-  constexpr double kLeastTau = 0.25;
-  constexpr int kHalvings = 5;
-  std::vector<bool> doubtful(drawn_.size(), false);
-  for (std::size_t c = 0; c < drawn_.size(); ++c) {
-    const Corridor::Valley& valley = valleys_[c];
-    doubtful[c] = valley.closed && valley.slack > width_of_loop(mesh_->mesh(), drawn_[c]);
-  }
-  SmoothingOptions options;
-  options.tau = kLeastTau;
-  options.polish = false;
-  options.deviation = DeviationMeasure::kNone;
-  for (int k = 0; k < kHalvings && std::count(doubtful.begin(), doubtful.end(), true) > 0; ++k) {
-    const SmoothingResult tried = smooth_in_corridor(options);
-    for (std::size_t c = 0; c < drawn_.size(); ++c) {
-      const SmoothingReport& report = tried.reports[c];
-      doubtful[c] = doubtful[c] && (report.termination != to_string(Termination::kConverged) ||
-                                    report.length_after < report.length_before / 2);
-      if (doubtful[c]) valleys_[c].slack /= 2;
-    }
-  }
-}
-
-std::vector<Corridor::Valley> CurveSmoother::valleys_for(const SmoothingOptions& options) const {
-  if (!options.slack_at.empty() && options.slack_at.size() != drawn_.size()) {
-    bad_usage("slack_at has values for " + std::to_string(options.slack_at.size()) +
-              " curves, not for " + std::to_string(drawn_.size()) + ".");
-  }
-  std::vector<Corridor::Valley> valleys = valleys_;
-  for (std::size_t c = 0; c < valleys.size(); ++c) {
-    Corridor::Valley& valley = valleys[c];
-    if (options.slack) valley.slack = *options.slack;
-    if (!options.slack_at.empty()) valley.slack_at = options.slack_at[c];
-    // With fewer points to a turn the phase could not follow the loop.
-    const std::size_t most = std::max<std::size_t>(drawn_[c].points.size() / 8, 1);
-    valley.turns = std::min(options.phase_turns, static_cast<int>(most));
-  }
-  return valleys;
-}
-
-SmoothingResult CurveSmoother::smooth_in_corridor(const SmoothingOptions& options) {
-  const SurfaceMesh& mesh = mesh_->mesh();
-  const std::vector<Corridor::Valley> valleys = valleys_for(options);
-  const Corridor corridor(*exact_distance_, options.tau, valleys);
-  const std::size_t own = mesh.surface().vertex_count();
-  const auto metric = [&](VertexId p, VertexId q, double length) {
-    const auto at = [&](VertexId v) {  // inserted vertices lie on the drawing
-      return v.index() < own ? corridor.at_vertex(v) : std::array<double, 2>{0, 0};
-    };
-    return lifted_length(length, at(p), at(q));
-  };
-  const ExactPotential exact = {
-      [&](EdgeId e, double t) { return corridor.on_edge(e, t); },
-      [&](const SurfacePoint& p) { return corridor.at(p); },
-  };
-  const bool polished = options.polish && options.tau > 0;
-  SmoothingResult result = run(options, metric, [&](std::vector<SurfaceCurve>& curves) {
-    if (!polished) return;
-    const std::vector<SurfaceCurve> straightened = curves;
-    for (SurfaceCurve& curve : curves) polish(mesh, curve, exact, curve_options_.pins);
-    // Each curve is polished for itself; where that made them cross they stay as they were.
-    for (auto crossing = crossing_curves(mesh.surface(), curves); !crossing.empty();
-         crossing = crossing_curves(mesh.surface(), curves)) {
-      const bool again = std::all_of(crossing.begin(), crossing.end(), [&](std::size_t c) {
-        return curves[c].points == straightened[c].points;
-      });
-      if (again) break;
-      for (const std::size_t c : crossing) curves[c] = straightened[c];
-    }
-  });
-  triangulation_.set_metric({});  // the corridor goes away
-  for (std::size_t c = 0; c < valleys.size(); ++c) {
-    SmoothingReport& report = result.reports[c];
-    report.potential = "corridor";
-    report.engine = "local";
-    const std::vector<double>& field = valleys[c].slack_at;
-    report.slack = field.empty() ? valleys[c].slack : *std::max_element(field.begin(), field.end());
-  }
-  result.total = total_of(result.reports);
-  return result;
-}
-
 SmoothingResult CurveSmoother::smooth(const SmoothingOptions& options,
                                       std::span<const double> potential, std::size_t components) {
   options.validate();
@@ -398,15 +297,27 @@ SmoothingResult CurveSmoother::smooth(const SmoothingOptions& options,
     };
     return lifted_length(length, at(p), at(q));
   });
-  triangulation_.set_metric({});  // the caller's array may go away
   for (SmoothingReport& report : result.reports) report.potential = "custom";
   result.total.potential = "custom";
   return result;
 }
 
 SmoothingResult CurveSmoother::run(const SmoothingOptions& options,
-                                   SignpostTriangulation::Metric metric, const Finish& polish) {
+                                   SignpostTriangulation::Metric metric) {
+  const Straightened straight = straighten(options, std::move(metric));
+  triangulation_.set_metric({});  // what it refers to may go away
+  const Stopwatch watch;
+  std::vector<SurfaceCurve> curves = straight.curves;
+  relax(mesh_->mesh(), curves, {options.relax_rounds});
+  StageTimes times = straight.time_ms;
+  times.relax = watch.ms();
+  return report_on(options, straight, std::move(curves), times);
+}
+
+CurveSmoother::Straightened CurveSmoother::straighten(const SmoothingOptions& options,
+                                                      SignpostTriangulation::Metric metric) {
   Stopwatch watch;
+  Straightened result;
   triangulation_.set_metric(std::move(metric));
   if (options.prepare_whole_mesh) triangulation_.prepare_all();
   FlipOutOptions flip_options;
@@ -415,40 +326,43 @@ SmoothingResult CurveSmoother::run(const SmoothingOptions& options,
   flip_options.length_floor = options.length_floor.value_or(default_floor());
   flip_options.pinned = embedded_.pinned;
   flip_options.progress = options.progress;
-  const FlipOutResult straight = flip_out_.run(embedded_.paths, flip_options);
-  const double straighten_ms = watch.ms();
+  result.flip_out = flip_out_.run(embedded_.paths, flip_options);
+  result.time_ms.straighten = watch.ms();
 
   watch = Stopwatch();
   std::vector<EdgePath> paths;
-  for (const FlipOutResult::Path& path : straight.paths) paths.push_back(path.path);
+  for (const FlipOutResult::Path& path : result.flip_out.paths) paths.push_back(path.path);
   TraceResult traced = tracer_.trace_and_undo(paths);
-  const double trace_ms = watch.ms();
-
-  watch = Stopwatch();
-  SmoothingResult result;
+  result.time_ms.trace = watch.ms();
   result.curves = std::move(traced.curves);
-  relax(mesh_->mesh(), result.curves, {options.relax_rounds});
-  const double relax_ms = watch.ms();
+  result.clamped = traced.clamped;
+  result.faces_touched = count_touched_faces(triangulation_);
+  return result;
+}
 
-  watch = Stopwatch();
-  if (polish) polish(result.curves);
-  const double polish_ms = watch.ms();
-
-  const std::size_t faces_touched = count_touched_faces(triangulation_);
+SmoothingResult CurveSmoother::report_on(const SmoothingOptions& options,
+                                         const Straightened& straight,
+                                         std::vector<SurfaceCurve> curves, StageTimes times) {
+  SmoothingResult result;
+  result.curves = std::move(curves);
+  times.open = mesh_->open_ms() + heat_open_ms_;
+  times.solve = solve_ms_;
+  times.total =
+      times.open + times.solve + times.straighten + times.trace + times.relax + times.polish;
   const bool band_is_there = curve_options_.method == Method::kCorridor && drawn_.size() == 1;
   if (!deviation_meter_) deviation_meter_.emplace(mesh_->mesh());
   for (std::size_t c = 0; c < result.curves.size(); ++c) {
     SmoothingReport& report = result.reports.emplace_back(
         report_on_curve(mesh_->mesh(), drawn_[c], drawn_measures_[c], result.curves[c]));
-    const FlipOutResult::Path& path = straight.paths[c];
+    const FlipOutResult::Path& path = straight.flip_out.paths[c];
     report.tau = options.tau;
     report.lifted_length_before = path.length_before;
     report.lifted_length_after = path.length_after;
     report.termination = to_string(path.termination);
-    report.flips = straight.flips;
-    report.iterations = straight.iterations;
-    report.faces_touched = faces_touched;
-    report.trace_fallbacks = traced.clamped;
+    report.flips = straight.flip_out.flips;
+    report.iterations = straight.flip_out.iterations;
+    report.faces_touched = straight.faces_touched;
+    report.trace_fallbacks = straight.clamped;
     report.warnings = warnings_;
     report_deviation(report, options.deviation, *deviation_meter_, mesh_->mesh(), drawn_[c],
                      result.curves[c], band_is_there ? &*exact_distance_ : nullptr);
@@ -456,18 +370,12 @@ SmoothingResult CurveSmoother::run(const SmoothingOptions& options,
       report.warnings.emplace_back(
           "The loop shrinks to a point; it is returned as it was when it fell below the floor.");
     }
-    if (straight.blocked > 0) {
-      report.warnings.emplace_back("The curve stays bent at " + std::to_string(straight.blocked) +
+    if (straight.flip_out.blocked > 0) {
+      report.warnings.emplace_back("The curve stays bent at " +
+                                   std::to_string(straight.flip_out.blocked) +
                                    " points where another part of the drawing is in the way.");
     }
-    report.time_ms.open = mesh_->open_ms() + heat_open_ms_;
-    report.time_ms.solve = solve_ms_;
-    report.time_ms.straighten = straighten_ms;
-    report.time_ms.trace = trace_ms;
-    report.time_ms.relax = relax_ms;
-    report.time_ms.polish = polish_ms;
-    report.time_ms.total =
-        report.time_ms.open + solve_ms_ + straighten_ms + trace_ms + relax_ms + polish_ms;
+    report.time_ms = times;
     report.peak_memory_mib = peak_memory_mib();
   }
   result.total = total_of(result.reports);

@@ -1,7 +1,7 @@
 // The method, end to end: open a mesh, set a curve, smooth for a tau.
 #pragma once
 
-#include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -146,9 +146,31 @@ class CurveSmoother {
   void hold_loops();
   [[nodiscard]] std::vector<Corridor::Valley> valleys_for(const SmoothingOptions& options) const;
   SmoothingResult smooth_in_corridor(const SmoothingOptions& options);
-  using Finish = std::function<void(std::vector<SurfaceCurve>&)>;
-  SmoothingResult run(const SmoothingOptions& options, SignpostTriangulation::Metric metric,
-                      const Finish& polish = {});
+  SmoothingResult smooth_from_anchor(double from, const SmoothingOptions& options,
+                                     const std::vector<Corridor::Valley>& valleys);
+  SmoothingResult smooth_for_itself(const SmoothingOptions& options,
+                                    const std::vector<Corridor::Valley>& valleys);
+  /// Geodesics in the lifted surface, back on the mesh.
+  struct Straightened {
+    std::vector<SurfaceCurve> curves;
+    FlipOutResult flip_out;
+    std::size_t clamped = 0;  // crossings that the tracing put at the end of their edge
+    std::size_t faces_touched = 0;
+    StageTimes time_ms;
+  };
+  struct Anchor {
+    Straightened straight;  // at the origin of all anchors
+    std::vector<SurfaceCurve> polished;
+  };
+  Straightened straighten(const SmoothingOptions& options, SignpostTriangulation::Metric metric);
+  Straightened straighten_in(const Corridor& corridor, const SmoothingOptions& options);
+  void polish_in(const Corridor& corridor, std::vector<SurfaceCurve>& curves) const;
+  static std::optional<double> anchor_of(const SmoothingOptions& options);
+  const Anchor& anchor_at(double tau, const SmoothingOptions& options,
+                          const std::vector<Corridor::Valley>& valleys, StageTimes& times);
+  SmoothingResult report_on(const SmoothingOptions& options, const Straightened& straight,
+                            std::vector<SurfaceCurve> curves, StageTimes times);
+  SmoothingResult run(const SmoothingOptions& options, SignpostTriangulation::Metric metric);
 
   std::shared_ptr<const OpenedMesh> mesh_;
   SignpostTriangulation triangulation_;
@@ -166,6 +188,9 @@ class CurveSmoother {
   std::vector<double> largest_distance_;           // per component, or one for all
   std::vector<CurveMeasures> drawn_measures_;
   std::vector<Corridor::Valley> valleys_;  // per curve, of the corridor
+  std::map<double, Anchor> anchors_;       // by tau, for the valleys and the floor below
+  std::vector<Corridor::Valley> anchor_valleys_;
+  double anchor_floor_ = 0;
   double solve_ms_ = 0;
   double heat_open_ms_ = 0;
   std::vector<std::string> warnings_;

@@ -1,0 +1,209 @@
+// Smoothing with the corridor potential: how wide, from where, and the polish.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "talweg/core/corridor_scale.hpp"
+#include "talweg/core/crossings.hpp"
+#include "talweg/core/curve_smoother.hpp"
+#include "talweg/core/lifted_lengths.hpp"
+#include "talweg/core/polish.hpp"
+#include "talweg/core/relaxation.hpp"
+#include "talweg/core/stopwatch.hpp"
+#include "talweg/intrinsic/error.hpp"
+
+namespace talweg {
+namespace {
+
+constexpr double kOrigin = 4;  // of the chain of anchors
+constexpr double kLeastAnchor = 1.0 / 8, kMostAnchor = 64;
+
+}  // namespace
+
+std::vector<double> CurveSmoother::slack() const {
+  std::vector<double> result;
+  for (const Corridor::Valley& valley : valleys_) result.push_back(valley.slack);
+  return result;
+}
+
+void CurveSmoother::make_valleys() {
+  valleys_.clear();
+  for (const SurfaceCurve& curve : drawn_) {
+    Corridor::Valley& valley = valleys_.emplace_back();
+    valley.closed = curve.closed;
+    valley.slack = default_slack(mesh_->surface(), curve);
+    valley.length = corridor_length(mesh_->mesh(), curve);
+  }
+}
+
+/// A loop that is thin, or small against its slack, could collapse within its own corridor. Whether
+/// it does is tried at the smallest tau at which it must not.
+void CurveSmoother::hold_loops() {
+  constexpr double kLeastTau = 0.25;
+  constexpr int kHalvings = 5;
+  std::vector<bool> doubtful(drawn_.size(), false);
+  for (std::size_t c = 0; c < drawn_.size(); ++c) {
+    const Corridor::Valley& valley = valleys_[c];
+    doubtful[c] = valley.closed && valley.slack > width_of_loop(mesh_->mesh(), drawn_[c]);
+  }
+  SmoothingOptions options;
+  options.tau = kLeastTau;
+  options.polish = false;
+  options.deviation = DeviationMeasure::kNone;
+  for (int k = 0; k < kHalvings && std::count(doubtful.begin(), doubtful.end(), true) > 0; ++k) {
+    const SmoothingResult tried = smooth_in_corridor(options);
+    for (std::size_t c = 0; c < drawn_.size(); ++c) {
+      const SmoothingReport& report = tried.reports[c];
+      doubtful[c] = doubtful[c] && (report.termination != to_string(Termination::kConverged) ||
+                                    report.length_after < report.length_before / 2);
+      if (doubtful[c]) valleys_[c].slack /= 2;
+    }
+  }
+}
+
+std::vector<Corridor::Valley> CurveSmoother::valleys_for(const SmoothingOptions& options) const {
+  if (!options.slack_at.empty() && options.slack_at.size() != drawn_.size()) {
+    throw Error(ErrorCode::kBadUsage,
+                "slack_at has values for " + std::to_string(options.slack_at.size()) +
+                    " curves, not for " + std::to_string(drawn_.size()) + ".");
+  }
+  std::vector<Corridor::Valley> valleys = valleys_;
+  for (std::size_t c = 0; c < valleys.size(); ++c) {
+    Corridor::Valley& valley = valleys[c];
+    if (options.slack) valley.slack = *options.slack;
+    if (!options.slack_at.empty()) valley.slack_at = options.slack_at[c];
+    // With fewer points to a turn the phase could not follow the loop.
+    const std::size_t most = std::max<std::size_t>(drawn_[c].points.size() / 8, 1);
+    valley.turns = std::min(options.phase_turns, static_cast<int>(most));
+  }
+  return valleys;
+}
+
+/// From which anchor the result for this tau is polished: the power of two below it; none where it
+/// is straightened for itself.
+std::optional<double> CurveSmoother::anchor_of(const SmoothingOptions& options) {
+  const double tau = options.tau;
+  const bool plain = options.polish && options.max_iterations == 0 &&
+                     options.min_relative_length == 0 && options.relax_rounds == 0;
+  if (!plain || !(tau >= kLeastAnchor && tau <= kMostAnchor)) return std::nullopt;
+  return std::exp2(std::floor(std::log2(tau)));
+}
+
+void CurveSmoother::polish_in(const Corridor& corridor, std::vector<SurfaceCurve>& curves) const {
+  const SurfaceMesh& mesh = mesh_->mesh();
+  const ExactPotential exact = {
+      [&](EdgeId e, double t) { return corridor.on_edge(e, t); },
+      [&](const SurfacePoint& p) { return corridor.at(p); },
+  };
+  const std::vector<SurfaceCurve> before = curves;
+  for (SurfaceCurve& curve : curves) polish(mesh, curve, exact, curve_options_.pins);
+  // Each curve is polished for itself; where that made them cross they stay as they were.
+  for (auto crossing = crossing_curves(mesh.surface(), curves); !crossing.empty();
+       crossing = crossing_curves(mesh.surface(), curves)) {
+    const bool again = std::all_of(crossing.begin(), crossing.end(), [&](std::size_t c) {
+      return curves[c].points == before[c].points;
+    });
+    if (again) break;
+    for (const std::size_t c : crossing) curves[c] = before[c];
+  }
+}
+
+CurveSmoother::Straightened CurveSmoother::straighten_in(const Corridor& corridor,
+                                                         const SmoothingOptions& options) {
+  const std::size_t own = mesh_->surface().vertex_count();
+  Straightened result = straighten(options, [&](VertexId p, VertexId q, double length) {
+    const auto at = [&](VertexId v) {  // inserted vertices lie on the drawing
+      return v.index() < own ? corridor.at_vertex(v) : std::array<double, 2>{0, 0};
+    };
+    return lifted_length(length, at(p), at(q));
+  });
+  triangulation_.set_metric({});  // the corridor goes away
+  return result;
+}
+
+/// Straightened once, at the origin; from there the polish alone goes on, from one power of two to
+/// the next. So the result follows tau without jumping from one of several nearly equal geodesics
+/// to another, and is the same whatever was asked before.
+const CurveSmoother::Anchor& CurveSmoother::anchor_at(double tau, const SmoothingOptions& options,
+                                                      const std::vector<Corridor::Valley>& valleys,
+                                                      StageTimes& times) {
+  const auto known = anchors_.find(tau);
+  if (known != anchors_.end()) return known->second;
+  const Corridor corridor(*exact_distance_, tau, valleys);
+  Anchor anchor;
+  if (tau == kOrigin) {
+    SmoothingOptions at_origin = options;
+    at_origin.tau = tau;
+    anchor.straight = straighten_in(corridor, at_origin);
+    anchor.polished = anchor.straight.curves;
+    times.straighten = anchor.straight.time_ms.straighten;
+    times.trace = anchor.straight.time_ms.trace;
+  } else {
+    anchor = anchor_at(tau > kOrigin ? tau / 2 : tau * 2, options, valleys, times);
+  }
+  const Stopwatch watch;
+  polish_in(corridor, anchor.polished);
+  times.polish += watch.ms();
+  return anchors_.emplace(tau, std::move(anchor)).first->second;
+}
+
+SmoothingResult CurveSmoother::smooth_from_anchor(double from, const SmoothingOptions& options,
+                                                  const std::vector<Corridor::Valley>& valleys) {
+  const double floor = options.length_floor.value_or(default_floor());
+  const bool whole = options.prepare_whole_mesh;  // its report differs
+  if (whole || anchor_valleys_ != valleys || anchor_floor_ != floor) anchors_.clear();
+  anchor_valleys_ = valleys;
+  anchor_floor_ = floor;
+  StageTimes times;
+  const Anchor& anchor = anchor_at(from, options, valleys, times);
+  std::vector<SurfaceCurve> curves = anchor.polished;
+  if (from != options.tau) {
+    const Corridor corridor(*exact_distance_, options.tau, valleys);
+    const Stopwatch watch;
+    polish_in(corridor, curves);
+    times.polish += watch.ms();
+  }
+  SmoothingResult result = report_on(options, anchor.straight, std::move(curves), times);
+  const auto cancelled = [](const FlipOutResult::Path& path) {
+    return path.termination == Termination::kCancelled;
+  };
+  const auto& paths = anchor.straight.flip_out.paths;
+  if (whole || std::any_of(paths.begin(), paths.end(), cancelled)) anchors_.clear();
+  return result;
+}
+
+SmoothingResult CurveSmoother::smooth_for_itself(const SmoothingOptions& options,
+                                                 const std::vector<Corridor::Valley>& valleys) {
+  const Corridor corridor(*exact_distance_, options.tau, valleys);
+  Straightened straight = straighten_in(corridor, options);
+  std::vector<SurfaceCurve> curves = straight.curves;
+  StageTimes times = straight.time_ms;
+  Stopwatch watch;
+  relax(mesh_->mesh(), curves, {options.relax_rounds});
+  times.relax = watch.ms();
+  watch = Stopwatch();
+  if (options.polish && options.tau > 0) polish_in(corridor, curves);
+  times.polish = watch.ms();
+  return report_on(options, straight, std::move(curves), times);
+}
+
+SmoothingResult CurveSmoother::smooth_in_corridor(const SmoothingOptions& options) {
+  const std::vector<Corridor::Valley> valleys = valleys_for(options);
+  const std::optional<double> from = anchor_of(options);
+  SmoothingResult result =
+      from ? smooth_from_anchor(*from, options, valleys) : smooth_for_itself(options, valleys);
+  for (std::size_t c = 0; c < valleys.size(); ++c) {
+    SmoothingReport& report = result.reports[c];
+    report.potential = "corridor";
+    report.engine = "local";
+    const std::vector<double>& field = valleys[c].slack_at;
+    report.slack = field.empty() ? valleys[c].slack : *std::max_element(field.begin(), field.end());
+  }
+  result.total = total_of(result.reports);
+  return result;
+}
+
+}  // namespace talweg
