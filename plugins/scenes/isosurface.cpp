@@ -33,8 +33,8 @@ struct Lattice {
   [[nodiscard]] Point position(std::size_t node) const {
     const double half = node >= corner_count() ? 0.5 : 0.0;
     const std::size_t n = node % corner_count();
-    const Point grid(double(n % size[0]) + half, double(n / size[0] % size[1]) + half,
-                     double(n / size[0] / size[1]) + half);
+    const std::size_t i = n % size[0], j = n / size[0] % size[1], k = n / size[0] / size[1];
+    const Point grid(double(i) + half, double(j) + half, double(k) + half);
     return low + cell * grid;
   }
 };

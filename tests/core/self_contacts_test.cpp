@@ -175,8 +175,8 @@ TEST_F(Contacts, ManySegmentsInOneFace) {
 }
 
 TEST_F(Contacts, BadCurvesAreRefused) {
-  EXPECT_THROW(of(SurfaceCurve{}), Error);
-  EXPECT_THROW(of(path({0, 200}, false)), Error);
+  EXPECT_THROW((void)of(SurfaceCurve{}), Error);
+  EXPECT_THROW((void)of(path({0, 200}, false)), Error);
   EXPECT_TRUE(self_contacts(mesh_.surface(), {}).empty());
 }
 

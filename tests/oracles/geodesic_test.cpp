@@ -124,6 +124,7 @@ TEST_P(Geodesic, NeverShorterThanTheShortestAndEqualFromInsideItsStrip) {
       }
     }
   }
+  EXPECT_GT(bends, 0) << "there was nothing to straighten";
   std::printf(
       "  %d pairs: equal from the shortest edge path %d; from a side of the strip %d of %d\n",
       pairs, equal_from_dijkstra, equal_from_strip, sides);
