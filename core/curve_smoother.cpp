@@ -6,6 +6,7 @@
 
 #include "talweg/core/bump_convolution.hpp"
 #include "talweg/core/drawn_curves.hpp"
+#include "talweg/core/edge_length_near.hpp"
 #include "talweg/core/lifted_lengths.hpp"
 #include "talweg/core/relaxation.hpp"
 #include "talweg/core/result_report.hpp"
@@ -57,6 +58,8 @@ void CurveSmoother::forget() {
   distance_.clear();
   inserted_distance_.clear();
   drawn_measures_.clear();
+  edges_near_.clear();
+  last_.reset();
   warnings_.clear();
   valleys_.clear();
   anchors_.clear();
@@ -71,7 +74,10 @@ void CurveSmoother::embed(std::span<const SurfaceCurve> curves, const CurveOptio
   check_pins(curves, options.pins);
   curve_options_ = options;
   drawn_.assign(curves.begin(), curves.end());
-  for (const SurfaceCurve& curve : drawn_) drawn_measures_.push_back(measure_curve(surface, curve));
+  for (const SurfaceCurve& curve : drawn_) {
+    drawn_measures_.push_back(measure_curve(surface, curve));
+    edges_near_.push_back(edge_length_near(surface, curve));
+  }
   embed_drawn();
 }
 
@@ -93,6 +99,7 @@ void CurveSmoother::set_pins(std::span<const SurfacePoint> pins) {
   curve_options_.pins = own;
   triangulation_.remove_inserted();
   anchors_.clear();
+  last_.reset();
   embed_drawn();
 }
 
@@ -356,6 +363,7 @@ SmoothingResult CurveSmoother::report_on(const SmoothingOptions& options,
         report_on_curve(mesh_->mesh(), drawn_[c], drawn_measures_[c], result.curves[c]));
     const FlipOutResult::Path& path = straight.flip_out.paths[c];
     report.tau = options.tau;
+    report.edge_length_near = edges_near_[c];
     report.lifted_length_before = path.length_before;
     report.lifted_length_after = path.length_after;
     report.termination = to_string(path.termination);
@@ -378,8 +386,28 @@ SmoothingResult CurveSmoother::report_on(const SmoothingOptions& options,
     report.time_ms = times;
     report.peak_memory_mib = peak_memory_mib();
   }
+  report_moves(options, result);
   result.total = total_of(result.reports);
   return result;
+}
+
+/// A slider moves tau in small steps; the result should follow in small ones.
+void CurveSmoother::report_moves(const SmoothingOptions& options, SmoothingResult& result) {
+  constexpr double kSmallStep = 1.05;
+  const auto near = [&](const SmoothingOptions& last) {
+    const double least = std::min(last.tau, options.tau), most = std::max(last.tau, options.tau);
+    return least > 0 && most <= kSmallStep * least && last.slack == options.slack &&
+           last.slack_at == options.slack_at && last.phase_turns == options.phase_turns &&
+           last.polish == options.polish && last.relax_rounds == options.relax_rounds;
+  };
+  if (last_ && options.deviation != DeviationMeasure::kNone && near(last_->options)) {
+    for (std::size_t c = 0; c < result.curves.size(); ++c) {
+      report_move(result.reports[c], mesh_->mesh(), last_->options.tau, last_->curves[c],
+                  result.curves[c]);
+    }
+  }
+  last_ = Last{options, result.curves};
+  last_->options.progress = {};
 }
 
 SmoothingResult smooth_curve(std::shared_ptr<const OpenedMesh> mesh, const SurfaceCurve& curve,

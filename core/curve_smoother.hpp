@@ -171,6 +171,7 @@ class CurveSmoother {
   SmoothingResult report_on(const SmoothingOptions& options, const Straightened& straight,
                             std::vector<SurfaceCurve> curves, StageTimes times);
   SmoothingResult run(const SmoothingOptions& options, SignpostTriangulation::Metric metric);
+  void report_moves(const SmoothingOptions& options, SmoothingResult& result);
 
   std::shared_ptr<const OpenedMesh> mesh_;
   SignpostTriangulation triangulation_;
@@ -187,6 +188,12 @@ class CurveSmoother {
   std::optional<Components> components_;           // made when a set first asks
   std::vector<double> largest_distance_;           // per component, or one for all
   std::vector<CurveMeasures> drawn_measures_;
+  std::vector<double> edges_near_;  // per curve
+  struct Last {
+    SmoothingOptions options;
+    std::vector<SurfaceCurve> curves;
+  };
+  std::optional<Last> last_;               // of smooth() on these curves
   std::vector<Corridor::Valley> valleys_;  // per curve, of the corridor
   std::map<double, Anchor> anchors_;       // by tau, for the valleys and the floor below
   std::vector<Corridor::Valley> anchor_valleys_;

@@ -26,6 +26,7 @@ Json object_of(const SmoothingReport& r) {
   j["slack"] = number(r.slack);
   j["max_deviation"] = number(r.max_deviation);
   j["pins_added"] = r.pins_added;
+  j["edge_length_near"] = number(r.edge_length_near);
   j["potential"] = r.potential;
   j["engine"] = r.engine;
   j["closed"] = r.closed;
@@ -46,6 +47,7 @@ Json object_of(const SmoothingReport& r) {
   j["deviation_from_drawn_mean"] = number(r.deviation_from_drawn_mean);
   j["deviation_at"] = {number(r.deviation_at[0]), number(r.deviation_at[1]),
                        number(r.deviation_at[2])};
+  j["moved"] = number(r.moved);
   j["flips"] = r.flips;
   j["iterations"] = r.iterations;
   j["faces_touched"] = r.faces_touched;
@@ -103,6 +105,7 @@ SmoothingReport total_of(const std::vector<SmoothingReport>& reports) {
       worst = own_worst;
       total.deviation_at = r.deviation_at;
     }
+    total.moved = std::max(total.moved, r.moved);
     if (rank(r.termination) > rank(total.termination)) total.termination = r.termination;
     for (const std::string& warning : r.warnings) {
       if (std::find(total.warnings.begin(), total.warnings.end(), warning) ==

@@ -36,6 +36,7 @@ struct SmoothingReport {
   double slack = 0;                      ///< mesh units; 0 for the paper's method
   double max_deviation = HUGE_VAL;       ///< mesh units, as asked of smooth_within(), or none
   std::size_t pins_added = 0;            ///< by smooth_within()
+  double edge_length_near = 0;           ///< mesh units: mean edge within two rings of the drawing
   std::string potential;                 ///< "paper", "corridor" or "custom"
   std::string engine;                    ///< "full" or "local"
   bool closed = false;                   ///< the first point is not repeated, and counts once
@@ -55,10 +56,11 @@ struct SmoothingReport {
   double deviation_from_drawn_max = 0;   ///< mesh units: of the drawing to the result
   double deviation_from_drawn_mean = 0;  ///< mesh units
   Point deviation_at = Point::Zero();    ///< where the larger of both is
-  std::size_t flips = 0;                 ///< of the whole run
-  std::size_t iterations = 0;            ///< cleared wedges of the whole run
-  std::size_t faces_touched = 0;         ///< of the mesh, by the whole run
-  std::size_t trace_fallbacks = 0;       ///< crossings put at the end of their edge
+  double moved = HUGE_VAL;  ///< mesh units: against the last result, if its tau differs by <= 5 %
+  std::size_t flips = 0;    ///< of the whole run
+  std::size_t iterations = 0;       ///< cleared wedges of the whole run
+  std::size_t faces_touched = 0;    ///< of the mesh, by the whole run
+  std::size_t trace_fallbacks = 0;  ///< crossings put at the end of their edge
   std::string termination;  ///< "converged", "deviation", "collapsed", "limit" or "cancelled"
   std::vector<std::string> warnings;  ///< sentences for the user
   StageTimes time_ms;                 ///< milliseconds

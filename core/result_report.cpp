@@ -3,12 +3,30 @@
 #include <algorithm>
 #include <limits>
 #include <span>
+#include <string>
 #include <vector>
+
+#include <fmt/format.h>
 
 #include "talweg/core/deviation.hpp"
 #include "talweg/core/version.hpp"
 
 namespace talweg {
+namespace {
+
+constexpr double kFar = 3, kJump = 0.2;  // mesh edges
+
+std::string far_apart(const SmoothingReport& report) {
+  const bool cut = report.deviation_from_drawn_max > report.deviation_to_drawn_max;
+  const double apart = cut ? report.deviation_from_drawn_max : report.deviation_to_drawn_max;
+  return fmt::format("{} by up to {:.3g}, {:.1f} mesh edges, at ({:.6g}, {:.6g}, {:.6g}).",
+                     cut ? "The result cuts off parts of the drawing that lie away from it"
+                         : "The result leaves the drawing",
+                     apart, apart / report.edge_length_near, report.deviation_at.x(),
+                     report.deviation_at.y(), report.deviation_at.z());
+}
+
+}  // namespace
 
 std::size_t count_touched_faces(const SignpostTriangulation& triangulation) {
   const Surface& surface = triangulation.surface();
@@ -64,6 +82,8 @@ void report_deviation(SmoothingReport& report, DeviationMeasure measure, Deviati
       if (apart.larger().max == kInfinity) {
         report.warnings.emplace_back(
             "The result and the drawing lie on parts of the mesh that are not connected.");
+      } else if (apart.larger().max > kFar * report.edge_length_near) {
+        report.warnings.push_back(far_apart(report));
       }
       break;
     }
@@ -81,6 +101,17 @@ void report_deviation(SmoothingReport& report, DeviationMeasure measure, Deviati
       break;
     }
   }
+}
+
+void report_move(SmoothingReport& report, const SurfaceMesh& mesh, double last_tau,
+                 const SurfaceCurve& last, const SurfaceCurve& result) {
+  const Deviation moved =
+      deviation(positions_of(mesh, result), result.closed, positions_of(mesh, last), last.closed);
+  report.moved = std::max(moved.to_drawn.max, moved.from_drawn.max);
+  if (report.moved <= kJump * report.edge_length_near) return;
+  report.warnings.push_back(fmt::format(
+      "The curve jumped by {:.3g}, {:.1f} mesh edges, when tau went from {:.4g} to {:.4g}.",
+      report.moved, report.moved / report.edge_length_near, last_tau, report.tau));
 }
 
 }  // namespace talweg

@@ -23,6 +23,11 @@ void report_deviation(SmoothingReport& report, DeviationMeasure measure, Deviati
                       const SurfaceMesh& mesh, const SurfaceCurve& drawn,
                       const SurfaceCurve& result, PolylineDistance* to_drawn = nullptr);
 
+/// Adds how far the curve has moved since the last result, whose tau was about the same, and names
+/// a jump. Distances are Euclidean.
+void report_move(SmoothingReport& report, const SurfaceMesh& mesh, double last_tau,
+                 const SurfaceCurve& last, const SurfaceCurve& result);
+
 /// Faces of the surface with a corner whose directions have been laid out. O(touched).
 std::size_t count_touched_faces(const SignpostTriangulation& triangulation);
 

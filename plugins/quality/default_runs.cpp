@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "quality/runs.hpp"
+#include "talweg/core/edge_length_near.hpp"
 
 namespace talweg::quality {
 
@@ -17,7 +18,7 @@ std::vector<Run> default_runs(const Subject& subject, const CurveOptions& curve_
     run.mesh = subject.name;
     run.drawing = drawing.name;
     run.closed = drawing.closed;
-    run.edge = local_edge_length(surface, drawing);
+    run.edge = edge_length_near(surface, drawing.curve(surface));
     const CurveMeasures before = measure_curve(surface, drawn);
     run.curvature_before = before.total_curvature;
     for (const double tau : {0.5, 1.0, 2.0, 4.0}) {

@@ -173,31 +173,4 @@ std::vector<Drawing> stored_drawings(const std::filesystem::path& folder, const 
   return drawings;
 }
 
-double local_edge_length(const Surface& surface, const Drawing& drawing) {
-  std::vector<VertexId> near = drawing.path;
-  const auto make_unique = [](auto& list) {
-    std::sort(list.begin(), list.end());
-    list.erase(std::unique(list.begin(), list.end()), list.end());
-  };
-  for (int ring = 0; ring < 2; ++ring) {
-    std::vector<VertexId> more = near;
-    for (const VertexId v : near) {
-      for (const HalfedgeId h : spokes(surface, v)) more.push_back(surface.head(h));
-    }
-    near = std::move(more);
-    make_unique(near);
-  }
-  std::vector<EdgeId> edges;
-  for (const VertexId v : near) {
-    for (const HalfedgeId h : spokes(surface, v)) {
-      if (std::binary_search(near.begin(), near.end(), surface.head(h)))
-        edges.push_back(edge_of(h));
-    }
-  }
-  make_unique(edges);
-  double sum = 0;
-  for (const EdgeId e : edges) sum += surface.length(e);
-  return sum / static_cast<double>(edges.size());
-}
-
 }  // namespace talweg::quality

@@ -27,7 +27,4 @@ std::vector<Drawing> generated_drawings(const OpenedMesh& mesh, std::uint64_t se
 /// The drawings MESH.txt and MESH_*.txt of a folder.
 std::vector<Drawing> stored_drawings(const std::filesystem::path& folder, const std::string& mesh);
 
-/// Mean length of the mesh edges within two rings of the drawing, mesh units.
-double local_edge_length(const Surface& surface, const Drawing& drawing);
-
 }  // namespace talweg::quality

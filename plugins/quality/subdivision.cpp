@@ -6,6 +6,7 @@
 #include "quality/runs.hpp"
 #include "talweg/core/corridor_scale.hpp"
 #include "talweg/core/deviation.hpp"
+#include "talweg/core/edge_length_near.hpp"
 
 namespace talweg::quality {
 namespace {
@@ -47,7 +48,7 @@ Subdivision subdivision(const Subject& subject, const Drawing& drawing, double t
                         const CurveOptions& curve_options) {
   Subdivision result{subject.name, drawing.name, {}, {}};
   const Surface& coarse = subject.mesh->surface();
-  const double edge = local_edge_length(coarse, drawing);
+  const double edge = edge_length_near(coarse, drawing.curve(coarse));
   SmoothingOptions options;
   options.tau = tau;
   options.slack = default_slack(coarse, drawing.curve(coarse));

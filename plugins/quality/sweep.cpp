@@ -4,6 +4,7 @@
 
 #include "quality/runs.hpp"
 #include "talweg/core/deviation.hpp"
+#include "talweg/core/edge_length_near.hpp"
 
 namespace talweg::quality {
 
@@ -11,7 +12,7 @@ Sweep sweep(const Subject& subject, const Drawing& drawing, const CurveOptions& 
   const SurfaceMesh& mesh = subject.mesh->mesh();
   CurveSmoother smoother(subject.mesh);
   smoother.set_curve(drawing.curve(mesh.surface()), curve_options);
-  const double edge = local_edge_length(mesh.surface(), drawing);
+  const double edge = edge_length_near(mesh.surface(), drawing.curve(mesh.surface()));
   Sweep result{subject.name, drawing.name};
   std::vector<Point> before;
   double deviation_before = 0;
