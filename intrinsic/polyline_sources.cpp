@@ -6,6 +6,11 @@
 #include "talweg/intrinsic/polyline_distance.hpp"
 
 namespace talweg {
+namespace {
+
+constexpr double kUpright = 1e-8;  // rad, whose square is below the rounding of a double
+
+}  // namespace
 
 PolylineDistance::PolylineDistance(const Surface& surface)
     : surface_(&surface),
@@ -98,9 +103,10 @@ void PolylineDistance::send_segment(const PolylinePiece& piece) {
     const PlanePoint p = frame.at(piece.from, k), q = frame.at(piece.to, k);
     const double length = std::hypot(q.x - p.x, q.y - p.y);
     const double tx = (q.x - p.x) / length, ty = (q.y - p.y) / length;
-    // A segment perpendicular to the side reaches it with its ends only.
-    if (!(std::abs(tx) > 0) || !std::isfinite(length / tx)) continue;
-    const double first = p.x + p.y * ty / tx, last = first + length / tx;
+    // A segment perpendicular to the side reaches it with its ends only, and one that is so up to
+    // an angle of kUpright is nearer than these by less than rounding.
+    if (!(std::abs(tx) > kUpright)) continue;
+    const double first = p.x + p.y * ty / tx, last = q.x + q.y * ty / tx;
     EdgeWindow window;
     window.begin = std::max(0.0, std::min(first, last));
     window.end = std::min(frame.length, std::max(first, last));

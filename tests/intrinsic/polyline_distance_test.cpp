@@ -214,6 +214,70 @@ TEST(PolylineDistance, PassesEdgesOfNoLength) {
   expect_plane_distances(mesh, surface, curve, random, 1e-7);
 }
 
+/// The straight line through (x, y) in the direction `angle`, from edge to edge of a plane mesh.
+SurfaceCurve straight_line(const TestMesh& mesh, const Surface& surface, Point through,
+                           double angle) {
+  const double c = std::cos(angle), s = std::sin(angle);
+  std::vector<std::pair<double, SurfacePoint>> crossed;
+  for (std::size_t e = 0; e < surface.edge_count(); ++e) {
+    const HalfedgeId h = halfedge_of(EdgeId{e});
+    const auto height = [&](VertexId v) {
+      const Point& p = mesh.points[v.index()];
+      return c * (p[1] - through[1]) - s * (p[0] - through[0]);
+    };
+    const double a = height(surface.tail(h)), b = height(surface.head(h));
+    if (!(a * b < 0)) continue;
+    const SurfacePoint at = SurfacePoint::on_edge(surface, EdgeId{e}, a / (a - b));
+    const Point x = position(mesh, surface, at);
+    crossed.emplace_back(c * (x[0] - through[0]) + s * (x[1] - through[1]), at);
+  }
+  std::sort(crossed.begin(), crossed.end(),
+            [](const auto& p, const auto& q) { return p.first < q.first; });
+  SurfaceCurve line;
+  for (const auto& [along, at] : crossed) line.points.push_back(at);
+  return line;
+}
+
+/// Turns a plane mesh about the origin, so that its lengths are rounded.
+TestMesh turned(TestMesh mesh, double angle) {
+  for (Point& p : mesh.points) {
+    p = {std::cos(angle) * p[0] - std::sin(angle) * p[1],
+         std::sin(angle) * p[0] + std::cos(angle) * p[1], p[2]};
+  }
+  return mesh;
+}
+
+// Such lines cross the grid's upright edges at right angles but for rounding. What one of their
+// segments sends to an upright edge then comes from next to nothing, or from far outside the face.
+TEST(PolylineDistance, IsEuclideanNextToLinesThatAreAlmostPerpendicularToEdges) {
+  const TestMesh flat = test::grid(30, 20);
+  const double angles[] = {0, 1e-17, 1e-16, 1e-15, 1e-12, 1e-10, 1e-9, 1e-8, 1e-7, 1e-6};
+  for (const double turn : {0.0, 0.3, 1.1}) {
+    const TestMesh mesh = turned(flat, turn);
+    const Surface surface = test::surface_of(mesh);
+    PolylineDistance distance(surface);
+    for (const double upright : {0.0, test::kPi / 2}) {
+      for (const double angle : angles) {
+        for (const double gap : {0.05, 0.35, 1.0, 3.3}) {
+          const double shift = 6.2 + gap;
+          const SurfaceCurve lines[] = {
+              straight_line(flat, surface, {6.2, 6.2, 0}, upright + angle),
+              straight_line(flat, surface, {shift, shift, 0}, upright - angle)};
+          distance.set(lines);
+          std::vector<std::vector<Point>> at;
+          for (const auto& line : lines) at.push_back(positions(flat, surface, line));
+          for (std::size_t v = 0; v < surface.vertex_count(); ++v) {
+            const Point& x = flat.points[v];
+            const double expected = std::min(to_polyline(x, at[0]), to_polyline(x, at[1]));
+            ASSERT_NEAR(distance.at_vertex(VertexId{v}).distance, expected, kExact)
+                << v << " turn " << turn << " angle " << angle << " gap " << gap;
+          }
+        }
+      }
+    }
+  }
+}
+
 TEST(PolylineDistance, IsExactlyZeroOnTheCurve) {
   Random random(5);
   const Surface surface = test::surface_of(test::sphere(3));
