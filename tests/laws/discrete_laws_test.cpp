@@ -181,7 +181,7 @@ TEST_P(DiscreteLaw, DistanceIsNotNegativeAndAlmostOneLipschitz) {
   const Surface& surface = opened->surface();
   for (const test::Subject::Drawing& drawing : subject_.drawings) {
     CurveSmoother smoother(opened);
-    smoother.set_curve(test::curve_of(surface, drawing), {.method = Method::kPaper});
+    smoother.set_curve(test::curve_of(surface, drawing), test::kPapers);
     std::vector<double> slopes;
     for (const double d : smoother.distance()) EXPECT_GE(d, 0);
     for (std::size_t e = 0; e < surface.edge_count(); ++e) {

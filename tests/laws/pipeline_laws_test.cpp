@@ -134,7 +134,7 @@ TEST_P(PipelineLaw, SubdividedDrawing) {
   const std::vector<double> taus =
       tau_ == 0 ? std::vector<double>{0} : std::vector<double>{0.1, tau_};
   const auto opened = OpenedMesh::open(subject_.lists);
-  const CurveOptions uncapped{.cap_corners = false};
+  const CurveOptions uncapped{.method = Method::kPaper, .cap_corners = false};
   CurveSmoother plain(opened);
   CurveSmoother fine(opened);
   for (const Subject::Drawing& drawing : subject_.drawings) {
@@ -170,10 +170,10 @@ TEST_P(PipelineLaw, OtherOrderOfASet) {
   const std::vector<SurfaceCurve> curves = {test::curve_of(surface, part(0, 0.45)),
                                             test::curve_of(surface, part(0.55, 1))};
   CurveSmoother smoother(opened);
-  smoother.set_curves(curves);
+  smoother.set_curves(curves, test::kPapers);
   const SmoothingResult expected = smoother.smooth(tau_);
   std::vector<SurfaceCurve> swapped(curves.rbegin(), curves.rend());
-  smoother.set_curves(swapped);
+  smoother.set_curves(swapped, test::kPapers);
   const SmoothingResult found = smoother.smooth(tau_);
   ASSERT_EQ(found.curves.size(), curves.size());
   for (std::size_t c = 0; c < curves.size(); ++c) {
@@ -211,7 +211,7 @@ TEST_P(PipelineLaw, TwoComponentsAreSmoothedAsOne) {
   const std::vector<SurfaceCurve> curves = {test::curve_of(opened->surface(), drawing),
                                             test::curve_of(opened->surface(), on_second)};
   CurveSmoother smoother(opened);
-  smoother.set_curves(curves);
+  smoother.set_curves(curves, test::kPapers);
   const SmoothingResult found = smoother.smooth(tau_);
   const Outcome expected = test::smooth_drawing(own, drawing, tau_);
   for (const SurfaceCurve& curve : found.curves) {
@@ -225,11 +225,11 @@ TEST_P(PipelineLaw, InsertAndRemoveLeavesNoTrace) {
   const auto opened = OpenedMesh::open(subject_.lists);
   CurveSmoother used(opened);
   const SurfaceCurve drawn = test::curve_of(opened->surface(), subject_.drawings.front());
-  used.set_curve(drawn);
+  used.set_curve(drawn, test::kPapers);
   const SmoothingResult first = used.smooth(tau_);
-  used.set_curve(first.curve());
+  used.set_curve(first.curve(), test::kPapers);
   used.smooth(tau_);
-  used.set_curve(drawn);
+  used.set_curve(drawn, test::kPapers);
   const SmoothingResult again = used.smooth(tau_);
   EXPECT_EQ(again.curve().points, first.curve().points);
   EXPECT_EQ(again.report().flips, first.report().flips);

@@ -125,6 +125,9 @@ inline SurfaceCurve curve_of(const Surface& surface, const Subject::Drawing& dra
   return vertex_curve(surface, drawing.path, drawing.closed);
 }
 
+/// The laws are stated for the paper's method.
+inline const CurveOptions kPapers{.method = Method::kPaper};
+
 /// The smoothed curve as positions, with what the report says.
 struct Outcome {
   std::vector<Point> points;
@@ -134,7 +137,7 @@ struct Outcome {
 inline Outcome smooth_drawing(const MeshLists& lists, const Subject::Drawing& drawing, double tau) {
   const auto opened = OpenedMesh::open(lists);
   const SmoothingResult result =
-      smooth_curve(opened, curve_of(opened->surface(), drawing), {.tau = tau});
+      smooth_curve(opened, curve_of(opened->surface(), drawing), {.tau = tau}, kPapers);
   return {positions_of(opened->mesh(), result.curve()), result.report()};
 }
 
