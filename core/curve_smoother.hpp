@@ -159,7 +159,7 @@ class CurveSmoother {
     StageTimes time_ms;
   };
   struct Anchor {
-    Straightened straight;  // at the origin of all anchors
+    Straightened straight;  // of the anchor that it comes from
     std::vector<SurfaceCurve> polished;
   };
   Straightened straighten(const SmoothingOptions& options, SignpostTriangulation::Metric metric);

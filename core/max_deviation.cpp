@@ -14,7 +14,7 @@
 namespace talweg {
 namespace {
 
-constexpr double kLeastTau = 1.0 / 64, kMostTau = 64;
+constexpr double kLeastTau = 1.0 / 8, kMostTau = 64;
 constexpr double kFineness = 1.05;  // of tau
 constexpr int kPinRounds = 8;
 
@@ -37,6 +37,13 @@ class Search {
   Search& operator=(const Search&) = delete;
 
   SmoothingResult run() {
+    const auto closed = [](const SurfaceCurve& curve) { return curve.closed; };
+    const auto& drawn = smoother_.drawn();
+    // A geodesic within the bound cannot be beaten; loops would collapse.
+    if (std::none_of(drawn.begin(), drawn.end(), closed) && measured(0, both_ways) <= bound_) {
+      finish();
+      return std::move(best_);
+    }
     for (const double slack : slacks()) {
       options_.slack = slack;
       smoother_.set_pins(own_pins_);
@@ -45,7 +52,7 @@ class Search {
       const double loose = least_tau(to_drawn);
       const double tight = least_tau(both_ways);
       if (cancelled_) break;
-      if (tight > loose * kFineness * kFineness) pin_corners(loose);
+      if (tight > loose * kFineness * kFineness || both_ways(best_) > bound_) pin_corners(loose);
       if (cancelled_) break;
     }
     if (cancelled_ || best_.curves.empty()) return std::move(last_);

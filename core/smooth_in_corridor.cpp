@@ -18,7 +18,7 @@
 namespace talweg {
 namespace {
 
-constexpr double kOrigin = 4;  // of the chain of anchors
+constexpr double kOrigin = 4;  // of the chain of anchors below it
 constexpr double kLeastAnchor = 1.0 / 8, kMostAnchor = 64;
 
 }  // namespace
@@ -124,9 +124,11 @@ CurveSmoother::Straightened CurveSmoother::straighten_in(const Corridor& corrido
   return result;
 }
 
-/// Straightened once, at the origin; from there the polish alone goes on, from one power of two to
-/// the next. So the result follows tau without jumping from one of several nearly equal geodesics
-/// to another, and is the same whatever was asked before.
+/// Straightened once, at the origin; from there the polish alone goes down, from one power of two
+/// to the next. So the result follows tau without jumping from one of several nearly equal
+/// geodesics to another, and is the same whatever was asked before. Upwards the polish would not
+/// find its way back over the ridges between two strands of the drawing: each anchor is
+/// straightened for itself.
 const CurveSmoother::Anchor& CurveSmoother::anchor_at(double tau, const SmoothingOptions& options,
                                                       const std::vector<Corridor::Valley>& valleys,
                                                       StageTimes& times) {
@@ -134,7 +136,7 @@ const CurveSmoother::Anchor& CurveSmoother::anchor_at(double tau, const Smoothin
   if (known != anchors_.end()) return known->second;
   const Corridor corridor(*exact_distance_, tau, valleys);
   Anchor anchor;
-  if (tau == kOrigin) {
+  if (tau >= kOrigin) {
     SmoothingOptions at_origin = options;
     at_origin.tau = tau;
     anchor.straight = straighten_in(corridor, at_origin);
@@ -142,7 +144,7 @@ const CurveSmoother::Anchor& CurveSmoother::anchor_at(double tau, const Smoothin
     times.straighten = anchor.straight.time_ms.straighten;
     times.trace = anchor.straight.time_ms.trace;
   } else {
-    anchor = anchor_at(tau > kOrigin ? tau / 2 : tau * 2, options, valleys, times);
+    anchor = anchor_at(2 * tau, options, valleys, times);
   }
   const Stopwatch watch;
   polish_in(corridor, anchor.polished);

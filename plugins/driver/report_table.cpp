@@ -25,16 +25,21 @@ std::string table_of(const SmoothingReport& r) {
        number(r.deviation_from_drawn_mean), "mesh units");
   fmt::format_to(std::back_inserter(out), "  largest at          {:.6g} {:.6g} {:.6g}\n",
                  r.deviation_at[0], r.deviation_at[1], r.deviation_at[2]);
-  fmt::format_to(std::back_inserter(out),
-                 "tau {:g}, potential {}, engine {}: {} after {} iterations, {} flips, {} of {} "
-                 "faces touched\n",
-                 r.tau, r.potential, r.engine, r.termination, r.iterations, r.flips,
-                 r.faces_touched, r.faces);
+  fmt::format_to(
+      std::back_inserter(out),
+      "tau {:g}, slack {:.6g}, potential {}, engine {}: {} after {} iterations, {} flips, "
+      "{} of {} faces touched\n",
+      r.tau, r.slack, r.potential, r.engine, r.termination, r.iterations, r.flips, r.faces_touched,
+      r.faces);
   const StageTimes& t = r.time_ms;
   fmt::format_to(std::back_inserter(out),
                  "ms: load {:.1f}, open {:.1f}, solve {:.1f}, straighten {:.2f}, trace {:.2f}, "
-                 "relax {:.2f}; memory {:.0f} MiB\n",
-                 t.load, t.open, t.solve, t.straighten, t.trace, t.relax, r.peak_memory_mib);
+                 "relax {:.2f}, polish {:.2f}; memory {:.0f} MiB\n",
+                 t.load, t.open, t.solve, t.straighten, t.trace, t.relax, t.polish,
+                 r.peak_memory_mib);
+  if (r.pins_added > 0) {
+    fmt::format_to(std::back_inserter(out), "{} points of the drawing were pinned\n", r.pins_added);
+  }
   for (const std::string& warning : r.warnings) {
     fmt::format_to(std::back_inserter(out), "warning: {}\n", warning);
   }

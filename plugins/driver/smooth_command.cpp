@@ -5,19 +5,21 @@
 #include <limits>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "commands.hpp"
+#include "drawing_file.hpp"
 #include "progress_bar.hpp"
 #include "report_table.hpp"
 #include "talweg/core/curve_smoother.hpp"
 #include "talweg/core/formats/curve_file.hpp"
 #include "talweg/core/formats/file_bytes.hpp"
+#include "talweg/core/max_deviation.hpp"
 #include "talweg/core/mesh_reader.hpp"
-#include "talweg/core/snapping.hpp"
 #include "talweg/core/stopwatch.hpp"
-#include "talweg/core/straight_lines.hpp"
 #include "talweg/intrinsic/error.hpp"
 
 namespace talweg::driver {
@@ -31,31 +33,17 @@ struct SmoothOptions {
   std::string potential = "corridor";
   std::string engine = "auto";
   std::string distance;
+  std::string slack_field;
+  std::optional<double> max_deviation;
+  std::optional<double> heat_time;
   std::vector<std::size_t> pins;
   std::size_t repeat = 1;
   CurveOptions curve_options;
   SmoothingOptions smoothing;
 };
 
-struct Drawing {
-  std::vector<SurfaceCurve> curves;
-  std::vector<SurfacePoint> pins;
-  double largest_snap_distance = 0;
-};
-
-Drawing read_drawing(const std::string& path, const SurfaceMesh& mesh) {
-  Drawing drawing;
-  StraightLines lines(mesh.surface());
-  for (const SnappedCurve& snapped : snap(mesh, read_curves(path))) {
-    for (const std::size_t pin : snapped.pins) drawing.pins.push_back(snapped.points[pin]);
-    drawing.curves.push_back(lines.join(snapped.points, snapped.closed));
-    drawing.largest_snap_distance =
-        std::max(drawing.largest_snap_distance, snapped.largest_snap_distance);
-  }
-  return drawing;
-}
-
-std::vector<double> read_distance(const std::string& path, std::size_t vertices) {
+/// One number per vertex.
+std::vector<double> read_field(const std::string& path, std::size_t vertices) {
   std::ifstream in(path);
   if (!in) throw Error(ErrorCode::kBadFile, path + ": cannot be opened.");
   std::vector<double> values;
@@ -69,8 +57,8 @@ std::vector<double> read_distance(const std::string& path, std::size_t vertices)
   }
   if (values.size() != vertices) {
     throw Error(ErrorCode::kBadFile, path + ": " + std::to_string(values.size()) +
-                                         " distances, but the mesh has " +
-                                         std::to_string(vertices) + " vertices.");
+                                         " values, but the mesh has " + std::to_string(vertices) +
+                                         " vertices.");
   }
   return values;
 }
@@ -99,8 +87,7 @@ bool set_curves(CurveSmoother& smoother, const Drawing& drawing, const SmoothOpt
   curve_options.pins = drawing.pins;
   if (options.distance.empty()) return smoother.set_curves(drawing.curves, curve_options, progress);
   const std::size_t vertices = smoother.opened().surface().vertex_count();
-  return smoother.set_curves(drawing.curves, read_distance(options.distance, vertices),
-                             curve_options);
+  return smoother.set_curves(drawing.curves, read_field(options.distance, vertices), curve_options);
 }
 
 int finish(const SmoothOptions& options, const GlobalOptions& global, const SurfaceMesh& mesh,
@@ -118,8 +105,10 @@ int finish(const SmoothOptions& options, const GlobalOptions& global, const Surf
   if (table && !global.quiet) std::fputs(table_of(result.total).c_str(), stdout);
   if (result.total.termination == to_string(Termination::kConverged)) return kDone;
   if (!global.quiet) {
-    std::fprintf(stderr, "talweg: the result did not converge (%s); it was written all the same.\n",
-                 result.total.termination.c_str());
+    const bool far = result.total.termination == "deviation";
+    std::fprintf(stderr, "talweg: %s; the best result was written all the same.\n",
+                 far ? "no curve within --max-deviation was found"
+                     : ("the result did not converge (" + result.total.termination + ")").c_str());
   }
   return kNotConverged;
 }
@@ -130,7 +119,11 @@ void choose_method(SmoothOptions& options) {
   if (corridor && options.engine == "full") fail("The corridor needs --engine local.");
   if (!corridor && options.engine == "local") fail("The paper's potential needs --engine full.");
   if (corridor && !options.distance.empty()) fail("--distance needs --potential paper.");
+  if (corridor && options.heat_time) fail("--heat-time needs --potential paper.");
   if (!corridor && options.smoothing.slack) fail("--slack needs --potential corridor.");
+  if (!corridor && !options.slack_field.empty()) fail("--slack-field needs --potential corridor.");
+  if (!corridor && options.max_deviation) fail("--max-deviation needs --potential corridor.");
+  if (options.heat_time) options.curve_options.heat_time = *options.heat_time;
   options.curve_options.method = corridor ? Method::kCorridor : Method::kPaper;
 }
 
@@ -148,6 +141,13 @@ int run(SmoothOptions options, const GlobalOptions& global) {
     drawing.pins.push_back(SurfacePoint::at_vertex(opened->surface(), VertexId{pin}));
   }
 
+  if (!options.slack_field.empty()) {
+    const auto field = read_field(options.slack_field, opened->surface().vertex_count());
+    for (const SurfaceCurve& curve : drawing.curves) {
+      options.smoothing.slack_at.push_back(slack_along(opened->surface(), curve, field));
+    }
+  }
+
   const Progress progress = progress_bar(global.quiet);
   options.smoothing.progress = progress;
   CurveSmoother smoother(opened);
@@ -158,7 +158,9 @@ int run(SmoothOptions options, const GlobalOptions& global) {
       result.total.termination = to_string(Termination::kCancelled);
       break;
     }
-    result = smoother.smooth(options.smoothing);
+    result = options.max_deviation
+                 ? smooth_within(smoother, *options.max_deviation, options.smoothing)
+                 : smoother.smooth(options.smoothing);
     times.resize(result.reports.size());
     for (std::size_t c = 0; c < times.size(); ++c) {
       times[c].push_back(result.reports[c].time_ms);
@@ -170,13 +172,8 @@ int run(SmoothOptions options, const GlobalOptions& global) {
     report.time_ms.open = times[c].front().open;  // the factors are made in the first run
     report.time_ms.load = load_ms;
     report.time_ms.total += load_ms;
-    if (drawing.largest_snap_distance > 0) {
-      report.warnings.push_back("The curve was moved onto the mesh, by up to " +
-                                std::to_string(drawing.largest_snap_distance) + " mesh units.");
-    }
-    if (polygons > 0) {
-      report.warnings.push_back(std::to_string(polygons) +
-                                " polygons of the mesh were split into triangles.");
+    for (std::string& warning : reading_warnings(drawing.largest_snap_distance, polygons)) {
+      report.warnings.push_back(std::move(warning));
     }
   }
   if (!result.reports.empty()) result.total = total_of(result.reports);
@@ -209,15 +206,23 @@ Command add_smooth(CLI::App& app, const GlobalOptions& global) {
   command->add_option(
       "--slack", o->smoothing.slack,
       "How exact the drawing is, in mesh units (corridor; default: its mean segment)");
+  command->add_option("--slack-field", o->slack_field,
+                      "The slack near each mesh vertex, one number each, instead of --slack");
+  command
+      ->add_option(
+          "--max-deviation", o->max_deviation,
+          "The smoothest curve that deviates by no more, in mesh units, either way; chooses "
+          "tau and slack")
+      ->excludes("--tau");
   command
       ->add_option("--engine", o->engine,
                    "full: distance over the whole mesh (paper); local: near the drawing (corridor)")
       ->check(CLI::IsMember({"auto", "full", "local"}))
       ->capture_default_str();
   command
-      ->add_option("--heat-time", o->curve_options.heat_time,
-                   "Smoothing of the distance, in squared mean edge lengths")
-      ->capture_default_str();
+      ->add_option("--heat-time", o->heat_time,
+                   "Smoothing of the paper's distance, in squared mean edge lengths")
+      ->default_str("10");
   command->add_option("--distance", o->distance,
                       "Distance to the drawing, one number per vertex, used as it is");
   command->add_option("--pin", o->pins, "Vertices of the drawing that the result passes through")

@@ -6,48 +6,21 @@
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
-#include <sys/wait.h>
 
 #include "core/generated_meshes.hpp"
 #include "core/reference_data.hpp"
-#include "core/temporary_folder.hpp"
+#include "plugins/driver_runs.hpp"
 #include "talweg/core/formats/curve_file.hpp"
 #include "talweg/core/mesh_writer.hpp"
 
 namespace talweg {
 namespace {
 
-struct Outcome {
-  int code = -1;
-  std::string out;
-  std::string err;
-};
-
-class Driver : public test::TemporaryFolder {
+class Driver : public test::DriverRuns {
  protected:
   void SetUp() override {
-    TemporaryFolder::SetUp();
+    DriverRuns::SetUp();
     write_mesh(file("mesh.ply"), test::grid(30, 20));
-  }
-
-  Outcome run(const std::string& arguments) const {
-    std::string command("cd '");
-    command.append(file("").string()).append("' && '" TALWEG_DRIVER "' ").append(arguments);
-    command.append(" >out.log 2>err.log </dev/null");
-    const int status = std::system(command.c_str());
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, bytes_of(file("out.log")),
-            bytes_of(file("err.log"))};
-  }
-
-  /// Fails with this code, one line on stderr that has these words, and nothing on stdout.
-  void expect_failure(const std::string& arguments, int code,
-                      std::initializer_list<const char*> words) const {
-    const Outcome outcome = run(arguments);
-    EXPECT_EQ(outcome.code, code) << arguments << "\n" << outcome.err;
-    EXPECT_EQ(outcome.out, "") << arguments;
-    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
-    for (const char* word : words)
-      EXPECT_NE(outcome.err.find(word), std::string::npos) << outcome.err;
   }
 };
 
@@ -172,6 +145,47 @@ TEST_F(Driver, UsesAGivenDistance) {
   EXPECT_LT(report["curvature_after"], 1e-6);
 }
 
+TEST_F(Driver, KeepsWithinTheLargestDeviation) {
+  ASSERT_EQ(run("draw mesh.ply --through 64,400,590 -o drawn.json").code, 0);
+  for (const char* bound : {"2", "0.5", "0.2"}) {
+    const Outcome outcome =
+        run(std::string("smooth mesh.ply --curve drawn.json -o within.json --report r.json "
+                        "--max-deviation ") +
+            bound);
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const auto report = nlohmann::json::parse(bytes_of(file("r.json")));
+    EXPECT_EQ(report["max_deviation"], std::stod(bound));
+    ASSERT_EQ(run("measure mesh.ply within.json drawn.json --report m.json").code, 0);
+    const auto measured = nlohmann::json::parse(bytes_of(file("m.json")));
+    for (const char* name : {"deviation_to_drawn_max", "deviation_from_drawn_max"}) {
+      EXPECT_LE(report[name], std::stod(bound)) << name;
+    }
+    EXPECT_LE(report["curvature_after"], report["curvature_before"]);
+  }
+}
+
+TEST_F(Driver, HoldsTheDrawingWhereTheSlackFieldIsSmall) {
+  ASSERT_EQ(run("draw mesh.ply --through 64,400,590 -o drawn.json").code, 0);
+  std::string zeros, wide;
+  for (int v = 0; v < 651; ++v) {
+    zeros += "0\n";
+    wide += "2\n";
+  }
+  write("zeros.txt", zeros);
+  write("wide.txt", wide);
+  const auto deviation = [&](const std::string& field) -> double {
+    EXPECT_EQ(run("smooth mesh.ply --curve drawn.json --tau 4 --slack-field " + field +
+                  " --report r.json")
+                  .code,
+              0);
+    return nlohmann::json::parse(bytes_of(file("r.json")))["deviation_to_drawn_max"];
+  };
+  const double held = deviation("zeros.txt"), free = deviation("wide.txt");
+  EXPECT_LT(held, 0.5);
+  EXPECT_GT(free, 1);
+  expect_failure("smooth mesh.ply --curve drawn.json --slack-field drawn.json", 2, {"drawn.json"});
+}
+
 TEST_F(Driver, SaysWhatIsWrongWithTheArguments) {
   expect_failure("", 1, {"draw, smooth, measure or info"});
   expect_failure("smoth mesh.ply", 1, {"smoth"});
@@ -179,9 +193,14 @@ TEST_F(Driver, SaysWhatIsWrongWithTheArguments) {
   expect_failure("smooth mesh.ply --curve a.txt --bogus", 1, {"--bogus"});
   write("a.txt", "64\n65\n66\n");
   expect_failure("smooth mesh.ply --curve a.txt --tau -1", 1, {"tau"});
+  expect_failure("smooth mesh.ply --curve a.txt --tau 1 --max-deviation 1", 1, {"--max-deviation"});
+  expect_failure("smooth mesh.ply --curve a.txt --max-deviation 0", 1, {"max_deviation", "> 0"});
+  expect_failure("smooth mesh.ply --curve a.txt --heat-time 1", 1, {"--heat-time", "paper"});
+  expect_failure("smooth mesh.ply --curve a.txt --potential paper --max-deviation 1", 1,
+                 {"--max-deviation", "corridor"});
   expect_failure("smooth mesh.ply --curve a.txt --tau nan", 1, {"tau"});
   expect_failure("smooth mesh.ply --curve a.txt --tau much", 1, {"--tau", "much"});
-  expect_failure("smooth mesh.ply --curve a.txt --heat-time 0", 1, {"heat_time"});
+  expect_failure("smooth mesh.ply --curve a.txt --potential paper --heat-time 0", 1, {"heat_time"});
   expect_failure("smooth mesh.ply --curve a.txt --relax -1", 1, {"rounds"});
   expect_failure("smooth mesh.ply --curve a.txt --pin 5", 1, {"vertex 5"});
   expect_failure("smooth mesh.ply --curve a.txt --potential steep", 1, {"steep"});
