@@ -10,6 +10,9 @@
 
 #include <CLI/CLI.hpp>
 
+#include "quality/bounded_runs.hpp"
+#include "quality/gallery.hpp"
+#include "quality/goals.hpp"
 #include "quality/runs.hpp"
 #include "quality/tables.hpp"
 #include "scenes/scenes.hpp"
@@ -22,7 +25,7 @@ namespace {
 struct Options {
   std::filesystem::path out, meshes, curves;
   std::vector<std::string> names;
-  std::vector<std::string> parts{"runs", "sweep", "subdivision"};
+  std::vector<std::string> parts{"runs", "paper", "bound", "sweep", "subdivision", "gallery"};
   std::uint64_t seed = 1;
   CurveOptions curve_options;
 };
@@ -79,19 +82,39 @@ std::vector<Drawing> longest_of_each(const Subject& subject) {
 }
 
 struct Measured {
-  std::vector<Run> runs;
+  std::vector<Run> runs, paper;
+  std::vector<BoundedRun> bounded;
   std::vector<Sweep> sweeps;
   std::vector<Subdivision> subdivisions;
 };
+
+template <typename T>
+void append(std::vector<T>& all, std::vector<T> more) {
+  for (T& one : more) all.push_back(std::move(one));
+}
+
+void measure_runs(const Subject& subject, const Options& options, Measured& measured) {
+  constexpr std::size_t kPaper = 200'000;  // faces: its distance is one of the whole mesh
+  const std::size_t faces = subject.lists.triangles.size();
+  const std::vector<Run> runs = default_runs(subject, options.curve_options);
+  append(measured.runs, runs);
+  if (options.curve_options.method == Method::kPaper) return;
+  if (wants(options, "bound")) {
+    append(measured.bounded, bounded_runs(subject, runs, options.curve_options));
+  }
+  if (wants(options, "paper") && faces <= kPaper) {
+    CurveOptions paper = options.curve_options;
+    paper.method = Method::kPaper;
+    append(measured.paper, default_runs(subject, paper));
+  }
+}
 
 void measure(const Subject& subject, const Options& options, Measured& measured) {
   constexpr std::size_t kSubdivided = 120'000;  // faces; twice divided 16 times as many
   std::printf("%s: %zu drawings\n", subject.name.c_str(), subject.drawings.size());
   std::fflush(stdout);
-  if (wants(options, "runs")) {
-    for (Run& run : default_runs(subject, options.curve_options))
-      measured.runs.push_back(std::move(run));
-  }
+  if (subject.drawings.empty()) return;
+  if (wants(options, "runs")) measure_runs(subject, options, measured);
   for (const Drawing& drawing : longest_of_each(subject)) {
     if (wants(options, "sweep"))
       measured.sweeps.push_back(sweep(subject, drawing, options.curve_options));
@@ -99,20 +122,42 @@ void measure(const Subject& subject, const Options& options, Measured& measured)
       measured.subdivisions.push_back(subdivision(subject, drawing, 2, options.curve_options));
     }
   }
+  if (wants(options, "gallery") && in_gallery(subject.name)) {
+    write_gallery_picture(subject, options.out / ("quality_" + subject.name + ".png"));
+  }
+}
+
+std::string text_of(const Options& options, const Measured& measured) {
+  std::string text;
+  const auto add = [&](const char* title, const std::string& table) {
+    text += "## ";
+    text += title;
+    text += "\n\n";
+    text += table;
+    text += "\n";
+  };
+  const std::vector<Goal> reached = goals(measured.runs, measured.sweeps, measured.subdivisions);
+  if (!reached.empty()) add("Goals", tables(reached));
+  if (!measured.runs.empty()) add("Default settings, τ = 0.5, 1, 2, 4", tables(measured.runs));
+  if (!measured.paper.empty()) {
+    add("Beside the paper's potential", side_by_side(measured.runs, measured.paper));
+  }
+  if (wants(options, "bound") && !measured.runs.empty()) {
+    add("A bound on the deviation", tables(measured.bounded));
+  }
+  if (!measured.sweeps.empty()) {
+    add("τ from 0.25 to 4 in steps of 1 %", tables(measured.sweeps));
+  }
+  if (!measured.subdivisions.empty()) {
+    add("The same shape on finer meshes, τ = 2", tables(measured.subdivisions));
+  }
+  return text;
 }
 
 void write_results(const Options& options, const Measured& measured) {
-  std::string text;
-  if (wants(options, "runs")) {
-    write(options.out / "runs.csv", csv(measured.runs));
-    text += "## Default settings, τ = 0.5, 1, 2, 4\n\n" + tables(measured.runs) + "\n";
-  }
-  if (wants(options, "sweep")) {
-    text += "## τ from 0.25 to 4 in steps of 1 %\n\n" + tables(measured.sweeps) + "\n";
-  }
-  if (wants(options, "subdivision")) {
-    text += "## The same shape on finer meshes, τ = 2\n\n" + tables(measured.subdivisions) + "\n";
-  }
+  if (!measured.runs.empty()) write(options.out / "runs.csv", csv(measured.runs));
+  if (!measured.paper.empty()) write(options.out / "paper_runs.csv", csv(measured.paper));
+  const std::string text = text_of(options, measured);
   write(options.out / "results.md", text);
   std::fputs(text.c_str(), stdout);
 }
@@ -121,11 +166,13 @@ int run(int argc, char** argv) {
   CLI::App app("Measures smoothness, closeness and steadiness of results on real meshes.",
                "talweg-quality");
   Options options;
-  app.add_option("OUTDIR", options.out, "Where results.md and runs.csv go")->required();
+  app.add_option("OUTDIR", options.out,
+                 "Where results.md, runs.csv, paper_runs.csv and pictures go")
+      ->required();
   app.add_option("--meshes", options.meshes, "Folder of meshes; generated ones if it is absent");
   app.add_option("--curves", options.curves, "Folder of drawings MESH.txt (vertex numbers)");
   app.add_option("--only", options.names, "Names of meshes")->delimiter(',');
-  app.add_option("--parts", options.parts, "What to measure")
+  app.add_option("--parts", options.parts, "What to measure; paper and bound need runs")
       ->delimiter(',')
       ->check(CLI::IsMember(options.parts))
       ->capture_default_str();

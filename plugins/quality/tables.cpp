@@ -1,56 +1,68 @@
 #include "quality/tables.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <iterator>
 #include <vector>
 
 #include <fmt/format.h>
 
+#include "quality/statistics.hpp"
+
 namespace talweg::quality {
 namespace {
 
 constexpr double kJagged = 25;  // rad; drawings that turn less are smooth already
 
-/// Linear between the ranks.
-double quantile(std::vector<double> values, double q) {
-  if (values.empty()) return 0;
-  std::sort(values.begin(), values.end());
-  const double at = q * static_cast<double>(values.size() - 1);
-  const auto i = static_cast<std::size_t>(at);
-  const double f = at - static_cast<double>(i);
-  return i + 1 < values.size() ? values[i] * (1 - f) + values[i + 1] * f : values[i];
-}
-
-double share(std::span<const double> values, double bound) {
-  if (values.empty()) return 1;
-  const auto good =
-      std::count_if(values.begin(), values.end(), [bound](double value) { return value <= bound; });
-  return static_cast<double>(good) / static_cast<double>(values.size());
-}
-
 std::string row(const std::string& name, std::span<const Run> runs) {
-  std::vector<double> ratios, to, from, both, shrunk, solve, smooth;
+  std::vector<double> ratios, to, from, both, shrunk;
   std::size_t collapsed = 0;
   for (const Run& run : runs) {
-    if (run.curvature_before >= kJagged) ratios.push_back(run.ratio());
+    if (jagged(run)) ratios.push_back(run.ratio());
     to.push_back(run.to_drawn);
     from.push_back(run.from_drawn);
     both.push_back(std::max(run.to_drawn, run.from_drawn));
     if (run.closed) shrunk.push_back(run.length_ratio);
     if (run.termination == "collapsed") ++collapsed;
-    solve.push_back(run.solve_ms);
-    smooth.push_back(run.smooth_ms);
   }
-  return fmt::format(
-      "| {} | {} | {:.3f} | {:.3f} | {:.2f} | {:.2f} | {:.0f} % | {:.2f} | {} | {:.1f} | {:.1f} "
-      "|\n",
-      name, runs.size(), quantile(ratios, 0.5), quantile(ratios, 1), quantile(to, 0.5),
-      quantile(from, 0.5), 100 * share(both, 3), quantile(shrunk, 0), collapsed,
-      quantile(solve, 0.5), quantile(smooth, 0.5));
+  return fmt::format("| {} | {} | {:.3f} | {:.3f} | {:.2f} | {:.2f} | {:.0f} % | {} | {} |\n", name,
+                     runs.size(), quantile(ratios, 0.5), quantile(ratios, 1), quantile(to, 0.5),
+                     quantile(from, 0.5), 100 * share_within(both, 3),
+                     shrunk.empty() ? "" : fmt::format("{:.2f}", quantile(shrunk, 0)), collapsed);
+}
+
+constexpr const char* kHead =
+    "| | runs | curvature after / before, median | worst | result to drawing, median [h₀] | "
+    "drawing to result, median [h₀] | both within 3 h₀ | shortest loop after / before | collapsed "
+    "|\n|---|--:|--:|--:|--:|--:|--:|--:|--:|\n";
+
+std::vector<Run> picked(std::span<const Run> runs, const std::function<bool(const Run&)>& pick) {
+  std::vector<Run> result;
+  std::copy_if(runs.begin(), runs.end(), std::back_inserter(result), pick);
+  return result;
+}
+
+// What one τ costs says little, since the default keeps what it finds for the others.
+std::string times(const std::string& name, std::span<const Run> runs) {
+  std::vector<double> solve, smooth;
+  double last = HUGE_VAL;
+  for (const Run& run : runs) {
+    if (run.tau <= last) {  // another drawing
+      solve.push_back(run.solve_ms);
+      smooth.push_back(0);
+    }
+    smooth.back() += run.smooth_ms;
+    last = run.tau;
+  }
+  return fmt::format("| {} | {} | {:.1f} | {:.1f} | {:.1f} | {:.1f} |\n", name, solve.size(),
+                     quantile(solve, 0.5), quantile(solve, 1), quantile(smooth, 0.5),
+                     quantile(smooth, 1));
 }
 
 }  // namespace
+
+bool jagged(const Run& run) { return run.curvature_before >= kJagged; }
 
 std::string csv(std::span<const Run> runs) {
   std::string text =
@@ -69,16 +81,10 @@ std::string csv(std::span<const Run> runs) {
 }
 
 std::string tables(std::span<const Run> runs) {
-  std::string text =
-      "| | runs | curvature after / before, median | worst | result to drawing, median [h₀] | "
-      "drawing to result, median [h₀] | both within 3 h₀ | shortest loop after / before | "
-      "collapsed "
-      "| distance, median [ms] | new τ, median [ms] |\n"
-      "|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|\n";
+  std::string text = kHead;
   const auto add = [&](const std::string& name, const std::function<bool(const Run&)>& pick) {
-    std::vector<Run> picked;
-    std::copy_if(runs.begin(), runs.end(), std::back_inserter(picked), pick);
-    if (!picked.empty()) text += row(name, picked);
+    const std::vector<Run> some = picked(runs, pick);
+    if (!some.empty()) text += row(name, some);
   };
   add("all", [](const Run&) { return true; });
   for (const double tau : {0.5, 1.0, 2.0, 4.0}) {
@@ -93,6 +99,30 @@ std::string tables(std::span<const Run> runs) {
   for (const std::string& mesh : meshes) {
     add(mesh, [&](const Run& run) { return run.mesh == mesh; });
   }
+  return text;
+}
+
+std::string side_by_side(std::span<const Run> defaults, std::span<const Run> paper) {
+  const auto with_paper = picked(defaults, [&](const Run& run) {
+    return std::any_of(paper.begin(), paper.end(),
+                       [&](const Run& other) { return other.mesh == run.mesh; });
+  });
+  std::string text = kHead;
+  const auto add = [&](const std::string& which, const std::function<bool(const Run&)>& pick) {
+    const std::vector<Run> ours = picked(with_paper, pick), theirs = picked(paper, pick);
+    if (ours.empty() || theirs.empty()) return;
+    text += row(fmt::format("default, {}", which), ours);
+    text += row(fmt::format("paper, {}", which), theirs);
+  };
+  add("all", [](const Run&) { return true; });
+  for (const double tau : {0.5, 1.0, 2.0, 4.0}) {
+    add(fmt::format("τ = {}", tau), [tau](const Run& run) { return run.tau == tau; });
+  }
+  text +=
+      "\n| | drawings | distance, median [ms] | largest | all τ together, median [ms] | largest "
+      "|\n|---|--:|--:|--:|--:|--:|\n";
+  text += times("default", with_paper);
+  text += times("paper", paper);
   return text;
 }
 

@@ -8,11 +8,17 @@
 
 namespace talweg::quality {
 
+/// Whether the drawing turns by 25 rad or more. Others count nowhere where curvature is compared.
+bool jagged(const Run& run);
+
 /// Every run, as comma-separated values.
 std::string csv(std::span<const Run> runs);
 
-/// As Markdown. Drawings that turn by less than 25 rad do not count where curvature is compared.
+/// As Markdown.
 std::string tables(std::span<const Run> runs);
+/// Two rows each: the defaults, and the same drawings with the paper's potential; then what they
+/// cost. Meshes without runs of the latter are left out.
+std::string side_by_side(std::span<const Run> defaults, std::span<const Run> paper);
 std::string tables(std::span<const Sweep> sweeps);
 std::string tables(std::span<const Subdivision> subdivisions);
 

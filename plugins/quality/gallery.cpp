@@ -1,0 +1,73 @@
+#include "quality/gallery.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "picture/image.hpp"
+#include "picture/render.hpp"
+
+namespace talweg::quality {
+namespace {
+
+constexpr std::array<std::string_view, 6> kGallery{"aneurysm_14k",    "armadillo_86k",
+                                                   "skull_100k",      "tooth_ct_119k",
+                                                   "brain_icbm_164k", "terrain_utm_21k"};
+constexpr picture::Color kDrawn{0.78, 0.16, 0.12}, kPaper{0.45, 0.12, 0.55},
+    kDefault{0.08, 0.31, 0.75};
+constexpr double kTau = 1;
+
+const Drawing& chosen(const Subject& subject) {
+  const Drawing& first = subject.drawings.front();
+  if (first.name.starts_with("stored")) return first;
+  const Drawing* longest = &first;
+  for (const Drawing& drawing : subject.drawings) {
+    if (!drawing.closed && drawing.path.size() > longest->path.size()) longest = &drawing;
+  }
+  return *longest;
+}
+
+void add(picture::Scene& scene, const SurfaceMesh& mesh, const SurfaceCurve& curve,
+         const picture::Color& color, std::string caption) {
+  picture::Panel panel;
+  panel.caption = std::move(caption);
+  panel.curves = {scene.curves.size()};
+  panel.fit = picture::Fit::kDetail;
+  scene.curves.push_back({positions_of(mesh, curve), curve.closed, color, 4});
+  scene.panels.push_back(std::move(panel));
+}
+
+}  // namespace
+
+bool in_gallery(const std::string& mesh) {
+  return std::find(kGallery.begin(), kGallery.end(), mesh) != kGallery.end();
+}
+
+void write_gallery_picture(const Subject& subject, const std::filesystem::path& file) {
+  const SurfaceMesh& mesh = subject.mesh->mesh();
+  const SurfaceCurve drawn = chosen(subject).curve(mesh.surface());
+  picture::Scene scene;
+  scene.mesh = subject.lists;
+  add(scene, mesh, drawn, kDrawn,
+      fmt::format("drawing: {:.0f} rad", measure_curve(mesh.surface(), drawn).total_curvature));
+  SmoothingOptions options;
+  options.tau = kTau;
+  for (const Method method : {Method::kPaper, Method::kCorridor}) {
+    const bool paper = method == Method::kPaper;
+    CurveOptions curve_options;
+    curve_options.method = method;
+    const SmoothingResult result = smooth_curve(subject.mesh, drawn, options, curve_options);
+    const double after = result.report().curvature_after;
+    add(scene, mesh, result.curve(), paper ? kPaper : kDefault,
+        fmt::format("{}, tau = {}: {:.{}f} rad", paper ? "paper" : "default", kTau, after,
+                    after < 10 ? 1 : 0));
+  }
+  picture::RenderOptions size;
+  size.panel_width = size.panel_height = 400;
+  picture::write_png(file, picture::render(scene, size));
+}
+
+}  // namespace talweg::quality
