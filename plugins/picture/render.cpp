@@ -205,7 +205,8 @@ struct CaptionBand {
 
 CaptionBand caption_band(const RenderOptions& options, const Panel& panel) {
   const double letters = std::max(9.0, 0.022 * double(options.panel_height));
-  return {letters, options.captions && !panel.caption.empty() ? 3.4 * letters : 0};
+  const double height = std::min(3.4 * letters, 0.5 * double(options.panel_height));
+  return {letters, options.captions && !panel.caption.empty() ? height : 0};
 }
 
 void draw_panel(Studio& studio, const Panel& panel, std::size_t left, Image& image) {
@@ -237,6 +238,13 @@ void draw_panel(Studio& studio, const Panel& panel, std::size_t left, Image& ima
     }
   }
   if (band.height == 0) return;
+  // Plain behind the caption, for curves and dark places make it hard to read.
+  for (auto y = options.panel_height - static_cast<std::size_t>(band.height);
+       y < options.panel_height; ++y) {
+    for (std::size_t x = 0; x < options.panel_width; ++x) {
+      store(to_linear(options.background), image.pixel(left + x, y));
+    }
+  }
   draw_caption(image, panel.caption, double(left) + 0.5 * double(options.panel_width),
                double(options.panel_height) - 1.4 * band.letters, band.letters,
                to_linear({0.2, 0.2, 0.22}));

@@ -193,7 +193,7 @@ Detail most_turning_place(const Scene& scene, const std::vector<Eigen::Vector3f>
   Detail detail;
   const std::vector<Point>& points = scene.curves.front().points;
   const std::size_t n = points.size();
-  const std::size_t half = std::max<std::size_t>(2, std::min<std::size_t>(n / 8, 22));
+  const std::size_t half = std::max<std::size_t>(2, std::min<std::size_t>(n / 8, 13));
   std::vector<double> angles = turning(scene.curves.front());
   const Thumbnail view = draw_thumbnail(scene.mesh, direction, up);
   for (std::size_t i = 0; i < n; ++i) {
