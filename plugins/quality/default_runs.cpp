@@ -7,9 +7,12 @@
 
 namespace talweg::quality {
 
-std::vector<Run> default_runs(const Subject& subject, const CurveOptions& curve_options) {
+std::vector<Run> default_runs(const Subject& subject, const CurveOptions& curve_options,
+                              int relax_rounds) {
   const Surface& surface = subject.mesh->surface();
   CurveSmoother smoother(subject.mesh);
+  SmoothingOptions options;
+  options.relax_rounds = relax_rounds;
   std::vector<Run> runs;
   for (const Drawing& drawing : subject.drawings) {
     const SurfaceCurve drawn = drawing.curve(surface);
@@ -22,7 +25,8 @@ std::vector<Run> default_runs(const Subject& subject, const CurveOptions& curve_
     const CurveMeasures before = measure_curve(surface, drawn);
     run.curvature_before = before.total_curvature;
     for (const double tau : {0.5, 1.0, 2.0, 4.0}) {
-      const SmoothingResult result = smoother.smooth(tau);
+      options.tau = tau;
+      const SmoothingResult result = smoother.smooth(options);
       const SmoothingReport& report = result.report();
       run.tau = tau;
       run.curvature_after = report.curvature_after;

@@ -19,6 +19,7 @@ constexpr std::array<std::string_view, 6> kGallery{"aneurysm_14k",    "armadillo
 constexpr picture::Color kDrawn{0.78, 0.16, 0.12}, kPaper{0.45, 0.12, 0.55},
     kDefault{0.08, 0.31, 0.75};
 constexpr double kTau = 1;
+constexpr int kPaperRelaxes = 5;  // rounds, as its authors do
 
 const Drawing& chosen(const Subject& subject) {
   const Drawing& first = subject.drawings.front();
@@ -40,6 +41,21 @@ void add(picture::Scene& scene, const SurfaceMesh& mesh, const SurfaceCurve& cur
   scene.panels.push_back(std::move(panel));
 }
 
+SmoothingResult smoothed(const Subject& subject, const SurfaceCurve& drawn, Method method,
+                         int relax_rounds) {
+  SmoothingOptions options;
+  options.tau = kTau;
+  options.relax_rounds = relax_rounds;
+  CurveOptions curve_options;
+  curve_options.method = method;
+  return smooth_curve(subject.mesh, drawn, options, curve_options);
+}
+
+std::string turning(const SmoothingResult& result) {
+  const double curvature = result.report().curvature_after;
+  return fmt::format("{:.{}f}", curvature, curvature < 10 ? 1 : 0);
+}
+
 }  // namespace
 
 bool in_gallery(const std::string& mesh) {
@@ -53,18 +69,13 @@ void write_gallery_picture(const Subject& subject, const std::filesystem::path& 
   scene.mesh = subject.lists;
   add(scene, mesh, drawn, kDrawn,
       fmt::format("drawing: {:.0f} rad", measure_curve(mesh.surface(), drawn).total_curvature));
-  SmoothingOptions options;
-  options.tau = kTau;
-  for (const Method method : {Method::kPaper, Method::kCorridor}) {
-    const bool paper = method == Method::kPaper;
-    CurveOptions curve_options;
-    curve_options.method = method;
-    const SmoothingResult result = smooth_curve(subject.mesh, drawn, options, curve_options);
-    const double after = result.report().curvature_after;
-    add(scene, mesh, result.curve(), paper ? kPaper : kDefault,
-        fmt::format("{}, tau = {}: {:.{}f} rad", paper ? "paper" : "default", kTau, after,
-                    after < 10 ? 1 : 0));
-  }
+  const SmoothingResult paper = smoothed(subject, drawn, Method::kPaper, 0),
+                        relaxed = smoothed(subject, drawn, Method::kPaper, kPaperRelaxes),
+                        corridor = smoothed(subject, drawn, Method::kCorridor, 0);
+  add(scene, mesh, paper.curve(), kPaper,
+      fmt::format("paper, tau = {}: {} rad, relaxed {}", kTau, turning(paper), turning(relaxed)));
+  add(scene, mesh, corridor.curve(), kDefault,
+      fmt::format("default, tau = {}: {} rad", kTau, turning(corridor)));
   picture::RenderOptions size;
   size.panel_width = size.panel_height = 400;
   picture::write_png(file, picture::render(scene, size));

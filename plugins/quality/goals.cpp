@@ -24,27 +24,34 @@ Goal at_most(std::string what, std::string asked, std::string reached, double va
   return {std::move(what), std::move(asked), std::move(reached), value <= bound};
 }
 
+void of_ratios(const char* which, const std::vector<double>& ratios, std::vector<Goal>& goals) {
+  if (ratios.empty()) return;
+  const double median = quantile(ratios, 0.5), worst = quantile(ratios, 1);
+  goals.push_back(at_most(fmt::format("curvature after / before, median, {}", which),
+                          fmt::format("≤ {}", kMedianRatio), fmt::format("{:.3f}", median), median,
+                          kMedianRatio));
+  const auto above =
+      std::count_if(ratios.begin(), ratios.end(), [](double ratio) { return ratio > kWorstRatio; });
+  goals.push_back(at_most(
+      fmt::format("curvature after / before, worst, {}", which), fmt::format("≤ {}", kWorstRatio),
+      fmt::format("{:.3f}; above in {} of {} runs", worst, above, ratios.size()), worst,
+      kWorstRatio));
+}
+
 void of_runs(std::span<const Run> runs, std::vector<Goal>& goals) {
   if (runs.empty()) return;
-  std::vector<double> ratios, to, both;
+  std::vector<double> ratios, every_ratio, to, both;
   std::size_t collapsed = 0;
   for (const Run& run : runs) {
+    every_ratio.push_back(run.ratio());
     if (jagged(run)) ratios.push_back(run.ratio());
     if (run.termination == "collapsed") ++collapsed;
     if (run.tau < 2) continue;
     to.push_back(run.to_drawn);
     both.push_back(std::max(run.to_drawn, run.from_drawn));
   }
-  if (!ratios.empty()) {
-    const double median = quantile(ratios, 0.5), worst = quantile(ratios, 1);
-    goals.push_back(at_most("curvature after / before, median", fmt::format("≤ {}", kMedianRatio),
-                            fmt::format("{:.3f}", median), median, kMedianRatio));
-    const double above = 1 - share_within(ratios, kWorstRatio);
-    goals.push_back(
-        at_most("curvature after / before, worst", fmt::format("≤ {}", kWorstRatio),
-                fmt::format("{:.3f}; above in {:.1f} % of the runs", worst, percent(above)), worst,
-                kWorstRatio));
-  }
+  of_ratios("drawings of 25 rad and more", ratios, goals);
+  of_ratios("all drawings", every_ratio, goals);
   if (!to.empty()) {
     const double median = quantile(to, 0.5), near = share_within(both, kFar);
     goals.push_back(at_most("τ ≥ 2: result to drawing, median", fmt::format("≤ {} h₀", kClose),

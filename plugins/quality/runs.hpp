@@ -40,7 +40,9 @@ struct Run {
   }
 };
 
-std::vector<Run> default_runs(const Subject& subject, const CurveOptions& curve_options);
+/// Every drawing at four τ. `relax_rounds`: of the paper's relaxation.
+std::vector<Run> default_runs(const Subject& subject, const CurveOptions& curve_options,
+                              int relax_rounds = 0);
 
 /// τ from 0.25 to 4 in steps of 1 %.
 struct Sweep {

@@ -26,10 +26,12 @@ std::string row(const std::string& name, std::span<const Run> runs) {
     if (run.closed) shrunk.push_back(run.length_ratio);
     if (run.termination == "collapsed") ++collapsed;
   }
-  return fmt::format("| {} | {} | {:.3f} | {:.3f} | {:.2f} | {:.2f} | {:.0f} % | {} | {} |\n", name,
-                     runs.size(), quantile(ratios, 0.5), quantile(ratios, 1), quantile(to, 0.5),
-                     quantile(from, 0.5), 100 * share_within(both, 3),
-                     shrunk.empty() ? "" : fmt::format("{:.2f}", quantile(shrunk, 0)), collapsed);
+  return fmt::format(
+      "| {} | {} | {} | {:.2f} | {:.2f} | {:.0f} % | {} | {} |\n", name, runs.size(),
+      ratios.empty() ? " | "
+                     : fmt::format("{:.3f} | {:.3f}", quantile(ratios, 0.5), quantile(ratios, 1)),
+      quantile(to, 0.5), quantile(from, 0.5), 100 * share_within(both, 3),
+      shrunk.empty() ? "" : fmt::format("{:.2f}", quantile(shrunk, 0)), collapsed);
 }
 
 constexpr const char* kHead =
@@ -102,17 +104,20 @@ std::string tables(std::span<const Run> runs) {
   return text;
 }
 
-std::string side_by_side(std::span<const Run> defaults, std::span<const Run> paper) {
+std::string side_by_side(std::span<const Run> defaults, std::span<const Run> paper,
+                         std::span<const Run> relaxed) {
   const auto with_paper = picked(defaults, [&](const Run& run) {
     return std::any_of(paper.begin(), paper.end(),
                        [&](const Run& other) { return other.mesh == run.mesh; });
   });
   std::string text = kHead;
   const auto add = [&](const std::string& which, const std::function<bool(const Run&)>& pick) {
-    const std::vector<Run> ours = picked(with_paper, pick), theirs = picked(paper, pick);
+    const std::vector<Run> ours = picked(with_paper, pick), theirs = picked(paper, pick),
+                           smoother = picked(relaxed, pick);
     if (ours.empty() || theirs.empty()) return;
     text += row(fmt::format("default, {}", which), ours);
     text += row(fmt::format("paper, {}", which), theirs);
+    text += row(fmt::format("paper, relaxed, {}", which), smoother);
   };
   add("all", [](const Run&) { return true; });
   for (const double tau : {0.5, 1.0, 2.0, 4.0}) {
@@ -123,6 +128,7 @@ std::string side_by_side(std::span<const Run> defaults, std::span<const Run> pap
       "|\n|---|--:|--:|--:|--:|--:|\n";
   text += times("default", with_paper);
   text += times("paper", paper);
+  text += times("paper, relaxed", relaxed);
   return text;
 }
 

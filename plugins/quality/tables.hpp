@@ -16,9 +16,10 @@ std::string csv(std::span<const Run> runs);
 
 /// As Markdown.
 std::string tables(std::span<const Run> runs);
-/// Two rows each: the defaults, and the same drawings with the paper's potential; then what they
-/// cost. Meshes without runs of the latter are left out.
-std::string side_by_side(std::span<const Run> defaults, std::span<const Run> paper);
+/// Three rows each: the defaults, and the same drawings with the paper's potential, without and
+/// with its relaxation; then what they cost. Meshes without runs of the latter are left out.
+std::string side_by_side(std::span<const Run> defaults, std::span<const Run> paper,
+                         std::span<const Run> relaxed);
 std::string tables(std::span<const Sweep> sweeps);
 std::string tables(std::span<const Subdivision> subdivisions);
 
