@@ -66,7 +66,6 @@ class Search {
   [[nodiscard]] std::vector<double> slacks() const {
     if (options_.slack) return {*options_.slack};
     const std::vector<double> own = smoother_.slack();
-    if (own.empty()) throw Error(ErrorCode::kBadUsage, "smooth_within() needs the corridor.");
     const double widest = std::min(*std::max_element(own.begin(), own.end()), 0.75 * bound_);
     return {widest, widest / 2};
   }
@@ -190,6 +189,10 @@ SmoothingResult smooth_within(CurveSmoother& smoother, double max_deviation,
                               const SmoothingOptions& options) {
   if (!(max_deviation > 0 && std::isfinite(max_deviation))) {
     throw Error(ErrorCode::kBadUsage, "max_deviation must be finite and > 0.");
+  }
+  if (smoother.drawn().empty()) throw Error(ErrorCode::kBadUsage, "No curve is set.");
+  if (smoother.slack().empty()) {  // so that giving back the pins cannot fail
+    throw Error(ErrorCode::kBadUsage, "smooth_within() needs the corridor.");
   }
   return Search(smoother, max_deviation, options).run();
 }
