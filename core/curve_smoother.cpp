@@ -53,6 +53,8 @@ CurveSmoother::CurveSmoother(std::shared_ptr<const OpenedMesh> mesh)
 void CurveSmoother::forget() {
   triangulation_.remove_inserted();
   drawn_.clear();
+  orders_.clear();
+  ordered_.clear();
   capped_.clear();
   embedded_ = {};
   distance_.clear();
@@ -77,13 +79,15 @@ void CurveSmoother::embed(std::span<const SurfaceCurve> curves, const CurveOptio
   for (const SurfaceCurve& curve : drawn_) {
     drawn_measures_.push_back(measure_curve(surface, curve));
     edges_near_.push_back(edge_length_near(surface, curve));
+    orders_.push_back(canonical_order(surface, curve));
+    ordered_.push_back(in_order(curve, orders_.back()));
   }
   embed_drawn();
 }
 
 void CurveSmoother::embed_drawn() {
   capped_.clear();
-  for (const SurfaceCurve& curve : drawn_) {
+  for (const SurfaceCurve& curve : ordered_) {
     capped_.push_back(curve_options_.cap_corners
                           ? capped_curve(mesh_->surface(), curve, curve_options_.pins)
                           : curve);
@@ -155,7 +159,7 @@ bool CurveSmoother::solve_distance(const CurveOptions& options, const Progress& 
   if (options.method == Method::kCorridor) {
     const Stopwatch watch;
     if (!exact_distance_) exact_distance_.emplace(mesh_->surface());
-    exact_distance_->set(drawn_);
+    exact_distance_->set(ordered_);
     make_valleys();
     hold_loops();
     solve_ms_ = watch.ms();
@@ -352,6 +356,10 @@ SmoothingResult CurveSmoother::report_on(const SmoothingOptions& options,
                                          std::vector<SurfaceCurve> curves, StageTimes times) {
   SmoothingResult result;
   result.curves = std::move(curves);
+  for (std::size_t c = 0; c < result.curves.size(); ++c) {
+    std::vector<SurfacePoint>& points = result.curves[c].points;
+    if (orders_[c].reversed) std::reverse(points.begin(), points.end());
+  }
   times.open = mesh_->open_ms() + heat_open_ms_;
   times.solve = solve_ms_;
   times.total =

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "talweg/core/canonical_order.hpp"
 #include "talweg/core/corridor.hpp"
 #include "talweg/core/curve_embedding.hpp"
 #include "talweg/core/measures.hpp"
@@ -126,7 +127,7 @@ class CurveSmoother {
   /// The corridor's slack for each curve where no other is asked for, mesh units: default_slack(),
   /// less for loops that would collapse at tau = 1/4. Empty for the paper's method.
   [[nodiscard]] std::vector<double> slack() const;
-  /// The drawn curves, corners capped, that are being smoothed.
+  /// The drawn curves, in their canonical_order(), corners capped, that are being smoothed.
   [[nodiscard]] std::span<const SurfaceCurve> capped() const { return capped_; }
 
  private:
@@ -144,6 +145,8 @@ class CurveSmoother {
                                                 std::size_t k) const;
   void make_valleys();
   void hold_loops();
+  [[nodiscard]] std::vector<double> slack_in_order(const std::vector<double>& drawn,
+                                                   std::size_t curve) const;
   [[nodiscard]] std::vector<Corridor::Valley> valleys_for(const SmoothingOptions& options) const;
   SmoothingResult smooth_in_corridor(const SmoothingOptions& options);
   SmoothingResult smooth_from_anchor(double from, const SmoothingOptions& options,
@@ -178,7 +181,10 @@ class CurveSmoother {
   FlipOut flip_out_;
   Tracer tracer_;
 
-  std::vector<SurfaceCurve> drawn_, capped_;
+  std::vector<SurfaceCurve> drawn_;
+  std::vector<CurveOrder> orders_;     // in which the drawn curves are gone through
+  std::vector<SurfaceCurve> ordered_;  // drawn_ in these
+  std::vector<SurfaceCurve> capped_;   // ordered_, corners capped
   EmbeddedCurves embedded_;
   CurveOptions curve_options_;
   std::optional<PolylineDistance> exact_distance_;

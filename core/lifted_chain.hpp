@@ -44,11 +44,10 @@ class LiftedChain {
   using Nodes = std::vector<ChainNode>;
 
   /// `tolerance`: relative gain in length below which a Newton step counts as none.
-  LiftedChain(const SurfaceMesh& mesh, const ExactPotential& potential, double tolerance)
-      : mesh_(mesh),
-        potential_(potential),
-        tolerance_(tolerance),
-        smallest_(1e-7 * mesh.mean_edge_length()) {}
+  /// `scale`: about the length of a segment; what is 1e-7 of it counts as nothing.
+  LiftedChain(const SurfaceMesh& mesh, const ExactPotential& potential, double tolerance,
+              double scale)
+      : mesh_(mesh), potential_(potential), tolerance_(tolerance), smallest_(1e-7 * scale) {}
 
   /// What `changed` of nodes that move from now on will be.
   void begin_round(int round) { round_ = round; }

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "talweg/core/measures.hpp"
 #include "talweg/intrinsic/error.hpp"
 
 namespace talweg {
@@ -14,9 +15,9 @@ namespace {
 class Polisher {
  public:
   Polisher(const SurfaceMesh& mesh, const ExactPotential& potential,
-           std::span<const SurfacePoint> pinned, const PolishOptions& options)
+           std::span<const SurfacePoint> pinned, const PolishOptions& options, double scale)
       : surface_(mesh.surface()),
-        chain_(mesh, potential, options.tolerance),
+        chain_(mesh, potential, options.tolerance, scale),
         pinned_(pinned),
         options_(options) {}
 
@@ -385,7 +386,10 @@ void PolishOptions::validate() const {
 PolishResult polish(const SurfaceMesh& mesh, SurfaceCurve& curve, const ExactPotential& potential,
                     std::span<const SurfacePoint> pinned, const PolishOptions& options) {
   options.validate();
-  return Polisher(mesh, potential, pinned, options).run(curve);
+  if (curve.points.size() < 3) return {};
+  const double scale =
+      curve_length(mesh.surface(), curve) / static_cast<double>(curve.points.size());
+  return Polisher(mesh, potential, pinned, options, scale).run(curve);
 }
 
 }  // namespace talweg

@@ -31,7 +31,7 @@ std::vector<double> CurveSmoother::slack() const {
 
 void CurveSmoother::make_valleys() {
   valleys_.clear();
-  for (const SurfaceCurve& curve : drawn_) {
+  for (const SurfaceCurve& curve : ordered_) {
     Corridor::Valley& valley = valleys_.emplace_back();
     valley.closed = curve.closed;
     valley.slack = default_slack(mesh_->surface(), curve);
@@ -64,6 +64,15 @@ void CurveSmoother::hold_loops() {
   }
 }
 
+std::vector<double> CurveSmoother::slack_in_order(const std::vector<double>& drawn,
+                                                  std::size_t curve) const {
+  const std::size_t n = drawn_[curve].points.size();
+  if (drawn.size() != n) return drawn;  // the corridor refuses it
+  std::vector<double> result;
+  for (std::size_t k = 0; k < n; ++k) result.push_back(drawn[orders_[curve].drawn_index(k, n)]);
+  return result;
+}
+
 std::vector<Corridor::Valley> CurveSmoother::valleys_for(const SmoothingOptions& options) const {
   if (!options.slack_at.empty() && options.slack_at.size() != drawn_.size()) {
     throw Error(ErrorCode::kBadUsage,
@@ -74,7 +83,7 @@ std::vector<Corridor::Valley> CurveSmoother::valleys_for(const SmoothingOptions&
   for (std::size_t c = 0; c < valleys.size(); ++c) {
     Corridor::Valley& valley = valleys[c];
     if (options.slack) valley.slack = *options.slack;
-    if (!options.slack_at.empty()) valley.slack_at = options.slack_at[c];
+    if (!options.slack_at.empty()) valley.slack_at = slack_in_order(options.slack_at[c], c);
     // With fewer points to a turn the phase could not follow the loop.
     const std::size_t most = std::max<std::size_t>(drawn_[c].points.size() / 8, 1);
     valley.turns = std::min(options.phase_turns, static_cast<int>(most));

@@ -22,7 +22,7 @@ ExactPotential none() {
 class Chain : public ::testing::Test {
  protected:
   static constexpr std::uint32_t kColumns = 10;
-  Chain() : mesh_(SurfaceMesh::open(grid(kColumns, 3))), chain_(mesh_, potential_, 1e-12) {
+  Chain() : mesh_(SurfaceMesh::open(grid(kColumns, 3))), chain_(mesh_, potential_, 1e-12, 1) {
     const Surface& s = mesh_.surface();
     const auto id = [](std::uint32_t i, std::uint32_t j) { return j * (kColumns + 1) + i; };
     add(SurfacePoint::at_vertex(s, VertexId{id(0, 1)}), true);

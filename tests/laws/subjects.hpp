@@ -134,10 +134,11 @@ struct Outcome {
   SmoothingReport report;
 };
 
-inline Outcome smooth_drawing(const MeshLists& lists, const Subject::Drawing& drawing, double tau) {
+inline Outcome smooth_drawing(const MeshLists& lists, const Subject::Drawing& drawing, double tau,
+                              const CurveOptions& options) {
   const auto opened = OpenedMesh::open(lists);
   const SmoothingResult result =
-      smooth_curve(opened, curve_of(opened->surface(), drawing), {.tau = tau}, kPapers);
+      smooth_curve(opened, curve_of(opened->surface(), drawing), {.tau = tau}, options);
   return {positions_of(opened->mesh(), result.curve()), result.report()};
 }
 

@@ -1,0 +1,33 @@
+// A curve drawn the other way, or begun elsewhere, is the same curve.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "talweg/intrinsic/surface.hpp"
+#include "talweg/intrinsic/surface_point.hpp"
+
+namespace talweg {
+
+/// In which order a curve's points are gone through, whoever drew them: point k of the ordered
+/// curve is point start + k of the drawn one, or start - k if reversed.
+struct CurveOrder {
+  std::size_t start = 0;
+  bool reversed = false;
+
+  [[nodiscard]] std::size_t drawn_index(std::size_t k, std::size_t points) const {
+    return reversed ? (start + points - k % points) % points : (start + k) % points;
+  }
+};
+
+/// The order in which the sequence of the segments' lengths (in billionths of the whole, so that
+/// rounding does not decide) is the smallest: of both directions of an open curve, of all starts in
+/// both directions of a closed one. The same for a curve that is reversed, begun elsewhere, moved
+/// or scaled, or on a renumbered mesh; as drawn where sequences are equal. O(points). Throws
+/// Error(kBadCurve) as curve_length() does.
+CurveOrder canonical_order(const Surface& surface, const SurfaceCurve& curve);
+
+/// The curve in this order.
+SurfaceCurve in_order(const SurfaceCurve& curve, const CurveOrder& order);
+
+}  // namespace talweg
