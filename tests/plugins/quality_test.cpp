@@ -39,7 +39,7 @@ double longest_edge(const Surface& surface) {
 double turns_around_z(const SurfaceMesh& mesh, const std::vector<VertexId>& loop) {
   double angle = 0;
   for (std::size_t i = 0; i < loop.size(); ++i) {
-    const Point a = mesh.point(loop[i]), b = mesh.point(loop[(i + 1) % loop.size()]);
+    const Point &a = mesh.point(loop[i]), &b = mesh.point(loop[(i + 1) % loop.size()]);
     angle += std::atan2(a.x() * b.y() - a.y() * b.x(), a.x() * b.x() + a.y() * b.y());
   }
   return angle / (2 * std::numbers::pi);
@@ -64,7 +64,7 @@ TEST(LevelSets, OfHeightAreCirclesOfLatitude) {
     EXPECT_NEAR(std::abs(turns_around_z(mesh, loops[0])), 1, 1e-12);
     double length = 0;
     for (std::size_t i = 0; i < loops[0].size(); ++i) {
-      const Point p = mesh.point(loops[0][i]);
+      const Point& p = mesh.point(loops[0][i]);
       EXPECT_LT(std::abs(p.z() - height), edge);
       length += (p - mesh.point(loops[0][(i + 1) % loops[0].size()])).norm();
     }
