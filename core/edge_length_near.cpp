@@ -55,18 +55,18 @@ double edge_length_near(const Surface& surface, const SurfaceCurve& curve) {
     near = std::move(more);
     make_unique(near);
   }
-  std::vector<EdgeId> edges;
+  double sum = 0;
+  std::size_t count = 0;
   for (const VertexId v : near) {
     for_spokes(surface, v, [&](HalfedgeId h) {
-      if (std::binary_search(near.begin(), near.end(), surface.head(h))) {
-        edges.push_back(edge_of(h));
-      }
+      const VertexId w = surface.head(h);
+      if (w < v) return;  // counted from the other end
+      if (!std::binary_search(near.begin(), near.end(), w)) return;
+      sum += surface.length(edge_of(h));
+      ++count;
     });
   }
-  make_unique(edges);
-  double sum = 0;
-  for (const EdgeId e : edges) sum += surface.length(e);
-  return edges.empty() ? 0 : sum / static_cast<double>(edges.size());
+  return count > 0 ? sum / static_cast<double>(count) : 0;
 }
 
 }  // namespace talweg

@@ -33,15 +33,7 @@ void register_stages(const std::string& name, const std::filesystem::path& file)
       state.counters["faces"] = static_cast<double>(stages.faces());
     })->Unit(benchmark::kMillisecond);
   };
-  add("read", &Stages::read);
-  add("open", &Stages::open);
-  add("factor", &Stages::factor);
-  add("solve", &Stages::solve);
-  add("set_curve", &Stages::set_curve);
-  add("straighten", &Stages::straighten);
-  add("trace", &Stages::trace);
-  add("measures", &Stages::measures);
-  add("smooth", &Stages::smooth);
+  for (const Stage& stage : kStages) add(stage.name, stage.run);
 }
 
 }  // namespace

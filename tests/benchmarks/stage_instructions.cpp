@@ -18,15 +18,7 @@ void count_all() {
     CALLGRIND_TOGGLE_COLLECT;
     CALLGRIND_DUMP_STATS_AT(name);
   };
-  count("read", &Stages::read);
-  count("open", &Stages::open);
-  count("factor", &Stages::factor);
-  count("solve", &Stages::solve);
-  count("set_curve", &Stages::set_curve);
-  count("straighten", &Stages::straighten);
-  count("trace", &Stages::trace);
-  count("measures", &Stages::measures);
-  count("smooth", &Stages::smooth);
+  for (const Stage& stage : kStages) count(stage.name, stage.run);
 }
 
 }  // namespace

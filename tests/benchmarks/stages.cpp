@@ -22,6 +22,13 @@ CurveOptions paper_method() {
   return options;
 }
 
+SmoothingOptions without_deviation(double tau) {
+  SmoothingOptions options;
+  options.tau = tau;
+  options.deviation = DeviationMeasure::kNone;
+  return options;
+}
+
 }  // namespace
 
 Stages::Stages(std::filesystem::path mesh_file)
@@ -29,7 +36,9 @@ Stages::Stages(std::filesystem::path mesh_file)
       lists_(read_mesh(file_)),
       opened_(OpenedMesh::open(lists_)),
       drawn_(paper::tour(*opened_, 400, 1)),
-      smoother_(opened_) {
+      smoother_(opened_),
+      in_corridor_(opened_),
+      meter_(opened_->mesh()) {
   smoother_.set_curve(drawn_, paper_method());
   triangulation_.emplace(opened_->surface());
   flip_out_.emplace(*triangulation_);
@@ -37,6 +46,7 @@ Stages::Stages(std::filesystem::path mesh_file)
   paths_ = embed_curves(*triangulation_, smoother_.capped()).paths;
   straighten();
   trace();
+  corridor();
 }
 
 void Stages::read() { lists_ = read_mesh(file_); }
@@ -78,10 +88,22 @@ void Stages::trace() {
 void Stages::measures() {
   const SurfaceMesh& mesh = opened_->mesh();
   measure_curve(mesh.surface(), traced_);
-  deviation(positions_of(mesh, traced_), false, positions_of(mesh, drawn_), false);
+  talweg::deviation(positions_of(mesh, traced_), false, positions_of(mesh, drawn_), false);
 }
 
-void Stages::smooth() { smoother_.smooth(kTau); }
+void Stages::smooth() { smoother_.smooth(without_deviation(kTau)); }
+
+void Stages::corridor() {
+  in_corridor_.set_curve(drawn_);
+  in_corridor_.smooth(without_deviation(1));
+}
+
+void Stages::corridor_tau() {
+  tau_ = tau_ > 1.9 ? 1.1 : tau_ + 0.1;
+  in_corridor_.smooth(without_deviation(tau_));
+}
+
+void Stages::deviation() { meter_.measure(std::span(&traced_, 1), std::span(&drawn_, 1)); }
 
 std::filesystem::path generated_mesh() {
   const auto file = std::filesystem::temp_directory_path() / "talweg-benchmark-50k.ply";

@@ -23,8 +23,11 @@ class Stages {
   void set_curve();   ///< what CurveSmoother does per drawing, with the solve
   void straighten();  ///< FlipOut with the paper's potential, tau = 2, from nothing laid out
   void trace();       ///< takes the flips back
-  void measures();    ///< length, curvature and deviation of the result
-  void smooth();      ///< what CurveSmoother does per tau: straighten, trace, measures
+  void measures();    ///< length, curvature and deviation in space of the result
+  void smooth();    ///< what CurveSmoother does per tau: straighten, trace, measures, no deviation
+  void corridor();  ///< a new drawing to its first curve by the corridor, no deviation
+  void corridor_tau();  ///< another tau after that
+  void deviation();     ///< both ways along the surface
 
   [[nodiscard]] std::size_t faces() const { return opened_->surface().face_count(); }
 
@@ -37,12 +40,34 @@ class Stages {
   SurfaceCurve drawn_;
   std::vector<double> distance_;
   CurveSmoother smoother_;
+  CurveSmoother in_corridor_;
+  DeviationMeter meter_;
+  double tau_ = 1;
   std::optional<SignpostTriangulation> triangulation_;
   std::optional<FlipOut> flip_out_;
   std::optional<Tracer> tracer_;
   std::vector<EdgePath> paths_;
   FlipOutResult straight_;
   SurfaceCurve traced_;
+};
+
+struct Stage {
+  const char* name;
+  void (Stages::*run)();
+};
+inline constexpr Stage kStages[] = {
+    {"read", &Stages::read},
+    {"open", &Stages::open},
+    {"factor", &Stages::factor},
+    {"solve", &Stages::solve},
+    {"set_curve", &Stages::set_curve},
+    {"straighten", &Stages::straighten},
+    {"trace", &Stages::trace},
+    {"measures", &Stages::measures},
+    {"smooth", &Stages::smooth},
+    {"corridor", &Stages::corridor},
+    {"corridor_tau", &Stages::corridor_tau},
+    {"deviation", &Stages::deviation},
 };
 
 /// The bumpy ball of 50,000 faces, written to a temporary folder.
