@@ -1,6 +1,7 @@
 // talweg-stage-instructions: every stage once, for callgrind to count (run bench --check).
 #include <cstdio>
 #include <cstring>
+#include <iterator>
 
 #include <valgrind/callgrind.h>
 
@@ -27,6 +28,10 @@ void count_all() {
 int main(int argc, char** argv) {
   if (argc > 1 && std::strcmp(argv[1], "--compiler") == 0) {
     std::puts(TALWEG_COMPILER);
+    return 0;
+  }
+  if (argc > 1 && std::strcmp(argv[1], "--stages") == 0) {
+    std::printf("%zu\n", std::size(talweg::benchmarks::kStages));
     return 0;
   }
   talweg::benchmarks::count_all();
