@@ -49,6 +49,7 @@ void expect_holds(const std::shared_ptr<const OpenedMesh>& opened, const Surface
 SurfaceCurve on_grid(const Surface& surface, std::uint32_t columns,
                      const std::vector<std::pair<std::uint32_t, std::uint32_t>>& way) {
   std::vector<VertexId> vertices;
+  vertices.reserve(way.size());
   for (const auto& [i, j] : way) vertices.emplace_back(j * (columns + 1) + i);
   return test::vertex_curve(surface, draw_edge_path(surface, vertices, true), true);
 }

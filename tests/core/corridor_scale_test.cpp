@@ -16,7 +16,6 @@ namespace talweg {
 namespace {
 
 using test::grid;
-using test::ids;
 
 constexpr std::uint32_t kColumns = 60;
 constexpr double kTiny = 1e-12;  // relative: some hundred sums of lengths

@@ -109,13 +109,14 @@ TEST_F(MaxDeviation, ALoopKeepsItToo) {
 }
 
 TEST_F(MaxDeviation, TwoCurvesKeepItAgainstTheirOwnDrawings) {
-  SurfaceCurve upper = drawn;
-  for (SurfacePoint& p : upper.points) {  // four rows below
+  SurfaceCurve lower = drawn;
+  for (SurfacePoint& p : lower.points) {  // six rows below
     const VertexId v = std::get<AtVertex>(p.where()).vertex;
-    p = SurfacePoint::at_vertex(opened->surface(), VertexId{v.index() - 6 * (kColumns + 1)});
+    p = SurfacePoint::at_vertex(opened->surface(),
+                                VertexId{v.index() - std::size_t{6} * (kColumns + 1)});
   }
-  upper.points.erase(upper.points.begin() + 20, upper.points.end());
-  const std::vector<SurfaceCurve> both = {drawn, upper};
+  lower.points.erase(lower.points.begin() + 20, lower.points.end());
+  const std::vector<SurfaceCurve> both = {drawn, lower};
   CurveSmoother smoother(opened);
   smoother.set_curves(both);
   for (const double bound : {1.0, 0.5}) {
