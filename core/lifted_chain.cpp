@@ -110,24 +110,36 @@ bool LiftedChain::solve(std::span<const ChainNode> nodes) {
   return true;
 }
 
-/// One damped Newton step on a chain whose ends stay. False when nothing is gained.
-bool LiftedChain::newton_step(std::span<ChainNode> nodes, double& total) {
-  if (!assemble(nodes) || !solve(nodes)) return false;
-  moved_.assign(nodes.begin(), nodes.end());
-  for (double scale = 1; scale > 1e-3; scale /= 2) {
+/// Goes along the Newton step, each point by at most `most` of it and half its edge, as far as it
+/// shortens the curve. False when it does not.
+bool LiftedChain::go_along(std::span<ChainNode> nodes, double most, double& total) {
+  for (double scale = most; scale > 1e-3 * most; scale /= 2) {
     for (std::size_t i = 1; i + 1 < nodes.size(); ++i) {
       const double step = rows_[i].step;
-      if (step != 0) move(moved_[i], nodes[i].t + scale * std::clamp(step, -0.5, 0.5));
+      if (step != 0) move(moved_[i], nodes[i].t + std::clamp(scale * step, -0.5, 0.5));
     }
     const double shorter = length(moved_);
     if (shorter < total) {
       std::copy(moved_.begin(), moved_.end(), nodes.begin());
-      const bool worth = total - shorter > tolerance_ * total;
       total = shorter;
-      return worth;
+      return true;
     }
   }
   return false;
+}
+
+/// One damped Newton step on a chain whose ends stay. False when nothing is gained.
+bool LiftedChain::newton_step(std::span<ChainNode> nodes, double& total) {
+  if (!assemble(nodes) || !solve(nodes)) return false;
+  moved_.assign(nodes.begin(), nodes.end());
+  const double before = total;
+  if (!go_along(nodes, 1, total)) {
+    // Points that lie close together, around a vertex, must keep their proportions.
+    double largest = 0;
+    for (const Row& row : rows_) largest = std::max(largest, std::abs(row.step));
+    if (!(largest > 0.5) || !go_along(nodes, 0.5 / largest, total)) return false;
+  }
+  return before - total > tolerance_ * before;
 }
 
 double LiftedChain::settle_between(std::span<ChainNode> nodes, int steps) {

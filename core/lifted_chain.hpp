@@ -47,7 +47,7 @@ class LiftedChain {
   /// `scale`: about the length of a segment; what is 1e-7 of it counts as nothing.
   LiftedChain(const SurfaceMesh& mesh, const ExactPotential& potential, double tolerance,
               double scale)
-      : mesh_(mesh), potential_(potential), tolerance_(tolerance), smallest_(1e-7 * scale) {}
+      : mesh_(mesh), potential_(potential), tolerance_(tolerance), smallest_(1e-6 * scale) {}
 
   /// What `changed` of nodes that move from now on will be.
   void begin_round(int round) { round_ = round; }
@@ -77,6 +77,7 @@ class LiftedChain {
   void move(ChainNode& node, double t) const;
   [[nodiscard]] double segment(const ChainNode& a, const ChainNode& b) const;
   double settle_between(std::span<ChainNode> nodes, int steps);
+  bool go_along(std::span<ChainNode> nodes, double most, double& total);
   bool newton_step(std::span<ChainNode> nodes, double& total);
   bool assemble(std::span<const ChainNode> nodes);
   bool solve(std::span<const ChainNode> nodes);

@@ -43,12 +43,21 @@ void CurveSmoother::make_valleys() {
 /// it does is tried at the smallest tau at which it must not.
 void CurveSmoother::hold_loops() {
   constexpr double kLeastTau = 0.25;
-  constexpr int kHalvings = 5;
+  constexpr int kHalvings = 8;
   std::vector<bool> doubtful(drawn_.size(), false);
   for (std::size_t c = 0; c < drawn_.size(); ++c) {
     const Corridor::Valley& valley = valleys_[c];
     doubtful[c] = valley.closed && valley.slack > width_of_loop(mesh_->mesh(), drawn_[c]);
   }
+  if (std::count(doubtful.begin(), doubtful.end(), true) == 0) return;
+  // Without pins, which may be taken away later.
+  const std::vector<SurfacePoint> pins = std::exchange(curve_options_.pins, {});
+  const auto embed_again = [&] {
+    if (pins.empty()) return;
+    triangulation_.remove_inserted();
+    embed_drawn();
+  };
+  embed_again();
   SmoothingOptions options;
   options.tau = kLeastTau;
   options.polish = false;
@@ -62,6 +71,9 @@ void CurveSmoother::hold_loops() {
       if (doubtful[c]) valleys_[c].slack /= 2;
     }
   }
+  curve_options_.pins = pins;
+  embed_again();
+  last_.reset();
 }
 
 std::vector<double> CurveSmoother::slack_in_order(const std::vector<double>& drawn,

@@ -6,7 +6,9 @@
 #include <gtest/gtest.h>
 
 #include "core/jagged_curves.hpp"
+#include "core/small_meshes.hpp"
 #include "talweg/core/curve_smoother.hpp"
+#include "talweg/core/drawing.hpp"
 #include "talweg/intrinsic/error.hpp"
 
 namespace talweg {
@@ -180,6 +182,22 @@ TEST_F(Anchors, RefusesPinsThatAreNotOnTheDrawing) {
   EXPECT_EQ(asked.smooth(1).curve().points, expected);
   asked.set_curve(drawn, {.method = Method::kPaper});
   EXPECT_EQ(code(drawn.points[3]), ErrorCode::kBadUsage);
+}
+
+TEST_F(Anchors, TheSlackOfAThinLoopDoesNotDependOnPins) {
+  const auto opened = OpenedMesh::open(test::grid(30, 30));
+  std::vector<VertexId> corners;
+  for (const std::uint32_t v : {5U * 31 + 5, 5U * 31 + 25, 7U * 31 + 25, 7U * 31 + 5}) {
+    corners.emplace_back(v);
+  }
+  const SurfaceCurve drawn =
+      test::vertex_curve(opened->surface(), draw_edge_path(opened->surface(), corners, true), true);
+  CurveSmoother plain(opened), pinned(opened);
+  plain.set_curve(drawn);
+  pinned.set_curve(drawn, {.pins = {drawn.points[3], drawn.points[25]}});
+  EXPECT_EQ(pinned.slack(), plain.slack());
+  pinned.set_pins({});
+  EXPECT_EQ(pinned.smooth(0.5).curve().points, plain.smooth(0.5).curve().points);
 }
 
 }  // namespace
