@@ -184,17 +184,17 @@ TEST_F(Anchors, RefusesPinsThatAreNotOnTheDrawing) {
   EXPECT_EQ(code(drawn.points[3]), ErrorCode::kBadUsage);
 }
 
-TEST_F(Anchors, TheSlackOfAThinLoopDoesNotDependOnPins) {
-  const auto opened = OpenedMesh::open(test::grid(30, 30));
+TEST(AnchorsOfLoops, TheSlackOfAThinLoopDoesNotDependOnPins) {
+  const auto plane = OpenedMesh::open(test::grid(30, 30));
   std::vector<VertexId> corners;
   for (const std::uint32_t v : {5U * 31 + 5, 5U * 31 + 25, 7U * 31 + 25, 7U * 31 + 5}) {
     corners.emplace_back(v);
   }
-  const SurfaceCurve drawn =
-      test::vertex_curve(opened->surface(), draw_edge_path(opened->surface(), corners, true), true);
-  CurveSmoother plain(opened), pinned(opened);
-  plain.set_curve(drawn);
-  pinned.set_curve(drawn, {.pins = {drawn.points[3], drawn.points[25]}});
+  const SurfaceCurve thin =
+      test::vertex_curve(plane->surface(), draw_edge_path(plane->surface(), corners, true), true);
+  CurveSmoother plain(plane), pinned(plane);
+  plain.set_curve(thin);
+  pinned.set_curve(thin, {.pins = {thin.points[3], thin.points[25]}});
   EXPECT_EQ(pinned.slack(), plain.slack());
   pinned.set_pins({});
   EXPECT_EQ(pinned.smooth(0.5).curve().points, plain.smooth(0.5).curve().points);
