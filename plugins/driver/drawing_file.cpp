@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
+
 #include "talweg/core/formats/curve_file.hpp"
 #include "talweg/core/snapping.hpp"
 #include "talweg/core/straight_lines.hpp"
@@ -23,8 +25,8 @@ Drawing read_drawing(const std::string& path, const SurfaceMesh& mesh) {
 std::vector<std::string> reading_warnings(double largest_snap_distance, std::size_t polygons) {
   std::vector<std::string> warnings;
   if (largest_snap_distance > 0) {
-    warnings.push_back("The curve was moved onto the mesh, by up to " +
-                       std::to_string(largest_snap_distance) + " mesh units.");
+    warnings.push_back(fmt::format("The curve was moved onto the mesh, by up to {:.3g} mesh units.",
+                                   largest_snap_distance));
   }
   if (polygons > 0) {
     warnings.push_back(std::to_string(polygons) +
