@@ -88,5 +88,20 @@ TEST_F(Chain, PartsComeToTheSameLine) {
   EXPECT_NEAR(length, std::hypot(kColumns, 1), 1e-5);
 }
 
+// Close around the vertex (1, 1), on three of its edges; the straight line is far from it.
+TEST(LiftedChain, PointsCloseAroundAVertexComeAwayFromIt) {
+  const SurfaceMesh mesh = SurfaceMesh::open(grid(3, 3));
+  const ExactPotential flat = none();
+  LiftedChain chain(mesh, flat, 1e-9, 1);
+  const Surface& s = mesh.surface();
+  LiftedChain::Nodes nodes;
+  nodes.push_back(chain.node_at(test::between(s, 4, 9, 0.9), true));  // (0.9, 1.9)
+  nodes.push_back(chain.node_at(test::between(s, 5, 9, 1.15e-3), false));
+  nodes.push_back(chain.node_at(test::between(s, 5, 10, 1.1e-3), false));
+  nodes.push_back(chain.node_at(test::between(s, 5, 6, 1.6e-3), false));
+  nodes.push_back(chain.node_at(test::between(s, 1, 6, 0.9), true));  // (1.9, 0.9)
+  EXPECT_NEAR(chain.settle(nodes, 60), std::sqrt(2.0), 1e-6);
+}
+
 }  // namespace
 }  // namespace talweg
