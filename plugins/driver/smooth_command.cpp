@@ -75,6 +75,7 @@ StageTimes median_times(const std::vector<StageTimes>& runs) {
        {&StageTimes::load, &StageTimes::open, &StageTimes::solve, &StageTimes::straighten,
         &StageTimes::trace, &StageTimes::relax, &StageTimes::polish, &StageTimes::total}) {
     std::vector<double> values;
+    values.reserve(runs.size());
     for (const StageTimes& run : runs) values.push_back(run.*stage);
     times.*stage = median(values);
   }
