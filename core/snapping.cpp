@@ -224,7 +224,12 @@ SnappedCurve snap(const SurfaceMesh& mesh, const CurveInput& curve, const SnapOp
 std::vector<SnappedCurve> snap(const SurfaceMesh& mesh, std::span<const CurveInput> curves,
                                const SnapOptions& options) {
   std::optional<ClosestPoint> closest;
-  if (std::any_of(curves.begin(), curves.end(), has_positions)) closest.emplace(mesh);
+  return snap(mesh, curves, closest, options);
+}
+
+std::vector<SnappedCurve> snap(const SurfaceMesh& mesh, std::span<const CurveInput> curves,
+                               std::optional<ClosestPoint>& closest, const SnapOptions& options) {
+  if (!closest && std::any_of(curves.begin(), curves.end(), has_positions)) closest.emplace(mesh);
   std::vector<SnappedCurve> result;
   for (const CurveInput& curve : curves) {
     try {

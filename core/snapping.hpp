@@ -2,9 +2,11 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
+#include "talweg/core/closest_point.hpp"
 #include "talweg/core/formats/curve_file.hpp"
 #include "talweg/core/surface_mesh.hpp"
 
@@ -41,6 +43,11 @@ SnappedCurve snap(const SurfaceMesh& mesh, const CurveInput& curve,
 
 /// The same for several curves; what searches the mesh is built once. Errors name the curve too.
 std::vector<SnappedCurve> snap(const SurfaceMesh& mesh, std::span<const CurveInput> curves,
+                               const SnapOptions& options = {});
+
+/// The same with what searches the mesh kept by the caller: made here when positions first need it.
+std::vector<SnappedCurve> snap(const SurfaceMesh& mesh, std::span<const CurveInput> curves,
+                               std::optional<ClosestPoint>& closest,
                                const SnapOptions& options = {});
 
 }  // namespace talweg

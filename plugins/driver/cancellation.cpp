@@ -1,13 +1,16 @@
 #include "cancellation.hpp"
 
+#include <atomic>
 #include <csignal>
 
 namespace talweg::driver {
 namespace {
 
-volatile std::sig_atomic_t g_interrupted = 0;
+// Any thread may ask; lock-free, so that a signal handler may set it.
+std::atomic<bool> g_interrupted = false;
+static_assert(std::atomic<bool>::is_always_lock_free);
 
-extern "C" void on_interrupt(int /*signal*/) { g_interrupted = 1; }
+extern "C" void on_interrupt(int /*signal*/) { g_interrupted = true; }
 
 }  // namespace
 
@@ -16,6 +19,6 @@ void catch_interrupts() {
   std::signal(SIGTERM, on_interrupt);
 }
 
-bool interrupted() { return g_interrupted != 0; }
+bool interrupted() { return g_interrupted; }
 
 }  // namespace talweg::driver

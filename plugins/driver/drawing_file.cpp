@@ -1,23 +1,56 @@
 #include "drawing_file.hpp"
 
 #include <algorithm>
+#include <cstdint>
+#include <filesystem>
+#include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "talweg/core/formats/curve_file.hpp"
+#include "talweg/core/formats/file_bytes.hpp"
+#include "talweg/core/formats/text_scanner.hpp"
+#include "talweg/core/label_borders.hpp"
 #include "talweg/core/snapping.hpp"
-#include "talweg/core/straight_lines.hpp"
+#include "talweg/intrinsic/error.hpp"
 
 namespace talweg::driver {
 
-Drawing read_drawing(const std::string& path, const SurfaceMesh& mesh) {
+Drawing DrawingReader::read(std::span<const std::string> paths) {
   Drawing drawing;
-  StraightLines lines(mesh.surface());
-  for (const SnappedCurve& snapped : snap(mesh, read_curves(path))) {
-    for (const std::size_t pin : snapped.pins) drawing.pins.push_back(snapped.points[pin]);
-    drawing.curves.push_back(lines.join(snapped.points, snapped.closed));
-    drawing.largest_snap_distance =
-        std::max(drawing.largest_snap_distance, snapped.largest_snap_distance);
+  if (!lines_) lines_.emplace(mesh_->surface());
+  for (const std::string& path : paths) {
+    for (const SnappedCurve& snapped : snap(*mesh_, read_curves(path), closest_)) {
+      for (const std::size_t pin : snapped.pins) drawing.pins.push_back(snapped.points[pin]);
+      drawing.curves.push_back(lines_->join(snapped.points, snapped.closed));
+      drawing.largest_snap_distance =
+          std::max(drawing.largest_snap_distance, snapped.largest_snap_distance);
+    }
+  }
+  return drawing;
+}
+
+Drawing read_drawing(const std::string& path, const SurfaceMesh& mesh) {
+  return DrawingReader(mesh).read(std::span(&path, 1));
+}
+
+Drawing drawing_of_labels(const std::string& path, const Surface& surface) {
+  const std::string bytes = read_file(path);
+  const std::filesystem::path name = path;
+  formats::TextScanner words(name, bytes);
+  std::vector<std::int64_t> labels;
+  for (std::string_view word = words.word(); !word.empty(); word = words.word()) {
+    labels.push_back(words.integer(word, "a label (a whole number)"));
+  }
+  Drawing drawing;
+  try {
+    for (LabelBorder& border : label_borders(surface, labels)) {
+      drawing.pins.insert(drawing.pins.end(), border.fixed.begin(), border.fixed.end());
+      drawing.curves.push_back(std::move(border.curve));
+    }
+  } catch (const Error& error) {
+    throw Error(ErrorCode::kBadFile, path + ": " + error.what());
   }
   return drawing;
 }

@@ -1,9 +1,13 @@
-// The curves of a file, put on a mesh.
+// The curves of files, put on a mesh.
 #pragma once
 
+#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "talweg/core/closest_point.hpp"
+#include "talweg/core/straight_lines.hpp"
 #include "talweg/core/surface_mesh.hpp"
 #include "talweg/intrinsic/surface_point.hpp"
 
@@ -15,9 +19,28 @@ struct Drawing {
   double largest_snap_distance = 0;  ///< by which a position was moved onto the mesh, mesh units
 };
 
-/// Reads curves, snaps them to the mesh and joins their points straight over the surface.
-/// Throws Error as read_curves(), snap() and StraightLines::join() do.
+/// Reads curves, snaps them to a mesh and joins their points straight over the surface. What
+/// searches the mesh is made once. The mesh must outlive the reader.
+class DrawingReader {
+ public:
+  explicit DrawingReader(const SurfaceMesh& mesh) : mesh_(&mesh) {}
+  /// The curves of all files, in their order.
+  /// Throws Error as read_curves(), snap() and StraightLines::join() do.
+  Drawing read(std::span<const std::string> paths);
+
+ private:
+  const SurfaceMesh* mesh_;
+  std::optional<ClosestPoint> closest_;
+  std::optional<StraightLines> lines_;
+};
+
+/// The same for one file.
 Drawing read_drawing(const std::string& path, const SurfaceMesh& mesh);
+
+/// The borders between labels that a file holds, one whole number per face or per vertex,
+/// separated by blanks or ends of lines. Throws Error as label_borders() does, Error(kBadFile)
+/// naming the line of what is no whole number.
+Drawing drawing_of_labels(const std::string& path, const Surface& surface);
 
 /// What a user should know of how a curve and a mesh were read.
 std::vector<std::string> reading_warnings(double largest_snap_distance, std::size_t polygons);

@@ -1,16 +1,14 @@
 // talweg: curves on surface meshes from the command line.
 #include <cstdio>
-#include <exception>
-#include <new>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "cancellation.hpp"
 #include "commands.hpp"
+#include "failure.hpp"
 #include "progress_bar.hpp"
 #include "talweg/core/version.hpp"
-#include "talweg/intrinsic/error.hpp"
 
 namespace talweg::driver {
 namespace {
@@ -19,21 +17,6 @@ int fail(int code, const std::string& message) {
   clear_progress_bar();
   std::fprintf(stderr, "talweg: %s\n", message.c_str());
   return code;
-}
-
-int exit_code_of(ErrorCode code) {
-  switch (code) {
-    case ErrorCode::kBadUsage:
-      return kBadUsage;
-    case ErrorCode::kBadMesh:
-    case ErrorCode::kBadCurve:
-    case ErrorCode::kBadFile:
-      return kBadInput;
-    case ErrorCode::kNumerical:
-    case ErrorCode::kOutOfMemory:
-      return kInternal;
-  }
-  return kInternal;
 }
 
 int run(int argc, char** argv) {
@@ -97,11 +80,8 @@ int main(int argc, char** argv) {
   using namespace talweg::driver;
   try {
     return run(argc, argv);
-  } catch (const talweg::Error& error) {
-    return fail(exit_code_of(error.code()), error.what());
-  } catch (const std::bad_alloc&) {
-    return fail(kInternal, "There is not enough memory.");
-  } catch (const std::exception& error) {
-    return fail(kInternal, std::string("Internal error: ") + error.what());
+  } catch (...) {
+    const Failure failure = current_failure();
+    return fail(failure.code, failure.message);
   }
 }

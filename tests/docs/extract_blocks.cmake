@@ -7,6 +7,7 @@
 #   json                         parsed
 #   text                         nothing: output, or how a command line looks
 #   <!-- file: NAME -->          written to OUT.files/NAME, for the sh blocks to use
+#   <!-- needs: PROGRAM -->      an sh block that is skipped, with a message, where PROGRAM is missing
 #   <!-- not run: REASON -->     nothing, for that reason
 #
 # Everything else is a problem, told in one line.
@@ -66,7 +67,12 @@ function(extract_blocks markdown out prelude problems_variable)
              "#line ${code_line} \"${markdown}\"\n${body}  }\n}\n\n")
       string(APPEND calls "  std::puts(\"${name}:${line}\");\n  block_at_line_${line}();\n")
     elseif(language STREQUAL "sh")
-      string(APPEND shell "echo '== ${name}:${line}'\n(\n${code})\n")
+      set(block "echo '== ${name}:${line}'\n(\n${code})\n")
+      if(comment MATCHES "^<!-- needs: ([A-Za-z0-9_-]+) -->$")
+        string(CONCAT block "if command -v ${CMAKE_MATCH_1}; then\n${block}else\n"
+               "echo 'SKIPPED ${name}:${line}: there is no ${CMAKE_MATCH_1} here'\nfi\n")
+      endif()
+      string(APPEND shell "${block}")
     elseif(language STREQUAL "json")
       string(JSON unused ERROR_VARIABLE error LENGTH "${code}")
       if(error)

@@ -1,0 +1,41 @@
+#include "failure.hpp"
+
+#include <exception>
+#include <new>
+
+#include "commands.hpp"
+#include "talweg/intrinsic/error.hpp"
+
+namespace talweg::driver {
+namespace {
+
+int exit_code_of(ErrorCode code) {
+  switch (code) {
+    case ErrorCode::kBadUsage:
+      return kBadUsage;
+    case ErrorCode::kBadMesh:
+    case ErrorCode::kBadCurve:
+    case ErrorCode::kBadFile:
+      return kBadInput;
+    case ErrorCode::kNumerical:
+    case ErrorCode::kOutOfMemory:
+      return kInternal;
+  }
+  return kInternal;
+}
+
+}  // namespace
+
+Failure current_failure() {
+  try {
+    throw;
+  } catch (const Error& error) {
+    return {exit_code_of(error.code()), error.what()};
+  } catch (const std::bad_alloc&) {
+    return {kInternal, "There is not enough memory."};
+  } catch (const std::exception& error) {
+    return {kInternal, std::string("Internal error: ") + error.what()};
+  }
+}
+
+}  // namespace talweg::driver

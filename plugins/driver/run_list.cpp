@@ -1,0 +1,247 @@
+#include "run_list.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <set>
+#include <system_error>
+#include <utility>
+
+#include <fmt/args.h>
+#include <fmt/format.h>
+
+#include "talweg/core/formats/file_bytes.hpp"
+#include "talweg/intrinsic/error.hpp"
+
+namespace talweg::driver {
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void bad_line(const std::string& path, std::size_t line, const std::string& what) {
+  throw Error(ErrorCode::kBadFile, fmt::format("{}, line {}: {}", path, line, what));
+}
+
+/// One line of the table while its run is made of it.
+struct Line {
+  const std::string& path;
+  std::size_t number;
+  const std::vector<std::string>& columns;
+  const std::vector<std::string>& cells;
+
+  [[noreturn]] void fail(const std::string& what) const { bad_line(path, number, what); }
+  [[nodiscard]] std::string cell(const std::string& column) const {
+    const auto at = std::find(columns.begin(), columns.end(), column);
+    return at == columns.end() ? "" : cells[static_cast<std::size_t>(at - columns.begin())];
+  }
+};
+
+/// The file's name without folder and ending.
+std::string stem(const std::string& path) {
+  std::string name = fs::path(path).stem().string();
+  constexpr std::string_view kSlicer = ".mrk";
+  if (name.size() > kSlicer.size() && name.ends_with(kSlicer)) {
+    name.resize(name.size() - kSlicer.size());
+  }
+  return name;
+}
+
+std::string option_of(std::string column) {
+  std::replace(column.begin(), column.end(), '_', '-');
+  return "--" + column;
+}
+
+/// The base with the line's cells in place of its values.
+SmoothOptions with_cells(const SmoothOptions& base, const Line& line) {
+  SmoothOptions run = base;
+  CLI::App app;
+  app.set_help_flag();
+  add_smooth_options(app, run);
+  std::vector<std::string> arguments;
+  for (std::size_t c = 0; c < line.columns.size(); ++c) {
+    const std::string& column = line.columns[c];
+    const std::string& cell = line.cells[c];
+    if (cell.empty()) continue;
+    if (column == "mesh") {
+      run.mesh = cell;
+    } else if (app.get_option_no_throw(option_of(column)) != nullptr) {
+      arguments.push_back(option_of(column) + "=" + cell);
+    }
+    if (column == "tau") run.max_deviation.reset();
+    if (column == "curve") run.labels.clear();
+    if (column == "labels") run.curves.clear();
+  }
+  std::reverse(arguments.begin(), arguments.end());
+  try {
+    app.parse(arguments);
+    choose_method(run);
+  } catch (const CLI::ParseError& error) {
+    line.fail(error.what());
+  } catch (const Error& error) {
+    line.fail(error.what());
+  }
+  if (run.mesh.empty()) line.fail("no mesh is given.");
+  if (run.curves.empty() && run.labels.empty()) line.fail("no curve is given.");
+  return run;
+}
+
+std::string filled(const std::string& pattern, const Line& line, const SmoothOptions& run) {
+  fmt::dynamic_format_arg_store<fmt::format_context> values;
+  const std::string folder = fs::path(run.mesh).parent_path().string();
+  std::map<std::string, std::string> named = {
+      {"mesh", stem(run.mesh)},
+      {"curve", stem(run.curves.empty() ? run.labels : run.curves.front())},
+      {"folder", folder.empty() ? "." : folder}};
+  for (std::size_t c = 0; c < line.columns.size(); ++c) {
+    named.emplace(line.columns[c], line.cells[c]);
+  }
+  for (const auto& [name, value] : named) values.push_back(fmt::arg(name.c_str(), value));
+  try {
+    return fmt::vformat(pattern, values);
+  } catch (const fmt::format_error&) {
+    std::string known;
+    for (const auto& [name, value] : named) known += (known.empty() ? "{" : ", {") + name + "}";
+    line.fail(fmt::format("the name \"{}\" can only have {} in it.", pattern, known));
+  }
+}
+
+/// Columns that mean nothing are misspelt, or meant for something else: both should be known.
+void check_columns(const std::string& path, const TableLine& header, const SmoothOptions& base) {
+  SmoothOptions unused;
+  CLI::App app;
+  app.set_help_flag();
+  add_smooth_options(app, unused);
+  std::string patterns = base.report;
+  for (const std::string& output : base.outputs) patterns += "|" + output;
+  std::set<std::string> known;
+  for (const std::string& column : header.cells) {
+    if (column.empty()) bad_line(path, header.line, "a column has no name.");
+    if (!known.insert(option_of(column)).second) {
+      bad_line(path, header.line, fmt::format("there are two columns \"{}\".", column));
+    }
+    if (column == "mesh" || app.get_option_no_throw(option_of(column)) != nullptr) continue;
+    if (patterns.find("{" + column + "}") == std::string::npos) {
+      bad_line(path, header.line,
+               fmt::format("the column \"{}\" is no option of smooth, and no output is named "
+                           "by it.",
+                           column));
+    }
+  }
+}
+
+std::string identity(const std::string& path) {
+  std::error_code failed;
+  const fs::path known = fs::weakly_canonical(fs::absolute(path), failed);
+  return failed ? path : known.string();
+}
+
+/// No file may be written twice, or read and written: the result would depend on the order.
+void check_files(const std::string& path, const std::vector<ListedRun>& runs,
+                 const std::string& summary) {
+  std::map<std::string, std::size_t> read, written;
+  for (const ListedRun& run : runs) {
+    const SmoothOptions& o = run.options;
+    std::vector<std::string> inputs = o.curves;
+    for (const std::string& more : {o.mesh, o.labels, o.distance, o.slack_field}) {
+      if (!more.empty()) inputs.push_back(more);
+    }
+    for (const std::string& input : inputs) read.emplace(identity(input), run.line);
+  }
+  for (const ListedRun& run : runs) {
+    std::vector<std::string> outputs = run.options.outputs;
+    if (!run.options.report.empty()) outputs.push_back(run.options.report);
+    for (const std::string& output : outputs) {
+      const std::string file = identity(output);
+      if (const auto at = read.find(file); at != read.end()) {
+        bad_line(path, run.line,
+                 fmt::format("{} would be written, but line {} reads it.", output, at->second));
+      }
+      if (!summary.empty() && file == identity(summary)) {
+        bad_line(path, run.line, fmt::format("{} is the file of --summary, too.", output));
+      }
+      const auto [at, is_new] = written.emplace(file, run.line);
+      if (!is_new) {
+        bad_line(
+            path, run.line,
+            fmt::format("{} would be written twice, here and by line {}.", output, at->second));
+      }
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<TableLine> table_lines(const std::string& path, std::string_view text) {
+  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+  const std::string_view first = text.substr(0, text.find('\n'));
+  const char separator = first.find('\t') != std::string_view::npos ? '\t' : ',';
+  std::vector<TableLine> lines;
+  std::size_t at = 0, number = 1;
+  while (at < text.size()) {
+    TableLine line{number, {}};
+    const bool comment = text[at] == '#';
+    std::string cell;
+    for (bool more = true; more;) {
+      cell.clear();
+      const bool quoted = !comment && at < text.size() && text[at] == '"';
+      if (quoted) {
+        for (++at;; ++at) {
+          if (at >= text.size()) bad_line(path, line.line, "a quote is not closed.");
+          if (text[at] == '\n') ++number;
+          if (text[at] != '"') {
+            cell += text[at];
+          } else if (at + 1 < text.size() && text[at + 1] == '"') {
+            cell += text[at++];
+          } else {
+            ++at;
+            break;
+          }
+        }
+      }
+      const std::size_t rest = at;
+      while (at < text.size() && text[at] != '\n' && (comment || text[at] != separator)) ++at;
+      std::string_view plain = text.substr(rest, at - rest);
+      if (plain.ends_with('\r')) plain.remove_suffix(1);
+      if (quoted && !plain.empty()) bad_line(path, number, "a cell goes on after its quotes.");
+      if (!quoted) cell = plain;
+      line.cells.push_back(cell);
+      more = at < text.size() && text[at] == separator;
+      if (at < text.size()) ++at;
+    }
+    ++number;
+    const bool blank = line.cells.size() == 1 && line.cells[0].empty();
+    if (!comment && !blank) lines.push_back(std::move(line));
+  }
+  return lines;
+}
+
+std::vector<ListedRun> read_run_list(const std::string& path, const SmoothOptions& base,
+                                     const std::string& summary) {
+  const std::vector<TableLine> lines = table_lines(path, read_file(path));
+  if (lines.size() < 2) {
+    throw Error(ErrorCode::kBadFile, path +
+                                         ": expected a line with the names of columns and at "
+                                         "least one run below it.");
+  }
+  check_columns(path, lines.front(), base);
+  std::vector<ListedRun> runs;
+  for (std::size_t i = 1; i < lines.size(); ++i) {
+    const Line line{path, lines[i].line, lines.front().cells, lines[i].cells};
+    if (line.cells.size() != line.columns.size()) {
+      line.fail(fmt::format("{} cells under {} columns.", line.cells.size(), line.columns.size()));
+    }
+    ListedRun run{line.number, with_cells(base, line)};
+    for (std::string& output : run.options.outputs) output = filled(output, line, run.options);
+    if (!run.options.report.empty()) {
+      run.options.report = filled(run.options.report, line, run.options);
+    }
+    if (run.options.outputs.empty() && run.options.report.empty() && summary.empty()) {
+      line.fail("nothing would be written: give -o, --report or --summary.");
+    }
+    runs.push_back(std::move(run));
+  }
+  check_files(path, runs, summary);
+  return runs;
+}
+
+}  // namespace talweg::driver

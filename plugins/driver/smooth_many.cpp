@@ -1,0 +1,258 @@
+#include "smooth_many.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <system_error>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "cancellation.hpp"
+#include "failure.hpp"
+#include "progress_bar.hpp"
+#include "shared_work.hpp"
+#include "smooth_run.hpp"
+#include "summary_table.hpp"
+#include "talweg/core/formats/file_bytes.hpp"
+
+namespace talweg::driver {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kFailuresShown = 10;
+
+/// A mesh that one run or several are on. It is opened by the first and let go by the last.
+class SharedMesh {
+ public:
+  void add_run() { ++left_; }
+  /// Throws what went wrong at the first attempt, too.
+  MeshFromFile take(const std::string& path) {
+    const std::lock_guard lock(mutex_);
+    if (failure_) std::rethrow_exception(failure_);
+    if (mesh_.opened) return mesh_;
+    try {
+      mesh_ = load_mesh(path);
+    } catch (...) {
+      failure_ = std::current_exception();
+      throw;
+    }
+    return mesh_;
+  }
+  void finish_run() {
+    const std::lock_guard lock(mutex_);
+    if (--left_ == 0) mesh_ = {};
+  }
+
+ private:
+  std::mutex mutex_;
+  MeshFromFile mesh_;
+  std::exception_ptr failure_;
+  std::size_t left_ = 0;
+};
+
+/// What became of a run; its curves are in its files.
+struct RunRecord {
+  bool cancelled = true;  ///< until it has been done
+  std::optional<Failure> failure;
+  std::vector<SmoothingReport> reports;
+  std::vector<std::size_t> numbers;
+  std::vector<CurveFailure> failed_curves;
+
+  [[nodiscard]] int code() const {
+    if (cancelled) return kCancelled;
+    if (failure) return failure->code;
+    int worst = kDone;
+    for (const SmoothingReport& report : reports) {
+      if (report.termination != "converged") worst = kNotConverged;
+    }
+    for (const CurveFailure& curve : failed_curves) {
+      if (worst != kInternal) worst = curve.why.code;
+    }
+    return worst;
+  }
+};
+
+class ManyRuns {
+ public:
+  ManyRuns(std::vector<ListedRun> runs, const ManyOptions& options, const GlobalOptions& global)
+      : runs_(std::move(runs)),
+        options_(options),
+        records_(runs_.size()),
+        bar_(runs_.size(), global.quiet) {
+    std::map<std::string, std::size_t> first;  // run on each mesh
+    for (std::size_t i = 0; i < runs_.size(); ++i) {
+      const auto [at, is_new] = first.emplace(runs_[i].options.mesh, i);
+      meshes_[runs_[i].options.mesh].add_run();
+      order_.emplace_back(at->second, i);
+      runs_[i].options.curve_options.threads =
+          std::max(1U, global.threads / static_cast<unsigned>(options.jobs));
+    }
+    // Runs on one mesh follow each other, so that no more meshes are open than there are jobs.
+    std::sort(order_.begin(), order_.end());
+  }
+
+  void go() {
+    std::vector<Desk> desks(options_.jobs);
+    share_work(runs_.size(), options_.jobs, [&](std::size_t worker, std::size_t k) {
+      const std::size_t i = order_[k].second;
+      if (!interrupted()) work(desks[worker], i);
+      meshes_.at(runs_[i].options.mesh).finish_run();
+      bar_.done(records_[i].failure.has_value() || !records_[i].failed_curves.empty());
+    });
+  }
+
+  [[nodiscard]] const std::vector<RunRecord>& records() const { return records_; }
+  [[nodiscard]] const std::vector<ListedRun>& runs() const { return runs_; }
+
+ private:
+  /// What a worker has in its hands.
+  struct Desk {
+    std::string path;
+    std::optional<Workspace> workspace;
+  };
+
+  void work(Desk& desk, std::size_t i) {
+    const SmoothOptions& options = runs_[i].options;
+    RunRecord& record = records_[i];
+    try {
+      if (desk.path != options.mesh || !desk.workspace) {
+        desk.workspace.reset();  // before the next mesh is opened
+        desk.path = options.mesh;
+        // A single run has the threads for its curves.
+        const std::size_t threads = runs_.size() == 1 ? options_.jobs : 1;
+        desk.workspace.emplace(meshes_.at(options.mesh).take(options.mesh), threads);
+      }
+      RunOutcome outcome = desk.workspace->smooth(options, [&](const char*, double) {
+        bar_.tick();
+        return !interrupted();
+      });
+      if (outcome.cancelled()) return;
+      make_folders(options);
+      write_run(options, desk.workspace->mesh(), outcome);
+      record.reports = std::move(outcome.result.reports);
+      record.numbers = std::move(outcome.numbers);
+      record.failed_curves = std::move(outcome.failures);
+    } catch (...) {
+      record.failure = current_failure();
+    }
+    record.cancelled = false;
+  }
+
+  /// Where that fails, the writing that follows says so.
+  static void make_folders(const SmoothOptions& options) {
+    std::error_code ignored;
+    for (const std::string& output : options.outputs) {
+      fs::create_directories(fs::path(output).parent_path(), ignored);
+    }
+    fs::create_directories(fs::path(options.report).parent_path(), ignored);
+  }
+
+  std::vector<ListedRun> runs_;
+  const ManyOptions& options_;
+  std::vector<RunRecord> records_;
+  std::map<std::string, SharedMesh> meshes_;
+  std::vector<std::pair<std::size_t, std::size_t>> order_;  // first run on the mesh, run
+  CountedBar bar_;
+};
+
+std::string curve_name(const SmoothOptions& options) {
+  return options.curves.empty() ? options.labels
+                                : fmt::format("{}", fmt::join(options.curves, " "));
+}
+
+std::string summary_of(const ManyRuns& many) {
+  SummaryTable table;
+  for (std::size_t i = 0; i < many.runs().size(); ++i) {
+    const ListedRun& run = many.runs()[i];
+    const RunRecord& record = many.records()[i];
+    const SummaryTable::Place place{run.line, run.options.mesh, curve_name(run.options)};
+    if (record.cancelled) {
+      table.add(place, "", "cancelled", "");
+    } else if (record.failure) {
+      table.add(place, "", "failed", record.failure->message);
+    }
+    auto failed = record.failed_curves.begin();
+    const auto add_failed = [&](std::size_t before) {
+      for (; failed != record.failed_curves.end() && failed->curve < before; ++failed) {
+        table.add(place, std::to_string(failed->curve), "failed", failed->why.message);
+      }
+    };
+    for (std::size_t c = 0; c < record.reports.size(); ++c) {
+      add_failed(record.numbers[c]);
+      table.add(place, record.numbers[c], record.reports[c]);
+    }
+    add_failed(std::string::npos);
+  }
+  return table.text();
+}
+
+/// One line on stderr for each failure, up to a bound; returns how many runs failed in part or
+/// whole.
+std::size_t tell_failures(const ManyRuns& many, const ManyOptions& options) {
+  std::size_t failed = 0, shown = 0, lines = 0;
+  const auto tell = [&](const ListedRun& run, const std::string& what, const std::string& why) {
+    ++lines;
+    if (shown == kFailuresShown) return;
+    ++shown;
+    const std::string place =
+        run.line > 0 ? fmt::format("{}, line {} ({})", options.list, run.line, run.options.mesh)
+                     : run.options.mesh;
+    std::fprintf(stderr, "talweg: %s%s: %s\n", place.c_str(), what.c_str(), why.c_str());
+  };
+  for (std::size_t i = 0; i < many.runs().size(); ++i) {
+    const RunRecord& record = many.records()[i];
+    if (record.failure) tell(many.runs()[i], "", record.failure->message);
+    for (const CurveFailure& curve : record.failed_curves) {
+      tell(many.runs()[i], fmt::format(", curve {}", curve.curve), curve.why.message);
+    }
+    if (record.failure || !record.failed_curves.empty()) ++failed;
+  }
+  if (lines > shown) {
+    std::fprintf(stderr, "talweg: %zu more failed%s%s.\n", lines - shown,
+                 options.summary.empty() ? "; --summary lists all" : "; all are in ",
+                 options.summary.c_str());
+  }
+  return failed;
+}
+
+}  // namespace
+
+int smooth_many(std::vector<ListedRun> runs, const ManyOptions& options,
+                const GlobalOptions& global) {
+  ManyRuns many(std::move(runs), options, global);
+  many.go();
+  clear_progress_bar();
+  if (!options.summary.empty()) write_file(options.summary, summary_of(many));
+  const std::size_t failed = tell_failures(many, options);
+  // From the mildest to the worst.
+  constexpr std::array<int, 6> kSeverity = {kDone,     kNotConverged, kBadUsage,
+                                            kBadInput, kInternal,     kCancelled};
+  const auto severity = [&](int code) {
+    return std::find(kSeverity.begin(), kSeverity.end(), code) - kSeverity.begin();
+  };
+  int worst = kDone;
+  std::size_t unfinished = 0, not_converged = 0;
+  for (const RunRecord& record : many.records()) {
+    const int code = record.code();
+    if (severity(code) > severity(worst)) worst = code;
+    if (code == kCancelled) ++unfinished;
+    if (code == kNotConverged) ++not_converged;
+  }
+  if (!global.quiet) {
+    const std::size_t count = many.runs().size();
+    std::printf("%zu run%s: %zu done, %zu of them not converged; %zu failed, %zu cancelled\n",
+                count, count == 1 ? "" : "s", count - failed - unfinished, not_converged, failed,
+                unfinished);
+  }
+  return worst;
+}
+
+}  // namespace talweg::driver

@@ -1,0 +1,40 @@
+// What `talweg smooth` can be told, for one run or for one line of a list.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "talweg/core/curve_smoother.hpp"
+
+namespace talweg::driver {
+
+struct SmoothOptions {
+  std::string mesh;
+  std::vector<std::string> curves;  ///< files
+  std::string labels;               ///< a file of labels whose borders are the curves
+  bool independent = false;         ///< each curve by itself instead of all as one set
+  std::vector<std::string> outputs;
+  std::string report;
+  std::string potential = "corridor";
+  std::string engine = "auto";
+  std::string distance;
+  std::string slack_field;
+  std::optional<double> max_deviation;
+  std::optional<double> heat_time;
+  std::vector<std::size_t> pins;
+  std::size_t repeat = 1;
+  CurveOptions curve_options;
+  SmoothingOptions smoothing;
+};
+
+/// All but the mesh. `options` must outlive the app; its values are the defaults.
+void add_smooth_options(CLI::App& app, SmoothOptions& options);
+
+/// Settles which method is meant. Throws Error(kBadUsage) where options contradict each other.
+void choose_method(SmoothOptions& options);
+
+}  // namespace talweg::driver

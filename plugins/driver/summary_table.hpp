@@ -1,0 +1,35 @@
+// The reports of many curves as one table.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+#include "talweg/core/report.hpp"
+
+namespace talweg::driver {
+
+/// Comma-separated, one line per curve, quoted as in RFC 4180. The columns are `line mesh curve
+/// number status message` and the report's names; no times and no memory, so that equal results are
+/// equal tables. `status` is the report's termination, "failed" or "cancelled".
+class SummaryTable {
+ public:
+  struct Place {
+    std::size_t line = 0;  ///< of the list; 0 without one
+    std::string mesh;
+    std::string curve;
+  };
+
+  SummaryTable();
+  void add(const Place& place, std::size_t number, const SmoothingReport& report);
+  /// A curve without a result; without a number all curves of the run.
+  void add(const Place& place, const std::string& number, std::string_view status,
+           std::string_view message);
+  [[nodiscard]] const std::string& text() const { return text_; }
+
+ private:
+  std::string text_;
+  std::size_t columns_ = 0;  ///< of the report
+};
+
+}  // namespace talweg::driver
