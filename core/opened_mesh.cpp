@@ -14,6 +14,13 @@ std::shared_ptr<const OpenedMesh> OpenedMesh::open(const MeshLists& lists) {
   return opened;
 }
 
+std::shared_ptr<const OpenedMesh> OpenedMesh::open(MeshLists&& lists) {
+  const Stopwatch watch;
+  std::shared_ptr<OpenedMesh> opened(new OpenedMesh(SurfaceMesh::open(std::move(lists))));
+  opened->open_ms_ = watch.ms();
+  return opened;
+}
+
 std::shared_ptr<const OpenedMesh> OpenedMesh::open(SurfaceMesh mesh) {
   return std::shared_ptr<OpenedMesh>(new OpenedMesh(std::move(mesh)));
 }

@@ -17,6 +17,7 @@ class OpenedMesh {
  public:
   /// Throws Error(kBadMesh) as SurfaceMesh::open does.
   static std::shared_ptr<const OpenedMesh> open(const MeshLists& lists);
+  static std::shared_ptr<const OpenedMesh> open(MeshLists&& lists);
   static std::shared_ptr<const OpenedMesh> open(SurfaceMesh mesh);
 
   [[nodiscard]] const SurfaceMesh& mesh() const { return mesh_; }

@@ -15,51 +15,32 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+/// As a JSON value; what is not finite becomes null.
+struct AsJson {
+  Json operator()(double value) const { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+  Json operator()(const std::vector<double>& list) const {
+    Json values = Json::array();
+    for (const double value : list) values.push_back((*this)(value));
+    return values;
+  }
+  template <class Value>
+  Json operator()(const Value& value) const {
+    return value;
+  }
+};
 
-Json object_of(const SmoothingReport& r) {
-  Json j;
-  j["version"] = r.version;
-  j["faces"] = r.faces;
-  j["vertices"] = r.vertices;
-  j["tau"] = number(r.tau);
-  j["slack"] = number(r.slack);
-  j["max_deviation"] = number(r.max_deviation);
-  j["pins_added"] = r.pins_added;
-  j["edge_length_near"] = number(r.edge_length_near);
-  j["potential"] = r.potential;
-  j["engine"] = r.engine;
-  j["closed"] = r.closed;
-  j["points_before"] = r.points_before;
-  j["points_after"] = r.points_after;
-  j["length_before"] = number(r.length_before);
-  j["length_after"] = number(r.length_after);
-  j["lifted_length_before"] = number(r.lifted_length_before);
-  j["lifted_length_after"] = number(r.lifted_length_after);
-  j["curvature_before"] = number(r.curvature_before);
-  j["curvature_after"] = number(r.curvature_after);
-  j["curvature_max_before"] = number(r.curvature_max_before);
-  j["curvature_max_after"] = number(r.curvature_max_after);
-  j["deviation"] = r.deviation;
-  j["deviation_to_drawn_max"] = number(r.deviation_to_drawn_max);
-  j["deviation_to_drawn_mean"] = number(r.deviation_to_drawn_mean);
-  j["deviation_from_drawn_max"] = number(r.deviation_from_drawn_max);
-  j["deviation_from_drawn_mean"] = number(r.deviation_from_drawn_mean);
-  j["deviation_at"] = {number(r.deviation_at[0]), number(r.deviation_at[1]),
-                       number(r.deviation_at[2])};
-  j["moved"] = number(r.moved);
-  j["flips"] = r.flips;
-  j["iterations"] = r.iterations;
-  j["faces_touched"] = r.faces_touched;
-  j["trace_fallbacks"] = r.trace_fallbacks;
-  j["termination"] = r.termination;
-  j["warnings"] = r.warnings;
-  j["time_ms"] = {{"load", r.time_ms.load},     {"open", r.time_ms.open},
-                  {"solve", r.time_ms.solve},   {"straighten", r.time_ms.straighten},
-                  {"trace", r.time_ms.trace},   {"relax", r.time_ms.relax},
-                  {"polish", r.time_ms.polish}, {"total", r.time_ms.total}};
-  j["peak_memory_mib"] = number(r.peak_memory_mib);
-  return j;
+Json object_of(const std::vector<ReportEntry>& entries) {
+  Json object = Json::object();
+  for (const ReportEntry& entry : entries) {
+    Json* place = &object;
+    std::string key = entry.key;
+    for (std::size_t dot = key.find('.'); dot != std::string::npos; dot = key.find('.')) {
+      place = &(*place)[key.substr(0, dot)];
+      key.erase(0, dot + 1);
+    }
+    (*place)[key] = std::visit(AsJson{}, entry.value);
+  }
+  return object;
 }
 
 /// Worse outcomes last.
@@ -119,12 +100,71 @@ SmoothingReport total_of(const std::vector<SmoothingReport>& reports) {
   return total;
 }
 
-std::string to_json(const SmoothingReport& report) { return object_of(report).dump(2) + "\n"; }
+std::vector<ReportEntry> entries_of(const SmoothingReport& r) {
+  const auto count = [](std::size_t n) { return std::uint64_t{n}; };
+  return {
+      {"version", r.version},
+      {"faces", count(r.faces)},
+      {"vertices", count(r.vertices)},
+      {"tau", r.tau},
+      {"slack", r.slack},
+      {"max_deviation", r.max_deviation},
+      {"pins_added", count(r.pins_added)},
+      {"edge_length_near", r.edge_length_near},
+      {"potential", r.potential},
+      {"engine", r.engine},
+      {"closed", r.closed},
+      {"points_before", count(r.points_before)},
+      {"points_after", count(r.points_after)},
+      {"length_before", r.length_before},
+      {"length_after", r.length_after},
+      {"lifted_length_before", r.lifted_length_before},
+      {"lifted_length_after", r.lifted_length_after},
+      {"curvature_before", r.curvature_before},
+      {"curvature_after", r.curvature_after},
+      {"curvature_max_before", r.curvature_max_before},
+      {"curvature_max_after", r.curvature_max_after},
+      {"deviation", r.deviation},
+      {"deviation_to_drawn_max", r.deviation_to_drawn_max},
+      {"deviation_to_drawn_mean", r.deviation_to_drawn_mean},
+      {"deviation_from_drawn_max", r.deviation_from_drawn_max},
+      {"deviation_from_drawn_mean", r.deviation_from_drawn_mean},
+      {"deviation_at", std::vector<double>(r.deviation_at.begin(), r.deviation_at.end())},
+      {"moved", r.moved},
+      {"flips", count(r.flips)},
+      {"iterations", count(r.iterations)},
+      {"faces_touched", count(r.faces_touched)},
+      {"trace_fallbacks", count(r.trace_fallbacks)},
+      {"termination", r.termination},
+      {"warnings", r.warnings},
+      {"time_ms.load", r.time_ms.load},
+      {"time_ms.open", r.time_ms.open},
+      {"time_ms.solve", r.time_ms.solve},
+      {"time_ms.straighten", r.time_ms.straighten},
+      {"time_ms.trace", r.time_ms.trace},
+      {"time_ms.relax", r.time_ms.relax},
+      {"time_ms.polish", r.time_ms.polish},
+      {"time_ms.total", r.time_ms.total},
+      {"peak_memory_mib", r.peak_memory_mib},
+  };
+}
+
+std::string to_json(const SmoothingReport& report) {
+  return object_of(entries_of(report)).dump(2) + "\n";
+}
 
 std::string to_json(const SmoothingReport& total, const std::vector<SmoothingReport>& curves) {
+  std::vector<std::vector<ReportEntry>> entries;
+  for (const SmoothingReport& report : curves) entries.push_back(entries_of(report));
+  return to_json(entries_of(total), entries);
+}
+
+std::string to_json(const std::vector<ReportEntry>& total,
+                    const std::vector<std::vector<ReportEntry>>& curves) {
   Json j = object_of(total);
   if (curves.size() > 1) {
-    for (const SmoothingReport& r : curves) j["curves"].push_back(object_of(r));
+    for (const std::vector<ReportEntry>& entries : curves)
+      j["curves"].push_back(object_of(entries));
   }
   return j.dump(2) + "\n";
 }

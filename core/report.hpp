@@ -3,7 +3,9 @@
 
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "talweg/core/mesh_lists.hpp"
@@ -70,10 +72,24 @@ struct SmoothingReport {
 /// Sums up the reports on the curves of one run.
 SmoothingReport total_of(const std::vector<SmoothingReport>& reports);
 
+/// One named value of a report. A dot in a key says that it belongs to a group ("time_ms.trace").
+struct ReportEntry {
+  std::string key;
+  std::variant<double, std::uint64_t, bool, std::string, std::vector<double>,
+               std::vector<std::string>>
+      value;
+};
+/// All of a report, under the field names above and in their order.
+std::vector<ReportEntry> entries_of(const SmoothingReport& report);
+
 /// JSON with the field names above; non-finite numbers become null.
 std::string to_json(const SmoothingReport& report);
 /// One curve: its report. Several: the totals, and an array `curves` of the single reports.
 std::string to_json(const SmoothingReport& total, const std::vector<SmoothingReport>& curves);
+
+/// The same from entries, of this library or of a plugin: `curves` is left out for fewer than two.
+std::string to_json(const std::vector<ReportEntry>& total,
+                    const std::vector<std::vector<ReportEntry>>& curves);
 
 /// The most memory the process has used so far; 0 where the system does not tell.
 double peak_memory_mib();

@@ -48,26 +48,42 @@ bool has_pillow(const Surface& surface) {
   return false;
 }
 
+Surface checked_surface(const MeshLists& lists) {
+  if (!acceptable(lists)) refuse(lists, "The mesh cannot be used.");
+  Surface surface = connect(lists);
+  if (has_pillow(surface)) refuse(lists, "Two faces have the same three vertices.");
+  return surface;
+}
+
 }  // namespace
 
 SurfaceMesh SurfaceMesh::open(const MeshLists& lists) {
-  if (!acceptable(lists)) refuse(lists, "The mesh cannot be used.");
   SurfaceMesh mesh;
-  mesh.surface_ = connect(lists);
-  if (has_pillow(mesh.surface_)) refuse(lists, "Two faces have the same three vertices.");
+  mesh.surface_ = checked_surface(lists);
   mesh.points_ = lists.points;
+  mesh.measure();
+  return mesh;
+}
 
-  std::vector<double> lengths(mesh.surface_.edge_count());
+SurfaceMesh SurfaceMesh::open(MeshLists&& lists) {
+  SurfaceMesh mesh;
+  mesh.surface_ = checked_surface(lists);
+  mesh.points_ = std::move(lists.points);
+  mesh.measure();
+  return mesh;
+}
+
+/// Edge lengths and their mean.
+void SurfaceMesh::measure() {
+  std::vector<double> lengths(surface_.edge_count());
   double total = 0;
   for (std::size_t e = 0; e < lengths.size(); ++e) {
     const HalfedgeId h = halfedge_of(EdgeId{e});
-    lengths[e] =
-        point_distance(mesh.point(mesh.surface_.tail(h)), mesh.point(mesh.surface_.head(h)));
+    lengths[e] = point_distance(point(surface_.tail(h)), point(surface_.head(h)));
     total += lengths[e];
   }
-  mesh.mean_edge_length_ = total / static_cast<double>(lengths.size());
-  mesh.surface_.set_lengths(std::move(lengths));
-  return mesh;
+  mean_edge_length_ = total / static_cast<double>(lengths.size());
+  surface_.set_lengths(std::move(lengths));
 }
 
 Point SurfaceMesh::position(const SurfacePoint& point) const {

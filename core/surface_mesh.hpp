@@ -18,6 +18,8 @@ class SurfaceMesh {
   /// are: empty mesh, index out of range, non-finite coordinate, face with a repeated vertex,
   /// duplicate face, edge with more than two faces, inconsistent orientation, bow-tie vertex.
   static SurfaceMesh open(const MeshLists& lists);
+  /// The same; takes the points instead of copying them.
+  static SurfaceMesh open(MeshLists&& lists);
 
   [[nodiscard]] const Surface& surface() const { return surface_; }        ///< lengths only
   [[nodiscard]] std::span<const Point> points() const { return points_; }  ///< one per vertex
@@ -28,6 +30,8 @@ class SurfaceMesh {
   [[nodiscard]] Point position(const SurfacePoint& point) const;
 
  private:
+  void measure();
+
   Surface surface_;
   std::vector<Point> points_;
   double mean_edge_length_ = 0;

@@ -10,8 +10,6 @@
 namespace talweg {
 namespace {
 
-using formats::WrittenCurve;
-
 constexpr const char* kKnown = "known are .obj .ply .vtp .vtk .mrk.json .txt .json";
 
 std::string curve_extension(const std::filesystem::path& path) {
@@ -35,38 +33,6 @@ Reader reader_of(const std::filesystem::path& path) {
   cannot_read(path, "no curve format has the extension '" + extension + "'; " + kKnown);
 }
 
-/// Barycentrics that SurfacePoint::on_edge gives back bit for bit: 1 - t is taken once.
-FaceCoordinates exact_coordinates(const Surface& surface, const SurfacePoint& point, FaceId face) {
-  FaceCoordinates at = coordinates_in(surface, point, face);
-  if (const auto* edge = std::get_if<OnEdge>(&point.where())) {
-    const HalfedgeId h = halfedge_of(edge->edge);
-    const auto corners = surface.corners(face);
-    for (std::size_t k = 0; k < 3; ++k) {
-      if (corners[k] == surface.tail(h)) at.barycentric[k] = 1 - edge->t;
-      if (corners[k] == surface.head(h)) at.barycentric[k] = edge->t;
-    }
-  }
-  return at;
-}
-
-WrittenCurve placed(const SurfaceMesh& mesh, const SurfaceCurve& curve, std::size_t number) {
-  const std::string name = "Curve " + std::to_string(number);
-  const std::size_t n = curve.points.size();
-  if (n < 2) throw Error(ErrorCode::kBadCurve, name + " has fewer than two points.");
-  WrittenCurve result{curve.closed, curve.points, {}, positions_of(mesh, curve)};
-  for (std::size_t k = 0; k < n; ++k) {
-    const bool last = k + 1 == n && !curve.closed;
-    const SurfacePoint& next = last ? curve.points[k - 1] : curve.points[(k + 1) % n];
-    const FaceId face = common_face(mesh.surface(), curve.points[k], next);
-    if (!face.valid()) {
-      throw Error(ErrorCode::kBadCurve,
-                  name + ": point " + std::to_string(k) + " and the next lie in no common face.");
-    }
-    result.faces.push_back(exact_coordinates(mesh.surface(), curve.points[k], face));
-  }
-  return result;
-}
-
 }  // namespace
 
 std::vector<CurveInput> read_curves(const std::filesystem::path& path) {
@@ -81,8 +47,7 @@ std::vector<CurveInput> read_curves(const std::filesystem::path& path, std::stri
   return reader({path, bytes});
 }
 
-void write_curves(const std::filesystem::path& path, const SurfaceMesh& mesh,
-                  std::span<const SurfaceCurve> curves) {
+void write_curves(const std::filesystem::path& path, std::span<const PlacedCurve> curves) {
   const std::string extension = curve_extension(path);
   const auto writer = extension == ".obj"        ? formats::write_obj
                       : extension == ".ply"      ? formats::write_ply
@@ -96,9 +61,14 @@ void write_curves(const std::filesystem::path& path, const SurfaceMesh& mesh,
     cannot_write(path, "no curve format has the extension '" + extension + "'; " + kKnown);
   }
   if (curves.empty()) throw Error(ErrorCode::kBadCurve, "There is no curve to write.");
-  std::vector<WrittenCurve> ready;
-  for (const SurfaceCurve& curve : curves) ready.push_back(placed(mesh, curve, ready.size()));
-  write_file(path, as_ids ? formats::write_txt(path, ready) : writer(ready));
+  write_file(path, as_ids ? formats::write_txt(path, curves) : writer(curves));
+}
+
+void write_curves(const std::filesystem::path& path, const SurfaceMesh& mesh,
+                  std::span<const SurfaceCurve> curves) {
+  std::vector<PlacedCurve> ready;
+  for (const SurfaceCurve& curve : curves) ready.push_back(place(mesh, curve, ready.size()));
+  write_curves(path, ready);
 }
 
 }  // namespace talweg

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "talweg/core/mesh_lists.hpp"
+#include "talweg/core/placed_curve.hpp"
 #include "talweg/core/surface_mesh.hpp"
 #include "talweg/intrinsic/ids.hpp"
 #include "talweg/intrinsic/surface_point.hpp"
@@ -60,5 +61,7 @@ std::vector<CurveInput> read_curves(const std::filesystem::path& path, std::stri
 /// curve, a curve has no points, or a point and the next lie in no common face.
 void write_curves(const std::filesystem::path& path, const SurfaceMesh& mesh,
                   std::span<const SurfaceCurve> curves);
+/// The same for curves that are placed already, as place() does it.
+void write_curves(const std::filesystem::path& path, std::span<const PlacedCurve> curves);
 
 }  // namespace talweg

@@ -17,14 +17,6 @@ struct Source {
   std::string_view bytes;
 };
 
-/// One curve ready to be written: where its points are, on the mesh and in space.
-struct WrittenCurve {
-  bool closed = false;
-  std::vector<SurfacePoint> points;
-  std::vector<FaceCoordinates> faces;  ///< each face contains the point and the next
-  std::vector<Point> positions;
-};
-
 std::vector<CurveInput> read_obj(const Source& source);
 std::vector<CurveInput> read_ply(const Source& source);
 std::vector<CurveInput> read_vtp(const Source& source);
@@ -33,13 +25,13 @@ std::vector<CurveInput> read_txt(const Source& source);
 /// Ours, or Slicer's where the file has `markups`.
 std::vector<CurveInput> read_json(const Source& source);
 
-std::string write_obj(std::span<const WrittenCurve> curves);
-std::string write_ply(std::span<const WrittenCurve> curves);
-std::string write_vtp(std::span<const WrittenCurve> curves);
-std::string write_vtk(std::span<const WrittenCurve> curves);
+std::string write_obj(std::span<const PlacedCurve> curves);
+std::string write_ply(std::span<const PlacedCurve> curves);
+std::string write_vtp(std::span<const PlacedCurve> curves);
+std::string write_vtk(std::span<const PlacedCurve> curves);
 /// Throws Error(kBadFile) where a point is no vertex.
-std::string write_txt(const std::filesystem::path& path, std::span<const WrittenCurve> curves);
-std::string write_json(std::span<const WrittenCurve> curves);
-std::string write_slicer(std::span<const WrittenCurve> curves);
+std::string write_txt(const std::filesystem::path& path, std::span<const PlacedCurve> curves);
+std::string write_json(std::span<const PlacedCurve> curves);
+std::string write_slicer(std::span<const PlacedCurve> curves);
 
 }  // namespace talweg::formats

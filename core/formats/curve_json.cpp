@@ -49,14 +49,14 @@ std::vector<CurveInput> read_json(const Source& source) {
   return result;
 }
 
-std::string write_json(std::span<const WrittenCurve> curves) {
+std::string write_json(std::span<const PlacedCurve> curves) {
   fmt::memory_buffer out;
   const auto to = fmt::appender(out);
   fmt::format_to(to, "{{\"format\": \"talweg-curves\", \"version\": {}, \"curves\": [", kVersion);
   for (std::size_t c = 0; c < curves.size(); ++c) {
-    const WrittenCurve& curve = curves[c];
+    const PlacedCurve& curve = curves[c];
     fmt::format_to(to, "{}\n{{\"closed\": {}, \"points\": [", c > 0 ? "," : "", curve.closed);
-    for (std::size_t k = 0; k < curve.points.size(); ++k) {
+    for (std::size_t k = 0; k < curve.faces.size(); ++k) {
       const auto& b = curve.faces[k].barycentric;
       const Point& p = curve.positions[k];
       fmt::format_to(to,

@@ -65,15 +65,15 @@ std::vector<CurveInput> read_obj(const Source& source) {
   return curves_of(points, std::move(lines));
 }
 
-std::string write_obj(std::span<const WrittenCurve> curves) {
+std::string write_obj(std::span<const PlacedCurve> curves) {
   fmt::memory_buffer out;
-  for (const WrittenCurve& curve : curves) {
+  for (const PlacedCurve& curve : curves) {
     for (const Point& p : curve.positions) {
       fmt::format_to(fmt::appender(out), "v {:.17g} {:.17g} {:.17g}\n", p.x(), p.y(), p.z());
     }
   }
   std::size_t first = 1;
-  for (const WrittenCurve& curve : curves) {
+  for (const PlacedCurve& curve : curves) {
     out.push_back('l');
     for (std::size_t k = 0; k < curve.positions.size(); ++k) {
       fmt::format_to(fmt::appender(out), " {}", first + k);

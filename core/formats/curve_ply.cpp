@@ -173,10 +173,10 @@ class PlyReader {
 
 std::vector<CurveInput> read_ply(const Source& source) { return PlyReader(source).read(); }
 
-std::string write_ply(std::span<const WrittenCurve> curves) {
+std::string write_ply(std::span<const PlacedCurve> curves) {
   std::size_t vertices = 0;
   std::size_t edges = 0;
-  for (const WrittenCurve& curve : curves) {
+  for (const PlacedCurve& curve : curves) {
     vertices += curve.positions.size();
     edges += curve.positions.size() - (curve.closed ? 0 : 1);
   }
@@ -186,13 +186,13 @@ std::string write_ply(std::span<const WrittenCurve> curves) {
                  "property double z\nelement edge {}\nproperty int vertex1\nproperty int vertex2\n"
                  "end_header\n",
                  vertices, edges);
-  for (const WrittenCurve& curve : curves) {
+  for (const PlacedCurve& curve : curves) {
     for (const Point& p : curve.positions) {
       fmt::format_to(fmt::appender(out), "{:.17g} {:.17g} {:.17g}\n", p.x(), p.y(), p.z());
     }
   }
   std::size_t first = 0;
-  for (const WrittenCurve& curve : curves) {
+  for (const PlacedCurve& curve : curves) {
     const std::size_t n = curve.positions.size();
     for (std::size_t k = 0; k + (curve.closed ? 0 : 1) < n; ++k) {
       fmt::format_to(fmt::appender(out), "{} {}\n", first + k, first + (k + 1) % n);

@@ -60,7 +60,7 @@ std::vector<CurveInput> read_slicer(const JsonPlace& root) {
   return curves;
 }
 
-std::string write_slicer(std::span<const WrittenCurve> curves) {
+std::string write_slicer(std::span<const PlacedCurve> curves) {
   fmt::memory_buffer out;
   const auto to = fmt::appender(out);
   fmt::format_to(
@@ -69,7 +69,7 @@ std::string write_slicer(std::span<const WrittenCurve> curves) {
       "Loadable/Markups/Resources/Schema/markups-schema-v1.0.3.json#\",\n"
       "\"markups\": [");
   for (std::size_t c = 0; c < curves.size(); ++c) {
-    const WrittenCurve& curve = curves[c];
+    const PlacedCurve& curve = curves[c];
     fmt::format_to(to,
                    "{}\n{{\"type\": \"{}\", \"coordinateSystem\": \"LPS\", \"coordinateUnits\": "
                    "\"mm\", \"locked\": false, \"fixedNumberOfControlPoints\": false, "

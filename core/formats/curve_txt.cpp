@@ -48,20 +48,20 @@ std::vector<CurveInput> read_txt(const Source& source) {
   return curves;
 }
 
-std::string write_txt(const std::filesystem::path& path, std::span<const WrittenCurve> curves) {
+std::string write_txt(const std::filesystem::path& path, std::span<const PlacedCurve> curves) {
   fmt::memory_buffer out;
   for (std::size_t c = 0; c < curves.size(); ++c) {
     if (c > 0) out.push_back('\n');
-    const std::vector<SurfacePoint>& points = curves[c].points;
-    const std::size_t lines = points.size() + (curves[c].closed ? 1 : 0);
+    const std::vector<VertexId>& vertices = curves[c].vertices;
+    const std::size_t lines = vertices.size() + (curves[c].closed ? 1 : 0);
     for (std::size_t k = 0; k < lines; ++k) {
-      const auto* at = std::get_if<AtVertex>(&points[k % points.size()].where());
-      if (at == nullptr) {
+      const VertexId vertex = vertices[k % vertices.size()];
+      if (!vertex.valid()) {
         cannot_write(path, fmt::format("a .txt holds vertex ids only, and point {} of curve {} is "
                                        "not at a vertex (.json holds any point)",
                                        k, c));
       }
-      fmt::format_to(fmt::appender(out), "{}\n", at->vertex.index());
+      fmt::format_to(fmt::appender(out), "{}\n", vertex.index());
     }
   }
   return fmt::to_string(out);

@@ -212,10 +212,10 @@ class VtkReader {
 
 std::vector<CurveInput> read_vtk(const Source& source) { return VtkReader(source).read(); }
 
-std::string write_vtk(std::span<const WrittenCurve> curves) {
+std::string write_vtk(std::span<const PlacedCurve> curves) {
   std::size_t points = 0;
   std::size_t indices = 0;
-  for (const WrittenCurve& curve : curves) {
+  for (const PlacedCurve& curve : curves) {
     points += curve.positions.size();
     indices += curve.positions.size() + (curve.closed ? 2 : 1);
   }
@@ -223,14 +223,14 @@ std::string write_vtk(std::span<const WrittenCurve> curves) {
   const auto to = fmt::appender(out);
   fmt::format_to(to, "# vtk DataFile Version 3.0\ntalweg curves\nASCII\nDATASET POLYDATA\n");
   fmt::format_to(to, "POINTS {} double\n", points);
-  for (const WrittenCurve& curve : curves) {
+  for (const PlacedCurve& curve : curves) {
     for (const Point& p : curve.positions) {
       fmt::format_to(to, "{:.17g} {:.17g} {:.17g}\n", p.x(), p.y(), p.z());
     }
   }
   fmt::format_to(to, "LINES {} {}\n", curves.size(), indices);
   std::size_t first = 0;
-  for (const WrittenCurve& curve : curves) {
+  for (const PlacedCurve& curve : curves) {
     const std::size_t n = curve.positions.size();
     fmt::format_to(to, "{}", n + (curve.closed ? 1 : 0));
     for (std::size_t k = 0; k < n; ++k) fmt::format_to(to, " {}", first + k);
@@ -239,11 +239,11 @@ std::string write_vtk(std::span<const WrittenCurve> curves) {
     first += n;
   }
   fmt::format_to(to, "POINT_DATA {}\nFIELD FieldData 2\nface 1 {} int\n", points, points);
-  for (const WrittenCurve& curve : curves) {
+  for (const PlacedCurve& curve : curves) {
     for (const FaceCoordinates& at : curve.faces) fmt::format_to(to, "{}\n", at.face.index());
   }
   fmt::format_to(to, "barycentric 3 {} double\n", points);
-  for (const WrittenCurve& curve : curves) {
+  for (const PlacedCurve& curve : curves) {
     for (const FaceCoordinates& at : curve.faces) {
       const auto& b = at.barycentric;
       fmt::format_to(to, "{:.17g} {:.17g} {:.17g}\n", b[0], b[1], b[2]);

@@ -195,9 +195,9 @@ class VtpReader {
 
 std::vector<CurveInput> read_vtp(const Source& source) { return VtpReader(source).read(); }
 
-std::string write_vtp(std::span<const WrittenCurve> curves) {
+std::string write_vtp(std::span<const PlacedCurve> curves) {
   std::size_t points = 0;
-  for (const WrittenCurve& curve : curves) points += curve.positions.size();
+  for (const PlacedCurve& curve : curves) points += curve.positions.size();
   fmt::memory_buffer out;
   const auto to = fmt::appender(out);
   fmt::format_to(to,
@@ -217,23 +217,23 @@ std::string write_vtp(std::span<const WrittenCurve> curves) {
   };
   fmt::format_to(to, "<PointData>\n");
   open_array("Int64", "face", 1);
-  for (const WrittenCurve& curve : curves) {
+  for (const PlacedCurve& curve : curves) {
     for (const FaceCoordinates& at : curve.faces) fmt::format_to(to, "{}\n", at.face.index());
   }
   fmt::format_to(to, "</DataArray>\n");
   open_array("Float64", "barycentric", 3);
-  for (const WrittenCurve& curve : curves) {
+  for (const PlacedCurve& curve : curves) {
     for (const FaceCoordinates& at : curve.faces) put_triple(at.barycentric);
   }
   fmt::format_to(to, "</DataArray>\n</PointData>\n<Points>\n");
   open_array("Float64", "Points", 3);
-  for (const WrittenCurve& curve : curves) {
+  for (const PlacedCurve& curve : curves) {
     for (const Point& p : curve.positions) put_triple(p);
   }
   fmt::format_to(to, "</DataArray>\n</Points>\n<Lines>\n");
   open_array("Int64", "connectivity", 1);
   std::size_t first = 0;
-  for (const WrittenCurve& curve : curves) {
+  for (const PlacedCurve& curve : curves) {
     const std::size_t n = curve.positions.size();
     for (std::size_t k = 0; k < n; ++k) fmt::format_to(to, "{} ", first + k);
     if (curve.closed) fmt::format_to(to, "{}", first);
@@ -243,7 +243,7 @@ std::string write_vtp(std::span<const WrittenCurve> curves) {
   fmt::format_to(to, "</DataArray>\n");
   open_array("Int64", "offsets", 1);
   std::size_t end = 0;
-  for (const WrittenCurve& curve : curves) {
+  for (const PlacedCurve& curve : curves) {
     end += curve.positions.size() + (curve.closed ? 1 : 0);
     fmt::format_to(to, "{}\n", end);
   }
