@@ -1,0 +1,34 @@
+// Curves as a host gives them, put on a mesh.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "talweg/core/snapping.hpp"
+#include "talweg/core/straight_lines.hpp"
+#include "talweg/core/surface_mesh.hpp"
+#include "talweg/plugin/talweg_plugin.h"
+
+namespace talweg::plugins {
+
+/// Reads what a host gives, into memory of our own; nothing is checked against a mesh.
+/// Throws plugin::Failure(TALWEG_BAD_USAGE) for an array that cannot be read, or when there are not
+/// as many barycentrics as faces, and TALWEG_BAD_CURVE when there are no points.
+CurveInput input_of(const talweg_curve& curve);
+
+struct Drawing {
+  std::vector<SurfaceCurve> curves;
+  std::vector<SurfacePoint> pins;
+  double largest_snap_distance = 0;  ///< by which a position was moved onto the mesh, mesh units
+};
+
+/// Snaps the curves to the mesh and joins their points straight over the surface.
+/// Throws Error as snap() and StraightLines::join() do.
+Drawing drawing_of(const SurfaceMesh& mesh, StraightLines& lines,
+                   std::span<const talweg_curve* const> curves, const SnapOptions& options = {});
+
+/// The sentence that tells of a curve that was moved onto the mesh; empty if it was not.
+std::string snap_warning(const Drawing& drawing);
+
+}  // namespace talweg::plugins

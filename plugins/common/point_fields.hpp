@@ -1,0 +1,27 @@
+// Values along a curve and over a mesh that hosts show as colours.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "results.hpp"
+#include "talweg/core/surface_mesh.hpp"
+#include "talweg/intrinsic/surface_point.hpp"
+
+namespace talweg::plugins {
+
+/// Distance along the surface of each point of the result to the drawing, mesh units; infinite
+/// where it cannot be reached. O(mesh) memory, and what lies within the largest deviation.
+PointField deviation_field(const SurfaceMesh& mesh, const SurfaceCurve& drawn,
+                           const SurfaceCurve& result);
+
+/// Turning angle at each point, radians; 0 at the ends of an open curve.
+PointField curvature_field(const SurfaceMesh& mesh, const SurfaceCurve& curve);
+
+/// Exact distance along the surface of each vertex to the nearest of the curves, mesh units;
+/// infinite where none can be reached. Throws plugin::Services::cancelled().
+std::vector<double> exact_distance_field(const Surface& surface,
+                                         std::span<const SurfaceCurve> curves,
+                                         const plugin::Services& services);
+
+}  // namespace talweg::plugins

@@ -1,0 +1,55 @@
+// What every plugin on curves begins with: a mesh, opened, and a drawing on it.
+#pragma once
+
+#include <exception>
+#include <memory>
+#include <optional>
+#include <span>
+
+#include "drawing.hpp"
+#include "talweg/core/opened_mesh.hpp"
+#include "talweg/core/straight_lines.hpp"
+#include "talweg/intrinsic/progress.hpp"
+#include "talweg/plugin/talweg_plugin.hpp"
+
+namespace talweg::plugins {
+
+/// Copies the host's arrays, once, and opens them. Throws plugin::Failure(TALWEG_BAD_MESH) for
+/// arrays that cannot be read, Error(kBadMesh) as OpenedMesh::open() does.
+std::shared_ptr<const OpenedMesh> opened(const talweg_mesh& mesh);
+
+/// Base of the plugin classes (talweg_plugin.hpp).
+class Workspace {
+ public:
+  explicit Workspace(const plugin::Services& services) : services_(&services) {}
+
+  void set_mesh(const talweg_mesh& mesh) { use(opened(mesh)); }
+  void share_mesh(const Workspace& other) { use(other.mesh_); }
+  void set_curves(std::span<const talweg_curve* const> curves) { draw(curves, {}); }
+
+  static talweg_status status_of(const std::exception& error);
+
+ protected:
+  void draw(std::span<const talweg_curve* const> curves, const SnapOptions& options);
+
+  [[nodiscard]] const SurfaceMesh& mesh() const { return mesh_->mesh(); }
+  [[nodiscard]] const std::shared_ptr<const OpenedMesh>& opened_mesh() const { return mesh_; }
+  [[nodiscard]] StraightLines& lines();
+  [[nodiscard]] const Drawing& drawing() const { return drawing_; }
+  /// Counts the drawings and meshes that were set; a change of the drawing's pins alone does not.
+  [[nodiscard]] std::uint64_t drawings() const { return drawings_; }
+  [[nodiscard]] const plugin::Services& services() const { return *services_; }
+  /// For the library's calls; refers to the services.
+  [[nodiscard]] Progress progress() const;
+
+ private:
+  void use(std::shared_ptr<const OpenedMesh> mesh);
+
+  const plugin::Services* services_;
+  std::shared_ptr<const OpenedMesh> mesh_;
+  std::optional<StraightLines> lines_;  // made when first needed
+  Drawing drawing_;
+  std::uint64_t drawings_ = 0;
+};
+
+}  // namespace talweg::plugins

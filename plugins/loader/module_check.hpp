@@ -1,0 +1,15 @@
+// Whether a loaded library is a plugin that this host can use.
+#pragma once
+
+#include <string>
+
+#include "talweg/plugin/talweg_plugin.h"
+
+namespace talweg::loader {
+
+/// Empty when a host of this interface version can use the module and everything that it describes
+/// is there; else one sentence that says what is wrong. `module` may be null.
+std::string objection(const talweg_module* module, std::uint32_t host_major,
+                      std::uint32_t host_minor);
+
+}  // namespace talweg::loader

@@ -1,0 +1,26 @@
+// One shared library, loaded as long as the object lives.
+#pragma once
+
+#include <string>
+
+namespace talweg::loader {
+
+class SharedLibrary {
+ public:
+  /// Throws std::runtime_error with one sentence that says why the file cannot be loaded: no
+  /// library, of another kind of machine, cut off, needs what is not there.
+  explicit SharedLibrary(const std::string& path);
+  ~SharedLibrary();
+  SharedLibrary(SharedLibrary&& other) noexcept : handle_(other.handle_) {
+    other.handle_ = nullptr;
+  }
+  SharedLibrary& operator=(SharedLibrary&&) = delete;
+
+  /// Null where there is no such symbol.
+  [[nodiscard]] void* symbol(const char* name) const;
+
+ private:
+  void* handle_ = nullptr;
+};
+
+}  // namespace talweg::loader

@@ -1,0 +1,385 @@
+// The interface against hosts that do everything wrong: a status each time, no crash, no leak.
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+#include <limits>
+#include <new>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "plugins/plugin_runs.hpp"
+
+namespace talweg {
+namespace {
+
+/// Every plugin of this build.
+std::vector<const talweg_plugin*> all_plugins() {
+  static const test::Loader loader = test::open_loader();
+  std::vector<const talweg_plugin*> plugins;
+  for (std::uint64_t k = 0; k < talweg_loader_count(loader.get()); ++k) {
+    plugins.push_back(talweg_loader_plugin(loader.get(), k));
+  }
+  return plugins;
+}
+
+class Interface : public testing::TestWithParam<const talweg_plugin*> {
+ protected:
+  Interface() : plugin_(*GetParam()) { plugin_.create(nullptr, &instance_); }
+  ~Interface() override { plugin_.destroy(instance_); }
+
+  /// Refused with this status and a sentence.
+  void expect(talweg_status expected, talweg_status status, const char* what) const {
+    EXPECT_EQ(status, expected) << what << ": " << plugin_.last_error(instance_);
+    EXPECT_STRNE(plugin_.last_error(instance_), "") << what;
+  }
+  [[nodiscard]] talweg_mesh mesh() const {
+    return {sizeof(talweg_mesh), 0,
+            host::view(subject_.lists.points.front().data(), subject_.lists.points.size(), 3),
+            host::view(subject_.lists.triangles.front().data(), subject_.lists.triangles.size(), 3),
+            nullptr};
+  }
+  void set_up() {
+    const talweg_mesh good = mesh();
+    ASSERT_EQ(plugin_.set_mesh(instance_, &good), TALWEG_OK);
+    const talweg_curve curve = this->curve();
+    const talweg_curve* list[] = {&curve};
+    ASSERT_EQ(plugin_.set_curves(instance_, list, 1), TALWEG_OK) << plugin_.last_error(instance_);
+  }
+  [[nodiscard]] talweg_curve curve() const {
+    talweg_curve c = {};
+    c.size = sizeof c;
+    c.vertices = host::view(vertices_.data(), vertices_.size());
+    return c;
+  }
+
+  test::Subject subject_;
+  std::vector<std::uint32_t> vertices_ = {200, 201, 202, 243, 284};
+  const talweg_plugin& plugin_;
+  talweg_instance* instance_ = nullptr;
+};
+
+TEST_P(Interface, DescribesItself) {
+  EXPECT_GE(plugin_.parameter_count, 1U);
+  EXPECT_GE(plugin_.output_count, 1U);
+  for (std::uint32_t k = 0; k < plugin_.parameter_count; ++k) {
+    const talweg_parameter& p = *plugin_.parameters[k];
+    EXPECT_STRNE(p.label, "") << p.id;
+    EXPECT_STRNE(p.doc, "") << p.id;
+    EXPECT_LE(p.soft_minimum, p.soft_maximum) << p.id;
+    EXPECT_GE(p.soft_minimum, p.minimum) << p.id;
+    EXPECT_LE(p.soft_maximum, p.maximum) << p.id;
+  }
+}
+
+TEST_P(Interface, DefaultsCanBeSet) {
+  set_up();
+  for (std::uint32_t k = 0; k < plugin_.parameter_count; ++k) {
+    const talweg_parameter& p = *plugin_.parameters[k];
+    if (p.type == TALWEG_CHOICE) {
+      EXPECT_EQ(plugin_.set_choice(instance_, p.id, p.default_choice), TALWEG_OK) << p.id;
+    } else if (p.type <= TALWEG_BOOLEAN && (p.flags & TALWEG_OPTIONAL) == 0) {
+      EXPECT_EQ(plugin_.set_number(instance_, p.id, p.default_number), TALWEG_OK) << p.id;
+    }
+    EXPECT_EQ(plugin_.reset(instance_, p.id), TALWEG_OK) << p.id;
+  }
+  talweg_sink sink = {};
+  sink.size = sizeof sink;
+  EXPECT_EQ(plugin_.run(instance_, &sink), TALWEG_OK) << plugin_.last_error(instance_);
+  EXPECT_STREQ(plugin_.last_error(instance_), "");
+}
+
+TEST_P(Interface, NullAtEveryArgument) {
+  const talweg_plugin& p = plugin_;
+  const talweg_mesh good = mesh();
+  const talweg_curve curve = this->curve();
+  const talweg_curve* list[] = {&curve};
+  const talweg_curve* nulls[] = {nullptr};
+  talweg_sink sink = {};
+  sink.size = sizeof sink;
+  const talweg_array array = plugin::kNoArray;
+
+  EXPECT_NE(p.create(nullptr, nullptr), TALWEG_OK);
+  p.destroy(nullptr);
+  p.cancel(nullptr);
+  EXPECT_NE(p.last_error(nullptr), nullptr);
+  EXPECT_NE(p.set_mesh(nullptr, &good), TALWEG_OK);
+  EXPECT_NE(p.share_mesh(nullptr, instance_), TALWEG_OK);
+  EXPECT_NE(p.set_curves(nullptr, list, 1), TALWEG_OK);
+  EXPECT_NE(p.set_number(nullptr, "tau", 1), TALWEG_OK);
+  EXPECT_NE(p.set_choice(nullptr, "potential", "paper"), TALWEG_OK);
+  EXPECT_NE(p.set_array(nullptr, "pin", &array), TALWEG_OK);
+  EXPECT_NE(p.reset(nullptr, "tau"), TALWEG_OK);
+  EXPECT_NE(p.run(nullptr, &sink), TALWEG_OK);
+  EXPECT_EQ(p.get_extension("nonsense"), nullptr);
+  EXPECT_EQ(p.get_extension(nullptr), nullptr);
+
+  expect(TALWEG_BAD_USAGE, p.set_mesh(instance_, nullptr), "mesh");
+  expect(TALWEG_BAD_USAGE, p.share_mesh(instance_, nullptr), "other");
+  expect(TALWEG_BAD_USAGE, p.share_mesh(instance_, instance_), "itself, without a mesh");
+  expect(TALWEG_BAD_USAGE, p.run(instance_, &sink), "no mesh");
+  expect(TALWEG_BAD_USAGE, p.set_curves(instance_, list, 1), "curves before the mesh");
+  ASSERT_EQ(p.set_mesh(instance_, &good), TALWEG_OK);
+  expect(TALWEG_BAD_USAGE, p.run(instance_, &sink), "no curves");
+  expect(TALWEG_BAD_USAGE, p.set_curves(instance_, nullptr, 1), "list");
+  expect(TALWEG_BAD_USAGE, p.set_curves(instance_, list, 0), "none");
+  expect(TALWEG_BAD_USAGE, p.set_curves(instance_, nulls, 1), "null in the list");
+  expect(TALWEG_BAD_USAGE, p.set_curves(instance_, list, UINT64_MAX), "too many");
+  expect(TALWEG_BAD_USAGE, p.run(instance_, nullptr), "sink");
+  expect(TALWEG_BAD_USAGE, p.set_number(instance_, nullptr, 1), "id");
+  expect(TALWEG_BAD_USAGE, p.set_choice(instance_, nullptr, "a"), "id");
+  expect(TALWEG_BAD_USAGE, p.set_array(instance_, nullptr, &array), "id");
+  expect(TALWEG_BAD_USAGE, p.reset(instance_, nullptr), "id");
+  for (std::uint32_t k = 0; k < p.parameter_count; ++k) {
+    const char* id = p.parameters[k]->id;
+    expect(TALWEG_BAD_USAGE, p.set_choice(instance_, id, nullptr), id);
+    expect(TALWEG_BAD_USAGE, p.set_array(instance_, id, nullptr), id);
+  }
+}
+
+TEST_P(Interface, NonsenseInParameters) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  for (std::uint32_t k = 0; k < plugin_.parameter_count; ++k) {
+    const talweg_parameter& p = *plugin_.parameters[k];
+    for (const double value : {std::nan(""), kInfinity, -kInfinity}) {
+      expect(TALWEG_BAD_USAGE, plugin_.set_number(instance_, p.id, value), p.id);
+    }
+    expect(TALWEG_BAD_USAGE, plugin_.set_choice(instance_, p.id, "nonsense"), p.id);
+    const double real[] = {0.5};
+    const talweg_array bad[] = {{nullptr, 3, 0, 1, TALWEG_FLOAT64},
+                                {real, 1, 0, 1, 77},
+                                {real, 1, 0, 2, TALWEG_FLOAT64},
+                                {real, 1, 3, 1, TALWEG_FLOAT64},
+                                {real, UINT64_MAX, 0, 1, TALWEG_FLOAT64}};
+    for (const talweg_array& array : bad) {
+      expect(TALWEG_BAD_USAGE, plugin_.set_array(instance_, p.id, &array), p.id);
+    }
+    if (std::isfinite(p.minimum) && p.type <= TALWEG_INTEGER) {
+      expect(TALWEG_BAD_USAGE, plugin_.set_number(instance_, p.id, p.minimum - 1), p.id);
+    }
+    if (std::isfinite(p.maximum) && p.type <= TALWEG_INTEGER) {
+      expect(TALWEG_BAD_USAGE, plugin_.set_number(instance_, p.id, p.maximum + 1), p.id);
+    }
+  }
+  expect(TALWEG_BAD_USAGE, plugin_.set_number(instance_, "", 1), "empty id");
+  expect(TALWEG_BAD_USAGE, plugin_.reset(instance_, std::string(100000, 'x').c_str()), "long id");
+}
+
+TEST_P(Interface, NonsenseInMeshes) {
+  const talweg_mesh good = mesh();
+  const auto refuse = [&](talweg_status expected, const char* what, auto change) {
+    talweg_mesh bad = good;
+    change(bad);
+    expect(expected, plugin_.set_mesh(instance_, &bad), what);
+  };
+  refuse(TALWEG_BAD_USAGE, "size", [](talweg_mesh& m) { m.size = 8; });
+  refuse(TALWEG_BAD_MESH, "no points", [](talweg_mesh& m) { m.positions.rows = 0; });
+  refuse(TALWEG_BAD_MESH, "no triangles", [](talweg_mesh& m) { m.triangles.rows = 0; });
+  refuse(TALWEG_BAD_MESH, "fewer points", [](talweg_mesh& m) { m.positions.rows = 10; });
+  refuse(TALWEG_BAD_MESH, "null points", [](talweg_mesh& m) { m.positions.data = nullptr; });
+  refuse(TALWEG_BAD_MESH, "null triangles", [](talweg_mesh& m) { m.triangles.data = nullptr; });
+  refuse(TALWEG_BAD_MESH, "rows", [](talweg_mesh& m) { m.positions.rows = UINT64_MAX / 2; });
+  refuse(TALWEG_BAD_MESH, "rows", [](talweg_mesh& m) { m.triangles.rows = UINT32_MAX; });
+  refuse(TALWEG_BAD_MESH, "columns", [](talweg_mesh& m) { m.positions.columns = 2; });
+  refuse(TALWEG_BAD_MESH, "columns", [](talweg_mesh& m) { m.triangles.columns = 0; });
+  refuse(TALWEG_BAD_MESH, "type", [](talweg_mesh& m) { m.positions.type = 0; });
+  refuse(TALWEG_BAD_MESH, "stride", [](talweg_mesh& m) { m.positions.stride = 1; });
+  refuse(TALWEG_BAD_MESH, "stride", [](talweg_mesh& m) { m.triangles.stride = UINT64_MAX; });
+  refuse(TALWEG_BAD_MESH, "real indices", [](talweg_mesh& m) { m.triangles = m.positions; });
+  const std::int32_t negative[] = {0, 1, -2};
+  refuse(TALWEG_BAD_MESH, "negative index", [&](talweg_mesh& m) {
+    m.triangles = {negative, 1, 0, 3, TALWEG_INT32};
+  });
+  const std::int64_t large[] = {0, 1, std::int64_t{1} << 40};
+  refuse(TALWEG_BAD_MESH, "large index", [&](talweg_mesh& m) {
+    m.triangles = {large, 1, 0, 3, TALWEG_INT64};
+  });
+  const double nan[] = {0, 0, 0, 1, 0, 0, 0, std::nan(""), 0};
+  const std::uint32_t triangle[] = {0, 1, 2};
+  refuse(TALWEG_BAD_MESH, "NaN", [&](talweg_mesh& m) {
+    m.positions = host::view(nan, 3, 3);
+    m.triangles = host::view(triangle, 1, 3);
+  });
+}
+
+TEST_P(Interface, NonsenseInCurves) {
+  set_up();
+  const auto refuse = [&](const char* what, auto change) {
+    talweg_curve bad = curve();
+    change(bad);
+    const talweg_curve* list[] = {&bad};
+    const talweg_status status = plugin_.set_curves(instance_, list, 1);
+    EXPECT_TRUE(status == TALWEG_BAD_USAGE || status == TALWEG_BAD_CURVE) << what << " " << status;
+    EXPECT_STRNE(plugin_.last_error(instance_), "") << what;
+  };
+  refuse("size", [](talweg_curve& c) { c.size = 16; });
+  refuse("closed", [](talweg_curve& c) { c.closed = 2; });
+  refuse("no points", [](talweg_curve& c) { c.vertices.rows = 0; });
+  refuse("one point", [](talweg_curve& c) { c.vertices.rows = 1; });
+  refuse("null", [](talweg_curve& c) { c.vertices.data = nullptr; });
+  refuse("type", [](talweg_curve& c) { c.vertices.type = TALWEG_FLOAT64; });
+  refuse("columns", [](talweg_curve& c) { c.vertices.columns = 3; });
+  const std::uint32_t none[] = {1, 99999}, twice[] = {200, 201, 200}, faces[] = {1, 2};
+  const double positions[] = {0, 0, 0, std::nan(""), 0, 0}, outside[] = {2, -1, 0, 0, 0, 1};
+  refuse("no such vertex", [&](talweg_curve& c) { c.vertices = host::view(none, 2); });
+  refuse("twice", [&](talweg_curve& c) { c.vertices = host::view(twice, 3); });
+  refuse("NaN", [&](talweg_curve& c) {
+    c.vertices.rows = 0;
+    c.positions = host::view(positions, 2, 3);
+  });
+  refuse("no barycentrics", [&](talweg_curve& c) {
+    c.vertices.rows = 0;
+    c.faces = host::view(faces, 2);
+  });
+  refuse("outside", [&](talweg_curve& c) {
+    c.vertices.rows = 0;
+    c.faces = host::view(faces, 2);
+    c.barycentrics = host::view(outside, 2, 3);
+  });
+  refuse("no such face", [&](talweg_curve& c) {
+    c.vertices.rows = 0;
+    c.faces = host::view(none, 2);
+    c.barycentrics = host::view(outside, 2, 3);
+  });
+  refuse("no such pin", [&](talweg_curve& c) { c.pins = host::view(none, 2); });
+  refuse("real pins", [&](talweg_curve& c) { c.pins = host::view(positions, 1); });
+
+  talweg_sink sink = {};  // the good curve is still set
+  sink.size = sizeof sink;
+  EXPECT_EQ(plugin_.run(instance_, &sink), TALWEG_OK) << plugin_.last_error(instance_);
+  sink.size = 4;
+  expect(TALWEG_BAD_USAGE, plugin_.run(instance_, &sink), "size of the sink");
+}
+
+/// Counts what it is given, and fails at the n-th.
+struct FailingSink {
+  int fails_at = 1 << 30;
+  int given = 0;
+  bool throws = false;
+
+  talweg_status next() {
+    if (++given < fails_at) return TALWEG_OK;
+    if (throws) throw std::runtime_error("a host in C++ that forgot itself");
+    return TALWEG_INTERNAL;
+  }
+  [[nodiscard]] talweg_sink sink() {
+    talweg_sink s = {};
+    s.size = sizeof s;
+    s.wants = TALWEG_WANT_POINT_FIELDS;
+    s.context = this;
+    s.curve = [](void* own, const talweg_curve*) { return static_cast<FailingSink*>(own)->next(); };
+    s.field = [](void* own, const talweg_field*) { return static_cast<FailingSink*>(own)->next(); };
+    s.report = [](void* own, const talweg_report_entry*) {
+      return static_cast<FailingSink*>(own)->next();
+    };
+    return s;
+  }
+};
+
+TEST_P(Interface, SinksThatFailEndTheRun) {
+  set_up();
+  FailingSink all;
+  talweg_sink sink = all.sink();
+  ASSERT_EQ(plugin_.run(instance_, &sink), TALWEG_OK) << plugin_.last_error(instance_);
+  ASSERT_GT(all.given, 0);
+  for (int k = 1; k <= all.given; k += 1 + all.given / 20) {
+    for (const bool throws : {false, true}) {
+      FailingSink failing{k, 0, throws};
+      sink = failing.sink();
+      const talweg_status status = plugin_.run(instance_, &sink);
+      EXPECT_EQ(status,
+                throws ? talweg_status{TALWEG_INTERNAL} : talweg_status{TALWEG_HOST_FAILED});
+      EXPECT_EQ(failing.given, k) << "nothing is given after a failure";
+    }
+  }
+  FailingSink again;
+  sink = again.sink();
+  EXPECT_EQ(plugin_.run(instance_, &sink), TALWEG_OK);
+  EXPECT_EQ(again.given, all.given);
+}
+
+TEST_P(Interface, ACallFromACallbackIsRefused) {
+  set_up();
+  struct Context {
+    const talweg_plugin& plugin;
+    talweg_instance* instance;
+    int refused = 0;
+  } context{plugin_, instance_};
+  talweg_sink sink = {};
+  sink.size = sizeof sink;
+  sink.context = &context;
+  sink.report = [](void* own, const talweg_report_entry*) -> talweg_status {
+    auto& c = *static_cast<Context*>(own);
+    talweg_sink inner = {};
+    inner.size = sizeof inner;
+    if (c.plugin.run(c.instance, &inner) == TALWEG_BAD_USAGE) ++c.refused;
+    if (c.plugin.reset(c.instance, c.plugin.parameters[0]->id) == TALWEG_BAD_USAGE) ++c.refused;
+    EXPECT_STRNE(c.plugin.last_error(c.instance), "");
+    return TALWEG_OK;
+  };
+  sink.curve = [](void* own, const talweg_curve*) -> talweg_status {
+    ++static_cast<Context*>(own)->refused;
+    return TALWEG_OK;
+  };
+  EXPECT_EQ(plugin_.run(instance_, &sink), TALWEG_OK);
+  EXPECT_GT(context.refused, 0);
+}
+
+TEST_P(Interface, HostsMayOfferNothing) {
+  const auto null_extension = [](const talweg_host*, const char*) -> const void* {
+    return nullptr;
+  };
+  const auto small = [](const talweg_host*, const char*) -> const void* {
+    static const std::uint32_t size = 4;
+    return &size;
+  };
+  const auto empty = [](const talweg_host*, const char* id) -> const void* {
+    static const talweg_host_log log = {sizeof log, nullptr};
+    static const talweg_host_progress progress = {sizeof progress, nullptr};
+    return std::strcmp(id, TALWEG_HOST_LOG) == 0 ? static_cast<const void*>(&log) : &progress;
+  };
+  using Get = const void* (*)(const talweg_host*, const char*);
+  for (const Get get : {Get{nullptr}, Get{null_extension}, Get{small}, Get{empty}}) {
+    talweg_host host = {};
+    host.size = sizeof host;
+    host.interface_major = TALWEG_INTERFACE_MAJOR;
+    host.get_extension = get;
+    plugin_.destroy(instance_);
+    ASSERT_EQ(plugin_.create(&host, &instance_), TALWEG_OK);
+    set_up();
+    FailingSink all;
+    const talweg_sink sink = all.sink();
+    EXPECT_EQ(plugin_.run(instance_, &sink), TALWEG_OK);
+    plugin_.destroy(instance_);  // before the host goes
+    instance_ = nullptr;
+  }
+  talweg_host small_host = {};
+  small_host.size = 4;
+  EXPECT_EQ(plugin_.create(&small_host, &instance_), TALWEG_BAD_USAGE);
+  EXPECT_EQ(instance_, nullptr);
+}
+
+TEST_P(Interface, InstancesOfOtherPluginsAreNoticed) {
+  for (const talweg_plugin* other : all_plugins()) {
+    if (other == &plugin_) continue;
+    talweg_instance* foreign = nullptr;
+    ASSERT_EQ(other->create(nullptr, &foreign), TALWEG_OK);
+    EXPECT_EQ(plugin_.share_mesh(instance_, foreign), TALWEG_BAD_USAGE);
+    EXPECT_EQ(plugin_.reset(foreign, "tau"), TALWEG_BAD_USAGE);
+    plugin_.cancel(foreign);
+    plugin_.destroy(foreign);  // not this plugin's
+    other->destroy(foreign);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Plugins, Interface, testing::ValuesIn(all_plugins()),
+                         [](const auto& tested) {
+                           std::string name = tested.param->id;
+                           for (char& c : name) c = c == '.' ? '_' : c;
+                           return name;
+                         });
+
+}  // namespace
+}  // namespace talweg
