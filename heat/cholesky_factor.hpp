@@ -11,19 +11,16 @@ namespace talweg {
 
 /// The fill-reducing ordering and the shape of the factor of every matrix with one pattern.
 /// Immutable and cheap to copy (shared); any number of threads may factor from it.
-///
-/// Nested dissection (METIS) where CHOLMOD has it, else minimum degree (AMD). METIS draws from the
-/// process's random numbers, which it seeds itself; analyses therefore run one at a time, and the
-/// same pattern gives the same ordering unless other code calls rand() in the meantime.
+/// The same pattern gives the same ordering, with the reserve of fill_reducing_order().
 class SymbolicFactor {
  public:
-  /// Only the pattern is looked at. Throws Error(kOutOfMemory) when memory runs out or the factor
-  /// would have 2^31 entries or more, Error(kNumerical) when the pattern is not as SymmetricMatrix
-  /// demands.
+  /// Only the pattern is looked at. Throws Error(kOutOfMemory) when memory runs out,
+  /// Error(kNumerical) when the pattern is not as SymmetricMatrix demands.
   explicit SymbolicFactor(const SymmetricMatrix& pattern);
 
   [[nodiscard]] std::size_t size() const;
-  /// Entries of the triangular factor.
+  /// Numbers stored for the factor, 8 bytes each: its entries and the zeros between them that make
+  /// its blocks regular.
   [[nodiscard]] std::size_t factor_entries() const;
 
  private:
@@ -32,8 +29,8 @@ class SymbolicFactor {
   std::shared_ptr<const Impl> impl_;
 };
 
-/// The factor L of P A Pᵀ = L Lᵀ, A symmetric positive definite; simplicial, so the same bytes on
-/// every run. Holds 12 bytes per factor entry.
+/// The factor L of P A Pᵀ = L Lᵀ, A symmetric positive definite, in dense blocks of columns with
+/// equal structure. One thread, every sum in a fixed order: the same bytes on every run.
 class CholeskyFactor {
  public:
   /// `matrix` must have the pattern that was analysed. Throws Error(kNumerical) when an entry is
@@ -45,7 +42,8 @@ class CholeskyFactor {
   CholeskyFactor& operator=(CholeskyFactor&&) noexcept;
 
   [[nodiscard]] std::size_t size() const;
-  /// The x with A x = b; b has size() entries. O(factor entries). Any number of threads may solve
+  /// The x with A x = b; b has size() entries. O(factor entries); where b is 0 nearly everywhere,
+  /// half of that, since blocks that no entry reaches are skipped. Any number of threads may solve
   /// with one factor at the same time: each call has its own workspace.
   /// Throws Error(kBadUsage) for a b of another size, Error(kOutOfMemory) when memory runs out.
   [[nodiscard]] std::vector<double> solve(const std::vector<double>& b) const;

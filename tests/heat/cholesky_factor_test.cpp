@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "talweg/intrinsic/error.hpp"
+#include "test_matrices.hpp"
 
 namespace talweg {
 namespace {
@@ -66,6 +67,44 @@ TEST(CholeskyFactor, SeveralMatricesShareOneAnalysis) {
     const std::vector<double> solved = factor.solve(multiply(matrix, x));
     for (std::size_t j = 0; j < 50; ++j) EXPECT_NEAR(solved[j], x[j], 1e-12);
   }
+}
+
+TEST(CholeskyFactor, GridsOfManySizes) {
+  for (const std::size_t side : {1, 2, 5, 17, 40, 130}) {
+    const SymmetricMatrix matrix = test::grid_matrix(side, 4);
+    const CholeskyFactor factor(SymbolicFactor(matrix), matrix);
+    std::vector<double> x(matrix.size());
+    for (std::size_t j = 0; j < x.size(); ++j) x[j] = std::sin(static_cast<double>(j));
+    const std::vector<double> solved = factor.solve(multiply(matrix, x));
+    // Condition number (2 (side + 1) / π)² · 2 at most.
+    const double tolerance = 1e-15 * static_cast<double>((side + 1) * (side + 1));
+    for (std::size_t j = 0; j < x.size(); ++j) EXPECT_NEAR(solved[j], x[j], 10 * tolerance);
+  }
+}
+
+TEST(CholeskyFactor, ZerosOfTheRightHandSideAreSkippedWithoutATrace) {
+  // With one entry not 0 most blocks are skipped; with a tiny one everywhere none is.
+  const SymmetricMatrix matrix = test::grid_matrix(60, 5);
+  const CholeskyFactor factor(SymbolicFactor(matrix), matrix);
+  for (const std::size_t at : {std::size_t{0}, std::size_t{1777}, matrix.size() - 1}) {
+    std::vector<double> sparse(matrix.size(), 0.0), full(matrix.size(), 1e-300);
+    sparse[at] = full[at] = 1;
+    EXPECT_EQ(factor.solve(sparse)[at], factor.solve(full)[at]);
+    const std::vector<double> x = factor.solve(sparse), y = factor.solve(full);
+    for (std::size_t j = 0; j < x.size(); ++j) EXPECT_NEAR(x[j], y[j], 1e-17) << at;
+  }
+  EXPECT_EQ(factor.solve(std::vector<double>(matrix.size(), 0.0)),
+            std::vector<double>(matrix.size(), 0.0));
+}
+
+TEST(CholeskyFactor, SameBytesEveryTime) {
+  const SymmetricMatrix matrix = test::grid_matrix(80, 4.1);
+  std::vector<double> b(matrix.size());
+  for (std::size_t j = 0; j < b.size(); ++j) b[j] = std::cos(static_cast<double>(j));
+  const auto solve = [&] { return CholeskyFactor(SymbolicFactor(matrix), matrix).solve(b); };
+  const std::vector<double> first = solve();
+  const std::vector<char> shift(100001);  // other addresses for what comes next
+  EXPECT_EQ(solve(), first);
 }
 
 TEST(CholeskyFactor, IndefiniteMatrixIsAnErrorInWordsWithItsColumn) {
