@@ -1,6 +1,7 @@
 #include "talweg/core/edge_length_near.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <vector>
 
 namespace talweg {
@@ -46,22 +47,34 @@ std::vector<VertexId> vertices_at(const Surface& surface, const SurfaceCurve& cu
 }  // namespace
 
 double edge_length_near(const Surface& surface, const SurfaceCurve& curve) {
-  std::vector<VertexId> near = vertices_at(surface, curve);
-  for (int ring = 0; ring < 2; ++ring) {
-    std::vector<VertexId> more = near;
-    for (const VertexId v : near) {
+  std::vector<VertexId> near = vertices_at(surface, curve), ring = near;
+  for (int k = 0; k < 2; ++k) {
+    std::vector<VertexId> more;
+    for (const VertexId v : ring) {
       for_spokes(surface, v, [&](HalfedgeId h) { more.push_back(surface.head(h)); });
     }
-    near = std::move(more);
-    make_unique(near);
+    make_unique(more);
+    ring.clear();
+    std::set_difference(more.begin(), more.end(), near.begin(), near.end(),
+                        std::back_inserter(ring));
+    const auto middle = static_cast<std::ptrdiff_t>(near.size());
+    near.insert(near.end(), ring.begin(), ring.end());
+    std::inplace_merge(near.begin(), near.begin() + middle, near.end());
   }
+  // Only from the last ring an edge can lead out.
+  const auto is_in = [](const std::vector<VertexId>& all, VertexId v) {
+    return std::binary_search(all.begin(), all.end(), v);
+  };
   double sum = 0;
   std::size_t count = 0;
+  auto next_of_ring = ring.begin();
   for (const VertexId v : near) {
+    const bool last = next_of_ring != ring.end() && *next_of_ring == v;
+    if (last) ++next_of_ring;
     for_spokes(surface, v, [&](HalfedgeId h) {
       const VertexId w = surface.head(h);
       if (w < v) return;  // counted from the other end
-      if (!std::binary_search(near.begin(), near.end(), w)) return;
+      if (last && !is_in(near, w)) return;
       sum += surface.length(edge_of(h));
       ++count;
     });

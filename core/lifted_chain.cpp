@@ -11,48 +11,51 @@ constexpr double kEnd = 1e-7;       // points stay this far (in t) from the ends
 
 }  // namespace
 
-void LiftedChain::evaluate(ChainNode& node) const {
+ChainNode LiftedChain::node_at(const SurfacePoint& point, bool keep) const {
+  ChainNode node{point, true, {}, 0, {}, {}, {}, {}};
   node.dy.setZero();
-  node.ddy.setZero();
-  if (node.fixed) {
+  node.ddphi.setZero();
+  const auto* e = std::get_if<OnEdge>(&point.where());
+  if (e == nullptr || keep) {
     const auto phi = potential_.at(node.point);
     node.y << mesh_.position(node.point), phi[0], phi[1];
-    return;
+    return node;
   }
+  node.fixed = false;
+  node.edge = e->edge;
+  node.t = std::clamp(e->t, kEnd, 1 - kEnd);
   const HalfedgeId h = halfedge_of(node.edge);
-  const Point& tail = mesh_.point(mesh_.surface().tail(h));
-  const Point along = mesh_.point(mesh_.surface().head(h)) - tail;
-  const PotentialOnEdge phi = potential_.on_edge(node.edge, node.t);
-  node.y << tail + node.t * along, phi.value[0], phi.value[1];
-  node.dy << along, phi.first[0], phi.first[1];
-  node.ddy << 0, 0, 0, phi.second[0], phi.second[1];
-}
-
-ChainNode LiftedChain::node_at(const SurfacePoint& point, bool keep) const {
-  ChainNode node{point, true, {}, 0, {}, {}, {}};
-  if (const auto* e = std::get_if<OnEdge>(&point.where()); e != nullptr && !keep) {
-    node.fixed = false;
-    node.edge = e->edge;
-    node.t = std::clamp(e->t, kEnd, 1 - kEnd);
-  }
-  evaluate(node);
+  node.origin = mesh_.point(mesh_.surface().tail(h));
+  node.dy.head<3>() = mesh_.point(mesh_.surface().head(h)) - node.origin;
+  Trial here;
+  try_at(node, node.t, here);
+  take(here, node);
   return node;
 }
 
-void LiftedChain::move(ChainNode& node, double t) const {
-  node.t = std::clamp(t, kEnd, 1 - kEnd);
-  node.changed = round_;
-  evaluate(node);
+void LiftedChain::try_at(const ChainNode& node, double t, Trial& trial) const {
+  trial.t = std::clamp(t, kEnd, 1 - kEnd);
+  const PotentialOnEdge phi = potential_.on_edge(node.edge, trial.t);
+  trial.y << node.origin + trial.t * node.dy.head<3>(), phi.value[0], phi.value[1];
+  trial.dphi << phi.first[0], phi.first[1];
+  trial.ddphi << phi.second[0], phi.second[1];
+}
+
+void LiftedChain::take(const Trial& trial, ChainNode& node) {
+  node.t = trial.t;
+  node.y = trial.y;
+  node.dy.tail<2>() = trial.dphi;
+  node.ddphi = trial.ddphi;
 }
 
 /// Rounded off at zero, so that points that run together do no harm.
-double LiftedChain::segment(const ChainNode& a, const ChainNode& b) const {
-  return std::sqrt((b.y - a.y).squaredNorm() + smallest_ * smallest_);
+double LiftedChain::segment(const ChainNode::Lifted& a, const ChainNode::Lifted& b) const {
+  return std::sqrt((b - a).squaredNorm() + smallest_ * smallest_);
 }
 
 double LiftedChain::length(std::span<const ChainNode> nodes) const {
   double sum = 0;
-  for (std::size_t i = 0; i + 1 < nodes.size(); ++i) sum += segment(nodes[i], nodes[i + 1]);
+  for (std::size_t i = 0; i + 1 < nodes.size(); ++i) sum += segment(nodes[i].y, nodes[i + 1].y);
   return sum;
 }
 
@@ -63,10 +66,13 @@ SurfacePoint LiftedChain::place(const ChainNode& node) const {
 /// Gradient and second derivatives of the length. False when the curve is straight already.
 bool LiftedChain::assemble(std::span<const ChainNode> nodes) {
   const std::size_t n = nodes.size();
-  rows_.assign(n, Row{});
+  rows_.resize(n);
+  rows_[0].clear();
+  double before = nodes[0].dy.squaredNorm();
   for (std::size_t i = 0; i + 1 < n; ++i) {
     const ChainNode &a = nodes[i], &b = nodes[i + 1];
     Row &row = rows_[i], &next = rows_[i + 1];
+    next.clear();
     row.direction = b.y - a.y;
     const double l = std::sqrt(row.direction.squaredNorm() + smallest_ * smallest_);
     row.direction /= l;
@@ -74,9 +80,12 @@ bool LiftedChain::assemble(std::span<const ChainNode> nodes) {
     const double ua = row.direction.dot(a.dy), ub = row.direction.dot(b.dy);
     row.gradient -= ua;
     next.gradient += ub;
-    row.diagonal += (a.dy.squaredNorm() - ua * ua) / l;
-    next.diagonal += (b.dy.squaredNorm() - ub * ub) / l;
+    const double squared = b.dy.squaredNorm();
+    row.diagonal += (before - ua * ua) / l;
+    next.diagonal += (squared - ub * ub) / l;
     row.upper = -(a.dy.dot(b.dy) - ua * ub) / l;
+    next.speed = std::sqrt(squared);
+    before = squared;
   }
   double force = 0;  // sine of the angle by which the curve is not straight yet
   for (std::size_t i = 1; i + 1 < n; ++i) {
@@ -85,8 +94,9 @@ bool LiftedChain::assemble(std::span<const ChainNode> nodes) {
     row.held = node.fixed || (node.t <= kEnd && row.gradient > 0) ||
                (node.t >= 1 - kEnd && row.gradient < 0);
     if (row.held) continue;
-    row.diagonal += std::max(0.0, (rows_[i - 1].direction - row.direction).dot(node.ddy));
-    force = std::max(force, std::abs(row.gradient) / node.dy.norm());
+    row.diagonal +=
+        std::max(0.0, (rows_[i - 1].direction - row.direction).tail<2>().dot(node.ddphi));
+    force = std::max(force, std::abs(row.gradient) / row.speed);
   }
   return force >= kStraight;
 }
@@ -98,8 +108,7 @@ bool LiftedChain::solve(std::span<const ChainNode> nodes) {
     if (row.held) continue;
     const Row& before = rows_[i - 1];
     const double lower = before.held ? 0 : before.upper;
-    const double pivot =
-        row.diagonal * (1 + 1e-9) + 1e-12 * nodes[i].dy.norm() - lower * before.factor;
+    const double pivot = row.diagonal * (1 + 1e-9) + 1e-12 * row.speed - lower * before.factor;
     if (!(pivot > 0)) return false;
     row.factor = row.upper / pivot;
     row.step = (-row.gradient - lower * before.step) / pivot;
@@ -114,16 +123,22 @@ bool LiftedChain::solve(std::span<const ChainNode> nodes) {
 /// shortens the curve. False when it does not.
 bool LiftedChain::go_along(std::span<ChainNode> nodes, double most, double& total) {
   for (double scale = most; scale > 1e-3 * most; scale /= 2) {
-    for (std::size_t i = 1; i + 1 < nodes.size(); ++i) {
+    double shorter = 0;
+    for (std::size_t i = 1; i < nodes.size(); ++i) {
       const double step = rows_[i].step;
-      if (step != 0) move(moved_[i], nodes[i].t + std::clamp(scale * step, -0.5, 0.5));
+      if (step != 0 && i + 1 < nodes.size()) {
+        try_at(nodes[i], nodes[i].t + std::clamp(scale * step, -0.5, 0.5), trials_[i]);
+      }
+      shorter += segment(trials_[i - 1].y, trials_[i].y);
     }
-    const double shorter = length(moved_);
-    if (shorter < total) {
-      std::copy(moved_.begin(), moved_.end(), nodes.begin());
-      total = shorter;
-      return true;
+    if (!(shorter < total)) continue;
+    for (std::size_t i = 1; i + 1 < nodes.size(); ++i) {
+      if (rows_[i].step == 0) continue;
+      take(trials_[i], nodes[i]);
+      nodes[i].changed = round_;
     }
+    total = shorter;
+    return true;
   }
   return false;
 }
@@ -131,7 +146,8 @@ bool LiftedChain::go_along(std::span<ChainNode> nodes, double most, double& tota
 /// One damped Newton step on a chain whose ends stay. False when nothing is gained.
 bool LiftedChain::newton_step(std::span<ChainNode> nodes, double& total) {
   if (!assemble(nodes) || !solve(nodes)) return false;
-  moved_.assign(nodes.begin(), nodes.end());
+  trials_.resize(nodes.size());
+  for (std::size_t i = 0; i < nodes.size(); ++i) trials_[i].y = nodes[i].y;
   const double before = total;
   if (!go_along(nodes, 1, total)) {
     // Points that lie close together, around a vertex, must keep their proportions.

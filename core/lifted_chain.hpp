@@ -33,9 +33,11 @@ struct ChainNode {
   bool fixed = true;
   EdgeId edge;
   double t = 0;
-  Lifted y, dy, ddy;  ///< place and derivatives by t
-  bool awake = true;  ///< it, or something near, still gains by moving
-  int changed = 0;    ///< the last round in which it moved or came
+  Point origin;           ///< the edge's tail
+  Lifted y, dy;           ///< place and its derivative by t
+  Eigen::Vector2d ddphi;  ///< second derivative of the potential; that of the position is 0
+  bool awake = true;      ///< it, or something near, still gains by moving
+  int changed = 0;        ///< the last round in which it moved or came
 };
 
 /// Minimises the lifted length of chains whose end points stay.
@@ -68,14 +70,23 @@ class LiftedChain {
   struct Row {
     ChainNode::Lifted direction;
     double length = 0;
+    double speed = 0;  // of the node, by t
     double gradient = 0, diagonal = 0, upper = 0;
     double factor = 0, step = 0;
     bool held = true;
+
+    void clear() { gradient = diagonal = upper = factor = step = 0, held = true; }
+  };
+  /// Where a free node would be.
+  struct Trial {
+    double t = 0;
+    ChainNode::Lifted y;
+    Eigen::Vector2d dphi, ddphi;
   };
 
-  void evaluate(ChainNode& node) const;
-  void move(ChainNode& node, double t) const;
-  [[nodiscard]] double segment(const ChainNode& a, const ChainNode& b) const;
+  void try_at(const ChainNode& node, double t, Trial& trial) const;
+  static void take(const Trial& trial, ChainNode& node);
+  [[nodiscard]] double segment(const ChainNode::Lifted& a, const ChainNode::Lifted& b) const;
   double settle_between(std::span<ChainNode> nodes, int steps);
   bool go_along(std::span<ChainNode> nodes, double most, double& total);
   bool newton_step(std::span<ChainNode> nodes, double& total);
@@ -88,7 +99,7 @@ class LiftedChain {
   double smallest_;
   int round_ = 0;
   std::vector<Row> rows_;
-  Nodes moved_;
+  std::vector<Trial> trials_;
 };
 
 }  // namespace talweg

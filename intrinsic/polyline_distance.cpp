@@ -38,26 +38,64 @@ double to_segment(PlanePoint x, PlanePoint p, PlanePoint q, double& along) {
 
 }  // namespace
 
-PolylineDistance::EdgeHit PolylineDistance::hit_on_edge(EdgeId edge, double x) const {
-  const double length = surface_->length(edge);
-  const Nearest& tail = vertex_[surface_->tail(halfedge_of(edge)).index()];
-  const Nearest& head = vertex_[surface_->head(halfedge_of(edge)).index()];
+/// Along the edge from one of its ends.
+PolylineDistance::EdgeHit PolylineDistance::hit_along(const Nearest& tail, const Nearest& head,
+                                                      double length, double x) {
   EdgeHit hit{farther(tail, x), nullptr, 0};
   if (const Nearest other = farther(head, length - x); is_nearer(other, hit.nearest)) {
     hit = {other, nullptr, length};
   }
+  return hit;
+}
+
+void PolylineDistance::offer(EdgeHit& hit, const EdgeWindow& window, double x) {
+  const double bend = std::clamp(x, window.begin, window.end);
+  const double distance = window.value(bend) + std::abs(x - bend);
+  if (distance > hit.nearest.distance) return;
+  const Nearest nearest{distance, window.curve, window.arc_at(bend)};
+  // A window's own derivatives are better than those along the edge.
+  if (is_nearer(nearest, hit.nearest) ||
+      (hit.window == nullptr && nearest.distance == hit.nearest.distance)) {
+    hit = {nearest, &window, bend};
+  }
+}
+
+PolylineDistance::EdgeHit PolylineDistance::hit_on_edge(EdgeId edge, double x) const {
+  const double length = surface_->length(edge);
+  EdgeHit hit = hit_along(vertex_[surface_->tail(halfedge_of(edge)).index()],
+                          vertex_[surface_->head(halfedge_of(edge)).index()], length, x);
   for (std::uint32_t i = first_window_[edge.index()]; i != kNone; i = windows_[i].next) {
-    const EdgeWindow& w = windows_[i];
-    const double bend = std::clamp(x, w.begin, w.end);
-    const Nearest nearest{w.value(bend) + std::abs(x - bend), w.curve, w.arc_at(bend)};
-    // A window's own derivatives are better than those along the edge.
-    if (is_nearer(nearest, hit.nearest) ||
-        (hit.window == nullptr && nearest.distance == hit.nearest.distance)) {
-      hit = {nearest, &w, bend};
-    }
+    offer(hit, windows_[i], x);
   }
   if (hit.nearest.distance <= kRounding * length) hit.nearest.distance = 0;
   return hit;
+}
+
+PolylineDistance::EdgeHit PolylineDistance::hit_in(const EdgeCopy& copy, double x) const {
+  EdgeHit hit = hit_along(copy.tail, copy.head, copy.length, x);
+  const EdgeWindow* const first = copied_.data() + copy.first;
+  for (std::uint32_t i = 0; i < copy.count; ++i) offer(hit, first[i], x);
+  if (hit.nearest.distance <= kRounding * copy.length) hit.nearest.distance = 0;
+  return hit;
+}
+
+void PolylineDistance::copy_edge(EdgeId edge) {
+  std::uint32_t& id = copy_of_[edge.index()];
+  if (id == kNone) {
+    id = static_cast<std::uint32_t>(copies_.size());
+    copies_.emplace_back();
+  }
+  EdgeCopy& copy = copies_[id];
+  copy.edge = edge;
+  copy.length = surface_->length(edge);
+  copy.front = queue_.front();
+  copy.tail = vertex_[surface_->tail(halfedge_of(edge)).index()];
+  copy.head = vertex_[surface_->head(halfedge_of(edge)).index()];
+  copy.first = static_cast<std::uint32_t>(copied_.size());
+  for (std::uint32_t i = first_window_[edge.index()]; i != kNone; i = windows_[i].next) {
+    copied_.push_back(windows_[i]);
+  }
+  copy.count = static_cast<std::uint32_t>(copied_.size()) - copy.first;
 }
 
 Nearest PolylineDistance::finish(Nearest nearest) const {
@@ -98,23 +136,41 @@ PolylineDistance::EdgeHit PolylineDistance::final_hit(EdgeId edge, double x) {
   }
 }
 
+/// A copy of the edge that is final for the answer at t; made again only where the front has come
+/// on since.
+const PolylineDistance::EdgeCopy& PolylineDistance::final_copy(EdgeId edge, double t,
+                                                               EdgeHit& hit) {
+  if (copy_of_[edge.index()] == kNone) copy_edge(edge);
+  for (;;) {
+    const EdgeCopy& copy = copies_[copy_of_[edge.index()]];
+    hit = hit_in(copy, t * copy.length);
+    if (hit.nearest.distance + queue_.step() / 64 < copy.front) return copy;
+    if (copy.front == queue_.front()) {
+      if (queue_.empty() || marches_in_vain(surface_->tail(halfedge_of(edge)))) return copy;
+      march();
+    }
+    copy_edge(edge);
+  }
+}
+
 Nearest PolylineDistance::on_edge(EdgeId edge, double t) {
   return finish(final_hit(edge, t * surface_->length(edge)).nearest);
 }
 
 PolylineDistance::EdgeValue PolylineDistance::at_edge(EdgeId edge, double t) {
-  const double length = surface_->length(edge), x = t * length;
-  const EdgeHit hit = final_hit(edge, x);
+  EdgeHit hit;
+  const double length = final_copy(edge, t, hit).length;
   const Nearest nearest = finish(hit.nearest);
   EdgeValue result{nearest.distance, 0, 0, nearest.curve, nearest.arc_length, 0};
   if (std::isinf(nearest.distance)) return result;
   // Narrow gaps between windows are rounding.
-  if (hit.window != nullptr && std::abs(x - hit.bend) <= 1e-9 * length) {
-    result.first = hit.window->slope(hit.bend) * length;
-    result.second = hit.window->curvature(hit.bend) * length * length;
+  if (hit.window != nullptr && std::abs(t * length - hit.bend) <= 1e-9 * length) {
+    const EdgeWindow::Derivatives d = hit.window->derivatives(hit.bend);
+    result.first = d.slope * length;
+    result.second = d.curvature * length * length;
     result.arc_first = hit.window->arc_slope() * length;
   } else {
-    result.first = x < hit.bend ? -length : length;
+    result.first = t * length < hit.bend ? -length : length;
   }
   return result;
 }

@@ -106,8 +106,15 @@ class PolylineDistance {
     const EdgeWindow* window = nullptr;  // none: along the edge from one end
     double bend = 0;                     // where on the edge the way arrives
   };
+  struct EdgeCopy;  // see below
+  [[nodiscard]] static EdgeHit hit_along(const Nearest& tail, const Nearest& head, double length,
+                                         double x);
+  static void offer(EdgeHit& hit, const EdgeWindow& window, double x);
   [[nodiscard]] EdgeHit hit_on_edge(EdgeId edge, double x) const;
+  [[nodiscard]] EdgeHit hit_in(const EdgeCopy& copy, double x) const;
+  void copy_edge(EdgeId edge);
   EdgeHit final_hit(EdgeId edge, double x);
+  const EdgeCopy& final_copy(EdgeId edge, double t, EdgeHit& hit);
   [[nodiscard]] Nearest nearest_in_face(const InFace& point) const;
   [[nodiscard]] Nearest finish(Nearest nearest) const;
   [[nodiscard]] bool marches_in_vain(VertexId v);
@@ -121,6 +128,19 @@ class PolylineDistance {
   std::vector<std::uint32_t> with_curve_;  // components, in order; made when first needed
   std::vector<Nearest> vertex_;
   std::vector<std::uint32_t> first_window_;  // per edge
+
+  // What at_edge() asks again and again, side by side: edges as they were when they were copied.
+  // What was final then still is.
+  struct EdgeCopy {
+    EdgeId edge;
+    std::uint32_t first = 0, count = 0;  // in copied_
+    double length = 0;
+    double front = 0;  // of the queue
+    Nearest tail, head;
+  };
+  std::vector<std::uint32_t> copy_of_;  // per edge, in copies_
+  std::vector<EdgeCopy> copies_;
+  std::vector<EdgeWindow> copied_;
 
   std::vector<EdgeWindow> windows_;
   StepQueue queue_;

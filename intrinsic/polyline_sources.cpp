@@ -16,13 +16,17 @@ PolylineDistance::PolylineDistance(const Surface& surface)
     : surface_(&surface),
       bends_(surface.vertex_count(), 0),
       vertex_(surface.vertex_count(), Nearest{std::numeric_limits<double>::infinity(), 0, 0}),
-      first_window_(surface.edge_count(), kNone) {}
+      first_window_(surface.edge_count(), kNone),
+      copy_of_(surface.edge_count(), kNone) {}
 
 void PolylineDistance::forget() {
   for (const EdgeId e : touched_edges_) first_window_[e.index()] = kNone;
   for (const VertexId v : touched_vertices_) {
     vertex_[v.index()].distance = std::numeric_limits<double>::infinity();
   }
+  for (const EdgeCopy& copy : copies_) copy_of_[copy.edge.index()] = kNone;
+  copies_.clear();
+  copied_.clear();
   touched_edges_.clear();
   touched_vertices_.clear();
   windows_.clear();

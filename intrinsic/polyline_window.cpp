@@ -5,16 +5,12 @@
 
 namespace talweg {
 
-double EdgeWindow::slope(double x) const {
-  if (!from_point()) return px;
-  const double r = std::sqrt((x - px) * (x - px) + py * py);
-  return r > 0 ? (x - px) / r : 0.0;
-}
-
-double EdgeWindow::curvature(double x) const {
-  if (!from_point()) return 0;
+EdgeWindow::Derivatives EdgeWindow::derivatives(double x) const {
+  if (!from_point()) return {px, 0};
   const double squared = (x - px) * (x - px) + py * py;
-  return squared > 0 ? py * py / (squared * std::sqrt(squared)) : 0.0;
+  if (!(squared > 0)) return {};
+  const double r = std::sqrt(squared);
+  return {(x - px) / r, py * py / (squared * r)};
 }
 
 double EdgeWindow::lowest() const {

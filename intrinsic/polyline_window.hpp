@@ -34,8 +34,11 @@ struct EdgeWindow {
   [[nodiscard]] double value(double x) const {
     return from_point() ? offset + std::sqrt((x - px) * (x - px) + py * py) : offset + px * x;
   }
-  [[nodiscard]] double slope(double x) const;
-  [[nodiscard]] double curvature(double x) const;
+  struct Derivatives {
+    double slope = 0, curvature = 0;
+  };
+  /// Of value(); 0 at the source itself.
+  [[nodiscard]] Derivatives derivatives(double x) const;
   [[nodiscard]] double arc_at(double x) const { return from_point() ? arc : arc + sense * py * x; }
   [[nodiscard]] double arc_slope() const { return from_point() ? 0.0 : sense * py; }
   [[nodiscard]] bool is_empty() const { return end < begin; }

@@ -33,6 +33,39 @@ SurfacePoint on_side(const Surface& surface, FaceId face, std::size_t k, double 
   return SurfacePoint::on_edge(surface, e, h == halfedge_of(e) ? t : 1 - t);
 }
 
+template <typename Visit>
+void for_faces_at(const Surface& surface, const SurfacePoint& point, const Visit& visit) {
+  if (const auto* v = std::get_if<AtVertex>(&point.where())) {
+    const HalfedgeId first = surface.halfedge(v->vertex);
+    if (!first.valid()) return;
+    HalfedgeId h = first;
+    do {
+      visit(surface.face(h));
+      h = surface.turn_ccw(h);
+    } while (h != first && surface.has_face(h));
+  } else if (const auto* e = std::get_if<OnEdge>(&point.where())) {
+    for (const HalfedgeId h : {halfedge_of(e->edge), twin(halfedge_of(e->edge))}) {
+      if (surface.has_face(h)) visit(surface.face(h));
+    }
+  } else {
+    visit(std::get<InFace>(point.where()).face);
+  }
+}
+
+bool contains(const Surface& surface, FaceId face, const SurfacePoint& point) {
+  const auto any_side = [&](const auto& is_it) {
+    const auto all = sides(surface, face);
+    return is_it(all[0]) || is_it(all[1]) || is_it(all[2]);
+  };
+  if (const auto* v = std::get_if<AtVertex>(&point.where())) {
+    return any_side([&](HalfedgeId h) { return surface.tail(h) == v->vertex; });
+  }
+  if (const auto* e = std::get_if<OnEdge>(&point.where())) {
+    return any_side([&](HalfedgeId h) { return edge_of(h) == e->edge; });
+  }
+  return std::get<InFace>(point.where()).face == face;
+}
+
 }  // namespace
 
 SurfacePoint SurfacePoint::at_vertex(const Surface& surface, VertexId vertex) {
@@ -98,21 +131,7 @@ SurfacePoint SurfacePoint::from_barycentric(const Surface& surface, FaceId face,
 
 std::vector<FaceId> faces_at(const Surface& surface, const SurfacePoint& point) {
   std::vector<FaceId> faces;
-  if (const auto* v = std::get_if<AtVertex>(&point.where())) {
-    const HalfedgeId first = surface.halfedge(v->vertex);
-    if (!first.valid()) return faces;
-    HalfedgeId h = first;
-    do {
-      faces.push_back(surface.face(h));
-      h = surface.turn_ccw(h);
-    } while (h != first && surface.has_face(h));
-  } else if (const auto* e = std::get_if<OnEdge>(&point.where())) {
-    for (const HalfedgeId h : {halfedge_of(e->edge), twin(halfedge_of(e->edge))}) {
-      if (surface.has_face(h)) faces.push_back(surface.face(h));
-    }
-  } else {
-    faces.push_back(std::get<InFace>(point.where()).face);
-  }
+  for_faces_at(surface, point, [&](FaceId f) { faces.push_back(f); });
   return faces;
 }
 
@@ -142,19 +161,21 @@ FaceCoordinates coordinates_in(const Surface& surface, const SurfacePoint& point
 }
 
 FaceId common_face(const Surface& surface, const SurfacePoint& p, const SurfacePoint& q) {
-  const std::vector<FaceId> of_q = faces_at(surface, q);
+  // Around a vertex there are many faces, around the others two at most.
+  const SurfacePoint &many = p.is_vertex() ? p : q, &few = p.is_vertex() ? q : p;
   FaceId best;
-  for (const FaceId f : faces_at(surface, p)) {
-    if (std::find(of_q.begin(), of_q.end(), f) != of_q.end() && (!best.valid() || f < best)) {
-      best = f;
-    }
-  }
+  for_faces_at(surface, few, [&](FaceId f) {
+    if ((!best.valid() || f < best) && contains(surface, f, many)) best = f;
+  });
   return best;
 }
 
 FaceId any_face(const Surface& surface, const SurfacePoint& point) {
-  const std::vector<FaceId> faces = faces_at(surface, point);
-  return faces.empty() ? FaceId{} : *std::min_element(faces.begin(), faces.end());
+  FaceId best;
+  for_faces_at(surface, point, [&](FaceId f) {
+    if (!best.valid() || f < best) best = f;
+  });
+  return best;
 }
 
 double distance_in_face(const Surface& surface, const FaceCoordinates& p,
