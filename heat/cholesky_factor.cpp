@@ -192,7 +192,7 @@ CholeskyFactor::CholeskyFactor(const SymbolicFactor& symbolic, const SymmetricMa
   check_values(matrix);
   impl_->shape = symbolic.impl_->shape;
   in_memory("Factoring", [&] {
-    impl_->values = LargeArray(symbolic.factor_entries());
+    impl_->values = LargeArray(symbolic.factor_entries() + kSpare);
     Multifrontal(*impl_->shape, symbolic.impl_->entries, matrix, impl_->values.data()).run();
   });
 }
@@ -223,7 +223,7 @@ void CholeskyFactor::Impl::forward(double* x) const {
     const std::size_t width = shape->width(s), height = shape->height(s);
     const auto rows = shape->rows_below(s);
     double* own = x + shape->first[s];
-    local.assign(height, 0.0);
+    local.assign(height + kSpare, 0.0);
     std::copy_n(own, width, local.begin());
     solve_forward(values.data() + shape->block_start[s], height, width, local.data());
     std::copy_n(local.begin(), width, own);
@@ -237,9 +237,10 @@ void CholeskyFactor::Impl::backward(double* x) const {
     const std::size_t width = shape->width(s), height = shape->height(s);
     const auto rows = shape->rows_below(s);
     double* own = x + shape->first[s];
-    local.resize(height);
+    local.resize(height + kSpare);
     std::copy_n(own, width, local.begin());
     for (std::size_t i = 0; i < rows.size(); ++i) local[width + i] = x[rows[i]];
+    std::fill_n(local.begin() + static_cast<std::ptrdiff_t>(height), kSpare, 0.0);
     solve_backward(values.data() + shape->block_start[s], height, width, local.data());
     std::copy_n(local.begin(), width, own);
   }

@@ -113,14 +113,10 @@ void forward(const double* block, std::size_t height, std::size_t j, double* x) 
     for (std::size_t l = 0; l < k; ++l) x[j + k] -= column[l][j + k] * known[l];
     known[k] = x[j + k] /= column[k][j + k];
   }
-  std::size_t i = j + kColumns;
-  for (; i + kTile <= height; i += kTile) {
+  for (std::size_t i = j + kColumns; i < height; i += kTile) {
     Lanes below = lanes(x + i);
     for (std::size_t k = 0; k < kColumns; ++k) below -= lanes(column[k] + i) * known[k];
     Eigen::Map<Lanes>{x + i} = below;
-  }
-  for (; i < height; ++i) {
-    for (std::size_t k = 0; k < kColumns; ++k) x[i] -= column[k][i] * known[k];
   }
 }
 
@@ -130,15 +126,13 @@ void backward(const double* block, std::size_t height, std::size_t j, double* x)
   std::array<Lanes, kColumns> sum;
   sum.fill(Lanes::Zero());
   for (std::size_t k = 0; k < kColumns; ++k) column[k] = block + (j + k) * height;
-  std::size_t i = j + kColumns;
-  for (; i + kTile <= height; i += kTile) {
+  for (std::size_t i = j + kColumns; i < height; i += kTile) {
     const Lanes below = lanes(x + i);
     for (std::size_t k = 0; k < kColumns; ++k) sum[k] += lanes(column[k] + i) * below;
   }
   for (std::size_t k = kColumns; k-- > 0;) {
     double& here = x[j + k];
     here -= sum[k].sum();
-    for (std::size_t r = i; r < height; ++r) here -= column[k][r] * x[r];
     for (std::size_t l = k + 1; l < kColumns; ++l) here -= column[k][j + l] * x[j + l];
     here /= column[k][j + k];
   }

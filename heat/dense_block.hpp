@@ -25,8 +25,12 @@ void subtract_outer(double* c, std::size_t c_stride, std::size_t rows, std::size
 std::size_t factor_block(double* block, std::size_t height, std::size_t width,
                          DenseScratch& scratch);
 
+/// The solves go down the columns four rows at a time, without a shorter last step, so they need
+/// kSpare numbers more behind the block (finite) and behind x (zeros).
+inline constexpr std::size_t kSpare = 3;
+
 /// x := L⁻¹ x for the first `width` entries of x, L the lower triangle of the block's first rows;
-/// and x -= B x for the others, B the rows below.
+/// and x -= B x for the others, B the rows below. What is behind x is lost.
 void solve_forward(const double* block, std::size_t height, std::size_t width, double* x);
 
 /// The first `width` entries of x := L⁻ᵀ (x - Bᵀ y), y the entries of x below.
