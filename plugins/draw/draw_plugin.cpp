@@ -1,0 +1,101 @@
+// talweg.draw: points become a curve.
+#include <string>
+#include <vector>
+
+#include "common/results.hpp"
+#include "common/workspace.hpp"
+#include "talweg/core/drawing.hpp"
+#include "talweg/core/measures.hpp"
+#include "talweg/core/version.hpp"
+#include "talweg/intrinsic/error.hpp"
+
+namespace talweg::plugins {
+namespace {
+
+class Draw : public Workspace {
+ public:
+  using Workspace::Workspace;
+
+  static talweg_plugin about() {
+    talweg_plugin about = {};
+    about.flags = TALWEG_TAKES_CURVES;
+    about.id = "talweg.draw";
+    about.label = "Draw curves";
+    about.version = version();
+    about.doc =
+        "Draws curves through points in their order: shortest edge paths between vertices, never "
+        "through itself, or straight lines over the surface between any points. Points need not be "
+        "neighbours.";
+    return about;
+  }
+  static std::vector<talweg_parameter> parameters() {
+    return {plugin::boolean("straight", "Straight", false,
+                            "Straight over the faces instead of along edges.")};
+  }
+  static std::vector<talweg_output> outputs() {
+    using plugin::output;
+    return {output(TALWEG_OUTPUT_CURVES, "curves", "Drawn curves", "",
+                   "One for each given curve, in their order."),
+            output(TALWEG_OUTPUT_REPORT, "report", "Report", "",
+                   "Points and length of each curve and in total.")};
+  }
+
+  void set_curves(std::span<const talweg_curve* const> curves) {
+    std::vector<CurveInput> inputs;
+    for (const talweg_curve* curve : curves) inputs.push_back(input_of(*curve));
+    SnapOptions options;
+    options.connect = true;
+    snapped_ = snap(mesh(), inputs, options);
+  }
+
+  void run(const plugin::Parameters& parameters, const plugin::Outputs& outputs) {
+    std::vector<PlacedCurve> placed;
+    std::vector<double> lengths;
+    double total = 0;
+    for (std::size_t c = 0; c < snapped_.size(); ++c) {
+      if (!services().go_on("draw",
+                            static_cast<double>(c) / static_cast<double>(snapped_.size()))) {
+        throw plugin::Services::cancelled();
+      }
+      const SurfaceCurve curve = drawn(snapped_[c], parameters.flag("straight"));
+      placed.push_back(place(mesh(), curve, c));
+      lengths.push_back(curve_length(mesh().surface(), curve));
+      total += lengths.back();
+    }
+    outputs.report(-1, "length", total);
+    for (std::size_t c = 0; c < placed.size(); ++c) {
+      const auto number = static_cast<std::int64_t>(c);
+      give(outputs, placed[c]);
+      outputs.report(number, "points", static_cast<double>(placed[c].faces.size()),
+                     TALWEG_VALUE_INTEGER);
+      outputs.report(number, "length", lengths[c]);
+    }
+  }
+
+ private:
+  SurfaceCurve drawn(const SnappedCurve& points, bool straight) {
+    if (straight) return lines().join(points.points, points.closed);
+    std::vector<VertexId> through;
+    for (const SurfacePoint& point : points.points) {
+      const auto* at = std::get_if<AtVertex>(&point.where());
+      if (at == nullptr) {
+        throw Error(ErrorCode::kBadCurve, "Point " + std::to_string(through.size()) +
+                                              " is not at a vertex, so no edges lead there; draw "
+                                              "straight instead.");
+      }
+      through.push_back(at->vertex);
+    }
+    SurfaceCurve curve{points.closed, {}};
+    for (const VertexId v : draw_edge_path(mesh().surface(), through, points.closed)) {
+      curve.points.push_back(SurfacePoint::at_vertex(mesh().surface(), v));
+    }
+    return curve;
+  }
+
+  std::vector<SnappedCurve> snapped_;
+};
+
+}  // namespace
+}  // namespace talweg::plugins
+
+TALWEG_PLUGIN_MODULE(talweg::plugins::Draw)

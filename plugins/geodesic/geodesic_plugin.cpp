@@ -1,0 +1,143 @@
+// talweg.geodesic: the straight path or loop that a drawing becomes when nothing holds it.
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "common/point_fields.hpp"
+#include "common/results.hpp"
+#include "common/workspace.hpp"
+#include "talweg/core/curve_smoother.hpp"
+#include "talweg/core/version.hpp"
+
+namespace talweg::plugins {
+namespace {
+
+/// What of the smoother's report says something about a geodesic.
+constexpr const char* kKeys[] = {
+    "version",      "faces",         "vertices",           "closed",          "points_before",
+    "points_after", "length_before", "length_after",       "curvature_after", "flips",
+    "iterations",   "faces_touched", "trace_fallbacks",    "termination",     "warnings",
+    "time_ms.open", "time_ms.solve", "time_ms.straighten", "time_ms.trace",   "peak_memory_mib"};
+
+std::vector<ReportEntry> geodesic_entries(const SmoothingReport& report) {
+  std::vector<ReportEntry> chosen;
+  for (ReportEntry& entry : entries_of(report)) {
+    for (const char* key : kKeys) {
+      if (entry.key == key) chosen.push_back(std::move(entry));
+    }
+  }
+  return chosen;
+}
+
+class Geodesic : public Workspace {
+ public:
+  using Workspace::Workspace;
+
+  static talweg_plugin about() {
+    talweg_plugin about = {};
+    about.flags = TALWEG_TAKES_CURVES;
+    about.id = "talweg.geodesic";
+    about.label = "Geodesic";
+    about.version = version();
+    about.doc =
+        "Straightens curves until they are locally shortest: geodesic paths between their ends, "
+        "closed geodesics. Points need not be neighbours; they are joined straight over the "
+        "surface "
+        "first. Pinned points stay.";
+    return about;
+  }
+  static std::vector<talweg_parameter> parameters() {
+    return {plugin::boolean("through", "Through every point", false,
+                            "Keep all given points, not only the pinned ones."),
+            plugin::number("length_floor", "Least length of a loop", "mesh units", 0,
+                           {0, HUGE_VAL, 0, 10},
+                           "A loop that gets shorter has collapsed. By default 3 mean edges of the "
+                           "drawn loop.",
+                           TALWEG_STAGE_RUN, TALWEG_OPTIONAL | TALWEG_ADVANCED)};
+  }
+  static std::vector<talweg_output> outputs() {
+    using plugin::output;
+    return {output(TALWEG_OUTPUT_CURVES, "curves", "Geodesics", "",
+                   "One for each given curve, in their order."),
+            output(TALWEG_OUTPUT_POINT_FIELD, "curvature", "Geodesic curvature", "radians",
+                   "By how much the curve turns at the point; 0 but at pins and saddles."),
+            output(TALWEG_OUTPUT_REPORT, "report", "Report", "",
+                   "Lengths before and after, of each curve and in total.")};
+  }
+
+  void set_mesh(const talweg_mesh& mesh) {
+    Workspace::set_mesh(mesh);
+    smoother_.reset();
+  }
+  void share_mesh(const Geodesic& other) {
+    Workspace::share_mesh(other);
+    smoother_.reset();
+  }
+  void set_curves(std::span<const talweg_curve* const> curves) {
+    std::vector<CurveInput> inputs;
+    for (const talweg_curve* curve : curves) inputs.push_back(input_of(*curve));
+    SnapOptions options;
+    options.connect = true;
+    Points given;
+    std::vector<SurfaceCurve> joined;
+    for (const SnappedCurve& snapped : snap(mesh(), inputs, options)) {
+      joined.push_back(lines().join(snapped.points, snapped.closed));
+      given.all.insert(given.all.end(), snapped.points.begin(), snapped.points.end());
+      for (const std::size_t pin : snapped.pins) given.pins.push_back(snapped.points[pin]);
+    }
+    joined_ = std::move(joined);
+    given_ = std::move(given);
+  }
+
+  void run(const plugin::Parameters& parameters, const plugin::Outputs& outputs) {
+    if (!smoother_) smoother_ = std::make_unique<CurveSmoother>(opened_mesh());
+    CurveOptions curve_options;
+    curve_options.cap_corners = false;
+    curve_options.pins = parameters.flag("through") ? given_.all : given_.pins;
+    // Nothing is lifted, so no distance is needed.
+    const std::vector<double> flat(mesh().surface().vertex_count(), 0.0);
+    smoother_->set_curves(joined_, flat, curve_options);
+    SmoothingOptions options;
+    options.tau = 0;
+    options.deviation = DeviationMeasure::kNone;
+    options.length_floor = parameters.optional("length_floor");
+    options.progress = progress();
+    const SmoothingResult result = smoother_->smooth(options);
+    if (result.total.termination == to_string(Termination::kCancelled)) {
+      throw plugin::Services::cancelled();
+    }
+    give_all(outputs, result);
+  }
+
+ private:
+  struct Points {
+    std::vector<SurfacePoint> all, pins;
+  };
+
+  void give_all(const plugin::Outputs& outputs, const SmoothingResult& result) const {
+    std::vector<PlacedCurve> placed;
+    std::vector<std::vector<PointField>> fields(result.curves.size());
+    for (std::size_t c = 0; c < result.curves.size(); ++c) {
+      placed.push_back(place(mesh(), result.curves[c], c));
+      if (outputs.wants_point_fields()) {
+        fields[c].push_back(curvature_field(mesh(), result.curves[c]));
+      }
+    }
+    if (outputs.wants_report()) give(outputs, -1, geodesic_entries(result.total));
+    for (std::size_t c = 0; c < placed.size(); ++c) {
+      give(outputs, placed[c], fields[c]);
+      if (outputs.wants_report()) {
+        give(outputs, static_cast<std::int64_t>(c), geodesic_entries(result.reports[c]));
+      }
+    }
+  }
+
+  std::vector<SurfaceCurve> joined_;
+  Points given_;
+  std::unique_ptr<CurveSmoother> smoother_;  // made when first needed
+};
+
+}  // namespace
+}  // namespace talweg::plugins
+
+TALWEG_PLUGIN_MODULE(talweg::plugins::Geodesic)
