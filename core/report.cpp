@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <type_traits>
 
 #include <nlohmann/json.hpp>
+
+#include "talweg/intrinsic/error.hpp"
 
 #if defined(__unix__) || defined(__APPLE__)
 #include <sys/resource.h>
@@ -42,6 +45,77 @@ Json object_of(const std::vector<ReportEntry>& entries) {
   }
   return object;
 }
+
+/// Every field of a report under its name, in their order; `Report` is const or not.
+template <class Report, class Visit>
+void for_each_field(Report& r, Visit visit) {
+  visit("version", r.version);
+  visit("faces", r.faces);
+  visit("vertices", r.vertices);
+  visit("tau", r.tau);
+  visit("slack", r.slack);
+  visit("max_deviation", r.max_deviation);
+  visit("pins_added", r.pins_added);
+  visit("edge_length_near", r.edge_length_near);
+  visit("potential", r.potential);
+  visit("engine", r.engine);
+  visit("closed", r.closed);
+  visit("points_before", r.points_before);
+  visit("points_after", r.points_after);
+  visit("length_before", r.length_before);
+  visit("length_after", r.length_after);
+  visit("lifted_length_before", r.lifted_length_before);
+  visit("lifted_length_after", r.lifted_length_after);
+  visit("curvature_before", r.curvature_before);
+  visit("curvature_after", r.curvature_after);
+  visit("curvature_max_before", r.curvature_max_before);
+  visit("curvature_max_after", r.curvature_max_after);
+  visit("deviation", r.deviation);
+  visit("deviation_to_drawn_max", r.deviation_to_drawn_max);
+  visit("deviation_to_drawn_mean", r.deviation_to_drawn_mean);
+  visit("deviation_from_drawn_max", r.deviation_from_drawn_max);
+  visit("deviation_from_drawn_mean", r.deviation_from_drawn_mean);
+  visit("deviation_at", r.deviation_at);
+  visit("moved", r.moved);
+  visit("flips", r.flips);
+  visit("iterations", r.iterations);
+  visit("faces_touched", r.faces_touched);
+  visit("trace_fallbacks", r.trace_fallbacks);
+  visit("termination", r.termination);
+  visit("warnings", r.warnings);
+  visit("time_ms.load", r.time_ms.load);
+  visit("time_ms.open", r.time_ms.open);
+  visit("time_ms.solve", r.time_ms.solve);
+  visit("time_ms.straighten", r.time_ms.straighten);
+  visit("time_ms.trace", r.time_ms.trace);
+  visit("time_ms.relax", r.time_ms.relax);
+  visit("time_ms.polish", r.time_ms.polish);
+  visit("time_ms.total", r.time_ms.total);
+  visit("peak_memory_mib", r.peak_memory_mib);
+}
+
+/// A field's value from an entry; false where that is of another kind.
+struct Taken {
+  const ReportEntry& entry;
+
+  template <class Value>
+  bool operator()(Value& value) const {
+    const auto* found = std::get_if<Value>(&entry.value);
+    if (found != nullptr) value = *found;
+    return found != nullptr;
+  }
+  bool operator()(std::size_t& value) const {
+    const auto* found = std::get_if<std::uint64_t>(&entry.value);
+    if (found != nullptr) value = *found;
+    return found != nullptr;
+  }
+  bool operator()(Point& value) const {
+    const auto* found = std::get_if<std::vector<double>>(&entry.value);
+    if (found == nullptr || found->size() != 3) return false;
+    value = Point(found->data());
+    return true;
+  }
+};
 
 /// Worse outcomes last.
 std::size_t rank(const std::string& termination) {
@@ -100,53 +174,30 @@ SmoothingReport total_of(const std::vector<SmoothingReport>& reports) {
   return total;
 }
 
-std::vector<ReportEntry> entries_of(const SmoothingReport& r) {
-  const auto count = [](std::size_t n) { return std::uint64_t{n}; };
-  return {
-      {"version", r.version},
-      {"faces", count(r.faces)},
-      {"vertices", count(r.vertices)},
-      {"tau", r.tau},
-      {"slack", r.slack},
-      {"max_deviation", r.max_deviation},
-      {"pins_added", count(r.pins_added)},
-      {"edge_length_near", r.edge_length_near},
-      {"potential", r.potential},
-      {"engine", r.engine},
-      {"closed", r.closed},
-      {"points_before", count(r.points_before)},
-      {"points_after", count(r.points_after)},
-      {"length_before", r.length_before},
-      {"length_after", r.length_after},
-      {"lifted_length_before", r.lifted_length_before},
-      {"lifted_length_after", r.lifted_length_after},
-      {"curvature_before", r.curvature_before},
-      {"curvature_after", r.curvature_after},
-      {"curvature_max_before", r.curvature_max_before},
-      {"curvature_max_after", r.curvature_max_after},
-      {"deviation", r.deviation},
-      {"deviation_to_drawn_max", r.deviation_to_drawn_max},
-      {"deviation_to_drawn_mean", r.deviation_to_drawn_mean},
-      {"deviation_from_drawn_max", r.deviation_from_drawn_max},
-      {"deviation_from_drawn_mean", r.deviation_from_drawn_mean},
-      {"deviation_at", std::vector<double>(r.deviation_at.begin(), r.deviation_at.end())},
-      {"moved", r.moved},
-      {"flips", count(r.flips)},
-      {"iterations", count(r.iterations)},
-      {"faces_touched", count(r.faces_touched)},
-      {"trace_fallbacks", count(r.trace_fallbacks)},
-      {"termination", r.termination},
-      {"warnings", r.warnings},
-      {"time_ms.load", r.time_ms.load},
-      {"time_ms.open", r.time_ms.open},
-      {"time_ms.solve", r.time_ms.solve},
-      {"time_ms.straighten", r.time_ms.straighten},
-      {"time_ms.trace", r.time_ms.trace},
-      {"time_ms.relax", r.time_ms.relax},
-      {"time_ms.polish", r.time_ms.polish},
-      {"time_ms.total", r.time_ms.total},
-      {"peak_memory_mib", r.peak_memory_mib},
-  };
+std::vector<ReportEntry> entries_of(const SmoothingReport& report) {
+  std::vector<ReportEntry> entries;
+  for_each_field(report, [&entries]<class Value>(const char* key, const Value& value) {
+    if constexpr (std::is_same_v<Value, Point>) {
+      entries.push_back({key, std::vector<double>(value.begin(), value.end())});
+    } else if constexpr (std::is_same_v<Value, std::size_t>) {
+      entries.push_back({key, std::uint64_t{value}});
+    } else {
+      entries.push_back({key, value});
+    }
+  });
+  return entries;
+}
+
+SmoothingReport report_of(const std::vector<ReportEntry>& entries) {
+  SmoothingReport report;
+  for_each_field(report, [&](const char* key, auto& value) {
+    const auto entry = std::find_if(entries.begin(), entries.end(),
+                                    [&](const ReportEntry& e) { return e.key == key; });
+    if (entry == entries.end() || !Taken{*entry}(value)) {
+      throw Error(ErrorCode::kBadUsage, std::string("A report has no proper \"") + key + "\".");
+    }
+  });
+  return report;
 }
 
 std::string to_json(const SmoothingReport& report) {

@@ -41,11 +41,9 @@ class Draw : public Workspace {
   }
 
   void set_curves(std::span<const talweg_curve* const> curves) {
-    std::vector<CurveInput> inputs;
-    for (const talweg_curve* curve : curves) inputs.push_back(input_of(*curve));
-    SnapOptions options;
-    options.connect = true;
-    snapped_ = snap(mesh(), inputs, options);
+    std::vector<SnappedCurve> snapped;
+    for (const talweg_curve* curve : curves) snapped.push_back(points_of(input_of(*curve)));
+    snapped_ = std::move(snapped);
   }
 
   void run(const plugin::Parameters& parameters, const plugin::Outputs& outputs) {
@@ -73,6 +71,24 @@ class Draw : public Workspace {
   }
 
  private:
+  /// Vertices as they are, in whatever order and however often they come; other points snapped.
+  SnappedCurve points_of(const CurveInput& input) {
+    const auto* ids = std::get_if<std::vector<VertexId>>(&input.points);
+    if (ids == nullptr) return snap(mesh(), input);
+    SnappedCurve result;
+    result.closed = input.closed;
+    for (const VertexId v : *ids) {
+      result.points.push_back(SurfacePoint::at_vertex(mesh().surface(), v));
+    }
+    for (const std::size_t pin : input.pins) {
+      if (pin >= ids->size()) {
+        throw Error(ErrorCode::kBadCurve, "There is no point " + std::to_string(pin) + " to pin.");
+      }
+    }
+    if (ids->size() < 2) throw Error(ErrorCode::kBadCurve, "A curve needs at least two points.");
+    return result;
+  }
+
   SurfaceCurve drawn(const SnappedCurve& points, bool straight) {
     if (straight) return lines().join(points.points, points.closed);
     std::vector<VertexId> through;

@@ -3,42 +3,37 @@
 #include <vector>
 
 #include "commands.hpp"
-#include "talweg/core/drawing.hpp"
-#include "talweg/core/formats/curve_file.hpp"
+#include "plugin_host.hpp"
 #include "talweg/core/mesh_reader.hpp"
-#include "talweg/core/straight_lines.hpp"
-#include "talweg/core/surface_mesh.hpp"
+#include "talweg/core/version.hpp"
 
 namespace talweg::driver {
 namespace {
 
 struct DrawOptions {
   std::string mesh;
-  std::vector<std::size_t> through;
+  std::vector<std::uint32_t> through;
   bool closed = false;
   bool straight = false;
   std::vector<std::string> outputs;
 };
 
-SurfaceCurve draw(const Surface& surface, const DrawOptions& options) {
-  std::vector<VertexId> through;
-  std::vector<SurfacePoint> points;
-  for (const std::size_t v : options.through) {
-    points.push_back(SurfacePoint::at_vertex(surface, VertexId{v}));
-    through.emplace_back(v);
-  }
-  if (options.straight) return StraightLines(surface).join(points, options.closed);
-  SurfaceCurve curve{options.closed, {}};
-  for (const VertexId v : draw_edge_path(surface, through, options.closed)) {
-    curve.points.push_back(SurfacePoint::at_vertex(surface, v));
-  }
-  return curve;
-}
-
 int run(const DrawOptions& options) {
-  const SurfaceMesh mesh = SurfaceMesh::open(read_mesh(options.mesh));
-  const std::vector<SurfaceCurve> curves = {draw(mesh.surface(), options)};
-  for (const std::string& output : options.outputs) write_curves(output, mesh, curves);
+  const host::Services services("talweg", version());
+  const host::Results results = translated([&] {
+    host::Instance draw(plugin_named("talweg.draw"), services);
+    const MeshLists lists = read_mesh(options.mesh);
+    set_mesh(draw, lists.points, lists.triangles);
+    host::Curve through;
+    through.closed = options.closed;
+    through.vertices = options.through;
+    draw.set_curves({through});
+    draw.set("straight", options.straight ? 1.0 : 0.0);
+    return draw.run();
+  });
+  std::vector<PlacedCurve> curves;
+  for (const host::Curve& curve : results.curves) curves.push_back(placed_curve(curve));
+  for (const std::string& output : options.outputs) write_curves(output, curves);
   return kDone;
 }
 

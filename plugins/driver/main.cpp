@@ -51,6 +51,8 @@ int run(int argc, char** argv) {
   add(add_smooth);
   add(add_measure);
   add(add_info);
+  add(add_plugins);
+  add(add_run);
   app.allow_extras();  // they get a sentence of ours
   try {
     app.parse(argc, argv);
@@ -59,7 +61,7 @@ int run(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return fail(kBadUsage, error.what() + std::string(" (see talweg --help)"));
   }
-  for (const std::string& extra : app.remaining(true)) {
+  for (const std::string& extra : app.remaining(!app.got_subcommand("run"))) {  // run has its own
     return fail(kBadUsage, "\"" + extra + "\" was not expected (see talweg --help)");
   }
   catch_interrupts();
@@ -70,7 +72,9 @@ int run(int argc, char** argv) {
       return code;
     }
   }
-  return fail(kBadUsage, "A command is needed: draw, smooth, measure or info (see talweg --help)");
+  return fail(
+      kBadUsage,
+      "A command is needed: draw, smooth, measure, info, plugins or run (see talweg --help)");
 }
 
 }  // namespace

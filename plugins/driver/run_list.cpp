@@ -74,7 +74,7 @@ SmoothOptions with_cells(const SmoothOptions& base, const Line& line) {
   std::reverse(arguments.begin(), arguments.end());
   try {
     app.parse(arguments);
-    choose_method(run);
+    check_method(run);
   } catch (const CLI::ParseError& error) {
     line.fail(error.what());
   } catch (const Error& error) {

@@ -13,6 +13,7 @@
 #include "smooth_options.hpp"
 #include "smooth_run.hpp"
 #include "talweg/intrinsic/error.hpp"
+#include "talweg/intrinsic/flip_out.hpp"
 
 namespace talweg::driver {
 namespace {
@@ -22,15 +23,14 @@ struct SmoothCommand {
   ManyOptions many;
 };
 
-int finish(const SmoothOptions& options, const GlobalOptions& global, const SurfaceMesh& mesh,
-           const RunOutcome& outcome) {
+int finish(const SmoothOptions& options, const GlobalOptions& global, const RunOutcome& outcome) {
   clear_progress_bar();
   const SmoothingReport& total = outcome.result.total;
   if (outcome.cancelled()) {
     std::fprintf(stderr, "talweg: cancelled; nothing was written.\n");
     return kCancelled;
   }
-  write_run(options, mesh, outcome);
+  write_run(options, outcome);
   const bool table = global.verbose || (options.outputs.empty() && options.report.empty());
   if (table && !global.quiet) std::fputs(table_of(total).c_str(), stdout);
   if (total.termination == to_string(Termination::kConverged)) return kDone;
@@ -55,14 +55,13 @@ int run(SmoothCommand command, const GlobalOptions& global) {
   SmoothOptions& options = command.one;
   if (options.mesh.empty()) bad_usage("A mesh is required, or --batch.");
   if (options.curves.empty() && options.labels.empty()) bad_usage("--curve is required.");
-  choose_method(options);
+  check_method(options);
   if (options.independent || !many.summary.empty()) {
     return smooth_many({{0, options}}, many, global);
   }
-  options.curve_options.threads = global.threads;
+  options.threads = global.threads;
   Workspace workspace(load_mesh(options.mesh), 1);
-  return finish(options, global, workspace.mesh(),
-                workspace.smooth(options, progress_bar(global.quiet)));
+  return finish(options, global, workspace.smooth(options, progress_bar(global.quiet)));
 }
 
 }  // namespace

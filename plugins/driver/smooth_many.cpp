@@ -37,7 +37,7 @@ class SharedMesh {
   MeshFromFile take(const std::string& path) {
     const std::lock_guard lock(mutex_);
     if (failure_) std::rethrow_exception(failure_);
-    if (mesh_.opened) return mesh_;
+    if (mesh_.owner) return mesh_;
     try {
       mesh_ = load_mesh(path);
     } catch (...) {
@@ -92,8 +92,7 @@ class ManyRuns {
       const auto [at, is_new] = first.emplace(runs_[i].options.mesh, i);
       meshes_[runs_[i].options.mesh].add_run();
       order_.emplace_back(at->second, i);
-      runs_[i].options.curve_options.threads =
-          std::max(1U, global.threads / static_cast<unsigned>(options.jobs));
+      runs_[i].options.threads = std::max(1U, global.threads / static_cast<unsigned>(options.jobs));
     }
     // Runs on one mesh follow each other, so that no more meshes are open than there are jobs.
     std::sort(order_.begin(), order_.end());
@@ -136,7 +135,7 @@ class ManyRuns {
       });
       if (outcome.cancelled()) return;
       make_folders(options);
-      write_run(options, desk.workspace->mesh(), outcome);
+      write_run(options, outcome);
       record.reports = std::move(outcome.result.reports);
       record.numbers = std::move(outcome.numbers);
       record.failed_curves = std::move(outcome.failures);

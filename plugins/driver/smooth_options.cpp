@@ -27,9 +27,9 @@ void add_outputs(CLI::App& app, SmoothOptions& o) {
 }
 
 void add_closeness(CLI::App& app, SmoothOptions& o) {
-  app.add_option("--tau", o.smoothing.tau, "0: straight lines; more keeps closer to the drawing")
+  app.add_option("--tau", o.tau, "0: straight lines; more keeps closer to the drawing")
       ->capture_default_str();
-  app.add_option("--slack", o.smoothing.slack,
+  app.add_option("--slack", o.slack,
                  "How exact the drawing is, in mesh units (corridor; default: its mean segment)");
   app.add_option("--slack-field", o.slack_field,
                  "The slack near each mesh vertex, one number each, instead of --slack");
@@ -53,7 +53,7 @@ void add_method(CLI::App& app, SmoothOptions& o) {
       ->default_str("10");
   app.add_option("--distance", o.distance,
                  "Distance to the drawing, one number per vertex, used as it is");
-  app.add_option("--relax", o.smoothing.relax_rounds,
+  app.add_option("--relax", o.relax,
                  "Rounds of relaxation along the supporting edges (the paper: 5)")
       ->capture_default_str();
   app.add_option("--repeat", o.repeat, "Run so often and report median times")
@@ -70,18 +70,16 @@ void add_smooth_options(CLI::App& app, SmoothOptions& options) {
   add_method(app, options);
 }
 
-void choose_method(SmoothOptions& options) {
+void check_method(const SmoothOptions& options) {
   const bool corridor = options.potential == "corridor";
   const auto fail = [](const char* message) { throw Error(ErrorCode::kBadUsage, message); };
   if (corridor && options.engine == "full") fail("The corridor needs --engine local.");
   if (!corridor && options.engine == "local") fail("The paper's potential needs --engine full.");
   if (corridor && !options.distance.empty()) fail("--distance needs --potential paper.");
   if (corridor && options.heat_time) fail("--heat-time needs --potential paper.");
-  if (!corridor && options.smoothing.slack) fail("--slack needs --potential corridor.");
+  if (!corridor && options.slack) fail("--slack needs --potential corridor.");
   if (!corridor && !options.slack_field.empty()) fail("--slack-field needs --potential corridor.");
   if (!corridor && options.max_deviation) fail("--max-deviation needs --potential corridor.");
-  if (options.heat_time) options.curve_options.heat_time = *options.heat_time;
-  options.curve_options.method = corridor ? Method::kCorridor : Method::kPaper;
 }
 
 }  // namespace talweg::driver

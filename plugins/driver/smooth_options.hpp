@@ -8,8 +8,6 @@
 
 #include <CLI/CLI.hpp>
 
-#include "talweg/core/curve_smoother.hpp"
-
 namespace talweg::driver {
 
 struct SmoothOptions {
@@ -27,14 +25,16 @@ struct SmoothOptions {
   std::optional<double> heat_time;
   std::vector<std::size_t> pins;
   std::size_t repeat = 1;
-  CurveOptions curve_options;
-  SmoothingOptions smoothing;
+  double tau = 1;
+  std::optional<double> slack;
+  int relax = 0;
+  unsigned threads = 2;
 };
 
 /// All but the mesh. `options` must outlive the app; its values are the defaults.
 void add_smooth_options(CLI::App& app, SmoothOptions& options);
 
-/// Settles which method is meant. Throws Error(kBadUsage) where options contradict each other.
-void choose_method(SmoothOptions& options);
+/// Throws Error(kBadUsage) where options contradict each other.
+void check_method(const SmoothOptions& options);
 
 }  // namespace talweg::driver

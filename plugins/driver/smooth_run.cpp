@@ -1,43 +1,43 @@
 #include "smooth_run.hpp"
 
 #include <algorithm>
-#include <cstdlib>
-#include <fstream>
 #include <optional>
 #include <utility>
 
+#include "field_file.hpp"
 #include "shared_work.hpp"
 #include "talweg/core/drawn_curves.hpp"
 #include "talweg/core/formats/curve_file.hpp"
 #include "talweg/core/formats/file_bytes.hpp"
-#include "talweg/core/max_deviation.hpp"
 #include "talweg/core/mesh_reader.hpp"
 #include "talweg/core/stopwatch.hpp"
+#include "talweg/core/version.hpp"
 #include "talweg/intrinsic/error.hpp"
+#include "talweg/intrinsic/flip_out.hpp"
 
 namespace talweg::driver {
-namespace {
 
-/// One number per vertex.
-std::vector<double> read_field(const std::string& path, std::size_t vertices) {
-  std::ifstream in(path);
-  if (!in) throw Error(ErrorCode::kBadFile, path + ": cannot be opened.");
-  std::vector<double> values;
-  for (std::string word; in >> word;) {
-    char* end = nullptr;
-    values.push_back(std::strtod(word.c_str(), &end));
-    if (end == word.c_str() || *end != '\0') {
-      throw Error(ErrorCode::kBadFile, path + ": value " + std::to_string(values.size()) + " (\"" +
-                                           word.substr(0, 40) + "\") is not a number.");
-    }
+/// An instance of talweg.smooth, with the progress of the run that it is at.
+class Smoother {
+ public:
+  explicit Smoother(const MeshFromFile& mesh)
+      : services_("talweg", version(),
+                  [this](const char* stage, double fraction) {
+                    return go_on(progress_, stage, fraction);
+                  }),
+        instance_(mesh.owner->plugin(), services_) {
+    instance_.share_mesh(*mesh.owner);
   }
-  if (values.size() != vertices) {
-    throw Error(ErrorCode::kBadFile, path + ": " + std::to_string(values.size()) +
-                                         " values, but the mesh has " + std::to_string(vertices) +
-                                         " vertices.");
-  }
-  return values;
-}
+  void set_progress(const Progress& progress) { progress_ = progress; }
+  host::Instance& instance() { return instance_; }
+
+ private:
+  Progress progress_;
+  host::Services services_;
+  host::Instance instance_;
+};
+
+namespace {
 
 /// The median of each stage over several runs that gave the same result.
 StageTimes median_times(const std::vector<StageTimes>& runs) {
@@ -56,85 +56,101 @@ StageTimes median_times(const std::vector<StageTimes>& runs) {
 
 /// What is smoothed, and how: the options with all their files read.
 struct Prepared {
-  Drawing drawing;
-  std::vector<double> distance;  ///< per vertex; empty unless given
-  CurveOptions curve_options;
-  SmoothingOptions smoothing;
+  std::vector<host::Curve> curves;  ///< with their pins
+  std::vector<double> distance;     ///< per vertex; empty unless given
+  std::vector<double> slack_field;  ///< the same
   const SmoothOptions* options = nullptr;
+  Progress progress;
   std::vector<std::string> warnings;
   double load_ms = 0;
 };
 
+/// The indices of the pins among the curve's points.
+std::vector<std::uint32_t> pins_on(const SurfaceCurve& curve,
+                                   const std::vector<SurfacePoint>& pins) {
+  std::vector<std::uint32_t> indices;
+  for (const SurfacePoint& pin : pins) {
+    const auto found = std::find(curve.points.begin(), curve.points.end(), pin);
+    if (found == curve.points.end()) continue;
+    indices.push_back(static_cast<std::uint32_t>(found - curve.points.begin()));
+  }
+  return indices;
+}
+
 Prepared prepare(const MeshFromFile& mesh, DrawingReader& reader, const SmoothOptions& options,
                  const Progress& progress) {
-  const Surface& surface = mesh.opened->surface();
+  const Surface& surface = mesh.mesh->surface();
+  Drawing drawing = options.labels.empty() ? reader.read(options.curves)
+                                           : drawing_of_labels(options.labels, surface);
   Prepared run;
   run.options = &options;
+  run.progress = progress;
   run.load_ms = mesh.load_ms;
-  run.drawing = options.labels.empty() ? reader.read(options.curves)
-                                       : drawing_of_labels(options.labels, surface);
+  run.warnings = reading_warnings(drawing.largest_snap_distance, mesh.polygons);
   for (const std::size_t pin : options.pins) {
-    run.drawing.pins.push_back(SurfacePoint::at_vertex(surface, VertexId{pin}));
+    drawing.pins.push_back(SurfacePoint::at_vertex(surface, VertexId{pin}));
   }
-  run.curve_options = options.curve_options;
-  run.smoothing = options.smoothing;
-  run.smoothing.progress = progress;
+  check_pins(drawing.curves, drawing.pins);
+  for (const SurfaceCurve& curve : drawing.curves) {
+    run.curves.push_back(host_curve(place(*mesh.mesh, curve, run.curves.size())));
+    run.curves.back().pins = pins_on(curve, drawing.pins);
+  }
   if (!options.distance.empty()) {
     run.distance = read_field(options.distance, surface.vertex_count());
   }
   if (!options.slack_field.empty()) {
-    const auto field = read_field(options.slack_field, surface.vertex_count());
-    for (const SurfaceCurve& curve : run.drawing.curves) {
-      run.smoothing.slack_at.push_back(slack_along(surface, curve, field));
-    }
+    run.slack_field = read_field(options.slack_field, surface.vertex_count());
   }
-  run.warnings = reading_warnings(run.drawing.largest_snap_distance, mesh.polygons);
   return run;
 }
 
 /// The run of a single curve of it.
 Prepared alone(const Prepared& run, std::size_t curve) {
   Prepared one;
-  one.options = run.options;
-  one.load_ms = run.load_ms;
+  one.curves = {run.curves[curve]};
   one.distance = run.distance;
-  one.curve_options = run.curve_options;
-  one.smoothing = run.smoothing;
+  one.slack_field = run.slack_field;
+  one.options = run.options;
+  one.progress = run.progress;
   one.warnings = run.warnings;
-  one.drawing.curves = {run.drawing.curves[curve]};
-  const auto& points = one.drawing.curves[0].points;
-  for (const SurfacePoint& pin : run.drawing.pins) {
-    if (std::find(points.begin(), points.end(), pin) != points.end()) {
-      one.drawing.pins.push_back(pin);
-    }
-  }
-  if (!run.smoothing.slack_at.empty()) one.smoothing.slack_at = {run.smoothing.slack_at[curve]};
+  one.load_ms = run.load_ms;
   return one;
 }
 
-bool set_curves(CurveSmoother& smoother, const Prepared& run) {
-  CurveOptions options = run.curve_options;
-  options.pins = run.drawing.pins;
-  if (run.distance.empty()) {
-    return smoother.set_curves(run.drawing.curves, options, run.smoothing.progress);
-  }
-  return smoother.set_curves(run.drawing.curves, run.distance, options);
+/// Sets the parameters, all of them: the instance may come from another run.
+void set_parameters(host::Instance& smooth, const Prepared& run) {
+  const SmoothOptions& o = *run.options;
+  const auto set_or_reset = [&](const char* id, const std::optional<double>& value) {
+    if (value) {
+      smooth.set(id, *value);
+    } else {
+      smooth.reset(id);
+    }
+  };
+  smooth.set("tau", o.tau);
+  smooth.set("potential", o.potential);
+  smooth.set("engine", o.engine);
+  smooth.set("relax", static_cast<double>(o.relax));
+  smooth.set("threads", static_cast<double>(o.threads));
+  set_or_reset("slack", o.slack);
+  set_or_reset("max_deviation", o.max_deviation);
+  set_or_reset("heat_time", o.heat_time);
+  smooth.set("distance", run.distance);
+  smooth.set("slack_field", run.slack_field);
 }
 
-SmoothingResult smooth_set(CurveSmoother& smoother, const Prepared& run) {
-  const SmoothOptions& options = *run.options;
-  SmoothingResult result;
-  std::vector<std::vector<StageTimes>> times;
-  for (std::size_t k = 0; k < options.repeat; ++k) {
-    if (!set_curves(smoother, run)) {
-      result.total.termination = to_string(Termination::kCancelled);
-      return result;
-    }
-    result = options.max_deviation ? smooth_within(smoother, *options.max_deviation, run.smoothing)
-                                   : smoother.smooth(run.smoothing);
-    times.resize(result.reports.size());
-    for (std::size_t c = 0; c < times.size(); ++c) times[c].push_back(result.reports[c].time_ms);
+SmoothedCurves smoothed(const host::Results& results) {
+  SmoothedCurves smoothed;
+  for (const host::Curve& curve : results.curves) {
+    smoothed.curves.push_back(placed_curve(curve));
+    const auto number = static_cast<std::int64_t>(smoothed.reports.size());
+    smoothed.reports.push_back(report_of(entries_of(results, number)));
   }
+  return smoothed;
+}
+
+void finish_reports(SmoothedCurves& result, const std::vector<std::vector<StageTimes>>& times,
+                    const Prepared& run) {
   for (std::size_t c = 0; c < result.reports.size(); ++c) {
     SmoothingReport& report = result.reports[c];
     report.time_ms = median_times(times[c]);
@@ -143,16 +159,37 @@ SmoothingResult smooth_set(CurveSmoother& smoother, const Prepared& run) {
     report.time_ms.total += run.load_ms;
     report.warnings.insert(report.warnings.end(), run.warnings.begin(), run.warnings.end());
   }
-  if (!result.reports.empty()) result.total = total_of(result.reports);
+  result.total = total_of(result.reports);
+}
+
+SmoothedCurves smooth_set(Smoother& smoother, const Prepared& run) {
+  host::Instance& smooth = smoother.instance();
+  smoother.set_progress(run.progress);
+  SmoothedCurves result;
+  try {
+    set_parameters(smooth, run);
+    std::vector<std::vector<StageTimes>> times(run.curves.size());
+    for (std::size_t k = 0; k < run.options->repeat; ++k) {
+      smooth.reset("cap_corners");  // so that what depends on the curves is done anew
+      smooth.set_curves(run.curves);
+      result = smoothed(smooth.run());
+      for (std::size_t c = 0; c < times.size(); ++c) times[c].push_back(result.reports[c].time_ms);
+    }
+    finish_reports(result, times, run);
+  } catch (const host::Error& error) {
+    if (error.status() != TALWEG_CANCELLED) rethrow(error);
+    result = {};
+    result.total.termination = to_string(Termination::kCancelled);
+  }
   return result;
 }
 
-bool is_cancelled(const SmoothingResult& result) {
+bool is_cancelled(const SmoothedCurves& result) {
   return result.total.termination == to_string(Termination::kCancelled);
 }
 
 /// What each curve came to, put together in their order.
-RunOutcome gathered(std::vector<SmoothingResult> results, std::vector<CurveFailure> failures) {
+RunOutcome gathered(std::vector<SmoothedCurves> results, std::vector<CurveFailure> failures) {
   RunOutcome outcome;
   outcome.failures = std::move(failures);
   for (std::size_t i = 0; i < results.size(); ++i) {
@@ -170,20 +207,18 @@ RunOutcome gathered(std::vector<SmoothingResult> results, std::vector<CurveFailu
   return outcome;
 }
 
-RunOutcome smooth_each(std::vector<std::unique_ptr<CurveSmoother>>& smoothers,
-                       const MeshFromFile& mesh, const Prepared& run) {
-  const std::size_t count = run.drawing.curves.size();
-  check_pins(run.drawing.curves, run.drawing.pins);
-  std::vector<SmoothingResult> results(count);
+RunOutcome smooth_each(std::vector<std::unique_ptr<Smoother>>& smoothers, const MeshFromFile& mesh,
+                       const Prepared& run) {
+  const std::size_t count = run.curves.size();
+  std::vector<SmoothedCurves> results(count);
   std::vector<std::optional<CurveFailure>> failed(count);
   share_work(count, smoothers.size(), [&](std::size_t worker, std::size_t i) {
-    if (!go_on(run.smoothing.progress, "curves",
-               static_cast<double>(i) / static_cast<double>(count))) {
+    if (!go_on(run.progress, "curves", static_cast<double>(i) / static_cast<double>(count))) {
       results[i].total.termination = to_string(Termination::kCancelled);
       return;
     }
     try {
-      if (!smoothers[worker]) smoothers[worker] = std::make_unique<CurveSmoother>(mesh.opened);
+      if (!smoothers[worker]) smoothers[worker] = std::make_unique<Smoother>(mesh);
       results[i] = smooth_set(*smoothers[worker], alone(run, i));
     } catch (const Error& error) {
       if (error.code() == ErrorCode::kBadUsage) throw;
@@ -204,31 +239,34 @@ bool RunOutcome::cancelled() const { return is_cancelled(result); }
 MeshFromFile load_mesh(const std::string& path) {
   MeshFromFile mesh;
   const Stopwatch watch;
-  const MeshLists lists = read_mesh(path);
+  MeshLists lists = read_mesh(path);
   mesh.load_ms = watch.ms();
   mesh.polygons = lists.polygon_count;
-  mesh.opened = OpenedMesh::open(lists);
+  mesh.services = std::make_shared<host::Services>("talweg", version());
+  mesh.owner = std::make_shared<host::Instance>(plugin_named("talweg.smooth"), *mesh.services);
+  translated([&] { set_mesh(*mesh.owner, lists.points, lists.triangles); });
+  mesh.mesh = std::make_shared<const SurfaceMesh>(SurfaceMesh::open(std::move(lists)));
   return mesh;
 }
 
 Workspace::Workspace(MeshFromFile mesh, std::size_t threads)
-    : mesh_(std::move(mesh)), reader_(mesh_.opened->mesh()), smoothers_(threads) {}
+    : mesh_(std::move(mesh)), reader_(*mesh_.mesh), smoothers_(threads) {}
+
+Workspace::~Workspace() = default;
 
 RunOutcome Workspace::smooth(const SmoothOptions& options, const Progress& progress) {
   const Prepared run = prepare(mesh_, reader_, options, progress);
   if (options.independent) return smooth_each(smoothers_, mesh_, run);
-  if (!smoothers_[0]) smoothers_[0] = std::make_unique<CurveSmoother>(mesh_.opened);
+  if (!smoothers_[0]) smoothers_[0] = std::make_unique<Smoother>(mesh_);
   RunOutcome outcome;
   outcome.result = smooth_set(*smoothers_[0], run);
   for (std::size_t i = 0; i < outcome.result.curves.size(); ++i) outcome.numbers.push_back(i);
   return outcome;
 }
 
-void write_run(const SmoothOptions& options, const SurfaceMesh& mesh, const RunOutcome& outcome) {
+void write_run(const SmoothOptions& options, const RunOutcome& outcome) {
   if (outcome.cancelled() || outcome.result.curves.empty()) return;
-  for (const std::string& output : options.outputs) {
-    write_curves(output, mesh, outcome.result.curves);
-  }
+  for (const std::string& output : options.outputs) write_curves(output, outcome.result.curves);
   if (!options.report.empty()) {
     write_file(options.report, to_json(outcome.result.total, outcome.result.reports));
   }

@@ -8,19 +8,24 @@
 
 #include "drawing_file.hpp"
 #include "failure.hpp"
+#include "plugin_host.hpp"
 #include "smooth_options.hpp"
-#include "talweg/core/curve_smoother.hpp"
+#include "talweg/core/placed_curve.hpp"
+#include "talweg/core/report.hpp"
+#include "talweg/core/surface_mesh.hpp"
 
 namespace talweg::driver {
 
-/// A mesh, opened, and how it was read.
+/// A mesh, how it was read, and the plugin that smooths on it.
 struct MeshFromFile {
-  std::shared_ptr<const OpenedMesh> opened;
+  std::shared_ptr<const SurfaceMesh> mesh;  ///< for what files say about it
+  std::shared_ptr<host::Services> services;
+  std::shared_ptr<host::Instance> owner;  ///< of talweg.smooth; others take the mesh from it
   double load_ms = 0;
   std::size_t polygons = 0;  ///< that were split into triangles
 };
 
-/// Throws Error as read_mesh() and OpenedMesh::open() do.
+/// Throws Error as read_mesh() and SurfaceMesh::open() do, and plugin_named().
 MeshFromFile load_mesh(const std::string& path);
 
 /// A curve that could not be smoothed.
@@ -29,35 +34,43 @@ struct CurveFailure {
   Failure why;
 };
 
+/// What smoothing gives: SmoothingResult, ready to be written.
+struct SmoothedCurves {
+  std::vector<PlacedCurve> curves;
+  std::vector<SmoothingReport> reports;
+  SmoothingReport total;
+};
+
 /// `result.curves` lacks the curves that failed; only independent curves fail one by one.
 struct RunOutcome {
-  SmoothingResult result;
+  SmoothedCurves result;
   std::vector<std::size_t> numbers;  ///< of result.curves among the run's curves
   std::vector<CurveFailure> failures;
 
   [[nodiscard]] bool cancelled() const;
 };
 
+class Smoother;
+
 /// A mesh and the memory to work on it, kept from run to run. One thread at a time.
 class Workspace {
  public:
   /// Independent curves are shared out among `threads`; that changes no result.
   Workspace(MeshFromFile mesh, std::size_t threads);
+  ~Workspace();
 
   /// Reads the curves and smooths them, as one set or each by itself. `options` are after
-  /// choose_method(). Throws Error for what concerns all curves. `progress` is called from several
+  /// check_method(). Throws Error for what concerns all curves. `progress` is called from several
   /// threads where there are several.
   RunOutcome smooth(const SmoothOptions& options, const Progress& progress);
-
-  [[nodiscard]] const SurfaceMesh& mesh() const { return mesh_.opened->mesh(); }
 
  private:
   MeshFromFile mesh_;
   DrawingReader reader_;
-  std::vector<std::unique_ptr<CurveSmoother>> smoothers_;  ///< one per thread, made when needed
+  std::vector<std::unique_ptr<Smoother>> smoothers_;  ///< one per thread, made when needed
 };
 
 /// Writes the outputs and the report. Nothing where the run was cancelled or no curve is left.
-void write_run(const SmoothOptions& options, const SurfaceMesh& mesh, const RunOutcome& outcome);
+void write_run(const SmoothOptions& options, const RunOutcome& outcome);
 
 }  // namespace talweg::driver

@@ -330,7 +330,7 @@ typedef struct talweg_plugin {
   talweg_status (*set_number)(talweg_instance *instance, const char *id, double value);
   talweg_status (*set_choice)(talweg_instance *instance, const char *id, const char *value);
   talweg_status (*set_array)(talweg_instance *instance, const char *id, const talweg_array *values);
-  /* [instance] Back to the default. */
+  /* [instance] Back to the default, or as it was: the parameter's stage is repeated either way. */
   talweg_status (*reset)(talweg_instance *instance, const char *id);
 
   /* [instance] Does what is not up to date yet, and gives the results to `sink`. Same input and

@@ -1,5 +1,7 @@
 // The driver as its users see it: options, exit codes, one line on stderr, names in the report.
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdlib>
 #include <set>
 #include <string>
@@ -10,6 +12,7 @@
 #include "core/generated_meshes.hpp"
 #include "core/reference_data.hpp"
 #include "plugins/driver_runs.hpp"
+#include "plugins/plugin_runs.hpp"
 #include "talweg/core/formats/curve_file.hpp"
 #include "talweg/core/mesh_writer.hpp"
 
@@ -187,7 +190,7 @@ TEST_F(Driver, HoldsTheDrawingWhereTheSlackFieldIsSmall) {
 }
 
 TEST_F(Driver, SaysWhatIsWrongWithTheArguments) {
-  expect_failure("", 1, {"draw, smooth, measure or info"});
+  expect_failure("", 1, {"draw, smooth, measure, info, plugins or run"});
   expect_failure("smoth mesh.ply", 1, {"smoth"});
   expect_failure("smooth mesh.ply", 1, {"--curve"});
   expect_failure("smooth mesh.ply --curve a.txt --bogus", 1, {"--bogus"});
@@ -255,6 +258,62 @@ TEST_F(Driver, RefusesBrokenMeshFiles) {
     expect_failure(std::string("smooth ") + name + " --curve a.txt", 2, {name});
     expect_failure(std::string("info ") + name, 2, {name});
   }
+}
+
+TEST_F(Driver, ListsItsPlugins) {
+  const Outcome outcome = run("plugins");
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_EQ(outcome.err, "");
+  EXPECT_EQ(outcome.out,
+            "talweg.distance\tDistance to curves\ntalweg.draw\tDraw curves\n"
+            "talweg.geodesic\tGeodesic\ntalweg.smooth\tSmooth curves\n");
+}
+
+TEST_F(Driver, RunsAnyPluginByItsDescription) {
+  ASSERT_EQ(run("draw mesh.ply --through 64,400,590 -o drawn.json").code, 0);
+  ASSERT_EQ(run("run talweg.smooth mesh.ply --curve drawn.json --tau 2 --no-polish -o a.json "
+                "--report r.json")
+                .code,
+            0);
+  EXPECT_EQ(nlohmann::json::parse(bytes_of(file("r.json")))["tau"], 2);
+  ASSERT_EQ(run("run talweg.smooth mesh.ply --curve drawn.json --tau 2 -o b.json").code, 0);
+  EXPECT_NE(bytes_of(file("a.json")), bytes_of(file("b.json")));
+  ASSERT_EQ(run("smooth mesh.ply --curve drawn.json --tau 2 -o c.json").code, 0);
+  EXPECT_EQ(bytes_of(file("b.json")), bytes_of(file("c.json")));
+
+  // A straight line over 30 x 20 squares, through the vertices' positions.
+  write("ends.txt", "64 590");
+  ASSERT_EQ(run("run talweg.draw mesh.ply --curve ends.txt --straight --report r.json").code, 0);
+  EXPECT_NEAR(nlohmann::json::parse(bytes_of(file("r.json")))["length"], std::hypot(1, 17), 1e-9);
+  ASSERT_EQ(run("run talweg.distance mesh.ply --curve drawn.json --write-distance d.txt").code, 0);
+  EXPECT_EQ(
+      run("smooth mesh.ply --curve drawn.json --potential paper --distance d.txt -o e.json").code,
+      0);
+
+  const std::string help = run("run talweg.smooth --help").out;
+  const talweg_plugin& smooth = test::plugin_of_this_build("talweg.smooth");
+  for (std::uint32_t k = 0; k < smooth.parameter_count; ++k) {
+    std::string option = std::string("--") + smooth.parameters[k]->id;
+    std::replace(option.begin(), option.end(), '_', '-');
+    EXPECT_NE(help.find(option), std::string::npos) << option;
+    EXPECT_NE(help.find(std::string(smooth.parameters[k]->doc).substr(0, 20)), std::string::npos);
+  }
+  expect_failure("run", 1, {"plugin", "talweg plugins"});
+  expect_failure("run talweg.nothing mesh.ply", 2, {"talweg.nothing", "TALWEG_PLUGIN_PATH"});
+  expect_failure("run talweg.smooth mesh.ply --curve drawn.json --taw 1", 1, {"--taw"});
+  expect_failure("run talweg.smooth mesh.ply --curve drawn.json --tau -1", 1, {"tau", ">= 0"});
+  expect_failure("run talweg.smooth none.ply --curve drawn.json", 2, {"none.ply"});
+}
+
+TEST_F(Driver, GoesOnWithoutBrokenPlugins) {
+  std::filesystem::create_directory(file("plugins"));
+  write("plugins/broken.so", "This is not a library.");
+  setenv("TALWEG_PLUGIN_PATH", file("plugins").c_str(), 1);
+  const Outcome outcome = run("plugins");
+  unsetenv("TALWEG_PLUGIN_PATH");
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_NE(outcome.err.find("broken.so: It is not a shared library."), std::string::npos);
+  EXPECT_NE(outcome.out.find("talweg.smooth\t"), std::string::npos);
 }
 
 TEST_F(Driver, SmoothsEveryManifoldRealMesh) {

@@ -1,0 +1,45 @@
+// The driver as a host of plugins: finding them, their errors and results in the library's types.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "talweg/core/formats/curve_file.hpp"
+#include "talweg/core/placed_curve.hpp"
+#include "talweg/core/report.hpp"
+#include "talweg/intrinsic/error.hpp"
+#include "talweg/loader/talweg_loader.h"
+#include "talweg/plugin/talweg_host.hpp"
+
+namespace talweg::driver {
+
+/// Every plugin there is; loaded when first asked for, there until the program ends.
+const talweg_loader* plugin_loader();
+/// Throws Error(kBadFile) that says where it was looked for.
+const talweg_plugin& plugin_named(const std::string& id);
+
+/// Throws what a plugin's failure means to the driver: an Error, or std::runtime_error for the
+/// plugin's own faults.
+[[noreturn]] void rethrow(const host::Error& error);
+
+/// Calls a plugin, and throws what the driver understands.
+template <class Call>
+auto translated(const Call& call) {
+  try {
+    return call();
+  } catch (const host::Error& error) {
+    rethrow(error);
+  }
+}
+
+host::Curve host_curve(const PlacedCurve& curve);
+host::Curve host_curve(const CurveInput& curve);
+PlacedCurve placed_curve(const host::Curve& curve);
+/// The report on one curve, or on all (-1).
+std::vector<ReportEntry> entries_of(const host::Results& results, std::int64_t curve);
+
+/// The mesh of a file goes to a plugin; copied once.
+void set_mesh(host::Instance& instance, std::span<const Point> points,
+              std::span<const Triangle> triangles);
+
+}  // namespace talweg::driver

@@ -1,0 +1,99 @@
+#include "plugin_options.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "field_file.hpp"
+
+namespace talweg::driver {
+namespace {
+
+std::string range_of(const talweg_parameter& p) {
+  const char* open = (p.flags & TALWEG_OPEN_MINIMUM) != 0 ? "(" : "[";
+  return fmt::format("{}{:g}, {:g}{}", open, p.minimum, p.maximum,
+                     std::isfinite(p.maximum) ? "]" : ")");
+}
+
+std::string description_of(const talweg_parameter& p) {
+  std::string text = p.doc;
+  if (p.type == TALWEG_NUMBER || p.type == TALWEG_INTEGER) text += " In " + range_of(p);
+  if (*p.unit != '\0') text += std::string(text.ends_with(".") ? " In " : ", ") + p.unit;
+  if (!text.ends_with(".")) text += ".";
+  return text;
+}
+
+}  // namespace
+
+std::string option_name(const std::string& id) {
+  std::string name = "--" + id;
+  std::replace(name.begin(), name.end(), '_', '-');
+  return name;
+}
+
+PluginOptions::PluginOptions(CLI::App& app, const talweg_plugin& plugin) {
+  for (std::uint32_t k = 0; k < plugin.parameter_count; ++k) {
+    values_.push_back(std::make_unique<Value>());
+    values_.back()->parameter = plugin.parameters[k];
+    add(app, *values_.back());
+  }
+}
+
+void PluginOptions::add(CLI::App& app, Value& value) {
+  const talweg_parameter& p = *value.parameter;
+  const std::string name = option_name(p.id), text = description_of(p);
+  const bool optional = (p.flags & TALWEG_OPTIONAL) != 0;
+  switch (p.type) {
+    case TALWEG_NUMBER:
+    case TALWEG_INTEGER:
+      value.option = app.add_option(name, value.number, text);
+      if (p.type == TALWEG_INTEGER) value.option->type_name("INT");
+      if (!optional) value.option->default_str(fmt::format("{:g}", p.default_number));
+      break;
+    case TALWEG_BOOLEAN:
+      value.option = app.add_flag(p.default_number != 0 ? name + ",!--no-" + name.substr(2) : name,
+                                  value.flag, text);
+      break;
+    case TALWEG_CHOICE:
+      value.option = app.add_option(name, value.text, text)
+                         ->check(CLI::IsMember(
+                             std::vector<std::string>(p.choices, p.choices + p.choice_count)))
+                         ->default_str(p.default_choice);
+      break;
+    case TALWEG_VERTICES:
+      value.option = app.add_option(name, value.vertices, text)->delimiter(',');
+      break;
+    case TALWEG_FIELD:
+      value.option = app.add_option(name, value.text, text + " A file, one number per vertex.");
+      break;
+    default:  // of a newer plugin: it keeps its default
+      return;
+  }
+  if ((p.flags & TALWEG_ADVANCED) != 0) value.option->group("Advanced");
+}
+
+void PluginOptions::apply(host::Instance& instance) const {
+  for (const auto& value : values_) {
+    if (value->option == nullptr || value->option->count() == 0) continue;
+    const char* id = value->parameter->id;
+    switch (value->parameter->type) {
+      case TALWEG_BOOLEAN:
+        instance.set(id, value->flag ? 1.0 : 0.0);
+        break;
+      case TALWEG_CHOICE:
+        instance.set(id, value->text);
+        break;
+      case TALWEG_VERTICES:
+        instance.set(id, value->vertices);
+        break;
+      case TALWEG_FIELD:
+        instance.set(id, read_field(value->text));
+        break;
+      default:
+        instance.set(id, value->number);
+    }
+  }
+}
+
+}  // namespace talweg::driver

@@ -1,0 +1,41 @@
+// A plugin's parameters as options of a command line, made from their descriptions.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "talweg/plugin/talweg_host.hpp"
+
+namespace talweg::driver {
+
+class PluginOptions {
+ public:
+  /// Adds one option per parameter ("max_deviation": --max-deviation). The object must outlive the
+  /// app's parsing.
+  PluginOptions(CLI::App& app, const talweg_plugin& plugin);
+
+  /// Sets what was given. Throws Error(kBadFile) for files of fields, host::Error.
+  void apply(host::Instance& instance) const;
+
+ private:
+  struct Value {
+    const talweg_parameter* parameter = nullptr;
+    CLI::Option* option = nullptr;
+    double number = 0;
+    bool flag = false;
+    std::string text;  ///< a choice, or a file
+    std::vector<std::uint32_t> vertices;
+  };
+  static void add(CLI::App& app, Value& value);
+
+  std::vector<std::unique_ptr<Value>> values_;  // CLI11 keeps their addresses
+};
+
+/// "max_deviation" as "--max-deviation".
+std::string option_name(const std::string& id);
+
+}  // namespace talweg::driver

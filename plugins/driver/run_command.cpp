@@ -1,0 +1,200 @@
+// talweg run PLUGIN: any plugin, with options made from its description.
+#include <algorithm>
+#include <cstdio>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "commands.hpp"
+#include "field_file.hpp"
+#include "plugin_host.hpp"
+#include "plugin_options.hpp"
+#include "progress_bar.hpp"
+#include "talweg/core/formats/file_bytes.hpp"
+#include "talweg/core/mesh_reader.hpp"
+#include "talweg/core/mesh_writer.hpp"
+#include "talweg/core/version.hpp"
+
+namespace talweg::driver {
+namespace {
+
+/// What goes in and out besides the parameters.
+struct Files {
+  std::string mesh;
+  std::vector<std::string> curves;
+  std::vector<std::string> outputs;
+  std::string report;
+  std::string meshes;
+  std::map<std::string, std::string> fields;  ///< by name
+};
+
+bool gives(const talweg_plugin& plugin, std::uint32_t kind) {
+  for (std::uint32_t k = 0; k < plugin.output_count; ++k) {
+    if (plugin.outputs[k]->kind == kind) return true;
+  }
+  return false;
+}
+
+void add_files(CLI::App& app, const talweg_plugin& plugin, Files& files) {
+  app.add_option("mesh", files.mesh, "Mesh: OBJ, OFF, PLY, STL or OM")->required();
+  if ((plugin.flags & TALWEG_TAKES_CURVES) != 0) {
+    app.add_option("--curve", files.curves,
+                   "Curves: .obj, .ply, .vtp, .vtk, .mrk.json, .txt (vertex numbers) or .json; may "
+                   "be given several times")
+        ->required();
+  }
+  if (gives(plugin, TALWEG_OUTPUT_CURVES)) {
+    app.add_option("-o,--output", files.outputs,
+                   "Resulting curves; the ending chooses the format; may be given several times");
+  }
+  if (gives(plugin, TALWEG_OUTPUT_REPORT)) {
+    app.add_option("--report", files.report, "The report, as JSON");
+  }
+  if (gives(plugin, TALWEG_OUTPUT_MESH)) {
+    app.add_option("--write-mesh", files.meshes, "The resulting mesh: OBJ, OFF or PLY");
+  }
+  for (std::uint32_t k = 0; k < plugin.output_count; ++k) {
+    const talweg_output& output = *plugin.outputs[k];
+    if (output.kind != TALWEG_OUTPUT_VERTEX_FIELD) continue;
+    app.add_option(
+        option_name(std::string("write_") + output.name), files.fields[output.name],
+        fmt::format("{}, {}: one number per vertex. {}", output.label, output.unit, output.doc));
+  }
+}
+
+std::string list_text(const host::ReportEntry& entry) {
+  if (entry.type == TALWEG_VALUE_TEXT) return fmt::format("{}", fmt::join(entry.texts, " "));
+  return fmt::format("{:.6g}", fmt::join(entry.numbers, " "));
+}
+
+void write_results(const Files& files, const talweg_plugin& plugin, const host::Results& results) {
+  std::vector<PlacedCurve> curves;
+  for (const host::Curve& curve : results.curves) curves.push_back(placed_curve(curve));
+  for (const std::string& output : files.outputs) write_curves(output, curves);
+  for (const auto& [name, path] : files.fields) {
+    if (path.empty()) continue;
+    bool written = false;
+    for (const host::Field& field : results.fields) {
+      if (field.name != name) continue;
+      write_field(path, field.values);
+      written = true;
+    }
+    if (!written) {
+      throw Error(ErrorCode::kBadFile, std::string(plugin.id) + " gave no field " + name + ".");
+    }
+  }
+  if (!files.report.empty()) {
+    std::vector<std::vector<ReportEntry>> reports;
+    for (std::size_t c = 0; c < curves.size(); ++c) {
+      reports.push_back(entries_of(results, static_cast<std::int64_t>(c)));
+    }
+    write_file(files.report, to_json(entries_of(results, -1), reports));
+  }
+  if (files.meshes.empty()) return;
+  if (results.meshes.empty()) {
+    throw Error(ErrorCode::kBadFile, std::string(plugin.id) + " gave no mesh.");
+  }
+  MeshLists lists;
+  for (const auto& p : results.meshes[0].positions) lists.points.emplace_back(p.data());
+  for (const auto& t : results.meshes[0].triangles) lists.triangles.push_back(t);
+  write_mesh(files.meshes, lists);
+}
+
+bool writes_nothing(const Files& files) {
+  for (const auto& [name, path] : files.fields) {
+    if (!path.empty()) return false;
+  }
+  return files.outputs.empty() && files.report.empty() && files.meshes.empty();
+}
+
+int run_plugin(const talweg_plugin& plugin, const Files& files, const PluginOptions& options,
+               const GlobalOptions& global) {
+  const host::Services services(
+      "talweg", version(), progress_bar(global.quiet),
+      [&global](std::uint32_t severity, const char* message) {
+        if (global.verbose && !global.quiet && severity >= TALWEG_LOG_INFO) {
+          std::fprintf(stderr, "talweg: %s\n", message);
+        }
+      });
+  host::Results results;
+  try {
+    host::Instance instance(plugin, services);
+    options.apply(instance);
+    {
+      const MeshLists lists = read_mesh(files.mesh);
+      set_mesh(instance, lists.points, lists.triangles);
+    }
+    std::vector<host::Curve> curves;
+    for (const std::string& path : files.curves) {
+      for (const CurveInput& curve : read_curves(path)) curves.push_back(host_curve(curve));
+    }
+    if (!curves.empty()) instance.set_curves(curves);
+    host::Wanted wanted;
+    wanted.meshes = !files.meshes.empty();
+    for (const auto& [name, path] : files.fields) {
+      wanted.vertex_fields = wanted.vertex_fields || !path.empty();
+    }
+    results = instance.run(wanted);
+  } catch (const host::Error& error) {
+    if (error.status() != TALWEG_CANCELLED) rethrow(error);
+    clear_progress_bar();
+    std::fprintf(stderr, "talweg: cancelled; nothing was written.\n");
+    return kCancelled;
+  }
+  clear_progress_bar();
+  write_results(files, plugin, results);
+  if (!global.quiet && (global.verbose || writes_nothing(files))) {
+    for (const host::ReportEntry& entry : results.report) {
+      if (entry.curve < 0) fmt::print("{:<28}{}\n", entry.key, list_text(entry));
+    }
+  }
+  const std::string termination = results.text("termination");
+  return termination.empty() || termination == "converged" ? kDone : kNotConverged;
+}
+
+/// Parses what follows `run PLUGIN` by the plugin's own options.
+int parse_and_run(std::vector<std::string> arguments, const GlobalOptions& given) {
+  GlobalOptions global = given;
+  const talweg_plugin& plugin = plugin_named(arguments.front());
+  CLI::App app(fmt::format("{}: {}", plugin.label, plugin.doc),
+               std::string("talweg run ") + plugin.id);
+  Files files;
+  add_files(app, plugin, files);
+  const PluginOptions options(app, plugin);
+  app.add_flag("-q,--quiet", global.quiet, "Print nothing but errors");
+  app.add_flag("-v,--verbose", global.verbose, "Print the report and what the plugin logs");
+  arguments.erase(arguments.begin());
+  std::reverse(arguments.begin(), arguments.end());  // as CLI11 wants them
+  try {
+    app.parse(arguments);
+  } catch (const CLI::Success& asked) {
+    return app.exit(asked);  // --help
+  } catch (const CLI::ParseError& error) {
+    throw Error(ErrorCode::kBadUsage,
+                error.what() + std::string(" (see talweg run ") + plugin.id + " --help)");
+  }
+  return run_plugin(plugin, files, options, global);
+}
+
+}  // namespace
+
+Command add_run(CLI::App& app, const GlobalOptions& global) {
+  CLI::App* command = app.add_subcommand(
+      "run",
+      "Run any plugin on a mesh: talweg run PLUGIN MESH ...; talweg run PLUGIN --help tells "
+      "its options");
+  command->prefix_command();
+  command->fallthrough(false);
+  return [command, &global]() -> int {
+    const std::vector<std::string> arguments = command->remaining();
+    if (arguments.empty()) {
+      throw Error(ErrorCode::kBadUsage, "A plugin is required (see talweg plugins).");
+    }
+    return parse_and_run(arguments, global);
+  };
+}
+
+}  // namespace talweg::driver
