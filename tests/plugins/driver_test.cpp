@@ -204,7 +204,7 @@ TEST_F(Driver, SaysWhatIsWrongWithTheArguments) {
   expect_failure("smooth mesh.ply --curve a.txt --tau nan", 1, {"tau"});
   expect_failure("smooth mesh.ply --curve a.txt --tau much", 1, {"--tau", "much"});
   expect_failure("smooth mesh.ply --curve a.txt --potential paper --heat-time 0", 1, {"heat_time"});
-  expect_failure("smooth mesh.ply --curve a.txt --relax -1", 1, {"rounds"});
+  expect_failure("smooth mesh.ply --curve a.txt --relax -1", 1, {"relax", ">= 0"});
   expect_failure("smooth mesh.ply --curve a.txt --pin 5", 1, {"vertex 5"});
   expect_failure("smooth mesh.ply --curve a.txt --potential steep", 1, {"steep"});
 }
