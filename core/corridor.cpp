@@ -44,6 +44,8 @@ Corridor::Corridor(PolylineDistance& distance, double tau, const std::vector<Val
       profile.phase_per_arc = 2 * std::numbers::pi * valley.turns / length;
     }
     if (!valley.slack_at.empty()) set_field(profile, valley, c);
+    least_slack_ = std::min(least_slack_, valley.slack);
+    for (const double slack : profile.slacks) least_slack_ = std::min(least_slack_, slack);
   }
 }
 
@@ -94,6 +96,7 @@ PotentialOnEdge Corridor::on_edge(EdgeId e, double t) const {
   const Profile& profile = profiles_[d.curve];
   const Varying slack_here = slack(profile, d.arc_length);
   const double beyond = d.value - slack_here.value;
+  result.clear = std::max(0.0, least_slack_ - d.value);
   if (!(beyond > 0)) return result;
   const double slope = d.first - slack_here.slope * d.arc_first;
   const double phi = profile.steepness * beyond * beyond;
@@ -107,6 +110,36 @@ PotentialOnEdge Corridor::on_edge(EdgeId e, double t) const {
   result.first = {first * c - phi * s * dtheta, first * s + phi * c * dtheta};
   const double radial = second - phi * dtheta * dtheta, around = 2 * first * dtheta;
   result.second = {radial * c - around * s, radial * s + around * c};
+  return result;
+}
+
+PotentialInFace Corridor::in_face(FaceId face, const ExactPotential::Barycentric& b,
+                                  const std::array<ExactPotential::Barycentric, 2>& d) const {
+  PotentialInFace result;
+  const PolylineDistance::FaceValue at = distance_->at_face(face, b, d);
+  if (!std::isfinite(at.value)) return result;
+  const Profile& profile = profiles_[at.curve];
+  const Varying slack_here = slack(profile, at.arc_length);
+  const double beyond = at.value - slack_here.value;
+  if (!(beyond > 0)) return result;
+  const double turn = profile.phase_per_arc, theta = turn * at.arc_length;
+  const double c = std::cos(theta), s = std::sin(theta), k = profile.steepness;
+  const double phi = k * beyond * beyond;
+  std::array<double, 2> slope{}, rise{}, spin{};
+  for (std::size_t i = 0; i < 2; ++i) {
+    slope[i] = at.first[i] - slack_here.slope * at.arc_first[i];
+    rise[i] = 2 * k * beyond * slope[i];
+    spin[i] = turn * at.arc_first[i];
+    result.first[i] = {rise[i] * c - phi * s * spin[i], rise[i] * s + phi * c * spin[i]};
+  }
+  result.value = {phi * c, phi * s};
+  for (std::size_t n = 0; n < 3; ++n) {
+    const std::size_t i = n / 2, j = (n + 1) / 2;
+    const double radial =
+        2 * k * (slope[i] * slope[j] + beyond * at.second[n]) - phi * spin[i] * spin[j];
+    const double around = rise[i] * spin[j] + rise[j] * spin[i];
+    result.second[n] = {radial * c - around * s, radial * s + around * c};
+  }
   return result;
 }
 

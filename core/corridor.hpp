@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -38,6 +39,8 @@ class Corridor {
   std::array<double, 2> at(const SurfacePoint& point) const;
   std::array<double, 2> at_vertex(VertexId v) const;
   PotentialOnEdge on_edge(EdgeId e, double t) const;
+  PotentialInFace in_face(FaceId face, const ExactPotential::Barycentric& b,
+                          const std::array<ExactPotential::Barycentric, 2>& d) const;
 
  private:
   /// One curve's valley, ready for use.
@@ -58,6 +61,7 @@ class Corridor {
 
   PolylineDistance* distance_;
   std::vector<Profile> profiles_;  // per curve
+  double least_slack_ = HUGE_VAL;
 };
 
 }  // namespace talweg

@@ -9,7 +9,7 @@ namespace talweg {
 namespace {
 
 constexpr double kStraight = 0.1;  // rad
-constexpr double kOfSegment = 0.8, kOfCurve = 1.0 / 24, kOfRadius = 0.25;
+constexpr double kOfSegment = 0.7, kOfCurve = 1.0 / 24, kOfRadius = 0.25;
 
 /// Lengths between successive points where the curve turns.
 std::vector<double> segment_lengths(const Surface& surface, const SurfaceCurve& curve) {

@@ -144,7 +144,9 @@ class CurveSmoother {
   [[nodiscard]] std::vector<double> at_inserted(std::span<const double> values,
                                                 std::size_t k) const;
   void make_valleys();
+  void keep_valleys_apart();
   void hold_loops();
+  void steepen(Corridor::Valley& valley, const SurfaceCurve& drawn) const;
   [[nodiscard]] std::vector<double> slack_in_order(const std::vector<double>& drawn,
                                                    std::size_t curve) const;
   [[nodiscard]] std::vector<Corridor::Valley> valleys_for(const SmoothingOptions& options) const;
@@ -167,6 +169,7 @@ class CurveSmoother {
   };
   Straightened straighten(const SmoothingOptions& options, SignpostTriangulation::Metric metric);
   Straightened straighten_in(const Corridor& corridor, const SmoothingOptions& options);
+  void hold_thin_loops(Straightened& straight) const;
   void polish_in(const Corridor& corridor, std::vector<SurfaceCurve>& curves) const;
   static std::optional<double> anchor_of(const SmoothingOptions& options);
   const Anchor& anchor_at(double tau, const SmoothingOptions& options,

@@ -8,13 +8,12 @@ namespace {
 
 constexpr double kStraight = 1e-4;  // rad
 constexpr double kEnd = 1e-7;       // points stay this far (in t) from the ends of their edges
+constexpr double kNearer = 0.8;     // of the way to a vertex, at most, in one step
 
 }  // namespace
 
 ChainNode LiftedChain::node_at(const SurfacePoint& point, bool keep) const {
-  ChainNode node{point, true, {}, 0, {}, {}, {}, {}};
-  node.dy.setZero();
-  node.ddphi.setZero();
+  ChainNode node(point);
   const auto* e = std::get_if<OnEdge>(&point.where());
   if (e == nullptr || keep) {
     const auto phi = potential_.at(node.point);
@@ -23,39 +22,90 @@ ChainNode LiftedChain::node_at(const SurfacePoint& point, bool keep) const {
   }
   node.fixed = false;
   node.edge = e->edge;
-  node.t = std::clamp(e->t, kEnd, 1 - kEnd);
   const HalfedgeId h = halfedge_of(node.edge);
   node.origin = mesh_.point(mesh_.surface().tail(h));
-  node.dy.head<3>() = mesh_.point(mesh_.surface().head(h)) - node.origin;
-  Trial here;
-  try_at(node, node.t, here);
-  take(here, node);
+  node.along = mesh_.point(mesh_.surface().head(h)) - node.origin;
+  static_cast<LiftedPlace&>(node) = place_at(node, e->t);
   return node;
 }
 
-void LiftedChain::try_at(const ChainNode& node, double t, Trial& trial) const {
-  trial.t = std::clamp(t, kEnd, 1 - kEnd);
-  const PotentialOnEdge phi = potential_.on_edge(node.edge, trial.t);
-  trial.y << node.origin + trial.t * node.dy.head<3>(), phi.value[0], phi.value[1];
-  trial.dphi << phi.first[0], phi.first[1];
-  trial.ddphi << phi.second[0], phi.second[1];
+LiftedPlace LiftedChain::place_at(const ChainNode& node, double t) const {
+  LiftedPlace place;
+  place.t = std::clamp(t, kEnd, 1 - kEnd);
+  const PotentialOnEdge phi = potential_.on_edge(node.edge, place.t);
+  place.y << node.origin + place.t * node.along, phi.value[0], phi.value[1];
+  place.dphi << phi.first[0], phi.first[1];
+  place.ddphi << phi.second[0], phi.second[1];
+  place.clear = phi.clear;
+  return place;
 }
 
-void LiftedChain::take(const Trial& trial, ChainNode& node) {
-  node.t = trial.t;
-  node.y = trial.y;
-  node.dy.tail<2>() = trial.dphi;
-  node.ddphi = trial.ddphi;
+FaceId LiftedChain::face_between(const ChainNode& a, const ChainNode& b) const {
+  const Surface& surface = mesh_.surface();
+  if (a.fixed && b.fixed) return common_face(surface, a.point, b.point);
+  const ChainNode &free = a.fixed ? b : a, &other = a.fixed ? a : b;
+  const auto* corner = other.fixed ? std::get_if<AtVertex>(&other.point.where()) : nullptr;
+  if (other.fixed && corner == nullptr) return common_face(surface, place(a), place(b));
+  FaceId face;
+  for (const HalfedgeId h : {halfedge_of(free.edge), twin(halfedge_of(free.edge))}) {
+    if (!surface.has_face(h)) continue;
+    const HalfedgeId next = surface.next(h), prev = surface.next(next);
+    const bool shared =
+        corner != nullptr
+            ? surface.tail(h) == corner->vertex || surface.tail(next) == corner->vertex ||
+                  surface.tail(prev) == corner->vertex
+            : free.edge == other.edge || edge_of(next) == other.edge || edge_of(prev) == other.edge;
+    if (shared && (!face.valid() || surface.face(h) < face)) face = surface.face(h);
+  }
+  return face;
+}
+
+/// The potential halfway between two nodes and its derivatives by where they are.
+PotentialInFace LiftedChain::halfway(const ChainNode& a, const LiftedPlace& at_a,
+                                     const ChainNode& b, const LiftedPlace& at_b) const {
+  const double clear = std::max(at_a.clear, at_b.clear);
+  if (clear > 0 && (at_b.y - at_a.y).head<3>().squaredNorm() < 4 * clear * clear) return {};
+  const FaceId face = face_between(a, b);
+  if (!face.valid()) return {};
+  const Surface& surface = mesh_.surface();
+  ExactPotential::Barycentric at{};
+  std::array<ExactPotential::Barycentric, 2> along{};
+  for (std::size_t i = 0; i < 2; ++i) {
+    const ChainNode& node = i == 0 ? a : b;
+    if (node.fixed) {
+      const auto corners = coordinates_in(surface, node.point, face).barycentric;
+      for (std::size_t k = 0; k < 3; ++k) at[k] += corners[k] / 2;
+      continue;
+    }
+    HalfedgeId h = surface.halfedge(face);
+    std::size_t k = 0;
+    for (; edge_of(h) != node.edge; ++k) h = surface.next(h);
+    const bool own = h == halfedge_of(node.edge);
+    const std::size_t tail = own ? k : (k + 1) % 3, head = own ? (k + 1) % 3 : k;
+    const double t = i == 0 ? at_a.t : at_b.t;
+    at[tail] += (1 - t) / 2;
+    at[head] += t / 2;
+    along[i][tail] = -0.5;
+    along[i][head] = 0.5;
+  }
+  return potential_.in_face(face, at, along);
 }
 
 /// Rounded off at zero, so that points that run together do no harm.
-double LiftedChain::segment(const ChainNode::Lifted& a, const ChainNode::Lifted& b) const {
-  return std::sqrt((b - a).squaredNorm() + smallest_ * smallest_);
+double LiftedChain::segment(const ChainNode& a, const LiftedPlace& at_a, const ChainNode& b,
+                            const LiftedPlace& at_b) const {
+  const PotentialInFace middle = halfway(a, at_a, b, at_b);
+  const Eigen::Vector2d phi(middle.value[0], middle.value[1]);
+  const double squared = (at_b.y - at_a.y).head<3>().squaredNorm() / 4 + smallest_ * smallest_;
+  return std::sqrt(squared + (phi - at_a.y.tail<2>()).squaredNorm()) +
+         std::sqrt(squared + (at_b.y.tail<2>() - phi).squaredNorm());
 }
 
 double LiftedChain::length(std::span<const ChainNode> nodes) const {
   double sum = 0;
-  for (std::size_t i = 0; i + 1 < nodes.size(); ++i) sum += segment(nodes[i].y, nodes[i + 1].y);
+  for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
+    sum += segment(nodes[i], nodes[i], nodes[i + 1], nodes[i + 1]);
+  }
   return sum;
 }
 
@@ -63,29 +113,41 @@ SurfacePoint LiftedChain::place(const ChainNode& node) const {
   return node.fixed ? node.point : SurfacePoint::on_edge(mesh_.surface(), node.edge, node.t);
 }
 
+/// Adds what the segment has to the length's derivatives: two halves, alike in space, from a to the
+/// middle and from there to b.
+void LiftedChain::add_segment(const ChainNode& a, const ChainNode& b, Row& row, Row& next) const {
+  using Eigen::Vector2d;
+  const PotentialInFace at = halfway(a, a, b, b);
+  const auto vector = [](const std::array<double, 2>& v) { return Vector2d(v[0], v[1]); };
+  const Vector2d middle = vector(at.value), by_a = vector(at.first[0]), by_b = vector(at.first[1]);
+  const Vector2d by_aa = vector(at.second[0]), by_ab = vector(at.second[1]),
+                 by_bb = vector(at.second[2]);
+  const Point way = (b.y - a.y).head<3>() / 2, da = -a.along / 2, db = b.along / 2;
+  const double squared = way.squaredNorm() + smallest_ * smallest_;
+  const double way_a = way.dot(da), way_b = way.dot(db);
+  const double aa = da.squaredNorm(), ab = da.dot(db), bb = db.squaredNorm();
+  const auto add = [&](const Vector2d& rise, const Vector2d& ra, const Vector2d& rb,
+                       const Vector2d& raa, const Vector2d& rab, const Vector2d& rbb) {
+    const double l = std::sqrt(squared + rise.squaredNorm());
+    const double ua = (way_a + rise.dot(ra)) / l, ub = (way_b + rise.dot(rb)) / l;
+    row.gradient += ua;
+    next.gradient += ub;
+    row.diagonal += (aa + ra.squaredNorm() - ua * ua) / l;
+    next.diagonal += (bb + rb.squaredNorm() - ub * ub) / l;
+    row.upper += (ab + ra.dot(rb) - ua * ub + rise.dot(rab)) / l;
+    row.bend += rise.dot(raa) / l;
+    next.bend += rise.dot(rbb) / l;
+  };
+  add(middle - a.y.tail<2>(), by_a - a.dphi, by_b, by_aa - a.ddphi, by_ab, by_bb);
+  add(b.y.tail<2>() - middle, -by_a, b.dphi - by_b, -by_aa, -by_ab, b.ddphi - by_bb);
+}
+
 /// Gradient and second derivatives of the length. False when the curve is straight already.
 bool LiftedChain::assemble(std::span<const ChainNode> nodes) {
   const std::size_t n = nodes.size();
-  rows_.resize(n);
-  rows_[0].clear();
-  double before = nodes[0].dy.squaredNorm();
+  rows_.assign(n, Row{});
   for (std::size_t i = 0; i + 1 < n; ++i) {
-    const ChainNode &a = nodes[i], &b = nodes[i + 1];
-    Row &row = rows_[i], &next = rows_[i + 1];
-    next.clear();
-    row.direction = b.y - a.y;
-    const double l = std::sqrt(row.direction.squaredNorm() + smallest_ * smallest_);
-    row.direction /= l;
-    row.length = l;
-    const double ua = row.direction.dot(a.dy), ub = row.direction.dot(b.dy);
-    row.gradient -= ua;
-    next.gradient += ub;
-    const double squared = b.dy.squaredNorm();
-    row.diagonal += (before - ua * ua) / l;
-    next.diagonal += (squared - ub * ub) / l;
-    row.upper = -(a.dy.dot(b.dy) - ua * ub) / l;
-    next.speed = std::sqrt(squared);
-    before = squared;
+    add_segment(nodes[i], nodes[i + 1], rows_[i], rows_[i + 1]);
   }
   double force = 0;  // sine of the angle by which the curve is not straight yet
   for (std::size_t i = 1; i + 1 < n; ++i) {
@@ -94,8 +156,8 @@ bool LiftedChain::assemble(std::span<const ChainNode> nodes) {
     row.held = node.fixed || (node.t <= kEnd && row.gradient > 0) ||
                (node.t >= 1 - kEnd && row.gradient < 0);
     if (row.held) continue;
-    row.diagonal +=
-        std::max(0.0, (rows_[i - 1].direction - row.direction).tail<2>().dot(node.ddphi));
+    row.speed = std::sqrt(node.along.squaredNorm() + node.dphi.squaredNorm());
+    row.diagonal += std::max(0.0, row.bend);
     force = std::max(force, std::abs(row.gradient) / row.speed);
   }
   return force >= kStraight;
@@ -119,22 +181,24 @@ bool LiftedChain::solve(std::span<const ChainNode> nodes) {
   return true;
 }
 
-/// Goes along the Newton step, each point by at most `most` of it and half its edge, as far as it
+/// Goes along the Newton step, each point by at most `most` of it, half its edge, and not all the
+/// way to a vertex (a point that should only have come closer would not come back), as far as it
 /// shortens the curve. False when it does not.
 bool LiftedChain::go_along(std::span<ChainNode> nodes, double most, double& total) {
   for (double scale = most; scale > 1e-3 * most; scale /= 2) {
     double shorter = 0;
     for (std::size_t i = 1; i < nodes.size(); ++i) {
-      const double step = rows_[i].step;
+      const double step = rows_[i].step, t = nodes[i].t;
       if (step != 0 && i + 1 < nodes.size()) {
-        try_at(nodes[i], nodes[i].t + std::clamp(scale * step, -0.5, 0.5), trials_[i]);
+        trials_[i] = place_at(nodes[i], t + std::clamp(scale * step, std::max(-0.5, -kNearer * t),
+                                                       std::min(0.5, kNearer * (1 - t))));
       }
-      shorter += segment(trials_[i - 1].y, trials_[i].y);
+      shorter += segment(nodes[i - 1], trials_[i - 1], nodes[i], trials_[i]);
     }
     if (!(shorter < total)) continue;
     for (std::size_t i = 1; i + 1 < nodes.size(); ++i) {
       if (rows_[i].step == 0) continue;
-      take(trials_[i], nodes[i]);
+      static_cast<LiftedPlace&>(nodes[i]) = trials_[i];
       nodes[i].changed = round_;
     }
     total = shorter;
@@ -146,14 +210,19 @@ bool LiftedChain::go_along(std::span<ChainNode> nodes, double most, double& tota
 /// One damped Newton step on a chain whose ends stay. False when nothing is gained.
 bool LiftedChain::newton_step(std::span<ChainNode> nodes, double& total) {
   if (!assemble(nodes) || !solve(nodes)) return false;
-  trials_.resize(nodes.size());
-  for (std::size_t i = 0; i < nodes.size(); ++i) trials_[i].y = nodes[i].y;
+  trials_.assign(nodes.begin(), nodes.end());
   const double before = total;
-  if (!go_along(nodes, 1, total)) {
-    // Points that lie close together, around a vertex, must keep their proportions.
-    double largest = 0;
-    for (const Row& row : rows_) largest = std::max(largest, std::abs(row.step));
-    if (!(largest > 0.5) || !go_along(nodes, 0.5 / largest, total)) return false;
+  // Points that lie close together, around a vertex, must keep their proportions.
+  double most = 1;
+  for (std::size_t i = 1; i + 1 < nodes.size(); ++i) {
+    const double step = rows_[i].step, room = step < 0 ? nodes[i].t : 1 - nodes[i].t;
+    if (std::abs(step) * most > kNearer * room) most = kNearer * room / std::abs(step);
+  }
+  constexpr std::size_t kFew = 16;
+  const bool together = nodes.size() <= kFew;
+  if (!go_along(nodes, together ? most : 1, total) &&
+      (most == 1 || !go_along(nodes, together ? 1 : most, total))) {
+    return false;
   }
   return before - total > tolerance_ * before;
 }

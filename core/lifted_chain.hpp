@@ -19,28 +19,50 @@ struct PotentialOnEdge {
   std::array<double, 2> value{};
   std::array<double, 2> first{};
   std::array<double, 2> second{};
+  double clear = 0;  ///< the potential is 0 as far around as this, mesh units
+};
+/// The same inside a face, by two parameters.
+struct PotentialInFace {
+  std::array<double, 2> value{};
+  std::array<std::array<double, 2>, 2> first{};   ///< by s, by t
+  std::array<std::array<double, 2>, 3> second{};  ///< ss, st, tt
 };
 struct ExactPotential {
+  using Barycentric = std::array<double, 3>;
   std::function<PotentialOnEdge(EdgeId, double)> on_edge;
   std::function<std::array<double, 2>(const SurfacePoint&)> at;
+  /// At b + s d[0] + t d[1], barycentrics in the order of Surface::corners().
+  std::function<PotentialInFace(FaceId, const Barycentric& b, const std::array<Barycentric, 2>& d)>
+      in_face;
+};
+
+/// Where a node of the chain is, or would be.
+struct LiftedPlace {
+  using Lifted = Eigen::Matrix<double, 5, 1>;  // position and potential
+
+  double t = 0;  ///< on the edge of a free node
+  Lifted y = Lifted::Zero();
+  Eigen::Vector2d dphi = Eigen::Vector2d::Zero();   ///< derivatives of the potential by t
+  Eigen::Vector2d ddphi = Eigen::Vector2d::Zero();  ///< second ones
+  double clear = 0;  ///< the potential is 0 as far around as this, mesh units
 };
 
 /// A point of the chain: free on an edge, or fixed.
-struct ChainNode {
-  using Lifted = Eigen::Matrix<double, 5, 1>;  // position and potential
+struct ChainNode : LiftedPlace {
+  explicit ChainNode(const SurfacePoint& p) : point(p) {}
 
   SurfacePoint point;  ///< where it is fixed
   bool fixed = true;
   EdgeId edge;
-  double t = 0;
-  Point origin;           ///< the edge's tail
-  Lifted y, dy;           ///< place and its derivative by t
-  Eigen::Vector2d ddphi;  ///< second derivative of the potential; that of the position is 0
-  bool awake = true;      ///< it, or something near, still gains by moving
-  int changed = 0;        ///< the last round in which it moved or came
+  Point origin = Point::Zero();  ///< the edge's tail
+  Point along = Point::Zero();   ///< from there to its head: derivative of the position by t
+  bool awake = true;             ///< it, or something near, still gains by moving
+  int changed = 0;               ///< the last round in which it moved or came
 };
 
-/// Minimises the lifted length of chains whose end points stay.
+/// Minimises the lifted length of chains whose end points stay. Between two nodes the potential is
+/// looked at once more, halfway: with the nodes alone, which are as far apart as the mesh has them,
+/// a chain could go through walls that it does not see, and more so on coarser meshes.
 class LiftedChain {
  public:
   using Nodes = std::vector<ChainNode>;
@@ -66,27 +88,22 @@ class LiftedChain {
   void settle_by_parts(std::span<ChainNode> nodes);
 
  private:
-  /// A row of the tridiagonal matrix, and the segment that follows the node.
+  /// A row of the tridiagonal matrix.
   struct Row {
-    ChainNode::Lifted direction;
-    double length = 0;
-    double speed = 0;  // of the node, by t
     double gradient = 0, diagonal = 0, upper = 0;
+    double bend = 0;   // what the diagonal gains where the potential is curved
+    double speed = 0;  // of the node, by t
     double factor = 0, step = 0;
     bool held = true;
-
-    void clear() { gradient = diagonal = upper = factor = step = 0, held = true; }
-  };
-  /// Where a free node would be.
-  struct Trial {
-    double t = 0;
-    ChainNode::Lifted y;
-    Eigen::Vector2d dphi, ddphi;
   };
 
-  void try_at(const ChainNode& node, double t, Trial& trial) const;
-  static void take(const Trial& trial, ChainNode& node);
-  [[nodiscard]] double segment(const ChainNode::Lifted& a, const ChainNode::Lifted& b) const;
+  [[nodiscard]] LiftedPlace place_at(const ChainNode& node, double t) const;
+  [[nodiscard]] FaceId face_between(const ChainNode& a, const ChainNode& b) const;
+  [[nodiscard]] PotentialInFace halfway(const ChainNode& a, const LiftedPlace& at_a,
+                                        const ChainNode& b, const LiftedPlace& at_b) const;
+  [[nodiscard]] double segment(const ChainNode& a, const LiftedPlace& at_a, const ChainNode& b,
+                               const LiftedPlace& at_b) const;
+  void add_segment(const ChainNode& a, const ChainNode& b, Row& row, Row& next) const;
   double settle_between(std::span<ChainNode> nodes, int steps);
   bool go_along(std::span<ChainNode> nodes, double most, double& total);
   bool newton_step(std::span<ChainNode> nodes, double& total);
@@ -99,7 +116,7 @@ class LiftedChain {
   double smallest_;
   int round_ = 0;
   std::vector<Row> rows_;
-  std::vector<Trial> trials_;
+  std::vector<LiftedPlace> trials_;
 };
 
 }  // namespace talweg

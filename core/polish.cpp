@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <utility>
 #include <vector>
 
@@ -12,11 +13,19 @@
 namespace talweg {
 namespace {
 
+/// How far from the origin the line from radius p at angle 0 to radius q at angle `end` crosses the
+/// ray at `angle`; 0 where it goes around the other side.
+double straight_across(double p, double q, double end, double angle) {
+  if (end >= std::numbers::pi) return 0;
+  return p * q * std::sin(end) / (p * std::sin(angle) + q * std::sin(end - angle));
+}
+
 class Polisher {
  public:
   Polisher(const SurfaceMesh& mesh, const ExactPotential& potential,
            std::span<const SurfacePoint> pinned, const PolishOptions& options, double scale)
-      : surface_(mesh.surface()),
+      : mesh_(mesh),
+        surface_(mesh.surface()),
         chain_(mesh, potential, options.tolerance, scale),
         pinned_(pinned),
         options_(options) {}
@@ -35,7 +44,8 @@ class Polisher {
   bool pass_vertex(std::size_t first, std::size_t count, VertexId v);
   [[nodiscard]] bool is_present(std::size_t first, std::size_t count, std::size_t before) const;
   double settled_below(double goal);
-  bool way_around(int from, int to, int way, VertexId v, LiftedChain::Nodes& trial) const;
+  bool way_around(const ChainNode& from, const ChainNode& to, int way, VertexId v,
+                  LiftedChain::Nodes& trial);
   void find_spokes(VertexId v);
   [[nodiscard]] int slot(const SurfacePoint& p, VertexId v) const;
   VertexId driven_to(const ChainNode& node) const;
@@ -45,6 +55,7 @@ class Polisher {
   [[nodiscard]] ChainNode& ahead(std::size_t next, std::size_t k);
   [[nodiscard]] ChainNode& behind(std::size_t k);
 
+  const SurfaceMesh& mesh_;
   const Surface& surface_;
   LiftedChain chain_;
   std::span<const SurfacePoint> pinned_;
@@ -54,6 +65,11 @@ class Polisher {
   LiftedChain::Nodes done_;  // while nodes_ are gone through: those that are behind
   std::vector<HalfedgeId> spokes_;
   bool whole_ = false;  // the spokes lead all around
+  struct Crossed {
+    HalfedgeId spoke;
+    double angle = 0;  // from where the way begins
+  };
+  std::vector<Crossed> crossed_;
   LiftedChain::Nodes trial_, best_;
   std::size_t passed_ = 0;
   int round_ = 0;
@@ -137,23 +153,44 @@ ChainNode& Polisher::behind(std::size_t k) {
   return k < n ? done_[n - 1 - k] : nodes_[nodes_.size() - 1 - (k - n)];
 }
 
-/// Appends the nodes of one way around v, or of that through it. False where there is none.
-bool Polisher::way_around(int from, int to, int way, VertexId v, LiftedChain::Nodes& trial) const {
+/// Appends the nodes of one way around v, or of that through it, from a node in slot `from` to one
+/// in `to`. False where there is none.
+bool Polisher::way_around(const ChainNode& from, const ChainNode& to, int way, VertexId v,
+                          LiftedChain::Nodes& trial) {
   if (way == 0) {
     trial.push_back(chain_.node_at(SurfacePoint::at_vertex(surface_, v), true));
     return true;
   }
+  const int p = slot(chain_.place(from), v), q = slot(chain_.place(to), v);
   const int slots = static_cast<int>(2 * spokes_.size());
-  for (int s = from; s != to;) {
+  const Point centre = mesh_.point(v);
+  Point last = from.y.head<3>() - centre;
+  const Point target = to.y.head<3>() - centre;
+  const double from_radius = last.norm();
+  crossed_.clear();
+  double turned = 0;
+  const auto turn_to = [&](const Point& next) {
+    turned += std::atan2(last.cross(next).norm(), last.dot(next));
+    last = next;
+  };
+  for (int s = p; s != q;) {
     const int next = s + way;
     if (!whole_ && (next < 0 || next > slots - 2)) return false;
     s = (next + slots) % slots;
-    if (s % 2 != 0 || s == to) continue;
+    if (s % 2 != 0 || s == q) continue;
     const HalfedgeId h = spokes_[static_cast<std::size_t>(s) / 2];
+    turn_to(mesh_.point(surface_.head(h)) - centre);
+    crossed_.push_back({h, turned});
+  }
+  turn_to(target);
+  for (const auto& [h, angle] : crossed_) {
     const EdgeId e = edge_of(h);
-    constexpr double kStart = 0.02;
-    const double t = h == halfedge_of(e) ? kStart : 1 - kStart;
-    trial.push_back(chain_.node_at(SurfacePoint::on_edge(surface_, e, t), false));
+    const double part =
+        straight_across(from_radius, target.norm(), turned, angle) / surface_.length(e);
+    constexpr double kStart = 0.001;
+    const double t = std::clamp(part, kStart, 1 - kStart);
+    trial.push_back(
+        chain_.node_at(SurfacePoint::on_edge(surface_, e, h == halfedge_of(e) ? t : 1 - t), false));
   }
   return true;
 }
@@ -191,8 +228,8 @@ bool Polisher::pass_vertex(std::size_t first, std::size_t count, VertexId v) {
     if (before == 0 || after == 0) return false;
   }
   find_spokes(v);
-  const int p = slot(chain_.place(behind(0)), v), q = slot(chain_.place(ahead(next, 0)), v);
-  if (p < 0 || q < 0) return false;
+  const ChainNode from = behind(0), to = ahead(next, 0);
+  if (slot(chain_.place(from), v) < 0 || slot(chain_.place(to), v) < 0) return false;
 
   const auto begin = [&] {
     trial_.clear();
@@ -208,7 +245,7 @@ bool Polisher::pass_vertex(std::size_t first, std::size_t count, VertexId v) {
   bool found = false;
   for (const int way : {+1, -1, 0}) {
     begin();
-    if (!way_around(p, q, way, v, trial_) || is_present(first, count, before)) continue;
+    if (!way_around(from, to, way, v, trial_) || is_present(first, count, before)) continue;
     end();
     const double length = settled_below(best);
     if (!(length < best)) continue;

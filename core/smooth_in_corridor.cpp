@@ -8,6 +8,7 @@
 
 #include "talweg/core/corridor_scale.hpp"
 #include "talweg/core/crossings.hpp"
+#include "talweg/core/curve_gaps.hpp"
 #include "talweg/core/curve_smoother.hpp"
 #include "talweg/core/lifted_lengths.hpp"
 #include "talweg/core/polish.hpp"
@@ -37,6 +38,28 @@ void CurveSmoother::make_valleys() {
     valley.slack = default_slack(mesh_->surface(), curve);
     valley.length = corridor_length(mesh_->mesh(), curve);
   }
+  if (valleys_.size() > 1) keep_valleys_apart();
+}
+
+/// Where the slacks of two curves met nothing would keep the curves apart.
+void CurveSmoother::keep_valleys_apart() {
+  constexpr double kOfGap = 0.45;
+  double most = 0;
+  for (const Corridor::Valley& valley : valleys_) most = std::max(most, valley.slack);
+  const std::vector<double> gaps = gaps_to_others(mesh_->mesh(), ordered_, most / kOfGap);
+  for (std::size_t c = 0; c < gaps.size(); ++c) {
+    valleys_[c].slack = std::min(valleys_[c].slack, kOfGap * gaps[c]);
+  }
+}
+
+/// For a loop that no slack holds: a strip of width w and length l that closed up would save about
+/// 2 l and has to climb to (a tau w / 2)^2 / L on both sides.
+void CurveSmoother::steepen(Corridor::Valley& valley, const SurfaceCurve& drawn) const {
+  const double width = 4 * width_of_loop(mesh_->mesh(), drawn);
+  const double length = curve_length(mesh_->surface(), drawn);
+  if (!(width > 0)) return;
+  valley.slack = width / 8;
+  valley.length = std::min(valley.length, width * width / length);
 }
 
 /// A loop that is thin, or small against its slack, could collapse within its own corridor. Whether
@@ -70,6 +93,9 @@ void CurveSmoother::hold_loops() {
                                     report.length_after < report.length_before / 2);
       if (doubtful[c]) valleys_[c].slack /= 2;
     }
+  }
+  for (std::size_t c = 0; c < drawn_.size(); ++c) {
+    if (doubtful[c]) steepen(valleys_[c], drawn_[c]);
   }
   curve_options_.pins = pins;
   embed_again();
@@ -118,6 +144,7 @@ void CurveSmoother::polish_in(const Corridor& corridor, std::vector<SurfaceCurve
   const ExactPotential exact = {
       [&](EdgeId e, double t) { return corridor.on_edge(e, t); },
       [&](const SurfacePoint& p) { return corridor.at(p); },
+      [&](FaceId f, const auto& b, const auto& d) { return corridor.in_face(f, b, d); },
   };
   const std::vector<SurfaceCurve> before = curves;
   for (SurfaceCurve& curve : curves) polish(mesh, curve, exact, curve_options_.pins);
@@ -145,6 +172,18 @@ CurveSmoother::Straightened CurveSmoother::straighten_in(const Corridor& corrido
   return result;
 }
 
+/// FlipOut sees the potential at the mesh's vertices. A loop that has none inside it collapses
+/// whatever tau is; the polish, which looks closer, starts from its drawing instead.
+void CurveSmoother::hold_thin_loops(Straightened& straight) const {
+  for (std::size_t c = 0; c < capped_.size(); ++c) {
+    FlipOutResult::Path& path = straight.flip_out.paths[c];
+    if (!capped_[c].closed || path.termination != Termination::kCollapsed) continue;
+    straight.curves[c] = ordered_[c];  // capped corners may cut through it
+    path.length_after = path.length_before;
+    path.termination = Termination::kConverged;
+  }
+}
+
 /// Straightened once, at the origin; from there the polish alone goes down, from one power of two
 /// to the next. So the result follows tau without jumping from one of several nearly equal
 /// geodesics to another, and is the same whatever was asked before. Upwards the polish would not
@@ -161,6 +200,7 @@ const CurveSmoother::Anchor& CurveSmoother::anchor_at(double tau, const Smoothin
     SmoothingOptions at_origin = options;
     at_origin.tau = tau;
     anchor.straight = straighten_in(corridor, at_origin);
+    hold_thin_loops(anchor.straight);
     anchor.polished = anchor.straight.curves;
     times.straighten = anchor.straight.time_ms.straighten;
     times.trace = anchor.straight.time_ms.trace;

@@ -11,31 +11,6 @@ namespace {
 using Nearest = PolylineDistance::Nearest;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-// Distances below this, relative to the edges at hand, are rounding: on the curve they are 0.
-constexpr double kRounding = 1e-14;
-
-bool is_nearer(const Nearest& a, const Nearest& b) {
-  if (a.distance != b.distance) return a.distance < b.distance;
-  return a.curve != b.curve ? a.curve < b.curve : a.arc_length < b.arc_length;
-}
-
-Nearest farther(const Nearest& from, double way) {
-  return {from.distance + way, from.curve, from.arc_length};
-}
-
-/// Distance of a point and a segment in the plane, and how far along it the nearest point is.
-double to_segment(PlanePoint x, PlanePoint p, PlanePoint q, double& along) {
-  const double length = std::hypot(q.x - p.x, q.y - p.y);
-  along = 0;
-  if (length > 0) {
-    const double t =
-        ((x.x - p.x) * ((q.x - p.x) / length)) + ((x.y - p.y) * ((q.y - p.y) / length));
-    along = std::clamp(t, 0.0, length);
-  }
-  const double part = length > 0 ? along / length : 0;
-  return std::hypot(x.x - (p.x + part * (q.x - p.x)), x.y - (p.y + part * (q.y - p.y)));
-}
-
 }  // namespace
 
 /// Along the edge from one of its ends.
@@ -175,51 +150,25 @@ PolylineDistance::EdgeValue PolylineDistance::at_edge(EdgeId edge, double t) {
   return result;
 }
 
-Nearest PolylineDistance::nearest_in_face(const InFace& point) const {
-  const auto& b = point.barycentric;
-  const auto corners = surface_->corners(point.face);
-  Nearest best{kInfinity, 0, 0};
-  const auto offer = [&](const Nearest& nearest) {
-    if (is_nearer(nearest, best)) best = nearest;
-  };
-  double longest = 0;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const SideFrame frame = side_frame(*surface_, point.face, k);
-    const PlanePoint p = frame.at(b, k);
-    longest = std::max(longest, frame.length);
-    offer(farther(vertex_[corners[k].index()], std::hypot(p.x, p.y)));
-    const EdgeId edge = edge_of(frame.side);
-    const bool own = frame.side == halfedge_of(edge);
-    const double x = own ? p.x : frame.length - p.x, y = own ? p.y : -p.y;
-    for (std::uint32_t i = first_window_[edge.index()]; i != kNone; i = windows_[i].next) {
-      const EdgeWindow& w = windows_[i];
-      if (w.into != frame.side) continue;
-      Nearest nearest{0, w.curve, 0};
-      nearest.distance = w.value_beyond(x, y, nearest.arc_length);
-      offer(nearest);
-    }
-  }
-  const SideFrame frame = side_frame(*surface_, point.face, 0);
-  for (const PolylinePiece& piece : pieces_.segments_in(point.face)) {
-    double along = 0;
-    const double distance =
-        to_segment(frame.at(b, 0), frame.at(piece.from, 0), frame.at(piece.to, 0), along);
-    offer({distance, piece.curve, piece.arc + along});
-  }
-  if (best.distance <= kRounding * longest) best.distance = 0;
-  return best;
-}
-
 Nearest PolylineDistance::at(const SurfacePoint& point) {
   if (const auto* v = std::get_if<AtVertex>(&point.where())) return at_vertex(v->vertex);
   if (const auto* e = std::get_if<OnEdge>(&point.where())) return on_edge(e->edge, e->t);
   const auto& inside = std::get<InFace>(point.where());
-  const VertexId corner = surface_->tail(surface_->halfedge(inside.face));
-  for (;;) {
-    const Nearest nearest = nearest_in_face(inside);
-    if (is_final(nearest.distance) || marches_in_vain(corner)) return finish(nearest);
-    march();
+  return finish(final_hit(inside.face, inside.barycentric).nearest);
+}
+
+double PolylineDistance::below(double limit, const SurfacePoint& point) {
+  reach(limit);
+  double known = kInfinity;
+  if (const auto* v = std::get_if<AtVertex>(&point.where())) {
+    known = vertex_[v->vertex.index()].distance;
+  } else if (const auto* e = std::get_if<OnEdge>(&point.where())) {
+    known = hit_on_edge(e->edge, e->t * surface_->length(e->edge)).nearest.distance;
+  } else {
+    const auto& inside = std::get<InFace>(point.where());
+    known = hit_in_face(inside.face, inside.barycentric).nearest.distance;
   }
+  return known < limit ? known : kInfinity;
 }
 
 }  // namespace talweg

@@ -1,6 +1,7 @@
 // Distance along the surface to drawn curves, exact, and only as far out as somebody asks.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -54,6 +55,22 @@ class PolylineDistance {
   /// The same answer as on_edge(). O(ways that reach the edge) once the edge has been reached.
   EdgeValue at_edge(EdgeId edge, double t);
 
+  /// The distance inside a face at b + s d₀ + t d₁ (barycentrics, in the order of
+  /// Surface::corners(); those of each d sum to 0) and its derivatives by s and t at s = t = 0.
+  struct FaceValue {
+    double value = 0;
+    std::array<double, 2> first{};
+    std::array<double, 3> second{};  ///< ss, st, tt
+    std::uint32_t curve = 0;         ///< as in Nearest
+    double arc_length = 0;           ///< as in Nearest
+    std::array<double, 2> arc_first{};
+  };
+  using Barycentric = std::array<double, 3>;
+  FaceValue at_face(FaceId face, const Barycentric& b, const std::array<Barycentric, 2>& d);
+
+  /// The distance where it is less than `limit`, infinite elsewhere; costs what lies nearer.
+  double below(double limit, const SurfacePoint& point);
+
   /// Makes all distances below `distance` known, as queries do by themselves.
   void reach(double distance) {
     while (!is_final(distance)) march();
@@ -72,6 +89,8 @@ class PolylineDistance {
 
  private:
   static constexpr std::uint32_t kNone = 0xFFFFFFFFU;
+  // Distances below this, relative to the edges at hand, are rounding: on the curve they are 0.
+  static constexpr double kRounding = 1e-14;
   enum ItemKind : std::uint32_t { kWindowItem, kVertexItem };
 
   // polyline_sources.cpp
@@ -101,6 +120,13 @@ class PolylineDistance {
   bool bends_at(VertexId v);
 
   // What is known so far; the front may still change it.
+  static bool is_nearer(const Nearest& a, const Nearest& b) {
+    if (a.distance != b.distance) return a.distance < b.distance;
+    return a.curve != b.curve ? a.curve < b.curve : a.arc_length < b.arc_length;
+  }
+  static Nearest farther(const Nearest& from, double way) {
+    return {from.distance + way, from.curve, from.arc_length};
+  }
   struct EdgeHit {
     Nearest nearest;
     const EdgeWindow* window = nullptr;  // none: along the edge from one end
@@ -115,7 +141,15 @@ class PolylineDistance {
   void copy_edge(EdgeId edge);
   EdgeHit final_hit(EdgeId edge, double x);
   const EdgeCopy& final_copy(EdgeId edge, double t, EdgeHit& hit);
-  [[nodiscard]] Nearest nearest_in_face(const InFace& point) const;
+  // polyline_in_face.cpp
+  struct FaceHit {
+    Nearest nearest;
+    std::size_t side = 0;  // in whose frame the way arrives
+    const EdgeWindow* window = nullptr;
+    const PolylinePiece* piece = nullptr;  // neither: from the corner of that side
+  };
+  [[nodiscard]] FaceHit hit_in_face(FaceId face, const Barycentric& b) const;
+  FaceHit final_hit(FaceId face, const Barycentric& b);
   [[nodiscard]] Nearest finish(Nearest nearest) const;
   [[nodiscard]] bool marches_in_vain(VertexId v);
   [[nodiscard]] bool is_final(double distance) const {

@@ -29,21 +29,26 @@ void EdgeWindow::cut(double from, double to, double overlap, double narrow) {
   }
 }
 
-double EdgeWindow::value_beyond(double x, double y, double& arc_length) const {
-  const double rise = std::abs(y);
+bool EdgeWindow::bends_towards(double x, double rise, double& at) const {
   double crossing = x;
   if (rise > 0) {
     crossing = from_point() ? px + (x - px) * std::abs(py) / (rise + std::abs(py))
                             : x - px / std::abs(py) * rise;
   }
-  if (crossing >= begin && crossing <= end) {
-    arc_length = from_point() ? arc : arc + sense * (py * x - px * y);
-    return from_point() ? offset + std::hypot(x - px, rise + std::abs(py))
-                        : offset + px * x + py * y;
+  if (crossing >= begin && crossing <= end) return false;
+  at = crossing > end ? end : begin;
+  return true;
+}
+
+double EdgeWindow::value_beyond(double x, double y, double& arc_length) const {
+  const double rise = std::abs(y);
+  double bend = 0;
+  if (bends_towards(x, rise, bend)) {
+    arc_length = arc_at(bend);
+    return value(bend) + std::hypot(x - bend, rise);
   }
-  const double bend = crossing > end ? end : begin;
-  arc_length = arc_at(bend);
-  return value(bend) + std::hypot(x - bend, rise);
+  arc_length = from_point() ? arc : arc + sense * (py * x - px * y);
+  return from_point() ? offset + std::hypot(x - px, rise + std::abs(py)) : offset + px * x + py * y;
 }
 
 EdgeWindow EdgeWindow::turned(double length) const {

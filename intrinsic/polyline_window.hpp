@@ -53,6 +53,9 @@ struct EdgeWindow {
   /// way misses the window, it bends at the window's end.
   [[nodiscard]] double value_beyond(double x, double y, double& arc_length) const;
 
+  /// Whether that way bends, and then at which end of the window; `rise` is |y|.
+  [[nodiscard]] bool bends_towards(double x, double rise, double& at) const;
+
   /// The same window with the edge turned by half a turn about its middle.
   [[nodiscard]] EdgeWindow turned(double length) const;
 };

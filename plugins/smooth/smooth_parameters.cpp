@@ -46,7 +46,7 @@ std::vector<talweg_parameter> main_parameters() {
              "0: straight lines; more keeps closer to the drawing."),
       number(
           "slack", "Slack", "mesh units", 0, {0, HUGE_VAL, 0, 10},
-          "How exact the drawing is (corridor). By default four fifths of its median segment, at "
+          "How exact the drawing is (corridor). By default seven tenths of its median segment, at "
           "most 1/24 of its length.",
           kRun, kOptional),
       number(

@@ -77,6 +77,51 @@ TEST(Corridor, ItsDerivativesAlongAnEdgeAreThoseOfItsValues) {
   EXPECT_GT(compared, 300);
 }
 
+TEST(Corridor, HasTheDerivativesOfItsValuesInFaces) {
+  const auto opened = OpenedMesh::open(grid(30, 30));
+  const Surface& surface = opened->surface();
+  const SurfaceCurve drawn = jagged_circle(opened->mesh(), 30, 8);
+  PolylineDistance distance(surface);
+  distance.set(std::span(&drawn, 1));
+  Corridor::Valley valley{.closed = true, .length = 8, .turns = 3};
+  for (std::size_t i = 0; i < drawn.points.size(); ++i) {
+    valley.slack_at.push_back(0.2 + 0.1 * std::sin(0.3 * static_cast<double>(i)));
+  }
+  const Corridor corridor(distance, 1, {valley});
+  using Barycentric = ExactPotential::Barycentric;
+  const std::array<Barycentric, 2> d{Barycentric{-0.5, 0.5, 0}, Barycentric{0.3, 0.2, -0.5}};
+  const Barycentric here{0.2371, 0.3519, 0.411};
+  int compared = 0;
+  for (std::size_t f = 0; f < surface.face_count(); f += 3) {
+    const double step = 1e-5;
+    const auto moved = [&](std::size_t i, double s) {
+      Barycentric p{};
+      for (std::size_t k = 0; k < 3; ++k) p[k] = here[k] + s * step * d[i][k];
+      return corridor.in_face(FaceId{f}, p, d);
+    };
+    const PotentialInFace at = moved(0, 0);
+    EXPECT_EQ(at.value, corridor.at(SurfacePoint::in_face(surface, FaceId{f}, here)));
+    for (std::size_t i = 0; i < 2; ++i) {
+      const PotentialInFace low = moved(i, -1), high = moved(i, 1);
+      for (std::size_t k = 0; k < 2; ++k) {
+        const double left = (at.value[k] - low.value[k]) / step;
+        const double right = (high.value[k] - at.value[k]) / step;
+        const double scale = 1 + std::abs(left);
+        if (std::abs(left - right) > 0.01 * scale) continue;  // a crease
+        ++compared;
+        EXPECT_NEAR((left + right) / 2, at.first[i][k], 1e-3 * scale) << f;
+        EXPECT_NEAR((high.first[i][k] - low.first[i][k]) / (2 * step), at.second[2 * i][k],
+                    0.02 * scale)
+            << f;
+        EXPECT_NEAR((high.first[1 - i][k] - low.first[1 - i][k]) / (2 * step), at.second[1][k],
+                    0.02 * scale)
+            << f;
+      }
+    }
+  }
+  EXPECT_GT(compared, 1000);
+}
+
 TEST(Corridor, AConstantFieldIsTheNumber) {
   const auto opened = OpenedMesh::open(grid(30, 30));
   const Surface& surface = opened->surface();
@@ -175,8 +220,10 @@ TEST(Corridor, AFieldThatIsZeroOnOneHalfHoldsThatHalf) {
   Corridor::Valley valley{.length = length};
   for (const Point& p : positions_of(mesh, drawn)) valley.slack_at.push_back(p.x() <= 20 ? 0 : 2);
   const Corridor corridor(distance, tau, {valley});
-  const ExactPotential exact = {[&](EdgeId e, double t) { return corridor.on_edge(e, t); },
-                                [&](const SurfacePoint& p) { return corridor.at(p); }};
+  const ExactPotential exact = {
+      [&](EdgeId e, double t) { return corridor.on_edge(e, t); },
+      [&](const SurfacePoint& p) { return corridor.at(p); },
+      [&](FaceId f, const auto& b, const auto& d) { return corridor.in_face(f, b, d); }};
   SurfaceCurve curve = drawn;
   polish(mesh, curve, exact, {});
   const double bound = std::sqrt(distance.curve_length(0) / 2 / steepness);

@@ -14,7 +14,8 @@ using test::grid;
 
 ExactPotential none() {
   return {[](EdgeId, double) { return PotentialOnEdge{}; },
-          [](const SurfacePoint&) { return std::array<double, 2>{}; }};
+          [](const SurfacePoint&) { return std::array<double, 2>{}; },
+          [](FaceId, const auto&, const auto&) { return PotentialInFace{}; }};
 }
 
 /// Over the upright edges of a grid's middle row, from a vertex on its left to
@@ -101,6 +102,21 @@ TEST(LiftedChain, PointsCloseAroundAVertexComeAwayFromIt) {
   nodes.push_back(chain.node_at(test::between(s, 5, 6, 1.6e-3), false));
   nodes.push_back(chain.node_at(test::between(s, 1, 6, 0.9), true));  // (1.9, 0.9)
   EXPECT_NEAR(chain.settle(nodes, 60), std::sqrt(2.0), 1e-6);
+}
+
+// A ridge between two nodes, of which their own potentials know nothing.
+TEST(LiftedChain, SeesWhatLiesBetweenItsNodes) {
+  const SurfaceMesh mesh = SurfaceMesh::open(grid(2, 1));
+  const ExactPotential ridge = {[](EdgeId, double) { return PotentialOnEdge{}; },
+                                [](const SurfacePoint&) { return std::array<double, 2>{}; },
+                                [](FaceId, const auto&, const auto&) {
+                                  return PotentialInFace{{3, 0}, {}, {}};
+                                }};
+  LiftedChain chain(mesh, ridge, 1e-9, 1);
+  const Surface& s = mesh.surface();
+  const LiftedChain::Nodes nodes{chain.node_at(test::between(s, 0, 3, 0.5), true),
+                                 chain.node_at(test::between(s, 0, 4, 0.5), false)};
+  EXPECT_NEAR(chain.length(nodes), 2 * std::hypot(0.25, 3), 1e-9);
 }
 
 }  // namespace

@@ -30,6 +30,18 @@ ExactPotential tilted(const SurfaceMesh& mesh, double slope) {
           },
           [&mesh, slope](const SurfacePoint& p) {
             return std::array<double, 2>{slope * mesh.position(p).y(), 0};
+          },
+          [&mesh, slope](FaceId f, const auto& b, const auto& d) {
+            const auto corners = mesh.surface().corners(f);
+            const auto height = [&](const ExactPotential::Barycentric& at) {
+              double y = 0;
+              for (std::size_t k = 0; k < 3; ++k) y += at[k] * mesh.point(corners[k]).y();
+              return slope * y;
+            };
+            PotentialInFace phi;
+            phi.value[0] = height(b);
+            for (std::size_t i = 0; i < 2; ++i) phi.first[i][0] = height(d[i]);
+            return phi;
           }};
 }
 ExactPotential flat(const SurfaceMesh& mesh) { return tilted(mesh, 0); }

@@ -1,0 +1,69 @@
+#include "talweg/core/curve_gaps.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include <Eigen/Geometry>
+
+#include "talweg/core/local_distance.hpp"
+#include "talweg/intrinsic/polyline_distance.hpp"
+
+namespace talweg {
+namespace {
+
+using Box = Eigen::AlignedBox3d;
+
+Box box_of(std::span<const Point> points, double margin) {
+  Box box;
+  for (const Point& p : points) box.extend(p);
+  const Point out = Point::Constant(margin);
+  return {box.min() - out, box.max() + out};
+}
+
+/// From the points of one curve to the other, as far as `limit`.
+double gap(const SurfaceMesh& mesh, const SurfaceCurve& from, const SurfaceCurve& to, double limit,
+           std::optional<PolylineDistance>& distance) {
+  const NearParts other(mesh, std::span(&to, 1));
+  std::vector<SurfacePoint> near;
+  std::vector<Box> boxes;
+  for (const SurfacePoint& point : from.points) {
+    const Point p = mesh.position(point);
+    if (!(other.distance(p) < limit)) continue;
+    near.push_back(point);
+    boxes.push_back(box_of(std::array{p}, limit));
+  }
+  if (near.empty()) return HUGE_VAL;
+  if (!distance) distance.emplace(mesh.surface());
+  distance->set(other.meeting(boxes));
+  double least = HUGE_VAL;
+  for (const SurfacePoint& point : near) least = std::min(least, distance->below(limit, point));
+  return least;
+}
+
+}  // namespace
+
+std::vector<double> gaps_to_others(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves,
+                                   double limit) {
+  std::vector<double> gaps(curves.size(), HUGE_VAL);
+  std::vector<Box> boxes;
+  for (const SurfaceCurve& curve : curves) {
+    boxes.push_back(box_of(positions_of(mesh, curve), limit / 2));
+  }
+  std::optional<PolylineDistance> distance;
+  for (std::size_t i = 0; i < curves.size(); ++i) {
+    for (std::size_t j = i + 1; j < curves.size(); ++j) {
+      if (!boxes[i].intersects(boxes[j])) continue;
+      const double apart = std::min(gap(mesh, curves[i], curves[j], limit, distance),
+                                    gap(mesh, curves[j], curves[i], limit, distance));
+      if (!(apart < limit) || apart <= 1e-9 * limit) continue;
+      gaps[i] = std::min(gaps[i], apart);
+      gaps[j] = std::min(gaps[j], apart);
+    }
+  }
+  return gaps;
+}
+
+}  // namespace talweg
