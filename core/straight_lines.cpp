@@ -7,12 +7,10 @@
 
 namespace talweg {
 
-StraightLines::StraightLines(const Surface& surface)
-    : surface_(&surface),
-      triangulation_(surface),
-      flip_out_(triangulation_),
-      tracer_(triangulation_),
-      dijkstra_(surface) {}
+StraightLines::StraightLines(const Surface& surface) : surface_(&surface) {}
+
+StraightLines::Workshop::Workshop(const Surface& surface)
+    : triangulation(surface), flip_out(triangulation), tracer(triangulation), dijkstra(surface) {}
 
 VertexId StraightLines::nearest_corner(const SurfacePoint& point) const {
   if (const auto* v = std::get_if<AtVertex>(&point.where())) return v->vertex;
@@ -28,13 +26,15 @@ void StraightLines::append_leg(const SurfacePoint& from, const SurfacePoint& to,
                                std::vector<SurfacePoint>& points) {
   points.push_back(from);
   if (common_face(*surface_, from, to).valid()) return;
+  if (!workshop_) workshop_ = std::make_unique<Workshop>(*surface_);
+  SignpostTriangulation& triangulation = workshop_->triangulation;
   const VertexId a = nearest_corner(from), b = nearest_corner(to);
   std::vector<VertexId> vertices = {a};
   if (a != b) {
     const std::array<VertexId, 2> ends = {a, b};
-    vertices = dijkstra_.draw(ends, false);
+    vertices = workshop_->dijkstra.draw(ends, false);
   }
-  PointInsertion insertion(triangulation_);
+  PointInsertion insertion(triangulation);
   const VertexId start = insertion.insert(from), end = insertion.insert(to);
   if (vertices.front() != start) vertices.insert(vertices.begin(), start);
   if (vertices.back() != end) vertices.push_back(end);
@@ -42,13 +42,13 @@ void StraightLines::append_leg(const SurfacePoint& from, const SurfacePoint& to,
   for (std::size_t i = 0; i + 1 < vertices.size(); ++i) {
     insertion.connect(vertices[i], vertices[i + 1], chain);
   }
-  const std::array<EdgePath, 1> path = {EdgePath::make(triangulation_, std::move(chain), false)};
-  const FlipOutResult straight = flip_out_.run(path, {});
+  const std::array<EdgePath, 1> path = {EdgePath::make(triangulation, std::move(chain), false)};
+  const FlipOutResult straight = workshop_->flip_out.run(path, {});
   const std::array<EdgePath, 1> result = {straight.paths.front().path};
-  const TraceResult traced = tracer_.trace_and_undo(result);
+  const TraceResult traced = workshop_->tracer.trace_and_undo(result);
   const std::vector<SurfacePoint>& line = traced.curves.front().points;
   points.insert(points.end(), line.begin() + 1, line.end() - 1);
-  triangulation_.remove_inserted();
+  triangulation.remove_inserted();
 }
 
 SurfaceCurve StraightLines::join(std::span<const SurfacePoint> points, bool closed) {

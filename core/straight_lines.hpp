@@ -1,6 +1,7 @@
 // Drawing straight over the surface from point to point.
 #pragma once
 
+#include <memory>
 #include <span>
 
 #include "talweg/core/drawing.hpp"
@@ -11,8 +12,8 @@
 
 namespace talweg {
 
-/// Joins surface points by straight lines (geodesics). Memory is made once per object, a call costs
-/// what its lines touch. The surface must outlive the object. One thread at a time.
+/// Joins surface points by straight lines (geodesics). Memory is made once per object, when points that share no
+/// face first ask for it; a call costs what its lines touch. The surface must outlive the object. One thread at a time.
 class StraightLines {
  public:
   explicit StraightLines(const Surface& surface);
@@ -29,11 +30,17 @@ class StraightLines {
                   std::vector<SurfacePoint>& points);
   [[nodiscard]] VertexId nearest_corner(const SurfacePoint& point) const;
 
+  /// O(mesh), and needed only where two points share no face.
+  struct Workshop {
+    explicit Workshop(const Surface& surface);
+    SignpostTriangulation triangulation;
+    FlipOut flip_out;
+    Tracer tracer;
+    EdgeDijkstra dijkstra;
+  };
+
   const Surface* surface_;
-  SignpostTriangulation triangulation_;
-  FlipOut flip_out_;
-  Tracer tracer_;
-  EdgeDijkstra dijkstra_;
+  std::unique_ptr<Workshop> workshop_;
 };
 
 }  // namespace talweg

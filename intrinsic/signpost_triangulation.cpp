@@ -10,16 +10,40 @@
 
 namespace talweg {
 
+namespace {
+
+/// Room for what a drawing inserts, so that arrays of the mesh's size are not moved for it. Memory
+/// that is not written costs nothing.
+constexpr std::size_t with_room(std::size_t count) { return count + count / 4 + 1024; }
+
+template <class T>
+std::vector<T> copied(std::span<const T> values) {
+  std::vector<T> copy;
+  copy.reserve(with_room(values.size()));
+  copy.assign(values.begin(), values.end());
+  return copy;
+}
+
+template <class T>
+ZeroedVector<T> zeros(std::size_t count) {
+  ZeroedVector<T> values;
+  values.reserve(with_room(count));
+  values.resize(count);
+  return values;
+}
+
+}  // namespace
+
 SignpostTriangulation::SignpostTriangulation(const Surface& surface)
     : surface_(&surface),
-      halfedges_(surface.halfedges().begin(), surface.halfedges().end()),
-      vertex_halfedge_(surface.vertex_halfedges().begin(), surface.vertex_halfedges().end()),
-      surface_length_(surface.lengths().begin(), surface.lengths().end()),
-      edge_epoch_(surface.edge_count(), 0),
-      vertex_epoch_(surface.vertex_count(), 0),
-      length_(surface.edge_count()),
-      direction_(surface.halfedge_count()),
-      cone_(surface.vertex_count()) {}
+      halfedges_(copied(surface.halfedges())),
+      vertex_halfedge_(copied(surface.vertex_halfedges())),
+      surface_length_(copied(surface.lengths())),
+      edge_epoch_(zeros<std::uint32_t>(surface.edge_count())),
+      vertex_epoch_(zeros<std::uint32_t>(surface.vertex_count())),
+      length_(zeros<double>(surface.edge_count())),
+      direction_(zeros<double>(surface.halfedge_count())),
+      cone_(zeros<double>(surface.vertex_count())) {}
 
 void SignpostTriangulation::set_metric(Metric metric) {
   assert(log_.empty());
@@ -199,7 +223,7 @@ HalfedgeId SignpostTriangulation::new_edge(VertexId tail, VertexId head, double 
   surface_length_.push_back(length);
   length_.push_back(0);
   edge_epoch_.push_back(0);
-  direction_.resize(halfedges_.size());
+  direction_.resize(halfedges_.size(), 0);
   return h;
 }
 

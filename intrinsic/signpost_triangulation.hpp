@@ -10,6 +10,7 @@
 #include "talweg/intrinsic/ids.hpp"
 #include "talweg/intrinsic/surface.hpp"
 #include "talweg/intrinsic/surface_point.hpp"
+#include "talweg/intrinsic/zeroed_memory.hpp"
 
 namespace talweg {
 
@@ -132,11 +133,11 @@ class SignpostTriangulation {
   Metric metric_;
 
   std::uint32_t epoch_ = 1;  // an entry is known when its own epoch is this one
-  std::vector<std::uint32_t> edge_epoch_;
-  std::vector<std::uint32_t> vertex_epoch_;
-  std::vector<double> length_;
-  std::vector<double> direction_;
-  std::vector<double> cone_;
+  ZeroedVector<std::uint32_t> edge_epoch_;
+  ZeroedVector<std::uint32_t> vertex_epoch_;
+  ZeroedVector<double> length_;
+  ZeroedVector<double> direction_;
+  ZeroedVector<double> cone_;
   std::vector<VertexId> touched_;
 
   bool keep_trace_ = true;

@@ -1,6 +1,7 @@
 #include "talweg/core/formats/file_bytes.hpp"
 
 #include <cerrno>
+#include <cstdint>
 #include <cstdio>
 #include <cstring>
 #include <memory>
@@ -58,6 +59,9 @@ std::string read_file(const fs::path& path) {
   const File file(std::fopen(path.c_str(), "rb"));
   if (!file) cannot_read(path, std::strerror(errno));
   std::string bytes;
+  // No copies while it grows, where the size is known; a pipe has none.
+  const std::uintmax_t size = fs::file_size(path, status);
+  if (!status && size <= kLargestFile) bytes.reserve(size);
   char block[1 << 16];
   for (std::size_t got; (got = std::fread(block, 1, sizeof block, file.get())) > 0;) {
     bytes.append(block, got);

@@ -80,7 +80,25 @@ bool LineScanner::parse(std::string_view word, std::int64_t& value) {
   return error == std::errc() && end == word.data() + word.size() && !word.empty();
 }
 
+template <class Value>
+bool LineScanner::take(Value& value) {
+  skip_blanks(rest_);
+  const char* const last = rest_.data() + rest_.size();
+  const auto [end, error] = std::from_chars(rest_.data(), last, value);
+  if (error != std::errc() || (end != last && !is_blank(*end))) return false;
+  rest_.remove_prefix(static_cast<std::size_t>(end - rest_.data()));
+  return true;
+}
+
 double LineScanner::number(const char* what) {
+  double value = 0;
+  const std::string_view before = rest_;
+  if (take(value) && std::isfinite(value)) return value;
+  rest_ = before;
+  return unusual_number(what);
+}
+
+double LineScanner::unusual_number(const char* what) {
   const std::string_view found = word();
   double value = 0;
   if (found.empty()) fail("expected " + std::string(what) + ", found the end of the line.");
@@ -93,8 +111,9 @@ double LineScanner::number(const char* what) {
 }
 
 std::int64_t LineScanner::integer(const char* what) {
-  const std::string_view found = word();
   std::int64_t value = 0;
+  if (take(value)) return value;
+  const std::string_view found = word();
   if (found.empty()) fail("expected " + std::string(what) + ", found the end of the line.");
   if (!parse(found, value))
     fail("expected " + std::string(what) + ", found " + quoted(found) + ".");

@@ -43,6 +43,11 @@ class LineScanner {
 
  private:
   void take_line();
+  /// The next word, where it is a plain number: parsed as it is found. Nothing is taken otherwise.
+  template <class Value>
+  bool take(Value& value);
+  /// With a plus sign, out of range, or wrong.
+  double unusual_number(const char* what);
 
   const MeshFile* file_;
   char comment_;

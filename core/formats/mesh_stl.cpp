@@ -17,7 +17,9 @@ constexpr std::size_t kTriangle = 50;  // normal, three corners, two bytes of at
 /// Numbers positions by first appearance: open addressing on their bits.
 class Welder {
  public:
-  explicit Welder(std::vector<Point>& points) : points_(points), slots_(1024, kEmpty) {}
+  /// A closed surface has half as many vertices as triangles; more is no mistake.
+  Welder(std::vector<Point>& points, std::size_t triangles)
+      : points_(points), slots_(std::bit_ceil(triangles + 1024), kEmpty) {}
 
   std::uint32_t id(Point p) {
     p += Point::Zero();  // -0 becomes 0
@@ -66,7 +68,7 @@ MeshLists read_binary(const MeshFile& file, std::size_t triangles) {
   MeshLists lists;
   lists.single_precision = true;
   lists.triangles.resize(triangles);
-  Welder welder(lists.points);
+  Welder welder(lists.points, triangles);
   for (std::size_t f = 0; f < triangles; ++f) {
     const char* at = file.bytes.data() + kHeader + kTriangle * f + 12;
     for (std::uint32_t& corner : lists.triangles[f]) {
@@ -79,14 +81,16 @@ MeshLists read_binary(const MeshFile& file, std::size_t triangles) {
 }
 
 void need_word(LineScanner& lines, std::string_view expected, std::size_t facet) {
+  const bool found = lines.next_line();
+  if (found && lines.word() == expected) return;
   const std::string what = quoted(expected) + " of facet " + std::to_string(facet);
-  lines.need_line(what);
-  if (lines.word() != expected) lines.fail("expected " + what + ".");
+  if (!found) lines.need_line(what);
+  lines.fail("expected " + what + ".");
 }
 
 MeshLists read_text(const MeshFile& file) {
   MeshLists lists;
-  Welder welder(lists.points);
+  Welder welder(lists.points, 0);
   LineScanner lines(file);
   bool inside = false;
   while (lines.next_line()) {

@@ -6,6 +6,8 @@
 #include "info_text.hpp"
 #include "talweg/core/mesh_inspection.hpp"
 #include "talweg/core/mesh_reader.hpp"
+#include "talweg/core/opened_mesh.hpp"
+#include "talweg/core/stopwatch.hpp"
 
 namespace talweg::driver {
 namespace {
@@ -24,8 +26,16 @@ Command add_info(CLI::App& app, const GlobalOptions& /*global*/) {
   command->add_option("mesh", options->mesh, "Mesh: OBJ, OFF, PLY, STL or OM")->required();
   command->add_flag("--json", options->json, "As JSON");
   return [options] {
-    const MeshInspection inspection = inspect(read_mesh(options->mesh));
-    const std::string text = options->json ? info_json(inspection) : info_text(inspection);
+    InfoTimes times;
+    const Stopwatch load;
+    const MeshLists lists = read_mesh(options->mesh);
+    times.load = load.ms();
+    const Stopwatch check;
+    const MeshInspection inspection = inspect(lists);
+    times.inspect = check.ms();
+    if (inspection.verdict == MeshVerdict::kUsable) times.open = OpenedMesh::open(lists)->open_ms();
+    const std::string text =
+        options->json ? info_json(inspection, times) : info_text(inspection, times);
     std::fputs(text.c_str(), stdout);
     return inspection.verdict == MeshVerdict::kUnusable ? kBadInput : kDone;
   };

@@ -113,7 +113,7 @@ std::string size_lines(const MeshInspection& m) {
 
 }  // namespace
 
-std::string info_text(const MeshInspection& m) {
+std::string info_text(const MeshInspection& m, const InfoTimes& times) {
   std::string text = line("faces", grouped(m.faces));
   if (m.polygons > 0) {
     text.pop_back();
@@ -127,6 +127,10 @@ std::string info_text(const MeshInspection& m) {
   text += line("genus (handles)",
                m.genus ? std::to_string(*m.genus) : "unknown (not an oriented manifold)");
   text += size_lines(m);
+  text +=
+      line("time", fmt::format("{:.0f} ms to read the file, {:.0f} ms to look for defects{}",
+                               times.load, times.inspect,
+                               times.open ? fmt::format(", {:.0f} ms to open", *times.open) : ""));
 
   for (const bool blocking : {true, false}) {
     std::string list;
@@ -143,7 +147,7 @@ std::string info_text(const MeshInspection& m) {
   return text + fmt::format("\nVerdict: {}. {}\n", verdict_words(m.verdict), m.reason);
 }
 
-std::string info_json(const MeshInspection& m) {
+std::string info_json(const MeshInspection& m, const InfoTimes& times) {
   ordered_json json{{"faces", m.faces},
                     {"vertices", m.vertices},
                     {"edges", m.edges},
@@ -171,6 +175,8 @@ std::string info_json(const MeshInspection& m) {
     defects[key] = {{"count", defect.count}, {"first", places}};
   });
   json["defects"] = defects;
+  json["time_ms"] = {{"load", times.load}, {"inspect", times.inspect}, {"open", nullptr}};
+  if (times.open) json["time_ms"]["open"] = *times.open;
   json["verdict"] = verdict_key(m.verdict);
   json["reason"] = m.reason;
   return json.dump(2) + "\n";

@@ -1,17 +1,25 @@
 // What `talweg info` says about a mesh.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "talweg/core/mesh_inspection.hpp"
 
 namespace talweg::driver {
 
+/// Where the time went, in ms.
+struct InfoTimes {
+  double load = 0;             ///< reading the file
+  double inspect = 0;          ///< looking for all defects
+  std::optional<double> open;  ///< making it ready for curves, where it can be used
+};
+
 /// Readable lines, the verdict last; only the defects that the mesh has are listed.
-std::string info_text(const MeshInspection& inspection);
+std::string info_text(const MeshInspection& inspection, const InfoTimes& times);
 
 /// The same as JSON with stable keys; every defect is there, with its count and first places.
-/// Angles in radians, lengths in mesh units.
-std::string info_json(const MeshInspection& inspection);
+/// Angles in radians, lengths in mesh units, times in ms.
+std::string info_json(const MeshInspection& inspection, const InfoTimes& times);
 
 }  // namespace talweg::driver

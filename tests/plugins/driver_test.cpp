@@ -247,6 +247,14 @@ TEST_F(Driver, InfoTellsEveryDefectAndSmoothRefusesIt) {
   EXPECT_EQ(run("info mesh.ply").code, 0);
 }
 
+TEST_F(Driver, InfoTellsWhereTheTimeWent) {
+  const auto times = nlohmann::json::parse(run("info mesh.ply --json").out)["time_ms"];
+  for (const char* name : {"load", "inspect", "open"}) EXPECT_GT(times[name], 0) << name;
+  EXPECT_NE(run("info mesh.ply").out.find("ms to read the file"), std::string::npos);
+  write_mesh(file("bad.ply"), test::with_fin(test::grid(4, 4), 3));
+  EXPECT_TRUE(nlohmann::json::parse(run("info bad.ply --json").out)["time_ms"]["open"].is_null());
+}
+
 TEST_F(Driver, RefusesBrokenMeshFiles) {
   write("a.txt", "0\n1\n");
   write("empty.ply", "");

@@ -1,0 +1,46 @@
+// Large arrays that begin as zeros and are rarely touched.
+#pragma once
+
+#include <cstddef>
+#include <cstdlib>
+#include <new>
+#include <type_traits>
+#include <vector>
+
+namespace talweg {
+
+/// Takes zeroed memory from the system, which hands out pages only when they are written: an array
+/// over a mesh of which a run touches a thousandth costs that much. Elements that a vector makes
+/// without a value are not written, so they are zero only in fresh memory: give a value to whatever
+/// is appended after elements were removed.
+template <class T>
+class ZeroedMemory {
+ public:
+  static_assert(std::is_arithmetic_v<T>);
+  using value_type = T;
+
+  ZeroedMemory() = default;
+  template <class U>
+  explicit ZeroedMemory(const ZeroedMemory<U>& /*other*/) {}
+
+  T* allocate(std::size_t n) {
+    void* memory = std::calloc(n, sizeof(T));  // checks the product
+    if (memory == nullptr) throw std::bad_alloc();
+    return static_cast<T*>(memory);
+  }
+  void deallocate(T* memory, std::size_t /*n*/) { std::free(memory); }
+
+  template <class U>
+  void construct(U* /*at*/) {}
+  template <class U, class Value>
+  void construct(U* at, const Value& value) {
+    ::new (static_cast<void*>(at)) U(value);
+  }
+
+  friend bool operator==(const ZeroedMemory&, const ZeroedMemory&) { return true; }
+};
+
+template <class T>
+using ZeroedVector = std::vector<T, ZeroedMemory<T>>;
+
+}  // namespace talweg
