@@ -85,6 +85,10 @@ std::array<double, 2> Corridor::at_vertex(VertexId v) const {
   return lifted(distance_->at_vertex(v));
 }
 
+std::array<double, 2> Corridor::at_vertex_roughly(VertexId v, double exact) const {
+  return lifted(distance_->at_vertex_roughly(v, exact));
+}
+
 std::array<double, 2> Corridor::at(const SurfacePoint& point) const {
   return lifted(distance_->at(point));
 }

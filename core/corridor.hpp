@@ -38,6 +38,9 @@ class Corridor {
 
   std::array<double, 2> at(const SurfacePoint& point) const;
   std::array<double, 2> at_vertex(VertexId v) const;
+  /// The same where δ is at most `exact`; farther out not less, as if δ were the length of a way
+  /// along edges. Spares a wide band, for walls that nothing climbs.
+  std::array<double, 2> at_vertex_roughly(VertexId v, double exact) const;
   PotentialOnEdge on_edge(EdgeId e, double t) const;
   PotentialInFace in_face(FaceId face, const ExactPotential::Barycentric& b,
                           const std::array<ExactPotential::Barycentric, 2>& d) const;

@@ -168,7 +168,9 @@ class CurveSmoother {
     std::vector<SurfaceCurve> polished;
   };
   Straightened straighten(const SmoothingOptions& options, SignpostTriangulation::Metric metric);
-  Straightened straighten_in(const Corridor& corridor, const SmoothingOptions& options);
+  [[nodiscard]] double exact_for(const std::vector<Corridor::Valley>& valleys) const;
+  Straightened straighten_in(const Corridor& corridor, const SmoothingOptions& options,
+                             double exact);
   void hold_thin_loops(Straightened& straight) const;
   void polish_in(const Corridor& corridor, std::vector<SurfaceCurve>& curves) const;
   static std::optional<double> anchor_of(const SmoothingOptions& options);

@@ -159,12 +159,26 @@ void CurveSmoother::polish_in(const Corridor& corridor, std::vector<SurfaceCurve
   }
 }
 
+/// How far out δ must be exact where the valley is narrow: faces that the curve passes through lie
+/// within the slack and an edge.
+double CurveSmoother::exact_for(const std::vector<Corridor::Valley>& valleys) const {
+  double exact = 0;
+  for (std::size_t c = 0; c < valleys.size(); ++c) {
+    const std::vector<double>& field = valleys[c].slack_at;
+    const double slack =
+        field.empty() ? valleys[c].slack : *std::max_element(field.begin(), field.end());
+    exact = std::max(exact, slack + edges_near_[c]);
+  }
+  return exact;
+}
+
 CurveSmoother::Straightened CurveSmoother::straighten_in(const Corridor& corridor,
-                                                         const SmoothingOptions& options) {
+                                                         const SmoothingOptions& options,
+                                                         double exact) {
   const std::size_t own = mesh_->surface().vertex_count();
   Straightened result = straighten(options, [&](VertexId p, VertexId q, double length) {
     const auto at = [&](VertexId v) {  // inserted vertices lie on the drawing
-      return v.index() < own ? corridor.at_vertex(v) : std::array<double, 2>{0, 0};
+      return v.index() < own ? corridor.at_vertex_roughly(v, exact) : std::array<double, 2>{0, 0};
     };
     return lifted_length(length, at(p), at(q));
   });
@@ -199,7 +213,7 @@ const CurveSmoother::Anchor& CurveSmoother::anchor_at(double tau, const Smoothin
   if (tau >= kOrigin) {
     SmoothingOptions at_origin = options;
     at_origin.tau = tau;
-    anchor.straight = straighten_in(corridor, at_origin);
+    anchor.straight = straighten_in(corridor, at_origin, exact_for(valleys));
     hold_thin_loops(anchor.straight);
     anchor.polished = anchor.straight.curves;
     times.straighten = anchor.straight.time_ms.straighten;
@@ -241,7 +255,7 @@ SmoothingResult CurveSmoother::smooth_from_anchor(double from, const SmoothingOp
 SmoothingResult CurveSmoother::smooth_for_itself(const SmoothingOptions& options,
                                                  const std::vector<Corridor::Valley>& valleys) {
   const Corridor corridor(*exact_distance_, options.tau, valleys);
-  Straightened straight = straighten_in(corridor, options);
+  Straightened straight = straighten_in(corridor, options, HUGE_VAL);
   std::vector<SurfaceCurve> curves = straight.curves;
   StageTimes times = straight.time_ms;
   Stopwatch watch;

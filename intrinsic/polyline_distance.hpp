@@ -38,6 +38,9 @@ class PolylineDistance {
     double arc_length = 0;    ///< where on that curve, in [0, its length]
   };
   Nearest at_vertex(VertexId v);
+  /// The same where the distance is at most `exact` (mesh units, >= 0). Beyond, the shortest way
+  /// along edges to vertices that are so near: longer, but nothing need be known farther out.
+  Nearest at_vertex_roughly(VertexId v, double exact);
   Nearest at(const SurfacePoint& point);
   /// t in [0, 1] from the tail to the head of halfedge_of(edge).
   Nearest on_edge(EdgeId edge, double t);
@@ -103,6 +106,7 @@ class PolylineDistance {
 
   // polyline_march.cpp
   void march();
+  void fetch_ahead() const;
   struct Beyond {
     HalfedgeId right, left;
     double length = 0, right_length = 0, left_length = 0;
@@ -150,6 +154,12 @@ class PolylineDistance {
   };
   [[nodiscard]] FaceHit hit_in_face(FaceId face, const Barycentric& b) const;
   FaceHit final_hit(FaceId face, const Barycentric& b);
+  struct Reached {
+    VertexId vertex;
+    double way = 0;  // along edges
+    bool settled = false;
+  };
+  void reach_along(HalfedgeId spoke, double way);
   [[nodiscard]] Nearest finish(Nearest nearest) const;
   [[nodiscard]] bool marches_in_vain(VertexId v);
   [[nodiscard]] bool is_final(double distance) const {
@@ -175,6 +185,8 @@ class PolylineDistance {
   std::vector<std::uint32_t> copy_of_;  // per edge, in copies_
   std::vector<EdgeCopy> copies_;
   std::vector<EdgeWindow> copied_;
+
+  std::vector<Reached> reached_;  // by the last search along edges
 
   std::vector<EdgeWindow> windows_;
   StepQueue queue_;

@@ -125,10 +125,29 @@ void keep_below(Parts& parts, const EdgeWindow& window, EdgeWindow& other, doubl
 
 }  // namespace
 
+/// Asks the memory for what the next items need: windows and edges lie anywhere.
+void PolylineDistance::fetch_ahead() const {
+  if (const auto* item = queue_.ahead(5); item != nullptr && item->kind == kWindowItem) {
+    __builtin_prefetch(&windows_[item->id]);
+  }
+  if (const auto* item = queue_.ahead(3); item != nullptr && item->kind == kWindowItem) {
+    __builtin_prefetch(&surface_->halfedges()[windows_[item->id].into.index()]);
+  }
+  if (const auto* item = queue_.ahead(1); item != nullptr && item->kind == kWindowItem) {
+    const HalfedgeId right = surface_->next(windows_[item->id].into);
+    if (!right.valid()) return;
+    for (const HalfedgeId side : {right, surface_->next(right)}) {
+      __builtin_prefetch(&first_window_[edge_of(side).index()]);
+      __builtin_prefetch(&surface_->lengths()[edge_of(side).index()]);
+    }
+  }
+}
+
 /// All items of one step of the queue.
 void PolylineDistance::march() {
   StepQueue::Item item{};
   while (queue_.pop(item)) {
+    fetch_ahead();
     if (item.kind == kVertexItem) {
       const VertexId v{item.id};
       if (item.key <= vertex_[v.index()].distance * (1 + 1e-9)) spread_from(v);

@@ -52,6 +52,12 @@ class StepQueue {
     }
   }
 
+  /// What pop() gives after `count` others, if that is in the current step; else nothing.
+  [[nodiscard]] const Item* ahead(std::size_t count) const {
+    const auto& items = ring_[current_ % kRing];
+    return taken_ + count < items.size() ? &items[taken_ + count] : nullptr;
+  }
+
   /// Takes the first item of the current step; false, and on to the next step, if there is none.
   bool pop(Item& item) {
     auto& items = ring_[current_ % kRing];

@@ -66,6 +66,22 @@ bool contains(const Surface& surface, FaceId face, const SurfacePoint& point) {
   return std::get<InFace>(point.where()).face == face;
 }
 
+/// The face of smallest id with these two different corners.
+FaceId face_of_both(const Surface& surface, VertexId v, VertexId w) {
+  FaceId best;
+  const HalfedgeId first = surface.halfedge(v);
+  if (!first.valid()) return best;
+  HalfedgeId h = first;
+  do {
+    const HalfedgeId next = surface.next(h), prev = surface.next(next);
+    const FaceId f = surface.face(h);
+    const bool both = surface.tail(next) == w || surface.tail(prev) == w;
+    if (both && (!best.valid() || f < best)) best = f;
+    h = twin(prev);
+  } while (h != first && surface.has_face(h));
+  return best;
+}
+
 }  // namespace
 
 SurfacePoint SurfacePoint::at_vertex(const Surface& surface, VertexId vertex) {
@@ -161,6 +177,10 @@ FaceCoordinates coordinates_in(const Surface& surface, const SurfacePoint& point
 }
 
 FaceId common_face(const Surface& surface, const SurfacePoint& p, const SurfacePoint& q) {
+  const auto *v = std::get_if<AtVertex>(&p.where()), *w = std::get_if<AtVertex>(&q.where());
+  if (v != nullptr && w != nullptr && v->vertex != w->vertex) {
+    return face_of_both(surface, v->vertex, w->vertex);
+  }
   // Around a vertex there are many faces, around the others two at most.
   const SurfacePoint &many = p.is_vertex() ? p : q, &few = p.is_vertex() ? q : p;
   FaceId best;

@@ -87,14 +87,16 @@ TEST(CurveSmoother, LazyAndWholeMeshPreparationGiveTheSameBytes) {
   const auto opened = OpenedMesh::open(sphere(5));
   const auto path = draw_edge_path(opened->surface(), ids({0, 900, 3000, 7}));
   CurveSmoother smoother(opened);
-  smoother.set_curve(test::vertex_curve(opened->surface(), path, false));
-  for (const double tau : {0.0, 0.5, 2.0}) {
-    const SmoothingResult lazy = smoother.smooth({.tau = tau});
-    const SmoothingResult whole = smoother.smooth({.tau = tau, .prepare_whole_mesh = true});
-    EXPECT_TRUE(same_bytes(opened->mesh(), lazy.curve(), whole.curve())) << tau;
-    EXPECT_EQ(lazy.report().flips, whole.report().flips);
-    EXPECT_LT(lazy.report().faces_touched, whole.report().faces_touched);
-    EXPECT_EQ(whole.report().faces_touched, opened->surface().face_count());
+  for (const Method method : {Method::kCorridor, Method::kPaper}) {
+    smoother.set_curve(test::vertex_curve(opened->surface(), path, false), {.method = method});
+    for (const double tau : {0.0, 0.5, 2.0, 16.0}) {
+      const SmoothingResult lazy = smoother.smooth({.tau = tau});
+      const SmoothingResult whole = smoother.smooth({.tau = tau, .prepare_whole_mesh = true});
+      EXPECT_TRUE(same_bytes(opened->mesh(), lazy.curve(), whole.curve())) << tau;
+      EXPECT_EQ(lazy.report().flips, whole.report().flips);
+      EXPECT_LT(lazy.report().faces_touched, whole.report().faces_touched);
+      EXPECT_EQ(whole.report().faces_touched, opened->surface().face_count());
+    }
   }
 }
 

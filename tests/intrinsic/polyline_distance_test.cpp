@@ -551,6 +551,82 @@ TEST(PolylineDistance, AnswersDoNotDependOnTheOrderOfQuestions) {
   }
 }
 
+TEST(PolylineDistance, EdgeValuesDoNotDependOnTheOrderOfQuestions) {
+  const Surface surface = test::surface_of(test::torus(30, 14, 3, 1));
+  Random random(12);
+  const SurfaceCurve curve = random_walk(random, surface, 12);
+  PolylineDistance outwards(surface), known(surface);
+  outwards.set({&curve, 1});
+  known.set({&curve, 1});
+  known.reach(100);
+  std::vector<std::size_t> edges(surface.edge_count());
+  std::iota(edges.begin(), edges.end(), 0U);
+  std::sort(edges.begin(), edges.end(), [&](std::size_t a, std::size_t b) {
+    return known.on_edge(EdgeId{a}, 0.5).distance < known.on_edge(EdgeId{b}, 0.5).distance;
+  });
+  for (const int round : {0, 1}) {  // each edge early, and again when the front is far beyond it
+    for (const std::size_t e : edges) {
+      const double t = random.uniform(0, 1);
+      const auto a = outwards.at_edge(EdgeId{e}, t), b = known.at_edge(EdgeId{e}, t);
+      EXPECT_EQ(a.value, b.value) << round;
+      EXPECT_EQ(a.first, b.first);
+      EXPECT_EQ(a.second, b.second);
+      EXPECT_EQ(a.arc_length, b.arc_length);
+      EXPECT_EQ(a.arc_first, b.arc_first);
+    }
+  }
+}
+
+TEST(PolylineDistance, RoughlyIsExactNearbyAndAWayAlongEdgesBeyond) {
+  const Surface surface = test::surface_of(test::torus(60, 28, 3, 1));
+  Random random(13);
+  const SurfaceCurve curve = random_walk(random, surface, 20);
+  PolylineDistance rough(surface), late(surface), exact(surface);
+  rough.set({&curve, 1});
+  late.set({&curve, 1});
+  late.reach(100);
+  exact.set({&curve, 1});
+  constexpr double kNear = 0.7, kFar = 1.5;
+  std::size_t beyond = 0;
+  for (std::size_t i = 0; i < surface.vertex_count(); ++i) {
+    const VertexId v{i};
+    const double distance = exact.at_vertex(v).distance;
+    const auto about = rough.at_vertex_roughly(v, kNear);
+    const auto again = late.at_vertex_roughly(v, kNear);  // whatever is known already
+    EXPECT_EQ(about.distance, again.distance);
+    EXPECT_EQ(about.arc_length, again.arc_length);
+    EXPECT_EQ(about.distance, rough.at_vertex_roughly(v, kNear).distance);
+    if (distance <= kNear) {
+      EXPECT_EQ(about.distance, distance);
+      continue;
+    }
+    EXPECT_GE(about.distance, distance);
+    // No more than by way of any neighbour along the edge.
+    const HalfedgeId first = surface.halfedge(v);
+    HalfedgeId h = first;
+    do {
+      const double way = rough.at_vertex_roughly(surface.head(h), kNear).distance;
+      if (distance < kFar) {
+        EXPECT_LE(about.distance, (way + surface.length(edge_of(h))) * (1 + kExact));
+      }
+      h = surface.turn_ccw(h);
+    } while (h != first);
+    ++beyond;
+  }
+  EXPECT_GT(beyond, 100U);
+}
+
+TEST(PolylineDistance, RoughlyNeedsNoWideBand) {
+  const Surface surface = test::surface_of(test::grid(200, 200, 0.2));
+  const SurfaceCurve curve = through_vertices(surface, {100 + 201 * 100, 101 + 201 * 100});
+  PolylineDistance rough(surface), exact(surface);
+  rough.set({&curve, 1});
+  exact.set({&curve, 1});
+  const VertexId away{100 + 201 * 104};
+  EXPECT_GE(rough.at_vertex_roughly(away, 1.5).distance, exact.at_vertex(away).distance);
+  EXPECT_LT(2 * rough.window_count(), exact.window_count());
+}
+
 TEST(PolylineDistance, ScalesWithTheSurface) {
   TestMesh mesh = test::torus(24, 12, 3, 1);
   Random random(9);
