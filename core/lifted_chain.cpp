@@ -92,19 +92,19 @@ PotentialInFace LiftedChain::halfway(const ChainNode& a, const LiftedPlace& at_a
 }
 
 /// Rounded off at zero, so that points that run together do no harm.
-double LiftedChain::segment(const ChainNode& a, const LiftedPlace& at_a, const ChainNode& b,
-                            const LiftedPlace& at_b) const {
-  const PotentialInFace middle = halfway(a, at_a, b, at_b);
+double LiftedChain::segment(const LiftedPlace& a, const PotentialInFace& middle,
+                            const LiftedPlace& b) const {
   const Eigen::Vector2d phi(middle.value[0], middle.value[1]);
-  const double squared = (at_b.y - at_a.y).head<3>().squaredNorm() / 4 + smallest_ * smallest_;
-  return std::sqrt(squared + (phi - at_a.y.tail<2>()).squaredNorm()) +
-         std::sqrt(squared + (at_b.y.tail<2>() - phi).squaredNorm());
+  const double squared = (b.y - a.y).head<3>().squaredNorm() / 4 + smallest_ * smallest_;
+  return std::sqrt(squared + (phi - a.y.tail<2>()).squaredNorm()) +
+         std::sqrt(squared + (b.y.tail<2>() - phi).squaredNorm());
 }
 
 double LiftedChain::length(std::span<const ChainNode> nodes) const {
   double sum = 0;
   for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
-    sum += segment(nodes[i], nodes[i], nodes[i + 1], nodes[i + 1]);
+    const ChainNode &a = nodes[i], &b = nodes[i + 1];
+    sum += segment(a, halfway(a, a, b, b), b);
   }
   return sum;
 }
@@ -115,9 +115,9 @@ SurfacePoint LiftedChain::place(const ChainNode& node) const {
 
 /// Adds what the segment has to the length's derivatives: two halves, alike in space, from a to the
 /// middle and from there to b.
-void LiftedChain::add_segment(const ChainNode& a, const ChainNode& b, Row& row, Row& next) const {
+void LiftedChain::add_segment(const ChainNode& a, const PotentialInFace& at, const ChainNode& b,
+                              Row& row, Row& next) const {
   using Eigen::Vector2d;
-  const PotentialInFace at = halfway(a, a, b, b);
   const auto vector = [](const std::array<double, 2>& v) { return Vector2d(v[0], v[1]); };
   const Vector2d middle = vector(at.value), by_a = vector(at.first[0]), by_b = vector(at.first[1]);
   const Vector2d by_aa = vector(at.second[0]), by_ab = vector(at.second[1]),
@@ -147,7 +147,7 @@ bool LiftedChain::assemble(std::span<const ChainNode> nodes) {
   const std::size_t n = nodes.size();
   rows_.assign(n, Row{});
   for (std::size_t i = 0; i + 1 < n; ++i) {
-    add_segment(nodes[i], nodes[i + 1], rows_[i], rows_[i + 1]);
+    add_segment(nodes[i], middles_[i], nodes[i + 1], rows_[i], rows_[i + 1]);
   }
   double force = 0;  // sine of the angle by which the curve is not straight yet
   for (std::size_t i = 1; i + 1 < n; ++i) {
@@ -193,7 +193,10 @@ bool LiftedChain::go_along(std::span<ChainNode> nodes, double most, double& tota
         trials_[i] = place_at(nodes[i], t + std::clamp(scale * step, std::max(-0.5, -kNearer * t),
                                                        std::min(0.5, kNearer * (1 - t))));
       }
-      shorter += segment(nodes[i - 1], trials_[i - 1], nodes[i], trials_[i]);
+      const bool stays = rows_[i - 1].step == 0 && (step == 0 || i + 1 == nodes.size());
+      tried_middles_[i - 1] =
+          stays ? middles_[i - 1] : halfway(nodes[i - 1], trials_[i - 1], nodes[i], trials_[i]);
+      shorter += segment(trials_[i - 1], tried_middles_[i - 1], trials_[i]);
     }
     if (!(shorter < total)) continue;
     for (std::size_t i = 1; i + 1 < nodes.size(); ++i) {
@@ -201,6 +204,7 @@ bool LiftedChain::go_along(std::span<ChainNode> nodes, double most, double& tota
       static_cast<LiftedPlace&>(nodes[i]) = trials_[i];
       nodes[i].changed = round_;
     }
+    middles_.swap(tried_middles_);
     total = shorter;
     return true;
   }
@@ -227,23 +231,37 @@ bool LiftedChain::newton_step(std::span<ChainNode> nodes, double& total) {
   return before - total > tolerance_ * before;
 }
 
-double LiftedChain::settle_between(std::span<ChainNode> nodes, int steps) {
-  double total = length(nodes);
-  if (nodes.size() < 3) return total;
-  for (int k = 0; k < steps && newton_step(nodes, total); ++k) {
+LiftedChain::Settled LiftedChain::settle_between(std::span<ChainNode> nodes, int steps) {
+  middles_.resize(nodes.size());
+  tried_middles_.resize(nodes.size());
+  double total = 0;
+  for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
+    const ChainNode &a = nodes[i], &b = nodes[i + 1];
+    middles_[i] = halfway(a, a, b, b);
+    total += segment(a, middles_[i], b);
+  }
+  Settled result{total, total};
+  if (nodes.size() < 3) return result;
+  for (int k = 0; k < steps && newton_step(nodes, result.after); ++k) {
+  }
+  return result;
+}
+
+LiftedChain::Settled LiftedChain::settle_runs(std::span<ChainNode> nodes, int steps) {
+  Settled total;
+  std::size_t begin = 0;
+  for (std::size_t i = 1; i < nodes.size(); ++i) {
+    if (!nodes[i].fixed && i + 1 < nodes.size()) continue;
+    const Settled run = settle_between(nodes.subspan(begin, i - begin + 1), steps);
+    total.before += run.before;
+    total.after += run.after;
+    begin = i;
   }
   return total;
 }
 
 double LiftedChain::settle(std::span<ChainNode> nodes, int steps) {
-  double total = 0;
-  std::size_t begin = 0;
-  for (std::size_t i = 1; i < nodes.size(); ++i) {
-    if (!nodes[i].fixed && i + 1 < nodes.size()) continue;
-    total += settle_between(nodes.subspan(begin, i - begin + 1), steps);
-    begin = i;
-  }
-  return total;
+  return settle_runs(nodes, steps).after;
 }
 
 void LiftedChain::settle_by_parts(std::span<ChainNode> nodes) {
@@ -251,8 +269,8 @@ void LiftedChain::settle_by_parts(std::span<ChainNode> nodes) {
   for (ChainNode& node : nodes) node.awake = false;
   for (std::size_t i = 0; i + 2 < nodes.size(); i += kPart / 2) {
     const auto part = nodes.subspan(i, std::min(nodes.size() - i, kPart));
-    const double before = length(part);
-    if (before - settle(part, 4) <= tolerance_ * before) continue;
+    const Settled settled = settle_runs(part, 4);
+    if (settled.before - settled.after <= tolerance_ * settled.before) continue;
     for (ChainNode& node : part) node.awake = true;
   }
 }

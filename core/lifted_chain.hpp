@@ -101,10 +101,15 @@ class LiftedChain {
   [[nodiscard]] FaceId face_between(const ChainNode& a, const ChainNode& b) const;
   [[nodiscard]] PotentialInFace halfway(const ChainNode& a, const LiftedPlace& at_a,
                                         const ChainNode& b, const LiftedPlace& at_b) const;
-  [[nodiscard]] double segment(const ChainNode& a, const LiftedPlace& at_a, const ChainNode& b,
-                               const LiftedPlace& at_b) const;
-  void add_segment(const ChainNode& a, const ChainNode& b, Row& row, Row& next) const;
-  double settle_between(std::span<ChainNode> nodes, int steps);
+  [[nodiscard]] double segment(const LiftedPlace& a, const PotentialInFace& middle,
+                               const LiftedPlace& b) const;
+  void add_segment(const ChainNode& a, const PotentialInFace& middle, const ChainNode& b, Row& row,
+                   Row& next) const;
+  struct Settled {
+    double before = 0, after = 0;
+  };
+  Settled settle_between(std::span<ChainNode> nodes, int steps);
+  Settled settle_runs(std::span<ChainNode> nodes, int steps);
   bool go_along(std::span<ChainNode> nodes, double most, double& total);
   bool newton_step(std::span<ChainNode> nodes, double& total);
   bool assemble(std::span<const ChainNode> nodes);
@@ -117,6 +122,7 @@ class LiftedChain {
   int round_ = 0;
   std::vector<Row> rows_;
   std::vector<LiftedPlace> trials_;
+  std::vector<PotentialInFace> middles_, tried_middles_;  // per segment
 };
 
 }  // namespace talweg

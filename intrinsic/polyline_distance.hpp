@@ -152,6 +152,8 @@ class PolylineDistance {
     const EdgeWindow* window = nullptr;
     const PolylinePiece* piece = nullptr;  // neither: from the corner of that side
   };
+  void offer_windows(FaceId face, const Barycentric& b, std::size_t side, HalfedgeId h,
+                     FaceHit& best) const;
   [[nodiscard]] FaceHit hit_in_face(FaceId face, const Barycentric& b) const;
   FaceHit final_hit(FaceId face, const Barycentric& b);
   struct Reached {

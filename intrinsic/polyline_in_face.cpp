@@ -55,32 +55,48 @@ double dot(PlanePoint a, PlanePoint b) { return a.x * b.x + a.y * b.y; }
 
 }  // namespace
 
+/// Through the windows of one side.
+void PolylineDistance::offer_windows(FaceId face, const Barycentric& b, std::size_t side,
+                                     HalfedgeId h, FaceHit& best) const {
+  const EdgeId edge = edge_of(h);
+  const bool own = h == halfedge_of(edge);
+  PlanePoint p{0, -1};
+  for (std::uint32_t i = first_window_[edge.index()]; i != kNone; i = windows_[i].next) {
+    const EdgeWindow& w = windows_[i];
+    if (w.into != h) continue;
+    if (p.y < 0) {  // not laid out yet; most sides have no window that leads in
+      const SideFrame frame = side_frame(*surface_, face, side);
+      p = frame.at(b, side);
+      if (!own) p.x = frame.length - p.x;
+    }
+    Nearest nearest{0, w.curve, 0};
+    nearest.distance = w.value_beyond(p.x, own ? p.y : -p.y, nearest.arc_length);
+    if (is_nearer(nearest, best.nearest)) best = {nearest, side, &w};
+  }
+}
+
 PolylineDistance::FaceHit PolylineDistance::hit_in_face(FaceId face, const Barycentric& b) const {
-  const auto corners = surface_->corners(face);
   FaceHit best{{kInfinity, 0, 0}};
   double longest = 0;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const SideFrame frame = side_frame(*surface_, face, k);
-    const PlanePoint p = frame.at(b, k);
-    longest = std::max(longest, frame.length);
-    const Nearest& corner = vertex_[corners[k].index()];
-    if (const Nearest nearest = farther(corner, std::hypot(p.x, p.y));
-        is_nearer(nearest, best.nearest)) {
-      best = {nearest, k};
-    }
-    const EdgeId edge = edge_of(frame.side);
-    const bool own = frame.side == halfedge_of(edge);
-    const double x = own ? p.x : frame.length - p.x, y = own ? p.y : -p.y;
-    for (std::uint32_t i = first_window_[edge.index()]; i != kNone; i = windows_[i].next) {
-      const EdgeWindow& w = windows_[i];
-      if (w.into != frame.side) continue;
-      Nearest nearest{0, w.curve, 0};
-      nearest.distance = w.value_beyond(x, y, nearest.arc_length);
-      if (is_nearer(nearest, best.nearest)) best = {nearest, k, &w};
-    }
+  HalfedgeId h = surface_->halfedge(face);
+  for (std::size_t k = 0; k < 3; ++k, h = surface_->next(h)) {
+    longest = std::max(longest, surface_->length(edge_of(h)));
+    offer_windows(face, b, k, h, best);
+  }
+  for (std::size_t k = 0; k < 3; ++k, h = surface_->next(h)) {
+    const Nearest& corner = vertex_[surface_->tail(h).index()];
+    if (corner.distance > best.nearest.distance) continue;
+    const PlanePoint p = side_frame(*surface_, face, k).at(b, k);
+    const Nearest nearest = farther(corner, std::sqrt(p.x * p.x + p.y * p.y));
+    if (is_nearer(nearest, best.nearest)) best = {nearest, k};
+  }
+  const auto pieces = pieces_.segments_in(face);
+  if (pieces.empty()) {
+    if (best.nearest.distance <= kRounding * longest) best.nearest.distance = 0;
+    return best;
   }
   const SideFrame frame = side_frame(*surface_, face, 0);
-  for (const PolylinePiece& piece : pieces_.segments_in(face)) {
+  for (const PolylinePiece& piece : pieces) {
     const PlanePoint x = frame.at(b, 0), p = frame.at(piece.from, 0), q = frame.at(piece.to, 0);
     const double part = nearest_part(x, p, q), dx = q.x - p.x, dy = q.y - p.y;
     const Nearest nearest{std::hypot(x.x - (p.x + part * dx), x.y - (p.y + part * dy)), piece.curve,

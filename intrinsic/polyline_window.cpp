@@ -45,7 +45,7 @@ double EdgeWindow::value_beyond(double x, double y, double& arc_length) const {
   double bend = 0;
   if (bends_towards(x, rise, bend)) {
     arc_length = arc_at(bend);
-    return value(bend) + std::hypot(x - bend, rise);
+    return value(bend) + std::sqrt((x - bend) * (x - bend) + rise * rise);
   }
   arc_length = from_point() ? arc : arc + sense * (py * x - px * y);
   return from_point() ? offset + std::hypot(x - px, rise + std::abs(py)) : offset + px * x + py * y;
