@@ -10,3 +10,22 @@ grep 'missing.json' error.txt
 
 tau_sweep vessel.ply drawn.json | tee table.txt
 test "$(grep -c converged table.txt)" = 10
+
+# A host in C and the driver write the same bytes.
+talweg draw vessel.ply --through 12,845,9001 -o drawn.txt
+plugin_host mesh.obj drawn.txt host.json 0.5 2 | tee host.txt
+test "$(grep -c 'termination: converged' host.txt)" = 2
+talweg smooth mesh.obj --curve drawn.txt --tau 2 -o driver.json
+cmp host.json driver.json
+if plugin_host mesh.obj drawn.txt host.json -1 2>error.txt; then exit 1; fi
+grep 'Tau (tau) must be >= 0' error.txt
+
+# A plugin of somebody else's, found where the variable says.
+TALWEG_PLUGIN_PATH=$(dirname "$(command -v talweg)")/example_plugins
+export TALWEG_PLUGIN_PATH
+talweg plugins | grep 'example.height'
+talweg run example.height --help | grep -- '--level'
+talweg run example.height mesh.obj --axis x --level 2 --write-height height.txt --report height.json
+grep -c . height.txt >count.txt
+test "$(cat count.txt)" = "$(grep -c '^v ' mesh.obj)"
+test "$(nm -D --defined-only "$TALWEG_PLUGIN_PATH/height_plugin.so" | grep -c ' T ')" = 1

@@ -45,6 +45,7 @@ void write_case(const std::filesystem::path& folder) {
 int main() {
   const talweg::MeshLists vessel = torus(100);
   talweg::write_mesh("vessel.ply", vessel);
+  talweg::write_mesh("mesh.obj", vessel);
   std::ofstream distance("distance.txt");  // to the circle around the hole through vertex 0
   for (const talweg::Point& p : vessel.points) {
     distance << std::abs(std::atan2(p[2], std::hypot(p[0], p[1]) - 3)) << '\n';

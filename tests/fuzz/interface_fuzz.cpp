@@ -1,0 +1,252 @@
+// Bytes as calls of the plugin interface: any order, any arguments that a host could give by
+// mistake. Whatever comes, there is a status, and what results is finite and in range.
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <string>
+#include <vector>
+
+#include "talweg/loader/talweg_loader.h"
+#include "talweg/plugin/talweg_arrays.hpp"
+
+namespace {
+
+/// Takes values from the input; zeros when it has ended.
+class Bytes {
+ public:
+  Bytes(const std::uint8_t* data, std::size_t size) : data_(data), left_(size) {}
+  [[nodiscard]] bool empty() const { return left_ == 0; }
+
+  template <class T>
+  T take() {
+    T value{};
+    const std::size_t n = left_ < sizeof value ? left_ : sizeof value;
+    std::memcpy(&value, data_, n);
+    data_ += n;
+    left_ -= n;
+    return value;
+  }
+  /// Mostly below `bound`, sometimes anything.
+  std::uint32_t index(std::uint32_t bound) {
+    const auto value = take<std::uint16_t>();
+    return value > 0xFF00 ? value * 65537U : value % bound;
+  }
+
+ private:
+  const std::uint8_t* data_;
+  std::size_t left_;
+};
+
+void require(bool good, const char* what) {
+  if (good) return;
+  std::fprintf(stderr, "not as promised: %s\n", what);
+  std::abort();
+}
+
+struct Mesh {
+  std::vector<double> xyz;
+  std::vector<std::uint32_t> triangles;
+};
+
+/// A bumpy sheet, with a few bytes' worth of damage.
+Mesh mesh_from(Bytes& bytes) {
+  const std::uint32_t n = 2 + bytes.take<std::uint8_t>() % 7;
+  Mesh mesh;
+  for (std::uint32_t j = 0; j <= n; ++j) {
+    for (std::uint32_t i = 0; i <= n; ++i) {
+      for (const double x : {double(i), double(j), std::sin(3.0 * i + j)}) mesh.xyz.push_back(x);
+    }
+  }
+  for (std::uint32_t j = 0; j < n; ++j) {
+    for (std::uint32_t i = 0; i < n; ++i) {
+      const std::uint32_t a = j * (n + 1) + i, b = a + n + 1;
+      for (const std::uint32_t v : {a, a + 1, b + 1, a, b + 1, b}) mesh.triangles.push_back(v);
+    }
+  }
+  for (std::uint32_t damage = bytes.take<std::uint8_t>() % 16; damage > 12; --damage) {
+    mesh.xyz[bytes.take<std::uint16_t>() % mesh.xyz.size()] = bytes.take<double>();
+    mesh.triangles[bytes.take<std::uint16_t>() % mesh.triangles.size()] = bytes.index(60);
+  }
+  return mesh;
+}
+
+/// A view that fits its data; its description may be wrong where that reads nothing out of bounds.
+template <class T>
+talweg_array view_from(Bytes& bytes, const std::vector<T>& data, std::uint32_t columns) {
+  talweg_array array = talweg::plugin::view(data.data(), data.size() / columns, columns);
+  switch (bytes.take<std::uint8_t>() % 32) {
+    case 0:
+      array.data = nullptr;
+      break;
+    case 1:
+      array.columns = bytes.take<std::uint32_t>() | 16U;
+      break;
+    case 2:
+      array.type = bytes.take<std::uint32_t>() | 64U;
+      break;
+    case 3:
+      array.stride = 1 + bytes.take<std::uint8_t>() % 3;
+      break;
+    case 4:
+      array.rows = array.rows / 2;
+      break;
+    case 5:
+      array.rows = UINT64_MAX - bytes.take<std::uint8_t>();
+      break;
+    default:
+      break;
+  }
+  return array;
+}
+
+talweg_status on_curve(void* vertices, const talweg_curve* curve) {
+  const std::uint64_t n = curve->faces.rows;
+  require(n >= 2 && curve->positions.rows == n && curve->barycentrics.rows == n, "sizes");
+  const auto* xyz = static_cast<const double*>(curve->positions.data);
+  const auto* b = static_cast<const double*>(curve->barycentrics.data);
+  for (std::uint64_t k = 0; k < 3 * n; ++k) {
+    require(std::isfinite(xyz[k]), "finite positions");
+    require(b[k] >= 0 && b[k] <= 1, "barycentrics in [0, 1]");
+  }
+  for (std::uint32_t k = 0; k < curve->field_count; ++k) {
+    require(curve->fields[k]->values.rows == n, "one value per point");
+  }
+  static_cast<void>(vertices);
+  return TALWEG_OK;
+}
+talweg_status on_field(void* vertices, const talweg_field* field) {
+  require(field->values.rows == *static_cast<std::uint64_t*>(vertices), "one value per vertex");
+  const auto* values = static_cast<const double*>(field->values.data);
+  for (std::uint64_t k = 0; k < field->values.rows; ++k) require(!std::isnan(values[k]), "no NaN");
+  return TALWEG_OK;
+}
+talweg_status on_report(void* /*vertices*/, const talweg_report_entry* entry) {
+  require(entry->key != nullptr && (entry->is_list != 0 || entry->count == 1), "report");
+  return TALWEG_OK;
+}
+
+void set_mesh(Bytes& bytes, const talweg_plugin& plugin, talweg_instance* instance,
+              std::uint64_t& vertices) {
+  const Mesh mesh = mesh_from(bytes);
+  talweg_mesh view = {sizeof view, 0, view_from(bytes, mesh.xyz, 3),
+                      view_from(bytes, mesh.triangles, 3), nullptr};
+  if (plugin.set_mesh(instance, &view) == TALWEG_OK) vertices = view.positions.rows;
+}
+
+void set_curves(Bytes& bytes, const talweg_plugin& plugin, talweg_instance* instance) {
+  std::vector<std::uint32_t> ids, pins;
+  std::vector<double> numbers;
+  std::uint32_t at = bytes.take<std::uint8_t>() % 64;
+  for (std::uint32_t n = bytes.take<std::uint8_t>() % 16; n > 0; --n) {
+    ids.push_back(at);
+    at = bytes.take<std::uint8_t>() < 200 ? at + 1 : bytes.index(80);
+    for (int k = 0; k < 3; ++k) numbers.push_back(bytes.take<std::uint8_t>() / 64.0);
+  }
+  if (bytes.take<std::uint8_t>() < 64) pins.push_back(bytes.index(16));
+  talweg_curve curve = {};
+  curve.size = sizeof curve;
+  curve.closed = bytes.take<std::uint8_t>() % 4 == 0 ? 1 : 0;
+  switch (bytes.take<std::uint8_t>() % 4) {
+    case 0:
+      for (std::size_t k = 0; k < numbers.size(); k += 3) {
+        const double sum = numbers[k] + numbers[k + 1] + numbers[k + 2];
+        for (int i = 0; sum > 0 && i < 3; ++i) numbers[k + static_cast<std::size_t>(i)] /= sum;
+      }
+      curve.faces = view_from(bytes, ids, 1);
+      curve.barycentrics = view_from(bytes, numbers, 3);
+      break;
+    case 1:
+      curve.positions = view_from(bytes, numbers, 3);
+      break;
+    default:
+      curve.vertices = view_from(bytes, ids, 1);
+  }
+  curve.pins = view_from(bytes, pins, 1);
+  const talweg_curve* list[] = {&curve, &curve};
+  plugin.set_curves(instance, list, 1 + bytes.take<std::uint8_t>() % 8 / 7);
+}
+
+void set_parameter(Bytes& bytes, const talweg_plugin& plugin, talweg_instance* instance,
+                   std::uint64_t vertices) {
+  const talweg_parameter& p =
+      *plugin.parameters[bytes.take<std::uint8_t>() % plugin.parameter_count];
+  const std::uint8_t how = bytes.take<std::uint8_t>();
+  double value = how < 128 ? bytes.take<std::uint8_t>() / 16.0 : bytes.take<double>();
+  if (p.type == TALWEG_INTEGER && how < 200) value = std::floor(value);
+  if (p.type == TALWEG_INTEGER && value > 32) value = 32;  // not a matter of time
+  const std::vector<double> field(how % 8 == 0 ? 3 : vertices, value);
+  const std::vector<std::uint32_t> ids = {bytes.index(64)};
+  const talweg_array array =
+      p.type == TALWEG_VERTICES ? view_from(bytes, ids, 1) : view_from(bytes, field, 1);
+  switch (how % 16) {
+    case 1:
+      plugin.reset(instance, p.id);
+      break;
+    case 2:
+      plugin.set_choice(instance, p.id, "nonsense");
+      break;
+    case 3:
+      plugin.set_array(instance, p.id, &array);
+      break;
+    default:
+      if (p.type == TALWEG_CHOICE) {
+        plugin.set_choice(instance, p.id, p.choices[how % p.choice_count]);
+      } else if (p.type >= TALWEG_VERTICES) {
+        plugin.set_array(instance, p.id, &array);
+      } else {
+        plugin.set_number(instance, p.id, value);
+      }
+  }
+}
+
+void run(Bytes& bytes, const talweg_plugin& plugin, talweg_instance* instance,
+         std::uint64_t& vertices) {
+  const std::uint8_t wants = bytes.take<std::uint8_t>();
+  talweg_sink sink = {sizeof sink,
+                      wants % 2U,
+                      &vertices,
+                      (wants & 2) != 0 ? on_curve : nullptr,
+                      (wants & 4) != 0 ? on_field : nullptr,
+                      on_report,
+                      nullptr};
+  const talweg_status status = plugin.run(instance, &sink);
+  require(status != TALWEG_INTERNAL, plugin.last_error(instance));
+  require((status == TALWEG_OK) == (*plugin.last_error(instance) == '\0'), "a sentence");
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  static const talweg_loader* const loader = talweg_loader_open(TALWEG_PLUGINS);
+  Bytes bytes(data, size);
+  const std::uint64_t count = talweg_loader_count(loader);
+  require(count > 0, "there are plugins");
+  const talweg_plugin& plugin = *talweg_loader_plugin(loader, bytes.take<std::uint8_t>() % count);
+  talweg_instance* instance = nullptr;
+  require(plugin.create(nullptr, &instance) == TALWEG_OK, "an instance");
+  std::uint64_t vertices = 0;
+  for (int calls = 0; calls < 40 && !bytes.empty(); ++calls) {
+    switch (bytes.take<std::uint8_t>() % 8) {
+      case 0:
+        set_mesh(bytes, plugin, instance, vertices);
+        break;
+      case 1:
+      case 2:
+        set_curves(bytes, plugin, instance);
+        break;
+      case 3:
+      case 4:
+        set_parameter(bytes, plugin, instance, vertices);
+        break;
+      case 5:
+        plugin.cancel(instance);
+        break;
+      default:
+        run(bytes, plugin, instance, vertices);
+    }
+  }
+  plugin.destroy(instance);
+  return 0;
+}
