@@ -10,7 +10,7 @@
 #endif
 #define AT(type, member, place) CHECK(offsetof(type, member) == (place))
 
-CHECK(sizeof(void *) == 8);
+CHECK(sizeof(void*) == 8);
 CHECK(sizeof(talweg_array) == 32);
 AT(talweg_array, rows, 8);
 AT(talweg_array, stride, 16);

@@ -4,11 +4,11 @@
 #include "talweg/loader/talweg_loader.h"
 
 int main(void) {
-  talweg_loader *loader = talweg_loader_open(NULL);
+  talweg_loader* loader = talweg_loader_open(NULL);
   uint64_t k;
   for (k = 0; k < talweg_loader_count(loader); ++k) {
-    const talweg_plugin *plugin = talweg_loader_plugin(loader, k);
-    talweg_instance *instance = NULL;
+    const talweg_plugin* plugin = talweg_loader_plugin(loader, k);
+    talweg_instance* instance = NULL;
     if (plugin->create(NULL, &instance) != TALWEG_OK) return 1;
     plugin->destroy(instance);
     printf("%s\n", plugin->id);
