@@ -8,39 +8,14 @@
 #include <tuple>
 #include <utility>
 
+#include "talweg/core/face_dropping.hpp"
+#include "talweg/core/face_shape.hpp"
+#include "talweg/core/mesh_sides.hpp"
 #include "talweg/core/point_distance.hpp"
 #include "talweg/core/union_find.hpp"
 
 namespace talweg {
 namespace {
-
-constexpr std::size_t kFacesNamed = 8;
-
-using Corners = std::array<std::uint32_t, 3>;
-
-struct Side {
-  std::uint32_t low = 0;   ///< smaller vertex
-  std::uint32_t high = 0;  ///< larger vertex
-  std::uint32_t side = 0;  ///< 3 face + corner
-
-  [[nodiscard]] std::uint32_t face() const { return side / 3; }
-};
-
-/// Stable sort of items by a key in [0, keys), then of equal keys by `less`.
-template <class Item, class Key, class Less>
-std::vector<Item> bucket_sort(const std::vector<Item>& items, std::size_t keys, Key key,
-                              Less less) {
-  std::vector<std::uint32_t> first(keys + 1, 0);
-  for (const Item& item : items) ++first[key(item) + 1];
-  for (std::size_t k = 0; k < keys; ++k) first[k + 1] += first[k];
-  std::vector<std::uint32_t> fill(first.begin(), first.end() - 1);
-  std::vector<Item> sorted(items.size());
-  for (const Item& item : items) sorted[fill[key(item)]++] = item;
-  for (std::size_t k = 0; k < keys; ++k) {
-    std::sort(sorted.begin() + first[k], sorted.begin() + first[k + 1], less);
-  }
-  return sorted;
-}
 
 /// Which faces have three different vertices that exist; the others are recorded as defects.
 std::vector<bool> proper_faces(const MeshLists& lists, MeshInspection& found) {
@@ -62,56 +37,6 @@ std::vector<bool> proper_faces(const MeshLists& lists, MeshInspection& found) {
   return proper;
 }
 
-std::vector<Side> sorted_sides(const MeshLists& lists, const std::vector<bool>& proper) {
-  std::vector<Side> sides;
-  sides.reserve(3 * lists.triangles.size());
-  for (std::size_t f = 0; f < lists.triangles.size(); ++f) {
-    if (!proper[f]) continue;
-    const Triangle& t = lists.triangles[f];
-    for (std::size_t k = 0; k < 3; ++k) {
-      const auto [low, high] = std::minmax(t[k], t[(k + 1) % 3]);
-      sides.push_back({low, high, static_cast<std::uint32_t>(3 * f + k)});
-    }
-  }
-  return bucket_sort(
-      sides, lists.points.size(), [](const Side& s) { return s.low; },
-      [](const Side& a, const Side& b) {
-        return std::pair{a.high, a.side} < std::pair{b.high, b.side};
-      });
-}
-
-void find_duplicate_faces(const MeshLists& lists, const std::vector<bool>& proper,
-                          MeshInspection& found) {
-  struct Face {
-    Corners corners;
-    std::uint32_t id;
-  };
-  std::vector<Face> faces;
-  faces.reserve(lists.triangles.size());
-  for (std::size_t f = 0; f < lists.triangles.size(); ++f) {
-    if (!proper[f]) continue;
-    Corners c = lists.triangles[f];
-    std::sort(c.begin(), c.end());
-    faces.push_back({c, static_cast<std::uint32_t>(f)});
-  }
-  faces = bucket_sort(
-      faces, lists.points.size(), [](const Face& f) { return f.corners[0]; },
-      [](const Face& a, const Face& b) {
-        return std::tie(a.corners, a.id) < std::tie(b.corners, b.id);
-      });
-  std::vector<RepeatPlace> repeats;
-  for (std::size_t i = 1, earlier = 0; i < faces.size(); ++i) {
-    if (faces[i].corners != faces[earlier].corners) {
-      earlier = i;
-    } else {
-      repeats.push_back({faces[i].id, faces[earlier].id});
-    }
-  }
-  std::sort(repeats.begin(), repeats.end(),
-            [](const RepeatPlace& a, const RepeatPlace& b) { return a.element < b.element; });
-  for (const RepeatPlace& place : repeats) found.duplicate_faces.add(place);
-}
-
 /// Joins everything that the edges join.
 class Topology {
  public:
@@ -125,28 +50,11 @@ class Topology {
         turned_(2 * lists.triangles.size()) {}
 
   void run() {
-    const std::vector<Side> sides = sorted_sides(lists_, proper_);
-    for (std::size_t i = 0; i < sides.size();) {
-      std::size_t end = i + 1;
-      while (end < sides.size() && sides[end].low == sides[i].low &&
-             sides[end].high == sides[i].high) {
-        ++end;
-      }
-      visit(std::span(sides).subspan(i, end - i));
-      i = end;
-    }
+    for_each_edge(sorted_sides(lists_, proper_), [&](std::span<const Side> edge) { visit(edge); });
     count();
   }
 
  private:
-  [[nodiscard]] std::uint32_t tail(const Side& s) const {
-    return lists_.triangles[s.side / 3][s.side % 3];
-  }
-  /// The corner of the side's face at one of the side's ends.
-  [[nodiscard]] std::uint32_t corner_at(const Side& s, std::uint32_t vertex) const {
-    return tail(s) == vertex ? s.side : 3 * s.face() + (s.side % 3 + 1) % 3;
-  }
-
   void visit(std::span<const Side> edge) {
     ++found_.edges;
     measure(edge[0]);
@@ -155,16 +63,16 @@ class Topology {
       boundary_.join(edge[0].low, edge[0].high);
       on_boundary_.push_back(edge[0].low);
     } else if (edge.size() > 2) {
-      found_.non_manifold_edges.add(place(edge));
+      found_.non_manifold_edges.add(place_of(edge));
     } else {
-      const bool same_way = tail(edge[0]) == tail(edge[1]);
-      if (same_way) found_.misoriented_edges.add(place(edge));
+      const bool same_way = tail(lists_, edge[0]) == tail(lists_, edge[1]);
+      if (same_way) found_.misoriented_edges.add(place_of(edge));
       join_turned(edge[0].face(), edge[1].face(), same_way);
     }
     for (std::size_t i = 1; i < edge.size(); ++i) {
       faces_.join(edge[0].face(), edge[i].face());
       for (const std::uint32_t v : {edge[0].low, edge[0].high}) {
-        corners_.join(corner_at(edge[0], v), corner_at(edge[i], v));
+        corners_.join(corner_at(lists_, edge[0], v), corner_at(lists_, edge[i], v));
       }
     }
   }
@@ -179,14 +87,6 @@ class Topology {
     found_.edge_length_max = std::max(found_.edge_length_max, length);
     // A running mean, because a sum could leave the range of doubles.
     found_.edge_length_mean += (length - found_.edge_length_mean) / static_cast<double>(measured_);
-  }
-
-  [[nodiscard]] static EdgePlace place(std::span<const Side> edge) {
-    EdgePlace result{{edge[0].low, edge[0].high}, {}};
-    for (const Side& s : edge.first(std::min(edge.size(), kFacesNamed))) {
-      result.faces.push_back(s.face());
-    }
-    return result;
   }
 
   /// Element 2f means face f as it is, 2f + 1 the face turned around; faces that must be turned
@@ -290,29 +190,6 @@ void measure_box(const MeshLists& lists, MeshInspection& found) {
   found.offset = (low / 2 + high / 2).stableNorm();
 }
 
-/// `flat` where twice the area is within the rounding of a cross product of the longest side's
-/// square, so that the angles mean nothing.
-struct Shape {
-  double smallest_angle = 0;
-  bool flat = false;
-};
-
-Shape shape_of(const std::array<Point, 3>& p) {
-  std::array<double, 3> length{};
-  for (std::size_t k = 0; k < 3; ++k) length[k] = point_distance(p[k], p[(k + 1) % 3]);
-  const auto shortest =
-      static_cast<std::size_t>(std::min_element(length.begin(), length.end()) - length.begin());
-  const double longest = *std::max_element(length.begin(), length.end());
-  if (!(longest > 0)) return {0, true};
-  // The smallest angle lies opposite the shortest side; side k runs from corner k to k + 1.
-  // Scaled, so that tiny units do not underflow.
-  const Point& tip = p[(shortest + 2) % 3];
-  const Point a = (p[shortest] - tip) / longest;
-  const Point b = (p[(shortest + 1) % 3] - tip) / longest;
-  const double area = a.cross(b).norm();
-  return {std::atan2(area, a.dot(b)), area <= 4 * std::numeric_limits<double>::epsilon()};
-}
-
 void measure_faces(const MeshLists& lists, const std::vector<bool>& proper, MeshInspection& found) {
   double smallest = std::numbers::pi;
   bool any = false;
@@ -321,7 +198,7 @@ void measure_faces(const MeshLists& lists, const std::vector<bool>& proper, Mesh
     const Triangle& t = lists.triangles[f];
     const std::array<Point, 3> p{lists.points[t[0]], lists.points[t[1]], lists.points[t[2]]};
     if (!p[0].allFinite() || !p[1].allFinite() || !p[2].allFinite()) continue;
-    const Shape shape = shape_of(p);
+    const FaceShape shape = shape_of(p);
     if (shape.flat || shape.smallest_angle < std::numbers::pi / 180) found.needle_faces.add(f);
     if (shape.flat) {
       found.zero_area_faces.add(f);
@@ -345,7 +222,7 @@ MeshInspection inspect(const MeshLists& lists) {
   measure_box(lists, found);
   measure_faces(lists, proper, found);
   find_duplicate_positions(lists, found);
-  find_duplicate_faces(lists, proper, found);
+  for (const RepeatPlace& place : duplicate_faces(lists, proper)) found.duplicate_faces.add(place);
   Topology(lists, proper, found).run();
   judge(found);
   return found;

@@ -27,8 +27,10 @@ struct Defect {
 };
 
 struct EdgePlace {
+  static constexpr std::size_t kFaces = 8;
+
   std::array<std::uint32_t, 2> vertices{};  ///< smaller id first
-  std::vector<std::uint32_t> faces;         ///< ascending, at most 8 of them
+  std::vector<std::uint32_t> faces;         ///< ascending, at most kFaces
 };
 
 struct FaceIndexPlace {
