@@ -103,8 +103,7 @@ double LiftedChain::segment(const LiftedPlace& a, const PotentialInFace& middle,
 double LiftedChain::length(std::span<const ChainNode> nodes) const {
   double sum = 0;
   for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
-    const ChainNode &a = nodes[i], &b = nodes[i + 1];
-    sum += segment(a, halfway(a, a, b, b), b);
+    sum += length(nodes[i], nodes[i + 1]);
   }
   return sum;
 }

@@ -79,6 +79,9 @@ class LiftedChain {
   [[nodiscard]] ChainNode node_at(const SurfacePoint& point, bool keep) const;
   [[nodiscard]] SurfacePoint place(const ChainNode& node) const;
   [[nodiscard]] double length(std::span<const ChainNode> nodes) const;
+  [[nodiscard]] double length(const ChainNode& a, const ChainNode& b) const {
+    return segment(a, halfway(a, a, b, b), b);
+  }
   /// At most so many damped Newton steps (the matrix is tridiagonal) between any two fixed nodes;
   /// returns the length, which never grows.
   double settle(std::span<ChainNode> nodes, int steps);

@@ -268,9 +268,13 @@ bool Polisher::pass_vertex(std::size_t first, std::size_t count, VertexId v) {
 
 /// Takes out points that the curve can do without: one whose neighbours share a face (the curve
 /// only touches its edge), and two in a row on one edge (it turns back there, or runs along it).
+/// Without them it may come nearer to a wall than it was, and then they stay.
 void Polisher::untangle() {
   const auto in_one_face = [&](const ChainNode& a, const ChainNode& b) {
     return common_face(surface_, chain_.place(a), chain_.place(b)).valid();
+  };
+  const auto is_no_longer = [&](const ChainNode& a, const ChainNode& without, const ChainNode& b) {
+    return chain_.length(a, b) <= chain_.length(a, without) + chain_.length(without, b);
   };
   const std::size_t least = closed_ ? 3 : 2;
   done_.clear();
@@ -281,9 +285,11 @@ void Polisher::untangle() {
       const bool doubled = !behind(1).fixed && behind(1).edge == behind(0).edge;
       const bool moved = std::max(behind(0).changed, nodes_[next].changed) >= round_;
       if (!doubled && !moved) break;
-      if (in_one_face(behind(1), nodes_[next])) {
+      if (in_one_face(behind(1), nodes_[next]) &&
+          is_no_longer(behind(1), behind(0), nodes_[next])) {
         done_.pop_back();
-      } else if (doubled && done_.size() > 2 && in_one_face(behind(2), behind(0))) {
+      } else if (doubled && done_.size() > 2 && in_one_face(behind(2), behind(0)) &&
+                 is_no_longer(behind(2), behind(1), behind(0))) {
         done_.erase(done_.end() - 2);
       } else {
         break;
