@@ -14,6 +14,7 @@
 #include "talweg/core/curve_embedding.hpp"
 #include "talweg/core/measures.hpp"
 #include "talweg/core/opened_mesh.hpp"
+#include "talweg/core/polish.hpp"
 #include "talweg/core/potential.hpp"
 #include "talweg/core/report.hpp"
 #include "talweg/core/surface_deviation.hpp"
@@ -164,18 +165,20 @@ class CurveSmoother {
     StageTimes time_ms;
   };
   struct Anchor {
-    Straightened straight;  // of the anchor that it comes from
-    std::vector<SurfaceCurve> polished;
+    Straightened straight;               // of the anchor that it comes from
+    std::vector<SurfaceCurve> rough;     // polished a little, for the next anchor below
+    std::vector<SurfaceCurve> polished;  // once asked for
   };
   Straightened straighten(const SmoothingOptions& options, SignpostTriangulation::Metric metric);
   [[nodiscard]] double exact_for(const std::vector<Corridor::Valley>& valleys) const;
   Straightened straighten_in(const Corridor& corridor, const SmoothingOptions& options,
                              double exact);
   void hold_thin_loops(Straightened& straight) const;
-  void polish_in(const Corridor& corridor, std::vector<SurfaceCurve>& curves) const;
+  void polish_in(const Corridor& corridor, std::vector<SurfaceCurve>& curves,
+                 const PolishOptions& options = {}) const;
   static std::optional<double> anchor_of(const SmoothingOptions& options);
-  const Anchor& anchor_at(double tau, const SmoothingOptions& options,
-                          const std::vector<Corridor::Valley>& valleys, StageTimes& times);
+  Anchor& anchor_at(double tau, const SmoothingOptions& options,
+                    const std::vector<Corridor::Valley>& valleys, StageTimes& times);
   SmoothingResult report_on(const SmoothingOptions& options, const Straightened& straight,
                             std::vector<SurfaceCurve> curves, StageTimes times);
   SmoothingResult run(const SmoothingOptions& options, SignpostTriangulation::Metric metric);

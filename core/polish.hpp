@@ -13,7 +13,7 @@ namespace talweg {
 struct PolishOptions {
   int max_rounds = 24;      ///< of Newton's method followed by passing over vertices; >= 0
   int newton_steps = 12;    ///< per round
-  double tolerance = 1e-9;  ///< relative gain in length below which it ends; > 0
+  double tolerance = 1e-7;  ///< relative gain in length below which it ends; > 0
 
   /// Throws Error(kBadUsage) naming the field and its bound.
   void validate() const;

@@ -20,6 +20,8 @@ namespace talweg {
 namespace {
 
 constexpr double kOrigin = 4;  // of the chain of anchors below it
+// Anchors that only lead on to lower ones.
+const PolishOptions kRough{.max_rounds = 3, .newton_steps = 4, .tolerance = 1e-5};
 constexpr double kLeastAnchor = 1.0 / 8, kMostAnchor = 64;
 
 }  // namespace
@@ -139,7 +141,8 @@ std::optional<double> CurveSmoother::anchor_of(const SmoothingOptions& options) 
   return std::exp2(std::floor(std::log2(tau)));
 }
 
-void CurveSmoother::polish_in(const Corridor& corridor, std::vector<SurfaceCurve>& curves) const {
+void CurveSmoother::polish_in(const Corridor& corridor, std::vector<SurfaceCurve>& curves,
+                              const PolishOptions& options) const {
   const SurfaceMesh& mesh = mesh_->mesh();
   const ExactPotential exact = {
       [&](EdgeId e, double t) { return corridor.on_edge(e, t); },
@@ -147,7 +150,7 @@ void CurveSmoother::polish_in(const Corridor& corridor, std::vector<SurfaceCurve
       [&](FaceId f, const auto& b, const auto& d) { return corridor.in_face(f, b, d); },
   };
   const std::vector<SurfaceCurve> before = curves;
-  for (SurfaceCurve& curve : curves) polish(mesh, curve, exact, curve_options_.pins);
+  for (SurfaceCurve& curve : curves) polish(mesh, curve, exact, curve_options_.pins, options);
   // Each curve is polished for itself; where that made them cross they stay as they were.
   for (auto crossing = crossing_curves(mesh.surface(), curves); !crossing.empty();
        crossing = crossing_curves(mesh.surface(), curves)) {
@@ -202,10 +205,11 @@ void CurveSmoother::hold_thin_loops(Straightened& straight) const {
 /// to the next. So the result follows tau without jumping from one of several nearly equal
 /// geodesics to another, and is the same whatever was asked before. Upwards the polish would not
 /// find its way back over the ridges between two strands of the drawing: each anchor is
-/// straightened for itself.
-const CurveSmoother::Anchor& CurveSmoother::anchor_at(double tau, const SmoothingOptions& options,
-                                                      const std::vector<Corridor::Valley>& valleys,
-                                                      StageTimes& times) {
+/// straightened for itself. What leads on is polished a little only; where curves start from an
+/// anchor it is polished in full, apart from that.
+CurveSmoother::Anchor& CurveSmoother::anchor_at(double tau, const SmoothingOptions& options,
+                                                const std::vector<Corridor::Valley>& valleys,
+                                                StageTimes& times) {
   const auto known = anchors_.find(tau);
   if (known != anchors_.end()) return known->second;
   const Corridor corridor(*exact_distance_, tau, valleys);
@@ -215,14 +219,15 @@ const CurveSmoother::Anchor& CurveSmoother::anchor_at(double tau, const Smoothin
     at_origin.tau = tau;
     anchor.straight = straighten_in(corridor, at_origin, exact_for(valleys));
     hold_thin_loops(anchor.straight);
-    anchor.polished = anchor.straight.curves;
+    anchor.rough = anchor.straight.curves;
     times.straighten = anchor.straight.time_ms.straighten;
     times.trace = anchor.straight.time_ms.trace;
   } else {
-    anchor = anchor_at(2 * tau, options, valleys, times);
+    const Anchor& above = anchor_at(2 * tau, options, valleys, times);
+    anchor = {above.straight, above.rough, {}};
   }
   const Stopwatch watch;
-  polish_in(corridor, anchor.polished);
+  polish_in(corridor, anchor.rough, kRough);
   times.polish += watch.ms();
   return anchors_.emplace(tau, std::move(anchor)).first->second;
 }
@@ -235,7 +240,14 @@ SmoothingResult CurveSmoother::smooth_from_anchor(double from, const SmoothingOp
   anchor_valleys_ = valleys;
   anchor_floor_ = floor;
   StageTimes times;
-  const Anchor& anchor = anchor_at(from, options, valleys, times);
+  Anchor& anchor = anchor_at(from, options, valleys, times);
+  if (anchor.polished.empty()) {
+    anchor.polished = anchor.rough;
+    const Corridor corridor(*exact_distance_, from, valleys);
+    const Stopwatch watch;
+    polish_in(corridor, anchor.polished);
+    times.polish += watch.ms();
+  }
   std::vector<SurfaceCurve> curves = anchor.polished;
   if (from != options.tau) {
     const Corridor corridor(*exact_distance_, options.tau, valleys);

@@ -12,8 +12,9 @@
 
 namespace talweg {
 
-/// Joins surface points by straight lines (geodesics). Memory is made once per object, when points that share no
-/// face first ask for it; a call costs what its lines touch. The surface must outlive the object. One thread at a time.
+/// Joins surface points by straight lines (geodesics). Memory is made once per object, when points
+/// that share no face first ask for it; a call costs what its lines touch. The surface must outlive
+/// the object. One thread at a time.
 class StraightLines {
  public:
   explicit StraightLines(const Surface& surface);
