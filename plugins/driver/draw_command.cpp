@@ -1,10 +1,12 @@
 // talweg draw: a jagged curve along mesh edges, or a straight one, through given vertices.
+#include <cstdio>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "commands.hpp"
 #include "plugin_host.hpp"
-#include "talweg/core/mesh_reader.hpp"
+#include "repaired_mesh.hpp"
 #include "talweg/core/version.hpp"
 
 namespace talweg::driver {
@@ -16,30 +18,48 @@ struct DrawOptions {
   bool closed = false;
   bool straight = false;
   std::vector<std::string> outputs;
+  std::string repair;
 };
 
-int run(const DrawOptions& options) {
+/// The vertices to draw through, in the numbers of the mesh.
+std::vector<std::uint32_t> through_on(const ReadMesh& mesh, const DrawOptions& options) {
+  if (mesh.map == nullptr) return options.through;
+  CurveInput input;
+  input.closed = options.closed;
+  std::vector<VertexId> ids;
+  for (const std::uint32_t v : options.through) ids.push_back(VertexId{v});
+  input.points = std::move(ids);
+  const Surface surface = Surface::from_triangles(mesh.lists.points.size(), mesh.lists.triangles);
+  return host_curve(mesh.map->to_repaired(input, surface)).vertices;
+}
+
+int run(const DrawOptions& options, const GlobalOptions& global) {
+  const ReadMesh mesh = read_and_repair(options.mesh, options.repair);
   const host::Services services("talweg", version());
   const host::Results results = translated([&] {
     host::Instance draw(plugin_named("talweg.draw"), services);
-    const MeshLists lists = read_mesh(options.mesh);
-    set_mesh(draw, lists.points, lists.triangles);
+    set_mesh(draw, mesh.lists.points, mesh.lists.triangles);
     host::Curve through;
     through.closed = options.closed;
-    through.vertices = options.through;
+    through.vertices = through_on(mesh, options);
     draw.set_curves({through});
     draw.set("straight", options.straight ? 1.0 : 0.0);
     return draw.run();
   });
   std::vector<PlacedCurve> curves;
-  for (const host::Curve& curve : results.curves) curves.push_back(placed_curve(curve));
+  for (const host::Curve& curve : results.curves) {
+    curves.push_back(in_file_numbers(mesh.map.get(), placed_curve(curve)));
+  }
   for (const std::string& output : options.outputs) write_curves(output, curves);
+  for (const std::string& change : mesh.changes) {
+    if (!global.quiet) std::fprintf(stdout, "%s\n", change.c_str());
+  }
   return kDone;
 }
 
 }  // namespace
 
-Command add_draw(CLI::App& app, const GlobalOptions& /*global*/) {
+Command add_draw(CLI::App& app, const GlobalOptions& global) {
   auto options = std::make_shared<DrawOptions>();
   CLI::App* command = app.add_subcommand(
       "draw", "Draw a curve through mesh vertices: shortest edge paths, never through itself");
@@ -56,7 +76,8 @@ Command add_draw(CLI::App& app, const GlobalOptions& /*global*/) {
       ->add_option("-o,--output", options->outputs,
                    "Curve: .obj, .ply, .vtp, .vtk, .mrk.json, .txt (vertex numbers) or .json")
       ->required();
-  return [options] { return run(*options); };
+  add_repair_option(*command, options->repair);
+  return [options, &global] { return run(*options, global); };
 }
 
 }  // namespace talweg::driver

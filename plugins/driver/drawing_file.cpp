@@ -21,7 +21,11 @@ Drawing DrawingReader::read(std::span<const std::string> paths) {
   Drawing drawing;
   if (!lines_) lines_.emplace(mesh_->surface());
   for (const std::string& path : paths) {
-    for (const SnappedCurve& snapped : snap(*mesh_, read_curves(path), closest_)) {
+    std::vector<CurveInput> inputs = read_curves(path);
+    for (CurveInput& input : inputs) {
+      if (map_ != nullptr) input = map_->to_repaired(input, mesh_->surface());
+    }
+    for (const SnappedCurve& snapped : snap(*mesh_, inputs, closest_)) {
       for (const std::size_t pin : snapped.pins) drawing.pins.push_back(snapped.points[pin]);
       drawing.curves.push_back(lines_->join(snapped.points, snapped.closed));
       drawing.largest_snap_distance =
@@ -31,11 +35,25 @@ Drawing DrawingReader::read(std::span<const std::string> paths) {
   return drawing;
 }
 
-Drawing read_drawing(const std::string& path, const SurfaceMesh& mesh) {
-  return DrawingReader(mesh).read(std::span(&path, 1));
+Drawing read_drawing(const std::string& path, const SurfaceMesh& mesh, const RepairMap* map) {
+  return DrawingReader(mesh, map).read(std::span(&path, 1));
 }
 
-Drawing drawing_of_labels(const std::string& path, const Surface& surface) {
+namespace {
+
+/// Labels of the repaired mesh from those of its file.
+std::vector<std::int64_t> on_repaired(const RepairMap& map, std::vector<std::int64_t> labels,
+                                      const std::string& path) {
+  if (labels.size() == map.file_face_count()) return map.of_faces(labels);
+  if (labels.size() == map.file_vertex_count()) return map.of_vertices(labels);
+  throw Error(ErrorCode::kBadFile,
+              fmt::format("{}: {} labels, but the mesh has {} faces and {} vertices.", path,
+                          labels.size(), map.file_face_count(), map.file_vertex_count()));
+}
+
+}  // namespace
+
+Drawing drawing_of_labels(const std::string& path, const Surface& surface, const RepairMap* map) {
   const std::string bytes = read_file(path);
   const std::filesystem::path name = path;
   formats::TextScanner words(name, bytes);
@@ -43,6 +61,7 @@ Drawing drawing_of_labels(const std::string& path, const Surface& surface) {
   for (std::string_view word = words.word(); !word.empty(); word = words.word()) {
     labels.push_back(words.integer(word, "a label (a whole number)"));
   }
+  if (map != nullptr) labels = on_repaired(*map, std::move(labels), path);
   Drawing drawing;
   try {
     for (LabelBorder& border : label_borders(surface, labels)) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "talweg/core/closest_point.hpp"
+#include "talweg/core/repair_map.hpp"
 #include "talweg/core/straight_lines.hpp"
 #include "talweg/core/surface_mesh.hpp"
 #include "talweg/intrinsic/surface_point.hpp"
@@ -20,27 +21,32 @@ struct Drawing {
 };
 
 /// Reads curves, snaps them to a mesh and joins their points straight over the surface. What
-/// searches the mesh is made once. The mesh must outlive the reader.
+/// searches the mesh is made once. The mesh and the map must outlive the reader.
 class DrawingReader {
  public:
-  explicit DrawingReader(const SurfaceMesh& mesh) : mesh_(&mesh) {}
+  /// With a map curves are in the numbers of the file.
+  explicit DrawingReader(const SurfaceMesh& mesh, const RepairMap* map = nullptr)
+      : mesh_(&mesh), map_(map) {}
   /// The curves of all files, in their order.
   /// Throws Error as read_curves(), snap() and StraightLines::join() do.
   Drawing read(std::span<const std::string> paths);
 
  private:
   const SurfaceMesh* mesh_;
+  const RepairMap* map_;
   std::optional<ClosestPoint> closest_;
   std::optional<StraightLines> lines_;
 };
 
 /// The same for one file.
-Drawing read_drawing(const std::string& path, const SurfaceMesh& mesh);
+Drawing read_drawing(const std::string& path, const SurfaceMesh& mesh,
+                     const RepairMap* map = nullptr);
 
 /// The borders between labels that a file holds, one whole number per face or per vertex,
 /// separated by blanks or ends of lines. Throws Error as label_borders() does, Error(kBadFile)
 /// naming the line of what is no whole number.
-Drawing drawing_of_labels(const std::string& path, const Surface& surface);
+Drawing drawing_of_labels(const std::string& path, const Surface& surface,
+                          const RepairMap* map = nullptr);
 
 /// What a user should know of how a curve and a mesh were read.
 std::vector<std::string> reading_warnings(double largest_snap_distance, std::size_t polygons);

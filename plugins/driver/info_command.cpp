@@ -1,13 +1,17 @@
 // talweg info: what a mesh is, and what is wrong with it.
 #include <cstdio>
+#include <optional>
 #include <string>
+#include <utility>
 
 #include "commands.hpp"
 #include "info_text.hpp"
+#include "repaired_mesh.hpp"
 #include "talweg/core/mesh_inspection.hpp"
 #include "talweg/core/mesh_reader.hpp"
 #include "talweg/core/opened_mesh.hpp"
 #include "talweg/core/stopwatch.hpp"
+#include "talweg/intrinsic/error.hpp"
 
 namespace talweg::driver {
 namespace {
@@ -15,7 +19,20 @@ namespace {
 struct InfoOptions {
   std::string mesh;
   bool json = false;
+  std::string repair;
 };
+
+/// What the repair would do; nothing where it was not asked for or there is nothing to mend.
+std::optional<InfoRepair> repair_of(const MeshLists& lists, const std::string& list) {
+  if (list.empty()) return std::nullopt;
+  try {
+    RepairedMesh repaired = repair(lists, repair_steps(list));
+    return InfoRepair{std::move(repaired.changes), inspect(repaired.lists)};
+  } catch (const Error& error) {
+    if (error.code() != ErrorCode::kBadMesh) throw;
+    return std::nullopt;  // the verdict says why
+  }
+}
 
 }  // namespace
 
@@ -25,7 +42,9 @@ Command add_info(CLI::App& app, const GlobalOptions& /*global*/) {
       "info", "Tell what a mesh is, what is wrong with it, and whether curves can be drawn on it");
   command->add_option("mesh", options->mesh, "Mesh: OBJ, OFF, PLY, STL or OM")->required();
   command->add_flag("--json", options->json, "As JSON");
+  add_repair_option(*command, options->repair);
   return [options] {
+    check_repair(options->repair);
     InfoTimes times;
     const Stopwatch load;
     const MeshLists lists = read_mesh(options->mesh);
@@ -34,10 +53,12 @@ Command add_info(CLI::App& app, const GlobalOptions& /*global*/) {
     const MeshInspection inspection = inspect(lists);
     times.inspect = check.ms();
     if (inspection.verdict == MeshVerdict::kUsable) times.open = OpenedMesh::open(lists)->open_ms();
-    const std::string text =
-        options->json ? info_json(inspection, times) : info_text(inspection, times);
+    const std::optional<InfoRepair> repaired = repair_of(lists, options->repair);
+    const std::string text = options->json ? info_json(inspection, times, repaired)
+                                           : info_text(inspection, times, repaired);
     std::fputs(text.c_str(), stdout);
-    return inspection.verdict == MeshVerdict::kUnusable ? kBadInput : kDone;
+    const MeshVerdict verdict = repaired ? repaired->after.verdict : inspection.verdict;
+    return verdict == MeshVerdict::kUnusable ? kBadInput : kDone;
   };
 }
 

@@ -111,9 +111,41 @@ std::string size_lines(const MeshInspection& m) {
   return text;
 }
 
+std::string repair_text(const InfoRepair& repair) {
+  std::string text = "\n";
+  for (const std::string& sentence : sentences(repair.changes)) text += sentence + "\n";
+  if (!repair.changes.any()) text += "Repair: nothing to do.\n";
+  return text + fmt::format("After the repair: {}. {}\n", verdict_words(repair.after.verdict),
+                            repair.after.reason);
+}
+
+template <class Place>
+ordered_json defect_json(const Defect<Place>& defect) {
+  ordered_json places = ordered_json::array();
+  for (const Place& place : defect.first) places.push_back(place_json(place));
+  return {{"count", defect.count}, {"first", places}};
+}
+
+ordered_json repair_json(const InfoRepair& repair) {
+  const MeshChanges& c = repair.changes;
+  return {{"welded_vertices", defect_json(c.welded_vertices)},
+          {"weld_tolerance", c.weld_tolerance},
+          {"weld_distance", c.weld_distance},
+          {"collapsed_faces", defect_json(c.collapsed_faces)},
+          {"duplicate_faces", defect_json(c.duplicate_faces)},
+          {"zero_area_faces", defect_json(c.zero_area_faces)},
+          {"turned_faces", defect_json(c.turned_faces)},
+          {"split_edges", defect_json(c.split_edges)},
+          {"split_vertices", defect_json(c.split_vertices)},
+          {"vertex_copies", c.vertex_copies},
+          {"verdict", verdict_key(repair.after.verdict)},
+          {"reason", repair.after.reason}};
+}
+
 }  // namespace
 
-std::string info_text(const MeshInspection& m, const InfoTimes& times) {
+std::string info_text(const MeshInspection& m, const InfoTimes& times,
+                      const std::optional<InfoRepair>& repair) {
   std::string text = line("faces", grouped(m.faces));
   if (m.polygons > 0) {
     text.pop_back();
@@ -144,10 +176,12 @@ std::string info_text(const MeshInspection& m, const InfoTimes& times) {
     if (!list.empty())
       text += (blocking ? "\nDefects:\n" : "\nNo obstacle, but good to know:\n") + list;
   }
-  return text + fmt::format("\nVerdict: {}. {}\n", verdict_words(m.verdict), m.reason);
+  text += fmt::format("\nVerdict: {}. {}\n", verdict_words(m.verdict), m.reason);
+  return repair ? text + repair_text(*repair) : text;
 }
 
-std::string info_json(const MeshInspection& m, const InfoTimes& times) {
+std::string info_json(const MeshInspection& m, const InfoTimes& times,
+                      const std::optional<InfoRepair>& repair) {
   ordered_json json{{"faces", m.faces},
                     {"vertices", m.vertices},
                     {"edges", m.edges},
@@ -170,15 +204,14 @@ std::string info_json(const MeshInspection& m, const InfoTimes& times) {
   if (m.genus) json["genus"] = *m.genus;
   ordered_json defects = ordered_json::object();
   for_each_defect(m, [&](const char* key, const char*, const auto& defect, bool) {
-    ordered_json places = ordered_json::array();
-    for (const auto& place : defect.first) places.push_back(place_json(place));
-    defects[key] = {{"count", defect.count}, {"first", places}};
+    defects[key] = defect_json(defect);
   });
   json["defects"] = defects;
   json["time_ms"] = {{"load", times.load}, {"inspect", times.inspect}, {"open", nullptr}};
   if (times.open) json["time_ms"]["open"] = *times.open;
   json["verdict"] = verdict_key(m.verdict);
   json["reason"] = m.reason;
+  if (repair) json["repair"] = repair_json(*repair);
   return json.dump(2) + "\n";
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "talweg/core/mesh_inspection.hpp"
+#include "talweg/core/mesh_repair.hpp"
 
 namespace talweg::driver {
 
@@ -15,11 +16,19 @@ struct InfoTimes {
   std::optional<double> open;  ///< making it ready for curves, where it can be used
 };
 
+/// What a repair changes, and what the mesh is after it.
+struct InfoRepair {
+  MeshChanges changes;
+  MeshInspection after;
+};
+
 /// Readable lines, the verdict last; only the defects that the mesh has are listed.
-std::string info_text(const MeshInspection& inspection, const InfoTimes& times);
+std::string info_text(const MeshInspection& inspection, const InfoTimes& times,
+                      const std::optional<InfoRepair>& repair = {});
 
 /// The same as JSON with stable keys; every defect is there, with its count and first places.
 /// Angles in radians, lengths in mesh units, times in ms.
-std::string info_json(const MeshInspection& inspection, const InfoTimes& times);
+std::string info_json(const MeshInspection& inspection, const InfoTimes& times,
+                      const std::optional<InfoRepair>& repair = {});
 
 }  // namespace talweg::driver

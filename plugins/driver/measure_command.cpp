@@ -11,8 +11,8 @@
 #include "commands.hpp"
 #include "drawing_file.hpp"
 #include "measure_text.hpp"
+#include "repaired_mesh.hpp"
 #include "talweg/core/formats/file_bytes.hpp"
-#include "talweg/core/mesh_reader.hpp"
 #include "talweg/core/self_contacts.hpp"
 #include "talweg/core/surface_deviation.hpp"
 
@@ -24,6 +24,7 @@ struct MeasureOptions {
   std::string curve;
   std::string other;
   std::string report;
+  std::string repair;
 };
 
 void count_contacts(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves,
@@ -109,11 +110,10 @@ void compare(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves,
 }
 
 Measurement measure(const MeasureOptions& options) {
-  MeshLists lists = read_mesh(options.mesh);
-  const SurfaceMesh mesh = SurfaceMesh::open(lists);
-  const std::size_t polygons = lists.polygon_count;
-  lists = {};
-  const Drawing drawing = read_drawing(options.curve, mesh);
+  ReadMesh read = read_and_repair(options.mesh, options.repair);
+  const std::size_t polygons = read.lists.polygon_count;
+  const SurfaceMesh mesh = SurfaceMesh::open(std::move(read.lists));
+  const Drawing drawing = read_drawing(options.curve, mesh, read.map.get());
   Measurement m{mesh.surface().face_count(),
                 mesh.surface().vertex_count(),
                 measure_file(mesh, options.curve, drawing.curves),
@@ -123,13 +123,14 @@ Measurement measure(const MeasureOptions& options) {
                 {}};
   double moved = drawing.largest_snap_distance;
   if (!options.other.empty()) {
-    const Drawing other = read_drawing(options.other, mesh);
+    const Drawing other = read_drawing(options.other, mesh, read.map.get());
     moved = std::max(moved, other.largest_snap_distance);
     m.other = measure_file(mesh, options.other, other.curves);
     compare(mesh, drawing.curves, other.curves, m);
   }
   const std::vector<std::string> reading = reading_warnings(moved, polygons);
   m.warnings.insert(m.warnings.end(), reading.begin(), reading.end());
+  m.warnings.insert(m.warnings.end(), read.changes.begin(), read.changes.end());
   return m;
 }
 
@@ -150,6 +151,7 @@ Command add_measure(CLI::App& app, const GlobalOptions& global) {
                       "Curves to compare with: as many are compared one by one in their order, "
                       "more or fewer all together");
   command->add_option("--report", o->report, "What was measured, as JSON");
+  add_repair_option(*command, o->repair);
   return [o, &global] {
     const Measurement m = measure(*o);
     if (!o->report.empty()) write_file(o->report, measure_json(m));

@@ -60,7 +60,7 @@ int run(SmoothCommand command, const GlobalOptions& global) {
     return smooth_many({{0, options}}, many, global);
   }
   options.threads = global.threads;
-  Workspace workspace(load_mesh(options.mesh), 1);
+  Workspace workspace(load_mesh(options.mesh, options.repair), 1);
   return finish(options, global, workspace.smooth(options, progress_bar(global.quiet)));
 }
 

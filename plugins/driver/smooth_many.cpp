@@ -34,12 +34,12 @@ class SharedMesh {
  public:
   void add_run() { ++left_; }
   /// Throws what went wrong at the first attempt, too.
-  MeshFromFile take(const std::string& path) {
+  MeshFromFile take(const SmoothOptions& options) {
     const std::lock_guard lock(mutex_);
     if (failure_) std::rethrow_exception(failure_);
     if (mesh_.owner) return mesh_;
     try {
-      mesh_ = load_mesh(path);
+      mesh_ = load_mesh(options.mesh, options.repair);
     } catch (...) {
       failure_ = std::current_exception();
       throw;
@@ -57,6 +57,9 @@ class SharedMesh {
   std::exception_ptr failure_;
   std::size_t left_ = 0;
 };
+
+/// What runs on the same mesh have in common.
+std::string mesh_of(const SmoothOptions& options) { return options.mesh + '\n' + options.repair; }
 
 /// What became of a run; its curves are in its files.
 struct RunRecord {
@@ -89,8 +92,8 @@ class ManyRuns {
         bar_(runs_.size(), global.quiet) {
     std::map<std::string, std::size_t> first;  // run on each mesh
     for (std::size_t i = 0; i < runs_.size(); ++i) {
-      const auto [at, is_new] = first.emplace(runs_[i].options.mesh, i);
-      meshes_[runs_[i].options.mesh].add_run();
+      const auto [at, is_new] = first.emplace(mesh_of(runs_[i].options), i);
+      meshes_[mesh_of(runs_[i].options)].add_run();
       order_.emplace_back(at->second, i);
       runs_[i].options.threads = std::max(1U, global.threads / static_cast<unsigned>(options.jobs));
     }
@@ -103,7 +106,7 @@ class ManyRuns {
     share_work(runs_.size(), options_.jobs, [&](std::size_t worker, std::size_t k) {
       const std::size_t i = order_[k].second;
       if (!interrupted()) work(desks[worker], i);
-      meshes_.at(runs_[i].options.mesh).finish_run();
+      meshes_.at(mesh_of(runs_[i].options)).finish_run();
       bar_.done(records_[i].failure.has_value() || !records_[i].failed_curves.empty());
     });
   }
@@ -114,7 +117,7 @@ class ManyRuns {
  private:
   /// What a worker has in its hands.
   struct Desk {
-    std::string path;
+    std::string mesh;
     std::optional<Workspace> workspace;
   };
 
@@ -122,12 +125,12 @@ class ManyRuns {
     const SmoothOptions& options = runs_[i].options;
     RunRecord& record = records_[i];
     try {
-      if (desk.path != options.mesh || !desk.workspace) {
+      if (desk.mesh != mesh_of(options) || !desk.workspace) {
         desk.workspace.reset();  // before the next mesh is opened
-        desk.path = options.mesh;
+        desk.mesh = mesh_of(options);
         // A single run has the threads for its curves.
         const std::size_t threads = runs_.size() == 1 ? options_.jobs : 1;
-        desk.workspace.emplace(meshes_.at(options.mesh).take(options.mesh), threads);
+        desk.workspace.emplace(meshes_.at(desk.mesh).take(options), threads);
       }
       RunOutcome outcome = desk.workspace->smooth(options, [&](const char*, double) {
         bar_.tick();

@@ -1,5 +1,6 @@
 #include "smooth_options.hpp"
 
+#include "repaired_mesh.hpp"
 #include "talweg/intrinsic/error.hpp"
 
 namespace talweg::driver {
@@ -18,6 +19,7 @@ void add_inputs(CLI::App& app, SmoothOptions& o) {
                "another");
   app.add_option("--pin", o.pins, "Vertices of the drawing that the result passes through")
       ->delimiter(',');
+  add_repair_option(app, o.repair);
 }
 
 void add_outputs(CLI::App& app, SmoothOptions& o) {
@@ -71,6 +73,7 @@ void add_smooth_options(CLI::App& app, SmoothOptions& options) {
 }
 
 void check_method(const SmoothOptions& options) {
+  check_repair(options.repair);
   const bool corridor = options.potential == "corridor";
   const auto fail = [](const char* message) { throw Error(ErrorCode::kBadUsage, message); };
   if (corridor && options.engine == "full") fail("The corridor needs --engine local.");

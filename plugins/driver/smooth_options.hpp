@@ -12,6 +12,7 @@ namespace talweg::driver {
 
 struct SmoothOptions {
   std::string mesh;
+  std::string repair;               ///< steps; empty: none
   std::vector<std::string> curves;  ///< files
   std::string labels;               ///< a file of labels whose borders are the curves
   bool independent = false;         ///< each curve by itself instead of all as one set

@@ -9,7 +9,6 @@
 #include "talweg/core/drawn_curves.hpp"
 #include "talweg/core/formats/curve_file.hpp"
 #include "talweg/core/formats/file_bytes.hpp"
-#include "talweg/core/mesh_reader.hpp"
 #include "talweg/core/stopwatch.hpp"
 #include "talweg/core/version.hpp"
 #include "talweg/intrinsic/error.hpp"
@@ -77,18 +76,45 @@ std::vector<std::uint32_t> pins_on(const SurfaceCurve& curve,
   return indices;
 }
 
+/// A vertex of the file on the mesh; of several that it was split into the one on a curve.
+SurfacePoint pin_on(const std::vector<SurfaceCurve>& curves, const MeshFromFile& mesh,
+                    VertexId pin) {
+  const Surface& surface = mesh.mesh->surface();
+  if (mesh.map == nullptr || pin.index() >= mesh.map->file_vertex_count()) {
+    return SurfacePoint::at_vertex(surface, pin);
+  }
+  const auto images = mesh.map->images(pin);
+  for (const std::uint32_t image : images) {
+    const SurfacePoint point = SurfacePoint::at_vertex(surface, VertexId{image});
+    for (const SurfaceCurve& curve : curves) {
+      if (std::find(curve.points.begin(), curve.points.end(), point) != curve.points.end()) {
+        return point;
+      }
+    }
+  }
+  return SurfacePoint::at_vertex(surface, VertexId{images.front()});
+}
+
+/// One number per vertex of the mesh, from one per vertex of its file.
+std::vector<double> field_on(const MeshFromFile& mesh, const std::string& path) {
+  if (mesh.map == nullptr) return read_field(path, mesh.mesh->surface().vertex_count());
+  return mesh.map->of_vertices(read_field(path, mesh.map->file_vertex_count()));
+}
+
 Prepared prepare(const MeshFromFile& mesh, DrawingReader& reader, const SmoothOptions& options,
                  const Progress& progress) {
   const Surface& surface = mesh.mesh->surface();
-  Drawing drawing = options.labels.empty() ? reader.read(options.curves)
-                                           : drawing_of_labels(options.labels, surface);
+  Drawing drawing = options.labels.empty()
+                        ? reader.read(options.curves)
+                        : drawing_of_labels(options.labels, surface, mesh.map.get());
   Prepared run;
   run.options = &options;
   run.progress = progress;
   run.load_ms = mesh.load_ms;
   run.warnings = reading_warnings(drawing.largest_snap_distance, mesh.polygons);
+  run.warnings.insert(run.warnings.end(), mesh.changes.begin(), mesh.changes.end());
   for (const std::size_t pin : options.pins) {
-    drawing.pins.push_back(SurfacePoint::at_vertex(surface, VertexId{pin}));
+    drawing.pins.push_back(pin_on(drawing.curves, mesh, VertexId{pin}));
   }
   check_pins(drawing.curves, drawing.pins);
   for (const SurfaceCurve& curve : drawing.curves) {
@@ -96,10 +122,10 @@ Prepared prepare(const MeshFromFile& mesh, DrawingReader& reader, const SmoothOp
     run.curves.back().pins = pins_on(curve, drawing.pins);
   }
   if (!options.distance.empty()) {
-    run.distance = read_field(options.distance, surface.vertex_count());
+    run.distance = field_on(mesh, options.distance);
   }
   if (!options.slack_field.empty()) {
-    run.slack_field = read_field(options.slack_field, surface.vertex_count());
+    run.slack_field = field_on(mesh, options.slack_field);
   }
   return run;
 }
@@ -236,10 +262,13 @@ RunOutcome smooth_each(std::vector<std::unique_ptr<Smoother>>& smoothers, const 
 
 bool RunOutcome::cancelled() const { return is_cancelled(result); }
 
-MeshFromFile load_mesh(const std::string& path) {
+MeshFromFile load_mesh(const std::string& path, const std::string& repair) {
   MeshFromFile mesh;
   const Stopwatch watch;
-  MeshLists lists = read_mesh(path);
+  ReadMesh read = read_and_repair(path, repair);
+  MeshLists& lists = read.lists;
+  mesh.map = std::move(read.map);
+  mesh.changes = std::move(read.changes);
   mesh.load_ms = watch.ms();
   mesh.polygons = lists.polygon_count;
   mesh.services = std::make_shared<host::Services>("talweg", version());
@@ -250,17 +279,23 @@ MeshFromFile load_mesh(const std::string& path) {
 }
 
 Workspace::Workspace(MeshFromFile mesh, std::size_t threads)
-    : mesh_(std::move(mesh)), reader_(*mesh_.mesh), smoothers_(threads) {}
+    : mesh_(std::move(mesh)), reader_(*mesh_.mesh, mesh_.map.get()), smoothers_(threads) {}
 
 Workspace::~Workspace() = default;
 
 RunOutcome Workspace::smooth(const SmoothOptions& options, const Progress& progress) {
   const Prepared run = prepare(mesh_, reader_, options, progress);
-  if (options.independent) return smooth_each(smoothers_, mesh_, run);
-  if (!smoothers_[0]) smoothers_[0] = std::make_unique<Smoother>(mesh_);
   RunOutcome outcome;
-  outcome.result = smooth_set(*smoothers_[0], run);
-  for (std::size_t i = 0; i < outcome.result.curves.size(); ++i) outcome.numbers.push_back(i);
+  if (options.independent) {
+    outcome = smooth_each(smoothers_, mesh_, run);
+  } else {
+    if (!smoothers_[0]) smoothers_[0] = std::make_unique<Smoother>(mesh_);
+    outcome.result = smooth_set(*smoothers_[0], run);
+    for (std::size_t i = 0; i < outcome.result.curves.size(); ++i) outcome.numbers.push_back(i);
+  }
+  for (PlacedCurve& curve : outcome.result.curves) {
+    curve = in_file_numbers(mesh_.map.get(), std::move(curve));
+  }
   return outcome;
 }
 

@@ -9,6 +9,7 @@
 #include "drawing_file.hpp"
 #include "failure.hpp"
 #include "plugin_host.hpp"
+#include "repaired_mesh.hpp"
 #include "smooth_options.hpp"
 #include "talweg/core/placed_curve.hpp"
 #include "talweg/core/report.hpp"
@@ -22,11 +23,13 @@ struct MeshFromFile {
   std::shared_ptr<host::Services> services;
   std::shared_ptr<host::Instance> owner;  ///< of talweg.smooth; others take the mesh from it
   double load_ms = 0;
-  std::size_t polygons = 0;  ///< that were split into triangles
+  std::size_t polygons = 0;              ///< that were split into triangles
+  std::shared_ptr<const RepairMap> map;  ///< to the file's numbers; none without a repair
+  std::vector<std::string> changes;      ///< by the repair, in sentences
 };
 
-/// Throws Error as read_mesh() and SurfaceMesh::open() do, and plugin_named().
-MeshFromFile load_mesh(const std::string& path);
+/// Throws Error as read_and_repair() and SurfaceMesh::open() do, and plugin_named().
+MeshFromFile load_mesh(const std::string& path, const std::string& repair);
 
 /// A curve that could not be smoothed.
 struct CurveFailure {

@@ -1,0 +1,33 @@
+// The mesh of a file, repaired where that was asked for.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "talweg/core/mesh_repair.hpp"
+
+namespace talweg::driver {
+
+struct ReadMesh {
+  MeshLists lists;
+  std::shared_ptr<const RepairMap> map;  ///< to the file's numbers; none where nothing was repaired
+  std::vector<std::string> changes;      ///< sentences
+};
+
+/// Adds --repair[=LIST]; `list` stays empty without it.
+void add_repair_option(CLI::App& app, std::string& list);
+
+/// Reads a mesh, and repairs it unless `list` is empty. Throws Error as read_mesh(), repair_steps()
+/// and repair() do, and Error(kBadMesh) where the repaired mesh cannot be used.
+ReadMesh read_and_repair(const std::string& path, const std::string& list);
+
+/// Checks the list alone.
+void check_repair(const std::string& list);
+
+/// A curve on the mesh in the numbers of its file.
+PlacedCurve in_file_numbers(const RepairMap* map, PlacedCurve curve);
+
+}  // namespace talweg::driver

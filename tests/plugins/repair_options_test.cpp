@@ -1,0 +1,122 @@
+// --repair as users see it: results in the numbers of their own file.
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "core/generated_meshes.hpp"
+#include "core/small_meshes.hpp"
+#include "plugins/driver_runs.hpp"
+#include "talweg/core/mesh_writer.hpp"
+
+namespace talweg {
+namespace {
+
+using nlohmann::json;
+
+class RepairOption : public test::DriverRuns {
+ protected:
+  [[nodiscard]] json read(const std::string& name) const {
+    return json::parse(bytes_of(file(name)));
+  }
+  void succeed(const std::string& arguments) const {
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.code, 0) << arguments << "\n" << outcome.err;
+  }
+  /// Every point lies where its face of the file and its barycentrics say.
+  void expect_on(const MeshLists& lists, const std::string& curves) const {
+    for (const json& curve : read(curves)["curves"]) {
+      for (const json& p : curve["points"]) {
+        const Triangle& t = lists.triangles.at(p["face"].get<std::size_t>());
+        Point at = Point::Zero();
+        for (std::size_t k = 0; k < 3; ++k) {
+          at += p["barycentric"][k].get<double>() * lists.points[t[k]];
+        }
+        const auto xyz = p["xyz"].get<std::array<double, 3>>();
+        EXPECT_LT((at - Point(xyz.data())).norm(), 1e-12) << p;
+      }
+    }
+  }
+};
+
+TEST_F(RepairOption, EverythingInTheNumbersOfTheFile) {
+  // Three faces turned, two dropped, and a bow-tie between two sheets.
+  MeshLists lists = test::with_bow_tie(test::grid(12, 8), 50);
+  for (const std::size_t f : {40U, 95U, 101U}) lists = test::with_turned_face(lists, f);
+  lists.triangles.insert(lists.triangles.begin() + 3, {7, 7, 8});
+  lists.triangles.insert(lists.triangles.begin() + 60, lists.triangles[10]);
+  write_mesh(file("mesh.ply"), lists);
+  expect_failure("draw mesh.ply --through 0,50,116 -o no.json", 2, {"face"});
+  succeed("draw mesh.ply --repair --through 0,50,116 -o drawn.json -o drawn.txt");
+  expect_on(lists, "drawn.json");
+  EXPECT_NE(bytes_of(file("drawn.txt")).find("50"), std::string::npos);
+  for (const char* drawn : {"drawn.json", "drawn.txt"}) {
+    expect_failure(std::string("smooth mesh.ply -o no.json --curve ") + drawn, 2, {"face"});
+    succeed(std::string("smooth mesh.ply --repair=drop,orient,split --pin 50 -o s.json "
+                        "--report r.json --curve ") +
+            drawn);
+    expect_on(lists, "s.json");
+    const json report = read("r.json");
+    EXPECT_EQ(report["termination"], "converged");
+    EXPECT_EQ(report["warnings"].size(), 4U) << report["warnings"];
+    EXPECT_NE(report["warnings"].dump().find("3 faces were turned around (face 41, 97, 103)"),
+              std::string::npos)
+        << report["warnings"];
+  }
+  succeed("measure mesh.ply s.json drawn.txt --repair --report m.json");
+  EXPECT_LT(read("m.json")["deviation_to_other_max"].get<double>(), 2);
+}
+
+TEST_F(RepairOption, SoupOfTriangles) {
+  const MeshLists whole = test::sphere(3);
+  MeshLists soup;
+  for (const Triangle& t : whole.triangles) {
+    const auto n = static_cast<std::uint32_t>(soup.points.size());
+    for (const std::uint32_t v : t) soup.points.push_back(whole.points[v]);
+    soup.triangles.push_back({n, n + 1, n + 2});
+  }
+  write_mesh(file("soup.obj"), soup);
+  expect_failure("draw soup.obj --through 0,900 -o no.txt", 2, {"components"});
+  succeed("draw soup.obj --repair=weld --through 0,900 -o drawn.json");
+  succeed("smooth soup.obj --repair=weld --curve drawn.json -o s.json");
+  expect_on(soup, "s.json");
+}
+
+TEST_F(RepairOption, InfoTellsWhatItWouldDo) {
+  write_mesh(file("mesh.ply"), test::with_turned_face(test::sphere(2), 17));
+  const Outcome text = run("info mesh.ply --repair");
+  EXPECT_EQ(text.code, 0);
+  EXPECT_NE(text.out.find("Repair: 1 face was turned around (face 17).\nAfter the repair: usable."),
+            std::string::npos)
+      << text.out;
+  succeed("info mesh.ply --repair=weld --json");
+  const json told = json::parse(bytes_of(file("out.log")));
+  EXPECT_EQ(told["repair"]["turned_faces"]["count"], 0);
+  EXPECT_EQ(told["repair"]["verdict"], "repairable");
+}
+
+TEST_F(RepairOption, SaysWhatIsWrong) {
+  write_mesh(file("turned.ply"), test::with_turned_face(test::sphere(2), 17));
+  write_mesh(file("band.ply"), test::moebius(8));
+  for (const char* command : {"info turned.ply", "draw turned.ply --through 1,2 -o no.txt"}) {
+    expect_failure(command + std::string(" --repair=flip"), 1, {"\"flip\"", "weld"});
+  }
+  expect_failure("draw turned.ply --repair=weld --through 1,2 -o no.txt", 2,
+                 {"repaired", "opposite orientation"});
+  expect_failure("draw band.ply --repair --through 1,2 -o no.txt", 2, {"one-sided"});
+}
+
+TEST_F(RepairOption, InALineOfABatch) {
+  write_mesh(file("mesh.ply"), test::with_turned_face(test::sphere(2), 17));
+  succeed("draw mesh.ply --repair --through 0,1 -o d.json");
+  write("list.csv", "mesh,curve,repair,name\nmesh.ply,d.json,,a\nmesh.ply,d.json,orient,b\n");
+  EXPECT_EQ(run("smooth --batch list.csv -o '{name}.json'").code, 2);
+  EXPECT_EQ(bytes_of(file("err.log")).find("line 3"), std::string::npos);
+  expect_on(test::with_turned_face(test::sphere(2), 17), "b.json");
+}
+
+}  // namespace
+}  // namespace talweg
