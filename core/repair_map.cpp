@@ -150,6 +150,32 @@ std::vector<VertexId> RepairMap::moved(const std::vector<VertexId>& ids, bool cl
   return result;
 }
 
+std::vector<SurfacePoint> RepairMap::on_one_sheet(std::vector<SurfacePoint> points, bool closed,
+                                                  const Surface& repaired) const {
+  std::vector<std::uint32_t> anchors(points.size());  // a vertex near each point
+  Choices choices;
+  bool several = false;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const auto& where = points[k].where();
+    if (const auto* v = std::get_if<AtVertex>(&where)) {
+      choices.push_back(images(file_vertex(v->vertex)));
+      several = several || choices.back().size() > 1;
+      continue;
+    }
+    const auto* e = std::get_if<OnEdge>(&where);
+    const VertexId near = e != nullptr ? repaired.tail(halfedge_of(e->edge))
+                                       : repaired.corners(std::get<InFace>(where).face)[0];
+    anchors[k] = static_cast<std::uint32_t>(near.index());
+    choices.push_back(std::span(anchors).subspan(k, 1));
+  }
+  if (!several) return points;
+  const std::vector<VertexId> picked = Picker(repaired, choices).pick(closed);
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    if (points[k].is_vertex()) points[k] = SurfacePoint::at_vertex(repaired, picked[k]);
+  }
+  return points;
+}
+
 PlacedCurve RepairMap::to_file(PlacedCurve curve) const {
   for (VertexId& v : curve.vertices) {
     if (v.valid()) v = file_vertex(v);

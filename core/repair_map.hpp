@@ -61,6 +61,10 @@ class RepairMap {
   /// Throws Error(kBadCurve) naming the position in the curve where there is no such vertex or
   /// face, or the face was dropped.
   [[nodiscard]] CurveInput to_repaired(const CurveInput& curve, const Surface& repaired) const;
+  /// Points on the repaired mesh, found by their positions: those at a vertex that was split are
+  /// put on the copy that suits the points before and after, as above.
+  [[nodiscard]] std::vector<SurfacePoint> on_one_sheet(std::vector<SurfacePoint> points,
+                                                       bool closed, const Surface& repaired) const;
   /// A curve on the repaired mesh in the file's numbers.
   [[nodiscard]] PlacedCurve to_file(PlacedCurve curve) const;
 

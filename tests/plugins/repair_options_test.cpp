@@ -70,6 +70,17 @@ TEST_F(RepairOption, EverythingInTheNumbersOfTheFile) {
   EXPECT_LT(read("m.json")["deviation_to_other_max"].get<double>(), 2);
 }
 
+TEST_F(RepairOption, PositionsStayOnTheirSheet) {
+  // The vertex that both sheets share has two copies at one position.
+  write_mesh(file("mesh.ply"), test::with_bow_tie(test::grid(12, 8), 50));
+  for (const char* through : {"49,50,51", "166,50,168"}) {
+    succeed("draw mesh.ply --repair -o d.obj -o d.txt --through " + std::string(through));
+    succeed("smooth mesh.ply --repair --curve d.obj -o from_obj.json");
+    succeed("smooth mesh.ply --repair --curve d.txt -o from_txt.json");
+    EXPECT_EQ(read("from_obj.json"), read("from_txt.json"));
+  }
+}
+
 TEST_F(RepairOption, SoupOfTriangles) {
   const MeshLists whole = test::sphere(3);
   MeshLists soup;
