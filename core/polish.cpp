@@ -28,7 +28,8 @@ class Polisher {
         surface_(mesh.surface()),
         chain_(mesh, potential, options.tolerance, scale),
         pinned_(pinned),
-        options_(options) {}
+        options_(options),
+        tiny_(1e-6 * scale) {}
 
   PolishResult run(SurfaceCurve& curve);
 
@@ -52,6 +53,7 @@ class Polisher {
   [[nodiscard]] bool pinned(const SurfacePoint& p) const {
     return std::find(pinned_.begin(), pinned_.end(), p) != pinned_.end();
   }
+  void store(SurfaceCurve& curve) const;
   [[nodiscard]] ChainNode& ahead(std::size_t next, std::size_t k);
   [[nodiscard]] ChainNode& behind(std::size_t k);
 
@@ -60,6 +62,7 @@ class Polisher {
   LiftedChain chain_;
   std::span<const SurfacePoint> pinned_;
   PolishOptions options_;
+  double tiny_;  // lengths below count as none
   bool closed_ = false;
   LiftedChain::Nodes nodes_;
   LiftedChain::Nodes done_;  // while nodes_ are gone through: those that are behind
@@ -385,6 +388,24 @@ double Polisher::length() const {
   return chain_.length(nodes_) + chain_.length(std::array{nodes_.back(), nodes_.front()});
 }
 
+/// Points side by side around a vertex, as close to it as nothing, are that vertex: what they turn
+/// there, this way and that, is rounding.
+void Polisher::store(SurfaceCurve& curve) const {
+  const auto vertex_at = [&](const ChainNode& node) {
+    const VertexId v = node.fixed ? VertexId{} : driven_to(node);
+    return v.valid() && (node.y.head<3>() - mesh_.point(v)).norm() < tiny_ ? v : VertexId{};
+  };
+  curve.points.clear();
+  for (std::size_t i = 0; i < nodes_.size();) {
+    const VertexId v = vertex_at(nodes_[i]);
+    std::size_t end = i + 1;
+    while (v.valid() && end < nodes_.size() && vertex_at(nodes_[end]) == v) ++end;
+    curve.points.push_back(end > i + 1 ? SurfacePoint::at_vertex(surface_, v)
+                                       : chain_.place(nodes_[i]));
+    i = end;
+  }
+}
+
 PolishResult Polisher::run(SurfaceCurve& curve) {
   load(curve);
   PolishResult result;
@@ -412,8 +433,7 @@ PolishResult Polisher::run(SurfaceCurve& curve) {
   }
   result.length_after = std::min(result.length_after, length());
   result.passed_vertices = passed_;
-  curve.points.clear();
-  for (const ChainNode& node : nodes_) curve.points.push_back(chain_.place(node));
+  store(curve);
   return result;
 }
 

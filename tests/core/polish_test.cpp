@@ -176,5 +176,20 @@ TEST(Polish, LeavesAloneWhatHasNoInnerPoint) {
   EXPECT_EQ(curve.points, drawn.points);
 }
 
+// Straight over a vertex, but for a step of a billionth of an edge around it.
+TEST(Polish, PointsAtAVertexAreTheVertex) {
+  const SurfaceMesh mesh = SurfaceMesh::open(grid(4, 4));
+  const Surface& s = mesh.surface();
+  const std::uint32_t middle = 2 * 5 + 2;  // (2, 2)
+  SurfaceCurve curve{
+      false,
+      {SurfacePoint::at_vertex(s, VertexId{middle - 1}), test::between(s, middle, middle + 5, 1e-9),
+       test::between(s, middle, middle + 6, 1e-9),
+       SurfacePoint::at_vertex(s, VertexId{middle + 1})}};
+  polish(mesh, curve, flat(mesh), {}, {.max_rounds = 0});
+  ASSERT_EQ(curve.points.size(), 3U);
+  EXPECT_EQ(curve.points[1], SurfacePoint::at_vertex(s, VertexId{middle}));
+}
+
 }  // namespace
 }  // namespace talweg
