@@ -1,5 +1,6 @@
 #include "talweg/heat/dense_block.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <random>
@@ -16,7 +17,7 @@ std::vector<double> random_block(std::size_t height, std::size_t width, double d
   std::uniform_real_distribution<double> number(-1, 1);
   std::vector<double> block(height * width);
   for (double& value : block) value = number(random);
-  for (std::size_t j = 0; j < width; ++j) block[j * height + j] += diagonal;
+  for (std::size_t j = 0; j < std::min(height, width); ++j) block[j * height + j] += diagonal;
   return block;
 }
 

@@ -126,7 +126,7 @@ TEST_F(LoaderTest, RefusesWhatIsNoPluginAndGoesOn) {
   fs::create_directory(file("folder.so"));
   fs::create_symlink(file("nowhere"), file("dangling.so"));
   const std::string whole = bytes_of(fs::path(TALWEG_TOYS) / "plain.so");
-  write("half.so", whole.substr(0, whole.size() / 2));
+  write("half.so", whole.substr(0, 5000));  // what is loaded ends later, debug information or not
   write("header.so", whole.substr(0, 40));
   std::string other_machine = whole;
   other_machine[18] = 0x28;  // ARM

@@ -28,7 +28,8 @@ class RepairOption : public test::DriverRuns {
   }
   /// Every point lies where its face of the file and its barycentrics say.
   void expect_on(const MeshLists& lists, const std::string& curves) const {
-    for (const json& curve : read(curves)["curves"]) {
+    const json written = read(curves);
+    for (const json& curve : written["curves"]) {
       for (const json& p : curve["points"]) {
         const Triangle& t = lists.triangles.at(p["face"].get<std::size_t>());
         Point at = Point::Zero();
