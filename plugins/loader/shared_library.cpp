@@ -2,6 +2,7 @@
 
 #include <cstring>
 #include <fstream>
+#include <mutex>
 #include <stdexcept>
 #include <vector>
 
@@ -43,10 +44,18 @@ void check_complete(const std::string& path) {
   if (!complete) refuse("The library is not complete: the file ends too early.");
 }
 
+/// dlopen() and dlclose() order threads among themselves, but the thread sanitizer does not see
+/// how: what a library makes when it comes and takes away when it goes.
+std::mutex& loading() {
+  static std::mutex mutex;
+  return mutex;
+}
+
 }  // namespace
 
 SharedLibrary::SharedLibrary(const std::string& path) {
   check_complete(path);
+  const std::scoped_lock lock(loading());
   handle_ = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
   if (handle_ != nullptr) return;
   const char* why = dlerror();
@@ -54,7 +63,9 @@ SharedLibrary::SharedLibrary(const std::string& path) {
 }
 
 SharedLibrary::~SharedLibrary() {
-  if (handle_ != nullptr) dlclose(handle_);
+  if (handle_ == nullptr) return;
+  const std::scoped_lock lock(loading());
+  dlclose(handle_);
 }
 
 void* SharedLibrary::symbol(const char* name) const { return dlsym(handle_, name); }
