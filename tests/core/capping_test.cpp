@@ -113,7 +113,7 @@ TEST(Capping, LeavesNoCornerOfADrawing) {
 TEST(Capping, FindsNothingOnTheReferenceCurves) {
   for (const char* name : {"fandisk_14k", "aneurysm_14k", "armadillo_86k"}) {
     const auto reference = test::reference_curve(name);
-    if (!reference) GTEST_SKIP() << "reference data not found for " << name;
+    if (!reference) GTEST_SKIP() << test::missing(name);
     auto path = reference->path;
     EXPECT_EQ(cap_corners(reference->mesh.surface(), path, reference->closed), 0U) << name;
   }

@@ -240,7 +240,7 @@ TEST(CorridorLoops, OnTheArmadillo) {
     SCOPED_TRACE(name);
     const auto mesh_file = test::mesh_folder() / "armadillo_86k.ply";
     std::ifstream numbers(test::reference_folder() / "curves" / (std::string(name) + ".txt"));
-    if (!numbers || !std::filesystem::exists(mesh_file)) GTEST_SKIP() << "no armadillo_86k.ply";
+    if (!numbers || !std::filesystem::exists(mesh_file)) GTEST_SKIP() << test::missing(name);
     const auto opened = OpenedMesh::open(test::read_reference_mesh(mesh_file));
     std::vector<VertexId> path;
     for (std::size_t v = 0; numbers >> v;) path.emplace_back(v);

@@ -417,7 +417,7 @@ TEST_P(Reference, LiftedLengthsWithTheReferenceDistanceAgree) {
   const auto reference = test::reference_curve(name);
   std::ifstream numbers(test::reference_folder() / "distance" / (std::string(name) + ".txt"));
   if (!reference || !numbers) {
-    GTEST_SKIP() << "no real meshes in " << test::mesh_folder() << " (set TALWEG_MESHES)";
+    GTEST_SKIP() << test::missing("real meshes");
   }
   std::vector<double> distance;
   for (double d = 0; numbers >> d;) distance.push_back(d);
@@ -443,7 +443,7 @@ TEST_P(OwnDistance, SmoothsTheReferenceCurves) {
   const std::string mesh = name.substr(0, name.find("_loop"));
   std::ifstream numbers(test::reference_folder() / "curves" / (name + ".txt"));
   if (!numbers) {
-    GTEST_SKIP() << "no real meshes in " << test::mesh_folder() << " (set TALWEG_MESHES)";
+    GTEST_SKIP() << test::missing("real meshes");
   }
   const auto opened =
       OpenedMesh::open(test::read_reference_mesh(test::mesh_folder() / (mesh + ".ply")));

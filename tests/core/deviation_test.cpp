@@ -166,7 +166,7 @@ TEST(Deviation, SinglePointsAndNothing) {
 TEST(Deviation, AgreesWithTheReference) {
   for (const char* name : {"fandisk_14k", "aneurysm_14k", "armadillo_86k"}) {
     const auto drawn = test::reference_curve(name);
-    if (!drawn) GTEST_SKIP() << "reference data not found for " << name;
+    if (!drawn) GTEST_SKIP() << test::missing(name);
     const auto numbers = test::reference_numbers(name, 1.0);
     std::vector<Point> points;
     for (const VertexId v : drawn->path) points.push_back(drawn->mesh.point(v));

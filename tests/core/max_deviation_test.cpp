@@ -240,7 +240,7 @@ TEST_F(MaxDeviation, RefusesASmootherWithoutACorridor) {
 TEST_F(MaxDeviation, OnRealMeshes) {
   for (const char* name : {"fandisk_14k", "aneurysm_14k"}) {
     const auto reference = test::reference_curve(name);
-    if (!reference) GTEST_SKIP() << "no " << name << ".ply";
+    if (!reference) GTEST_SKIP() << test::missing(name);
     const auto real = OpenedMesh::open(
         test::read_reference_mesh(test::mesh_folder() / (std::string(name) + ".ply")));
     const SurfaceCurve path =

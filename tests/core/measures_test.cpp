@@ -210,7 +210,7 @@ TEST(Measures, AgreesWithTheReferenceOnDrawnCurves) {
   for (const char* name :
        {"fandisk_14k", "aneurysm_14k", "armadillo_86k", "skull_100k", "tooth_ct_119k"}) {
     const auto reference = test::reference_curve(name);
-    if (!reference) GTEST_SKIP() << "reference data not found for " << name;
+    if (!reference) GTEST_SKIP() << test::missing(name);
     const auto numbers = test::reference_numbers(name, 1.0);
     const Surface& surface = reference->mesh.surface();
     const auto measures =
@@ -225,7 +225,7 @@ TEST(Measures, AgreesWithTheReferenceOnDrawnCurves) {
 TEST(Measures, AgreesWithTheReferenceOnResults) {
   for (const char* name : {"fandisk_14k", "aneurysm_14k", "armadillo_86k"}) {
     const auto drawn = test::reference_curve(name);
-    if (!drawn) GTEST_SKIP() << "reference data not found for " << name;
+    if (!drawn) GTEST_SKIP() << test::missing(name);
     const auto numbers = test::reference_numbers(name, 1.0);
     double moved = 0;
     const SurfaceCurve result = test::reference_result_curve(*drawn, name, moved);

@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "core/generated_meshes.hpp"
+#include "core/reference_data.hpp"
 #include "talweg/core/mesh_reader.hpp"
 
 namespace talweg::test {
@@ -192,11 +193,8 @@ struct Listed {
 };
 
 TEST(MeshInspection, RealMeshes) {
-  const char* given = std::getenv("TALWEG_MESHES");
-  const std::filesystem::path folder =
-      given != nullptr ? std::filesystem::path(given)
-                       : std::filesystem::path(__FILE__).parent_path() / "../../../shared/meshes";
-  if (!std::filesystem::exists(folder)) GTEST_SKIP() << "no real meshes; set TALWEG_MESHES";
+  const std::filesystem::path folder = test::mesh_folder();
+  if (!std::filesystem::exists(folder)) GTEST_SKIP() << test::missing("real meshes");
   const Listed table[] = {
       {"elephant_106holes_tiny_4k.ply", 4463, 2798, 1, 106, 3, 0, 0, 0, 65, 0, 0},
       {"teeth_bowtie_10k.ply", 10493, 5325, 20, 5, -1, 0, 0, 40, 0, 0, 2},

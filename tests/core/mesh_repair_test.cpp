@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "core/generated_meshes.hpp"
+#include "core/reference_data.hpp"
 #include "core/small_meshes.hpp"
 #include "talweg/core/mesh_reader.hpp"
 #include "talweg/core/snapping.hpp"
@@ -400,11 +401,8 @@ TEST(MeshRepair, CurvesInDroppedFacesAreRefused) {
 
 /// The defects that the collection's own table names, and what is done about them.
 TEST(MeshRepair, RealMeshes) {
-  const char* given = std::getenv("TALWEG_MESHES");
-  const std::filesystem::path folder =
-      given != nullptr ? std::filesystem::path(given)
-                       : std::filesystem::path(__FILE__).parent_path() / "../../../shared/meshes";
-  if (!std::filesystem::exists(folder)) GTEST_SKIP() << "no real meshes; set TALWEG_MESHES";
+  const std::filesystem::path folder = test::mesh_folder();
+  if (!std::filesystem::exists(folder)) GTEST_SKIP() << test::missing("real meshes");
   const Counts teeth =
       counts_of(repaired_and_usable(read_mesh(folder / "teeth_bowtie_10k.ply")).changes);
   EXPECT_EQ(teeth.vertices, 40U);

@@ -22,11 +22,14 @@ namespace talweg::test {
 /// Where the real meshes are; the reference data lies beside that folder.
 inline std::filesystem::path mesh_folder() {
   if (const char* given = std::getenv("TALWEG_MESHES")) return given;
-  const auto root = std::filesystem::path(__FILE__).parent_path().parent_path().parent_path();
-  return root.parent_path() / "shared" / "meshes";
+  return std::filesystem::path(TALWEG_SOURCE_DIR).parent_path() / "shared" / "meshes";
 }
 inline std::filesystem::path reference_folder() {
   return (mesh_folder() / "..").lexically_normal() / "reference";
+}
+/// Why a test that needs it does not run.
+inline std::string missing(const std::string& name) {
+  return "no " + name + " in " + mesh_folder().string() + " or its ../reference (set TALWEG_MESHES)";
 }
 
 /// A little-endian binary PLY of float or double points and `uchar int` triangles.

@@ -212,7 +212,7 @@ TEST(Relaxation, ScaleAndPositionDoNotMatter) {
 TEST(Relaxation, SmoothsTheReferenceResults) {
   for (const char* name : {"fandisk_14k", "aneurysm_14k"}) {
     const auto drawn = test::reference_curve(name);
-    if (!drawn) GTEST_SKIP() << "reference data not found for " << name;
+    if (!drawn) GTEST_SKIP() << test::missing(name);
     double moved = 0;
     SurfaceCurve curve = test::reference_result_curve(*drawn, name, moved);
     const Surface& surface = drawn->mesh.surface();

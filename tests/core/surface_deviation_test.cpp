@@ -137,7 +137,7 @@ TEST(SurfaceDeviation, OfACurveFromItselfIsZero) {
 TEST(SurfaceDeviation, IsNeverLessThanTheEuclideanOneOrASample) {
   for (const char* name : {"fandisk_14k", "aneurysm_14k"}) {
     const auto drawn = test::reference_curve(name);
-    if (!drawn) GTEST_SKIP() << "reference data not found for " << name;
+    if (!drawn) GTEST_SKIP() << test::missing(name);
     const SurfaceMesh& mesh = drawn->mesh;
     double moved = 0;
     const SurfaceCurve result = test::reference_result_curve(*drawn, name, moved);

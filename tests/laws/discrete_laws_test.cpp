@@ -21,8 +21,7 @@ class DiscreteLaw : public ::testing::TestWithParam<std::string> {
   void SetUp() override {
     subject_ = test::make_subject(GetParam());
     if (subject_.lists.points.empty()) {
-      GTEST_SKIP() << "no " << GetParam() << " in " << test::mesh_folder()
-                   << " (set TALWEG_MESHES)";
+      GTEST_SKIP() << test::missing(GetParam());
     }
   }
   test::Subject subject_;

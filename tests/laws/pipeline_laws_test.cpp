@@ -41,8 +41,7 @@ class PipelineLaw : public ::testing::TestWithParam<Setting> {
   void SetUp() override {
     subject_ = test::make_subject(GetParam().subject);
     if (subject_.lists.points.empty()) {
-      GTEST_SKIP() << "no " << GetParam().subject << " in " << test::mesh_folder()
-                   << " (set TALWEG_MESHES)";
+      GTEST_SKIP() << test::missing(GetParam().subject);
     }
     tau_ = GetParam().tau;
     corridor_ = GetParam().method == Method::kCorridor;

@@ -121,8 +121,7 @@ class RealMesh : public ::testing::TestWithParam<const char*> {
   void SetUp() override {
     const auto reference = test::reference_curve(GetParam());
     if (!reference) {
-      GTEST_SKIP() << "no " << GetParam() << " in " << test::mesh_folder()
-                   << " (set TALWEG_MESHES)";
+      GTEST_SKIP() << test::missing(GetParam());
     }
     lists_ = test::read_reference_mesh(test::mesh_folder() / (std::string(GetParam()) + ".ply"));
     path_ = reference->path;

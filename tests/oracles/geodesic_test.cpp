@@ -64,8 +64,7 @@ class Geodesic : public ::testing::TestWithParam<const char*> {
   void SetUp() override {
     lists_ = mesh_named(GetParam());
     if (lists_.points.empty()) {
-      GTEST_SKIP() << "no " << GetParam() << " in " << test::mesh_folder()
-                   << " (set TALWEG_MESHES)";
+      GTEST_SKIP() << test::missing(GetParam());
     }
     opened_ = OpenedMesh::open(lists_);
   }

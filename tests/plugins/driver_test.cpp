@@ -184,8 +184,9 @@ TEST_F(Driver, HoldsTheDrawingWhereTheSlackFieldIsSmall) {
     return nlohmann::json::parse(bytes_of(file("r.json")))["deviation_to_drawn_max"];
   };
   const double held = deviation("zeros.txt"), free = deviation("wide.txt");
-  // Where the potential is looked at it is at most half the drawn length (about 35, so 0.2 away with
-  // L = 3.5 and tau = 4), and a point in between is a quarter of the longest edge from such a place.
+  // Where the potential is looked at it is at most half the drawn length (about 35, so 0.2 away
+  // with L = 3.5 and tau = 4), and a point in between is a quarter of the longest edge from such a
+  // place.
   EXPECT_LT(held, 0.2 + std::sqrt(2) / 4);
   EXPECT_GT(free, 1);
   expect_failure("smooth mesh.ply --curve drawn.json --slack-field drawn.json", 2, {"drawn.json"});
@@ -328,7 +329,7 @@ TEST_F(Driver, GoesOnWithoutBrokenPlugins) {
 
 TEST_F(Driver, SmoothsEveryManifoldRealMesh) {
   if (!std::filesystem::exists(test::mesh_folder())) {
-    GTEST_SKIP() << "no real meshes in " << test::mesh_folder() << " (set TALWEG_MESHES)";
+    GTEST_SKIP() << test::missing("real meshes");
   }
   const std::set<std::string> refused = {"buildings_needles_400k", "car_nonmanifold_251k",
                                          "misoriented_25k", "teeth_bowtie_10k"};
