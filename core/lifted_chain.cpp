@@ -60,35 +60,39 @@ FaceId LiftedChain::face_between(const ChainNode& a, const ChainNode& b) const {
   return face;
 }
 
-/// The potential halfway between two nodes and its derivatives by where they are.
-PotentialInFace LiftedChain::halfway(const ChainNode& a, const LiftedPlace& at_a,
-                                     const ChainNode& b, const LiftedPlace& at_b) const {
-  const double clear = std::max(at_a.clear, at_b.clear);
-  if (clear > 0 && (at_b.y - at_a.y).head<3>().squaredNorm() < 4 * clear * clear) return {};
-  const FaceId face = face_between(a, b);
-  if (!face.valid()) return {};
+LiftedChain::Link LiftedChain::link_between(const ChainNode& a, const ChainNode& b) const {
+  Link link;
+  link.face = face_between(a, b);
+  if (!link.face.valid()) return link;
   const Surface& surface = mesh_.surface();
-  ExactPotential::Barycentric at{};
-  std::array<ExactPotential::Barycentric, 2> along{};
   for (std::size_t i = 0; i < 2; ++i) {
     const ChainNode& node = i == 0 ? a : b;
     if (node.fixed) {
-      const auto corners = coordinates_in(surface, node.point, face).barycentric;
-      for (std::size_t k = 0; k < 3; ++k) at[k] += corners[k] / 2;
+      const auto corners = coordinates_in(surface, node.point, link.face).barycentric;
+      for (std::size_t k = 0; k < 3; ++k) link.base[k] += corners[k] / 2;
       continue;
     }
-    HalfedgeId h = surface.halfedge(face);
+    HalfedgeId h = surface.halfedge(link.face);
     std::size_t k = 0;
     for (; edge_of(h) != node.edge; ++k) h = surface.next(h);
     const bool own = h == halfedge_of(node.edge);
     const std::size_t tail = own ? k : (k + 1) % 3, head = own ? (k + 1) % 3 : k;
-    const double t = i == 0 ? at_a.t : at_b.t;
-    at[tail] += (1 - t) / 2;
-    at[head] += t / 2;
-    along[i][tail] = -0.5;
-    along[i][head] = 0.5;
+    link.base[tail] += 0.5;
+    link.along[i][tail] = -0.5;
+    link.along[i][head] = 0.5;
   }
-  return potential_.in_face(face, at, along);
+  return link;
+}
+
+/// The potential halfway between two nodes and its derivatives by where they are.
+PotentialInFace LiftedChain::halfway(const Link& link, const LiftedPlace& a,
+                                     const LiftedPlace& b) const {
+  const double clear = std::max(a.clear, b.clear);
+  if (clear > 0 && (b.y - a.y).head<3>().squaredNorm() < 4 * clear * clear) return {};
+  if (!link.face.valid()) return {};
+  ExactPotential::Barycentric at = link.base;
+  for (std::size_t k = 0; k < 3; ++k) at[k] += a.t * link.along[0][k] + b.t * link.along[1][k];
+  return potential_.in_face(link.face, at, link.along);
 }
 
 /// Rounded off at zero, so that points that run together do no harm.
@@ -194,7 +198,7 @@ bool LiftedChain::go_along(std::span<ChainNode> nodes, double most, double& tota
       }
       const bool stays = rows_[i - 1].step == 0 && (step == 0 || i + 1 == nodes.size());
       tried_middles_[i - 1] =
-          stays ? middles_[i - 1] : halfway(nodes[i - 1], trials_[i - 1], nodes[i], trials_[i]);
+          stays ? middles_[i - 1] : halfway(links_[i - 1], trials_[i - 1], trials_[i]);
       shorter += segment(trials_[i - 1], tried_middles_[i - 1], trials_[i]);
     }
     if (!(shorter < total)) continue;
@@ -231,12 +235,14 @@ bool LiftedChain::newton_step(std::span<ChainNode> nodes, double& total) {
 }
 
 LiftedChain::Settled LiftedChain::settle_between(std::span<ChainNode> nodes, int steps) {
+  links_.resize(nodes.size());
   middles_.resize(nodes.size());
   tried_middles_.resize(nodes.size());
   double total = 0;
   for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
     const ChainNode &a = nodes[i], &b = nodes[i + 1];
-    middles_[i] = halfway(a, a, b, b);
+    links_[i] = link_between(a, b);
+    middles_[i] = halfway(links_[i], a, b);
     total += segment(a, middles_[i], b);
   }
   Settled result{total, total};

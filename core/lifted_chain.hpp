@@ -80,7 +80,7 @@ class LiftedChain {
   [[nodiscard]] SurfacePoint place(const ChainNode& node) const;
   [[nodiscard]] double length(std::span<const ChainNode> nodes) const;
   [[nodiscard]] double length(const ChainNode& a, const ChainNode& b) const {
-    return segment(a, halfway(a, a, b, b), b);
+    return segment(a, halfway(link_between(a, b), a, b), b);
   }
   /// At most so many damped Newton steps (the matrix is tridiagonal) between any two fixed nodes;
   /// returns the length, which never grows.
@@ -102,8 +102,15 @@ class LiftedChain {
 
   [[nodiscard]] LiftedPlace place_at(const ChainNode& node, double t) const;
   [[nodiscard]] FaceId face_between(const ChainNode& a, const ChainNode& b) const;
-  [[nodiscard]] PotentialInFace halfway(const ChainNode& a, const LiftedPlace& at_a,
-                                        const ChainNode& b, const LiftedPlace& at_b) const;
+  /// Where the middle of two nodes lies: in the face at base + t_a along[0] + t_b along[1].
+  struct Link {
+    FaceId face;
+    ExactPotential::Barycentric base{};
+    std::array<ExactPotential::Barycentric, 2> along{};
+  };
+  [[nodiscard]] Link link_between(const ChainNode& a, const ChainNode& b) const;
+  [[nodiscard]] PotentialInFace halfway(const Link& link, const LiftedPlace& a,
+                                        const LiftedPlace& b) const;
   [[nodiscard]] double segment(const LiftedPlace& a, const PotentialInFace& middle,
                                const LiftedPlace& b) const;
   void add_segment(const ChainNode& a, const PotentialInFace& middle, const ChainNode& b, Row& row,
@@ -125,6 +132,7 @@ class LiftedChain {
   int round_ = 0;
   std::vector<Row> rows_;
   std::vector<LiftedPlace> trials_;
+  std::vector<Link> links_;                               // per segment
   std::vector<PotentialInFace> middles_, tried_middles_;  // per segment
 };
 

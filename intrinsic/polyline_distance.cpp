@@ -199,7 +199,7 @@ Nearest PolylineDistance::at(const SurfacePoint& point) {
   if (const auto* v = std::get_if<AtVertex>(&point.where())) return at_vertex(v->vertex);
   if (const auto* e = std::get_if<OnEdge>(&point.where())) return on_edge(e->edge, e->t);
   const auto& inside = std::get<InFace>(point.where());
-  return finish(final_hit(inside.face, inside.barycentric).nearest);
+  return in_face(inside.face, inside.barycentric);
 }
 
 double PolylineDistance::below(double limit, const SurfacePoint& point) {
@@ -211,7 +211,7 @@ double PolylineDistance::below(double limit, const SurfacePoint& point) {
     known = hit_on_edge(e->edge, e->t * surface_->length(e->edge)).nearest.distance;
   } else {
     const auto& inside = std::get<InFace>(point.where());
-    known = hit_in_face(inside.face, inside.barycentric).nearest.distance;
+    known = hit_in(fresh_copy(inside.face), inside.barycentric).nearest.distance;
   }
   return known < limit ? known : kInfinity;
 }

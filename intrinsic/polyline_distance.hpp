@@ -146,16 +146,22 @@ class PolylineDistance {
   EdgeHit final_hit(EdgeId edge, double x);
   const EdgeCopy& final_copy(EdgeId edge, double t, EdgeHit& hit);
   // polyline_in_face.cpp
+  struct LedIn;  // see below
   struct FaceHit {
     Nearest nearest;
     std::size_t side = 0;  // in whose frame the way arrives
-    const EdgeWindow* window = nullptr;
+    const LedIn* window = nullptr;
     const PolylinePiece* piece = nullptr;  // neither: from the corner of that side
   };
-  void offer_windows(FaceId face, const Barycentric& b, std::size_t side, HalfedgeId h,
-                     FaceHit& best) const;
-  [[nodiscard]] FaceHit hit_in_face(FaceId face, const Barycentric& b) const;
-  FaceHit final_hit(FaceId face, const Barycentric& b);
+  struct FaceCopy;                            // see below
+  using Corners = std::array<PlanePoint, 3>;  // one point in the frames of the three sides
+  void offer_windows(const FaceCopy& copy, const Corners& at, FaceHit& best) const;
+  void offer_pieces(const FaceCopy& copy, PlanePoint at, FaceHit& best) const;
+  [[nodiscard]] FaceHit hit_in(const FaceCopy& copy, const Barycentric& b) const;
+  void copy_face(FaceId face);
+  const FaceCopy& fresh_copy(FaceId face);
+  const FaceCopy& final_copy(FaceId face, const Barycentric& b, FaceHit& hit);
+  Nearest in_face(FaceId face, const Barycentric& b);
   struct Reached {
     VertexId vertex;
     double way = 0;  // along edges
@@ -187,6 +193,26 @@ class PolylineDistance {
   std::vector<std::uint32_t> copy_of_;  // per edge, in copies_
   std::vector<EdgeCopy> copies_;
   std::vector<EdgeWindow> copied_;
+
+  // The same for at_face(): frames, corners and the windows that lead in.
+  struct FaceCopy {
+    FaceId face;
+    std::uint32_t first = 0, count = 0;  // in led_in_
+    double front = 0;                    // of the queue
+    double longest = 0;                  // side
+    std::span<const PolylinePiece> pieces;
+    std::array<SideFrame, 3> frames;
+    std::array<Nearest, 3> corners;
+  };
+  struct LedIn {
+    EdgeWindow window;
+    double lowest = 0;
+    std::uint32_t side = 0;
+    bool own = true;  // the window's x runs along the side, not against it
+  };
+  std::vector<std::uint32_t> face_copy_of_;  // per face, in face_copies_
+  std::vector<FaceCopy> face_copies_;
+  std::vector<LedIn> led_in_;
 
   std::vector<Reached> reached_;  // by the last search along edges
 

@@ -55,81 +55,118 @@ double dot(PlanePoint a, PlanePoint b) { return a.x * b.x + a.y * b.y; }
 
 }  // namespace
 
-/// Through the windows of one side.
-void PolylineDistance::offer_windows(FaceId face, const Barycentric& b, std::size_t side,
-                                     HalfedgeId h, FaceHit& best) const {
-  const EdgeId edge = edge_of(h);
-  const bool own = h == halfedge_of(edge);
-  PlanePoint p{0, -1};
-  for (std::uint32_t i = first_window_[edge.index()]; i != kNone; i = windows_[i].next) {
-    const EdgeWindow& w = windows_[i];
-    if (w.into != h) continue;
-    if (p.y < 0) {  // not laid out yet; most sides have no window that leads in
-      const SideFrame frame = side_frame(*surface_, face, side);
-      p = frame.at(b, side);
-      if (!own) p.x = frame.length - p.x;
-    }
-    Nearest nearest{0, w.curve, 0};
-    nearest.distance = w.value_beyond(p.x, own ? p.y : -p.y, nearest.arc_length);
-    if (is_nearer(nearest, best.nearest)) best = {nearest, side, &w};
+/// Through the windows of the sides, whose ways are at least as long as to where they start.
+void PolylineDistance::offer_windows(const FaceCopy& copy, const Corners& at, FaceHit& best) const {
+  const LedIn* const first = led_in_.data() + copy.first;
+  for (const LedIn& in : std::span(first, copy.count)) {
+    if (in.lowest > best.nearest.distance) continue;
+    const PlanePoint p = at[in.side];
+    Nearest nearest{0, in.window.curve, 0};
+    nearest.distance = in.own ? in.window.value_beyond(p.x, p.y, nearest.arc_length)
+                              : in.window.value_beyond(copy.frames[in.side].length - p.x, -p.y,
+                                                       nearest.arc_length);
+    if (is_nearer(nearest, best.nearest)) best = {nearest, in.side, &in};
   }
 }
 
-PolylineDistance::FaceHit PolylineDistance::hit_in_face(FaceId face, const Barycentric& b) const {
-  FaceHit best{{kInfinity, 0, 0}};
-  double longest = 0;
-  HalfedgeId h = surface_->halfedge(face);
-  for (std::size_t k = 0; k < 3; ++k, h = surface_->next(h)) {
-    longest = std::max(longest, surface_->length(edge_of(h)));
-    offer_windows(face, b, k, h, best);
+/// From the curves' segments in the face itself, in the frame of side 0.
+void PolylineDistance::offer_pieces(const FaceCopy& copy, PlanePoint at, FaceHit& best) const {
+  const SideFrame& frame = copy.frames[0];
+  for (const PolylinePiece& piece : copy.pieces) {
+    const PlanePoint p = frame.at(piece.from, 0), q = frame.at(piece.to, 0);
+    const double part = nearest_part(at, p, q), dx = q.x - p.x, dy = q.y - p.y;
+    const Nearest nearest{std::hypot(at.x - (p.x + part * dx), at.y - (p.y + part * dy)),
+                          piece.curve, piece.arc + part * std::hypot(dx, dy)};
+    if (is_nearer(nearest, best.nearest)) best = {nearest, 0, nullptr, &piece};
   }
-  for (std::size_t k = 0; k < 3; ++k, h = surface_->next(h)) {
-    const Nearest& corner = vertex_[surface_->tail(h).index()];
+}
+
+PolylineDistance::FaceHit PolylineDistance::hit_in(const FaceCopy& copy,
+                                                   const Barycentric& b) const {
+  FaceHit best{{kInfinity, 0, 0}};
+  Corners at;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const PlanePoint p = at[k] = copy.frames[k].at(b, k);
+    const Nearest& corner = copy.corners[k];
     if (corner.distance > best.nearest.distance) continue;
-    const PlanePoint p = side_frame(*surface_, face, k).at(b, k);
     const Nearest nearest = farther(corner, std::sqrt(p.x * p.x + p.y * p.y));
     if (is_nearer(nearest, best.nearest)) best = {nearest, k};
   }
-  const auto pieces = pieces_.segments_in(face);
-  if (pieces.empty()) {
-    if (best.nearest.distance <= kRounding * longest) best.nearest.distance = 0;
-    return best;
-  }
-  const SideFrame frame = side_frame(*surface_, face, 0);
-  for (const PolylinePiece& piece : pieces) {
-    const PlanePoint x = frame.at(b, 0), p = frame.at(piece.from, 0), q = frame.at(piece.to, 0);
-    const double part = nearest_part(x, p, q), dx = q.x - p.x, dy = q.y - p.y;
-    const Nearest nearest{std::hypot(x.x - (p.x + part * dx), x.y - (p.y + part * dy)), piece.curve,
-                          piece.arc + part * std::hypot(dx, dy)};
-    if (is_nearer(nearest, best.nearest)) best = {nearest, 0, nullptr, &piece};
-  }
-  if (best.nearest.distance <= kRounding * longest) best.nearest.distance = 0;
+  offer_windows(copy, at, best);
+  offer_pieces(copy, at[0], best);
+  if (best.nearest.distance <= kRounding * copy.longest) best.nearest.distance = 0;
   return best;
 }
 
-PolylineDistance::FaceHit PolylineDistance::final_hit(FaceId face, const Barycentric& b) {
-  const VertexId corner = surface_->tail(surface_->halfedge(face));
-  for (;;) {
-    const FaceHit hit = hit_in_face(face, b);
-    if (is_final(hit.nearest.distance) || marches_in_vain(corner)) return hit;
-    march();
+void PolylineDistance::copy_face(FaceId face) {
+  std::uint32_t& id = face_copy_of_[face.index()];
+  if (id == kNone) {
+    id = static_cast<std::uint32_t>(face_copies_.size());
+    face_copies_.emplace_back().face = face;
   }
+  FaceCopy& copy = face_copies_[id];
+  copy.front = queue_.front();
+  copy.first = static_cast<std::uint32_t>(led_in_.size());
+  copy.pieces = pieces_.segments_in(face);
+  HalfedgeId h = surface_->halfedge(face);
+  for (std::uint32_t k = 0; k < 3; ++k, h = surface_->next(h)) {
+    copy.frames[k] = side_frame(*surface_, face, k);
+    copy.corners[k] = vertex_[surface_->tail(h).index()];
+    copy.longest = std::max(copy.longest, copy.frames[k].length);
+    const EdgeId edge = edge_of(h);
+    for (std::uint32_t i = first_window_[edge.index()]; i != kNone; i = windows_[i].next) {
+      const EdgeWindow& w = windows_[i];
+      if (w.into == h) led_in_.push_back({w, w.lowest(), k, h == halfedge_of(edge)});
+    }
+  }
+  copy.count = static_cast<std::uint32_t>(led_in_.size()) - copy.first;
+}
+
+/// A copy of the face as it is now.
+const PolylineDistance::FaceCopy& PolylineDistance::fresh_copy(FaceId face) {
+  const std::uint32_t& id = face_copy_of_[face.index()];
+  if (id == kNone || face_copies_[id].front != queue_.front()) copy_face(face);
+  return face_copies_[id];
+}
+
+/// A copy of the face that is final for the answer at b.
+const PolylineDistance::FaceCopy& PolylineDistance::final_copy(FaceId face, const Barycentric& b,
+                                                               FaceHit& hit) {
+  if (face_copy_of_[face.index()] == kNone) copy_face(face);
+  for (;;) {
+    const FaceCopy& copy = face_copies_[face_copy_of_[face.index()]];
+    hit = hit_in(copy, b);
+    if (hit.nearest.distance + queue_.step() / 64 < copy.front) return copy;
+    if (copy.front == queue_.front()) {
+      const VertexId corner = surface_->tail(surface_->halfedge(face));
+      if (queue_.empty() || marches_in_vain(corner)) return copy;
+      march();
+    }
+    copy_face(face);
+  }
+}
+
+PolylineDistance::Nearest PolylineDistance::in_face(FaceId face, const Barycentric& b) {
+  FaceHit hit;
+  final_copy(face, b, hit);
+  return finish(hit.nearest);
 }
 
 PolylineDistance::FaceValue PolylineDistance::at_face(FaceId face, const Barycentric& b,
                                                       const std::array<Barycentric, 2>& d) {
-  const FaceHit hit = final_hit(face, b);
+  FaceHit hit;
+  const SideFrame& frame = final_copy(face, b, hit).frames[hit.side];
   const Nearest nearest = finish(hit.nearest);
   FaceValue result{nearest.distance, {}, {}, nearest.curve, nearest.arc_length, {}};
   if (std::isinf(nearest.distance)) return result;
-  const SideFrame frame = side_frame(*surface_, face, hit.side);
   const PlanePoint p = frame.at(b, hit.side);
-  const bool own = frame.side == halfedge_of(edge_of(frame.side));
-  const Arrival way = hit.window != nullptr
-                          ? from_window(*hit.window, own ? p.x : frame.length - p.x, p.y, own)
-                      : hit.piece != nullptr
-                          ? from_piece(p, frame.at(hit.piece->from, 0), frame.at(hit.piece->to, 0))
-                          : from_point(p.x, p.y);
+  const Arrival way =
+      hit.window != nullptr
+          ? from_window(hit.window->window, hit.window->own ? p.x : frame.length - p.x, p.y,
+                        hit.window->own)
+      : hit.piece != nullptr
+          ? from_piece(p, frame.at(hit.piece->from, 0), frame.at(hit.piece->to, 0))
+          : from_point(p.x, p.y);
   const std::array<PlanePoint, 2> step{frame.at(d[0], hit.side), frame.at(d[1], hit.side)};
   for (std::size_t i = 0; i < 2; ++i) {
     result.first[i] = dot(way.direction, step[i]);

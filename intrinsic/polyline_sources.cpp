@@ -17,7 +17,8 @@ PolylineDistance::PolylineDistance(const Surface& surface)
       bends_(surface.vertex_count(), 0),
       vertex_(surface.vertex_count(), Nearest{std::numeric_limits<double>::infinity(), 0, 0}),
       first_window_(surface.edge_count(), kNone),
-      copy_of_(surface.edge_count(), kNone) {}
+      copy_of_(surface.edge_count(), kNone),
+      face_copy_of_(surface.face_count(), kNone) {}
 
 void PolylineDistance::forget() {
   for (const EdgeId e : touched_edges_) first_window_[e.index()] = kNone;
@@ -25,8 +26,11 @@ void PolylineDistance::forget() {
     vertex_[v.index()].distance = std::numeric_limits<double>::infinity();
   }
   for (const EdgeCopy& copy : copies_) copy_of_[copy.edge.index()] = kNone;
+  for (const FaceCopy& copy : face_copies_) face_copy_of_[copy.face.index()] = kNone;
   copies_.clear();
   copied_.clear();
+  face_copies_.clear();
+  led_in_.clear();
   touched_edges_.clear();
   touched_vertices_.clear();
   windows_.clear();
