@@ -1,0 +1,98 @@
+"""Smooth curves on triangle meshes while they stay close to what was drawn.
+
+>>> import talweg
+>>> drawn = talweg.draw(vertices, faces, [12, 845, 9001])   # vertices -> curve along edges
+>>> result = talweg.smooth(vertices, faces, drawn, tau=2)
+>>> result.curve.positions, result.report.deviation_to_drawn_max
+
+``Mesh`` opens a mesh once for many curves; ``Workspace`` keeps a curve while tau moves.
+``talweg.help_text()`` tells all parameters. Lengths are in mesh units, angles in radians.
+"""
+
+from __future__ import annotations
+
+from typing import Any, Sequence, Union
+
+from ._curves import ArrayLike, Curve, CurveLike
+from ._errors import (BadCurve, BadFile, BadMesh, BadUsage, Cancelled, Error, Internal, Numerical,
+                      OutOfMemory, PluginNotFound, Unsupported)
+from ._mesh import Mesh, Workspace
+from ._plugins import Parameter, Plugin, folders, help_text, plugin, plugins
+from ._results import Distance, Report, Result
+from ._version import __version__
+
+__all__ = [
+    "BadCurve", "BadFile", "BadMesh", "BadUsage", "Cancelled", "Curve", "Distance", "Error",
+    "Internal", "Mesh", "Numerical", "OutOfMemory", "Parameter", "Plugin", "PluginNotFound",
+    "Report", "Result", "Unsupported", "Workspace", "__version__", "distance", "draw", "folders",
+    "geodesic", "help_text", "plugin", "plugins", "smooth"
+]
+
+
+def smooth(vertices: Any, faces: ArrayLike, curve: Union[CurveLike, Sequence[Curve]],
+           tau: float = 1.0, *, closed: bool = False, point_fields: bool = False,
+           vertex_fields: bool = False, progress: Any = None, **parameters: Any) -> Result:
+    """Smooths a drawn curve while it stays close to the drawing.
+
+    :param vertices: (n, 3) real numbers, mesh units.
+    :param faces: (m, 3) whole numbers, counterclockwise from outside.
+    :param curve: vertices (k,), neighbours along edges; or positions (k, 3) near the surface; or
+        a ``Curve``; or a list of ``Curve``: smoothed together, none crosses another.
+    :param tau: >= 0. 0: straight lines; more keeps closer to the drawing.
+    :param closed: the curve is a loop (also if its vertices repeat the first one at the end).
+    :param point_fields: also ``curve.fields``: "deviation" (mesh units), "curvature" (radians).
+    :param vertex_fields: also ``result.fields``: "distance" to the drawing, (n,), mesh units.
+    :param progress: a function (stage, fraction in [0, 1]) that may return False to cancel, or a
+        tqdm bar.
+    :param parameters: any of ``talweg.help_text()``: ``slack``, ``max_deviation``, ``pin``, ...
+    :raises BadMesh, BadCurve, BadUsage: with a sentence that says what is wrong, and where.
+    :raises Cancelled, KeyboardInterrupt: there is no result then.
+
+    The method: Pawellek, Roessl, Lawonn, Distance-Based Smoothing of Curves on Surface Meshes.
+    """
+    return Mesh(vertices, faces).smooth(curve, tau, closed=closed, point_fields=point_fields,
+                                        vertex_fields=vertex_fields, progress=progress,
+                                        **parameters)
+
+
+def draw(vertices: Any, faces: ArrayLike, points: CurveLike, *, closed: bool = False,
+         straight: bool = False) -> Curve:
+    """A curve through points in their order: shortest edge paths between vertices.
+
+    :param points: vertices (k,), k >= 2, anywhere; with ``straight`` also positions or a Curve.
+    :param closed: back to the first point.
+    :param straight: straight over the faces instead of along edges.
+    :raises BadCurve: if there is no way, or it would cross itself.
+    """
+    return Mesh(vertices, faces, plugin="talweg.draw").draw(points, closed=closed,
+                                                            straight=straight)
+
+
+def geodesic(vertices: Any, faces: ArrayLike, curve: Union[CurveLike, Sequence[Curve]], *,
+             closed: bool = False, point_fields: bool = False, progress: Any = None,
+             **parameters: Any) -> Result:
+    """Straightens a curve until it is locally shortest: a geodesic path, or a closed geodesic.
+
+    :param curve: as for smooth(), but points need not be neighbours. Its pins stay; with
+        ``through=True`` all of its points.
+    """
+    return Mesh(vertices, faces, plugin="talweg.geodesic").geodesic(
+        curve, closed=closed, point_fields=point_fields, progress=progress, **parameters)
+
+
+def distance(vertices: Any, faces: ArrayLike, curve: Union[CurveLike, Sequence[Curve]], *,
+             closed: bool = False, progress: Any = None, **parameters: Any) -> Distance:
+    """Distance along the surface to the nearest curve, and the potential that smooth() makes of it.
+
+    :param curve: as for smooth().
+    :param parameters: ``potential`` "corridor" (exact distance) or "paper" (heat method), ``tau``,
+        ``slack``, ``heat_time``, ``threads``.
+    """
+    return Mesh(vertices, faces, plugin="talweg.distance").distance(
+        curve, closed=closed, progress=progress, **parameters)
+
+
+for _name in __all__:  # people see talweg.BadCurve, not where it is written
+    if isinstance(globals()[_name], type):
+        globals()[_name].__module__ = __name__
+del _name

@@ -1,0 +1,81 @@
+"""Arrays across the boundary: numpy's are handed over as they lie, the plugin's are copied once."""
+
+from __future__ import annotations
+
+import ctypes
+from typing import Any, Tuple, Type
+
+import numpy as np
+
+from . import _interface as c
+from ._errors import BadUsage, Error
+
+_TYPES = {("f", 8): c.FLOAT64, ("f", 4): c.FLOAT32, ("i", 4): c.INT32, ("u", 4): c.UINT32,
+          ("i", 8): c.INT64, ("u", 8): c.UINT64}
+_DTYPES = {c.FLOAT64: np.float64, c.FLOAT32: np.float32, c.INT32: np.int32, c.UINT32: np.uint32,
+           c.INT64: np.int64, c.UINT64: np.uint64}
+_WIDER = {"f": np.float64, "i": np.int64, "u": np.uint64}
+_LONGEST_STRIDE = 2**32
+
+
+def readable(values: Any, columns: int, what: str, error: Type[Error] = BadUsage) -> np.ndarray:
+    """The values as an array that the interface can read: the caller's own wherever it can be.
+
+    Copied are only what is no array, numbers of other sizes or byte orders (float16, int16, ...),
+    and layouts whose rows are not side by side or run backwards.
+
+    :param columns: 1 for shape (n,) or (n, 1), else for shape (n, columns).
+    :raises error: for another shape, or what are no real numbers.
+    """
+    try:
+        array = np.asarray(values)
+    except ValueError:
+        raise error(f"{what} cannot be made an array: its rows are not equally long.") from None
+    if array.ndim == 2 and columns == 1 and array.shape[1] == 1:
+        array = array[:, 0]
+    expected = "(n,)" if columns == 1 else f"(n, {columns})"
+    if array.ndim != (1 if columns == 1 else 2) or (columns > 1 and array.shape[1] != columns):
+        raise error(f"{what} must have the shape {expected}, not {array.shape}.")
+    kind = array.dtype.kind
+    if kind not in _WIDER:
+        raise error(f"{what} must hold numbers, not {array.dtype}.")
+    if (kind, array.dtype.itemsize) not in _TYPES:
+        array = array.astype(_WIDER[kind])
+    elif not array.dtype.isnative:
+        array = array.astype(array.dtype.newbyteorder("="))
+    return array if _can_be_passed(array) else np.ascontiguousarray(array)
+
+
+def _can_be_passed(array: np.ndarray) -> bool:
+    size = array.dtype.itemsize
+    if array.size == 0:
+        return True
+    if array.ndim == 2 and array.strides[1] != size:
+        return False
+    row = size * (array.shape[1] if array.ndim == 2 else 1)
+    return len(array) == 1 or row <= array.strides[0] <= _LONGEST_STRIDE
+
+
+def view(array: np.ndarray) -> c.Array:
+    """What the interface sees of an array from readable(), which must outlive it."""
+    columns = array.shape[1] if array.ndim == 2 else 1
+    stride = array.strides[0] if len(array) > 1 else 0
+    return c.Array(array.ctypes.data, len(array), stride, columns,
+                   _TYPES[array.dtype.kind, array.dtype.itemsize])
+
+
+def copied(array: c.Array) -> np.ndarray:
+    """A copy of what a plugin gives (dense, by the interface's rule): (n,) or (n, columns)."""
+    dtype = np.dtype(_DTYPES[array.type])
+    shape: Tuple[int, ...] = (array.rows, array.columns) if array.columns > 1 else (array.rows,)
+    if array.rows == 0:
+        return np.empty(shape, dtype)
+    bytes_ = (ctypes.c_char * (array.rows * array.columns * dtype.itemsize)).from_address(array.data)
+    return np.frombuffer(bytes_, dtype).reshape(shape).copy()
+
+
+def copied_indices(array: c.Array) -> np.ndarray:
+    """The same for indices, as int64; -1 where the plugin says that there is none."""
+    indices = copied(array).astype(np.int64)
+    indices[indices == c.NO_VERTEX] = -1
+    return indices

@@ -1,0 +1,133 @@
+"""Curves on meshes, as they are given and as they come out."""
+
+from __future__ import annotations
+
+import ctypes
+from dataclasses import dataclass, field
+from typing import Any, Dict, List, Optional, Sequence, Tuple, Union
+
+import numpy as np
+
+from . import _arrays
+from . import _interface as c
+from ._errors import BadCurve
+
+ArrayLike = Any  # what numpy.asarray takes
+
+
+@dataclass(frozen=True, eq=False)
+class Curve:
+    """A curve on a mesh.
+
+    Given to Talweg, its points are the first of these that is there: ``vertices``; ``faces`` with
+    ``barycentrics``; ``positions``, which are moved to the nearest points of the mesh. Points that
+    do not share a triangle with the next one are joined straight over the surface; ``vertices``
+    must be neighbours (``talweg.draw`` joins those that are not).
+
+    From Talweg it has all of them. Each point and the next lie in one triangle, the one in
+    ``faces``.
+    """
+
+    vertices: Optional[ArrayLike] = None  #: (n,) vertex numbers; from Talweg -1 where at no vertex
+    faces: Optional[ArrayLike] = None  #: (n,) triangle numbers
+    barycentrics: Optional[ArrayLike] = None  #: (n, 3), >= 0, rows sum to 1
+    positions: Optional[ArrayLike] = None  #: (n, 3), mesh units
+    closed: bool = False  #: a closed curve does not repeat its first point
+    pins: Sequence[int] = ()  #: indices of points that shall stay where they are
+    #: From Talweg, if asked for: (n,) each; "deviation" in mesh units, "curvature" in radians
+    fields: Dict[str, np.ndarray] = field(default_factory=dict)
+
+    def __len__(self) -> int:
+        for points in (self.vertices, self.faces, self.positions):
+            if points is not None:
+                return len(points)
+        return 0
+
+    @property
+    def length(self) -> float:
+        """Length of the polyline through ``positions``, mesh units."""
+        if self.positions is None:
+            raise BadCurve("The curve has no positions, so its length is not known.")
+        points = np.asarray(self.positions, dtype=np.float64)
+        if self.closed:
+            points = np.vstack([points, points[:1]])
+        return float(np.linalg.norm(np.diff(points, axis=0), axis=1).sum())
+
+
+CurveLike = Union[Curve, ArrayLike]
+
+
+def as_curve(given: CurveLike, closed: bool = False) -> Curve:
+    """A Curve as it is; (n,) whole numbers as vertices; (n, 3) real numbers as positions.
+
+    Vertices that repeat the first one at the end are a closed curve.
+
+    :raises BadCurve: for anything else.
+    """
+    if isinstance(given, Curve):
+        return given
+    try:
+        array = np.asarray(given)
+    except ValueError:
+        array = np.asarray(None)
+    if array.ndim == 1 and array.dtype.kind in "iu":
+        if len(array) > 1 and array[0] == array[-1]:
+            return Curve(vertices=array[:-1], closed=True)
+        return Curve(vertices=array, closed=closed)
+    if array.ndim == 2 and array.shape[1] == 3 and array.dtype.kind == "f":
+        return Curve(positions=array, closed=closed)
+    if array.size == 0:
+        raise BadCurve("A curve has no points.")
+    raise BadCurve("A curve must be a talweg.Curve, vertices (n,) of whole numbers, or positions "
+                   "(n, 3) of real numbers"
+                   + (f", not {array.dtype} {array.shape}." if array.ndim else ".")
+                   + " A set of curves is a list of talweg.Curve.")
+
+
+def as_curves(given: Union[CurveLike, Sequence[Curve]], closed: bool = False) -> List[Curve]:
+    """A list or tuple of Curve as a set; anything else as one curve."""
+    if isinstance(given, (list, tuple)) and any(isinstance(one, Curve) for one in given):
+        return [as_curve(one) for one in given]
+    return [as_curve(given, closed)]
+
+
+def _keep(curve: c.Curve, name: str, values: Any, columns: int, kept: List[Any]) -> None:
+    array = _arrays.readable(values, columns, f"The curve's {name}", BadCurve)
+    kept.append(array)
+    setattr(curve, name, _arrays.view(array))
+
+
+def views(curves: Sequence[Curve]) -> Tuple[Any, List[Any]]:
+    """What set_curves takes, and what must be kept as long as it is looked at."""
+    kept: List[Any] = []
+    pointers = (ctypes.POINTER(c.Curve) * len(curves))()
+    for k, given in enumerate(curves):
+        curve = c.Curve(size=ctypes.sizeof(c.Curve), closed=int(given.closed))
+        if given.vertices is not None and np.all(np.asarray(given.vertices) != -1):
+            _keep(curve, "vertices", given.vertices, 1, kept)
+        elif given.faces is not None or given.barycentrics is not None:
+            for name, columns in (("faces", 1), ("barycentrics", 3)):
+                values = getattr(given, name)
+                if values is None:
+                    raise BadCurve("A curve needs both faces and barycentrics, or neither.")
+                _keep(curve, name, values, columns, kept)
+        elif given.vertices is not None:
+            _keep(curve, "vertices", given.vertices, 1, kept)  # refused, with a sentence
+        elif given.positions is not None:
+            _keep(curve, "positions", given.positions, 3, kept)
+        if len(given.pins) > 0:
+            _keep(curve, "pins", given.pins, 1, kept)
+        kept.append(curve)
+        pointers[k] = ctypes.pointer(curve)
+    return pointers, kept
+
+
+def copied(curve: c.Curve) -> Curve:
+    """A curve that a plugin gives."""
+    fields = {}
+    for k in range(curve.field_count):
+        one = curve.fields[k].contents
+        fields[one.name.decode()] = _arrays.copied(one.values)
+    return Curve(_arrays.copied_indices(curve.vertices), _arrays.copied_indices(curve.faces),
+                 _arrays.copied(curve.barycentrics), _arrays.copied(curve.positions),
+                 bool(curve.closed), (), fields)

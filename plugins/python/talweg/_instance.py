@@ -1,0 +1,210 @@
+"""One instance of a plugin: calls that end in a result or an exception."""
+
+from __future__ import annotations
+
+import ctypes
+import logging
+import threading
+import weakref
+from ctypes import byref, c_void_p, sizeof
+from typing import Any, Callable, Dict, List, Optional, Sequence
+
+import numpy as np
+
+from . import _arrays, _curves, _interruptible, _results
+from . import _interface as c
+from ._curves import Curve
+from ._errors import BadUsage, error_of
+from ._plugins import Parameter, Plugin
+
+_log = logging.getLogger("talweg")
+_log.addHandler(logging.NullHandler())  # nothing is printed unless the program sets logging up
+_LEVELS = {c.LOG_DEBUG: logging.DEBUG, c.LOG_INFO: logging.INFO, c.LOG_WARNING: logging.WARNING,
+           c.LOG_ERROR: logging.ERROR}
+
+
+class _Host:
+    """What we offer to an instance: progress and log. Lives as long as the instance."""
+
+    def __init__(self, version: str) -> None:
+        self.progress: Optional[_interruptible.Progress] = None
+        self.failure: Optional[BaseException] = None  # what the progress callback raised
+        # ctypes' own callbacks must not hold this object: a circle would keep instances alive.
+        me = weakref.ref(self)
+
+        def on_progress(_host: int, stage: bytes, fraction: float) -> int:
+            host = me()
+            if host is None or host.progress is None:
+                return 1
+            try:
+                return 0 if host.progress(stage.decode(), fraction) is False else 1
+            except BaseException as error:  # raised again when the call has ended
+                host.failure = error
+                return 0
+
+        def on_log(_host: int, severity: int, message: bytes) -> None:
+            _log.log(_LEVELS.get(severity, logging.INFO), "%s", message.decode(errors="replace"))
+
+        self._progress = c.HostProgress(sizeof(c.HostProgress), c.ProgressFunction(on_progress))
+        self._logging = c.HostLog(sizeof(c.HostLog), c.LogFunction(on_log))
+        services = {c.HOST_PROGRESS: ctypes.addressof(self._progress),
+                    c.HOST_LOG: ctypes.addressof(self._logging)}
+        self.struct = c.Host(sizeof(c.Host), c.INTERFACE_MAJOR, c.INTERFACE_MINOR, b"Python",
+                             version.encode(), None,
+                             c.GetHostExtension(lambda _host, name: services.get(name)))
+
+
+class _Collector:
+    """The sink's other side: copies what comes."""
+
+    def __init__(self) -> None:
+        self.curves: List[Curve] = []
+        self.fields: Dict[str, np.ndarray] = {}
+        self.entries: Dict[int, Dict[str, Any]] = {}
+        self.failure: Optional[BaseException] = None
+
+    def _taken(self, take: Callable[[Any], None]) -> Callable[[Any, Any], int]:
+        def function(_context: Any, given: Any) -> int:
+            try:
+                take(given.contents)
+                return c.OK
+            except BaseException as error:  # most likely MemoryError; raised again after the run
+                self.failure = error
+                return c.HOST_FAILED
+
+        return function
+
+    def _field(self, given: c.Field) -> None:
+        self.fields[given.name.decode()] = _arrays.copied(given.values)
+
+    def _entry(self, given: c.ReportEntry) -> None:
+        self.entries.setdefault(given.curve, {})[given.key.decode()] = _results.value_of(given)
+
+    def sink(self, point_fields: bool, vertex_fields: bool) -> c.Sink:
+        field = c.FieldSink(self._taken(self._field)) if vertex_fields else c.FieldSink()
+        return c.Sink(sizeof(c.Sink), c.WANT_POINT_FIELDS if point_fields else 0, None,
+                      c.CurveSink(self._taken(lambda k: self.curves.append(_curves.copied(k)))),
+                      field, c.ReportSink(self._taken(self._entry)), c.MeshSink())
+
+    def result(self) -> _results.Result:
+        count = max([len(self.curves)] + [number + 1 for number in self.entries])
+        reports = [_results.report_of(self.entries.get(k, {})) for k in range(count)]
+        return _results.Result(self.curves, reports, _results.report_of(self.entries.get(-1, {})),
+                               self.fields)
+
+
+class Instance:
+    """Calls on one instance; one at a time, and a second one meanwhile is refused."""
+
+    def __init__(self, plugin: Plugin, version: str) -> None:
+        self.plugin = plugin
+        self._host = _Host(version)
+        self._handle = c_void_p()
+        status = plugin.table.create(byref(self._host.struct), byref(self._handle))
+        if status != c.OK:
+            raise error_of(status, f"{plugin.id}: an instance could not be made.")
+        self._alone = threading.Lock()
+        # The host's struct must outlive the instance, so it is handed over as well.
+        weakref.finalize(self, _destroy, plugin.table.destroy, self._handle, self._host)
+
+    def cancel(self) -> None:
+        """From any thread: a call that runs ends soon, with Cancelled."""
+        self.plugin.table.cancel(self._handle)
+
+    def set_mesh(self, vertices: np.ndarray, faces: np.ndarray,
+                 progress: Optional[_interruptible.Progress]) -> None:
+        mesh = c.Mesh(sizeof(c.Mesh), 0, _arrays.view(vertices), _arrays.view(faces))
+        self._long(lambda: self.plugin.table.set_mesh(self._handle, byref(mesh)), progress)
+
+    def share_mesh(self, other: "Instance") -> None:
+        self._short(lambda: self.plugin.table.share_mesh(self._handle, other._handle))
+
+    def set_curves(self, curves: Sequence[Curve],
+                   progress: Optional[_interruptible.Progress]) -> None:
+        pointers, kept = _curves.views(curves)
+        self._long(lambda: self.plugin.table.set_curves(self._handle, pointers, len(curves)),
+                   progress)
+        del kept  # until here
+
+    def set(self, parameter: Parameter, value: Any) -> None:
+        """A value as the parameter's description wants it; None is none, or the default."""
+        table, id = self.plugin.table, parameter.id.encode()
+        if value is None:
+            self._short(lambda: table.reset(self._handle, id))
+        elif parameter.kind == "choice":
+            choice = _text(parameter, value).encode()
+            self._short(lambda: table.set_choice(self._handle, id, choice))
+        elif parameter.kind in ("vertices", "field"):
+            array = _arrays.readable(value, 1, f"{parameter.label} ({parameter.id})")
+            view = _arrays.view(array)
+            self._short(lambda: table.set_array(self._handle, id, byref(view)))
+        else:
+            number = _number(parameter, value)
+            self._short(lambda: table.set_number(self._handle, id, number))
+
+    def run(self, point_fields: bool, vertex_fields: bool,
+            progress: Optional[_interruptible.Progress]) -> _results.Result:
+        collector = _Collector()
+        sink = collector.sink(point_fields, vertex_fields)
+        try:
+            self._long(lambda: self.plugin.table.run(self._handle, byref(sink)), progress)
+        except Exception:
+            if collector.failure is not None:
+                raise collector.failure from None
+            raise
+        return collector.result()
+
+    def _long(self, function: Callable[[], int],
+              progress: Optional[_interruptible.Progress]) -> None:
+        def work(progress: Optional[_interruptible.Progress]) -> None:
+            self._host.progress, self._host.failure = progress, None
+            try:
+                self._checked(function)
+            except Exception:
+                if self._host.failure is not None:
+                    raise self._host.failure from None
+                raise
+            finally:
+                self._host.progress = self._host.failure = None
+
+        self._exclusively(lambda: _interruptible.call(work, self.cancel, progress))
+
+    def _short(self, function: Callable[[], int]) -> None:
+        self._exclusively(lambda: self._checked(function))
+
+    def _exclusively(self, body: Callable[[], None]) -> None:
+        if not self._alone.acquire(blocking=False):
+            raise BadUsage("Another call on this workspace runs; use a workspace for each thread.")
+        try:
+            body()
+        finally:
+            self._alone.release()
+
+    def _checked(self, function: Callable[[], int]) -> None:
+        status = function()
+        if status != c.OK:
+            sentence = self.plugin.table.last_error(self._handle) or b""
+            raise error_of(status, sentence.decode(errors="replace"))
+
+
+def _destroy(destroy: Callable[[c_void_p], None], handle: c_void_p, _host: _Host) -> None:
+    destroy(handle)
+
+
+def _text(parameter: Parameter, value: Any) -> str:
+    if not isinstance(value, str):
+        raise BadUsage(f"{parameter.label} ({parameter.id}) must be one of "
+                       f"{', '.join(parameter.choices)}, not {value!r}.")
+    return value
+
+
+def _number(parameter: Parameter, value: Any) -> float:
+    if not isinstance(value, str):
+        try:
+            return float(value)
+        except (TypeError, ValueError):
+            pass
+    kind = {"boolean": "True or False", "integer": "a whole number"}.get(parameter.kind, "a number")
+    raise BadUsage(f"{parameter.label} ({parameter.id}) must be {kind}, not {value!r}.")
+
+

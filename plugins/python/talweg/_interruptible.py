@@ -1,0 +1,99 @@
+"""Long calls that Ctrl-C ends.
+
+Python runs signal handlers on the main thread only, and only between its own instructions. So a
+call from the main thread works on a thread of its own while the main thread waits, where Ctrl-C
+reaches it at once; it then cancels the work, and raises KeyboardInterrupt when the work has ended.
+"""
+
+from __future__ import annotations
+
+import queue
+import threading
+from typing import Any, Callable, Optional
+
+#: (stage, fraction in [0, 1] of that stage); False to cancel
+Progress = Callable[[str, float], Any]
+
+
+def as_progress(progress: Any) -> Optional[Progress]:
+    """A callback as it is; a tqdm bar as a callback that moves it (total: 1 for each stage)."""
+    if progress is None or callable(progress):
+        return progress
+    if not (hasattr(progress, "refresh") and hasattr(progress, "set_description")):
+        raise TypeError("progress must be a function (stage, fraction) or a tqdm bar, not "
+                        f"{type(progress).__name__}")
+
+    def move(stage: str, fraction: float) -> None:
+        progress.set_description(stage, refresh=False)
+        progress.n = fraction * (progress.total or 1)
+        progress.refresh()
+
+    return move
+
+
+class _Task:
+    def __init__(self, work: Callable[[Optional[Progress]], Any], with_progress: bool) -> None:
+        self.work = work
+        self.with_progress = with_progress
+        self.messages: "queue.SimpleQueue[Any]" = queue.SimpleQueue()
+        self.answers: "queue.SimpleQueue[bool]" = queue.SimpleQueue()
+        self.running = False
+        self.abandoned = False
+        self.done = threading.Event()
+        self.result: Any = None
+        self.error: Optional[BaseException] = None
+
+    def ask(self, stage: str, fraction: float) -> bool:
+        self.messages.put((stage, fraction))
+        return self.answers.get()
+
+    def run(self) -> None:
+        self.running = True
+        try:
+            if not self.abandoned:
+                self.result = self.work(self.ask if self.with_progress else None)
+        except BaseException as error:  # raised again on the main thread
+            self.error = error
+        finally:
+            self.running = False
+            self.done.set()
+            self.messages.put(None)
+
+
+def _stop(task: _Task, cancel: Callable[[], None]) -> None:
+    """Returns when the work has ended. A cancel() before the plugin is at work is lost, so again."""
+    while True:
+        try:
+            task.abandoned = True
+            while task.running and not task.done.wait(0.02):
+                task.answers.put(False)
+                cancel()
+            return
+        except KeyboardInterrupt:  # it is ending already
+            continue
+
+
+def call(work: Callable[[Optional[Progress]], Any], cancel: Callable[[], None],
+         progress: Optional[Progress]) -> Any:
+    """work(progress), with progress called on the caller's thread. What progress raises, and
+    Ctrl-C, end the work and come out of here."""
+    if threading.current_thread() is not threading.main_thread():
+        return work(progress)
+    task = _Task(work, progress is not None)
+    try:
+        threading.Thread(target=task.run, name="talweg", daemon=True).start()
+        while True:
+            try:
+                message = task.messages.get(timeout=0.1)
+            except queue.Empty:  # looked at now and then: a signal may have come on another thread
+                continue
+            if message is None:
+                break
+            assert progress is not None
+            task.answers.put(progress(*message) is not False)
+    except BaseException:
+        _stop(task, cancel)
+        raise
+    if task.error is not None:
+        raise task.error.with_traceback(None)  # the other thread's frames tell nothing
+    return task.result

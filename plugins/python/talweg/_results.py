@@ -1,0 +1,123 @@
+"""What comes out: curves, fields and reports."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, fields
+from typing import Any, Dict, List, Optional, Tuple
+
+import numpy as np
+
+from . import _interface as c
+from ._curves import Curve
+from ._errors import BadUsage
+
+
+@dataclass(frozen=True)
+class Report:
+    """What was done and measured: the names and units of docs/driver.md, "The report".
+
+    Lengths in mesh units, angles in radians, times in ms, memory in MiB. "Before" and "drawn" are
+    the curve as it was given. None: a plugin that does not measure it.
+    """
+
+    version: Optional[str] = None
+    faces: Optional[int] = None
+    vertices: Optional[int] = None
+    tau: Optional[float] = None
+    slack: Optional[float] = None
+    max_deviation: Optional[float] = None
+    pins_added: Optional[int] = None
+    edge_length_near: Optional[float] = None
+    potential: Optional[str] = None
+    engine: Optional[str] = None
+    closed: Optional[bool] = None
+    points: Optional[int] = None
+    length: Optional[float] = None
+    points_before: Optional[int] = None
+    points_after: Optional[int] = None
+    length_before: Optional[float] = None
+    length_after: Optional[float] = None
+    lifted_length_before: Optional[float] = None
+    lifted_length_after: Optional[float] = None
+    curvature_before: Optional[float] = None
+    curvature_after: Optional[float] = None
+    curvature_max_before: Optional[float] = None
+    curvature_max_after: Optional[float] = None
+    deviation: Optional[str] = None  #: which distance the next ones are: "surface", "euclidean", "none"
+    deviation_to_drawn_max: Optional[float] = None
+    deviation_to_drawn_mean: Optional[float] = None
+    deviation_from_drawn_max: Optional[float] = None
+    deviation_from_drawn_mean: Optional[float] = None
+    deviation_at: Optional[Tuple[float, ...]] = None  #: (3,), where the largest is
+    moved: Optional[float] = None
+    flips: Optional[int] = None
+    iterations: Optional[int] = None
+    faces_touched: Optional[int] = None
+    trace_fallbacks: Optional[int] = None
+    termination: Optional[str] = None  #: "converged", "collapsed", "limit"
+    warnings: Tuple[str, ...] = ()
+    time_ms: Dict[str, float] = field(default_factory=dict)
+    peak_memory_mib: Optional[float] = None
+    #: Entries under any other name, e.g. of somebody else's plugin
+    more: Dict[str, Any] = field(default_factory=dict)
+
+
+_NAMES = {f.name for f in fields(Report)} - {"time_ms", "more"}
+
+
+def value_of(entry: c.ReportEntry) -> Any:
+    """A value, or a tuple of them: float, int, bool or str."""
+    if entry.type == c.VALUE_TEXT:
+        values: List[Any] = [entry.texts[k].decode() for k in range(entry.count)]
+    else:
+        kind = {c.VALUE_INTEGER: int, c.VALUE_BOOLEAN: bool}.get(entry.type, float)
+        values = [kind(entry.numbers[k]) for k in range(entry.count)]
+    return tuple(values) if entry.is_list else values[0]
+
+
+def report_of(entries: Dict[str, Any]) -> Report:
+    known: Dict[str, Any] = {}
+    times: Dict[str, float] = {}
+    more: Dict[str, Any] = {}
+    for key, value in entries.items():
+        if key in _NAMES:
+            known[key] = value
+        elif key.startswith("time_ms."):
+            times[key[len("time_ms."):]] = value
+        else:
+            more[key] = value
+    return Report(time_ms=times, more=more, **known)
+
+
+@dataclass(frozen=True, eq=False)
+class Result:
+    """What a run gives."""
+
+    curves: List[Curve]  #: one for each given curve, in their order
+    reports: List[Report]  #: one for each curve
+    total: Report  #: of all curves together
+    #: If asked for: (number of vertices,) each, e.g. "distance" in mesh units
+    fields: Dict[str, np.ndarray] = field(default_factory=dict)
+
+    @property
+    def curve(self) -> Curve:
+        """The only curve. :raises BadUsage: if there are several."""
+        if len(self.curves) != 1:
+            raise BadUsage(f"There are {len(self.curves)} curves; ask for .curves.")
+        return self.curves[0]
+
+    @property
+    def report(self) -> Report:
+        """The only curve's report; of several curves the total."""
+        return self.reports[0] if len(self.reports) == 1 else self.total
+
+
+@dataclass(frozen=True, eq=False)
+class Distance:
+    """Distance to curves and the potential over it, (number of vertices,) each, mesh units."""
+
+    distance: np.ndarray  #: infinite where no curve can be reached
+    potential: np.ndarray  #: by how much the surface is lifted; 0 where no curve can be reached
+    distance_max: float
+    potential_max: float
+    slack: Tuple[float, ...]  #: of each curve

@@ -1,0 +1,141 @@
+"""Progress, cancelling and Ctrl-C: no result then, and the workspace goes on as if nothing had been."""
+
+import os
+import signal
+import threading
+import unittest
+
+import numpy as np
+
+import support
+import talweg
+
+
+class Cancel(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.mesh = talweg.Mesh(*support.hills(200))
+        cls.drawn = support.staircase(200)
+        cls.expected = cls.mesh.smooth(cls.drawn, potential="paper").curve.positions
+
+    def setUp(self):
+        self.work = self.mesh.workspace(self.drawn, potential="paper")
+
+    def as_if_nothing_had_been(self):
+        np.testing.assert_array_equal(self.work.run().curve.positions, self.expected)
+
+    def test_progress_comes_on_the_callers_thread(self):
+        seen, threads = [], set()
+
+        def progress(stage, fraction):
+            seen.append((stage, fraction))
+            threads.add(threading.current_thread())
+
+        result = self.work.run(progress=progress)
+        np.testing.assert_array_equal(result.curve.positions, self.expected)
+        self.assertGreater(len(seen), 3)
+        self.assertTrue(all(isinstance(stage, str) and 0 <= f <= 1 for stage, f in seen))
+        self.assertEqual(threads, {threading.main_thread()})
+
+    def test_false_cancels_at_every_moment(self):
+        calls = []
+        self.work.run(progress=lambda *at: calls.append(at))
+        for last in range(0, len(calls), max(1, len(calls) // 8)):
+            self.work.set(heat_time=None)  # its stage is done anew
+            left = [last]
+
+            def progress(_stage, _fraction, left=left):
+                left[0] -= 1
+                return left[0] >= 0
+
+            with self.assertRaises(talweg.Cancelled):
+                self.work.run(progress=progress)
+            self.assertEqual(left[0], -1)
+        self.as_if_nothing_had_been()
+
+    def test_what_progress_raises_comes_out(self):
+        def progress(_stage, _fraction):
+            raise ZeroDivisionError("in the callback")
+
+        with self.assertRaisesRegex(ZeroDivisionError, "in the callback"):
+            self.work.run(progress=progress)
+        self.as_if_nothing_had_been()
+
+        caught = []
+
+        def on_a_thread():
+            self.work.set(heat_time=None)
+            try:
+                self.work.run(progress=progress)
+            except ZeroDivisionError as error:
+                caught.append(error)
+
+        thread = threading.Thread(target=on_a_thread)
+        thread.start()
+        thread.join()
+        self.assertEqual(len(caught), 1)
+        self.as_if_nothing_had_been()
+
+    def test_cancel_from_another_thread(self):
+        stop = threading.Event()
+
+        def cancel():
+            while not stop.wait(0.001):
+                self.work.cancel()
+
+        thread = threading.Thread(target=cancel)
+        thread.start()
+        try:
+            with self.assertRaises(talweg.Cancelled):
+                while True:
+                    self.work.set(heat_time=None)
+                    self.work.run()
+        finally:
+            stop.set()
+            thread.join()
+        self.as_if_nothing_had_been()
+
+    def interrupted_after(self, seconds):
+        """Runs until a signal that comes then."""
+        timer = threading.Timer(seconds, os.kill, (os.getpid(), signal.SIGINT))
+        timer.start()
+        with self.assertRaises(KeyboardInterrupt):
+            while True:
+                self.work.set(heat_time=None)
+                self.work.run()
+        timer.join()
+
+    def test_ctrl_c(self):
+        for k in range(8):
+            self.interrupted_after(0.01 + 0.017 * k)
+        self.as_if_nothing_had_been()
+
+    def test_ctrl_c_while_the_mesh_is_opened(self):
+        vertices, faces = support.hills(300)
+        timer = threading.Timer(0.05, os.kill, (os.getpid(), signal.SIGINT))
+        timer.start()
+        with self.assertRaises(KeyboardInterrupt):
+            while True:
+                talweg.Mesh(vertices, faces)
+        timer.join()
+        self.as_if_nothing_had_been()
+
+    def test_a_bar_of_tqdm(self):
+        class Bar:  # what tqdm offers
+            total, n, shown, stages = 1, 0.0, [], []
+
+            def set_description(self, text, refresh=True):
+                self.stages.append(text)
+
+            def refresh(self):
+                self.shown.append(self.n)
+
+        bar = Bar()
+        self.work.run(progress=bar)
+        self.assertGreater(len(bar.shown), 3)
+        self.assertEqual(len(bar.shown), len(bar.stages))
+        self.assertLessEqual(max(bar.shown), 1)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,85 @@
+"""The structs in ctypes are those of the header, and the package's version is the project's."""
+
+import ctypes
+import re
+import unittest
+
+import support
+import talweg
+from talweg import _interface
+
+HEADER = re.sub(r"/\*.*?\*/", "", (
+    support.SOURCE / "plugins/interface/talweg_plugin.h").read_text(), flags=re.DOTALL)
+
+STRUCTS = {"array": "Array", "field": "Field", "mesh": "Mesh", "curve": "Curve",
+           "parameter": "Parameter", "output": "Output", "sink": "Sink", "host": "Host",
+           "report_entry": "ReportEntry", "host_log": "HostLog", "host_progress": "HostProgress",
+           "plugin": "Plugin", "module": "Module"}
+SCALARS = {"uint32_t": ctypes.c_uint32, "uint64_t": ctypes.c_uint64, "int64_t": ctypes.c_int64,
+           "double": ctypes.c_double, "const char *": ctypes.c_char_p}
+
+
+def members(struct):
+    """(type, name) of each member; functions have the type "function"."""
+    body = re.search(r"typedef struct talweg_%s \{(.*?)\} talweg_%s;" % (struct, struct), HEADER,
+                     re.DOTALL).group(1)
+    result = []
+    for declaration in filter(None, (" ".join(d.split()) for d in body.split(";"))):
+        function = re.match(r".*?\(\*(\w+)\)\(", declaration)
+        if function:
+            result.append(("function", function.group(1)))
+        else:
+            kind, name = re.match(r"(.*?[ *])(\w+)$", declaration).groups()
+            result.append((kind.strip(), name))
+    return result
+
+
+class Interface(unittest.TestCase):
+    def test_structs(self):
+        self.assertEqual(set(re.findall(r"typedef struct talweg_(\w+) \{", HEADER)), set(STRUCTS))
+        for struct, mirror in STRUCTS.items():
+            fields = getattr(_interface, mirror)._fields_
+            declared = members(struct)
+            self.assertEqual([name for _, name in declared], [name for name, _ in fields], struct)
+            for (kind, name), (_, ours) in zip(declared, fields):
+                if kind in SCALARS:
+                    self.assertIs(ours, SCALARS[kind], f"{struct}.{name}")
+                elif kind == "function":
+                    self.assertTrue(issubclass(ours, ctypes._CFuncPtr), f"{struct}.{name}")
+
+    def test_numbers(self):
+        declared = dict(re.findall(r"TALWEG_(\w+) = (\d+(?: << \d)?)", HEADER))
+        declared.update(re.findall(r"#define TALWEG_(\w+) (\d+)u?\n", HEADER))
+        compared = 0
+        for name, value in vars(_interface).items():
+            if name.isupper() and isinstance(value, int) and name != "NO_VERTEX":
+                self.assertEqual(value, eval(declared[name]), name)  # pylint: disable=eval-used
+                compared += 1
+        self.assertGreater(compared, 25)
+        for name in ("HOST_LOG", "HOST_PROGRESS"):
+            self.assertIn('#define TALWEG_%s "%s"' % (name, getattr(_interface, name).decode()),
+                          HEADER)
+
+    def test_version(self):
+        project = re.search(r"project\(talweg VERSION (\S+)",
+                            (support.SOURCE / "CMakeLists.txt").read_text()).group(1)
+        self.assertEqual(talweg.__version__, project)
+        self.assertEqual(talweg.plugin("talweg.smooth").version, project)
+
+    def test_descriptions(self):
+        self.assertLessEqual({"talweg.smooth", "talweg.draw", "talweg.geodesic", "talweg.distance"},
+                             set(talweg.plugins()))
+        parameters = talweg.plugin("talweg.smooth").parameters
+        self.assertEqual(parameters["tau"].default, 1.0)
+        self.assertEqual(parameters["tau"].kind, "number")
+        self.assertIsNone(parameters["slack"].default)
+        self.assertEqual(parameters["slack"].unit, "mesh units")
+        self.assertEqual(parameters["potential"].choices, ("corridor", "paper"))
+        self.assertIs(parameters["polish"].default, True)
+        text = talweg.help_text()
+        for name in parameters:
+            self.assertIn("\n" + name, text)
+
+
+if __name__ == "__main__":
+    unittest.main()
