@@ -36,6 +36,8 @@ class Draw : public Workspace {
     using plugin::output;
     return {output(TALWEG_OUTPUT_CURVES, "curves", "Drawn curves", "",
                    "One for each given curve, in their order."),
+            output(TALWEG_OUTPUT_POINT_FIELD, "given", "Given points", "",
+                   "1 at the points that were given, 0 at those that join them."),
             output(TALWEG_OUTPUT_REPORT, "report", "Report", "",
                    "Points and length of each curve and in total.")};
   }
@@ -48,6 +50,7 @@ class Draw : public Workspace {
 
   void run(const plugin::Parameters& parameters, const plugin::Outputs& outputs) {
     std::vector<PlacedCurve> placed;
+    std::vector<std::vector<PointField>> fields(snapped_.size());
     std::vector<double> lengths;
     double total = 0;
     for (std::size_t c = 0; c < snapped_.size(); ++c) {
@@ -57,13 +60,14 @@ class Draw : public Workspace {
       }
       const SurfaceCurve curve = drawn(snapped_[c], parameters.flag("straight"));
       placed.push_back(place(mesh(), curve, c));
+      if (outputs.wants_point_fields()) fields[c] = {given_field(snapped_[c], curve)};
       lengths.push_back(curve_length(mesh().surface(), curve));
       total += lengths.back();
     }
     outputs.report(-1, "length", total);
     for (std::size_t c = 0; c < placed.size(); ++c) {
       const auto number = static_cast<std::int64_t>(c);
-      give(outputs, placed[c]);
+      give(outputs, placed[c], fields[c]);
       outputs.report(number, "points", static_cast<double>(placed[c].faces.size()),
                      TALWEG_VALUE_INTEGER);
       outputs.report(number, "length", lengths[c]);
@@ -106,6 +110,18 @@ class Draw : public Workspace {
       curve.points.push_back(SurfacePoint::at_vertex(mesh().surface(), v));
     }
     return curve;
+  }
+
+  /// The given points come in their order, as they are.
+  static PointField given_field(const SnappedCurve& given, const SurfaceCurve& drawn) {
+    PointField field{"given", "", {}};
+    std::size_t next = 0;
+    for (const SurfacePoint& point : drawn.points) {
+      const bool is_given = next < given.points.size() && point == given.points[next];
+      if (is_given) ++next;
+      field.values.push_back(is_given ? 1.0 : 0.0);
+    }
+    return field;
   }
 
   std::vector<SnappedCurve> snapped_;

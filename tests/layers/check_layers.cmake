@@ -4,7 +4,7 @@ cmake_minimum_required(VERSION 3.25)
 set(intrinsic_may intrinsic)
 set(heat_may heat intrinsic)
 set(core_may core heat intrinsic)
-set(plugins_may plugin loader core heat intrinsic)
+set(plugins_may plugin loader editing core heat intrinsic)
 # Outside headers that have one home: a regular expression and the files that may include it.
 set(homes "cholmod\\.h@^heat/fill_reducing_order\\.cpp$" "^OpenMesh/@^core/")
 

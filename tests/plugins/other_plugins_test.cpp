@@ -50,6 +50,40 @@ struct DrawPlugin : OnSheet {
   DrawPlugin() : OnSheet("talweg.draw") {}
 };
 
+TEST_F(DrawPlugin, TellsWhichPointsWereGiven) {
+  host::Curve positions;
+  positions.positions = {{1.2, 1.3, 0}, {7.7, 4.1, 0}, {7.7, 4.1, 0}, {12, 15, 0}};
+  host::Wanted wanted;
+  wanted.point_fields = true;
+  instance_.set("straight", 1.0);
+  instance_.set_curves({positions, through({64, 400, 590})});
+  const host::Results results = instance_.run(wanted);
+  const auto given = [&](std::size_t c) {
+    std::vector<std::array<double, 3>> at;
+    const host::Curve& curve = results.curves.at(c);
+    EXPECT_EQ(curve.fields.at(0).name, "given");
+    for (std::size_t k = 0; k < curve.positions.size(); ++k) {
+      if (curve.fields[0].values.at(k) == 1) at.push_back(curve.positions[k]);
+    }
+    return at;
+  };
+  EXPECT_GT(results.curves[0].positions.size(), 10U);
+  ASSERT_EQ(given(0).size(), 3U);  // of the two in one place the first
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_NEAR(given(0)[0][i], positions.positions[0][i], 1e-12);
+    EXPECT_NEAR(given(0)[1][i], positions.positions[1][i], 1e-12);
+    EXPECT_NEAR(given(0)[2][i], positions.positions[3][i], 1e-12);
+  }
+  ASSERT_EQ(given(1).size(), 3U);
+  instance_.set("straight", 0.0);
+  instance_.set_curves({through({64, 400, 590})});
+  const host::Curve along_edges = instance_.run(wanted).curves.at(0);
+  for (std::size_t k = 0; k < along_edges.vertices.size(); ++k) {
+    const std::uint32_t v = along_edges.vertices[k];
+    EXPECT_EQ(along_edges.fields[0].values[k], v == 64 || v == 400 || v == 590 ? 1 : 0) << v;
+  }
+}
+
 TEST_F(DrawPlugin, DrawsShortestEdgePathsAsTheLibraryDoes) {
   instance_.set_curves({through({64, 400, 590}), through({31, 45, 300}, true)});
   const host::Results results = instance_.run();

@@ -1,0 +1,76 @@
+// What a person draws on a mesh: points, pins, curves, and how they shall be smoothed. A value.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "talweg/plugin/talweg_host.hpp"
+
+namespace talweg::editing {
+
+/// An edit that cannot be done; what() is a sentence for the person who tried.
+class Error : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// A point of a drawing: a triangle of the mesh and coordinates in it, in the order of its corners.
+struct Point {
+  std::uint32_t face = 0;
+  std::array<double, 3> barycentric = {1, 0, 0};  ///< each >= 0, sum 1
+  bool pinned = false;                            ///< the smoothed curve passes through it
+
+  bool operator==(const Point&) const = default;
+  [[nodiscard]] bool same_place(const Point& other) const {
+    return face == other.face && barycentric == other.barycentric;
+  }
+};
+
+/// The point of a picked position: coordinates that rounding has put a little outside of the
+/// triangle come to its rim. Throws Error when they are not finite, or all of them are 0 or less.
+Point picked(std::uint32_t face, const std::array<double, 3>& barycentric);
+
+struct Curve {
+  std::vector<Point> points;
+  bool closed = false;  ///< from the last point back to the first, which is not repeated
+
+  bool operator==(const Curve&) const = default;
+};
+
+/// Parameters of talweg.smooth that belong to the drawing.
+struct Settings {
+  double tau = 1;                       ///< >= 0
+  std::optional<double> slack;          ///< mesh units, >= 0; none: the plugin's own
+  std::optional<double> max_deviation;  ///< mesh units, > 0; chooses tau and slack
+
+  bool operator==(const Settings&) const = default;
+};
+
+/// Everything that undo brings back. Copies share the curves, which never change.
+struct Drawing {
+  std::vector<std::shared_ptr<const Curve>> curves;
+  bool unfinished = false;  ///< the last curve is still being drawn
+  Settings settings;
+
+  /// By what it holds, not by what it shares.
+  bool operator==(const Drawing& other) const;
+};
+
+/// What has to be done again when one drawing follows another; as the interface's stages.
+enum class Stage { kNothing, kRun, kCurves };
+Stage stage_between(const Drawing& before, const Drawing& after);
+
+/// The curves that can be smoothed: of an unfinished one that is still a single point, none. They
+/// are the first ones of the drawing, in its order.
+std::vector<host::Curve> host_curves(const Drawing& drawing);
+
+/// Sets the settings' parameters of an instance of talweg.smooth. Throws host::Error.
+void apply(const Settings& settings, host::Instance& smooth);
+
+}  // namespace talweg::editing

@@ -1,0 +1,208 @@
+#include "editor.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <utility>
+
+namespace talweg::editing {
+namespace {
+
+std::size_t least_points(bool closed) { return closed ? 3 : 2; }
+
+void require_points(const Curve& curve) {
+  if (curve.points.size() >= least_points(curve.closed)) return;
+  throw Error(curve.closed ? "A closed curve needs three points in different places."
+                           : "A curve needs two points in different places.");
+}
+
+/// Points in the place of the one before go; so does a closed curve's last in that of its first.
+void merge(Curve& curve) {
+  std::vector<Point> points;
+  for (const Point& point : curve.points) {
+    if (points.empty() || !points.back().same_place(point)) points.push_back(point);
+  }
+  while (curve.closed && points.size() > 1 && points.back().same_place(points.front())) {
+    points.pop_back();
+  }
+  curve.points = std::move(points);
+}
+
+void require_bound(double value, bool zero, const char* what) {
+  if (std::isfinite(value) && (zero ? value >= 0 : value > 0)) return;
+  throw Error(std::string(what) + (zero ? " is 0 or more." : " is more than 0."));
+}
+
+}  // namespace
+
+const Curve& Editor::curve_at(std::size_t curve) const {
+  if (curve < drawing().curves.size()) return *drawing().curves[curve];
+  throw Error("There is no curve " + std::to_string(curve) + "; the drawing has " +
+              std::to_string(drawing().curves.size()) + ".");
+}
+
+const Curve& Editor::curve_at(std::size_t curve, std::size_t point) const {
+  const Curve& there = curve_at(curve);
+  if (point < there.points.size()) return there;
+  throw Error("Curve " + std::to_string(curve) + " has no point " + std::to_string(point) +
+              "; it has " + std::to_string(there.points.size()) + ".");
+}
+
+const Curve& Editor::unfinished() const {
+  if (!is_drawing()) throw Error("No curve is being drawn.");
+  return *drawing().curves.back();
+}
+
+void Editor::not_while_drawing() const {
+  if (is_drawing()) throw Error("First end the curve that is being drawn.");
+}
+
+void Editor::replace(const std::string& name, std::size_t curve, Curve by, bool unfinished) {
+  Drawing next = drawing();
+  if (curve == next.curves.size()) next.curves.emplace_back();
+  next.curves[curve] = std::make_shared<const Curve>(std::move(by));
+  next.unfinished = unfinished;
+  history_.add(name, std::move(next));
+}
+
+void Editor::erase(const std::string& name, std::size_t curve) {
+  Drawing next = drawing();
+  if (curve + 1 == next.curves.size()) next.unfinished = false;
+  next.curves.erase(next.curves.begin() + static_cast<std::ptrdiff_t>(curve));
+  history_.add(name, std::move(next));
+}
+
+void Editor::add_point(const Point& point) {
+  Curve curve = is_drawing() ? unfinished() : Curve{};
+  if (!curve.points.empty() && curve.points.back().same_place(point)) return;
+  curve.points.push_back(point);
+  const std::size_t last = drawing().curves.size() - (is_drawing() ? 1 : 0);
+  replace("Add point", last, std::move(curve), true);
+}
+
+void Editor::take_back_point() {
+  Curve curve = unfinished();
+  curve.points.pop_back();
+  const std::size_t last = drawing().curves.size() - 1;
+  if (curve.points.empty()) {
+    erase("Take back point", last);
+  } else {
+    replace("Take back point", last, std::move(curve), true);
+  }
+}
+
+void Editor::finish_curve() {
+  Curve curve = unfinished();
+  require_points(curve);
+  replace("Finish curve", drawing().curves.size() - 1, std::move(curve), false);
+}
+
+void Editor::close_curve() {
+  Curve curve = unfinished();
+  curve.closed = true;
+  merge(curve);
+  require_points(curve);
+  replace("Close curve", drawing().curves.size() - 1, std::move(curve), false);
+}
+
+void Editor::drop_curve() {
+  unfinished();
+  erase("Drop curve", drawing().curves.size() - 1);
+}
+
+void Editor::add_curve(Curve curve) {
+  not_while_drawing();
+  merge(curve);
+  require_points(curve);
+  replace("Add curve", drawing().curves.size(), std::move(curve), false);
+}
+
+void Editor::remove_curve(std::size_t curve) {
+  not_while_drawing();
+  curve_at(curve);
+  erase("Remove curve", curve);
+}
+
+void Editor::set_closed(std::size_t curve, bool closed) {
+  not_while_drawing();
+  Curve changed = curve_at(curve);
+  changed.closed = closed;
+  merge(changed);
+  require_points(changed);
+  replace(closed ? "Close curve" : "Open curve", curve, std::move(changed), false);
+}
+
+void Editor::reverse_curve(std::size_t curve) {
+  not_while_drawing();
+  Curve changed = curve_at(curve);
+  std::reverse(changed.points.begin(), changed.points.end());
+  replace("Reverse curve", curve, std::move(changed), false);
+}
+
+void Editor::clear() {
+  Drawing next;
+  next.settings = drawing().settings;
+  history_.add("Remove all curves", std::move(next));
+}
+
+void Editor::move_point(std::size_t curve, std::size_t point, const Point& to) {
+  Curve changed = curve_at(curve, point);
+  const bool pinned = changed.points[point].pinned;
+  changed.points[point] = to;
+  changed.points[point].pinned = pinned;
+  replace("Move point", curve, std::move(changed), is_drawing());
+}
+
+void Editor::insert_point(std::size_t curve, std::size_t before, const Point& point) {
+  Curve changed = curve_at(curve);
+  if (before > changed.points.size()) curve_at(curve, before);
+  changed.points.insert(changed.points.begin() + static_cast<std::ptrdiff_t>(before), point);
+  replace("Insert point", curve, std::move(changed), is_drawing());
+}
+
+void Editor::remove_point(std::size_t curve, std::size_t point) {
+  Curve changed = curve_at(curve, point);
+  changed.points.erase(changed.points.begin() + static_cast<std::ptrdiff_t>(point));
+  const bool drawn_now = is_drawing() && curve + 1 == drawing().curves.size();
+  const std::size_t least = drawn_now ? 1 : least_points(changed.closed);
+  if (changed.points.size() < least) {
+    erase("Remove point", curve);
+  } else {
+    replace("Remove point", curve, std::move(changed), is_drawing());
+  }
+}
+
+void Editor::set_pinned(std::size_t curve, std::size_t point, bool pinned) {
+  Curve changed = curve_at(curve, point);
+  changed.points[point].pinned = pinned;
+  replace(pinned ? "Pin point" : "Unpin point", curve, std::move(changed), is_drawing());
+}
+
+void Editor::set(const std::string& name, const Settings& settings) {
+  Drawing next = drawing();
+  next.settings = settings;
+  history_.add(name, std::move(next));
+}
+
+void Editor::set_tau(double tau) {
+  require_bound(tau, true, "Tau");
+  Settings settings = drawing().settings;
+  settings.tau = tau;
+  set("Tau", settings);
+}
+
+void Editor::set_slack(std::optional<double> slack) {
+  if (slack) require_bound(*slack, true, "The slack");
+  Settings settings = drawing().settings;
+  settings.slack = slack;
+  set("Slack", settings);
+}
+
+void Editor::set_max_deviation(std::optional<double> bound) {
+  if (bound) require_bound(*bound, false, "The largest deviation");
+  Settings settings = drawing().settings;
+  settings.max_deviation = bound;
+  set("Largest deviation", settings);
+}
+
+}  // namespace talweg::editing

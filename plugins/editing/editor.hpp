@@ -1,0 +1,73 @@
+// The edits that a person can make to a drawing.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "history.hpp"
+
+namespace talweg::editing {
+
+/// A drawing on one mesh and everything that can be done to it. Every edit can be undone. An edit
+/// that cannot be done throws Error and changes nothing. One thread at a time.
+class Editor {
+ public:
+  [[nodiscard]] const Drawing& drawing() const { return history_.now(); }
+  [[nodiscard]] History& history() { return history_; }
+  [[nodiscard]] const History& history() const { return history_; }
+  [[nodiscard]] bool is_drawing() const { return drawing().unfinished; }
+
+  // ---- A curve while it is drawn.
+
+  /// Adds a point to the curve that is being drawn, and begins one where none is. A point at the
+  /// place of the last one is left out.
+  void add_point(const Point& point);
+  /// Backspace: takes the last point back, and the curve with its only one.
+  void take_back_point();
+  /// Enter: the curve is done, and open. Needs two points.
+  void finish_curve();
+  /// A click on the first point: done, and closed. Needs three points.
+  void close_curve();
+  /// Esc: the curve is gone.
+  void drop_curve();
+
+  // ---- Whole curves; not while one is drawn.
+
+  /// Adds a curve that comes from elsewhere: selected vertices, another object, a script. Needs two
+  /// points, three when closed; of points in one place the first counts.
+  void add_curve(Curve curve);
+  void remove_curve(std::size_t curve);
+  void set_closed(std::size_t curve, bool closed);
+  void reverse_curve(std::size_t curve);
+  /// All curves; the settings stay.
+  void clear();
+
+  // ---- Points of any curve.
+
+  void move_point(std::size_t curve, std::size_t point, const Point& to);  ///< keeps its pin
+  void insert_point(std::size_t curve, std::size_t before, const Point& point);
+  /// The curve goes with the point that it cannot do without.
+  void remove_point(std::size_t curve, std::size_t point);
+  void set_pinned(std::size_t curve, std::size_t point, bool pinned);
+
+  // ---- Settings.
+
+  void set_tau(double tau);
+  void set_slack(std::optional<double> slack);
+  void set_max_deviation(std::optional<double> bound);
+
+ private:
+  const Curve& curve_at(std::size_t curve) const;
+  const Curve& curve_at(std::size_t curve, std::size_t point) const;
+  const Curve& unfinished() const;
+  void not_while_drawing() const;
+  void replace(const std::string& name, std::size_t curve, Curve by, bool unfinished);
+  void erase(const std::string& name, std::size_t curve);
+  void set(const std::string& name, const Settings& settings);
+
+  History history_;
+};
+
+}  // namespace talweg::editing

@@ -1,0 +1,49 @@
+#include "mesh_arrays.hpp"
+
+#include <unordered_map>
+
+namespace talweg::editing {
+
+std::array<double, 3> position_of(const MeshArrays& mesh, const Point& point) {
+  if (point.face >= mesh.triangles.size()) {
+    throw Error("The mesh has no face " + std::to_string(point.face) + ".");
+  }
+  std::array<double, 3> position = {0, 0, 0};
+  for (std::size_t corner = 0; corner < 3; ++corner) {
+    const auto& at = mesh.positions[mesh.triangles[point.face][corner]];
+    for (std::size_t i = 0; i < 3; ++i) position[i] += point.barycentric[corner] * at[i];
+  }
+  return position;
+}
+
+std::vector<Point> points_at(const MeshArrays& mesh, const std::vector<std::uint32_t>& vertices) {
+  std::unordered_map<std::uint32_t, Point> found;
+  for (const std::uint32_t v : vertices) found[v].barycentric = {0, 0, 0};
+  for (std::size_t face = 0; face < mesh.triangles.size(); ++face) {
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      const auto wanted = found.find(mesh.triangles[face][corner]);
+      if (wanted == found.end() || wanted->second.barycentric != std::array<double, 3>{0, 0, 0}) {
+        continue;
+      }
+      wanted->second.face = static_cast<std::uint32_t>(face);
+      wanted->second.barycentric[corner] = 1;
+    }
+  }
+  std::vector<Point> points;
+  for (const std::uint32_t v : vertices) {
+    points.push_back(found[v]);
+    if (points.back().barycentric == std::array<double, 3>{0, 0, 0}) {
+      throw Error("Vertex " + std::to_string(v) + " is no corner of any face.");
+    }
+  }
+  return points;
+}
+
+void set_mesh(host::Instance& instance, const MeshArrays& mesh) {
+  instance.set_mesh(host::view(mesh.positions.empty() ? nullptr : mesh.positions.front().data(),
+                               mesh.positions.size(), 3),
+                    host::view(mesh.triangles.empty() ? nullptr : mesh.triangles.front().data(),
+                               mesh.triangles.size(), 3));
+}
+
+}  // namespace talweg::editing

@@ -1,0 +1,29 @@
+// A mesh as arrays: what a host copies once, before work begins elsewhere.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "drawing.hpp"
+
+namespace talweg::editing {
+
+struct MeshArrays {
+  std::vector<std::array<double, 3>> positions;         ///< mesh units
+  std::vector<std::array<std::uint32_t, 3>> triangles;  ///< vertices, counterclockwise from outside
+
+  bool operator==(const MeshArrays&) const = default;
+};
+
+/// Where a point of a drawing is in space, mesh units. Throws Error for a face that is not there.
+std::array<double, 3> position_of(const MeshArrays& mesh, const Point& point);
+
+/// The point at a vertex, in the first triangle that has it. Throws Error when none has.
+/// O(triangles); `points_at` takes many at once.
+std::vector<Point> points_at(const MeshArrays& mesh, const std::vector<std::uint32_t>& vertices);
+
+/// Sets the mesh of an instance, which copies it. Throws host::Error.
+void set_mesh(host::Instance& instance, const MeshArrays& mesh);
+
+}  // namespace talweg::editing

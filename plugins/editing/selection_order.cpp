@@ -1,0 +1,229 @@
+#include "selection_order.hpp"
+
+#include <algorithm>
+#include <deque>
+#include <map>
+#include <numeric>
+#include <set>
+#include <tuple>
+#include <utility>
+
+namespace talweg::editing {
+namespace {
+
+using Vertex = std::uint32_t;
+using Neighbours = std::map<Vertex, std::set<Vertex>>;  // ordered: the same result every time
+
+constexpr Vertex kNone = UINT32_MAX;
+
+void require_no_branch(const Neighbours& neighbours) {
+  for (const auto& [vertex, others] : neighbours) {
+    if (others.size() > 2) {
+      throw Error("The selection has no order: it branches at vertex " + std::to_string(vertex) +
+                  ".");
+    }
+  }
+}
+
+/// From `start` on to where it ends, or comes back.
+OrderedVertices walk(const Neighbours& neighbours, Vertex start) {
+  OrderedVertices chain;
+  Vertex before = kNone, at = start;
+  while (true) {
+    chain.vertices.push_back(at);
+    Vertex next = kNone;
+    for (const Vertex other : neighbours.at(at)) {
+      if (other != before && next == kNone) next = other;
+    }
+    if (next == kNone) return chain;
+    if (next == start) {
+      chain.closed = true;
+      return chain;
+    }
+    before = at;
+    at = next;
+  }
+}
+
+/// Chains and rings of what branches nowhere; each vertex in one of them.
+std::vector<OrderedVertices> chains_of(const Neighbours& neighbours) {
+  require_no_branch(neighbours);
+  std::vector<OrderedVertices> result;
+  std::set<Vertex> used;
+  const auto take = [&](Vertex start) {
+    if (used.count(start) != 0) return;
+    result.push_back(walk(neighbours, start));
+    used.insert(result.back().vertices.begin(), result.back().vertices.end());
+  };
+  for (const auto& [vertex, others] : neighbours) {
+    if (others.size() == 1) take(vertex);
+  }
+  for (const auto& [vertex, others] : neighbours) {
+    if (others.size() == 2) take(vertex);
+  }
+  return result;
+}
+
+/// A way between two selected vertices that meets no third: so many edges.
+struct Joint {
+  std::uint32_t edges;
+  Vertex a, b;
+  auto operator<=>(const Joint&) const = default;
+};
+
+/// Triangles around each vertex, one list behind the other.
+struct Stars {
+  std::vector<std::size_t> begin;
+  std::vector<std::uint32_t> faces;
+};
+
+Stars stars_of(const MeshArrays& mesh) {
+  Stars stars;
+  stars.begin.assign(mesh.positions.size() + 2, 0);
+  for (const auto& triangle : mesh.triangles) {
+    for (const Vertex v : triangle) ++stars.begin[v + 2];
+  }
+  std::partial_sum(stars.begin.begin(), stars.begin.end(), stars.begin.begin());
+  stars.faces.resize(3 * mesh.triangles.size());
+  for (std::size_t face = 0; face < mesh.triangles.size(); ++face) {
+    for (const Vertex v : mesh.triangles[face]) {
+      stars.faces[stars.begin[v + 1]++] = static_cast<std::uint32_t>(face);
+    }
+  }
+  return stars;
+}
+
+/// Which selected vertex is the nearest to each vertex, and how many edges away: breadth first from
+/// all of them at once. Where the fronts of two meet is a joint.
+std::vector<Joint> joints_between(const MeshArrays& mesh, const std::vector<Vertex>& selected) {
+  const Stars stars = stars_of(mesh);
+  std::vector<Vertex> nearest(mesh.positions.size(), kNone);
+  std::vector<std::uint32_t> away(mesh.positions.size(), 0);
+  std::deque<Vertex> front(selected.begin(), selected.end());
+  for (const Vertex v : selected) nearest[v] = v;
+  while (!front.empty()) {
+    const Vertex v = front.front();
+    front.pop_front();
+    for (std::size_t k = stars.begin[v]; k < stars.begin[v + 1]; ++k) {
+      for (const Vertex w : mesh.triangles[stars.faces[k]]) {
+        if (nearest[w] != kNone) continue;
+        nearest[w] = nearest[v];
+        away[w] = away[v] + 1;
+        front.push_back(w);
+      }
+    }
+  }
+  std::map<std::pair<Vertex, Vertex>, std::uint32_t> least;
+  for (const auto& triangle : mesh.triangles) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Vertex v = triangle[i], w = triangle[(i + 1) % 3];
+      if (nearest[v] == nearest[w] || nearest[v] == kNone || nearest[w] == kNone) continue;
+      const std::uint32_t edges = away[v] + away[w] + 1;
+      const auto [at, is_new] = least.try_emplace(std::minmax(nearest[v], nearest[w]), edges);
+      if (!is_new) at->second = std::min(at->second, edges);
+    }
+  }
+  std::vector<Joint> joints;
+  joints.reserve(least.size());
+  for (const auto& [pair, edges] : least) joints.push_back({edges, pair.first, pair.second});
+  std::sort(joints.begin(), joints.end());
+  return joints;
+}
+
+class Groups {
+ public:
+  explicit Groups(const std::vector<Vertex>& members) {
+    for (const Vertex v : members) above_[v] = v;
+  }
+  Vertex of(Vertex v) {
+    while (above_.at(v) != v) v = above_.at(v) = above_.at(above_.at(v));
+    return v;
+  }
+  bool join(Vertex a, Vertex b) {
+    if (of(a) == of(b)) return false;
+    above_[of(a)] = of(b);
+    return true;
+  }
+
+ private:
+  std::map<Vertex, Vertex> above_;
+};
+
+using Lengths = std::map<std::pair<Vertex, Vertex>, std::uint32_t>;
+
+/// Where a curve turns sharply, the vertices before and behind the corner are neighbours too, and
+/// the tree may have joined these: then the corner hangs beside the chain. It goes in between.
+bool take_in_a_leaf(Neighbours& neighbours, const Lengths& lengths) {
+  for (const auto& [leaf, others] : neighbours) {
+    if (others.size() != 1) continue;
+    const Vertex v = *others.begin();
+    if (neighbours.at(v).size() < 3) continue;
+    for (const Vertex u : neighbours.at(v)) {
+      const auto joint = lengths.find(std::minmax(leaf, u));
+      if (u == leaf || joint == lengths.end()) continue;
+      if (joint->second > lengths.at(std::minmax(leaf, v))) continue;
+      neighbours.at(v).erase(u);
+      neighbours.at(u).erase(v);
+      neighbours.at(u).insert(leaf);
+      neighbours.at(leaf).insert(u);
+      return true;
+    }
+  }
+  return false;
+}
+
+/// Closes chains of three and more whose ends are joined by no longer a joint than their members.
+void close_rings(std::vector<OrderedVertices>& chains, const Lengths& lengths) {
+  for (OrderedVertices& chain : chains) {
+    std::vector<Vertex>& v = chain.vertices;
+    if (chain.closed || v.size() < 3) continue;
+    std::uint32_t longest = 0;
+    for (std::size_t k = 0; k + 1 < v.size(); ++k) {
+      longest = std::max(longest, lengths.at(std::minmax(v[k], v[k + 1])));
+    }
+    const auto last = lengths.find(std::minmax(v.front(), v.back()));
+    chain.closed = last != lengths.end() && last->second <= longest;
+    if (!chain.closed) continue;
+    std::rotate(v.begin(), std::min_element(v.begin(), v.end()), v.end());
+    if (v.back() < v[1]) std::reverse(v.begin() + 1, v.end());
+  }
+}
+
+}  // namespace
+
+std::vector<OrderedVertices> order_along_mesh(const MeshArrays& mesh,
+                                              const std::vector<std::uint32_t>& vertices) {
+  const std::set<Vertex> distinct(vertices.begin(), vertices.end());
+  const std::vector<Vertex> selected(distinct.begin(), distinct.end());
+  if (!selected.empty() && selected.back() >= mesh.positions.size()) {
+    throw Error("The mesh has no vertex " + std::to_string(selected.back()) + ".");
+  }
+  const std::vector<Joint> joints = joints_between(mesh, selected);
+  Groups groups(selected);
+  Neighbours neighbours;
+  Lengths lengths;
+  for (const Joint& joint : joints) {
+    lengths[{joint.a, joint.b}] = joint.edges;
+    if (!groups.join(joint.a, joint.b)) continue;
+    neighbours[joint.a].insert(joint.b);
+    neighbours[joint.b].insert(joint.a);
+  }
+  while (take_in_a_leaf(neighbours, lengths)) {
+  }
+  std::vector<OrderedVertices> chains = chains_of(neighbours);
+  close_rings(chains, lengths);
+  return chains;
+}
+
+std::vector<OrderedVertices> order_along_edges(
+    const std::vector<std::array<std::uint32_t, 2>>& edges) {
+  Neighbours neighbours;
+  for (const auto& [a, b] : edges) {
+    if (a == b) throw Error("An edge runs from vertex " + std::to_string(a) + " to itself.");
+    neighbours[a].insert(b);
+    neighbours[b].insert(a);
+  }
+  return chains_of(neighbours);
+}
+
+}  // namespace talweg::editing

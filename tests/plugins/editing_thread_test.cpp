@@ -1,0 +1,235 @@
+// Smoothing in a thread: results of the plugin, the newest request wins, cancelling, closing.
+#include <atomic>
+#include <memory>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "plugins/editing_drawings.hpp"
+#include "plugins/plugin_runs.hpp"
+#include "talweg/editing/smoothing_thread.hpp"
+
+namespace talweg {
+namespace {
+
+using editing::Outcome;
+using editing::SmoothingThread;
+using editing::Task;
+
+const editing::Plugins& plugins() {
+  static const editing::Plugins plugins(TALWEG_PLUGINS);
+  return plugins;
+}
+
+/// Hills with a drawing across them.
+struct Hills {
+  test::Subject subject;
+  std::shared_ptr<const editing::MeshArrays> mesh =
+      std::make_shared<const editing::MeshArrays>(test::arrays_of(subject.lists));
+  editing::Editor editor;
+
+  Hills() {
+    editing::Curve curve;
+    for (std::size_t k = 0; k < subject.curve.faces.size(); ++k) {
+      curve.points.push_back({subject.curve.faces[k], subject.curve.barycentrics[k], false});
+    }
+    editor.add_curve(std::move(curve));
+  }
+  /// What the plugin gives without a thread.
+  [[nodiscard]] std::vector<host::Curve> expected(const editing::Drawing& drawing) const {
+    const host::Services services("test", "1");
+    host::Instance instance(plugins().find("talweg.smooth"), services);
+    set_mesh(instance, *mesh);
+    instance.set_curves(host_curves(drawing));
+    apply(drawing.settings, instance);
+    return instance.run().curves;
+  }
+};
+
+std::vector<Outcome> all_of(SmoothingThread& thread) {
+  thread.wait();
+  std::vector<Outcome> outcomes;
+  while (auto outcome = thread.take()) outcomes.push_back(std::move(*outcome));
+  return outcomes;
+}
+
+void expect_same(const std::vector<host::Curve>& a, const std::vector<host::Curve>& b) {
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t k = 0; k < a.size(); ++k) EXPECT_TRUE(test::same_bits(a[k], b[k])) << k;
+}
+
+TEST(EditingThread, GivesWhatThePluginGives) {
+  Hills hills;
+  std::atomic<int> woken = 0;
+  SmoothingThread thread(plugins(), hills.mesh, [&] { ++woken; });
+  std::vector<Outcome> outcomes = all_of(thread);
+  ASSERT_EQ(outcomes.size(), 1U);
+  EXPECT_EQ(outcomes[0].task, Task::kOpen);
+  EXPECT_EQ(outcomes[0].status, TALWEG_OK) << outcomes[0].sentence;
+  for (const double tau : {4.0, 0.5}) {
+    hills.editor.set_tau(tau);
+    const std::uint64_t ticket = thread.smooth(hills.editor.drawing());
+    outcomes = all_of(thread);
+    ASSERT_EQ(outcomes.size(), 1U);
+    EXPECT_EQ(outcomes[0].ticket, ticket);
+    EXPECT_EQ(outcomes[0].results.number("tau"), tau);
+    expect_same(outcomes[0].results.curves, hills.expected(hills.editor.drawing()));
+  }
+  hills.editor.set_pinned(0, 20, true);
+  hills.editor.set_max_deviation(0.5);
+  thread.smooth(hills.editor.drawing());
+  expect_same(all_of(thread).at(0).results.curves, hills.expected(hills.editor.drawing()));
+  EXPECT_EQ(woken, 4);
+}
+
+TEST(EditingThread, UndoAndRedoBringTheSameCurvesBack) {
+  Hills hills;
+  SmoothingThread thread(plugins(), hills.mesh);
+  all_of(thread);
+  std::vector<std::vector<host::Curve>> seen;
+  const auto look = [&] {
+    thread.smooth(hills.editor.drawing());
+    return all_of(thread).at(0).results.curves;
+  };
+  seen.push_back(look());
+  hills.editor.set_tau(7);
+  seen.push_back(look());
+  hills.editor.remove_point(0, 11);
+  seen.push_back(look());
+  hills.editor.set_pinned(0, 5, true);
+  seen.push_back(look());
+  for (std::size_t k = 3; k-- > 0;) {
+    ASSERT_TRUE(hills.editor.history().undo());
+    expect_same(look(), seen[k]);
+  }
+  for (std::size_t k = 1; k < 4; ++k) {
+    ASSERT_TRUE(hills.editor.history().redo());
+    expect_same(look(), seen[k]);
+  }
+}
+
+TEST(EditingThread, TheNewestRequestWins) {
+  Hills hills;
+  for (const double patience : {0.0, 1e9}) {
+    SmoothingThread thread(plugins(), hills.mesh, {}, patience);
+    std::uint64_t last = 0;
+    for (int k = 0; k < 60; ++k) {
+      hills.editor.set_tau(0.1 * k);
+      last = thread.smooth(hills.editor.drawing());
+      if (k % 7 == 0) std::this_thread::yield();
+    }
+    const std::vector<Outcome> outcomes = all_of(thread);
+    ASSERT_FALSE(outcomes.empty());
+    EXPECT_EQ(outcomes.back().ticket, last);
+    EXPECT_EQ(outcomes.back().status, TALWEG_OK);
+    EXPECT_LT(outcomes.size(), 61U);
+    expect_same(outcomes.back().results.curves, hills.expected(hills.editor.drawing()));
+  }
+}
+
+TEST(EditingThread, CancelledWorkSaysSoAndTheNextIsWhole) {
+  Hills hills;
+  for (int round = 0; round < 20; ++round) {
+    SmoothingThread thread(plugins(), hills.mesh);
+    thread.smooth(hills.editor.drawing());
+    for (int k = 0; k < 50 * round; ++k) std::this_thread::yield();
+    thread.cancel();
+    for (const Outcome& outcome : all_of(thread)) {
+      EXPECT_TRUE(outcome.status == TALWEG_OK || outcome.status == TALWEG_CANCELLED)
+          << outcome.sentence;
+    }
+    thread.smooth(hills.editor.drawing());
+    const std::vector<Outcome> outcomes = all_of(thread);
+    EXPECT_EQ(outcomes.back().status, TALWEG_OK) << outcomes.back().sentence;
+    if (round % 10 == 0) {
+      expect_same(outcomes.back().results.curves, hills.expected(hills.editor.drawing()));
+    }
+  }
+}
+
+TEST(EditingThread, TheMeshMayGoWhileAJobRuns) {
+  Hills hills;
+  for (int round = 0; round < 30; ++round) {
+    auto thread = std::make_unique<SmoothingThread>(
+        plugins(), std::make_shared<const editing::MeshArrays>(*hills.mesh));
+    hills.editor.set_tau(round);
+    thread->smooth(hills.editor.drawing());
+    if (round % 3 == 0) thread->distance(hills.editor.drawing());
+    for (int k = 0; k < 30 * round; ++k) std::this_thread::yield();
+    thread.reset();
+  }
+}
+
+TEST(EditingThread, PutsPositionsOntoTheMesh) {
+  const auto sheet =
+      std::make_shared<const editing::MeshArrays>(test::arrays_of(test::grid(30, 20)));
+  SmoothingThread thread(plugins(), sheet);
+  host::Curve line;
+  line.positions = {{1.25, 2.5, 0.3}, {20.5, 11.25, -1}, {25.5, 3.5, 0}};
+  thread.place({line});
+  const std::vector<Outcome> outcomes = all_of(thread);
+  ASSERT_EQ(outcomes.size(), 2U);
+  ASSERT_EQ(outcomes[1].status, TALWEG_OK) << outcomes[1].sentence;
+  const editing::Curve& placed = outcomes[1].placed.at(0);
+  ASSERT_EQ(placed.points.size(), 3U);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto position = position_of(*sheet, placed.points[k]);
+    EXPECT_NEAR(position[0], line.positions[k][0], 1e-12);
+    EXPECT_NEAR(position[1], line.positions[k][1], 1e-12);
+    EXPECT_NEAR(position[2], 0, 1e-12);
+  }
+}
+
+TEST(EditingThread, MeasuresDistances) {
+  const auto sheet =
+      std::make_shared<const editing::MeshArrays>(test::arrays_of(test::grid(30, 20)));
+  SmoothingThread thread(plugins(), sheet);
+  editing::Editor editor;
+  const std::uint32_t row = 31 * 5;  // y = 5
+  editor.add_curve({editing::points_at(*sheet, {row, row + 30}), false});
+  thread.distance(editor.drawing());
+  thread.draw(editor.drawing());
+  const std::vector<Outcome> outcomes = all_of(thread);
+  ASSERT_EQ(outcomes.size(), 3U);
+  ASSERT_EQ(outcomes[1].status, TALWEG_OK) << outcomes[1].sentence;
+  const host::Field& distance = outcomes[1].results.fields.at(0);
+  EXPECT_EQ(distance.name, "distance");
+  for (std::size_t v = 0; v < sheet->positions.size(); ++v) {
+    EXPECT_NEAR(distance.values[v], std::abs(sheet->positions[v][1] - 5), 1e-12) << v;
+  }
+  EXPECT_EQ(outcomes[2].results.curves.at(0).positions.front(), sheet->positions[row]);
+}
+
+TEST(EditingThread, TellsWhatIsWrongAndGoesOn) {
+  auto bad = std::make_shared<editing::MeshArrays>(test::arrays_of(test::grid(3, 3)));
+  bad->triangles.push_back(bad->triangles.front());
+  SmoothingThread refused(plugins(), bad);
+  const Outcome open = all_of(refused).at(0);
+  EXPECT_EQ(open.status, TALWEG_BAD_MESH);
+  EXPECT_NE(open.sentence, "");
+
+  Hills hills;
+  SmoothingThread thread(plugins(), hills.mesh);
+  editing::Editor wrong;
+  wrong.add_curve({{{0, {1, 0, 0}, false}, {4000000, {1, 0, 0}, false}}, false});
+  thread.smooth(wrong.drawing());
+  const Outcome outcome = all_of(thread).back();
+  EXPECT_EQ(outcome.status, TALWEG_BAD_CURVE);
+  EXPECT_NE(outcome.sentence.find("4000000"), std::string::npos) << outcome.sentence;
+  thread.smooth(hills.editor.drawing());
+  EXPECT_EQ(all_of(thread).back().status, TALWEG_OK);
+}
+
+TEST(EditingThread, MissingPluginsAreToldWithTheirFolder) {
+  const editing::Plugins none("/nowhere");
+  Hills hills;
+  SmoothingThread thread(none, hills.mesh);
+  EXPECT_EQ(all_of(thread).at(0).sentence,
+            "The plugin talweg.smooth was not found in /nowhere; TALWEG_PLUGIN_PATH can name "
+            "another folder.");
+}
+
+}  // namespace
+}  // namespace talweg
