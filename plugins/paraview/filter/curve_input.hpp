@@ -1,0 +1,28 @@
+// Drawings as ParaView's users make them: lines, points, lists of vertex numbers.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "talweg/plugin/talweg_host.hpp"
+
+class vtkDataSet;
+
+namespace talweg::paraview {
+
+/// Each line of the data set is a curve, closed if it ends where it begins; segments are joined.
+/// Without lines all points in their order are one open curve. A point array `pin` says by what is
+/// not 0 which points stay. With the name of a point array the curves are of vertices, its values,
+/// instead of positions. Throws std::runtime_error for an array that is not there or holds no
+/// vertex numbers.
+std::vector<host::Curve> curves_of(vtkDataSet& input, const std::string& vertex_array);
+
+/// Numbers from 0, separated by spaces or commas. Throws std::runtime_error that quotes what is
+/// none; `what` is the name of the list.
+std::vector<std::uint32_t> vertex_numbers(const std::string& text, const char* what);
+
+/// A curve of vertices, closed if the first is repeated at the end.
+host::Curve curve_through(std::vector<std::uint32_t> vertices);
+
+}  // namespace talweg::paraview

@@ -1,0 +1,152 @@
+#include "mesh_input.hpp"
+
+#include <stdexcept>
+
+#include <vtkCellArray.h>
+#include <vtkCellArrayIterator.h>
+#include <vtkCellData.h>
+#include <vtkDataSetSurfaceFilter.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+
+namespace talweg::paraview {
+namespace {
+
+talweg_array view_of(const void* data, std::uint64_t rows, std::uint32_t type) {
+  return {data, rows, 0, 3, type};
+}
+
+std::vector<vtkIdType> corners_of(vtkCellArrayIterator& cell) {
+  vtkIdType count = 0;
+  const vtkIdType* corners = nullptr;
+  cell.GetCurrentCell(count, corners);
+  return {corners, corners + count};
+}
+
+}  // namespace
+
+vtkSmartPointer<vtkPolyData> polydata_of(vtkDataSet& input) {
+  if (auto* polydata = vtkPolyData::SafeDownCast(&input)) return polydata;
+  vtkNew<vtkDataSetSurfaceFilter> surface;
+  surface->SetInputData(&input);
+  surface->PassThroughPointIdsOn();
+  surface->Update();
+  return surface->GetOutput();
+}
+
+MeshInput::State MeshInput::state_of(vtkDataSet& input) {
+  auto* polydata = vtkPolyData::SafeDownCast(&input);
+  if (polydata == nullptr) return {&input, nullptr, nullptr, input.GetMTime()};
+  // Not the data set itself: pipelines hand the same geometry on in another one.
+  return {nullptr, polydata->GetPoints(), polydata->GetPolys(), polydata->GetMeshMTime()};
+}
+
+bool MeshInput::update(vtkDataSet& input) {
+  const State state = state_of(input);
+  auto* polydata = vtkPolyData::SafeDownCast(&input);
+  if (surface_ != nullptr && state == state_) {
+    if (polydata != nullptr) surface_ = polydata;  // arrays may be new
+    return false;
+  }
+  forget();
+  surface_ = polydata_of(input);
+  if (polydata == nullptr) note_ = "The mesh is the outer surface of the data set.";
+  cut_into_triangles();
+  state_ = state;
+  return true;
+}
+
+void MeshInput::forget() {
+  state_ = {};
+  surface_ = nullptr;
+  triangles_.clear();
+  cells_.clear();
+  note_.clear();
+}
+
+void MeshInput::cut_into_triangles() {
+  vtkPolyData& mesh = *surface_;
+  vtkIdType cell = mesh.GetNumberOfVerts() + mesh.GetNumberOfLines();
+  const bool faces_only = cell == 0;
+  bool cut = mesh.GetNumberOfStrips() > 0;
+  const auto polygons = vtk::TakeSmartPointer(mesh.GetPolys()->NewIterator());
+  for (polygons->GoToFirstCell(); !polygons->IsDoneWithTraversal(); polygons->GoToNextCell()) {
+    const std::vector<vtkIdType> corners = corners_of(*polygons);
+    cut = cut || corners.size() > 3;
+    add_fan(corners, cell++);
+  }
+  const auto strips = vtk::TakeSmartPointer(mesh.GetStrips()->NewIterator());
+  for (strips->GoToFirstCell(); !strips->IsDoneWithTraversal(); strips->GoToNextCell()) {
+    add_strip(corners_of(*strips), cell++);
+  }
+  as_given_ = faces_only && !cut;
+  if (cut) note_ += std::string(note_.empty() ? "" : " ") + "The mesh's polygons were cut into triangles.";
+}
+
+void MeshInput::add_fan(const std::vector<vtkIdType>& corners, vtkIdType cell) {
+  if (corners.size() < 3) {
+    throw std::runtime_error("Cell " + std::to_string(cell) + " of the mesh has " +
+                             std::to_string(corners.size()) + " corners; a face has at least 3.");
+  }
+  for (std::size_t k = 2; k < corners.size(); ++k)
+    add(corners[0], corners[k - 1], corners[k], cell);
+}
+
+void MeshInput::add_strip(const std::vector<vtkIdType>& corners, vtkIdType cell) {
+  for (std::size_t k = 2; k < corners.size(); ++k) {
+    const std::size_t turned = k % 2;  // every second triangle of a strip is the other way round
+    add(corners[k - 2 + turned], corners[k - 1 - turned], corners[k], cell);
+  }
+}
+
+void MeshInput::add(vtkIdType a, vtkIdType b, vtkIdType c, vtkIdType cell) {
+  const auto index = [](vtkIdType v) { return static_cast<std::uint32_t>(v); };
+  triangles_.push_back({index(a), index(b), index(c)});
+  cells_.push_back(cell);
+}
+
+talweg_array MeshInput::positions() {
+  vtkPoints* points = surface_->GetPoints();
+  const auto count = static_cast<std::uint64_t>(surface_->GetNumberOfPoints());
+  if (count == 0) return view_of(nullptr, 0, TALWEG_FLOAT64);
+  vtkDataArray& data = *points->GetData();
+  if (data.HasStandardMemoryLayout() && data.GetDataType() == VTK_DOUBLE) {
+    return view_of(data.GetVoidPointer(0), count, TALWEG_FLOAT64);
+  }
+  if (data.HasStandardMemoryLayout() && data.GetDataType() == VTK_FLOAT) {
+    return view_of(data.GetVoidPointer(0), count, TALWEG_FLOAT32);
+  }
+  converted_.resize(3 * count);
+  for (std::uint64_t k = 0; k < count; ++k) {
+    points->GetPoint(static_cast<vtkIdType>(k), &converted_[3 * k]);
+  }
+  return view_of(converted_.data(), count, TALWEG_FLOAT64);
+}
+
+talweg_array MeshInput::triangles() const {
+  return view_of(triangles_.data(), triangles_.size(), TALWEG_UINT32);
+}
+
+void MeshInput::copy_to(vtkPolyData& out) const {
+  out.SetPoints(surface_->GetPoints());
+  out.GetPointData()->ShallowCopy(surface_->GetPointData());
+  out.GetFieldData()->ShallowCopy(surface_->GetFieldData());
+  if (as_given_) {
+    out.SetPolys(surface_->GetPolys());
+    out.GetCellData()->ShallowCopy(surface_->GetCellData());
+    return;
+  }
+  vtkNew<vtkCellArray> polygons;
+  for (const auto& triangle : triangles_) {
+    const vtkIdType corners[] = {triangle[0], triangle[1], triangle[2]};
+    polygons->InsertNextCell(3, corners);
+  }
+  out.SetPolys(polygons);
+  vtkCellData* values = out.GetCellData();
+  values->CopyAllocate(surface_->GetCellData(), static_cast<vtkIdType>(cells_.size()));
+  for (std::size_t k = 0; k < cells_.size(); ++k) {
+    values->CopyData(surface_->GetCellData(), cells_[k], static_cast<vtkIdType>(k));
+  }
+}
+
+}  // namespace talweg::paraview

@@ -1,0 +1,66 @@
+// A ParaView data set as a mesh of triangles.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+
+#include "talweg/plugin/talweg_plugin.h"
+
+class vtkDataSet;
+
+namespace talweg::paraview {
+
+/// The data set itself, if it is polydata, else its outer surface; points that lines and single
+/// points have stay.
+vtkSmartPointer<vtkPolyData> polydata_of(vtkDataSet& input);
+
+class MeshInput {
+ public:
+  /// Takes the triangles of the data set: polygons as fans, strips cut. False if nothing but values
+  /// of arrays has changed since the last call. Throws std::runtime_error naming a face with fewer
+  /// than three corners; what was known is forgotten then.
+  bool update(vtkDataSet& input);
+  /// As if there had been no update().
+  void forget();
+
+  /// Valid until the next update(); the points are not copied if they are float or double.
+  [[nodiscard]] talweg_array positions();
+  [[nodiscard]] talweg_array triangles() const;
+  /// The triangles with all arrays of the data set.
+  void copy_to(vtkPolyData& out) const;
+  /// Point arrays of the mesh.
+  [[nodiscard]] vtkPointData& arrays() const { return *surface_->GetPointData(); }
+  /// What was done to get triangles; empty if nothing.
+  [[nodiscard]] const std::string& note() const { return note_; }
+
+ private:
+  void cut_into_triangles();
+  void add_fan(const std::vector<vtkIdType>& corners, vtkIdType cell);
+  void add_strip(const std::vector<vtkIdType>& corners, vtkIdType cell);
+  void add(vtkIdType a, vtkIdType b, vtkIdType c, vtkIdType cell);
+
+  /// What the geometry was when it was last looked at.
+  struct State {
+    const void* data = nullptr;
+    const void* points = nullptr;
+    const void* polygons = nullptr;
+    std::uint64_t time = 0;
+    friend bool operator==(const State&, const State&) = default;
+  };
+  static State state_of(vtkDataSet& input);
+
+  State state_;
+  vtkSmartPointer<vtkPolyData> surface_;
+  std::vector<std::array<std::uint32_t, 3>> triangles_;
+  std::vector<vtkIdType> cells_;  // of the surface, for each triangle
+  bool as_given_ = false;         // the surface's cells are these triangles
+  std::vector<double> converted_;
+  std::string note_;
+};
+
+}  // namespace talweg::paraview

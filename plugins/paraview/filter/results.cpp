@@ -1,0 +1,129 @@
+#include "results.hpp"
+
+#include <cstdio>
+
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
+#include <vtkIdTypeArray.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkStringArray.h>
+
+namespace talweg::paraview {
+namespace {
+
+template <class Array>
+vtkSmartPointer<Array> named(const char* name, int components = 1) {
+  auto array = vtkSmartPointer<Array>::New();
+  array->SetName(name);
+  array->SetNumberOfComponents(components);
+  return array;
+}
+
+void add_points(const host::Results& results, vtkPolyData& out) {
+  const auto places = named<vtkDoubleArray>("Points", 3);
+  const auto faces = named<vtkIdTypeArray>("face");
+  const auto barycentrics = named<vtkDoubleArray>("barycentric", 3);
+  const auto vertices = named<vtkIdTypeArray>("vertex");
+  for (const host::Curve& curve : results.curves) {
+    for (std::size_t k = 0; k < curve.positions.size(); ++k) {
+      places->InsertNextTuple(curve.positions[k].data());
+      faces->InsertNextValue(curve.faces[k]);
+      barycentrics->InsertNextTuple(curve.barycentrics[k].data());
+      const std::uint32_t v = curve.vertices[k];
+      vertices->InsertNextValue(v == TALWEG_NO_VERTEX ? -1 : static_cast<vtkIdType>(v));
+    }
+  }
+  vtkNew<vtkPoints> points;
+  points->SetData(places);
+  out.SetPoints(points);
+  for (vtkDataArray* array :
+       {static_cast<vtkDataArray*>(faces), static_cast<vtkDataArray*>(barycentrics),
+        static_cast<vtkDataArray*>(vertices)}) {
+    out.GetPointData()->AddArray(array);
+  }
+}
+
+void add_lines(const host::Results& results, vtkPolyData& out) {
+  vtkNew<vtkCellArray> lines;
+  vtkIdType first = 0;
+  for (const host::Curve& curve : results.curves) {
+    const auto count = static_cast<vtkIdType>(curve.positions.size());
+    lines->InsertNextCell(static_cast<int>(count + (curve.closed ? 1 : 0)));
+    for (vtkIdType k = 0; k < count; ++k) lines->InsertCellPoint(first + k);
+    if (curve.closed) lines->InsertCellPoint(first);
+    first += count;
+  }
+  out.SetLines(lines);
+}
+
+/// Every curve has the same fields.
+void add_point_fields(const host::Results& results, vtkPolyData& out) {
+  if (results.curves.empty()) return;
+  for (std::size_t f = 0; f < results.curves.front().fields.size(); ++f) {
+    const auto array = named<vtkDoubleArray>(results.curves.front().fields[f].name.c_str());
+    for (const host::Curve& curve : results.curves) {
+      for (const double value : curve.fields.at(f).values) array->InsertNextValue(value);
+    }
+    out.GetPointData()->AddArray(array);
+  }
+}
+
+bool is_one_number(const host::ReportEntry& entry) {
+  return entry.type != TALWEG_VALUE_TEXT && !entry.is_list && entry.numbers.size() == 1;
+}
+
+/// One value per line: the entries of the first curve that every curve has.
+void add_reports_of_curves(const host::Results& results, vtkPolyData& out) {
+  for (const host::ReportEntry& entry : results.report) {
+    if (entry.curve != 0 || !is_one_number(entry)) continue;
+    const auto array = named<vtkDoubleArray>(entry.key.c_str());
+    for (std::size_t c = 0; c < results.curves.size(); ++c) {
+      const host::ReportEntry* of_curve = results.find(entry.key, static_cast<std::int64_t>(c));
+      if (of_curve == nullptr || !is_one_number(*of_curve)) break;
+      array->InsertNextValue(of_curve->numbers.front());
+    }
+    if (array->GetNumberOfTuples() == out.GetNumberOfCells()) out.GetCellData()->AddArray(array);
+  }
+}
+
+void add_total_report(const host::Results& results, vtkPolyData& out) {
+  for (const host::ReportEntry& entry : results.report) {
+    if (entry.curve >= 0) continue;
+    if (entry.type == TALWEG_VALUE_TEXT) {
+      const auto array = named<vtkStringArray>(entry.key.c_str());
+      for (const std::string& text : entry.texts) array->InsertNextValue(text);
+      out.GetFieldData()->AddArray(array);
+    } else {
+      const auto array = named<vtkDoubleArray>(entry.key.c_str());
+      for (const double number : entry.numbers) array->InsertNextValue(number);
+      out.GetFieldData()->AddArray(array);
+    }
+  }
+}
+
+}  // namespace
+
+void give(const host::Results& results, vtkPolyData& out) {
+  out.Initialize();
+  add_points(results, out);
+  add_lines(results, out);
+  add_point_fields(results, out);
+  add_reports_of_curves(results, out);
+  add_total_report(results, out);
+}
+
+std::string summary(const host::Results& results) {
+  char text[320];
+  std::snprintf(text, sizeof text,
+                "length %.6g to %.6g, curvature %.3g to %.3g rad, largest deviation %.3g: %s",
+                results.number("length_before"), results.number("length_after"),
+                results.number("curvature_before"), results.number("curvature_after"),
+                results.number("deviation_to_drawn_max"), results.text("termination").c_str());
+  return text;
+}
+
+}  // namespace talweg::paraview

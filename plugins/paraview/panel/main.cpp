@@ -1,0 +1,39 @@
+// talweg-paraview-panel PLUGIN-FOLDER FILE.xml: writes ParaView's property panel for talweg.smooth.
+#include <cstdio>
+#include <exception>
+#include <fstream>
+#include <memory>
+#include <stdexcept>
+#include <string>
+
+#include "server_manager_xml.hpp"
+#include "talweg/loader/talweg_loader.h"
+
+namespace {
+
+void write(const std::string& path, const std::string& text) {
+  std::ofstream file(path);
+  file << text;
+  file.close();
+  if (!file) throw std::runtime_error(path + " cannot be written.");
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    if (argc != 3) throw std::runtime_error("usage: talweg-paraview-panel PLUGIN-FOLDER FILE.xml");
+    const std::unique_ptr<talweg_loader, void (*)(talweg_loader*)> loader(
+        talweg_loader_open(argv[1]), talweg_loader_close);
+    const talweg_plugin* smooth =
+        loader ? talweg_loader_find(loader.get(), "talweg.smooth") : nullptr;
+    if (smooth == nullptr) {
+      throw std::runtime_error(std::string("There is no plugin talweg.smooth in ") + argv[1] + ".");
+    }
+    write(argv[2], talweg::paraview::server_manager_xml(*smooth));
+    return 0;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "talweg-paraview-panel: %s\n", error.what());
+    return 1;
+  }
+}

@@ -1,0 +1,396 @@
+"""The filter's outputs, its three kinds of drawing, wrong input, abort, and what a change costs."""
+
+import math
+import unittest
+
+from support import (Case, Said, counts, lines_of, output, places, polydata, pv, real_mesh,
+                     reference_curve, report, source, values, wavy_sheet)
+
+N = 24
+POINTS, TRIANGLES = wavy_sheet(N)
+# A wave, drawn with a trembling hand; no two numbers are neighbours.
+ZIGZAG = [N * row + 11 + round(6 * math.sin(row / 3)) + (1 if row % 2 else -1)
+          for row in range(2, N - 2)]
+LOOP = [N * 4 + 4, N * 4 + 16, N * 16 + 16, N * 16 + 4]
+TEXT = " ".join(map(str, ZIGZAG))
+
+
+def sheet(**properties):
+    return pv.TalwegSmoothPoints(Input=source(polydata(POINTS, TRIANGLES)), **properties)
+
+
+def distance(a, b):
+    return math.dist(a, b)
+
+
+class Outputs(Case):
+    def test_points_lie_where_their_faces_and_barycentrics_say(self):
+        curve = self.curve_of(sheet(PointIds=TEXT))
+        for place, face, weights, vertex in zip(places(curve), values(curve, "face"),
+                                                values(curve, "barycentric"), values(curve, "vertex")):
+            corners = [POINTS[v] for v in TRIANGLES[int(face)]]
+            self.assertAlmostEqual(sum(weights), 1, 12)
+            self.assertGreaterEqual(min(weights), 0)
+            there = [sum(w * corner[k] for w, corner in zip(weights, corners)) for k in range(3)]
+            self.assertLess(distance(place, there), 1e-12)
+            if vertex >= 0:
+                self.assertEqual(place, POINTS[int(vertex)])
+
+    def test_a_point_and_the_next_lie_in_one_face(self):
+        curve = self.curve_of(sheet(PointIds=TEXT))
+        points = places(curve)
+        for k, face in enumerate(values(curve, "face")[:-1]):
+            a, b, c = (POINTS[v] for v in TRIANGLES[int(face)])
+            u = [b[i] - a[i] for i in range(3)]
+            v = [c[i] - a[i] for i in range(3)]
+            n = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]]
+            off = sum(n[i] * (points[k + 1][i] - a[i]) for i in range(3)) / math.hypot(*n)
+            self.assertLess(abs(off), 1e-12)
+
+    def test_the_curve_is_smoother_and_ends_where_the_drawing_does(self):
+        curve = self.curve_of(sheet(PointIds=TEXT))
+        self.assertEqual(places(curve)[0], POINTS[ZIGZAG[0]])
+        self.assertEqual(places(curve)[-1], POINTS[ZIGZAG[-1]])
+        self.assertLess(report(curve, "curvature_after"), 0.5 * report(curve, "curvature_before"))
+        length = sum(distance(a, b) for a, b in zip(places(curve), places(curve)[1:]))
+        self.assertAlmostEqual(report(curve, "length_after"), length, 9)
+        self.assertEqual(report(curve, "termination"), "converged")
+        self.assertEqual(report(curve, "tau"), 1)
+
+    def test_deviation_is_that_of_the_report_and_the_ends_do_not_turn(self):
+        curve = self.curve_of(sheet(PointIds=TEXT))
+        largest = max(values(curve, "deviation"))
+        self.assertGreater(largest, 0)
+        self.assertLessEqual(largest, report(curve, "deviation_to_drawn_max") * (1 + 1e-9))
+        turns = values(curve, "curvature")
+        self.assertEqual((turns[0], turns[-1]), (0, 0))
+        self.assertAlmostEqual(sum(map(abs, turns)), report(curve, "curvature_after"), 9)
+
+    def test_the_mesh_has_the_distance_to_the_drawing(self):
+        filter = sheet(PointIds=TEXT)
+        self.curve_of(filter)
+        mesh = output(filter, 1)
+        self.assertEqual((mesh.GetNumberOfPoints(), mesh.GetNumberOfPolys()),
+                         (len(POINTS), len(TRIANGLES)))
+        field = values(mesh, "distance")
+        for v in ZIGZAG:
+            self.assertEqual(field[v], 0)
+        # Along the surface is no shorter than through space to the nearest of the drawing's edges,
+        # which are no farther than their ends less an edge.
+        longest = max(distance(POINTS[a], POINTS[b]) for a, b, _ in TRIANGLES)
+        for v, point in enumerate(POINTS):
+            nearest = min(distance(point, POINTS[w]) for w in ZIGZAG)
+            self.assertGreaterEqual(field[v], nearest - 2 * longest)
+
+    def test_without_the_distance(self):
+        filter = sheet(PointIds=TEXT, DistanceField=0)
+        self.curve_of(filter)
+        self.assertIsNone(output(filter, 1).GetPointData().GetArray("distance"))
+        filter.DistanceField = 1
+        self.curve_of(filter)
+        self.assertEqual(len(values(output(filter, 1), "distance")), len(POINTS))
+
+    def test_the_output_messages_tell_what_was_done(self):
+        filter = sheet(PointIds=TEXT)
+        with Said() as said:
+            filter.UpdatePipeline()
+        self.assertIn("curvature", said.text())
+        self.assertIn("converged", said.text())
+
+
+class Drawings(Case):
+    def test_vertex_numbers_need_not_be_neighbours_and_close(self):
+        curve = self.curve_of(sheet(PointIds=", ".join(map(str, LOOP + LOOP[:1]))))
+        (line,) = lines_of(curve)
+        self.assertEqual(line[0], line[-1])
+        self.assertEqual(len(line) - 1, curve.GetNumberOfPoints())
+        self.assertEqual(report(curve, "closed"), 1)
+
+    def test_points_are_moved_to_the_mesh(self):
+        above = [c for v in LOOP for c in (*POINTS[v][:2], POINTS[v][2] + 0.01)]
+        curve = self.curve_of(sheet(Points=above))
+        self.assertEqual(report(curve, "closed"), 0)
+        self.assertIn("moved onto the mesh", report(curve, "warnings"))
+        closed = self.curve_of(sheet(Points=above, Closed=1))
+        self.assertEqual(report(closed, "closed"), 1)
+
+    def test_lines_and_segments_and_points_in_order_are_the_same_drawing(self):
+        mesh = source(polydata(POINTS, TRIANGLES))
+        drawn = [POINTS[v] for v in ZIGZAG]
+        count = len(drawn)
+        results = []
+        for lines in ([list(range(count))], [(k, k + 1) for k in range(count - 1)], []):
+            curve = source(polydata(drawn, lines=lines))
+            results.append(places(self.curve_of(pv.TalwegSmoothCurve(Input=mesh, Curve=curve))))
+        self.assertEqual(results[0], results[1])
+        self.assertEqual(results[0], results[2])
+
+    def test_a_loop_that_repeats_its_first_place_is_closed(self):
+        data = polydata([POINTS[v] for v in LOOP + LOOP[:1]], lines=[[0, 1, 2, 3, 4]])
+        curve = self.curve_of(pv.TalwegSmoothCurve(Input=source(polydata(POINTS, TRIANGLES)),
+                                                   Curve=source(data)))
+        self.assertEqual(report(curve, "closed"), 1)
+
+    def test_two_lines_are_two_curves(self):
+        drawn = [POINTS[v] for v in (N + 2, 9 * N + 2, N + 12, 9 * N + 12)]
+        curve = source(polydata(drawn, lines=[(0, 1), (2, 3)]))
+        result = self.curve_of(
+            pv.TalwegSmoothCurve(Input=source(polydata(POINTS, TRIANGLES)), Curve=curve))
+        self.assertEqual(result.GetNumberOfLines(), 2)
+        lengths = result.GetCellData().GetArray("length_after")
+        total = lengths.GetTuple1(0) + lengths.GetTuple1(1)
+        self.assertAlmostEqual(total, report(result, "length_after"), 12)
+
+    def test_ids_of_a_point_array_take_the_place_of_positions(self):
+        from vtkmodules.vtkCommonCore import vtkIdTypeArray
+        data = polydata([(9, 9, 9)] * len(ZIGZAG), lines=[list(range(len(ZIGZAG)))])
+        ids = vtkIdTypeArray()
+        ids.SetName("number")
+        for v in ZIGZAG:
+            ids.InsertNextValue(v)
+        data.GetPointData().AddArray(ids)
+        filter = pv.TalwegSmoothCurve(Input=source(polydata(POINTS, TRIANGLES)),
+                                      Curve=source(data), CurveIds="number")
+        self.assertEqual(places(self.curve_of(filter)),
+                         places(self.curve_of(sheet(PointIds=TEXT))))
+
+    def test_pins_stay(self):
+        middle = ZIGZAG[len(ZIGZAG) // 2]
+        free = self.curve_of(sheet(PointIds=TEXT, Tau=0))
+        self.assertNotIn(middle, values(free, "vertex"))
+        held = self.curve_of(sheet(PointIds=TEXT, Tau=0, Pin=str(middle)))
+        self.assertIn(middle, values(held, "vertex"))
+
+    def test_a_pin_array_of_the_curve(self):
+        from vtkmodules.vtkCommonCore import vtkIntArray
+        middle = len(ZIGZAG) // 2
+        data = polydata([POINTS[v] for v in ZIGZAG], lines=[list(range(len(ZIGZAG)))])
+        pins = vtkIntArray()
+        pins.SetName("pin")
+        for k in range(len(ZIGZAG)):
+            pins.InsertNextValue(1 if k == middle else 0)
+        data.GetPointData().AddArray(pins)
+        curve = self.curve_of(pv.TalwegSmoothCurve(Input=source(polydata(POINTS, TRIANGLES)),
+                                                   Curve=source(data), Tau=0))
+        self.assertIn(ZIGZAG[middle], values(curve, "vertex"))
+
+
+class Meshes(Case):
+    def quads(self):
+        return [(N * r + c, N * r + c + 1, N * r + c + N + 1, N * r + c + N)
+                for r in range(N - 1) for c in range(N - 1)]
+
+    def test_quads_are_cut_and_it_is_said(self):
+        filter = pv.TalwegSmoothPoints(Input=source(polydata(POINTS, self.quads())), PointIds=TEXT)
+        with Said() as said:
+            filter.UpdatePipeline()
+        self.assertIn("polygons were cut into triangles", said.text())
+        # As fans from the first corner, so these are the sheet's triangles.
+        self.assertEqual(places(output(filter, 0)), places(self.curve_of(sheet(PointIds=TEXT))))
+        self.assertEqual(output(filter, 1).GetNumberOfPolys(), len(TRIANGLES))
+
+    def test_strips_are_cut(self):
+        data = polydata(POINTS)
+        from vtkmodules.vtkCommonDataModel import vtkCellArray
+        strips = vtkCellArray()
+        for row in range(N - 1):
+            strip = [v for c in range(N) for v in (N * row + c, N * (row + 1) + c)]
+            strips.InsertNextCell(len(strip), strip)
+        data.SetStrips(strips)
+        filter = pv.TalwegSmoothPoints(Input=source(data), PointIds=TEXT)
+        self.curve_of(filter)
+        self.assertEqual(output(filter, 1).GetNumberOfPolys(), len(TRIANGLES))
+
+    def test_cell_arrays_follow_their_cells(self):
+        from vtkmodules.vtkCommonCore import vtkIntArray
+        data = polydata(POINTS, self.quads(), lines=[(0, 1)])  # lines come first in the cells' order
+        numbers = vtkIntArray()
+        numbers.SetName("number")
+        for k in range(data.GetNumberOfCells()):
+            numbers.InsertNextValue(k)
+        data.GetCellData().AddArray(numbers)
+        filter = pv.TalwegSmoothPoints(Input=source(data), PointIds=TEXT)
+        self.curve_of(filter)
+        array = output(filter, 1).GetCellData().GetArray("number")
+        self.assertEqual([array.GetTuple1(k) for k in range(array.GetNumberOfTuples())],
+                         [1 + k // 2 for k in range(len(TRIANGLES))])
+
+    def test_other_data_sets_give_their_surface(self):
+        solid = pv.Wavelet(WholeExtent=[-5, 5, -5, 5, -5, 5])
+        filter = pv.TalwegSmoothPoints(Input=solid, Points=[-5, -4, 2, -5, 0, 3, -5, 4, 1])
+        with Said() as said:
+            filter.UpdatePipeline()
+        self.assertIn("outer surface", said.text())
+        self.assertEqual(report(output(filter, 0), "termination"), "converged")
+        before = counts(filter)
+        filter.Tau = 4
+        self.curve_of(filter)
+        self.assertEqual(counts(filter), (before[0], before[1], before[2] + 1))
+
+
+class WrongInput(Case):
+    def test_parameters(self):
+        filter = sheet(PointIds=TEXT)
+        self.curve_of(filter)
+        for name, value, good, sentence in (
+                ("Tau", -1, 1, "Tau (tau) must be >= 0, not -1."),
+                ("MaxDeviation", 0, -1, "max_deviation"),
+                ("Pin", "3 x", "", "'x' is no vertex number"),
+                ("Pin", "99999", "", "99999"),
+                ("PointIds", "1 2 99999", TEXT, "99999"),
+                ("PointIds", "7", TEXT, "two points"),
+                ("PointIds", "4 4000000000000", TEXT, "'4000000000000' is no vertex number")):
+            setattr(filter, name, value)
+            self.assertIn(sentence, self.error_of(filter))
+            setattr(filter, name, good)
+            self.curve_of(filter)
+
+    def test_parameters_that_do_not_go_together(self):
+        filter = sheet(PointIds=TEXT, Slack=0.1, Potential="paper")
+        self.assertIn("slack needs the potential corridor.", self.error_of(filter))
+
+    def test_a_field_that_is_not_there(self):
+        self.assertIn("no point array nothing", self.error_of(sheet(PointIds=TEXT, SlackField="nothing")))
+
+    def test_meshes(self):
+        points = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (-1, 0, 0), (0, -1, 0)]
+        three_at_an_edge = [(0, 1, 2), (1, 0, 3), (0, 1, 4)]
+        for polygons, sentence in ((three_at_an_edge, "edge"), ([], "no faces"),
+                                   ([(0, 1)], "Cell 0 of the mesh has 2 corners"),
+                                   ([(0, 1, 1)], "uses a vertex twice")):
+            filter = pv.TalwegSmoothPoints(Input=source(polydata(points, polygons)), PointIds="0 1")
+            self.assertIn(sentence, self.error_of(filter))
+        infinite = [(0, 0, 0), (math.inf, 0, 0), (0, 1, 0)]
+        filter = pv.TalwegSmoothPoints(Input=source(polydata(infinite, [(0, 1, 2)])), PointIds="0 1")
+        self.assertIn("finite", self.error_of(filter))
+
+    def test_a_curve_without_points(self):
+        filter = pv.TalwegSmoothCurve(Input=source(polydata(POINTS, TRIANGLES)),
+                                      Curve=source(polydata([])))
+        self.assertIn("no points", self.error_of(filter))
+
+    def test_the_same_filter_recovers_with_a_good_mesh(self):
+        filter = pv.TalwegSmoothPoints(Input=source(polydata([(0, 0, 0)])), PointIds=TEXT)
+        self.error_of(filter)
+        filter.Input = source(polydata(POINTS, TRIANGLES))
+        self.assertEqual(places(self.curve_of(filter)), places(self.curve_of(sheet(PointIds=TEXT))))
+
+
+class Changes(Case):
+    """What a change repeats, counted by the filter."""
+
+    def test_only_the_stage_that_a_change_concerns(self):
+        filter = sheet(PointIds=TEXT)
+        self.curve_of(filter)
+        self.assertEqual(counts(filter), (1, 1, 1))
+        for tau in (2, 4, 8):
+            filter.Tau = tau
+            self.curve_of(filter)
+        self.assertEqual(counts(filter), (1, 1, 4))
+        filter.PointIds = TEXT + f" {ZIGZAG[-1] + N}"
+        self.curve_of(filter)
+        self.assertEqual(counts(filter), (1, 2, 5))
+        filter.Input = source(polydata(POINTS, TRIANGLES))
+        self.curve_of(filter)
+        self.assertEqual(counts(filter), (2, 3, 6))
+
+    def test_values_of_arrays_are_no_new_mesh(self):
+        calculator = pv.Calculator(Input=source(polydata(POINTS, TRIANGLES)), Function="coordsX",
+                                   ResultArrayName="field")
+        filter = pv.TalwegSmoothPoints(Input=calculator, PointIds=TEXT)
+        self.curve_of(filter)
+        calculator.Function = "coordsY"
+        self.curve_of(filter)
+        self.assertEqual(counts(filter)[0], 1)
+        self.assertEqual(values(output(filter, 1), "field"), [point[1] for point in POINTS])
+
+    def test_a_changed_field_is_used(self):
+        calculator = pv.Calculator(Input=source(polydata(POINTS, TRIANGLES)), Function="0.02",
+                                   ResultArrayName="slack")
+        filter = pv.TalwegSmoothPoints(Input=calculator, PointIds=TEXT, SlackField="slack")
+        narrow = places(self.curve_of(filter))
+        calculator.Function = "0.08"
+        self.assertNotEqual(places(self.curve_of(filter)), narrow)
+        self.assertEqual(counts(filter)[:2], (1, 1))
+
+    def test_points_moved_in_place_are_a_new_mesh(self):
+        data = polydata(POINTS, TRIANGLES)
+        mesh = source(data)
+        filter = pv.TalwegSmoothPoints(Input=mesh, PointIds=TEXT)
+        before = places(self.curve_of(filter))
+        data.GetPoints().SetPoint(ZIGZAG[0], 0.3, 0.1, 0.5)
+        data.GetPoints().Modified()
+        mesh.GetClientSideObject().Modified()
+        filter.MarkModified(None)
+        self.assertNotEqual(places(self.curve_of(filter)), before)
+        self.assertEqual(counts(filter)[0], 2)
+
+    def test_back_to_a_tau_gives_the_same_bits(self):
+        filter = sheet(PointIds=TEXT)
+        first = places(self.curve_of(filter))
+        filter.Tau = 7
+        self.assertNotEqual(places(self.curve_of(filter)), first)
+        filter.Tau = 1
+        self.assertEqual(places(self.curve_of(filter)), first)
+
+
+class Abort(Case):
+    def test_progress_is_told_and_abort_gives_nothing_and_is_no_error(self):
+        filter = sheet(PointIds=TEXT)
+        algorithm = filter.GetClientSideObject()
+        stages = []
+
+        def watch(caller, _):
+            stages.append(caller.GetProgressText())
+            if len(stages) == 3:
+                caller.SetAbortExecute(1)
+
+        tag = algorithm.AddObserver("ProgressEvent", watch)
+        with Said() as said:
+            filter.UpdatePipeline()
+        self.assertEqual([line for line in said.lines if line[0] == "ErrorEvent"], [])
+        self.assertEqual(output(filter, 0).GetNumberOfPoints(), 0)
+        self.assertEqual(output(filter, 1).GetNumberOfPoints(), 0)
+        self.assertGreaterEqual(len(stages), 3)
+        algorithm.RemoveObserver(tag)
+        algorithm.SetAbortExecute(0)
+        filter.Tau = 2
+        expected = self.curve_of(sheet(PointIds=TEXT, Tau=2))
+        self.assertEqual(places(self.curve_of(filter)), places(expected))
+
+
+class RealMeshes(Case):
+    def check(self, mesh, name):
+        """Smoother, no longer, on the mesh; the million-face mesh is opened once for two tau."""
+        ids = reference_curve(name)
+        filter = pv.TalwegSmoothPoints(Input=mesh, PointIds=" ".join(map(str, ids)))
+        curve = self.curve_of(filter)
+        self.assertEqual(report(curve, "closed"), 1 if ids[0] == ids[-1] else 0)
+        self.assertLess(report(curve, "curvature_after"), 0.5 * report(curve, "curvature_before"))
+        self.assertLess(report(curve, "length_after"), report(curve, "length_before"))
+        self.assertEqual(output(filter, 1).GetNumberOfPolys(), report(curve, "faces"))
+        filter.Tau = 8
+        closer = self.curve_of(filter)
+        self.assertEqual(counts(filter), (1, 1, 2))
+        self.assertLessEqual(report(closer, "deviation_to_drawn_mean"),
+                             report(curve, "deviation_to_drawn_mean"))
+
+    def test_fandisk(self):
+        self.check(pv.PLYReader(FileNames=[str(real_mesh("fandisk_14k.ply"))]), "fandisk_14k")
+
+    def test_tooth(self):
+        self.check(pv.PLYReader(FileNames=[str(real_mesh("tooth_ct_119k.ply"))]), "tooth_ct_119k")
+
+    def test_armadillo_loop(self):
+        self.check(pv.PLYReader(FileNames=[str(real_mesh("armadillo_86k.ply"))]),
+                   "armadillo_86k_loop_large")
+
+    def test_a_mesh_that_is_no_manifold_is_refused(self):
+        filter = pv.TalwegSmoothPoints(
+            Input=pv.PLYReader(FileNames=[str(real_mesh("car_nonmanifold_251k.ply"))]),
+            PointIds="0 1")
+        self.assertRegex(self.error_of(filter), "edge|vertex")
+
+
+if __name__ == "__main__":
+    unittest.main()
