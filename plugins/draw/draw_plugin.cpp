@@ -1,9 +1,11 @@
 // talweg.draw: points become a curve.
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "common/results.hpp"
 #include "common/workspace.hpp"
+#include "curve_files.hpp"
 #include "talweg/core/drawing.hpp"
 #include "talweg/core/measures.hpp"
 #include "talweg/core/version.hpp"
@@ -26,7 +28,11 @@ class Draw : public Workspace {
         "Draws curves through points in their order: shortest edge paths between vertices, never "
         "through itself, or straight lines over the surface between any points. Points need not be "
         "neighbours.";
+    about.get_extension = extension;
     return about;
+  }
+  static const void* extension(const char* id) {
+    return id != nullptr && std::string_view(id) == TALWEG_CURVE_FILES ? curve_files() : nullptr;
   }
   static std::vector<talweg_parameter> parameters() {
     return {plugin::boolean("straight", "Straight", false,

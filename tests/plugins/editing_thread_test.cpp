@@ -1,5 +1,8 @@
 // Smoothing in a thread: results of the plugin, the newest request wins, cancelling, closing.
 #include <atomic>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <memory>
 #include <string>
 #include <thread>
@@ -9,6 +12,8 @@
 
 #include "plugins/editing_drawings.hpp"
 #include "plugins/plugin_runs.hpp"
+#include "talweg/core/formats/curve_file.hpp"
+#include "talweg/editing/curve_files.hpp"
 #include "talweg/editing/smoothing_thread.hpp"
 
 namespace talweg {
@@ -220,6 +225,68 @@ TEST(EditingThread, TellsWhatIsWrongAndGoesOn) {
   EXPECT_NE(outcome.sentence.find("4000000"), std::string::npos) << outcome.sentence;
   thread.smooth(hills.editor.drawing());
   EXPECT_EQ(all_of(thread).back().status, TALWEG_OK);
+}
+
+std::string bytes_of(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+TEST(CurveFiles, AreTheLibrarys) {
+  const std::string folder = testing::TempDir() + "editing_curve_files";
+  std::filesystem::create_directories(folder);
+  Hills hills;
+  SmoothingThread thread(plugins(), hills.mesh);
+  thread.smooth(hills.editor.drawing());
+  const std::vector<host::Curve> smoothed = all_of(thread).back().results.curves;
+  CurveSmoother smoother(hills.subject.opened);
+  smoother.set_curve(hills.subject.drawn);
+  const std::vector<SurfaceCurve> expected = {smoother.smooth(1.0).curve()};
+  for (const char* ending : {".json", ".vtp", ".vtk", ".obj", ".ply", ".mrk.json"}) {
+    editing::write_curves(plugins(), folder + "/host" + ending, smoothed);
+    write_curves(folder + "/library" + ending, hills.subject.opened->mesh(), expected);
+    EXPECT_EQ(bytes_of(folder + "/host" + ending), bytes_of(folder + "/library" + ending))
+        << ending;
+  }
+  const std::vector<host::Curve> read = editing::read_curves(plugins(), folder + "/host.json");
+  ASSERT_EQ(read.size(), 1U);
+  EXPECT_EQ(read[0].faces, smoothed[0].faces);
+  EXPECT_EQ(read[0].barycentrics, smoothed[0].barycentrics);
+  std::ofstream(folder + "/loop.txt") << "3 4 5 3\n";
+  const host::Curve loop = editing::read_curves(plugins(), folder + "/loop.txt").at(0);
+  EXPECT_EQ(loop.vertices, (std::vector<std::uint32_t>{3, 4, 5}));
+  EXPECT_TRUE(loop.closed);
+}
+
+TEST(CurveFiles, ADrawingComesBackPointByPoint) {
+  const std::string path = testing::TempDir() + "editing_drawing.json";
+  const editing::MeshArrays sheet = test::arrays_of(test::grid(30, 20));
+  editing::Editor editor;
+  editor.add_curve({{{3, {0.25, 0.5, 0.25}, false}, {700, {0.1, 0.2, 0.7}, true}}, false});
+  editing::write_curves(plugins(), path, drawn_curves(sheet, editor.drawing()));
+  const std::vector<host::Curve> read = editing::read_curves(plugins(), path);
+  EXPECT_EQ(read.at(0).faces, (std::vector<std::uint32_t>{3, 700}));
+  EXPECT_EQ(read.at(0).barycentrics[1], (std::array<double, 3>{0.1, 0.2, 0.7}));
+}
+
+TEST(CurveFiles, SayWhatIsWrong) {
+  const auto status_of = [](auto body) {
+    try {
+      body();
+    } catch (const host::Error& error) {
+      EXPECT_NE(std::string(error.what()), "");
+      return error.status();
+    }
+    return talweg_status{TALWEG_OK};
+  };
+  const std::vector<host::Curve> none, empty(1);
+  EXPECT_EQ(status_of([&] { editing::read_curves(plugins(), "/nowhere.json"); }), TALWEG_BAD_FILE);
+  EXPECT_EQ(
+      status_of([&] { editing::write_curves(plugins(), testing::TempDir() + "none.json", none); }),
+      TALWEG_BAD_CURVE);
+  EXPECT_EQ(
+      status_of([&] { editing::write_curves(plugins(), testing::TempDir() + "none.json", empty); }),
+      TALWEG_BAD_USAGE);
 }
 
 TEST(EditingThread, MissingPluginsAreToldWithTheirFolder) {

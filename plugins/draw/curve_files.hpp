@@ -1,0 +1,11 @@
+// The library's curve files for hosts (talweg_curve_files.h).
+#pragma once
+
+#include "talweg/plugin/talweg_curve_files.h"
+
+namespace talweg::plugins {
+
+/// Constant, and there as long as the module.
+const talweg_curve_files* curve_files();
+
+}  // namespace talweg::plugins

@@ -1,0 +1,54 @@
+#include "curve_files.hpp"
+
+#include "talweg/plugin/talweg_curve_files.h"
+
+namespace talweg::editing {
+namespace {
+
+const talweg_curve_files& files_of(const Plugins& plugins) {
+  const auto* files = static_cast<const talweg_curve_files*>(
+      plugins.find("talweg.draw").get_extension(TALWEG_CURVE_FILES));
+  if (files == nullptr) throw Error("This talweg.draw cannot read and write files.");
+  return *files;
+}
+
+talweg_status append(void* context, const talweg_curve* curve) {
+  return host::detail::append(*static_cast<std::vector<host::Curve>*>(context), *curve);
+}
+
+}  // namespace
+
+void write_curves(const Plugins& plugins, const std::string& path,
+                  const std::vector<host::Curve>& curves) {
+  std::vector<talweg_curve> views;
+  for (const host::Curve& curve : curves) views.push_back(host::detail::view_of(curve));
+  std::vector<const talweg_curve*> list;
+  for (const talweg_curve& view : views) list.push_back(&view);
+  std::string message(1000, 0);
+  const talweg_status status = files_of(plugins).write(path.c_str(), list.data(), list.size(),
+                                                       message.data(), message.size());
+  if (status != TALWEG_OK) throw host::Error(status, message.c_str());
+}
+
+std::vector<host::Curve> read_curves(const Plugins& plugins, const std::string& path) {
+  std::vector<host::Curve> curves;
+  const talweg_sink sink = {sizeof sink, 0, &curves, append, nullptr, nullptr, nullptr};
+  std::string message(1000, 0);
+  const talweg_status status =
+      files_of(plugins).read(path.c_str(), &sink, message.data(), message.size());
+  if (status != TALWEG_OK) throw host::Error(status, message.c_str());
+  return curves;
+}
+
+std::vector<host::Curve> drawn_curves(const MeshArrays& mesh, const Drawing& drawing) {
+  std::vector<host::Curve> curves = host_curves(drawing);
+  for (host::Curve& curve : curves) {
+    for (std::size_t k = 0; k < curve.faces.size(); ++k) {
+      curve.positions.push_back(position_of(mesh, {curve.faces[k], curve.barycentrics[k], false}));
+    }
+    curve.pins.clear();  // no format of ours but Slicer's keeps them
+  }
+  return curves;
+}
+
+}  // namespace talweg::editing

@@ -1,0 +1,23 @@
+// Curve files in the library's formats.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "mesh_arrays.hpp"
+#include "smoothing_thread.hpp"
+
+namespace talweg::editing {
+
+/// Writes curves with faces, barycentrics and positions, as results have them, by extension (.json,
+/// .vtp, .obj, ...). Throws host::Error; the file is then as it was.
+void write_curves(const Plugins& plugins, const std::string& path,
+                  const std::vector<host::Curve>& curves);
+
+/// Every curve of a file, as input for set_curves(). Throws host::Error.
+std::vector<host::Curve> read_curves(const Plugins& plugins, const std::string& path);
+
+/// A drawing's own points, for a file from which the drawing can be read again. Throws Error.
+std::vector<host::Curve> drawn_curves(const MeshArrays& mesh, const Drawing& drawing);
+
+}  // namespace talweg::editing

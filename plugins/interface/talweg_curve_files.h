@@ -1,0 +1,36 @@
+/*
+ * Curve files through the plugin interface: an extension of the plugin talweg.draw, asked for by
+ * plugin->get_extension(TALWEG_CURVE_FILES). Formats by the file's extension, as the driver's:
+ * .obj, .ply, .vtp, .vtk, .mrk.json, .json, .txt (docs/driver.md).
+ */
+#ifndef TALWEG_CURVE_FILES_H
+#define TALWEG_CURVE_FILES_H
+
+#include "talweg_plugin.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define TALWEG_CURVE_FILES "talweg.curve_files/1"
+
+typedef struct talweg_curve_files {
+  uint32_t size;
+  /* [any thread] Writes curves as plugins give them: each with faces, barycentrics and positions,
+   * and maybe vertices (.txt needs them). The same curves make the same bytes. A file that could
+   * not be written is as it was. `message`, of `message_size` bytes, gets one sentence on a
+   * failure, cut where it is too long, and may be null. */
+  talweg_status (*write)(const char* path, const talweg_curve* const* curves, uint64_t count,
+                         char* message, uint64_t message_size);
+  /* [any thread] Gives every curve of a file to the sink's `curve`, in order, as input for
+   * set_curves(): vertices, or faces with barycentrics, or positions; and pins. Nothing is checked
+   * against a mesh. */
+  talweg_status (*read)(const char* path, const talweg_sink* sink, char* message,
+                        uint64_t message_size);
+} talweg_curve_files;
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif /* TALWEG_CURVE_FILES_H */
