@@ -134,7 +134,8 @@ class Cancel(unittest.TestCase):
         self.work.run(progress=bar)
         self.assertGreater(len(bar.shown), 3)
         self.assertEqual(len(bar.shown), len(bar.stages))
-        self.assertLessEqual(max(bar.shown), 1)
+        self.assertEqual(max(bar.shown), 1)
+        self.assertEqual(bar.shown[-1], 1)
 
 
 if __name__ == "__main__":

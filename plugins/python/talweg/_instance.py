@@ -81,10 +81,11 @@ class _Collector:
         self.entries.setdefault(given.curve, {})[given.key.decode()] = _results.value_of(given)
 
     def sink(self, point_fields: bool, vertex_fields: bool) -> c.Sink:
-        field = c.FieldSink(self._taken(self._field)) if vertex_fields else c.FieldSink()
+        field = c.FieldSink(self._taken(self._field)) if vertex_fields else ctypes.cast(0, c.FieldSink)
         return c.Sink(sizeof(c.Sink), c.WANT_POINT_FIELDS if point_fields else 0, None,
                       c.CurveSink(self._taken(lambda k: self.curves.append(_curves.copied(k)))),
-                      field, c.ReportSink(self._taken(self._entry)), c.MeshSink())
+                      field, c.ReportSink(self._taken(self._entry)),
+                      ctypes.cast(0, c.MeshSink))
 
     def result(self) -> _results.Result:
         count = max([len(self.curves)] + [number + 1 for number in self.entries])

@@ -15,20 +15,29 @@ from typing import Any, Callable, Optional
 Progress = Callable[[str, float], Any]
 
 
+class _Bar:
+    """A tqdm bar as a callback: each stage moves it from 0 to its total."""
+
+    def __init__(self, bar: Any) -> None:
+        self.bar = bar
+
+    def __call__(self, stage: str, fraction: float) -> None:
+        self.bar.set_description(stage, refresh=False)
+        self.bar.n = fraction * (self.bar.total or 1)
+        self.bar.refresh()
+
+    def done(self) -> None:
+        self("done", 1.0)
+
+
 def as_progress(progress: Any) -> Optional[Progress]:
-    """A callback as it is; a tqdm bar as a callback that moves it (total: 1 for each stage)."""
+    """A callback as it is; a tqdm bar as a callback that moves it."""
     if progress is None or callable(progress):
-        return progress
-    if not (hasattr(progress, "refresh") and hasattr(progress, "set_description")):
-        raise TypeError("progress must be a function (stage, fraction) or a tqdm bar, not "
-                        f"{type(progress).__name__}")
-
-    def move(stage: str, fraction: float) -> None:
-        progress.set_description(stage, refresh=False)
-        progress.n = fraction * (progress.total or 1)
-        progress.refresh()
-
-    return move
+        return progress  # type: ignore[no-any-return]
+    if hasattr(progress, "refresh") and hasattr(progress, "set_description"):
+        return _Bar(progress)
+    raise TypeError("progress must be a function (stage, fraction) or a tqdm bar, not "
+                    f"{type(progress).__name__}")
 
 
 class _Task:
@@ -77,8 +86,17 @@ def call(work: Callable[[Optional[Progress]], Any], cancel: Callable[[], None],
          progress: Optional[Progress]) -> Any:
     """work(progress), with progress called on the caller's thread. What progress raises, and
     Ctrl-C, end the work and come out of here."""
-    if threading.current_thread() is not threading.main_thread():
-        return work(progress)
+    if threading.current_thread() is threading.main_thread():
+        result = _interruptibly(work, cancel, progress)
+    else:
+        result = work(progress)
+    if isinstance(progress, _Bar):
+        progress.done()
+    return result
+
+
+def _interruptibly(work: Callable[[Optional[Progress]], Any], cancel: Callable[[], None],
+                   progress: Optional[Progress]) -> Any:
     task = _Task(work, progress is not None)
     try:
         threading.Thread(target=task.run, name="talweg", daemon=True).start()
