@@ -1,0 +1,28 @@
+"""Talweg in Blender: smooths curves on meshes while they stay close to what was drawn.
+
+Edit mode: select edges, Edge > Smooth Curve on Surface. Object mode: draw with the annotation tool
+on the surface, Object > Smooth Annotations on Surface. Both also in the sidebar, tab Talweg.
+"""
+
+bl_info = {
+    "name": "Talweg: smooth curves on surfaces",
+    "author": "The Talweg authors",
+    "version": (0, 1, 0),
+    "blender": (3, 4, 0),
+    "location": "View3D > Sidebar > Talweg; Edge menu; Object menu",
+    "description": "Smooth drawn curves on meshes while they stay close to the drawing",
+    "category": "Mesh",
+}
+
+from . import operators, panel, session  # noqa: E402
+
+
+def register():
+    operators.register()
+    panel.register()
+
+
+def unregister():
+    panel.unregister()
+    operators.unregister()
+    session.forget()

@@ -1,0 +1,90 @@
+"""What the user has drawn: selected edges, or strokes of the annotation tool."""
+
+import numpy as np
+
+from .package import talweg
+
+
+class MeshArrays:
+    """A Blender mesh as arrays: vertices (n, 3) float32 in the object's own space, triangles (m, 3),
+    and the polygon of each triangle."""
+
+    def __init__(self, mesh):
+        mesh.calc_loop_triangles()
+        self.vertices = np.empty((len(mesh.vertices), 3), np.float32)
+        mesh.vertices.foreach_get("co", self.vertices.ravel())
+        self.triangles = np.empty((len(mesh.loop_triangles), 3), np.int32)
+        mesh.loop_triangles.foreach_get("vertices", self.triangles.ravel())
+        self.polygons = np.empty(len(mesh.loop_triangles), np.int32)
+        mesh.loop_triangles.foreach_get("polygon_index", self.polygons)
+
+
+def selected_edges(mesh):
+    """The selected edges as curves: as long as they can be, to ends and junctions, then loops.
+
+    :raises talweg.BadCurve: if there are none, or one has no face.
+    """
+    chosen = np.empty(len(mesh.edges), bool)
+    mesh.edges.foreach_get("select", chosen)
+    ends = np.empty((len(mesh.edges), 2), np.int32)
+    mesh.edges.foreach_get("vertices", ends.ravel())
+    if not chosen.any():
+        raise talweg.BadCurve("No edges are selected.")
+    return [talweg.Curve(vertices=chain, closed=closed) for chain, closed in chains(ends[chosen])]
+
+
+def chains(edges):
+    """Pairs of vertices as (list of vertices, closed): open from end or junction to end or
+    junction, then closed loops; in the order of the lowest vertex that each begins with."""
+    around = {}
+    for a, b in edges.tolist():
+        around.setdefault(a, []).append(b)
+        around.setdefault(b, []).append(a)
+    for neighbours in around.values():
+        neighbours.sort()
+    left = {(a, b) for a in around for b in around[a]}
+    found = []
+
+    def walk(start, second):
+        chain = [start, second]
+        left.difference_update([(start, second), (second, start)])
+        while len(around[chain[-1]]) == 2 and chain[-1] != start:
+            step = [v for v in around[chain[-1]] if (chain[-1], v) in left]
+            if not step:
+                break
+            left.difference_update([(chain[-1], step[0]), (step[0], chain[-1])])
+            chain.append(step[0])
+        closed = chain[-1] == start
+        found.append((chain[:-1] if closed else chain, closed))
+
+    for wanted in (False, True):  # first from ends and junctions, then what is left: loops
+        for start in sorted(around):
+            for second in around[start]:
+                if (start, second) in left and (wanted or len(around[start]) != 2):
+                    walk(start, second)
+    return found
+
+
+def annotation_strokes(context, obj, closed):
+    """The strokes of the scene's active annotation layer as curves in the object's own space.
+
+    :raises talweg.BadCurve: if there are none on the surface.
+    """
+    data = context.scene.grease_pencil
+    layer = data.layers.active if data and len(data.layers) else None
+    frames = layer.frames if layer else ()
+    shown = [f for f in frames if f.frame_number <= context.scene.frame_current]
+    frame = max(shown, key=lambda f: f.frame_number, default=None)
+    if frame is None or not len(frame.strokes):
+        raise talweg.BadCurve("There are no annotations; draw with the annotation tool first.")
+    to_object = np.array(obj.matrix_world.inverted_safe())
+    curves = []
+    for number, stroke in enumerate(frame.strokes):
+        if stroke.display_mode != "3DSPACE":
+            raise talweg.BadCurve(f"Stroke {number} of the annotation is not on a surface; set the "
+                                  "tool's Placement to Surface before drawing.")
+        points = np.empty((len(stroke.points), 3), np.float32)
+        stroke.points.foreach_get("co", points.ravel())
+        in_object = points @ to_object[:3, :3].T + to_object[:3, 3]
+        curves.append(talweg.Curve(positions=in_object, closed=closed or stroke.use_cyclic))
+    return curves

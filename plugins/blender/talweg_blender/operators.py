@@ -1,0 +1,156 @@
+"""Smooth selected edges, or annotations, on a mesh; with a redo panel."""
+
+import bmesh
+import bpy
+
+from . import curve_object, drawings, edge_loop, parameters, session
+from .package import talweg
+
+
+class _Smoothing:
+    """What both operators do with a drawing."""
+
+    bl_options = {"REGISTER", "UNDO"}
+
+    def smooth(self, context, obj, curves):
+        """Smooths and shows the result; what goes wrong becomes an error report."""
+        try:
+            arrays = drawings.MeshArrays(obj.data)
+            if not len(arrays.triangles):
+                raise talweg.BadMesh("The mesh has no faces.")
+            result = self._result(context, arrays, curves)
+            if self.output == "CURVE":
+                shown = curve_object.show(obj, curve_object.key_of(obj, curves), result,
+                                          self.thickness)
+                self.report({"INFO"}, _sentence(result) + f" Curve: {shown.name}.")
+            else:
+                self._cut(context, obj, arrays, result)
+                self.report({"INFO"}, _sentence(result))
+        except (talweg.Error, KeyboardInterrupt) as error:
+            self.report({"ERROR"}, str(error) or "Interrupted.")
+            return {"CANCELLED"}
+        for warning in result.total.warnings:
+            self.report({"WARNING"}, warning)
+        if max(obj.scale) - min(obj.scale) > 1e-6 * max(map(abs, obj.scale)):
+            self.report({"WARNING"}, "The object is scaled unevenly; lengths are those of the "
+                                     "unscaled mesh (Ctrl A applies the scale).")
+        return {"FINISHED"}
+
+    def _result(self, context, arrays, curves):
+        manager = context.window_manager
+        manager.progress_begin(0, 1)
+        try:
+            return session.smooth(arrays, curves, parameters.values(self),
+                                  lambda stage, fraction: manager.progress_update(fraction))
+        finally:
+            manager.progress_end()
+
+    def _cut(self, context, obj, arrays, result):
+        editing = obj.mode == "EDIT"
+        bm = bmesh.from_edit_mesh(obj.data) if editing else bmesh.new()
+        try:
+            if not editing:
+                bm.from_mesh(obj.data)
+            trial = bm.copy()
+            try:
+                edge_loop.cut(trial, arrays, result.curves)
+            finally:
+                trial.free()
+            left_out = edge_loop.cut(bm, arrays, result.curves)
+            context.tool_settings.mesh_select_mode = (False, True, False)
+            if editing:
+                bmesh.update_edit_mesh(obj.data)
+            else:
+                bm.to_mesh(obj.data)
+        finally:
+            if not editing:
+                bm.free()
+        obj.data.update()
+        if left_out:
+            self.report({"WARNING"}, f"{left_out} segments at ends inside faces were not cut.")
+
+    def draw(self, _context):
+        layout = self.layout
+        layout.use_property_split = True
+        parameters.draw(layout, self)
+        layout.prop(self, "output")
+        if self.output == "CURVE":
+            layout.prop(self, "thickness")
+        if hasattr(self, "closed"):
+            layout.prop(self, "closed")
+
+
+def _sentence(result):
+    r = result.total
+    return (f"Curvature {r.curvature_before:.3g} to {r.curvature_after:.3g} rad, no farther than "
+            f"{r.deviation_to_drawn_max:.3g} from the drawing.")
+
+
+_COMMON = {
+    "output": bpy.props.EnumProperty(
+        name="Result", default="CURVE",
+        items=[("CURVE", "Curve object", "A curve object on the surface"),
+               ("EDGES", "Edges of the mesh", "Cut into the mesh as selected edges")]),
+    "thickness": bpy.props.FloatProperty(name="Thickness", default=0, min=0, soft_max=0.1,
+                                         subtype="DISTANCE", precision=4,
+                                         description="Bevel of the curve object"),
+}
+
+
+class TALWEG_OT_smooth_edges(_Smoothing, bpy.types.Operator):
+    """Smooth the selected edges as curves on the surface, close to where they are"""
+
+    bl_idname = "talweg.smooth_edges"
+    bl_label = "Smooth Curve on Surface"
+
+    @classmethod
+    def poll(cls, context):
+        return context.object is not None and context.object.mode == "EDIT" \
+            and context.object.type == "MESH"
+
+    def execute(self, context):
+        obj = context.object
+        obj.update_from_editmode()
+        try:
+            curves = drawings.selected_edges(obj.data)
+        except talweg.Error as error:
+            self.report({"ERROR"}, str(error))
+            return {"CANCELLED"}
+        return self.smooth(context, obj, curves)
+
+
+class TALWEG_OT_smooth_annotations(_Smoothing, bpy.types.Operator):
+    """Smooth the strokes of the active annotation layer on the active mesh"""
+
+    bl_idname = "talweg.smooth_annotations"
+    bl_label = "Smooth Annotations on Surface"
+
+    @classmethod
+    def poll(cls, context):
+        return context.object is not None and context.object.mode == "OBJECT" \
+            and context.object.type == "MESH"
+
+    def execute(self, context):
+        try:
+            curves = drawings.annotation_strokes(context, context.object, self.closed)
+        except talweg.Error as error:
+            self.report({"ERROR"}, str(error))
+            return {"CANCELLED"}
+        return self.smooth(context, context.object, curves)
+
+
+CLASSES = (TALWEG_OT_smooth_edges, TALWEG_OT_smooth_annotations)
+
+
+def register():
+    for cls in CLASSES:
+        cls.__annotations__ = {**parameters.annotations(), **_COMMON}
+    TALWEG_OT_smooth_annotations.__annotations__["closed"] = bpy.props.BoolProperty(
+        name="Closed", description="Strokes are loops")
+    for cls in CLASSES:
+        bpy.utils.register_class(cls)
+
+
+def unregister():
+    for cls in reversed(CLASSES):
+        bpy.utils.unregister_class(cls)

@@ -1,0 +1,38 @@
+"""What is kept from one call to the next, so that a moved slider costs only its stage."""
+
+import numpy as np
+
+from .package import talweg
+
+
+class _Kept:
+    arrays = None
+    workspace = None
+    result = None
+
+
+def forget():
+    """Frees the mesh that was kept."""
+    _Kept.arrays = _Kept.workspace = _Kept.result = None
+
+
+def last_result():
+    """The talweg.Result of the last call, in double precision; None if there was none."""
+    return _Kept.result
+
+
+def _is_kept(arrays):
+    kept = _Kept.arrays
+    return (kept is not None and np.array_equal(kept.vertices, arrays.vertices)
+            and np.array_equal(kept.triangles, arrays.triangles))
+
+
+def smooth(arrays, curves, parameters, progress=None):
+    """A talweg.Result for curves on a mesh (drawings.MeshArrays); raises talweg.Error."""
+    if not _is_kept(arrays):
+        forget()
+        _Kept.workspace = talweg.Mesh(arrays.vertices, arrays.triangles).workspace()
+        _Kept.arrays = arrays
+    _Kept.workspace.set_curves(curves)  # the same as before: nothing is done anew
+    _Kept.result = _Kept.workspace.smooth(progress=progress, **parameters)
+    return _Kept.result

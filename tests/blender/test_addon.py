@@ -1,0 +1,269 @@
+"""The operators: the driver's results bit for bit, curve objects, cuts, errors, what is kept."""
+
+import tempfile
+import unittest
+from pathlib import Path
+
+import bmesh
+import bpy
+import numpy as np
+from talweg_blender import drawings, session
+
+import scene
+import support
+
+
+def curve_objects():
+    return [o for o in bpy.data.objects if o.type == "CURVE"]
+
+
+def area(obj):
+    return sum(polygon.area for polygon in obj.data.polygons)
+
+
+class Addon(unittest.TestCase):
+    def setUp(self):
+        scene.empty()
+        self.obj = scene.add_mesh(*support.hills())
+        self.drawn = support.staircase()
+
+    def smooth(self, expected="FINISHED", **parameters):
+        self.assertEqual(bpy.ops.talweg.smooth_edges(**parameters), {expected})
+        return session.last_result()
+
+    def driver(self, faces, drawn, *options):
+        """The driver's curve on the mesh as Blender keeps it."""
+        with tempfile.TemporaryDirectory() as name:
+            folder = Path(name)
+            support.write_obj(folder / "mesh.obj", scene.vertices_of(self.obj), faces)
+            (folder / "drawn.txt").write_text("\n".join(map(str, drawn)))
+            support.driver(folder, "smooth", "mesh.obj", "--curve", "drawn.txt", *options,
+                           "-o", "out.json")
+            return support.driver_curves(folder / "out.json")[0]
+
+    def equal(self, theirs, curve):
+        closed, faces, barycentrics, positions = theirs
+        self.assertEqual(closed, curve.closed)
+        np.testing.assert_array_equal(faces, curve.faces)
+        np.testing.assert_array_equal(barycentrics, curve.barycentrics)
+        np.testing.assert_array_equal(positions, curve.positions)
+
+    def test_selected_edges_give_the_drivers_curve(self):
+        faces = support.hills()[1]
+        scene.select_edges(self.obj, self.drawn)
+        for options, parameters in (
+                ([], {}), (["--tau", "0"], {"tau": 0}), (["--tau", "2.5"], {"tau": 2.5}),
+                (["--slack", "0.5"], {"use_slack": True, "slack": 0.5}),
+                (["--max-deviation", "1.5"], {"use_max_deviation": True, "max_deviation": 1.5}),
+                (["--potential", "paper", "--relax", "5"], {"potential": "paper", "relax": 5})):
+            with self.subTest(parameters):
+                result = self.smooth(**parameters)
+                self.equal(self.driver(faces, self.drawn, *options), result.curve)
+                shown = curve_objects()
+                self.assertEqual(len(shown), 1)  # the redo panel changes it, and adds no other
+                np.testing.assert_array_equal(scene.spline_points(shown[0]),
+                                              result.curve.positions.astype(np.float32))
+                self.assertFalse(shown[0].data.splines[0].use_cyclic_u)
+                self.assertEqual(shown[0].matrix_world, self.obj.matrix_world)
+
+    def test_a_loop(self):
+        scene.empty()
+        vertices, faces = support.torus()
+        self.obj = scene.add_mesh(vertices, faces)
+        scene.select_edges(self.obj, support.ring(), closed=True)
+        result = self.smooth(tau=2)
+        self.assertTrue(result.curve.closed)
+        self.assertTrue(curve_objects()[0].data.splines[0].use_cyclic_u)
+        # Where a loop begins and which way it runs is not in a selection: the add-on decides.
+        self.obj.update_from_editmode()
+        drawn = drawings.selected_edges(self.obj.data)[0].vertices
+        self.assertEqual(sorted(drawn), sorted(support.ring()))
+        self.equal(self.driver(faces, [*drawn, drawn[0]], "--tau", "2"), result.curve)
+
+    def test_several_curves_with_a_junction_and_quads(self):
+        scene.empty()
+        n = 60
+        a = np.arange(n * n).reshape(n, n)[:-1, :-1].ravel()
+        quads = np.stack([a, a + n, a + n + 1, a + 1], -1)
+        self.obj = scene.add_mesh(support.hills()[0], quads)
+        row = [30 * n + k for k in range(5, 55)]
+        column = [k * n + 30 for k in range(30, 55)]
+        scene.select_edges(self.obj, row)
+        bm = bmesh.from_edit_mesh(self.obj.data)
+        bm.verts.ensure_lookup_table()
+        for p, q in zip(column, column[1:]):
+            bm.edges.get((bm.verts[p], bm.verts[q])).select_set(True)
+        bmesh.update_edit_mesh(self.obj.data)
+        result = self.smooth()
+        self.assertEqual(len(result.curves), 3)
+        self.assertEqual(len(curve_objects()[0].data.splines), 3)
+        ends = [curve.vertices[k] for curve in result.curves for k in (0, -1)]
+        self.assertEqual(ends.count(30 * n + 30), 3)
+
+    def test_a_moved_tau_costs_only_its_stage(self):
+        scene.select_edges(self.obj, self.drawn)
+        first = self.smooth(tau=1).total.time_ms
+        kept = session._Kept.workspace  # pylint: disable=protected-access
+        again = self.smooth(tau=2).total.time_ms
+        self.assertIs(session._Kept.workspace, kept)  # pylint: disable=protected-access
+        self.assertEqual((again["open"], again["solve"]), (first["open"], first["solve"]))
+        bpy.ops.mesh.select_all(action="SELECT")
+        bpy.ops.transform.translate(value=(0, 0, 1))
+        scene.select_edges(self.obj, self.drawn)
+        self.smooth(tau=2)
+        self.assertIsNot(session._Kept.workspace, kept)  # pylint: disable=protected-access
+
+    def test_edges_of_the_mesh(self):
+        for quads in (False, True):
+            for closed in (False, True):
+                with self.subTest(quads=quads, closed=closed):
+                    self.cut(quads, closed)
+
+    def cut(self, quads, closed):
+        scene.empty()
+        n = 60
+        vertices, faces = support.torus() if closed else support.hills()
+        if quads:
+            a = np.arange(n * n).reshape(n, n)
+            a = a if closed else a[:-1, :-1]
+            i, k = np.divmod(a.ravel(), n)
+            faces = np.stack([i * n + k, (i + 1) % n * n + k, (i + 1) % n * n + (k + 1) % n,
+                              i * n + (k + 1) % n], -1)
+        self.obj = scene.add_mesh(vertices, faces)
+        before = (len(self.obj.data.vertices) - len(self.obj.data.edges)
+                  + len(self.obj.data.polygons), area(self.obj))
+        drawn = support.ring() if closed else self.drawn
+        if quads:  # along the grid's lines
+            drawn = np.array([i * n + 10 for i in range(n)] if closed else
+                             [10 * n + k for k in range(5, 30)] + [k * n + 30 for k in range(10, 50)])
+        scene.select_edges(self.obj, drawn, closed)
+        result = self.smooth(tau=1, output="EDGES")
+        bpy.ops.object.mode_set(mode="OBJECT")
+        mesh = self.obj.data
+        self.assertFalse(mesh.validate())  # True would say that something had to be mended
+        self.assertEqual(len(curve_objects()), 0)
+        self.assertEqual(len(mesh.vertices) - len(mesh.edges) + len(mesh.polygons), before[0])
+        if not quads:  # quads of a curved surface are no planes
+            self.assertAlmostEqual(area(self.obj) / before[1], 1, places=4)
+        chosen = [edge for edge in mesh.edges if edge.select]
+        xyz = scene.vertices_of(self.obj).astype(float)
+        length = sum(np.linalg.norm(xyz[e.vertices[0]] - xyz[e.vertices[1]]) for e in chosen)
+        self.assertAlmostEqual(length / result.curve.length, 1, places=5)
+        ends = np.bincount([v for e in chosen for v in e.vertices])
+        self.assertEqual(np.count_nonzero(ends == 1), 0 if closed else 2)
+        self.assertEqual(ends.max(), 2)
+        # The cut is a drawing again, of the same points.
+        on_curve = xyz[np.nonzero(ends)[0]]
+        nearest = np.abs(on_curve[:, None] - result.curve.positions[None]).max(2).min(1)
+        self.assertLess(nearest.max(), 1e-5)
+
+    def test_annotations(self):
+        bpy.ops.object.mode_set(mode="OBJECT")
+        self.obj.matrix_world = ((0, -2, 0, 5), (2, 0, 0, -1), (0, 0, 2, 3), (0, 0, 0, 1))
+        bpy.context.view_layer.update()
+        matrix = np.array(self.obj.matrix_world)
+        drawn = scene.vertices_of(self.obj)[self.drawn] @ matrix[:3, :3].T + matrix[:3, 3]
+        scene.annotate([drawn])
+        self.assertEqual(bpy.ops.talweg.smooth_annotations(tau=2), {"FINISHED"})
+        result = session.last_result()
+        shown = curve_objects()[0]
+        self.assertEqual(shown.matrix_world, self.obj.matrix_world)
+        np.testing.assert_array_equal(scene.spline_points(shown),
+                                      result.curve.positions.astype(np.float32))
+        self.assertLess(result.report.curvature_after, result.report.curvature_before / 4)
+        # In the object's own units.
+        np.testing.assert_allclose(result.curve.positions[0],
+                                   scene.vertices_of(self.obj)[self.drawn[0]], atol=1e-5)
+
+    def test_annotations_cut_into_the_mesh(self):
+        bpy.ops.object.mode_set(mode="OBJECT")
+        t = np.linspace(0, 1, 30)[:, None]
+        ends = np.array([[5.3, 7.2, 0], [50.4, 41.7, 0]])
+        line = ends[0] * (1 - t) + ends[1] * t
+        line[:, 2] = 3 * np.sin(line[:, 0] / 7) * np.cos(line[:, 1] / 5)
+        scene.annotate([line])
+        self.assertEqual(bpy.ops.talweg.smooth_annotations(output="EDGES"), {"FINISHED"})
+        self.assertFalse(self.obj.data.validate())
+        chosen = sum(edge.select for edge in self.obj.data.edges)
+        self.assertGreaterEqual(chosen, len(session.last_result().curve) - 3)
+
+
+class Errors(unittest.TestCase):
+    """The host's own kind of error with the library's sentence; Blender goes on."""
+
+    def setUp(self):
+        scene.empty()
+        self.obj = scene.add_mesh(*support.hills())
+
+    def refused(self, words, operator=bpy.ops.talweg.smooth_edges, **parameters):
+        before = len(bpy.data.objects)
+        with self.assertRaises(RuntimeError) as caught:
+            operator(**parameters)
+        self.assertIn("Error: ", str(caught.exception))
+        self.assertIn(words, str(caught.exception))
+        self.assertEqual(len(bpy.data.objects), before)
+
+    def still_alive(self):
+        scene.empty()
+        self.obj = scene.add_mesh(*support.hills())
+        scene.select_edges(self.obj, support.staircase())
+        self.assertEqual(bpy.ops.talweg.smooth_edges(), {"FINISHED"})
+        self.assertEqual(session.last_result().total.termination, "converged")
+
+    def test_nothing_is_selected(self):
+        scene.select_edges(self.obj, [])
+        self.refused("No edges are selected")
+        self.still_alive()
+
+    def test_faces_that_disagree(self):
+        scene.select_edges(self.obj, support.staircase())
+        bm = bmesh.from_edit_mesh(self.obj.data)
+        bm.faces.ensure_lookup_table()
+        bm.faces[7].normal_flip()
+        bmesh.update_edit_mesh(self.obj.data)
+        self.refused("orient")
+        self.still_alive()
+
+    def test_an_edge_without_faces(self):
+        scene.empty()
+        self.obj = scene.add_mesh([[0, 0, 0], [1, 0, 0]], [])
+        bpy.ops.object.mode_set(mode="EDIT")
+        bm = bmesh.from_edit_mesh(self.obj.data)
+        bm.verts.ensure_lookup_table()
+        bm.edges.new((bm.verts[0], bm.verts[1])).select_set(True)
+        bmesh.update_edit_mesh(self.obj.data)
+        self.refused("The mesh has no faces")
+        self.still_alive()
+
+    def test_parameters_that_do_not_go_together(self):
+        scene.select_edges(self.obj, support.staircase())
+        self.refused("slack needs the potential corridor", potential="paper", use_slack=True)
+        self.still_alive()
+
+    def test_annotations(self):
+        bpy.ops.object.mode_set(mode="OBJECT")
+        annotations = bpy.ops.talweg.smooth_annotations
+        self.refused("There are no annotations", annotations)
+        cross = [[10, 10, 0], [20, 20, 0], [20, 10, 0], [10, 20, 0]]
+        scene.annotate([cross])
+        self.refused("crosses or touches itself", annotations)
+        scene.annotate([cross], mode="SCREEN")
+        self.refused("not on a surface", annotations)
+        scene.annotate([[[10, 10, float("nan")], [20, 20, 0]]])
+        self.refused("not finite", annotations)
+        self.still_alive()
+
+    def test_not_in_this_mode(self):
+        bpy.ops.object.mode_set(mode="OBJECT")
+        self.assertFalse(bpy.ops.talweg.smooth_edges.poll())
+        bpy.ops.object.mode_set(mode="EDIT")
+        self.assertTrue(bpy.ops.talweg.smooth_edges.poll())
+        self.assertFalse(bpy.ops.talweg.smooth_annotations.poll())
+
+    def test_a_cut_that_cannot_be_leaves_the_mesh_as_it_was(self):
+        bpy.ops.object.mode_set(mode="OBJECT")
+        before = scene.vertices_of(self.obj)
+        scene.annotate([[[10.2, 10.1, 0], [10.3, 10.15, 0]]])  # inside one triangle
+        self.refused("inside one polygon", bpy.ops.talweg.smooth_annotations, output="EDGES")
+        np.testing.assert_array_equal(scene.vertices_of(self.obj), before)
+        self.still_alive()
