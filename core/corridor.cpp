@@ -39,10 +39,9 @@ Corridor::Corridor(PolylineDistance& distance, double tau, const std::vector<Val
     Profile& profile = profiles_.emplace_back();
     profile.slack = valley.slack;
     profile.steepness = kGain * tau * (kGain * tau / valley.length);
-    const double length = distance.curve_length(c);
-    if (valley.closed && length > 0) {
-      profile.phase_per_arc = 2 * std::numbers::pi * valley.turns / length;
-    }
+    const double loop = valley.closed ? distance.curve_length(c) : valley.loop_length;
+    if (loop > 0) profile.phase_per_arc = 2 * std::numbers::pi * valley.turns / loop;
+    profile.phase = profile.phase_per_arc * valley.arc_start;
     if (!valley.slack_at.empty()) set_field(profile, valley, c);
     least_slack_ = std::min(least_slack_, valley.slack);
     for (const double slack : profile.slacks) least_slack_ = std::min(least_slack_, slack);
@@ -76,7 +75,7 @@ std::array<double, 2> Corridor::lifted(const PolylineDistance::Nearest& nearest)
   const double beyond = nearest.distance - slack(profile, nearest.arc_length).value;
   if (!(beyond > 0)) return {0, 0};
   const double phi = std::min(profile.steepness * beyond * beyond, kCut);
-  const double theta = profile.phase_per_arc * nearest.arc_length;
+  const double theta = profile.phase + profile.phase_per_arc * nearest.arc_length;
   if (theta == 0) return {phi, 0};
   return {phi * std::cos(theta), phi * std::sin(theta)};
 }
@@ -108,7 +107,7 @@ PotentialOnEdge Corridor::on_edge(EdgeId e, double t) const {
   const double second = 2 * profile.steepness * (slope * slope + beyond * d.second);
   const double turn = profile.phase_per_arc;
   if (turn == 0) return {{phi, 0}, {first, 0}, {second, 0}};
-  const double theta = turn * d.arc_length, dtheta = turn * d.arc_first;
+  const double theta = profile.phase + turn * d.arc_length, dtheta = turn * d.arc_first;
   const double c = std::cos(theta), s = std::sin(theta);
   result.value = {phi * c, phi * s};
   result.first = {first * c - phi * s * dtheta, first * s + phi * c * dtheta};
@@ -126,7 +125,7 @@ PotentialInFace Corridor::in_face(FaceId face, const ExactPotential::Barycentric
   const Varying slack_here = slack(profile, at.arc_length);
   const double beyond = at.value - slack_here.value;
   if (!(beyond > 0)) return result;
-  const double turn = profile.phase_per_arc, theta = turn * at.arc_length;
+  const double turn = profile.phase_per_arc, theta = profile.phase + turn * at.arc_length;
   const double c = std::cos(theta), s = std::sin(theta), k = profile.steepness;
   const double phi = k * beyond * beyond;
   std::array<double, 2> slope{}, rise{}, spin{};

@@ -25,6 +25,9 @@ class Corridor {
     double slack = 0;   ///< ε, mesh units, >= 0
     double length = 1;  ///< L, mesh units, > 0
     int turns = 1;      ///< k, >= 0; 0 switches the phase of a closed curve off
+    /// Of an open curve that is part of a loop: the loop's length (mesh units; 0: no part of one)
+    /// and where on the loop the part begins.
+    double loop_length = 0, arc_start = 0;
     /// Unless empty, ε instead of `slack`: one value per point of the curve, mesh units, >= 0;
     /// linear in the arc length between points, also from the last to the first of a closed curve.
     std::vector<double> slack_at;
@@ -51,6 +54,7 @@ class Corridor {
     double slack = 0;
     double steepness = 0;              // (a τ)² / L
     double phase_per_arc = 0;          // 2πk / length of a closed curve
+    double phase = 0;                  // θ where the curve begins
     std::vector<double> arcs, slacks;  // of a field, else empty
   };
   /// A value and its derivative by arc length.

@@ -410,11 +410,11 @@ void CurveSmoother::report_moves(const SmoothingOptions& options, SmoothingResul
   };
   if (last_ && options.deviation != DeviationMeasure::kNone && near(last_->options)) {
     for (std::size_t c = 0; c < result.curves.size(); ++c) {
-      report_move(result.reports[c], mesh_->mesh(), last_->options.tau, last_->curves[c],
+      report_move(result.reports[c], mesh_->mesh(), last_->options.tau, last_->result.curves[c],
                   result.curves[c]);
     }
   }
-  last_ = Last{options, result.curves};
+  last_ = Last{options, result};
   last_->options.progress = {};
 }
 

@@ -12,6 +12,8 @@
 #include "talweg/core/canonical_order.hpp"
 #include "talweg/core/corridor.hpp"
 #include "talweg/core/curve_embedding.hpp"
+#include "talweg/core/drag_stretch.hpp"
+#include "talweg/core/drawing_change.hpp"
 #include "talweg/core/measures.hpp"
 #include "talweg/core/opened_mesh.hpp"
 #include "talweg/core/polish.hpp"
@@ -118,6 +120,18 @@ class CurveSmoother {
   SmoothingResult smooth(const SmoothingOptions& options, std::span<const double> potential,
                          std::size_t components);
 
+  /// While a part of a drawing is being dragged: about the result that the drawing would have if
+  /// curve number `curve` were changed to `moved`, in the time that the part takes. Only the
+  /// stretch that differs from the drawing that is set is smoothed anew, and joined to the last
+  /// result; slack and L stay those of that drawing, and the curve is not kept from crossing
+  /// others. `engine` of its report is "preview". The drawing that is set stays: set_curve(moved)
+  /// gives what counts. The same arguments give the same curve, whatever was dragged before. With
+  /// the corridor only; where tau is 0 or the result is relaxed everything is smoothed anew. Throws
+  /// Error(kBadCurve) as set_curve() does, Error(kBadUsage) for a curve that is not there or
+  /// another method.
+  SmoothingResult drag(std::size_t curve, const SurfaceCurve& moved,
+                       const SmoothingOptions& options = {});
+
   [[nodiscard]] const OpenedMesh& opened() const { return *mesh_; }
   /// The distance per mesh vertex that the last set_curve made or was given.
   [[nodiscard]] std::span<const double> distance() const { return distance_; }
@@ -152,6 +166,8 @@ class CurveSmoother {
                                                    std::size_t curve) const;
   [[nodiscard]] std::vector<Corridor::Valley> valleys_for(const SmoothingOptions& options) const;
   SmoothingResult smooth_in_corridor(const SmoothingOptions& options);
+  SmoothingResult smooth_in_valleys(const SmoothingOptions& options,
+                                    const std::vector<Corridor::Valley>& valleys);
   SmoothingResult smooth_from_anchor(double from, const SmoothingOptions& options,
                                      const std::vector<Corridor::Valley>& valleys);
   SmoothingResult smooth_for_itself(const SmoothingOptions& options,
@@ -182,6 +198,20 @@ class CurveSmoother {
   SmoothingResult report_on(const SmoothingOptions& options, const Straightened& straight,
                             std::vector<SurfaceCurve> curves, StageTimes times);
   SmoothingResult run(const SmoothingOptions& options, SignpostTriangulation::Metric metric);
+  // dragging.cpp
+  const SmoothingResult& result_for(const SmoothingOptions& options);
+  [[nodiscard]] std::vector<Corridor::Valley> dragged_valleys(
+      const DrawingChange& change, std::size_t curve, const SmoothingOptions& options) const;
+  void set_stretch(const DragStretch& stretch, const CurveOptions& options);
+  SurfaceCurve rough_stretch(const SmoothingOptions& options);
+  struct DragRange;
+  [[nodiscard]] std::optional<DragRange> range_around(const DrawingChange& change,
+                                                      double margin) const;
+  std::optional<SurfaceCurve> joined(const DragRange& range, const DrawingChange& change,
+                                     double margin, const SurfaceCurve& last,
+                                     const SmoothingOptions& options);
+  SurfaceCurve dragged(const DrawingChange& change, std::size_t curve, const SurfaceCurve& last,
+                       const SmoothingOptions& options);
   void report_moves(const SmoothingOptions& options, SmoothingResult& result);
 
   std::shared_ptr<const OpenedMesh> mesh_;
@@ -205,11 +235,13 @@ class CurveSmoother {
   std::vector<double> edges_near_;  // per curve
   struct Last {
     SmoothingOptions options;
-    std::vector<SurfaceCurve> curves;
+    SmoothingResult result;
   };
-  std::optional<Last> last_;               // of smooth() on these curves
-  std::vector<Corridor::Valley> valleys_;  // per curve, of the corridor
-  std::map<double, Anchor> anchors_;       // by tau, for the valleys and the floor below
+  std::optional<Last> last_;                // of smooth() on these curves
+  std::unique_ptr<CurveSmoother> dragger_;  // for stretches of a drawing; made when first needed
+  bool cancelled_ = false;                  // of a dragger: its last stretch
+  std::vector<Corridor::Valley> valleys_;   // per curve, of the corridor
+  std::map<double, Anchor> anchors_;        // by tau, for the valleys and the floor below
   std::vector<Corridor::Valley> anchor_valleys_;
   double anchor_floor_ = 0;
   double solve_ms_ = 0;

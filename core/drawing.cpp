@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 
 #include "talweg/intrinsic/error.hpp"
 
@@ -40,6 +41,61 @@ std::vector<VertexId> EdgeDijkstra::draw(std::span<const VertexId> through, bool
   }
   if (closed) path.pop_back();
   return path;
+}
+
+/// The legs that meet a moved way-point; an end that does not exist is not valid.
+bool EdgeDijkstra::append_redrawn(VertexId from, VertexId over, VertexId to,
+                                  std::vector<VertexId>& path) {
+  const std::size_t first_new = path.size();
+  if (!from.valid()) {
+    path.push_back(over);
+  } else if (!append_leg(from, over, false, path)) {
+    return false;
+  }
+  for (std::size_t i = first_new; i < path.size(); ++i) block_stamp_[path[i].index()] = drawing_;
+  return !to.valid() || append_leg(over, to, false, path);
+}
+
+std::vector<VertexId> EdgeDijkstra::redraw(std::span<const VertexId> path,
+                                           std::span<const VertexId> through, std::size_t moved,
+                                           bool closed) {
+  check(through);
+  const std::size_t n = through.size();
+  if (moved >= n) throw Error(ErrorCode::kBadUsage, "redraw() is asked for a missing way-point.");
+  if (closed && n < 3) return draw(through, closed);
+  const bool has_before = closed || moved > 0, has_after = closed || moved + 1 < n;
+  const VertexId before = has_before ? through[(moved + n - 1) % n] : VertexId{};
+  const VertexId after = has_after ? through[(moved + 1) % n] : VertexId{};
+
+  // What stays: from the start to the way-point before, and from the one after to the end; of a
+  // closed path all from the one after to the one before.
+  std::vector<VertexId> head(path.begin(), path.end()), tail;
+  const auto at = [&](VertexId v) { return std::find(head.begin(), head.end(), v); };
+  if ((has_before && at(before) == head.end()) || (has_after && at(after) == head.end())) {
+    return draw(through, closed);
+  }
+  if (closed) {
+    std::rotate(head.begin(), at(after), head.end());
+  } else if (has_after) {
+    tail.assign(at(after) + 1, head.end());
+  }
+  head.erase(has_before ? at(before) + 1 : head.begin(), head.end());
+  ++drawing_;
+  for (const auto& stays : {std::span<const VertexId>(head), std::span<const VertexId>(tail),
+                            std::span<const VertexId>(through)}) {
+    for (const VertexId v : stays) {
+      if (v == through[moved] && stays.data() != through.data()) return draw(through, closed);
+      block_stamp_[v.index()] = drawing_;
+    }
+  }
+  std::vector<VertexId> result = std::move(head);
+  if (!append_redrawn(before, through[moved], after, result)) return draw(through, closed);
+  result.insert(result.end(), tail.begin(), tail.end());
+  if (!closed) return result;
+  result.pop_back();  // the way-point after, where it began
+  std::rotate(result.begin(), std::find(result.begin(), result.end(), through.front()),
+              result.end());
+  return result;
 }
 
 void EdgeDijkstra::check(std::span<const VertexId> through) const {

@@ -31,6 +31,15 @@ class EdgeDijkstra {
   /// says whether its ends lie on different components or the earlier legs are in its way.
   std::vector<VertexId> draw(std::span<const VertexId> through, bool closed);
 
+  /// The path when one way-point has moved: `path` was drawn through the same way-points but for
+  /// number `moved`, whose new place is in `through`. Only the legs that meet it are drawn anew,
+  /// around the rest, which stays; so the result may differ from that of draw(), which lets earlier
+  /// legs go first. Where the rest is in the way, or `path` does not pass the neighbours of the
+  /// moved way-point, it is draw(through, closed). Throws as draw() does, and Error(kBadUsage)
+  /// where there is no way-point `moved`. O(path + two legs).
+  std::vector<VertexId> redraw(std::span<const VertexId> path, std::span<const VertexId> through,
+                               std::size_t moved, bool closed);
+
  private:
   struct Entry {
     double distance;
@@ -38,6 +47,7 @@ class EdgeDijkstra {
   };
 
   void check(std::span<const VertexId> through) const;
+  bool append_redrawn(VertexId from, VertexId over, VertexId to, std::vector<VertexId>& path);
   /// Writes the path from just behind `from` to `to`; false where there is none.
   bool append_leg(VertexId from, VertexId to, bool not_along_edge, std::vector<VertexId>& path);
   bool search(VertexId from, VertexId to, bool not_along_edge, bool obey_blocks);

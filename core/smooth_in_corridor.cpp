@@ -170,7 +170,8 @@ double CurveSmoother::exact_for(const std::vector<Corridor::Valley>& valleys) co
     const std::vector<double>& field = valleys[c].slack_at;
     const double slack =
         field.empty() ? valleys[c].slack : *std::max_element(field.begin(), field.end());
-    exact = std::max(exact, slack + edges_near_[c]);
+    // While dragging there are valleys of curves that are only near.
+    exact = std::max(exact, slack + edges_near_[std::min(c, edges_near_.size() - 1)]);
   }
   return exact;
 }
@@ -280,11 +281,15 @@ SmoothingResult CurveSmoother::smooth_for_itself(const SmoothingOptions& options
 }
 
 SmoothingResult CurveSmoother::smooth_in_corridor(const SmoothingOptions& options) {
-  const std::vector<Corridor::Valley> valleys = valleys_for(options);
+  return smooth_in_valleys(options, valleys_for(options));
+}
+
+SmoothingResult CurveSmoother::smooth_in_valleys(const SmoothingOptions& options,
+                                                 const std::vector<Corridor::Valley>& valleys) {
   const std::optional<double> from = anchor_of(options);
   SmoothingResult result =
       from ? smooth_from_anchor(*from, options, valleys) : smooth_for_itself(options, valleys);
-  for (std::size_t c = 0; c < valleys.size(); ++c) {
+  for (std::size_t c = 0; c < result.reports.size(); ++c) {
     SmoothingReport& report = result.reports[c];
     report.potential = "corridor";
     report.engine = "local";
@@ -292,6 +297,7 @@ SmoothingResult CurveSmoother::smooth_in_corridor(const SmoothingOptions& option
     report.slack = field.empty() ? valleys[c].slack : *std::max_element(field.begin(), field.end());
   }
   result.total = total_of(result.reports);
+  last_->result = result;
   return result;
 }
 

@@ -1,6 +1,9 @@
 // talweg.draw: points become a curve.
+#include <algorithm>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "common/results.hpp"
@@ -36,7 +39,12 @@ class Draw : public Workspace {
   }
   static std::vector<talweg_parameter> parameters() {
     return {plugin::boolean("straight", "Straight", false,
-                            "Straight over the faces instead of along edges.")};
+                            "Straight over the faces instead of along edges."),
+            plugin::boolean("preview", "Preview", false,
+                            "While a point is dragged: of a curve of which one way-point has moved "
+                            "since the last run without preview only the legs that meet it are "
+                            "drawn anew, around the others. The next run without preview gives "
+                            "what counts.")};
   }
   static std::vector<talweg_output> outputs() {
     using plugin::output;
@@ -48,6 +56,14 @@ class Draw : public Workspace {
                    "Points and length of each curve and in total.")};
   }
 
+  void set_mesh(const talweg_mesh& mesh) {
+    Workspace::set_mesh(mesh);
+    forget();
+  }
+  void share_mesh(const Draw& other) {
+    Workspace::share_mesh(other);
+    forget();
+  }
   void set_curves(std::span<const talweg_curve* const> curves) {
     std::vector<SnappedCurve> snapped;
     for (const talweg_curve* curve : curves) snapped.push_back(points_of(input_of(*curve)));
@@ -55,21 +71,27 @@ class Draw : public Workspace {
   }
 
   void run(const plugin::Parameters& parameters, const plugin::Outputs& outputs) {
+    const bool straight = parameters.flag("straight"), preview = parameters.flag("preview");
     std::vector<PlacedCurve> placed;
     std::vector<std::vector<PointField>> fields(snapped_.size());
     std::vector<double> lengths;
+    std::vector<DrawnPath> paths;
     double total = 0;
     for (std::size_t c = 0; c < snapped_.size(); ++c) {
       if (!services().go_on("draw",
                             static_cast<double>(c) / static_cast<double>(snapped_.size()))) {
         throw plugin::Services::cancelled();
       }
-      const SurfaceCurve curve = drawn(snapped_[c], parameters.flag("straight"));
+      const SurfaceCurve curve =
+          straight ? lines().join(snapped_[c].points, snapped_[c].closed)
+                   : along_edges(snapped_[c], preview && c < paths_.size() ? &paths_[c] : nullptr,
+                                 paths.emplace_back());
       placed.push_back(place(mesh(), curve, c));
       if (outputs.wants_point_fields()) fields[c] = {given_field(snapped_[c], curve)};
       lengths.push_back(curve_length(mesh().surface(), curve));
       total += lengths.back();
     }
+    if (!preview) paths_ = std::move(paths);
     outputs.report(-1, "length", total);
     for (std::size_t c = 0; c < placed.size(); ++c) {
       const auto number = static_cast<std::int64_t>(c);
@@ -99,8 +121,13 @@ class Draw : public Workspace {
     return result;
   }
 
-  SurfaceCurve drawn(const SnappedCurve& points, bool straight) {
-    if (straight) return lines().join(points.points, points.closed);
+  /// A drawing along edges, and what it was drawn through.
+  struct DrawnPath {
+    bool closed = false;
+    std::vector<VertexId> through, vertices;
+  };
+
+  static std::vector<VertexId> way_points(const SnappedCurve& points) {
     std::vector<VertexId> through;
     for (const SurfacePoint& point : points.points) {
       const auto* at = std::get_if<AtVertex>(&point.where());
@@ -111,8 +138,20 @@ class Draw : public Workspace {
       }
       through.push_back(at->vertex);
     }
-    SurfaceCurve curve{points.closed, {}};
-    for (const VertexId v : draw_edge_path(mesh().surface(), through, points.closed)) {
+    return through;
+  }
+
+  /// `last`: the path to keep what can be kept of, or null.
+  SurfaceCurve along_edges(const SnappedCurve& points, const DrawnPath* last, DrawnPath& path) {
+    path.closed = points.closed;
+    path.through = way_points(points);
+    if (!dijkstra_) dijkstra_.emplace(mesh().surface());
+    const std::optional<std::size_t> moved =
+        last != nullptr ? only_change(*last, path) : std::nullopt;
+    path.vertices = moved ? dijkstra_->redraw(last->vertices, path.through, *moved, path.closed)
+                          : dijkstra_->draw(path.through, path.closed);
+    SurfaceCurve curve{path.closed, {}};
+    for (const VertexId v : path.vertices) {
       curve.points.push_back(SurfacePoint::at_vertex(mesh().surface(), v));
     }
     return curve;
@@ -128,9 +167,24 @@ class Draw : public Workspace {
       field.values.push_back(is_given ? 1.0 : 0.0);
     }
     return field;
+  /// The one way-point that is not the same in both.
+  static std::optional<std::size_t> only_change(const DrawnPath& a, const DrawnPath& b) {
+    if (a.closed != b.closed || a.through.size() != b.through.size()) return std::nullopt;
+    const auto first = std::mismatch(a.through.begin(), a.through.end(), b.through.begin());
+    const auto moved = first.first - a.through.begin();
+    if (first.first == a.through.end()) return std::nullopt;
+    const bool only = std::equal(first.first + 1, a.through.end(), first.second + 1);
+    return only ? std::optional(static_cast<std::size_t>(moved)) : std::nullopt;
+  }
+
+  void forget() {  // what belongs to another mesh
+    dijkstra_.reset();
+    paths_.clear();
   }
 
   std::vector<SnappedCurve> snapped_;
+  std::optional<EdgeDijkstra> dijkstra_;  // made when first needed
+  std::vector<DrawnPath> paths_;          // of the last run along edges without preview
 };
 
 }  // namespace

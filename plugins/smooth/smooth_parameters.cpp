@@ -40,7 +40,7 @@ void check_together(const Parameters& p) {
 }
 
 std::vector<talweg_parameter> main_parameters() {
-  using plugin::array, plugin::choice, plugin::integer, plugin::number;
+  using plugin::array, plugin::boolean, plugin::choice, plugin::integer, plugin::number;
   return {
       number("tau", "Tau", "", 1, {0, HUGE_VAL, 0, 16},
              "0: straight lines; more keeps closer to the drawing."),
@@ -60,6 +60,10 @@ std::vector<talweg_parameter> main_parameters() {
             "The slack near each mesh vertex, instead of slack (corridor)."),
       array(TALWEG_VERTICES, "pin", "Pins", "",
             "Vertices of the drawing that the result passes through.", kCurves),
+      boolean("preview", "Preview", false,
+              "While a curve is dragged: smooths only the stretch that differs from the last run "
+              "without preview, and joins it to that result (corridor, one curve changed; else "
+              "everything is smoothed). The next run without preview gives what counts."),
       integer("relax", "Rounds of relaxation", 0, {0, 1e6, 0, 20},
               "Rounds of relaxation along the supporting edges (the paper: 5)."),
       choice("engine", "Engine", "auto", kEngines, kEngineLabels,

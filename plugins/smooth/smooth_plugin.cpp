@@ -61,16 +61,18 @@ class Smooth : public Workspace {
 
   void run(const plugin::Parameters& parameters, const plugin::Outputs& outputs) {
     const CurveOptions curve_options = curve_options_of(parameters);
+    const std::optional<std::size_t> dragged = dragged_curve(parameters);
+    if (!dragged) solve(parameters, curve_options);
     SmoothingOptions options = smoothing_options_of(parameters);
-    for (const SurfaceCurve& curve : slack_field_curves(parameters)) {
-      options.slack_at.push_back(
-          slack_along(mesh().surface(), curve, parameters.field("slack_field")));
+    if (!parameters.field("slack_field").empty()) {
+      for (const SurfaceCurve& curve : smoother_->drawn()) {
+        options.slack_at.push_back(
+            slack_along(mesh().surface(), curve, parameters.field("slack_field")));
+      }
     }
     options.progress = progress();
-    solve(parameters, curve_options);
-    const auto bound = parameters.optional("max_deviation");
-    SmoothingResult result =
-        bound ? smooth_within(*smoother_, *bound, options) : smoother_->smooth(options);
+    SmoothingResult result = dragged ? drag(*dragged, parameters, options)
+                                     : smooth(parameters.optional("max_deviation"), options);
     if (result.total.termination == to_string(Termination::kCancelled)) {
       throw plugin::Services::cancelled();
     }
@@ -79,9 +81,41 @@ class Smooth : public Workspace {
   }
 
  private:
-  [[nodiscard]] std::vector<SurfaceCurve> slack_field_curves(
+  SmoothingResult smooth(std::optional<double> bound, const SmoothingOptions& options) {
+    SmoothingResult result =
+        bound ? smooth_within(*smoother_, *bound, options) : smoother_->smooth(options);
+    found_tau_ = result.total.tau;
+    found_slack_ = result.total.slack;
+    return result;
+  }
+
+  /// With tau and slack as they were found for the bound, if there is one.
+  SmoothingResult drag(std::size_t curve, const plugin::Parameters& parameters,
+                       SmoothingOptions options) {
+    if (parameters.optional("max_deviation")) {
+      options.tau = found_tau_;
+      options.slack = found_slack_;
+    }
+    return smoother_->drag(curve, drawing().curves[curve], options);
+  }
+
+  /// The one curve that is not as it was in the last run without preview; none where that says
+  /// nothing about this run.
+  [[nodiscard]] std::optional<std::size_t> dragged_curve(
       const plugin::Parameters& parameters) const {
-    return parameters.field("slack_field").empty() ? std::vector<SurfaceCurve>() : drawing().curves;
+    if (!parameters.flag("preview") || parameters.choice("potential") != "corridor") return {};
+    if (!smoother_ || !solved_ || changes_of(parameters) != changes_) return {};
+    const auto drawn = smoother_->drawn();
+    const std::vector<SurfaceCurve>& now = drawing().curves;
+    if (now.size() != drawn.size()) return {};
+    std::vector<std::size_t> changed;
+    for (std::size_t c = 0; c < now.size(); ++c) {
+      if (now[c].closed != drawn[c].closed || now[c].points != drawn[c].points) {
+        changed.push_back(c);
+      }
+    }
+    if (changed.size() > 1) return {};
+    return changed.empty() ? 0 : changed.front();
   }
 
   [[nodiscard]] std::vector<SurfacePoint> pins(const plugin::Parameters& parameters) const {
@@ -92,11 +126,14 @@ class Smooth : public Workspace {
     return pins;
   }
 
+  static std::uint64_t changes_of(const plugin::Parameters& parameters) {
+    return parameters.changes_of(TALWEG_STAGE_CURVES) - parameters.changes("pin");
+  }
+
   /// Sets the curves where anything that they depend on has changed.
   void solve(const plugin::Parameters& parameters, CurveOptions options) {
     options.pins = pins(parameters);
-    const std::uint64_t changes =
-        parameters.changes_of(TALWEG_STAGE_CURVES) - parameters.changes("pin");
+    const std::uint64_t changes = changes_of(parameters);
     if (solved_ && smoother_ && drawings() == drawings_ && changes == changes_) {
       if (options.pins == pins_) return;
       if (options.method == Method::kCorridor) {
@@ -159,6 +196,7 @@ class Smooth : public Workspace {
 
   std::unique_ptr<CurveSmoother> smoother_;  // made when first needed
   bool solved_ = false;
+  double found_tau_ = 0, found_slack_ = 0;  // in the last run without preview
   std::uint64_t drawings_ = 0;
   std::uint64_t changes_ = 0;
   std::vector<SurfacePoint> pins_;

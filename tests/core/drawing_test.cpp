@@ -1,10 +1,12 @@
 #include "talweg/core/drawing.hpp"
 
 #include <algorithm>
+#include <random>
 #include <string>
 
 #include <gtest/gtest.h>
 
+#include "core/jagged_curves.hpp"
 #include "core/small_meshes.hpp"
 #include "talweg/intrinsic/error.hpp"
 
@@ -156,6 +158,77 @@ TEST(Drawing, SaysWhatIsWrong) {
   const std::string barred = message_of(strip, ids({2, 7, 1, 3}), false);
   EXPECT_NE(barred.find("Leg 3"), std::string::npos) << barred;
   EXPECT_NE(barred.find("in its way"), std::string::npos) << barred;
+}
+
+/// What stays of a path between two of its vertices, around the end of a closed one.
+std::vector<VertexId> part_of(std::vector<VertexId> path, VertexId from, VertexId to) {
+  std::rotate(path.begin(), std::find(path.begin(), path.end(), from), path.end());
+  path.erase(std::find(path.begin(), path.end(), to) + 1, path.end());
+  return path;
+}
+
+TEST(Redrawing, DrawsTheTwoLegsOnly) {
+  const Surface surface = surface_of_lists(test::hills(40));
+  std::mt19937 random(3);
+  const auto vertex = [&](std::uint32_t x, std::uint32_t y) { return VertexId{y * 41 + x}; };
+  for (const bool closed : {false, true}) {
+    for (std::size_t moved = 0; moved < 6; ++moved) {
+      SCOPED_TRACE(testing::Message() << "way-point " << moved << (closed ? ", closed" : ""));
+      std::vector<VertexId> through = {vertex(5, 5),   vertex(20, 3),  vertex(35, 6),
+                                       vertex(34, 33), vertex(19, 36), vertex(6, 34)};
+      EdgeDijkstra dijkstra(surface);
+      const auto path = dijkstra.draw(through, closed);
+      through[moved] = VertexId{through[moved].index() + 41 * (1 + random() % 3) + 2};
+      const auto redrawn = dijkstra.redraw(path, through, moved, closed);
+      EXPECT_TRUE(is_simple(redrawn));
+      EXPECT_EQ(redrawn.front(), through.front());
+      // Nothing is in the way here, so each leg is as short as it can be.
+      EXPECT_NEAR(length_of(surface, redrawn),
+                  length_of(surface, draw_edge_path(surface, through, closed)), 1e-9);
+      for (std::size_t k = 0; k < through.size(); ++k) {
+        const std::size_t next = (k + 1) % through.size();
+        if (k == moved || next == moved || (!closed && next == 0)) continue;
+        EXPECT_EQ(part_of(redrawn, through[k], through[next]),
+                  part_of(path, through[k], through[next]));
+      }
+    }
+  }
+}
+
+TEST(Redrawing, GoesAroundTheRest) {
+  const Surface surface = surface_of_lists(grid(10, 10));
+  EdgeDijkstra dijkstra(surface);
+  // A wall from the left, and a way-point that is moved across it.
+  auto through = ids({55, 61, 67, 12});
+  const auto path = dijkstra.draw(through, false);
+  through = ids({55, 61, 67, 93});
+  const auto redrawn = dijkstra.redraw(path, through, 3, false);
+  EXPECT_TRUE(is_simple(redrawn));
+  EXPECT_EQ(redrawn.back(), VertexId{93});
+}
+
+TEST(Redrawing, DrawsAllAnewWhereTheRestIsInTheWay) {
+  const Surface surface = surface_of_lists(grid(10, 10));
+  EdgeDijkstra dijkstra(surface);
+  auto through = ids({56, 64, 20, 12});
+  const auto path = dijkstra.draw(through, false);
+  through[3] = path[4];  // onto the first leg
+  EXPECT_EQ(dijkstra.redraw(path, through, 3, false), draw_edge_path(surface, through, false));
+  const auto other = ids({3, 60});  // not what the path was drawn through
+  EXPECT_EQ(dijkstra.redraw(path, other, 1, false), draw_edge_path(surface, other, false));
+}
+
+TEST(Redrawing, OfTwoWayPointsOrNone) {
+  const Surface surface = surface_of_lists(grid(10, 10));
+  EdgeDijkstra dijkstra(surface);
+  const auto path = dijkstra.draw(ids({0, 60}), false);
+  EXPECT_EQ(dijkstra.redraw(path, ids({0, 63}), 1, false),
+            draw_edge_path(surface, ids({0, 63}), false));
+  const auto loop = dijkstra.draw(ids({0, 60}), true);
+  EXPECT_EQ(dijkstra.redraw(loop, ids({0, 63}), 1, true),
+            draw_edge_path(surface, ids({0, 63}), true));
+  EXPECT_THROW(dijkstra.redraw(path, ids({0, 60}), 2, false), Error);
+  EXPECT_THROW(dijkstra.redraw(path, ids({0, 999}), 1, false), Error);
 }
 
 }  // namespace

@@ -107,6 +107,29 @@ TEST_F(DrawPlugin, DrawsStraight) {
   }
 }
 
+TEST_F(DrawPlugin, PreviewsDrawTheLegsOfAMovedWayPointOnly) {
+  const std::vector<std::uint32_t> way = {vertex(2, 3), vertex(14, 9), vertex(26, 4)};
+  const std::vector<std::uint32_t> moved = {vertex(2, 3), vertex(15, 12), vertex(26, 4)};
+  const auto ids = [](const std::vector<std::uint32_t>& v) { return test::ids(v); };
+  EdgeDijkstra dijkstra(mesh_.surface());
+  const std::vector<VertexId> path = dijkstra.draw(ids(way), false);
+  const auto drawn = [&](const std::vector<VertexId>& vertices) {
+    return place(mesh_, test::vertex_curve(mesh_.surface(), vertices, false));
+  };
+  instance_.set_curves({through(way)});
+  instance_.set("preview", 1.0);
+  EXPECT_TRUE(same_bits(instance_.run().curves[0], drawn(path)));  // nothing to keep yet
+  instance_.set("preview", 0.0);
+  instance_.run();
+  instance_.set("preview", 1.0);
+  instance_.set_curves({through(moved)});
+  EXPECT_TRUE(
+      same_bits(instance_.run().curves[0], drawn(dijkstra.redraw(path, ids(moved), 1, false))));
+  instance_.set_curves({through({moved[0], moved[1], way[1]})});  // two have changed
+  EXPECT_TRUE(same_bits(instance_.run().curves[0],
+                        drawn(dijkstra.draw(ids({moved[0], moved[1], way[1]}), false))));
+}
+
 TEST_F(DrawPlugin, SaysWhichPointsItCannotJoin) {
   EXPECT_NE(sentence({through({5, 5})}).find("5"), std::string::npos);
   host::Curve between;

@@ -289,5 +289,64 @@ TEST_F(SmoothPlugin, SeveralCurvesHaveSeveralReports) {
   EXPECT_EQ(results.number("points_before", 1), 4);
 }
 
+TEST_F(SmoothPlugin, PreviewsWhileACurveIsDragged) {
+  const SurfaceMesh& mesh = subject_.opened->mesh();
+  const std::uint32_t way[] = {20 * 41 + 2,  26 * 41 + 8,  24 * 41 + 14, 14 * 41 + 20,
+                               16 * 41 + 27, 25 * 41 + 33, 23 * 41 + 38};
+  const SurfaceCurve moved =
+      test::vertex_curve(mesh.surface(), draw_edge_path(mesh.surface(), test::ids(way)), false);
+  const host::Curve moved_curve = test::as_host_curve(mesh, moved);
+  CurveSmoother smoother(subject_.opened);
+  smoother.set_curve(subject_.drawn);
+  smooth_.set_curves({subject_.curve});
+  smooth_.set("preview", 1.0);
+  expect_same(smooth_.run(), smoother.smooth(1));  // there is nothing to preview from yet
+
+  smooth_.set_curves({moved_curve});
+  const host::Results preview = smooth_.run();
+  EXPECT_EQ(preview.text("engine"), "preview");
+  expect_same(preview, smoother.drag(0, moved));
+  smooth_.set_curves({subject_.curve});
+  expect_same(smooth_.run(), smoother.smooth(1));
+  smooth_.set("tau", 2.0);
+  smooth_.set_curves({moved_curve});
+  SmoothingOptions options;
+  options.tau = 2;
+  expect_same(smooth_.run(), smoother.drag(0, moved, options));
+
+  smooth_.set("preview", 0.0);
+  CurveSmoother full(subject_.opened);
+  full.set_curve(moved);
+  const host::Results result = smooth_.run();
+  EXPECT_EQ(result.text("engine"), "local");
+  expect_same(result, full.smooth(2));
+}
+
+TEST_F(SmoothPlugin, PreviewsOfMoreThanOneChangeAreWhole) {
+  host::Curve first, second, third;
+  first.vertices = {200, 201, 202, 203};
+  second.vertices = {600, 601, 602, 603};
+  third.vertices = {1000, 1001, 1002, 1003};
+  smooth_.set_curves({first, second});
+  smooth_.run();
+  smooth_.set("preview", 1.0);
+  smooth_.set_curves({first, third});
+  EXPECT_EQ(smooth_.run().text("engine", 1), "preview");
+  smooth_.set_curves({second, third});
+  EXPECT_EQ(smooth_.run().text("engine", 1), "local");
+  smooth_.set_curves({first});
+  EXPECT_EQ(smooth_.run().text("engine"), "local");
+}
+
+TEST_F(SmoothPlugin, PreviewsWithWhatTheBoundLedTo) {
+  smooth_.set_curves({subject_.curve});
+  smooth_.set("max_deviation", 1.0);
+  const host::Results found = smooth_.run();
+  smooth_.set("preview", 1.0);
+  const host::Results same = smooth_.run();
+  EXPECT_EQ(same.number("tau"), found.number("tau"));
+  EXPECT_EQ(same.number("slack"), found.number("slack"));
+}
+
 }  // namespace
 }  // namespace talweg
