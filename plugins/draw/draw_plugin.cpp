@@ -167,6 +167,8 @@ class Draw : public Workspace {
       field.values.push_back(is_given ? 1.0 : 0.0);
     }
     return field;
+  }
+
   /// The one way-point that is not the same in both.
   static std::optional<std::size_t> only_change(const DrawnPath& a, const DrawnPath& b) {
     if (a.closed != b.closed || a.through.size() != b.through.size()) return std::nullopt;
