@@ -35,6 +35,7 @@ def property_name(option):
 class Panel(unittest.TestCase):
     def setUp(self):
         self.filters = [pv.TalwegSmoothPoints(Input=pv.Sphere()),
+                        pv.TalwegSmoothVertices(Input=pv.Sphere()),
                         pv.TalwegSmoothCurve(Input=pv.Sphere(), Curve=pv.Line())]
 
     def test_every_parameter_has_its_property(self):

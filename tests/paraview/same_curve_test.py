@@ -73,7 +73,7 @@ class SameCurve(Case):
         drawn = self.ids_file(ids)
         for properties, options in parameters:
             with self.subTest(**properties):
-                filter = pv.TalwegSmoothPoints(Input=reader, PointIds=" ".join(map(str, ids)),
+                filter = pv.TalwegSmoothVertices(Input=reader, PointIds=" ".join(map(str, ids)),
                                                **properties)
                 run = self.run_plugin if "--no-polish" in options else self.smoothed
                 self.check(filter, run(mesh_file, drawn, *options))
@@ -97,7 +97,7 @@ class SameCurve(Case):
                 ({"MaxDeviation": 0.03}, ("--max-deviation", "0.03")),
                 ({"Pin": f"{ids[8]} {ids[9]}"}, ("--pin", f"{ids[8]},{ids[9]}"))):
             with self.subTest(**properties):
-                filter = pv.TalwegSmoothPoints(Input=source(data),
+                filter = pv.TalwegSmoothVertices(Input=source(data),
                                                PointIds=" ".join(map(str, ids)), **properties)
                 run = self.run_plugin if "--no-polish" in options else self.smoothed
                 self.check(filter, run(mesh, drawn, *options))
@@ -148,7 +148,7 @@ class SameCurve(Case):
         through = [500, 3000, 6000, 9000]
         drawn = self.folder / "edges.txt"
         self.driver("draw", rounded, "--through", ",".join(map(str, through)), "-o", drawn)
-        self.check(pv.TalwegSmoothPoints(Input=reader, PointIds=" ".join(map(str, through))),
+        self.check(pv.TalwegSmoothVertices(Input=reader, PointIds=" ".join(map(str, through))),
                    self.smoothed(rounded, drawn))
 
 

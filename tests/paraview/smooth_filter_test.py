@@ -1,7 +1,11 @@
 """The filter's outputs, its three kinds of drawing, wrong input, abort, and what a change costs."""
 
 import math
+import pathlib
+import tempfile
 import unittest
+
+from vtkmodules.vtkCommonCore import vtkLogger
 
 from support import (Case, Said, counts, lines_of, output, places, polydata, pv, real_mesh,
                      reference_curve, report, source, values, wavy_sheet)
@@ -16,7 +20,8 @@ TEXT = " ".join(map(str, ZIGZAG))
 
 
 def sheet(**properties):
-    return pv.TalwegSmoothPoints(Input=source(polydata(POINTS, TRIANGLES)), **properties)
+    filter = pv.TalwegSmoothPoints if "Points" in properties else pv.TalwegSmoothVertices
+    return filter(Input=source(polydata(POINTS, TRIANGLES)), **properties)
 
 
 def distance(a, b):
@@ -90,12 +95,30 @@ class Outputs(Case):
         self.curve_of(filter)
         self.assertEqual(len(values(output(filter, 1), "distance")), len(POINTS))
 
-    def test_the_output_messages_tell_what_was_done(self):
-        filter = sheet(PointIds=TEXT)
-        with Said() as said:
+    def test_the_log_tells_what_was_done(self):
+        with tempfile.TemporaryDirectory() as folder:
+            log = pathlib.Path(folder) / "log.txt"
+            vtkLogger.LogToFile(str(log), vtkLogger.TRUNCATE, vtkLogger.VERBOSITY_INFO)
+            self.curve_of(sheet(PointIds=TEXT))
+            vtkLogger.EndLogToFile(str(log))
+            self.assertRegex(log.read_text(), "Talweg: length .* curvature .*: converged")
+
+    def test_a_warning_is_given_once_for_a_drawing(self):
+        above = [c for v in LOOP for c in (*POINTS[v][:2], POINTS[v][2] + 0.01)]
+        filter = sheet(Points=above)
+        said = []
+        for tau in (1, 2):
+            filter.Tau = tau
+            with Said() as now:
+                filter.UpdatePipeline()
+            said.append(now.text())
+            self.assertIn("moved onto the mesh", report(output(filter, 0), "warnings"))
+        self.assertIn("moved onto the mesh", said[0])
+        self.assertEqual(said[1], "")
+        filter.Closed = 1
+        with Said() as now:
             filter.UpdatePipeline()
-        self.assertIn("curvature", said.text())
-        self.assertIn("converged", said.text())
+        self.assertIn("moved onto the mesh", now.text())
 
 
 class Drawings(Case):
@@ -181,7 +204,7 @@ class Meshes(Case):
                 for r in range(N - 1) for c in range(N - 1)]
 
     def test_quads_are_cut_and_it_is_said(self):
-        filter = pv.TalwegSmoothPoints(Input=source(polydata(POINTS, self.quads())), PointIds=TEXT)
+        filter = pv.TalwegSmoothVertices(Input=source(polydata(POINTS, self.quads())), PointIds=TEXT)
         with Said() as said:
             filter.UpdatePipeline()
         self.assertIn("polygons were cut into triangles", said.text())
@@ -197,7 +220,7 @@ class Meshes(Case):
             strip = [v for c in range(N) for v in (N * row + c, N * (row + 1) + c)]
             strips.InsertNextCell(len(strip), strip)
         data.SetStrips(strips)
-        filter = pv.TalwegSmoothPoints(Input=source(data), PointIds=TEXT)
+        filter = pv.TalwegSmoothVertices(Input=source(data), PointIds=TEXT)
         self.curve_of(filter)
         self.assertEqual(output(filter, 1).GetNumberOfPolys(), len(TRIANGLES))
 
@@ -209,7 +232,7 @@ class Meshes(Case):
         for k in range(data.GetNumberOfCells()):
             numbers.InsertNextValue(k)
         data.GetCellData().AddArray(numbers)
-        filter = pv.TalwegSmoothPoints(Input=source(data), PointIds=TEXT)
+        filter = pv.TalwegSmoothVertices(Input=source(data), PointIds=TEXT)
         self.curve_of(filter)
         array = output(filter, 1).GetCellData().GetArray("number")
         self.assertEqual([array.GetTuple1(k) for k in range(array.GetNumberOfTuples())],
@@ -258,10 +281,10 @@ class WrongInput(Case):
         for polygons, sentence in ((three_at_an_edge, "edge"), ([], "no faces"),
                                    ([(0, 1)], "Cell 0 of the mesh has 2 corners"),
                                    ([(0, 1, 1)], "uses a vertex twice")):
-            filter = pv.TalwegSmoothPoints(Input=source(polydata(points, polygons)), PointIds="0 1")
+            filter = pv.TalwegSmoothVertices(Input=source(polydata(points, polygons)), PointIds="0 1")
             self.assertIn(sentence, self.error_of(filter))
         infinite = [(0, 0, 0), (math.inf, 0, 0), (0, 1, 0)]
-        filter = pv.TalwegSmoothPoints(Input=source(polydata(infinite, [(0, 1, 2)])), PointIds="0 1")
+        filter = pv.TalwegSmoothVertices(Input=source(polydata(infinite, [(0, 1, 2)])), PointIds="0 1")
         self.assertIn("finite", self.error_of(filter))
 
     def test_a_curve_without_points(self):
@@ -270,7 +293,7 @@ class WrongInput(Case):
         self.assertIn("no points", self.error_of(filter))
 
     def test_the_same_filter_recovers_with_a_good_mesh(self):
-        filter = pv.TalwegSmoothPoints(Input=source(polydata([(0, 0, 0)])), PointIds=TEXT)
+        filter = pv.TalwegSmoothVertices(Input=source(polydata([(0, 0, 0)])), PointIds=TEXT)
         self.error_of(filter)
         filter.Input = source(polydata(POINTS, TRIANGLES))
         self.assertEqual(places(self.curve_of(filter)), places(self.curve_of(sheet(PointIds=TEXT))))
@@ -297,7 +320,7 @@ class Changes(Case):
     def test_values_of_arrays_are_no_new_mesh(self):
         calculator = pv.Calculator(Input=source(polydata(POINTS, TRIANGLES)), Function="coordsX",
                                    ResultArrayName="field")
-        filter = pv.TalwegSmoothPoints(Input=calculator, PointIds=TEXT)
+        filter = pv.TalwegSmoothVertices(Input=calculator, PointIds=TEXT)
         self.curve_of(filter)
         calculator.Function = "coordsY"
         self.curve_of(filter)
@@ -307,7 +330,7 @@ class Changes(Case):
     def test_a_changed_field_is_used(self):
         calculator = pv.Calculator(Input=source(polydata(POINTS, TRIANGLES)), Function="0.02",
                                    ResultArrayName="slack")
-        filter = pv.TalwegSmoothPoints(Input=calculator, PointIds=TEXT, SlackField="slack")
+        filter = pv.TalwegSmoothVertices(Input=calculator, PointIds=TEXT, SlackField="slack")
         narrow = places(self.curve_of(filter))
         calculator.Function = "0.08"
         self.assertNotEqual(places(self.curve_of(filter)), narrow)
@@ -316,7 +339,7 @@ class Changes(Case):
     def test_points_moved_in_place_are_a_new_mesh(self):
         data = polydata(POINTS, TRIANGLES)
         mesh = source(data)
-        filter = pv.TalwegSmoothPoints(Input=mesh, PointIds=TEXT)
+        filter = pv.TalwegSmoothVertices(Input=mesh, PointIds=TEXT)
         before = places(self.curve_of(filter))
         data.GetPoints().SetPoint(ZIGZAG[0], 0.3, 0.1, 0.5)
         data.GetPoints().Modified()
@@ -363,7 +386,7 @@ class RealMeshes(Case):
     def check(self, mesh, name):
         """Smoother, no longer, on the mesh; the million-face mesh is opened once for two tau."""
         ids = reference_curve(name)
-        filter = pv.TalwegSmoothPoints(Input=mesh, PointIds=" ".join(map(str, ids)))
+        filter = pv.TalwegSmoothVertices(Input=mesh, PointIds=" ".join(map(str, ids)))
         curve = self.curve_of(filter)
         self.assertEqual(report(curve, "closed"), 1 if ids[0] == ids[-1] else 0)
         self.assertLess(report(curve, "curvature_after"), 0.5 * report(curve, "curvature_before"))
@@ -386,7 +409,7 @@ class RealMeshes(Case):
                    "armadillo_86k_loop_large")
 
     def test_a_mesh_that_is_no_manifold_is_refused(self):
-        filter = pv.TalwegSmoothPoints(
+        filter = pv.TalwegSmoothVertices(
             Input=pv.PLYReader(FileNames=[str(real_mesh("car_nonmanifold_251k.ply"))]),
             PointIds="0 1")
         self.assertRegex(self.error_of(filter), "edge|vertex")

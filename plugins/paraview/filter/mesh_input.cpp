@@ -80,7 +80,8 @@ void MeshInput::cut_into_triangles() {
     add_strip(corners_of(*strips), cell++);
   }
   as_given_ = faces_only && !cut;
-  if (cut) note_ += std::string(note_.empty() ? "" : " ") + "The mesh's polygons were cut into triangles.";
+  if (cut)
+    note_ += std::string(note_.empty() ? "" : " ") + "The mesh's polygons were cut into triangles.";
 }
 
 void MeshInput::add_fan(const std::vector<vtkIdType>& corners, vtkIdType cell) {

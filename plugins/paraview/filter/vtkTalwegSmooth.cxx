@@ -2,6 +2,7 @@
 
 #include <array>
 #include <exception>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -11,8 +12,8 @@
 #include <vtkDoubleArray.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
+#include <vtkLogger.h>
 #include <vtkObjectFactory.h>
-#include <vtkOutputWindow.h>
 #include <vtkPointData.h>
 #include <vtkPointSet.h>
 #include <vtkPolyData.h>
@@ -26,10 +27,6 @@ using talweg::paraview::Session;
 
 namespace {
 
-void say(const std::string& text) {
-  if (!text.empty()) vtkOutputWindowDisplayText(("Talweg: " + text + "\n").c_str());
-}
-
 std::string text_of(const char* text) { return text == nullptr ? "" : text; }
 
 /// None: no array.
@@ -42,14 +39,25 @@ std::string array_name(const char* text) {
 
 struct vtkTalwegSmooth::Internals {
   explicit Internals(vtkTalwegSmooth* filter)
-      : Work([filter](const char* stage,
-                      double done) { return filter->Inside->go_on(*filter, stage, done); },
-             [](std::uint32_t, const char* message) { say(message); }) {}
+      : Filter(filter),
+        Work(
+            [this](const char* stage, double done) { return this->go_on(stage, done); },
+            [this](std::uint32_t severity, const char* message) { this->log(severity, message); }) {
+  }
 
-  static bool go_on(vtkTalwegSmooth& filter, const char* stage, double done) {
-    filter.SetProgressText(stage);
-    filter.UpdateProgress(done);
-    return !filter.GetAbortExecute() && !filter.CheckAbort();
+  bool go_on(const char* stage, double done) const {
+    this->Filter->SetProgressText(stage);
+    this->Filter->UpdateProgress(done);
+    return !this->Filter->GetAbortExecute() && !this->Filter->CheckAbort();
+  }
+
+  /// ParaView opens its messages for every warning, so one is not repeated while a slider moves.
+  void log(std::uint32_t severity, const std::string& message) {
+    if (severity < TALWEG_LOG_WARNING) {
+      vtkLog(INFO, "Talweg: " << message);
+    } else if (this->Warned.insert(message).second) {
+      vtkWarningWithObjectMacro(this->Filter, << message);
+    }
   }
 
   [[nodiscard]] std::vector<Curve> drawing(vtkDataSet* curve) const {
@@ -78,23 +86,26 @@ struct vtkTalwegSmooth::Internals {
   }
 
   void run(vtkDataSet& mesh, vtkDataSet* curve, vtkPolyData& curves_out, vtkPolyData& mesh_out) {
-    const int opened = this->Work.meshes_opened();
+    const int before = this->Work.meshes_opened() + this->Work.curves_set();
     this->Work.take_mesh(mesh);
-    if (this->Work.meshes_opened() != opened) say(this->Work.mesh().note());
     this->Work.take_curves({curve, curve == nullptr ? 0 : curve->GetMTime(), this->Edits},
                            [this, curve] { return this->drawing(curve); });
+    if (this->Work.meshes_opened() + this->Work.curves_set() != before) this->Warned.clear();
+    if (!this->Work.mesh().note().empty()) this->log(TALWEG_LOG_WARNING, this->Work.mesh().note());
     const talweg::host::Results results = this->Work.run(this->WithDistance);
     talweg::paraview::give(results, curves_out);
     this->give_mesh(mesh_out);
-    say(talweg::paraview::summary(results));
+    this->log(TALWEG_LOG_INFO, talweg::paraview::summary(results));
   }
 
+  vtkTalwegSmooth* Filter;
   Session Work;
   std::vector<std::array<double, 3>> Points;
   std::string PointIds, CurveIds;
   bool Closed = false;
   bool WithDistance = true;
-  std::uint64_t Edits = 0;  // of the drawing
+  std::uint64_t Edits = 0;       // of the drawing
+  std::set<std::string> Warned;  // since the mesh or the drawing changed
 };
 
 vtkStandardNewMacro(vtkTalwegSmooth);

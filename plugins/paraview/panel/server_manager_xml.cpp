@@ -183,7 +183,7 @@ std::string curve_input() {
          "<Hints><NoDefault/></Hints></StringVectorProperty>\n";
 }
 
-/// The drawing as points that are clicked, or as a list.
+/// The drawing as points that are clicked.
 std::string points() {
   return "<DoubleVectorProperty name=\"Points\" command=\"SetPoint\" "
          "set_number_command=\"SetNumberOfPoints\" use_index=\"1\" repeat_command=\"1\" "
@@ -197,13 +197,16 @@ std::string points() {
          "joined to the first.</Documentation></IntVectorProperty>\n"
          "<PropertyGroup label=\"Drawing\" panel_widget=\"InteractivePolyLine\">"
          "<Property name=\"Points\" function=\"HandlePositions\"/>"
-         "<Property name=\"Closed\" function=\"Closed\"/></PropertyGroup>\n"
-         "<StringVectorProperty name=\"PointIds\" command=\"SetPointIds\" "
-         "number_of_elements=\"1\" default_values=\"\"><Documentation>Instead of points: vertices "
-         "of the mesh, numbers from 0 separated by spaces or commas, joined by shortest edge "
-         "paths. "
-         "A list that repeats its first number is closed.</Documentation>"
-         "</StringVectorProperty>\n";
+         "<Property name=\"Closed\" function=\"Closed\"/></PropertyGroup>\n";
+}
+
+/// The drawing as numbers of vertices.
+std::string vertices() {
+  return "<StringVectorProperty name=\"PointIds\" command=\"SetPointIds\" "
+         "number_of_elements=\"1\" default_values=\"\"><Documentation>Vertices of the mesh, "
+         "numbers "
+         "from 0 separated by spaces or commas, joined by shortest edge paths. A list that repeats "
+         "its first number is closed.</Documentation></StringVectorProperty>\n";
 }
 
 /// What else the filter does.
@@ -228,8 +231,12 @@ std::string counters() {
   return result;
 }
 
+/// The rest says what a plugin makes of curves that these filters give it otherwise.
+std::string first_sentence(const std::string& text) { return text.substr(0, text.find(". ") + 1); }
+
 std::string filter(const talweg_plugin& plugin, const char* name, const char* label,
                    const std::string& drawing) {
+  const std::string doc = escaped(first_sentence(plugin.doc));
   std::string properties = mesh_input() + drawing;
   for (std::uint32_t k = 0; k < plugin.parameter_count; ++k) {
     properties += property(*plugin.parameters[k]);
@@ -239,8 +246,7 @@ std::string filter(const talweg_plugin& plugin, const char* name, const char* la
       "<Documentation short_help=\"{}\" long_help=\"{}\">{}</Documentation>\n{}{}"
       "<OutputPort index=\"0\" name=\"Curve\"/>\n<OutputPort index=\"1\" name=\"Mesh\"/>\n"
       "<Hints><ShowInMenu category=\"Talweg\"/></Hints>\n</SourceProxy>\n",
-      name, label, escaped(plugin.label), escaped(plugin.label), escaped(plugin.doc), properties,
-      distance_switch() + counters());
+      name, label, doc, doc, doc, properties, distance_switch() + counters());
 }
 
 }  // namespace
@@ -249,6 +255,7 @@ std::string server_manager_xml(const talweg_plugin& plugin) {
   return std::string("<ServerManagerConfiguration>\n<ProxyGroup name=\"filters\">\n") +
          filter(plugin, "TalwegSmoothCurve", "Talweg Smooth Curve", curve_input()) +
          filter(plugin, "TalwegSmoothPoints", "Talweg Smooth Points", points()) +
+         filter(plugin, "TalwegSmoothVertices", "Talweg Smooth Vertices", vertices()) +
          "</ProxyGroup>\n</ServerManagerConfiguration>\n";
 }
 

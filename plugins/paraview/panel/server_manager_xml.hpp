@@ -7,9 +7,10 @@
 
 namespace talweg::paraview {
 
-/// Server-manager XML with two filters of the class vtkTalwegSmooth: TalwegSmoothCurve takes the
-/// curve as its second input, TalwegSmoothPoints as clicked points or vertex numbers. Each has one
-/// property for each parameter, named after its id (max_deviation: MaxDeviation).
+/// Server-manager XML with three filters of the class vtkTalwegSmooth, by what the drawing is:
+/// TalwegSmoothCurve takes it as its second input, TalwegSmoothPoints as points that are clicked,
+/// TalwegSmoothVertices as numbers of vertices. Each has one property for each parameter, named
+/// after its id (max_deviation: MaxDeviation).
 /// Throws std::runtime_error for a parameter that no property can be made for.
 std::string server_manager_xml(const talweg_plugin& plugin);
 
