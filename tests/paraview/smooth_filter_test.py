@@ -104,8 +104,9 @@ class Outputs(Case):
             self.assertRegex(log.read_text(), "Talweg: length .* curvature .*: converged")
 
     def test_a_warning_is_given_once_for_a_drawing(self):
-        above = [c for v in LOOP for c in (*POINTS[v][:2], POINTS[v][2] + 0.01)]
-        filter = sheet(Points=above)
+        above = [(*POINTS[v][:2], POINTS[v][2] + 0.01) for v in LOOP]
+        mesh = source(polydata(POINTS, TRIANGLES))
+        filter = pv.TalwegSmoothCurve(Input=mesh, Curve=source(polydata(above)))
         said = []
         for tau in (1, 2):
             filter.Tau = tau
@@ -115,10 +116,17 @@ class Outputs(Case):
             self.assertIn("moved onto the mesh", report(output(filter, 0), "warnings"))
         self.assertIn("moved onto the mesh", said[0])
         self.assertEqual(said[1], "")
-        filter.Closed = 1
+        filter.Curve = source(polydata(above[:3]))
         with Said() as now:
             filter.UpdatePipeline()
         self.assertIn("moved onto the mesh", now.text())
+
+    def test_clicked_points_that_are_moved_are_no_warning(self):
+        filter = sheet(Points=[c for v in LOOP for c in (*POINTS[v][:2], POINTS[v][2] + 0.01)])
+        with Said() as said:
+            filter.UpdatePipeline()
+        self.assertEqual(said.text(), "")
+        self.assertIn("moved onto the mesh", report(output(filter, 0), "warnings"))
 
 
 class Drawings(Case):

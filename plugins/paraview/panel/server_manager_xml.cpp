@@ -234,6 +234,8 @@ std::string counters() {
 /// The rest says what a plugin makes of curves that these filters give it otherwise.
 std::string first_sentence(const std::string& text) { return text.substr(0, text.find(". ") + 1); }
 
+/// The input stays to be seen, and its mesh is not shown twice: ParaView 5.11 places points on what
+/// comes out of a first output only.
 std::string filter(const talweg_plugin& plugin, const char* name, const char* label,
                    const std::string& drawing) {
   const std::string doc = escaped(first_sentence(plugin.doc));
@@ -245,7 +247,8 @@ std::string filter(const talweg_plugin& plugin, const char* name, const char* la
       "<SourceProxy name=\"{}\" class=\"vtkTalwegSmooth\" label=\"{}\">\n"
       "<Documentation short_help=\"{}\" long_help=\"{}\">{}</Documentation>\n{}{}"
       "<OutputPort index=\"0\" name=\"Curve\"/>\n<OutputPort index=\"1\" name=\"Mesh\"/>\n"
-      "<Hints><ShowInMenu category=\"Talweg\"/></Hints>\n</SourceProxy>\n",
+      "<Hints><ShowInMenu category=\"Talweg\"/><Visibility replace_input=\"0\"/>"
+      "<View type=\"None\" port=\"1\"/></Hints>\n</SourceProxy>\n",
       name, label, doc, doc, doc, properties, distance_switch() + counters());
 }
 
