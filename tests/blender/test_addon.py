@@ -1,13 +1,16 @@
 """The operators: the driver's results bit for bit, curve objects, cuts, errors, what is kept."""
 
+import json
 import tempfile
+import types
 import unittest
 from pathlib import Path
 
 import bmesh
 import bpy
 import numpy as np
-from talweg_blender import drawings, session
+from talweg_blender import drawings, parameters, session
+from talweg_blender.package import talweg
 
 import scene
 import support
@@ -59,12 +62,21 @@ class Addon(unittest.TestCase):
             with self.subTest(parameters):
                 result = self.smooth(**parameters)
                 self.equal(self.driver(faces, self.drawn, *options), result.curve)
-                shown = curve_objects()
-                self.assertEqual(len(shown), 1)  # the redo panel changes it, and adds no other
-                np.testing.assert_array_equal(scene.spline_points(shown[0]),
+                shown, = curve_objects()
+                np.testing.assert_array_equal(scene.spline_points(shown),
                                               result.curve.positions.astype(np.float32))
-                self.assertFalse(shown[0].data.splines[0].use_cyclic_u)
-                self.assertEqual(shown[0].matrix_world, self.obj.matrix_world)
+                self.assertFalse(shown.data.splines[0].use_cyclic_u)
+                self.assertEqual(shown.matrix_world, self.obj.matrix_world)
+                self.assertEqual(json.loads(shown["talweg_report"])["curvature_after"],
+                                 result.total.curvature_after)
+                bpy.data.objects.remove(shown)
+
+    def test_what_is_not_ticked_shows_what_was_used(self):
+        panel = types.SimpleNamespace(use_slack=False, slack=1, use_max_deviation=True,
+                                      max_deviation=1)
+        result = talweg.smooth(*support.hills(), self.drawn)
+        parameters.show_used(panel, result.total)
+        self.assertEqual((panel.slack, panel.max_deviation), (result.total.slack, 1))
 
     def test_a_loop(self):
         scene.empty()

@@ -20,15 +20,15 @@ class _Smoothing:
                 raise talweg.BadMesh("The mesh has no faces.")
             result = self._result(context, arrays, curves)
             if self.output == "CURVE":
-                shown = curve_object.show(obj, curve_object.key_of(obj, curves), result,
-                                          self.thickness)
-                self.report({"INFO"}, _sentence(result) + f" Curve: {shown.name}.")
+                made = curve_object.add(obj, result, self.thickness)
+                self.report({"INFO"}, _sentence(result) + f" Curve: {made.name}.")
             else:
                 self._cut(context, obj, arrays, result)
                 self.report({"INFO"}, _sentence(result))
         except (talweg.Error, KeyboardInterrupt) as error:
             self.report({"ERROR"}, str(error) or "Interrupted.")
             return {"CANCELLED"}
+        parameters.show_used(self, result.total)
         for warning in result.total.warnings:
             self.report({"WARNING"}, warning)
         if max(obj.scale) - min(obj.scale) > 1e-6 * max(map(abs, obj.scale)):

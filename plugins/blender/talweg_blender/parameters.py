@@ -27,7 +27,7 @@ def _number(parameter):
         return bpy.props.IntProperty(name=parameter.label, description=text, default=int(start),
                                      **{k: int(min(v, 2**31 - 1)) for k, v in limits.items()})
     return bpy.props.FloatProperty(name=parameter.label, description=text, default=start,
-                                   precision=3, step=10, **limits)
+                                   precision=4, step=10, **limits)
 
 
 def annotations():
@@ -53,6 +53,13 @@ def values(operator):
     """Of an operator: None for an optional parameter that is not to be used."""
     return {p.id: None if p.optional and not getattr(operator, "use_" + p.id)
             else getattr(operator, p.id) for p in described()}
+
+
+def show_used(operator, report):
+    """Optional parameters that are not ticked show what was used or reached, to begin from."""
+    for id, value in (("slack", report.slack), ("max_deviation", report.deviation_to_drawn_max)):
+        if not getattr(operator, "use_" + id) and value is not None and 0 < value < 1e30:
+            setattr(operator, id, value)
 
 
 def draw(layout, operator):
