@@ -22,8 +22,8 @@ def described():
         advanced = advanced or line.startswith("Advanced")
         found = OPTION.match(line)
         if found and found[1] not in ("curve", "report", "write-distance"):
-            kind = "FLAG" if found[2] else found[3]
-            default = "1" if found[2] else found[4]
+            kind = found[3] or "FLAG"
+            default = found[4] if found[3] else "1" if found[2] else "0"
             options.append((found[1], kind, default, advanced))
     return options
 

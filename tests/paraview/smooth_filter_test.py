@@ -72,7 +72,7 @@ class Outputs(Case):
         self.assertAlmostEqual(sum(map(abs, turns)), report(curve, "curvature_after"), 9)
 
     def test_the_mesh_has_the_distance_to_the_drawing(self):
-        filter = sheet(PointIds=TEXT)
+        filter = sheet(PointIds=TEXT, DistanceField=1)
         self.curve_of(filter)
         mesh = output(filter, 1)
         self.assertEqual((mesh.GetNumberOfPoints(), mesh.GetNumberOfPolys()),
@@ -87,13 +87,20 @@ class Outputs(Case):
             nearest = min(distance(point, POINTS[w]) for w in ZIGZAG)
             self.assertGreaterEqual(field[v], nearest - 2 * longest)
 
-    def test_without_the_distance(self):
-        filter = sheet(PointIds=TEXT, DistanceField=0)
+    def test_the_distance_is_there_when_asked_for(self):
+        filter = sheet(PointIds=TEXT)
         self.curve_of(filter)
         self.assertIsNone(output(filter, 1).GetPointData().GetArray("distance"))
         filter.DistanceField = 1
         self.curve_of(filter)
-        self.assertEqual(len(values(output(filter, 1), "distance")), len(POINTS))
+        first = values(output(filter, 1), "distance")
+        self.assertEqual(len(first), len(POINTS))
+        filter.Tau = 5
+        self.curve_of(filter)
+        self.assertEqual(values(output(filter, 1), "distance"), first)
+        filter.PointIds = " ".join(map(str, LOOP))
+        self.curve_of(filter)
+        self.assertEqual(values(output(filter, 1), "distance")[LOOP[0]], 0)
 
     def test_the_log_tells_what_was_done(self):
         with tempfile.TemporaryDirectory() as folder:

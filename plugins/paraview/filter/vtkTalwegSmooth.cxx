@@ -107,7 +107,7 @@ struct vtkTalwegSmooth::Internals {
   std::string PointIds, CurveIds;
   bool Closed = false;
   bool Clicked = false;  // the drawing of this run is of points
-  bool WithDistance = true;
+  bool WithDistance = false;
   std::uint64_t Edits = 0;       // of the drawing
   std::set<std::string> Warned;  // since the mesh or the drawing changed
 };

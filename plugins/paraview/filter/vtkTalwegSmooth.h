@@ -45,7 +45,7 @@ class TALWEGFILTERS_EXPORT vtkTalwegSmooth : public vtkPolyDataAlgorithm {
   /// Vertices of the mesh, used instead of the points; closed if the first is repeated at the end.
   void SetPointIds(const char* numbers);
 
-  /// Whether output 1 has the point array "distance" (on by default).
+  /// Whether output 1 has the point array "distance" (off by default).
   void SetDistanceField(int on);
 
   ///@{

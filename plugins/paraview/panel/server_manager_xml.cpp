@@ -211,10 +211,11 @@ std::string vertices() {
 
 /// What else the filter does.
 std::string distance_switch() {
-  return "<IntVectorProperty name=\"DistanceField\" "
-         "command=\"SetDistanceField\" number_of_elements=\"1\" default_values=\"1\" "
-         "panel_visibility=\"advanced\"><BooleanDomain name=\"bool\"/><Documentation>The second "
-         "output has the distance to the drawing at every vertex, computed once for each drawing."
+  return "<IntVectorProperty name=\"DistanceField\" command=\"SetDistanceField\" "
+         "number_of_elements=\"1\" default_values=\"0\"><BooleanDomain name=\"bool\"/>"
+         "<Documentation>The second output has the distance to the drawing at every vertex, "
+         "computed "
+         "once for each drawing: half a second on 100,000 faces, many seconds on a million."
          "</Documentation></IntVectorProperty>\n";
 }
 
