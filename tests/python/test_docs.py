@@ -2,6 +2,7 @@
 
 import contextlib
 import io
+import os
 import re
 import runpy
 import sys
@@ -17,6 +18,10 @@ BLOCK = re.compile(r"(^<!-- not run: [^\n]+ -->\n)?^```python\n(.*?)^```", re.DO
 
 class Docs(unittest.TestCase):
     def test_blocks(self):
+        folder = tempfile.TemporaryDirectory()  # for the files that the page writes
+        self.addCleanup(folder.cleanup)
+        self.addCleanup(os.chdir, os.getcwd())
+        os.chdir(folder.name)
         names, printed = {}, io.StringIO()
         for page in ("docs/python.md", "README.md"):  # the README takes its mesh from the page
             text = (support.SOURCE / page).read_text()

@@ -8,13 +8,14 @@ import support
 import talweg
 from talweg import _interface
 
-HEADER = re.sub(r"/\*.*?\*/", "", (
-    support.SOURCE / "plugins/interface/talweg_plugin.h").read_text(), flags=re.DOTALL)
+HEADER = re.sub(r"/\*.*?\*/", "", "".join(
+    (support.SOURCE / "plugins/interface" / name).read_text()
+    for name in ("talweg_plugin.h", "talweg_curve_files.h")), flags=re.DOTALL)
 
 STRUCTS = {"array": "Array", "field": "Field", "mesh": "Mesh", "curve": "Curve",
            "parameter": "Parameter", "output": "Output", "sink": "Sink", "host": "Host",
            "report_entry": "ReportEntry", "host_log": "HostLog", "host_progress": "HostProgress",
-           "plugin": "Plugin", "module": "Module"}
+           "plugin": "Plugin", "module": "Module", "curve_files": "CurveFiles"}
 SCALARS = {"uint32_t": ctypes.c_uint32, "uint64_t": ctypes.c_uint64, "int64_t": ctypes.c_int64,
            "double": ctypes.c_double, "const char *": ctypes.c_char_p}
 
@@ -56,7 +57,7 @@ class Interface(unittest.TestCase):
                 self.assertEqual(value, eval(declared[name]), name)  # pylint: disable=eval-used
                 compared += 1
         self.assertGreater(compared, 25)
-        for name in ("HOST_LOG", "HOST_PROGRESS"):
+        for name in ("HOST_LOG", "HOST_PROGRESS", "CURVE_FILES"):
             self.assertIn('#define TALWEG_%s "%s"' % (name, getattr(_interface, name).decode()),
                           HEADER)
 

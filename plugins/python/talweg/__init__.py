@@ -16,6 +16,7 @@ from typing import Any, Sequence, Union
 from ._curves import ArrayLike, Curve, CurveLike
 from ._errors import (BadCurve, BadFile, BadMesh, BadUsage, Cancelled, Error, Internal, Numerical,
                       OutOfMemory, PluginNotFound, Unsupported)
+from ._files import read_curves, write_curves
 from ._mesh import Mesh, Workspace
 from ._plugins import Parameter, Plugin, folders, help_text, plugin, plugins
 from ._results import Distance, Report, Result
@@ -25,7 +26,7 @@ __all__ = [
     "BadCurve", "BadFile", "BadMesh", "BadUsage", "Cancelled", "Curve", "Distance", "Error",
     "Internal", "Mesh", "Numerical", "OutOfMemory", "Parameter", "Plugin", "PluginNotFound",
     "Report", "Result", "Unsupported", "Workspace", "__version__", "distance", "draw", "folders",
-    "geodesic", "help_text", "plugin", "plugins", "smooth"
+    "geodesic", "help_text", "plugin", "plugins", "read_curves", "smooth", "write_curves"
 ]
 
 

@@ -122,6 +122,34 @@ def views(curves: Sequence[Curve]) -> Tuple[Any, List[Any]]:
     return pointers, kept
 
 
+def whole_views(curves: Sequence[Curve]) -> Tuple[Any, List[Any]]:
+    """The same of results, with all that they have, for writing them."""
+    kept: List[Any] = []
+    pointers = (ctypes.POINTER(c.Curve) * len(curves))()
+    for k, given in enumerate(curves):
+        curve = c.Curve(size=ctypes.sizeof(c.Curve), closed=int(given.closed))
+        if given.vertices is not None:
+            indices = _arrays.readable(given.vertices, 1, "The curve's vertices", BadCurve)
+            none = np.where(indices == -1, c.NO_VERTEX, indices)
+            _keep(curve, "vertices", none.astype(np.uint32), 1, kept)
+        for name, columns in (("faces", 1), ("barycentrics", 3), ("positions", 3)):
+            if getattr(given, name) is not None:
+                _keep(curve, name, getattr(given, name), columns, kept)
+        kept.append(curve)
+        pointers[k] = ctypes.pointer(curve)
+    return pointers, kept
+
+
+def copied_input(curve: c.Curve) -> Curve:
+    """A curve as it was given: vertices, or faces and barycentrics, or positions."""
+    return Curve(
+        _arrays.copied_indices(curve.vertices) if curve.vertices.rows else None,
+        _arrays.copied_indices(curve.faces) if curve.faces.rows else None,
+        _arrays.copied(curve.barycentrics) if curve.barycentrics.rows else None,
+        _arrays.copied(curve.positions) if curve.positions.rows else None, bool(curve.closed),
+        tuple(_arrays.copied_indices(curve.pins).tolist()) if curve.pins.rows else ())
+
+
 def copied(curve: c.Curve) -> Curve:
     """A curve that a plugin gives."""
     fields = {}

@@ -1,4 +1,4 @@
-"""The plugin interface 1.0 (``talweg_plugin.h``) in ctypes: structs and numbers, nothing else.
+"""The plugin interface 1.0 (``talweg_plugin.h``, ``talweg_curve_files.h``) in ctypes, nothing else.
 
 Function pointers made here release Python's lock while they run, and take it for callbacks.
 ``tests/python/test_interface.py`` compares the members with the header.
@@ -22,6 +22,7 @@ WANT_POINT_FIELDS = 1
 TAKES_CURVES = 1
 HOST_LOG = b"talweg.log/1"
 HOST_PROGRESS = b"talweg.progress/1"
+CURVE_FILES = b"talweg.curve_files/1"
 LOG_DEBUG, LOG_INFO, LOG_WARNING, LOG_ERROR = 1, 2, 3, 4
 
 Status = c_uint32
@@ -118,6 +119,13 @@ class Plugin(Structure):
                 ("cancel", CFUNCTYPE(None, c_void_p)),
                 ("last_error", CFUNCTYPE(c_char_p, c_void_p)),
                 ("get_extension", CFUNCTYPE(c_void_p, c_char_p))]
+
+
+class CurveFiles(Structure):
+    _fields_ = [("size", c_uint32),
+                ("write", CFUNCTYPE(Status, c_char_p, POINTER(POINTER(Curve)), c_uint64, c_char_p,
+                                    c_uint64)),
+                ("read", CFUNCTYPE(Status, c_char_p, POINTER(Sink), c_char_p, c_uint64))]
 
 
 class Module(Structure):

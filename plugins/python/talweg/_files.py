@@ -1,0 +1,72 @@
+"""Curve files: the extension of talweg.draw that reads and writes the driver's formats."""
+
+from __future__ import annotations
+
+import ctypes
+import os
+from ctypes import byref, sizeof
+from typing import Any, Callable, List, Sequence, Union
+
+from . import _curves, _plugins
+from . import _interface as c
+from ._curves import Curve
+from ._errors import Unsupported, error_of
+
+Path = Union[str, "os.PathLike[str]"]
+_MESSAGE_SIZE = 1000
+
+
+def _extension() -> Any:
+    plugin = _plugins.plugin("talweg.draw")
+    address = plugin.table.get_extension(c.CURVE_FILES)
+    if not address:
+        raise Unsupported(f"{plugin.path} is too old to read and write curve files.")
+    return c.CurveFiles.from_address(address)
+
+
+def _checked(call: Callable[[Any], int]) -> None:
+    message = ctypes.create_string_buffer(_MESSAGE_SIZE)
+    status = call(message)
+    if status != c.OK:
+        raise error_of(status, message.value.decode(errors="replace"))
+
+
+def read_curves(path: Path) -> List[Curve]:
+    """The curves of a file, for smooth() and the others.
+
+    :param path: .obj, .ply, .vtp, .vtk, .mrk.json (3D Slicer), .json (ours) or .txt (vertices).
+    :raises BadFile: with file, line, and what was expected. Nothing is checked against a mesh.
+    """
+    curves: List[Curve] = []
+    failures: List[BaseException] = []
+
+    def take(_context: Any, curve: Any) -> int:
+        try:
+            curves.append(_curves.copied_input(curve.contents))
+            return c.OK
+        except BaseException as error:  # raised again below
+            failures.append(error)
+            return c.HOST_FAILED
+
+    sink = c.Sink(size=sizeof(c.Sink), curve=c.CurveSink(take))
+    try:
+        _checked(lambda message: _extension().read(os.fsencode(path), byref(sink), message,
+                                                   _MESSAGE_SIZE))
+    except Exception:
+        if failures:
+            raise failures[0] from None
+        raise
+    return curves
+
+
+def write_curves(path: Path, curves: Union[Curve, Sequence[Curve]]) -> None:
+    """Writes curves as they come from Talweg; the same bytes as the driver's.
+
+    :param path: its extension tells the format, as for read_curves(). .json keeps everything; .txt
+        needs curves whose points are all at vertices.
+    :raises BadFile: if the file cannot be written; it is as it was then.
+    """
+    pointers, kept = _curves.whole_views([curves] if isinstance(curves, Curve) else curves)
+    _checked(lambda message: _extension().write(os.fsencode(path), pointers, len(pointers), message,
+                                                _MESSAGE_SIZE))
+    del kept  # until here

@@ -1,0 +1,84 @@
+"""Curve files: the driver's bytes, and what was written comes back."""
+
+import tempfile
+import unittest
+from pathlib import Path
+
+import numpy as np
+
+import support
+import talweg
+
+FORMATS = ("json", "obj", "ply", "vtp", "vtk", "mrk.json")
+
+
+class Files(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.vertices, cls.faces = support.hills()
+        cls.drawn = support.staircase()
+        cls.curve = talweg.smooth(cls.vertices, cls.faces, cls.drawn).curve
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+
+    def test_the_drivers_bytes(self):
+        support.write_obj(self.folder / "mesh.obj", self.vertices, self.faces)
+        drawn = talweg.draw(self.vertices, self.faces, [305, 1820, 3055])
+        talweg.write_curves(self.folder / "drawn.txt", drawn)
+        np.testing.assert_array_equal(np.loadtxt(self.folder / "drawn.txt"), drawn.vertices)
+        outputs = [f"driver.{name}" for name in FORMATS]
+        support.driver(self.folder, "smooth", "mesh.obj", "--curve", "drawn.txt",
+                       *[word for output in outputs for word in ("-o", output)])
+        curve = talweg.smooth(self.vertices, self.faces, drawn).curve
+        for name in FORMATS:
+            talweg.write_curves(self.folder / f"ours.{name}", curve)
+            self.assertEqual((self.folder / f"ours.{name}").read_bytes(),
+                             (self.folder / f"driver.{name}").read_bytes(), name)
+
+    def test_round_trips(self):
+        mesh = talweg.Mesh(self.vertices, self.faces)
+        expected = mesh.smooth(self.curve).curve.positions
+        for name in FORMATS:
+            path = self.folder / f"curve.{name}"
+            talweg.write_curves(str(path), [self.curve])
+            back = talweg.read_curves(path)
+            self.assertEqual((len(back), len(back[0]), back[0].closed),
+                             (1, len(self.curve), False), name)
+            if name == "json":
+                np.testing.assert_array_equal(back[0].faces, self.curve.faces)
+                np.testing.assert_array_equal(back[0].barycentrics, self.curve.barycentrics)
+                np.testing.assert_array_equal(mesh.smooth(back).curve.positions, expected)
+
+    def test_sets_and_loops(self):
+        vertices, faces = support.torus()
+        drawn = [talweg.Curve(support.ring(column=k), closed=True) for k in (5, 30)]
+        result = talweg.smooth(vertices, faces, drawn)
+        talweg.write_curves(self.folder / "two.json", result.curves)
+        self.assertEqual([curve.closed for curve in talweg.read_curves(self.folder / "two.json")],
+                         [True, True])
+        (self.folder / "ring.txt").write_text("\n".join(map(str, [1, 2, 3, 1])))
+        ring = talweg.read_curves(self.folder / "ring.txt")[0]
+        self.assertEqual((ring.vertices.tolist(), ring.closed), ([1, 2, 3], True))
+
+    def test_errors(self):
+        with self.assertRaisesRegex(talweg.BadFile, "missing.json"):
+            talweg.read_curves(self.folder / "missing.json")
+        (self.folder / "bad.txt").write_text("1\ntwo\n")
+        with self.assertRaisesRegex(talweg.BadFile, "bad.txt.*2.*two"):
+            talweg.read_curves(self.folder / "bad.txt")
+        with self.assertRaisesRegex(talweg.Error, "xyz"):
+            talweg.write_curves(self.folder / "curve.xyz", self.curve)
+        with self.assertRaisesRegex(talweg.BadFile, "nowhere"):
+            talweg.write_curves(self.folder / "nowhere/curve.json", self.curve)
+        with self.assertRaisesRegex(talweg.BadUsage, "face, barycentrics and a position"):
+            talweg.write_curves(self.folder / "curve.json", talweg.Curve(self.drawn))
+        with self.assertRaises(talweg.Error):
+            talweg.write_curves(self.folder / "curve.txt", self.curve)  # not all at vertices
+        self.assertEqual(sorted(p.name for p in self.folder.iterdir()), ["bad.txt"])
+
+
+if __name__ == "__main__":
+    unittest.main()
