@@ -49,7 +49,8 @@ class Polisher {
                   LiftedChain::Nodes& trial);
   void find_spokes(VertexId v);
   [[nodiscard]] int slot(const SurfacePoint& p, VertexId v) const;
-  VertexId driven_to(const ChainNode& node) const;
+  [[nodiscard]] VertexId driven_to(const ChainNode& node) const;
+  [[nodiscard]] bool is_clear_of(VertexId v, std::size_t before, std::size_t after) const;
   [[nodiscard]] bool pinned(const SurfacePoint& p) const {
     return std::find(pinned_.begin(), pinned_.end(), p) != pinned_.end();
   }
@@ -217,6 +218,13 @@ double Polisher::settled_below(double goal) {
   return chain_.settle(trial_, 3);
 }
 
+/// Whether the best way found passes v without being driven to it.
+bool Polisher::is_clear_of(VertexId v, std::size_t before, std::size_t after) const {
+  return std::none_of(best_.begin() + static_cast<std::ptrdiff_t>(before),
+                      best_.end() - static_cast<std::ptrdiff_t>(after),
+                      [&](const ChainNode& node) { return driven_to(node) == v; });
+}
+
 /// Tries the ways around v for the nodes [first, first + count): on either side, or through it.
 /// What comes instead of them is put behind.
 bool Polisher::pass_vertex(std::size_t first, std::size_t count, VertexId v) {
@@ -247,6 +255,8 @@ bool Polisher::pass_vertex(std::size_t first, std::size_t count, VertexId v) {
   double best = chain_.length(trial_) * (1 - 1e-9);
   bool found = false;
   for (const int way : {+1, -1, 0}) {
+    // What has settled clear of the vertex would gain nothing by touching it.
+    if (way == 0 && found && is_clear_of(v, before, after)) break;
     begin();
     if (!way_around(from, to, way, v, trial_) || is_present(first, count, before)) continue;
     end();

@@ -38,6 +38,8 @@ Stages::Stages(std::filesystem::path mesh_file)
       drawn_(paper::tour(*opened_, 400, 1)),
       smoother_(opened_),
       in_corridor_(opened_),
+      dijkstra_(opened_->surface()),
+      dragged_(opened_->mesh(), drawn_, 20),
       meter_(opened_->mesh()) {
   smoother_.set_curve(drawn_, paper_method());
   triangulation_.emplace(opened_->surface());
@@ -47,6 +49,7 @@ Stages::Stages(std::filesystem::path mesh_file)
   straighten();
   trace();
   corridor();
+  drag();
 }
 
 void Stages::read() { lists_ = read_mesh(file_); }
@@ -102,6 +105,8 @@ void Stages::corridor_tau() {
   tau_ = tau_ > 1.9 ? 1.1 : tau_ + 0.1;
   in_corridor_.smooth(without_deviation(tau_));
 }
+
+void Stages::drag() { in_corridor_.drag(0, dragged_.redraw(dijkstra_), without_deviation(tau_)); }
 
 void Stages::deviation() { meter_.measure(std::span(&traced_, 1), std::span(&drawn_, 1)); }
 

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "dragged_point.hpp"
 #include "talweg/core/curve_smoother.hpp"
 
 namespace talweg::benchmarks {
@@ -27,6 +28,7 @@ class Stages {
   void smooth();    ///< what CurveSmoother does per tau: straighten, trace, measures, no deviation
   void corridor();  ///< a new drawing to its first curve by the corridor, no deviation
   void corridor_tau();  ///< another tau after that
+  void drag();          ///< a point dragged: two legs redrawn, and the result followed
   void deviation();     ///< both ways along the surface
 
   [[nodiscard]] std::size_t faces() const { return opened_->surface().face_count(); }
@@ -41,6 +43,8 @@ class Stages {
   std::vector<double> distance_;
   CurveSmoother smoother_;
   CurveSmoother in_corridor_;
+  EdgeDijkstra dijkstra_;
+  DraggedPoint dragged_;
   DeviationMeter meter_;
   double tau_ = 1;
   std::optional<SignpostTriangulation> triangulation_;
@@ -67,6 +71,7 @@ inline constexpr Stage kStages[] = {
     {"smooth", &Stages::smooth},
     {"corridor", &Stages::corridor},
     {"corridor_tau", &Stages::corridor_tau},
+    {"drag", &Stages::drag},
     {"deviation", &Stages::deviation},
 };
 

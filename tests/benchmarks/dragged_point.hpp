@@ -1,0 +1,28 @@
+// A hand that drags one way-point of a drawing.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "talweg/core/drawing.hpp"
+#include "talweg/core/surface_mesh.hpp"
+
+namespace talweg::benchmarks {
+
+/// A drawing along mesh edges with a way-point every `leg` vertices, and another vertex a few edges
+/// aside to which one of the way-points, in the middle, is dragged.
+class DraggedPoint {
+ public:
+  DraggedPoint(const SurfaceMesh& mesh, const SurfaceCurve& drawn, std::size_t leg);
+
+  /// The drawing after the drag: its two legs drawn anew.
+  SurfaceCurve redraw(EdgeDijkstra& dijkstra) const;
+
+ private:
+  const SurfaceMesh* mesh_;
+  bool closed_;
+  std::vector<VertexId> path_, through_;
+  std::size_t moved_ = 0;
+};
+
+}  // namespace talweg::benchmarks
