@@ -52,10 +52,10 @@ struct vtkTalwegSmooth::Internals {
   }
 
   /// ParaView opens its messages for every warning, so one is not repeated while a slider moves,
-  /// and there is none of what always happens to points that are clicked.
+  /// and there is none of what happens to nearly every drawing.
   void log(std::uint32_t severity, const std::string& message) {
-    const bool expected = this->Clicked && message.starts_with("The curve was moved onto the mesh");
-    if (severity < TALWEG_LOG_WARNING || expected) {
+    const bool usual = message.starts_with("The curve was moved onto the mesh");
+    if (severity < TALWEG_LOG_WARNING || usual) {
       vtkLog(INFO, "Talweg: " << message);
     } else if (this->Warned.insert(message).second) {
       vtkWarningWithObjectMacro(this->Filter, << message);
@@ -88,7 +88,6 @@ struct vtkTalwegSmooth::Internals {
   }
 
   void run(vtkDataSet& mesh, vtkDataSet* curve, vtkPolyData& curves_out, vtkPolyData& mesh_out) {
-    this->Clicked = curve == nullptr && this->PointIds.empty();
     const int before = this->Work.meshes_opened() + this->Work.curves_set();
     this->Work.take_mesh(mesh);
     this->Work.take_curves({curve, curve == nullptr ? 0 : curve->GetMTime(), this->Edits},
@@ -106,7 +105,6 @@ struct vtkTalwegSmooth::Internals {
   std::vector<std::array<double, 3>> Points;
   std::string PointIds, CurveIds;
   bool Closed = false;
-  bool Clicked = false;  // the drawing of this run is of points
   bool WithDistance = false;
   std::uint64_t Edits = 0;       // of the drawing
   std::set<std::string> Warned;  // since the mesh or the drawing changed
