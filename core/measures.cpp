@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <vector>
 
 #include "talweg/intrinsic/error.hpp"
 #include "talweg/intrinsic/triangle.hpp"
@@ -53,8 +54,7 @@ double angle_from(const Surface& surface, HalfedgeId h, const SurfacePoint& p,
 }
 
 Direction direction_at(const Surface& surface, VertexId v, const SurfacePoint& p,
-                       const SurfacePoint& q) {
-  const FaceId f = shared_face(surface, p, q);
+                       const SurfacePoint& q, FaceId f) {
   Direction direction{0, 0, surface.on_boundary(v)};
   const HalfedgeId first = surface.halfedge(v);
   HalfedgeId h = first;
@@ -67,8 +67,7 @@ Direction direction_at(const Surface& surface, VertexId v, const SurfacePoint& p
 }
 
 Direction direction_at(const Surface& surface, EdgeId e, const SurfacePoint& p,
-                       const SurfacePoint& q) {
-  const FaceId f = shared_face(surface, p, q);
+                       const SurfacePoint& q, FaceId f) {
   const HalfedgeId h = halfedge_of(e);
   const bool left = surface.has_face(h) && surface.face(h) == f;
   const double angle = left ? angle_from(surface, h, p, q) : angle_from(surface, twin(h), p, q);
@@ -76,22 +75,37 @@ Direction direction_at(const Surface& surface, EdgeId e, const SurfacePoint& p,
   return {left || open ? angle : angle + kPi, 2 * kPi, open};
 }
 
-Direction direction_to(const Surface& surface, const SurfacePoint& p, const SurfacePoint& q) {
+/// From p to q, both in face f.
+Direction direction_to(const Surface& surface, const SurfacePoint& p, const SurfacePoint& q,
+                       FaceId f) {
   if (const auto* v = std::get_if<AtVertex>(&p.where())) {
-    return direction_at(surface, v->vertex, p, q);
+    return direction_at(surface, v->vertex, p, q, f);
   }
-  if (const auto* e = std::get_if<OnEdge>(&p.where())) return direction_at(surface, e->edge, p, q);
-  const double angle = angle_from(surface, surface.halfedge(shared_face(surface, p, q)), p, q);
+  if (const auto* e = std::get_if<OnEdge>(&p.where())) {
+    return direction_at(surface, e->edge, p, q, f);
+  }
+  const double angle = angle_from(surface, surface.halfedge(f), p, q);
   return {angle < 0 ? angle + 2 * kPi : angle, 2 * kPi, false};
 }
 
-double segment_length(const Surface& surface, const SurfaceCurve& curve, std::size_t i) {
+std::size_t segment_count(const SurfaceCurve& curve) {
+  const std::size_t n = curve.points.size();
+  return n < 2 ? 0 : curve.closed ? n : n - 1;
+}
+
+/// The face of segment i.
+FaceId face_of(const Surface& surface, const SurfaceCurve& curve, std::size_t i) {
   const std::size_t j = (i + 1) % curve.points.size();
   const FaceId f = common_face(surface, curve.points[i], curve.points[j]);
   if (!f.valid()) {
     throw Error(ErrorCode::kBadCurve, "Points " + std::to_string(i) + " and " + std::to_string(j) +
                                           " of the curve lie in no common face.");
   }
+  return f;
+}
+
+double segment_length(const Surface& surface, const SurfaceCurve& curve, std::size_t i, FaceId f) {
+  const std::size_t j = (i + 1) % curve.points.size();
   return distance_in_face(surface, coordinates_in(surface, curve.points[i], f),
                           coordinates_in(surface, curve.points[j], f));
 }
@@ -101,10 +115,11 @@ struct Turn {
   double toward_left = 0;  ///< signed_turning()
 };
 
-Turn turn_at(const Surface& surface, const SurfacePoint& before, const SurfacePoint& at,
-             const SurfacePoint& after) {
-  const Direction in = direction_to(surface, at, before);
-  const Direction out = direction_to(surface, at, after);
+/// `face_before`, `face_after`: of the two segments.
+Turn turn_at(const Surface& surface, const SurfacePoint& before, FaceId face_before,
+             const SurfacePoint& at, FaceId face_after, const SurfacePoint& after) {
+  const Direction in = direction_to(surface, at, before, face_before);
+  const Direction out = direction_to(surface, at, after, face_after);
   const double swept = in.angle - out.angle;  // counterclockwise from the way on to the way back
   if (in.open) {
     const double turn = kPi - std::abs(swept);
@@ -112,6 +127,12 @@ Turn turn_at(const Surface& surface, const SurfacePoint& before, const SurfacePo
   }
   const double left = swept < 0 ? swept + in.cone : swept;
   return {std::clamp(kPi - std::min(left, in.cone - left), 0.0, kPi), in.cone / 2 - left};
+}
+
+Turn turn_at(const Surface& surface, const SurfacePoint& before, const SurfacePoint& at,
+             const SurfacePoint& after) {
+  return turn_at(surface, before, shared_face(surface, at, before), at,
+                 shared_face(surface, at, after), after);
 }
 
 }  // namespace
@@ -127,23 +148,26 @@ double signed_turning(const Surface& surface, const SurfacePoint& before, const 
 }
 
 double curve_length(const Surface& surface, const SurfaceCurve& curve) {
-  const std::size_t n = curve.points.size();
-  if (n < 2) return 0;
   double length = 0;
-  for (std::size_t i = 0; i < (curve.closed ? n : n - 1); ++i) {
-    length += segment_length(surface, curve, i);
+  for (std::size_t i = 0; i < segment_count(curve); ++i) {
+    length += segment_length(surface, curve, i, face_of(surface, curve, i));
   }
   return length;
 }
 
 CurveMeasures measure_curve(const Surface& surface, const SurfaceCurve& curve) {
   CurveMeasures measures;
-  measures.length = curve_length(surface, curve);
   const std::size_t n = curve.points.size();
+  std::vector<FaceId> faces;
+  for (std::size_t i = 0; i < segment_count(curve); ++i) {
+    faces.push_back(face_of(surface, curve, i));
+    measures.length += segment_length(surface, curve, i, faces.back());
+  }
   if (n < 2) return measures;
   for (std::size_t i = curve.closed ? 0 : 1; i < (curve.closed ? n : n - 1); ++i) {
-    const Turn turn =
-        turn_at(surface, curve.points[(i + n - 1) % n], curve.points[i], curve.points[(i + 1) % n]);
+    const std::size_t last = (i + n - 1) % n;
+    const Turn turn = turn_at(surface, curve.points[last], faces[last], curve.points[i], faces[i],
+                              curve.points[(i + 1) % n]);
     measures.total_curvature += turn.angle;
     measures.signed_curvature += turn.toward_left;
     if (turn.angle > measures.max_curvature) {
