@@ -1,0 +1,138 @@
+// The drawing on one mesh of the host: its editor, its thread, and the objects that show it.
+#pragma once
+
+#include <QString>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include <ACG/Scenegraph/MaterialNode.hh>
+#include <ACG/Scenegraph/PointNode.hh>
+
+#include "HostMesh.hh"
+#include "talweg/editing/editor.hpp"
+#include "talweg/editing/smoothing_thread.hpp"
+
+namespace talweg::openflipper {
+
+/// What a session asks of the host; all of it on the GUI's thread.
+class HostCalls {
+ public:
+  virtual ~HostCalls() = default;
+  virtual int add_line(const QString& name) = 0;
+  virtual void show_line(int id) = 0;     ///< its points have changed
+  virtual void show_colours(int id) = 0;  ///< its colours have changed
+  virtual void remove_object(int id) = 0;
+  virtual void push_backup(int id, const QString& name) = 0;
+  virtual bool host_undo(int id) = 0;  ///< false where the host has nothing to undo
+  virtual bool host_redo(int id) = 0;
+  virtual void say(const QString& sentence) = 0;   ///< to the log
+  virtual void warn(const QString& sentence) = 0;  ///< to the log and the status bar
+  virtual void changed() = 0;                      ///< drawing, results or state: show them
+  virtual void wake() = 0;                         ///< from any thread: look at the sessions soon
+};
+
+enum class ColourBy { kNothing, kDeviation, kDistance, kPotential };
+
+class Session {
+ public:
+  /// Copies the mesh and begins to open it. Throws editing::Error.
+  Session(HostCalls& host, const editing::Plugins& plugins, TriMeshObject& object,
+          const editing::Settings& settings);
+  ~Session();
+  Session(const Session&) = delete;
+  Session& operator=(const Session&) = delete;
+
+  [[nodiscard]] int mesh_id() const { return mesh_id_; }
+  [[nodiscard]] const editing::Editor& editor() const { return editor_; }
+  [[nodiscard]] const editing::MeshArrays& arrays() const { return *arrays_; }
+  [[nodiscard]] TriMesh& mesh() const { return *object_.mesh(); }
+  [[nodiscard]] const QString& name() const { return name_; }
+  [[nodiscard]] double diagonal() const { return diagonal_; }
+
+  /// One edit; one that cannot be done is told, and false.
+  bool edit(const std::function<void(editing::Editor&)>& change);
+  /// A movement of the hand: one step of undo.
+  void begin_gesture(const char* name);
+  void end_gesture();
+  [[nodiscard]] bool in_gesture() const { return editor_.history().in_gesture(); }
+  bool undo();
+  bool redo();
+
+  void add_selection();
+  void add_line(const PolyLine& line);
+  void add_curves(std::vector<host::Curve> curves);  ///< snapped where they are positions
+  void colour_by(ColourBy by);
+  [[nodiscard]] ColourBy coloured_by() const { return colour_by_; }
+
+  /// Takes in what the thread has done.
+  void take();
+  /// The same when all of it is done. For scripts.
+  void wait();
+  void cancel() { thread_->cancel(); }
+  [[nodiscard]] editing::Progress progress() const { return thread_->progress(); }
+
+  [[nodiscard]] const host::Results& results() const { return results_; }
+  [[nodiscard]] double last_run_ms() const { return last_run_ms_; }
+  /// Why the last edit was refused or, where it was not, the last work in the thread failed.
+  [[nodiscard]] const QString& last_error() const {
+    return edit_error_.isEmpty() ? work_error_ : edit_error_;
+  }
+  [[nodiscard]] const QString& work_error() const { return work_error_; }
+  [[nodiscard]] const std::vector<int>& lines() const { return lines_; }
+  [[nodiscard]] int drawing_id() const { return drawing_id_; }
+  [[nodiscard]] bool owns(int object_id) const;
+
+  /// The host's mesh may have changed: opens it again if it has.
+  void mesh_updated();
+  /// An object of ours that a person has deleted.
+  void object_deleted(int object_id);
+
+  [[nodiscard]] std::vector<ACG::Vec3d> drawn_positions(std::size_t curve) const;
+
+ private:
+  void open();
+  void after_edit();
+  void ask();
+  void show_drawing();
+  void show_points();
+  void show_results(host::Results results);
+  void show_mesh_colours(const host::Results& results);
+  void keep_backup();
+  void go_to(std::uint64_t number);
+  void take(editing::Outcome outcome);
+  void fail(QString& error, const QString& sentence);
+
+  // What the host's list of undo knows us by: the line with that list may outlive this object.
+  std::shared_ptr<Session*> self_ = std::make_shared<Session*>(this);
+  HostCalls& host_;
+  const editing::Plugins& plugins_;
+  TriMeshObject& object_;
+  int mesh_id_;
+  QString name_;
+  std::shared_ptr<const editing::MeshArrays> arrays_;
+  double diagonal_;  // of the bounding box, mesh units
+  editing::Editor editor_;
+  std::unique_ptr<editing::SmoothingThread> thread_;
+
+  editing::Drawing asked_;          // what was asked to be smoothed last
+  std::uint64_t first_number_ = 0;  // the state before any edit
+  std::uint64_t kept_number_ = 0;   // the state that the host's list has last
+  std::vector<int> lines_;          // results, one for each smoothed curve
+  int drawing_id_ = -1;             // the line with the points of the curve edited last
+  host::Results results_;
+  double last_run_ms_ = 0;
+  QString edit_error_, work_error_;
+  bool log_next_ = false;  // a result that is no step of a gesture
+  ColourBy colour_by_ = ColourBy::kNothing;
+  ACG::SceneGraph::MaterialNode* material_ = nullptr;  // the scene's
+  ACG::SceneGraph::PointNode* points_ = nullptr;
+};
+
+/// A few lines for people.
+QString short_report(const Session& session);
+/// Everything that was measured, "key = value" or "curve.key = value", one a line.
+QString whole_report(const Session& session);
+
+}  // namespace talweg::openflipper

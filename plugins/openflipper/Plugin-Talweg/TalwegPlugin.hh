@@ -1,0 +1,213 @@
+// The plugin as OpenFlipper sees it.
+#pragma once
+
+#include <QObject>
+#include <QTimer>
+#include <map>
+#include <memory>
+
+#include <OpenFlipper/BasePlugin/BackupInterface.hh>
+#include <OpenFlipper/BasePlugin/BaseInterface.hh>
+#include <OpenFlipper/BasePlugin/ContextMenuInterface.hh>
+#include <OpenFlipper/BasePlugin/LoadSaveInterface.hh>
+#include <OpenFlipper/BasePlugin/LoggingInterface.hh>
+#include <OpenFlipper/BasePlugin/MouseInterface.hh>
+#include <OpenFlipper/BasePlugin/PickingInterface.hh>
+#include <OpenFlipper/BasePlugin/ProcessInterface.hh>
+#include <OpenFlipper/BasePlugin/ScriptInterface.hh>
+#include <OpenFlipper/BasePlugin/StatusbarInterface.hh>
+#include <OpenFlipper/BasePlugin/ToolboxInterface.hh>
+#include <OpenFlipper/common/Types.hh>
+
+#include "Session.hh"
+#include "TalwegPanel.hh"
+
+class TalwegPlugin : public QObject,
+                     BaseInterface,
+                     BackupInterface,
+                     ContextMenuInterface,
+                     LoadSaveInterface,
+                     LoggingInterface,
+                     MouseInterface,
+                     PickingInterface,
+                     ProcessInterface,
+                     ScriptInterface,
+                     StatusbarInterface,
+                     ToolboxInterface,
+                     talweg::openflipper::HostCalls {
+  Q_OBJECT
+  Q_INTERFACES(BaseInterface)
+  Q_INTERFACES(BackupInterface)
+  Q_INTERFACES(ContextMenuInterface)
+  Q_INTERFACES(LoadSaveInterface)
+  Q_INTERFACES(LoggingInterface)
+  Q_INTERFACES(MouseInterface)
+  Q_INTERFACES(PickingInterface)
+  Q_INTERFACES(ProcessInterface)
+  Q_INTERFACES(ScriptInterface)
+  Q_INTERFACES(StatusbarInterface)
+  Q_INTERFACES(ToolboxInterface)
+  Q_PLUGIN_METADATA(IID "org.OpenFlipper.Plugins.Plugin-Talweg")
+
+ signals:
+  // BaseInterface
+  void updateView();
+  void updatedObject(int _identifier, const UpdateType& _type);
+  void setSlotDescription(QString _slotName, QString _slotDescription, QStringList _parameters,
+                          QStringList _descriptions);
+  // BackupInterface
+  void createBackup(int _objectid, QString _name, UpdateType _type = UPDATE_ALL);
+  void undo(int _objectid);
+  void redo(int _objectid);
+  // ContextMenuInterface
+  void addContextMenuItem(QAction* _action, DataType _objectType, ContextMenuType _type);
+  // LoadSaveInterface
+  void addEmptyObject(DataType _type, int& _id);
+  void deleteObject(int _id);
+  // LoggingInterface
+  void log(Logtype _type, QString _message);
+  void log(QString _message);
+  // PickingInterface
+  void addHiddenPickMode(const std::string& _mode);
+  void setPickModeCursor(const std::string& _mode, QCursor _cursor);
+  void setPickModeMouseTracking(const std::string& _mode, bool _mouseTracking);
+  // ProcessInterface
+  void startJob(QString _jobId, QString _description, int _min, int _max, bool _blocking = false);
+  void setJobState(QString _jobId, int _value);
+  void finishJob(QString _jobId);
+  // ScriptInterface
+  void scriptInfo(QString _functionName);
+  // StatusbarInterface
+  void showStatusMessage(QString _message, int _timeout = 0);
+  void clearStatusMessage();
+  // ToolboxInterface
+  void addToolbox(QString _name, QWidget* _widget, QIcon* _icon);
+
+ private slots:
+  // BaseInterface
+  void initializePlugin();
+  void pluginsInitialized();
+  void slotObjectUpdated(int _identifier, const UpdateType& _type);
+  void slotAllCleared();
+  // LoadSaveInterface
+  void objectDeleted(int _id);
+  // MouseInterface
+  void slotMouseEvent(QMouseEvent* _event);
+  // PickingInterface
+  void slotPickModeChanged(const std::string& _mode);
+  // ProcessInterface
+  void canceledJob(QString _job);
+  // ContextMenuInterface
+  void slotUpdateContextMenu(int _objectId);
+
+  void look_at_sessions();  ///< the threads have something
+  void look_at_progress();
+
+ public slots:
+  QString version() { return QString("0.1.0"); }
+  void noguiSupported() {}
+  void exit();
+
+  // Scripting, described to the host in describe_slots(). Objects by their ids.
+  bool draw(int meshId, IdList vertices, bool closed);
+  bool addPoint(int meshId, int face, Vector barycentric);
+  bool finishCurve(int meshId);
+  bool closeCurve(int meshId);
+  bool takeBackPoint(int meshId);
+  bool dropCurve(int meshId);
+  bool fromSelection(int meshId);
+  bool fromPolyLine(int meshId, int polyLineId);
+  bool removeCurve(int meshId, int curve);
+  bool clear(int meshId);
+  bool movePoint(int meshId, int curve, int point, int face, Vector barycentric);
+  bool setPinned(int meshId, int curve, int point, bool pinned);
+  bool setClosed(int meshId, int curve, bool closed);
+  bool setTau(int meshId, double tau);
+  bool setSlack(int meshId, double slack);
+  bool setMaxDeviation(int meshId, double bound);
+  bool undoEdit(int meshId);
+  bool redoEdit(int meshId);
+  IdList smooth(int meshId);
+  QString report(int meshId);
+  double measure(int meshId, QString key);
+  QString lastError(int meshId);
+  bool colourBy(int meshId, QString what);
+  bool writeResult(int meshId, QString filename);
+  bool writeDrawing(int meshId, QString filename);
+  bool readDrawing(int meshId, QString filename);
+  QString timeTau(int meshId, int steps);
+  void drawMode(bool on);
+  QString screenPosition(int meshId, int vertex);
+  QString widgetPosition(QString name);
+
+ public:
+  ~TalwegPlugin() override;
+  QString name() { return QString("Talweg"); }
+  QString description() {
+    return tr("Draws curves on meshes and smooths them while they stay close to the drawing.");
+  }
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  using Session = talweg::openflipper::Session;
+  struct Handle {
+    std::size_t curve, point;
+  };
+
+  // HostCalls
+  int add_line(const QString& name) override;
+  void show_line(int id) override;
+  void show_colours(int id) override;
+  void remove_object(int id) override;
+  void push_backup(int id, const QString& name) override;
+  bool host_undo(int id) override;
+  bool host_redo(int id) override;
+  void say(const QString& sentence) override;
+  void warn(const QString& sentence) override;
+  void changed() override;
+  void wake() override;
+
+  void make_panel();
+  void connect_panel();
+  void make_menus();
+  void describe_slots();
+  /// The drawing on a mesh, begun where there is none; null, and told, where that cannot be.
+  Session* session_of(int mesh_id);
+  [[nodiscard]] Session* existing(int mesh_id);
+  Session* target_session();
+  bool edit(int mesh_id, const std::function<void(talweg::editing::Editor&)>& change);
+  bool edit_now(const std::function<void(talweg::editing::Editor&)>& change);
+  void from_lines();
+  void ask_for_file(bool write, bool result);
+  [[nodiscard]] talweg::editing::Settings saved_settings() const;
+  void save_settings(const talweg::editing::Settings& settings) const;
+
+  // Drawing with the mouse.
+  [[nodiscard]] bool in_draw_mode() const;
+  void press(const QMouseEvent& event);
+  void move(const QMouseEvent& event);
+  void release();
+  void double_click(const QMouseEvent& event);
+  bool key(int key);
+  bool pick(const QPoint& at, Session*& session, talweg::editing::Point& point);
+  [[nodiscard]] std::optional<Handle> handle_near(const QPoint& at) const;
+  void hint(const QPoint& at);
+
+  std::unique_ptr<talweg::editing::Plugins> plugins_;
+  std::map<int, std::unique_ptr<Session>> sessions_;   // by mesh
+  int current_ = -1;                                   // the mesh that the panel shows
+  talweg::openflipper::TalwegPanel* panel_ = nullptr;  // the host's
+  QAction *draw_action_ = nullptr, *selection_action_ = nullptr, *line_action_ = nullptr;
+  QMenu *mesh_menu_ = nullptr, *line_menu_ = nullptr;
+  int menu_object_ = -1;
+  QTimer timer_;
+  double busy_since_ = 0;
+  bool job_shown_ = false;
+  bool updating_ = false;  // what the host says is updated is our own doing
+  std::optional<Handle> dragged_;
+  bool painting_ = false;
+  QPoint last_painted_;
+  QString hint_;
+};

@@ -1,0 +1,347 @@
+// What scripts can call; the descriptions are what the host's script window shows.
+#include <QApplication>
+#include <QDateTime>
+#include <QElapsedTimer>
+#include <QWidget>
+#include <algorithm>
+#include <cmath>
+
+#include <ObjectTypes/PolyLine/PluginFunctionsPolyLine.hh>
+#include <OpenFlipper/BasePlugin/PluginFunctions.hh>
+#include <OpenFlipper/common/GlobalOptions.hh>
+
+#include "TalwegPlugin.hh"
+#include "talweg/editing/curve_files.hpp"
+
+using talweg::editing::Editor;
+using talweg::openflipper::ColourBy;
+using talweg::openflipper::Session;
+namespace editing = talweg::editing;
+
+namespace {
+
+/// Indices of scripts, where -1 is one that is not there.
+std::size_t index(int i) { return i < 0 ? SIZE_MAX : static_cast<std::size_t>(i); }
+
+std::array<double, 3> numbers(const Vector& v) { return {v[0], v[1], v[2]}; }
+
+}  // namespace
+
+bool TalwegPlugin::draw(int meshId, IdList vertices, bool closed) {
+  Session* session = session_of(meshId);
+  if (session == nullptr) return false;
+  emit scriptInfo(QString("draw(%1, [...], %2)").arg(meshId).arg(closed ? "true" : "false"));
+  return session->edit([&](Editor& e) {
+    std::vector<std::uint32_t> through;
+    for (const int v : vertices) {
+      if (v < 0) throw editing::Error("Vertices are counted from 0.");
+      through.push_back(static_cast<std::uint32_t>(v));
+    }
+    e.add_curve({editing::points_at(session->arrays(), through), closed});
+  });
+}
+
+bool TalwegPlugin::addPoint(int meshId, int face, Vector barycentric) {
+  return edit(meshId, [&](Editor& e) {
+    e.add_point(editing::picked(static_cast<std::uint32_t>(face), numbers(barycentric)));
+  });
+}
+
+bool TalwegPlugin::finishCurve(int meshId) {
+  return edit(meshId, [](Editor& e) { e.finish_curve(); });
+}
+
+bool TalwegPlugin::closeCurve(int meshId) {
+  return edit(meshId, [](Editor& e) { e.close_curve(); });
+}
+
+bool TalwegPlugin::takeBackPoint(int meshId) {
+  return edit(meshId, [](Editor& e) { e.take_back_point(); });
+}
+
+bool TalwegPlugin::dropCurve(int meshId) {
+  return edit(meshId, [](Editor& e) { e.drop_curve(); });
+}
+
+bool TalwegPlugin::fromSelection(int meshId) {
+  Session* session = session_of(meshId);
+  if (session == nullptr) return false;
+  session->add_selection();
+  return session->last_error().isEmpty();
+}
+
+bool TalwegPlugin::fromPolyLine(int meshId, int polyLineId) {
+  Session* session = session_of(meshId);
+  const PolyLineObject* line = PluginFunctions::polyLineObject(polyLineId);
+  if (session == nullptr || line == nullptr) {
+    warn(tr("There is no polyline with the id %1.").arg(polyLineId));
+    return false;
+  }
+  session->add_line(*PluginFunctions::polyLineObject(polyLineId)->line());
+  session->wait();
+  return session->last_error().isEmpty();
+}
+
+bool TalwegPlugin::removeCurve(int meshId, int curve) {
+  return edit(meshId, [&](Editor& e) { e.remove_curve(index(curve)); });
+}
+
+bool TalwegPlugin::clear(int meshId) {
+  return edit(meshId, [](Editor& e) { e.clear(); });
+}
+
+bool TalwegPlugin::movePoint(int meshId, int curve, int point, int face, Vector barycentric) {
+  return edit(meshId, [&](Editor& e) {
+    e.move_point(index(curve), index(point),
+                 editing::picked(static_cast<std::uint32_t>(face), numbers(barycentric)));
+  });
+}
+
+bool TalwegPlugin::setPinned(int meshId, int curve, int point, bool pinned) {
+  return edit(meshId, [&](Editor& e) { e.set_pinned(index(curve), index(point), pinned); });
+}
+
+bool TalwegPlugin::setClosed(int meshId, int curve, bool closed) {
+  return edit(meshId, [&](Editor& e) { e.set_closed(index(curve), closed); });
+}
+
+bool TalwegPlugin::setTau(int meshId, double tau) {
+  emit scriptInfo(QString("setTau(%1, %2)").arg(meshId).arg(tau));
+  return edit(meshId, [&](Editor& e) { e.set_tau(tau); });
+}
+
+bool TalwegPlugin::setSlack(int meshId, double slack) {
+  return edit(meshId, [&](Editor& e) {
+    e.set_slack(slack < 0 ? std::nullopt : std::optional<double>(slack));
+  });
+}
+
+bool TalwegPlugin::setMaxDeviation(int meshId, double bound) {
+  return edit(meshId, [&](Editor& e) {
+    e.set_max_deviation(bound > 0 ? std::optional<double>(bound) : std::nullopt);
+  });
+}
+
+bool TalwegPlugin::undoEdit(int meshId) {
+  Session* session = existing(meshId);
+  return session != nullptr && session->undo();
+}
+
+bool TalwegPlugin::redoEdit(int meshId) {
+  Session* session = existing(meshId);
+  return session != nullptr && session->redo();
+}
+
+IdList TalwegPlugin::smooth(int meshId) {
+  Session* session = session_of(meshId);
+  if (session == nullptr) return {};
+  session->wait();
+  emit scriptInfo(QString("smooth(%1)").arg(meshId));
+  if (!session->work_error().isEmpty()) return {};
+  return session->lines();
+}
+
+QString TalwegPlugin::report(int meshId) {
+  Session* session = existing(meshId);
+  if (session == nullptr) return {};
+  session->wait();
+  return whole_report(*session);
+}
+
+double TalwegPlugin::measure(int meshId, QString key) {
+  Session* session = existing(meshId);
+  if (session == nullptr) return std::nan("");
+  session->wait();
+  return session->results().number(key.toStdString(), -1, std::nan(""));
+}
+
+QString TalwegPlugin::lastError(int meshId) {
+  Session* session = existing(meshId);
+  if (session == nullptr) return {};
+  session->wait();
+  return session->last_error();
+}
+
+bool TalwegPlugin::colourBy(int meshId, QString what) {
+  Session* session = existing(meshId);
+  const QStringList names = {"nothing", "deviation", "distance", "potential"};
+  const auto at = names.indexOf(what);
+  if (session == nullptr || at < 0) {
+    warn(tr("Colours are: %1.").arg(names.join(", ")));
+    return false;
+  }
+  session->colour_by(static_cast<ColourBy>(at));
+  session->wait();
+  return true;
+}
+
+namespace {
+
+/// Runs what reads or writes a file; a failure becomes a sentence.
+template <class Body, class Warn>
+bool with_file(Body body, Warn warn) {
+  try {
+    body();
+    return true;
+  } catch (const std::exception& error) {
+    warn(QString::fromStdString(error.what()));
+    return false;
+  }
+}
+
+}  // namespace
+
+bool TalwegPlugin::writeResult(int meshId, QString filename) {
+  Session* session = existing(meshId);
+  if (session == nullptr) return false;
+  session->wait();
+  return with_file(
+      [&] {
+        editing::write_curves(*plugins_, filename.toStdString(), session->results().curves);
+        say(tr("Wrote %1.").arg(filename));
+      },
+      [this](const QString& sentence) { warn(sentence); });
+}
+
+bool TalwegPlugin::writeDrawing(int meshId, QString filename) {
+  Session* session = existing(meshId);
+  if (session == nullptr) return false;
+  return with_file(
+      [&] {
+        editing::write_curves(*plugins_, filename.toStdString(),
+                              drawn_curves(session->arrays(), session->editor().drawing()));
+        say(tr("Wrote %1.").arg(filename));
+      },
+      [this](const QString& sentence) { warn(sentence); });
+}
+
+bool TalwegPlugin::readDrawing(int meshId, QString filename) {
+  Session* session = session_of(meshId);
+  if (session == nullptr) return false;
+  const bool read = with_file(
+      [&] { session->add_curves(editing::read_curves(*plugins_, filename.toStdString())); },
+      [this](const QString& sentence) { warn(sentence); });
+  if (OpenFlipper::Options::nogui()) session->wait();
+  return read && session->last_error().isEmpty();
+}
+
+/// Steps of the slider as a hand moves it, up and down through tau; each is waited for.
+QString TalwegPlugin::timeTau(int meshId, int steps) {
+  Session* session = existing(meshId);
+  if (session == nullptr || steps < 1) return {};
+  session->wait();
+  const double tau = session->editor().drawing().settings.tau;
+  std::vector<double> run, step;
+  session->begin_gesture("Tau");
+  for (int k = 0; k < steps; ++k) {
+    QElapsedTimer clock;
+    clock.start();
+    const double t = 0.5 + 4.0 * (0.5 - 0.5 * std::cos(6.2831853 * k / 40.0));
+    session->edit([&](Editor& e) { e.set_tau(t); });
+    session->wait();
+    step.push_back(static_cast<double>(clock.nsecsElapsed()) / 1e6);
+    run.push_back(session->last_run_ms());
+  }
+  session->edit([&](Editor& e) { e.set_tau(tau); });
+  session->end_gesture();
+  session->wait();
+  const auto describe = [](std::vector<double> ms) {
+    std::sort(ms.begin(), ms.end());
+    return QString("median %1 ms, largest %2 ms")
+        .arg(ms[ms.size() / 2], 0, 'f', 1)
+        .arg(ms.back(), 0, 'f', 1);
+  };
+  return QString("%1 steps: %2 in the thread; %3 until the curve is in the scene")
+      .arg(steps)
+      .arg(describe(run), describe(step));
+}
+
+QString TalwegPlugin::screenPosition(int meshId, int vertex) {
+  const Session* session = session_of(meshId);
+  if (session == nullptr || OpenFlipper::Options::nogui() || vertex < 0 ||
+      index(vertex) >= session->arrays().positions.size()) {
+    return {};
+  }
+  const auto& p = session->arrays().positions[index(vertex)];
+  auto& view =
+      PluginFunctions::viewerProperties(static_cast<int>(PluginFunctions::activeExaminer()));
+  const ACG::Vec3d s = view.glState().project(ACG::Vec3d(p[0], p[1], p[2]));
+  return QString("%1 %2")
+      .arg(std::lround(s[0]))
+      .arg(std::lround(view.glState().context_height() - s[1]));
+}
+
+QString TalwegPlugin::widgetPosition(QString name) {
+  if (OpenFlipper::Options::nogui()) return {};
+  for (const QWidget* widget : QApplication::allWidgets()) {
+    if (widget->objectName() != name) continue;
+    const QPoint at = widget->mapToGlobal(QPoint(0, 0));
+    return QString("%1 %2 %3 %4")
+        .arg(at.x())
+        .arg(at.y())
+        .arg(widget->width())
+        .arg(widget->height());
+  }
+  return {};
+}
+
+void TalwegPlugin::describe_slots() {
+  const auto describe = [this](const char* slot, const QString& what, const char* parameters,
+                               const QString& meanings) {
+    emit setSlotDescription(slot, what, QString(parameters).split(';'), meanings.split(';'));
+  };
+  const QString mesh = tr("id of a triangle mesh");
+  const QString curve_point = mesh + tr(";curve, from 0;point, from 0;");
+  describe("draw(int,IdList,bool)", tr("Adds a curve through vertices, straight over the faces."),
+           "meshId;vertices;closed", mesh + tr(";vertices from 0;whether it comes back"));
+  describe("addPoint(int,int,Vector)", tr("Adds a point to the curve that is being drawn."),
+           "meshId;face;barycentric", mesh + tr(";face from 0;its coordinates there"));
+  describe("finishCurve(int)", tr("Ends the curve that is being drawn."), "meshId", mesh);
+  describe("closeCurve(int)", tr("Closes the curve that is being drawn."), "meshId", mesh);
+  describe("takeBackPoint(int)", tr("Takes the last point back."), "meshId", mesh);
+  describe("dropCurve(int)", tr("Drops the curve that is being drawn."), "meshId", mesh);
+  describe("fromSelection(int)", tr("Curves from selected vertices or edges."), "meshId", mesh);
+  describe("fromPolyLine(int,int)", tr("A curve from a polyline, put onto the mesh."),
+           "meshId;polyLineId", mesh + tr(";id of a polyline"));
+  describe("removeCurve(int,int)", tr("Removes a curve."), "meshId;curve", mesh + tr(";from 0"));
+  describe("clear(int)", tr("Removes all curves."), "meshId", mesh);
+  describe("movePoint(int,int,int,int,Vector)", tr("Moves a drawn point."),
+           "meshId;curve;point;face;barycentric",
+           curve_point + tr("face from 0;its coordinates there"));
+  describe("setPinned(int,int,int,bool)", tr("Pins a drawn point, or lets it go."),
+           "meshId;curve;point;pinned", curve_point + tr("whether the result passes through it"));
+  describe("setClosed(int,int,bool)", tr("Closes or opens a curve."), "meshId;curve;closed",
+           mesh + tr(";from 0;whether it comes back"));
+  describe("setTau(int,double)", tr("0: straight lines; more keeps closer to the drawing."),
+           "meshId;tau", mesh + tr(";0 or more"));
+  describe(
+      "setSlack(int,double)", tr("How exact the drawing is."), "meshId;slack",
+      mesh + tr(";mesh units; negative: from the drawing").replace("; negative", ", negative"));
+  describe("setMaxDeviation(int,double)", tr("The largest deviation; chooses tau and slack."),
+           "meshId;bound", mesh + tr(";mesh units, 0: no bound"));
+  describe("undoEdit(int)", tr("Takes the last edit back."), "meshId", mesh);
+  describe("redoEdit(int)", tr("Does it again."), "meshId", mesh);
+  describe("smooth(int)", tr("Waits for the smoothed curves and returns their polylines' ids."),
+           "meshId", mesh);
+  describe("report(int)", tr("Everything that was measured, one \"key = value\" a line."), "meshId",
+           mesh);
+  describe("measure(int,QString)", tr("One number of the report, for all curves together."),
+           "meshId;key", mesh + tr(";such as length_after"));
+  describe("lastError(int)", tr("Why the last edit or smoothing failed; empty if it did not."),
+           "meshId", mesh);
+  describe("colourBy(int,QString)", tr("Colours the curves or the mesh."), "meshId;what",
+           mesh + tr(";nothing, deviation, distance or potential"));
+  describe("writeResult(int,QString)", tr("Writes the smoothed curves."), "meshId;filename",
+           mesh + tr(";.json, .vtp, .vtk, .obj, .ply, .mrk.json"));
+  describe("writeDrawing(int,QString)", tr("Writes the drawn points."), "meshId;filename",
+           mesh + tr(";as writeResult"));
+  describe("readDrawing(int,QString)", tr("Adds the curves of a file."), "meshId;filename",
+           mesh + tr(";as writeResult, or .txt"));
+  describe("timeTau(int,int)", tr("Moves tau to and fro and tells the time of a step."),
+           "meshId;steps", mesh + tr(";how many"));
+  describe("drawMode(bool)", tr("Begins or ends drawing with the mouse."), "on", tr("whether"));
+  describe("screenPosition(int,int)", tr("Where a vertex is in the viewer, \"x y\"."),
+           "meshId;vertex", mesh + tr(";from 0"));
+  describe("widgetPosition(QString)", tr("Where a widget is on the screen, \"x y width height\"."),
+           "name", tr("such as talwegUndo"));
+}

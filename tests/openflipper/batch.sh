@@ -1,0 +1,46 @@
+#!/bin/sh
+# Runs batch.ofs in a real OpenFlipper and compares what it wrote with the driver's, byte for byte.
+# usage: batch.sh TALWEG SCENES PLUGINS, with TALWEG_OPENFLIPPER (the program) and
+# TALWEG_OPENFLIPPER_PLUGIN (libPlugin-Talweg.so) in the environment. 77: these are not given.
+set -eu
+talweg=$1 scenes=$2 plugins=$3
+here=$(cd "$(dirname "$0")" && pwd)
+if [ ! -x "${TALWEG_OPENFLIPPER:-}" ] || [ ! -f "${TALWEG_OPENFLIPPER_PLUGIN:-}" ]; then
+  echo "skipped: TALWEG_OPENFLIPPER and TALWEG_OPENFLIPPER_PLUGIN name no OpenFlipper and no" \
+    "Plugin-Talweg; docs/openflipper.md tells how to get both"
+  exit 77
+fi
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+"$scenes" "$folder" >/dev/null
+through=$(sed 's/^--through //; s/ .*//' "$folder/vessel.through" | cut -d , -f 1-12)
+
+HOME=$folder/home
+export HOME TALWEG_PLUGIN_PATH="$plugins" QT_QPA_PLATFORM=offscreen XDG_RUNTIME_DIR="$folder"
+mkdir -p "$HOME/.OpenFlipper/ACG"
+printf '[PluginControl]\nAdditionalPlugins=%s\n' "$TALWEG_OPENFLIPPER_PLUGIN" \
+  >"$HOME/.OpenFlipper/ACG/OpenFlipper.ini"
+sed "s#@FOLDER@#$folder#g; s#@THROUGH@#$through#" "$here/batch.ofs" >"$folder/batch.ofs"
+timeout 300 "$TALWEG_OPENFLIPPER" --batch "$folder/batch.ofs" >"$folder/console" 2>&1 || true
+log=$HOME/.OpenFlipper/OpenFlipper.log
+grep -a ' : ok: \|FAILED\|Talweg\|TALWEG' "$log" | sed "s#$folder#FOLDER#g" || true
+if ! grep -aq 'TALWEG BATCH OK' "$log"; then
+  tail -n 30 "$log" "$folder/console"
+  echo "no success line"
+  exit 1
+fi
+
+pin=$(echo "$through" | cut -d , -f 3)
+same() {  # NAME OPTION...
+  name=$1
+  shift
+  "$talweg" --quiet smooth "$folder/vessel.ply" --curve "$folder/drawing.json" "$@" \
+    -o "$folder/driver_$name.json"
+  cmp "$folder/$name.json" "$folder/driver_$name.json"
+  echo "same bytes as the driver: $name.json, $(wc -c <"$folder/$name.json") bytes"
+}
+same tau_1
+same tau_6 --tau 6
+same pinned --pin "$pin"
+grep -q '' "$folder/result.pol"
+echo "saved by the host: result.pol, $(wc -c <"$folder/result.pol") bytes"
