@@ -259,6 +259,17 @@ class Meshes(Case):
         self.assertEqual(counts(filter), (before[0], before[1], before[2] + 1))
 
 
+    def test_each_block_of_a_composite_data_set_is_a_mesh(self):
+        lifted = [(x, y, z + 1) for x, y, z in POINTS]
+        blocks = pv.GroupDatasets(Input=[source(polydata(points, TRIANGLES))
+                                         for points in (POINTS, lifted)])
+        filter = pv.TalwegSmoothVertices(Input=blocks, PointIds=TEXT)
+        curves = self.curve_of(filter)
+        alone = places(self.curve_of(sheet(PointIds=TEXT)))
+        self.assertEqual(places(curves.GetBlock(0)), alone)
+        self.assertEqual(curves.GetBlock(1).GetNumberOfPoints(), len(alone))
+
+
 class WrongInput(Case):
     def test_parameters(self):
         filter = sheet(PointIds=TEXT)

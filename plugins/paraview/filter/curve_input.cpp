@@ -1,8 +1,11 @@
 #include "curve_input.hpp"
 
+#include <algorithm>
+#include <array>
 #include <charconv>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 #include <vtkCellArray.h>
 #include <vtkCellArrayIterator.h>

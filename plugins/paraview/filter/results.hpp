@@ -2,7 +2,6 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "talweg/plugin/talweg_host.hpp"
 

@@ -1,5 +1,6 @@
 #include "vtkTalwegSmooth.h"
 
+#include <algorithm>
 #include <array>
 #include <exception>
 #include <set>

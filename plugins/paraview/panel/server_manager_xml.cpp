@@ -150,116 +150,124 @@ std::string property(const talweg_parameter& p) {
   }
 }
 
-std::string input(const char* name, int port, const char* types, const char* doc) {
-  return fmt::format(
-      "<InputProperty name=\"{}\" command=\"SetInputConnection\" port_index=\"{}\">"
-      "<ProxyGroupDomain name=\"groups\"><Group name=\"sources\"/><Group name=\"filters\"/>"
-      "</ProxyGroupDomain><DataTypeDomain name=\"input_type\">{}</DataTypeDomain>"
-      "<InputArrayDomain name=\"arrays\" attribute_type=\"point\" number_of_components=\"1\" "
-      "optional=\"1\"/><Documentation>{}</Documentation></InputProperty>\n",
-      name, port, types, doc);
-}
-
-std::string mesh_input() {
-  return input(
-      "Input", 0, "<DataType value=\"vtkDataSet\"/>",
-      "The mesh: triangles. Polygons and strips are cut into triangles, and of other data sets the "
-      "outer surface is taken; the output messages say so.");
-}
+constexpr const char* kMeshInput = R"(
+<InputProperty name="Input" command="SetInputConnection" port_index="0">
+  <ProxyGroupDomain name="groups"><Group name="sources"/><Group name="filters"/></ProxyGroupDomain>
+  <DataTypeDomain name="input_type"><DataType value="vtkDataSet"/></DataTypeDomain>
+  <InputArrayDomain name="arrays" attribute_type="point" number_of_components="1" optional="1"/>
+  <Documentation>The mesh: triangles. Polygons and strips are cut into triangles, and of other data
+    sets the outer surface is taken; a warning says so.</Documentation>
+</InputProperty>
+)";
 
 /// The drawing as another pipeline object.
-std::string curve_input() {
-  return input("Curve", 1, "<DataType value=\"vtkPointSet\"/>",
-               "The drawing: lines, each a curve, segments joined; or points in their order. They "
-               "are moved to the nearest points of the mesh. A point array named pin says which "
-               "points stay.") +
-         "<StringVectorProperty name=\"CurveIds\" command=\"SetCurveIds\" "
-         "number_of_elements=\"1\" default_values=\"None\" panel_visibility=\"advanced\">"
-         "<ArrayListDomain name=\"array_list\" none_string=\"None\" attribute_type=\"Scalars\" "
-         "input_domain_name=\"arrays\"><RequiredProperties>"
-         "<Property name=\"Curve\" function=\"Input\"/></RequiredProperties></ArrayListDomain>"
-         "<Documentation>A point array of the curve with vertex numbers of the mesh, used instead "
-         "of positions and joined by shortest edge paths.</Documentation>"
-         "<Hints><NoDefault/></Hints></StringVectorProperty>\n";
-}
+constexpr const char* kCurveInput = R"(
+<InputProperty name="Curve" command="SetInputConnection" port_index="1">
+  <ProxyGroupDomain name="groups"><Group name="sources"/><Group name="filters"/></ProxyGroupDomain>
+  <DataTypeDomain name="input_type"><DataType value="vtkPointSet"/></DataTypeDomain>
+  <InputArrayDomain name="arrays" attribute_type="point" number_of_components="1" optional="1"/>
+  <Documentation>The drawing: lines, each a curve, segments joined; or points in their order. They
+    are moved to the nearest points of the mesh. A point array named pin says which points stay.
+  </Documentation>
+</InputProperty>
+<StringVectorProperty name="CurveIds" command="SetCurveIds" number_of_elements="1"
+                      default_values="None" panel_visibility="advanced">
+  <ArrayListDomain name="array_list" none_string="None" attribute_type="Scalars"
+                   input_domain_name="arrays">
+    <RequiredProperties><Property name="Curve" function="Input"/></RequiredProperties>
+  </ArrayListDomain>
+  <Documentation>A point array of the curve with vertex numbers of the mesh, used instead of
+    positions and joined by shortest edge paths.</Documentation>
+  <Hints><NoDefault/></Hints>
+</StringVectorProperty>
+)";
 
 /// The drawing as points that are clicked.
-std::string points() {
-  return "<DoubleVectorProperty name=\"Points\" command=\"SetPoint\" "
-         "set_number_command=\"SetNumberOfPoints\" use_index=\"1\" repeat_command=\"1\" "
-         "number_of_elements_per_command=\"3\" number_of_elements=\"6\" "
-         "default_values=\"0 0 0 1 0 0\"><Documentation>Points of the drawing in their order: x, "
-         "y, "
-         "z of each. They are moved to the nearest points of the mesh and joined straight over the "
-         "surface.</Documentation></DoubleVectorProperty>\n"
-         "<IntVectorProperty name=\"Closed\" command=\"SetClosed\" number_of_elements=\"1\" "
-         "default_values=\"0\"><BooleanDomain name=\"bool\"/><Documentation>The last point is "
-         "joined to the first.</Documentation></IntVectorProperty>\n"
-         "<PropertyGroup label=\"Drawing\" panel_widget=\"InteractivePolyLine\">"
-         "<Property name=\"Points\" function=\"HandlePositions\"/>"
-         "<Property name=\"Closed\" function=\"Closed\"/></PropertyGroup>\n";
-}
+constexpr const char* kPoints = R"(
+<DoubleVectorProperty name="Points" command="SetPoint" set_number_command="SetNumberOfPoints"
+                      use_index="1" repeat_command="1" number_of_elements_per_command="3"
+                      number_of_elements="6" default_values="0 0 0 1 0 0">
+  <Documentation>Points of the drawing in their order: x, y, z of each. They are moved to the
+    nearest points of the mesh and joined straight over the surface.</Documentation>
+</DoubleVectorProperty>
+<IntVectorProperty name="Closed" command="SetClosed" number_of_elements="1" default_values="0">
+  <BooleanDomain name="bool"/>
+  <Documentation>The last point is joined to the first.</Documentation>
+</IntVectorProperty>
+<PropertyGroup label="Drawing" panel_widget="InteractivePolyLine">
+  <Property name="Points" function="HandlePositions"/>
+  <Property name="Closed" function="Closed"/>
+</PropertyGroup>
+)";
 
 /// The drawing as numbers of vertices.
-std::string vertices() {
-  return "<StringVectorProperty name=\"PointIds\" command=\"SetPointIds\" "
-         "number_of_elements=\"1\" default_values=\"\"><Documentation>Vertices of the mesh, "
-         "numbers "
-         "from 0 separated by spaces or commas, joined by shortest edge paths. A list that repeats "
-         "its first number is closed.</Documentation></StringVectorProperty>\n";
-}
+constexpr const char* kVertices = R"(
+<StringVectorProperty name="PointIds" command="SetPointIds" number_of_elements="1"
+                      default_values="">
+  <Documentation>Vertices of the mesh, numbers from 0 separated by spaces or commas, joined by
+    shortest edge paths. A list that repeats its first number is closed.</Documentation>
+</StringVectorProperty>
+)";
 
-/// What else the filter does.
-std::string distance_switch() {
-  return "<IntVectorProperty name=\"DistanceField\" command=\"SetDistanceField\" "
-         "number_of_elements=\"1\" default_values=\"0\"><BooleanDomain name=\"bool\"/>"
-         "<Documentation>The second output has the distance to the drawing at every vertex, "
-         "computed "
-         "once for each drawing: half a second on 100,000 faces, many seconds on a million."
-         "</Documentation></IntVectorProperty>\n";
-}
+/// What else the filter does, and what a script can ask: how often each stage was done.
+constexpr const char* kMore = R"(
+<IntVectorProperty name="DistanceField" command="SetDistanceField" number_of_elements="1"
+                   default_values="0">
+  <BooleanDomain name="bool"/>
+  <Documentation>The second output has the distance to the drawing at every vertex, computed once
+    for each drawing: half a second on 100,000 faces, many seconds on a million.</Documentation>
+</IntVectorProperty>
+<IntVectorProperty name="MeshesOpened" command="GetMeshesOpened" information_only="1"
+                   number_of_elements="1" default_values="0" panel_visibility="never">
+  <SimpleIntInformationHelper/>
+</IntVectorProperty>
+<IntVectorProperty name="CurvesSet" command="GetCurvesSet" information_only="1"
+                   number_of_elements="1" default_values="0" panel_visibility="never">
+  <SimpleIntInformationHelper/>
+</IntVectorProperty>
+<IntVectorProperty name="Runs" command="GetRuns" information_only="1"
+                   number_of_elements="1" default_values="0" panel_visibility="never">
+  <SimpleIntInformationHelper/>
+</IntVectorProperty>
+)";
 
-/// What a script can ask: how often each stage was done.
-std::string counters() {
-  std::string result;
-  for (const char* what : {"MeshesOpened", "CurvesSet", "Runs"}) {
-    result += fmt::format(
-        "<IntVectorProperty name=\"{0}\" command=\"Get{0}\" information_only=\"1\" "
-        "number_of_elements=\"1\" default_values=\"0\" panel_visibility=\"never\">"
-        "<SimpleIntInformationHelper/></IntVectorProperty>\n",
-        what);
-  }
-  return result;
-}
+/// The input stays to be seen, and its mesh is not shown twice: ParaView 5.11 places points on what
+/// comes out of a first output only.
+constexpr const char* kEnd = R"(
+<OutputPort index="0" name="Curve"/>
+<OutputPort index="1" name="Mesh"/>
+<Hints>
+  <ShowInMenu category="Talweg"/>
+  <Visibility replace_input="0"/>
+  <View type="None" port="1"/>
+</Hints>
+</SourceProxy>
+)";
 
 /// The rest says what a plugin makes of curves that these filters give it otherwise.
 std::string first_sentence(const std::string& text) { return text.substr(0, text.find(". ") + 1); }
 
-/// The input stays to be seen, and its mesh is not shown twice: ParaView 5.11 places points on what
-/// comes out of a first output only.
 std::string filter(const talweg_plugin& plugin, const char* name, const char* label,
-                   const std::string& drawing) {
+                   const char* drawing) {
   const std::string doc = escaped(first_sentence(plugin.doc));
-  std::string properties = mesh_input() + drawing;
+  std::string parameters;
   for (std::uint32_t k = 0; k < plugin.parameter_count; ++k) {
-    properties += property(*plugin.parameters[k]);
+    parameters += property(*plugin.parameters[k]);
   }
   return fmt::format(
-      "<SourceProxy name=\"{}\" class=\"vtkTalwegSmooth\" label=\"{}\">\n"
-      "<Documentation short_help=\"{}\" long_help=\"{}\">{}</Documentation>\n{}{}"
-      "<OutputPort index=\"0\" name=\"Curve\"/>\n<OutputPort index=\"1\" name=\"Mesh\"/>\n"
-      "<Hints><ShowInMenu category=\"Talweg\"/><Visibility replace_input=\"0\"/>"
-      "<View type=\"None\" port=\"1\"/></Hints>\n</SourceProxy>\n",
-      name, label, doc, doc, doc, properties, distance_switch() + counters());
+             "<SourceProxy name=\"{}\" class=\"vtkTalwegSmooth\" label=\"{}\">\n"
+             "<Documentation short_help=\"{}\" long_help=\"{}\">{}</Documentation>",
+             name, label, doc, doc, doc) +
+         kMeshInput + drawing + parameters + kMore + kEnd;
 }
 
 }  // namespace
 
 std::string server_manager_xml(const talweg_plugin& plugin) {
   return std::string("<ServerManagerConfiguration>\n<ProxyGroup name=\"filters\">\n") +
-         filter(plugin, "TalwegSmoothCurve", "Talweg Smooth Curve", curve_input()) +
-         filter(plugin, "TalwegSmoothPoints", "Talweg Smooth Points", points()) +
-         filter(plugin, "TalwegSmoothVertices", "Talweg Smooth Vertices", vertices()) +
+         filter(plugin, "TalwegSmoothCurve", "Talweg Smooth Curve", kCurveInput) +
+         filter(plugin, "TalwegSmoothPoints", "Talweg Smooth Points", kPoints) +
+         filter(plugin, "TalwegSmoothVertices", "Talweg Smooth Vertices", kVertices) +
          "</ProxyGroup>\n</ServerManagerConfiguration>\n";
 }
 
