@@ -133,7 +133,8 @@ class MissingPlugins(unittest.TestCase):
             done = subprocess.run([sys.executable, "-c", script], check=True, text=True,
                                   capture_output=True,
                                   env={**os.environ, "TALWEG_PLUGIN_PATH": folder})
-        self.assertIn("There is no plugin talweg.nothing in " + folder, done.stdout)
+        self.assertIn("There is no plugin talweg.nothing. Refused, since ", done.stdout)
+        self.assertIn("Looked for in " + folder, done.stdout)
         self.assertIn("TALWEG_PLUGIN_PATH", done.stdout)
         self.assertIn("talweg_broken.so", done.stdout)
 

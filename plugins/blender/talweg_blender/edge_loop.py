@@ -17,16 +17,18 @@ def _edge_point(bm, corners, weights):
 
 
 class _Cut:
-    def __init__(self, bm, arrays):
+    def __init__(self, bm, arrays, curves):
         self.bm = bm
         self.arrays = arrays
-        # Pieces of a polygon carry its number. (A new layer makes older references invalid.)
+        # Pieces of a cut polygon carry its number plus 1. (A new layer makes older references
+        # invalid.)
         self.layer = bm.faces.layers.int.new("talweg_polygon")
         for group in (bm.verts, bm.faces):
             group.index_update()
             group.ensure_lookup_table()
-        for face in bm.faces:
-            face[self.layer] = face.index
+        for curve in curves:
+            for polygon in arrays.polygons[curve.faces].tolist():
+                bm.faces[polygon][self.layer] = polygon + 1
         self.original = list(bm.verts)
         self.cut_edges = []
 
@@ -67,7 +69,7 @@ class _Cut:
             self.cut_edges.append(edge)
             return
         for face in a.link_faces:
-            if face[self.layer] == polygon and b in face.verts:
+            if face[self.layer] == polygon + 1 and b in face.verts:
                 break
         else:
             raise talweg.Unsupported("The curve passes a polygon of the mesh more than once in a "
@@ -93,13 +95,14 @@ class _Cut:
 
 
 def cut(bm, arrays, curves):
-    """Cuts smoothed curves into a BMesh of the mesh that they lie on, and selects their edges.
+    """Cuts smoothed curves into a BMesh of the mesh that they lie on.
 
-    Returns the number of segments that were left out because an open curve ends inside a face.
+    Returns the edges along the curves, and the number of segments that were left out because an
+    open curve ends inside a face.
 
     :raises talweg.Unsupported: what it did to `bm` until then stays, so try a copy first.
     """
-    job = _Cut(bm, arrays)
+    job = _Cut(bm, arrays, curves)
     places = [job.locate(curve) for curve in curves]
     made = job.split_edges(curves, places)
     left_out = 0
@@ -108,11 +111,15 @@ def cut(bm, arrays, curves):
                     job.original[place] if isinstance(place, int) else made[place]
                     for place in where]
         left_out += job.along(curve, vertices)
+    bm.faces.layers.int.remove(job.layer)
+    return job.cut_edges, left_out
+
+
+def select(bm, edges):
+    """Selects these edges and nothing else."""
     for group in (bm.faces, bm.edges, bm.verts):
         for element in group:
-            element.select = False
-    for edge in job.cut_edges:
+            if element.select:
+                element.select = False
+    for edge in edges:
         edge.select_set(True)
-    bm.faces.layers.int.remove(job.layer)
-    bm.normal_update()
-    return left_out

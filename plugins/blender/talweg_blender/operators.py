@@ -56,7 +56,9 @@ class _Smoothing:
                 edge_loop.cut(trial, arrays, result.curves)
             finally:
                 trial.free()
-            left_out = edge_loop.cut(bm, arrays, result.curves)
+            edges, left_out = edge_loop.cut(bm, arrays, result.curves)
+            edge_loop.select(bm, edges)
+            bm.normal_update()
             context.tool_settings.mesh_select_mode = (False, True, False)
             if editing:
                 bmesh.update_edit_mesh(obj.data)

@@ -116,14 +116,14 @@ class _Loader:
 
     def __init__(self) -> None:
         self.plugins: Dict[str, Plugin] = {}
-        self.refused: List[str] = []
+        self.refused: Dict[str, List[Path]] = {}  # by the reason
         self.folders = folders()
         self._libraries: List[ctypes.CDLL] = []
         for folder in self.folders:
             for path in sorted(folder.glob("*.so")):
                 why = self._load(path)
                 if why:
-                    self.refused.append(f"{path}: {why}")
+                    self.refused.setdefault(why, []).append(path)
 
     def _load(self, path: Path) -> str:
         try:
@@ -165,10 +165,11 @@ def plugin(id: str) -> Plugin:
     loader = _loaded()
     if id in loader.plugins:
         return loader.plugins[id]
-    looked = ", ".join(str(f) for f in loader.folders)
-    refused = "".join(f" Refused: {why}." for why in loader.refused)
-    raise PluginNotFound(f"There is no plugin {id} in {looked} (TALWEG_PLUGIN_PATH names other "
-                         f"folders).{refused}")
+    refused = "".join(f" Refused, since {why}: {', '.join(map(str, paths))}."
+                      for why, paths in loader.refused.items())
+    looked = ", ".join(map(str, loader.folders))
+    raise PluginNotFound(f"There is no plugin {id}.{refused} Looked for in {looked} "
+                         "(TALWEG_PLUGIN_PATH names other folders).")
 
 
 def plugins() -> Dict[str, Plugin]:
