@@ -103,6 +103,11 @@ class Arrays(unittest.TestCase):
             places=9)
 
 
+    def test_a_curve_tells_what_it_is(self):
+        self.assertEqual(repr(talweg.Curve([1, 2, 3], closed=True)),
+                         "<talweg.Curve: closed, 3 points>")
+
+
 class Stages(unittest.TestCase):
     def test_a_moved_tau_costs_only_its_stage(self):
         """What earlier stages did is not done again: their clocks stand still."""

@@ -15,7 +15,7 @@ from ._errors import BadCurve
 ArrayLike = Any  # what numpy.asarray takes
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Curve:
     """A curve on a mesh.
 
@@ -42,6 +42,9 @@ class Curve:
             if points is not None:
                 return len(points)
         return 0
+
+    def __repr__(self) -> str:
+        return f"<talweg.Curve: {'closed' if self.closed else 'open'}, {len(self)} points>"
 
     @property
     def length(self) -> float:
