@@ -103,9 +103,15 @@ class Arrays(unittest.TestCase):
             places=9)
 
 
-    def test_a_curve_tells_what_it_is(self):
+    def test_what_is_printed(self):
         self.assertEqual(repr(talweg.Curve([1, 2, 3], closed=True)),
                          "<talweg.Curve: closed, 3 points>")
+        result = talweg.smooth(self.vertices, self.faces, self.drawn)
+        self.assertEqual(repr(result), f"<talweg.Result: [<talweg.Curve: open, {len(result.curve)} "
+                                       "points>], converged>")
+        lines = str(result.report).splitlines()
+        self.assertIn("tau: 1.0", lines)
+        self.assertNotIn("None", str(result.report))
 
 
 class Stages(unittest.TestCase):

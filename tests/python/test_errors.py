@@ -77,6 +77,14 @@ class Errors(unittest.TestCase):
             faces=[0, 1], barycentrics=[[0.2, 0.2, 0.2], [1, 0, 0]]))
         self.refused(talweg.BadCurve, "not finite", curve=np.full((3, 3), np.inf))
 
+    def test_drawings(self):
+        for words, points in (("two points", [4]), ("talweg.Curve", [[1], [5, 6]]),
+                              ("not at a vertex", [[1.1, 1.2, 0], [5.0, 6.0, 0]])):
+            with self.assertRaisesRegex(talweg.BadCurve, words):
+                talweg.draw(self.vertices, self.faces, points)
+        loop = talweg.draw(self.vertices, self.faces, [70, 75, 195, 70])
+        self.assertTrue(loop.closed)
+
     def test_parameters(self):
         self.refused(talweg.BadUsage, "no parameter taus. Did you mean tau? It has tau, slack",
                      taus=2)

@@ -61,7 +61,7 @@ def draw(vertices: Any, faces: ArrayLike, points: CurveLike, *, closed: bool = F
     """A curve through points in their order: shortest edge paths between vertices.
 
     :param points: vertices (k,), k >= 2, anywhere; with ``straight`` also positions or a Curve.
-    :param closed: back to the first point.
+    :param closed: back to the first point (also if the vertices repeat it at the end).
     :param straight: straight over the faces instead of along edges.
     :raises BadCurve: if there is no way, or it would cross itself.
     """

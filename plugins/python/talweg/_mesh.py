@@ -92,9 +92,6 @@ class Mesh:
 
     def draw(self, points: CurveLike, *, closed: bool = False, straight: bool = False) -> Curve:
         """talweg.draw() on this mesh."""
-        # Vertices as they come, also when they come back to the first one.
-        if not isinstance(points, Curve) and np.asarray(points).dtype.kind in "iu":
-            points = Curve(vertices=points, closed=closed)
         work = Workspace(self, as_curve(points, closed), plugin="talweg.draw", straight=straight)
         return work.run().curve
 

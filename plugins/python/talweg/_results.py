@@ -61,6 +61,10 @@ class Report:
     #: Entries under any other name, e.g. of somebody else's plugin
     more: Dict[str, Any] = field(default_factory=dict)
 
+    def __str__(self) -> str:
+        named = ((f.name, getattr(self, f.name)) for f in fields(self))
+        return "\n".join(f"{name}: {value}" for name, value in named if value not in (None, (), {}))
+
 
 _NAMES = {f.name for f in fields(Report)} - {"time_ms", "more"}
 
@@ -89,7 +93,7 @@ def report_of(entries: Dict[str, Any]) -> Report:
     return Report(time_ms=times, more=more, **known)
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Result:
     """What a run gives."""
 
@@ -98,6 +102,10 @@ class Result:
     total: Report  #: of all curves together
     #: If asked for: (number of vertices,) each, e.g. "distance" in mesh units
     fields: Dict[str, np.ndarray] = field(default_factory=dict)
+
+    def __repr__(self) -> str:
+        ended = f", {self.total.termination}" if self.total.termination else ""
+        return f"<talweg.Result: {self.curves}{ended}>"
 
     @property
     def curve(self) -> Curve:
