@@ -110,6 +110,20 @@ class Cancel(unittest.TestCase):
             self.interrupted_after(0.01 + 0.017 * k)
         self.as_if_nothing_had_been()
 
+    def test_ctrl_c_anywhere_in_short_calls(self):
+        vertices, faces = support.hills(12)
+        work = talweg.Mesh(vertices, faces).workspace([13, 14, 26, 38, 39, 40])
+        expected = work.run().curve.positions
+        for k in range(60):
+            timer = threading.Timer(0.002 + 0.000173 * k, os.kill, (os.getpid(), signal.SIGINT))
+            timer.start()
+            with self.assertRaises(KeyboardInterrupt):
+                while True:
+                    work.smooth(0.0)
+                    work.smooth(1.0)
+            timer.join()
+            np.testing.assert_array_equal(work.smooth(1.0).curve.positions, expected)
+
     def test_ctrl_c_while_the_mesh_is_opened(self):
         vertices, faces = support.hills(300)
         timer = threading.Timer(0.05, os.kill, (os.getpid(), signal.SIGINT))

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import ctypes
 import logging
-import threading
 import weakref
 from ctypes import byref, c_void_p, sizeof
 from typing import Any, Callable, Dict, List, Optional, Sequence
@@ -104,7 +103,7 @@ class Instance:
         status = plugin.table.create(byref(self._host.struct), byref(self._handle))
         if status != c.OK:
             raise error_of(status, f"{plugin.id}: an instance could not be made.")
-        self._alone = threading.Lock()
+        self._calls: List[object] = []  # at most one works; others are on their way to be refused
         # The host's struct must outlive the instance, so it is handed over as well.
         weakref.finalize(self, _destroy, plugin.table.destroy, self._handle, self._host)
 
@@ -174,12 +173,17 @@ class Instance:
         self._exclusively(lambda: self._checked(function))
 
     def _exclusively(self, body: Callable[[], None]) -> None:
-        if not self._alone.acquire(blocking=False):
-            raise BadUsage("Another call on this workspace runs; use a workspace for each thread.")
+        # No lock: Ctrl-C between acquiring it and the next line would leave it locked for good.
+        me = object()
         try:
+            self._calls.append(me)
+            if self._calls[0] is not me:
+                raise BadUsage("Another call on this workspace runs; use a workspace for each "
+                               "thread.")
             body()
         finally:
-            self._alone.release()
+            if me in self._calls:
+                self._calls.remove(me)
 
     def _checked(self, function: Callable[[], int]) -> None:
         status = function()
