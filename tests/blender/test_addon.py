@@ -187,6 +187,19 @@ class Addon(unittest.TestCase):
         np.testing.assert_allclose(result.curve.positions[0],
                                    scene.vertices_of(self.obj)[self.drawn[0]], atol=1e-5)
 
+    def test_a_hook_smaller_than_a_triangle(self):
+        bpy.ops.object.mode_set(mode="OBJECT")
+        hook = [[10, 10, 0], [10.2, 10.1, 0], [10.1, 10.2, 0], [10.1, 10.0, 0], [20, 15, 0],
+                [30, 30, 0], [30.1, 30.1, 0]]
+        for point in hook:
+            point[2] = 3 * np.sin(point[0] / 7) * np.cos(point[1] / 5)
+        scene.annotate([hook])
+        with self.assertRaisesRegex(RuntimeError, "touches itself"):
+            bpy.ops.talweg.smooth_annotations(thin=0)
+        self.assertEqual(bpy.ops.talweg.smooth_annotations(), {"FINISHED"})
+        ends = session.last_result().curve.positions[[0, -1]]
+        np.testing.assert_allclose(ends[:, :2], [hook[0][:2], hook[-1][:2]], atol=1e-2)
+
     def test_annotations_cut_into_the_mesh(self):
         bpy.ops.object.mode_set(mode="OBJECT")
         t = np.linspace(0, 1, 30)[:, None]
@@ -261,7 +274,7 @@ class Errors(unittest.TestCase):
         self.refused("crosses or touches itself", annotations)
         scene.annotate([cross], mode="SCREEN")
         self.refused("not on a surface", annotations)
-        scene.annotate([[[10, 10, float("nan")], [20, 20, 0]]])
+        scene.annotate([[[10, 10, 0], [15, 15, float("nan")], [20, 20, 0]]])
         self.refused("not finite", annotations)
         self.still_alive()
 
@@ -276,6 +289,6 @@ class Errors(unittest.TestCase):
         bpy.ops.object.mode_set(mode="OBJECT")
         before = scene.vertices_of(self.obj)
         scene.annotate([[[10.2, 10.1, 0], [10.3, 10.15, 0]]])  # inside one triangle
-        self.refused("inside one polygon", bpy.ops.talweg.smooth_annotations, output="EDGES")
+        self.refused("inside one polygon", bpy.ops.talweg.smooth_annotations, output="EDGES", thin=0)
         np.testing.assert_array_equal(scene.vertices_of(self.obj), before)
         self.still_alive()

@@ -65,8 +65,29 @@ def chains(edges):
     return found
 
 
-def annotation_strokes(context, obj, closed):
-    """The strokes of the scene's active annotation layer as curves in the object's own space.
+def mean_edge(arrays):
+    """Over all corners of all triangles, in the object's own units; 0 without triangles."""
+    corners = arrays.vertices[arrays.triangles].astype(float)
+    sides = np.linalg.norm(corners - np.roll(corners, 1, axis=1), axis=2)
+    return float(sides.mean()) if sides.size else 0.0
+
+
+def thinned(points, distance):
+    """Without the points nearer than this to the one kept before; first and last stay.
+
+    A hand that rests draws hooks smaller than a triangle, and a curve must not touch itself."""
+    kept = [0]
+    for k in range(1, len(points)):
+        if not np.linalg.norm(points[k] - points[kept[-1]]) < distance:  # also where it is no number
+            kept.append(k)
+    if len(kept) > 1 and kept[-1] != len(points) - 1:
+        kept[-1] = len(points) - 1
+    return points[kept]
+
+
+def annotation_strokes(context, obj, closed, spacing):
+    """The strokes of the scene's active annotation layer as curves in the object's own space,
+    their points at least `spacing` apart.
 
     :raises talweg.BadCurve: if there are none on the surface.
     """
@@ -86,5 +107,6 @@ def annotation_strokes(context, obj, closed):
         points = np.empty((len(stroke.points), 3), np.float32)
         stroke.points.foreach_get("co", points.ravel())
         in_object = points @ to_object[:3, :3].T + to_object[:3, 3]
-        curves.append(talweg.Curve(positions=in_object, closed=closed or stroke.use_cyclic))
+        curves.append(talweg.Curve(positions=thinned(in_object, spacing),
+                                   closed=closed or stroke.use_cyclic))
     return curves

@@ -12,12 +12,14 @@ class _Smoothing:
 
     bl_options = {"REGISTER", "UNDO"}
 
-    def smooth(self, context, obj, curves):
-        """Smooths and shows the result; what goes wrong becomes an error report."""
+    def smooth(self, context, obj, curves_on):
+        """Smooths curves_on(arrays of the mesh) and shows the result; what goes wrong becomes an
+        error report."""
         try:
             arrays = drawings.MeshArrays(obj.data)
             if not len(arrays.triangles):
                 raise talweg.BadMesh("The mesh has no faces.")
+            curves = curves_on(arrays)
             result = self._result(context, arrays, curves)
             if self.output == "CURVE":
                 made = curve_object.add(obj, result, self.thickness)
@@ -80,6 +82,7 @@ class _Smoothing:
             layout.prop(self, "thickness")
         if hasattr(self, "closed"):
             layout.prop(self, "closed")
+            layout.prop(self, "thin")
 
 
 def _sentence(result):
@@ -99,6 +102,14 @@ _COMMON = {
 }
 
 
+_STROKES = {
+    "closed": bpy.props.BoolProperty(name="Closed", description="Strokes are loops"),
+    "thin": bpy.props.FloatProperty(
+        name="Thin out", default=0.5, min=0, soft_max=4,
+        description="Points of a stroke are at least so many mean edges of the mesh apart"),
+}
+
+
 class TALWEG_OT_smooth_edges(_Smoothing, bpy.types.Operator):
     """Smooth the selected edges as curves on the surface, close to where they are"""
 
@@ -113,12 +124,7 @@ class TALWEG_OT_smooth_edges(_Smoothing, bpy.types.Operator):
     def execute(self, context):
         obj = context.object
         obj.update_from_editmode()
-        try:
-            curves = drawings.selected_edges(obj.data)
-        except talweg.Error as error:
-            self.report({"ERROR"}, str(error))
-            return {"CANCELLED"}
-        return self.smooth(context, obj, curves)
+        return self.smooth(context, obj, lambda arrays: drawings.selected_edges(obj.data))
 
 
 class TALWEG_OT_smooth_annotations(_Smoothing, bpy.types.Operator):
@@ -133,12 +139,8 @@ class TALWEG_OT_smooth_annotations(_Smoothing, bpy.types.Operator):
             and context.object.type == "MESH"
 
     def execute(self, context):
-        try:
-            curves = drawings.annotation_strokes(context, context.object, self.closed)
-        except talweg.Error as error:
-            self.report({"ERROR"}, str(error))
-            return {"CANCELLED"}
-        return self.smooth(context, context.object, curves)
+        return self.smooth(context, context.object, lambda arrays: drawings.annotation_strokes(
+            context, context.object, self.closed, self.thin * drawings.mean_edge(arrays)))
 
 
 CLASSES = (TALWEG_OT_smooth_edges, TALWEG_OT_smooth_annotations)
@@ -147,8 +149,7 @@ CLASSES = (TALWEG_OT_smooth_edges, TALWEG_OT_smooth_annotations)
 def register():
     for cls in CLASSES:
         cls.__annotations__ = {**parameters.annotations(), **_COMMON}
-    TALWEG_OT_smooth_annotations.__annotations__["closed"] = bpy.props.BoolProperty(
-        name="Closed", description="Strokes are loops")
+    TALWEG_OT_smooth_annotations.__annotations__.update(_STROKES)
     for cls in CLASSES:
         bpy.utils.register_class(cls)
 
