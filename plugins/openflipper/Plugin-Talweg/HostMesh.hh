@@ -5,9 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include <ObjectTypes/PolyLine/PolyLine.hh>
-#include <ObjectTypes/TriangleMesh/TriangleMesh.hh>
-
+#include "HostTypes.hh"
 #include "talweg/editing/mesh_arrays.hpp"
 #include "talweg/editing/selection_order.hpp"
 

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include <ObjectTypes/PolyLine/PluginFunctionsPolyLine.hh>
 #include <OpenFlipper/BasePlugin/PluginFunctions.hh>
 #include <OpenFlipper/common/GlobalOptions.hh>
 
@@ -13,7 +12,7 @@
 namespace talweg::openflipper {
 namespace {
 
-const ACG::Vec4f kResult(0.05f, 0.75f, 0.25f, 1.0f), kDrawn(0.55f, 0.55f, 0.55f, 1.0f);
+const ACG::Vec4f kResult(0.15f, 1.0f, 0.35f, 1.0f), kDrawn(0.55f, 0.55f, 0.55f, 1.0f);
 const ACG::Vec4f kPoint(1.0f, 0.75f, 0.1f, 1.0f), kPinned(0.9f, 0.1f, 0.1f, 1.0f);
 const ACG::Vec4f kFirst(0.2f, 0.5f, 1.0f, 1.0f);
 
@@ -121,10 +120,10 @@ void Session::ask() {
   wanted.point_fields = colour_by_ == ColourBy::kDeviation;
   if (host_curves(now).empty()) {
     thread_->cancel();
-    show_results({});
+    show_results({}, true);
     return;
   }
-  thread_->smooth(now, wanted);
+  ticket_ = thread_->smooth(now, wanted);
 }
 
 /// The host's list of undo gets the state that is there now.
@@ -221,7 +220,9 @@ void Session::take() {
 }
 
 void Session::take(editing::Outcome outcome) {
-  for (const std::string& note : outcome.notes) host_.say(in_words(note));
+  if (outcome.task != editing::Task::kSmooth) {  // those are in its report
+    for (const std::string& note : outcome.notes) host_.say(in_words(note));
+  }
   if (outcome.status == TALWEG_CANCELLED) return;
   if (outcome.status != TALWEG_OK) return fail(work_error_, in_words(outcome.sentence));
   switch (outcome.task) {
@@ -238,14 +239,14 @@ void Session::take(editing::Outcome outcome) {
     case editing::Task::kSmooth:
       last_run_ms_ = outcome.milliseconds;
       work_error_.clear();
-      show_results(std::move(outcome.results));
+      show_results(std::move(outcome.results), outcome.ticket == ticket_);
       return;
     case editing::Task::kDraw:
       return;
   }
 }
 
-void Session::show_results(host::Results results) {
+void Session::show_results(host::Results results, bool newest) {
   results_ = std::move(results);
   while (lines_.size() > results_.curves.size()) {
     const int id = lines_.back();
@@ -277,8 +278,7 @@ void Session::show_results(host::Results results) {
     }
     host_.show_line(lines_[c]);
   }
-  const bool settled = !thread_->progress().busy && !in_gesture();
-  if (settled && log_next_ && !results_.curves.empty()) {
+  if (newest && !in_gesture() && log_next_ && !results_.curves.empty()) {
     log_next_ = false;
     host_.say(short_report(*this).replace('\n', ", "));
     if (colour_by_ == ColourBy::kDistance || colour_by_ == ColourBy::kPotential) {

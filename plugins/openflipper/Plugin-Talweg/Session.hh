@@ -97,7 +97,7 @@ class Session {
   void ask();
   void show_drawing();
   void show_points();
-  void show_results(host::Results results);
+  void show_results(host::Results results, bool newest);
   void show_mesh_colours(const host::Results& results);
   void keep_backup();
   void go_to(std::uint64_t number);
@@ -117,6 +117,7 @@ class Session {
   std::unique_ptr<editing::SmoothingThread> thread_;
 
   editing::Drawing asked_;          // what was asked to be smoothed last
+  std::uint64_t ticket_ = 0;        // of that
   std::uint64_t first_number_ = 0;  // the state before any edit
   std::uint64_t kept_number_ = 0;   // the state that the host's list has last
   std::vector<int> lines_;          // results, one for each smoothed curve

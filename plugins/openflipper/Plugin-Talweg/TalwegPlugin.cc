@@ -10,7 +10,6 @@
 #include <cmath>
 #include <cstring>
 
-#include <ObjectTypes/PolyLine/PluginFunctionsPolyLine.hh>
 #include <OpenFlipper/BasePlugin/PluginFunctions.hh>
 #include <OpenFlipper/common/GlobalOptions.hh>
 
@@ -48,7 +47,7 @@ void TalwegPlugin::pluginsInitialized() {
   if (!OpenFlipper::Options::gui()) return;
   emit addHiddenPickMode(kPickMode);
   emit setPickModeMouseTracking(kPickMode, true);
-  emit setPickModeCursor(kPickMode, QCursor(Qt::CrossCursor));
+  emit setPickModeCursor(kPickMode, QCursor(Qt::ArrowCursor));
   make_menus();
   qApp->installEventFilter(this);
   connect(&timer_, &QTimer::timeout, this, &TalwegPlugin::look_at_progress);
@@ -559,6 +558,6 @@ void TalwegPlugin::hint(const QPoint& at) {
   if (text == hint_) return;
   hint_ = text;
   emit showStatusMessage(text);
-  emit setPickModeCursor(kPickMode, QCursor(handle ? Qt::PointingHandCursor : Qt::CrossCursor));
+  emit setPickModeCursor(kPickMode, QCursor(handle ? Qt::PointingHandCursor : Qt::ArrowCursor));
   changed();
 }

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include <ObjectTypes/PolyLine/PluginFunctionsPolyLine.hh>
 #include <OpenFlipper/BasePlugin/PluginFunctions.hh>
 #include <OpenFlipper/common/GlobalOptions.hh>
 
@@ -273,6 +272,7 @@ QString TalwegPlugin::screenPosition(int meshId, int vertex) {
 
 QString TalwegPlugin::widgetPosition(QString name) {
   if (OpenFlipper::Options::nogui()) return {};
+  QApplication::processEvents();  // layouts that wait
   for (const QWidget* widget : QApplication::allWidgets()) {
     if (widget->objectName() != name) continue;
     const QPoint at = widget->mapToGlobal(QPoint(0, 0));

@@ -1,0 +1,10 @@
+// The host's headers of meshes and lines; they need this order.
+#pragma once
+
+// clang-format off
+#include <OpenFlipper/common/ObjectTypeDLLDefines.hh>
+#include <OpenFlipper/common/Types.hh>
+#include <ObjectTypes/TriangleMesh/TriangleMesh.hh>
+#include <ObjectTypes/PolyLine/PolyLine.hh>
+#include <ObjectTypes/PolyLine/PluginFunctionsPolyLine.hh>
+// clang-format on

@@ -1,0 +1,175 @@
+#!/bin/sh
+# Draws in a real OpenFlipper with a real mouse, on a virtual display, and checks what comes of it:
+# an open and a closed curve, a moved and a pinned point, the slider of tau, undo, redo, writing and
+# reading. usage: mouse.sh TALWEG SCENES PLUGINS [PICTURES]; the environment as for batch.sh.
+# 77: no OpenFlipper, or no Xvfb or xdotool.
+set -eu
+talweg=$1 scenes=$2 plugins=$3 pictures=${4:-}
+here=$(cd "$(dirname "$0")" && pwd)
+if [ ! -x "${TALWEG_OPENFLIPPER:-}" ] || [ ! -f "${TALWEG_OPENFLIPPER_PLUGIN:-}" ]; then
+  echo "skipped: TALWEG_OPENFLIPPER and TALWEG_OPENFLIPPER_PLUGIN name no OpenFlipper and no" \
+    "Plugin-Talweg; docs/openflipper.md tells how to get both"
+  exit 77
+fi
+for tool in Xvfb xdotool; do
+  if ! command -v "$tool" >/dev/null; then
+    echo "skipped: $tool is missing (apt install xvfb xdotool)"
+    exit 77
+  fi
+done
+folder=$(mktemp -d)
+number=${TALWEG_DISPLAY:-97}
+Xvfb ":$number" -screen 0 1000x900x24 +extension GLX >/dev/null 2>&1 &
+server=$!
+host=
+finish() {
+  [ -z "$host" ] || kill "$host" 2>/dev/null || true
+  kill "$server" 2>/dev/null || true
+  rm -rf "$folder"
+}
+trap finish EXIT
+sleep 2
+
+"$scenes" "$folder" >/dev/null
+DISPLAY=:$number HOME=$folder/home XDG_RUNTIME_DIR=$folder TALWEG_PLUGIN_PATH=$plugins
+export DISPLAY HOME XDG_RUNTIME_DIR TALWEG_PLUGIN_PATH
+mkdir -p "$HOME/.OpenFlipper/ACG"
+printf '[PluginControl]\nAdditionalPlugins=%s\n' "$TALWEG_OPENFLIPPER_PLUGIN" \
+  >"$HOME/.OpenFlipper/ACG/OpenFlipper.ini"
+log=$HOME/.OpenFlipper/OpenFlipper.log
+sed "s#@FOLDER@#$folder#g" "$here/mouse.ofs" >"$folder/mouse.ofs"
+"$TALWEG_OPENFLIPPER" "$folder/mouse.ofs" >"$folder/console" 2>&1 &
+host=$!
+
+fail() {
+  echo "FAILED: $1"
+  tail -n 20 "$log" "$folder/console" || true
+  [ -z "$pictures" ] || import -window root "$pictures/failed.png" || true
+  exit 1
+}
+# Waits until the log has a line more than it had at the last mark that matches.
+marked=0
+mark() { marked=$(wc -l <"$log"); }
+expect() {  # PATTERN WHAT
+  for _ in $(seq 100); do
+    if tail -n "+$((marked + 1))" "$log" 2>/dev/null | grep -aq "$1"; then
+      echo "ok: $2: $(tail -n "+$((marked + 1))" "$log" | grep -a "$1" | tail -n 1 |
+        sed 's/, The result cuts.*//')"
+      return
+    fi
+    sleep 0.3
+  done
+  fail "$2 (no '$1' in the log)"
+}
+picture() { [ -z "$pictures" ] || { sleep 1; import -window root "$pictures/$1.png"; }; }
+click() { xdotool mousemove "$1" "$2"; sleep 0.2; xdotool click 1; sleep 0.4; }
+# X Y: from the viewer to the screen. The viewer begins below the menu and the tool bar.
+clicks() { for at in "$@"; do click "${at%,*}" "${at#*,}"; done; }
+widget() {  # NAME: the middle of a widget
+  grep -a " : WIDGET $1 " "$log" | tail -n 1 | sed 's/.*WIDGET [A-Za-z]* //' |
+    awk '{ print int($1 + $3 / 2), int($2 + $4 / 2) }'
+}
+press() { click $(widget "$1"); }
+# Types a file's name into the dialog that is there.
+type_name() { sleep 2; xdotool type --delay 30 "$1"; xdotool key Return; sleep 1; }
+
+for _ in $(seq 100); do grep -aq ' : READY' "$log" 2>/dev/null && break; sleep 0.5; done
+grep -aq ' : READY' "$log" || fail "the host is ready"
+sleep 2
+
+mark
+clicks 178,280 187,320 181,350 190,375 185,395 208,410 222,436 245,422 268,440 290,428 318,468
+picture drawing
+xdotool key BackSpace
+expect "1 curve(s)" "an open curve, its last point taken back"
+clicks 318,450
+mark
+xdotool key Return
+expect "Finish curve" "Enter ends it"
+
+mark
+clicks 330,330 345,322 360,327 378,322 396,337 390,352 400,368 385,380 380,398 350,392 328,385 334,360
+click 330 330
+expect "Draw\|Close curve" "a click on the first point closes a curve"
+expect "2 curve(s)" "two curves"
+picture closed
+
+mark
+xdotool mousemove 245 422 click --repeat 2 --delay 80 1
+expect "Pin point" "a double click pins a point"
+expect "2 curve(s)" "with it"
+
+mark
+xdotool mousemove 208 410 mousedown 1
+for x in 206 204 202 200; do xdotool mousemove "$x" 415; sleep 0.1; done
+xdotool mouseup 1
+expect "Move point" "a point is dragged"
+expect "2 curve(s)" "with it"
+moved=$(grep -a "curve(s)" "$log" | tail -n 1 | sed 's/.*length //; s/, deviation.*//')
+
+mark
+set -- $(grep -a ' : WIDGET talwegTauSlider ' "$log" | tail -n 1 | sed 's/.*Slider //')
+y=$(($2 + $4 / 2))
+xdotool mousemove "$(($1 + $3 / 4 + 3))" "$y" mousedown 1
+for part in 40 50 60 70 80; do xdotool mousemove "$(($1 + $3 * part / 100))" "$y"; sleep 0.2; done
+xdotool mouseup 1
+expect "Name : 'Tau'" "the slider is one step"
+expect "tau [1-9][0-9.]*" "tau follows"
+picture slider
+sled=$(grep -a "curve(s)" "$log" | tail -n 1 | sed 's/.*length //; s/, deviation.*//')
+[ "$sled" != "$moved" ] || fail "the slider changes the curves"
+
+mark
+click 551 46  # the host's own undo
+expect "length $moved" "the host's undo brings the curves back to the last digit"
+mark
+press talwegRedo
+expect "length $sled" "redo brings them forward"
+
+press talwegWriteResult
+mark
+type_name "$folder/result.json"
+expect "Wrote" "the result is written"
+press talwegWriteDrawing
+mark
+type_name "$folder/drawing.json"
+expect "Wrote" "the drawing is written"
+mark
+press talwegClear
+sleep 1
+press talwegReadDrawing
+type_name "$folder/drawing.json"
+expect "2 curve(s)" "and read again"
+"$talweg" --quiet measure "$folder/vessel.ply" "$folder/result.json" "$folder/drawing.json" \
+  --report "$folder/measured.json"
+echo "ok: the driver reads both: $(grep -o '"length": [0-9.]*' "$folder/measured.json" | head -n 1)"
+
+mark
+xdotool mousemove 472 275 mousedown 1
+for at in "468 300" "476 315" "486 325" "488 340" "502 350" "496 365" "502 380" "488 395" "488 412" \
+  "472 422" "468 438" "450 445" "440 460" "420 455"; do
+  xdotool mousemove $at
+  sleep 0.15
+done
+xdotool mouseup 1
+expect "Name : 'Draw'" "a painted stroke is one step"
+xdotool key Return
+expect "3 curve(s)" "the painted curve"
+mark
+clicks 300,500 310,520
+xdotool key Escape
+expect "Drop curve" "Esc drops a curve"
+expect "3 curve(s)" "three are left"
+picture painted
+
+mark
+press talwegColours
+xdotool key Down Return
+sleep 2
+picture deviation
+press talwegColours
+xdotool key Down Return
+sleep 3
+picture distance
+kill -0 "$host" || fail "the host still runs"
+echo "TALWEG MOUSE OK"
