@@ -4,6 +4,7 @@
 #include <new>
 #include <utility>
 
+#include "talweg/core/version.hpp"
 #include "talweg/intrinsic/error.hpp"
 
 namespace talweg::plugins {
@@ -38,6 +39,16 @@ std::shared_ptr<const OpenedMesh> opened(const talweg_mesh& mesh) {
   return OpenedMesh::open(std::move(lists));
 }
 
+talweg_plugin about_curves(const char* id, const char* label, const char* doc) {
+  talweg_plugin about = {};
+  about.flags = TALWEG_TAKES_CURVES;
+  about.id = id;
+  about.label = label;
+  about.version = version();
+  about.doc = doc;
+  return about;
+}
+
 talweg_status Workspace::status_of(const std::exception& error) {
   const auto* own = dynamic_cast<const Error*>(&error);
   if (own == nullptr) return TALWEG_INTERNAL;
@@ -63,6 +74,7 @@ void Workspace::use(std::shared_ptr<const OpenedMesh> mesh) {
   mesh_ = std::move(mesh);
   drawing_ = {};
   ++drawings_;
+  forget();
 }
 
 StraightLines& Workspace::lines() {

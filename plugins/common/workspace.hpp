@@ -18,6 +18,9 @@ namespace talweg::plugins {
 /// arrays that cannot be read, Error(kBadMesh) as OpenedMesh::open() does.
 std::shared_ptr<const OpenedMesh> opened(const talweg_mesh& mesh);
 
+/// The description of a plugin on curves; its strings must be constants.
+talweg_plugin about_curves(const char* id, const char* label, const char* doc);
+
 /// Base of the plugin classes (talweg_plugin.hpp).
 class Workspace {
  public:
@@ -30,6 +33,11 @@ class Workspace {
   static talweg_status status_of(const std::exception& error);
 
  protected:
+  ~Workspace() = default;
+
+  /// Called with a new mesh: what was made of the last one goes.
+  virtual void forget() {}
+
   void draw(std::span<const talweg_curve* const> curves, const SnapOptions& options);
 
   [[nodiscard]] const SurfaceMesh& mesh() const { return mesh_->mesh(); }

@@ -7,12 +7,11 @@
 
 #include "common/point_fields.hpp"
 #include "common/results.hpp"
-#include "common/workspace.hpp"
+#include "common/smoother_workspace.hpp"
 #include "talweg/core/corridor.hpp"
 #include "talweg/core/corridor_scale.hpp"
 #include "talweg/core/curve_smoother.hpp"
 #include "talweg/core/potential.hpp"
-#include "talweg/core/version.hpp"
 #include "talweg/intrinsic/polyline_distance.hpp"
 
 namespace talweg::plugins {
@@ -32,20 +31,15 @@ std::vector<double> largest_of(const Components& components, const std::vector<d
   return largest;
 }
 
-class Distance : public Workspace {
+class Distance : public SmootherWorkspace {
  public:
-  using Workspace::Workspace;
+  using SmootherWorkspace::SmootherWorkspace;
 
   static talweg_plugin about() {
-    talweg_plugin about = {};
-    about.flags = TALWEG_TAKES_CURVES;
-    about.id = "talweg.distance";
-    about.label = "Distance to curves";
-    about.version = version();
-    about.doc =
+    return about_curves(
+        "talweg.distance", "Distance to curves",
         "The distance along the surface to the nearest of some curves, and the potential that "
-        "talweg.smooth makes of it, at every vertex of the mesh.";
-    return about;
+        "talweg.smooth makes of it, at every vertex of the mesh.");
   }
   static std::vector<talweg_parameter> parameters() {
     using plugin::choice, plugin::number;
@@ -71,15 +65,6 @@ class Distance : public Workspace {
                    "By how much the surface is lifted; 0 where no curve can be reached."),
             output(TALWEG_OUTPUT_REPORT, "report", "Report", "",
                    "The largest distance and potential, and the slack of each curve.")};
-  }
-
-  void set_mesh(const talweg_mesh& mesh) {
-    Workspace::set_mesh(mesh);
-    smoother_.reset();
-  }
-  void share_mesh(const Distance& other) {
-    Workspace::share_mesh(other);
-    smoother_.reset();
   }
 
   void run(const plugin::Parameters& parameters, const plugin::Outputs& outputs) {
@@ -111,21 +96,21 @@ class Distance : public Workspace {
   /// The distance, by the smoother itself, so that it is the one that smoothing uses.
   void solve(const plugin::Parameters& parameters) {
     const std::uint64_t changes = parameters.changes_of(TALWEG_STAGE_CURVES);
-    if (smoother_ && drawings() == drawings_ && changes == changes_ && !distance_.empty()) return;
+    if (has_smoother() && drawings() == drawings_ && changes == changes_ && !distance_.empty())
+      return;
     distance_.clear();
-    if (!smoother_) smoother_ = std::make_unique<CurveSmoother>(opened_mesh());
     CurveOptions options;
     options.method = is_corridor(parameters) ? Method::kCorridor : Method::kPaper;
     options.heat_time = parameters.number("heat_time");
     options.threads = static_cast<unsigned>(parameters.number("threads"));
-    if (!smoother_->set_curves(drawing().curves, options, progress())) {
+    if (!smoother().set_curves(drawing().curves, options, progress())) {
       throw plugin::Services::cancelled();
     }
-    slack_ = smoother_->slack();
+    slack_ = smoother().slack();
     distance_ =
         is_corridor(parameters)
             ? exact_distance_field(mesh().surface(), drawing().curves, services())
-            : std::vector<double>(smoother_->distance().begin(), smoother_->distance().end());
+            : std::vector<double>(smoother().distance().begin(), smoother().distance().end());
     drawings_ = drawings();
     changes_ = changes;
   }
@@ -164,7 +149,6 @@ class Distance : public Workspace {
     return values;
   }
 
-  std::unique_ptr<CurveSmoother> smoother_;  // made when first needed
   std::vector<double> distance_, slack_;
   std::uint64_t drawings_ = 0;
   std::uint64_t changes_ = 0;

@@ -11,7 +11,6 @@
 #include "curve_files.hpp"
 #include "talweg/core/drawing.hpp"
 #include "talweg/core/measures.hpp"
-#include "talweg/core/version.hpp"
 #include "talweg/intrinsic/error.hpp"
 
 namespace talweg::plugins {
@@ -22,15 +21,11 @@ class Draw : public Workspace {
   using Workspace::Workspace;
 
   static talweg_plugin about() {
-    talweg_plugin about = {};
-    about.flags = TALWEG_TAKES_CURVES;
-    about.id = "talweg.draw";
-    about.label = "Draw curves";
-    about.version = version();
-    about.doc =
+    talweg_plugin about = about_curves(
+        "talweg.draw", "Draw curves",
         "Draws curves through points in their order: shortest edge paths between vertices, never "
         "through itself, or straight lines over the surface between any points. Points need not be "
-        "neighbours.";
+        "neighbours.");
     about.get_extension = extension;
     return about;
   }
@@ -56,14 +51,6 @@ class Draw : public Workspace {
                    "Points and length of each curve and in total.")};
   }
 
-  void set_mesh(const talweg_mesh& mesh) {
-    Workspace::set_mesh(mesh);
-    forget();
-  }
-  void share_mesh(const Draw& other) {
-    Workspace::share_mesh(other);
-    forget();
-  }
   void set_curves(std::span<const talweg_curve* const> curves) {
     std::vector<SnappedCurve> snapped;
     for (const talweg_curve* curve : curves) snapped.push_back(points_of(input_of(*curve)));
@@ -179,7 +166,7 @@ class Draw : public Workspace {
     return only ? std::optional(static_cast<std::size_t>(moved)) : std::nullopt;
   }
 
-  void forget() {  // what belongs to another mesh
+  void forget() override {
     dijkstra_.reset();
     paths_.clear();
   }

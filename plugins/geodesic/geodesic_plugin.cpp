@@ -5,9 +5,8 @@
 
 #include "common/point_fields.hpp"
 #include "common/results.hpp"
-#include "common/workspace.hpp"
+#include "common/smoother_workspace.hpp"
 #include "talweg/core/curve_smoother.hpp"
-#include "talweg/core/version.hpp"
 
 namespace talweg::plugins {
 namespace {
@@ -29,22 +28,17 @@ std::vector<ReportEntry> geodesic_entries(const SmoothingReport& report) {
   return chosen;
 }
 
-class Geodesic : public Workspace {
+class Geodesic : public SmootherWorkspace {
  public:
-  using Workspace::Workspace;
+  using SmootherWorkspace::SmootherWorkspace;
 
   static talweg_plugin about() {
-    talweg_plugin about = {};
-    about.flags = TALWEG_TAKES_CURVES;
-    about.id = "talweg.geodesic";
-    about.label = "Geodesic";
-    about.version = version();
-    about.doc =
+    return about_curves(
+        "talweg.geodesic", "Geodesic",
         "Straightens curves until they are locally shortest: geodesic paths between their ends, "
         "closed geodesics. Points need not be neighbours; they are joined straight over the "
         "surface "
-        "first. Pinned points stay.";
-    return about;
+        "first. Pinned points stay.");
   }
   static std::vector<talweg_parameter> parameters() {
     return {plugin::boolean("through", "Through every point", false,
@@ -65,14 +59,6 @@ class Geodesic : public Workspace {
                    "Lengths before and after, of each curve and in total.")};
   }
 
-  void set_mesh(const talweg_mesh& mesh) {
-    Workspace::set_mesh(mesh);
-    smoother_.reset();
-  }
-  void share_mesh(const Geodesic& other) {
-    Workspace::share_mesh(other);
-    smoother_.reset();
-  }
   void set_curves(std::span<const talweg_curve* const> curves) {
     std::vector<CurveInput> inputs;
     for (const talweg_curve* curve : curves) inputs.push_back(input_of(*curve));
@@ -90,23 +76,23 @@ class Geodesic : public Workspace {
   }
 
   void run(const plugin::Parameters& parameters, const plugin::Outputs& outputs) {
-    if (!smoother_) smoother_ = std::make_unique<CurveSmoother>(opened_mesh());
     CurveOptions curve_options;
     curve_options.cap_corners = false;
     curve_options.pins = parameters.flag("through") ? given_.all : given_.pins;
     // Nothing is lifted, so no distance is needed.
     const std::vector<double> flat(mesh().surface().vertex_count(), 0.0);
-    smoother_->set_curves(joined_, flat, curve_options);
+    smoother().set_curves(joined_, flat, curve_options);
     SmoothingOptions options;
     options.tau = 0;
     options.deviation = DeviationMeasure::kNone;
     options.length_floor = parameters.optional("length_floor");
     options.progress = progress();
-    const SmoothingResult result = smoother_->smooth(options);
-    if (result.total.termination == to_string(Termination::kCancelled)) {
-      throw plugin::Services::cancelled();
-    }
-    give_all(outputs, result);
+    const SmoothingResult result = smoother().smooth(options);
+    check(result);
+    const auto fields = [&](std::size_t c) -> std::vector<PointField> {
+      return {curvature_field(mesh(), result.curves[c])};
+    };
+    give_curves(outputs, result, fields, geodesic_entries);
   }
 
  private:
@@ -114,27 +100,8 @@ class Geodesic : public Workspace {
     std::vector<SurfacePoint> all, pins;
   };
 
-  void give_all(const plugin::Outputs& outputs, const SmoothingResult& result) const {
-    std::vector<PlacedCurve> placed;
-    std::vector<std::vector<PointField>> fields(result.curves.size());
-    for (std::size_t c = 0; c < result.curves.size(); ++c) {
-      placed.push_back(place(mesh(), result.curves[c], c));
-      if (outputs.wants_point_fields()) {
-        fields[c].push_back(curvature_field(mesh(), result.curves[c]));
-      }
-    }
-    if (outputs.wants_report()) give(outputs, -1, geodesic_entries(result.total));
-    for (std::size_t c = 0; c < placed.size(); ++c) {
-      give(outputs, placed[c], fields[c]);
-      if (outputs.wants_report()) {
-        give(outputs, static_cast<std::int64_t>(c), geodesic_entries(result.reports[c]));
-      }
-    }
-  }
-
   std::vector<SurfaceCurve> joined_;
   Points given_;
-  std::unique_ptr<CurveSmoother> smoother_;  // made when first needed
 };
 
 }  // namespace

@@ -1,0 +1,38 @@
+// What the plugins that work by a smoother have in common.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "results.hpp"
+#include "talweg/core/curve_smoother.hpp"
+#include "workspace.hpp"
+
+namespace talweg::plugins {
+
+class SmootherWorkspace : public Workspace {
+ public:
+  using Workspace::Workspace;
+
+ protected:
+  /// One for each mesh, made when first needed.
+  [[nodiscard]] CurveSmoother& smoother();
+  [[nodiscard]] bool has_smoother() const { return smoother_ != nullptr; }
+  void forget() override { smoother_.reset(); }
+
+  /// Throws plugin::Services::cancelled() for a run that was.
+  static void check(const SmoothingResult& result);
+
+  using FieldsOf = std::function<std::vector<PointField>(std::size_t curve)>;
+  using EntriesOf = std::function<std::vector<ReportEntry>(const SmoothingReport& report)>;
+  /// The report on all, then each curve and the report on it. All is computed before anything is
+  /// given, and what is not wanted is not computed.
+  void give_curves(const plugin::Outputs& outputs, const SmoothingResult& result,
+                   const FieldsOf& fields_of, const EntriesOf& entries_of) const;
+
+ private:
+  std::unique_ptr<CurveSmoother> smoother_;
+};
+
+}  // namespace talweg::plugins
