@@ -53,6 +53,8 @@ void give(const plugin::Outputs& outputs, const PlacedCurve& curve,
   }
   std::vector<talweg_field> views;
   std::vector<const talweg_field*> list;
+  views.reserve(fields.size());
+  list.reserve(fields.size());
   for (const PointField& field : fields) {
     views.push_back({sizeof(talweg_field), field.name, field.unit, view(field.values.data(), n)});
   }

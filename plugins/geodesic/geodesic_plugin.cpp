@@ -22,7 +22,9 @@ std::vector<ReportEntry> geodesic_entries(const SmoothingReport& report) {
   std::vector<ReportEntry> chosen;
   for (ReportEntry& entry : entries_of(report)) {
     for (const char* key : kKeys) {
-      if (entry.key == key) chosen.push_back(std::move(entry));
+      if (entry.key != key) continue;
+      chosen.push_back(std::move(entry));
+      break;
     }
   }
   return chosen;
