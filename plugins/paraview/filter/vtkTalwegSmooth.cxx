@@ -65,7 +65,7 @@ struct vtkTalwegSmooth::Internals {
 
   [[nodiscard]] std::vector<Curve> drawing(vtkDataSet* curve) const {
     if (curve != nullptr) return talweg::paraview::curves_of(*curve, this->CurveIds);
-    const auto vertices = talweg::paraview::vertex_numbers(this->PointIds, "Vertex numbers");
+    const auto vertices = talweg::paraview::vertex_numbers(this->PointIds, "Point Ids");
     if (!vertices.empty()) return {talweg::paraview::curve_through(vertices)};
     if (this->Points.empty()) {
       throw std::runtime_error("There is no drawing: give a curve, points or vertex numbers.");
