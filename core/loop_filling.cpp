@@ -53,6 +53,17 @@ void fill_short(const std::vector<Point>& points, const Loop& loop,
   }
 }
 
+/// Whether the loop runs along one seam on both sides, so that a lid would have no area.
+template <class Original>
+bool is_slit(const Loop& loop, const Original& original) {
+  std::set<std::pair<std::uint32_t, std::uint32_t>> edges;
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    const std::uint32_t a = original(loop[i]), b = original(loop[(i + 1) % loop.size()]);
+    if (!edges.insert(std::minmax(a, b)).second) return true;
+  }
+  return false;
+}
+
 /// The rims that a cut has left on a piece: where each goes on, in the order in which a lid turns.
 std::map<std::uint32_t, std::uint32_t> cut_rims(const Piece& piece, const OpenedSeams& opened,
                                                 std::span<const CutMesh::Chain> chains) {
@@ -122,6 +133,10 @@ Lids add_lids(Piece& piece, const OpenedSeams& opened, std::span<const CutMesh::
       next.erase(at);
     }
     loop.pop_back();  // where it began
+    if (is_slit(loop, [&](std::uint32_t v) { return opened.vertex_from[piece.vertices[v]]; })) {
+      ++lids.left_open;
+      continue;
+    }
     const std::vector<Triangle> lid = fill_loop(piece.lists.points, loop);
     piece.lists.triangles.insert(piece.lists.triangles.end(), lid.begin(), lid.end());
     piece.faces.resize(piece.lists.triangles.size(), kNoFace);

@@ -22,7 +22,7 @@ std::vector<Triangle> fill_loop(const std::vector<Point>& points,
 struct Lids {
   std::size_t filled = 0;     ///< loops that got a lid
   std::size_t triangles = 0;  ///< of all lids; the last faces of the piece
-  std::size_t left_open = 0;  ///< rims that end at the old boundary
+  std::size_t left_open = 0;  ///< rims that end at the old boundary, and slits
 };
 /// Fills the holes of a piece that were cut. Their faces come from none: kNoFace in `faces`.
 inline constexpr std::uint32_t kNoFace = 0xFFFFFFFFU;

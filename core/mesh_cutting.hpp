@@ -15,8 +15,8 @@ namespace talweg {
 
 struct CutOptions {
   /// Points within this part of an edge (in barycentrics) of a vertex, of an edge or of each other
-  /// are one. [1e-11, 1e-2].
-  double merge = 1e-9;
+  /// are one: the new edges on an old one are no shorter than that part of it. [1e-11, 1e-2].
+  double merge = 1e-6;
   void validate() const;  ///< throws Error(kBadUsage)
 };
 

@@ -50,6 +50,7 @@ int run(int argc, char** argv) {
   add(add_draw);
   add(add_smooth);
   add(add_measure);
+  add(add_cut);
   add(add_info);
   add(add_plugins);
   add(add_run);
@@ -74,7 +75,7 @@ int run(int argc, char** argv) {
   }
   return fail(
       kBadUsage,
-      "A command is needed: draw, smooth, measure, info, plugins or run (see talweg --help)");
+      "A command is needed: draw, smooth, measure, cut, info, plugins or run (see talweg --help)");
 }
 
 }  // namespace

@@ -83,7 +83,7 @@ void expect_good(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves,
       length += (now.point(a) - now.point(b)).norm();
     }
     const double drawn = curve_length(mesh.surface(), curves[c]);
-    EXPECT_NEAR(length, drawn, 1e-8 * drawn + 4 * cut.largest_move * static_cast<double>(n));
+    EXPECT_NEAR(length, drawn, 1e-9 * drawn + 4 * cut.largest_move * static_cast<double>(n));
     // Every point of the curve is a vertex, or was merged into one.
     const auto points = positions_of(mesh, curves[c]);
     for (const Point& p : points) {
@@ -91,7 +91,7 @@ void expect_good(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves,
       for (const std::uint32_t v : chain) {
         nearest = std::min(nearest, (cut.lists.points[v] - p).norm());
       }
-      EXPECT_LE(nearest, 1e-8 * size);
+      EXPECT_LE(nearest, 1e-12 * size + cut.largest_move);
     }
   }
 }

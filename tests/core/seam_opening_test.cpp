@@ -94,6 +94,10 @@ TEST(SeamOpening, AnOpenCurveIsASlit) {
   // All but its ends are there twice, and there is one hole more.
   EXPECT_EQ(seams.lists.points.size(), cut.lists.points.size() + cut.chains[0].vertices.size() - 2);
   EXPECT_EQ(euler(seams.lists), euler(cut.lists) - 1);
+  Piece slit = piece(seams, 0);
+  const Lids lids = add_lids(slit, seams, cut.chains);  // a lid would have no area
+  EXPECT_EQ(lids.filled, 0U);
+  EXPECT_EQ(lids.left_open, 1U);
 }
 
 TEST(SeamOpening, FromBoundaryToBoundaryItPartsASheet) {

@@ -1,0 +1,269 @@
+// talweg cut: curves become edges of the mesh, and the mesh is taken apart along them.
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "commands.hpp"
+#include "drawing_file.hpp"
+#include "repaired_mesh.hpp"
+#include "talweg/core/formats/file_bytes.hpp"
+#include "talweg/core/loop_filling.hpp"
+#include "talweg/core/mesh_cutting.hpp"
+#include "talweg/core/mesh_writer.hpp"
+#include "talweg/core/seam_opening.hpp"
+#include "talweg/core/stopwatch.hpp"
+#include "talweg/intrinsic/error.hpp"
+
+namespace talweg::driver {
+namespace {
+
+struct CutCommandOptions {
+  std::string mesh;
+  std::vector<std::string> curves;
+  std::string output;
+  std::string map;
+  std::string repair;
+  std::string keep;
+  bool open = false;
+  bool split = false;
+  bool cap = false;
+  double merge = CutOptions{}.merge;
+};
+
+/// A written mesh: where its vertices and faces come from, and what was done.
+struct Part {
+  MeshLists lists;
+  std::vector<std::uint32_t> vertices, faces;  // of the cut mesh
+  Lids lids;
+};
+
+class Cutting {
+ public:
+  explicit Cutting(const CutCommandOptions& options);
+  void write() const;
+  [[nodiscard]] std::string summary() const;
+
+ private:
+  void take_apart();
+  [[nodiscard]] std::vector<bool> kept(const OpenedSeams& seams) const;
+  void add_part(const OpenedSeams& seams, const std::vector<bool>& wanted);
+  [[nodiscard]] std::string path_of(std::size_t part) const;
+  [[nodiscard]] std::string map_json() const;
+  [[nodiscard]] nlohmann::json vertex_json(std::uint32_t vertex) const;
+
+  const CutCommandOptions& o_;
+  ReadMesh read_;
+  SurfaceMesh mesh_;
+  Drawing drawing_;
+  CutMesh cut_;
+  std::size_t pieces_ = 1;
+  std::vector<Part> parts_;
+  double cut_ms_ = 0;
+};
+
+Cutting::Cutting(const CutCommandOptions& options)
+    : o_(options),
+      read_(read_and_repair(options.mesh, options.repair)),
+      mesh_(SurfaceMesh::open(read_.lists)) {
+  drawing_ = DrawingReader(mesh_, read_.map.get()).read(o_.curves);
+  const Stopwatch watch;
+  cut_ = cut_along(mesh_, drawing_.curves, {o_.merge});
+  cut_.lists.single_precision = read_.lists.single_precision;
+  take_apart();
+  cut_ms_ = watch.ms();
+}
+
+void Cutting::take_apart() {
+  if (!o_.open && !o_.split && o_.keep.empty() && !o_.cap) {
+    Part& part = parts_.emplace_back();
+    part.lists = cut_.lists;
+    for (std::uint32_t v = 0; v < cut_.lists.points.size(); ++v) part.vertices.push_back(v);
+    for (std::uint32_t f = 0; f < cut_.lists.triangles.size(); ++f) part.faces.push_back(f);
+    return;
+  }
+  const OpenedSeams seams = open_seams(cut_.lists, cut_.chains);
+  pieces_ = seams.pieces;
+  const std::vector<bool> wanted = kept(seams);
+  if (!o_.split) return add_part(seams, wanted);
+  for (std::size_t k = 0; k < seams.pieces; ++k) {
+    if (!wanted[k]) continue;
+    std::vector<bool> one(seams.pieces, false);
+    one[k] = true;
+    add_part(seams, one);
+  }
+}
+
+/// The pieces on the side of the curves that is asked for.
+std::vector<bool> Cutting::kept(const OpenedSeams& seams) const {
+  std::vector<bool> wanted(seams.pieces, o_.keep.empty());
+  if (o_.keep.empty()) return wanted;
+  for (std::size_t c = 0; c < seams.left.size(); ++c) {
+    for (const std::uint32_t l : seams.left[c]) {
+      for (const std::uint32_t r : seams.right[c]) {
+        if (l != r) continue;
+        throw Error(ErrorCode::kBadCurve,
+                    fmt::format("Curve {} does not part its left from its right, so --keep {} says "
+                                "nothing: the mesh hangs together around it.",
+                                c, o_.keep));
+      }
+    }
+    for (const std::uint32_t k : o_.keep == "left" ? seams.left[c] : seams.right[c]) {
+      wanted[k] = true;
+    }
+  }
+  return wanted;
+}
+
+void Cutting::add_part(const OpenedSeams& seams, const std::vector<bool>& wanted) {
+  Piece piece = piece_of(seams, wanted);
+  Part& part = parts_.emplace_back();
+  if (o_.cap) part.lids = add_lids(piece, seams, cut_.chains);
+  part.lists = std::move(piece.lists);
+  part.faces = std::move(piece.faces);
+  for (const std::uint32_t v : piece.vertices) part.vertices.push_back(seams.vertex_from[v]);
+}
+
+/// With --split "out.ply" becomes "out-0.ply", "out-1.ply", ...
+std::string Cutting::path_of(std::size_t part) const {
+  if (!o_.split) return o_.output;
+  const std::filesystem::path path(o_.output);
+  return (path.parent_path() /
+          fmt::format("{}-{}{}", path.stem().string(), part, path.extension().string()))
+      .string();
+}
+
+/// [vertex], [a, b, part from a to b] or [a, b, c, barycentrics], in the numbers of the file.
+nlohmann::json Cutting::vertex_json(std::uint32_t vertex) const {
+  const Surface& surface = mesh_.surface();
+  const auto number = [&](VertexId v) {
+    return read_.map ? read_.map->file_vertex(v).index() : v.index();
+  };
+  const SurfacePoint& point = cut_.vertex_from[vertex];
+  if (const auto* v = std::get_if<AtVertex>(&point.where())) return {number(v->vertex)};
+  if (const auto* e = std::get_if<OnEdge>(&point.where())) {
+    const HalfedgeId h = halfedge_of(e->edge);
+    return {number(surface.tail(h)), number(surface.head(h)), e->t};
+  }
+  const auto& in = std::get<InFace>(point.where());
+  nlohmann::json json;
+  for (const VertexId v : surface.corners(in.face)) json.push_back(number(v));
+  for (const double b : in.barycentric) json.push_back(b);
+  return json;
+}
+
+std::string Cutting::map_json() const {
+  nlohmann::json json = {{"format", "talweg-cut"}, {"version", 1}};
+  nlohmann::json& parts = json["parts"] = nlohmann::json::array();
+  for (std::size_t k = 0; k < parts_.size(); ++k) {
+    const Part& part = parts_[k];
+    nlohmann::json vertices = nlohmann::json::array(), faces = nlohmann::json::array();
+    std::vector<std::vector<std::uint32_t>> here(cut_.lists.points.size());
+    for (std::uint32_t v = 0; v < part.vertices.size(); ++v) {
+      vertices.push_back(vertex_json(part.vertices[v]));
+      here[part.vertices[v]].push_back(v);
+    }
+    for (const std::uint32_t f : part.faces) {
+      if (f == kNoFace) {
+        faces.push_back(nullptr);
+        continue;
+      }
+      const FaceId from{cut_.face_from[f]};
+      faces.push_back(read_.map ? read_.map->file_face(from).index() : from.index());
+    }
+    nlohmann::json chains = nlohmann::json::array();
+    for (const CutMesh::Chain& chain : cut_.chains) {
+      nlohmann::json along = nlohmann::json::array();
+      for (const std::uint32_t v : chain.vertices) along.push_back(here[v]);
+      chains.push_back({{"closed", chain.closed}, {"vertices", std::move(along)}});
+    }
+    parts.push_back({{"file", path_of(k)},
+                     {"vertices", std::move(vertices)},
+                     {"faces", std::move(faces)},
+                     {"curves", std::move(chains)}});
+  }
+  return json.dump() + "\n";
+}
+
+void Cutting::write() const {
+  for (std::size_t k = 0; k < parts_.size(); ++k) write_mesh(path_of(k), parts_[k].lists);
+  if (!o_.map.empty()) write_file(o_.map, map_json());
+}
+
+std::string Cutting::summary() const {
+  std::string text =
+      fmt::format("{} curves cut {} faces; {} vertices are new, {} of them where curves cross\n",
+                  drawing_.curves.size(), cut_.cut_faces, cut_.new_vertices, cut_.crossings);
+  if (cut_.merged > 0) {
+    text += fmt::format(
+        "{} points lay at a vertex or an edge but for rounding; moved by {:.3g} at most\n",
+        cut_.merged, cut_.largest_move);
+  }
+  for (const std::string& change : read_.changes) text += change + "\n";
+  for (const std::string& warning :
+       reading_warnings(drawing_.largest_snap_distance, read_.lists.polygon_count)) {
+    text += warning + "\n";
+  }
+  if (o_.open || o_.split || o_.cap || !o_.keep.empty()) {
+    text += fmt::format("{} {}\n", pieces_, pieces_ == 1 ? "piece" : "pieces");
+  }
+  for (std::size_t k = 0; k < parts_.size(); ++k) {
+    const Part& part = parts_[k];
+    text += fmt::format("{}: {} vertices, {} faces", path_of(k), part.lists.points.size(),
+                        part.lists.triangles.size());
+    if (o_.cap) text += fmt::format(", {} lids of {} faces", part.lids.filled, part.lids.triangles);
+    if (part.lids.left_open > 0) {
+      text +=
+          fmt::format("; {} rims stay open: slits, or they end at the old boundary", part.lids.left_open);
+    }
+    text += "\n";
+  }
+  return text + fmt::format("cut in {:.1f} ms\n", cut_ms_);
+}
+
+void check(const CutCommandOptions& o) {
+  if (o.keep.empty() || o.keep == "left" || o.keep == "right") return;
+  throw Error(ErrorCode::kBadUsage, "--keep must be left or right, not \"" + o.keep + "\".");
+}
+
+}  // namespace
+
+Command add_cut(CLI::App& app, const GlobalOptions& global) {
+  auto o = std::make_shared<CutCommandOptions>();
+  CLI::App* command = app.add_subcommand("cut",
+                                         "Make curves edges of the mesh, exactly: no vertex moves, "
+                                         "new ones only on edges and in faces; "
+                                         "then take it apart along them");
+  command->add_option("mesh", o->mesh, "Mesh: OBJ, OFF, PLY, STL or OM")->required();
+  command->add_option("--curve", o->curves, "Curves to cut along; may be given several times")
+      ->required();
+  command->add_option("-o,--output", o->output, "The cut mesh: .ply, .obj, .off or .stl")
+      ->required();
+  command->add_flag("--open", o->open, "Open a seam: either side of it has vertices of its own");
+  command->add_flag("--split", o->split, "A file for each piece: OUT-0.ply, OUT-1.ply, ...");
+  command->add_option("--keep", o->keep,
+                      "left or right: only pieces on that side of the curves, seen along them from "
+                      "outside");
+  command->add_flag("--cap", o->cap, "Close what the cut leaves open with lids of least area");
+  command->add_option("--map", o->map,
+                      "JSON: where every vertex and face comes from, and the curves' vertices");
+  command
+      ->add_option("--merge", o->merge,
+                   "Points within this part of an edge of a vertex, an edge or each other are one")
+      ->capture_default_str();
+  add_repair_option(*command, o->repair);
+  return [o, &global] {
+    check(*o);
+    const Cutting cutting(*o);
+    cutting.write();
+    if (!global.quiet) std::fputs(cutting.summary().c_str(), stdout);
+    return static_cast<int>(kDone);
+  };
+}
+
+}  // namespace talweg::driver

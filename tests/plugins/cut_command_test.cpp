@@ -1,0 +1,122 @@
+// talweg cut as its users see it, on a ball and a plane.
+#include <cmath>
+#include <string>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "core/jagged_curves.hpp"
+#include "plugins/driver_runs.hpp"
+#include "talweg/core/formats/curve_file.hpp"
+#include "talweg/core/mesh_inspection.hpp"
+#include "talweg/core/mesh_reader.hpp"
+#include "talweg/core/mesh_writer.hpp"
+
+namespace talweg {
+namespace {
+
+class CutCommand : public test::DriverRuns {
+ protected:
+  void SetUp() override {
+    DriverRuns::SetUp();
+    const MeshLists lists = test::sphere(4);
+    write_mesh(file("ball.ply"), lists);
+    const auto opened = OpenedMesh::open(lists);
+    const auto points = test::circle({0, 0, 0.3}, {0.95, 0, 0}, {0, 0.95, 0}, 24);
+    const SurfaceCurve ring =
+        smooth_curve(opened, test::drawn_near(opened->mesh(), points, true)).curve();
+    write_curves(file("ring.json"), opened->mesh(), std::span(&ring, 1));
+    write_mesh(file("plane.ply"), test::grid(10, 10));
+    write(file("line.txt"), "3\n14\n25\n36\n");
+    write(file("other.txt"), "44\n45\n46\n");
+  }
+  static void write(const std::filesystem::path& path, const std::string& text) {
+    std::ofstream(path) << text;
+  }
+  [[nodiscard]] nlohmann::json json(const std::string& name) const {
+    return nlohmann::json::parse(bytes_of(file(name)));
+  }
+  [[nodiscard]] bool there(const std::string& name) const {
+    return std::filesystem::exists(file(name));
+  }
+};
+
+TEST_F(CutCommand, MakesTheCurveEdgesOfTheMesh) {
+  const Outcome outcome = run("cut ball.ply --curve ring.json -o cut.ply --map map.json");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const MeshLists old = read_mesh(file("ball.ply")), cut = read_mesh(file("cut.ply"));
+  EXPECT_GT(cut.points.size(), old.points.size());
+  EXPECT_TRUE(std::equal(old.points.begin(), old.points.end(), cut.points.begin()));
+  EXPECT_EQ(inspect(cut).verdict, MeshVerdict::kUsable);
+  const nlohmann::json part = json("map.json")["parts"][0];
+  ASSERT_EQ(part["vertices"].size(), cut.points.size());
+  ASSERT_EQ(part["faces"].size(), cut.triangles.size());
+  for (std::size_t v = 0; v < cut.points.size(); ++v) {
+    const nlohmann::json& from = part["vertices"][v];
+    Point at = Point::Zero();
+    if (from.size() == 1) {
+      at = old.points[from[0]];
+    } else if (from.size() == 3) {
+      const double t = from[2];
+      at = (1 - t) * old.points[from[0]] + t * old.points[from[1]];
+    } else {
+      for (std::size_t k = 0; k < 3; ++k) at += double{from[3 + k]} * old.points[from[k]];
+    }
+    EXPECT_LT((at - cut.points[v]).norm(), 1e-14);
+  }
+  EXPECT_EQ(part["curves"].size(), 1U);
+  EXPECT_TRUE(part["curves"][0]["closed"]);
+}
+
+TEST_F(CutCommand, SplitsAndCaps) {
+  const Outcome outcome =
+      run("cut ball.ply --curve ring.json -o half.ply --split --cap --map map.json");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("2 pieces"), std::string::npos) << outcome.out;
+  EXPECT_FALSE(there("half.ply"));
+  for (const char* name : {"half-0.ply", "half-1.ply"}) {
+    const MeshInspection part = inspect(read_mesh(file(name)));
+    EXPECT_EQ(part.verdict, MeshVerdict::kUsable);
+    EXPECT_EQ(part.boundary_loops, 0U) << name;
+  }
+  EXPECT_FALSE(there("half-2.ply"));
+  EXPECT_TRUE(json("map.json")["parts"][1]["faces"].back().is_null());  // a lid's
+}
+
+TEST_F(CutCommand, KeepsASide) {
+  ASSERT_EQ(run("cut ball.ply --curve ring.json -o left.ply --keep left").code, 0);
+  ASSERT_EQ(run("cut ball.ply --curve ring.json -o right.ply --keep right").code, 0);
+  const auto lowest = [&](const char* name) {
+    double low = 2;
+    for (const Point& p : read_mesh(file(name)).points) low = std::min(low, p.z());
+    return low;
+  };
+  EXPECT_NEAR(std::min(lowest("left.ply"), lowest("right.ply")), -1, 0.01);
+  EXPECT_NEAR(std::max(lowest("left.ply"), lowest("right.ply")), 0.3, 0.1);
+}
+
+TEST_F(CutCommand, OpensSeamsOfOneAndOfMoreCurves) {
+  const Outcome outcome =
+      run("cut plane.ply --curve line.txt --curve other.txt -o open.ply --open");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const MeshLists open = read_mesh(file("open.ply"));
+  // line.txt begins at the boundary: three of its vertices are there twice; so is the middle of
+  // the other, and its end at the boundary.
+  EXPECT_EQ(open.points.size(), 121U + 3 + 2);
+  EXPECT_EQ(open.triangles.size(), 200U);
+}
+
+TEST_F(CutCommand, SaysWhatIsWrong) {
+  expect_failure("cut plane.ply --curve line.txt -o c.ply --keep up", 1,
+                 {"--keep", "left or right"});
+  expect_failure("cut plane.ply --curve line.txt -o c.ply --keep left", 2, {"does not part"});
+  expect_failure("cut plane.ply --curve line.txt -o c.ply --merge 1", 1, {"merge", "1e-2"});
+  expect_failure("cut plane.ply --curve none.txt -o c.ply", 2, {"none.txt"});
+  expect_failure("cut plane.ply --curve line.txt -o nowhere/c.ply", 2, {"nowhere"});
+  expect_failure("cut plane.ply --curve line.txt -o c.xyz", 2, {"xyz"});
+  expect_failure("cut plane.ply -o c.ply", 1, {"--curve"});
+  EXPECT_FALSE(there("c.ply"));
+}
+
+}  // namespace
+}  // namespace talweg
