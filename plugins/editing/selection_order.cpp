@@ -172,20 +172,57 @@ bool take_in_a_leaf(Neighbours& neighbours, const Lengths& lengths) {
   return false;
 }
 
-/// Closes chains of three and more whose ends are joined by no longer a joint than their members.
-void close_rings(std::vector<OrderedVertices>& chains, const Lengths& lengths) {
-  for (OrderedVertices& chain : chains) {
-    std::vector<Vertex>& v = chain.vertices;
+/// Joins neighbours to chains; the shortest joints are those of neighbours.
+void join_neighbours(const std::vector<Joint>& joints, const std::vector<Vertex>& selected,
+                     const Lengths& lengths, Neighbours& neighbours) {
+  Groups groups(selected);
+  for (const Joint& joint : joints) {
+    if (joint.edges > 1 || !groups.join(joint.a, joint.b)) continue;
+    neighbours[joint.a].insert(joint.b);
+    neighbours[joint.b].insert(joint.a);
+  }
+  while (take_in_a_leaf(neighbours, lengths)) {
+  }
+  require_no_branch(neighbours);
+}
+
+/// Adds the joint from end to end of chains of three and more where it is no longer than those in
+/// between.
+void close_rings(const Lengths& lengths, Neighbours& neighbours) {
+  for (const OrderedVertices& chain : chains_of(neighbours)) {
+    const std::vector<Vertex>& v = chain.vertices;
     if (chain.closed || v.size() < 3) continue;
     std::uint32_t longest = 0;
     for (std::size_t k = 0; k + 1 < v.size(); ++k) {
       longest = std::max(longest, lengths.at(std::minmax(v[k], v[k + 1])));
     }
     const auto last = lengths.find(std::minmax(v.front(), v.back()));
-    chain.closed = last != lengths.end() && last->second <= longest;
-    if (!chain.closed) continue;
-    std::rotate(v.begin(), std::min_element(v.begin(), v.end()), v.end());
-    if (v.back() < v[1]) std::reverse(v.begin() + 1, v.end());
+    if (last == lengths.end() || last->second > longest) continue;
+    neighbours[v.front()].insert(v.back());
+    neighbours[v.back()].insert(v.front());
+  }
+}
+
+/// Joins chains and single vertices at their ends, shortest joints first; none to a ring, and none
+/// by a joint much longer than those that it has.
+void join_ends(const std::vector<Joint>& joints, const std::vector<Vertex>& selected,
+               Neighbours& neighbours) {
+  constexpr std::uint32_t kMuchLonger = 4;
+  Groups groups(selected);
+  std::map<Vertex, std::uint32_t> longest;  // by group; 0: a single vertex
+  for (const auto& [vertex, others] : neighbours) {
+    for (const Vertex other : others) groups.join(vertex, other);
+  }
+  for (const auto& [vertex, others] : neighbours) longest[groups.of(vertex)] = 1;
+  for (const Joint& joint : joints) {
+    const Vertex a = groups.of(joint.a), b = groups.of(joint.b);
+    const std::uint32_t most = std::max(longest[a], longest[b]);
+    if (a == b || (most > 0 && joint.edges > kMuchLonger * most)) continue;
+    if (neighbours[joint.a].size() > 1 || neighbours[joint.b].size() > 1) continue;
+    groups.join(a, b);
+    longest[groups.of(a)] = std::max(most, joint.edges);
+    neighbours[joint.a].insert(joint.b);
+    neighbours[joint.b].insert(joint.a);
   }
 }
 
@@ -199,20 +236,14 @@ std::vector<OrderedVertices> order_along_mesh(const MeshArrays& mesh,
     throw Error("The mesh has no vertex " + std::to_string(selected.back()) + ".");
   }
   const std::vector<Joint> joints = joints_between(mesh, selected);
-  Groups groups(selected);
-  Neighbours neighbours;
   Lengths lengths;
-  for (const Joint& joint : joints) {
-    lengths[{joint.a, joint.b}] = joint.edges;
-    if (!groups.join(joint.a, joint.b)) continue;
-    neighbours[joint.a].insert(joint.b);
-    neighbours[joint.b].insert(joint.a);
-  }
-  while (take_in_a_leaf(neighbours, lengths)) {
-  }
-  std::vector<OrderedVertices> chains = chains_of(neighbours);
-  close_rings(chains, lengths);
-  return chains;
+  for (const Joint& joint : joints) lengths[{joint.a, joint.b}] = joint.edges;
+  Neighbours neighbours;
+  join_neighbours(joints, selected, lengths, neighbours);
+  close_rings(lengths, neighbours);
+  join_ends(joints, selected, neighbours);
+  close_rings(lengths, neighbours);
+  return chains_of(neighbours);
 }
 
 std::vector<OrderedVertices> order_along_edges(

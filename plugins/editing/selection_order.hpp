@@ -16,14 +16,14 @@ struct OrderedVertices {
   bool operator==(const OrderedVertices&) const = default;
 };
 
-/// Orders vertices into curves. Neighbours on the mesh follow each other; vertices that are not
-/// neighbours are joined where the fewest edges lie between them, shortest joints first (a spanning
-/// tree over the number of edges). A chain whose ends are neighbours, or as near as its members, is
-/// closed from three vertices on. One curve for each connected part of the mesh; single vertices
-/// make none. An open curve begins at its end of smaller number, a closed one at its smallest
-/// vertex.
+/// Orders vertices into curves. Neighbours on the mesh follow each other. Chains of them and single
+/// vertices are then joined at their ends where the fewest edges lie between, shortest joints
+/// first, but none by more than four times the longest joint that it has. A chain whose ends are as
+/// near as its members is closed, from three vertices on, and nothing is joined to it. Single
+/// vertices that are left make no curve. An open curve begins at its end of smaller number, a
+/// closed one at its smallest vertex.
 ///
-/// Throws Error where vertices branch or lie in a heap, so that they have no order, naming a
+/// Throws Error where neighbours branch or lie in a heap, so that they have no order, naming a
 /// vertex; and for one that the mesh does not have. O(mesh).
 std::vector<OrderedVertices> order_along_mesh(const MeshArrays& mesh,
                                               const std::vector<std::uint32_t>& vertices);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <string_view>
 #include <utility>
 
 namespace talweg::editing {
@@ -11,6 +12,12 @@ namespace {
 double now_ms() {
   const auto since = std::chrono::steady_clock::now().time_since_epoch();
   return std::chrono::duration<double, std::milli>(since).count();
+}
+
+bool has_parameter(const talweg_plugin& plugin, std::string_view id) {
+  const talweg_parameter* const* end = plugin.parameters + plugin.parameter_count;
+  return std::any_of(plugin.parameters, end,
+                     [&](const talweg_parameter* parameter) { return parameter->id == id; });
 }
 
 /// The points that were given, out of a drawn curve that has others in between.
@@ -46,6 +53,7 @@ struct SmoothingThread::Request {
   Drawing drawing;
   host::Wanted wanted;
   std::vector<host::Curve> curves;
+  bool preview = false;
 };
 
 /// What the thread has to itself: instances of the plugins, each made and opened when first needed.
@@ -98,6 +106,9 @@ struct SmoothingThread::Workplace {
     }
     apply(request.drawing.settings, instance);
     known->settings = request.drawing.settings;
+    if (has_parameter(instance.plugin(), "preview")) {
+      instance.set("preview", request.preview ? 1.0 : 0.0);
+    }
     outcome.results = instance.run(request.wanted);
   }
 
@@ -182,20 +193,21 @@ std::uint64_t SmoothingThread::ask(std::unique_ptr<Request> request) {
   return ticket;
 }
 
-std::uint64_t SmoothingThread::smooth(const Drawing& drawing, const host::Wanted& wanted) {
-  return ask(std::make_unique<Request>(Request{Task::kSmooth, 0, drawing, wanted, {}}));
+std::uint64_t SmoothingThread::smooth(const Drawing& drawing, const host::Wanted& wanted,
+                                      bool preview) {
+  return ask(std::make_unique<Request>(Request{Task::kSmooth, 0, drawing, wanted, {}, preview}));
 }
 
 std::uint64_t SmoothingThread::place(std::vector<host::Curve> curves) {
-  return ask(std::make_unique<Request>(Request{Task::kPlace, 0, {}, {}, std::move(curves)}));
+  return ask(std::make_unique<Request>(Request{Task::kPlace, 0, {}, {}, std::move(curves), false}));
 }
 
 std::uint64_t SmoothingThread::distance(const Drawing& drawing) {
-  return ask(std::make_unique<Request>(Request{Task::kDistance, 0, drawing, {}, {}}));
+  return ask(std::make_unique<Request>(Request{Task::kDistance, 0, drawing, {}, {}, false}));
 }
 
 std::uint64_t SmoothingThread::draw(const Drawing& drawing) {
-  return ask(std::make_unique<Request>(Request{Task::kDraw, 0, drawing, {}, {}}));
+  return ask(std::make_unique<Request>(Request{Task::kDraw, 0, drawing, {}, {}, false}));
 }
 
 std::optional<Outcome> SmoothingThread::take() {

@@ -77,7 +77,10 @@ class SmoothingThread {
   SmoothingThread& operator=(const SmoothingThread&) = delete;
 
   /// Each gives the ticket of its outcome. A request that gave way has none.
-  std::uint64_t smooth(const Drawing& drawing, const host::Wanted& wanted = {});
+  /// `preview`: while a hand moves a point; smooths only near the change where the plugin can, and
+  /// is no result that counts (docs/plugins.md).
+  std::uint64_t smooth(const Drawing& drawing, const host::Wanted& wanted = {},
+                       bool preview = false);
   /// Curves given by `positions`; each point goes to the nearest one of the mesh.
   std::uint64_t place(std::vector<host::Curve> curves);
   std::uint64_t distance(const Drawing& drawing);

@@ -37,7 +37,8 @@ mkdir -p "$HOME/.OpenFlipper/ACG"
 printf '[PluginControl]\nAdditionalPlugins=%s\n' "$TALWEG_OPENFLIPPER_PLUGIN" \
   >"$HOME/.OpenFlipper/ACG/OpenFlipper.ini"
 log=$HOME/.OpenFlipper/OpenFlipper.log
-sed "s#@FOLDER@#$folder#g" "$here/mouse.ofs" >"$folder/mouse.ofs"
+through=$(sed 's/^--through //; s/ .*//' "$folder/vessel.through" | cut -d , -f 1-12)
+sed "s#@FOLDER@#$folder#g; s#@THROUGH@#$through#" "$here/mouse.ofs" >"$folder/mouse.ofs"
 "$TALWEG_OPENFLIPPER" "$folder/mouse.ofs" >"$folder/console" 2>&1 &
 host=$!
 
@@ -75,6 +76,8 @@ type_name() { sleep 2; xdotool type --delay 30 "$1"; xdotool key Return; sleep 1
 
 for _ in $(seq 100); do grep -aq ' : READY' "$log" 2>/dev/null && break; sleep 0.5; done
 grep -aq ' : READY' "$log" || fail "the host is ready"
+expect "has changed and is opened again" "the host moves a mesh"
+expect "MOVED \([0-9.]*[0-9]\{9\}\)[0-9]* \1" "its curve has the same length then"
 sleep 2
 
 mark

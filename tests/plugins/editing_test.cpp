@@ -2,7 +2,10 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <map>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -265,6 +268,40 @@ TEST_F(Selection, ARingIsClosed) {
     const int a = static_cast<int>(curves[0].vertices[k]);
     const int b = static_cast<int>(curves[0].vertices[(k + 1) % 24]);
     EXPECT_TRUE(std::abs(a - b) == 1 || std::abs(a - b) == 31 || std::abs(a - b) == 32) << k;
+  }
+}
+
+TEST_F(Selection, CurvesApartStayApart) {
+  std::vector<std::uint32_t> both;
+  std::vector<std::uint32_t> first, second;
+  for (std::uint32_t k = 0; k < 10; ++k) {
+    first.push_back(v(2 + k, 3));
+    second.push_back(v(15 + k, 16));
+  }
+  both.insert(both.end(), second.begin(), second.end());
+  both.insert(both.end(), first.begin(), first.end());
+  const auto curves = editing::order_along_mesh(sheet_, both);
+  ASSERT_EQ(curves.size(), 2U);
+  EXPECT_EQ(curves[0].vertices, first);
+  EXPECT_EQ(curves[1].vertices, second);
+}
+
+TEST_F(Selection, BothRimsOfATubeAreRings) {
+  const MeshLists open_tube = test::tube(40, 30, 3.0);
+  const editing::MeshArrays mesh = test::arrays_of(open_tube);
+  std::map<std::pair<std::uint32_t, std::uint32_t>, int> uses;
+  for (const auto& t : mesh.triangles) {
+    for (std::size_t i = 0; i < 3; ++i) ++uses[std::minmax(t[i], t[(i + 1) % 3])];
+  }
+  std::set<std::uint32_t> rim;
+  for (const auto& [edge, count] : uses) {
+    if (count == 1) rim.insert({edge.first, edge.second});
+  }
+  const auto curves = editing::order_along_mesh(mesh, {rim.begin(), rim.end()});
+  ASSERT_EQ(curves.size(), 2U);
+  for (const auto& curve : curves) {
+    EXPECT_TRUE(curve.closed);
+    EXPECT_EQ(curve.vertices.size(), rim.size() / 2);
   }
 }
 

@@ -115,6 +115,27 @@ TEST(EditingThread, UndoAndRedoBringTheSameCurvesBack) {
   }
 }
 
+TEST(EditingThread, WhileAPointMovesThereArePreviews) {
+  Hills hills;
+  SmoothingThread thread(plugins(), hills.mesh);
+  thread.smooth(hills.editor.drawing());
+  all_of(thread);
+  const editing::Point from = hills.editor.drawing().curves.at(0)->points.at(20);
+  hills.editor.history().begin_gesture("Drag");
+  for (const double part : {0.1, 0.2, 0.3}) {
+    editing::Point to = from;
+    for (double& b : to.barycentric) b += part * (1.0 / 3 - b);
+    hills.editor.move_point(0, 20, to);
+    thread.smooth(hills.editor.drawing(), {}, true);
+    const Outcome moving = all_of(thread).back();
+    ASSERT_EQ(moving.status, TALWEG_OK) << moving.sentence;
+    EXPECT_EQ(moving.results.text("engine"), "preview");
+  }
+  hills.editor.history().end_gesture();
+  thread.smooth(hills.editor.drawing());
+  expect_same(all_of(thread).back().results.curves, hills.expected(hills.editor.drawing()));
+}
+
 TEST(EditingThread, TheNewestRequestWins) {
   Hills hills;
   for (const double patience : {0.0, 1e9}) {

@@ -95,7 +95,10 @@ void Session::fail(QString& error, const QString& sentence) {
   host_.changed();
 }
 
-void Session::begin_gesture(const char* name) { editor_.history().begin_gesture(name); }
+void Session::begin_gesture(const char* name, bool preview) {
+  editor_.history().begin_gesture(name);
+  preview_ = preview;
+}
 
 void Session::end_gesture() {
   if (!in_gesture()) return;
@@ -123,7 +126,7 @@ void Session::ask() {
     show_results({}, true);
     return;
   }
-  ticket_ = thread_->smooth(now, wanted);
+  ticket_ = thread_->smooth(now, wanted, preview_ && in_gesture());
 }
 
 /// The host's list of undo gets the state that is there now.

@@ -53,8 +53,8 @@ class Session {
 
   /// One edit; one that cannot be done is told, and false.
   bool edit(const std::function<void(editing::Editor&)>& change);
-  /// A movement of the hand: one step of undo.
-  void begin_gesture(const char* name);
+  /// A movement of the hand: one step of undo. `preview`: of a point, shown by previews.
+  void begin_gesture(const char* name, bool preview = false);
   void end_gesture();
   [[nodiscard]] bool in_gesture() const { return editor_.history().in_gesture(); }
   bool undo();
@@ -125,6 +125,7 @@ class Session {
   host::Results results_;
   double last_run_ms_ = 0;
   QString edit_error_, work_error_;
+  bool preview_ = false;   // in a gesture that moves a point
   bool log_next_ = false;  // a result that is no step of a gesture
   ColourBy colour_by_ = ColourBy::kNothing;
   ACG::SceneGraph::MaterialNode* material_ = nullptr;  // the scene's

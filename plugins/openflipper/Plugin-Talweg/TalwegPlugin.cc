@@ -473,7 +473,7 @@ void TalwegPlugin::press(const QMouseEvent& event) {
       session->edit([&](Editor& e) { e.remove_point(handle->curve, handle->point); });
     } else {
       dragged_ = handle;
-      session->begin_gesture("Move point");
+      session->begin_gesture("Move point", true);
     }
     return;
   }
