@@ -10,7 +10,9 @@
 
 #include "core/generated_meshes.hpp"
 #include "core/jagged_curves.hpp"
+#include "core/reference_data.hpp"
 #include "talweg/core/face_triangulation.hpp"
+#include "talweg/core/mesh_reader.hpp"
 #include "talweg/core/straight_lines.hpp"
 #include "talweg/intrinsic/error.hpp"
 
@@ -200,6 +202,30 @@ SurfaceCurve random_curve(const SurfaceMesh& mesh, StraightLines& lines, std::mt
   return lines.join(points, closed);
 }
 
+/// The same between points a few steps apart, also on large meshes.
+SurfaceCurve local_curve(const SurfaceMesh& mesh, StraightLines& lines, std::mt19937& random,
+                         bool closed) {
+  const Surface& surface = mesh.surface();
+  std::vector<SurfacePoint> points;
+  FaceId f{random() % surface.face_count()};
+  for (int k = 0; k < 6; ++k) {
+    for (int step = 0; step < 12; ++step) {
+      HalfedgeId h = surface.halfedge(f);
+      for (std::size_t turn = random() % 3; turn > 0; --turn) h = surface.next(h);
+      if (surface.has_face(twin(h))) f = surface.face(twin(h));
+    }
+    const HalfedgeId h = surface.halfedge(f);
+    if (k % 3 == 0) {
+      points.push_back(SurfacePoint::at_vertex(surface, surface.tail(h)));
+    } else if (k % 3 == 1) {
+      points.push_back(SurfacePoint::on_edge(surface, edge_of(h), 0.5));
+    } else {
+      points.push_back(SurfacePoint::from_barycentric(surface, f, {0.25, 0.25, 0.5}));
+    }
+  }
+  return lines.join(points, closed);
+}
+
 TEST_F(MeshCutting, RandomCurvesOnManyMeshes) {
   const MeshLists meshes[] = {test::hills(20), test::sphere(3), test::torus(24, 12), test::box(),
                               test::tube(16, 12, 4)};
@@ -227,6 +253,38 @@ TEST_F(MeshCutting, RandomCurvesOnManyMeshes) {
   }
   EXPECT_GT(runs, 80);
   EXPECT_GT(crossed, 40);
+}
+
+/// TALWEG_CUT_RUNS: how many curves on each mesh, 3 by default.
+TEST_F(MeshCutting, RandomCurvesOnRealMeshes) {
+  const char* given = std::getenv("TALWEG_CUT_RUNS");
+  const int runs = given != nullptr ? std::atoi(given) : 3;
+  std::mt19937 random(7);
+  int meshes = 0, done = 0;
+  for (const char* name : {"aneurysm_14k", "armadillo_86k", "brain_icbm_164k", "bunny_isolated_69k",
+                           "cylinder_varying_16k", "degenerate_13k", "elephant_106holes_tiny_4k",
+                           "fandisk_14k", "skull_100k", "terrain_utm_21k", "tooth_ct_119k"}) {
+    const auto path = test::mesh_folder() / (std::string(name) + ".ply");
+    if (!std::filesystem::exists(path)) continue;
+    const SurfaceMesh mesh = open(read_mesh(path));
+    ++meshes;
+    StraightLines lines(mesh.surface());
+    for (int k = 0; k < runs; ++k) {
+      SCOPED_TRACE(testing::Message() << name << ", run " << k);
+      std::vector<SurfaceCurve> curves;
+      try {
+        curves.push_back(local_curve(mesh, lines, random, k % 2 == 0));
+        if (k % 3 == 0) curves.push_back(local_curve(mesh, lines, random, k % 2 != 0));
+      } catch (const Error&) {
+        continue;  // its points are too near to each other, or not connected
+      }
+      expect_good(mesh, curves, cut_along(mesh, curves));
+      ++done;
+    }
+  }
+  if (meshes == 0) GTEST_SKIP() << test::missing("meshes");
+  RecordProperty("curves", done);
+  EXPECT_GT(done, meshes);
 }
 
 TEST_F(MeshCutting, RefusesWhatIsNoCurveAndNoMerge) {
