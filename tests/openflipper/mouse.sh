@@ -100,6 +100,7 @@ picture closed
 mark
 xdotool mousemove 245 422 click --repeat 2 --delay 80 1
 expect "Pin point" "a double click pins a point"
+sleep 2
 expect "2 curve(s)" "with it"
 
 mark
