@@ -39,7 +39,8 @@ class Draw : public Workspace {
                             "While a point is dragged: of a curve of which one way-point has moved "
                             "since the last run without preview only the legs that meet it are "
                             "drawn anew, around the others. The next run without preview gives "
-                            "what counts.")};
+                            "what counts.",
+                            TALWEG_STAGE_RUN, TALWEG_ADVANCED)};
   }
   static std::vector<talweg_output> outputs() {
     using plugin::output;

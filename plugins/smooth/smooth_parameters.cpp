@@ -63,7 +63,8 @@ std::vector<talweg_parameter> main_parameters() {
       boolean("preview", "Preview", false,
               "While a curve is dragged: smooths only the stretch that differs from the last run "
               "without preview, and joins it to that result (corridor, one curve changed; else "
-              "everything is smoothed). The next run without preview gives what counts."),
+              "everything is smoothed). The next run without preview gives what counts.",
+              kRun, kAdvanced),
       integer("relax", "Rounds of relaxation", 0, {0, 1e6, 0, 20},
               "Rounds of relaxation along the supporting edges (the paper: 5)."),
       choice("engine", "Engine", "auto", kEngines, kEngineLabels,
