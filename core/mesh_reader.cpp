@@ -5,6 +5,7 @@
 
 #include "talweg/core/formats/file_bytes.hpp"
 #include "talweg/core/formats/mesh_file.hpp"
+#include "talweg/core/formats/text_encoding.hpp"
 
 namespace talweg {
 namespace {
@@ -26,8 +27,18 @@ Reader reader_of(const std::filesystem::path& path) {
 }  // namespace
 
 MeshLists read_mesh(const std::filesystem::path& path) {
+  static_cast<void>(reader_of(path));  // no file is read that has an unknown extension
+  return read_mesh(path, read_file(path));
+}
+
+MeshLists read_mesh(const std::filesystem::path& path, std::string_view bytes) {
   const Reader read = reader_of(path);
-  const std::string bytes = read_file(path);
+  if (bytes.empty()) bad_file(path, "the file is empty.");
+  if (read == &read_obj || read == &read_off || read == &read_ply) {
+    formats::check_encoding(path, bytes);
+    formats::check_line_ends(path, bytes);
+    if (read != &read_ply) formats::check_no_nul(path, bytes);
+  }
   MeshLists lists = read({path, bytes});
   if (lists.points.empty()) bad_file(path, "the file contains no vertices.");
   constexpr std::size_t kMost = std::numeric_limits<std::uint32_t>::max();

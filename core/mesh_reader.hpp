@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string_view>
 
 #include "talweg/core/mesh_lists.hpp"
 
@@ -22,5 +23,8 @@ namespace talweg {
 /// The readers are our own, not OpenMesh's: those drop what does not fit their halfedges, go
 /// through `float` in places, and do not notice a file that is cut off.
 MeshLists read_mesh(const std::filesystem::path& path);
+
+/// The same from a file's bytes in memory; the path gives the extension and the name in errors.
+MeshLists read_mesh(const std::filesystem::path& path, std::string_view bytes);
 
 }  // namespace talweg

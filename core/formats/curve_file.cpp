@@ -5,6 +5,7 @@
 
 #include "talweg/core/formats/curve_formats.hpp"
 #include "talweg/core/formats/file_bytes.hpp"
+#include "talweg/core/formats/text_encoding.hpp"
 #include "talweg/intrinsic/error.hpp"
 
 namespace talweg {
@@ -36,14 +37,20 @@ Reader reader_of(const std::filesystem::path& path) {
 }  // namespace
 
 std::vector<CurveInput> read_curves(const std::filesystem::path& path) {
-  const Reader reader = reader_of(path);
-  const std::string bytes = read_file(path);
-  return reader({path, bytes});
+  static_cast<void>(reader_of(path));  // no file is read that has an unknown extension
+  return read_curves(path, read_file(path));
 }
 
 std::vector<CurveInput> read_curves(const std::filesystem::path& path, std::string_view bytes) {
   const Reader reader = reader_of(path);
   if (bytes.empty()) cannot_read(path, "the file is empty");
+  formats::check_encoding(path, bytes);
+  if (reader != formats::read_json && reader != formats::read_vtp) {
+    formats::check_line_ends(path, bytes);
+  }
+  if (reader == formats::read_obj || reader == formats::read_txt) {
+    formats::check_no_nul(path, bytes);
+  }
   return reader({path, bytes});
 }
 

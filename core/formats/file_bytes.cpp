@@ -7,6 +7,9 @@
 #include <memory>
 #include <system_error>
 
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include "talweg/intrinsic/error.hpp"
 
 namespace talweg {
@@ -20,7 +23,21 @@ struct Close {
 using File = std::unique_ptr<std::FILE, Close>;
 
 constexpr std::size_t kLargestFile = std::size_t{1} << 31;
+constexpr const char* kTooLarge = "it is larger than 2 GiB";
 constexpr int kTemporaryNames = 1000;
+
+struct stat status_of(std::FILE& file) {
+  struct stat status {};
+  static_cast<void>(fstat(fileno(&file), &status));
+  return status;
+}
+
+/// Whoever writes a file while it is being read would have half of the old and half of the new one
+/// taken for a mesh.
+bool changed(const struct stat& before, const struct stat& now) {
+  return before.st_size != now.st_size || before.st_mtim.tv_sec != now.st_mtim.tv_sec ||
+         before.st_mtim.tv_nsec != now.st_mtim.tv_nsec;
+}
 
 /// Empty on success, else the reason.
 std::string put(File file, std::string_view bytes) {
@@ -32,11 +49,12 @@ std::string put(File file, std::string_view bytes) {
   return std::strerror(written ? errno : write_errno);
 }
 
-/// A new file beside the target that nobody else uses.
+/// A new file beside the target that nobody else uses. Its name has the process in it: what killed
+/// processes left behind takes no names away.
 File open_beside(const fs::path& target, fs::path& temporary) {
   for (int k = 0; k < kTemporaryNames; ++k) {
     temporary = target;
-    temporary += ".tmp" + std::to_string(k);
+    temporary += ".tmp" + std::to_string(getpid()) + "-" + std::to_string(k);
     File file(std::fopen(temporary.c_str(), "wbx"));
     if (file || errno != EEXIST) return file;
   }
@@ -60,14 +78,19 @@ std::string read_file(const fs::path& path) {
   if (!file) cannot_read(path, std::strerror(errno));
   std::string bytes;
   // No copies while it grows, where the size is known; a pipe has none.
-  const std::uintmax_t size = fs::file_size(path, status);
-  if (!status && size <= kLargestFile) bytes.reserve(size);
+  const struct stat before = status_of(*file);
+  const auto size = static_cast<std::size_t>(before.st_size);
+  if (size > kLargestFile) cannot_read(path, kTooLarge);
+  bytes.reserve(size);
   char block[1 << 16];
   for (std::size_t got; (got = std::fread(block, 1, sizeof block, file.get())) > 0;) {
     bytes.append(block, got);
-    if (bytes.size() > kLargestFile) cannot_read(path, "it is larger than 2 GiB");
+    if (bytes.size() > kLargestFile) cannot_read(path, kTooLarge);
   }
   if (std::ferror(file.get())) cannot_read(path, std::strerror(errno));
+  if (S_ISREG(before.st_mode) && changed(before, status_of(*file))) {
+    cannot_read(path, "it changed while it was being read");
+  }
   if (bytes.empty()) cannot_read(path, "the file is empty");
   return bytes;
 }

@@ -8,7 +8,7 @@
 namespace talweg {
 
 /// The file's bytes. Pipes work too. Throws Error(kBadFile) naming path and reason when it cannot
-/// be opened or read, is a directory, is empty, or is larger than 2 GiB.
+/// be opened or read, is a directory, is empty, is larger than 2 GiB, or changes meanwhile.
 std::string read_file(const std::filesystem::path& path);
 
 /// Writes beside the target and renames, so that the target is either as it was or complete.

@@ -13,10 +13,13 @@ namespace talweg {
 /// Walks over the lines of a file that have something on them. Independent of the locale.
 class LineScanner {
  public:
-  /// What follows `comment` on a line is skipped; '\0' for none. Line 1 starts at byte `from`.
+  /// What follows `comment` on a line is skipped; '\0' for none. Line 1 starts at byte `from`; a
+  /// byte order mark (UTF-8) at the start of the file is skipped.
   explicit LineScanner(const MeshFile& file, char comment = '\0', std::size_t from = 0,
                        std::size_t lines_before = 0)
-      : file_(&file), comment_(comment), next_(from), line_(lines_before) {}
+      : file_(&file), comment_(comment), next_(from), line_(lines_before) {
+    if (from == 0 && file.bytes.starts_with("\xEF\xBB\xBF")) next_ = 3;
+  }
 
   /// Goes to the next line that is not blank; false at the end of the file.
   bool next_line();

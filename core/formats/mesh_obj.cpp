@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "talweg/core/formats/line_scanner.hpp"
+#include "talweg/core/formats/text_scanner.hpp"
 
 namespace talweg {
 namespace {
@@ -19,7 +20,7 @@ std::uint32_t corner_of(const LineScanner& lines, std::string_view word, std::si
   }
   if (index < 0) index += static_cast<std::int64_t>(vertices) + 1;
   if (index < 1 || index > 0xFFFFFFFFLL) {
-    lines.fail("a corner refers to vertex " + std::string(number) + ", but there are " +
+    lines.fail("a corner refers to vertex " + formats::shown(number) + ", but there are " +
                std::to_string(vertices) + " vertices so far.");
   }
   return static_cast<std::uint32_t>(index - 1);

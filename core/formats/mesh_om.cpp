@@ -54,6 +54,12 @@ class OmReader {
     if (at == nullptr) bad_file(file_.path, "the file ends in " + std::string(what) + ".");
     return load<T>(at, std::endian::native == std::endian::big);
   }
+  /// No memory is taken for elements before their bytes are known to be there.
+  void need(std::size_t count, std::size_t size, const char* what) const {
+    if (count * size > cursor_.left()) {
+      bad_file(file_.path, "the file ends in " + std::string(what) + ".");
+    }
+  }
   /// An index of 1, 2 or 4 bytes; the largest value stands for none.
   std::uint32_t index(const Chunk& chunk, const char* what) {
     if (chunk.size_code == 0) return widen(number<std::uint8_t>(what));
@@ -111,6 +117,7 @@ class OmReader {
     if (chunk.is_float == 0 || chunk.dimensions != 3 || chunk.size_code > 1) {
       bad_file(file_.path, "the positions are not three floating-point numbers each.");
     }
+    need(vertices_, std::size_t{12} << chunk.size_code, "the positions");
     lists_.single_precision = chunk.size_code == 0;
     lists_.points.resize(vertices_);
     for (Point& p : lists_.points) {
@@ -136,6 +143,7 @@ class OmReader {
   }
 
   void read_halfedges(const Chunk& chunk) {
+    need(2 * edges_, std::size_t{3} << chunk.size_code, "the halfedges");
     halfedges_.resize(2 * edges_);
     for (Halfedge& h : halfedges_) {
       h.next = index(chunk, "the halfedges");
@@ -146,6 +154,7 @@ class OmReader {
   }
 
   void read_first_halfedges(const Chunk& chunk) {
+    need(faces_, std::size_t{1} << chunk.size_code, "the faces");
     first_.resize(faces_);
     for (std::uint32_t& h : first_) h = index(chunk, "the faces");
     has_first_ = true;

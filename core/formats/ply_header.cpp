@@ -3,6 +3,7 @@
 #include <map>
 
 #include "talweg/core/formats/line_scanner.hpp"
+#include "talweg/core/formats/text_scanner.hpp"
 
 namespace talweg {
 namespace {
@@ -43,7 +44,7 @@ PlyProperty read_property(LineScanner& lines) {
     }
   }
   property.type = read_type(lines);
-  property.name = lines.word();
+  property.name = formats::shown(lines.word());
   return property;
 }
 
@@ -66,7 +67,7 @@ PlyHeader read_ply_header(const MeshFile& file) {
       has_format = true;
     } else if (keyword == "element") {
       PlyElement element;
-      element.name = lines.word();
+      element.name = formats::shown(lines.word());  // errors name it
       const std::int64_t count = lines.integer("the number of elements");
       if (count < 0) lines.fail("the number of elements is negative.");
       element.count = static_cast<std::size_t>(count);

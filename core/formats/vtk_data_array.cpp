@@ -7,6 +7,8 @@
 namespace talweg::formats {
 namespace {
 
+constexpr std::uint64_t kLargestArray = std::uint64_t{1} << 31U;
+
 int base64_digit(char c) {
   if (c >= 'A' && c <= 'Z') return c - 'A';
   if (c >= 'a' && c <= 'z') return c - 'a' + 26;
@@ -105,7 +107,12 @@ std::string decoded_block(const VtkEncoding& encoding, std::string_view stored, 
   std::string result;
   for (std::size_t k = 0; k < packed_size.size(); ++k) {
     const bool partial = k + 1 == packed_size.size() && last > 0;
-    result += inflated(stream.take(packed_size[k]), partial ? last : block);
+    const std::uint64_t size = partial ? last : block;
+    // A small file may unpack to a thousandfold.
+    if (size > kLargestArray - result.size()) {
+      throw std::runtime_error("the data unpacks to more than 2 GiB");
+    }
+    result += inflated(stream.take(packed_size[k]), size);
   }
   return result;
 }

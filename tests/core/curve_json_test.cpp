@@ -45,7 +45,7 @@ TEST_F(CurveJson, RefusesWhatIsNoJson) {
   expect_refused("a.json", "{", {"line 1", "not valid JSON"});
   expect_refused("a.json", "{\n \"format\": ,\n}", {"line 2, column 12"});
   expect_refused("a.json", "{\"format\": NaN}", {"line 1"});
-  expect_refused("a.json", std::string("\xFF\xFE\0a", 4), {"line 1"});
+  expect_refused("a.json", std::string("\xFF\xFE\0a", 4), {"UTF-16"});
   expect_refused("a.json", "[1e999]", {"too large"});
   expect_refused("a.json", std::string(100000, '['), {"64 levels"});
   std::string nested;

@@ -88,7 +88,7 @@ TEST_F(CurveObj, RefusesMalformedFiles) {
   expect_refused("a.obj", kSquare + "l 1 99999999999999999999\n", {"line 5"});
   expect_refused("a.obj", kSquare + "l 1\n", {"line 5", "two vertices"});
   expect_refused("a.obj", kSquare + "l 1 x\n", {"line 5", "'x'"});
-  expect_refused("a.obj", std::string("\0\1\2\3", 4), {"no line elements"});
+  expect_refused("a.obj", std::string("\0\1\2\3", 4), {"line 1", "NUL"});
 }
 
 TEST_F(CurveTxt, IdsOneALineOrSeparated) {
@@ -132,7 +132,7 @@ TEST_F(CurveTxt, RefusesMalformedFiles) {
   expect_refused("a.txt", "1\n4294967295\n", {"line 2", "4294967295"});
   expect_refused("a.txt", "1\n99999999999999999999999\n", {"line 2"});
   expect_refused("a.txt", "nan", {"line 1", "'nan'"});
-  expect_refused("a.txt", std::string("1\n\0\n", 4), {"line 2", "'?'"});
+  expect_refused("a.txt", std::string("1\n\0\n", 4), {"line 2", "NUL"});
 }
 
 }  // namespace

@@ -250,7 +250,7 @@ TEST_F(CurveVtp, RefusesMalformedEncodings) {
     return with(zlib, base64(head) + base64(data));
   };
   expect_refused("a.vtp", compressed(4000000000U, 12, 0, 4, "abcd"), {"too early"});
-  expect_refused("a.vtp", compressed(1, 4000000000U, 0, 4, "abcd"), {"impossible"});
+  expect_refused("a.vtp", compressed(1, 4000000000U, 0, 4, "abcd"), {"unpacks"});
   expect_refused("a.vtp", compressed(1, 12, 0, 4000000000U, "abcd"), {"too early"});
   expect_refused("a.vtp", compressed(1, 12, 0, 4, "abcd"), {"zlib"});
 }
