@@ -90,6 +90,7 @@ struct MeshInspection {
 
   MeshVerdict verdict = MeshVerdict::kUnusable;  ///< what judge() says
   std::string reason;                            ///< the verdict in one sentence
+  std::string steps;  ///< kRepairable: of repair_steps(), those that are needed: "drop,split"
 };
 
 /// Looks at everything. O(faces log degree); never throws on bad lists.
@@ -99,7 +100,7 @@ MeshInspection inspect(const MeshLists& lists);
 /// first is: "33 edges have more than two faces (first: ...)."; empty where there is none.
 std::string obstacle(const MeshInspection& inspection);
 
-/// Sets verdict and reason from everything else. A one-sided surface (Moebius strip) is not usable.
+/// Sets verdict, reason and steps from everything else. A one-sided surface (Moebius strip) is not usable.
 void judge(MeshInspection& inspection);
 
 }  // namespace talweg

@@ -183,6 +183,15 @@ class Repair {
         used[v] = true;
       }
     }
+    // A double's corners are those of the face that stays, whatever else became of its vertices.
+    for (const Double& d : doubles_) {
+      const std::uint32_t f = d.place.earlier;
+      for (std::uint32_t k = 0; kept_[f] && k < 3; ++k) {
+        const std::uint32_t v = file_.triangles[d.place.element][k];
+        images.emplace_back(v, lists_.triangles[f][file_corner(f, d.corner[k])]);
+        used[v] = true;
+      }
+    }
     std::vector<Image> left;  // those of dropped faces went with the vertex they were welded onto
     for (std::uint32_t f = 0; f < kept_.size(); ++f) {
       for (std::uint32_t k = 0; !kept_[f] && k < 3; ++k) {
@@ -262,6 +271,15 @@ class Repair {
 RepairedMesh repair(const MeshLists& lists, const RepairSteps& steps) {
   if (!mendable(lists)) throw Error(ErrorCode::kBadMesh, obstacle(inspect(lists)));
   return Repair(lists).run(steps);
+}
+
+void try_repair(const MeshLists& lists, MeshInspection& inspection) {
+  if (inspection.verdict != MeshVerdict::kRepairable) return;
+  const MeshInspection after = inspect(repair(lists, repair_steps(inspection.steps)).lists);
+  if (after.verdict == MeshVerdict::kUsable) return;
+  inspection.verdict = MeshVerdict::kUnusable;
+  inspection.reason += " Repair (" + inspection.steps + ") does not help: " + after.reason;
+  inspection.steps.clear();
 }
 
 }  // namespace talweg

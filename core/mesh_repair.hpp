@@ -65,4 +65,10 @@ struct RepairedMesh {
 /// range, a coordinate that is not finite.
 RepairedMesh repair(const MeshLists& lists, const RepairSteps& steps = {});
 
+/// Tries the steps that a kRepairable verdict on the lists names, because what faces do to each
+/// other is seen only then: without those that go, the rest may turn out one-sided. Where they do
+/// not help, the verdict becomes kUnusable and the reason says why. Other verdicts stay.
+/// Time and memory as of repair().
+void try_repair(const MeshLists& lists, MeshInspection& inspection);
+
 }  // namespace talweg

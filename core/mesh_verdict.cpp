@@ -89,6 +89,20 @@ std::string mendable(const MeshInspection& m) {
   return "";
 }
 
+/// The steps that mend it. Faces that go can leave two of the same direction at an edge.
+std::string needed_steps(const MeshInspection& m) {
+  const bool drop = m.repeated_vertex_faces.found() || m.duplicate_faces.found();
+  const bool crowded = m.non_manifold_edges.found();
+  std::string steps;
+  const auto add = [&](bool needed, const char* step) {
+    if (needed) steps.append(steps.empty() ? "" : ",").append(step);
+  };
+  add(drop, "drop");
+  add(m.misoriented_edges.found() || (drop && crowded), "orient");
+  add(crowded || m.non_manifold_vertices.found(), "split");
+  return steps;
+}
+
 }  // namespace
 
 std::string obstacle(const MeshInspection& inspection) {
@@ -110,6 +124,7 @@ void judge(MeshInspection& inspection) {
                         inspection.reason;
   } else {
     inspection.verdict = MeshVerdict::kRepairable;
+    inspection.steps = needed_steps(inspection);
   }
 }
 

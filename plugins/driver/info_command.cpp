@@ -9,6 +9,7 @@
 #include "repaired_mesh.hpp"
 #include "talweg/core/mesh_inspection.hpp"
 #include "talweg/core/mesh_reader.hpp"
+#include "talweg/core/mesh_repair.hpp"
 #include "talweg/core/opened_mesh.hpp"
 #include "talweg/core/stopwatch.hpp"
 #include "talweg/intrinsic/error.hpp"
@@ -50,7 +51,8 @@ Command add_info(CLI::App& app, const GlobalOptions& /*global*/) {
     const MeshLists lists = read_mesh(options->mesh);
     times.load = load.ms();
     const Stopwatch check;
-    const MeshInspection inspection = inspect(lists);
+    MeshInspection inspection = inspect(lists);
+    try_repair(lists, inspection);
     times.inspect = check.ms();
     if (inspection.verdict == MeshVerdict::kUsable) times.open = OpenedMesh::open(lists)->open_ms();
     const std::optional<InfoRepair> repaired = repair_of(lists, options->repair);

@@ -176,7 +176,8 @@ std::string info_text(const MeshInspection& m, const InfoTimes& times,
     if (!list.empty())
       text += (blocking ? "\nDefects:\n" : "\nNo obstacle, but good to know:\n") + list;
   }
-  text += fmt::format("\nVerdict: {}. {}\n", verdict_words(m.verdict), m.reason);
+  const std::string steps = m.steps.empty() ? "" : fmt::format(" (--repair={})", m.steps);
+  text += fmt::format("\nVerdict: {}{}. {}\n", verdict_words(m.verdict), steps, m.reason);
   return repair ? text + repair_text(*repair) : text;
 }
 
@@ -211,6 +212,7 @@ std::string info_json(const MeshInspection& m, const InfoTimes& times,
   if (times.open) json["time_ms"]["open"] = *times.open;
   json["verdict"] = verdict_key(m.verdict);
   json["reason"] = m.reason;
+  json["repair_steps"] = m.steps;
   if (repair) json["repair"] = repair_json(*repair);
   return json.dump(2) + "\n";
 }

@@ -1,5 +1,7 @@
 #include "talweg/core/mesh_repair.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <cstdlib>
 #include <filesystem>
@@ -382,6 +384,47 @@ TEST(MeshRepair, VertexCurvesTakeTheSideTheyAreOn) {
   CurveInput beyond;
   beyond.points = std::vector<VertexId>{VertexId{0}, VertexId{file.points.size()}};
   EXPECT_THROW(static_cast<void>(repaired.map.to_repaired(beyond, mesh.surface())), Error);
+}
+
+TEST(MeshRepair, CornersOfADroppedDoubleAreThoseOfTheFaceThatStays) {
+  // Face 1 lies on face 0 with a vertex of its own, 3, at vertex 2; face 2 only touches there.
+  MeshLists lists;
+  lists.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 1, 0}, {-1, 2, 0}, {1, 3, 0}};
+  lists.triangles = {{0, 1, 2}, {0, 1, 3}, {3, 5, 4}};
+  const RepairedMesh repaired = repair(lists);
+  ASSERT_EQ(repaired.changes.duplicate_faces.count, 1U);
+  const RepairMap::FaceImage image = repaired.map.image(FaceId{1});
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::uint32_t v = repaired.lists.triangles[image.face][image.corner[k]];
+    const auto became = repaired.map.images(VertexId{lists.triangles[1][k]});
+    EXPECT_NE(std::find(became.begin(), became.end(), v), became.end()) << "corner " << k;
+  }
+  EXPECT_EQ(repaired.map.images(VertexId{3}).size(), 2U);  // there, and of face 2
+}
+
+TEST(MeshRepair, VerdictsNameTheStepsAndTryingThemTellsWhereTheyDoNotHelp) {
+  MeshLists turned = grid(4, 4);
+  std::swap(turned.triangles[7][0], turned.triangles[7][1]);
+  MeshInspection found = inspect(turned);
+  EXPECT_EQ(found.steps, "orient");
+  try_repair(turned, found);
+  EXPECT_EQ(found.verdict, MeshVerdict::kRepairable);
+  // A Moebius strip of five faces. Its first face is there twice, which cuts what is joined by
+  // edges of two faces, so that it shows as one-sided only when the double is gone.
+  MeshLists strip;
+  for (int k = 0; k < 5; ++k)
+    strip.points.emplace_back(std::cos(1.3 * k), std::sin(1.3 * k), k % 2);
+  strip.triangles = {{0, 1, 2}, {1, 2, 3}, {2, 3, 4}, {3, 4, 0}, {4, 0, 1}};
+  EXPECT_EQ(inspect(strip).verdict, MeshVerdict::kUnusable);
+  strip.triangles.push_back(strip.triangles[0]);
+  found = inspect(strip);
+  EXPECT_EQ(found.verdict, MeshVerdict::kRepairable);
+  EXPECT_EQ(found.steps, "drop,orient,split");
+  try_repair(strip, found);
+  EXPECT_EQ(found.verdict, MeshVerdict::kUnusable);
+  EXPECT_NE(found.reason.find("does not help: The surface is one-sided"), std::string::npos)
+      << found.reason;
+  EXPECT_EQ(inspect(grid(3, 3)).steps, "");
 }
 
 TEST(MeshRepair, CurvesInDroppedFacesAreRefused) {
