@@ -17,6 +17,8 @@ extern "C" void on_interrupt(int /*signal*/) { g_interrupted = true; }
 void catch_interrupts() {
   std::signal(SIGINT, on_interrupt);
   std::signal(SIGTERM, on_interrupt);
+  // A file that grows beyond the limit (ulimit -f) is then an error of writing, with a sentence.
+  std::signal(SIGXFSZ, SIG_IGN);
 }
 
 bool interrupted() { return g_interrupted; }

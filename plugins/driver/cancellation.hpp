@@ -3,7 +3,7 @@
 
 namespace talweg::driver {
 
-/// From now on SIGINT and SIGTERM only raise the flag below.
+/// From now on SIGINT and SIGTERM only raise the flag below, and SIGXFSZ ends nothing.
 void catch_interrupts();
 bool interrupted();
 

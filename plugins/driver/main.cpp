@@ -70,6 +70,9 @@ int run(int argc, char** argv) {
     if (subcommand->parsed()) {
       const int code = command();
       clear_progress_bar();
+      if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
+        return fail(kBadInput, "What was to be printed could not be written to the standard output.");
+      }
       return code;
     }
   }

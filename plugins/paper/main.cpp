@@ -9,6 +9,7 @@
 #include <CLI/CLI.hpp>
 
 #include "paper/experiment.hpp"
+#include "talweg/core/formats/file_bytes.hpp"
 #include "talweg/core/version.hpp"
 #include "talweg/intrinsic/error.hpp"
 
@@ -54,10 +55,7 @@ int run(int argc, char** argv) {
                     : part == "resolution" ? resolution_figures(folders)
                                            : relaxation_figure(folders));
   }
-  const std::filesystem::path file = folders.out / "results.md";
-  std::ofstream out(file, std::ios::binary);
-  out << text;
-  if (!out.flush()) throw Error(ErrorCode::kBadFile, file.string() + ": cannot be written.");
+  write_file(folders.out / "results.md", text);
   return 0;
 }
 

@@ -3,7 +3,6 @@
 #include <cstdio>
 #include <exception>
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <string>
 #include <vector>
@@ -16,6 +15,7 @@
 #include "quality/runs.hpp"
 #include "quality/tables.hpp"
 #include "scenes/scenes.hpp"
+#include "talweg/core/formats/file_bytes.hpp"
 #include "talweg/core/mesh_reader.hpp"
 #include "talweg/intrinsic/error.hpp"
 
@@ -31,9 +31,7 @@ struct Options {
 };
 
 void write(const std::filesystem::path& file, const std::string& text) {
-  std::ofstream out(file, std::ios::binary);
-  out << text;
-  if (!out.flush()) throw Error(ErrorCode::kBadFile, file.string() + ": cannot be written.");
+  write_file(file, text);
 }
 
 std::vector<std::filesystem::path> mesh_files(const Options& options) {

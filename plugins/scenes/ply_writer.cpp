@@ -2,9 +2,8 @@
 
 #include <bit>
 #include <cstdint>
-#include <fstream>
 
-#include "talweg/intrinsic/error.hpp"
+#include "talweg/core/formats/file_bytes.hpp"
 
 namespace talweg::scenes {
 namespace {
@@ -37,10 +36,7 @@ std::string ply_bytes(const MeshLists& mesh) {
 }
 
 void write_bytes(const std::filesystem::path& path, const std::string& bytes) {
-  std::ofstream file(path, std::ios::binary);
-  file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  file.close();
-  if (!file) throw Error(ErrorCode::kBadFile, "cannot write the file " + path.string());
+  write_file(path, bytes);
 }
 
 }  // namespace talweg::scenes
