@@ -195,10 +195,13 @@ bool PathNetwork::is_free(const Wedge& w) const {
   if (!outermost(out_segment, w.out, Side::kLeft)) return false;
   if (!outermost(back_segment, w.back, Side::kRight)) return false;
   const SignpostTriangulation& t = *triangulation_;
-  for (HalfedgeId h = t.turn_ccw(w.out); h != w.back; h = t.turn_ccw(h)) {
+  // Lengths that are no triangle's make directions that put `back` before the boundary's gap.
+  for (HalfedgeId h = w.out; t.has_face(h);) {
+    h = t.turn_ccw(h);
+    if (h == w.back) return true;
     if (occupied(edge_of(h))) return false;
   }
-  return true;
+  return false;
 }
 
 void PathNetwork::replace(const Wedge& w, std::span<const HalfedgeId> arc,

@@ -1,0 +1,66 @@
+// Bytes as files. A reader gives what it promises or an Error(kBadFile) that names the file.
+#include <cmath>
+#include <string>
+#include <variant>
+
+#include "fuzz_bytes.hpp"
+#include "fuzz_target.hpp"
+#include "talweg/core/formats/curve_file.hpp"
+#include "talweg/core/mesh_reader.hpp"
+#include "talweg/intrinsic/error.hpp"
+
+namespace talweg::fuzz {
+namespace {
+
+std::string_view text_of(const std::uint8_t* data, std::size_t size) {
+  return {reinterpret_cast<const char*>(data), size};
+}
+
+void check_refusal(const Target& target, const Error& error) {
+  const std::string_view what = error.what();
+  require(error.code() == ErrorCode::kBadFile, "a file's error");
+  require(what.find(target.file) != what.npos, "the file's name");
+  require(what.size() < 400 && what.back() == '.', "one sentence");
+  for (const char c : what) require(c >= ' ' && c <= '~', "printable words");
+}
+
+}  // namespace
+
+void read_mesh_bytes(const Target& target, const std::uint8_t* data, std::size_t size) {
+  try {
+    const MeshLists lists = read_mesh(target.file, text_of(data, size));
+    require(!lists.points.empty(), "vertices");
+    for (const Triangle& t : lists.triangles) {
+      for (const std::uint32_t v : t) require(v < lists.points.size(), "indices in range");
+    }
+    const bool text = target.name == "mesh_obj" || target.name == "mesh_off";
+    for (const Point& p : lists.points) require(!text || p.allFinite(), "finite coordinates");
+  } catch (const Error& error) {
+    check_refusal(target, error);
+  }
+}
+
+void read_curve_bytes(const Target& target, const std::uint8_t* data, std::size_t size) {
+  try {
+    const std::vector<CurveInput> curves = read_curves(target.file, text_of(data, size));
+    require(!curves.empty(), "curves");
+    for (const CurveInput& curve : curves) {
+      const std::size_t n = std::visit([](const auto& list) { return list.size(); }, curve.points);
+      require(n > 0, "points");
+      for (std::size_t k = 0; k < curve.pins.size(); ++k) {
+        require(curve.pins[k] < n && (k == 0 || curve.pins[k - 1] < curve.pins[k]), "pins");
+      }
+      if (const auto* positions = std::get_if<std::vector<Point>>(&curve.points)) {
+        for (const Point& p : *positions) require(p.allFinite(), "finite coordinates");
+      } else if (const auto* places = std::get_if<std::vector<FaceCoordinates>>(&curve.points)) {
+        for (const FaceCoordinates& at : *places) {
+          for (const double b : at.barycentric) require(std::isfinite(b), "finite barycentrics");
+        }
+      }
+    }
+  } catch (const Error& error) {
+    check_refusal(target, error);
+  }
+}
+
+}  // namespace talweg::fuzz

@@ -1,0 +1,251 @@
+// One or two valid files of every format and encoding, small enough to be changed byte by byte.
+#include <algorithm>
+#include <cstring>
+
+#include <zlib.h>
+
+#include "fuzz_target.hpp"
+#include "talweg/core/formats/curve_formats.hpp"
+
+namespace talweg::fuzz {
+namespace {
+
+template <class T>
+void put(std::string& bytes, T value, bool swap = false) {
+  char raw[sizeof value];
+  std::memcpy(raw, &value, sizeof value);
+  if (swap) std::reverse(raw, raw + sizeof value);
+  bytes.append(raw, sizeof value);
+}
+
+// A pyramid: five vertices, four triangles and a square.
+constexpr float kPoints[5][3] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0.5F, 0.5F, 1}};
+constexpr std::uint32_t kSides[4][3] = {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}};
+
+std::string obj() {
+  return "# pyramid\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0 0.5 0.5 0.5\nvt 0 0\nvn 0 0 1\nv .5 .5 1\n"
+         "g sides\nf 1 2 5\nf 2/1 3/1 5/1\nf 3//1 4//1 5//1\nf -2 1 \\\n-1\nf 4 3 2 1\n";
+}
+std::string off() {
+  return "OFF\n5 5 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0 # corner\n0.5 0.5 1e0\n3 0 1 4\n3 1 2 4 255 0 0\n"
+         "3 2 3 4\n3 3 0 4\n4 3 2 1 0\n";
+}
+
+std::string ply_header(const char* format) {
+  return std::string("ply\nformat ") + format +
+         " 1.0\ncomment pyramid\nelement vertex 5\nproperty float x\nproperty float y\nproperty "
+         "float z\nproperty uchar red\nelement face 4\nproperty list uchar int vertex_indices\n"
+         "end_header\n";
+}
+std::string ply_text() {
+  return ply_header("ascii") +
+         "0 0 0 255\n1 0 0 255\n1 1 0 0\n0 1 0 7\n0.5 0.5 1 0\n3 0 1 4\n3 1 2 4\n3 2 3 4\n4 3 0 4 "
+         "1\n";
+}
+std::string ply_binary(bool big) {
+  std::string bytes = ply_header(big ? "binary_big_endian" : "binary_little_endian");
+  for (const auto& p : kPoints) {
+    for (const float x : p) put(bytes, x, big);
+    bytes.push_back(7);
+  }
+  for (const auto& t : kSides) {
+    bytes.push_back(3);
+    for (const std::uint32_t v : t) put(bytes, v, big);
+  }
+  return bytes;
+}
+
+std::string stl_text() {
+  std::string text = "solid pyramid\n";
+  for (int f = 0; f < 2; ++f) {
+    text += "facet normal 0 0 1\nouter loop\n";
+    for (int k = 0; k < 3; ++k) {
+      text += "vertex " + std::to_string(k % 2) + " " + std::to_string(k / 2 + f) + " 0\n";
+    }
+    text += "endloop\nendfacet\n";
+  }
+  return text + "endsolid pyramid\n";
+}
+std::string stl_binary() {
+  std::string bytes(80, ' ');
+  put(bytes, std::uint32_t{4});
+  for (const auto& t : kSides) {
+    bytes.append(12, '\0');
+    for (const std::uint32_t v : t) {
+      for (const float x : kPoints[v]) put(bytes, x);
+    }
+    bytes.append(2, '\0');
+  }
+  return bytes;
+}
+
+/// A chunk's head: entity, type, bits of integers or floats.
+void put_chunk(std::string& bytes, unsigned entity, unsigned type, unsigned is_float,
+               unsigned dimensions, unsigned code) {
+  put(bytes, static_cast<std::uint16_t>(entity << 2U | type << 5U | is_float << 10U |
+                                        (dimensions - 1) << 11U | code << 14U));
+}
+std::string om_header(char version, std::uint32_t vertices, std::uint32_t faces,
+                      std::uint32_t edges) {
+  std::string bytes = std::string("OMT") + version;
+  for (const std::uint32_t n : {vertices, faces, edges}) put(bytes, n);
+  put_chunk(bytes, 0, 0, 1, 3, 0);
+  for (std::uint32_t v = 0; v < vertices; ++v) {
+    for (const float x : kPoints[v]) put(bytes, x);
+  }
+  return bytes;
+}
+std::string om_faces() {
+  std::string bytes = om_header('\x20', 5, 4, 8);
+  put_chunk(bytes, 2, 7, 0, 1, 0);
+  for (const auto& t : kSides) {
+    for (const std::uint32_t v : t) bytes.push_back(static_cast<char>(v));
+  }
+  return bytes;
+}
+/// One triangle: halfedges 0, 2, 4 inside it and 1, 3, 5 around it.
+std::string om_halfedges() {
+  std::string bytes = om_header('\x40', 3, 1, 3);
+  put_chunk(bytes, 6, 7, 0, 1, 0);
+  for (const int value : {2, 1, 0, 5, 0, -1, 4, 2, 0, 1, 1, -1, 0, 0, 0, 3, 2, -1}) {
+    bytes.push_back(static_cast<char>(value));
+  }
+  put_chunk(bytes, 2, 7, 0, 1, 0);
+  bytes.push_back(0);
+  return bytes;
+}
+
+std::vector<PlacedCurve> two_curves() {
+  std::vector<PlacedCurve> curves;
+  for (const bool closed : {false, true}) {
+    PlacedCurve curve;
+    curve.closed = closed;
+    for (std::size_t k = 0; k < 3; ++k) {
+      curve.positions.emplace_back(static_cast<double>(k), closed ? 1 : 0, k * k);
+      curve.faces.push_back({FaceId{k}, {0.5, 0.25, 0.25}});
+      curve.vertices.emplace_back(k + (closed ? 4 : 0));
+    }
+    curves.push_back(curve);
+  }
+  return curves;
+}
+
+std::string base64(const std::string& bytes) {
+  static const char kDigits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  for (std::size_t k = 0; k < bytes.size(); k += 3) {
+    std::uint32_t bits = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const unsigned char c = k + i < bytes.size() ? static_cast<unsigned char>(bytes[k + i]) : 0;
+      bits = bits << 8U | c;
+    }
+    for (std::size_t i = 0; i < 4; ++i) {
+      text.push_back(k + i > bytes.size() ? '=' : kDigits[bits >> (18 - 6 * i) & 63U]);
+    }
+  }
+  return text;
+}
+
+/// An array as VTK stores it: the size and the data, or packed in one block.
+std::string vtk_block(const std::string& data, bool packed) {
+  std::string head;
+  if (!packed) {
+    put(head, static_cast<std::uint32_t>(data.size()));
+    return head + data;
+  }
+  std::string zipped(compressBound(data.size()), '\0');
+  uLongf length = zipped.size();
+  compress(reinterpret_cast<Bytef*>(zipped.data()), &length,
+           reinterpret_cast<const Bytef*>(data.data()), data.size());
+  zipped.resize(length);
+  for (const std::size_t n : {std::size_t{1}, data.size(), std::size_t{0}, zipped.size()}) {
+    put(head, static_cast<std::uint32_t>(n));
+  }
+  return head + zipped;
+}
+
+/// Three points and one line; `how`: inline base64, raw at the end, base64 packed by zlib.
+std::string vtp(int how) {
+  std::string points, line, ends;
+  for (const double x : {0., 0., 0., 1., 0., 0., 1., 1., 0.}) put(points, x);
+  for (const std::int32_t v : {0, 1, 2}) put(line, v);
+  put(ends, std::int32_t{3});
+  std::string appended;
+  const auto array = [&](const char* type, const char* name, const std::string& data) {
+    const std::string block = vtk_block(data, how == 2);
+    std::string text = std::string("<DataArray type=\"") + type + "\" Name=\"" + name + "\"";
+    if (how == 1) {
+      text += " format=\"appended\" offset=\"" + std::to_string(appended.size()) + "\"/>";
+      appended += block;
+      return text;
+    }
+    // VTK encodes the head and the data apart.
+    const std::size_t head = how == 2 ? 16 : 4;
+    return text + " format=\"binary\">" + base64(block.substr(0, head)) +
+           base64(block.substr(head)) + "</DataArray>";
+  };
+  std::string text =
+      "<VTKFile type=\"PolyData\" byte_order=\"LittleEndian\" header_type=\"UInt32\"";
+  if (how == 2) text += " compressor=\"vtkZLibDataCompressor\"";
+  text += "><PolyData><Piece NumberOfPoints=\"3\" NumberOfLines=\"1\"><Points>";
+  text += array("Float64", "Points", points) + "</Points><Lines>";
+  text += array("Int32", "connectivity", line) + array("Int32", "offsets", ends);
+  text += "</Lines></Piece></PolyData>";
+  if (how == 1) text += "<AppendedData encoding=\"raw\">_" + appended + "</AppendedData>";
+  return text + "</VTKFile>";
+}
+
+std::string vtk_binary() {
+  std::string bytes = "# vtk DataFile Version 5.1\nx\nBINARY\nDATASET POLYDATA\nPOINTS 3 float\n";
+  for (int k = 0; k < 3; ++k) {
+    for (const float x : kPoints[k]) put(bytes, x, true);
+  }
+  bytes += "\nLINES 2 3\nOFFSETS vtktypeint64\n";
+  for (const std::int64_t x : {0, 3}) put(bytes, x, true);
+  bytes += "\nCONNECTIVITY vtktypeint64\n";
+  for (const std::int64_t x : {0, 1, 2}) put(bytes, x, true);
+  return bytes + "\n";
+}
+
+std::string curve_ply_binary() {
+  std::string bytes =
+      "ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty double x\nproperty float "
+      "y\nproperty list uchar float extra\nproperty int z\nelement edge 2\nproperty uint vertex1\n"
+      "property short vertex2\nend_header\n";
+  for (std::int32_t k = 0; k < 3; ++k) {
+    put(bytes, double{0.5} * k);
+    put(bytes, 1.0F);
+    bytes.push_back(1);
+    put(bytes, 2.0F);
+    put(bytes, k);
+  }
+  for (std::uint32_t k = 0; k < 2; ++k) {
+    put(bytes, k);
+    put(bytes, static_cast<std::int16_t>(k + 1));
+  }
+  return bytes;
+}
+
+}  // namespace
+
+std::vector<std::string> mesh_seeds(const Target& target) {
+  if (target.name == "mesh_obj") return {obj()};
+  if (target.name == "mesh_off") return {off()};
+  if (target.name == "mesh_ply") return {ply_text(), ply_binary(false), ply_binary(true)};
+  if (target.name == "mesh_stl") return {stl_text(), stl_binary()};
+  return {om_faces(), om_halfedges()};
+}
+
+std::vector<std::string> curve_seeds(const Target& target) {
+  const std::vector<PlacedCurve> curves = two_curves();
+  if (target.name == "curve_obj")
+    return {formats::write_obj(curves), "v 0 0 0\nv 1 0 0\nl -2 -1\n"};
+  if (target.name == "curve_ply") return {formats::write_ply(curves), curve_ply_binary()};
+  if (target.name == "curve_vtp") return {formats::write_vtp(curves), vtp(0), vtp(1), vtp(2)};
+  if (target.name == "curve_vtk") return {formats::write_vtk(curves), vtk_binary()};
+  if (target.name == "curve_txt") return {formats::write_txt("c.txt", curves), "0,1 2 # here\n\n3"};
+  if (target.name == "curve_json") return {formats::write_json(curves)};
+  return {formats::write_slicer(curves)};
+}
+
+}  // namespace talweg::fuzz
