@@ -65,8 +65,7 @@ void TalwegPlugin::slotAllCleared() {
 void TalwegPlugin::make_panel() {
   panel_ = new TalwegPanel;
   panel_->setObjectName("talwegPanel");
-  auto* icon = new QIcon(OpenFlipper::Options::iconDirStr() + OpenFlipper::Options::dirSeparator() +
-                         "talweg.png");
+  auto* icon = new QIcon(":/talweg/talweg.png");
   connect_panel();
   emit addToolbox(tr("Talweg"), panel_, icon);
 }

@@ -15,6 +15,7 @@ if(NOT CMAKE_BUILD_TYPE)
   set(CMAKE_BUILD_TYPE Release)
 endif()
 set(CMAKE_AUTOMOC ON)
+set(CMAKE_AUTORCC ON)
 find_package(talweg REQUIRED)
 find_package(OpenMesh REQUIRED)
 find_package(OpenGL REQUIRED)
@@ -29,7 +30,7 @@ find_package(${qt} REQUIRED COMPONENTS ${parts})
 list(TRANSFORM parts PREPEND ${qt}::)
 
 add_library(Plugin-Talweg MODULE HostMesh.cc Session.cc TalwegPanel.cc TalwegPlugin.cc
-                                 TalwegPanel.hh TalwegPlugin.hh TalwegScripting.cc)
+                                 TalwegPanel.hh TalwegPlugin.hh TalwegScripting.cc talweg.qrc)
 target_compile_features(Plugin-Talweg PRIVATE cxx_std_20)
 target_compile_definitions(Plugin-Talweg PRIVATE ENABLE_TRIANGLEMESH_SUPPORT
                                                  ENABLE_POLYLINE_SUPPORT INCLUDE_TEMPLATES)
