@@ -10,6 +10,7 @@
 
 #include "core/generated_meshes.hpp"
 #include "core/jagged_curves.hpp"
+#include "core/mesh_numbers.hpp"
 #include "core/reference_data.hpp"
 #include "talweg/core/face_triangulation.hpp"
 #include "talweg/core/mesh_reader.hpp"
@@ -19,29 +20,11 @@
 namespace talweg {
 namespace {
 
+using test::area;
+using test::euler;
+using test::volume;
+
 __extension__ using Wide = __int128;
-
-double area(const MeshLists& lists) {
-  double sum = 0;
-  for (const auto& [a, b, c] : lists.triangles) {
-    sum += (lists.points[b] - lists.points[a]).cross(lists.points[c] - lists.points[a]).norm() / 2;
-  }
-  return sum;
-}
-
-double volume(const MeshLists& lists) {
-  double sum = 0;
-  for (const auto& [a, b, c] : lists.triangles) {
-    sum += lists.points[a].dot(lists.points[b].cross(lists.points[c])) / 6;
-  }
-  return sum;
-}
-
-std::int64_t euler(const Surface& surface) {
-  return static_cast<std::int64_t>(surface.vertex_count()) -
-         static_cast<std::int64_t>(surface.edge_count()) +
-         static_cast<std::int64_t>(surface.face_count());
-}
 
 /// What every cut promises.
 void expect_good(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves,

@@ -8,6 +8,7 @@
 
 #include "core/generated_meshes.hpp"
 #include "core/jagged_curves.hpp"
+#include "core/mesh_numbers.hpp"
 #include "talweg/core/loop_filling.hpp"
 #include "talweg/core/mesh_cutting.hpp"
 #include "talweg/core/mesh_inspection.hpp"
@@ -17,28 +18,9 @@
 namespace talweg {
 namespace {
 
-double area(const MeshLists& lists) {
-  double sum = 0;
-  for (const auto& [a, b, c] : lists.triangles) {
-    sum += (lists.points[b] - lists.points[a]).cross(lists.points[c] - lists.points[a]).norm() / 2;
-  }
-  return sum;
-}
-
-double volume(const MeshLists& lists) {
-  double sum = 0;
-  for (const auto& [a, b, c] : lists.triangles) {
-    sum += lists.points[a].dot(lists.points[b].cross(lists.points[c])) / 6;
-  }
-  return sum;
-}
-
-std::int64_t euler(const MeshLists& lists) {
-  const Surface surface = test::surface_of_lists(lists);
-  return static_cast<std::int64_t>(surface.vertex_count()) -
-         static_cast<std::int64_t>(surface.edge_count()) +
-         static_cast<std::int64_t>(surface.face_count());
-}
+using test::area;
+using test::euler;
+using test::volume;
 
 Piece piece(const OpenedSeams& opened, std::size_t number) {
   std::vector<bool> wanted(opened.pieces, false);
