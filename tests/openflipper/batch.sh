@@ -42,5 +42,26 @@ same() {  # NAME OPTION...
 same tau_1
 same tau_6 --tau 6
 same pinned --pin "$pin"
-grep -q '' "$folder/result.pol"
-echo "saved by the host: result.pol, $(wc -c <"$folder/result.pol") bytes"
+
+# The host's file has the faces, vertices and edges of the points, and keeps them.
+cmp "$folder/result.pol" "$folder/again.pol"
+/usr/bin/python3 - "$folder" <<'PYTHON'
+import json
+import sys
+
+points = json.load(open(sys.argv[1] + "/last.json"))["curves"][0]["points"]
+words = open(sys.argv[1] + "/result.pol").read().split()
+
+
+def handles(name):
+    begin = words.index(name) + 1
+    return [int(word) for word in words[begin : begin + len(points)]]
+
+
+assert handles("VFHANDLES") == [point["face"] for point in points]
+for point, vertex, edge in zip(points, handles("VVHANDLES"), handles("VEHANDLES")):
+    zeros = point["barycentric"].count(0)
+    assert (vertex >= 0) == (zeros == 2), point
+    assert (edge >= 0) == (zeros == 1), point
+print(f"handles of {len(points)} points in result.pol: the driver's faces; vertices and edges where they lie")
+PYTHON

@@ -89,6 +89,16 @@ bool Session::edit(const std::function<void(editing::Editor&)>& change) {
   return true;
 }
 
+bool Session::edit_together(const char* name, const std::function<void(editing::Editor&)>& change) {
+  end_gesture();
+  const std::uint64_t before = editor_.history().number();
+  begin_gesture(name);
+  const bool done = edit(change);
+  if (!done && editor_.history().number() != before) editor_.history().undo();
+  end_gesture();
+  return done;
+}
+
 void Session::fail(QString& error, const QString& sentence) {
   error = sentence;
   host_.warn(sentence);
@@ -177,7 +187,7 @@ bool Session::redo() {
 }
 
 void Session::add_selection() {
-  edit([&](editing::Editor& editor) {
+  edit_together("Curves from selection", [&](editing::Editor& editor) {
     for (const editing::OrderedVertices& ordered : ordered_selection(mesh(), *arrays_)) {
       editor.add_curve({editing::points_at(*arrays_, ordered.vertices), ordered.closed});
     }
@@ -188,7 +198,7 @@ void Session::add_line(const PolyLine& line) { add_curves({positions_of(line)});
 
 void Session::add_curves(std::vector<host::Curve> curves) {
   std::vector<host::Curve> positions;
-  edit([&](editing::Editor& editor) {
+  edit_together("Add curves", [&](editing::Editor& editor) {
     for (host::Curve& curve : curves) {
       editing::Curve drawn;
       drawn.closed = curve.closed;
@@ -233,7 +243,7 @@ void Session::take(editing::Outcome outcome) {
       host_.say(QString("%1 is open after %2 ms.").arg(name_).arg(outcome.milliseconds, 0, 'f', 0));
       return;
     case editing::Task::kPlace:
-      edit([&](editing::Editor& editor) {
+      edit_together("Add curves", [&](editing::Editor& editor) {
         for (editing::Curve& curve : outcome.placed) editor.add_curve(std::move(curve));
       });
       return;

@@ -53,6 +53,8 @@ class Session {
 
   /// One edit; one that cannot be done is told, and false.
   bool edit(const std::function<void(editing::Editor&)>& change);
+  /// Several edits as one step of undo; all of them or none.
+  bool edit_together(const char* name, const std::function<void(editing::Editor&)>& change);
   /// A movement of the hand: one step of undo. `preview`: of a point, shown by previews.
   void begin_gesture(const char* name, bool preview = false);
   void end_gesture();
