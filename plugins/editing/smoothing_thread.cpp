@@ -53,7 +53,7 @@ struct SmoothingThread::Request {
   Drawing drawing;
   host::Wanted wanted;
   std::vector<host::Curve> curves;
-  bool preview = false;
+  Hand hand = Hand::kRests;
 };
 
 /// What the thread has to itself: instances of the plugins, each made and opened when first needed.
@@ -107,8 +107,9 @@ struct SmoothingThread::Workplace {
     apply(request.drawing.settings, instance);
     known->settings = request.drawing.settings;
     if (has_parameter(instance.plugin(), "preview")) {
-      instance.set("preview", request.preview ? 1.0 : 0.0);
+      instance.set("preview", request.hand == Hand::kDrags ? 1.0 : 0.0);
     }
+    instance.set("deviation", request.hand == Hand::kRests ? "surface" : "none");
     outcome.results = instance.run(request.wanted);
   }
 
@@ -194,20 +195,21 @@ std::uint64_t SmoothingThread::ask(std::unique_ptr<Request> request) {
 }
 
 std::uint64_t SmoothingThread::smooth(const Drawing& drawing, const host::Wanted& wanted,
-                                      bool preview) {
-  return ask(std::make_unique<Request>(Request{Task::kSmooth, 0, drawing, wanted, {}, preview}));
+                                      Hand hand) {
+  return ask(std::make_unique<Request>(Request{Task::kSmooth, 0, drawing, wanted, {}, hand}));
 }
 
 std::uint64_t SmoothingThread::place(std::vector<host::Curve> curves) {
-  return ask(std::make_unique<Request>(Request{Task::kPlace, 0, {}, {}, std::move(curves), false}));
+  return ask(
+      std::make_unique<Request>(Request{Task::kPlace, 0, {}, {}, std::move(curves), Hand::kRests}));
 }
 
 std::uint64_t SmoothingThread::distance(const Drawing& drawing) {
-  return ask(std::make_unique<Request>(Request{Task::kDistance, 0, drawing, {}, {}, false}));
+  return ask(std::make_unique<Request>(Request{Task::kDistance, 0, drawing, {}, {}, Hand::kRests}));
 }
 
 std::uint64_t SmoothingThread::draw(const Drawing& drawing) {
-  return ask(std::make_unique<Request>(Request{Task::kDraw, 0, drawing, {}, {}, false}));
+  return ask(std::make_unique<Request>(Request{Task::kDraw, 0, drawing, {}, {}, Hand::kRests}));
 }
 
 std::optional<Outcome> SmoothingThread::take() {

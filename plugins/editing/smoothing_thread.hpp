@@ -41,6 +41,13 @@ enum class Task {
   kDraw,      ///< the drawn curves as they lie on the mesh
 };
 
+/// What a hand does meanwhile.
+enum class Hand {
+  kRests,   ///< the result counts
+  kSlides,  ///< moves a slider: the curve counts, but no deviation is measured
+  kDrags,   ///< moves a point: the same, and smoothed only near the change where the plugin can
+};
+
 /// What a task has come to.
 struct Outcome {
   Task task = Task::kOpen;
@@ -77,10 +84,8 @@ class SmoothingThread {
   SmoothingThread& operator=(const SmoothingThread&) = delete;
 
   /// Each gives the ticket of its outcome. A request that gave way has none.
-  /// `preview`: while a hand moves a point; smooths only near the change where the plugin can, and
-  /// is no result that counts (docs/plugins.md).
   std::uint64_t smooth(const Drawing& drawing, const host::Wanted& wanted = {},
-                       bool preview = false);
+                       Hand hand = Hand::kRests);
   /// Curves given by `positions`; each point goes to the nearest one of the mesh.
   std::uint64_t place(std::vector<host::Curve> curves);
   std::uint64_t distance(const Drawing& drawing);

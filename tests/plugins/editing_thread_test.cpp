@@ -19,6 +19,7 @@
 namespace talweg {
 namespace {
 
+using editing::Hand;
 using editing::Outcome;
 using editing::SmoothingThread;
 using editing::Task;
@@ -126,14 +127,30 @@ TEST(EditingThread, WhileAPointMovesThereArePreviews) {
     editing::Point to = from;
     for (double& b : to.barycentric) b += part * (1.0 / 3 - b);
     hills.editor.move_point(0, 20, to);
-    thread.smooth(hills.editor.drawing(), {}, true);
+    thread.smooth(hills.editor.drawing(), {}, Hand::kDrags);
     const Outcome moving = all_of(thread).back();
     ASSERT_EQ(moving.status, TALWEG_OK) << moving.sentence;
     EXPECT_EQ(moving.results.text("engine"), "preview");
+    EXPECT_EQ(moving.results.text("deviation"), "none");
   }
   hills.editor.history().end_gesture();
   thread.smooth(hills.editor.drawing());
   expect_same(all_of(thread).back().results.curves, hills.expected(hills.editor.drawing()));
+}
+
+TEST(EditingThread, UnderASliderTheCurveCountsAndTheDeviationWaits) {
+  Hills hills;
+  SmoothingThread thread(plugins(), hills.mesh);
+  for (const double tau : {1.0, 1.3, 2.6}) {
+    hills.editor.set_tau(tau);
+    thread.smooth(hills.editor.drawing(), {}, Hand::kSlides);
+    const Outcome moving = all_of(thread).back();
+    ASSERT_EQ(moving.status, TALWEG_OK) << moving.sentence;
+    EXPECT_EQ(moving.results.text("deviation"), "none");
+    expect_same(moving.results.curves, hills.expected(hills.editor.drawing()));
+  }
+  thread.smooth(hills.editor.drawing());
+  EXPECT_EQ(all_of(thread).back().results.text("deviation"), "surface");
 }
 
 TEST(EditingThread, TheNewestRequestWins) {

@@ -136,7 +136,8 @@ void Session::ask() {
     show_results({}, true);
     return;
   }
-  ticket_ = thread_->smooth(now, wanted, preview_ && in_gesture());
+  const editing::Hand moving = preview_ ? editing::Hand::kDrags : editing::Hand::kSlides;
+  ticket_ = thread_->smooth(now, wanted, in_gesture() ? moving : editing::Hand::kRests);
 }
 
 /// The host's list of undo gets the state that is there now.
@@ -444,9 +445,13 @@ QString short_report(const Session& session) {
   lines << QString("curvature %1 -> %2")
                .arg(number(r.number("curvature_before")))
                .arg(number(r.number("curvature_after")));
-  lines << QString("deviation at most %1 (result), %2 (drawing)")
-               .arg(number(r.number("deviation_to_drawn_max")))
-               .arg(number(r.number("deviation_from_drawn_max")));
+  if (r.text("deviation") == "none") {
+    lines << "deviation: when the hand rests";
+  } else {
+    lines << QString("deviation at most %1 (result), %2 (drawing)")
+                 .arg(number(r.number("deviation_to_drawn_max")))
+                 .arg(number(r.number("deviation_from_drawn_max")));
+  }
   lines << QString("%1, %2 ms")
                .arg(in_words(r.text("termination")))
                .arg(session.last_run_ms(), 0, 'f', 1);
