@@ -103,19 +103,24 @@ EmbeddedCurves embed_curves(SignpostTriangulation& triangulation,
     }
   }
   // Joining one pair may split an edge that another pair runs along, so the chains are read off
-  // only when nothing is split any more.
-  std::vector<std::vector<HalfedgeId>> chains(curves.size());
-  for (std::size_t known = triangulation.vertex_count() + 1;
-       known != triangulation.vertex_count();) {
-    known = triangulation.vertex_count();
-    for (std::size_t c = 0; c < curves.size(); ++c) {
-      chains[c].clear();
-      const std::size_t count = vertices[c].size();
-      for (std::size_t i = 0; i + 1 < count; ++i) {
-        insertion.connect(vertices[c][i], vertices[c][i + 1], chains[c]);
-      }
-      if (curves[c].closed) insertion.connect(vertices[c][count - 1], vertices[c][0], chains[c]);
+  // only when all are joined.
+  struct Joined {
+    std::size_t curve, since;
+    std::vector<HalfedgeId> way;
+  };
+  std::vector<Joined> joined;
+  for (std::size_t c = 0; c < curves.size(); ++c) {
+    const std::size_t count = vertices[c].size();
+    for (std::size_t i = 0; i + (curves[c].closed ? 0 : 1) < count; ++i) {
+      std::vector<HalfedgeId> way;
+      insertion.connect(vertices[c][i], vertices[c][(i + 1) % count], way);
+      joined.push_back({c, insertion.split_count(), std::move(way)});
     }
+  }
+  std::vector<std::vector<HalfedgeId>> chains(curves.size());
+  for (const Joined& pair : joined) {
+    const std::vector<HalfedgeId> now = insertion.now(pair.way, pair.since);
+    chains[pair.curve].insert(chains[pair.curve].end(), now.begin(), now.end());
   }
   EmbeddedCurves embedded;
   for (const SurfacePoint& pin : pins) embedded.pinned.push_back(insertion.insert(pin));

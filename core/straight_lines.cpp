@@ -39,8 +39,11 @@ void StraightLines::append_leg(const SurfacePoint& from, const SurfacePoint& to,
   if (vertices.front() != start) vertices.insert(vertices.begin(), start);
   if (vertices.back() != end) vertices.push_back(end);
   std::vector<HalfedgeId> chain;
+  std::size_t since = insertion.split_count();
   for (std::size_t i = 0; i + 1 < vertices.size(); ++i) {
+    chain = insertion.now(chain, since);
     insertion.connect(vertices[i], vertices[i + 1], chain);
+    since = insertion.split_count();
   }
   const std::array<EdgePath, 1> path = {EdgePath::make(triangulation, std::move(chain), false)};
   const FlipOutResult straight = workshop_->flip_out.run(path, {});

@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <string>
 
 #include "talweg/intrinsic/error.hpp"
@@ -56,6 +57,23 @@ PointInsertion::Place PointInsertion::locate(FaceId face, const Weights& point) 
   return best;
 }
 
+/// For a face that is in slivers all over.
+VertexId PointInsertion::nearest_vertex(FaceId face, const Weights& point) {
+  const SignpostTriangulation& t = *triangulation_;
+  VertexId best;
+  double least = std::numeric_limits<double>::infinity();
+  for (const HalfedgeId piece : pieces(face)) {
+    for (const HalfedgeId side : {piece, t.next(piece), t.prev(piece)}) {
+      const Weights at = barycentric(t.tail(side), face);
+      const double apart = std::hypot(at[0] - point[0], at[1] - point[1], at[2] - point[2]);
+      if (!(apart < least)) continue;
+      least = apart;
+      best = t.tail(side);
+    }
+  }
+  return best;
+}
+
 double PointInsertion::distance(VertexId v, FaceId face, const Weights& point) const {
   return distance_in_face(triangulation_->surface(), {face, barycentric(v, face)}, {face, point});
 }
@@ -79,6 +97,7 @@ VertexId PointInsertion::insert(const SurfacePoint& point) {
   const FaceId face = any_face(surface, point);
   const Weights weights = coordinates_in(surface, point, face).barycentric;
   Place place = locate(face, weights);
+  if (!place.side.valid()) return nearest_vertex(face, weights);
 
   std::array<HalfedgeId, 3> side = {place.side, triangulation_->next(place.side),
                                     triangulation_->prev(place.side)};
@@ -148,7 +167,10 @@ VertexId PointInsertion::insert_on_side(HalfedgeId side, double t, const Surface
     const std::array<HalfedgeId, 2> fresh_right = {right_next, right_prev};
     replace_pieces(right, other, fresh_right);
   }
-  return triangulation_->split_edge(side, split, location);
+  const VertexId middle = triangulation_->split_edge(side, split, location);
+  const HalfedgeId rest = triangulation_->next(twin(triangulation_->next(side)));
+  splits_[edge_of(side)].push_back({split_count_++, side, rest});
+  return middle;
 }
 
 /// The halfedge from `from` towards `to` inside the face; inserts its end where need be.
@@ -190,17 +212,81 @@ void PointInsertion::connect(VertexId from, VertexId to, std::vector<HalfedgeId>
   }
   const SurfacePoint p = triangulation_->location(from), q = triangulation_->location(to);
   const FaceId face = common_face(triangulation_->surface(), p, q);
-  const auto fail = [&](const char* what) {
-    throw Error(ErrorCode::kBadCurve, std::string("Two consecutive points of the curve ") + what);
-  };
-  if (!face.valid()) fail("do not lie in a common face.");
+  if (!face.valid()) {
+    throw Error(ErrorCode::kBadCurve,
+                "Two consecutive points of the curve do not lie in a common face.");
+  }
   // A straight segment meets each piece of the face once.
-  for (std::size_t left = pieces(face).size() + 2; from != to; --left) {
-    const HalfedgeId h = left > 0 ? step(from, to, face) : HalfedgeId{};
-    if (!h.valid()) fail("cannot be joined inside their face, which is degenerate.");
+  for (std::size_t left = pieces(face).size() + 2; from != to && left > 0; --left) {
+    const HalfedgeId h = step(from, to, face);
+    if (!h.valid()) break;
     path.push_back(h);
     from = triangulation_->head(h);
   }
+  if (from != to) go_along_edges(from, to, face, path);
+}
+
+/// Always finds a way: the pieces of a face are a disc.
+void PointInsertion::go_along_edges(VertexId from, VertexId to, FaceId face,
+                                    std::vector<HalfedgeId>& path) {
+  const SignpostTriangulation& t = *triangulation_;
+  struct Reached {
+    double distance = 0;
+    HalfedgeId by;
+    bool settled = false;
+  };
+  std::map<VertexId, Reached> reached;
+  reached[from] = {};
+  for (VertexId at = from; at != to;) {
+    Reached& here = reached[at];
+    here.settled = true;
+    const double distance = here.distance;
+    for (const HalfedgeId piece : pieces(face)) {
+      for (const HalfedgeId side : {piece, t.next(piece), t.prev(piece)}) {
+        for (const HalfedgeId h : {side, twin(side)}) {
+          if (t.tail(h) != at) continue;
+          const double way = distance + t.surface_length(edge_of(h));
+          const auto [known, fresh] = reached.try_emplace(t.head(h), Reached{way, h, false});
+          if (!fresh && way < known->second.distance) known->second = {way, h, false};
+        }
+      }
+    }
+    const Reached* nearest = nullptr;
+    for (const auto& [v, there] : reached) {
+      if (there.settled || (nearest != nullptr && there.distance >= nearest->distance)) continue;
+      nearest = &there;
+      at = v;
+    }
+    if (nearest == nullptr) {
+      throw Error(ErrorCode::kBadCurve,
+                  "The pieces of face " + std::to_string(face.index()) + " do not hang together.");
+    }
+  }
+  const auto first = static_cast<std::ptrdiff_t>(path.size());
+  for (VertexId at = to; at != from; at = t.tail(path.back())) path.push_back(reached[at].by);
+  std::reverse(path.begin() + first, path.end());
+}
+
+void PointInsertion::append_now(HalfedgeId h, std::size_t since,
+                                std::vector<HalfedgeId>& path) const {
+  const auto splits = splits_.find(edge_of(h));
+  if (splits != splits_.end()) {
+    for (const Split& split : splits->second) {
+      if (split.number < since) continue;
+      const bool same = split.first == h;
+      append_now(same ? h : twin(split.second), split.number + 1, path);
+      append_now(same ? split.second : h, split.number + 1, path);
+      return;
+    }
+  }
+  path.push_back(h);
+}
+
+std::vector<HalfedgeId> PointInsertion::now(std::span<const HalfedgeId> path,
+                                            std::size_t since) const {
+  std::vector<HalfedgeId> result;
+  for (const HalfedgeId h : path) append_now(h, since, result);
+  return result;
 }
 
 }  // namespace talweg

@@ -24,8 +24,16 @@ class PointInsertion {
 
   /// Appends to `path` the halfedges of the straight segment between two vertices which lie in a
   /// common face of the surface; where it crosses an edge inside the face, a vertex is inserted.
-  /// Throws Error(kBadCurve) when the vertices have no face in common.
+  /// Where rounding leaves no such way (in slivers among many points) it is the shortest one along
+  /// the edges inside the face. Throws Error(kBadCurve) when the vertices have no face in common.
   void connect(VertexId from, VertexId to, std::vector<HalfedgeId>& path);
+
+  /// Edges that have been split so far.
+  [[nodiscard]] std::size_t split_count() const { return split_count_; }
+  /// What has become of a path that was connected when split_count() was `since`: an edge that was
+  /// split after that is replaced by its two halves.
+  [[nodiscard]] std::vector<HalfedgeId> now(std::span<const HalfedgeId> path,
+                                            std::size_t since) const;
 
  private:
   struct Place {
@@ -36,13 +44,23 @@ class PointInsertion {
   std::vector<HalfedgeId>& pieces(FaceId face);
   std::array<double, 3> barycentric(VertexId v, FaceId face) const;
   Place locate(FaceId face, const std::array<double, 3>& point);
+  VertexId nearest_vertex(FaceId face, const std::array<double, 3>& point);
   double distance(VertexId v, FaceId face, const std::array<double, 3>& point) const;
   VertexId insert_on_side(HalfedgeId side, double t, const SurfacePoint* exact = nullptr);
   void replace_pieces(FaceId face, HalfedgeId old, std::span<const HalfedgeId> fresh);
   HalfedgeId step(VertexId from, VertexId to, FaceId face);
+  void go_along_edges(VertexId from, VertexId to, FaceId face, std::vector<HalfedgeId>& path);
+  void append_now(HalfedgeId h, std::size_t since, std::vector<HalfedgeId>& path) const;
 
   SignpostTriangulation* triangulation_;
-  std::unordered_map<FaceId, std::vector<HalfedgeId>> pieces_;  // looked up only, never iterated
+  struct Split {  // the edge became these two, in the direction of `first`
+    std::size_t number = 0;
+    HalfedgeId first, second;
+  };
+  // Both are looked up only, never iterated.
+  std::unordered_map<FaceId, std::vector<HalfedgeId>> pieces_;
+  std::unordered_map<EdgeId, std::vector<Split>> splits_;
+  std::size_t split_count_ = 0;
 };
 
 }  // namespace talweg

@@ -1,0 +1,25 @@
+// Clean meshes of every kind, and every defect that a mesh can have, planted at random places.
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "stress/random.hpp"
+#include "talweg/core/mesh_lists.hpp"
+
+namespace talweg::stress {
+
+/// A clean mesh of 100 to 2,000 faces: sphere, sheet, torus, tube, box, flat grid, one-sided strip.
+MeshLists random_mesh(Random& random);
+
+/// Plants one defect, or a harmless oddity, into the mesh. Places are taken anew for every call.
+struct Defect {
+  const char* name;
+  void (*plant)(MeshLists& lists, Random& random);
+};
+std::span<const Defect> defects();
+
+/// None to three of them; their names, for the log.
+std::string plant_some(MeshLists& lists, Random& random);
+
+}  // namespace talweg::stress

@@ -1,0 +1,24 @@
+// Curves of every kind, as a file or a host gives them.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "stress/random.hpp"
+#include "talweg/core/formats/curve_file.hpp"
+#include "talweg/core/surface_mesh.hpp"
+
+namespace talweg::stress {
+
+struct RandomDrawing {
+  std::string kind;
+  std::vector<CurveInput> curves;
+  bool connect = false;  ///< vertex ids are joined by straight lines
+};
+
+/// Open or closed; along edges, through faces, from positions on and off the surface, along and
+/// touching boundaries; with repeats, spikes and pieces reversed; of one point and of many; one
+/// curve or several.
+RandomDrawing random_drawing(const SurfaceMesh& mesh, Random& random);
+
+}  // namespace talweg::stress

@@ -1,0 +1,221 @@
+#include "stress/random_run.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <cstring>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "stress/planted_defects.hpp"
+#include "stress/random_curves.hpp"
+#include "talweg/core/curve_smoother.hpp"
+#include "talweg/core/max_deviation.hpp"
+#include "talweg/core/mesh_repair.hpp"
+#include "talweg/core/snapping.hpp"
+#include "talweg/core/straight_lines.hpp"
+
+namespace talweg::stress {
+namespace {
+
+using End = RunOutcome::End;
+
+/// FNV-1a.
+struct Hash {
+  std::uint64_t value = 0xCBF29CE484222325U;
+  void add(const void* data, std::size_t size) {
+    const auto* bytes = static_cast<const unsigned char*>(data);
+    for (std::size_t i = 0; i < size; ++i) value = (value ^ bytes[i]) * 0x100000001B3U;
+  }
+  void add(const std::string& text) { add(text.data(), text.size()); }
+};
+
+/// A sentence that says where: it has a number in it, or the whole mesh or all curves are meant.
+bool names_the_place(const std::string& sentence) {
+  const bool number = std::any_of(sentence.begin(), sentence.end(),
+                                  [](unsigned char c) { return std::isdigit(c) != 0; });
+  const auto has = [&](const char* words) { return sentence.find(words) != std::string::npos; };
+  return number || has("no vertices") || has("no faces") || has("one-sided") || has("one side");
+}
+
+std::shared_ptr<const OpenedMesh> open_or_repair(MeshLists lists, RunOutcome& outcome) {
+  const MeshInspection found = inspect(lists);
+  try {
+    auto opened = OpenedMesh::open(lists);
+    if (found.verdict != MeshVerdict::kUsable) outcome.broken = "opened, but not called usable";
+    return opened;
+  } catch (const Error& error) {
+    outcome.refusal = error.what();
+    if (found.verdict == MeshVerdict::kUsable) outcome.broken = "called usable, but not opened";
+  }
+  if (!names_the_place(outcome.refusal)) outcome.broken = "refused without a place";
+  try {
+    auto opened = OpenedMesh::open(repair(lists).lists);
+    outcome.refusal.clear();
+    // A one-sided surface may fall apart into two-sided ones when flat faces are dropped.
+    if (found.verdict != MeshVerdict::kRepairable &&
+        found.reason.find("one-sided") == std::string::npos) {
+      outcome.broken = "repaired, but not called repairable: " + found.reason;
+    }
+    return opened;
+  } catch (const Error& error) {
+    outcome.refusal = error.what();
+    if (!names_the_place(outcome.refusal)) outcome.broken = "refused without a place";
+    // That a surface has one side only may show when its other defects are gone.
+    const bool one_sided = outcome.refusal.find("opposite orientation") != std::string::npos;
+    if (found.verdict == MeshVerdict::kRepairable && !one_sided) {
+      outcome.broken = "called repairable, but not repaired: " + found.reason;
+    }
+    return nullptr;
+  }
+}
+
+void check_curve(const SurfaceMesh& mesh, const SurfaceCurve& drawn, const SurfaceCurve& result,
+                 RunOutcome& outcome) {
+  const Surface& surface = mesh.surface();
+  const std::size_t n = result.points.size();
+  if (result.closed != drawn.closed) outcome.broken = "open and closed mixed up";
+  if (n < (drawn.closed ? 1U : 2U)) {
+    outcome.broken = "hardly any points";
+    return;
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    if (!mesh.position(result.points[i]).allFinite()) outcome.broken = "a position is not finite";
+    if (i + 1 == n && !result.closed) break;
+    if (!common_face(surface, result.points[i], result.points[(i + 1) % n]).valid()) {
+      outcome.broken = fmt::format("points {} and {} share no face", i, (i + 1) % n);
+    }
+  }
+  if (result.closed) return;
+  // A point as near to a vertex as rounding is that vertex.
+  const auto moved = [&](const SurfacePoint& from, const SurfacePoint& to) {
+    const FaceId face = common_face(surface, from, to);
+    if (!face.valid()) return true;
+    double side = 0;
+    for (HalfedgeId h = surface.halfedge(face), end = h;;) {
+      side = std::max(side, surface.length(edge_of(h)));
+      if ((h = surface.next(h)) == end) break;
+    }
+    return (mesh.position(from) - mesh.position(to)).norm() > 1e-9 * side;
+  };
+  if (moved(drawn.points.front(), result.points.front()) ||
+      moved(drawn.points.back(), result.points.back())) {
+    outcome.broken = "an end has moved";
+  }
+}
+
+void check_report(const SmoothingReport& report, RunOutcome& outcome) {
+  for (const ReportEntry& entry : entries_of(report)) {
+    const double* number = std::get_if<double>(&entry.value);
+    if (number == nullptr) continue;
+    const bool may_be_infinite =
+        entry.key.starts_with("deviation") || entry.key == "moved" || entry.key == "max_deviation";
+    if (std::isnan(*number) || (std::isinf(*number) && !may_be_infinite)) {
+      outcome.broken = fmt::format("{} is {}", entry.key, *number);
+    }
+  }
+  if (!(report.lifted_length_after <= report.lifted_length_before * (1 + 1e-9))) {
+    outcome.broken = fmt::format("lifted length rose from {:.17g} to {:.17g}",
+                                 report.lifted_length_before, report.lifted_length_after);
+  }
+}
+
+void check(const CurveSmoother& smoother, const SmoothingResult& result, RunOutcome& outcome,
+           Hash& hash) {
+  const SurfaceMesh& mesh = smoother.opened().mesh();
+  if (result.curves.size() != smoother.drawn().size()) outcome.broken = "curves are missing";
+  for (std::size_t c = 0; c < result.curves.size() && outcome.broken.empty(); ++c) {
+    check_curve(mesh, smoother.drawn()[c], result.curves[c], outcome);
+    check_report(result.reports[c], outcome);
+    for (const Point& p : positions_of(mesh, result.curves[c])) hash.add(p.data(), sizeof(Point));
+    SmoothingReport report = result.reports[c];
+    report.time_ms = {};
+    report.peak_memory_mib = 0;
+    hash.add(to_json(report));
+  }
+}
+
+SmoothingOptions random_options(const SurfaceMesh& mesh, Random& random, std::string& what) {
+  SmoothingOptions options;
+  options.tau = random.one_in(8) ? 0 : random.scale(1e-3, 1e3);
+  if (random.one_in(30)) options.tau = random.scale(1e3, 1e12);
+  if (random.one_in(4)) options.slack = random.scale(1e-6, 30) * mesh.mean_edge_length();
+  if (random.one_in(20)) options.slack = 0;
+  if (random.one_in(6)) options.phase_turns = static_cast<int>(random.below(65));
+  options.polish = !random.one_in(8);
+  if (random.one_in(6)) options.relax_rounds = static_cast<int>(1 + random.below(8));
+  if (random.one_in(12)) options.max_iterations = 1 + random.below(50);
+  if (random.one_in(12)) options.min_relative_length = random.unit();
+  if (random.one_in(12)) options.length_floor = random.scale(1e-3, 100) * mesh.mean_edge_length();
+  if (random.one_in(4)) options.deviation = DeviationMeasure::kNone;
+  what += fmt::format("tau {:.3g} slack {:.3g} turns {} polish {} relax {}", options.tau,
+                      options.slack.value_or(-1), options.phase_turns, options.polish,
+                      options.relax_rounds);
+  return options;
+}
+
+void smooth_random(const std::shared_ptr<const OpenedMesh>& opened, Random& random,
+                   unsigned threads, RunOutcome& outcome) {
+  const SurfaceMesh& mesh = opened->mesh();
+  const RandomDrawing drawing = random_drawing(mesh, random);
+  outcome.what += " | " + drawing.kind + "| ";
+  CurveOptions curve_options;
+  curve_options.threads = threads;
+  curve_options.method = random.one_in(3) ? Method::kPaper : Method::kCorridor;
+  if (random.one_in(6)) curve_options.heat_time = random.scale(1e-3, 1e6);
+  if (random.one_in(20)) curve_options.bump_radius = random.scale(0.1, 5) * mesh.mean_edge_length();
+  curve_options.cap_corners = !random.one_in(4);
+  if (curve_options.method == Method::kPaper) outcome.what += "paper ";
+  const SmoothingOptions options = random_options(mesh, random, outcome.what);
+
+  CurveSmoother smoother(opened);
+  try {
+    StraightLines lines(mesh.surface());
+    std::vector<SurfaceCurve> curves;
+    for (const SnappedCurve& snapped : snap(mesh, drawing.curves, {drawing.connect})) {
+      for (const std::size_t pin : snapped.pins) {
+        curve_options.pins.push_back(snapped.points[pin]);
+      }
+      curves.push_back(lines.join(snapped.points, snapped.closed));
+    }
+    smoother.set_curves(curves, curve_options);
+  } catch (const Error& error) {
+    outcome.end = End::kCurveRefused;
+    outcome.refusal = error.what();
+    if (!names_the_place(outcome.refusal)) outcome.broken = "refused without a place";
+    return;
+  }
+  Hash hash;
+  check(smoother, smoother.smooth(options), outcome, hash);
+  SmoothingOptions moved = options;
+  moved.tau *= random.scale(0.2, 5);
+  check(smoother, smoother.smooth(moved), outcome, hash);
+  if (curve_options.method == Method::kCorridor && random.one_in(12) && outcome.broken.empty()) {
+    const double bound = random.scale(0.1, 30) * mesh.mean_edge_length();
+    outcome.what += fmt::format(" within {:.3g}", bound);
+    check(smoother, smooth_within(smoother, bound, options), outcome, hash);
+  }
+  outcome.bytes = hash.value;
+}
+
+}  // namespace
+
+RunOutcome random_run(std::uint64_t seed, unsigned threads) {
+  Random random(seed * 0x2545F4914F6CDD1DU + 1);
+  RunOutcome outcome;
+  MeshLists lists = random_mesh(random);
+  outcome.what = plant_some(lists, random);
+  outcome.what += fmt::format(" ({} faces)", lists.triangles.size());
+  const auto opened = open_or_repair(std::move(lists), outcome);
+  if (opened == nullptr) {
+    outcome.end = End::kMeshRefused;
+  } else if (outcome.broken.empty()) {
+    smooth_random(opened, random, threads, outcome);
+  }
+  return outcome;
+}
+
+}  // namespace talweg::stress

@@ -1,0 +1,23 @@
+// One random run from mesh to result, with everything that must hold whatever comes in.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace talweg::stress {
+
+struct RunOutcome {
+  enum class End { kSmoothed, kMeshRefused, kCurveRefused };
+  End end = End::kSmoothed;
+  std::string what;         ///< mesh, defects, curves and options in short
+  std::string refusal;      ///< the sentence, where something was refused
+  std::string broken;       ///< what did not hold; empty where everything did
+  std::uint64_t bytes = 0;  ///< a hash of the results: curves and reports but for their times
+};
+
+/// A random mesh, defects, repair, a drawing and options, all from the seed; smooths twice (tau
+/// moved), and checks. Never throws but for what it is there to find: an exception that is no
+/// Error. `threads` must not matter.
+RunOutcome random_run(std::uint64_t seed, unsigned threads = 1);
+
+}  // namespace talweg::stress

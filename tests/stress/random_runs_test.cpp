@@ -1,0 +1,28 @@
+// Some of the random runs of talweg-stress, so that every change meets them.
+#include <gtest/gtest.h>
+
+#include "stress/random_run.hpp"
+
+namespace talweg::stress {
+namespace {
+
+TEST(RandomRuns, WhateverComesInSomethingSensibleComesOut) {
+  std::size_t smoothed = 0;
+  constexpr std::uint64_t kRuns = 300;
+  for (std::uint64_t seed = 1; seed <= kRuns; ++seed) {
+    const RunOutcome outcome = random_run(seed);
+    EXPECT_EQ(outcome.broken, "") << "seed " << seed << ": " << outcome.what << ' '
+                                  << outcome.refusal;
+    smoothed += outcome.end == RunOutcome::End::kSmoothed ? 1U : 0U;
+  }
+  EXPECT_GT(smoothed, kRuns / 10);  // else the runs would try little
+}
+
+TEST(RandomRuns, ThreadsChangeNoByte) {
+  for (std::uint64_t seed = 1001; seed <= 1040; ++seed) {
+    EXPECT_EQ(random_run(seed, 1).bytes, random_run(seed, 2).bytes) << "seed " << seed;
+  }
+}
+
+}  // namespace
+}  // namespace talweg::stress
