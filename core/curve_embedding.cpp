@@ -1,7 +1,9 @@
 #include "talweg/core/curve_embedding.hpp"
 
 #include <algorithm>
+#include <map>
 #include <string>
+#include <utility>
 
 #include "talweg/intrinsic/error.hpp"
 #include "talweg/intrinsic/point_insertion.hpp"
@@ -23,48 +25,33 @@ std::string name(const SurfacePoint& point) {
   return "a point in face " + std::to_string(std::get<InFace>(point.where()).face.index());
 }
 
-/// A total order that puts equal points side by side.
-std::array<double, 5> sort_key(const SurfacePoint& point) {
-  const auto number = [](std::size_t n) { return static_cast<double>(n); };
-  if (const auto* v = std::get_if<AtVertex>(&point.where())) return {0, number(v->vertex.index())};
-  if (const auto* e = std::get_if<OnEdge>(&point.where())) {
-    return {1, number(e->edge.index()), e->t};
-  }
-  const auto& f = std::get<InFace>(point.where());
-  return {2, number(f.face.index()), f.barycentric[0], f.barycentric[1], f.barycentric[2]};
-}
-
-void check_repeats(const SurfaceCurve& curve) {
-  std::vector<std::size_t> order(curve.points.size());
-  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
-  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    const auto p = sort_key(curve.points[a]), q = sort_key(curve.points[b]);
-    return p != q ? p < q : a < b;
-  });
-  std::size_t first = order.size(), second = 0;
-  for (std::size_t i = 0; i + 1 < order.size(); ++i) {
-    if (curve.points[order[i]] == curve.points[order[i + 1]] && order[i] < first) {
-      first = order[i];
-      second = order[i + 1];
+/// Leaves out what lies between two passages of a vertex; of a closed path the shorter part.
+void erase_loops(const SignpostTriangulation& t, std::vector<HalfedgeId>& path, bool closed) {
+  const auto length_of = [&](const HalfedgeId* from, const HalfedgeId* to) {
+    double length = 0;
+    for (; from != to; ++from) length += t.surface_length(edge_of(*from));
+    return length;
+  };
+  std::vector<HalfedgeId> kept;
+  std::map<VertexId, std::size_t> passed;  // and how much was kept before
+  for (const HalfedgeId& h : path) {  // where it stands in the path counts
+    passed.emplace(t.tail(h), kept.size());
+    kept.push_back(h);
+    const auto again = passed.find(t.head(h));
+    if (again == passed.end()) continue;
+    const std::size_t from = again->second;
+    const HalfedgeId* data = kept.data();
+    if (closed && from == 0 && &h == &path.back()) break;  // that is where it began
+    if (closed && length_of(data + from, data + kept.size()) >
+                      length_of(data, data + from) + length_of(&h + 1, path.data() + path.size())) {
+      kept.erase(kept.begin(), kept.begin() + static_cast<std::ptrdiff_t>(from));
+      break;
     }
+    kept.resize(from);
+    std::erase_if(passed, [&](const auto& entry) { return entry.second > from; });
+    passed.erase(t.head(h));
   }
-  if (first < order.size()) {
-    bad_curve("The curve passes " + name(curve.points[first]) + " twice, at its points " +
-              std::to_string(first + 1) + " and " + std::to_string(second + 1) + ".");
-  }
-}
-
-void check_no_vertex_twice(const SignpostTriangulation& triangulation,
-                           std::span<const HalfedgeId> path, bool closed) {
-  std::vector<VertexId> passed;
-  for (const HalfedgeId h : path) passed.push_back(triangulation.tail(h));
-  if (!closed) passed.push_back(triangulation.head(path.back()));
-  std::sort(passed.begin(), passed.end());
-  const auto twice = std::adjacent_find(passed.begin(), passed.end());
-  if (twice != passed.end()) {
-    bad_curve("The curve crosses or touches itself at " + name(triangulation.location(*twice)) +
-              ".");
-  }
+  path = std::move(kept);
 }
 
 }  // namespace
@@ -77,7 +64,6 @@ void check_drawn(const Surface& surface, const SurfaceCurve& curve) {
               std::to_string(least) + " different points, but this one has " +
               std::to_string(count) + ".");
   }
-  check_repeats(curve);
   for (std::size_t i = 0; i < count; ++i) {
     const std::size_t next = (i + 1) % count;
     if (next == 0 && !curve.closed) break;
@@ -90,7 +76,7 @@ void check_drawn(const Surface& surface, const SurfaceCurve& curve) {
 
 EmbeddedCurves embed_curves(SignpostTriangulation& triangulation,
                             std::span<const SurfaceCurve> curves,
-                            std::span<const SurfacePoint> pins) {
+                            std::span<const SurfacePoint> pins, Loops loops) {
   PointInsertion insertion(triangulation);
   std::vector<std::vector<VertexId>> vertices(curves.size());
   for (std::size_t c = 0; c < curves.size(); ++c) {
@@ -126,10 +112,12 @@ EmbeddedCurves embed_curves(SignpostTriangulation& triangulation,
   for (const SurfacePoint& pin : pins) embedded.pinned.push_back(insertion.insert(pin));
   std::sort(embedded.pinned.begin(), embedded.pinned.end());
   for (std::size_t c = 0; c < curves.size(); ++c) {
+    if (loops == Loops::kErase) erase_loops(triangulation, chains[c], curves[c].closed);
     if (chains[c].size() < (curves[c].closed ? 3U : 1U)) {
-      bad_curve("The curve's points are too close together to be told apart.");
+      bad_curve("Curve " + std::to_string(c) +
+                " comes back to where it began without going around anything: its points are too "
+                "close together, or it goes back the way it came.");
     }
-    check_no_vertex_twice(triangulation, chains[c], curves[c].closed);
     embedded.paths.push_back(EdgePath::make(triangulation, std::move(chains[c]), curves[c].closed));
   }
   return embedded;

@@ -10,8 +10,8 @@
 
 namespace talweg {
 
-/// What a drawn curve must be: at least two points (three when closed), no point twice, each point
-/// and the next in a common face. Throws Error(kBadCurve) naming the first position (counted from
+/// What a drawn curve must be: at least two points (three when closed), each point and the next in
+/// a common face. Throws Error(kBadCurve) naming the first position (counted from
 /// 1) that is not so.
 void check_drawn(const Surface& surface, const SurfaceCurve& curve);
 
@@ -20,11 +20,15 @@ struct EmbeddedCurves {
   std::vector<VertexId> pinned;  ///< the vertices at the pins, sorted
 };
 
+/// What becomes of loops, where a curve comes back to a vertex it has passed.
+enum class Loops { kKeep, kErase };
+
 /// The curves as edge paths, after inserting those of their points that are not vertices. Different
 /// curves may touch or share edges. `pins` are points of the curves.
-/// Throws Error(kBadCurve) when a curve crosses or touches itself.
+/// With Loops::kErase a path passes no vertex twice: what lies between is left out, of a closed
+/// curve the shorter part. Throws Error(kBadCurve) when too little is left.
 EmbeddedCurves embed_curves(SignpostTriangulation& triangulation,
                             std::span<const SurfaceCurve> curves,
-                            std::span<const SurfacePoint> pins = {});
+                            std::span<const SurfacePoint> pins = {}, Loops loops = Loops::kKeep);
 
 }  // namespace talweg

@@ -11,6 +11,7 @@
 #include "talweg/core/relaxation.hpp"
 #include "talweg/core/result_report.hpp"
 #include "talweg/core/stopwatch.hpp"
+#include "talweg/core/unrolled_smoother.hpp"
 #include "talweg/intrinsic/error.hpp"
 
 namespace talweg {
@@ -50,8 +51,11 @@ CurveSmoother::CurveSmoother(std::shared_ptr<const OpenedMesh> mesh)
       flip_out_(triangulation_),
       tracer_(triangulation_) {}
 
+CurveSmoother::~CurveSmoother() = default;
+
 void CurveSmoother::forget() {
   triangulation_.remove_inserted();
+  unrolled_.reset();
   drawn_.clear();
   orders_.clear();
   ordered_.clear();
@@ -92,15 +96,16 @@ void CurveSmoother::embed_drawn() {
                           ? capped_curve(mesh_->surface(), curve, curve_options_.pins)
                           : curve);
   }
-  embedded_ = embed_curves(triangulation_, capped_, curve_options_.pins);
+  embedded_ = embed_curves(triangulation_, capped_, curve_options_.pins, loops_);
 }
 
 void CurveSmoother::set_pins(std::span<const SurfacePoint> pins) {
-  if (embedded_.paths.empty()) bad_usage("No curve is set.");
+  if (!is_set()) bad_usage("No curve is set.");
   if (curve_options_.method != Method::kCorridor) bad_usage("set_pins() needs the corridor.");
   check_pins(drawn_, pins);
   const std::vector<SurfacePoint> own(pins.begin(), pins.end());  // may be our own
   curve_options_.pins = own;
+  if (unrolled_) return set_unrolled_pins();
   triangulation_.remove_inserted();
   anchors_.clear();
   last_.reset();
@@ -118,7 +123,10 @@ bool CurveSmoother::set_curves(std::span<const SurfaceCurve> curves, const Curve
   forget();
   try {
     embed(own, options);
-    if (solve_distance(options, progress)) return true;
+    const std::vector<bool> alone = tangled();
+    if (!alone.empty() ? set_unrolled(alone, progress) : solve_distance(options, progress)) {
+      return true;
+    }
   } catch (...) {
     forget();
     throw;
@@ -147,6 +155,7 @@ bool CurveSmoother::set_curves(std::span<const SurfaceCurve> curves, std::vector
     distance_ = std::move(distance);
     inserted_distance_ = at_inserted(distance_, 1);
     find_largest_distances();
+    if (const std::vector<bool> alone = tangled(); !alone.empty()) set_unrolled(alone, {});
   } catch (...) {
     forget();
     throw;
@@ -265,7 +274,8 @@ SmoothingResult CurveSmoother::smooth(double tau) {
 
 SmoothingResult CurveSmoother::smooth(const SmoothingOptions& options) {
   options.validate();
-  if (embedded_.paths.empty()) bad_usage("No curve is set.");
+  if (!is_set()) bad_usage("No curve is set.");
+  if (unrolled_) return smooth_unrolled(options);
   if (curve_options_.method == Method::kCorridor) return smooth_in_corridor(options);
   std::vector<Potential> potentials;  // by component
   for (std::size_t k = 0; k < largest_distance_.size(); ++k) {
@@ -286,7 +296,7 @@ SmoothingResult CurveSmoother::smooth(const SmoothingOptions& options) {
 SmoothingResult CurveSmoother::smooth(const SmoothingOptions& options,
                                       std::span<const double> potential, std::size_t components) {
   options.validate();
-  if (embedded_.paths.empty()) bad_usage("No curve is set.");
+  if (!is_set()) bad_usage("No curve is set.");
   const std::size_t own = mesh_->surface().vertex_count();
   if (components == 0 || potential.size() != own * components) {
     bad_usage("A potential of " + std::to_string(components) + " components needs " +
@@ -299,6 +309,7 @@ SmoothingResult CurveSmoother::smooth(const SmoothingOptions& options,
                 " is not a number of at most 1e150.");
     }
   }
+  if (unrolled_) return smooth_unrolled(options, potential, components);
   const std::vector<double> inserted = at_inserted(potential, components);
   SmoothingResult result = run(options, [&](VertexId p, VertexId q, double length) {
     const auto at = [&](VertexId v) {

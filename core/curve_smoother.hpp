@@ -20,6 +20,7 @@
 #include "talweg/core/potential.hpp"
 #include "talweg/core/report.hpp"
 #include "talweg/core/surface_deviation.hpp"
+#include "talweg/core/unrolled_mesh.hpp"
 #include "talweg/intrinsic/error.hpp"
 #include "talweg/intrinsic/flip_out.hpp"
 #include "talweg/intrinsic/polyline_distance.hpp"
@@ -93,6 +94,7 @@ class CurveSmoother {
  public:
   /// O(mesh), once.
   explicit CurveSmoother(std::shared_ptr<const OpenedMesh> mesh);
+  ~CurveSmoother();
 
   /// Sets the drawing: checks and embeds it and computes the distance to it. False when cancelled;
   /// no curve is set then. Throws Error(kBadCurve) for a curve that check_drawn() or embed_curves()
@@ -100,6 +102,8 @@ class CurveSmoother {
   bool set_curve(const SurfaceCurve& curve, const CurveOptions& options = {},
                  const Progress& progress = {});
   /// A set of curves: the distance is to their union, and none crosses another by straightening.
+  /// Curves that are drawn across themselves or each other are smoothed each for itself, on a strip
+  /// of surface of its own (unroll()); the distance is to the curve's own part there.
   bool set_curves(std::span<const SurfaceCurve> curves, const CurveOptions& options = {},
                   const Progress& progress = {});
   /// The same with a distance of the caller's, one value per mesh vertex, used as it is; it may be
@@ -146,6 +150,22 @@ class CurveSmoother {
   [[nodiscard]] std::span<const SurfaceCurve> capped() const { return capped_; }
 
  private:
+  // smooth_unrolled.cpp
+  struct Unrolled;
+  [[nodiscard]] bool is_set() const { return unrolled_ != nullptr || !embedded_.paths.empty(); }
+  [[nodiscard]] std::vector<bool> tangled() const;
+  void set_unrolled_pins();
+  [[nodiscard]] std::vector<double> unrolled_slack() const;
+  bool set_unrolled(const std::vector<bool>& alone, const Progress& progress);
+  [[nodiscard]] std::vector<SurfacePoint> unrolled_pins(std::span<const SurfaceCurve> curves,
+                                                        std::span<const SurfacePoint> pins) const;
+  SmoothingResult smooth_unrolled(const SmoothingOptions& options);
+  SmoothingResult smooth_unrolled(const SmoothingOptions& options,
+                                  std::span<const double> potential, std::size_t components);
+  SmoothingResult folded(SmoothingResult result);
+  SmoothingResult drag_unrolled(std::size_t curve, const SurfaceCurve& moved,
+                                const SmoothingOptions& options);
+
   void embed(std::span<const SurfaceCurve> curves, const CurveOptions& options);
   void embed_drawn();
   void forget();
@@ -219,6 +239,8 @@ class CurveSmoother {
   FlipOut flip_out_;
   Tracer tracer_;
 
+  Loops loops_ = Loops::kKeep;          // kErase where strips are smoothed, and stretches
+  std::unique_ptr<Unrolled> unrolled_;  // what smooths instead of this, for tangled drawings
   std::vector<SurfaceCurve> drawn_;
   std::vector<CurveOrder> orders_;     // in which the drawn curves are gone through
   std::vector<SurfaceCurve> ordered_;  // drawn_ in these

@@ -240,6 +240,7 @@ SurfaceCurve CurveSmoother::dragged(const DrawingChange& change, std::size_t cur
   for (const double s : valleys[curve].slack_at) slack = std::max(slack, s);
   const double reach = kReach * (slack + edges_near_[curve]);
   if (!dragger_) dragger_ = std::make_unique<CurveSmoother>(mesh_);
+  dragger_->loops_ = Loops::kErase;
   if (anchor_of(options)) {
     for (double margin = kMargin * segment;; margin *= 2) {
       const std::optional<DragRange> range = range_around(change, margin);
@@ -266,11 +267,12 @@ SmoothingResult CurveSmoother::drag(std::size_t curve, const SurfaceCurve& moved
     if (!good) throw Error(ErrorCode::kBadUsage, message);
   };
   options.validate();
-  require(!embedded_.paths.empty(), "No curve is set.");
+  require(is_set(), "No curve is set.");
   require(curve_options_.method == Method::kCorridor, "drag() needs the corridor.");
   require(curve < drawn_.size(), "drag() is asked for a curve that is not set.");
   const SurfaceCurve own = moved;  // may be our own drawing
   check_drawn(mesh_->surface(), own);
+  if (unrolled_) return drag_unrolled(curve, own, options);
   SmoothingResult result = result_for(options);
   const Stopwatch watch;
   const DrawingChange change = change_between(drawn_[curve], own);

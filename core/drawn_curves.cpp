@@ -21,6 +21,9 @@ SurfaceCurve capped_curve(const Surface& surface, const SurfaceCurve& curve,
   if (!along_vertices(curve)) return curve;
   std::vector<VertexId> path, pinned;
   for (const SurfacePoint& p : curve.points) path.push_back(std::get<AtVertex>(p.where()).vertex);
+  std::vector<VertexId> sorted = path;
+  std::sort(sorted.begin(), sorted.end());
+  if (std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end()) return curve;
   for (const SurfacePoint& p : pins) {
     if (p.is_vertex()) pinned.push_back(std::get<AtVertex>(p.where()).vertex);
   }

@@ -10,7 +10,8 @@
 
 namespace talweg {
 
-/// The curve with its corners capped (capping.hpp) if it runs along mesh edges, else as it is.
+/// The curve with its corners capped (capping.hpp) if it runs along mesh edges and passes
+/// no vertex twice, else as it is.
 /// Points in `pins` stay.
 SurfaceCurve capped_curve(const Surface& surface, const SurfaceCurve& curve,
                           std::span<const SurfacePoint> pins);

@@ -80,7 +80,7 @@ class Topology {
   void measure(const Side& edge) {
     const Point& p = lists_.points[edge.low];
     const Point& q = lists_.points[edge.high];
-    if (!p.allFinite() || !q.allFinite()) return;
+    if (!can_be_measured(p) || !can_be_measured(q)) return;
     const double length = point_distance(p, q);
     const bool first = measured_++ == 0;
     found_.edge_length_min = first ? length : std::min(found_.edge_length_min, length);
@@ -149,7 +149,7 @@ class Topology {
 void find_duplicate_positions(const MeshLists& lists, MeshInspection& found) {
   std::vector<std::uint32_t> order;
   for (std::uint32_t v = 0; v < lists.points.size(); ++v) {
-    if (lists.points[v].allFinite()) order.push_back(v);
+    if (can_be_measured(lists.points[v])) order.push_back(v);
   }
   const auto key = [&](std::uint32_t v) {
     const Point& p = lists.points[v];
@@ -174,7 +174,7 @@ void measure_box(const MeshLists& lists, MeshInspection& found) {
   Point low = Point::Constant(std::numeric_limits<double>::infinity());
   Point high = -low;
   for (std::uint32_t v = 0; v < lists.points.size(); ++v) {
-    if (!lists.points[v].allFinite()) {
+    if (!can_be_measured(lists.points[v])) {
       found.non_finite_vertices.add(v);
       continue;
     }
@@ -197,7 +197,7 @@ void measure_faces(const MeshLists& lists, const std::vector<bool>& proper, Mesh
     if (!proper[f]) continue;
     const Triangle& t = lists.triangles[f];
     const std::array<Point, 3> p{lists.points[t[0]], lists.points[t[1]], lists.points[t[2]]};
-    if (!p[0].allFinite() || !p[1].allFinite() || !p[2].allFinite()) continue;
+    if (!can_be_measured(p[0]) || !can_be_measured(p[1]) || !can_be_measured(p[2])) continue;
     const FaceShape shape = shape_of(p);
     if (shape.flat || shape.smallest_angle < std::numbers::pi / 180) found.needle_faces.add(f);
     if (shape.flat) {

@@ -24,8 +24,7 @@ bool mendable(const MeshLists& lists) {
   const auto exists = [n](const Triangle& t) { return t[0] < n && t[1] < n && t[2] < n; };
   return n > 0 && !lists.triangles.empty() &&
          std::all_of(lists.triangles.begin(), lists.triangles.end(), exists) &&
-         std::all_of(lists.points.begin(), lists.points.end(),
-                     [](const Point& p) { return p.allFinite(); });
+         std::all_of(lists.points.begin(), lists.points.end(), can_be_measured);
 }
 
 /// A dropped face, the one that it repeats, and which corner of that each of its corners is.

@@ -54,9 +54,10 @@ std::string fatal(const MeshInspection& m) {
                       text(m.vertices));
   }
   if (m.non_finite_vertices.found()) {
-    return element_sentence(m.non_finite_vertices, "vertex",
-                            " vertex has a coordinate that is not a finite number",
-                            " vertices have a coordinate that is not a finite number");
+    return element_sentence(
+        m.non_finite_vertices, "vertex",
+        " vertex has a coordinate that is not a finite number of at most 1e70",
+        " vertices have a coordinate that is not a finite number of at most 1e70");
   }
   return "";
 }

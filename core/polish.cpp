@@ -192,7 +192,7 @@ bool Polisher::way_around(const ChainNode& from, const ChainNode& to, int way, V
     const double part =
         straight_across(from_radius, target.norm(), turned, angle) / surface_.length(e);
     constexpr double kStart = 0.001;
-    const double t = std::clamp(part, kStart, 1 - kStart);
+    const double t = part > kStart ? std::min(part, 1 - kStart) : kStart;  // also where it is NaN
     trial.push_back(
         chain_.node_at(SurfacePoint::on_edge(surface_, e, h == halfedge_of(e) ? t : 1 - t), false));
   }

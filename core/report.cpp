@@ -81,6 +81,8 @@ void for_each_field(Report& r, Visit visit) {
   visit("iterations", r.iterations);
   visit("faces_touched", r.faces_touched);
   visit("trace_fallbacks", r.trace_fallbacks);
+  visit("crossings_before", r.crossings_before);
+  visit("crossings_after", r.crossings_after);
   visit("termination", r.termination);
   visit("warnings", r.warnings);
   visit("time_ms.load", r.time_ms.load);

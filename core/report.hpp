@@ -60,9 +60,11 @@ struct SmoothingReport {
   Point deviation_at = Point::Zero();    ///< where the larger of both is
   double moved = HUGE_VAL;  ///< mesh units: against the last result, if its tau differs by <= 5 %
   std::size_t flips = 0;    ///< of the whole run
-  std::size_t iterations = 0;       ///< cleared wedges of the whole run
-  std::size_t faces_touched = 0;    ///< of the mesh, by the whole run
-  std::size_t trace_fallbacks = 0;  ///< crossings put at the end of their edge
+  std::size_t iterations = 0;        ///< cleared wedges of the whole run
+  std::size_t faces_touched = 0;     ///< of the mesh, by the whole run
+  std::size_t trace_fallbacks = 0;   ///< crossings put at the end of their edge
+  std::size_t crossings_before = 0;  ///< of the drawing with itself and later curves of the set
+  std::size_t crossings_after = 0;   ///< of the result, counted likewise
   std::string termination;  ///< "converged", "deviation", "collapsed", "limit" or "cancelled"
   std::vector<std::string> warnings;  ///< sentences for the user
   StageTimes time_ms;                 ///< milliseconds

@@ -6,6 +6,8 @@
 #include <string>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "talweg/core/closest_point.hpp"
 #include "talweg/intrinsic/error.hpp"
 
@@ -17,6 +19,18 @@ constexpr double kOnElement = 1e-9;
 constexpr double kMostRounding = 1e-4;
 /// Relative rounding of 32-bit floats, as a bound for all three coordinates together.
 constexpr double kSinglePrecision = 1.2e-7;
+
+/// Of the diagonal of the mesh's box; positions farther away belong to something else.
+constexpr double kFarthest = 10;
+
+double size_of(const SurfaceMesh& mesh) {
+  Point low = mesh.points().front(), high = low;
+  for (const Point& p : mesh.points()) {
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+  }
+  return (high - low).norm();
+}
 
 [[noreturn]] void bad_curve(const std::string& what) {
   throw Error(ErrorCode::kBadCurve, what + ".");
@@ -34,20 +48,6 @@ void check_neighbours(const Surface& surface, const std::vector<VertexId>& ids, 
     bad_curve("Vertices " + std::to_string(a.index()) + " and " + std::to_string(b.index()) +
               " at " + at_position(k) + " and after it share no edge of the mesh");
   }
-}
-
-void check_repeats(const std::vector<VertexId>& ids) {
-  std::vector<std::pair<VertexId, std::size_t>> sorted;
-  for (std::size_t k = 0; k < ids.size(); ++k) sorted.emplace_back(ids[k], k);
-  std::sort(sorted.begin(), sorted.end());
-  const std::pair<VertexId, std::size_t>* worst = nullptr;
-  for (std::size_t k = 1; k < sorted.size(); ++k) {
-    if (sorted[k].first != sorted[k - 1].first) continue;
-    if (worst == nullptr || sorted[k].second < worst->second) worst = &sorted[k];
-  }
-  if (worst == nullptr) return;
-  bad_curve("Vertex " + std::to_string(worst->first.index()) + " comes again at " +
-            at_position(worst->second) + ", and a curve may visit a vertex only once");
 }
 
 void check_length(std::size_t n, bool closed) {
@@ -70,7 +70,6 @@ std::vector<SurfacePoint> snap_vertices(const Surface& surface, const std::vecto
     }
     points.push_back(SurfacePoint::at_vertex(surface, ids[k]));
   }
-  check_repeats(ids);
   check_length(ids.size(), closed);
   if (!options.connect) check_neighbours(surface, ids, closed);
   return points;
@@ -151,9 +150,16 @@ SurfacePoint settled(const SurfaceMesh& mesh, const ClosestPoint::Result& found,
 std::vector<SurfacePoint> snap_positions(const SurfaceMesh& mesh, const ClosestPoint& closest,
                                          const std::vector<Point>& positions, double& largest) {
   std::vector<SurfacePoint> points;
+  const double size = size_of(mesh);
   for (std::size_t k = 0; k < positions.size(); ++k) {
     try {
       const ClosestPoint::Result found = closest.nearest(positions[k]);
+      if (found.distance > kFarthest * size) {
+        bad_curve(
+            fmt::format("the mesh is {:.3g} away, and only {:.3g} large: it seems to be in "
+                        "another unit or place",
+                        found.distance, size));
+      }
       points.push_back(settled(mesh, found, positions[k]));
     } catch (const Error& error) {
       throw Error(error.code(), "At " + at_position(k) + ": " + error.what());

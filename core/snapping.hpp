@@ -28,16 +28,17 @@ struct SnappedCurve {
 
 /// Puts a curve on the mesh.
 ///
-/// Vertex ids must exist and each be the neighbour of the one before (unless `connect`); none may
-/// come twice. Points in faces are taken as they are. Positions go to the nearest point of the
-/// mesh, and there to a vertex or else an edge within 1e-9 of the face's longest side, or within
-/// the rounding of single-precision coordinates (1.2e-7 of the largest one, but no more than 1e-4
-/// of the longest side): so mesh vertices come back as themselves from files with 9 digits or
-/// 32-bit floats. Points in faces and positions that fall together with the one before are merged.
+/// Vertex ids must exist and each be the neighbour of the one before (unless `connect`). Points in
+/// faces are taken as they are. Positions go to the nearest point of the mesh, and there to a
+/// vertex or else an edge within 1e-9 of the face's longest side, or within the rounding of
+/// single-precision coordinates (1.2e-7 of the largest one, but no more than 1e-4 of the longest
+/// side): so mesh vertices come back as themselves from files with 9 digits or 32-bit floats.
+/// Points in faces and positions that fall together with the one before are merged.
 ///
 /// Throws Error(kBadCurve) naming the position in the curve (from 0) and the ids: an id or face
-/// out of range, neighbours that share no edge, a repeated vertex, barycentrics out of range, a
-/// position without finite coordinates, fewer than two points, closed with fewer than three.
+/// out of range, neighbours that share no edge, barycentrics out of range, a position without
+/// finite coordinates or farther from the mesh than ten times the diagonal of its box, fewer than
+/// two points, closed with fewer than three.
 SnappedCurve snap(const SurfaceMesh& mesh, const CurveInput& curve,
                   const SnapOptions& options = {});
 

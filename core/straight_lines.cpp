@@ -50,7 +50,14 @@ void StraightLines::append_leg(const SurfacePoint& from, const SurfacePoint& to,
   const std::array<EdgePath, 1> result = {straight.paths.front().path};
   const TraceResult traced = workshop_->tracer.trace_and_undo(result);
   const std::vector<SurfacePoint>& line = traced.curves.front().points;
+  // A point as near to a vertex or an edge as rounding was inserted there, and the line may go on
+  // through another face than its own.
+  const auto meets = [&](const SurfacePoint& p, const SurfacePoint& q) {
+    return common_face(*surface_, p, q).valid();
+  };
+  if (!meets(from, line[1])) points.push_back(line.front());
   points.insert(points.end(), line.begin() + 1, line.end() - 1);
+  if (!meets(points.back(), to)) points.push_back(line.back());
   triangulation.remove_inserted();
 }
 

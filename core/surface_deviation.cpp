@@ -15,6 +15,9 @@ namespace {
 
 constexpr double kTolerance = 1e-3;
 constexpr int kMaxHalvings = 40;
+// Looked at between two samples at most. Where rounding, in slivers, makes bounds that never come
+// together, what has been seen by then stands.
+constexpr int kMostSamples = 2000;
 constexpr int kMeanHalvings = 10;
 
 class Measurement {
@@ -45,6 +48,7 @@ class Measurement {
     }
     length_ += length;
     for (std::size_t i = 0; i < stretches.size(); ++i) {
+      samples_left_ = kMostSamples;
       search(stretches[i], sampled[i].a, sampled[i].middle);
       search(stretches[i], sampled[i].middle, sampled[i].b);
     }
@@ -92,6 +96,7 @@ class Measurement {
     const double length = (b.t - a.t) * s.length;
     const double middle_value = (a.distance + b.distance) / 2;
     if (halvings > kMaxHalvings || middle_value + length / 2 <= enough) return;
+    if (samples_left_-- <= 0) return;
     if (bounds_.by_pieces(s, a, b) <= enough) return;
     // Costs two distances, so only where halving would go on for long.
     if (middle_value + length / 8 > enough && bounds_.by_sides(s, a, b) <= enough) return;
@@ -106,6 +111,7 @@ class Measurement {
   double tolerance_;
   double length_ = 0, integral_ = 0;
   double max_ = 0;
+  int samples_left_ = 0;
   std::optional<SurfacePoint> at_;
 };
 

@@ -14,8 +14,7 @@ namespace {
 /// What `inspect` calls an obstacle and Surface::from_triangles does not find.
 bool acceptable(const MeshLists& lists) {
   if (lists.points.empty() || lists.triangles.empty()) return false;
-  return std::all_of(lists.points.begin(), lists.points.end(),
-                     [](const Point& p) { return p.allFinite(); });
+  return std::all_of(lists.points.begin(), lists.points.end(), can_be_measured);
 }
 
 [[noreturn]] void refuse(const MeshLists& lists, const std::string& otherwise) {

@@ -84,7 +84,8 @@ TEST(MeshInspection, NonFiniteCoordinates) {
     EXPECT_EQ(m.non_finite_vertices.count, 2U);
     EXPECT_EQ(m.verdict, MeshVerdict::kUnusable);
     EXPECT_EQ(m.reason,
-              "2 vertices have a coordinate that is not a finite number (first: vertex 5).");
+              "2 vertices have a coordinate that is not a finite number of at most 1e70 (first: "
+              "vertex 5).");
     EXPECT_TRUE(std::isfinite(m.edge_length_mean));
     EXPECT_TRUE(std::isfinite(m.size));
   }

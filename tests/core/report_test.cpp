@@ -39,7 +39,8 @@ SmoothingReport numbered(double start) {
   for (std::size_t SmoothingReport::*field :
        {&SmoothingReport::faces, &SmoothingReport::vertices, &SmoothingReport::points_before,
         &SmoothingReport::points_after, &SmoothingReport::flips, &SmoothingReport::iterations,
-        &SmoothingReport::faces_touched, &SmoothingReport::trace_fallbacks}) {
+        &SmoothingReport::faces_touched, &SmoothingReport::trace_fallbacks,
+        &SmoothingReport::crossings_before, &SmoothingReport::crossings_after}) {
     r.*field = static_cast<std::size_t>(next++);
   }
   for (double StageTimes::*field :
@@ -83,6 +84,8 @@ TEST(Report, HasItsStableNames) {
                            "iterations",
                            "faces_touched",
                            "trace_fallbacks",
+                           "crossings_before",
+                           "crossings_after",
                            "termination",
                            "warnings",
                            "time_ms",

@@ -73,6 +73,8 @@ TEST_F(Driver, ReportsWithStableNames) {
                            "iterations",
                            "faces_touched",
                            "trace_fallbacks",
+                           "crossings_before",
+                           "crossings_after",
                            "termination",
                            "warnings",
                            "time_ms",

@@ -54,6 +54,8 @@ class Report:
     iterations: Optional[int] = None
     faces_touched: Optional[int] = None
     trace_fallbacks: Optional[int] = None
+    crossings_before: Optional[int] = None
+    crossings_after: Optional[int] = None
     termination: Optional[str] = None  #: "converged", "collapsed", "limit"
     warnings: Tuple[str, ...] = ()
     time_ms: Dict[str, float] = field(default_factory=dict)

@@ -1,0 +1,188 @@
+// CurveSmoother: drawings that cross themselves or each other, on strips of surface of their own.
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "talweg/core/corridor_scale.hpp"
+#include "talweg/core/crossings.hpp"
+#include "talweg/core/curve_smoother.hpp"
+#include "talweg/core/result_report.hpp"
+#include "talweg/core/stopwatch.hpp"
+#include "talweg/core/unrolled_smoother.hpp"
+#include "talweg/intrinsic/error.hpp"
+
+namespace talweg {
+namespace {
+
+/// How far around a curve its strip goes: what the corridor lets it reach at the smallest tau for
+/// which it holds (φ over a way of 2 L costs more than the drawing is long), and some edges.
+double reach_of(const SurfaceMesh& mesh, const SurfaceCurve& curve, double edge) {
+  return 2.5 * corridor_length(mesh, curve) + 12 * edge;
+}
+
+std::vector<std::size_t> crossings_of(SignpostTriangulation& triangulation,
+                                      std::span<const SurfaceCurve> curves) {
+  std::vector<std::size_t> crossings(curves.size(), 0);
+  try {
+    crossings = path_contacts(triangulation, embed_curves(triangulation, curves).paths).crossings;
+  } catch (const Error&) {  // a loop of less than three edges, which crosses nothing
+  }
+  triangulation.remove_inserted();
+  return crossings;
+}
+
+}  // namespace
+
+/// Which of the embedded curves need a strip of their own; empty where none does.
+std::vector<bool> CurveSmoother::tangled() const {
+  if (loops_ == Loops::kErase) return {};
+  std::vector<bool> tangled = path_contacts(triangulation_, embedded_.paths).tangled;
+  if (std::find(tangled.begin(), tangled.end(), true) == tangled.end()) tangled.clear();
+  return tangled;
+}
+
+bool CurveSmoother::set_unrolled(const std::vector<bool>& alone, const Progress& progress) {
+  const Stopwatch watch;
+  auto unrolled = std::make_unique<Unrolled>();
+  unrolled->crossings = path_contacts(triangulation_, embedded_.paths).crossings;
+  triangulation_.remove_inserted();
+  embedded_ = {};
+  const bool paper = curve_options_.method == Method::kPaper;
+  if (paper && distance_.empty() && !solve_distance(curve_options_, progress)) return false;
+
+  const SurfaceMesh& mesh = mesh_->mesh();
+  double reach = 0;
+  for (std::size_t c = 0; c < drawn_.size(); ++c) {
+    if (alone[c]) reach = std::max(reach, reach_of(mesh, drawn_[c], edges_near_[c]));
+  }
+  unrolled->mesh = unroll(mesh, drawn_, alone, reach);
+  const auto opened = OpenedMesh::open(unrolled->mesh.lists);
+  const std::vector<SurfaceCurve> curves = unrolled->mesh.unrolled(mesh, opened->surface(), drawn_);
+  unrolled->smoother = std::make_unique<CurveSmoother>(opened);
+  CurveSmoother& smoother = *unrolled->smoother;
+  smoother.loops_ = Loops::kErase;
+  CurveOptions options = curve_options_;
+  options.pins = unrolled_pins(curves, curve_options_.pins);
+  bool done = true;
+  if (paper) {
+    std::vector<double> distance;
+    for (const VertexId v : unrolled->mesh.vertex_of) distance.push_back(distance_[v.index()]);
+    smoother.set_curves(curves, std::move(distance), options);
+  } else {
+    done = smoother.set_curves(curves, options, progress);
+  }
+  solve_ms_ += watch.ms();
+  unrolled_ = std::move(unrolled);
+  return done;
+}
+
+/// Each copy of them.
+std::vector<SurfacePoint> CurveSmoother::unrolled_pins(std::span<const SurfaceCurve> curves,
+                                                       std::span<const SurfacePoint> pins) const {
+  std::vector<SurfacePoint> result;
+  for (std::size_t c = 0; c < drawn_.size(); ++c) {
+    const std::vector<SurfacePoint>& points = drawn_[c].points;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      if (std::find(pins.begin(), pins.end(), points[i]) == pins.end()) continue;
+      result.push_back(curves[c].points[i]);
+    }
+  }
+  return result;
+}
+
+void CurveSmoother::set_unrolled_pins() {
+  CurveSmoother& smoother = *unrolled_->smoother;
+  const std::vector<SurfaceCurve> drawn(smoother.drawn().begin(), smoother.drawn().end());
+  smoother.set_pins(unrolled_pins(drawn, curve_options_.pins));
+}
+
+std::vector<double> CurveSmoother::unrolled_slack() const { return unrolled_->smoother->slack(); }
+
+SmoothingResult CurveSmoother::smooth_unrolled(const SmoothingOptions& options) {
+  SmoothingOptions own = options;
+  if (curve_options_.method == Method::kPaper) {  // L is that of the whole mesh
+    double length = 0;
+    for (const SurfaceCurve& curve : drawn_) {
+      const FaceId face = any_face(mesh_->surface(), curve.points.front());
+      length = std::max(
+          length, characteristic_length(options.potential,
+                                        component_of(mesh_->surface().corners(face).front())));
+    }
+    own.potential.length = PotentialOptions::Length::kGiven;
+    own.potential.given_length = length;
+  }
+  return folded(unrolled_->smoother->smooth(own));
+}
+
+SmoothingResult CurveSmoother::smooth_unrolled(const SmoothingOptions& options,
+                                               std::span<const double> potential,
+                                               std::size_t components) {
+  std::vector<double> copies;
+  for (const VertexId v : unrolled_->mesh.vertex_of) {
+    const auto values = potential.subspan(v.index() * components, components);
+    copies.insert(copies.end(), values.begin(), values.end());
+  }
+  return folded(unrolled_->smoother->smooth(options, copies, components));
+}
+
+/// Back from the strips, with the reports as if they were not.
+SmoothingResult CurveSmoother::folded(SmoothingResult result) {
+  const Surface& copies = unrolled_->smoother->opened().surface();
+  for (SurfaceCurve& curve : result.curves) {
+    curve = unrolled_->mesh.folded(copies, mesh_->surface(), curve);
+  }
+  const std::vector<std::size_t> after = crossings_of(triangulation_, result.curves);
+  for (std::size_t c = 0; c < result.curves.size(); ++c) {
+    SmoothingReport& report = result.reports[c];
+    SmoothingReport fresh =
+        report_on_curve(mesh_->mesh(), drawn_[c], drawn_measures_[c], result.curves[c]);
+    report.faces = fresh.faces;
+    report.vertices = fresh.vertices;
+    report.points_after = fresh.points_after;
+    report.curvature_before = fresh.curvature_before;
+    report.curvature_after = fresh.curvature_after;
+    report.curvature_max_before = fresh.curvature_max_before;
+    report.curvature_max_after = fresh.curvature_max_after;
+    report.edge_length_near = edges_near_[c];
+    report.crossings_before = unrolled_->crossings[c];
+    report.crossings_after = after[c];
+    report.warnings.insert(report.warnings.end(), warnings_.begin(), warnings_.end());
+    if (report.crossings_after != report.crossings_before) {
+      report.warnings.push_back(
+          fmt::format("The drawing crosses itself and others {} times, the "
+                      "result {} times.",
+                      report.crossings_before, report.crossings_after));
+    }
+    const double open = mesh_->open_ms() + heat_open_ms_;
+    report.time_ms.open += open;
+    report.time_ms.solve += solve_ms_;
+    report.time_ms.total += open + solve_ms_;
+  }
+  result.total = total_of(result.reports);
+  return result;
+}
+
+/// A stretch is not enough where strips meet: all is smoothed anew.
+SmoothingResult CurveSmoother::drag_unrolled(std::size_t curve, const SurfaceCurve& moved,
+                                             const SmoothingOptions& options) {
+  std::vector<SurfaceCurve> curves = drawn_;
+  curves[curve] = moved;
+  CurveOptions own = curve_options_;
+  std::erase_if(own.pins, [&](const SurfacePoint& pin) {
+    return std::none_of(curves.begin(), curves.end(), [&](const SurfaceCurve& c) {
+      return std::find(c.points.begin(), c.points.end(), pin) != c.points.end();
+    });
+  });
+  SmoothingOptions plain = options;
+  plain.slack_at.clear();  // it belongs to the drawing that is set
+  CurveSmoother whole(mesh_);
+  whole.set_curves(curves, own);
+  SmoothingResult result = whole.smooth(plain);
+  result.reports[curve].engine = "preview";
+  result.total = total_of(result.reports);
+  return result;
+}
+
+}  // namespace talweg
