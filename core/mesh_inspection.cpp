@@ -10,6 +10,7 @@
 
 #include "talweg/core/face_dropping.hpp"
 #include "talweg/core/face_shape.hpp"
+#include "talweg/core/measurable_point.hpp"
 #include "talweg/core/mesh_sides.hpp"
 #include "talweg/core/point_distance.hpp"
 #include "talweg/core/union_find.hpp"

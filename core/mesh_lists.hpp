@@ -13,12 +13,6 @@ namespace talweg {
 
 using Point = Eigen::Vector3d;
 
-/// Finite, and so that products of four lengths (areas by Heron) do not overflow.
-constexpr double kLargestCoordinate = 1e70;
-inline bool can_be_measured(const Point& p) {
-  return (p.array().abs() <= kLargestCoordinate).all();
-}
-
 /// Vertex and face numbers here are the numbers of all results. Polygons are fan-triangulated when
 /// a file is read: the triangles of one polygon follow each other.
 struct MeshLists {

@@ -6,6 +6,7 @@
 
 #include "talweg/core/face_dropping.hpp"
 #include "talweg/core/face_turning.hpp"
+#include "talweg/core/measurable_point.hpp"
 #include "talweg/core/mesh_sides.hpp"
 #include "talweg/core/point_distance.hpp"
 #include "talweg/core/sheet_splitting.hpp"

@@ -62,7 +62,7 @@ struct RepairedMesh {
 /// O(faces log faces).
 ///
 /// Throws Error(kBadMesh) for what no repair can mend: no vertices, no faces, an index out of
-/// range, a coordinate that is not finite or beyond 1e70.
+/// range, a coordinate that is not finite or beyond 1e152.
 RepairedMesh repair(const MeshLists& lists, const RepairSteps& steps = {});
 
 /// Tries the steps that a kRepairable verdict on the lists names, because what faces do to each

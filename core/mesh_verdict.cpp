@@ -56,8 +56,8 @@ std::string fatal(const MeshInspection& m) {
   if (m.non_finite_vertices.found()) {
     return element_sentence(
         m.non_finite_vertices, "vertex",
-        " vertex has a coordinate that is not a finite number of at most 1e70",
-        " vertices have a coordinate that is not a finite number of at most 1e70");
+        " vertex has a coordinate that is not a finite number of at most 1e152",
+        " vertices have a coordinate that is not a finite number of at most 1e152");
   }
   return "";
 }

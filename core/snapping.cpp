@@ -44,7 +44,8 @@ void check_neighbours(const Surface& surface, const std::vector<VertexId>& ids, 
     if (k + 1 == n && !closed) break;
     const VertexId a = ids[k];
     const VertexId b = ids[(k + 1) % n];
-    if (surface.find_halfedge(a, b).valid() || surface.find_halfedge(b, a).valid()) continue;
+    if (a == b || surface.find_halfedge(a, b).valid() || surface.find_halfedge(b, a).valid())
+      continue;
     bad_curve("Vertices " + std::to_string(a.index()) + " and " + std::to_string(b.index()) +
               " at " + at_position(k) + " and after it share no edge of the mesh");
   }

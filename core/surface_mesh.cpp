@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "talweg/core/measurable_point.hpp"
 #include "talweg/core/mesh_inspection.hpp"
 #include "talweg/core/point_distance.hpp"
 #include "talweg/intrinsic/error.hpp"

@@ -5,7 +5,9 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <set>
 #include <string>
+#include <utility>
 
 #include "talweg/intrinsic/error.hpp"
 
@@ -230,37 +232,38 @@ void PointInsertion::connect(VertexId from, VertexId to, std::vector<HalfedgeId>
 void PointInsertion::go_along_edges(VertexId from, VertexId to, FaceId face,
                                     std::vector<HalfedgeId>& path) {
   const SignpostTriangulation& t = *triangulation_;
+  const auto inside = [&](HalfedgeId h) { return t.has_face(h) && t.surface_face(h) == face; };
   struct Reached {
     double distance = 0;
     HalfedgeId by;
-    bool settled = false;
   };
   std::map<VertexId, Reached> reached;
+  std::set<std::pair<double, VertexId>> front;
   reached[from] = {};
-  for (VertexId at = from; at != to;) {
-    Reached& here = reached[at];
-    here.settled = true;
-    const double distance = here.distance;
-    for (const HalfedgeId piece : pieces(face)) {
-      for (const HalfedgeId side : {piece, t.next(piece), t.prev(piece)}) {
-        for (const HalfedgeId h : {side, twin(side)}) {
-          if (t.tail(h) != at) continue;
-          const double way = distance + t.surface_length(edge_of(h));
-          const auto [known, fresh] = reached.try_emplace(t.head(h), Reached{way, h, false});
-          if (!fresh && way < known->second.distance) known->second = {way, h, false};
+  front.emplace(0, from);
+  while (!front.empty()) {
+    const auto [distance, at] = *front.begin();
+    if (at == to) break;
+    front.erase(front.begin());
+    const HalfedgeId first = t.halfedge(at);
+    HalfedgeId h = first;
+    do {
+      if (inside(h) || inside(twin(h))) {
+        const double way = distance + t.surface_length(edge_of(h));
+        const auto [known, fresh] = reached.try_emplace(t.head(h), Reached{way, h});
+        if (fresh || way < known->second.distance) {
+          if (!fresh) front.erase({known->second.distance, t.head(h)});
+          known->second = {way, h};
+          front.emplace(way, t.head(h));
         }
       }
-    }
-    const Reached* nearest = nullptr;
-    for (const auto& [v, there] : reached) {
-      if (there.settled || (nearest != nullptr && there.distance >= nearest->distance)) continue;
-      nearest = &there;
-      at = v;
-    }
-    if (nearest == nullptr) {
-      throw Error(ErrorCode::kBadCurve,
-                  "The pieces of face " + std::to_string(face.index()) + " do not hang together.");
-    }
+      if (!t.has_face(h)) break;
+      h = t.turn_ccw(h);
+    } while (h != first);
+  }
+  if (!reached.contains(to)) {
+    throw Error(ErrorCode::kBadCurve,
+                "The pieces of face " + std::to_string(face.index()) + " do not hang together.");
   }
   const auto first = static_cast<std::ptrdiff_t>(path.size());
   for (VertexId at = to; at != from; at = t.tail(path.back())) path.push_back(reached[at].by);

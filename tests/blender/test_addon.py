@@ -270,8 +270,6 @@ class Errors(unittest.TestCase):
         annotations = bpy.ops.talweg.smooth_annotations
         self.refused("There are no annotations", annotations)
         cross = [[10, 10, 0], [20, 20, 0], [20, 10, 0], [10, 20, 0]]
-        scene.annotate([cross])
-        self.refused("crosses or touches itself", annotations)
         scene.annotate([cross], mode="SCREEN")
         self.refused("not on a surface", annotations)
         scene.annotate([[[10, 10, 0], [15, 15, float("nan")], [20, 20, 0]]])

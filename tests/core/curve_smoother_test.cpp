@@ -293,11 +293,13 @@ TEST(CurveSmoother, RefusesWhatIsNoCurve) {
   refuse({5}, false);
   refuse({5, 5}, false);
   refuse({5, 6, 5}, false);
-  refuse({5, 6, 17, 5, 4}, false);
   refuse({5, 50}, false);
   refuse({5, 6}, true);
   EXPECT_THROW(SurfacePoint::at_vertex(surface, VertexId{121}), Error);
   EXPECT_THROW(smoother.smooth(-1.0), Error);
+  // A curl of one face, and the way on.
+  EXPECT_TRUE(smoother.set_curve(test::vertex_curve(surface, ids({5, 6, 17, 5, 4}), false)));
+  EXPECT_NEAR(smoother.smooth(1.0).report().length_after, 1, 1e-12);
 }
 
 TEST(CurveSmoother, CancelsAtAnyMoment) {

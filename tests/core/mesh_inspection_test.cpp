@@ -78,13 +78,13 @@ TEST(MeshInspection, IndexOutOfRange) {
 }
 
 TEST(MeshInspection, NonFiniteCoordinates) {
-  for (const double value : {std::nan(""), std::numeric_limits<double>::infinity()}) {
+  for (const double value : {std::nan(""), std::numeric_limits<double>::infinity(), 1e308}) {
     const MeshInspection m =
         inspect(with_coordinate(with_coordinate(grid(3, 2), 7, value), 5, value));
     EXPECT_EQ(m.non_finite_vertices.count, 2U);
     EXPECT_EQ(m.verdict, MeshVerdict::kUnusable);
     EXPECT_EQ(m.reason,
-              "2 vertices have a coordinate that is not a finite number of at most 1e70 (first: "
+              "2 vertices have a coordinate that is not a finite number of at most 1e152 (first: "
               "vertex 5).");
     EXPECT_TRUE(std::isfinite(m.edge_length_mean));
     EXPECT_TRUE(std::isfinite(m.size));

@@ -70,9 +70,14 @@ TEST_F(Snapping, RefusesIdsThatShareNoEdge) {
   EXPECT_EQ(snap(mesh_, of_ids({0, 11, 3}), {true}).points.size(), 3U);
 }
 
-TEST_F(Snapping, RefusesRepeatedVertices) {
-  expect_parts(refusal(mesh_, of_ids({0, 1, 1, 2})), {"Vertex 1", "position 2"});
-  expect_parts(refusal(mesh_, of_ids({0, 1, 5, 0, 4})), {"Vertex 0", "position 3"});
+TEST_F(Snapping, TakesRepeatedVertices) {
+  EXPECT_EQ(snap(mesh_, of_ids({0, 1, 1, 2})).points.size(), 3U);
+  EXPECT_EQ(snap(mesh_, of_ids({0, 1, 5, 0, 4})).points.size(), 5U);
+}
+
+TEST_F(Snapping, RefusesPositionsFarFromTheMesh) {
+  expect_parts(refusal(mesh_, of_positions({Point(0, 0, 0), Point(1, 0, 500)})),
+               {"position 1", "500", "another unit or place"});
 }
 
 TEST_F(Snapping, RefusesTooFewPoints) {

@@ -68,9 +68,9 @@ TEST(SurfaceMesh, RefusesWithTheDefectItsCountAndItsPlace) {
   EXPECT_EQ(refusal(with_index_out_of_range(grid(3, 2), 4)),
             "1 face refers to vertices that do not exist (face 4 to vertex 12 of 12).");
   EXPECT_EQ(refusal(with_coordinate(grid(3, 2), 7, nan)),
-            "1 vertex has a coordinate that is not a finite number of at most 1e70 (vertex 7).");
+            "1 vertex has a coordinate that is not a finite number of at most 1e152 (vertex 7).");
   EXPECT_EQ(refusal(with_coordinate(with_coordinate(grid(3, 2), 7, -inf), 9, inf)),
-            "2 vertices have a coordinate that is not a finite number of at most 1e70 (first: "
+            "2 vertices have a coordinate that is not a finite number of at most 1e152 (first: "
             "vertex 7).");
   EXPECT_EQ(refusal(with_repeated_vertex(grid(3, 2))), "1 face uses a vertex twice (face 12).");
   EXPECT_EQ(refusal(with_duplicate_face(grid(3, 2), 5, false)),

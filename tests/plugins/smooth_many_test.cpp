@@ -110,16 +110,16 @@ TEST_F(SmoothMany, CurvesOfASetDoNotCrossAndIndependentOnesMay) {
 }
 
 TEST_F(SmoothMany, IndependentCurvesThatFailAreNamedAndLeftOut) {
-  // The middle one crosses itself where straight lines join its far-apart points.
+  // The middle one goes out and comes back the same way.
   write("three.obj",
-        "v 1 1 0\nv 9 1 0\nv 9 9 0\nv 2 12 0\nv 8 18 0\nv 8 12 0\nv 2 18 0\n"
-        "v 20 2 0\nv 22 3 0\nv 25 2 0\nl 1 2 3\nl 4 5 6 7\nl 8 9 10\n");
+        "v 1 1 0\nv 9 1 0\nv 9 9 0\nv 2 12 0\nv 8 18 0\nv 2 12 0\nv 2 18 0\n"
+        "v 20 2 0\nv 22 3 0\nv 25 2 0\nl 1 2 3\nl 4 5 6\nl 8 9 10\n");
   for (const char* jobs : {"1", "2"}) {
     const Outcome outcome = run(std::string("smooth sheet.ply --curve three.obj --independent ") +
                                 "-o out.json --summary s.csv --jobs " + jobs);
     EXPECT_EQ(outcome.code, 2);
     EXPECT_NE(outcome.err.find("curve 1"), std::string::npos) << outcome.err;
-    EXPECT_NE(outcome.err.find("twice"), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find("comes back"), std::string::npos) << outcome.err;
     EXPECT_EQ(nlohmann::json::parse(bytes_of(file("out.json")))["curves"].size(), 2U);
     const auto rows = table("s.csv");
     ASSERT_EQ(rows.size(), 3U);
@@ -131,7 +131,7 @@ TEST_F(SmoothMany, IndependentCurvesThatFailAreNamedAndLeftOut) {
     }
   }
   // As a set, one bad curve is an error.
-  expect_failure("smooth sheet.ply --curve three.obj -o set.json", 2, {"twice"});
+  expect_failure("smooth sheet.ply --curve three.obj -o set.json", 2, {"comes back"});
 }
 
 constexpr const char* kList =
