@@ -223,7 +223,7 @@ TEST_F(Driver, SaysWhatIsWrongWithTheCurve) {
   refuse("", {"c.txt", "empty"});
   refuse("64\n", {"two different points"});
   refuse("64\n64\n", {"point"});
-  refuse("64\n65\n64\n65\n64\n", {"three different"});
+  refuse("64\n65\n64\n65\n64\n", {"comes back"});
   refuse("64\n200\n", {"64", "200"});
   refuse("64\n9999\n", {"9999", "651"});
   refuse("64\n-1\n", {"line 2"});
