@@ -28,6 +28,7 @@ using Command = std::function<int()>;
 Command add_draw(CLI::App& app, const GlobalOptions& global);
 Command add_smooth(CLI::App& app, const GlobalOptions& global);
 Command add_measure(CLI::App& app, const GlobalOptions& global);
+Command add_labels(CLI::App& app, const GlobalOptions& global);
 Command add_cut(CLI::App& app, const GlobalOptions& global);
 Command add_plugins(CLI::App& app, const GlobalOptions& global);
 Command add_run(CLI::App& app, const GlobalOptions& global);

@@ -58,7 +58,7 @@ std::vector<std::int64_t> on_repaired(const RepairMap& map, std::vector<std::int
 
 }  // namespace
 
-Drawing drawing_of_labels(const std::string& path, const Surface& surface, const RepairMap* map) {
+std::vector<std::int64_t> read_labels(const std::string& path, const RepairMap* map) {
   const std::string bytes = read_file(path);
   const std::filesystem::path name = path;
   formats::TextScanner words(name, bytes);
@@ -66,7 +66,12 @@ Drawing drawing_of_labels(const std::string& path, const Surface& surface, const
   for (std::string_view word = words.word(); !word.empty(); word = words.word()) {
     labels.push_back(words.integer(word, "a label (a whole number)"));
   }
-  if (map != nullptr) labels = on_repaired(*map, std::move(labels), path);
+  if (map != nullptr) return on_repaired(*map, std::move(labels), path);
+  return labels;
+}
+
+Drawing drawing_of_labels(const std::string& path, const Surface& surface, const RepairMap* map) {
+  const std::vector<std::int64_t> labels = read_labels(path, map);
   Drawing drawing;
   try {
     for (LabelBorder& border : label_borders(surface, labels)) {

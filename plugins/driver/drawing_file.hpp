@@ -1,6 +1,7 @@
 // The curves of files, put on a mesh.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -41,6 +42,10 @@ class DrawingReader {
 /// The same for one file.
 Drawing read_drawing(const std::string& path, const SurfaceMesh& mesh,
                      const RepairMap* map = nullptr);
+
+/// The labels that a file holds, on the repaired mesh where there is a map. Throws Error(kBadFile)
+/// as drawing_of_labels() does.
+std::vector<std::int64_t> read_labels(const std::string& path, const RepairMap* map = nullptr);
 
 /// The borders between labels that a file holds, one whole number per face or per vertex,
 /// separated by blanks or ends of lines. Throws Error as label_borders() does, Error(kBadFile)

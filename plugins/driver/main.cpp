@@ -51,6 +51,7 @@ int run(int argc, char** argv) {
   add(add_smooth);
   add(add_measure);
   add(add_cut);
+  add(add_labels);
   add(add_info);
   add(add_plugins);
   add(add_run);
@@ -76,9 +77,9 @@ int run(int argc, char** argv) {
       return code;
     }
   }
-  return fail(
-      kBadUsage,
-      "A command is needed: draw, smooth, measure, cut, info, plugins or run (see talweg --help)");
+  return fail(kBadUsage,
+              "A command is needed: draw, smooth, measure, cut, labels, info, plugins or run (see "
+              "talweg --help)");
 }
 
 }  // namespace

@@ -1,0 +1,243 @@
+#include "talweg/core/label_network.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "talweg/core/curve_smoother.hpp"
+#include "talweg/core/result_report.hpp"
+#include "talweg/intrinsic/error.hpp"
+
+namespace talweg {
+namespace {
+
+constexpr int kRungs = 4;  // of smoothing; above them there is the drawing
+constexpr double kSteeper = 4, kNarrower = 0.5;
+
+class Network {
+ public:
+  Network(std::shared_ptr<const OpenedMesh> mesh, std::span<const std::int64_t> labels,
+          const LabelNetworkOptions& options)
+      : mesh_(std::move(mesh)),
+        options_(options),
+        drawn_(label_borders(mesh_->surface(), labels)),
+        parts_(parts_of_regions(mesh_->mesh(), labels, drawn_)),
+        rung_(drawn_.size(), 0),
+        result_(drawn_.size()),
+        smoother_(mesh_) {}
+
+  LabelNetwork run() {
+    std::vector<std::size_t> todo(drawn_.size());
+    for (std::size_t c = 0; c < todo.size(); ++c) todo[c] = c;
+    while (!todo.empty()) {
+      if (!smooth(todo)) return cancelled();
+      todo = climb(too_far(todo));  // before the mesh is cut for nothing
+      if (!todo.empty()) continue;
+      cut();
+      note_held();
+      todo = climb(regions_.wrong);
+    }
+    return finished();
+  }
+
+ private:
+  static LabelNetwork cancelled() {
+    LabelNetwork result;
+    result.cancelled = true;
+    return result;
+  }
+
+  /// Smooths these borders as a set for each of their rungs. False when cancelled.
+  bool smooth(const std::vector<std::size_t>& todo) {
+    std::map<int, std::vector<std::size_t>> by_rung;
+    for (const std::size_t c : todo) by_rung[rung_[c]].push_back(c);
+    for (const auto& [rung, members] : by_rung) {
+      if (rung == kRungs) {
+        for (const std::size_t c : members) keep_drawn(c);
+      } else if (!smooth_set(members, rung)) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  bool smooth_set(const std::vector<std::size_t>& members, int rung) {
+    std::vector<SurfaceCurve> curves;
+    CurveOptions curve_options;
+    for (const std::size_t c : members) {
+      curves.push_back(drawn_[c].curve);
+      const auto& fixed = drawn_[c].fixed;
+      curve_options.pins.insert(curve_options.pins.end(), fixed.begin(), fixed.end());
+    }
+    if (!smoother_.set_curves(curves, curve_options, options_.progress)) return false;
+    SmoothingOptions options;
+    options.progress = options_.progress;
+    options.tau = options_.tau * std::pow(kSteeper, rung);
+    if (rung > 0 && options.tau == 0) options.tau = std::pow(kSteeper, rung - 1);
+    const std::vector<double> own = smoother_.slack();
+    for (std::size_t i = 0; i < members.size(); ++i) {
+      double slack = options_.slack.value_or(own[i]);
+      if (options_.max_deviation) slack = std::min(slack, 0.75 * *options_.max_deviation);
+      slack *= std::pow(kNarrower, rung);
+      options.slack_at.emplace_back(curves[i].points.size(), slack);
+    }
+    SmoothingResult smoothed = smoother_.smooth(options);
+    if (smoothed.total.termination == to_string(Termination::kCancelled)) return false;
+    for (std::size_t i = 0; i < members.size(); ++i) {
+      const LabelBorder& drawn = drawn_[members[i]];
+      result_[members[i]] = {{drawn.labels, std::move(smoothed.curves[i]), drawn.fixed},
+                             std::move(smoothed.reports[i]),
+                             false};
+    }
+    return true;
+  }
+
+  void keep_drawn(std::size_t c) {
+    SmoothingReport report = std::move(result_[c].report);
+    const LabelBorder& drawn = drawn_[c];
+    const SmoothingReport same = report_on_curve(
+        mesh_->mesh(), drawn.curve, measure_curve(mesh_->surface(), drawn.curve), drawn.curve);
+    report.points_after = same.points_after;
+    report.length_after = same.length_after;
+    report.lifted_length_after = report.lifted_length_before;
+    report.curvature_after = same.curvature_after;
+    report.curvature_max_after = same.curvature_max_after;
+    report.deviation_to_drawn_max = report.deviation_to_drawn_mean = 0;
+    report.deviation_from_drawn_max = report.deviation_from_drawn_mean = 0;
+    report.slack = 0;
+    report.termination = to_string(Termination::kConverged);
+    report.warnings = {"A border stays as it was drawn."};
+    result_[c] = {drawn, std::move(report), true};
+  }
+
+  /// Those that have collapsed or lie beyond D.
+  [[nodiscard]] std::vector<std::size_t> too_far(const std::vector<std::size_t>& among) const {
+    std::vector<std::size_t> far;
+    for (const std::size_t c : among) {
+      const SmoothingReport& report = result_[c].report;
+      const double apart = std::max(report.deviation_to_drawn_max, report.deviation_from_drawn_max);
+      const bool collapsed = report.termination == to_string(Termination::kCollapsed);
+      if (collapsed || (options_.max_deviation && !(apart <= *options_.max_deviation))) {
+        far.push_back(c);
+      }
+    }
+    return far;
+  }
+
+  /// The next rung for these; those that have one.
+  std::vector<std::size_t> climb(const std::vector<std::size_t>& borders) {
+    std::vector<std::size_t> moved;
+    for (const std::size_t c : borders) {
+      if (rung_[c] == kRungs) continue;
+      ++rung_[c];
+      moved.push_back(c);
+    }
+    return moved;
+  }
+
+  void cut() {
+    std::vector<SurfaceCurve> curves;
+    for (const SmoothedBorder& border : result_) curves.push_back(border.border.curve);
+    cut_ = cut_along(mesh_->mesh(), curves);
+    regions_ = regions_of_cut(cut_, parts_, drawn_);
+  }
+
+  /// Parts beside a border that is wrong.
+  void note_held() {
+    held_.resize(parts_.parts.size(), false);
+    for (const std::size_t c : regions_.wrong) {
+      for (const std::uint32_t part : parts_.beside[c]) held_[part] = true;
+    }
+  }
+
+  [[nodiscard]] std::vector<LabelRegion> region_table() const {
+    std::map<std::int64_t, LabelRegion> regions;
+    for (std::size_t p = 0; p < parts_.parts.size(); ++p) {
+      LabelRegion& region = regions[parts_.parts[p].label];
+      region.label = parts_.parts[p].label;
+      ++region.parts_before;
+      region.area_before += parts_.parts[p].area;
+      region.area_after += regions_.area[p];
+      region.held = region.held || held_[p];
+      region.parts_after += regions_.heaps[p];
+    }
+    std::vector<LabelRegion> table;
+    for (const auto& [label, region] : regions) table.push_back(region);
+    return table;
+  }
+
+  [[nodiscard]] std::size_t junction_count() const {
+    std::vector<Point> at;
+    const Surface& surface = mesh_->surface();
+    const auto add = [&](const SurfacePoint& p) {
+      const auto* v = std::get_if<AtVertex>(&p.where());
+      const auto* e = std::get_if<OnEdge>(&p.where());
+      if (v != nullptr && surface.on_boundary(v->vertex)) return;
+      if (e != nullptr && surface.on_boundary(e->edge)) return;
+      at.push_back(mesh_->mesh().position(p));
+    };
+    for (const LabelBorder& border : drawn_) {
+      for (const SurfacePoint& p : border.fixed) add(p);
+      if (border.curve.closed) continue;
+      add(border.curve.points.front());
+      add(border.curve.points.back());
+    }
+    std::sort(at.begin(), at.end(), [](const Point& a, const Point& b) {
+      return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
+    });
+    return static_cast<std::size_t>(std::unique(at.begin(), at.end()) - at.begin());
+  }
+
+  LabelNetwork finished() {
+    LabelNetwork network;
+    network.regions = region_table();
+    network.junctions = junction_count();
+    std::vector<SmoothingReport> reports;
+    for (std::size_t c = 0; c < result_.size(); ++c) {
+      if (result_[c].as_drawn) ++network.as_drawn;
+      if (!result_[c].as_drawn && rung_[c] > 0) ++network.tightened;
+      if (options_.max_deviation) result_[c].report.max_deviation = *options_.max_deviation;
+      reports.push_back(result_[c].report);
+    }
+    network.total = total_of(reports);
+    network.borders = std::move(result_);
+    for (const std::uint32_t part : regions_.part_of_face) {
+      network.cut_labels.push_back(parts_.parts[part].label);
+    }
+    network.face_labels = majority_labels(cut_, parts_, regions_, mesh_->surface().face_count());
+    network.cut = std::move(cut_);
+    return network;
+  }
+
+  std::shared_ptr<const OpenedMesh> mesh_;
+  LabelNetworkOptions options_;
+  std::vector<LabelBorder> drawn_;
+  RegionParts parts_;
+  std::vector<int> rung_;  // of each border
+  std::vector<SmoothedBorder> result_;
+  CurveSmoother smoother_;
+  CutMesh cut_;
+  CutRegions regions_;
+  std::vector<bool> held_;  // per part
+};
+
+}  // namespace
+
+void LabelNetworkOptions::validate() const {
+  const auto bad = [](const char* message) { throw Error(ErrorCode::kBadUsage, message); };
+  if (!(tau >= 0 && std::isfinite(tau))) bad("tau must be finite and >= 0.");
+  if (slack && !(*slack >= 0 && std::isfinite(*slack))) bad("slack must be finite and >= 0.");
+  if (max_deviation && !(*max_deviation > 0 && std::isfinite(*max_deviation))) {
+    bad("max_deviation must be finite and > 0.");
+  }
+}
+
+LabelNetwork smooth_labels(const std::shared_ptr<const OpenedMesh>& mesh,
+                           std::span<const std::int64_t> labels,
+                           const LabelNetworkOptions& options) {
+  options.validate();
+  return Network(mesh, labels, options).run();
+}
+
+}  // namespace talweg

@@ -1,0 +1,197 @@
+// talweg labels: all borders of a segmentation, smoothed together.
+#include <cstdint>
+#include <cstdio>
+#include <iterator>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "commands.hpp"
+#include "drawing_file.hpp"
+#include "progress_bar.hpp"
+#include "repaired_mesh.hpp"
+#include "talweg/core/formats/curve_file.hpp"
+#include "talweg/core/formats/file_bytes.hpp"
+#include "talweg/core/label_network.hpp"
+#include "talweg/core/mesh_writer.hpp"
+#include "talweg/core/stopwatch.hpp"
+#include "talweg/intrinsic/error.hpp"
+
+namespace talweg::driver {
+namespace {
+
+struct LabelsOptions {
+  std::string mesh;
+  std::string labels;
+  std::vector<std::string> outputs;
+  std::string labels_out;
+  std::string cut;
+  std::string cut_labels;
+  std::string report;
+  std::string repair;
+  LabelNetworkOptions network;
+};
+
+/// One label a line.
+std::string lines_of(const std::vector<std::int64_t>& labels) {
+  std::string text;
+  for (const std::int64_t label : labels) {
+    fmt::format_to(std::back_inserter(text), "{}\n", label);
+  }
+  return text;
+}
+
+/// Of the faces of the file; one that the repair dropped has the label 0.
+std::vector<std::int64_t> of_file_faces(const std::vector<std::int64_t>& labels,
+                                        const RepairMap* map) {
+  if (map == nullptr) return labels;
+  std::vector<std::int64_t> result(map->file_face_count(), 0);
+  for (std::size_t f = 0; f < result.size(); ++f) {
+    const std::uint32_t face = map->image(FaceId{f}).face;
+    if (face != RepairMap::kDropped) result[f] = labels[face];
+  }
+  return result;
+}
+
+/// The report of smooth, and `network`, `regions`, and the labels of each border.
+std::string report_of(const LabelNetwork& network, const std::vector<std::string>& warnings) {
+  std::vector<SmoothingReport> reports;
+  for (const SmoothedBorder& border : network.borders) reports.push_back(border.report);
+  auto json = nlohmann::ordered_json::parse(to_json(network.total, reports));
+  json["warnings"] = warnings;
+  json["network"] = {{"borders", network.borders.size()},
+                     {"junctions", network.junctions},
+                     {"tightened", network.tightened},
+                     {"as_drawn", network.as_drawn}};
+  auto& regions = json["regions"] = nlohmann::ordered_json::array();
+  for (const LabelRegion& r : network.regions) {
+    regions.push_back({{"label", r.label},
+                       {"parts_before", r.parts_before},
+                       {"parts_after", r.parts_after},
+                       {"area_before", r.area_before},
+                       {"area_after", r.area_after},
+                       {"held", r.held}});
+  }
+  auto& borders = json["borders"] = nlohmann::ordered_json::array();
+  for (const SmoothedBorder& border : network.borders) {
+    borders.push_back({{"left", border.border.labels[0]},
+                       {"right", border.border.labels[1]},
+                       {"closed", border.border.curve.closed},
+                       {"as_drawn", border.as_drawn},
+                       {"tau", border.report.tau},
+                       {"slack", border.report.slack},
+                       {"length", border.report.length_after},
+                       {"curvature_before", border.report.curvature_before},
+                       {"curvature_after", border.report.curvature_after}});
+  }
+  return json.dump(2) + "\n";
+}
+
+std::vector<std::string> warnings_of(const LabelNetwork& network) {
+  std::vector<std::string> warnings;
+  for (const LabelRegion& region : network.regions) {
+    if (!region.held) continue;
+    warnings.push_back(
+        fmt::format("Region {} is too small or too thin for this tolerance: borders of it are "
+                    "held nearer to the drawing.",
+                    region.label));
+  }
+  return warnings;
+}
+
+std::string summary_of(const LabelNetwork& network, double ms) {
+  const SmoothingReport& t = network.total;
+  std::string text =
+      fmt::format("{} regions, {} borders, {} junctions; {} borders held tighter, {} as drawn\n",
+                  network.regions.size(), network.borders.size(), network.junctions,
+                  network.tightened, network.as_drawn);
+  text += fmt::format("total curvature {:.6g} rad, was {:.6g}; length {:.6g}, was {:.6g}\n",
+                      t.curvature_after, t.curvature_before, t.length_after, t.length_before);
+  text += fmt::format("deviation at most {:.6g} to the labels' borders, {:.6g} from them\n",
+                      t.deviation_to_drawn_max, t.deviation_from_drawn_max);
+  return text + fmt::format("{:.1f} ms\n", ms);
+}
+
+void write(const LabelsOptions& o, const LabelNetwork& network, const SurfaceMesh& mesh,
+           const RepairMap* map, const std::vector<std::string>& warnings) {
+  std::vector<PlacedCurve> placed;
+  for (const SmoothedBorder& border : network.borders) {
+    placed.push_back(in_file_numbers(map, place(mesh, border.border.curve, placed.size())));
+  }
+  for (const std::string& output : o.outputs) write_curves(output, placed);
+  if (!o.labels_out.empty()) {
+    write_file(o.labels_out, lines_of(of_file_faces(network.face_labels, map)));
+  }
+  if (!o.cut.empty()) write_mesh(o.cut, network.cut.lists);
+  if (!o.cut_labels.empty()) write_file(o.cut_labels, lines_of(network.cut_labels));
+  if (!o.report.empty()) write_file(o.report, report_of(network, warnings));
+}
+
+int run_labels(const LabelsOptions& o, const GlobalOptions& global) {
+  ReadMesh read = read_and_repair(o.mesh, o.repair);
+  std::vector<std::string> warnings = reading_warnings(0, read.lists.polygon_count);
+  const auto mesh = OpenedMesh::open(std::move(read.lists));
+  const std::vector<std::int64_t> labels = read_labels(o.labels, read.map.get());
+  LabelNetworkOptions options = o.network;
+  options.progress = progress_bar(global.quiet);
+  const Stopwatch watch;
+  LabelNetwork network;
+  try {
+    network = smooth_labels(mesh, labels, options);
+  } catch (const Error& error) {
+    if (error.code() != ErrorCode::kBadCurve) throw;
+    throw Error(ErrorCode::kBadFile, o.labels + ": " + error.what());
+  }
+  const double ms = watch.ms();
+  clear_progress_bar();
+  if (network.cancelled) {
+    std::fprintf(stderr, "talweg: cancelled; nothing was written.\n");
+    return kCancelled;
+  }
+  const std::vector<std::string> held = warnings_of(network);
+  warnings.insert(warnings.end(), read.changes.begin(), read.changes.end());
+  warnings.insert(warnings.end(), held.begin(), held.end());
+  write(o, network, mesh->mesh(), read.map.get(), warnings);
+  if (!global.quiet) {
+    std::fputs(summary_of(network, ms).c_str(), stdout);
+    for (const std::string& warning : warnings) std::printf("%s\n", warning.c_str());
+  }
+  return kDone;
+}
+
+}  // namespace
+
+Command add_labels(CLI::App& app, const GlobalOptions& global) {
+  auto o = std::make_shared<LabelsOptions>();
+  CLI::App* command = app.add_subcommand(
+      "labels",
+      "Smooth all borders of a segmentation together: none crosses another, no region is lost or "
+      "torn apart, junctions stay");
+  command->add_option("mesh", o->mesh, "Mesh: OBJ, OFF, PLY, STL or OM")->required();
+  command->add_option("labels", o->labels, "One whole number per face or per vertex")->required();
+  command->add_option("--tau", o->network.tau, "More keeps closer to the labels' borders")
+      ->capture_default_str();
+  command->add_option("--slack", o->network.slack,
+                      "How exact the labels are, in mesh units (default: the mean segment of each "
+                      "border)");
+  command->add_option("--max-deviation", o->network.max_deviation,
+                      "Each border within so many mesh units of where it was, either way");
+  command->add_option("-o,--output", o->outputs,
+                      "The borders as curves; the ending chooses the format; may be given several "
+                      "times");
+  command->add_option("--labels-out", o->labels_out,
+                      "New labels of the mesh's faces: that of the larger share of each");
+  CLI::Option* cut =
+      command->add_option("--cut", o->cut, "The mesh with the borders as edges: .ply, .obj, .off");
+  command->add_option("--cut-labels", o->cut_labels, "The labels of its faces, exact")->needs(cut);
+  command->add_option("--report", o->report, "What was done and measured, as JSON");
+  add_repair_option(*command, o->repair);
+  return [o, &global] { return run_labels(*o, global); };
+}
+
+}  // namespace talweg::driver
