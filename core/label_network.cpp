@@ -32,10 +32,11 @@ class Network {
     for (std::size_t c = 0; c < todo.size(); ++c) todo[c] = c;
     while (!todo.empty()) {
       if (!smooth(todo)) return cancelled();
+      note_held(collapsed(todo));
       todo = climb(too_far(todo));  // before the mesh is cut for nothing
       if (!todo.empty()) continue;
       cut();
-      note_held();
+      note_held(regions_.wrong);
       todo = climb(regions_.wrong);
     }
     return finished();
@@ -111,14 +112,24 @@ class Network {
     result_[c] = {drawn, std::move(report), true};
   }
 
+  [[nodiscard]] bool has_collapsed(std::size_t border) const {
+    return result_[border].report.termination == to_string(Termination::kCollapsed);
+  }
+  [[nodiscard]] std::vector<std::size_t> collapsed(const std::vector<std::size_t>& among) const {
+    std::vector<std::size_t> gone;
+    for (const std::size_t c : among) {
+      if (has_collapsed(c)) gone.push_back(c);
+    }
+    return gone;
+  }
+
   /// Those that have collapsed or lie beyond D.
   [[nodiscard]] std::vector<std::size_t> too_far(const std::vector<std::size_t>& among) const {
     std::vector<std::size_t> far;
     for (const std::size_t c : among) {
       const SmoothingReport& report = result_[c].report;
       const double apart = std::max(report.deviation_to_drawn_max, report.deviation_from_drawn_max);
-      const bool collapsed = report.termination == to_string(Termination::kCollapsed);
-      if (collapsed || (options_.max_deviation && !(apart <= *options_.max_deviation))) {
+      if (has_collapsed(c) || (options_.max_deviation && !(apart <= *options_.max_deviation))) {
         far.push_back(c);
       }
     }
@@ -144,9 +155,9 @@ class Network {
   }
 
   /// Parts beside a border that is wrong.
-  void note_held() {
+  void note_held(const std::vector<std::size_t>& wrong) {
     held_.resize(parts_.parts.size(), false);
-    for (const std::size_t c : regions_.wrong) {
+    for (const std::size_t c : wrong) {
       for (const std::uint32_t part : parts_.beside[c]) held_[part] = true;
     }
   }

@@ -329,5 +329,26 @@ TEST(LabelNetwork, OnARealMesh) {
   }
 }
 
+TEST(LabelNetwork, NamesTheRegionWhoseBorderWouldCollapse) {
+  const MeshLists lists = test::sphere(4);
+  const auto opened = OpenedMesh::open(lists);
+  Labels labels;
+  for (const Triangle& t : lists.triangles) {
+    const Point middle = lists.points[t[0]] + lists.points[t[1]] + lists.points[t[2]];
+    labels.push_back(middle.normalized().z() > 0.9 ? 1 : 0);
+  }
+  // Nothing holds a loop at tau = 0 but another try.
+  const LabelNetwork network = smooth_labels(opened, labels, {.tau = 0});
+  ASSERT_EQ(network.regions.size(), 2U);
+  for (const LabelRegion& region : network.regions) {
+    EXPECT_TRUE(region.held) << region.label;
+    EXPECT_EQ(region.parts_after, 1U);
+    EXPECT_GT(region.area_after, 0.5 * region.area_before);
+  }
+  for (const LabelRegion& region : smooth_labels(opened, labels, {.tau = 1}).regions) {
+    EXPECT_FALSE(region.held) << region.label;
+  }
+}
+
 }  // namespace
 }  // namespace talweg

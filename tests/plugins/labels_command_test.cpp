@@ -1,0 +1,93 @@
+// talweg labels, as a user runs it.
+#include <cmath>
+#include <fstream>
+#include <map>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "core/jagged_curves.hpp"
+#include "core/voronoi_labels.hpp"
+#include "plugins/driver_runs.hpp"
+#include "talweg/core/formats/curve_file.hpp"
+#include "talweg/core/mesh_reader.hpp"
+#include "talweg/core/mesh_writer.hpp"
+
+namespace talweg {
+namespace {
+
+class LabelsCommand : public test::DriverRuns {
+ protected:
+  void SetUp() override {
+    DriverRuns::SetUp();
+    write_mesh(file("hills.ply"), test::hills(40));
+    labels_ = test::voronoi_labels(SurfaceMesh::open(test::hills(40)), 12, 3);
+    std::string text;
+    for (const std::int64_t label : labels_) text += std::to_string(label) + "\n";
+    write("labels.txt", text);
+  }
+  void write(const std::string& name, const std::string& text) const {
+    std::ofstream(file(name)) << text;
+  }
+  [[nodiscard]] std::vector<std::int64_t> labels_in(const std::string& name) const {
+    std::ifstream in(file(name));
+    std::vector<std::int64_t> labels;
+    for (std::int64_t label = 0; in >> label;) labels.push_back(label);
+    return labels;
+  }
+
+  std::vector<std::int64_t> labels_;
+};
+
+/// The area of each label.
+std::map<std::int64_t, double> areas(const MeshLists& lists,
+                                     const std::vector<std::int64_t>& labels) {
+  std::map<std::int64_t, double> area;
+  for (std::size_t f = 0; f < labels.size(); ++f) {
+    const Triangle& t = lists.triangles[f];
+    const Point& a = lists.points[t[0]];
+    area[labels[f]] += (lists.points[t[1]] - a).cross(lists.points[t[2]] - a).norm() / 2;
+  }
+  return area;
+}
+
+TEST_F(LabelsCommand, WritesBordersLabelsTheCutMeshAndAReport) {
+  const Outcome outcome =
+      run("labels hills.ply labels.txt --tau 1 -o borders.vtp --labels-out new.txt --cut cut.ply "
+          "--cut-labels exact.txt --report report.json");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("12 regions"), std::string::npos) << outcome.out;
+
+  const auto report = nlohmann::json::parse(bytes_of(file("report.json")));
+  EXPECT_LE(report["curvature_after"].get<double>(),
+            0.2 * report["curvature_before"].get<double>());
+  EXPECT_EQ(report["borders"].size(), read_curves(file("borders.vtp")).size());
+  EXPECT_EQ(report["regions"].size(), 12U);
+
+  const MeshLists cut = read_mesh(file("cut.ply"));
+  const auto exact = labels_in("exact.txt");
+  ASSERT_EQ(exact.size(), cut.triangles.size());
+  const auto area = areas(cut, exact);
+  for (const auto& region : report["regions"]) {
+    const double told = region["area_after"].get<double>();
+    EXPECT_NEAR(area.at(region["label"].get<std::int64_t>()), told, 1e-9 * told);
+    EXPECT_EQ(region["parts_before"], 1);
+    EXPECT_EQ(region["parts_after"], 1);
+  }
+  EXPECT_EQ(labels_in("new.txt").size(), labels_.size());
+}
+
+TEST_F(LabelsCommand, SaysWhatIsWrong) {
+  write("few.txt", "1 2 3\n");
+  write("half.txt", "1\n2.5\n");
+  expect_failure("labels hills.ply few.txt", 2, {"few.txt", "3 labels"});
+  expect_failure("labels hills.ply half.txt", 2, {"half.txt", "line 2", "2.5"});
+  expect_failure("labels hills.ply", 1, {"labels"});
+  expect_failure("labels hills.ply labels.txt --max-deviation 0", 1, {"max_deviation"});
+  expect_failure("labels hills.ply labels.txt --cut-labels x.txt", 1, {"--cut"});
+}
+
+}  // namespace
+}  // namespace talweg
