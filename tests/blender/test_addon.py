@@ -194,8 +194,7 @@ class Addon(unittest.TestCase):
         for point in hook:
             point[2] = 3 * np.sin(point[0] / 7) * np.cos(point[1] / 5)
         scene.annotate([hook])
-        with self.assertRaisesRegex(RuntimeError, "touches itself"):
-            bpy.ops.talweg.smooth_annotations(thin=0)
+        self.assertEqual(bpy.ops.talweg.smooth_annotations(thin=0), {"FINISHED"})
         self.assertEqual(bpy.ops.talweg.smooth_annotations(), {"FINISHED"})
         ends = session.last_result().curve.positions[[0, -1]]
         np.testing.assert_allclose(ends[:, :2], [hook[0][:2], hook[-1][:2]], atol=1e-2)

@@ -5,7 +5,7 @@
 #   cpp                          a function body in OUT.cpp, behind PRELUDE
 #   sh                           run by OUT.sh, in the order of the file
 #   json                         parsed
-#   python                       run by tests/python/test_docs.py
+#   python                       run by tests/python/test_docs.py, unless it is a file as below
 #   text                         nothing: output, or how a command line looks
 #   <!-- file: NAME -->          written to OUT.files/NAME, for the sh blocks to use
 #   <!-- needs: PROGRAM -->      an sh block that is skipped, with a message, where PROGRAM is missing
@@ -57,9 +57,10 @@ function(extract_blocks markdown out prelude problems_variable)
     string(SUBSTRING "${before}" ${last} -1 comment)
     math(EXPR code_line "${line} + 1")
 
-    if(comment MATCHES "^<!-- not run: .+ -->$" OR language MATCHES "^(text|python)$")
+    if(comment MATCHES "^<!-- not run: .+ -->$" OR language STREQUAL "text")
     elseif(comment MATCHES "^<!-- file: ([A-Za-z0-9_.]+) -->$")
       file(CONFIGURE OUTPUT ${out}.files/${CMAKE_MATCH_1} CONTENT "${code}" @ONLY)
+    elseif(language STREQUAL "python")
     elseif(language STREQUAL "cpp")
       string(REGEX MATCHALL "#include [^\n]*\n" block_includes "${code}")
       string(REGEX REPLACE "#include [^\n]*\n" "\n" body "${code}")

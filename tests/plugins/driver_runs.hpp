@@ -21,9 +21,11 @@ class DriverRuns : public TemporaryFolder {
     std::string err;
   };
 
-  [[nodiscard]] Outcome run(const std::string& arguments) const {
+  /// `before`: what the shell does first, such as "ulimit -v 100000".
+  [[nodiscard]] Outcome run(const std::string& arguments, const std::string& before = ":") const {
     std::string command("cd '");
-    command.append(file("").string()).append("' && '" TALWEG_DRIVER "' ").append(arguments);
+    command.append(file("").string()).append("' && ").append(before);
+    command.append(" && '" TALWEG_DRIVER "' ").append(arguments);
     command.append(" >out.log 2>err.log </dev/null");
     const int status = std::system(command.c_str());
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, bytes_of(file("out.log")),

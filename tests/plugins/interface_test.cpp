@@ -226,9 +226,6 @@ TEST_P(Interface, NonsenseInCurves) {
   const std::uint32_t none[] = {1, 99999}, twice[] = {200, 201, 200}, faces[] = {1, 2};
   const double positions[] = {0, 0, 0, std::nan(""), 0, 0}, outside[] = {2, -1, 0, 0, 0, 1};
   refuse("no such vertex", [&](talweg_curve& c) { c.vertices = host::view(none, 2); });
-  if (std::string(plugin_.id) != "talweg.draw") {  // which looks when it runs
-    refuse("twice", [&](talweg_curve& c) { c.vertices = host::view(twice, 3); });
-  }
   refuse("NaN", [&](talweg_curve& c) {
     c.vertices.rows = 0;
     c.positions = host::view(positions, 2, 3);
@@ -255,6 +252,15 @@ TEST_P(Interface, NonsenseInCurves) {
   EXPECT_EQ(plugin_.run(instance_, &sink), TALWEG_OK) << plugin_.last_error(instance_);
   sink.size = 4;
   expect(TALWEG_BAD_USAGE, plugin_.run(instance_, &sink), "size of the sink");
+
+  // Out and back again: refused when it is set or when it is run.
+  sink.size = sizeof sink;
+  talweg_curve back = curve();
+  back.vertices = host::view(twice, 3);
+  const talweg_curve* list[] = {&back};
+  talweg_status status = plugin_.set_curves(instance_, list, 1);
+  if (status == TALWEG_OK) status = plugin_.run(instance_, &sink);
+  expect(TALWEG_BAD_CURVE, status, "out and back");
 }
 
 /// Counts what it is given, and fails at the n-th.
