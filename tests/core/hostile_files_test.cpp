@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
+#include "core/memory_limits.hpp"
 #include "core/temporary_folder.hpp"
 #include "talweg/core/formats/curve_file.hpp"
 #include "talweg/core/mesh_reader.hpp"
@@ -60,15 +61,6 @@ std::string raw(std::initializer_list<T> values) {
   return bytes;
 }
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr bool kMemoryCanBeLimited = false;
-#elif defined(__has_feature)
-constexpr bool kMemoryCanBeLimited =
-    !__has_feature(address_sanitizer) && !__has_feature(thread_sanitizer);
-#else
-constexpr bool kMemoryCanBeLimited = true;
-#endif
-
 /// While it lives the process gets no more memory than 4 GiB of addresses, which no lie fits in.
 class LittleMemory {
  public:
@@ -76,7 +68,7 @@ class LittleMemory {
     getrlimit(RLIMIT_AS, &before_);
     rlimit limit = before_;
     limit.rlim_cur = rlim_t{1} << 32U;
-    if (kMemoryCanBeLimited) setrlimit(RLIMIT_AS, &limit);
+    if (test::kMemoryCanBeLimited) setrlimit(RLIMIT_AS, &limit);
   }
   ~LittleMemory() { setrlimit(RLIMIT_AS, &before_); }
   LittleMemory(const LittleMemory&) = delete;
