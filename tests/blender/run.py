@@ -28,5 +28,7 @@ suite = unittest.TestSuite(unittest.defaultTestLoader.loadTestsFromTestCase(case
                            if isinstance(case, type) and issubclass(case, unittest.TestCase))
 outcome = unittest.TextTestRunner(stream=sys.stdout, verbosity=2).run(suite)
 assert outcome.testsRun > 0
+for why in sorted({why for _, why in outcome.skipped}):
+    print("skipped:", why)
 bpy.ops.preferences.addon_disable(module="talweg_blender")
 sys.exit(0 if outcome.wasSuccessful() else 1)

@@ -71,7 +71,7 @@ TEST_F(FileBytes, AFullDiskLeavesTheOldFileAndNothingBeside) {
 
 TEST_F(FileBytes, DevicesAreWrittenInPlace) {
   EXPECT_EQ(refusal("/dev/null", "bytes"), "");
-  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "no /dev/full here";
+  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "skipped: no /dev/full here";
   EXPECT_NE(refusal("/dev/full", "bytes"), "");
 }
 

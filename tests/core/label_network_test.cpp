@@ -315,7 +315,7 @@ TEST(LabelNetwork, CanBeCancelled) {
 
 TEST(LabelNetwork, OnARealMesh) {
   const std::filesystem::path path = test::mesh_folder() / "aneurysm_14k.ply";
-  if (!std::filesystem::exists(path)) GTEST_SKIP() << test::missing(path.string());
+  if (!std::filesystem::exists(path)) GTEST_SKIP() << test::missing(path.stem().string());
   const MeshLists lists = test::read_reference_mesh(path);
   const auto mesh = OpenedMesh::open(lists);
   const double bound = mesh->mesh().mean_edge_length();

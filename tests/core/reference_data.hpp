@@ -29,7 +29,7 @@ inline std::filesystem::path reference_folder() {
 }
 /// Why a test that needs it does not run.
 inline std::string missing(const std::string& name) {
-  return "no " + name + " in " + mesh_folder().string() + " or its ../reference (set TALWEG_MESHES)";
+  return "skipped: no " + name + " in " + mesh_folder().string() + " or its ../reference (set TALWEG_MESHES)";
 }
 
 /// A little-endian binary PLY of float or double points and `uchar int` triangles.

@@ -72,7 +72,7 @@ function(extract_blocks markdown out prelude problems_variable)
       set(block "echo '== ${name}:${line}'\n(\n${code})\n")
       if(comment MATCHES "^<!-- needs: ([A-Za-z0-9_-]+) -->$")
         string(CONCAT block "if command -v ${CMAKE_MATCH_1}; then\n${block}else\n"
-               "echo 'SKIPPED ${name}:${line}: there is no ${CMAKE_MATCH_1} here'\nfi\n")
+               "echo 'skipped: ${name}:${line} needs ${CMAKE_MATCH_1}, which is not here'\nfi\n")
       endif()
       string(APPEND shell "${block}")
     elseif(language STREQUAL "json")

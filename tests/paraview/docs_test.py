@@ -7,6 +7,8 @@ import subprocess
 import tempfile
 import unittest
 
+import runner
+
 PAGE = pathlib.Path(__file__).parents[2] / "docs" / "paraview.md"
 
 
@@ -39,4 +41,4 @@ class Docs(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    unittest.main()
+    runner.main()

@@ -5,6 +5,7 @@ import re
 import subprocess
 import unittest
 
+import runner
 from support import pv
 
 OPTION = re.compile(r"^  --([a-z-]+)(,--no-[a-z-]+\{false\})?(?: (FLOAT|INT|UINT|TEXT)\S*?(?:=(\S+))?)?"
@@ -70,4 +71,4 @@ class Panel(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    unittest.main()
+    runner.main()

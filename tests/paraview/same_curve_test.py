@@ -12,6 +12,7 @@ import unittest
 
 from vtkmodules.vtkCommonCore import vtkIdList
 
+import runner
 from support import (Case, lines_of, output, places, polydata, pv, real_mesh, reference_curve,
                      source, values, wavy_sheet)
 
@@ -153,4 +154,4 @@ class SameCurve(Case):
 
 
 if __name__ == "__main__":
-    unittest.main()
+    runner.main()

@@ -7,6 +7,7 @@ import unittest
 
 from vtkmodules.vtkCommonCore import vtkLogger
 
+import runner
 from support import (Case, Said, counts, lines_of, output, places, polydata, pv, real_mesh,
                      reference_curve, report, source, values, wavy_sheet)
 
@@ -435,4 +436,4 @@ class RealMeshes(Case):
 
 
 if __name__ == "__main__":
-    unittest.main()
+    runner.main()

@@ -148,7 +148,7 @@ TEST_F(Faults, OutputsThatCannotBeWrittenAreNamed) {
 }
 
 TEST_F(Faults, AFullDiskIsAnErrorAlsoForWhatIsPrinted) {
-  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "no /dev/full here";
+  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "skipped: no /dev/full here";
   expect_failure("smooth mesh.ply --curve drawn.obj --report /dev/full", 2,
                  {"/dev/full", "No space left"});
   // What follows the # is where the output would go otherwise.

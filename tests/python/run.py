@@ -10,7 +10,8 @@ except ImportError:
     sys.exit(77)
 
 outcome = unittest.main(module=sys.argv[1], argv=sys.argv[:1], exit=False, verbosity=2).result
+for why in sorted({why for _, why in outcome.skipped}):
+    print("skipped:", why)
 if outcome.testsRun == len(outcome.skipped) and outcome.wasSuccessful():
-    print("SKIPPED:", "; ".join(sorted({why for _, why in outcome.skipped})))
     sys.exit(77)
 sys.exit(0 if outcome.wasSuccessful() else 1)
