@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "talweg/core/curve_smoother.hpp"
+#include "talweg/core/local_tightening.hpp"
 #include "talweg/core/result_report.hpp"
 #include "talweg/intrinsic/error.hpp"
 
@@ -14,6 +15,8 @@ namespace {
 
 constexpr int kRungs = 4;  // of smoothing; above them there is the drawing
 constexpr double kSteeper = 4, kNarrower = 0.5;
+// How often a border beyond D gets less slack where it is, and from when on it is pinned there.
+constexpr int kTightenings = 10, kPinnedFrom = 4;
 
 class Network {
  public:
@@ -24,6 +27,9 @@ class Network {
         drawn_(label_borders(mesh_->surface(), labels)),
         parts_(parts_of_regions(mesh_->mesh(), labels, drawn_)),
         rung_(drawn_.size(), 0),
+        tightenings_(drawn_.size(), 0),
+        pins_(drawn_.size()),
+        slack_(drawn_.size()),
         result_(drawn_.size()),
         smoother_(mesh_) {}
 
@@ -33,7 +39,7 @@ class Network {
     while (!todo.empty()) {
       if (!smooth(todo)) return cancelled();
       note_held(collapsed(todo));
-      todo = climb(too_far(todo));  // before the mesh is cut for nothing
+      todo = tighten(too_far(todo));  // before the mesh is cut for nothing
       if (!todo.empty()) continue;
       cut();
       note_held(regions_.wrong);
@@ -68,21 +74,17 @@ class Network {
     CurveOptions curve_options;
     for (const std::size_t c : members) {
       curves.push_back(drawn_[c].curve);
-      const auto& fixed = drawn_[c].fixed;
-      curve_options.pins.insert(curve_options.pins.end(), fixed.begin(), fixed.end());
+      for (const auto& pins : {drawn_[c].fixed, pins_[c]}) {
+        curve_options.pins.insert(curve_options.pins.end(), pins.begin(), pins.end());
+      }
     }
     if (!smoother_.set_curves(curves, curve_options, options_.progress)) return false;
     SmoothingOptions options;
     options.progress = options_.progress;
     options.tau = options_.tau * std::pow(kSteeper, rung);
     if (rung > 0 && options.tau == 0) options.tau = std::pow(kSteeper, rung - 1);
-    const std::vector<double> own = smoother_.slack();
-    for (std::size_t i = 0; i < members.size(); ++i) {
-      double slack = options_.slack.value_or(own[i]);
-      if (options_.max_deviation) slack = std::min(slack, 0.75 * *options_.max_deviation);
-      slack *= std::pow(kNarrower, rung);
-      options.slack_at.emplace_back(curves[i].points.size(), slack);
-    }
+    give_slack(members);
+    for (const std::size_t c : members) options.slack_at.push_back(slack_[c]);
     SmoothingResult smoothed = smoother_.smooth(options);
     if (smoothed.total.termination == to_string(Termination::kCancelled)) return false;
     for (std::size_t i = 0; i < members.size(); ++i) {
@@ -92,6 +94,17 @@ class Network {
                              false};
     }
     return true;
+  }
+
+  /// To those that have none yet.
+  void give_slack(const std::vector<std::size_t>& members) {
+    const std::vector<double> own = smoother_.slack();
+    for (std::size_t i = 0; i < members.size(); ++i) {
+      if (!slack_[members[i]].empty()) continue;
+      double slack = options_.slack.value_or(own[i]);
+      if (options_.max_deviation) slack = std::min(slack, 0.75 * *options_.max_deviation);
+      slack_[members[i]].assign(drawn_[members[i]].curve.points.size(), slack);
+    }
   }
 
   void keep_drawn(std::size_t c) {
@@ -136,12 +149,35 @@ class Network {
     return far;
   }
 
+  /// Those beyond D get less slack where they are, others the next rung.
+  std::vector<std::size_t> tighten(const std::vector<std::size_t>& borders) {
+    std::vector<std::size_t> moved, rest;
+    for (const std::size_t c : borders) {
+      if (has_collapsed(c) || tightenings_[c] == kTightenings || rung_[c] == kRungs) {
+        rest.push_back(c);
+        continue;
+      }
+      if (!tightening_) tightening_.emplace(mesh_->surface());
+      const std::vector<SurfacePoint> farthest = tightening_->tighten(
+          drawn_[c].curve, result_[c].border.curve, *options_.max_deviation, slack_[c]);
+      if (++tightenings_[c] > kPinnedFrom) {
+        pins_[c].insert(pins_[c].end(), farthest.begin(), farthest.end());
+      }
+      moved.push_back(c);
+    }
+    rest = climb(rest);
+    moved.insert(moved.end(), rest.begin(), rest.end());
+    std::sort(moved.begin(), moved.end());
+    return moved;
+  }
+
   /// The next rung for these; those that have one.
   std::vector<std::size_t> climb(const std::vector<std::size_t>& borders) {
     std::vector<std::size_t> moved;
     for (const std::size_t c : borders) {
       if (rung_[c] == kRungs) continue;
       ++rung_[c];
+      for (double& slack : slack_[c]) slack *= kNarrower;
       moved.push_back(c);
     }
     return moved;
@@ -207,7 +243,7 @@ class Network {
     std::vector<SmoothingReport> reports;
     for (std::size_t c = 0; c < result_.size(); ++c) {
       if (result_[c].as_drawn) ++network.as_drawn;
-      if (!result_[c].as_drawn && rung_[c] > 0) ++network.tightened;
+      if (!result_[c].as_drawn && (rung_[c] > 0 || tightenings_[c] > 0)) ++network.tightened;
       if (options_.max_deviation) result_[c].report.max_deviation = *options_.max_deviation;
       reports.push_back(result_[c].report);
     }
@@ -225,9 +261,13 @@ class Network {
   LabelNetworkOptions options_;
   std::vector<LabelBorder> drawn_;
   RegionParts parts_;
-  std::vector<int> rung_;  // of each border
+  // Of each border:
+  std::vector<int> rung_, tightenings_;
+  std::vector<std::vector<SurfacePoint>> pins_;  // of the drawing, where less slack did not help
+  std::vector<std::vector<double>> slack_;       // per point of the drawing
   std::vector<SmoothedBorder> result_;
   CurveSmoother smoother_;
+  std::optional<LocalTightening> tightening_;  // once a border lies beyond D
   CutMesh cut_;
   CutRegions regions_;
   std::vector<bool> held_;  // per part

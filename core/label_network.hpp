@@ -48,7 +48,7 @@ struct LabelNetwork {
   SmoothingReport total;                  ///< of all
   std::vector<LabelRegion> regions;       ///< by label
   std::size_t junctions = 0;              ///< points where borders end, away from the boundary
-  std::size_t tightened = 0;              ///< borders that took a larger tau and a smaller slack
+  std::size_t tightened = 0;              ///< borders that took a smaller slack, at least in part
   std::size_t as_drawn = 0;               ///< borders that stayed as they were drawn
   bool cancelled = false;                 ///< then all else is empty
   CutMesh cut;                            ///< the mesh with the borders as edges
@@ -57,11 +57,12 @@ struct LabelNetwork {
 };
 
 /// Smooths the borders between labels per face or per vertex as one set with its junctions fixed.
+/// Borders that lie farther than D from their drawing get less slack there, see LocalTightening.
 /// Then the mesh is cut along them and all regions are followed through the cut: borders that cross
-/// or touch, that tear a region apart or lose it, that collapse or lie farther than D from their
-/// drawing are smoothed again, with four times tau and half the slack, up to three times; what is
-/// still in the way then stays as it was drawn. So in the result no two borders touch but at
-/// junctions, and each connected part of each region is there, whole, beside the borders it had.
+/// or touch, that tear a region apart or lose it, or that collapse, are smoothed again, with four
+/// times tau and half the slack, up to three times; what is still in the way stays as drawn. So in
+/// the result no two borders touch but at junctions, and each connected part of each region is
+/// there, whole, beside the borders it had.
 ///
 /// A few runs of CurveSmoother and as many of cut_along(). Throws Error as label_borders() does,
 /// Error(kBadUsage) for bad options.

@@ -1,6 +1,7 @@
 // talweg-label-networks: random partitions of meshes, smoothed; a table, one row per mesh and
 // count.
 #include <algorithm>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
@@ -38,6 +39,16 @@ void add(Row& row, const LabelNetwork& network, double h, double bound, double s
   row.seconds = std::max(row.seconds, seconds);
 }
 
+/// Two regions on two components may be a component each.
+bool has_border(const Surface& surface, const std::vector<std::int64_t>& labels) {
+  for (std::size_t e = 0; e < surface.edge_count(); ++e) {
+    const HalfedgeId h = halfedge_of(EdgeId{e});
+    if (surface.on_boundary(EdgeId{e})) continue;
+    if (labels[surface.face(h).index()] != labels[surface.face(twin(h)).index()]) return true;
+  }
+  return false;
+}
+
 int run(double tau, double bound, unsigned seeds, const std::vector<std::string>& meshes) {
   std::printf(
       "| mesh | regions | borders | tightened | as drawn | regions not whole | beyond D | "
@@ -50,6 +61,7 @@ int run(double tau, double bound, unsigned seeds, const std::vector<std::string>
       Row row;
       for (unsigned seed = 1; seed <= seeds; ++seed) {
         const auto labels = test::voronoi_labels(opened->mesh(), count, seed);
+        if (!has_border(opened->surface(), labels)) continue;
         LabelNetworkOptions options;
         options.tau = tau;
         if (bound > 0) options.max_deviation = bound * h;

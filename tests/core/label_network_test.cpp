@@ -196,6 +196,25 @@ TEST(LabelNetwork, StaysWithinABound) {
   }
 }
 
+TEST(LabelNetwork, ABorderBeyondTheBoundIsTightenedOnlyThere) {
+  for (const Shape& shape : shapes()) {
+    const auto mesh = OpenedMesh::open(shape.lists);
+    const double bound = mesh->mesh().mean_edge_length();
+    for (const std::size_t count : {2, 12}) {
+      for (const unsigned seed : {1U, 2U, 3U}) {
+        SCOPED_TRACE(testing::Message() << shape.name << ", " << count << ", seed " << seed);
+        const Labels labels = test::voronoi_labels(mesh->mesh(), count, seed);
+        const LabelNetwork network = smoothed(mesh, labels, 1, bound);
+        expect_sound(shape.lists, *mesh, labels, network);
+        expect_within(*mesh, labels, network, bound);
+        EXPECT_EQ(network.as_drawn, 0U);
+        // A border of many edges that is stiff all along has 0.5 and more.
+        EXPECT_LE(network.total.curvature_after, 0.15 * network.total.curvature_before);
+      }
+    }
+  }
+}
+
 /// A sheet of labels 0 and 1 with something of label 2 in it.
 template <class Rule>
 Labels on_sheet(const OpenedMesh& mesh, const Rule& is_two) {
