@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "talweg/core/deviation.hpp"
+#include "talweg/core/edge_length_near.hpp"
 #include "talweg/core/version.hpp"
 
 namespace talweg {
@@ -101,6 +102,19 @@ void report_deviation(SmoothingReport& report, DeviationMeasure measure, Deviati
       break;
     }
   }
+}
+
+SmoothingReport report_on_result(const SurfaceMesh& mesh, DeviationMeter& meter,
+                                 const SurfaceCurve& drawn, const SurfaceCurve& result,
+                                 DeviationMeasure measure) {
+  SmoothingReport report =
+      report_on_curve(mesh, drawn, measure_curve(mesh.surface(), drawn), result);
+  report.potential = report.engine = "none";
+  report.termination = "converged";
+  report.edge_length_near = edge_length_near(mesh.surface(), drawn);
+  report_deviation(report, measure, meter, mesh, drawn, result);
+  report.peak_memory_mib = peak_memory_mib();
+  return report;
 }
 
 void report_move(SmoothingReport& report, const SurfaceMesh& mesh, double last_tau,

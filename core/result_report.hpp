@@ -23,6 +23,14 @@ void report_deviation(SmoothingReport& report, DeviationMeasure measure, Deviati
                       const SurfaceMesh& mesh, const SurfaceCurve& drawn,
                       const SurfaceCurve& result, PolylineDistance* to_drawn = nullptr);
 
+/// The report on a curve that some other method made of a drawing, measured as ours are: points,
+/// lengths, curvatures, the mesh's fineness near the drawing and the deviation. `potential` and
+/// `engine` are "none", times are 0, and nothing is said about crossings.
+/// Throws Error(kBadCurve) where two neighbours of a curve share no face.
+SmoothingReport report_on_result(const SurfaceMesh& mesh, DeviationMeter& meter,
+                                 const SurfaceCurve& drawn, const SurfaceCurve& result,
+                                 DeviationMeasure measure = DeviationMeasure::kAlongSurface);
+
 /// Adds how far the curve has moved since the last result, whose tau was about the same, and names
 /// a jump. Distances are Euclidean.
 void report_move(SmoothingReport& report, const SurfaceMesh& mesh, double last_tau,

@@ -93,4 +93,21 @@ void give(const plugin::Outputs& outputs, const char* name, const char* unit,
   outputs.field({sizeof(talweg_field), name, unit, view(values.data(), values.size())});
 }
 
+void give_curves(const plugin::Outputs& outputs, const SurfaceMesh& mesh,
+                 std::span<const SurfaceCurve> curves, const FieldsOf& fields_of,
+                 const EntriesOf& entries_of) {
+  std::vector<PlacedCurve> placed;
+  std::vector<std::vector<PointField>> fields(curves.size());
+  for (std::size_t c = 0; outputs.wants_curves() && c < curves.size(); ++c) {
+    placed.push_back(place(mesh, curves[c], c));
+    if (outputs.wants_point_fields()) fields[c] = fields_of(c);
+  }
+  if (outputs.wants_report()) give(outputs, -1, entries_of(-1));
+  for (std::size_t c = 0; c < curves.size(); ++c) {
+    if (outputs.wants_curves()) give(outputs, placed[c], fields[c]);
+    const auto number = static_cast<std::int64_t>(c);
+    if (outputs.wants_report()) give(outputs, number, entries_of(number));
+  }
+}
+
 }  // namespace talweg::plugins

@@ -2,11 +2,14 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "talweg/core/placed_curve.hpp"
 #include "talweg/core/report.hpp"
+#include "talweg/core/surface_mesh.hpp"
 #include "talweg/plugin/talweg_plugin.hpp"
 
 namespace talweg::plugins {
@@ -26,5 +29,14 @@ void give(const plugin::Outputs& outputs, std::int64_t curve,
 /// One value per vertex.
 void give(const plugin::Outputs& outputs, const char* name, const char* unit,
           const std::vector<double>& values);
+
+using FieldsOf = std::function<std::vector<PointField>(std::size_t curve)>;
+/// `curve`: its number, or -1 for all together.
+using EntriesOf = std::function<std::vector<ReportEntry>(std::int64_t curve)>;
+/// The report on all, then each curve and the report on it. All curves and fields are computed
+/// before anything is given, and what is not wanted is not computed.
+void give_curves(const plugin::Outputs& outputs, const SurfaceMesh& mesh,
+                 std::span<const SurfaceCurve> curves, const FieldsOf& fields_of,
+                 const EntriesOf& entries_of);
 
 }  // namespace talweg::plugins

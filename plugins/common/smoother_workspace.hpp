@@ -24,12 +24,10 @@ class SmootherWorkspace : public Workspace {
   /// Throws plugin::Services::cancelled() for a run that was.
   static void check(const SmoothingResult& result);
 
-  using FieldsOf = std::function<std::vector<PointField>(std::size_t curve)>;
-  using EntriesOf = std::function<std::vector<ReportEntry>(const SmoothingReport& report)>;
-  /// The report on all, then each curve and the report on it. All is computed before anything is
-  /// given, and what is not wanted is not computed.
+  using ReportEntriesOf = std::function<std::vector<ReportEntry>(const SmoothingReport& report)>;
+  /// As the function of that name in results.hpp.
   void give_curves(const plugin::Outputs& outputs, const SmoothingResult& result,
-                   const FieldsOf& fields_of, const EntriesOf& entries_of) const;
+                   const FieldsOf& fields_of, const ReportEntriesOf& entries_of) const;
 
  private:
   std::unique_ptr<CurveSmoother> smoother_;

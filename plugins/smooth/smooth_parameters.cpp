@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "common/deviation_choice.hpp"
+
 namespace talweg::plugins {
 namespace {
 
@@ -17,8 +19,6 @@ constexpr const char* kShapes[] = {"power", "exponential"};
 constexpr const char* kShapeLabels[] = {"Power", "Exponential"};
 constexpr const char* kLengths[] = {"max_distance", "curve_length", "given"};
 constexpr const char* kLengthLabels[] = {"Largest distance", "Length of the drawing", "Given"};
-constexpr const char* kDeviations[] = {"surface", "euclidean", "none"};
-constexpr const char* kDeviationLabels[] = {"Along the surface", "Through space", "None"};
 
 constexpr std::uint32_t kCurves = TALWEG_STAGE_CURVES, kRun = TALWEG_STAGE_RUN;
 constexpr std::uint32_t kOptional = TALWEG_OPTIONAL, kAdvanced = TALWEG_ADVANCED;
@@ -111,14 +111,8 @@ std::vector<talweg_parameter> further_parameters() {
       number("length_floor", "Least length of a loop", "mesh units", 0, {0, HUGE_VAL, 0, 10},
              "A loop that gets shorter has collapsed. By default 3 mean edges of the drawn loop.",
              kRun, kOptional | kAdvanced),
-      choice("deviation", "Deviation in the report", "surface", kDeviations, kDeviationLabels,
-             "Which distance between result and drawing is measured.", kRun, kAdvanced),
+      deviation_choice(),
   };
-}
-
-DeviationMeasure deviation_of(const std::string& choice) {
-  if (choice == "surface") return DeviationMeasure::kAlongSurface;
-  return choice == "euclidean" ? DeviationMeasure::kEuclidean : DeviationMeasure::kNone;
 }
 
 PotentialOptions potential_options_of(const Parameters& p) {
@@ -165,7 +159,7 @@ SmoothingOptions smoothing_options_of(const Parameters& p) {
   options.max_iterations = static_cast<std::size_t>(p.number("max_iterations"));
   options.min_relative_length = p.number("min_relative_length");
   options.length_floor = p.optional("length_floor");
-  options.deviation = deviation_of(p.choice("deviation"));
+  options.deviation = deviation_of(p);
   return options;
 }
 

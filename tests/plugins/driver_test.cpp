@@ -278,7 +278,9 @@ TEST_F(Driver, ListsItsPlugins) {
   EXPECT_EQ(outcome.err, "");
   EXPECT_EQ(outcome.out,
             "talweg.distance\tDistance to curves\ntalweg.draw\tDraw curves\n"
-            "talweg.geodesic\tGeodesic\ntalweg.smooth\tSmooth curves\n");
+            "talweg.geodesic\tGeodesic\n"
+            "talweg.midpoints\tSubdivision by geodesic midpoints (Morera et al. 2008)\n"
+            "talweg.smooth\tSmooth curves\n");
 }
 
 TEST_F(Driver, RunsAnyPluginByItsDescription) {

@@ -1,0 +1,31 @@
+// Points of a curve by their arc length.
+#pragma once
+
+#include <vector>
+
+#include "talweg/intrinsic/surface.hpp"
+#include "talweg/intrinsic/surface_point.hpp"
+
+namespace talweg::plugins {
+
+/// A curve measured once, for points anywhere on it. Surface and curve must outlive the object.
+class ArcLength {
+ public:
+  /// Throws Error(kBadCurve) where two neighbours share no face.
+  ArcLength(const Surface& surface, const SurfaceCurve& curve);
+
+  [[nodiscard]] double length() const { return arcs_.back(); }  ///< mesh units
+  /// The point at this arc length, clamped to [0, length()].
+  [[nodiscard]] SurfacePoint at(double arc) const;
+
+ private:
+  [[nodiscard]] const SurfacePoint& point(std::size_t k) const {
+    return curve_->points[k % curve_->points.size()];
+  }
+
+  const Surface* surface_;
+  const SurfaceCurve* curve_;
+  std::vector<double> arcs_;  // at each point; of a closed curve once more at the first
+};
+
+}  // namespace talweg::plugins

@@ -1,0 +1,14 @@
+// The parameter that chooses how a report measures deviation.
+#pragma once
+
+#include "talweg/core/surface_deviation.hpp"
+#include "talweg/plugin/talweg_plugin.hpp"
+
+namespace talweg::plugins {
+
+/// The description of the parameter "deviation".
+talweg_parameter deviation_choice();
+/// Its value.
+DeviationMeasure deviation_of(const plugin::Parameters& parameters);
+
+}  // namespace talweg::plugins

@@ -1,0 +1,58 @@
+// What the plugins of other methods have in common: a drawing goes in; curves and the same report
+// as talweg.smooth's come out, so that methods can be compared.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "results.hpp"
+#include "talweg/core/report.hpp"
+#include "talweg/core/surface_deviation.hpp"
+#include "talweg/intrinsic/surface_point.hpp"
+#include "workspace.hpp"
+
+namespace talweg::plugins {
+
+/// What a method made of one drawn curve.
+struct MethodCurve {
+  SurfaceCurve curve;
+  std::string termination = "converged";  ///< as in SmoothingReport
+  std::size_t iterations = 0;             ///< rounds, of whatever kind the method has
+  std::vector<std::string> warnings;      ///< sentences for the user
+  std::vector<ReportEntry>
+      entries;  ///< what only this method reports; of one curve also in the total
+};
+
+class MethodWorkspace : public Workspace {
+ public:
+  using Workspace::Workspace;
+
+  /// What every method gives.
+  static std::vector<talweg_output> outputs();
+
+  void run(const plugin::Parameters& parameters, const plugin::Outputs& outputs);
+
+ protected:
+  ~MethodWorkspace() = default;
+
+  struct Method {
+    const char* engine;               ///< name in the report
+    std::vector<MethodCurve> curves;  ///< one per drawn curve, in their order
+    StageTimes times;                 ///< but open and total
+  };
+  /// Smooths drawing(). Throws plugin::Services::cancelled().
+  virtual Method smooth(const plugin::Parameters& parameters) = 0;
+
+  /// Throws plugin::Services::cancelled() when the user has cancelled.
+  void go_on(const char* stage, double fraction) const;
+
+ private:
+  [[nodiscard]] SmoothingReport report_on(const Method& method, std::size_t curve,
+                                          DeviationMeasure measure, DeviationMeter& meter) const;
+  [[nodiscard]] std::vector<SmoothingReport> reports_on(const Method& method,
+                                                        const std::vector<SurfaceCurve>& curves,
+                                                        DeviationMeasure measure) const;
+};
+
+}  // namespace talweg::plugins
