@@ -36,6 +36,11 @@ void StraightLines::append_leg(const SurfacePoint& from, const SurfacePoint& to,
   }
   PointInsertion insertion(triangulation);
   const VertexId start = insertion.insert(from), end = insertion.insert(to);
+  if (start == end) {  // both as near to it as rounding, in different faces there
+    points.push_back(triangulation.location(start));
+    triangulation.remove_inserted();
+    return;
+  }
   if (vertices.front() != start) vertices.insert(vertices.begin(), start);
   if (vertices.back() != end) vertices.push_back(end);
   std::vector<HalfedgeId> chain;

@@ -96,6 +96,7 @@ void PointInsertion::replace_pieces(FaceId face, HalfedgeId old,
 VertexId PointInsertion::insert(const SurfacePoint& point) {
   const Surface& surface = triangulation_->surface();
   if (const auto* v = std::get_if<AtVertex>(&point.where())) return v->vertex;
+  if (std::holds_alternative<OnEdge>(point.where())) return insert_on_edge(point);
   const FaceId face = any_face(surface, point);
   const Weights weights = coordinates_in(surface, point, face).barycentric;
   Place place = locate(face, weights);
@@ -127,6 +128,28 @@ VertexId PointInsertion::insert(const SurfacePoint& point) {
   list.push_back(side[1]);
   list.push_back(side[2]);
   return triangulation_->split_face(side[0], lengths, point);
+}
+
+/// Only the edge's own pieces are looked at. In slivers of its faces a point inside one of them may
+/// be as near, but that is not in the other face, where the curve may go on.
+VertexId PointInsertion::insert_on_edge(const SurfacePoint& point) {
+  const OnEdge& at = std::get<OnEdge>(point.where());
+  const HalfedgeId whole = halfedge_of(at.edge);
+  const VertexId begin = triangulation_->surface().tail(whole);
+  const auto parameter = [&](VertexId v) {
+    const SurfacePoint where = triangulation_->location(v);
+    if (const auto* e = std::get_if<OnEdge>(&where.where())) return e->t;
+    return std::get<AtVertex>(where.where()).vertex == begin ? 0.0 : 1.0;
+  };
+  const std::vector<HalfedgeId> chain = now(std::span(&whole, 1), 0);
+  const auto piece = std::find_if(chain.begin(), chain.end() - 1, [&](HalfedgeId h) {
+    return at.t <= parameter(triangulation_->head(h));
+  });
+  const double from = parameter(triangulation_->tail(*piece));
+  const double t = (at.t - from) / (parameter(triangulation_->head(*piece)) - from);
+  if (!(t > kOnSide)) return triangulation_->tail(*piece);
+  if (!(t < 1 - kOnSide)) return triangulation_->head(*piece);
+  return insert_on_side(*piece, t, &point);
 }
 
 VertexId PointInsertion::insert_on_side(HalfedgeId side, double t, const SurfacePoint* exact) {

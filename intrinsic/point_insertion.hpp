@@ -19,7 +19,8 @@ class PointInsertion {
   /// The triangulation must outlive this object and have no inserted vertices yet.
   explicit PointInsertion(SignpostTriangulation& triangulation) : triangulation_(&triangulation) {}
 
-  /// The vertex at the point; inserts it if there is none. O(pieces of the face).
+  /// The vertex at the point; inserts it if there is none. It lies in every face that the point
+  /// lies in. O(pieces of the face).
   VertexId insert(const SurfacePoint& point);
 
   /// Appends to `path` the halfedges of the straight segment between two vertices which lie in a
@@ -46,6 +47,7 @@ class PointInsertion {
   Place locate(FaceId face, const std::array<double, 3>& point);
   VertexId nearest_vertex(FaceId face, const std::array<double, 3>& point);
   double distance(VertexId v, FaceId face, const std::array<double, 3>& point) const;
+  VertexId insert_on_edge(const SurfacePoint& point);
   VertexId insert_on_side(HalfedgeId side, double t, const SurfacePoint* exact = nullptr);
   void replace_pieces(FaceId face, HalfedgeId old, std::span<const HalfedgeId> fresh);
   HalfedgeId step(VertexId from, VertexId to, FaceId face);

@@ -1,5 +1,6 @@
 #include "talweg/core/straight_lines.hpp"
 
+#include <array>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -35,6 +36,24 @@ TEST(StraightLines, PointsAsNearToEdgesAndVerticesAsRounding) {
     }
     expect_joined(surface, lines.join(points, true));
   }
+}
+
+TEST(StraightLines, BetweenTwoPointsThatAreAsNearToAVertexAsRounding) {
+  const SurfaceMesh mesh = SurfaceMesh::open(grid(4, 4));
+  const Surface& surface = mesh.surface();
+  const VertexId middle{12};
+  std::vector<SurfacePoint> points;  // the first of opposite faces around the vertex
+  const std::vector<FaceId> around = faces_at(surface, SurfacePoint::at_vertex(surface, middle));
+  for (const std::size_t i : {std::size_t{0}, around.size() / 2}) {
+    std::array<double, 3> at{};
+    const auto corners = surface.corners(around[i]);
+    for (std::size_t k = 0; k < 3; ++k) at[k] = corners[k] == middle ? 1 - 2e-12 : 1e-12;
+    points.push_back(SurfacePoint::in_face(surface, around[i], at));
+  }
+  const SurfaceCurve line = StraightLines(surface).join(points, false);
+  expect_joined(surface, line);
+  ASSERT_EQ(line.points.size(), 3U);
+  EXPECT_EQ(line.points[1], SurfacePoint::at_vertex(surface, middle));
 }
 
 }  // namespace

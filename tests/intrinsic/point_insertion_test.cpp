@@ -1,5 +1,7 @@
 #include "talweg/intrinsic/point_insertion.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -112,6 +114,36 @@ TEST(PointInsertion, PointsNearVerticesAndEdgesFallOnThem) {
     insertion.insert(SurfacePoint::in_face(s, FaceId{4}, {0.5, 0.5 - d, d}));
   }
   expect_planar(t, mesh, 1e-10);
+}
+
+TEST(PointInsertion, AVertexLiesInEveryFaceOfItsPoint) {
+  // Among slivers a vertex inside a face may be as near to a point of the face's side as rounding.
+  // The point is not to become that vertex: the face on the other side does not have it.
+  const Surface s = surface_of(grid(1, 1));
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    SignpostTriangulation t(s);
+    PointInsertion insertion(t);
+    Random random(seed);
+    std::vector<HalfedgeId> path;
+    VertexId last;
+    for (int k = 0; k < 120; ++k) {
+      std::array<double, 3> at = {random.uniform(0, 1), random.uniform(0, 1), random.uniform(0, 1)};
+      if (random.below(4) == 0) at[random.below(3)] = 0;
+      if (random.below(3) == 0) at[random.below(3)] *= std::pow(10, -random.uniform(6, 18));
+      const double sum = at[0] + at[1] + at[2];
+      const SurfacePoint point = SurfacePoint::from_barycentric(
+          s, FaceId{random.below(2)}, {at[0] / sum, at[1] / sum, at[2] / sum});
+      const VertexId v = insertion.insert(point);
+      const std::vector<FaceId> own = faces_at(s, t.location(v));
+      for (const FaceId f : faces_at(s, point)) {
+        ASSERT_NE(std::find(own.begin(), own.end(), f), own.end()) << "seed " << seed << ", " << k;
+      }
+      if (last.valid() && common_face(s, t.location(last), t.location(v)).valid()) {
+        insertion.connect(last, v, path);
+      }
+      last = v;
+    }
+  }
 }
 
 TEST(PointInsertion, ConnectsStraightAcrossEarlierPieces) {

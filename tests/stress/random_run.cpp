@@ -90,7 +90,8 @@ void check_curve(const SurfaceMesh& mesh, const SurfaceCurve& drawn, const Surfa
     }
   }
   if (result.closed) return;
-  // A point as near to a vertex as rounding is that vertex.
+  // A point as near to a vertex as rounding is that vertex. Measured inside the face: far from the
+  // origin positions are rounded by more.
   const auto moved = [&](const SurfacePoint& from, const SurfacePoint& to) {
     const FaceId face = common_face(surface, from, to);
     if (!face.valid()) return true;
@@ -99,7 +100,8 @@ void check_curve(const SurfaceMesh& mesh, const SurfaceCurve& drawn, const Surfa
       side = std::max(side, surface.length(edge_of(h)));
       if ((h = surface.next(h)) == end) break;
     }
-    return (mesh.position(from) - mesh.position(to)).norm() > 1e-9 * side;
+    return distance_in_face(surface, coordinates_in(surface, from, face),
+                            coordinates_in(surface, to, face)) > 1e-9 * side;
   };
   if (moved(drawn.points.front(), result.points.front()) ||
       moved(drawn.points.back(), result.points.back())) {
