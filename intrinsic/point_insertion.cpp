@@ -31,7 +31,10 @@ Weights mix(const Weights& a, const Weights& b, double t) {
 
 std::vector<HalfedgeId>& PointInsertion::pieces(FaceId face) {
   std::vector<HalfedgeId>& list = pieces_[face];
-  if (list.empty()) list.push_back(triangulation_->surface().halfedge(face));
+  if (list.empty()) {
+    list.push_back(triangulation_->surface().halfedge(face));
+    slot_[list.front()] = 0;
+  }
   return list;
 }
 
@@ -83,13 +86,17 @@ double PointInsertion::distance(VertexId v, FaceId face, const Weights& point) c
 void PointInsertion::replace_pieces(FaceId face, HalfedgeId old,
                                     std::span<const HalfedgeId> fresh) {
   std::vector<HalfedgeId>& list = pieces(face);
-  for (HalfedgeId& side : list) {
-    if (side != old && triangulation_->next(side) != old && triangulation_->prev(side) != old) {
-      continue;
-    }
-    side = fresh[0];
-    list.insert(list.end(), fresh.begin() + 1, fresh.end());
-    return;
+  auto known = slot_.find(old);
+  if (known == slot_.end()) known = slot_.find(triangulation_->next(old));
+  if (known == slot_.end()) known = slot_.find(triangulation_->prev(old));
+  assert(known != slot_.end());
+  const std::size_t slot = known->second;
+  slot_.erase(known);
+  list[slot] = fresh[0];
+  slot_[fresh[0]] = slot;
+  for (const HalfedgeId side : fresh.subspan(1)) {
+    slot_[side] = list.size();
+    list.push_back(side);
   }
 }
 
@@ -119,14 +126,7 @@ VertexId PointInsertion::insert(const SurfacePoint& point) {
   for (std::size_t k = 0; k < 3; ++k) {
     lengths[k] = distance(triangulation_->tail(side[k]), face, weights);
   }
-  // The list still knows the old face by one of its sides; each side keeps one of the new faces.
-  std::vector<HalfedgeId>& list = pieces(face);
-  const auto known = std::find_if(list.begin(), list.end(), [&](HalfedgeId h) {
-    return h == side[0] || h == side[1] || h == side[2];
-  });
-  *known = side[0];
-  list.push_back(side[1]);
-  list.push_back(side[2]);
+  replace_pieces(face, side[0], side);  // each side keeps one of the new faces
   return triangulation_->split_face(side[0], lengths, point);
 }
 

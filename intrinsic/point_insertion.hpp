@@ -59,8 +59,10 @@ class PointInsertion {
     std::size_t number = 0;
     HalfedgeId first, second;
   };
-  // Both are looked up only, never iterated.
+  // All are looked up only, never iterated. A piece is known by one of its sides, and that side's
+  // place in the list of its face.
   std::unordered_map<FaceId, std::vector<HalfedgeId>> pieces_;
+  std::unordered_map<HalfedgeId, std::size_t> slot_;
   std::unordered_map<EdgeId, std::vector<Split>> splits_;
   std::size_t split_count_ = 0;
 };
