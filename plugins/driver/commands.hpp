@@ -30,6 +30,7 @@ Command add_smooth(CLI::App& app, const GlobalOptions& global);
 Command add_measure(CLI::App& app, const GlobalOptions& global);
 Command add_labels(CLI::App& app, const GlobalOptions& global);
 Command add_cut(CLI::App& app, const GlobalOptions& global);
+Command add_compare(CLI::App& app, const GlobalOptions& global);
 Command add_plugins(CLI::App& app, const GlobalOptions& global);
 Command add_run(CLI::App& app, const GlobalOptions& global);
 Command add_info(CLI::App& app, const GlobalOptions& global);

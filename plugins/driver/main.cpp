@@ -52,6 +52,7 @@ int run(int argc, char** argv) {
   add(add_measure);
   add(add_cut);
   add(add_labels);
+  add(add_compare);
   add(add_info);
   add(add_plugins);
   add(add_run);
@@ -78,7 +79,7 @@ int run(int argc, char** argv) {
     }
   }
   return fail(kBadUsage,
-              "A command is needed: draw, smooth, measure, cut, labels, info, plugins or run (see "
+              "A command is needed: draw, smooth, measure, cut, labels, compare, info, plugins or run (see "
               "talweg --help)");
 }
 

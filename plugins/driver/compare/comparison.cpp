@@ -1,0 +1,237 @@
+#include "compare/comparison.hpp"
+
+#include <span>
+#include <utility>
+#include <variant>
+
+#include <fmt/format.h>
+
+#include "failure.hpp"
+#include "plugin_host.hpp"
+#include "talweg/core/cut_topology.hpp"
+#include "talweg/core/edge_length_near.hpp"
+#include "talweg/core/measures.hpp"
+#include "talweg/core/self_contacts.hpp"
+#include "talweg/core/snapping.hpp"
+#include "talweg/core/stopwatch.hpp"
+#include "talweg/core/version.hpp"
+#include "talweg/intrinsic/error.hpp"
+
+namespace talweg::driver {
+namespace {
+
+CurveNumbers numbers_of(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves) {
+  CurveNumbers numbers;
+  numbers.curves = curves.size();
+  for (const SurfaceCurve& curve : curves) {
+    const CurveMeasures m = measure_curve(mesh.surface(), curve);
+    numbers.points += curve.points.size();
+    numbers.length += m.length;
+    numbers.curvature += m.total_curvature;
+    numbers.largest_turn = std::max(numbers.largest_turn, m.max_curvature);
+  }
+  numbers.contacts = self_contacts(mesh.surface(), curves).size();
+  numbers.pieces = pieces_along(mesh, curves, false);
+  numbers.bare = pieces_along(mesh, curves, true);
+  return numbers;
+}
+
+bool ends_moved(const SurfaceMesh& mesh, const SurfaceCurve& a, const SurfaceCurve& b,
+                double bound) {
+  if (a.closed || b.closed) return false;
+  return (mesh.position(a.points.front()) - mesh.position(b.points.front())).norm() > bound ||
+         (mesh.position(a.points.back()) - mesh.position(b.points.back())).norm() > bound;
+}
+
+/// A sentence's end where the result is of another kind than the drawing.
+std::string change_of_kind(const SurfaceMesh& mesh, std::span<const SurfaceCurve> drawn,
+                           const CurveNumbers& before, std::span<const SurfaceCurve> result,
+                           const CurveNumbers& after) {
+  if (drawn.size() != result.size()) {
+    return fmt::format("{} curves of {}", result.size(), drawn.size());
+  }
+  for (std::size_t c = 0; c < drawn.size(); ++c) {
+    if (drawn[c].closed != result[c].closed) return result[c].closed ? "closed" : "opened";
+    if (ends_moved(mesh, drawn[c], result[c], 1e-6 * mesh.mean_edge_length())) return "ends moved";
+  }
+  if (after.contacts > before.contacts) {
+    return fmt::format("touches itself {} times", after.contacts - before.contacts);
+  }
+  if (after.pieces != before.pieces && after.pieces != before.bare && after.bare != before.bare) {
+    return "parts the mesh otherwise";
+  }
+  return {};
+}
+
+void add_deviation(DeviationMeter& meter, std::span<const SurfaceCurve> result,
+                   std::span<const SurfaceCurve> drawn, double result_share, double drawn_share,
+                   ComparedRun& run) {
+  const SurfaceDeviation d = meter.measure(result, drawn);
+  run.to_drawn = std::max(run.to_drawn, d.to_drawn.max);
+  run.from_drawn = std::max(run.from_drawn, d.from_drawn.max);
+  run.to_drawn_mean += d.to_drawn.mean * result_share;
+  run.from_drawn_mean += d.from_drawn.mean * drawn_share;
+}
+
+/// Each curve from its own drawing where there are as many, else all from all.
+void measure_deviation(const SurfaceMesh& mesh, std::span<const SurfaceCurve> result,
+                       std::span<const SurfaceCurve> drawn, double drawn_length, ComparedRun& run) {
+  DeviationMeter meter(mesh);
+  if (result.size() != drawn.size()) return add_deviation(meter, result, drawn, 1, 1, run);
+  const auto length = [&](const SurfaceCurve& c) { return curve_length(mesh.surface(), c); };
+  for (std::size_t c = 0; c < drawn.size(); ++c) {
+    add_deviation(meter, result.subspan(c, 1), drawn.subspan(c, 1),
+                  length(result[c]) / run.numbers.length, length(drawn[c]) / drawn_length, run);
+  }
+}
+
+/// One method on one drawing, with as many values of its parameter as are asked for.
+class MethodRuns {
+ public:
+  MethodRuns(const ReadMesh& read, const Drawing& drawing, const SurfaceMesh& mesh,
+             const Comparison& comparison, const CompareOptions& options)
+      : read_(read), drawing_(drawing), mesh_(mesh), comparison_(comparison), options_(options) {
+    for (const SurfaceCurve& curve : drawing.curves) {
+      curves_.push_back(host_curve(place(mesh, curve)));
+    }
+  }
+
+  /// Refusals become runs. Throws Cancelled.
+  std::vector<ComparedRun> of(std::size_t method) const {
+    std::vector<std::optional<double>> values{std::nullopt};
+    const Method& m = comparison_.methods[method];
+    if (options_.sweep && !m.values.empty()) values.assign(m.values.begin(), m.values.end());
+    std::vector<ComparedRun> runs;
+    try {
+      const host::Services services("talweg", version(), options_.progress);
+      host::Instance instance(plugin_named(m.plugin), services);
+      for (const std::optional<double>& value : values) {
+        runs.push_back(run(instance, method, value, runs.empty()));
+      }
+    } catch (const Error& error) {  // no such plugin
+      runs.push_back({});
+      runs.back().method = method;
+      runs.back().refusal = error.what();
+    }
+    return runs;
+  }
+
+ private:
+  ComparedRun run(host::Instance& instance, std::size_t method, std::optional<double> value,
+                  bool first) const {
+    const Method& m = comparison_.methods[method];
+    ComparedRun run;
+    run.method = method;
+    if (value) run.value = m.in_edges ? *value * comparison_.edge : *value;
+    try {
+      const Stopwatch watch;
+      if (first) set_mesh(instance, mesh_.points(), read_.lists.triangles);
+      for (const auto& [id, setting] : m.settings) {
+        std::visit([&](const auto& v) { instance.set(id.c_str(), v); }, setting);
+      }
+      if (run.value) instance.set(m.swept.c_str(), *run.value);
+      instance.set_curves(curves_);
+      host::Results results = instance.run();
+      run.first_ms = watch.ms();
+      const Stopwatch again;
+      instance.set_curves(curves_);
+      results = instance.run();
+      run.again_ms = again.ms();
+      measure(results, run);
+    } catch (const host::Error& error) {
+      if (error.status() == TALWEG_CANCELLED) throw;
+      run.refusal = error.what();
+    }
+    return run;
+  }
+
+  void measure(const host::Results& results, ComparedRun& run) const {
+    std::vector<SurfaceCurve> curves;
+    for (const host::Curve& curve : results.curves) {
+      run.curves.push_back(placed_curve(curve));
+      CurveInput input;
+      input.closed = curve.closed;
+      input.points = run.curves.back().faces;
+      SnappedCurve snapped = snap(mesh_, input);
+      curves.push_back({snapped.closed, std::move(snapped.points)});
+    }
+    if (curves.empty()) {
+      run.refusal = "No curve is left.";
+      return;
+    }
+    run.numbers = numbers_of(mesh_, curves);
+    measure_deviation(mesh_, curves, drawing_.curves, comparison_.drawn.length, run);
+    run.changed = change_of_kind(mesh_, drawing_.curves, comparison_.drawn, curves, run.numbers);
+    const std::string termination = results.text("termination");
+    if (run.changed.empty() && termination == "collapsed") run.changed = termination;
+    for (PlacedCurve& curve : run.curves) {
+      curve = in_file_numbers(read_.map.get(), std::move(curve));
+    }
+  }
+
+  const ReadMesh& read_;
+  const Drawing& drawing_;
+  const SurfaceMesh& mesh_;
+  const Comparison& comparison_;
+  const CompareOptions& options_;
+  std::vector<host::Curve> curves_;
+};
+
+bool same_method(const Method& a, const Method& b) {
+  return a.plugin == b.plugin && a.settings == b.settings;
+}
+
+bool judged(const Comparison& c, const ComparedRun& run) {
+  return run.ok() && !same_method(c.methods[run.method], c.methods.front());
+}
+
+bool ties_or_wins(const ComparedRun& ours, const ComparedRun& other) {
+  return ours.deviation() <= 1.02 * other.deviation() &&
+         ours.numbers.curvature <=
+             std::max(1.02 * other.numbers.curvature, other.numbers.curvature + 0.02);
+}
+
+}  // namespace
+
+std::vector<std::size_t> beaten_by(const Comparison& comparison) {
+  std::vector<std::size_t> beaten;
+  for (std::size_t k = 0; k < comparison.runs.size(); ++k) {
+    const ComparedRun& other = comparison.runs[k];
+    if (!judged(comparison, other)) continue;
+    const bool held =
+        std::any_of(comparison.runs.begin(), comparison.runs.end(), [&](const ComparedRun& ours) {
+          return ours.ok() &&
+                 same_method(comparison.methods[ours.method], comparison.methods.front()) &&
+                 ties_or_wins(ours, other);
+        });
+    if (!held) beaten.push_back(k);
+  }
+  return beaten;
+}
+
+std::size_t judged_runs(const Comparison& comparison) {
+  return static_cast<std::size_t>(
+      std::count_if(comparison.runs.begin(), comparison.runs.end(),
+                    [&](const ComparedRun& run) { return judged(comparison, run); }));
+}
+
+Comparison compare_methods(const ReadMesh& read, const Drawing& drawing, const SurfaceMesh& mesh,
+                           const CompareOptions& options) {
+  Comparison comparison;
+  comparison.faces = mesh.surface().face_count();
+  comparison.methods = options.methods;
+  comparison.drawn = numbers_of(mesh, drawing.curves);
+  for (const SurfaceCurve& curve : drawing.curves) {
+    comparison.edge += edge_length_near(mesh.surface(), curve);
+    comparison.drawing.push_back(in_file_numbers(read.map.get(), place(mesh, curve)));
+  }
+  comparison.edge /= static_cast<double>(drawing.curves.size());
+  const MethodRuns runs(read, drawing, mesh, comparison, options);
+  for (std::size_t m = 0; m < comparison.methods.size(); ++m) {
+    std::vector<ComparedRun> more = runs.of(m);
+    std::move(more.begin(), more.end(), std::back_inserter(comparison.runs));
+  }
+  return comparison;
+}
+
+}  // namespace talweg::driver

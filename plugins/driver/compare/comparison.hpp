@@ -1,0 +1,76 @@
+// Methods run on one drawing, all measured in the same way.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "compare/methods.hpp"
+#include "drawing_file.hpp"
+#include "repaired_mesh.hpp"
+#include "talweg/core/placed_curve.hpp"
+#include "talweg/core/surface_deviation.hpp"
+#include "talweg/intrinsic/progress.hpp"
+
+namespace talweg::driver {
+
+/// What curves measure. Angles in radians, lengths in mesh units.
+struct CurveNumbers {
+  std::size_t curves = 0, points = 0;
+  double length = 0;
+  double curvature = 0, largest_turn = 0;
+  std::size_t contacts = 0;                ///< places where they touch or cross
+  std::vector<std::int64_t> pieces, bare;  ///< pieces_along(), as they are and without spikes
+};
+
+/// A method with one value of its parameter.
+struct ComparedRun {
+  std::size_t method = 0;       ///< index
+  std::optional<double> value;  ///< of the swept parameter; none: the method's default
+  std::string refusal;          ///< the method's sentence; then there is nothing else
+  std::vector<PlacedCurve> curves;
+  CurveNumbers numbers;
+  double to_drawn = 0, to_drawn_mean = 0;      ///< mesh units, along the surface
+  double from_drawn = 0, from_drawn_mean = 0;  ///< mesh units
+  double first_ms = 0;                         ///< from the mesh's lists to the result
+  double again_ms = 0;                         ///< the same run once more with the mesh known
+  std::string changed;                         ///< how the curve's kind changed; empty: kept
+
+  [[nodiscard]] bool ok() const { return refusal.empty() && changed.empty(); }
+  /// The larger of both ways, mesh units.
+  [[nodiscard]] double deviation() const { return std::max(to_drawn, from_drawn); }
+};
+
+struct Comparison {
+  std::string mesh, curve;  ///< files
+  std::size_t faces = 0;
+  double edge = 0;  ///< mean edge near the drawing, mesh units
+  CurveNumbers drawn;
+  std::vector<PlacedCurve> drawing;
+  std::vector<Method> methods;
+  std::vector<ComparedRun> runs;  ///< by method, in the order of its values
+};
+
+/// Where the first method is beaten: the runs of others (by index) that keep the curve's kind and
+/// are smoother than every run of the first that deviates no more. 2 % in deviation, and 2 % or
+/// 0.02 rad in curvature, are a tie. Methods that differ from the first in the swept parameter only
+/// count as the first.
+std::vector<std::size_t> beaten_by(const Comparison& comparison);
+/// How many runs were judged for that.
+std::size_t judged_runs(const Comparison& comparison);
+
+struct CompareOptions {
+  std::vector<Method> methods;
+  bool sweep = false;
+  Progress progress;
+};
+
+/// Throws Error as reading drawings does. What a method refuses is in its run.
+Comparison compare_methods(const ReadMesh& mesh, const Drawing& drawing, const SurfaceMesh& surface,
+                           const CompareOptions& options);
+
+}  // namespace talweg::driver

@@ -1,0 +1,29 @@
+// What talweg compare knows of the methods: which plugin each is, and which parameter is its own
+// choice between smooth and close.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace talweg::driver {
+
+struct Method {
+  std::string name;    ///< as --methods has it
+  std::string plugin;  ///< id
+  std::string color;   ///< rrggbb, in pictures and plots
+  std::vector<std::pair<std::string, std::variant<double, std::string>>> settings;
+  std::string swept;           ///< parameter id; empty: there is none
+  bool in_edges = false;       ///< its values below are in mean edges near the drawing
+  std::vector<double> values;  ///< of the sweep, from close to smooth
+};
+
+/// In the order of tables and pictures; the first is what the others are compared with.
+const std::vector<Method>& known_methods();
+
+/// The methods of a list of names and plugin ids, separated by commas; empty: all that are known. A
+/// plugin by its id runs with its defaults. Throws Error(kBadUsage) naming what is neither.
+std::vector<Method> methods_of(const std::string& list);
+
+}  // namespace talweg::driver

@@ -1,0 +1,15 @@
+// The trade-off between smooth and close as a plot.
+#pragma once
+
+#include <string>
+
+#include "compare/comparison.hpp"
+
+namespace talweg::driver {
+
+/// An SVG: total curvature (rad, logarithmic) against the larger deviation (mean edges near the
+/// drawing, logarithmic), a line per method through the runs that keep the curve's kind; those that
+/// do not are hollow. Further left and down is better.
+std::string comparison_plot(const Comparison& comparison, const std::string& title);
+
+}  // namespace talweg::driver

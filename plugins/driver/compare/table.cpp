@@ -1,0 +1,169 @@
+#include "compare/table.hpp"
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace talweg::driver {
+namespace {
+
+using nlohmann::ordered_json;
+
+constexpr std::size_t kColumns = 8;
+using Row = std::array<std::string, kColumns>;
+
+const Row kHead = {"method",         "parameter", "curvature, rad",   "to drawing, edges",
+                   "from it, edges", "length, x", "first, again, ms", "kind"};
+
+std::string parameter_of(const Comparison& c, const ComparedRun& run) {
+  if (!run.value) return "default";
+  return fmt::format("{} {:.4g}", c.methods[run.method].swept, *run.value);
+}
+
+Row drawing_row(const Comparison& c) {
+  return {"(drawing)", "", fmt::format("{:.3f}", c.drawn.curvature), "", "", "", "", ""};
+}
+
+Row row_of(const Comparison& c, const ComparedRun& run) {
+  Row row;
+  row[0] = c.methods[run.method].name;
+  row[1] = parameter_of(c, run);
+  if (!run.refusal.empty()) {
+    row[7] = "refused";
+    return row;
+  }
+  row[2] = fmt::format("{:.3f}", run.numbers.curvature);
+  row[3] = fmt::format("{:.2f} ({:.2f})", run.to_drawn / c.edge, run.to_drawn_mean / c.edge);
+  row[4] = fmt::format("{:.2f} ({:.2f})", run.from_drawn / c.edge, run.from_drawn_mean / c.edge);
+  row[5] = fmt::format("{:.4f}", run.numbers.length / c.drawn.length);
+  row[6] = fmt::format("{:.0f}, {:.0f}", run.first_ms, run.again_ms);
+  row[7] = run.changed.empty() ? "kept" : run.changed;
+  return row;
+}
+
+ordered_json json_of(const CurveNumbers& n) {
+  return {{"curves", n.curves},
+          {"points", n.points},
+          {"length", n.length},
+          {"curvature", n.curvature},
+          {"curvature_max", n.largest_turn},
+          {"contacts", n.contacts}};
+}
+
+ordered_json json_of(const Comparison& c, const ComparedRun& run) {
+  const Method& method = c.methods[run.method];
+  ordered_json json = {{"method", method.name}, {"plugin", method.plugin}};
+  if (run.value) json["parameter"] = {{"id", method.swept}, {"value", *run.value}};
+  if (!run.refusal.empty()) {
+    json["refused"] = run.refusal;
+    return json;
+  }
+  json.update(json_of(run.numbers));
+  json["deviation_to_drawn_max"] = run.to_drawn;
+  json["deviation_to_drawn_mean"] = run.to_drawn_mean;
+  json["deviation_from_drawn_max"] = run.from_drawn;
+  json["deviation_from_drawn_mean"] = run.from_drawn_mean;
+  json["first_ms"] = run.first_ms;
+  json["again_ms"] = run.again_ms;
+  json["kind_kept"] = run.changed.empty();
+  if (!run.changed.empty()) json["kind_changed"] = run.changed;
+  return json;
+}
+
+bool swept(const Comparison& c) {
+  return std::any_of(c.runs.begin(), c.runs.end(),
+                     [](const ComparedRun& run) { return run.value.has_value(); });
+}
+
+std::string beaten_text(const Comparison& c) {
+  const std::vector<std::size_t> beaten = beaten_by(c);
+  const std::size_t judged = judged_runs(c);
+  std::string text =
+      fmt::format("{} is as smooth or smoother at no more deviation in {} of {} runs of others.\n",
+                  c.methods.front().name, judged - beaten.size(), judged);
+  for (const std::size_t k : beaten) {
+    const ComparedRun& run = c.runs[k];
+    text +=
+        fmt::format("  not so: {}, {}: {:.3f} rad at {:.2f} edges\n", c.methods[run.method].name,
+                    parameter_of(c, run), run.numbers.curvature, run.deviation() / c.edge);
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string comparison_table(const Comparison& c) {
+  std::vector<Row> rows{kHead, drawing_row(c)};
+  for (const ComparedRun& run : c.runs) rows.push_back(row_of(c, run));
+  std::array<std::size_t, kColumns> width{};
+  for (const Row& row : rows) {
+    for (std::size_t k = 0; k < kColumns; ++k) width[k] = std::max(width[k], row[k].size());
+  }
+  std::string text;
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    for (std::size_t k = 0; k < kColumns; ++k) {
+      text += fmt::format("| {:<{}} ", rows[r][k], width[k]);
+    }
+    text += "|\n";
+    if (r > 0) continue;
+    for (const std::size_t w : width) text += "|" + std::string(w + 2, '-');
+    text += "|\n";
+  }
+  return text;
+}
+
+std::string comparison_remarks(const Comparison& c) {
+  std::string text = fmt::format(
+      "Deviations are the largest (and mean) along the surface; a mean edge near the drawing is "
+      "{:.4g}.\n",
+      c.edge);
+  for (std::size_t k = 0; k < c.runs.size(); ++k) {
+    const ComparedRun& run = c.runs[k];
+    const bool said =
+        k > 0 && c.runs[k - 1].method == run.method && c.runs[k - 1].refusal == run.refusal;
+    if (run.refusal.empty() || said) continue;
+    text += fmt::format("{}: {}\n", c.methods[run.method].name, run.refusal);
+  }
+  return swept(c) ? text + beaten_text(c) : text;
+}
+
+std::string comparison_json(const Comparison& c) {
+  ordered_json json = {{"format", "talweg-comparison"},
+                       {"version", 1},
+                       {"mesh", c.mesh},
+                       {"curve", c.curve},
+                       {"faces", c.faces},
+                       {"edge_length_near", c.edge},
+                       {"drawing", json_of(c.drawn)},
+                       {"runs", ordered_json::array()}};
+  for (const ComparedRun& run : c.runs) json["runs"].push_back(json_of(c, run));
+  if (swept(c)) json["beaten_by"] = beaten_by(c);
+  return json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+}
+
+std::string comparison_csv(const Comparison& c) {
+  std::string text =
+      "method,plugin,parameter,value,curvature,curvature_before,deviation_to_drawn_max,"
+      "deviation_to_drawn_mean,deviation_from_drawn_max,deviation_from_drawn_mean,edge_length_near,"
+      "length,length_before,contacts,first_ms,again_ms,kind\n";
+  for (const ComparedRun& run : c.runs) {
+    const Method& m = c.methods[run.method];
+    text += fmt::format("{},{},{},{}", m.name, m.plugin, run.value ? m.swept : "",
+                        run.value ? fmt::format("{}", *run.value) : "");
+    if (!run.refusal.empty()) {
+      text += ",,,,,,,,,,,,,refused\n";
+      continue;
+    }
+    text += fmt::format(",{},{},{},{},{},{},{},{},{},{},{:.3f},{:.3f},{}\n", run.numbers.curvature,
+                        c.drawn.curvature, run.to_drawn, run.to_drawn_mean, run.from_drawn,
+                        run.from_drawn_mean, c.edge, run.numbers.length, c.drawn.length,
+                        run.numbers.contacts, run.first_ms, run.again_ms,
+                        run.changed.empty() ? "kept" : run.changed);
+  }
+  return text;
+}
+
+}  // namespace talweg::driver

@@ -1,0 +1,17 @@
+// A comparison as a table for people, as JSON, and as comma-separated values.
+#pragma once
+
+#include <string>
+
+#include "compare/comparison.hpp"
+
+namespace talweg::driver {
+
+/// Markdown that lines up: one row per run.
+std::string comparison_table(const Comparison& comparison);
+/// What is to be said below the table: refusals, and with a sweep where the first method is beaten.
+std::string comparison_remarks(const Comparison& comparison);
+std::string comparison_json(const Comparison& comparison);
+std::string comparison_csv(const Comparison& comparison);
+
+}  // namespace talweg::driver

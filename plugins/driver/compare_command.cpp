@@ -1,0 +1,115 @@
+// talweg compare: all methods on one drawing, measured in the same way.
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "commands.hpp"
+#include "compare/comparison.hpp"
+#include "compare/picture.hpp"
+#include "compare/plot.hpp"
+#include "compare/table.hpp"
+#include "drawing_file.hpp"
+#include "progress_bar.hpp"
+#include "repaired_mesh.hpp"
+#include "talweg/core/formats/curve_file.hpp"
+#include "talweg/core/formats/file_bytes.hpp"
+#include "talweg/intrinsic/error.hpp"
+#include "talweg/plugin/talweg_host.hpp"
+
+namespace talweg::driver {
+namespace {
+
+struct CompareCommandOptions {
+  std::string mesh;
+  std::vector<std::string> curves;
+  std::string methods;
+  bool sweep = false;
+  std::string picture, plot, report, table, results;
+  std::string repair;
+};
+
+/// The curves of each method that has a result, as PREFIX-METHOD.json; of a sweep numbered.
+void write_results(const std::string& prefix, const Comparison& c) {
+  std::vector<std::size_t> count(c.methods.size(), 0);
+  for (const ComparedRun& run : c.runs) {
+    const std::size_t number = count[run.method]++;
+    if (!run.refusal.empty()) continue;
+    const std::string name = prefix + "-" + c.methods[run.method].name;
+    write_curves(run.value ? name + "-" + std::to_string(number) + ".json" : name + ".json",
+                 run.curves);
+  }
+}
+
+void write(const CompareCommandOptions& o, const Comparison& comparison, const MeshLists& mesh) {
+  const std::string title = std::filesystem::path(o.mesh).stem().string();
+  if (!o.report.empty()) write_file(o.report, comparison_json(comparison));
+  if (!o.table.empty()) write_file(o.table, comparison_csv(comparison));
+  if (!o.plot.empty()) write_file(o.plot, comparison_plot(comparison, title));
+  if (!o.results.empty()) write_results(o.results, comparison);
+  if (!o.picture.empty()) write_comparison_picture(o.picture, comparison, mesh);
+}
+
+int run_compare(const CompareCommandOptions& o, const GlobalOptions& global) {
+  CompareOptions options{methods_of(o.methods), o.sweep, progress_bar(global.quiet)};
+  if (!o.plot.empty() && !o.sweep) {
+    throw Error(ErrorCode::kBadUsage, "--plot needs --sweep: it shows a line for each method.");
+  }
+  const ReadMesh read = read_and_repair(o.mesh, o.repair);
+  const SurfaceMesh mesh = SurfaceMesh::open(read.lists);
+  const Drawing drawing = DrawingReader(mesh, read.map.get()).read(o.curves);
+  Comparison comparison;
+  try {
+    comparison = compare_methods(read, drawing, mesh, options);
+  } catch (const host::Error&) {
+    clear_progress_bar();
+    std::fprintf(stderr, "talweg: cancelled; nothing was written.\n");
+    return kCancelled;
+  }
+  clear_progress_bar();
+  comparison.mesh = o.mesh;
+  comparison.curve = o.curves.front();
+  write(o, comparison, read.lists);
+  if (global.quiet) return kDone;
+  std::string text = comparison_table(comparison) + comparison_remarks(comparison);
+  for (const std::string& change : read.changes) text += change + "\n";
+  for (const std::string& warning :
+       reading_warnings(drawing.largest_snap_distance, read.lists.polygon_count)) {
+    text += warning + "\n";
+  }
+  std::fputs(text.c_str(), stdout);
+  return kDone;
+}
+
+}  // namespace
+
+Command add_compare(CLI::App& app, const GlobalOptions& global) {
+  auto o = std::make_shared<CompareCommandOptions>();
+  CLI::App* command = app.add_subcommand(
+      "compare", "Smooth one drawing by every method there is, and measure all results alike");
+  command->add_option("mesh", o->mesh, "Mesh: OBJ, OFF, PLY, STL or OM")->required();
+  command
+      ->add_option("--curve", o->curves,
+                   "Curves: .obj, .ply, .vtp, .vtk, .mrk.json, .txt (vertex numbers) or .json; may "
+                   "be given several times")
+      ->required();
+  std::string names;
+  for (const Method& method : known_methods()) names += (names.empty() ? "" : ", ") + method.name;
+  command->add_option(
+      "--methods", o->methods,
+      "Which, separated by commas: " + names + ", or any plugin by its id (default: all of these)");
+  command->add_flag("--sweep", o->sweep,
+                    "Each method with many values of its parameter, from close to smooth");
+  command->add_option("-o,--output", o->picture, "A picture of all curves, .png");
+  command->add_option("--plot", o->plot,
+                      "With --sweep: curvature against deviation, a line per method, .svg");
+  command->add_option("--report", o->report, "All that was measured, as JSON");
+  command->add_option("--table", o->table, "The same as .csv, a line per run");
+  command->add_option("--results", o->results,
+                      "The resulting curves: files RESULTS-METHOD.json, numbered with --sweep");
+  add_repair_option(*command, o->repair);
+  return [o, &global] { return run_compare(*o, global); };
+}
+
+}  // namespace talweg::driver
