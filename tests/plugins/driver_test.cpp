@@ -278,6 +278,7 @@ TEST_F(Driver, ListsItsPlugins) {
   EXPECT_EQ(outcome.err, "");
   EXPECT_EQ(outcome.out,
             "talweg.distance\tDistance to curves\ntalweg.draw\tDraw curves\n"
+            "talweg.envelope\tLaplacian smoothing in an envelope (Lawonn et al. 2014)\n"
             "talweg.geodesic\tGeodesic\n"
             "talweg.midpoints\tSubdivision by geodesic midpoints (Morera et al. 2008)\n"
             "talweg.smooth\tSmooth curves\n");

@@ -1,4 +1,5 @@
 // The plugins of other methods against values from mathematics.
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <numbers>
@@ -12,6 +13,7 @@
 #include "talweg/core/measures.hpp"
 #include "talweg/core/report.hpp"
 #include "talweg/core/version.hpp"
+#include "talweg/intrinsic/polyline_distance.hpp"
 
 namespace talweg {
 namespace {
@@ -47,7 +49,7 @@ SurfaceCurve edge_path(const SurfaceMesh& mesh, std::vector<std::uint32_t> way, 
                             closed);
 }
 
-constexpr const char* kMethods[] = {"talweg.midpoints"};
+constexpr const char* kMethods[] = {"talweg.envelope", "talweg.midpoints"};
 
 TEST(MethodPlugins, GiveAWholeReportAndCurvesInTheirOrder) {
   const test::Subject subject;
@@ -105,6 +107,133 @@ TEST(MidpointsPlugin, SaysWhatIsWrongWithAParameter) {
   EXPECT_THROW(on.instance.set("spacing", 0.0), host::Error);
   EXPECT_THROW(on.instance.set("degree", 2.5), host::Error);
   EXPECT_THROW(on.instance.set("levels", 0.0), host::Error);
+}
+
+SurfaceCurve as_curve(const SurfaceMesh& mesh, const host::Curve& curve) {
+  SurfaceCurve result{curve.closed, {}};
+  for (std::size_t k = 0; k < curve.faces.size(); ++k) {
+    result.points.push_back(SurfacePoint::from_barycentric(mesh.surface(), FaceId{curve.faces[k]},
+                                                           curve.barycentrics[k]));
+  }
+  return result;
+}
+
+/// The largest distance along the surface of the curve's points to the drawn curves.
+double farthest_point(const SurfaceMesh& mesh, const SurfaceCurve& curve,
+                      const std::vector<SurfaceCurve>& drawn) {
+  PolylineDistance distance(mesh.surface());
+  distance.set(drawn);
+  double most = 0;
+  for (const SurfacePoint& p : curve.points) most = std::max(most, distance.at(p).distance);
+  return most;
+}
+
+TEST(EnvelopePlugin, WithoutABoundIsTheGeodesic) {
+  const test::Subject subject;
+  OnMesh geodesic("talweg.geodesic", subject.lists), on("talweg.envelope", subject.lists);
+  const double straight = geodesic.run({subject.drawn}).number("length_after");
+  on.instance.set("envelope", 1000.0);
+  on.instance.set("iterations", 100000.0);
+  on.instance.set("tolerance", 1e-9);
+  const host::Results results = on.run({subject.drawn});
+  EXPECT_EQ(results.text("termination"), "converged");
+  EXPECT_NEAR(results.number("length_after"), straight, 1e-4 * straight);
+  EXPECT_GT(results.number("splits"), 0);
+}
+
+TEST(EnvelopePlugin, NoRoundMakesTheCurveLonger) {
+  const test::Subject subject;
+  OnMesh on("talweg.envelope", subject.lists);
+  on.instance.set("tolerance", 0.0);
+  double last = curve_length(on.mesh.surface(), subject.drawn);
+  for (double rounds = 1; rounds <= 12; ++rounds) {
+    on.instance.set("iterations", rounds);
+    const host::Results results = on.run({subject.drawn});
+    EXPECT_EQ(results.text("termination"), "limit");
+    EXPECT_LT(results.number("length_after"), last);
+    last = results.number("length_after");
+  }
+}
+
+TEST(EnvelopePlugin, ItsPointsStayWithinTheEnvelope) {
+  const test::Subject subject;
+  OnMesh on("talweg.envelope", subject.lists);
+  for (const double envelope : {0.05, 0.5, 2.0}) {
+    on.instance.set("envelope", envelope);
+    const host::Results results = on.run({subject.drawn});
+    const SurfaceCurve curve = as_curve(on.mesh, results.curves[0]);
+    EXPECT_LE(farthest_point(on.mesh, curve, {subject.drawn}), envelope * (1 + 1e-9));
+    EXPECT_GT(results.number("deviation_to_drawn_max"), 0.5 * envelope);
+  }
+}
+
+TEST(EnvelopePlugin, HoldsALoopOnAPlaneAndLetsItCollapseWithoutABound) {
+  OnMesh on("talweg.envelope", test::grid(40, 40));
+  const SurfaceCurve loop = test::drawn_near(
+      on.mesh, test::circle(Point(20, 20, 0), Point(12, 0, 0), Point(0, 12, 0), 24), true);
+  on.instance.set("envelope", 1.5);
+  const host::Results held = on.run({loop});
+  EXPECT_EQ(held.text("termination"), "converged");
+  double least = 12;  // of the drawing's corners from the centre; its segments are at most sqrt(2)
+  for (const Point& p : positions_of(on.mesh, loop)) {
+    least = std::min(least, std::hypot(p.x() - 20, p.y() - 20));
+  }
+  const double inner = std::sqrt(least * least - 0.5) - 1.5;
+  for (const auto& p : held.curves[0].positions) {
+    EXPECT_GT(std::hypot(p[0] - 20, p[1] - 20), inner);
+    EXPECT_LT(std::hypot(p[0] - 20, p[1] - 20), 13);
+  }
+  EXPECT_GE(held.number("length_after"), 2 * std::numbers::pi * inner);
+  on.instance.set("envelope", 100.0);
+  on.instance.set("tolerance", 0.0);
+  on.instance.set("iterations", 1e5);
+  const host::Results fallen = on.run({loop});
+  EXPECT_EQ(fallen.text("termination"), "collapsed");
+  EXPECT_LT(fallen.number("length_after"), 3 * std::sqrt(2.0));
+}
+
+TEST(EnvelopePlugin, SmoothsNoiseOnAGreatCircle) {
+  OnMesh on("talweg.envelope", test::sphere(5));
+  std::vector<Point> noisy = test::circle(Point(0, 0, 0), Point(0, 1, 0.3), Point(1, 0, 0), 40);
+  for (std::size_t k = 0; k < noisy.size(); ++k) noisy[k].z() += k % 2 == 0 ? 0.05 : -0.05;
+  const SurfaceCurve loop = test::drawn_near(on.mesh, noisy, true);
+  on.instance.set("envelope", 0.12);
+  const host::Results results = on.run({loop});
+  EXPECT_LT(results.number("curvature_after"), 0.1 * results.number("curvature_before"));
+  EXPECT_NEAR(results.number("length_after"), 2 * std::numbers::pi, 0.01 * 2 * std::numbers::pi);
+  EXPECT_EQ(results.number("crossings_after"), 0);
+}
+
+TEST(EnvelopePlugin, CurvesDoNotPassEachOtherAndPinsStay) {
+  OnMesh on("talweg.envelope", test::grid(30, 30));
+  const auto at = [](std::uint32_t x, std::uint32_t y) { return x + 31 * y; };
+  const SurfaceCurve upper = edge_path(on.mesh, {at(2, 20), at(15, 12), at(28, 20)}, false);
+  const SurfaceCurve lower = edge_path(on.mesh, {at(2, 9), at(15, 11), at(28, 9)}, false);
+  std::vector<host::Curve> given = {test::as_host_curve(on.mesh, upper),
+                                    test::as_host_curve(on.mesh, lower)};
+  for (std::size_t k = 0; k < upper.points.size(); ++k) {
+    if (upper.points[k] == SurfacePoint::at_vertex(on.mesh.surface(), VertexId{at(15, 12)})) {
+      given[0].pins = {static_cast<std::uint32_t>(k)};
+    }
+  }
+  ASSERT_EQ(given[0].pins.size(), 1U);
+  on.instance.set("envelope", 15.0);
+  on.instance.set("tolerance", 1e-9);
+  on.instance.set("iterations", 20000.0);
+  on.instance.set_curves(given);
+  const host::Results results = on.instance.run();
+  EXPECT_EQ(results.number("crossings_after"), 0);
+  // The pinned one is two straight lines, the other one straight.
+  EXPECT_NEAR(results.number("length_after", 0), 2 * std::hypot(13, 8), 1e-3);
+  EXPECT_NEAR(results.number("length_after", 1), 26, 1e-3);
+}
+
+TEST(EnvelopePlugin, SaysWhatIsWrongWithAParameter) {
+  OnMesh on("talweg.envelope", test::grid(4, 4));
+  EXPECT_THROW(on.instance.set("envelope", 0.0), host::Error);
+  EXPECT_THROW(on.instance.set("weight", 1.5), host::Error);
+  EXPECT_THROW(on.instance.set("iterations", 0.0), host::Error);
+  EXPECT_THROW(on.instance.set("tolerance", -1.0), host::Error);
 }
 
 }  // namespace

@@ -1,0 +1,27 @@
+// What a curve leaves on either side where it passes a vertex of the mesh.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "talweg/intrinsic/surface.hpp"
+#include "talweg/intrinsic/surface_point.hpp"
+
+namespace talweg::plugins {
+
+/// One side of a passage a, v, b: the edges between a and b there.
+struct PassageSide {
+  double angle = 0;  ///< radians, between the directions to a and to b; infinite across a boundary
+  struct Spoke {
+    HalfedgeId halfedge;  ///< from v
+    double chord = 0;     ///< mesh units from v: where the straight line from a to b crosses
+  };
+  std::vector<Spoke> spokes;  ///< in the order from a to b; chords only where angle < pi
+};
+
+/// Both sides of v between a and b, points of faces at v other than v, with the faces about v
+/// unfolded. O(degree).
+std::array<PassageSide, 2> passage_at(const Surface& surface, VertexId v, const SurfacePoint& a,
+                                      const SurfacePoint& b);
+
+}  // namespace talweg::plugins
