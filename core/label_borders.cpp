@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -177,6 +178,24 @@ std::vector<LabelBorder> label_borders(const Surface& surface, std::span<const L
   throw Error(ErrorCode::kBadCurve, std::to_string(labels.size()) + " labels, but the mesh has " +
                                         std::to_string(surface.face_count()) + " faces and " +
                                         std::to_string(surface.vertex_count()) + " vertices.");
+}
+
+std::size_t count_junctions(const Surface& surface, std::span<const LabelBorder> borders) {
+  std::set<std::pair<std::size_t, std::size_t>> places;  // kind and number
+  const auto add = [&](const SurfacePoint& p) {
+    if (const auto* v = std::get_if<AtVertex>(&p.where())) {
+      if (!surface.on_boundary(v->vertex)) places.emplace(0, v->vertex.index());
+    } else if (const auto* f = std::get_if<InFace>(&p.where())) {
+      places.emplace(1, f->face.index());
+    }
+  };
+  for (const LabelBorder& border : borders) {
+    for (const SurfacePoint& p : border.fixed) add(p);
+    if (border.curve.closed) continue;
+    add(border.curve.points.front());
+    add(border.curve.points.back());
+  }
+  return places.size();
 }
 
 }  // namespace talweg

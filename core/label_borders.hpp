@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -29,5 +30,8 @@ struct LabelBorder {
 /// two neighbours differ.
 std::vector<LabelBorder> label_borders(const Surface& surface,
                                        std::span<const std::int64_t> labels);
+
+/// How many points there are where borders end, away from the mesh's boundary.
+std::size_t count_junctions(const Surface& surface, std::span<const LabelBorder> borders);
 
 }  // namespace talweg

@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
+#include <optional>
 #include <utility>
 
 #include "talweg/core/curve_smoother.hpp"
 #include "talweg/core/local_tightening.hpp"
+#include "talweg/core/network_nodes.hpp"
 #include "talweg/core/result_report.hpp"
 #include "talweg/intrinsic/error.hpp"
 
@@ -17,6 +20,8 @@ constexpr int kRungs = 4;  // of smoothing; above them there is the drawing
 constexpr double kSteeper = 4, kNarrower = 0.5;
 // How often a border beyond D gets less slack where it is, and from when on it is pinned there.
 constexpr int kTightenings = 10, kPinnedFrom = 4;
+constexpr int kSteps = 6;    // of the nodes towards balance
+constexpr int kRetries = 3;  // with nodes held whose borders are not well
 
 class Network {
  public:
@@ -45,10 +50,20 @@ class Network {
       note_held(regions_.wrong);
       todo = climb(regions_.wrong);
     }
+    if ((options_.free_junctions || options_.sliding_ends) && !balance()) return cancelled();
     return finished();
   }
 
  private:
+  /// What is known to be sound.
+  struct State {
+    std::vector<SmoothedBorder> result;
+    CutMesh cut;
+    CutRegions regions;
+  };
+
+  enum class Outcome { kSound, kUnsound, kCancelled };
+
   static LabelNetwork cancelled() {
     LabelNetwork result;
     result.cancelled = true;
@@ -69,29 +84,46 @@ class Network {
     return true;
   }
 
+  /// What a border is drawn as, with its ends where the nodes are now.
+  NetworkNodes::Redrawing drawing(std::size_t c) {
+    if (nodes_ && nodes_->is_moved(c)) return nodes_->redrawn(c);
+    NetworkNodes::Redrawing same{drawn_[c], {}};
+    same.from.resize(drawn_[c].curve.points.size());
+    std::iota(same.from.begin(), same.from.end(), 0);
+    return same;
+  }
+
   bool smooth_set(const std::vector<std::size_t>& members, int rung) {
+    std::vector<NetworkNodes::Redrawing> drawings;
     std::vector<SurfaceCurve> curves;
     CurveOptions curve_options;
+    const auto pin = [&](const SurfacePoint& p) { curve_options.pins.push_back(p); };
     for (const std::size_t c : members) {
-      curves.push_back(drawn_[c].curve);
-      for (const auto& pins : {drawn_[c].fixed, pins_[c]}) {
-        curve_options.pins.insert(curve_options.pins.end(), pins.begin(), pins.end());
+      const LabelBorder& border = drawings.emplace_back(drawing(c)).border;
+      curves.push_back(border.curve);
+      for (const SurfacePoint& p : border.fixed) pin(p);
+      for (const SurfacePoint& p : pins_[c]) {
+        const auto& points = border.curve.points;
+        if (std::find(points.begin(), points.end(), p) != points.end()) pin(p);
       }
     }
     if (!smoother_.set_curves(curves, curve_options, options_.progress)) return false;
+    give_slack(members);
     SmoothingOptions options;
     options.progress = options_.progress;
+    if (nodes_) options.deviation = DeviationMeasure::kNone;  // not that to these drawings
     options.tau = options_.tau * std::pow(kSteeper, rung);
     if (rung > 0 && options.tau == 0) options.tau = std::pow(kSteeper, rung - 1);
-    give_slack(members);
-    for (const std::size_t c : members) options.slack_at.push_back(slack_[c]);
+    for (std::size_t i = 0; i < members.size(); ++i) {
+      std::vector<double>& slack = options.slack_at.emplace_back();
+      for (const std::size_t from : drawings[i].from) slack.push_back(slack_[members[i]][from]);
+    }
     SmoothingResult smoothed = smoother_.smooth(options);
     if (smoothed.total.termination == to_string(Termination::kCancelled)) return false;
     for (std::size_t i = 0; i < members.size(); ++i) {
-      const LabelBorder& drawn = drawn_[members[i]];
-      result_[members[i]] = {{drawn.labels, std::move(smoothed.curves[i]), drawn.fixed},
-                             std::move(smoothed.reports[i]),
-                             false};
+      LabelBorder& border = drawings[i].border;
+      border.curve = std::move(smoothed.curves[i]);
+      result_[members[i]] = {std::move(border), std::move(smoothed.reports[i]), false};
     }
     return true;
   }
@@ -183,11 +215,101 @@ class Network {
     return moved;
   }
 
-  void cut() {
+  [[nodiscard]] std::vector<SurfaceCurve> curves() const {
     std::vector<SurfaceCurve> curves;
     for (const SmoothedBorder& border : result_) curves.push_back(border.border.curve);
-    cut_ = cut_along(mesh_->mesh(), curves);
-    regions_ = regions_of_cut(cut_, parts_, drawn_);
+    return curves;
+  }
+
+  void cut() {
+    std::vector<LabelBorder> borders;
+    for (const SmoothedBorder& border : result_) borders.push_back(border.border);
+    cut_ = cut_along(mesh_->mesh(), curves());
+    regions_ = regions_of_cut(cut_, parts_, borders);
+  }
+
+  /// Nodes walk to where their borders balance, and the borders are smoothed anew; where one is not
+  /// well then its nodes go home. False when cancelled.
+  bool balance() {
+    const State settled{result_, cut_, regions_};
+    std::vector<double> tolerance;
+    for (std::size_t c = 0; c < drawn_.size(); ++c) {
+      const double slack = std::min(slack_[c].front(), slack_[c].back());
+      tolerance.push_back(result_[c].as_drawn      ? 0
+                          : options_.max_deviation ? 0.75 * *options_.max_deviation
+                                                   : slack);
+    }
+    const NetworkNodes::Rules rules{options_.free_junctions, options_.sliding_ends};
+    nodes_.emplace(mesh_->mesh(), drawn_, tolerance, rules);
+    imbalance_ = nodes_->imbalance(curves());
+    Outcome outcome = Outcome::kUnsound;
+    try {
+      outcome = walk(settled);
+    } catch (const Error& error) {  // a border whose nodes came too near is no curve any more
+      if (error.code() != ErrorCode::kBadCurve) throw;
+    }
+    if (outcome == Outcome::kUnsound) {
+      result_ = settled.result;
+      cut_ = settled.cut;
+      regions_ = settled.regions;
+      nodes_.reset();
+    }
+    return outcome != Outcome::kCancelled;
+  }
+
+  Outcome walk(const State& settled) {
+    for (int k = 0; k < kSteps; ++k) {
+      const std::vector<std::size_t> changed = nodes_->step(curves());
+      if (changed.empty()) break;
+      if (!smooth(changed)) return Outcome::kCancelled;
+    }
+    for (int tries = 0; tries < kRetries; ++tries) {
+      std::vector<std::size_t> wrong = measure_moved();
+      if (wrong.empty()) {
+        cut();
+        wrong = regions_.wrong;
+      }
+      if (wrong.empty()) return Outcome::kSound;
+      const std::vector<std::size_t> back = nodes_->hold(wrong);
+      if (back.empty()) break;
+      if (!smooth_from(settled, back)) return Outcome::kCancelled;
+    }
+    return Outcome::kUnsound;
+  }
+
+  /// Borders that have no moved node any more are what they were.
+  bool smooth_from(const State& settled, const std::vector<std::size_t>& borders) {
+    std::vector<std::size_t> todo;
+    for (const std::size_t c : borders) {
+      if (nodes_->is_moved(c)) {
+        todo.push_back(c);
+      } else {
+        result_[c] = settled.result[c];
+      }
+    }
+    return smooth(todo);
+  }
+
+  /// Reports on borders whose nodes have moved; those of them that are not well.
+  std::vector<std::size_t> measure_moved() {
+    if (!meter_) meter_.emplace(mesh_->mesh());
+    std::vector<std::size_t> moved;
+    for (std::size_t c = 0; c < drawn_.size(); ++c) {
+      if (!nodes_->is_moved(c)) continue;
+      moved.push_back(c);
+      const SurfaceCurve& drawn = drawn_[c].curve;
+      const SurfaceCurve& curve = result_[c].border.curve;
+      SmoothingReport& report = result_[c].report;
+      const SmoothingReport fresh =
+          report_on_curve(mesh_->mesh(), drawn, measure_curve(mesh_->surface(), drawn), curve);
+      report.points_before = fresh.points_before;
+      report.length_before = fresh.length_before;
+      report.curvature_before = fresh.curvature_before;
+      report.curvature_max_before = fresh.curvature_max_before;
+      report_deviation(report, DeviationMeasure::kAlongSurface, *meter_, mesh_->mesh(), drawn,
+                       curve);
+    }
+    return too_far(moved);
   }
 
   /// Parts beside a border that is wrong.
@@ -214,32 +336,13 @@ class Network {
     return table;
   }
 
-  [[nodiscard]] std::size_t junction_count() const {
-    std::vector<Point> at;
-    const Surface& surface = mesh_->surface();
-    const auto add = [&](const SurfacePoint& p) {
-      const auto* v = std::get_if<AtVertex>(&p.where());
-      const auto* e = std::get_if<OnEdge>(&p.where());
-      if (v != nullptr && surface.on_boundary(v->vertex)) return;
-      if (e != nullptr && surface.on_boundary(e->edge)) return;
-      at.push_back(mesh_->mesh().position(p));
-    };
-    for (const LabelBorder& border : drawn_) {
-      for (const SurfacePoint& p : border.fixed) add(p);
-      if (border.curve.closed) continue;
-      add(border.curve.points.front());
-      add(border.curve.points.back());
-    }
-    std::sort(at.begin(), at.end(), [](const Point& a, const Point& b) {
-      return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
-    });
-    return static_cast<std::size_t>(std::unique(at.begin(), at.end()) - at.begin());
-  }
-
   LabelNetwork finished() {
     LabelNetwork network;
+    if (nodes_) network.moved = nodes_->moved_count();
+    network.imbalance_before = imbalance_;
+    network.imbalance_after = nodes_ ? nodes_->imbalance(curves()) : imbalance_;
     network.regions = region_table();
-    network.junctions = junction_count();
+    network.junctions = count_junctions(mesh_->surface(), drawn_);
     std::vector<SmoothingReport> reports;
     for (std::size_t c = 0; c < result_.size(); ++c) {
       if (result_[c].as_drawn) ++network.as_drawn;
@@ -268,6 +371,9 @@ class Network {
   std::vector<SmoothedBorder> result_;
   CurveSmoother smoother_;
   std::optional<LocalTightening> tightening_;  // once a border lies beyond D
+  std::optional<NetworkNodes> nodes_;          // while they are where they may not have been drawn
+  std::optional<DeviationMeter> meter_;        // then
+  double imbalance_ = 0;                       // of the nodes as drawn
   CutMesh cut_;
   CutRegions regions_;
   std::vector<bool> held_;  // per part

@@ -22,7 +22,13 @@ struct LabelNetworkOptions {
   double tau = 1;                       ///< [0, infinity), of borders that nothing is in the way of
   std::optional<double> slack;          ///< mesh units, >= 0; default: of each border its own
   std::optional<double> max_deviation;  ///< D, mesh units, > 0: each border within it, both ways
-  Progress progress;                    ///< may cancel
+  /// Whether junctions move to where the borders that meet there balance: the sum of their unit
+  /// tangents is zero, three meet at 120 degrees. As far as the slack, or 0.75 D, at most.
+  bool free_junctions = false;
+  /// Whether ends on the mesh's boundary slide along it to where the border meets it at a right
+  /// angle; as far as that.
+  bool sliding_ends = false;
+  Progress progress;  ///< may cancel
 
   void validate() const;  ///< throws Error(kBadUsage) naming the field and its bound
 };
@@ -44,12 +50,16 @@ struct LabelRegion {
 };
 
 struct LabelNetwork {
-  std::vector<SmoothedBorder> borders;    ///< in the order of label_borders()
-  SmoothingReport total;                  ///< of all
-  std::vector<LabelRegion> regions;       ///< by label
-  std::size_t junctions = 0;              ///< points where borders end, away from the boundary
-  std::size_t tightened = 0;              ///< borders that took a smaller slack, at least in part
-  std::size_t as_drawn = 0;               ///< borders that stayed as they were drawn
+  std::vector<SmoothedBorder> borders;  ///< in the order of label_borders()
+  SmoothingReport total;                ///< of all
+  std::vector<LabelRegion> regions;     ///< by label
+  std::size_t junctions = 0;            ///< points where borders end, away from the boundary
+  std::size_t tightened = 0;            ///< borders that took a smaller slack, at least in part
+  std::size_t as_drawn = 0;             ///< borders that stayed as they were drawn
+  std::size_t moved = 0;                ///< junctions and ends that moved
+  /// Mean over those that may move of the size of the sum of unit tangents, on the boundary of its
+  /// part along it: with all of them where they were drawn, and in the result.
+  double imbalance_before = 0, imbalance_after = 0;
   bool cancelled = false;                 ///< then all else is empty
   CutMesh cut;                            ///< the mesh with the borders as edges
   std::vector<std::int64_t> cut_labels;   ///< per face of it: exact

@@ -34,6 +34,8 @@ struct LabelsOptions {
   std::string cut_labels;
   std::string report;
   std::string repair;
+  std::string junctions = "fixed";
+  std::string ends = "stay";
   LabelNetworkOptions network;
 };
 
@@ -67,7 +69,10 @@ std::string report_of(const LabelNetwork& network, const std::vector<std::string
   json["network"] = {{"borders", network.borders.size()},
                      {"junctions", network.junctions},
                      {"tightened", network.tightened},
-                     {"as_drawn", network.as_drawn}};
+                     {"as_drawn", network.as_drawn},
+                     {"moved", network.moved},
+                     {"imbalance_before", network.imbalance_before},
+                     {"imbalance_after", network.imbalance_after}};
   auto& regions = json["regions"] = nlohmann::ordered_json::array();
   for (const LabelRegion& r : network.regions) {
     regions.push_back({{"label", r.label},
@@ -110,6 +115,12 @@ std::string summary_of(const LabelNetwork& network, double ms) {
       fmt::format("{} regions, {} borders, {} junctions; {} borders held tighter, {} as drawn\n",
                   network.regions.size(), network.borders.size(), network.junctions,
                   network.tightened, network.as_drawn);
+  if (network.moved > 0) {
+    text += fmt::format(
+        "{} junctions and ends moved; their unit tangents add up to {:.3g} in the "
+        "mean, where they were drawn to {:.3g}\n",
+        network.moved, network.imbalance_after, network.imbalance_before);
+  }
   text += fmt::format("total curvature {:.6g} rad, was {:.6g}; length {:.6g}, was {:.6g}\n",
                       t.curvature_after, t.curvature_before, t.length_after, t.length_before);
   text += fmt::format("deviation at most {:.6g} to the labels' borders, {:.6g} from them\n",
@@ -139,6 +150,8 @@ int run_labels(const LabelsOptions& o, const GlobalOptions& global) {
   const std::vector<std::int64_t> labels = read_labels(o.labels, read.map.get());
   LabelNetworkOptions options = o.network;
   options.progress = progress_bar(global.quiet);
+  options.free_junctions = o.junctions == "free";
+  options.sliding_ends = o.ends == "slide";
   const Stopwatch watch;
   LabelNetwork network;
   try {
@@ -171,7 +184,7 @@ Command add_labels(CLI::App& app, const GlobalOptions& global) {
   CLI::App* command = app.add_subcommand(
       "labels",
       "Smooth all borders of a segmentation together: none crosses another, no region is lost or "
-      "torn apart, junctions stay");
+      "torn apart");
   command->add_option("mesh", o->mesh, "Mesh: OBJ, OFF, PLY, STL or OM")->required();
   command->add_option("labels", o->labels, "One whole number per face or per vertex")->required();
   command->add_option("--tau", o->network.tau, "More keeps closer to the labels' borders")
@@ -181,6 +194,19 @@ Command add_labels(CLI::App& app, const GlobalOptions& global) {
                       "border)");
   command->add_option("--max-deviation", o->network.max_deviation,
                       "Each border within so many mesh units of where it was, either way");
+  command
+      ->add_option(
+          "--junctions", o->junctions,
+          "fixed: where the labels have them; free: as far as the slack or 0.75 D to where "
+          "the borders balance")
+      ->check(CLI::IsMember({"fixed", "free"}))
+      ->capture_default_str();
+  command
+      ->add_option("--ends", o->ends,
+                   "On the boundary: stay, or slide along it to where the border meets it at a "
+                   "right angle, as far as junctions may go")
+      ->check(CLI::IsMember({"stay", "slide"}))
+      ->capture_default_str();
   command->add_option("-o,--output", o->outputs,
                       "The borders as curves; the ending chooses the format; may be given several "
                       "times");

@@ -22,6 +22,9 @@ namespace {
 struct Row {
   std::size_t borders = 0, tightened = 0, as_drawn = 0, not_whole = 0, beyond = 0;
   double curvature = 0, deviation = 0, seconds = 0;
+  // Of junctions and ends that may move.
+  std::size_t moved = 0;
+  double imbalance_before = 0, imbalance_after = 0;
 };
 
 void add(Row& row, const LabelNetwork& network, double h, double bound, double seconds) {
@@ -37,6 +40,9 @@ void add(Row& row, const LabelNetwork& network, double h, double bound, double s
   row.curvature = std::max(row.curvature, total.curvature_after / total.curvature_before);
   row.deviation = std::max(row.deviation, apart / h);
   row.seconds = std::max(row.seconds, seconds);
+  row.moved += network.moved;
+  row.imbalance_before = std::max(row.imbalance_before, network.imbalance_before);
+  row.imbalance_after = std::max(row.imbalance_after, network.imbalance_after);
 }
 
 /// Two regions on two components may be a component each.
@@ -49,11 +55,13 @@ bool has_border(const Surface& surface, const std::vector<std::int64_t>& labels)
   return false;
 }
 
-int run(double tau, double bound, unsigned seeds, const std::vector<std::string>& meshes) {
+int run(double tau, double bound, unsigned seeds, bool free,
+        const std::vector<std::string>& meshes) {
   std::printf(
       "| mesh | regions | borders | tightened | as drawn | regions not whole | beyond D | "
-      "curvature, of before | deviation, mean edges | time, s |\n"
-      "|---|---|---|---|---|---|---|---|---|---|\n");
+      "curvature, of before | deviation, mean edges | time, s |%s\n"
+      "|---|---|---|---|---|---|---|---|---|---|%s\n",
+      free ? " moved | sum before | sum after |" : "", free ? "---|---|---|" : "");
   for (const std::string& path : meshes) {
     const auto opened = OpenedMesh::open(read_mesh(path));
     const double h = opened->mesh().mean_edge_length();
@@ -64,15 +72,20 @@ int run(double tau, double bound, unsigned seeds, const std::vector<std::string>
         if (!has_border(opened->surface(), labels)) continue;
         LabelNetworkOptions options;
         options.tau = tau;
+        options.free_junctions = options.sliding_ends = free;
         if (bound > 0) options.max_deviation = bound * h;
         const Stopwatch watch;
         const LabelNetwork network = smooth_labels(opened, labels, options);
         add(row, network, h, bound * h, watch.ms() / 1000);
       }
-      std::printf("| %s | %zu | %zu | %zu | %zu | %zu | %zu | %.3f | %.2f | %.2f |\n",
+      std::printf("| %s | %zu | %zu | %zu | %zu | %zu | %zu | %.3f | %.2f | %.2f |",
                   std::filesystem::path(path).stem().c_str(), count, row.borders, row.tightened,
                   row.as_drawn, row.not_whole, row.beyond, row.curvature, row.deviation,
                   row.seconds);
+      if (free) {
+        std::printf(" %zu | %.2f | %.2f |", row.moved, row.imbalance_before, row.imbalance_after);
+      }
+      std::printf("\n");
       std::fflush(stdout);
     }
   }
@@ -83,15 +96,16 @@ int run(double tau, double bound, unsigned seeds, const std::vector<std::string>
 }  // namespace talweg::benchmarks
 
 int main(int argc, char** argv) try {
-  if (argc < 5) {
+  if (argc < 6) {
     std::fprintf(stderr,
-                 "usage: talweg-label-networks TAU D SEEDS MESH...\n"
-                 "D: the largest deviation in mean edges, 0: none is asked for\n");
+                 "usage: talweg-label-networks TAU D SEEDS fixed|free MESH...\n"
+                 "D: the largest deviation in mean edges, 0: none is asked for\n"
+                 "free: junctions move, ends slide\n");
     return 1;
   }
   return talweg::benchmarks::run(std::atof(argv[1]), std::atof(argv[2]),
                                  static_cast<unsigned>(std::atoi(argv[3])),
-                                 {argv + 4, argv + argc});
+                                 std::string(argv[4]) == "free", {argv + 5, argv + argc});
 } catch (const std::exception& error) {
   std::fprintf(stderr, "talweg-label-networks: %s\n", error.what());
   return 2;

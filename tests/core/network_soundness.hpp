@@ -1,0 +1,143 @@
+// What holds of every smoothed network of borders.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <map>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "core/jagged_curves.hpp"
+#include "talweg/core/crossings.hpp"
+#include "talweg/core/label_network.hpp"
+#include "talweg/core/union_find.hpp"
+
+namespace talweg::test {
+
+using Labels = std::vector<std::int64_t>;
+
+/// How many parts each label has, of faces that have an edge in common.
+inline std::map<std::int64_t, std::size_t> parts(const MeshLists& lists, const Labels& labels) {
+  UnionFind sets(labels.size());
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> at;
+  for (std::uint32_t f = 0; f < labels.size(); ++f) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      const auto [p, q] = std::minmax(lists.triangles[f][c], lists.triangles[f][(c + 1) % 3]);
+      const auto [other, is_new] = at.emplace(std::pair(p, q), f);
+      if (!is_new && labels[other->second] == labels[f]) sets.join(f, other->second);
+    }
+  }
+  std::map<std::int64_t, std::size_t> count;
+  for (std::uint32_t f = 0; f < labels.size(); ++f) count[labels[f]] += sets.find(f) == f ? 1 : 0;
+  return count;
+}
+
+inline std::map<std::int64_t, std::size_t> parts_of_vertices(const Surface& surface,
+                                                             const Labels& labels) {
+  UnionFind sets(labels.size());
+  for (std::size_t e = 0; e < surface.edge_count(); ++e) {
+    const HalfedgeId h = halfedge_of(EdgeId{e});
+    const auto p = static_cast<std::uint32_t>(surface.tail(h).index());
+    const auto q = static_cast<std::uint32_t>(surface.head(h).index());
+    if (labels[p] == labels[q]) sets.join(p, q);
+  }
+  std::map<std::int64_t, std::size_t> count;
+  for (std::uint32_t v = 0; v < labels.size(); ++v) count[labels[v]] += sets.find(v) == v ? 1 : 0;
+  return count;
+}
+
+/// How many edges between different labels meet at each point where there are not two of them.
+inline std::multiset<std::size_t> degrees(const MeshLists& lists, const Labels& labels) {
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::int64_t> other;
+  std::map<std::uint32_t, std::size_t> meeting;
+  for (std::size_t f = 0; f < labels.size(); ++f) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      const std::uint32_t p = lists.triangles[f][c], q = lists.triangles[f][(c + 1) % 3];
+      const auto found = other.find({q, p});
+      if (found == other.end()) {
+        other.emplace(std::pair(p, q), labels[f]);
+      } else if (found->second != labels[f]) {
+        ++meeting[p];
+        ++meeting[q];
+      }
+    }
+  }
+  std::multiset<std::size_t> result;
+  for (const auto& [vertex, count] : meeting) {
+    if (count != 2) result.insert(count);
+  }
+  return result;
+}
+
+inline double area(const MeshLists& lists) {
+  double sum = 0;
+  for (const Triangle& t : lists.triangles) {
+    const Point& a = lists.points[t[0]];
+    sum += (lists.points[t[1]] - a).cross(lists.points[t[2]] - a).norm() / 2;
+  }
+  return sum;
+}
+
+/// What holds of every result, whatever was asked for.
+inline void expect_sound(const MeshLists& lists, const OpenedMesh& mesh, const Labels& labels,
+                         const LabelNetwork& network) {
+  const Surface& surface = mesh.surface();
+  std::vector<SurfaceCurve> curves, drawn;
+  for (const SmoothedBorder& border : network.borders) curves.push_back(border.border.curve);
+  for (const LabelBorder& border : label_borders(surface, labels)) drawn.push_back(border.curve);
+  ASSERT_EQ(curves.size(), drawn.size());
+  EXPECT_TRUE(crossing_curves(surface, curves).empty());
+  // Borders that met still meet; where nothing was said of moving they meet where they did.
+  std::vector<std::pair<SurfacePoint, SurfacePoint>> nodes;
+  const auto expect_same_node = [&](const SurfacePoint& before, const SurfacePoint& now) {
+    if (network.moved == 0) {
+      EXPECT_TRUE(now == before);
+    }
+    for (const auto& [home, at] : nodes) {
+      if (home == before) {
+        EXPECT_TRUE(at == now);
+        return;
+      }
+    }
+    nodes.emplace_back(before, now);
+  };
+  for (std::size_t c = 0; c < curves.size(); ++c) {
+    EXPECT_EQ(curves[c].closed, drawn[c].closed);
+    if (drawn[c].closed) continue;
+    expect_same_node(drawn[c].points.front(), curves[c].points.front());
+    expect_same_node(drawn[c].points.back(), curves[c].points.back());
+  }
+  const bool by_face = labels.size() == surface.face_count();
+  const auto before = by_face ? parts(lists, labels) : parts_of_vertices(surface, labels);
+  EXPECT_EQ(parts(network.cut.lists, network.cut_labels), before);
+  if (by_face) {
+    EXPECT_EQ(degrees(network.cut.lists, network.cut_labels), degrees(lists, labels));
+  }
+  ASSERT_EQ(network.regions.size(), before.size());
+  double area_before = 0, area_after = 0;
+  for (const LabelRegion& region : network.regions) {
+    EXPECT_EQ(region.parts_before, before.at(region.label));
+    EXPECT_EQ(region.parts_after, region.parts_before) << region.label;
+    EXPECT_GT(region.area_after, 0) << region.label;
+    area_before += region.area_before;
+    area_after += region.area_after;
+  }
+  EXPECT_NEAR(area_before, area(lists), 1e-9 * area(lists));
+  EXPECT_NEAR(area_after, area(lists), 1e-9 * area(lists));
+  EXPECT_NO_THROW(SurfaceMesh::open(network.cut.lists));
+}
+
+/// The meter promises 1e-3 of the distance or of a mean segment.
+inline void expect_within(const OpenedMesh& mesh, const Labels& labels, const LabelNetwork& network,
+                          double bound) {
+  const auto drawn = label_borders(mesh.surface(), labels);
+  for (std::size_t c = 0; c < drawn.size(); ++c) {
+    EXPECT_LE(test::apart(mesh.mesh(), network.borders[c].border.curve, drawn[c].curve),
+              bound * (1 + 2e-3) + 2e-3 * mesh.mesh().mean_edge_length());
+  }
+}
+
+}  // namespace talweg::test
