@@ -277,6 +277,7 @@ TEST_F(Driver, ListsItsPlugins) {
   EXPECT_EQ(outcome.code, 0);
   EXPECT_EQ(outcome.err, "");
   EXPECT_EQ(outcome.out,
+            "talweg.bipartition\tHeat-flow relaxation of a bipartition (Livesu 2018)\n"
             "talweg.distance\tDistance to curves\ntalweg.draw\tDraw curves\n"
             "talweg.envelope\tLaplacian smoothing in an envelope (Lawonn et al. 2014)\n"
             "talweg.geodesic\tGeodesic\n"

@@ -49,7 +49,7 @@ SurfaceCurve edge_path(const SurfaceMesh& mesh, std::vector<std::uint32_t> way, 
                             closed);
 }
 
-constexpr const char* kMethods[] = {"talweg.envelope", "talweg.midpoints"};
+constexpr const char* kMethods[] = {"talweg.bipartition", "talweg.envelope", "talweg.midpoints"};
 
 TEST(MethodPlugins, GiveAWholeReportAndCurvesInTheirOrder) {
   const test::Subject subject;
@@ -234,6 +234,146 @@ TEST(EnvelopePlugin, SaysWhatIsWrongWithAParameter) {
   EXPECT_THROW(on.instance.set("weight", 1.5), host::Error);
   EXPECT_THROW(on.instance.set("iterations", 0.0), host::Error);
   EXPECT_THROW(on.instance.set("tolerance", -1.0), host::Error);
+}
+
+TEST(BipartitionPlugin, AStraightBorderStays) {
+  // On this grid heat from a column depends on x alone, so phi is x itself: but for the sheet's
+  // corners, whose masses are not a quarter of the others'.
+  OnMesh on("talweg.bipartition", test::grid(20, 12));
+  const SurfaceCurve column = edge_path(on.mesh, {9, 9 + 21 * 12}, false);
+  const host::Results results = on.run({column});
+  ASSERT_EQ(results.curves.size(), 1U);
+  EXPECT_FALSE(results.curves[0].closed);
+  for (const auto& p : results.curves[0].positions) EXPECT_NEAR(p[0], 9, 0.005);
+  EXPECT_NEAR(results.curves[0].positions.front()[1], 0, 1e-12);
+  EXPECT_NEAR(results.number("length_after"), 12, 1e-4);
+  EXPECT_EQ(results.number("stray_curves"), 0);
+  EXPECT_EQ(results.number("border_vertices"), 13);
+}
+
+SurfaceCurve noisy_equator(const SurfaceMesh& mesh) {
+  std::vector<Point> noisy = test::circle(Point(0, 0, 0), Point(0, 1, 0), Point(1, 0, 0), 48);
+  for (std::size_t k = 0; k < noisy.size(); ++k) noisy[k].z() += k % 2 == 0 ? 0.04 : -0.04;
+  return test::drawn_near(mesh, noisy, true);
+}
+
+TEST(BipartitionPlugin, SmoothsNoiseOnAGreatCircle) {
+  OnMesh on("talweg.bipartition", test::sphere(5));
+  const SurfaceCurve loop = noisy_equator(on.mesh);
+  double highest = 0;
+  for (const Point& p : positions_of(on.mesh, loop)) {
+    highest = std::max(highest, std::abs(p.z()));
+  }
+  double last = measure_curve(on.mesh.surface(), loop).total_curvature;
+  for (const double passes : {5.0, 50.0, 500.0}) {
+    on.instance.set("iterations", passes);
+    const host::Results results = on.run({loop});
+    EXPECT_TRUE(results.curves[0].closed);
+    EXPECT_LT(results.number("curvature_after"), 0.7 * last);
+    last = results.number("curvature_after");
+    EXPECT_EQ(results.number("stray_curves"), 0);
+    EXPECT_EQ(results.number("crossings_after"), 0);
+    for (const auto& p : results.curves[0].positions) EXPECT_LT(std::abs(p[2]), highest);
+    EXPECT_NEAR(results.number("length_after"), 2 * std::numbers::pi, 0.06);
+  }
+}
+
+TEST(BipartitionPlugin, GivesEachLoopItsCurveRunningAsDrawn) {
+  OnMesh on("talweg.bipartition", test::tube(40, 40, 10));
+  const auto ring = [&](std::uint32_t row, bool backwards) {
+    std::vector<VertexId> way;
+    for (std::uint32_t i = 0; i < 40; ++i) {
+      way.push_back(VertexId{40 * row + (backwards ? 39 - i : i)});
+    }
+    return test::vertex_curve(on.mesh.surface(), way, true);
+  };
+  const std::vector<SurfaceCurve> drawn = {ring(30, true), ring(9, false)};
+  const host::Results results = on.run(drawn);
+  ASSERT_EQ(results.curves.size(), 2U);
+  const double rows[] = {30 * 10.0 / 39, 9 * 10.0 / 39};
+  for (std::size_t c = 0; c < 2; ++c) {
+    const auto& positions = results.curves[c].positions;
+    for (const auto& p : positions) EXPECT_NEAR(p[2], rows[c], 0.03);
+    // Counterclockwise seen from above, or not; from where the drawing begins.
+    double turn = 0;
+    for (std::size_t k = 0; k < positions.size(); ++k) {
+      const auto &p = positions[k], &q = positions[(k + 1) % positions.size()];
+      turn += std::asin(std::clamp(p[0] * q[1] - p[1] * q[0], -1.0, 1.0));
+    }
+    EXPECT_NEAR(turn, (c == 0 ? -2 : 2) * std::numbers::pi, 0.1);
+    const Point first = on.mesh.position(drawn[c].points.front());
+    EXPECT_LT(std::hypot(positions[0][0] - first.x(), positions[0][1] - first.y()), 0.2);
+  }
+}
+
+TEST(BipartitionPlugin, RefusesWhatHasNoTwoSides) {
+  OnMesh on("talweg.bipartition", test::grid(20, 12));
+  const auto at = [](std::uint32_t x, std::uint32_t y) { return x + 21 * y; };
+  const std::string ends_inside = on.sentence({edge_path(on.mesh, {at(9, 0), at(9, 8)}, false)});
+  EXPECT_NE(ends_inside.find("does not part the mesh in two sides: at ("), std::string::npos);
+  host::Curve small;  // within one face
+  small.closed = true;
+  small.positions = {{3.5, 3.1, 0}, {3.8, 3.1, 0}, {3.8, 3.4, 0}};
+  on.instance.set_curves({small});
+  try {
+    on.instance.run();
+    ADD_FAILURE();
+  } catch (const host::Error& error) {
+    EXPECT_NE(std::string(error.what()).find("too coarse"), std::string::npos) << error.what();
+  }
+  OnMesh around("talweg.bipartition", test::torus(24, 60));
+  const auto meridian = [&](std::uint32_t row) {
+    return edge_path(around.mesh, {24 * row, 24 * row + 8, 24 * row + 16}, true);
+  };
+  EXPECT_NE(around.sentence({meridian(5)}).find("two sides"), std::string::npos);
+  EXPECT_EQ(around.sentence({meridian(5), meridian(35)}), "no error");
+}
+
+TEST(BipartitionPlugin, StartsFromTheNearestEdgesOfADrawingAcrossFaces) {
+  OnMesh on("talweg.bipartition", test::grid(20, 12));
+  host::Curve line;
+  line.positions = {{9.5, 0, 0}, {9.5, 12, 0}};
+  on.instance.set_curves({line});
+  const host::Results results = on.instance.run();
+  for (const auto& p : results.curves.at(0).positions) EXPECT_NEAR(p[0], 9.5, 0.6);
+  EXPECT_NE(results.text("warnings").find("not run along mesh edges"), std::string::npos);
+}
+
+TEST(BipartitionPlugin, TheGuardGivesFacesOfSourcesADirection) {
+  // Up along a diagonal and down along a side: all corners of the faces between are on the border.
+  OnMesh on("talweg.bipartition", test::grid(40, 20));
+  std::vector<VertexId> way;
+  for (std::uint32_t x = 0; x < 40; ++x) {
+    way.push_back(VertexId{x + 41 * 10});
+    way.push_back(VertexId{x + 1 + 41 * 11});
+  }
+  const SurfaceCurve teeth = test::vertex_curve(on.mesh.surface(), way, false);
+  const host::Results guarded = on.run({teeth});
+  EXPECT_GT(guarded.number("source_faces"), 20);
+  EXPECT_EQ(guarded.number("stray_curves"), 0);
+  for (const auto& p : guarded.curves[0].positions) EXPECT_NEAR(p[1], 10.5, 0.6);
+  EXPECT_LT(guarded.number("curvature_after"), 0.5 * guarded.number("curvature_before"));
+}
+
+TEST(BipartitionPlugin, DoesNotDependOnTheScale) {
+  MeshLists lists = test::sphere(4);
+  const SurfaceMesh mesh = SurfaceMesh::open(lists);
+  const SurfaceCurve loop = noisy_equator(mesh);
+  OnMesh on("talweg.bipartition", lists);
+  const host::Results unit = on.run({loop});
+  for (const double scale : {0x1p-20, 0x1p20}) {  // exact in every step
+    MeshLists scaled = lists;
+    for (Point& p : scaled.points) p *= scale;
+    OnMesh other("talweg.bipartition", scaled);
+    const host::Results results = other.run({loop});
+    ASSERT_EQ(results.curves[0].positions.size(), unit.curves[0].positions.size());
+    for (std::size_t k = 0; k < unit.curves[0].positions.size(); ++k) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        EXPECT_NEAR(results.curves[0].positions[k][i] / scale, unit.curves[0].positions[k][i],
+                    1e-12);
+      }
+    }
+  }
 }
 
 }  // namespace

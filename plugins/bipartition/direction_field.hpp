@@ -1,0 +1,31 @@
+// Unit vectors on faces: from the heat of the sources, and smoothed.
+#pragma once
+
+#include <vector>
+
+#include "talweg/core/surface_mesh.hpp"
+#include "talweg/heat/heat_flow.hpp"
+
+namespace talweg::plugins {
+
+/// One vector in space per face, of length 1, or 0 where the face has no direction.
+using DirectionField = std::vector<Point>;
+
+/// grad u / |grad u| of each face, turned around on side 1, so that directions go on across the
+/// border; 0 where u is constant, and where `skipped` says so. `side` and `skipped` per face.
+DirectionField gradient_directions(const SurfaceMesh& mesh, const ScaledField& u,
+                                   const std::vector<char>& side, const std::vector<char>& skipped);
+
+/// Gives faces without a direction the mean of their neighbours', ring by ring. Returns how many
+/// there were.
+std::size_t fill_directions(const Surface& surface, DirectionField& field);
+
+/// `passes` times every direction becomes the mean of itself and the faces beside it, all at once.
+void smooth_directions(const Surface& surface, DirectionField& field, int passes);
+
+/// Per vertex i the sum over its faces of w X · grad λ_i, λ_i the hat function; w is the face's
+/// area (then this is the divergence of X) or 1.
+std::vector<double> divergence(const SurfaceMesh& mesh, const DirectionField& field,
+                               bool area_weights);
+
+}  // namespace talweg::plugins
