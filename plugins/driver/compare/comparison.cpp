@@ -100,7 +100,17 @@ class MethodRuns {
   std::vector<ComparedRun> of(std::size_t method) const {
     std::vector<std::optional<double>> values{std::nullopt};
     const Method& m = comparison_.methods[method];
-    if (options_.sweep && !m.values.empty()) values.assign(m.values.begin(), m.values.end());
+    if (options_.sweep && !m.values.empty()) {
+      values.clear();
+      for (const double v : m.values) values.emplace_back(m.in_edges ? v * comparison_.edge : v);
+    }
+    return of(method, values);
+  }
+
+  /// With these values of its parameter, in its own units.
+  std::vector<ComparedRun> of(std::size_t method,
+                              std::span<const std::optional<double>> values) const {
+    const Method& m = comparison_.methods[method];
     std::vector<ComparedRun> runs;
     try {
       const host::Services services("talweg", version(), options_.progress);
@@ -122,7 +132,7 @@ class MethodRuns {
     const Method& m = comparison_.methods[method];
     ComparedRun run;
     run.method = method;
-    if (value) run.value = m.in_edges ? *value * comparison_.edge : *value;
+    run.value = value;
     try {
       const Stopwatch watch;
       if (first) set_mesh(instance, mesh_.points(), read_.lists.triangles);
@@ -133,10 +143,12 @@ class MethodRuns {
       instance.set_curves(curves_);
       host::Results results = instance.run();
       run.first_ms = watch.ms();
-      const Stopwatch again;
-      instance.set_curves(curves_);
-      results = instance.run();
-      run.again_ms = again.ms();
+      if (!options_.sweep) {
+        const Stopwatch again;
+        instance.set_curves(curves_);
+        results = instance.run();
+        run.again_ms = again.ms();
+      }
       measure(results, run);
     } catch (const host::Error& error) {
       if (error.status() == TALWEG_CANCELLED) throw;
@@ -185,6 +197,16 @@ bool judged(const Comparison& c, const ComparedRun& run) {
   return run.ok() && !same_method(c.methods[run.method], c.methods.front());
 }
 
+/// The deviations at which others beat the first method in the steps of its sweep, ascending.
+std::vector<std::optional<double>> bounds_to_try(const Comparison& comparison) {
+  std::vector<std::optional<double>> bounds;
+  if (!same_method(comparison.methods.front(), bounded_method())) return bounds;
+  for (const std::size_t k : beaten_by(comparison))
+    bounds.emplace_back(comparison.runs[k].deviation());
+  std::sort(bounds.begin(), bounds.end());
+  return bounds;
+}
+
 bool ties_or_wins(const ComparedRun& ours, const ComparedRun& other) {
   return ours.deviation() <= 1.02 * other.deviation() &&
          ours.numbers.curvature <=
@@ -227,9 +249,14 @@ Comparison compare_methods(const ReadMesh& read, const Drawing& drawing, const S
   }
   comparison.edge /= static_cast<double>(drawing.curves.size());
   const MethodRuns runs(read, drawing, mesh, comparison, options);
-  for (std::size_t m = 0; m < comparison.methods.size(); ++m) {
-    std::vector<ComparedRun> more = runs.of(m);
+  const auto add = [&](std::vector<ComparedRun> more) {
     std::move(more.begin(), more.end(), std::back_inserter(comparison.runs));
+  };
+  for (std::size_t m = 0; m < comparison.methods.size(); ++m) add(runs.of(m));
+  const std::vector<std::optional<double>> bounds = bounds_to_try(comparison);
+  if (options.sweep && !bounds.empty()) {
+    comparison.methods.push_back(bounded_method());
+    add(runs.of(comparison.methods.size() - 1, bounds));
   }
   return comparison;
 }

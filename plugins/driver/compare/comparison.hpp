@@ -37,7 +37,7 @@ struct ComparedRun {
   double to_drawn = 0, to_drawn_mean = 0;      ///< mesh units, along the surface
   double from_drawn = 0, from_drawn_mean = 0;  ///< mesh units
   double first_ms = 0;                         ///< from the mesh's lists to the result
-  double again_ms = 0;                         ///< the same run once more with the mesh known
+  std::optional<double> again_ms;              ///< the same run once more; not in a sweep
   std::string changed;                         ///< how the curve's kind changed; empty: kept
 
   [[nodiscard]] bool ok() const { return refusal.empty() && changed.empty(); }
@@ -69,7 +69,8 @@ struct CompareOptions {
   Progress progress;
 };
 
-/// Throws Error as reading drawings does. What a method refuses is in its run.
+/// In a sweep, where others beat the default in the steps of its own parameter, it is asked to stay
+/// within exactly their deviation (bounded_method()). What a method refuses is in its run.
 Comparison compare_methods(const ReadMesh& mesh, const Drawing& drawing, const SurfaceMesh& surface,
                            const CompareOptions& options);
 

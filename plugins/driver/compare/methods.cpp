@@ -46,6 +46,12 @@ const std::vector<Method>& known_methods() {
   return methods;
 }
 
+const Method& bounded_method() {
+  static const Method method{"corridor-bound", "talweg.smooth", "101030", {},
+                             "max_deviation",  false,           {}};
+  return method;
+}
+
 std::vector<Method> methods_of(const std::string& list) {
   if (list.empty()) return known_methods();
   std::vector<Method> chosen;

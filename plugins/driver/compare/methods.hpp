@@ -22,6 +22,9 @@ struct Method {
 /// In the order of tables and pictures; the first is what the others are compared with.
 const std::vector<Method>& known_methods();
 
+/// The default asked for a bound on its deviation: what it does at exactly that of another's run.
+const Method& bounded_method();
+
 /// The methods of a list of names and plugin ids, separated by commas; empty: all that are known. A
 /// plugin by its id runs with its defaults. Throws Error(kBadUsage) naming what is neither.
 std::vector<Method> methods_of(const std::string& list);

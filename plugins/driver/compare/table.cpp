@@ -39,7 +39,8 @@ Row row_of(const Comparison& c, const ComparedRun& run) {
   row[3] = fmt::format("{:.2f} ({:.2f})", run.to_drawn / c.edge, run.to_drawn_mean / c.edge);
   row[4] = fmt::format("{:.2f} ({:.2f})", run.from_drawn / c.edge, run.from_drawn_mean / c.edge);
   row[5] = fmt::format("{:.4f}", run.numbers.length / c.drawn.length);
-  row[6] = fmt::format("{:.0f}, {:.0f}", run.first_ms, run.again_ms);
+  row[6] = fmt::format("{:.0f}", run.first_ms);
+  if (run.again_ms) row[6] += fmt::format(", {:.0f}", *run.again_ms);
   row[7] = run.changed.empty() ? "kept" : run.changed;
   return row;
 }
@@ -67,7 +68,7 @@ ordered_json json_of(const Comparison& c, const ComparedRun& run) {
   json["deviation_from_drawn_max"] = run.from_drawn;
   json["deviation_from_drawn_mean"] = run.from_drawn_mean;
   json["first_ms"] = run.first_ms;
-  json["again_ms"] = run.again_ms;
+  if (run.again_ms) json["again_ms"] = *run.again_ms;
   json["kind_kept"] = run.changed.empty();
   if (!run.changed.empty()) json["kind_changed"] = run.changed;
   return json;
@@ -157,10 +158,11 @@ std::string comparison_csv(const Comparison& c) {
       text += ",,,,,,,,,,,,,refused\n";
       continue;
     }
-    text += fmt::format(",{},{},{},{},{},{},{},{},{},{},{:.3f},{:.3f},{}\n", run.numbers.curvature,
+    text += fmt::format(",{},{},{},{},{},{},{},{},{},{},{:.3f},{},{}\n", run.numbers.curvature,
                         c.drawn.curvature, run.to_drawn, run.to_drawn_mean, run.from_drawn,
                         run.from_drawn_mean, c.edge, run.numbers.length, c.drawn.length,
-                        run.numbers.contacts, run.first_ms, run.again_ms,
+                        run.numbers.contacts, run.first_ms,
+                        run.again_ms ? fmt::format("{:.3f}", *run.again_ms) : "",
                         run.changed.empty() ? "kept" : run.changed);
   }
   return text;
