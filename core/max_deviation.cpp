@@ -15,7 +15,8 @@ namespace talweg {
 namespace {
 
 constexpr double kLeastTau = 1.0 / 8, kMostTau = 64;
-constexpr double kFineness = 1.05;  // of tau
+constexpr double kWideTau = 4;      // with a wide slack: its walls are steep
+constexpr double kFineness = 1.05;  // of tau and slack
 constexpr int kPinRounds = 8;
 
 double to_drawn(const SmoothingResult& result) { return result.total.deviation_to_drawn_max; }
@@ -44,10 +45,9 @@ class Search {
       finish();
       return std::move(best_);
     }
+    const bool own_slack = !options_.slack && options_.slack_at.empty();
     for (const double slack : slacks()) {
-      options_.slack = slack;
-      smoother_.set_pins(own_pins_);
-      pinned_ = 0;
+      begin_with(slack);
       // By tau alone, and by less of it with corners pinned.
       const double loose = least_tau(to_drawn);
       const double tight = least_tau(both_ways);
@@ -55,6 +55,7 @@ class Search {
       if (tight > loose * kFineness * kFineness || both_ways(best_) > bound_) pin_corners(loose);
       if (cancelled_) break;
     }
+    if (own_slack) try_wider();
     if (cancelled_ || best_.curves.empty()) return std::move(last_);
     finish();
     return std::move(best_);
@@ -68,6 +69,37 @@ class Search {
     const std::vector<double> own = smoother_.slack();
     const double widest = std::min(*std::max_element(own.begin(), own.end()), 0.75 * bound_);
     return {widest, widest / 2};
+  }
+
+  void begin_with(double slack) {
+    options_.slack = slack;
+    smoother_.set_pins(own_pins_);
+    pinned_ = 0;
+  }
+
+  /// Where the bound leaves room, a wider valley makes smoother curves than a lower tau.
+  void try_wider() {
+    const double own = slacks().front();
+    if (cancelled_ || !(own * kFineness < bound_)) return;
+    const double loose = widest_slack(own, to_drawn);
+    const double tight = widest_slack(own, both_ways);
+    if (cancelled_ || !(tight * kFineness * kFineness < loose)) return;
+    begin_with(loose);
+    pin_corners(kWideTau);
+  }
+
+  /// The widest slack within the bound, from `own` on, as far as the deviation grows with it.
+  double widest_slack(double own, Measure measure) {
+    const auto within = [&](double slack) {
+      begin_with(slack);
+      return measured(kWideTau, measure) <= bound_;
+    };
+    double low = own, high = bound_;
+    while (high > low * kFineness && !cancelled_) {
+      const double middle = std::sqrt(low * high);
+      (within(middle) ? low : high) = middle;
+    }
+    return low;
   }
 
   double measured(double tau, Measure measure) {

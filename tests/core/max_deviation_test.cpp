@@ -66,6 +66,31 @@ TEST_F(MaxDeviation, IsKeptInBothDirectionsAndCurvatureFallsAsItGrows) {
   }
 }
 
+// A wide bound is made use of: no slack that a hand would try is much smoother within it.
+TEST_F(MaxDeviation, OfTheWholeRoomUseIsMade) {
+  const auto hills = OpenedMesh::open(test::hills(40));
+  const SurfaceCurve wave = test::wave_on_hills(hills->mesh());
+  CurveSmoother smoother(hills);
+  smoother.set_curve(wave);
+  const double bound = 5;
+  const SmoothingResult within = smooth_within(smoother, bound);
+  EXPECT_LE(test::apart(hills->mesh(), within.curve(), wave), with_meter(bound));
+  std::size_t tried = 0;
+  for (const double slack : {0.5, 1.0, 2.0, 3.0, 4.0}) {
+    for (const double tau : {1.0, 4.0}) {
+      SmoothingOptions options;
+      options.tau = tau;
+      options.slack = slack;
+      const SmoothingResult by_hand = smoother.smooth(options);
+      if (test::apart(hills->mesh(), by_hand.curve(), wave) > bound) continue;
+      ++tried;
+      EXPECT_LE(within.report().curvature_after, 1.1 * by_hand.report().curvature_after)
+          << slack << " " << tau;
+    }
+  }
+  EXPECT_GE(tried, 6U);
+}
+
 TEST_F(MaxDeviation, ASpikeTakesItsTurns) {
   CurveSmoother smoother(opened);
   smoother.set_curve(drawn);
