@@ -3,13 +3,18 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <set>
+#include <string>
 #include <utility>
+
+#include <fmt/format.h>
+
+#include "talweg/core/plane_filling.hpp"
+#include "talweg/intrinsic/error.hpp"
 
 namespace talweg {
 namespace {
-
-using Loop = std::vector<std::uint32_t>;
 
 constexpr std::size_t kMost = 256;
 
@@ -112,19 +117,23 @@ std::vector<Triangle> fill_loop(const std::vector<Point>& points,
   return triangles;
 }
 
-Lids add_lids(Piece& piece, const OpenedSeams& opened, std::span<const CutMesh::Chain> chains) {
+namespace {
+
+/// The closed rims of a piece but for slits; counts the others.
+std::vector<Loop> loops_of(const Piece& piece, const OpenedSeams& opened,
+                           std::span<const CutMesh::Chain> chains, std::size_t& left_open) {
   std::map<std::uint32_t, std::uint32_t> next = cut_rims(piece, opened, chains);
-  Lids lids;
   std::set<std::uint32_t> starts;  // of rims that are no loops
   for (const auto& [from, to] : next) starts.insert(from);
   for (const auto& [from, to] : next) starts.erase(to);
-  lids.left_open = starts.size();
+  left_open = starts.size();
   for (std::uint32_t v : starts) {
     for (auto at = next.find(v); at != next.end(); at = next.find(v)) {
       v = at->second;
       next.erase(at);
     }
   }
+  std::vector<Loop> loops;
   while (!next.empty()) {
     Loop loop;
     for (auto at = next.begin(); at != next.end(); at = next.find(loop.back())) {
@@ -134,15 +143,74 @@ Lids add_lids(Piece& piece, const OpenedSeams& opened, std::span<const CutMesh::
     }
     loop.pop_back();  // where it began
     if (is_slit(loop, [&](std::uint32_t v) { return opened.vertex_from[piece.vertices[v]]; })) {
-      ++lids.left_open;
-      continue;
+      ++left_open;
+    } else {
+      loops.push_back(std::move(loop));
     }
-    const std::vector<Triangle> lid = fill_loop(piece.lists.points, loop);
-    piece.lists.triangles.insert(piece.lists.triangles.end(), lid.begin(), lid.end());
-    piece.faces.resize(piece.lists.triangles.size(), kNoFace);
-    lids.triangles += lid.size();
-    ++lids.filled;
   }
+  return loops;
+}
+
+/// Adds plane lids; returns the loops that have none.
+std::vector<std::size_t> fill_planes(const std::vector<Point>& points,
+                                     const std::vector<Loop>& loops,
+                                     std::vector<Triangle>& triangles) {
+  std::vector<bool> done(loops.size(), false);
+  const auto fill = [&](const std::vector<std::size_t>& group) {
+    std::vector<Loop> own;
+    for (const std::size_t i : group) own.push_back(loops[i]);
+    const auto lid = fill_plane(points, own);
+    if (!lid) return false;
+    triangles.insert(triangles.end(), lid->begin(), lid->end());
+    for (const std::size_t i : group) done[i] = true;
+    return true;
+  };
+  for (const std::vector<std::size_t>& group : plane_groups(points, loops)) {
+    if (fill(group) || group.size() == 1) continue;
+    for (const std::size_t i : group) fill({i});
+  }
+  std::vector<std::size_t> rest;
+  for (std::size_t i = 0; i < loops.size(); ++i) {
+    if (!done[i]) rest.push_back(i);
+  }
+  return rest;
+}
+
+[[noreturn]] void refuse(const std::vector<Point>& points, const Loop& loop) {
+  const Point& at = points[loop[0]];
+  const std::string rim = fmt::format("The rim of {} points at ({:.6g}, {:.6g}, {:.6g})",
+                                      loop.size(), at.x(), at.y(), at.z());
+  const double distance = distance_from_plane(points, loop);
+  if (distance <= kPlaneTolerance) {
+    throw Error(ErrorCode::kBadCurve,
+                rim + " is plane but touches or crosses itself, so no plane lid fits it.");
+  }
+  throw Error(
+      ErrorCode::kBadCurve,
+      rim + fmt::format(" is not plane: its points lie up to {:.2g} of its extent off.", distance));
+}
+
+}  // namespace
+
+Lids add_lids(Piece& piece, const OpenedSeams& opened, std::span<const CutMesh::Chain> chains,
+              LidKind kind) {
+  Lids lids;
+  const std::vector<Point>& points = piece.lists.points;
+  const std::vector<Loop> loops = loops_of(piece, opened, chains, lids.left_open);
+  std::vector<Triangle> triangles;
+  std::vector<std::size_t> rest(loops.size());
+  std::iota(rest.begin(), rest.end(), std::size_t{0});
+  if (kind != LidKind::kLeastArea) rest = fill_planes(points, loops, triangles);
+  if (kind == LidKind::kPlanar && !rest.empty()) refuse(points, loops[rest[0]]);
+  for (const std::size_t i : rest) {
+    const std::vector<Triangle> lid = fill_loop(points, loops[i]);
+    triangles.insert(triangles.end(), lid.begin(), lid.end());
+  }
+  lids.filled = loops.size();
+  lids.planar = loops.size() - rest.size();
+  lids.triangles = triangles.size();
+  piece.lists.triangles.insert(piece.lists.triangles.end(), triangles.begin(), triangles.end());
+  piece.faces.resize(piece.lists.triangles.size(), kNoFace);
   return lids;
 }
 

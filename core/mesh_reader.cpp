@@ -10,7 +10,7 @@
 namespace talweg {
 namespace {
 
-using Reader = MeshLists (*)(const MeshFile&);
+using Reader = MeshLists (*)(const MeshFile&, MeshAttributes*);
 
 Reader reader_of(const std::filesystem::path& path) {
   const std::string extension = lower_extension(path);
@@ -24,14 +24,8 @@ Reader reader_of(const std::filesystem::path& path) {
                      "; expected .obj, .off, .ply, .stl or .om.");
 }
 
-}  // namespace
-
-MeshLists read_mesh(const std::filesystem::path& path) {
-  static_cast<void>(reader_of(path));  // no file is read that has an unknown extension
-  return read_mesh(path, read_file(path));
-}
-
-MeshLists read_mesh(const std::filesystem::path& path, std::string_view bytes) {
+MeshLists read_bytes(const std::filesystem::path& path, std::string_view bytes,
+                     MeshAttributes* attributes) {
   const Reader read = reader_of(path);
   if (bytes.empty()) bad_file(path, "the file is empty.");
   if (read == &read_obj || read == &read_off || read == &read_ply) {
@@ -39,13 +33,35 @@ MeshLists read_mesh(const std::filesystem::path& path, std::string_view bytes) {
     formats::check_line_ends(path, bytes);
     if (read != &read_ply) formats::check_no_nul(path, bytes);
   }
-  MeshLists lists = read({path, bytes});
+  MeshLists lists = read({path, bytes}, attributes);
   if (lists.points.empty()) bad_file(path, "the file contains no vertices.");
   constexpr std::size_t kMost = std::numeric_limits<std::uint32_t>::max();
   if (lists.points.size() >= kMost || lists.triangles.size() >= kMost / 6) {
     bad_file(path, "the mesh has more elements than 32-bit indices can count.");
   }
   return lists;
+}
+
+}  // namespace
+
+MeshLists read_mesh(const std::filesystem::path& path) {
+  static_cast<void>(reader_of(path));  // no file is read that has an unknown extension
+  return read_mesh(path, read_file(path));
+}
+
+MeshLists read_mesh(const std::filesystem::path& path, MeshAttributes& attributes) {
+  static_cast<void>(reader_of(path));
+  return read_mesh(path, read_file(path), attributes);
+}
+
+MeshLists read_mesh(const std::filesystem::path& path, std::string_view bytes) {
+  return read_bytes(path, bytes, nullptr);
+}
+
+MeshLists read_mesh(const std::filesystem::path& path, std::string_view bytes,
+                    MeshAttributes& attributes) {
+  attributes = {};
+  return read_bytes(path, bytes, &attributes);
 }
 
 }  // namespace talweg

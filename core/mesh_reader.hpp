@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <string_view>
 
+#include "talweg/core/mesh_attributes.hpp"
 #include "talweg/core/mesh_lists.hpp"
 
 namespace talweg {
@@ -26,5 +27,14 @@ MeshLists read_mesh(const std::filesystem::path& path);
 
 /// The same from a file's bytes in memory; the path gives the extension and the name in errors.
 MeshLists read_mesh(const std::filesystem::path& path, std::string_view bytes);
+
+/// The same, with all that a PLY or OBJ file says of vertices, faces and corners; what is not read,
+/// and what the other formats hold, is named in `left_out`. Also throws Error(kBadFile) where a
+/// number of these is none (nan and inf are numbers here), or an OBJ face names a texture
+/// coordinate or normal that is not there. Of more than 64 properties of an element the rest is
+/// left out.
+MeshLists read_mesh(const std::filesystem::path& path, MeshAttributes& attributes);
+MeshLists read_mesh(const std::filesystem::path& path, std::string_view bytes,
+                    MeshAttributes& attributes);
 
 }  // namespace talweg

@@ -1,43 +1,23 @@
 #include "talweg/core/mesh_writer.hpp"
 
 #include <algorithm>
-#include <array>
-#include <bit>
 #include <cstdint>
-#include <cstring>
 #include <iterator>
 #include <string>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "talweg/core/formats/file_bytes.hpp"
+#include "talweg/core/formats/mesh_bytes.hpp"
 #include "talweg/core/formats/mesh_file.hpp"
 #include "talweg/intrinsic/error.hpp"
 
 namespace talweg {
-namespace {
+namespace formats {
 
-/// Appends a number's bytes, little end first.
-template <class T>
-void put(std::string& bytes, T value) {
-  std::array<char, sizeof(T)> raw{};
-  std::memcpy(raw.data(), &value, sizeof(T));
-  if constexpr (std::endian::native == std::endian::big) std::reverse(raw.begin(), raw.end());
-  bytes.append(raw.data(), raw.size());
-}
-
-std::string obj_bytes(const MeshLists& lists) {
-  std::string text;
-  const auto out = std::back_inserter(text);
-  for (const Point& p : lists.points) fmt::format_to(out, "v {} {} {}\n", p.x(), p.y(), p.z());
-  for (const Triangle& t : lists.triangles) {
-    fmt::format_to(out, "f {} {} {}\n", std::uint64_t{t[0]} + 1, std::uint64_t{t[1]} + 1,
-                   std::uint64_t{t[2]} + 1);
-  }
-  return text;
-}
-
-std::string off_bytes(const MeshLists& lists) {
+std::string off_bytes(MeshContent& content) {
+  const MeshLists& lists = content.lists;
   std::string text = fmt::format("OFF\n{} {} 0\n", lists.points.size(), lists.triangles.size());
   const auto out = std::back_inserter(text);
   for (const Point& p : lists.points) fmt::format_to(out, "{} {} {}\n", p.x(), p.y(), p.z());
@@ -47,25 +27,8 @@ std::string off_bytes(const MeshLists& lists) {
   return text;
 }
 
-std::string ply_bytes(const MeshLists& lists) {
-  std::string bytes = fmt::format(
-      "ply\nformat binary_little_endian 1.0\nelement vertex {}\nproperty double x\n"
-      "property double y\nproperty double z\nelement face {}\n"
-      "property list uchar {} vertex_indices\nend_header\n",
-      lists.points.size(), lists.triangles.size(),
-      lists.points.size() <= 0x80000000U ? "int" : "uint");  // not every reader knows uint
-  bytes.reserve(bytes.size() + 24 * lists.points.size() + 13 * lists.triangles.size());
-  for (const Point& p : lists.points) {
-    for (const double x : p) put(bytes, x);
-  }
-  for (const Triangle& t : lists.triangles) {
-    put(bytes, std::uint8_t{3});
-    for (const std::uint32_t v : t) put(bytes, v);
-  }
-  return bytes;
-}
-
-std::string stl_bytes(const MeshLists& lists) {
+std::string stl_bytes(MeshContent& content) {
+  const MeshLists& lists = content.lists;
   std::string bytes(80, ' ');
   bytes.reserve(84 + 50 * lists.triangles.size());
   put(bytes, static_cast<std::uint32_t>(lists.triangles.size()));
@@ -83,6 +46,10 @@ std::string stl_bytes(const MeshLists& lists) {
   return bytes;
 }
 
+}  // namespace formats
+
+namespace {
+
 void check_indices(const MeshLists& lists) {
   for (std::size_t f = 0; f < lists.triangles.size(); ++f) {
     for (const std::uint32_t v : lists.triangles[f]) {
@@ -94,21 +61,66 @@ void check_indices(const MeshLists& lists) {
   }
 }
 
+void check_attributes(const MeshLists& lists, const MeshAttributes& attributes) {
+  const auto check = [](const std::string& name, std::size_t given, std::size_t expected) {
+    if (given == expected) return;
+    throw Error(ErrorCode::kBadUsage,
+                fmt::format("There are {} of '{}', expected are {}.", given, name, expected));
+  };
+  for (const AttributeColumn& c : attributes.vertices) {
+    check(c.name, c.values.size(), lists.points.size());
+  }
+  const std::size_t faces = lists.triangles.size();
+  for (const AttributeColumn& c : attributes.faces) check(c.name, c.values.size(), faces);
+  for (const FaceNames& n : attributes.names) check(n.keyword, n.of_face.size(), faces);
+  for (const CornerAttribute* a : {&attributes.texture, &attributes.normals}) {
+    if (a->dimension > 0) check("corners", a->corners.size(), faces);
+  }
+}
+
+/// What formats without any attribute do not hold.
+std::vector<std::string> all_of(const MeshAttributes& attributes, bool has_edges) {
+  std::vector<std::string> all;
+  for (const AttributeColumn& c : attributes.vertices)
+    all.push_back(fmt::format("'{}' of vertices", c.name));
+  for (const AttributeColumn& c : attributes.faces)
+    all.push_back(fmt::format("'{}' of faces", c.name));
+  for (const FaceNames& n : attributes.names)
+    all.push_back(fmt::format("names of faces ({})", n.keyword));
+  if (attributes.texture.dimension > 0) all.emplace_back("texture coordinates");
+  if (attributes.normals.dimension > 0) all.emplace_back("normals");
+  for (const std::string& line : attributes.references) all.push_back(fmt::format("'{}'", line));
+  if (has_edges) all.emplace_back("edges of curves");
+  return all;
+}
+
 }  // namespace
 
 void write_mesh(const std::filesystem::path& path, const MeshLists& lists) {
-  using Bytes = std::string (*)(const MeshLists&);
+  write_mesh(path, lists, {});
+}
+
+std::vector<std::string> write_mesh(const std::filesystem::path& path, const MeshLists& lists,
+                                    const MeshAttributes& attributes,
+                                    std::span<const TaggedEdge> edges) {
+  using Bytes = std::string (*)(formats::MeshContent&);
   const std::string extension = lower_extension(path);
   Bytes bytes = nullptr;
-  if (extension == ".obj") bytes = &obj_bytes;
-  if (extension == ".off") bytes = &off_bytes;
-  if (extension == ".ply") bytes = &ply_bytes;
-  if (extension == ".stl") bytes = &stl_bytes;
+  if (extension == ".obj") bytes = &formats::obj_bytes;
+  if (extension == ".off") bytes = &formats::off_bytes;
+  if (extension == ".ply") bytes = &formats::ply_bytes;
+  if (extension == ".stl") bytes = &formats::stl_bytes;
   if (bytes == nullptr) {
     cannot_write(path, "its name does not end in .obj, .off, .ply or .stl");
   }
   check_indices(lists);
-  write_file(path, bytes(lists));
+  check_attributes(lists, attributes);
+  formats::MeshContent content{lists, attributes, edges, {}};
+  if (bytes == &formats::off_bytes || bytes == &formats::stl_bytes) {
+    content.left_out = all_of(attributes, !edges.empty());
+  }
+  write_file(path, bytes(content));
+  return std::move(content.left_out);
 }
 
 }  // namespace talweg

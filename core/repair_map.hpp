@@ -36,6 +36,8 @@ class RepairMap {
 
   [[nodiscard]] std::size_t file_vertex_count() const { return first_.size() - 1; }
   [[nodiscard]] std::size_t file_face_count() const { return images_.size(); }
+  [[nodiscard]] std::size_t vertex_count() const { return to_file_.size(); }  ///< repaired
+  [[nodiscard]] std::size_t face_count() const { return face_to_file_.size(); }
   [[nodiscard]] VertexId file_vertex(VertexId v) const { return VertexId{to_file_[v.index()]}; }
   [[nodiscard]] FaceId file_face(FaceId f) const { return FaceId{face_to_file_[f.index()]}; }
   [[nodiscard]] const FaceImage& image(FaceId file_face) const {

@@ -1,10 +1,14 @@
 #include "talweg/core/seam_opening.hpp"
 
 #include <algorithm>
-#include <string>
+#include <array>
+#include <numeric>
+#include <unordered_map>
 #include <unordered_set>
 
-#include "talweg/core/surface_mesh.hpp"
+#include <fmt/format.h>
+
+#include "talweg/core/union_find.hpp"
 #include "talweg/intrinsic/error.hpp"
 
 namespace talweg {
@@ -12,111 +16,139 @@ namespace {
 
 constexpr std::uint32_t kNone = 0xFFFFFFFFU;
 
+using Key = std::uint64_t;
+Key directed(std::uint32_t a, std::uint32_t b) { return (Key{a} << 32U) | b; }
+Key undirected(std::uint32_t a, std::uint32_t b) {
+  return directed(std::min(a, b), std::max(a, b));
+}
+
+/// Knows the faces around the chains' vertices only; that is what is fast.
 class Opener {
  public:
   Opener(const MeshLists& lists, std::span<const CutMesh::Chain> chains)
-      : mesh_(SurfaceMesh::open(lists)), surface_(mesh_.surface()), chains_(chains) {
-    result_.lists = lists;
-    seam_.assign(surface_.edge_count(), false);
-  }
+      : lists_(lists), chains_(chains) {}
   OpenedSeams run();
 
  private:
+  void find_faces();
   void find_seams();
-  void open_at(VertexId v);
+  void open_at(std::uint32_t v, std::span<const std::uint32_t> faces);
   void number_pieces();
   void find_sides();
+  [[nodiscard]] std::uint32_t left_of(std::uint32_t a, std::uint32_t b) const {
+    const auto found = face_of_.find(directed(a, b));
+    return found == face_of_.end() ? kNone : found->second;
+  }
 
-  SurfaceMesh mesh_;
-  const Surface& surface_;
+  const MeshLists& lists_;
   std::span<const CutMesh::Chain> chains_;
-  std::vector<bool> seam_;                      // per edge
-  std::vector<std::vector<HalfedgeId>> along_;  // per chain
+  std::vector<std::array<std::uint32_t, 2>> faces_at_;  // vertex of a chain, face; sorted
+  std::unordered_map<Key, std::uint32_t> face_of_;      // on the left of directed edges
+  std::unordered_set<Key> seams_;
   OpenedSeams result_;
 };
+
+void Opener::find_faces() {
+  std::vector<bool> on_chain(lists_.points.size(), false);
+  for (const CutMesh::Chain& chain : chains_) {
+    for (const std::uint32_t v : chain.vertices) {
+      if (v < on_chain.size()) on_chain[v] = true;  // others are refused below
+    }
+  }
+  for (std::uint32_t f = 0; f < lists_.triangles.size(); ++f) {
+    const Triangle& t = lists_.triangles[f];
+    bool touches = false;
+    for (const std::uint32_t v : t) {
+      if (v >= on_chain.size()) {
+        throw Error(ErrorCode::kBadMesh, fmt::format("Face {} refers to vertex {}, but there are "
+                                                     "only {} vertices.",
+                                                     f, v, on_chain.size()));
+      }
+      if (on_chain[v]) faces_at_.push_back({v, f});
+      touches = touches || on_chain[v];
+    }
+    for (std::size_t k = 0; touches && k < 3; ++k) {
+      const std::uint32_t a = t[k], b = t[(k + 1) % 3];
+      if (face_of_.emplace(directed(a, b), f).second && a != b) continue;
+      throw Error(ErrorCode::kBadMesh,
+                  fmt::format("Face {} does not fit its neighbours at the edge from vertex {} to "
+                              "vertex {}: the mesh is no oriented surface there.",
+                              f, a, b));
+    }
+  }
+  std::sort(faces_at_.begin(), faces_at_.end());
+}
 
 void Opener::find_seams() {
   for (std::size_t c = 0; c < chains_.size(); ++c) {
     const std::vector<std::uint32_t>& vertices = chains_[c].vertices;
-    std::vector<HalfedgeId>& along = along_.emplace_back();
     const std::size_t n = vertices.size();
     for (std::size_t i = 0; i + (chains_[c].closed ? 0 : 1) < n; ++i) {
       const std::uint32_t a = vertices[i], b = vertices[(i + 1) % n];
-      const std::size_t count = surface_.vertex_count();
-      const HalfedgeId h =
-          a < count && b < count ? surface_.find_halfedge(VertexId{a}, VertexId{b}) : HalfedgeId{};
-      if (!h.valid()) {
-        throw Error(ErrorCode::kBadCurve, "Vertices " + std::to_string(a) + " and " +
-                                              std::to_string(b) + " of chain " + std::to_string(c) +
-                                              " are joined by no edge.");
+      if (left_of(a, b) == kNone && left_of(b, a) == kNone) {
+        throw Error(ErrorCode::kBadCurve,
+                    fmt::format("Vertices {} and {} of chain {} are joined by no edge.", a, b, c));
       }
-      along.push_back(h);
-      seam_[edge_of(h).index()] = true;
+      seams_.insert(undirected(a, b));
     }
   }
 }
 
-/// Every sector between seams gets a vertex; the first one keeps the old.
-void Opener::open_at(VertexId v) {
-  std::vector<HalfedgeId> spokes;  // with their faces, counterclockwise
-  const HalfedgeId first = surface_.halfedge(v);
-  HalfedgeId h = first;
-  do {
-    if (!surface_.has_face(h)) break;
-    spokes.push_back(h);
-    h = surface_.turn_ccw(h);
-  } while (h != first);
-  const bool whole = h == first && !surface_.on_boundary(v);
-  if (whole) {  // begin behind a seam
-    const auto at = std::find_if(spokes.begin(), spokes.end(),
-                                 [&](HalfedgeId s) { return seam_[edge_of(s).index()]; });
-    if (at == spokes.end()) return;
-    std::rotate(spokes.begin(), at, spokes.end());
-  }
-  const auto old = static_cast<std::uint32_t>(v.index());
-  std::uint32_t own = old;
-  for (std::size_t k = 0; k < spokes.size(); ++k) {
-    if (k > 0 && seam_[edge_of(spokes[k]).index()]) {
-      own = static_cast<std::uint32_t>(result_.lists.points.size());
-      result_.lists.points.push_back(Point(result_.lists.points[old]));
-      result_.vertex_from.push_back(old);
+/// Every sector between seams gets a vertex; that of the first face keeps the old.
+void Opener::open_at(std::uint32_t v, std::span<const std::uint32_t> faces) {
+  UnionFind sectors(faces.size());
+  const auto place = [&](std::uint32_t face) {
+    return static_cast<std::uint32_t>(std::lower_bound(faces.begin(), faces.end(), face) -
+                                      faces.begin());
+  };
+  for (std::uint32_t i = 0; i < faces.size(); ++i) {
+    for (const std::uint32_t w : lists_.triangles[faces[i]]) {
+      if (w == v || seams_.count(undirected(v, w)) > 0) continue;
+      for (const std::uint32_t face : {left_of(v, w), left_of(w, v)}) {
+        if (face != kNone) sectors.join(i, place(face));
+      }
     }
-    for (std::uint32_t& corner : result_.lists.triangles[surface_.face(spokes[k]).index()]) {
-      if (corner == old) corner = own;
+  }
+  std::vector<std::uint32_t> own(faces.size(), v);
+  for (std::uint32_t i = 0; i < faces.size(); ++i) {
+    const std::uint32_t first = sectors.find(i);
+    if (first == i && i > 0) {
+      own[i] = static_cast<std::uint32_t>(result_.lists.points.size());
+      result_.lists.points.push_back(lists_.points[v]);
+      result_.vertex_from.push_back(v);
+    }
+    own[i] = own[first];
+    for (std::uint32_t& corner : result_.lists.triangles[faces[i]]) {
+      if (corner == v) corner = own[i];
     }
   }
 }
 
+/// Faces that still have a vertex in common hang together.
 void Opener::number_pieces() {
-  result_.piece_of_face.assign(surface_.face_count(), kNone);
-  std::vector<std::uint32_t> open;
-  for (std::uint32_t f = 0; f < surface_.face_count(); ++f) {
-    if (result_.piece_of_face[f] != kNone) continue;
-    const auto piece = static_cast<std::uint32_t>(result_.pieces++);
-    result_.piece_of_face[f] = piece;
-    open.assign(1, f);
-    while (!open.empty()) {
-      HalfedgeId h = surface_.halfedge(FaceId{open.back()});
-      open.pop_back();
-      for (int k = 0; k < 3; ++k, h = surface_.next(h)) {
-        if (seam_[edge_of(h).index()] || !surface_.has_face(twin(h))) continue;
-        const auto next = static_cast<std::uint32_t>(surface_.face(twin(h)).index());
-        if (result_.piece_of_face[next] != kNone) continue;
-        result_.piece_of_face[next] = piece;
-        open.push_back(next);
-      }
-    }
+  UnionFind parts(result_.lists.points.size());
+  for (const auto& [a, b, c] : result_.lists.triangles) {
+    parts.join(a, b);
+    parts.join(b, c);
+  }
+  std::vector<std::uint32_t> number(result_.lists.points.size(), kNone);  // by a part's root
+  result_.piece_of_face.reserve(result_.lists.triangles.size());
+  for (const Triangle& t : result_.lists.triangles) {
+    std::uint32_t& piece = number[parts.find(t[0])];
+    if (piece == kNone) piece = static_cast<std::uint32_t>(result_.pieces++);
+    result_.piece_of_face.push_back(piece);
   }
 }
 
 void Opener::find_sides() {
-  for (const std::vector<HalfedgeId>& along : along_) {
+  for (const CutMesh::Chain& chain : chains_) {
+    const std::size_t n = chain.vertices.size();
     const auto pieces_on = [&](bool left) {
       std::vector<std::uint32_t> pieces;
-      for (const HalfedgeId h : along) {
-        const HalfedgeId side = left ? h : twin(h);
-        if (surface_.has_face(side))
-          pieces.push_back(result_.piece_of_face[surface_.face(side).index()]);
+      for (std::size_t i = 0; i + (chain.closed ? 0 : 1) < n; ++i) {
+        const std::uint32_t a = chain.vertices[i], b = chain.vertices[(i + 1) % n];
+        const std::uint32_t face = left ? left_of(a, b) : left_of(b, a);
+        if (face != kNone) pieces.push_back(result_.piece_of_face[face]);
       }
       std::sort(pieces.begin(), pieces.end());
       pieces.erase(std::unique(pieces.begin(), pieces.end()), pieces.end());
@@ -128,19 +160,17 @@ void Opener::find_sides() {
 }
 
 OpenedSeams Opener::run() {
-  result_.vertex_from.resize(surface_.vertex_count());
-  for (std::uint32_t v = 0; v < surface_.vertex_count(); ++v) result_.vertex_from[v] = v;
+  find_faces();
   find_seams();
-  std::vector<VertexId> at;
-  for (const std::vector<HalfedgeId>& along : along_) {
-    for (const HalfedgeId h : along) {
-      at.push_back(surface_.tail(h));
-      at.push_back(surface_.head(h));
-    }
+  result_.lists = lists_;
+  result_.vertex_from.resize(lists_.points.size());
+  std::iota(result_.vertex_from.begin(), result_.vertex_from.end(), 0U);
+  std::vector<std::uint32_t> faces;
+  for (auto at = faces_at_.begin(); at != faces_at_.end();) {
+    const std::uint32_t v = (*at)[0];
+    for (faces.clear(); at != faces_at_.end() && (*at)[0] == v; ++at) faces.push_back((*at)[1]);
+    open_at(v, faces);
   }
-  std::sort(at.begin(), at.end());
-  at.erase(std::unique(at.begin(), at.end()), at.end());
-  for (const VertexId v : at) open_at(v);
   number_pieces();
   find_sides();
   return std::move(result_);

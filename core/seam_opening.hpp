@@ -23,8 +23,11 @@ struct OpenedSeams {
 
 /// Takes a mesh apart along chains of edges: on either side of a seam its vertices are of their
 /// own. An end of an open chain inside the mesh stays closed. Pieces are what still hangs together.
-/// O(vertices + faces). Throws Error(kBadMesh) as SurfaceMesh::open() does, Error(kBadCurve) naming
-/// chain and place where two neighbours of a chain are joined by no edge.
+/// The lists must be a surface, as those of cut_along() are; only the faces around the chains are
+/// looked at for that. O(vertices + faces), one pass but for these.
+/// Throws Error(kBadMesh) for an index out of range, and for faces around a chain that do not fit
+/// each other; Error(kBadCurve) naming chain and place where two neighbours of a chain are joined
+/// by no edge.
 OpenedSeams open_seams(const MeshLists& lists, std::span<const CutMesh::Chain> chains);
 
 /// One piece, or several as one mesh; unused vertices are left out. `faces`, `vertices`: where each

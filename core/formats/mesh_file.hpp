@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include "talweg/core/mesh_attributes.hpp"
 #include "talweg/core/mesh_lists.hpp"
 
 namespace talweg {
@@ -29,10 +30,11 @@ std::string lower_extension(const std::filesystem::path& path);
 /// Appends the fan of a polygon with at least three corners.
 void add_polygon(MeshLists& lists, std::span<const std::uint32_t> corners);
 
-MeshLists read_obj(const MeshFile& file);
-MeshLists read_off(const MeshFile& file);
-MeshLists read_ply(const MeshFile& file);
-MeshLists read_stl(const MeshFile& file);
-MeshLists read_om(const MeshFile& file);
+/// Each also reads what else the file holds, where that is asked for.
+MeshLists read_obj(const MeshFile& file, MeshAttributes* attributes = nullptr);
+MeshLists read_off(const MeshFile& file, MeshAttributes* attributes = nullptr);
+MeshLists read_ply(const MeshFile& file, MeshAttributes* attributes = nullptr);
+MeshLists read_stl(const MeshFile& file, MeshAttributes* attributes = nullptr);
+MeshLists read_om(const MeshFile& file, MeshAttributes* attributes = nullptr);
 
 }  // namespace talweg

@@ -38,8 +38,9 @@ std::string missing(const char* kind, std::size_t index, std::size_t count) {
 
 }  // namespace
 
-MeshLists read_off(const MeshFile& file) {
+MeshLists read_off(const MeshFile& file, MeshAttributes* attributes) {
   LineScanner lines(file, '#');
+  bool more_of_vertices = false, more_of_faces = false;
   const Counts counts = read_header(lines);
   MeshLists lists;
   // A line has six bytes or more: no more is set aside than the file can fill.
@@ -50,6 +51,7 @@ MeshLists read_off(const MeshFile& file) {
     Point p;
     for (double& coordinate : p) coordinate = lines.number("a coordinate");
     lists.points.push_back(p);
+    if (attributes != nullptr) more_of_vertices |= !lines.word().empty();
   }
   std::vector<std::uint32_t> corners;
   for (std::size_t f = 0; f < counts.faces; ++f) {
@@ -69,7 +71,10 @@ MeshLists read_off(const MeshFile& file) {
       corners.push_back(static_cast<std::uint32_t>(v));
     }
     add_polygon(lists, corners);
+    if (attributes != nullptr) more_of_faces |= !lines.word().empty();
   }
+  if (more_of_vertices) attributes->left_out.emplace_back("normals or colours of vertices (OFF)");
+  if (more_of_faces) attributes->left_out.emplace_back("colours of faces (OFF)");
   if (lines.next_line()) {
     lines.fail("the file goes on after the " + std::to_string(counts.vertices) + " vertices and " +
                std::to_string(counts.faces) + " faces that its header announces.");

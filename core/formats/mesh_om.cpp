@@ -43,9 +43,11 @@ class OmReader {
       read_chunk(chunk);
     }
     if (!complete()) bad_file(file_.path, "the file ends before all its vertices and faces.");
+    has_more_ |= cursor_.left() > 2;  // than the chunk that ends it
     if (major_ >= 2) faces_from_halfedges();
     return std::move(lists_);
   }
+  [[nodiscard]] bool has_more() const { return has_more_; }
 
  private:
   template <class T>
@@ -161,6 +163,7 @@ class OmReader {
   }
 
   void pass(const Chunk& chunk) {
+    has_more_ |= chunk.content != kStatus && chunk.content != kTopology;
     std::size_t count = 1;
     if (chunk.entity == kVertex) count = vertices_;
     if (chunk.entity == kFace) count = faces_;
@@ -224,12 +227,20 @@ class OmReader {
   bool has_points_ = false;
   bool has_halfedges_ = false;
   bool has_first_ = false;
+  bool has_more_ = false;  // than positions and faces
   std::vector<Halfedge> halfedges_;
   std::vector<std::uint32_t> first_;
 };
 
 }  // namespace
 
-MeshLists read_om(const MeshFile& file) { return OmReader(file).read(); }
+MeshLists read_om(const MeshFile& file, MeshAttributes* attributes) {
+  OmReader reader(file);
+  MeshLists lists = reader.read();
+  if (attributes != nullptr && reader.has_more()) {
+    attributes->left_out.emplace_back("properties besides positions and faces (OM)");
+  }
+  return lists;
+}
 
 }  // namespace talweg

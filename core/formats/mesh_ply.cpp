@@ -1,6 +1,9 @@
-// PLY, text and binary: vertex positions and face corners; everything else is passed over.
+// PLY, text and binary: vertex positions and face corners; the other numbers of vertices and faces
+// where they are asked for.
 #include <algorithm>
 #include <optional>
+
+#include <fmt/format.h>
 
 #include "talweg/core/formats/line_scanner.hpp"
 #include "talweg/core/formats/ply_header.hpp"
@@ -21,12 +24,24 @@ std::string numbered(const PlyElement& element, std::size_t index) {
   return element.name + " " + std::to_string(index) + " of " + std::to_string(element.count);
 }
 
+/// Where the numbers of an element go that are no coordinates and no corners.
+struct Columns {
+  std::vector<std::size_t> of_property;  ///< kNone: nowhere
+  std::vector<AttributeColumn>* into = nullptr;
+  [[nodiscard]] std::size_t at(std::size_t property) const {
+    return of_property.empty() ? kNone : of_property[property];
+  }
+};
+
 /// What to do with the two elements that matter.
 struct Plan {
   PlyHeader header;
   std::size_t vertices = 0;
   std::array<std::size_t, 3> coordinate{kNone, kNone, kNone};  ///< properties of a vertex
   std::size_t corners = kNone;                                 ///< property of a face
+  std::size_t texture = kNone;  ///< property of a face: texture coordinates of its corners
+  Columns vertex_columns, face_columns;
+  MeshAttributes* attributes = nullptr;
 };
 
 void plan_vertices(const MeshFile& file, const PlyElement& element, Plan& plan) {
@@ -73,6 +88,86 @@ Plan make_plan(const MeshFile& file) {
   return plan;
 }
 
+/// Columns for the numbers of an element. No more than 64: a face of many corners has its numbers
+/// for each triangle of its fan, and a short file must not fill the memory with that.
+Columns make_columns(const PlyElement& element, std::span<const std::size_t> taken,
+                     std::vector<AttributeColumn>& into, std::vector<std::string>& left_out) {
+  constexpr std::size_t kMost = 64;
+  Columns columns{std::vector<std::size_t>(element.properties.size(), kNone), &into};
+  for (std::size_t i = 0; i < element.properties.size(); ++i) {
+    const PlyProperty& property = element.properties[i];
+    if (std::find(taken.begin(), taken.end(), i) != taken.end()) continue;
+    if (property.is_list || property.name.empty() || into.size() >= kMost ||
+        property_index(element, property.name) != i) {
+      if (left_out.size() < kMost) {
+        left_out.push_back(fmt::format("{} '{}' of element '{}'",
+                                       property.is_list ? "list" : "property", property.name,
+                                       element.name));
+      }
+      continue;
+    }
+    columns.of_property[i] = into.size();
+    into.push_back({property.name, property.type, {}});
+  }
+  return columns;
+}
+
+void plan_attributes(MeshAttributes& attributes, Plan& plan) {
+  plan.attributes = &attributes;
+  attributes.references = plan.header.textures;
+  for (const PlyElement& element : plan.header.elements) {
+    if (element.name == "vertex") {
+      plan.vertex_columns =
+          make_columns(element, plan.coordinate, attributes.vertices, attributes.left_out);
+    } else if (element.name == "face") {
+      plan.texture = property_index(element, "texcoord");
+      if (plan.texture != kNone && !element.properties[plan.texture].is_list) plan.texture = kNone;
+      const std::array<std::size_t, 2> taken{plan.corners, plan.texture};
+      plan.face_columns = make_columns(element, taken, attributes.faces, attributes.left_out);
+    } else if (element.count > 0) {
+      attributes.left_out.push_back(fmt::format("element '{}'", element.name));
+    }
+  }
+}
+
+/// Gathers the numbers of one face, and gives them to the triangles it becomes.
+class FaceNumbers {
+ public:
+  FaceNumbers(const Plan& plan, const MeshLists& lists)
+      : plan_(plan), lists_(lists), values_(plan.attributes ? plan.attributes->faces.size() : 0) {}
+  void set(std::size_t column, double value) { values_[column] = value; }
+  std::vector<double>& texture() { return texture_; }
+  void end() {
+    if (plan_.attributes == nullptr) return;
+    const std::size_t now = lists_.triangles.size();
+    for (std::size_t c = 0; c < values_.size(); ++c) {
+      plan_.attributes->faces[c].values.resize(now, values_[c]);
+    }
+    if (plan_.texture != kNone) end_texture(now);
+  }
+
+ private:
+  void end_texture(std::size_t now) {
+    CornerAttribute& to = plan_.attributes->texture;
+    to.dimension = 2;
+    const std::size_t first = to.values.size() / 2, triangles = now - to.corners.size();
+    // Other numbers of coordinates are none: empty lists are what some writers leave.
+    const bool fits = texture_.size() == 2 * (triangles + 2);
+    if (fits) to.values.insert(to.values.end(), texture_.begin(), texture_.end());
+    for (std::size_t k = 0; k < triangles; ++k) {
+      const auto at = [&](std::size_t corner) {
+        return fits ? static_cast<std::uint32_t>(first + corner) : CornerAttribute::kNone;
+      };
+      to.corners.push_back({at(0), at(k + 1), at(k + 2)});
+    }
+    texture_.clear();
+  }
+
+  const Plan& plan_;
+  const MeshLists& lists_;
+  std::vector<double> values_, texture_;
+};
+
 /// Adds faces; counts and indices are checked here for text and binary alike.
 class FaceSink {
  public:
@@ -111,7 +206,8 @@ class TextBody {
       : plan_(plan),
         lists_(lists),
         lines_(file, '\0', plan.header.body, plan.header.lines),
-        faces_(file, plan, lists) {}
+        faces_(file, plan, lists),
+        face_numbers_(plan, lists) {}
 
   void read() {
     for (const PlyElement& element : plan_.header.elements) {
@@ -136,6 +232,16 @@ class TextBody {
     }
   }
 
+  double number(const PlyProperty& property) {
+    const std::string_view word = lines_.word();
+    double value = 0;
+    if (word.empty()) lines_.fail("the line ends before '" + property.name + "'.");
+    if (!LineScanner::parse(word, value)) {
+      lines_.fail("expected a number for '" + property.name + "', found " + quoted(word) + ".");
+    }
+    return value;
+  }
+
   void read_vertex(const PlyElement& element) {
     Point p;
     for (std::size_t i = 0; i < element.properties.size(); ++i) {
@@ -144,6 +250,8 @@ class TextBody {
                                    plan_.coordinate.begin());
       if (k < 3) {
         p[static_cast<int>(k)] = lines_.number("a coordinate");
+      } else if (const std::size_t c = plan_.vertex_columns.at(i); c != kNone) {
+        plan_.attributes->vertices[c].values.push_back(number(element.properties[i]));
       } else {
         skip(element.properties[i]);
       }
@@ -153,21 +261,29 @@ class TextBody {
 
   void read_face(const PlyElement& element, std::size_t face) {
     for (std::size_t i = 0; i < element.properties.size(); ++i) {
-      if (i != plan_.corners) {
-        skip(element.properties[i]);
-        continue;
+      const PlyProperty& property = element.properties[i];
+      if (i == plan_.corners) {
+        const std::int64_t n = lines_.integer("the number of the face's corners");
+        faces_.begin(face, n);
+        for (std::int64_t k = 0; k < n; ++k) faces_.add(lines_.integer("the index of a vertex"));
+        faces_.end();
+      } else if (i == plan_.texture) {
+        const std::int64_t n = lines_.integer("the length of a list");
+        for (std::int64_t k = 0; k < n; ++k) face_numbers_.texture().push_back(number(property));
+      } else if (const std::size_t c = plan_.face_columns.at(i); c != kNone) {
+        face_numbers_.set(c, number(property));
+      } else {
+        skip(property);
       }
-      const std::int64_t n = lines_.integer("the number of the face's corners");
-      faces_.begin(face, n);
-      for (std::int64_t k = 0; k < n; ++k) faces_.add(lines_.integer("the index of a vertex"));
-      faces_.end();
     }
+    face_numbers_.end();
   }
 
   const Plan& plan_;
   MeshLists& lists_;
   LineScanner lines_;
   FaceSink faces_;
+  FaceNumbers face_numbers_;
 };
 
 class BinaryBody {
@@ -178,6 +294,7 @@ class BinaryBody {
         lists_(lists),
         cursor_(file.bytes.substr(plan.header.body)),
         faces_(file, plan, lists),
+        face_numbers_(plan, lists),
         swap_((plan.header.encoding == PlyEncoding::kBigEndian) ==
               (std::endian::native == std::endian::little)) {}
 
@@ -220,6 +337,9 @@ class BinaryBody {
           p[k] = load_number(property.type, at, swap_);
         }
       }
+      if (const std::size_t c = plan_.vertex_columns.at(i); c != kNone) {
+        plan_.attributes->vertices[c].values.push_back(load_number(property.type, at, swap_));
+      }
     }
     lists_.points.push_back(p);
   }
@@ -230,12 +350,17 @@ class BinaryBody {
       const PlyProperty& property = element.properties[i];
       if (is_face && i == plan_.corners) {
         read_corners(element, property, index);
+      } else if (is_face && i == plan_.texture) {
+        read_texture(element, property, index);
       } else if (property.is_list) {
         pass_list(element, property, index);
       } else {
-        take(element, index, size_of(property.type));
+        const char* at = take(element, index, size_of(property.type));
+        const std::size_t c = is_face ? plan_.face_columns.at(i) : kNone;
+        if (c != kNone) face_numbers_.set(c, load_number(property.type, at, swap_));
       }
     }
+    if (is_face) face_numbers_.end();
   }
 
   std::size_t list_length(const PlyElement& element, const PlyProperty& property,
@@ -262,11 +387,21 @@ class BinaryBody {
     faces_.end();
   }
 
+  void read_texture(const PlyElement& element, const PlyProperty& property, std::size_t index) {
+    const std::size_t n = list_length(element, property, index);
+    const std::size_t step = size_of(property.type);
+    const char* at = take(element, index, n * step);
+    for (std::size_t k = 0; k < n; ++k) {
+      face_numbers_.texture().push_back(load_number(property.type, at + k * step, swap_));
+    }
+  }
+
   const MeshFile& file_;
   const Plan& plan_;
   MeshLists& lists_;
   ByteCursor cursor_;
   FaceSink faces_;
+  FaceNumbers face_numbers_;
   bool swap_;
 };
 
@@ -286,8 +421,9 @@ void set_aside(const MeshFile& file, const Plan& plan, MeshLists& lists) {
 
 }  // namespace
 
-MeshLists read_ply(const MeshFile& file) {
-  const Plan plan = make_plan(file);
+MeshLists read_ply(const MeshFile& file, MeshAttributes* attributes) {
+  Plan plan = make_plan(file);
+  if (attributes != nullptr) plan_attributes(*attributes, plan);
   MeshLists lists;
   set_aside(file, plan, lists);
   if (plan.header.encoding == PlyEncoding::kText) {

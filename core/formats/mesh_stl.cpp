@@ -63,12 +63,13 @@ class Welder {
   std::vector<std::uint32_t> slots_;
 };
 
-MeshLists read_binary(const MeshFile& file, std::size_t triangles) {
+MeshLists read_binary(const MeshFile& file, std::size_t triangles, MeshAttributes* attributes) {
   const bool swap = std::endian::native == std::endian::big;
   MeshLists lists;
   lists.single_precision = true;
   lists.triangles.resize(triangles);
   Welder welder(lists.points, triangles);
+  bool has_attributes = false;
   for (std::size_t f = 0; f < triangles; ++f) {
     const char* at = file.bytes.data() + kHeader + kTriangle * f + 12;
     for (std::uint32_t& corner : lists.triangles[f]) {
@@ -76,6 +77,10 @@ MeshLists read_binary(const MeshFile& file, std::size_t triangles) {
           welder.id({load<float>(at, swap), load<float>(at + 4, swap), load<float>(at + 8, swap)});
       at += 12;
     }
+    has_attributes |= at[0] != 0 || at[1] != 0;
+  }
+  if (attributes != nullptr && has_attributes) {
+    attributes->left_out.emplace_back("attribute bytes of faces (STL)");
   }
   return lists;
 }
@@ -122,14 +127,14 @@ MeshLists read_text(const MeshFile& file) {
 
 }  // namespace
 
-MeshLists read_stl(const MeshFile& file) {
+MeshLists read_stl(const MeshFile& file, MeshAttributes* attributes) {
   const std::size_t size = file.bytes.size();
   std::size_t announced = 0;
   if (size >= kHeader) {
     announced =
         load<std::uint32_t>(file.bytes.data() + 80, std::endian::native == std::endian::big);
     // Some binary files begin with the word solid, too: the size decides.
-    if (size == kHeader + kTriangle * announced) return read_binary(file, announced);
+    if (size == kHeader + kTriangle * announced) return read_binary(file, announced, attributes);
   }
   const std::string_view head = file.bytes.substr(0, 1024);
   const std::size_t first = head.find_first_not_of(" \t\r\n");

@@ -75,7 +75,11 @@ PlyHeader read_ply_header(const MeshFile& file) {
     } else if (keyword == "property") {
       if (header.elements.empty()) lines.fail("a property comes before its element.");
       header.elements.back().properties.push_back(read_property(lines));
-    } else if (keyword != "comment" && keyword != "obj_info") {
+    } else if (keyword == "comment") {
+      if (lines.word() == "TextureFile") {
+        header.textures.push_back("comment TextureFile " + formats::shown(lines.word()));
+      }
+    } else if (keyword != "obj_info") {
       lines.fail(quoted(keyword) + " is no word of a PLY header.");
     }
   }

@@ -27,8 +27,9 @@ enum class PlyEncoding { kText, kLittleEndian, kBigEndian };
 struct PlyHeader {
   PlyEncoding encoding{};
   std::vector<PlyElement> elements;
-  std::size_t body = 0;   ///< the byte where the data begins
-  std::size_t lines = 0;  ///< how many lines come before it
+  std::size_t body = 0;               ///< the byte where the data begins
+  std::size_t lines = 0;              ///< how many lines come before it
+  std::vector<std::string> textures;  ///< comments that name texture files, as they stand
 };
 
 /// Throws Error(kBadFile) with the line that cannot be understood.

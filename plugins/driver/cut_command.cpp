@@ -12,12 +12,15 @@
 #include "commands.hpp"
 #include "drawing_file.hpp"
 #include "repaired_mesh.hpp"
+#include "talweg/core/attribute_transfer.hpp"
 #include "talweg/core/formats/file_bytes.hpp"
+#include "talweg/core/formats/mesh_file.hpp"
 #include "talweg/core/loop_filling.hpp"
 #include "talweg/core/mesh_cutting.hpp"
 #include "talweg/core/mesh_writer.hpp"
 #include "talweg/core/seam_opening.hpp"
 #include "talweg/core/stopwatch.hpp"
+#include "talweg/core/tagged_edges.hpp"
 #include "talweg/intrinsic/error.hpp"
 
 namespace talweg::driver {
@@ -32,21 +35,31 @@ struct CutCommandOptions {
   std::string keep;
   bool open = false;
   bool split = false;
-  bool cap = false;
+  bool tag = false;
+  std::string cap;
   double merge = CutOptions{}.merge;
 };
 
-/// A written mesh: where its vertices and faces come from, and what was done.
+/// A mesh to be written: where its vertices and faces come from, and what was done.
 struct Part {
   MeshLists lists;
+  MeshAttributes attributes;
   std::vector<std::uint32_t> vertices, faces;  // of the cut mesh
   Lids lids;
 };
 
+LidKind lid_kind(const std::string& name) {
+  if (name == "auto") return LidKind::kAuto;
+  if (name == "planar") return LidKind::kPlanar;
+  if (name == "least-area") return LidKind::kLeastArea;
+  throw Error(ErrorCode::kBadUsage,
+              "--cap must be auto, planar or least-area, not \"" + name + "\".");
+}
+
 class Cutting {
  public:
   explicit Cutting(const CutCommandOptions& options);
-  void write() const;
+  void write();
   [[nodiscard]] std::string summary() const;
 
  private:
@@ -58,6 +71,7 @@ class Cutting {
   [[nodiscard]] nlohmann::json vertex_json(std::uint32_t vertex) const;
 
   const CutCommandOptions& o_;
+  MeshAttributes attributes_;  // of the file's mesh, then of the cut one
   ReadMesh read_;
   SurfaceMesh mesh_;
   Drawing drawing_;
@@ -65,22 +79,29 @@ class Cutting {
   std::size_t pieces_ = 1;
   std::vector<Part> parts_;
   double cut_ms_ = 0;
+  std::vector<std::string> left_out_;  // sentences, one for each kind of file
 };
 
 Cutting::Cutting(const CutCommandOptions& options)
     : o_(options),
-      read_(read_and_repair(options.mesh, options.repair)),
+      read_(read_and_repair(options.mesh, options.repair, attributes_)),
       mesh_(SurfaceMesh::open(read_.lists)) {
   drawing_ = DrawingReader(mesh_, read_.map.get()).read(o_.curves);
   const Stopwatch watch;
   cut_ = cut_along(mesh_, drawing_.curves, {o_.merge});
   cut_.lists.single_precision = read_.lists.single_precision;
   take_apart();
+  attributes_ = carried_to(cut_, mesh_.surface(), attributes_);
+  for (Part& part : parts_) part.attributes = picked(attributes_, part.vertices, part.faces);
   cut_ms_ = watch.ms();
+  if (!attributes_.left_out.empty()) {
+    left_out_.push_back(
+        fmt::format("Not carried over: {}.", fmt::join(attributes_.left_out, ", ")));
+  }
 }
 
 void Cutting::take_apart() {
-  if (!o_.open && !o_.split && o_.keep.empty() && !o_.cap) {
+  if (!o_.open && !o_.split && o_.keep.empty() && o_.cap.empty()) {
     Part& part = parts_.emplace_back();
     part.lists = cut_.lists;
     for (std::uint32_t v = 0; v < cut_.lists.points.size(); ++v) part.vertices.push_back(v);
@@ -123,7 +144,7 @@ std::vector<bool> Cutting::kept(const OpenedSeams& seams) const {
 void Cutting::add_part(const OpenedSeams& seams, const std::vector<bool>& wanted) {
   Piece piece = piece_of(seams, wanted);
   Part& part = parts_.emplace_back();
-  if (o_.cap) part.lids = add_lids(piece, seams, cut_.chains);
+  if (!o_.cap.empty()) part.lids = add_lids(piece, seams, cut_.chains, lid_kind(o_.cap));
   part.lists = std::move(piece.lists);
   part.faces = std::move(piece.faces);
   for (const std::uint32_t v : piece.vertices) part.vertices.push_back(seams.vertex_from[v]);
@@ -190,8 +211,17 @@ std::string Cutting::map_json() const {
   return json.dump() + "\n";
 }
 
-void Cutting::write() const {
-  for (std::size_t k = 0; k < parts_.size(); ++k) write_mesh(path_of(k), parts_[k].lists);
+void Cutting::write() {
+  std::vector<std::string> left_out;  // the same for all parts
+  for (std::size_t k = 0; k < parts_.size(); ++k) {
+    const Part& part = parts_[k];
+    std::vector<TaggedEdge> edges;
+    if (o_.tag) edges = tagged_edges(part.lists.triangles, part.vertices, cut_.chains);
+    left_out = write_mesh(path_of(k), part.lists, part.attributes, edges);
+  }
+  if (!left_out.empty()) {
+    left_out_.push_back(fmt::format("{} does not hold: {}.", o_.output, fmt::join(left_out, ", ")));
+  }
   if (!o_.map.empty()) write_file(o_.map, map_json());
 }
 
@@ -205,21 +235,25 @@ std::string Cutting::summary() const {
         cut_.merged, cut_.largest_move);
   }
   for (const std::string& change : read_.changes) text += change + "\n";
+  for (const std::string& sentence : left_out_) text += sentence + "\n";
   for (const std::string& warning :
        reading_warnings(drawing_.largest_snap_distance, read_.lists.polygon_count)) {
     text += warning + "\n";
   }
-  if (o_.open || o_.split || o_.cap || !o_.keep.empty()) {
+  if (o_.open || o_.split || !o_.cap.empty() || !o_.keep.empty()) {
     text += fmt::format("{} {}\n", pieces_, pieces_ == 1 ? "piece" : "pieces");
   }
   for (std::size_t k = 0; k < parts_.size(); ++k) {
     const Part& part = parts_[k];
     text += fmt::format("{}: {} vertices, {} faces", path_of(k), part.lists.points.size(),
                         part.lists.triangles.size());
-    if (o_.cap) text += fmt::format(", {} lids of {} faces", part.lids.filled, part.lids.triangles);
+    if (!o_.cap.empty()) {
+      text += fmt::format(", {} rims closed by {} faces, {} of them plane", part.lids.filled,
+                          part.lids.triangles, part.lids.planar);
+    }
     if (part.lids.left_open > 0) {
-      text +=
-          fmt::format("; {} rims stay open: slits, or they end at the old boundary", part.lids.left_open);
+      text += fmt::format("; {} rims stay open: slits, or they end at the old boundary",
+                          part.lids.left_open);
     }
     text += "\n";
   }
@@ -227,6 +261,11 @@ std::string Cutting::summary() const {
 }
 
 void check(const CutCommandOptions& o) {
+  if (!o.cap.empty()) lid_kind(o.cap);
+  const std::string ending = lower_extension(o.output);
+  if (o.tag && ending != ".ply" && ending != ".obj") {
+    throw Error(ErrorCode::kBadUsage, "--tag needs an output that holds edges: .ply or .obj.");
+  }
   if (o.keep.empty() || o.keep == "left" || o.keep == "right") return;
   throw Error(ErrorCode::kBadUsage, "--keep must be left or right, not \"" + o.keep + "\".");
 }
@@ -245,11 +284,17 @@ Command add_cut(CLI::App& app, const GlobalOptions& global) {
   command->add_option("-o,--output", o->output, "The cut mesh: .ply, .obj, .off or .stl")
       ->required();
   command->add_flag("--open", o->open, "Open a seam: either side of it has vertices of its own");
-  command->add_flag("--split", o->split, "A file for each piece: OUT-0.ply, OUT-1.ply, ...");
+  command->add_flag("--split", o->split,
+                    "A file for each piece, OUT-0.ply, OUT-1.ply, ...; without it the pieces are "
+                    "components of one");
   command->add_option("--keep", o->keep,
                       "left or right: only pieces on that side of the curves, seen along them from "
                       "outside");
-  command->add_flag("--cap", o->cap, "Close what the cut leaves open with lids of least area");
+  command->add_flag("--cap{auto}", o->cap,
+                    "Close what the cut leaves open: auto (plane where the rim is, else of least "
+                    "area; the default), planar or least-area, after an equals sign");
+  command->add_flag("--tag", o->tag,
+                    "Write the curves' edges, too: element edge of a .ply, l of an .obj");
   command->add_option("--map", o->map,
                       "JSON: where every vertex and face comes from, and the curves' vertices");
   command
@@ -259,7 +304,7 @@ Command add_cut(CLI::App& app, const GlobalOptions& global) {
   add_repair_option(*command, o->repair);
   return [o, &global] {
     check(*o);
-    const Cutting cutting(*o);
+    Cutting cutting(*o);
     cutting.write();
     if (!global.quiet) std::fputs(cutting.summary().c_str(), stdout);
     return static_cast<int>(kDone);

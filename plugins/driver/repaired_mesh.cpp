@@ -2,6 +2,9 @@
 
 #include <utility>
 
+#include <fmt/format.h>
+
+#include "talweg/core/attribute_transfer.hpp"
 #include "talweg/core/mesh_inspection.hpp"
 #include "talweg/core/mesh_reader.hpp"
 #include "talweg/intrinsic/error.hpp"
@@ -18,10 +21,11 @@ void check_repair(const std::string& list) {
   if (!list.empty()) repair_steps(list);
 }
 
-ReadMesh read_and_repair(const std::string& path, const std::string& list) {
-  check_repair(list);
+namespace {
+
+ReadMesh repaired(MeshLists lists, const std::string& list) {
   ReadMesh mesh;
-  mesh.lists = read_mesh(path);
+  mesh.lists = std::move(lists);
   if (list.empty()) return mesh;
   RepairedMesh repaired = repair(mesh.lists, repair_steps(list));
   const MeshInspection after = inspect(repaired.lists);
@@ -32,6 +36,27 @@ ReadMesh read_and_repair(const std::string& path, const std::string& list) {
   mesh.changes = sentences(repaired.changes);
   mesh.lists = std::move(repaired.lists);
   mesh.map = std::make_shared<const RepairMap>(std::move(repaired.map));
+  return mesh;
+}
+
+}  // namespace
+
+ReadMesh read_and_repair(const std::string& path, const std::string& list) {
+  check_repair(list);
+  return repaired(read_mesh(path), list);
+}
+
+ReadMesh read_and_repair(const std::string& path, const std::string& list,
+                         MeshAttributes& attributes) {
+  check_repair(list);
+  ReadMesh mesh = repaired(read_mesh(path, attributes), list);
+  if (!mesh.map) return mesh;
+  std::size_t differing = 0;
+  attributes = of_repaired(attributes, *mesh.map, differing);
+  if (differing > 0) {
+    mesh.changes.push_back(fmt::format(
+        "{} vertices were welded onto others with other attributes, which stay.", differing));
+  }
   return mesh;
 }
 

@@ -7,6 +7,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "talweg/core/mesh_attributes.hpp"
 #include "talweg/core/mesh_repair.hpp"
 
 namespace talweg::driver {
@@ -23,6 +24,10 @@ void add_repair_option(CLI::App& app, std::string& list);
 /// Reads a mesh, and repairs it unless `list` is empty. Throws Error as read_mesh(), repair_steps()
 /// and repair() do, and Error(kBadMesh) where the repaired mesh cannot be used.
 ReadMesh read_and_repair(const std::string& path, const std::string& list);
+/// The same with the attributes of the mesh, repaired or not. A sentence of the changes tells how
+/// many vertices lost theirs by welding.
+ReadMesh read_and_repair(const std::string& path, const std::string& list,
+                         MeshAttributes& attributes);
 
 /// Checks the list alone.
 void check_repair(const std::string& list);

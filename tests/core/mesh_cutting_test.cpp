@@ -12,8 +12,11 @@
 #include "core/jagged_curves.hpp"
 #include "core/mesh_numbers.hpp"
 #include "core/reference_data.hpp"
+#include "talweg/core/closest_point.hpp"
 #include "talweg/core/face_triangulation.hpp"
 #include "talweg/core/mesh_reader.hpp"
+#include "talweg/core/mesh_repair.hpp"
+#include "talweg/core/seam_opening.hpp"
 #include "talweg/core/straight_lines.hpp"
 #include "talweg/intrinsic/error.hpp"
 
@@ -79,6 +82,42 @@ void expect_good(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves,
       EXPECT_LE(nearest, 1e-12 * size + cut.largest_move);
     }
   }
+}
+
+/// How far apart two meshes lie, both ways, at their vertices and at places inside their faces.
+double hausdorff(const SurfaceMesh& a, const SurfaceMesh& b) {
+  double largest = 0;
+  for (const auto& [from, to] : {std::pair{&a, &b}, {&b, &a}}) {
+    const ClosestPoint closest(*to);
+    for (const Point& p : from->points()) {
+      largest = std::max(largest, closest.nearest(p).distance);
+    }
+    for (std::size_t f = 0; f < from->surface().face_count(); ++f) {
+      const auto [i, j, k] = from->surface().corners(FaceId{f});
+      for (const auto& [x, y] : {std::pair{1.0 / 3, 1.0 / 3}, {0.1, 0.2}, {0.5, 0.45}}) {
+        const Point p = x * from->point(i) + y * from->point(j) + (1 - x - y) * from->point(k);
+        largest = std::max(largest, closest.nearest(p).distance);
+      }
+    }
+  }
+  return largest;
+}
+
+/// Opened along its chains and welded again, a cut mesh is what it was, and lies on the old one.
+void expect_the_old_surface_when_welded(const SurfaceMesh& mesh, const CutMesh& cut) {
+  const OpenedSeams open = open_seams(cut.lists, cut.chains);
+  const MeshLists welded = repair(open.lists).lists;
+  const SurfaceMesh now = SurfaceMesh::open(welded);
+  std::int64_t unused = 0;  // the copies that were welded onto others
+  for (std::size_t v = 0; v < welded.points.size(); ++v) {
+    if (!now.surface().halfedge(VertexId{v}).valid()) ++unused;
+  }
+  EXPECT_EQ(unused, static_cast<std::int64_t>(open.lists.points.size() - cut.lists.points.size()));
+  EXPECT_EQ(euler(now.surface()) - unused, euler(mesh.surface()));
+  EXPECT_NEAR(area(welded), area(cut.lists), 1e-12 * area(cut.lists));
+  double size = 0;
+  for (const Point& p : mesh.points()) size = std::max(size, (p - mesh.points()[0]).norm());
+  EXPECT_LE(hausdorff(mesh, now), 1e-12 * size);
 }
 
 class MeshCutting : public testing::Test {
@@ -238,6 +277,28 @@ TEST_F(MeshCutting, RandomCurvesOnManyMeshes) {
   EXPECT_GT(crossed, 40);
 }
 
+TEST_F(MeshCutting, CutAndWeldedItIsTheOldSurface) {
+  const MeshLists meshes[] = {test::hills(20), test::sphere(3), test::torus(24, 12)};
+  std::mt19937 random(23);
+  int runs = 0;
+  for (const MeshLists& lists : meshes) {
+    const SurfaceMesh mesh = open(lists);
+    StraightLines lines(mesh.surface());
+    for (int k = 0; k < 4; ++k) {
+      SCOPED_TRACE(testing::Message() << lists.triangles.size() << " faces, run " << k);
+      std::vector<SurfaceCurve> curves;
+      try {
+        for (int c = 0; c < 2; ++c) curves.push_back(random_curve(mesh, lines, random, c == 0));
+      } catch (const Error&) {
+        continue;
+      }
+      expect_the_old_surface_when_welded(mesh, cut_along(mesh, curves));
+      ++runs;
+    }
+  }
+  EXPECT_GT(runs, 8);
+}
+
 /// TALWEG_CUT_RUNS: how many curves on each mesh, 3 by default.
 TEST_F(MeshCutting, RandomCurvesOnRealMeshes) {
   const char* given = std::getenv("TALWEG_CUT_RUNS");
@@ -249,7 +310,9 @@ TEST_F(MeshCutting, RandomCurvesOnRealMeshes) {
                            "fandisk_14k", "skull_100k", "terrain_utm_21k", "tooth_ct_119k"}) {
     const auto path = test::mesh_folder() / (std::string(name) + ".ply");
     if (!std::filesystem::exists(path)) continue;
-    const SurfaceMesh mesh = open(read_mesh(path));
+    const MeshLists lists = read_mesh(path);
+    const SurfaceMesh mesh = open(lists);
+    const bool is_small_and_whole = lists.triangles.size() < 30000 && !repair(lists).changes.any();
     ++meshes;
     StraightLines lines(mesh.surface());
     for (int k = 0; k < runs; ++k) {
@@ -261,7 +324,10 @@ TEST_F(MeshCutting, RandomCurvesOnRealMeshes) {
       } catch (const Error&) {
         continue;  // its points are too near to each other, or not connected
       }
-      expect_good(mesh, curves, cut_along(mesh, curves));
+      const CutMesh cut = cut_along(mesh, curves);
+      expect_good(mesh, curves, cut);
+      // Welding would also join what lies on each other in the file.
+      if (k == 0 && is_small_and_whole) expect_the_old_surface_when_welded(mesh, cut);
       ++done;
     }
   }

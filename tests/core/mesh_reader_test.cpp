@@ -302,9 +302,40 @@ void expect_sound(const MeshLists& lists) {
   }
 }
 
+/// There is a number for everything, and no corner has one that is not there.
+void expect_sound(const MeshLists& lists, const MeshAttributes& a) {
+  const std::size_t faces = lists.triangles.size();
+  for (const auto& column : a.vertices) ASSERT_EQ(column.values.size(), lists.points.size());
+  for (const auto& column : a.faces) ASSERT_EQ(column.values.size(), faces);
+  for (const auto& names : a.names) ASSERT_EQ(names.of_face.size(), faces);
+  for (const CornerAttribute* corners : {&a.texture, &a.normals}) {
+    if (corners->dimension == 0) continue;
+    ASSERT_EQ(corners->corners.size(), faces);
+    for (const auto& face : corners->corners) {
+      for (const std::uint32_t c : face) {
+        ASSERT_TRUE(c == CornerAttribute::kNone || c < corners->values.size() / corners->dimension);
+      }
+    }
+  }
+}
+
+/// Some of every kind.
+MeshAttributes some_attributes(const MeshLists& lists) {
+  MeshAttributes a;
+  const std::size_t vertices = lists.points.size(), faces = lists.triangles.size();
+  a.vertices.push_back({"red", NumberType::kUint8, std::vector<double>(vertices, 7)});
+  a.vertices.push_back({"green", NumberType::kUint8, std::vector<double>(vertices, 7)});
+  a.vertices.push_back({"blue", NumberType::kUint8, std::vector<double>(vertices, 7)});
+  a.faces.push_back({"label", NumberType::kInt16, std::vector<double>(faces, -7)});
+  a.texture = {2, {0, 0, 1, 0, 0, 1}, std::vector<Triangle>(faces, {0, 1, 2})};
+  a.normals = {3, {0, 0, 1}, std::vector<Triangle>(faces, {0, 0, 0})};
+  a.names.push_back({"usemtl", {"", "skin"}, std::vector<std::uint32_t>(faces, 1)});
+  return a;
+}
+
 TEST_F(MeshReader, DamagedFilesGiveAnErrorOrASoundMesh) {
   const MeshLists lists = sphere(0);
-  using Parser = MeshLists (*)(const MeshFile&);
+  using Parser = MeshLists (*)(const MeshFile&, MeshAttributes*);
   const std::pair<const char*, Parser> formats[] = {{"a.obj", &read_obj},
                                                     {"a.off", &read_off},
                                                     {"a.ply", &read_ply},
@@ -314,7 +345,7 @@ TEST_F(MeshReader, DamagedFilesGiveAnErrorOrASoundMesh) {
     if (parse == &read_om) {
       write_om<DoublePoints>(file(name));
     } else {
-      write_mesh(file(name), lists);
+      write_mesh(file(name), lists, some_attributes(lists));
     }
     const std::string whole = bytes_of(file(name));
     std::uint64_t random = 12345;
@@ -326,7 +357,11 @@ TEST_F(MeshReader, DamagedFilesGiveAnErrorOrASoundMesh) {
       }
       if (k % 5 == 0) damaged.resize((random >> 40U) % damaged.size());
       try {
-        expect_sound(parse({name, damaged}));  // from memory: thousands of files wear the disk
+        // From memory: thousands of files wear the disk.
+        MeshAttributes attributes;
+        const MeshLists read = parse({name, damaged}, k % 2 == 0 ? &attributes : nullptr);
+        expect_sound(read);
+        if (k % 2 == 0) expect_sound(read, attributes);
       } catch (const Error& error) {
         EXPECT_EQ(error.code(), ErrorCode::kBadFile);
       }

@@ -24,11 +24,30 @@ void check_refusal(const Target& target, const Error& error) {
   for (const char c : what) require(c >= ' ' && c <= '~', "printable words");
 }
 
+void check_attributes(const MeshLists& lists, const MeshAttributes& a) {
+  const std::size_t faces = lists.triangles.size();
+  for (const auto& c : a.vertices) require(c.values.size() == lists.points.size(), "values");
+  for (const auto& c : a.faces) require(c.values.size() == faces, "values of faces");
+  for (const auto& n : a.names) require(n.of_face.size() == faces, "names of faces");
+  for (const CornerAttribute* corners : {&a.texture, &a.normals}) {
+    if (corners->dimension == 0) continue;
+    require(corners->corners.size() == faces, "values of corners");
+    for (const auto& face : corners->corners) {
+      for (const std::uint32_t c : face) {
+        require(c == CornerAttribute::kNone || c < corners->values.size() / corners->dimension,
+                "corners in range");
+      }
+    }
+  }
+}
+
 }  // namespace
 
 void read_mesh_bytes(const Target& target, const std::uint8_t* data, std::size_t size) {
   try {
     const MeshLists lists = read_mesh(target.file, text_of(data, size));
+    MeshAttributes attributes;
+    check_attributes(read_mesh(target.file, text_of(data, size), attributes), attributes);
     require(!lists.points.empty(), "vertices");
     for (const Triangle& t : lists.triangles) {
       for (const std::uint32_t v : t) require(v < lists.points.size(), "indices in range");

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "core/generated_meshes.hpp"
 #include "core/jagged_curves.hpp"
 #include "plugins/driver_runs.hpp"
 #include "talweg/core/formats/curve_file.hpp"
@@ -104,6 +105,86 @@ TEST_F(CutCommand, OpensSeamsOfOneAndOfMoreCurves) {
   // the other, and its end at the boundary.
   EXPECT_EQ(open.points.size(), 121U + 3 + 2);
   EXPECT_EQ(open.triangles.size(), 200U);
+}
+
+TEST_F(CutCommand, CarriesWhatTheFileSaysOfVerticesAndFaces) {
+  const MeshLists lists = read_mesh(file("ball.ply"));
+  MeshAttributes attributes;
+  AttributeColumn height{"height", NumberType::kFloat64, {}}, red{"red", NumberType::kUint8, {}};
+  for (const Point& p : lists.points) {
+    height.values.push_back(p.z());
+    red.values.push_back(p.z() > 0 ? 255 : 0);
+  }
+  AttributeColumn label{"label", NumberType::kInt32, {}};
+  for (std::size_t f = 0; f < lists.triangles.size(); ++f) {
+    label.values.push_back(static_cast<double>(f));
+  }
+  attributes.vertices = {height, red};
+  attributes.faces = {label};
+  write_mesh(file("rich.ply"), lists, attributes);
+  const Outcome outcome =
+      run("cut rich.ply --curve ring.json -o part.ply --split --cap --map map.json");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(outcome.out.find("Not carried"), std::string::npos) << outcome.out;
+  const nlohmann::json map = json("map.json");
+  for (std::size_t k = 0; k < 2; ++k) {
+    MeshAttributes part;
+    const MeshLists cut = read_mesh(file(k == 0 ? "part-0.ply" : "part-1.ply"), part);
+    ASSERT_EQ(part.vertices.size(), 2U);
+    EXPECT_EQ(part.vertices[1].type, NumberType::kUint8);
+    for (std::size_t v = 0; v < cut.points.size(); ++v) {
+      EXPECT_NEAR(part.vertices[0].values[v], cut.points[v].z(), 1e-14);  // linear
+    }
+    ASSERT_EQ(part.faces.size(), 1U);
+    EXPECT_EQ(part.faces[0].type, NumberType::kInt32);
+    const nlohmann::json& faces = map["parts"][k]["faces"];
+    for (std::size_t f = 0; f < cut.triangles.size(); ++f) {
+      EXPECT_EQ(part.faces[0].values[f], faces[f].is_null() ? 0 : faces[f].get<double>());
+    }
+  }
+  const Outcome stl = run("cut rich.ply --curve ring.json -o part.stl");
+  EXPECT_NE(stl.out.find("part.stl does not hold: 'height' of vertices, 'red' of vertices, 'label' "
+                         "of faces."),
+            std::string::npos)
+      << stl.out;
+}
+
+TEST_F(CutCommand, TagsTheCurvesEdges) {
+  for (const char* name : {"tagged.ply", "tagged.obj"}) {
+    const Outcome outcome =
+        run(std::string("cut ball.ply --curve ring.json --tag -o ") + name + " --map map.json");
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    // The file of the mesh is then one of curves, too.
+    const std::vector<CurveInput> curves = read_curves(file(name));
+    ASSERT_EQ(curves.size(), 1U) << name;
+    EXPECT_TRUE(curves[0].closed);
+    const MeshLists cut = read_mesh(file(name));
+    const nlohmann::json chain = json("map.json")["parts"][0]["curves"][0]["vertices"];
+    const auto& points = std::get<std::vector<Point>>(curves[0].points);
+    ASSERT_EQ(points.size(), chain.size());
+    for (std::size_t i = 0; i < chain.size(); ++i) {
+      EXPECT_EQ(points[i], cut.points[chain[i][0]]);
+    }
+  }
+}
+
+TEST_F(CutCommand, ClosesWithLidsOfAKind) {
+  // Two parallels of a tube: plane. The ring on the ball is not.
+  write_mesh(file("tube.ply"), test::tube(16, 9, 4));
+  std::string ring;
+  for (int k = 48; k < 64; ++k) ring += std::to_string(k) + "\n";
+  write(file("parallel.txt"), ring + "48\n");
+  const Outcome plane = run("cut tube.ply --curve parallel.txt -o t.ply --cap=planar");
+  ASSERT_EQ(plane.code, 0) << plane.err;
+  EXPECT_NE(plane.out.find("2 rims closed by 28 faces, 2 of them plane"), std::string::npos)
+      << plane.out;
+  const Outcome least = run("cut ball.ply --curve ring.json -o b.ply --cap");
+  EXPECT_NE(least.out.find("0 of them plane"), std::string::npos) << least.out;
+  expect_failure("cut ball.ply --curve ring.json -o c.ply --cap=planar", 2,
+                 {"The rim of ", "is not plane"});
+  expect_failure("cut ball.ply --curve ring.json -o c.ply --cap=round", 1,
+                 {"--cap", "planar", "round"});
+  expect_failure("cut ball.ply --curve ring.json -o c.stl --tag", 1, {"--tag", ".ply or .obj"});
 }
 
 TEST_F(CutCommand, SaysWhatIsWrong) {
