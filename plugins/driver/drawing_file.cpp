@@ -2,15 +2,11 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <filesystem>
-#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "talweg/core/formats/curve_file.hpp"
-#include "talweg/core/formats/file_bytes.hpp"
-#include "talweg/core/formats/text_scanner.hpp"
 #include "talweg/core/label_borders.hpp"
 #include "talweg/core/snapping.hpp"
 #include "talweg/intrinsic/error.hpp"
@@ -58,20 +54,18 @@ std::vector<std::int64_t> on_repaired(const RepairMap& map, std::vector<std::int
 
 }  // namespace
 
-std::vector<std::int64_t> read_labels(const std::string& path, const RepairMap* map) {
-  const std::string bytes = read_file(path);
-  const std::filesystem::path name = path;
-  formats::TextScanner words(name, bytes);
-  std::vector<std::int64_t> labels;
-  for (std::string_view word = words.word(); !word.empty(); word = words.word()) {
-    labels.push_back(words.integer(word, "a label (a whole number)"));
-  }
-  if (map != nullptr) return on_repaired(*map, std::move(labels), path);
-  return labels;
+LabelFile read_labels(const std::string& path, const Surface& surface, const RepairMap* map,
+                      const std::string& property) {
+  LabelFileOptions options;
+  options.property = property;
+  options.vertex_count = map != nullptr ? map->file_vertex_count() : surface.vertex_count();
+  LabelFile file = read_label_file(path, options);
+  if (map != nullptr) file.labels = on_repaired(*map, std::move(file.labels), path);
+  return file;
 }
 
 Drawing drawing_of_labels(const std::string& path, const Surface& surface, const RepairMap* map) {
-  const std::vector<std::int64_t> labels = read_labels(path, map);
+  const std::vector<std::int64_t> labels = read_labels(path, surface, map).labels;
   Drawing drawing;
   try {
     for (LabelBorder& border : label_borders(surface, labels)) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "talweg/core/closest_point.hpp"
+#include "talweg/core/formats/label_file.hpp"
 #include "talweg/core/repair_map.hpp"
 #include "talweg/core/straight_lines.hpp"
 #include "talweg/core/surface_mesh.hpp"
@@ -43,13 +44,13 @@ class DrawingReader {
 Drawing read_drawing(const std::string& path, const SurfaceMesh& mesh,
                      const RepairMap* map = nullptr);
 
-/// The labels that a file holds, on the repaired mesh where there is a map. Throws Error(kBadFile)
-/// as drawing_of_labels() does.
-std::vector<std::int64_t> read_labels(const std::string& path, const RepairMap* map = nullptr);
+/// The labels that a file holds, on the repaired mesh where there is a map; `property` as in
+/// LabelFileOptions. Throws Error(kBadFile) as read_label_file() does.
+LabelFile read_labels(const std::string& path, const Surface& surface, const RepairMap* map,
+                      const std::string& property = {});
 
-/// The borders between labels that a file holds, one whole number per face or per vertex,
-/// separated by blanks or ends of lines. Throws Error as label_borders() does, Error(kBadFile)
-/// naming the line of what is no whole number.
+/// The borders between labels that a file holds, see read_label_file(). Throws Error as that and
+/// label_borders() do.
 Drawing drawing_of_labels(const std::string& path, const Surface& surface,
                           const RepairMap* map = nullptr);
 

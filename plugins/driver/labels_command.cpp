@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <iterator>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -34,10 +35,13 @@ struct LabelsOptions {
   std::string cut_labels;
   std::string report;
   std::string repair;
+  std::string property;
   std::string junctions = "fixed";
   std::string ends = "stay";
   LabelNetworkOptions network;
 };
+
+using Names = std::map<std::int64_t, std::string>;  // of labels that have one
 
 /// One label a line.
 std::string lines_of(const std::vector<std::int64_t>& labels) {
@@ -61,7 +65,8 @@ std::vector<std::int64_t> of_file_faces(const std::vector<std::int64_t>& labels,
 }
 
 /// The report of smooth, and `network`, `regions`, and the labels of each border.
-std::string report_of(const LabelNetwork& network, const std::vector<std::string>& warnings) {
+std::string report_of(const LabelNetwork& network, const std::vector<std::string>& warnings,
+                      const Names& names) {
   std::vector<SmoothingReport> reports;
   for (const SmoothedBorder& border : network.borders) reports.push_back(border.report);
   auto json = nlohmann::ordered_json::parse(to_json(network.total, reports));
@@ -81,6 +86,9 @@ std::string report_of(const LabelNetwork& network, const std::vector<std::string
                        {"area_before", r.area_before},
                        {"area_after", r.area_after},
                        {"held", r.held}});
+    if (const auto name = names.find(r.label); name != names.end()) {
+      regions.back()["name"] = name->second;
+    }
   }
   auto& borders = json["borders"] = nlohmann::ordered_json::array();
   for (const SmoothedBorder& border : network.borders) {
@@ -97,14 +105,16 @@ std::string report_of(const LabelNetwork& network, const std::vector<std::string
   return json.dump(2) + "\n";
 }
 
-std::vector<std::string> warnings_of(const LabelNetwork& network) {
+std::vector<std::string> warnings_of(const LabelNetwork& network, const Names& names) {
   std::vector<std::string> warnings;
   for (const LabelRegion& region : network.regions) {
     if (!region.held) continue;
+    const auto found = names.find(region.label);
+    const std::string name = found == names.end() ? "" : found->second;
     warnings.push_back(
-        fmt::format("Region {} is too small or too thin for this tolerance: borders of it are "
+        fmt::format("Region {}{} is too small or too thin for this tolerance: borders of it are "
                     "held nearer to the drawing.",
-                    region.label));
+                    region.label, name.empty() ? "" : " (" + name + ")"));
   }
   return warnings;
 }
@@ -129,7 +139,7 @@ std::string summary_of(const LabelNetwork& network, double ms) {
 }
 
 void write(const LabelsOptions& o, const LabelNetwork& network, const SurfaceMesh& mesh,
-           const RepairMap* map, const std::vector<std::string>& warnings) {
+           const RepairMap* map, const std::vector<std::string>& warnings, const Names& names) {
   std::vector<PlacedCurve> placed;
   for (const SmoothedBorder& border : network.borders) {
     placed.push_back(in_file_numbers(map, place(mesh, border.border.curve, placed.size())));
@@ -140,14 +150,14 @@ void write(const LabelsOptions& o, const LabelNetwork& network, const SurfaceMes
   }
   if (!o.cut.empty()) write_mesh(o.cut, network.cut.lists);
   if (!o.cut_labels.empty()) write_file(o.cut_labels, lines_of(network.cut_labels));
-  if (!o.report.empty()) write_file(o.report, report_of(network, warnings));
+  if (!o.report.empty()) write_file(o.report, report_of(network, warnings, names));
 }
 
 int run_labels(const LabelsOptions& o, const GlobalOptions& global) {
   ReadMesh read = read_and_repair(o.mesh, o.repair);
   std::vector<std::string> warnings = reading_warnings(0, read.lists.polygon_count);
   const auto mesh = OpenedMesh::open(std::move(read.lists));
-  const std::vector<std::int64_t> labels = read_labels(o.labels, read.map.get());
+  const LabelFile file = read_labels(o.labels, mesh->surface(), read.map.get(), o.property);
   LabelNetworkOptions options = o.network;
   options.progress = progress_bar(global.quiet);
   options.free_junctions = o.junctions == "free";
@@ -155,7 +165,7 @@ int run_labels(const LabelsOptions& o, const GlobalOptions& global) {
   const Stopwatch watch;
   LabelNetwork network;
   try {
-    network = smooth_labels(mesh, labels, options);
+    network = smooth_labels(mesh, file.labels, options);
   } catch (const Error& error) {
     if (error.code() != ErrorCode::kBadCurve) throw;
     throw Error(ErrorCode::kBadFile, o.labels + ": " + error.what());
@@ -166,10 +176,10 @@ int run_labels(const LabelsOptions& o, const GlobalOptions& global) {
     std::fprintf(stderr, "talweg: cancelled; nothing was written.\n");
     return kCancelled;
   }
-  const std::vector<std::string> held = warnings_of(network);
+  const std::vector<std::string> held = warnings_of(network, file.names);
   warnings.insert(warnings.end(), read.changes.begin(), read.changes.end());
   warnings.insert(warnings.end(), held.begin(), held.end());
-  write(o, network, mesh->mesh(), read.map.get(), warnings);
+  write(o, network, mesh->mesh(), read.map.get(), warnings, file.names);
   if (!global.quiet) {
     std::fputs(summary_of(network, ms).c_str(), stdout);
     for (const std::string& warning : warnings) std::printf("%s\n", warning.c_str());
@@ -186,7 +196,14 @@ Command add_labels(CLI::App& app, const GlobalOptions& global) {
       "Smooth all borders of a segmentation together: none crosses another, no region is lost or "
       "torn apart");
   command->add_option("mesh", o->mesh, "Mesh: OBJ, OFF, PLY, STL or OM")->required();
-  command->add_option("labels", o->labels, "One whole number per face or per vertex")->required();
+  command
+      ->add_option("labels", o->labels,
+                   "One whole number per face or per vertex; or a PLY, VTK or VTP file with such a "
+                   "property, the mesh itself too; or FreeSurfer's .annot or .label")
+      ->required();
+  command->add_option("--labels-property", o->property,
+                      "Which property of LABELS (default: the first of label, labels, segment, "
+                      "region, class, scalar_label)");
   command->add_option("--tau", o->network.tau, "More keeps closer to the labels' borders")
       ->capture_default_str();
   command->add_option("--slack", o->network.slack,

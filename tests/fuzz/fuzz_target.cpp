@@ -30,6 +30,11 @@ const std::vector<Target>& targets() {
       {"curve_txt", read_curve_bytes, curve_seeds, "c.txt"},
       {"curve_json", read_curve_bytes, curve_seeds, "c.json"},
       {"curve_slicer", read_curve_bytes, curve_seeds, "c.mrk.json"},
+      {"label_annot", read_label_bytes, label_seeds, "l.annot"},
+      {"label_list", read_label_bytes, label_seeds, "l.label"},
+      {"label_ply", read_label_bytes, label_seeds, "l.ply"},
+      {"label_vtk", read_label_bytes, label_seeds, "l.vtk"},
+      {"label_vtp", read_label_bytes, label_seeds, "l.vtp"},
       {"intake", take_in, random_seeds, ""},
       {"straighten", straighten, random_seeds, ""},
       {"smooth", smooth, random_seeds, ""}};

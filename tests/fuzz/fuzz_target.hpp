@@ -24,12 +24,14 @@ const Target* target_named(std::string_view name);
 
 void read_mesh_bytes(const Target& target, const std::uint8_t* data, std::size_t size);
 void read_curve_bytes(const Target& target, const std::uint8_t* data, std::size_t size);
+void read_label_bytes(const Target& target, const std::uint8_t* data, std::size_t size);
 void take_in(const Target& target, const std::uint8_t* data, std::size_t size);
 void straighten(const Target& target, const std::uint8_t* data, std::size_t size);
 void smooth(const Target& target, const std::uint8_t* data, std::size_t size);
 
 std::vector<std::string> mesh_seeds(const Target& target);
 std::vector<std::string> curve_seeds(const Target& target);
+std::vector<std::string> label_seeds(const Target& target);
 /// Random bytes, a few lengths.
 std::vector<std::string> random_seeds(const Target& target);
 

@@ -6,6 +6,7 @@
 #include "fuzz_bytes.hpp"
 #include "fuzz_target.hpp"
 #include "talweg/core/formats/curve_file.hpp"
+#include "talweg/core/formats/label_file.hpp"
 #include "talweg/core/mesh_reader.hpp"
 #include "talweg/intrinsic/error.hpp"
 
@@ -76,6 +77,19 @@ void read_curve_bytes(const Target& target, const std::uint8_t* data, std::size_
           for (const double b : at.barycentric) require(std::isfinite(b), "finite barycentrics");
         }
       }
+    }
+  } catch (const Error& error) {
+    check_refusal(target, error);
+  }
+}
+
+void read_label_bytes(const Target& target, const std::uint8_t* data, std::size_t size) {
+  try {
+    const LabelFile file = read_label_file(target.file, text_of(data, size), {"", 10});
+    // A polygon's label comes once for each triangle of its fan, a list's vertices are ten.
+    require(file.labels.size() <= size + 10, "no more labels than bytes");
+    for (const auto& [label, name] : file.names) {
+      for (const char c : name) require(c >= ' ' && c <= '~', "printable names");
     }
   } catch (const Error& error) {
     check_refusal(target, error);

@@ -248,4 +248,39 @@ std::vector<std::string> curve_seeds(const Target& target) {
   return {formats::write_slicer(curves)};
 }
 
+std::vector<std::string> label_seeds(const Target& target) {
+  if (target.name == "label_annot") {
+    std::string bytes;
+    const auto number = [&](std::int32_t value) { put(bytes, value, true); };
+    const auto text = [&](std::string_view name) {
+      number(static_cast<std::int32_t>(name.size() + 1));
+      bytes.append(name).push_back('\0');
+    };
+    for (const std::int32_t value : {2, 0, 0x030201, 1, 0, 1, -2, 1}) number(value);
+    text("table");
+    for (const std::int32_t value : {1, 0}) number(value);
+    text("motor");
+    for (const std::int32_t value : {1, 2, 3, 0}) number(value);
+    return {bytes, bytes.substr(0, 20)};
+  }
+  if (target.name == "label_list") return {"#!ascii label\n2\n1 0.5 1e0 -2 0\n4 0 0 0 1\n"};
+  if (target.name == "label_ply") {
+    std::string text = ply_text(), binary = ply_binary(true);
+    for (std::string* bytes : {&text, &binary}) {
+      bytes->replace(bytes->find("uchar red"), 9, "uchar label");
+    }
+    return {text, binary};
+  }
+  if (target.name == "label_vtk") {
+    const std::string head = "# vtk DataFile Version 3.0\nlabels\n";
+    const std::string data = "CELL_DATA 2\nSCALARS label int 1\nLOOKUP_TABLE default\n";
+    return {head + "ASCII\nDATASET POLYDATA\nPOINTS 1 float\n0 0 0\nPOLYGONS 1 4\n3 0 0 0\n" +
+                data + "1 2\nPOINT_DATA 1\nFIELD f 1\nregion 1 1 int\n7\n",
+            head + "BINARY\nDATASET POLYDATA\n" + data + std::string(8, '\1')};
+  }
+  return {
+      "<VTKFile type=\"PolyData\"><PolyData><Piece><CellData><DataArray type=\"Int32\" "
+      "Name=\"label\" format=\"ascii\">1 2</DataArray></CellData></Piece></PolyData></VTKFile>"};
+}
+
 }  // namespace talweg::fuzz

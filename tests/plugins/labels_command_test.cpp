@@ -2,6 +2,7 @@
 #include <cmath>
 #include <fstream>
 #include <map>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -87,6 +88,65 @@ TEST_F(LabelsCommand, SaysWhatIsWrong) {
   expect_failure("labels hills.ply", 1, {"labels"});
   expect_failure("labels hills.ply labels.txt --max-deviation 0", 1, {"max_deviation"});
   expect_failure("labels hills.ply labels.txt --cut-labels x.txt", 1, {"--cut"});
+}
+
+TEST_F(LabelsCommand, ReadsLabelsOfTheMeshFileItself) {
+  const MeshLists lists = test::hills(40);
+  std::string ply = "ply\nformat ascii 1.0\nelement vertex " + std::to_string(lists.points.size()) +
+                    "\nproperty double x\nproperty double y\nproperty double z\nelement face " +
+                    std::to_string(labels_.size()) +
+                    "\nproperty list uchar int vertex_indices\nproperty int lobe\nend_header\n";
+  std::ostringstream body;
+  body.precision(17);
+  for (const Point& p : lists.points) body << p.x() << " " << p.y() << " " << p.z() << "\n";
+  for (std::size_t f = 0; f < labels_.size(); ++f) {
+    const Triangle& t = lists.triangles[f];
+    body << "3 " << t[0] << " " << t[1] << " " << t[2] << " " << labels_[f] << "\n";
+  }
+  write("with.ply", ply + body.str());
+  ASSERT_EQ(run("labels with.ply labels.txt --labels-out a.txt").code, 0);
+  const Outcome own = run("labels with.ply with.ply --labels-property lobe --labels-out b.txt");
+  ASSERT_EQ(own.code, 0) << own.err;
+  EXPECT_EQ(bytes_of(file("a.txt")), bytes_of(file("b.txt")));
+  const Outcome none = run("labels with.ply with.ply");
+  EXPECT_EQ(none.code, 2);
+  EXPECT_NE(none.err.find("lobe"), std::string::npos) << none.err;
+}
+
+TEST_F(LabelsCommand, NamesTheRegionsOfAnAnnotation) {
+  const SurfaceMesh mesh = SurfaceMesh::open(test::hills(40));
+  const auto of_vertices = test::on_vertices(mesh.surface(), labels_);
+  std::string annot;
+  const auto number = [&](std::int64_t value) {
+    for (int shift = 24; shift >= 0; shift -= 8) annot += static_cast<char>(value >> shift);
+  };
+  const auto text = [&](const std::string& name) {
+    number(static_cast<std::int64_t>(name.size()) + 1);
+    annot += name + '\0';
+  };
+  number(static_cast<std::int64_t>(of_vertices.size()));
+  for (std::size_t v = 0; v < of_vertices.size(); ++v) {
+    number(static_cast<std::int64_t>(v));
+    number(of_vertices[v] + 1);  // red only
+  }
+  for (const int value : {1, -2, 12}) number(value);
+  text("made");
+  number(12);
+  for (int k = 0; k < 12; ++k) {
+    number(k);
+    text("lobe_" + std::to_string(k));
+    for (const int value : {k + 1, 0, 0, 0}) number(value);
+  }
+  std::ofstream(file("lh.annot"), std::ios::binary) << annot;
+  const Outcome outcome = run("labels hills.ply lh.annot --report report.json --junctions free");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("junctions and ends moved"), std::string::npos) << outcome.out;
+  const auto report = nlohmann::json::parse(bytes_of(file("report.json")));
+  ASSERT_EQ(report["regions"].size(), 12U);
+  for (const auto& region : report["regions"]) {
+    EXPECT_EQ(region["name"], "lobe_" + std::to_string(region["label"].get<int>()));
+  }
+  EXPECT_GT(report["network"]["moved"].get<int>(), 0);
 }
 
 }  // namespace
