@@ -7,9 +7,9 @@
 #include <fmt/format.h>
 
 #include "paper/ball.hpp"
-#include "paper/contact_sheet.hpp"
 #include "paper/experiment.hpp"
 #include "paper/hand.hpp"
+#include "picture/contact_sheet.hpp"
 #include "talweg/core/mesh_reader.hpp"
 
 namespace talweg::paper {
@@ -120,8 +120,8 @@ std::string table1(const Folders& folders) {
           picture_of(experiment, caption, timed.result.curve(), picture::Fit::kDetail));
     }
   }
-  picture::write_png(folders.out / "paper_models.png", contact_sheet(overviews, 3));
-  picture::write_png(folders.out / "paper_details.png", contact_sheet(details, 3));
+  picture::write_png(folders.out / "paper_models.png", picture::contact_sheet(overviews, 3));
+  picture::write_png(folders.out / "paper_details.png", picture::contact_sheet(details, 3));
   return "## Table 1\n\n" + times + "\n" + measures +
          "\n![](paper_models.png)\n\n![](paper_details.png)\n";
 }

@@ -5,9 +5,9 @@
 
 #include <fmt/format.h>
 
-#include "paper/contact_sheet.hpp"
 #include "paper/experiment.hpp"
 #include "paper/hand.hpp"
+#include "picture/contact_sheet.hpp"
 #include "scenes/random.hpp"
 #include "scenes/scenes.hpp"
 

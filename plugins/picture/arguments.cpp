@@ -78,9 +78,11 @@ Fit fit_argument(const std::string& text) {
   refuse(text, "auto, curve, mesh or detail");
 }
 
-Panel panel_argument(const std::string& text) {
-  const std::string wanted = "a panel CAPTION[|curves=1,2][|fit=FIT][|zoom=Z][|view=x,y,z]";
-  Panel panel;
+PanelArgument panel_argument(const std::string& text) {
+  const std::string wanted =
+      "a panel CAPTION[|curves=1,2][|fit=FIT][|zoom=Z][|view=x,y,z][|mesh=FILE]"
+      "[|labels=FILE][|move=x,y,z]";
+  PanelArgument panel;
   const std::vector<std::string> parts = split(text, '|');
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const std::size_t equal = parts[i].find('=');
@@ -96,6 +98,14 @@ Panel panel_argument(const std::string& text) {
       panel.zoom = number(value, text, wanted);
     } else if (name == "view") {
       panel.view = direction_argument(value);
+    } else if (name == "mesh") {
+      panel.mesh = value;
+    } else if (name == "labels") {
+      panel.labels = value;
+    } else if (name == "move") {
+      panel.move = direction_argument(value);
+    } else if (name == "curves" && value == "none") {
+      panel.no_curves = true;
     } else if (name == "curves") {
       for (const std::string& item : split(value, ',')) {
         const double curve = number(item, text, wanted);

@@ -8,6 +8,8 @@
 #include <CLI/CLI.hpp>
 
 #include "picture/arguments.hpp"
+#include "picture/contact_sheet.hpp"
+#include "picture/face_colors.hpp"
 #include "picture/render.hpp"
 #include "talweg/core/formats/curve_file.hpp"
 #include "talweg/core/mesh_reader.hpp"
@@ -59,42 +61,77 @@ struct Arguments {
   bool no_edges = false;
 };
 
-// A file may hold several curves; panels count files.
-Scene scene_of(const Arguments& arguments) {
-  Scene scene;
-  scene.mesh = read_mesh(arguments.mesh);
-  std::vector<std::vector<std::size_t>> curves_of_file;
+/// The curves of the files, and which of them are whose. A file may hold several.
+std::vector<std::vector<std::size_t>> add_curves(const Arguments& arguments, Scene& scene) {
+  std::vector<std::vector<std::size_t>> of_file;
   for (const std::string& text : arguments.curves) {
     const CurveArgument argument = curve_argument(text);
-    curves_of_file.emplace_back();
+    of_file.emplace_back();
     for (const CurveInput& curve : read_curves(argument.file)) {
-      curves_of_file.back().push_back(scene.curves.size());
+      of_file.back().push_back(scene.curves.size());
       scene.curves.push_back(
           {positions(scene.mesh, curve), curve.closed, argument.color, argument.width});
     }
   }
+  return of_file;
+}
+
+/// Panels count files; a scene counts curves.
+void count_curves(Panel& panel, const std::string& text,
+                  const std::vector<std::vector<std::size_t>>& of_file) {
+  const std::vector<std::size_t> files = std::exchange(panel.curves, {});
+  for (const std::size_t file : files) {
+    if (file >= of_file.size()) {
+      throw Error(ErrorCode::kBadUsage, "\"" + text + "\" names curve " + std::to_string(file + 1) +
+                                            ", but only " + std::to_string(of_file.size()) +
+                                            " are given");
+    }
+    panel.curves.insert(panel.curves.end(), of_file[file].begin(), of_file[file].end());
+  }
+}
+
+/// The scene of a panel that has a mesh or colours of its own.
+Scene own_scene(const Scene& scene, const PanelArgument& panel) {
+  Scene own = scene;
+  own.panels = {panel};
+  if (!panel.mesh.empty()) own.mesh = read_mesh(panel.mesh);
+  if (panel.labels == "pieces") {
+    own.face_colors = label_colors(pieces_of(own.mesh));
+  } else if (!panel.labels.empty()) {
+    own.face_colors = label_colors(read_label_file(panel.labels));
+  }
+  if (panel.move) move_apart(own.mesh, *panel.move);
+  if (panel.no_curves) own.curves.clear();
+  return own;
+}
+
+Image picture_of(const Arguments& arguments) {
+  Scene scene;
+  scene.mesh = read_mesh(arguments.mesh);
+  const std::vector<std::vector<std::size_t>> curves_of_file = add_curves(arguments, scene);
   Panel single;
   single.fit = fit_argument(arguments.fit);
   single.zoom = arguments.zoom;
   if (!arguments.view.empty()) single.view = direction_argument(arguments.view);
   if (!arguments.up.empty()) scene.up = direction_argument(arguments.up);
+  std::vector<PanelArgument> panels;
+  bool apart = false;
   for (const std::string& text : arguments.panels) {
-    Panel panel = panel_argument(text);
-    const std::vector<std::size_t> files = std::exchange(panel.curves, {});
-    for (const std::size_t file : files) {
-      if (file >= curves_of_file.size()) {
-        throw Error(ErrorCode::kBadUsage, "\"" + text + "\" names curve " +
-                                              std::to_string(file + 1) + ", but only " +
-                                              std::to_string(curves_of_file.size()) + " are given");
-      }
-      panel.curves.insert(panel.curves.end(), curves_of_file[file].begin(),
-                          curves_of_file[file].end());
-    }
+    PanelArgument& panel = panels.emplace_back(panel_argument(text));
+    count_curves(panel, text, curves_of_file);
     if (!panel.view) panel.view = single.view;
-    scene.panels.push_back(std::move(panel));
+    apart |= !panel.mesh.empty() || !panel.labels.empty() || panel.move || panel.no_curves;
   }
+  if (apart) {
+    std::vector<Image> images;
+    for (const PanelArgument& panel : panels) {
+      images.push_back(render(own_scene(scene, panel), arguments.options));
+    }
+    return contact_sheet(images, images.size());
+  }
+  for (const PanelArgument& panel : panels) scene.panels.push_back(panel);
   if (scene.panels.empty()) scene.panels.push_back(single);
-  return scene;
+  return render(scene, arguments.options);
 }
 
 int run(int argc, char** argv) {
@@ -106,7 +143,8 @@ int run(int argc, char** argv) {
   app.add_option("--curve", a.curves, "FILE[:rrggbb[:width in pixels]]; may be repeated");
   app.add_option(
       "--panel", a.panels,
-      "CAPTION[|curves=1,2][|fit=FIT][|zoom=Z][|view=x,y,z]; several stand side by side");
+      "CAPTION[|curves=1,2][|fit=FIT][|zoom=Z][|view=x,y,z][|mesh=FILE][|labels=FILE|pieces]"
+      "[|move=x,y,z]; several stand side by side, with meshes and colours of their own");
   app.add_option("--fit", a.fit, "What a picture without panels shows: auto, curve, mesh, detail");
   app.add_option("--zoom", a.zoom, "Enlarges what --fit chose");
   app.add_option("--view", a.view, "x,y,z: direction from the mesh to the viewer");
@@ -124,7 +162,7 @@ int run(int argc, char** argv) {
   }
   a.options.mesh_edges = !a.no_edges;
   a.options.validate();
-  write_png(a.output, render(scene_of(a), a.options));
+  write_png(a.output, picture_of(a));
   return 0;
 }
 

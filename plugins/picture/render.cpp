@@ -143,6 +143,7 @@ class Shader {
     line_ = studio.options.mesh_edges ? 0.42 * std::clamp((edge - 11) / 12, 0.0, 1.0) : 0;
     line_width_ = 0.55 * samples;
     for (const PictureCurve& c : studio.scene.curves) tubes_.push_back(to_linear(c.color));
+    for (const Color& c : studio.scene.face_colors) faces_.push_back(to_linear(c));
   }
 
   [[nodiscard]] Light operator()(std::uint32_t id, double x, double y, double open) const {
@@ -169,7 +170,8 @@ class Shader {
     if (outside != (normal.z() >= 0))
       normal = Eigen::Vector3d(normal.x(), normal.y(), 0).normalized();
     if (!outside) normal.z() = std::min(normal.z(), -1e-9);
-    return shade_surface(material_, normal, open) * (1 - line_ * on_edge(weight, area, a, b, c));
+    const Light& material = faces_.empty() ? material_ : faces_[id];
+    return shade_surface(material, normal, open) * (1 - line_ * on_edge(weight, area, a, b, c));
   }
 
  private:
@@ -189,7 +191,7 @@ class Shader {
   const Camera& camera_;
   const std::vector<Point>& projected_;
   Light material_;
-  std::vector<Light> tubes_;
+  std::vector<Light> tubes_, faces_;
   double line_ = 0, line_width_ = 0;
 };
 

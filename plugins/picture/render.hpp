@@ -43,6 +43,7 @@ struct Panel {
 
 struct Scene {
   MeshLists mesh;
+  std::vector<Color> face_colors;  ///< one per face; empty: all of the material's
   std::vector<PictureCurve> curves;
   std::vector<Panel> panels;  ///< empty: one panel with everything
   std::optional<Point> up;    ///< empty: y, and for open sheets the side that they face
@@ -66,7 +67,8 @@ struct RenderOptions {
 /// O(faces · panels + samples). Deterministic.
 /// Throws Error(kBadMesh) for a mesh without faces, a vertex id out of range, a vertex of a face
 /// that is not finite, or a mesh without extent; Error(kBadCurve) for a point that is not finite;
-/// Error(kBadUsage) for a curve number out of range or an option out of its bounds.
+/// Error(kBadUsage) for a curve number out of range, an option out of its bounds, or more or fewer
+/// colours than faces.
 Image render(const Scene& scene, const RenderOptions& options = {});
 
 }  // namespace talweg::picture

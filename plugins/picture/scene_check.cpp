@@ -69,6 +69,11 @@ void check_panels(const Scene& scene) {
 }  // namespace
 
 void check_scene(const Scene& scene) {
+  if (!scene.face_colors.empty() && scene.face_colors.size() != scene.mesh.triangles.size()) {
+    throw Error(ErrorCode::kBadUsage, "there are " + std::to_string(scene.face_colors.size()) +
+                                          " colours for " +
+                                          std::to_string(scene.mesh.triangles.size()) + " faces");
+  }
   check_mesh(scene.mesh);
   check_curves(scene);
   check_panels(scene);

@@ -3,6 +3,7 @@
 #include <exception>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
@@ -14,11 +15,17 @@
 namespace talweg::scenes {
 namespace {
 
-void write_scenes(const std::filesystem::path& folder) {
+void write_scenes(const std::filesystem::path& folder, const std::vector<DemoScene>& scenes) {
   std::filesystem::create_directories(folder);
-  for (const DemoScene& scene : demo_scenes()) {
+  for (const DemoScene& scene : scenes) {
     write_bytes(folder / (scene.name + ".ply"), ply_bytes(scene.mesh));
-    write_bytes(folder / (scene.name + ".through"), draw_arguments(scene.through) + "\n");
+    if (scene.through.vertices.empty()) {
+      std::string labels;
+      for (const int label : cortex_parcels(scene.mesh)) labels += std::to_string(label) + "\n";
+      write_bytes(folder / (scene.name + ".labels"), labels);
+    } else {
+      write_bytes(folder / (scene.name + ".through"), draw_arguments(scene.through) + "\n");
+    }
     std::printf("%-8s %7zu faces\n", scene.name.c_str(), scene.mesh.triangles.size());
   }
 }
@@ -29,6 +36,9 @@ int run(int argc, char** argv) {
   CLI::Option* out = app.add_option(
       "OUTDIR", folder,
       "Where to write NAME.ply and NAME.through (arguments for talweg draw) of every scene");
+  bool gallery = false;
+  app.add_flag("--gallery", gallery,
+               "The scenes of ./run gallery instead; the cortex has NAME.labels and no curve");
   app.add_option("--through-for", mesh, "Print arguments for talweg draw on this mesh instead")
       ->excludes(out);
   try {
@@ -41,7 +51,7 @@ int run(int argc, char** argv) {
   if (!mesh.empty()) {
     std::printf("%s\n", draw_arguments(waypoints_across(read_mesh(mesh))).c_str());
   } else if (!folder.empty()) {
-    write_scenes(folder);
+    write_scenes(folder, gallery ? gallery_scenes() : demo_scenes());
   } else {
     throw Error(ErrorCode::kBadUsage, "a folder OUTDIR or --through-for MESH is needed");
   }

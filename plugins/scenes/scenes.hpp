@@ -29,4 +29,17 @@ DemoScene terrain_scene();
 /// All of them, in this order. The same bytes on every run.
 std::vector<DemoScene> demo_scenes();
 
+/// The lower end of a thigh bone; the curve is a resection line drawn around it by hand. About
+/// 82,000 faces.
+DemoScene bone_scene();
+/// A folded surface as of a brain, without a curve. About 43,000 faces.
+DemoScene cortex_scene();
+/// One label for each face of the cortex, from 1: regions as a segmentation gives them, whose
+/// borders run jagged along edges.
+std::vector<int> cortex_parcels(const MeshLists& cortex);
+
+/// The scenes of ./run gallery: vessel, bone, cortex, and the terrain with a border that runs from
+/// one side to the other.
+std::vector<DemoScene> gallery_scenes();
+
 }  // namespace talweg::scenes

@@ -10,6 +10,7 @@
 
 #include "picture/arguments.hpp"
 #include "picture/corner_normals.hpp"
+#include "picture/face_colors.hpp"
 #include "picture/image.hpp"
 #include "picture/render.hpp"
 #include "picture/sample_buffer.hpp"
@@ -259,9 +260,40 @@ TEST(Arguments, Panels) {
   EXPECT_EQ(panel.zoom, 2);
   ASSERT_TRUE(panel.view.has_value());
   EXPECT_EQ(*panel.view, Point(0, 0, -1));
+  const PanelArgument own = panel_argument("A|mesh=b.ply|labels=pieces|move=0,1,2|curves=none");
+  EXPECT_EQ(own.mesh, "b.ply");
+  EXPECT_EQ(own.labels, "pieces");
+  EXPECT_TRUE(own.no_curves);
+  ASSERT_TRUE(own.move.has_value());
+  EXPECT_EQ(*own.move, Point(0, 1, 2));
   for (const char* bad : {"A|curves=0", "A|fit=all", "A|zoom", "A|view=1,2", "A|tilt=3"}) {
     EXPECT_EQ(code_of([&] { panel_argument(bad); }), ErrorCode::kBadUsage) << bad;
   }
+}
+
+TEST(FaceColors, TellLabelsAndPiecesApart) {
+  // Three triangles in two pieces, the smaller one first.
+  MeshLists mesh;
+  mesh.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {5, 0, 0}, {6, 0, 0}, {6, 1, 0}, {5, 1, 0}};
+  mesh.triangles = {{0, 1, 2}, {3, 4, 5}, {3, 5, 6}};
+  EXPECT_EQ(pieces_of(mesh), (std::vector<std::int64_t>{1, 0, 0}));
+  const auto colors = label_colors({7, -3, 7});
+  EXPECT_EQ(colors[0], colors[2]);
+  EXPECT_NE(colors[0], colors[1]);
+  for (const double x : colors[1]) EXPECT_TRUE(x >= 0 && x <= 1);
+  move_apart(mesh, {0, 0, 2});
+  EXPECT_EQ(mesh.points[0], Point(0, 0, 2));
+  EXPECT_EQ(mesh.points[3], Point(5, 0, 0));
+}
+
+TEST(Render, ColoursFacesAndRefusesTooFewColours) {
+  Scene scene = square_scene();
+  scene.face_colors.assign(scene.mesh.triangles.size(), {0.1, 0.2, 0.9});
+  const Image image = render(scene, plain());
+  const std::uint8_t* middle = image.pixel(image.width / 4, image.height / 3);
+  EXPECT_GT(middle[2], 2 * middle[0]);  // blue
+  scene.face_colors.pop_back();
+  EXPECT_EQ(code_of([&] { render(scene, plain()); }), ErrorCode::kBadUsage);
 }
 
 TEST(WritePng, WritesAFileAndNamesTheOneThatItCannot) {

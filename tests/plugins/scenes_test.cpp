@@ -155,5 +155,27 @@ TEST(Waypoints, NothingToDrawOnIsAnError) {
   EXPECT_THROW(waypoints_across(mesh), Error);
 }
 
+TEST(GalleryScenes, AreCleanAndHaveCurvesOrParcels) {
+  const std::vector<DemoScene> all = gallery_scenes();
+  ASSERT_EQ(all.size(), 4U);
+  for (const DemoScene& scene : all) {
+    SCOPED_TRACE(scene.name);
+    expect_clean(scene.mesh);
+    EXPECT_EQ(scene.through.vertices.empty(), scene.name == "cortex");
+  }
+  const MeshLists& cortex = all[2].mesh;
+  EXPECT_EQ(boundary_edges(surface_of(cortex)), 0U);
+  EXPECT_GT(signed_volume(cortex), 0);
+  const std::vector<int> labels = cortex_parcels(cortex);
+  ASSERT_EQ(labels.size(), cortex.triangles.size());
+  EXPECT_GE(std::set<int>(labels.begin(), labels.end()).size(), 20U);
+  // The terrain's border runs from one side of the sheet to the other.
+  const DemoScene& terrain = all[3];
+  const Surface sheet = surface_of(terrain.mesh);
+  EXPECT_TRUE(sheet.on_boundary(VertexId{terrain.through.vertices.front()}));
+  EXPECT_TRUE(sheet.on_boundary(VertexId{terrain.through.vertices.back()}));
+  EXPECT_FALSE(terrain.through.closed);
+}
+
 }  // namespace
 }  // namespace talweg::scenes

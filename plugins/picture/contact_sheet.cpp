@@ -1,12 +1,12 @@
-#include "paper/contact_sheet.hpp"
+#include "picture/contact_sheet.hpp"
 
 #include <algorithm>
 
-namespace talweg::paper {
+namespace talweg::picture {
 
-picture::Image contact_sheet(const std::vector<picture::Image>& pictures, std::size_t columns) {
+Image contact_sheet(const std::vector<Image>& pictures, std::size_t columns) {
   constexpr std::size_t kGap = 3;
-  picture::Image sheet;
+  Image sheet;
   if (pictures.empty()) return sheet;
   const std::size_t width = pictures[0].width, height = pictures[0].height;
   const std::size_t rows = (pictures.size() + columns - 1) / columns;
@@ -23,4 +23,4 @@ picture::Image contact_sheet(const std::vector<picture::Image>& pictures, std::s
   return sheet;
 }
 
-}  // namespace talweg::paper
+}  // namespace talweg::picture

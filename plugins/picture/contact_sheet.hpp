@@ -6,9 +6,9 @@
 
 #include "picture/image.hpp"
 
-namespace talweg::paper {
+namespace talweg::picture {
 
 /// Pictures of one size, row by row, `columns` in a row (the last row may be shorter).
-picture::Image contact_sheet(const std::vector<picture::Image>& pictures, std::size_t columns);
+Image contact_sheet(const std::vector<Image>& pictures, std::size_t columns);
 
-}  // namespace talweg::paper
+}  // namespace talweg::picture
