@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <numbers>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -353,6 +354,37 @@ TEST(BipartitionPlugin, TheGuardGivesFacesOfSourcesADirection) {
   EXPECT_EQ(guarded.number("stray_curves"), 0);
   for (const auto& p : guarded.curves[0].positions) EXPECT_NEAR(p[1], 10.5, 0.6);
   EXPECT_LT(guarded.number("curvature_after"), 0.5 * guarded.number("curvature_before"));
+  // Smoothing hides what the guard does; before it, the guard alone has to.
+  on.instance.set("iterations", 0.0);
+  const double with = on.run({teeth}).number("curvature_after");
+  on.instance.set("guard", 0.0);
+  EXPECT_LT(with, 0.2 * on.run({teeth}).number("curvature_after"));
+}
+
+TEST(BipartitionPlugin, ReportsCurvesOfTheLevelSetThatBelongToNoDrawing) {
+  // Two squares and a way between them one row wide, which smoothing closes.
+  OnMesh on("talweg.bipartition", test::grid(40, 20));
+  std::vector<std::uint32_t> way;
+  for (const auto& [x, y] : {std::pair{5, 5},
+                             {13, 5},
+                             {13, 9},
+                             {25, 9},
+                             {25, 5},
+                             {33, 5},
+                             {33, 13},
+                             {25, 13},
+                             {25, 10},
+                             {13, 10},
+                             {13, 13},
+                             {5, 13}}) {
+    way.push_back(static_cast<std::uint32_t>(x + 41 * y));
+  }
+  const host::Results results = on.run({edge_path(on.mesh, way, true)});
+  ASSERT_EQ(results.curves.size(), 1U);
+  EXPECT_EQ(results.number("stray_curves"), 1);
+  EXPECT_NEAR(results.number("stray_length"), 32, 2);  // around a square
+  EXPECT_NEAR(results.number("length_after"), 32, 2);
+  EXPECT_NE(results.text("warnings").find("belongs to no drawn curve"), std::string::npos);
 }
 
 TEST(BipartitionPlugin, DoesNotDependOnTheScale) {
