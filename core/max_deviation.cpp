@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "talweg/core/measures.hpp"
 #include "talweg/intrinsic/error.hpp"
 #include "talweg/intrinsic/polyline_distance.hpp"
 
@@ -18,6 +19,13 @@ constexpr double kLeastTau = 1.0 / 8, kMostTau = 64;
 constexpr double kWideTau = 4;      // with a wide slack: its walls are steep
 constexpr double kFineness = 1.05;  // of tau and slack
 constexpr int kPinRounds = 8;
+/// How the slack is narrowed near a lost corner: how far along the drawing, by how much in a round.
+struct Narrowing {
+  double reach;  // D
+  double factor;
+  int rounds;
+};
+constexpr Narrowing kGently = {1, 0.85, 20}, kFirmly = {2, 0.6, 12};
 
 double to_drawn(const SmoothingResult& result) { return result.total.deviation_to_drawn_max; }
 double both_ways(const SmoothingResult& result) {
@@ -86,6 +94,55 @@ class Search {
     if (cancelled_ || !(tight * kFineness * kFineness < loose)) return;
     begin_with(loose);
     pin_corners(kWideTau);
+    for (const Narrowing& way : {kGently, kFirmly}) narrow_at_corners(loose, way);
+  }
+
+  /// Lets the valley be narrow where the result cuts off a corner of the drawing, and wide
+  /// elsewhere: no kink, as at a pin.
+  void narrow_at_corners(double slack, const Narrowing& way) {
+    begin_with(slack);
+    for (const SurfaceCurve& drawn : smoother_.drawn()) {
+      options_.slack_at.emplace_back(drawn.points.size(), slack);
+    }
+    for (int round = 0; round < way.rounds && !cancelled_; ++round) {
+      if (measured(kWideTau, both_ways) <= bound_) break;
+      for (std::size_t c = 0; c < smoother_.drawn().size(); ++c) narrow(c, way);
+    }
+    options_.slack_at.clear();
+  }
+
+  /// The slack of the points within D, along the drawing, of those that lie too far from the
+  /// result.
+  void narrow(std::size_t c, const Narrowing& way) {
+    const SurfaceCurve& drawn = smoother_.drawn()[c];
+    const std::size_t n = drawn.points.size();
+    const std::vector<double> far = distances_to_result(c);
+    std::vector<double> along{0};  // where each point is
+    for (std::size_t k = 1; k < n; ++k) {
+      const SurfaceCurve leg{false, {drawn.points[k - 1], drawn.points[k]}};
+      along.push_back(along.back() + curve_length(smoother_.opened().surface(), leg));
+    }
+    const double reach = way.reach * bound_;
+    std::vector<bool> near(n, false);
+    for (std::size_t k = 0; k < n; ++k) {
+      if (far[k] <= bound_) continue;
+      for (std::size_t j = k; j < n && along[j] - along[k] <= reach; ++j) near[j] = true;
+      for (std::size_t j = k; j-- > 0 && along[k] - along[j] <= reach;) near[j] = true;
+    }
+    for (std::size_t k = 0; k < n; ++k) {
+      if (near[k]) options_.slack_at[c][k] *= way.factor;
+    }
+  }
+
+  /// Of the drawing's points to the last result.
+  std::vector<double> distances_to_result(std::size_t c) {
+    if (!to_result_) to_result_.emplace(smoother_.opened().surface());
+    to_result_->set(std::span(&last_.curves[c], 1));
+    std::vector<double> distances;
+    for (const SurfacePoint& p : smoother_.drawn()[c].points) {
+      distances.push_back(to_result_->at(p).distance);
+    }
+    return distances;
   }
 
   /// The widest slack within the bound, from `own` on, as far as the deviation grows with it.
@@ -149,10 +206,9 @@ class Search {
 
   /// Of each stretch of the drawing that lies too far from the last result the farthest point.
   void add_lost_corners(std::vector<SurfacePoint>& pins) {
-    if (!to_result_) to_result_.emplace(smoother_.opened().surface());
     for (std::size_t c = 0; c < smoother_.drawn().size(); ++c) {
       const SurfaceCurve& drawn = smoother_.drawn()[c];
-      to_result_->set(std::span(&last_.curves[c], 1));
+      const std::vector<double> far = distances_to_result(c);
       const SurfacePoint* farthest = nullptr;
       double most = 0;
       const auto add = [&] {
@@ -162,13 +218,12 @@ class Search {
         farthest = nullptr;
         most = 0;
       };
-      for (const SurfacePoint& p : drawn.points) {
-        const double distance = to_result_->at(p).distance;
-        if (distance <= bound_) {
+      for (std::size_t k = 0; k < far.size(); ++k) {
+        if (far[k] <= bound_) {
           add();
-        } else if (distance > most) {
-          most = distance;
-          farthest = &p;
+        } else if (far[k] > most) {
+          most = far[k];
+          farthest = &drawn.points[k];
         }
       }
       add();

@@ -189,8 +189,15 @@ class MethodRuns {
   std::vector<host::Curve> curves_;
 };
 
-bool same_method(const Method& a, const Method& b) {
-  return a.plugin == b.plugin && a.settings == b.settings;
+/// Without a sweep methods that differ in the swept parameter only are one.
+void drop_repeated(std::vector<Method>& methods) {
+  for (std::size_t m = methods.size(); m-- > 1;) {
+    const auto end = methods.begin() + static_cast<std::ptrdiff_t>(m);
+    if (std::any_of(methods.begin(), end,
+                    [&](const Method& other) { return same_method(other, *end); })) {
+      methods.erase(end);
+    }
+  }
 }
 
 bool judged(const Comparison& c, const ComparedRun& run) {
@@ -252,6 +259,7 @@ Comparison compare_methods(const ReadMesh& read, const Drawing& drawing, const S
   const auto add = [&](std::vector<ComparedRun> more) {
     std::move(more.begin(), more.end(), std::back_inserter(comparison.runs));
   };
+  if (!options.sweep) drop_repeated(comparison.methods);
   for (std::size_t m = 0; m < comparison.methods.size(); ++m) add(runs.of(m));
   const std::vector<std::optional<double>> bounds = bounds_to_try(comparison);
   if (options.sweep && !bounds.empty()) {

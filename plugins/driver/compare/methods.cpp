@@ -20,6 +20,10 @@ std::vector<double> geometric(double first, double last, int count) {
 
 }  // namespace
 
+bool same_method(const Method& a, const Method& b) {
+  return a.plugin == b.plugin && a.settings == b.settings;
+}
+
 const std::vector<Method>& known_methods() {
   static const std::vector<Method> methods = {
       {"corridor", "talweg.smooth", "1450c0", {}, "slack", true, geometric(0.1, 100, 16)},
@@ -39,7 +43,13 @@ const std::vector<Method>& known_methods() {
        false,
        geometric(64, 1.0 / 64, 13)},
       {"envelope", "talweg.envelope", "e08a00", {}, "envelope", true, geometric(0.25, 16, 13)},
-      {"bipartition", "talweg.bipartition", "2e8b40", {}, "iterations", false, {}},
+      {"bipartition",
+       "talweg.bipartition",
+       "2e8b40",
+       {},
+       "iterations",
+       false,
+       {0, 1, 2, 5, 10, 20, 50, 100, 200, 500, 1000}},
       {"midpoints", "talweg.midpoints", "808000", {}, "spacing", true, geometric(2, 128, 13)},
       {"geodesic", "talweg.geodesic", "606060", {}, "", false, {}},
   };

@@ -19,6 +19,9 @@ struct Method {
   std::vector<double> values;  ///< of the sweep, from close to smooth
 };
 
+/// Whether they differ in the swept parameter only.
+bool same_method(const Method& a, const Method& b);
+
 /// In the order of tables and pictures; the first is what the others are compared with.
 const std::vector<Method>& known_methods();
 

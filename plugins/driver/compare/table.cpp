@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <vector>
 
 #include <fmt/format.h>
@@ -79,6 +80,41 @@ bool swept(const Comparison& c) {
                      [](const ComparedRun& run) { return run.value.has_value(); });
 }
 
+constexpr std::array<double, 6> kBounds = {0.5, 1, 2, 4, 8, 16};  // mean edges
+
+/// The least curvature among a method's runs within so many edges, of those that kept the kind.
+std::string least_within(const Comparison& c, const Method& method, double edges) {
+  double least = HUGE_VAL;
+  for (const ComparedRun& run : c.runs) {
+    if (!run.ok() || !same_method(c.methods[run.method], method)) continue;
+    if (run.deviation() <= edges * c.edge) least = std::min(least, run.numbers.curvature);
+  }
+  return std::isfinite(least) ? fmt::format("{:.2f}", least) : "";
+}
+
+/// What the sweep comes to: for bounds on the deviation how smooth each method gets.
+std::string within_table(const Comparison& c) {
+  std::string head = fmt::format("| {:<13} ", "rad, within"), line = "|" + std::string(15, '-');
+  for (const double edges : kBounds) {
+    head += fmt::format("| {:>4g} edges ", edges);
+    line += "|" + std::string(11, '-') + ":";
+  }
+  std::string text = "\n" + head + "|\n" + line + "|\n";
+  for (std::size_t m = 0; m < c.methods.size(); ++m) {
+    const auto begin = c.methods.begin();
+    if (std::any_of(begin, begin + static_cast<std::ptrdiff_t>(m),
+                    [&](const Method& other) { return same_method(other, c.methods[m]); })) {
+      continue;
+    }
+    text += fmt::format("| {:<13} ", c.methods[m].name);
+    for (const double edges : kBounds) {
+      text += fmt::format("| {:>10} ", least_within(c, c.methods[m], edges));
+    }
+    text += "|\n";
+  }
+  return text + "\n";
+}
+
 std::string beaten_text(const Comparison& c) {
   const std::vector<std::size_t> beaten = beaten_by(c);
   const std::size_t judged = judged_runs(c);
@@ -128,7 +164,7 @@ std::string comparison_remarks(const Comparison& c) {
     if (run.refusal.empty() || said) continue;
     text += fmt::format("{}: {}\n", c.methods[run.method].name, run.refusal);
   }
-  return swept(c) ? text + beaten_text(c) : text;
+  return swept(c) ? text + within_table(c) + beaten_text(c) : text;
 }
 
 std::string comparison_json(const Comparison& c) {
