@@ -63,6 +63,7 @@ ScaledField heat_of(const CotanLaplacian& laplacian, const std::vector<MetricTri
 }
 
 Sparse full(const SymmetricMatrix& matrix) {
+  if (matrix.size() == 0) return {};
   std::vector<Eigen::Triplet<double, std::int32_t>> entries;
   for (std::size_t j = 0; j < matrix.size(); ++j) {
     const auto column = static_cast<std::int32_t>(j);

@@ -85,6 +85,7 @@ std::size_t fill_directions(const Surface& surface, DirectionField& field) {
   const std::size_t count = empty.size();
   for (bool again = true; again && !empty.empty();) {
     std::vector<Point> found;
+    found.reserve(empty.size());
     for (const std::size_t f : empty) found.push_back(unit(sum_beside(surface, field, f)));
     std::vector<std::size_t> still;
     for (std::size_t k = 0; k < empty.size(); ++k) {

@@ -6,8 +6,11 @@
 #include <cstdint>
 #include <numbers>
 
+#include <fmt/format.h>
+
 #include "strands.hpp"
 #include "talweg/core/edge_length_near.hpp"
+#include "talweg/intrinsic/error.hpp"
 #include "talweg/intrinsic/polyline_distance.hpp"
 #include "vertex_passage.hpp"
 
@@ -291,6 +294,13 @@ EnvelopeResult EnvelopeSmoothing::run() {
 EnvelopeResult smooth_in_envelope(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves,
                                   std::span<const SurfacePoint> pins,
                                   const EnvelopeOptions& options) {
+  for (std::size_t c = 0; c < curves.size(); ++c) {
+    if (curves[c].closed || !(curves[c].points.front() == curves[c].points.back())) continue;
+    throw Error(ErrorCode::kBadCurve,
+                fmt::format("Curve {} is open but ends where it begins: nothing holds it there. "
+                            "It can be drawn closed.",
+                            c + 1));
+  }
   return EnvelopeSmoothing(mesh, curves, pins, options).run();
 }
 

@@ -40,9 +40,9 @@ struct EnvelopeResult {
 /// envelope, by exact distance along the surface.
 ///
 /// Ends, pins, and vertices that the drawn curves pass more than once stay. Curves never pass each
-/// other or themselves, so each stays in its isotopy class while it is not `collapsed` (and does not
-/// come to the boundary of the mesh, or off it).
-/// Throws Error(kBadCurve) where two neighbours of a drawn curve share no face.
+/// other or themselves, so each stays in its isotopy class while it is not `collapsed` (and does
+/// not come to the boundary of the mesh, or off it). Throws Error(kBadCurve) where two neighbours
+/// of a drawn curve share no face, or an open one ends where it begins.
 EnvelopeResult smooth_in_envelope(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves,
                                   std::span<const SurfacePoint> pins,
                                   const EnvelopeOptions& options);
