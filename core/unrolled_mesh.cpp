@@ -282,8 +282,20 @@ void Strip::grow(double reach) {
   }
 }
 
-/// Adds the copies of a strip, a vertex for each fan.
-void append(const SurfaceMesh& mesh, const Strip& strip, UnrolledMesh& result) {
+/// Whether two faces run along an edge the same way.
+bool has_repeated_side(std::span<const Triangle> triangles) {
+  std::vector<std::array<std::uint32_t, 2>> sides;
+  for (const Triangle& t : triangles) {
+    for (std::size_t k = 0; k < 3; ++k) sides.push_back({t[k], t[(k + 1) % 3]});
+  }
+  std::sort(sides.begin(), sides.end());
+  return std::adjacent_find(sides.begin(), sides.end()) != sides.end();
+}
+
+/// Adds the copies of a strip, a vertex for each fan. False, and nothing is added, where they are
+/// no mesh: a strip that turns around two neighbours more than once has several edges between them.
+bool append(const SurfaceMesh& mesh, const Strip& strip, UnrolledMesh& result) {
+  const std::size_t vertices = result.vertex_of.size(), faces = result.face_of.size();
   const auto across = strip.across();
   constexpr std::uint32_t kNone = kOpen;
   std::vector<std::uint32_t> vertex(across.size(), kNone);  // per corner
@@ -311,6 +323,12 @@ void append(const SurfaceMesh& mesh, const Strip& strip, UnrolledMesh& result) {
         {vertex[3 * copy], vertex[3 * copy + 1], vertex[3 * copy + 2]});
     result.face_of.push_back(strip.faces()[copy]);
   }
+  if (!has_repeated_side(std::span(result.lists.triangles).subspan(faces))) return true;
+  result.lists.points.resize(vertices);
+  result.vertex_of.resize(vertices);
+  result.lists.triangles.resize(faces);
+  result.face_of.resize(faces);
+  return false;
 }
 
 void append_whole(const SurfaceMesh& mesh, UnrolledMesh& result) {
@@ -363,13 +381,16 @@ UnrolledMesh unroll(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curve
   std::vector<std::size_t> together;
   for (std::size_t c = 0; c < curves.size(); ++c) {
     Strip strip(surface);
-    if (!alone[c] || !strip.lay_along(curves[c])) {
+    const std::size_t first = result.face_of.size();
+    const auto is_laid = [&] {
+      if (!strip.lay_along(curves[c])) return false;
+      strip.grow(reach);
+      return append(mesh, strip, result);
+    };
+    if (!alone[c] || !is_laid()) {
       together.push_back(c);
       continue;
     }
-    strip.grow(reach);
-    const std::size_t first = result.face_of.size();
-    append(mesh, strip, result);
     const auto along = strip.copies_along();
     for (std::size_t i = 0; i < curves[c].points.size(); ++i) {
       const std::size_t copy = along[std::min(i, along.size() - 1)];

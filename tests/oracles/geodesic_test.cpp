@@ -1,5 +1,6 @@
 // tau = 0 against CGAL's exact shortest paths.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <random>
@@ -10,6 +11,7 @@
 #include "core/reference_data.hpp"
 #include "core/small_meshes.hpp"
 #include "exact_distance.hpp"
+#include "stress/random.hpp"
 #include "talweg/core/curve_smoother.hpp"
 #include "talweg/core/drawing.hpp"
 #include "talweg/core/measures.hpp"
@@ -46,6 +48,17 @@ SurfaceCurve inside_strip(const Surface& surface,
   return curve;
 }
 
+/// Three faces instead of one, around a new vertex at these barycentrics.
+void split_face(MeshLists& lists, std::size_t face, const std::array<double, 3>& at) {
+  const Triangle t = lists.triangles[face];
+  const auto v = static_cast<std::uint32_t>(lists.points.size());
+  lists.points.push_back(at[0] * lists.points[t[0]] + at[1] * lists.points[t[1]] +
+                         at[2] * lists.points[t[2]]);
+  lists.triangles[face] = {t[0], t[1], v};
+  lists.triangles.push_back({t[1], t[2], v});
+  lists.triangles.push_back({t[2], t[0], v});
+}
+
 MeshLists mesh_named(const std::string& name) {
   if (name == "torus") return test::torus(24, 40);
   if (name == "box") return test::box();
@@ -53,6 +66,16 @@ MeshLists mesh_named(const std::string& name) {
   if (name == "sheet") {
     MeshLists lists = test::grid(24, 24);
     for (Point& p : lists.points) p.z() = 2 * std::sin(0.5 * p.x()) * std::cos(0.4 * p.y());
+    return lists;
+  }
+  if (name == "needles") {  // and caps, in faces of a wavy sheet
+    MeshLists lists = mesh_named("sheet");
+    stress::Random random(5);
+    for (int k = 0; k < 120; ++k) {
+      const double e = random.scale(1e-7, 1e-2);
+      const double near = random.one_in(2) ? 0.5 - e : 1 - 2 * e;
+      split_face(lists, random.below(lists.triangles.size()), {1 - near - e, near, e});
+    }
     return lists;
   }
   const auto file = test::mesh_folder() / (name + ".ply");
@@ -130,8 +153,8 @@ TEST_P(Geodesic, NeverShorterThanTheShortestAndEqualFromInsideItsStrip) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Geodesic,
-                         ::testing::Values("sheet", "torus", "tube", "box", "fandisk_14k",
-                                           "aneurysm_14k"),
+                         ::testing::Values("sheet", "torus", "tube", "box", "needles",
+                                           "fandisk_14k", "aneurysm_14k"),
                          [](const auto& one) { return std::string(one.param); });
 
 }  // namespace
