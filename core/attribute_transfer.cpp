@@ -104,6 +104,7 @@ void extend_vertices(const CutMesh& cut, const Surface& old,
     }
   }
   std::vector<Rule> rules;
+  rules.reserve(columns.size());
   for (const AttributeColumn& column : columns) rules.push_back(rule_of(column));
   const bool has_normals = std::all_of(normal.begin(), normal.end(), [](auto* n) { return n; });
   for (std::size_t v = old.vertex_count(); v < cut.vertex_from.size(); ++v) {

@@ -69,7 +69,7 @@ std::vector<AttributeColumn> normals_of_vertices(const MeshLists& lists,
     AttributeColumn& column = columns.emplace_back();
     column.name = kNormals[d];
     for (const std::uint32_t n : of_vertex) {
-      column.values.push_back(n == kNone ? 0 : normals.values[3 * n + d]);
+      column.values.push_back(n == kNone ? 0 : normals.values[3 * std::size_t{n} + d]);
     }
   }
   return columns;
@@ -147,7 +147,8 @@ class PlyWriter {
       for (const std::uint32_t c : attributes_.texture.corners[f]) {
         for (std::size_t d = 0; d < 2; ++d) {
           const bool none = c == CornerAttribute::kNone;
-          put(bytes_, none ? 0.0F : static_cast<float>(attributes_.texture.values[2 * c + d]));
+          put(bytes_,
+              none ? 0.0F : static_cast<float>(attributes_.texture.values[2 * std::size_t{c} + d]));
         }
       }
     }

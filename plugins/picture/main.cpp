@@ -124,6 +124,7 @@ Image picture_of(const Arguments& arguments) {
   }
   if (apart) {
     std::vector<Image> images;
+    images.reserve(panels.size());
     for (const PanelArgument& panel : panels) {
       images.push_back(render(own_scene(scene, panel), arguments.options));
     }
