@@ -54,7 +54,10 @@ std::vector<CurveInput> read_curves(const std::filesystem::path& path, std::stri
   return reader({path, bytes});
 }
 
-void write_curves(const std::filesystem::path& path, std::span<const PlacedCurve> curves) {
+namespace {
+
+void write_with(const std::filesystem::path& path, std::span<const PlacedCurve> curves,
+                formats::Sides sides) {
   const std::string extension = curve_extension(path);
   const auto writer = extension == ".obj"        ? formats::write_obj
                       : extension == ".ply"      ? formats::write_ply
@@ -68,7 +71,20 @@ void write_curves(const std::filesystem::path& path, std::span<const PlacedCurve
     cannot_write(path, "no curve format has the extension '" + extension + "'; " + kKnown);
   }
   if (curves.empty()) throw Error(ErrorCode::kBadCurve, "There is no curve to write.");
-  write_file(path, as_ids ? formats::write_txt(path, curves) : writer(curves));
+  write_file(path, as_ids ? formats::write_txt(path, curves) : writer(curves, sides));
+}
+
+}  // namespace
+
+void write_curves(const std::filesystem::path& path, std::span<const PlacedCurve> curves) {
+  write_with(path, curves, {});
+}
+void write_borders(const std::filesystem::path& path, std::span<const PlacedCurve> curves,
+                   std::span<const CurveSides> sides) {
+  if (sides.size() != curves.size()) {
+    throw Error(ErrorCode::kBadUsage, "There must be as many sides as curves.");
+  }
+  write_with(path, curves, sides);
 }
 
 void write_curves(const std::filesystem::path& path, const SurfaceMesh& mesh,

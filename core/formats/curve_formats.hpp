@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "talweg/core/formats/border_file.hpp"
 #include "talweg/core/formats/curve_file.hpp"
 
 namespace talweg::formats {
@@ -25,13 +26,16 @@ std::vector<CurveInput> read_txt(const Source& source);
 /// Ours, or Slicer's where the file has `markups`.
 std::vector<CurveInput> read_json(const Source& source);
 
-std::string write_obj(std::span<const PlacedCurve> curves);
-std::string write_ply(std::span<const PlacedCurve> curves);
-std::string write_vtp(std::span<const PlacedCurve> curves);
-std::string write_vtk(std::span<const PlacedCurve> curves);
+/// Of each curve, or none; formats without a place for them leave them out.
+using Sides = std::span<const CurveSides>;
+
+std::string write_obj(std::span<const PlacedCurve> curves, Sides sides = {});
+std::string write_ply(std::span<const PlacedCurve> curves, Sides sides = {});
+std::string write_vtp(std::span<const PlacedCurve> curves, Sides sides = {});
+std::string write_vtk(std::span<const PlacedCurve> curves, Sides sides = {});
 /// Throws Error(kBadFile) where a point is no vertex.
 std::string write_txt(const std::filesystem::path& path, std::span<const PlacedCurve> curves);
-std::string write_json(std::span<const PlacedCurve> curves);
-std::string write_slicer(std::span<const PlacedCurve> curves);
+std::string write_json(std::span<const PlacedCurve> curves, Sides sides = {});
+std::string write_slicer(std::span<const PlacedCurve> curves, Sides sides = {});
 
 }  // namespace talweg::formats

@@ -49,13 +49,17 @@ std::vector<CurveInput> read_json(const Source& source) {
   return result;
 }
 
-std::string write_json(std::span<const PlacedCurve> curves) {
+std::string write_json(std::span<const PlacedCurve> curves, Sides sides) {
   fmt::memory_buffer out;
   const auto to = fmt::appender(out);
   fmt::format_to(to, "{{\"format\": \"talweg-curves\", \"version\": {}, \"curves\": [", kVersion);
   for (std::size_t c = 0; c < curves.size(); ++c) {
     const PlacedCurve& curve = curves[c];
-    fmt::format_to(to, "{}\n{{\"closed\": {}, \"points\": [", c > 0 ? "," : "", curve.closed);
+    fmt::format_to(to, "{}\n{{\"closed\": {}, ", c > 0 ? "," : "", curve.closed);
+    if (!sides.empty()) {
+      fmt::format_to(to, "\"left\": {}, \"right\": {}, ", sides[c].left, sides[c].right);
+    }
+    fmt::format_to(to, "\"points\": [");
     for (std::size_t k = 0; k < curve.faces.size(); ++k) {
       const auto& b = curve.faces[k].barycentric;
       const Point& p = curve.positions[k];

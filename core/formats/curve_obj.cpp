@@ -65,7 +65,7 @@ std::vector<CurveInput> read_obj(const Source& source) {
   return curves_of(points, std::move(lines));
 }
 
-std::string write_obj(std::span<const PlacedCurve> curves) {
+std::string write_obj(std::span<const PlacedCurve> curves, Sides sides) {
   fmt::memory_buffer out;
   for (const PlacedCurve& curve : curves) {
     for (const Point& p : curve.positions) {
@@ -73,7 +73,11 @@ std::string write_obj(std::span<const PlacedCurve> curves) {
     }
   }
   std::size_t first = 1;
-  for (const PlacedCurve& curve : curves) {
+  for (std::size_t c = 0; c < curves.size(); ++c) {
+    const PlacedCurve& curve = curves[c];
+    if (!sides.empty()) {
+      fmt::format_to(fmt::appender(out), "g {}_{}\n", sides[c].left, sides[c].right);
+    }
     out.push_back('l');
     for (std::size_t k = 0; k < curve.positions.size(); ++k) {
       fmt::format_to(fmt::appender(out), " {}", first + k);

@@ -173,7 +173,7 @@ class PlyReader {
 
 std::vector<CurveInput> read_ply(const Source& source) { return PlyReader(source).read(); }
 
-std::string write_ply(std::span<const PlacedCurve> curves) {
+std::string write_ply(std::span<const PlacedCurve> curves, Sides /*sides*/) {
   std::size_t vertices = 0;
   std::size_t edges = 0;
   for (const PlacedCurve& curve : curves) {

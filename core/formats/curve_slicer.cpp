@@ -60,7 +60,7 @@ std::vector<CurveInput> read_slicer(const JsonPlace& root) {
   return curves;
 }
 
-std::string write_slicer(std::span<const PlacedCurve> curves) {
+std::string write_slicer(std::span<const PlacedCurve> curves, Sides /*sides*/) {
   fmt::memory_buffer out;
   const auto to = fmt::appender(out);
   fmt::format_to(

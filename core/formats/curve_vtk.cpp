@@ -116,7 +116,7 @@ class VtkReader {
 
 std::vector<CurveInput> read_vtk(const Source& source) { return VtkReader(source).read(); }
 
-std::string write_vtk(std::span<const PlacedCurve> curves) {
+std::string write_vtk(std::span<const PlacedCurve> curves, Sides sides) {
   std::size_t points = 0;
   std::size_t indices = 0;
   for (const PlacedCurve& curve : curves) {
@@ -152,6 +152,12 @@ std::string write_vtk(std::span<const PlacedCurve> curves) {
       const auto& b = at.barycentric;
       fmt::format_to(to, "{:.17g} {:.17g} {:.17g}\n", b[0], b[1], b[2]);
     }
+  }
+  if (!sides.empty()) {
+    fmt::format_to(to, "CELL_DATA {0}\nFIELD FieldData 2\nleft 1 {0} long\n", sides.size());
+    for (const CurveSides& side : sides) fmt::format_to(to, "{}\n", side.left);
+    fmt::format_to(to, "right 1 {} long\n", sides.size());
+    for (const CurveSides& side : sides) fmt::format_to(to, "{}\n", side.right);
   }
   return fmt::to_string(out);
 }

@@ -76,7 +76,7 @@ class VtpReader {
 
 std::vector<CurveInput> read_vtp(const Source& source) { return VtpReader(source).read(); }
 
-std::string write_vtp(std::span<const PlacedCurve> curves) {
+std::string write_vtp(std::span<const PlacedCurve> curves, Sides sides) {
   std::size_t points = 0;
   for (const PlacedCurve& curve : curves) points += curve.positions.size();
   fmt::memory_buffer out;
@@ -106,7 +106,17 @@ std::string write_vtp(std::span<const PlacedCurve> curves) {
   for (const PlacedCurve& curve : curves) {
     for (const FaceCoordinates& at : curve.faces) put_triple(at.barycentric);
   }
-  fmt::format_to(to, "</DataArray>\n</PointData>\n<Points>\n");
+  fmt::format_to(to, "</DataArray>\n</PointData>\n");
+  if (!sides.empty()) {
+    fmt::format_to(to, "<CellData>\n");
+    open_array("Int64", "left", 1);
+    for (const CurveSides& side : sides) fmt::format_to(to, "{}\n", side.left);
+    fmt::format_to(to, "</DataArray>\n");
+    open_array("Int64", "right", 1);
+    for (const CurveSides& side : sides) fmt::format_to(to, "{}\n", side.right);
+    fmt::format_to(to, "</DataArray>\n</CellData>\n");
+  }
+  fmt::format_to(to, "<Points>\n");
   open_array("Float64", "Points", 3);
   for (const PlacedCurve& curve : curves) {
     for (const Point& p : curve.positions) put_triple(p);

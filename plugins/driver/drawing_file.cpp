@@ -43,7 +43,7 @@ Drawing read_drawing(const std::string& path, const SurfaceMesh& mesh, const Rep
 namespace {
 
 /// Labels of the repaired mesh from those of its file.
-std::vector<std::int64_t> on_repaired(const RepairMap& map, std::vector<std::int64_t> labels,
+std::vector<std::int64_t> on_repaired(const RepairMap& map, const std::vector<std::int64_t>& labels,
                                       const std::string& path) {
   if (labels.size() == map.file_face_count()) return map.of_faces(labels);
   if (labels.size() == map.file_vertex_count()) return map.of_vertices(labels);
@@ -54,14 +54,17 @@ std::vector<std::int64_t> on_repaired(const RepairMap& map, std::vector<std::int
 
 }  // namespace
 
-LabelFile read_labels(const std::string& path, const Surface& surface, const RepairMap* map,
-                      const std::string& property) {
+ReadLabels read_labels(const std::string& path, const Surface& surface, const RepairMap* map,
+                       const std::string& property) {
   LabelFileOptions options;
   options.property = property;
   options.vertex_count = map != nullptr ? map->file_vertex_count() : surface.vertex_count();
-  LabelFile file = read_label_file(path, options);
-  if (map != nullptr) file.labels = on_repaired(*map, std::move(file.labels), path);
-  return file;
+  ReadLabels read{read_label_file(path, options), {}};
+  if (map != nullptr) {
+    read.of_file = std::move(read.labels);
+    read.labels = on_repaired(*map, read.of_file, path);
+  }
+  return read;
 }
 
 Drawing drawing_of_labels(const std::string& path, const Surface& surface, const RepairMap* map) {

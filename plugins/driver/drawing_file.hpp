@@ -44,10 +44,15 @@ class DrawingReader {
 Drawing read_drawing(const std::string& path, const SurfaceMesh& mesh,
                      const RepairMap* map = nullptr);
 
-/// The labels that a file holds, on the repaired mesh where there is a map; `property` as in
-/// LabelFileOptions. Throws Error(kBadFile) as read_label_file() does.
-LabelFile read_labels(const std::string& path, const Surface& surface, const RepairMap* map,
-                      const std::string& property = {});
+/// Labels on the repaired mesh where there was a map.
+struct ReadLabels : LabelFile {
+  std::vector<std::int64_t> of_file;  ///< as the file has them, where there was a map
+};
+
+/// The labels that a file holds; `property` as in LabelFileOptions. Throws Error(kBadFile) as
+/// read_label_file() does.
+ReadLabels read_labels(const std::string& path, const Surface& surface, const RepairMap* map,
+                       const std::string& property = {});
 
 /// The borders between labels that a file holds, see read_label_file(). Throws Error as that and
 /// label_borders() do.

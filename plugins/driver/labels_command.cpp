@@ -16,9 +16,10 @@
 #include "drawing_file.hpp"
 #include "progress_bar.hpp"
 #include "repaired_mesh.hpp"
-#include "talweg/core/formats/curve_file.hpp"
+#include "talweg/core/formats/border_file.hpp"
 #include "talweg/core/formats/file_bytes.hpp"
 #include "talweg/core/label_network.hpp"
+#include "talweg/core/mesh_reader.hpp"
 #include "talweg/core/mesh_writer.hpp"
 #include "talweg/core/stopwatch.hpp"
 #include "talweg/intrinsic/error.hpp"
@@ -52,14 +53,25 @@ std::string lines_of(const std::vector<std::int64_t>& labels) {
   return text;
 }
 
-/// Of the faces of the file; one that the repair dropped has the label 0.
+/// Of the faces of the file. One that the repair dropped has the label that it had; where vertices
+/// have the labels that of its first corner.
 std::vector<std::int64_t> of_file_faces(const std::vector<std::int64_t>& labels,
-                                        const RepairMap* map) {
+                                        const RepairMap* map, const ReadLabels& read,
+                                        const std::string& mesh) {
   if (map == nullptr) return labels;
-  std::vector<std::int64_t> result(map->file_face_count(), 0);
-  for (std::size_t f = 0; f < result.size(); ++f) {
+  const bool by_face = read.of_file.size() == map->file_face_count();
+  std::optional<MeshLists> lists;
+  std::vector<std::int64_t> result;
+  for (std::size_t f = 0; f < map->file_face_count(); ++f) {
     const std::uint32_t face = map->image(FaceId{f}).face;
-    if (face != RepairMap::kDropped) result[f] = labels[face];
+    if (face != RepairMap::kDropped) {
+      result.push_back(labels[face]);
+    } else if (by_face) {
+      result.push_back(read.of_file[f]);
+    } else {
+      if (!lists) lists = read_mesh(mesh);
+      result.push_back(read.of_file[lists->triangles[f][0]]);
+    }
   }
   return result;
 }
@@ -139,25 +151,28 @@ std::string summary_of(const LabelNetwork& network, double ms) {
 }
 
 void write(const LabelsOptions& o, const LabelNetwork& network, const SurfaceMesh& mesh,
-           const RepairMap* map, const std::vector<std::string>& warnings, const Names& names) {
+           const RepairMap* map, const std::vector<std::string>& warnings,
+           const ReadLabels& labels) {
   std::vector<PlacedCurve> placed;
+  std::vector<CurveSides> sides;
   for (const SmoothedBorder& border : network.borders) {
+    sides.push_back({border.border.labels[0], border.border.labels[1]});
     placed.push_back(in_file_numbers(map, place(mesh, border.border.curve, placed.size())));
   }
-  for (const std::string& output : o.outputs) write_curves(output, placed);
+  for (const std::string& output : o.outputs) write_borders(output, placed, sides);
   if (!o.labels_out.empty()) {
-    write_file(o.labels_out, lines_of(of_file_faces(network.face_labels, map)));
+    write_file(o.labels_out, lines_of(of_file_faces(network.face_labels, map, labels, o.mesh)));
   }
   if (!o.cut.empty()) write_mesh(o.cut, network.cut.lists);
   if (!o.cut_labels.empty()) write_file(o.cut_labels, lines_of(network.cut_labels));
-  if (!o.report.empty()) write_file(o.report, report_of(network, warnings, names));
+  if (!o.report.empty()) write_file(o.report, report_of(network, warnings, labels.names));
 }
 
 int run_labels(const LabelsOptions& o, const GlobalOptions& global) {
   ReadMesh read = read_and_repair(o.mesh, o.repair);
   std::vector<std::string> warnings = reading_warnings(0, read.lists.polygon_count);
   const auto mesh = OpenedMesh::open(std::move(read.lists));
-  const LabelFile file = read_labels(o.labels, mesh->surface(), read.map.get(), o.property);
+  const ReadLabels file = read_labels(o.labels, mesh->surface(), read.map.get(), o.property);
   LabelNetworkOptions options = o.network;
   options.progress = progress_bar(global.quiet);
   options.free_junctions = o.junctions == "free";
@@ -179,7 +194,7 @@ int run_labels(const LabelsOptions& o, const GlobalOptions& global) {
   const std::vector<std::string> held = warnings_of(network, file.names);
   warnings.insert(warnings.end(), read.changes.begin(), read.changes.end());
   warnings.insert(warnings.end(), held.begin(), held.end());
-  write(o, network, mesh->mesh(), read.map.get(), warnings, file.names);
+  write(o, network, mesh->mesh(), read.map.get(), warnings, file);
   if (!global.quiet) {
     std::fputs(summary_of(network, ms).c_str(), stdout);
     for (const std::string& warning : warnings) std::printf("%s\n", warning.c_str());

@@ -149,5 +149,75 @@ TEST_F(LabelsCommand, NamesTheRegionsOfAnAnnotation) {
   EXPECT_GT(report["network"]["moved"].get<int>(), 0);
 }
 
+TEST_F(LabelsCommand, WritesWhatLiesBesideEachBorder) {
+  ASSERT_EQ(run("labels hills.ply labels.txt -o b.vtp -o b.vtk -o b.json -o b.obj -o b.ply "
+                "--report report.json")
+                .code,
+            0);
+  const auto report = nlohmann::json::parse(bytes_of(file("report.json")));
+  std::string left, right, groups;
+  for (const auto& border : report["borders"]) {
+    const std::string l = std::to_string(border["left"].get<int>());
+    const std::string r = std::to_string(border["right"].get<int>());
+    left += l + "\n";
+    right += r + "\n";
+    groups += "g " + l + "_" + r + "\n";
+  }
+  const std::string vtp = bytes_of(file("b.vtp"));
+  for (const auto& [name, values] : {std::pair("left", left), std::pair("right", right)}) {
+    const std::size_t at = vtp.find("Name=\"" + std::string(name) + "\"");
+    ASSERT_NE(at, vtp.npos);
+    EXPECT_EQ(vtp.compare(vtp.find('\n', at) + 1, values.size(), values), 0);
+  }
+  const std::string count = std::to_string(report["borders"].size());
+  EXPECT_NE(bytes_of(file("b.vtk")).find("left 1 " + count + " long\n" + left), std::string::npos);
+  EXPECT_NE(bytes_of(file("b.vtk")).find("right 1 " + count + " long\n" + right),
+            std::string::npos);
+  const auto json = nlohmann::json::parse(bytes_of(file("b.json")));
+  std::string in_json, in_obj;
+  for (const auto& curve : json["curves"]) {
+    in_json += "g " + std::to_string(curve["left"].get<int>()) + "_" +
+               std::to_string(curve["right"].get<int>()) + "\n";
+  }
+  EXPECT_EQ(in_json, groups);
+  std::istringstream lines(bytes_of(file("b.obj")));
+  for (std::string line; std::getline(lines, line);) {
+    if (line[0] == 'g') in_obj += line + "\n";
+  }
+  EXPECT_EQ(in_obj, groups);
+  for (const char* name : {"b.vtp", "b.vtk", "b.json"}) {  // and the curves come back
+    EXPECT_EQ(read_curves(file(name)).size(), report["borders"].size()) << name;
+  }
+}
+
+TEST_F(LabelsCommand, GivesADroppedFaceTheLabelThatItHad) {
+  // A face at the end that uses a vertex twice; repair drops it.
+  const MeshLists lists = test::hills(40);
+  std::ostringstream off;
+  off.precision(17);
+  off << "OFF\n" << lists.points.size() << " " << lists.triangles.size() + 1 << " 0\n";
+  for (const Point& p : lists.points) off << p.x() << " " << p.y() << " " << p.z() << "\n";
+  for (std::size_t f = 0; f <= lists.triangles.size(); ++f) {
+    const Triangle& five = lists.triangles[5];
+    const Triangle t =
+        f < lists.triangles.size() ? lists.triangles[f] : Triangle{five[0], five[0], five[1]};
+    off << "3 " << t[0] << " " << t[1] << " " << t[2] << "\n";
+  }
+  write("twice.off", off.str());
+  write("more.txt", bytes_of(file("labels.txt")) + "4711\n");
+  const Outcome outcome = run("labels twice.off more.txt --repair --labels-out new.txt");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const auto faces = labels_in("new.txt");
+  ASSERT_EQ(faces.size(), lists.triangles.size() + 1);
+  EXPECT_EQ(faces.back(), 4711);
+  // Of vertices: that of its first corner.
+  const auto of_vertices = test::on_vertices(SurfaceMesh::open(lists).surface(), labels_);
+  std::string text;
+  for (const std::int64_t label : of_vertices) text += std::to_string(label) + "\n";
+  write("vertices.txt", text);
+  ASSERT_EQ(run("labels twice.off vertices.txt --repair --labels-out new.txt").code, 0);
+  EXPECT_EQ(labels_in("new.txt").back(), of_vertices[lists.triangles[5][0]]);
+}
+
 }  // namespace
 }  // namespace talweg

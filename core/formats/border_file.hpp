@@ -1,0 +1,24 @@
+// Curve files with the labels beside each curve.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+
+#include "talweg/core/placed_curve.hpp"
+
+namespace talweg {
+
+/// What lies beside a curve.
+struct CurveSides {
+  std::int64_t left = 0, right = 0;
+};
+
+/// write_curves(), with what lies beside each where the format has a place for it: `.vtp` and
+/// `.vtk` as cell data `left` and `right`, `.json` as `left` and `right` of each curve, `.obj` as a
+/// group `left_right`. Others without. Throws as write_curves() does, and Error(kBadUsage) when
+/// there are not as many sides as curves.
+void write_borders(const std::filesystem::path& path, std::span<const PlacedCurve> curves,
+                   std::span<const CurveSides> sides);
+
+}  // namespace talweg
