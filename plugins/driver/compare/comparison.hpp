@@ -55,14 +55,6 @@ struct Comparison {
   std::vector<ComparedRun> runs;  ///< by method, in the order of its values
 };
 
-/// Where the first method is beaten: the runs of others (by index) that keep the curve's kind and
-/// are smoother than every run of the first that deviates no more. 2 % in deviation, and 2 % or
-/// 0.02 rad in curvature, are a tie. Methods that differ from the first in the swept parameter only
-/// count as the first.
-std::vector<std::size_t> beaten_by(const Comparison& comparison);
-/// How many runs were judged for that.
-std::size_t judged_runs(const Comparison& comparison);
-
 struct CompareOptions {
   std::vector<Method> methods;
   bool sweep = false;

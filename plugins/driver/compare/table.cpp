@@ -8,6 +8,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "compare/verdict.hpp"
+
 namespace talweg::driver {
 namespace {
 
