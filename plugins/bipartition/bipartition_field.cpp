@@ -1,6 +1,7 @@
 #include "bipartition_field.hpp"
 
-#include <Eigen/SparseCore>
+#include <algorithm>
+#include <cstdint>
 
 #include "direction_field.hpp"
 #include "talweg/heat/cholesky_factor.hpp"
@@ -14,7 +15,10 @@
 namespace talweg::plugins {
 namespace {
 
-using Sparse = Eigen::SparseMatrix<double, Eigen::ColMajor, std::int32_t>;
+struct Entry {
+  std::size_t row = 0;
+  double value = 0;
+};
 
 struct Border {
   std::vector<char> at_vertex;  // per vertex
@@ -62,31 +66,47 @@ ScaledField heat_of(const CotanLaplacian& laplacian, const std::vector<MetricTri
   return heat_flow(factor, heat_triangles(triangles), time, source, border.reached);
 }
 
-Sparse full(const SymmetricMatrix& matrix) {
-  if (matrix.size() == 0) return {};
-  std::vector<Eigen::Triplet<double, std::int32_t>> entries;
+/// All entries of each column, by ascending row.
+std::vector<std::vector<Entry>> columns_of(const SymmetricMatrix& matrix) {
+  std::vector<std::vector<Entry>> columns(matrix.size());
   for (std::size_t j = 0; j < matrix.size(); ++j) {
-    const auto column = static_cast<std::int32_t>(j);
     for (std::int32_t k = matrix.column_start[j]; k < matrix.column_start[j + 1]; ++k) {
       const auto at = static_cast<std::size_t>(k);
-      entries.emplace_back(matrix.row[at], column, matrix.value[at]);
-      if (matrix.row[at] != column) entries.emplace_back(column, matrix.row[at], matrix.value[at]);
+      const auto row = static_cast<std::size_t>(matrix.row[at]);
+      columns[j].push_back({row, matrix.value[at]});
+      if (row != j) columns[row].push_back({j, matrix.value[at]});
     }
   }
-  const auto n = static_cast<Eigen::Index>(matrix.size());
-  Sparse result(n, n);
-  result.setFromTriplets(entries.begin(), entries.end());
-  return result;
+  return columns;
 }
 
-SymmetricMatrix lower(const Sparse& matrix) {
+/// matrix · matrix + diagonal.
+SymmetricMatrix squared(const SymmetricMatrix& matrix, const std::vector<double>& diagonal) {
+  const std::vector<std::vector<Entry>> columns = columns_of(matrix);
   SymmetricMatrix result;
   result.column_start = {0};
-  for (Eigen::Index j = 0; j < matrix.outerSize(); ++j) {
-    for (Sparse::InnerIterator entry(matrix, j); entry; ++entry) {
-      if (entry.row() < j) continue;
-      result.row.push_back(static_cast<std::int32_t>(entry.row()));
-      result.value.push_back(entry.value());
+  std::vector<double> sum(matrix.size(), 0.0);
+  std::vector<std::size_t> last(matrix.size(), matrix.size());  // column that the row was met in
+  std::vector<std::int32_t> rows;
+  for (std::size_t j = 0; j < matrix.size(); ++j) {
+    rows = {static_cast<std::int32_t>(j)};
+    sum[j] = diagonal[j];
+    last[j] = j;
+    for (const auto& [middle, first] : columns[j]) {
+      for (const auto& [row, second] : columns[middle]) {
+        if (row < j) continue;
+        if (last[row] != j) {
+          rows.push_back(static_cast<std::int32_t>(row));
+          sum[row] = 0;
+          last[row] = j;
+        }
+        sum[row] += first * second;
+      }
+    }
+    std::sort(rows.begin(), rows.end());
+    for (const std::int32_t row : rows) {
+      result.row.push_back(row);
+      result.value.push_back(sum[static_cast<std::size_t>(row)]);
     }
     result.column_start.push_back(static_cast<std::int32_t>(result.row.size()));
   }
@@ -96,16 +116,13 @@ SymmetricMatrix lower(const Sparse& matrix) {
 /// Minimises |S x - b|² + anchor² |x on the border|² where the border is reached; 0 elsewhere.
 std::vector<double> fitted(const CotanLaplacian& laplacian, const std::vector<double>& b,
                            const Border& border, double anchor) {
-  const Sparse stiffness = full(laplacian.stiffness);
-  Sparse anchors(stiffness.rows(), stiffness.cols());
-  anchors.setIdentity();  // a diagonal for the pattern, everywhere
+  std::vector<double> anchors;
   std::vector<char> alone;
   for (std::size_t v = 0; v < border.reached.size(); ++v) {
-    anchors.valuePtr()[v] = border.at_vertex[v] != 0 ? anchor * anchor : 0;
+    anchors.push_back(border.at_vertex[v] != 0 ? anchor * anchor : 0);
     alone.push_back(border.reached[v] != 0 ? 0 : 1);
   }
-  const Sparse squared = stiffness * stiffness;
-  SymmetricMatrix matrix = lower(squared + anchors);
+  SymmetricMatrix matrix = squared(laplacian.stiffness, anchors);
   replace_by_identity(matrix, alone);
   std::vector<double> right = multiply(laplacian.stiffness, b);
   for (std::size_t v = 0; v < right.size(); ++v) {
