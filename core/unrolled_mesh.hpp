@@ -35,7 +35,8 @@ struct UnrolledMesh {
 /// one vertex of the strip are joined as they are on the mesh. So the strip is a covering of the
 /// curve's neighbourhood, on which loops of more than a few edges are apart from each other. What
 /// turns around a vertex more than once is left open there. Curves without `alone` share one whole
-/// copy of the mesh, and so does a closed curve of so few faces that its strip does not close.
+/// copy of the mesh, and so do a closed curve of so few faces that its strip does not close and one
+/// whose strip turns around two neighbouring vertices more than once.
 /// O(faces of the strips, log).
 UnrolledMesh unroll(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves,
                     const std::vector<bool>& alone, double reach);
