@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "talweg/core/bump_convolution.hpp"
 #include "talweg/core/drawn_curves.hpp"
 #include "talweg/core/edge_length_near.hpp"
@@ -69,7 +71,7 @@ void CurveSmoother::forget() {
   warnings_.clear();
   valleys_.clear();
   anchors_.clear();
-  heat_open_ms_ = solve_ms_ = 0;
+  heat_open_ms_ = solve_ms_ = mollification_ = 0;
 }
 
 void CurveSmoother::embed(std::span<const SurfaceCurve> curves, const CurveOptions& options) {
@@ -193,11 +195,13 @@ bool CurveSmoother::solve_distance(const CurveOptions& options, const Progress& 
   }
   find_largest_distances();
   const auto& mollified = heat->report().mollification;
-  const double most = mollified.empty() ? 0 : *std::max_element(mollified.begin(), mollified.end());
-  if (most > 0) {
-    warnings_.push_back("Needle triangles: edges were lengthened by up to " +
-                        std::to_string(most / mesh_->mesh().mean_edge_length()) +
-                        " mean edge lengths for the distance (and only for it).");
+  mollification_ = mollified.empty() ? 0 : *std::max_element(mollified.begin(), mollified.end());
+  if (mollification_ > 0) {
+    warnings_.push_back(
+        fmt::format("Needle triangles: edges were lengthened by up to {:.3g}, {:.3g} mean edge "
+                    "lengths, for the "
+                    "distance (and only for it).",
+                    mollification_, mollification_ / mesh_->mesh().mean_edge_length()));
   }
   solve_ms_ = watch.ms();
   return true;
@@ -390,6 +394,7 @@ SmoothingResult CurveSmoother::report_on(const SmoothingOptions& options,
     report.iterations = straight.flip_out.iterations;
     report.faces_touched = straight.faces_touched;
     report.trace_fallbacks = straight.clamped;
+    report.mollification = mollification_;
     report.warnings = warnings_;
     report_deviation(report, options.deviation, *deviation_meter_, mesh_->mesh(), drawn_[c],
                      result.curves[c], band_is_there ? &*exact_distance_ : nullptr);

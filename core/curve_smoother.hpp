@@ -155,6 +155,7 @@ class CurveSmoother {
   [[nodiscard]] bool is_set() const { return unrolled_ != nullptr || !embedded_.paths.empty(); }
   [[nodiscard]] std::vector<bool> tangled() const;
   void set_unrolled_pins();
+  [[nodiscard]] std::vector<std::string> lost_pins(std::span<const SurfaceCurve> results) const;
   [[nodiscard]] std::vector<double> unrolled_slack() const;
   bool set_unrolled(const std::vector<bool>& alone, const Progress& progress);
   [[nodiscard]] std::vector<SurfacePoint> unrolled_pins(std::span<const SurfaceCurve> curves,
@@ -267,6 +268,7 @@ class CurveSmoother {
   std::vector<Corridor::Valley> anchor_valleys_;
   double anchor_floor_ = 0;
   double solve_ms_ = 0;
+  double mollification_ = 0;  // mesh units, for the heat distance
   double heat_open_ms_ = 0;
   std::vector<std::string> warnings_;
 };

@@ -81,6 +81,7 @@ void for_each_field(Report& r, Visit visit) {
   visit("iterations", r.iterations);
   visit("faces_touched", r.faces_touched);
   visit("trace_fallbacks", r.trace_fallbacks);
+  visit("mollification", r.mollification);
   visit("crossings_before", r.crossings_before);
   visit("crossings_after", r.crossings_after);
   visit("termination", r.termination);

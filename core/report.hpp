@@ -63,6 +63,7 @@ struct SmoothingReport {
   std::size_t iterations = 0;        ///< cleared wedges of the whole run
   std::size_t faces_touched = 0;     ///< of the mesh, by the whole run
   std::size_t trace_fallbacks = 0;   ///< crossings put at the end of their edge
+  double mollification = 0;          ///< mesh units: most that an edge was lengthened for the heat
   std::size_t crossings_before = 0;  ///< of the drawing with itself and later curves of the set
   std::size_t crossings_after = 0;   ///< of the result, counted likewise
   std::string termination;  ///< "converged", "deviation", "collapsed", "limit" or "cancelled"

@@ -127,6 +127,34 @@ SmoothingResult CurveSmoother::smooth_unrolled(const SmoothingOptions& options,
   return folded(unrolled_->smoother->smooth(options, copies, components));
 }
 
+/// Pins that no result passes, on spikes and curls that go: one sentence for each.
+std::vector<std::string> CurveSmoother::lost_pins(std::span<const SurfaceCurve> results) const {
+  const Surface& surface = mesh_->surface();
+  std::vector<std::string> sentences;
+  for (const SurfacePoint& pin : curve_options_.pins) {
+    const auto passes = [&](const SurfacePoint& p) {
+      const FaceId face = common_face(surface, pin, p);
+      return face.valid() &&
+             distance_in_face(surface, coordinates_in(surface, pin, face),
+                              coordinates_in(surface, p, face)) <= 1e-9 * edges_near_.front();
+    };
+    if (std::any_of(results.begin(), results.end(), [&](const SurfaceCurve& curve) {
+          return std::any_of(curve.points.begin(), curve.points.end(), passes);
+        })) {
+      continue;
+    }
+    const Point at = mesh_->mesh().position(pin);
+    const auto* v = std::get_if<AtVertex>(&pin.where());
+    sentences.push_back(
+        fmt::format("The pin {}at ({:.6g}, {:.6g}, {:.6g}) is lost: it lies on a spike or a curl "
+                    "of the drawing "
+                    "that goes.",
+                    v != nullptr ? fmt::format("(vertex {}) ", v->vertex.index()) : "", at.x(),
+                    at.y(), at.z()));
+  }
+  return sentences;
+}
+
 /// Back from the strips, with the reports as if they were not.
 SmoothingResult CurveSmoother::folded(SmoothingResult result) {
   const Surface& copies = unrolled_->smoother->opened().surface();
@@ -134,6 +162,7 @@ SmoothingResult CurveSmoother::folded(SmoothingResult result) {
     curve = unrolled_->mesh.folded(copies, mesh_->surface(), curve);
   }
   const std::vector<std::size_t> after = crossings_of(triangulation_, result.curves);
+  const std::vector<std::string> lost = lost_pins(result.curves);
   for (std::size_t c = 0; c < result.curves.size(); ++c) {
     SmoothingReport& report = result.reports[c];
     SmoothingReport fresh =
@@ -146,9 +175,11 @@ SmoothingResult CurveSmoother::folded(SmoothingResult result) {
     report.curvature_max_before = fresh.curvature_max_before;
     report.curvature_max_after = fresh.curvature_max_after;
     report.edge_length_near = edges_near_[c];
+    report.mollification = mollification_;
     report.crossings_before = unrolled_->crossings[c];
     report.crossings_after = after[c];
     report.warnings.insert(report.warnings.end(), warnings_.begin(), warnings_.end());
+    report.warnings.insert(report.warnings.end(), lost.begin(), lost.end());
     if (report.crossings_after != report.crossings_before) {
       report.warnings.push_back(
           fmt::format("The drawing crosses itself and others {} times, the "

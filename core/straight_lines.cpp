@@ -2,10 +2,20 @@
 
 #include <string>
 
+#include <fmt/format.h>
+
 #include "talweg/intrinsic/error.hpp"
 #include "talweg/intrinsic/point_insertion.hpp"
 
 namespace talweg {
+
+std::string gap_warning(const JoinedGaps& gaps) {
+  if (gaps.count == 0) return "";
+  return fmt::format(
+      "{} {} between points of the drawing without a common face {} joined straight over the "
+      "surface, the longest over {:.3g} mesh units.",
+      gaps.count, gaps.count == 1 ? "gap" : "gaps", gaps.count == 1 ? "was" : "were", gaps.longest);
+}
 
 StraightLines::StraightLines(const Surface& surface) : surface_(&surface) {}
 
@@ -52,6 +62,7 @@ void StraightLines::append_leg(const SurfacePoint& from, const SurfacePoint& to,
   }
   const std::array<EdgePath, 1> path = {EdgePath::make(triangulation, std::move(chain), false)};
   const FlipOutResult straight = workshop_->flip_out.run(path, {});
+  gaps_.add({1, straight.paths.front().length_after});
   const std::array<EdgePath, 1> result = {straight.paths.front().path};
   const TraceResult traced = workshop_->tracer.trace_and_undo(result);
   const std::vector<SurfacePoint>& line = traced.curves.front().points;
@@ -67,6 +78,7 @@ void StraightLines::append_leg(const SurfacePoint& from, const SurfacePoint& to,
 }
 
 SurfaceCurve StraightLines::join(std::span<const SurfacePoint> points, bool closed) {
+  gaps_ = {};
   std::vector<SurfacePoint> distinct;
   for (const SurfacePoint& p : points) {
     if (distinct.empty() || !(distinct.back() == p)) distinct.push_back(p);

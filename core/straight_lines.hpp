@@ -1,8 +1,11 @@
 // Drawing straight over the surface from point to point.
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <memory>
 #include <span>
+#include <string>
 
 #include "talweg/core/drawing.hpp"
 #include "talweg/intrinsic/flip_out.hpp"
@@ -11,6 +14,20 @@
 #include "talweg/intrinsic/trace.hpp"
 
 namespace talweg {
+
+/// Consecutive points of a drawing that share no face, between which a line was drawn.
+struct JoinedGaps {
+  std::size_t count = 0;
+  double longest = 0;  ///< mesh units
+
+  void add(const JoinedGaps& more) {
+    count += more.count;
+    longest = std::max(longest, more.longest);
+  }
+};
+
+/// The sentence that tells of them; empty where there are none.
+std::string gap_warning(const JoinedGaps& gaps);
 
 /// Joins surface points by straight lines (geodesics). Memory is made once per object, when points
 /// that share no face first ask for it; a call costs what its lines touch. The surface must outlive
@@ -25,6 +42,8 @@ class StraightLines {
   /// Throws Error(kBadCurve) when two points lie on different components, or fewer than two (three
   /// if closed) different ones are left.
   SurfaceCurve join(std::span<const SurfacePoint> points, bool closed);
+  /// Those of the last join().
+  [[nodiscard]] const JoinedGaps& gaps() const { return gaps_; }
 
  private:
   void append_leg(const SurfacePoint& from, const SurfacePoint& to,
@@ -41,6 +60,7 @@ class StraightLines {
   };
 
   const Surface* surface_;
+  JoinedGaps gaps_;
   std::unique_ptr<Workshop> workshop_;
 };
 

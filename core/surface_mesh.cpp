@@ -55,6 +55,21 @@ Surface checked_surface(const MeshLists& lists) {
   return surface;
 }
 
+/// An edge of no length gets this much of its faces' longest side. Beside a face with a side of
+/// length 0 no edge can be flipped, and a path over a row of them would stay as bent as it is.
+constexpr double kNoLength = 1e-12;
+
+double instead_of_zero(const Surface& surface, const std::vector<double>& lengths, EdgeId e) {
+  double longest = 0;
+  for (const HalfedgeId h : {halfedge_of(e), twin(halfedge_of(e))}) {
+    if (!surface.has_face(h)) continue;
+    for (const HalfedgeId side : {surface.next(h), surface.prev(h)}) {
+      longest = std::max(longest, lengths[edge_of(side).index()]);
+    }
+  }
+  return kNoLength * longest;
+}
+
 }  // namespace
 
 SurfaceMesh SurfaceMesh::open(const MeshLists& lists) {
@@ -81,6 +96,9 @@ void SurfaceMesh::measure() {
     const HalfedgeId h = halfedge_of(EdgeId{e});
     lengths[e] = point_distance(point(surface_.tail(h)), point(surface_.head(h)));
     total += lengths[e];
+  }
+  for (std::size_t e = 0; e < lengths.size(); ++e) {
+    if (lengths[e] == 0) lengths[e] = instead_of_zero(surface_, lengths, EdgeId{e});
   }
   mean_edge_length_ = total / static_cast<double>(lengths.size());
   surface_.set_lengths(std::move(lengths));

@@ -62,16 +62,21 @@ Drawing drawing_of(const SurfaceMesh& mesh, StraightLines& lines,
   for (const SnappedCurve& snapped : snap(mesh, inputs, options)) {
     for (const std::size_t pin : snapped.pins) drawing.pins.push_back(snapped.points[pin]);
     drawing.curves.push_back(lines.join(snapped.points, snapped.closed));
+    drawing.gaps.add(lines.gaps());
     drawing.largest_snap_distance =
         std::max(drawing.largest_snap_distance, snapped.largest_snap_distance);
   }
   return drawing;
 }
 
-std::string snap_warning(const Drawing& drawing) {
-  if (!(drawing.largest_snap_distance > 0)) return "";
-  return fmt::format("The curve was moved onto the mesh, by up to {:.3g} mesh units.",
-                     drawing.largest_snap_distance);
+std::vector<std::string> drawing_warnings(const Drawing& drawing) {
+  std::vector<std::string> warnings;
+  if (drawing.largest_snap_distance > 0) {
+    warnings.push_back(fmt::format("The curve was moved onto the mesh, by up to {:.3g} mesh units.",
+                                   drawing.largest_snap_distance));
+  }
+  if (drawing.gaps.count > 0) warnings.push_back(gap_warning(drawing.gaps));
+  return warnings;
 }
 
 }  // namespace talweg::plugins

@@ -21,6 +21,7 @@ struct Drawing {
   std::vector<SurfaceCurve> curves;
   std::vector<SurfacePoint> pins;
   double largest_snap_distance = 0;  ///< by which a position was moved onto the mesh, mesh units
+  JoinedGaps gaps;
 };
 
 /// Snaps the curves to the mesh and joins their points straight over the surface.
@@ -28,7 +29,7 @@ struct Drawing {
 Drawing drawing_of(const SurfaceMesh& mesh, StraightLines& lines,
                    std::span<const talweg_curve* const> curves, const SnapOptions& options = {});
 
-/// The sentence that tells of a curve that was moved onto the mesh; empty if it was not.
-std::string snap_warning(const Drawing& drawing);
+/// Sentences that tell of a curve that was moved onto the mesh, and of joined gaps.
+std::vector<std::string> drawing_warnings(const Drawing& drawing);
 
 }  // namespace talweg::plugins

@@ -74,8 +74,7 @@ int run_compare(const CompareCommandOptions& o, const GlobalOptions& global) {
   if (global.quiet) return kDone;
   std::string text = comparison_table(comparison) + comparison_remarks(comparison);
   for (const std::string& change : read.changes) text += change + "\n";
-  for (const std::string& warning :
-       reading_warnings(drawing.largest_snap_distance, read.lists.polygon_count)) {
+  for (const std::string& warning : reading_warnings(drawing, read.lists.polygon_count)) {
     text += warning + "\n";
   }
   std::fputs(text.c_str(), stdout);

@@ -236,8 +236,7 @@ std::string Cutting::summary() const {
   }
   for (const std::string& change : read_.changes) text += change + "\n";
   for (const std::string& sentence : left_out_) text += sentence + "\n";
-  for (const std::string& warning :
-       reading_warnings(drawing_.largest_snap_distance, read_.lists.polygon_count)) {
+  for (const std::string& warning : reading_warnings(drawing_, read_.lists.polygon_count)) {
     text += warning + "\n";
   }
   if (o_.open || o_.split || !o_.cap.empty() || !o_.keep.empty()) {

@@ -29,6 +29,7 @@ Drawing DrawingReader::read(std::span<const std::string> paths) {
       }
       for (const std::size_t pin : snapped.pins) drawing.pins.push_back(snapped.points[pin]);
       drawing.curves.push_back(lines_->join(snapped.points, snapped.closed));
+      drawing.gaps.add(lines_->gaps());
       drawing.largest_snap_distance =
           std::max(drawing.largest_snap_distance, snapped.largest_snap_distance);
     }
@@ -81,12 +82,13 @@ Drawing drawing_of_labels(const std::string& path, const Surface& surface, const
   return drawing;
 }
 
-std::vector<std::string> reading_warnings(double largest_snap_distance, std::size_t polygons) {
+std::vector<std::string> reading_warnings(const Drawing& drawing, std::size_t polygons) {
   std::vector<std::string> warnings;
-  if (largest_snap_distance > 0) {
+  if (drawing.largest_snap_distance > 0) {
     warnings.push_back(fmt::format("The curve was moved onto the mesh, by up to {:.3g} mesh units.",
-                                   largest_snap_distance));
+                                   drawing.largest_snap_distance));
   }
+  if (drawing.gaps.count > 0) warnings.push_back(gap_warning(drawing.gaps));
   if (polygons > 0) {
     warnings.push_back(std::to_string(polygons) +
                        " polygons of the mesh were split into triangles.");

@@ -20,6 +20,7 @@ struct Drawing {
   std::vector<SurfaceCurve> curves;
   std::vector<SurfacePoint> pins;
   double largest_snap_distance = 0;  ///< by which a position was moved onto the mesh, mesh units
+  JoinedGaps gaps;
 };
 
 /// Reads curves, snaps them to a mesh and joins their points straight over the surface. What
@@ -59,7 +60,7 @@ ReadLabels read_labels(const std::string& path, const Surface& surface, const Re
 Drawing drawing_of_labels(const std::string& path, const Surface& surface,
                           const RepairMap* map = nullptr);
 
-/// What a user should know of how a curve and a mesh were read.
-std::vector<std::string> reading_warnings(double largest_snap_distance, std::size_t polygons);
+/// What a user should know of how curves and a mesh were read.
+std::vector<std::string> reading_warnings(const Drawing& drawing, std::size_t polygons);
 
 }  // namespace talweg::driver

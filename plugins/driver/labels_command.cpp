@@ -170,7 +170,7 @@ void write(const LabelsOptions& o, const LabelNetwork& network, const SurfaceMes
 
 int run_labels(const LabelsOptions& o, const GlobalOptions& global) {
   ReadMesh read = read_and_repair(o.mesh, o.repair);
-  std::vector<std::string> warnings = reading_warnings(0, read.lists.polygon_count);
+  std::vector<std::string> warnings = reading_warnings({}, read.lists.polygon_count);
   const auto mesh = OpenedMesh::open(std::move(read.lists));
   const ReadLabels file = read_labels(o.labels, mesh->surface(), read.map.get(), o.property);
   LabelNetworkOptions options = o.network;

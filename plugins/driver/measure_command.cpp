@@ -113,7 +113,7 @@ Measurement measure(const MeasureOptions& options) {
   ReadMesh read = read_and_repair(options.mesh, options.repair);
   const std::size_t polygons = read.lists.polygon_count;
   const SurfaceMesh mesh = SurfaceMesh::open(std::move(read.lists));
-  const Drawing drawing = read_drawing(options.curve, mesh, read.map.get());
+  Drawing drawing = read_drawing(options.curve, mesh, read.map.get());
   Measurement m{mesh.surface().face_count(),
                 mesh.surface().vertex_count(),
                 measure_file(mesh, options.curve, drawing.curves),
@@ -121,14 +121,15 @@ Measurement measure(const MeasureOptions& options) {
                 {},
                 {},
                 {}};
-  double moved = drawing.largest_snap_distance;
   if (!options.other.empty()) {
     const Drawing other = read_drawing(options.other, mesh, read.map.get());
-    moved = std::max(moved, other.largest_snap_distance);
+    drawing.largest_snap_distance =
+        std::max(drawing.largest_snap_distance, other.largest_snap_distance);
+    drawing.gaps.add(other.gaps);
     m.other = measure_file(mesh, options.other, other.curves);
     compare(mesh, drawing.curves, other.curves, m);
   }
-  const std::vector<std::string> reading = reading_warnings(moved, polygons);
+  const std::vector<std::string> reading = reading_warnings(drawing, polygons);
   m.warnings.insert(m.warnings.end(), reading.begin(), reading.end());
   m.warnings.insert(m.warnings.end(), read.changes.begin(), read.changes.end());
   return m;

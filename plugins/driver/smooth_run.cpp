@@ -111,7 +111,7 @@ Prepared prepare(const MeshFromFile& mesh, DrawingReader& reader, const SmoothOp
   run.options = &options;
   run.progress = progress;
   run.load_ms = mesh.load_ms;
-  run.warnings = reading_warnings(drawing.largest_snap_distance, mesh.polygons);
+  run.warnings = reading_warnings(drawing, mesh.polygons);
   run.warnings.insert(run.warnings.end(), mesh.changes.begin(), mesh.changes.end());
   for (const std::size_t pin : options.pins) {
     drawing.pins.push_back(pin_on(drawing.curves, mesh, VertexId{pin}));

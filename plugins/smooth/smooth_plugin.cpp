@@ -138,9 +138,9 @@ class Smooth : public SmootherWorkspace {
   }
 
   void add_warnings(SmoothingResult& result) const {
-    if (const std::string moved = snap_warning(drawing()); !moved.empty()) {
-      for (SmoothingReport& report : result.reports) report.warnings.push_back(moved);
-      result.total.warnings.push_back(moved);
+    for (const std::string& warning : drawing_warnings(drawing())) {
+      for (SmoothingReport& report : result.reports) report.warnings.push_back(warning);
+      result.total.warnings.push_back(warning);
     }
     for (const std::string& warning : result.total.warnings) {
       services().log(TALWEG_LOG_WARNING, warning);

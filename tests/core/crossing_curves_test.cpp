@@ -1,4 +1,5 @@
 // Curves that cross or touch themselves and each other: smoothed, with the crossings they had.
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -114,6 +115,24 @@ TEST(CrossingCurves, SpikesGoAndEndsStay) {
   EXPECT_EQ(result.curve().points.back(), drawn.points.back());
   EXPECT_NEAR(result.report().length_after, 6, 1e-6);
   EXPECT_EQ(result.report().crossings_before, 0U);
+}
+
+bool warns_of(const SmoothingReport& report, const char* words) {
+  return std::any_of(report.warnings.begin(), report.warnings.end(),
+                     [&](const std::string& w) { return w.find(words) != std::string::npos; });
+}
+
+TEST(CrossingCurves, APinOnASpikeIsLostAndTold) {
+  const auto opened = OpenedMesh::open(grid(12, 12));
+  const auto way = ids({66, 67, 68, 81, 94, 81, 68, 69, 70, 71});
+  const SurfaceCurve drawn = vertex_curve(opened->surface(), way, false);
+  CurveSmoother smoother(opened);
+  smoother.set_curve(drawn, {.pins = {drawn.points[1], drawn.points[4]}});
+  const SmoothingReport report = smoother.smooth(1.0).report();
+  EXPECT_TRUE(warns_of(report, "The pin (vertex 94) at (3, 7, 0) is lost"));
+  EXPECT_FALSE(warns_of(report, "vertex 67"));
+  smoother.set_pins(std::array{drawn.points[1], drawn.points[2]});
+  EXPECT_FALSE(warns_of(smoother.smooth(1.0).report(), "is lost"));
 }
 
 TEST(CrossingCurves, TouchingItselfAtAVertexIsNoCrossing) {

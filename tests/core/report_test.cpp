@@ -33,7 +33,8 @@ SmoothingReport numbered(double start) {
         &SmoothingReport::curvature_after, &SmoothingReport::curvature_max_before,
         &SmoothingReport::curvature_max_after, &SmoothingReport::deviation_to_drawn_max,
         &SmoothingReport::deviation_to_drawn_mean, &SmoothingReport::deviation_from_drawn_max,
-        &SmoothingReport::deviation_from_drawn_mean, &SmoothingReport::peak_memory_mib}) {
+        &SmoothingReport::deviation_from_drawn_mean, &SmoothingReport::mollification,
+        &SmoothingReport::peak_memory_mib}) {
     r.*field = next++;
   }
   for (std::size_t SmoothingReport::*field :
@@ -84,6 +85,7 @@ TEST(Report, HasItsStableNames) {
                            "iterations",
                            "faces_touched",
                            "trace_fallbacks",
+                           "mollification",
                            "crossings_before",
                            "crossings_after",
                            "termination",
@@ -127,6 +129,7 @@ TEST(Report, HasEachNumberUnderItsName) {
   EXPECT_EQ(j["iterations"], r.iterations);
   EXPECT_EQ(j["faces_touched"], r.faces_touched);
   EXPECT_EQ(j["trace_fallbacks"], r.trace_fallbacks);
+  EXPECT_EQ(j["mollification"], r.mollification);
   EXPECT_EQ(j["warnings"], nlohmann::json(r.warnings));
   EXPECT_EQ(j["time_ms"]["load"], r.time_ms.load);
   EXPECT_EQ(j["time_ms"]["polish"], r.time_ms.polish);

@@ -52,7 +52,37 @@ TEST(SmoothingOutcomes, NeedlesAreToldAndHarmless) {
       test::vertex_curve(opened->surface(), draw_edge_path(opened->surface(), row, false), false);
   const SmoothingResult result = smooth_curve(opened, drawn, {}, {.method = Method::kPaper});
   EXPECT_TRUE(warns_of(result.report(), "Needle triangles"));
+  // Next to nothing would do for the needle: at most 1e-5 mean edges are added (mollification.hpp).
+  EXPECT_GT(result.report().mollification, 0);
+  EXPECT_LE(result.report().mollification, 1e-5 * opened->mesh().mean_edge_length());
+  EXPECT_EQ(smooth_curve(opened, drawn).report().mollification, 0);  // the corridor needs none
   EXPECT_LT(result.report().length_after, result.report().length_before);
+}
+
+TEST(SmoothingOutcomes, PathsBecomeStraightOverPleatsWithoutWidth) {
+  // Every third column of a sheet is folded back and forth by w: three layers. For w = 0 these have
+  // faces without area and edges without length.
+  for (const double w : {1e-3, 1e-12, 0.0}) {
+    const std::uint32_t columns = 18, rows = 6;
+    MeshLists lists = grid(columns, rows);
+    std::vector<double> folded(columns + 1, 0);
+    for (std::uint32_t i = 1; i <= columns; ++i) {
+      folded[i] = folded[i - 1] + (i % 3 == 0 ? -w : i % 3 == 1 ? 1 : w);
+    }
+    for (std::size_t v = 0; v < lists.points.size(); ++v) {
+      lists.points[v].x() = folded[v % (columns + 1)];
+    }
+    const auto opened = OpenedMesh::open(lists);
+    std::vector<VertexId> stairs;
+    for (std::uint32_t i = 0; i <= columns; ++i) stairs.emplace_back(i);
+    for (std::uint32_t j = 1; j <= rows; ++j) stairs.emplace_back(j * (columns + 1) + columns);
+    const SurfaceCurve drawn = test::vertex_curve(opened->surface(), stairs, false);
+    for (const Method method : {Method::kPaper, Method::kCorridor}) {
+      const SmoothingReport report =
+          smooth_curve(opened, drawn, {.tau = 0}, {.method = method}).report();
+      EXPECT_NEAR(report.length_after, std::hypot(6 + 12 * w, 6.0), 1e-9) << w;
+    }
+  }
 }
 
 TEST(SmoothingOutcomes, AJointThatAnotherCurveHoldsIsTold) {

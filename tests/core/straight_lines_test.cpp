@@ -38,6 +38,23 @@ TEST(StraightLines, PointsAsNearToEdgesAndVerticesAsRounding) {
   }
 }
 
+TEST(StraightLines, GapsAreCountedAndMeasured) {
+  const SurfaceMesh mesh = SurfaceMesh::open(grid(10, 10));
+  const auto at = [&](std::size_t x, std::size_t y) {
+    return SurfacePoint::at_vertex(mesh.surface(), VertexId{y * 11 + x});
+  };
+  StraightLines lines(mesh.surface());
+  const std::vector<SurfacePoint> points = {at(1, 1), at(2, 1), at(5, 5), at(5, 6), at(5, 9)};
+  lines.join(points, false);
+  EXPECT_EQ(lines.gaps().count, 2U);
+  EXPECT_NEAR(lines.gaps().longest, 5, 1e-12);
+  EXPECT_NE(gap_warning(lines.gaps()).find("2 gaps"), std::string::npos);
+  EXPECT_NE(gap_warning(lines.gaps()).find("over 5 mesh units"), std::string::npos);
+  lines.join(std::span(points).first(2), false);
+  EXPECT_EQ(lines.gaps().count, 0U);
+  EXPECT_EQ(gap_warning(lines.gaps()), "");
+}
+
 TEST(StraightLines, BetweenTwoPointsThatAreAsNearToAVertexAsRounding) {
   const SurfaceMesh mesh = SurfaceMesh::open(grid(4, 4));
   const Surface& surface = mesh.surface();

@@ -73,6 +73,7 @@ TEST_F(Driver, ReportsWithStableNames) {
                            "iterations",
                            "faces_touched",
                            "trace_fallbacks",
+                           "mollification",
                            "crossings_before",
                            "crossings_after",
                            "termination",

@@ -12,6 +12,10 @@ struct RunOutcome {
   std::string what;         ///< mesh, defects, curves and options in short
   std::string refusal;      ///< the sentence, where something was refused
   std::string broken;       ///< what did not hold; empty where everything did
+  /// What there was to do: faces of the mesh and faces, flips and points that smoothing met, summed
+  /// over the smoothings. A search within a bound counts as kSearch of them.
+  double work = 0;
+  static constexpr double kSearch = 20;
   std::uint64_t bytes = 0;  ///< a hash of the results: curves and reports but for their times
 };
 

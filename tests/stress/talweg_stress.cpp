@@ -1,9 +1,9 @@
 // Random runs, as many as asked for: talweg-stress FIRST COUNT [THREADS].
 #include <algorithm>
-#include <chrono>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 #include <exception>
 #include <map>
 #include <string>
@@ -28,6 +28,30 @@ void on_signal(int signal) {
 
 constexpr unsigned kLongestSeconds = 120;
 
+/// Of the processor, all threads: others may use the machine, too.
+double seconds_used() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
+struct Time {
+  double seconds, work;
+  unsigned long long seed;
+  std::string what;
+};
+
+template <class Value>
+void print_longest(std::vector<Time> times, const char* unit, const Value& value) {
+  if (times.empty()) return;
+  std::sort(times.begin(), times.end(),
+            [&](const Time& a, const Time& b) { return value(a) < value(b); });
+  const double median = value(times[times.size() / 2]);
+  const auto over = std::count_if(times.begin(), times.end(),
+                                  [&](const Time& t) { return value(t) > 10 * median; });
+  std::printf("%s: median %.4g, %td of more than 10 medians, the most:\n", unit, median, over);
+  for (std::size_t k = times.size(); k > 0 && k + 5 > times.size(); --k) {
+    const Time& t = times[k - 1];
+    std::printf("  %.4g (%.4g s), seed %llu [%s]\n", value(t), t.seconds, t.seed, t.what.c_str());
+  }
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -42,11 +66,6 @@ int main(int argc, char** argv) {
   for (const int signal : {SIGSEGV, SIGABRT, SIGFPE, SIGALRM}) std::signal(signal, on_signal);
 
   std::map<std::string, std::size_t> ends;
-  struct Time {
-    double seconds;
-    unsigned long long seed;
-    std::string what;
-  };
   std::vector<Time> times;
   std::size_t broken = 0;
   std::uint64_t bytes = 0;
@@ -54,17 +73,18 @@ int main(int argc, char** argv) {
   for (auto seed = first; seed < first + count; ++seed) {
     current_length = std::snprintf(current, sizeof current, "in the run of seed %llu\n", seed);
     alarm(kLongestSeconds);
-    const auto start = std::chrono::steady_clock::now();
+    const double start = seconds_used();
     RunOutcome outcome;
     try {
       outcome = talweg::stress::random_run(seed, threads);
     } catch (const std::exception& error) {
       outcome.broken = std::string("thrown: ") + error.what();
     }
-    const double seconds =
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    const double seconds = seconds_used() - start;
     total += seconds;
-    if (outcome.end == RunOutcome::End::kSmoothed) times.push_back({seconds, seed, outcome.what});
+    if (outcome.end == RunOutcome::End::kSmoothed) {
+      times.push_back({seconds, outcome.work, seed, outcome.what});
+    }
     ends[outcome.end == RunOutcome::End::kSmoothed      ? "smoothed"
          : outcome.end == RunOutcome::End::kMeshRefused ? "mesh refused"
                                                         : "curve refused"] += 1;
@@ -82,19 +102,9 @@ int main(int argc, char** argv) {
   }
   alarm(0);
   for (const auto& [end, number] : ends) std::printf("%s: %zu\n", end.c_str(), number);
-  std::sort(times.begin(), times.end(),
-            [](const Time& a, const Time& b) { return a.seconds < b.seconds; });
-  if (!times.empty()) {
-    const double median = times[times.size() / 2].seconds;
-    const auto over = std::count_if(times.begin(), times.end(),
-                                    [&](const Time& t) { return t.seconds > 10 * median; });
-    std::printf("median %.1f ms, %td runs of more than 10 medians, the longest:\n", 1e3 * median,
-                over);
-    for (std::size_t k = times.size(); k > 0 && k + 5 > times.size(); --k) {
-      const Time& t = times[k - 1];
-      std::printf("  %.1f ms, seed %llu [%s]\n", 1e3 * t.seconds, t.seed, t.what.c_str());
-    }
-  }
+  print_longest(times, "seconds", [](const Time& t) { return t.seconds; });
+  print_longest(times, "seconds per million units of work",
+                [](const Time& t) { return 1e6 * t.seconds / t.work; });
   std::printf("broken: %zu, %.1f s, bytes %016llx\n", broken, total,
               static_cast<unsigned long long>(bytes));
   return broken == 0 ? 0 : 1;

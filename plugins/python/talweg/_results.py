@@ -54,6 +54,7 @@ class Report:
     iterations: Optional[int] = None
     faces_touched: Optional[int] = None
     trace_fallbacks: Optional[int] = None
+    mollification: Optional[float] = None  #: most that an edge was lengthened for the paper's distance
     crossings_before: Optional[int] = None
     crossings_after: Optional[int] = None
     termination: Optional[str] = None  #: "converged", "collapsed", "limit"
