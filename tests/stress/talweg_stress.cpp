@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include <sys/time.h>
 #include <unistd.h>
 
 #include "stress/random_run.hpp"
@@ -26,7 +27,13 @@ void on_signal(int signal) {
   std::raise(signal);
 }
 
-constexpr unsigned kLongestSeconds = 120;
+constexpr long kLongestSeconds = 120;  // of the processor
+
+/// SIGPROF when the run has used that much; 0 for never.
+void limit_time(long seconds) {
+  const itimerval limit = {{0, 0}, {seconds, 0}};
+  setitimer(ITIMER_PROF, &limit, nullptr);
+}
 
 /// Of the processor, all threads: others may use the machine, too.
 double seconds_used() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
@@ -63,7 +70,7 @@ int main(int argc, char** argv) {
   const auto first = std::strtoull(argv[1], nullptr, 10),
              count = std::strtoull(argv[2], nullptr, 10);
   const auto threads = static_cast<unsigned>(argc > 3 ? std::atoi(argv[3]) : 1);
-  for (const int signal : {SIGSEGV, SIGABRT, SIGFPE, SIGALRM}) std::signal(signal, on_signal);
+  for (const int signal : {SIGSEGV, SIGABRT, SIGFPE, SIGPROF}) std::signal(signal, on_signal);
 
   std::map<std::string, std::size_t> ends;
   std::vector<Time> times;
@@ -72,7 +79,7 @@ int main(int argc, char** argv) {
   double total = 0;
   for (auto seed = first; seed < first + count; ++seed) {
     current_length = std::snprintf(current, sizeof current, "in the run of seed %llu\n", seed);
-    alarm(kLongestSeconds);
+    limit_time(kLongestSeconds);
     const double start = seconds_used();
     RunOutcome outcome;
     try {
@@ -100,7 +107,7 @@ int main(int argc, char** argv) {
     }
     bytes = bytes * 31 + outcome.bytes;
   }
-  alarm(0);
+  limit_time(0);
   for (const auto& [end, number] : ends) std::printf("%s: %zu\n", end.c_str(), number);
   print_longest(times, "seconds", [](const Time& t) { return t.seconds; });
   print_longest(times, "seconds per million units of work",
