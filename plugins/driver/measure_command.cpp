@@ -125,10 +125,10 @@ Measurement measure(const MeasureOptions& options) {
     const Drawing other = read_drawing(options.other, mesh, read.map.get());
     drawing.largest_snap_distance =
         std::max(drawing.largest_snap_distance, other.largest_snap_distance);
-    drawing.gaps.add(other.gaps);
     m.other = measure_file(mesh, options.other, other.curves);
     compare(mesh, drawing.curves, other.curves, m);
   }
+  drawing.gaps = {};  // what is measured is the joined curve
   const std::vector<std::string> reading = reading_warnings(drawing, polygons);
   m.warnings.insert(m.warnings.end(), reading.begin(), reading.end());
   m.warnings.insert(m.warnings.end(), read.changes.begin(), read.changes.end());
