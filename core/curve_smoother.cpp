@@ -74,6 +74,14 @@ void CurveSmoother::forget() {
   heat_open_ms_ = solve_ms_ = mollification_ = 0;
 }
 
+void CurveSmoother::refuse_point(const SurfaceCurve& curve) const {
+  const Point at = mesh_->mesh().position(curve.points.front());
+  throw Error(ErrorCode::kBadCurve,
+              fmt::format("Curve {} has no length: its {} points all lie at ({:.9g}, {:.9g}, "
+                          "{:.9g}), where faces of the mesh have no extent.",
+                          drawn_measures_.size() - 1, curve.points.size(), at.x(), at.y(), at.z()));
+}
+
 void CurveSmoother::embed(std::span<const SurfaceCurve> curves, const CurveOptions& options) {
   if (curves.empty()) bad_usage("There is no curve to smooth.");
   options.validate();
@@ -84,6 +92,7 @@ void CurveSmoother::embed(std::span<const SurfaceCurve> curves, const CurveOptio
   drawn_.assign(curves.begin(), curves.end());
   for (const SurfaceCurve& curve : drawn_) {
     drawn_measures_.push_back(measure_curve(surface, curve));
+    if (!(drawn_measures_.back().length > 0)) refuse_point(curve);
     edges_near_.push_back(edge_length_near(surface, curve));
     orders_.push_back(canonical_order(surface, curve));
     ordered_.push_back(in_order(curve, orders_.back()));

@@ -168,6 +168,7 @@ class CurveSmoother {
                                 const SmoothingOptions& options);
 
   void embed(std::span<const SurfaceCurve> curves, const CurveOptions& options);
+  [[noreturn]] void refuse_point(const SurfaceCurve& curve) const;
   void embed_drawn();
   void forget();
   void find_largest_distances();

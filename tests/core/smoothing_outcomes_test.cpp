@@ -8,6 +8,7 @@
 #include "core/small_meshes.hpp"
 #include "talweg/core/curve_smoother.hpp"
 #include "talweg/core/drawing.hpp"
+#include "talweg/intrinsic/error.hpp"
 
 namespace talweg {
 namespace {
@@ -81,6 +82,24 @@ TEST(SmoothingOutcomes, PathsBecomeStraightOverPleatsWithoutWidth) {
       const SmoothingReport report =
           smooth_curve(opened, drawn, {.tau = 0}, {.method = method}).report();
       EXPECT_NEAR(report.length_after, std::hypot(6 + 12 * w, 6.0), 1e-9) << w;
+    }
+  }
+}
+
+// Found by random runs: a scan far from the origin whose coordinates fell together.
+TEST(SmoothingOutcomes, ACurveOverFacesWithoutExtentIsRefusedWithItsPlace) {
+  MeshLists lists = grid(6, 6);
+  for (std::size_t v = 0; v < 21; ++v) lists.points[v] = Point(2, 0.5, 1);
+  const auto opened = OpenedMesh::open(lists);
+  const SurfaceCurve drawn = curve_through(opened->surface(), ids({1, 2, 3, 10, 9}));
+  for (const Method method : {Method::kCorridor, Method::kPaper}) {
+    try {
+      CurveSmoother smoother(opened);
+      smoother.set_curve(drawn, {.method = method});
+      FAIL() << "was taken";
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), ErrorCode::kBadCurve);
+      EXPECT_NE(std::string(error.what()).find("(2, 0.5, 1)"), std::string::npos) << error.what();
     }
   }
 }
