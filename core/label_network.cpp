@@ -312,11 +312,12 @@ class Network {
     return too_far(moved);
   }
 
-  /// Parts beside a border that is wrong.
+  /// Of the two parts beside a border that is wrong the smaller one: it is what would be lost.
   void note_held(const std::vector<std::size_t>& wrong) {
     held_.resize(parts_.parts.size(), false);
     for (const std::size_t c : wrong) {
-      for (const std::uint32_t part : parts_.beside[c]) held_[part] = true;
+      const auto [left, right] = parts_.beside[c];
+      held_[parts_.parts[left].area <= parts_.parts[right].area ? left : right] = true;
     }
   }
 

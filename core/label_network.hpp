@@ -45,7 +45,8 @@ struct LabelRegion {
   std::int64_t label = 0;
   std::size_t parts_before = 0, parts_after = 0;  ///< connected parts
   double area_before = 0, area_after = 0;         ///< squared mesh units
-  /// It or a part of it would have been lost or torn apart: a border of it is held, see tightened.
+  /// It or a part of it would have been lost or torn apart, and is smaller than what lies on the
+  /// other side: a border of it is held, see tightened.
   bool held = false;
 };
 

@@ -19,6 +19,7 @@
 #include "talweg/core/formats/border_file.hpp"
 #include "talweg/core/formats/file_bytes.hpp"
 #include "talweg/core/label_network.hpp"
+#include "talweg/core/mesh_attributes.hpp"
 #include "talweg/core/mesh_reader.hpp"
 #include "talweg/core/mesh_writer.hpp"
 #include "talweg/core/stopwatch.hpp"
@@ -150,6 +151,19 @@ std::string summary_of(const LabelNetwork& network, double ms) {
   return text + fmt::format("{:.1f} ms\n", ms);
 }
 
+/// With the labels as a property of its faces where the format holds one.
+void write_cut(const std::string& path, const LabelNetwork& network) {
+  MeshAttributes attributes;
+  AttributeColumn& column = attributes.faces.emplace_back();
+  column.name = "label";
+  column.type = NumberType::kInt32;
+  for (const std::int64_t label : network.cut_labels) {
+    if (label != static_cast<std::int32_t>(label)) column.type = NumberType::kFloat64;
+    column.values.push_back(static_cast<double>(label));
+  }
+  write_mesh(path, network.cut.lists, attributes);
+}
+
 void write(const LabelsOptions& o, const LabelNetwork& network, const SurfaceMesh& mesh,
            const RepairMap* map, const std::vector<std::string>& warnings,
            const ReadLabels& labels) {
@@ -163,7 +177,7 @@ void write(const LabelsOptions& o, const LabelNetwork& network, const SurfaceMes
   if (!o.labels_out.empty()) {
     write_file(o.labels_out, lines_of(of_file_faces(network.face_labels, map, labels, o.mesh)));
   }
-  if (!o.cut.empty()) write_mesh(o.cut, network.cut.lists);
+  if (!o.cut.empty()) write_cut(o.cut, network);
   if (!o.cut_labels.empty()) write_file(o.cut_labels, lines_of(network.cut_labels));
   if (!o.report.empty()) write_file(o.report, report_of(network, warnings, labels.names));
 }
@@ -244,8 +258,9 @@ Command add_labels(CLI::App& app, const GlobalOptions& global) {
                       "times");
   command->add_option("--labels-out", o->labels_out,
                       "New labels of the mesh's faces: that of the larger share of each");
-  CLI::Option* cut =
-      command->add_option("--cut", o->cut, "The mesh with the borders as edges: .ply, .obj, .off");
+  CLI::Option* cut = command->add_option(
+      "--cut", o->cut,
+      "The mesh with the borders as edges: .ply (with the faces' labels), .obj, .off");
   command->add_option("--cut-labels", o->cut_labels, "The labels of its faces, exact")->needs(cut);
   command->add_option("--report", o->report, "What was done and measured, as JSON");
   add_repair_option(*command, o->repair);

@@ -69,6 +69,13 @@ TEST_F(LabelsCommand, WritesBordersLabelsTheCutMeshAndAReport) {
 
   const MeshLists cut = read_mesh(file("cut.ply"));
   const auto exact = labels_in("exact.txt");
+  // The cut mesh has them, too.
+  const Outcome again = run("labels cut.ply cut.ply --labels-property label --report again.json");
+  ASSERT_EQ(again.code, 0) << again.err;
+  for (const auto& region : nlohmann::json::parse(bytes_of(file("again.json")))["regions"]) {
+    const double area = areas(cut, exact)[region["label"].get<std::int64_t>()];
+    EXPECT_NEAR(region["area_before"].get<double>(), area, 1e-9 * area);
+  }
   ASSERT_EQ(exact.size(), cut.triangles.size());
   const auto area = areas(cut, exact);
   for (const auto& region : report["regions"]) {
