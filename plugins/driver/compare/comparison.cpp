@@ -116,6 +116,9 @@ class MethodRuns {
       const host::Services services("talweg", version(), options_.progress);
       host::Instance instance(plugin_named(m.plugin), services);
       for (const std::optional<double>& value : values) {
+        if (!go_on(options_.progress, "compare", progress_at(method, runs.size(), values.size()))) {
+          throw host::Error(TALWEG_CANCELLED, "Cancelled.");
+        }
         runs.push_back(run(instance, method, value, runs.empty()));
       }
     } catch (const Error& error) {  // no such plugin
@@ -127,6 +130,11 @@ class MethodRuns {
   }
 
  private:
+  [[nodiscard]] double progress_at(std::size_t method, std::size_t run, std::size_t count) const {
+    const double part = static_cast<double>(run) / static_cast<double>(count);
+    return (static_cast<double>(method) + part) / static_cast<double>(comparison_.methods.size());
+  }
+
   ComparedRun run(host::Instance& instance, std::size_t method, std::optional<double> value,
                   bool first) const {
     const Method& m = comparison_.methods[method];
