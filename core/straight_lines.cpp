@@ -12,8 +12,9 @@ namespace talweg {
 std::string gap_warning(const JoinedGaps& gaps) {
   if (gaps.count == 0) return "";
   return fmt::format(
-      "{} {} between points of the drawing without a common face {} joined straight over the "
-      "surface, the longest over {:.3g} mesh units.",
+      "{} {} of the drawing, over four times as long as its median segment, {} joined straight "
+      "over "
+      "the surface, the longest over {:.3g} mesh units.",
       gaps.count, gaps.count == 1 ? "gap" : "gaps", gaps.count == 1 ? "was" : "were", gaps.longest);
 }
 
@@ -35,7 +36,11 @@ VertexId StraightLines::nearest_corner(const SurfacePoint& point) const {
 void StraightLines::append_leg(const SurfacePoint& from, const SurfacePoint& to,
                                std::vector<SurfacePoint>& points) {
   points.push_back(from);
-  if (common_face(*surface_, from, to).valid()) return;
+  if (const FaceId face = common_face(*surface_, from, to); face.valid()) {
+    legs_.push_back(distance_in_face(*surface_, coordinates_in(*surface_, from, face),
+                                     coordinates_in(*surface_, to, face)));
+    return;
+  }
   if (!workshop_) workshop_ = std::make_unique<Workshop>(*surface_);
   SignpostTriangulation& triangulation = workshop_->triangulation;
   const VertexId a = nearest_corner(from), b = nearest_corner(to);
@@ -62,7 +67,8 @@ void StraightLines::append_leg(const SurfacePoint& from, const SurfacePoint& to,
   }
   const std::array<EdgePath, 1> path = {EdgePath::make(triangulation, std::move(chain), false)};
   const FlipOutResult straight = workshop_->flip_out.run(path, {});
-  gaps_.add({1, straight.paths.front().length_after});
+  legs_.push_back(straight.paths.front().length_after);
+  joined_.push_back(legs_.back());
   const std::array<EdgePath, 1> result = {straight.paths.front().path};
   const TraceResult traced = workshop_->tracer.trace_and_undo(result);
   const std::vector<SurfacePoint>& line = traced.curves.front().points;
@@ -77,8 +83,20 @@ void StraightLines::append_leg(const SurfacePoint& from, const SurfacePoint& to,
   triangulation.remove_inserted();
 }
 
-SurfaceCurve StraightLines::join(std::span<const SurfacePoint> points, bool closed) {
+void StraightLines::find_gaps() {
   gaps_ = {};
+  if (joined_.empty()) return;
+  constexpr double kUnusual = 4;
+  const auto middle = legs_.begin() + static_cast<std::ptrdiff_t>((legs_.size() - 1) / 2);
+  std::nth_element(legs_.begin(), middle, legs_.end());
+  for (const double length : joined_) {
+    if (length > kUnusual * *middle) gaps_.add({1, length});
+  }
+}
+
+SurfaceCurve StraightLines::join(std::span<const SurfacePoint> points, bool closed) {
+  legs_.clear();
+  joined_.clear();
   std::vector<SurfacePoint> distinct;
   for (const SurfacePoint& p : points) {
     if (distinct.empty() || !(distinct.back() == p)) distinct.push_back(p);
@@ -100,6 +118,7 @@ SurfaceCurve StraightLines::join(std::span<const SurfacePoint> points, bool clos
   } else {
     curve.points.push_back(distinct.back());
   }
+  find_gaps();
   return curve;
 }
 

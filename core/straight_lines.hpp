@@ -6,6 +6,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "talweg/core/drawing.hpp"
 #include "talweg/intrinsic/flip_out.hpp"
@@ -15,7 +16,9 @@
 
 namespace talweg {
 
-/// Consecutive points of a drawing that share no face, between which a line was drawn.
+/// Consecutive points of a drawing that share no face and lie more than four times as far apart as
+/// its points do in the median: something is missing there. Points that were clicked are all far
+/// apart, and have none.
 struct JoinedGaps {
   std::size_t count = 0;
   double longest = 0;  ///< mesh units
@@ -60,7 +63,11 @@ class StraightLines {
   };
 
   const Surface* surface_;
+  void find_gaps();
+
   JoinedGaps gaps_;
+  std::vector<double> legs_;    // lengths, mesh units, of the last join()
+  std::vector<double> joined_;  // of them those through several faces
   std::unique_ptr<Workshop> workshop_;
 };
 

@@ -44,15 +44,30 @@ TEST(StraightLines, GapsAreCountedAndMeasured) {
     return SurfacePoint::at_vertex(mesh.surface(), VertexId{y * 11 + x});
   };
   StraightLines lines(mesh.surface());
-  const std::vector<SurfacePoint> points = {at(1, 1), at(2, 1), at(5, 5), at(5, 6), at(5, 9)};
+  const std::vector<SurfacePoint> points = {at(1, 1), at(2, 1), at(3, 1), at(3, 2),
+                                            at(7, 5), at(8, 5), at(8, 6)};
   lines.join(points, false);
-  EXPECT_EQ(lines.gaps().count, 2U);
+  EXPECT_EQ(lines.gaps().count, 1U);
   EXPECT_NEAR(lines.gaps().longest, 5, 1e-12);
-  EXPECT_NE(gap_warning(lines.gaps()).find("2 gaps"), std::string::npos);
+  EXPECT_NE(gap_warning(lines.gaps()).find("1 gap of"), std::string::npos);
   EXPECT_NE(gap_warning(lines.gaps()).find("over 5 mesh units"), std::string::npos);
+  lines.join(points, true);  // and from the end to the beginning
+  EXPECT_EQ(lines.gaps().count, 2U);
   lines.join(std::span(points).first(2), false);
   EXPECT_EQ(lines.gaps().count, 0U);
   EXPECT_EQ(gap_warning(lines.gaps()), "");
+}
+
+// Clicked points are all far apart: nothing is missing between them.
+TEST(StraightLines, PointsThatAreAllFarApartHaveNoGaps) {
+  const SurfaceMesh mesh = SurfaceMesh::open(grid(10, 10));
+  std::vector<SurfacePoint> points;
+  for (const std::size_t v : {12, 16, 64, 108, 60}) {
+    points.push_back(SurfacePoint::at_vertex(mesh.surface(), VertexId{v}));
+  }
+  StraightLines lines(mesh.surface());
+  lines.join(points, false);
+  EXPECT_EQ(lines.gaps().count, 0U);
 }
 
 TEST(StraightLines, BetweenTwoPointsThatAreAsNearToAVertexAsRounding) {
