@@ -5,10 +5,15 @@
 #include <cmath>
 #include <cstddef>
 
+#include <fmt/format.h>
+
 #include "common/arc_length.hpp"
+#include "talweg/intrinsic/error.hpp"
 
 namespace talweg::plugins {
 namespace {
+
+constexpr double kMostPoints = 20000;  // of a result
 
 SurfacePoint midpoint(const Surface& surface, StraightLines& lines, const SurfacePoint& p,
                       const SurfacePoint& q) {
@@ -32,10 +37,19 @@ std::vector<SurfacePoint> midpoints(const Surface& surface, StraightLines& lines
 
 }  // namespace
 
-ControlPolygon control_polygon(const Surface& surface, const SurfaceCurve& curve, double spacing) {
-  constexpr std::size_t kLeastClosed = 4, kMost = 1'000'000;
+ControlPolygon control_polygon(const Surface& surface, const SurfaceCurve& curve, double spacing,
+                               int levels) {
+  constexpr std::size_t kLeastClosed = 4;
   const ArcLength arc(surface, curve);
-  const double wanted = std::min(std::round(arc.length() / spacing), double{kMost});
+  const double wanted = std::round(arc.length() / spacing);
+  const double most = std::floor(kMostPoints / std::exp2(levels));
+  if (!(wanted <= most)) {
+    throw Error(
+        ErrorCode::kBadUsage,
+        fmt::format("A spacing of {:.3g} with {} levels makes more than {:.0f} points of this "
+                    "curve; {:.3g} is the least.",
+                    spacing, levels, kMostPoints, arc.length() / most));
+  }
   const std::size_t legs =
       std::max(static_cast<std::size_t>(wanted), curve.closed ? kLeastClosed : 1);
   ControlPolygon polygon{curve.closed, {}};

@@ -16,8 +16,10 @@ struct ControlPolygon {
 };
 
 /// Points of the curve at equal arc lengths, about `spacing` (mesh units, > 0) apart; of an open
-/// curve its ends are among them, of a closed one there are at least four.
-ControlPolygon control_polygon(const Surface& surface, const SurfaceCurve& curve, double spacing);
+/// curve its ends are among them, of a closed one there are at least four. Throws Error(kBadUsage)
+/// where so many, doubled `levels` times, would be more than 20,000.
+ControlPolygon control_polygon(const Surface& surface, const SurfaceCurve& curve, double spacing,
+                               int levels);
 
 /// One round of the scheme of Lane & Riesenfeld (1980) with geodesics for straight lines: a
 /// midpoint goes between each point and the next, then `degree` - 1 times (1 <= degree) every point

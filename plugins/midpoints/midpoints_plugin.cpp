@@ -57,9 +57,9 @@ class Midpoints : public MethodWorkspace {
     const auto segments = static_cast<double>(drawn.points.size() - (drawn.closed ? 0 : 1));
     const double spacing = parameters.optional("spacing").value_or(
         kSegments * curve_length(surface, drawn) / segments);
-    ControlPolygon polygon = control_polygon(surface, drawn, spacing);
-    const std::uint64_t control_points = polygon.points.size();
     const int levels = static_cast<int>(parameters.number("levels"));
+    ControlPolygon polygon = control_polygon(surface, drawn, spacing, levels);
+    const std::uint64_t control_points = polygon.points.size();
     for (int level = 0; level < levels; ++level) {
       go_on("subdivide", static_cast<double>(level) / levels);
       polygon =

@@ -106,6 +106,14 @@ TEST(MidpointsPlugin, KeepsAStraightLineAndItsEnds) {
 TEST(MidpointsPlugin, SaysWhatIsWrongWithAParameter) {
   OnMesh on("talweg.midpoints", test::grid(4, 4));
   EXPECT_THROW(on.instance.set("spacing", 0.0), host::Error);
+  on.instance.set("spacing", 1e-9);  // more points than memory has room for
+  try {
+    on.run({edge_path(on.mesh, {1, 13}, false)});
+    FAIL() << "ran";
+  } catch (const host::Error& error) {
+    EXPECT_EQ(error.status(), TALWEG_BAD_USAGE);
+    EXPECT_NE(std::string(error.what()).find("more than 20000 points"), std::string::npos);
+  }
   EXPECT_THROW(on.instance.set("degree", 2.5), host::Error);
   EXPECT_THROW(on.instance.set("levels", 0.0), host::Error);
 }
