@@ -144,8 +144,8 @@ class MethodRuns {
     try {
       const Stopwatch watch;
       if (first) set_mesh(instance, mesh_.points(), read_.lists.triangles);
-      for (const auto& [id, setting] : m.settings) {
-        std::visit([&](const auto& v) { instance.set(id.c_str(), v); }, setting);
+      for (const auto& setting : m.settings) {
+        std::visit([&](const auto& v) { instance.set(setting.first.c_str(), v); }, setting.second);
       }
       if (run.value) instance.set(m.swept.c_str(), *run.value);
       instance.set_curves(curves_);
