@@ -72,7 +72,8 @@ TEST_F(LabelsCommand, WritesBordersLabelsTheCutMeshAndAReport) {
   // The cut mesh has them, too.
   const Outcome again = run("labels cut.ply cut.ply --labels-property label --report again.json");
   ASSERT_EQ(again.code, 0) << again.err;
-  for (const auto& region : nlohmann::json::parse(bytes_of(file("again.json")))["regions"]) {
+  const auto again_report = nlohmann::json::parse(bytes_of(file("again.json")));
+  for (const auto& region : again_report["regions"]) {
     const double area = areas(cut, exact)[region["label"].get<std::int64_t>()];
     EXPECT_NEAR(region["area_before"].get<double>(), area, 1e-9 * area);
   }
