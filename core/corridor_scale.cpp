@@ -54,6 +54,10 @@ double corridor_length(const SurfaceMesh& mesh, const SurfaceCurve& drawn) {
   return kOfRadius * largest;
 }
 
+double corridor_reach(const SurfaceMesh& mesh, const SurfaceCurve& drawn, double edge) {
+  return 2.5 * corridor_length(mesh, drawn) + 12 * edge;
+}
+
 double width_of_loop(const SurfaceMesh& mesh, const SurfaceCurve& drawn) {
   const std::vector<Point> points = positions_of(mesh, drawn);
   Point area = Point::Zero();

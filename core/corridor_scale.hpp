@@ -16,6 +16,11 @@ double default_slack(const Surface& surface, const SurfaceCurve& drawn);
 /// as for a large one. Mesh units.
 double corridor_length(const SurfaceMesh& mesh, const SurfaceCurve& drawn);
 
+/// How far from the drawing a result can be, so that faces farther away need not be there: what the
+/// corridor lets it reach at tau = 1/8 (φ over a way of 2 L costs more than the drawing is long),
+/// and some edges of this length. Mesh units.
+double corridor_reach(const SurfaceMesh& mesh, const SurfaceCurve& drawn, double edge);
+
 /// Half the inradius of a strip with the area and length of a closed curve, about 1/24 of a
 /// circle's length: with less slack than this a loop cannot collapse within its own corridor. Mesh
 /// units; an estimate by the area vector, so too small for loops that are far from plane.

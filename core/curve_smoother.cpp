@@ -10,6 +10,7 @@
 #include "talweg/core/drawn_curves.hpp"
 #include "talweg/core/edge_length_near.hpp"
 #include "talweg/core/lifted_lengths.hpp"
+#include "talweg/core/refined_smoother.hpp"
 #include "talweg/core/relaxation.hpp"
 #include "talweg/core/result_report.hpp"
 #include "talweg/core/stopwatch.hpp"
@@ -58,6 +59,8 @@ CurveSmoother::~CurveSmoother() = default;
 void CurveSmoother::forget() {
   triangulation_.remove_inserted();
   unrolled_.reset();
+  refined_.reset();
+  refined_whole_.reset();
   drawn_.clear();
   orders_.clear();
   ordered_.clear();
@@ -82,7 +85,7 @@ void CurveSmoother::refuse_point(const SurfaceCurve& curve) const {
                           drawn_measures_.size() - 1, curve.points.size(), at.x(), at.y(), at.z()));
 }
 
-void CurveSmoother::embed(std::span<const SurfaceCurve> curves, const CurveOptions& options) {
+void CurveSmoother::take(std::span<const SurfaceCurve> curves, const CurveOptions& options) {
   if (curves.empty()) bad_usage("There is no curve to smooth.");
   options.validate();
   const Surface& surface = mesh_->surface();
@@ -97,7 +100,6 @@ void CurveSmoother::embed(std::span<const SurfaceCurve> curves, const CurveOptio
     orders_.push_back(canonical_order(surface, curve));
     ordered_.push_back(in_order(curve, orders_.back()));
   }
-  embed_drawn();
 }
 
 void CurveSmoother::embed_drawn() {
@@ -116,6 +118,7 @@ void CurveSmoother::set_pins(std::span<const SurfacePoint> pins) {
   check_pins(drawn_, pins);
   const std::vector<SurfacePoint> own(pins.begin(), pins.end());  // may be our own
   curve_options_.pins = own;
+  if (refined_) return set_refined_pins();
   if (unrolled_) return set_unrolled_pins();
   triangulation_.remove_inserted();
   anchors_.clear();
@@ -133,10 +136,16 @@ bool CurveSmoother::set_curves(std::span<const SurfaceCurve> curves, const Curve
   const std::vector<SurfaceCurve> own(curves.begin(), curves.end());  // may be our own drawing
   forget();
   try {
-    embed(own, options);
-    const std::vector<bool> alone = tangled();
-    if (!alone.empty() ? set_unrolled(alone, progress) : solve_distance(options, progress)) {
-      return true;
+    take(own, options);
+    if (!faces_to_divide().empty()) {
+      capped_ = ordered_;
+      if (set_refined(false, progress)) return true;
+    } else {
+      embed_drawn();
+      const std::vector<bool> alone = tangled();
+      if (!alone.empty() ? set_unrolled(alone, progress) : solve_distance(options, progress)) {
+        return true;
+      }
     }
   } catch (...) {
     forget();
@@ -161,7 +170,8 @@ bool CurveSmoother::set_curves(std::span<const SurfaceCurve> curves, std::vector
     }
   }
   try {
-    embed(own, options);
+    take(own, options);
+    embed_drawn();
     curve_options_.method = Method::kPaper;
     distance_ = std::move(distance);
     inserted_distance_ = at_inserted(distance_, 1);
@@ -288,6 +298,7 @@ SmoothingResult CurveSmoother::smooth(double tau) {
 SmoothingResult CurveSmoother::smooth(const SmoothingOptions& options) {
   options.validate();
   if (!is_set()) bad_usage("No curve is set.");
+  if (refined_) return smooth_refined(options);
   if (unrolled_) return smooth_unrolled(options);
   if (curve_options_.method == Method::kCorridor) return smooth_in_corridor(options);
   std::vector<Potential> potentials;  // by component
@@ -322,6 +333,7 @@ SmoothingResult CurveSmoother::smooth(const SmoothingOptions& options,
                 " is not a number of at most 1e150.");
     }
   }
+  if (refined_) return smooth_refined(options, potential, components);
   if (unrolled_) return smooth_unrolled(options, potential, components);
   const std::vector<double> inserted = at_inserted(potential, components);
   SmoothingResult result = run(options, [&](VertexId p, VertexId q, double length) {
@@ -395,7 +407,7 @@ SmoothingResult CurveSmoother::report_on(const SmoothingOptions& options,
         report_on_curve(mesh_->mesh(), drawn_[c], drawn_measures_[c], result.curves[c]));
     const FlipOutResult::Path& path = straight.flip_out.paths[c];
     report.tau = options.tau;
-    report.edge_length_near = edges_near_[c];
+    report.edge_length_near = warns_if_far_ ? edges_near_[c] : HUGE_VAL;
     report.lifted_length_before = path.length_before;
     report.lifted_length_after = path.length_after;
     report.termination = to_string(path.termination);
@@ -407,6 +419,14 @@ SmoothingResult CurveSmoother::report_on(const SmoothingOptions& options,
     report.warnings = warnings_;
     report_deviation(report, options.deviation, *deviation_meter_, mesh_->mesh(), drawn_[c],
                      result.curves[c], band_is_there ? &*exact_distance_ : nullptr);
+    report.edge_length_near = edges_near_[c];
+    if (path.termination == Termination::kLimit && options.max_iterations == 0 &&
+        options.min_relative_length == 0) {
+      report.warnings.emplace_back(
+          "Straightening was given up before the curve was straight: the drawing has too many "
+          "points "
+          "for so few faces.");
+    }
     if (path.termination == Termination::kCollapsed) {
       report.warnings.emplace_back(
           "The loop shrinks to a point; it is returned as it was when it fell below the floor.");

@@ -152,7 +152,9 @@ class CurveSmoother {
  private:
   // smooth_unrolled.cpp
   struct Unrolled;
-  [[nodiscard]] bool is_set() const { return unrolled_ != nullptr || !embedded_.paths.empty(); }
+  [[nodiscard]] bool is_set() const {
+    return unrolled_ != nullptr || refined_ != nullptr || !embedded_.paths.empty();
+  }
   [[nodiscard]] std::vector<bool> tangled() const;
   void set_unrolled_pins();
   [[nodiscard]] std::vector<std::string> lost_pins(std::span<const SurfaceCurve> results) const;
@@ -164,10 +166,24 @@ class CurveSmoother {
   SmoothingResult smooth_unrolled(const SmoothingOptions& options,
                                   std::span<const double> potential, std::size_t components);
   SmoothingResult folded(SmoothingResult result);
-  SmoothingResult drag_unrolled(std::size_t curve, const SurfaceCurve& moved,
-                                const SmoothingOptions& options);
+  // smooth_refined.cpp
+  struct Refined;
+  [[nodiscard]] std::vector<FaceId> faces_to_divide() const;
+  bool set_refined(bool whole, const Progress& progress);
+  [[nodiscard]] std::vector<SurfacePoint> refined_pins(const Refined& refined,
+                                                       std::span<const SurfaceCurve> curves) const;
+  void set_refined_pins();
+  [[nodiscard]] std::vector<double> refined_slack() const;
+  [[nodiscard]] std::vector<double> refined_slack_at(const Refined& refined, std::size_t curve,
+                                                     const std::vector<double>& drawn) const;
+  const Refined& refined_for(bool whole);
+  SmoothingResult smooth_refined(const SmoothingOptions& options);
+  SmoothingResult smooth_refined(const SmoothingOptions& options, std::span<const double> potential,
+                                 std::size_t components);
+  SmoothingResult coarse(const Refined& refined, SmoothingResult result,
+                         const SmoothingOptions& options);
 
-  void embed(std::span<const SurfaceCurve> curves, const CurveOptions& options);
+  void take(std::span<const SurfaceCurve> curves, const CurveOptions& options);
   [[noreturn]] void refuse_point(const SurfaceCurve& curve) const;
   void embed_drawn();
   void forget();
@@ -221,6 +237,8 @@ class CurveSmoother {
                             std::vector<SurfaceCurve> curves, StageTimes times);
   SmoothingResult run(const SmoothingOptions& options, SignpostTriangulation::Metric metric);
   // dragging.cpp
+  SmoothingResult drag_whole(std::size_t curve, const SurfaceCurve& moved,
+                             const SmoothingOptions& options);
   const SmoothingResult& result_for(const SmoothingOptions& options);
   [[nodiscard]] std::vector<Corridor::Valley> dragged_valleys(
       const DrawingChange& change, std::size_t curve, const SmoothingOptions& options) const;
@@ -243,6 +261,10 @@ class CurveSmoother {
 
   Loops loops_ = Loops::kKeep;          // kErase where strips are smoothed, and stretches
   std::unique_ptr<Unrolled> unrolled_;  // what smooths instead of this, for tangled drawings
+  bool may_refine_ = true;
+  bool warns_if_far_ = true;
+  std::unique_ptr<Refined> refined_;        // and for those that are finer than the mesh
+  std::unique_ptr<Refined> refined_whole_;  // the same without a bound; made when first needed
   std::vector<SurfaceCurve> drawn_;
   std::vector<CurveOrder> orders_;     // in which the drawn curves are gone through
   std::vector<SurfaceCurve> ordered_;  // drawn_ in these

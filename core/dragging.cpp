@@ -134,7 +134,8 @@ void CurveSmoother::set_stretch(const DragStretch& stretch, const CurveOptions& 
       const Points& points = stretch.curve.points;
       return std::find(points.begin(), points.end(), pin) == points.end();
     });
-    embed(std::span(&stretch.curve, 1), own);
+    take(std::span(&stretch.curve, 1), own);
+    embed_drawn();
     if (!exact_distance_) exact_distance_.emplace(mesh_->surface());
     exact_distance_->set(stretch.near);
     valleys_ = stretch.valleys;
@@ -261,6 +262,27 @@ SurfaceCurve CurveSmoother::dragged(const DrawingChange& change, std::size_t cur
   return std::move(result.curves.front());
 }
 
+/// A stretch is not enough where strips meet or faces are divided: all is smoothed anew.
+SmoothingResult CurveSmoother::drag_whole(std::size_t curve, const SurfaceCurve& moved,
+                                          const SmoothingOptions& options) {
+  std::vector<SurfaceCurve> curves = drawn_;
+  curves[curve] = moved;
+  CurveOptions own = curve_options_;
+  std::erase_if(own.pins, [&](const SurfacePoint& pin) {
+    return std::none_of(curves.begin(), curves.end(), [&](const SurfaceCurve& c) {
+      return std::find(c.points.begin(), c.points.end(), pin) != c.points.end();
+    });
+  });
+  SmoothingOptions plain = options;
+  plain.slack_at.clear();  // it belongs to the drawing that is set
+  CurveSmoother whole(mesh_);
+  whole.set_curves(curves, own);
+  SmoothingResult result = whole.smooth(plain);
+  result.reports[curve].engine = "preview";
+  result.total = total_of(result.reports);
+  return result;
+}
+
 SmoothingResult CurveSmoother::drag(std::size_t curve, const SurfaceCurve& moved,
                                     const SmoothingOptions& options) {
   const auto require = [](bool good, const char* message) {
@@ -272,7 +294,7 @@ SmoothingResult CurveSmoother::drag(std::size_t curve, const SurfaceCurve& moved
   require(curve < drawn_.size(), "drag() is asked for a curve that is not set.");
   const SurfaceCurve own = moved;  // may be our own drawing
   check_drawn(mesh_->surface(), own);
-  if (unrolled_) return drag_unrolled(curve, own, options);
+  if (unrolled_ || refined_) return drag_whole(curve, own, options);
   SmoothingResult result = result_for(options);
   const Stopwatch watch;
   const DrawingChange change = change_between(drawn_[curve], own);

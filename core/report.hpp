@@ -40,7 +40,7 @@ struct SmoothingReport {
   std::size_t pins_added = 0;            ///< by smooth_within()
   double edge_length_near = 0;           ///< mesh units: mean edge within two rings of the drawing
   std::string potential;                 ///< "paper", "corridor" or "custom"
-  std::string engine;                    ///< "full" or "local"
+  std::string engine;                    ///< "full", "local", "refined" or "preview"
   bool closed = false;                   ///< the first point is not repeated, and counts once
   std::size_t points_before = 0;         ///< as drawn
   std::size_t points_after = 0;          ///< of the result

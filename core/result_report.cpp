@@ -1,6 +1,7 @@
 #include "talweg/core/result_report.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <span>
 #include <string>
@@ -17,17 +18,19 @@ namespace {
 
 constexpr double kFar = 3, kJump = 0.2;  // mesh edges
 
-std::string far_apart(const SmoothingReport& report) {
+}  // namespace
+
+void warn_if_far(SmoothingReport& report, double far) {
   const bool cut = report.deviation_from_drawn_max > report.deviation_to_drawn_max;
   const double apart = cut ? report.deviation_from_drawn_max : report.deviation_to_drawn_max;
-  return fmt::format("{} by up to {:.3g}, {:.1f} mesh edges, at ({:.6g}, {:.6g}, {:.6g}).",
-                     cut ? "The result cuts off parts of the drawing that lie away from it"
-                         : "The result leaves the drawing",
-                     apart, apart / report.edge_length_near, report.deviation_at.x(),
-                     report.deviation_at.y(), report.deviation_at.z());
+  if (report.deviation != "surface" || !std::isfinite(apart) || !(apart > far)) return;
+  report.warnings.push_back(
+      fmt::format("{} by up to {:.3g}, {:.2g} mesh edges, at ({:.6g}, {:.6g}, {:.6g}).",
+                  cut ? "The result cuts off parts of the drawing that lie away from it"
+                      : "The result leaves the drawing",
+                  apart, apart / report.edge_length_near, report.deviation_at.x(),
+                  report.deviation_at.y(), report.deviation_at.z()));
 }
-
-}  // namespace
 
 std::size_t count_touched_faces(const SignpostTriangulation& triangulation) {
   const Surface& surface = triangulation.surface();
@@ -83,9 +86,8 @@ void report_deviation(SmoothingReport& report, DeviationMeasure measure, Deviati
       if (apart.larger().max == kInfinity) {
         report.warnings.emplace_back(
             "The result and the drawing lie on parts of the mesh that are not connected.");
-      } else if (apart.larger().max > kFar * report.edge_length_near) {
-        report.warnings.push_back(far_apart(report));
       }
+      warn_if_far(report, kFar * report.edge_length_near);
       break;
     }
     case DeviationMeasure::kEuclidean: {

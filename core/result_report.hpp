@@ -31,6 +31,9 @@ SmoothingReport report_on_result(const SurfaceMesh& mesh, DeviationMeter& meter,
                                  const SurfaceCurve& drawn, const SurfaceCurve& result,
                                  DeviationMeasure measure = DeviationMeasure::kAlongSurface);
 
+/// Adds a sentence where result and drawing lie farther apart than this (mesh units).
+void warn_if_far(SmoothingReport& report, double far);
+
 /// Adds how far the curve has moved since the last result, whose tau was about the same, and names
 /// a jump. Distances are Euclidean.
 void report_move(SmoothingReport& report, const SurfaceMesh& mesh, double last_tau,

@@ -27,6 +27,7 @@ constexpr double kLeastAnchor = 1.0 / 8, kMostAnchor = 64;
 }  // namespace
 
 std::vector<double> CurveSmoother::slack() const {
+  if (refined_) return refined_slack();
   if (unrolled_) return unrolled_slack();
   std::vector<double> result;
   for (const Corridor::Valley& valley : valleys_) result.push_back(valley.slack);

@@ -16,12 +16,6 @@
 namespace talweg {
 namespace {
 
-/// How far around a curve its strip goes: what the corridor lets it reach at the smallest tau for
-/// which it holds (φ over a way of 2 L costs more than the drawing is long), and some edges.
-double reach_of(const SurfaceMesh& mesh, const SurfaceCurve& curve, double edge) {
-  return 2.5 * corridor_length(mesh, curve) + 12 * edge;
-}
-
 std::vector<std::size_t> crossings_of(SignpostTriangulation& triangulation,
                                       std::span<const SurfaceCurve> curves) {
   std::vector<std::size_t> crossings(curves.size(), 0);
@@ -55,7 +49,7 @@ bool CurveSmoother::set_unrolled(const std::vector<bool>& alone, const Progress&
   const SurfaceMesh& mesh = mesh_->mesh();
   double reach = 0;
   for (std::size_t c = 0; c < drawn_.size(); ++c) {
-    if (alone[c]) reach = std::max(reach, reach_of(mesh, drawn_[c], edges_near_[c]));
+    if (alone[c]) reach = std::max(reach, corridor_reach(mesh, drawn_[c], edges_near_[c]));
   }
   unrolled->mesh = unroll(mesh, drawn_, alone, reach);
   const auto opened = OpenedMesh::open(unrolled->mesh.lists);
@@ -63,6 +57,8 @@ bool CurveSmoother::set_unrolled(const std::vector<bool>& alone, const Progress&
   unrolled->smoother = std::make_unique<CurveSmoother>(opened);
   CurveSmoother& smoother = *unrolled->smoother;
   smoother.loops_ = Loops::kErase;
+  smoother.may_refine_ = false;
+  smoother.warns_if_far_ = warns_if_far_;
   CurveOptions options = curve_options_;
   options.pins = unrolled_pins(curves, curve_options_.pins);
   bool done = true;
@@ -191,27 +187,6 @@ SmoothingResult CurveSmoother::folded(SmoothingResult result) {
     report.time_ms.solve += solve_ms_;
     report.time_ms.total += open + solve_ms_;
   }
-  result.total = total_of(result.reports);
-  return result;
-}
-
-/// A stretch is not enough where strips meet: all is smoothed anew.
-SmoothingResult CurveSmoother::drag_unrolled(std::size_t curve, const SurfaceCurve& moved,
-                                             const SmoothingOptions& options) {
-  std::vector<SurfaceCurve> curves = drawn_;
-  curves[curve] = moved;
-  CurveOptions own = curve_options_;
-  std::erase_if(own.pins, [&](const SurfacePoint& pin) {
-    return std::none_of(curves.begin(), curves.end(), [&](const SurfaceCurve& c) {
-      return std::find(c.points.begin(), c.points.end(), pin) != c.points.end();
-    });
-  });
-  SmoothingOptions plain = options;
-  plain.slack_at.clear();  // it belongs to the drawing that is set
-  CurveSmoother whole(mesh_);
-  whole.set_curves(curves, own);
-  SmoothingResult result = whole.smooth(plain);
-  result.reports[curve].engine = "preview";
   result.total = total_of(result.reports);
   return result;
 }

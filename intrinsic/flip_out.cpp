@@ -251,6 +251,8 @@ FlipOutResult FlipOut::run(std::span<const EdgePath> paths, const FlipOutOptions
   const std::size_t segments = network_.segment_count();
   const std::size_t limit =
       options.max_iterations > 0 ? options.max_iterations : 1'000'000 + 1'000 * segments;
+  const std::size_t most_flips =
+      options.max_flips > 0 ? options.max_flips : 4'000'000 + 16 * triangulation_->edge_count();
   for (std::size_t s = 0; s < segments; ++s) {
     const auto id = static_cast<SegmentId>(s);
     if (std::binary_search(options.pinned.begin(), options.pinned.end(),
@@ -272,7 +274,7 @@ FlipOutResult FlipOut::run(std::span<const EdgePath> paths, const FlipOutOptions
         break;
       }
     }
-    if (result.iterations >= limit) {
+    if (result.iterations >= limit || triangulation_->flip_count() - flips >= most_flips) {
       stop = Termination::kLimit;
       break;
     }

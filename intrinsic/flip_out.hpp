@@ -17,6 +17,10 @@ struct FlipOutOptions {
   double angle_tolerance = 1e-5;
   /// Cleared wedges in all; 0 means 1,000,000 + 1,000 per segment, which no sane input reaches.
   std::size_t max_iterations = 0;
+  /// Flips in all, which are kept to be undone (48 bytes each); 0 means 4,000,000 + 16 per edge,
+  /// which only paths with thousands of points in one face reach: their flips grow with the points'
+  /// square.
+  std::size_t max_flips = 0;
   /// Stop when the paths' total length has fallen to this fraction of the initial one. In [0, 1).
   double min_relative_length = 0;
   /// A closed path shorter than this counts as collapsed. Units of length, >= 0.
@@ -32,7 +36,7 @@ struct FlipOutOptions {
 enum class Termination {
   kConverged,  ///< straight wherever no other path is in the way
   kCollapsed,  ///< a loop shrank below the floor; returned as it was when it first did
-  kLimit,      ///< max_iterations or min_relative_length reached
+  kLimit,      ///< max_iterations, max_flips or min_relative_length reached
   kCancelled,  ///< by the caller; the path so far is returned
 };
 const char* to_string(Termination termination);
