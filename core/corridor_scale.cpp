@@ -1,6 +1,7 @@
 #include "talweg/core/corridor_scale.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "talweg/core/measures.hpp"
@@ -11,18 +12,27 @@ namespace {
 constexpr double kStraight = 0.1;  // rad
 constexpr double kOfSegment = 0.7, kOfCurve = 1.0 / 24, kOfRadius = 0.25;
 
-/// Lengths between successive points where the curve turns.
+/// Lengths between successive points where the curve has turned: at one of them, or little by
+/// little since the last.
 std::vector<double> segment_lengths(const Surface& surface, const SurfaceCurve& curve) {
   const std::size_t n = curve.points.size();
   const auto point = [&](std::size_t i) -> const SurfacePoint& { return curve.points[i % n]; };
-  const auto turns = [&](std::size_t i) {
-    return turning_angle(surface, point(i + n - 1), point(i), point(i + 1)) > kStraight;
+  const auto turn = [&](std::size_t i) {
+    const double angle = turning_angle(surface, point(i + n - 1), point(i), point(i + 1));
+    const double left = signed_turning(surface, point(i + n - 1), point(i), point(i + 1));
+    return left < 0 ? -angle : angle;
   };
   std::size_t first = 0;  // of a closed curve a point where it turns, if there is one
-  while (curve.closed && first + 1 < n && !turns(first)) ++first;
+  while (curve.closed && first + 1 < n && std::abs(turn(first)) <= kStraight) ++first;
+  if (first + 1 == n) first = 0;
   std::vector<double> lengths{0};
+  double turned = 0;
   for (std::size_t i = first; i + (curve.closed ? 0 : 1) < first + n; ++i) {
-    if (i > first && turns(i)) lengths.push_back(0);
+    if (i > first) turned += turn(i);
+    if (std::abs(turned) > kStraight) {
+      lengths.push_back(0);
+      turned = 0;
+    }
     lengths.back() += curve_length(surface, {false, {point(i), point(i + 1)}});
   }
   return lengths;

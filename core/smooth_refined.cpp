@@ -27,7 +27,7 @@ double longest_edge(const Surface& surface, const SurfaceCurve& drawn) {
 std::vector<FaceId> CurveSmoother::faces_to_divide() const {
   std::vector<FaceId> faces;
   if (!may_refine_ || curve_options_.method != Method::kCorridor) return faces;
-  for (const SurfaceCurve& curve : drawn_) {
+  for (const SurfaceCurve& curve : ordered_) {
     const double slack = default_slack(mesh_->surface(), curve);
     const std::vector<FaceId> own = too_large_faces(mesh_->mesh(), curve, slack);
     faces.insert(faces.end(), own.begin(), own.end());
@@ -42,7 +42,7 @@ bool CurveSmoother::set_refined(bool whole, const Progress& progress) {
   std::vector<double> longest;
   for (std::size_t c = 0; c < drawn_.size(); ++c) {
     reach = std::max(reach, corridor_reach(mesh, drawn_[c], edges_near_[c]));
-    longest.push_back(longest_edge(mesh.surface(), drawn_[c]));
+    longest.push_back(longest_edge(mesh.surface(), ordered_[c]));
   }
   if (whole) reach = std::numeric_limits<double>::infinity();
   auto refined = std::make_unique<Refined>();
@@ -157,7 +157,7 @@ SmoothingResult CurveSmoother::coarse(const Refined& refined, SmoothingResult re
     report.vertices = fresh.vertices;
     report.points_before = fresh.points_before;
     report.edge_length_near = edges_near_[c];
-    warn_if_far(report, kFar * default_slack(mesh_->surface(), drawn_[c]));
+    warn_if_far(report, kFar * default_slack(mesh_->surface(), ordered_[c]));
     const double open = mesh_->open_ms();
     report.time_ms.total += open - report.time_ms.open + solve_ms_ - report.time_ms.solve;
     report.time_ms.open = open;
