@@ -242,7 +242,7 @@ TEST_F(CorridorScale, SlackOfASmoothDrawingFollowsItsBends) {
        {10U, 60U}) {  // squares: also where it is not along edges at all
     MeshLists lists = grid(count, count);
     for (Point& p : lists.points) p *= 10.0 / count;
-    const SurfaceMesh mesh = SurfaceMesh::open(lists);
+    const SurfaceMesh sheet = SurfaceMesh::open(lists);
     for (const int points : {200, 1000}) {
       std::vector<Point> circle;
       for (int k = 0; k < points; ++k) {
@@ -250,10 +250,10 @@ TEST_F(CorridorScale, SlackOfASmoothDrawingFollowsItsBends) {
         circle.emplace_back(5.1 + 3 * std::cos(angle), 5.2 + 3 * std::sin(angle), 0);
       }
       const SurfaceCurve drawn =
-          StraightLines(mesh.surface()).join(snap(mesh, {true, circle, {}}).points, true);
+          StraightLines(sheet.surface()).join(snap(sheet, {true, circle, {}}).points, true);
       // 0.7 of stretches that turn by 0.1, or one segment more; the cap is 0.26 of the radius
-      EXPECT_GT(default_slack(mesh.surface(), drawn), 0.069 * 3) << points;
-      EXPECT_LT(default_slack(mesh.surface(), drawn), 0.1 * 3) << points;
+      EXPECT_GT(default_slack(sheet.surface(), drawn), 0.069 * 3) << points;
+      EXPECT_LT(default_slack(sheet.surface(), drawn), 0.1 * 3) << points;
     }
   }
 }
