@@ -119,6 +119,14 @@ void judge(MeshInspection& inspection) {
   } else if (inspection.reason.empty()) {
     inspection.verdict = MeshVerdict::kUsable;
     inspection.reason = "The mesh is a consistently oriented manifold surface.";
+  } else if (inspection.repeated_vertex_faces.count + inspection.zero_area_faces.count ==
+             inspection.faces) {
+    inspection.verdict = MeshVerdict::kUnusable;
+    inspection.reason =
+        "No face has an area that the precision of its coordinates tells from zero, so nothing may "
+        "be "
+        "left by a repair: " +
+        inspection.reason;
   } else if (!inspection.orientable) {
     inspection.verdict = MeshVerdict::kUnusable;
     inspection.reason = "The surface is one-sided, so its faces cannot be oriented consistently: " +

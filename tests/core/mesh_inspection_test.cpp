@@ -13,6 +13,9 @@
 #include "core/generated_meshes.hpp"
 #include "core/reference_data.hpp"
 #include "talweg/core/mesh_reader.hpp"
+#include "talweg/core/mesh_repair.hpp"
+#include "talweg/core/opened_mesh.hpp"
+#include "talweg/intrinsic/error.hpp"
 
 namespace talweg::test {
 namespace {
@@ -134,6 +137,17 @@ TEST(MeshInspection, OneSidedStrip) {
   EXPECT_EQ(m.misoriented_edges.count, 1U);
   EXPECT_FALSE(m.orientable);
   EXPECT_EQ(m.verdict, MeshVerdict::kUnusable);
+}
+
+/// Found by random runs: units of 1e-6 at 5,000,000 from the origin; all is welded to one point.
+TEST(MeshInspection, WhatHasNoExtentAtAllIsNotCalledRepairable) {
+  MeshLists lists = with_turned_face(box(), 3);
+  for (Point& p : lists.points) p = 1e-12 * p + Point(5e6, 5e6, 5e6);
+  const MeshInspection found = inspect(lists);
+  EXPECT_EQ(found.verdict, MeshVerdict::kUnusable);
+  EXPECT_NE(found.reason.find("No face has an area"), std::string::npos) << found.reason;
+  EXPECT_NE(found.reason.find("face"), std::string::npos);
+  EXPECT_THROW(OpenedMesh::open(repair(lists).lists), Error);
 }
 
 TEST(MeshInspection, BowTie) {
