@@ -275,9 +275,10 @@ SmoothingResult CurveSmoother::drag_whole(std::size_t curve, const SurfaceCurve&
   });
   SmoothingOptions plain = options;
   plain.slack_at.clear();  // it belongs to the drawing that is set
-  CurveSmoother whole(mesh_);
-  whole.set_curves(curves, own);
-  SmoothingResult result = whole.smooth(plain);
+  if (!dragger_) dragger_ = std::make_unique<CurveSmoother>(mesh_);
+  dragger_->loops_ = Loops::kKeep;
+  dragger_->set_curves(curves, own);
+  SmoothingResult result = dragger_->smooth(plain);
   result.reports[curve].engine = "preview";
   result.total = total_of(result.reports);
   return result;

@@ -13,8 +13,8 @@
 #include "plugin_host.hpp"
 #include "plugin_options.hpp"
 #include "progress_bar.hpp"
+#include "repaired_mesh.hpp"
 #include "talweg/core/formats/file_bytes.hpp"
-#include "talweg/core/mesh_reader.hpp"
 #include "talweg/core/mesh_writer.hpp"
 #include "talweg/core/version.hpp"
 
@@ -29,6 +29,7 @@ struct Files {
   std::string report;
   std::string meshes;
   std::map<std::string, std::string> fields;  ///< by name
+  std::string repair;                         ///< steps; empty: none
 };
 
 bool gives(const talweg_plugin& plugin, std::uint32_t kind) {
@@ -40,6 +41,7 @@ bool gives(const talweg_plugin& plugin, std::uint32_t kind) {
 
 void add_files(CLI::App& app, const talweg_plugin& plugin, Files& files) {
   app.add_option("mesh", files.mesh, "Mesh: OBJ, OFF, PLY, STL or OM")->required();
+  add_repair_option(app, files.repair);
   if ((plugin.flags & TALWEG_TAKES_CURVES) != 0) {
     app.add_option("--curve", files.curves,
                    "Curves: .obj, .ply, .vtp, .vtk, .mrk.json, .txt (vertex numbers) or .json; may "
@@ -70,16 +72,45 @@ std::string list_text(const host::ReportEntry& entry) {
   return fmt::format("{:.6g}", fmt::join(entry.numbers, " "));
 }
 
-void write_results(const Files& files, const talweg_plugin& plugin, const host::Results& results) {
+/// The curves of the files, in the numbers of the mesh.
+std::vector<host::Curve> curves_on(const ReadMesh& mesh, const std::vector<std::string>& paths) {
+  Surface surface;
+  if (mesh.map != nullptr) {
+    surface = Surface::from_triangles(mesh.lists.points.size(), mesh.lists.triangles);
+  }
+  std::vector<host::Curve> curves;
+  for (const std::string& path : paths) {
+    for (const CurveInput& curve : read_curves(path)) {
+      curves.push_back(
+          host_curve(mesh.map != nullptr ? mesh.map->to_repaired(curve, surface) : curve));
+    }
+  }
+  return curves;
+}
+
+/// One number per vertex of the file; of a vertex that was split that of the first copy.
+std::vector<double> per_file_vertex(const RepairMap* map, const std::vector<double>& values) {
+  if (map == nullptr || values.size() != map->vertex_count()) return values;
+  std::vector<double> result;
+  for (std::size_t v = 0; v < map->file_vertex_count(); ++v) {
+    result.push_back(values[map->images(VertexId{v}).front()]);
+  }
+  return result;
+}
+
+void write_results(const Files& files, const talweg_plugin& plugin, const host::Results& results,
+                   const RepairMap* map) {
   std::vector<PlacedCurve> curves;
-  for (const host::Curve& curve : results.curves) curves.push_back(placed_curve(curve));
+  for (const host::Curve& curve : results.curves) {
+    curves.push_back(in_file_numbers(map, placed_curve(curve)));
+  }
   for (const std::string& output : files.outputs) write_curves(output, curves);
   for (const auto& [name, path] : files.fields) {
     if (path.empty()) continue;
     bool written = false;
     for (const host::Field& field : results.fields) {
       if (field.name != name) continue;
-      write_field(path, field.values);
+      write_field(path, per_file_vertex(map, field.values));
       written = true;
     }
     if (!written) {
@@ -120,17 +151,14 @@ int run_plugin(const talweg_plugin& plugin, const Files& files, const PluginOpti
         }
       });
   host::Results results;
+  ReadMesh mesh;
   try {
     host::Instance instance(plugin, services);
     options.apply(instance);
-    {
-      const MeshLists lists = read_mesh(files.mesh);
-      set_mesh(instance, lists.points, lists.triangles);
-    }
-    std::vector<host::Curve> curves;
-    for (const std::string& path : files.curves) {
-      for (const CurveInput& curve : read_curves(path)) curves.push_back(host_curve(curve));
-    }
+    mesh = read_and_repair(files.mesh, files.repair);
+    set_mesh(instance, mesh.lists.points, mesh.lists.triangles);
+    const std::vector<host::Curve> curves = curves_on(mesh, files.curves);
+    mesh.lists = {};
     if (!curves.empty()) instance.set_curves(curves);
     host::Wanted wanted;
     wanted.meshes = !files.meshes.empty();
@@ -145,7 +173,10 @@ int run_plugin(const talweg_plugin& plugin, const Files& files, const PluginOpti
     return kCancelled;
   }
   clear_progress_bar();
-  write_results(files, plugin, results);
+  write_results(files, plugin, results, mesh.map.get());
+  for (const std::string& change : mesh.changes) {
+    if (!global.quiet) fmt::print("{}\n", change);
+  }
   if (!global.quiet && (global.verbose || writes_nothing(files))) {
     for (const host::ReportEntry& entry : results.report) {
       if (entry.curve < 0) fmt::print("{:<28}{}\n", entry.key, list_text(entry));

@@ -1,6 +1,7 @@
 // --repair as users see it: results in the numbers of their own file.
 #include <array>
 #include <cstdint>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -69,6 +70,31 @@ TEST_F(RepairOption, EverythingInTheNumbersOfTheFile) {
   }
   succeed("measure mesh.ply s.json drawn.txt --repair --report m.json");
   EXPECT_LT(read("m.json")["deviation_to_other_max"].get<double>(), 2);
+}
+
+TEST_F(RepairOption, RunTakesItToo) {
+  MeshLists lists = test::with_turned_face(test::with_bow_tie(test::grid(12, 8), 50), 40);
+  lists.triangles.insert(lists.triangles.begin() + 3, {7, 7, 8});
+  write_mesh(file("mesh.ply"), lists);
+  succeed("draw mesh.ply --repair --through 0,50,116 -o drawn.json -o drawn.txt");
+  expect_failure("run talweg.smooth mesh.ply --curve drawn.txt -o no.json", 2, {"face"});
+  succeed("smooth mesh.ply --repair --curve drawn.txt -o s.json");
+  for (const char* drawn : {"drawn.json", "drawn.txt"}) {
+    succeed(std::string("run talweg.smooth mesh.ply --repair -o r.json --curve ") + drawn);
+    expect_on(lists, "r.json");
+    EXPECT_EQ(read("r.json"), read("s.json"));
+  }
+  const Outcome distance =
+      run("run talweg.distance mesh.ply --repair --curve drawn.txt --write-distance d.txt");
+  EXPECT_EQ(distance.code, 0) << distance.err;
+  EXPECT_NE(distance.out.find("1 face was turned around"), std::string::npos) << distance.out;
+  // One number per vertex of the file, and 0 on the drawing.
+  std::istringstream numbers(bytes_of(file("d.txt")));
+  std::vector<double> values;
+  for (std::string word; numbers >> word;) values.push_back(std::stod(word));  // inf, too
+  ASSERT_EQ(values.size(), lists.points.size());
+  EXPECT_LT(values[50], 0.3);
+  EXPECT_GT(values[12], 2);
 }
 
 TEST_F(RepairOption, PositionsStayOnTheirSheet) {
