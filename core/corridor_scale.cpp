@@ -9,11 +9,12 @@
 namespace talweg {
 namespace {
 
-constexpr double kStraight = 0.1;  // rad
+constexpr double kStraight = 0.1;            // rad
+constexpr double kZigzag = 0.2, kRound = 1;  // rad
 constexpr double kOfSegment = 0.7, kOfCurve = 1.0 / 24, kOfRadius = 0.25;
 
-/// Lengths between successive points where the curve has turned: at one of them, or little by
-/// little since the last.
+/// Lengths between successive points where the curve has turned, at one of them or little by little
+/// since the last; the less it turned the less they count, since so much narrower is the zigzag.
 std::vector<double> segment_lengths(const Surface& surface, const SurfaceCurve& curve) {
   const std::size_t n = curve.points.size();
   const auto point = [&](std::size_t i) -> const SurfacePoint& { return curve.points[i % n]; };
@@ -28,8 +29,11 @@ std::vector<double> segment_lengths(const Surface& surface, const SurfaceCurve& 
   std::vector<double> lengths{0};
   double turned = 0;
   for (std::size_t i = first; i + (curve.closed ? 0 : 1) < first + n; ++i) {
-    if (i > first) turned += turn(i);
-    if (std::abs(turned) > kStraight) {
+    const double here = i > first ? turn(i) : 0;
+    turned += here;
+    const bool sharp = std::abs(here) > kStraight;
+    if (sharp || std::abs(turned) > kStraight) {
+      lengths.back() *= sharp ? std::min(1.0, std::abs(here) / kZigzag) : std::abs(turned) / kRound;
       lengths.push_back(0);
       turned = 0;
     }

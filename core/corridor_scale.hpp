@@ -7,8 +7,9 @@
 namespace talweg {
 
 /// How exact the drawing is: seven tenths of the median length of its segments, those merged that
-/// turn by less than 0.1 rad in all, and at most 1/24 of its length. Follows the drawing, not the
-/// mesh. Mesh units. Throws Error(kBadCurve) as turning_angle() does.
+/// turn by less than 0.1 rad in all, and at most 1/24 of its length. Segments count less that end
+/// in a turn below 0.2 rad, or have turned little by little. Follows the drawing, not the mesh.
+/// Mesh units. Throws Error(kBadCurve) as turning_angle() does.
 double default_slack(const Surface& surface, const SurfaceCurve& drawn);
 
 /// The corridor's characteristic length L: a quarter of the largest distance of the drawing's
