@@ -66,11 +66,11 @@ void PolylineDistance::copy_edge(EdgeId edge) {
   copy.front = queue_.front();
   copy.tail = vertex_[surface_->tail(halfedge_of(edge)).index()];
   copy.head = vertex_[surface_->head(halfedge_of(edge)).index()];
-  copy.first = static_cast<std::uint32_t>(copied_.size());
+  of_one_edge_.clear();
   for (std::uint32_t i = first_window_[edge.index()]; i != kNone; i = windows_[i].next) {
-    copied_.push_back(windows_[i]);
+    of_one_edge_.push_back(windows_[i]);
   }
-  copy.count = static_cast<std::uint32_t>(copied_.size()) - copy.first;
+  store(copy, copied_, of_one_edge_);
 }
 
 Nearest PolylineDistance::finish(Nearest nearest) const {

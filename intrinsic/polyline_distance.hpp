@@ -1,6 +1,7 @@
 // Distance along the surface to drawn curves, exact, and only as far out as somebody asks.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
@@ -142,6 +143,17 @@ class PolylineDistance {
   static void offer(EdgeHit& hit, const EdgeWindow& window, double x);
   [[nodiscard]] EdgeHit hit_on_edge(EdgeId edge, double x) const;
   [[nodiscard]] EdgeHit hit_in(const EdgeCopy& copy, double x) const;
+  /// Puts values where the copy has its room; made anew, it gets twice the room that it needs.
+  template <class Copy, class Value>
+  static void store(Copy& copy, std::vector<Value>& all, const std::vector<Value>& values) {
+    copy.count = static_cast<std::uint32_t>(values.size());
+    if (copy.count > copy.room) {
+      copy.room = copy.room == 0 ? copy.count : 2 * copy.count;
+      copy.first = static_cast<std::uint32_t>(all.size());
+      all.resize(all.size() + copy.room);
+    }
+    std::copy(values.begin(), values.end(), all.begin() + copy.first);
+  }
   void copy_edge(EdgeId edge);
   EdgeHit final_hit(EdgeId edge, double x);
   const EdgeCopy& final_copy(EdgeId edge, double t, EdgeHit& hit);
@@ -185,21 +197,21 @@ class PolylineDistance {
   // What was final then still is.
   struct EdgeCopy {
     EdgeId edge;
-    std::uint32_t first = 0, count = 0;  // in copied_
+    std::uint32_t first = 0, count = 0, room = 0;  // in copied_
     double length = 0;
     double front = 0;  // of the queue
     Nearest tail, head;
   };
   std::vector<std::uint32_t> copy_of_;  // per edge, in copies_
   std::vector<EdgeCopy> copies_;
-  std::vector<EdgeWindow> copied_;
+  std::vector<EdgeWindow> copied_, of_one_edge_;
 
   // The same for at_face(): frames, corners and the windows that lead in.
   struct FaceCopy {
     FaceId face;
-    std::uint32_t first = 0, count = 0;  // in led_in_
-    double front = 0;                    // of the queue
-    double longest = 0;                  // side
+    std::uint32_t first = 0, count = 0, room = 0;  // in led_in_
+    double front = 0;                              // of the queue
+    double longest = 0;                            // side
     std::span<const PolylinePiece> pieces;
     std::array<SideFrame, 3> frames;
     std::array<Nearest, 3> corners;
@@ -212,7 +224,7 @@ class PolylineDistance {
   };
   std::vector<std::uint32_t> face_copy_of_;  // per face, in face_copies_
   std::vector<FaceCopy> face_copies_;
-  std::vector<LedIn> led_in_;
+  std::vector<LedIn> led_in_, into_one_face_;
 
   std::vector<Reached> reached_;  // by the last search along edges
 

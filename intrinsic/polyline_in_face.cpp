@@ -106,7 +106,7 @@ void PolylineDistance::copy_face(FaceId face) {
   }
   FaceCopy& copy = face_copies_[id];
   copy.front = queue_.front();
-  copy.first = static_cast<std::uint32_t>(led_in_.size());
+  into_one_face_.clear();
   copy.pieces = pieces_.segments_in(face);
   HalfedgeId h = surface_->halfedge(face);
   for (std::uint32_t k = 0; k < 3; ++k, h = surface_->next(h)) {
@@ -116,10 +116,10 @@ void PolylineDistance::copy_face(FaceId face) {
     const EdgeId edge = edge_of(h);
     for (std::uint32_t i = first_window_[edge.index()]; i != kNone; i = windows_[i].next) {
       const EdgeWindow& w = windows_[i];
-      if (w.into == h) led_in_.push_back({w, w.lowest(), k, h == halfedge_of(edge)});
+      if (w.into == h) into_one_face_.push_back({w, w.lowest(), k, h == halfedge_of(edge)});
     }
   }
-  copy.count = static_cast<std::uint32_t>(led_in_.size()) - copy.first;
+  store(copy, led_in_, into_one_face_);
 }
 
 /// A copy of the face as it is now.

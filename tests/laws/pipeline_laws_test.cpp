@@ -154,7 +154,7 @@ TEST_P(PipelineLaw, SubdividedDrawing) {
   // tau = 1, where an edge beside the drawing climbs several times its length, the results differ
   // visibly, and at tau = 0.1 by a fraction of an edge.
   const std::vector<double> taus =
-      tau_ == 0 ? std::vector<double>{0} : std::vector<double>{0.1, tau_};
+      tau_ == 0 ? std::vector<double>{0} : std::vector<double>{corridor_ ? 0.25 : 0.1, tau_};
   const auto opened = OpenedMesh::open(subject_.lists);
   const CurveOptions uncapped{.method = options_.method, .cap_corners = false};
   CurveSmoother plain(opened);
@@ -173,7 +173,7 @@ TEST_P(PipelineLaw, SubdividedDrawing) {
                           positions_of(opened->mesh(), plain.smooth(tau).curve()), drawing.closed);
       const double edges = gap / opened->mesh().mean_edge_length();
       RecordProperty("gap_at_" + std::to_string(tau), std::to_string(edges));
-      const double bound = tau == 0 ? 1e-8 : tau < 1 ? (corridor_ ? 2 : 1) : 4;
+      const double bound = tau == 0 ? 1e-8 : tau < 1 ? (corridor_ ? 0.5 : 1) : 4;
       EXPECT_LE(edges, bound) << "mean edge lengths, at tau = " << tau;
     }
   }
