@@ -320,6 +320,7 @@ std::vector<FaceId> faces_around(const SurfaceMesh& mesh, std::span<const Surfac
   std::sort(faces.begin(), faces.end());
   faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
   std::vector<FaceId> result;
+  result.reserve(faces.size());
   for (const std::size_t f : faces) result.emplace_back(f);
   return result;
 }
