@@ -407,7 +407,7 @@ SmoothingResult CurveSmoother::report_on(const SmoothingOptions& options,
         report_on_curve(mesh_->mesh(), drawn_[c], drawn_measures_[c], result.curves[c]));
     const FlipOutResult::Path& path = straight.flip_out.paths[c];
     report.tau = options.tau;
-    report.edge_length_near = warns_if_far_ ? edges_near_[c] : HUGE_VAL;
+    report.edge_length_near = edges_near_[c];
     report.lifted_length_before = path.length_before;
     report.lifted_length_after = path.length_after;
     report.termination = to_string(path.termination);
@@ -419,13 +419,12 @@ SmoothingResult CurveSmoother::report_on(const SmoothingOptions& options,
     report.warnings = warnings_;
     report_deviation(report, options.deviation, *deviation_meter_, mesh_->mesh(), drawn_[c],
                      result.curves[c], band_is_there ? &*exact_distance_ : nullptr);
-    report.edge_length_near = edges_near_[c];
+    if (warns_if_far_) warn_if_far(report, kFar * edges_near_[c]);
     if (path.termination == Termination::kLimit && options.max_iterations == 0 &&
         options.min_relative_length == 0) {
       report.warnings.emplace_back(
           "Straightening was given up before the curve was straight: the drawing has too many "
-          "points "
-          "for so few faces.");
+          "points for so few faces.");
     }
     if (path.termination == Termination::kCollapsed) {
       report.warnings.emplace_back(

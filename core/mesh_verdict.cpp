@@ -124,8 +124,7 @@ void judge(MeshInspection& inspection) {
     inspection.verdict = MeshVerdict::kUnusable;
     inspection.reason =
         "No face has an area that the precision of its coordinates tells from zero, so nothing may "
-        "be "
-        "left by a repair: " +
+        "be left by a repair: " +
         inspection.reason;
   } else if (!inspection.orientable) {
     inspection.verdict = MeshVerdict::kUnusable;

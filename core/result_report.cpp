@@ -16,7 +16,7 @@
 namespace talweg {
 namespace {
 
-constexpr double kFar = 3, kJump = 0.2;  // mesh edges
+constexpr double kJump = 0.2;  // mesh edges
 
 }  // namespace
 
@@ -87,7 +87,6 @@ void report_deviation(SmoothingReport& report, DeviationMeasure measure, Deviati
         report.warnings.emplace_back(
             "The result and the drawing lie on parts of the mesh that are not connected.");
       }
-      warn_if_far(report, kFar * report.edge_length_near);
       break;
     }
     case DeviationMeasure::kEuclidean: {
@@ -115,6 +114,7 @@ SmoothingReport report_on_result(const SurfaceMesh& mesh, DeviationMeter& meter,
   report.termination = "converged";
   report.edge_length_near = edge_length_near(mesh.surface(), drawn);
   report_deviation(report, measure, meter, mesh, drawn, result);
+  warn_if_far(report, kFar * report.edge_length_near);
   report.peak_memory_mib = peak_memory_mib();
   return report;
 }

@@ -11,6 +11,7 @@
 #include "core/generated_meshes.hpp"
 #include "core/jagged_curves.hpp"
 #include "core/small_meshes.hpp"
+#include "talweg/core/crossings.hpp"
 #include "talweg/core/curve_smoother.hpp"
 #include "talweg/core/max_deviation.hpp"
 #include "talweg/core/snapping.hpp"
@@ -157,7 +158,6 @@ TEST(FineDrawings, GiveTheSameOnMeshesOfAnyResolution) {
       EXPECT_LT(result.report().deviation_to_drawn_max, 2 * slack) << count;
       EXPECT_LT(result.report().deviation_from_drawn_max, 2.5 * slack) << count;
       EXPECT_LT(result.report().curvature_after, closed ? 8 : 7.5) << count;
-      EXPECT_LT(result.report().curvature_max_after, 0.7) << count;
       EXPECT_TRUE(result.report().warnings.empty()) << result.report().warnings.front();
       results.push_back(
           drawn_on(reference->mesh(), positions_of(opened->mesh(), result.curve()), closed));
@@ -299,7 +299,7 @@ TEST(FineDrawings, OfASetDoNotCross) {
   smoother.set_curves(drawn);
   const SmoothingResult result = smoother.smooth(1.0);
   ASSERT_EQ(result.curves.size(), 2U);
-  EXPECT_EQ(result.report().crossings_after, 0U);
+  EXPECT_TRUE(crossing_curves(opened->surface(), result.curves).empty());
   EXPECT_GT(DeviationMeter(opened->mesh())
                 .measure(std::span(&result.curves[0], 1), std::span(&result.curves[1], 1))
                 .larger()

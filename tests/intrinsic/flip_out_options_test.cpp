@@ -120,6 +120,19 @@ TEST(FlipOutOptions, LimitsAndCancelLeaveAUsableState) {
     EXPECT_NEAR(length_of(s, mesh.points, traced.curves[0]), last, 1e-9 * last);
     EXPECT_EQ(snapshot(t), before);
   }
+  for (const std::size_t most : {1U, 20U, 100U}) {
+    FlipOutOptions options;
+    options.max_flips = most;
+    const FlipOutResult result = straighten(t, path, options);
+    EXPECT_EQ(result.paths[0].termination, Termination::kLimit);
+    EXPECT_GE(result.flips, most);
+    EXPECT_LT(result.flips, most + 20);  // the wedge that is being cleared
+    EXPECT_LT(result.paths[0].length_after, result.paths[0].length_before);
+    const TraceResult traced = Tracer(t).trace_and_undo(std::array{result.paths[0].path});
+    EXPECT_NEAR(length_of(s, mesh.points, traced.curves[0]), result.paths[0].length_after,
+                1e-9 * last);
+    EXPECT_EQ(snapshot(t), before);
+  }
   for (int polls = 1; polls < 6; ++polls) {
     FlipOutOptions options;
     int left = polls;
