@@ -419,7 +419,7 @@ SmoothingResult CurveSmoother::report_on(const SmoothingOptions& options,
     report.warnings = warnings_;
     report_deviation(report, options.deviation, *deviation_meter_, mesh_->mesh(), drawn_[c],
                      result.curves[c], band_is_there ? &*exact_distance_ : nullptr);
-    if (warns_if_far_) warn_if_far(report, kFar * edges_near_[c]);
+    if (warns_if_far_) warn_if_far(report, kFarInEdges * edges_near_[c]);
     if (path.termination == Termination::kLimit && options.max_iterations == 0 &&
         options.min_relative_length == 0) {
       report.warnings.emplace_back(

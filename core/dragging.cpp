@@ -314,7 +314,7 @@ SmoothingResult CurveSmoother::drag(std::size_t curve, const SurfaceCurve& moved
                                                                 : report.termination;
   report_deviation(fresh, options.deviation, *deviation_meter_, mesh_->mesh(), own,
                    result.curves[curve]);
-  warn_if_far(fresh, kFar * fresh.edge_length_near);
+  warn_if_far(fresh, kFarInEdges * fresh.edge_length_near);
   fresh.time_ms.polish = fresh.time_ms.total = watch.ms();
   fresh.peak_memory_mib = report.peak_memory_mib;
   report = std::move(fresh);

@@ -308,7 +308,7 @@ class Network {
       report.curvature_max_before = fresh.curvature_max_before;
       report_deviation(report, DeviationMeasure::kAlongSurface, *meter_, mesh_->mesh(), drawn,
                        curve);
-      warn_if_far(report, kFar * report.edge_length_near);
+      warn_if_far(report, kFarInEdges * report.edge_length_near);
     }
     return too_far(moved);
   }

@@ -114,7 +114,7 @@ SmoothingReport report_on_result(const SurfaceMesh& mesh, DeviationMeter& meter,
   report.termination = "converged";
   report.edge_length_near = edge_length_near(mesh.surface(), drawn);
   report_deviation(report, measure, meter, mesh, drawn, result);
-  warn_if_far(report, kFar * report.edge_length_near);
+  warn_if_far(report, kFarInEdges * report.edge_length_near);
   report.peak_memory_mib = peak_memory_mib();
   return report;
 }

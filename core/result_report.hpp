@@ -31,7 +31,7 @@ SmoothingReport report_on_result(const SurfaceMesh& mesh, DeviationMeter& meter,
                                  const SurfaceCurve& drawn, const SurfaceCurve& result,
                                  DeviationMeasure measure = DeviationMeasure::kAlongSurface);
 
-constexpr double kFar = 3;  ///< mesh edges: a deviation that is worth a warning
+constexpr double kFarInEdges = 3;  ///< mesh edges: a deviation that is worth a warning
 /// Adds a sentence where result and drawing lie farther apart than this (mesh units).
 void warn_if_far(SmoothingReport& report, double far);
 
