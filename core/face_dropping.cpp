@@ -48,15 +48,15 @@ class FlatFaces {
 
  private:
   struct Edge {
-    std::span<const Side> sides;
+    std::span<const FaceSide> sides;
     std::size_t faces;  ///< that are still there
   };
 
   void join() {
     sides_ = sorted_sides(lists_, kept_);
     edge_of_side_.resize(3 * lists_.triangles.size());
-    for_each_edge(sides_, [&](std::span<const Side> sides) {
-      for (const Side& s : sides) {
+    for_each_edge(sides_, [&](std::span<const FaceSide> sides) {
+      for (const FaceSide& s : sides) {
         edge_of_side_[s.side] = static_cast<std::uint32_t>(edges_.size());
       }
       edges_.push_back({sides, sides.size()});
@@ -76,7 +76,7 @@ class FlatFaces {
   /// One face less at an edge; its flat faces may be free to go now.
   void leave(std::uint32_t edge) {
     --edges_[edge].faces;
-    for (const Side& s : edges_[edge].sides) {
+    for (const FaceSide& s : edges_[edge].sides) {
       if (kept_[s.face()] && flat_[s.face()]) waiting_.push_back(s.face());
     }
   }
@@ -85,7 +85,7 @@ class FlatFaces {
   std::vector<bool>& kept_;
   std::vector<bool> flat_;
   std::vector<std::uint32_t> waiting_;
-  std::vector<Side> sides_;
+  std::vector<FaceSide> sides_;
   std::vector<Edge> edges_;
   std::vector<std::uint32_t> edge_of_side_;
 };

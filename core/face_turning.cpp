@@ -20,7 +20,7 @@ class Flood {
         across_(3 * lists.triangles.size(), kNone),
         seen_(lists.triangles.size(), false),
         turned_(lists.triangles.size(), false) {
-    for_each_edge(sorted_sides(lists, proper), [&](std::span<const Side> edge) {
+    for_each_edge(sorted_sides(lists, proper), [&](std::span<const FaceSide> edge) {
       if (edge.size() != 2) return;
       across_[edge[0].side] = edge[1].side;
       across_[edge[1].side] = edge[0].side;

@@ -160,7 +160,7 @@ class EdgeLists {
 };
 
 /// A link of a chain seen from one side.
-struct Side {
+struct LinkSide {
   std::uint32_t chain, part, face;  // the part that was on this side, the face that is
   double length;
 };
@@ -216,13 +216,13 @@ class Follower {
         if (on_right != kNone) sides_.push_back({at.chain, right, on_right, length});
       }
     });
-    for (Side& side : sides_) side.face = heaps_.find(side.face);
+    for (LinkSide& side : sides_) side.face = heaps_.find(side.face);
   }
 
   /// Each heap gets the part that the longest stretch around it names.
   void name_heaps() {
     owner_.assign(cut_.lists.triangles.size(), kNone);
-    std::sort(sides_.begin(), sides_.end(), [](const Side& a, const Side& b) {
+    std::sort(sides_.begin(), sides_.end(), [](const LinkSide& a, const LinkSide& b) {
       return std::tie(a.face, a.part, a.chain) < std::tie(b.face, b.part, b.chain);
     });
     std::vector<double> best(drawn_.parts.size(), -1);
@@ -261,7 +261,7 @@ class Follower {
   }
 
   void check_sides() {
-    for (const Side& side : sides_) {
+    for (const LinkSide& side : sides_) {
       if (owner_[side.face] != side.part || main_[side.part] != side.face) {
         wrong_.push_back(side.chain);
       }
@@ -311,7 +311,7 @@ class Follower {
   const RegionParts& drawn_;
   std::span<const LabelBorder> borders_;
   UnionFind heaps_;
-  std::vector<Side> sides_;           // `face` stands for its heap
+  std::vector<LinkSide> sides_;       // `face` stands for its heap
   std::vector<std::uint32_t> owner_;  // the part, per face that stands for a heap
   std::vector<std::uint32_t> main_;   // the heap, per part
   std::vector<std::size_t> wrong_;

@@ -51,12 +51,13 @@ class Topology {
         turned_(2 * lists.triangles.size()) {}
 
   void run() {
-    for_each_edge(sorted_sides(lists_, proper_), [&](std::span<const Side> edge) { visit(edge); });
+    for_each_edge(sorted_sides(lists_, proper_),
+                  [&](std::span<const FaceSide> edge) { visit(edge); });
     count();
   }
 
  private:
-  void visit(std::span<const Side> edge) {
+  void visit(std::span<const FaceSide> edge) {
     ++found_.edges;
     measure(edge[0]);
     if (edge.size() == 1) {
@@ -78,7 +79,7 @@ class Topology {
     }
   }
 
-  void measure(const Side& edge) {
+  void measure(const FaceSide& edge) {
     const Point& p = lists_.points[edge.low];
     const Point& q = lists_.points[edge.high];
     if (!can_be_measured(p) || !can_be_measured(q)) return;

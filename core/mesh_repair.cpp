@@ -109,7 +109,7 @@ class Repair {
   void split() {
     const std::vector<bool> joined = proper();
     const Sheets sheets = split_sheets(lists_, joined);
-    for (const std::vector<Side>& edge : sheets.crowded) count_crowded(edge);
+    for (const std::vector<FaceSide>& edge : sheets.crowded) count_crowded(edge);
     // Of every fan: the smallest vertex of the file in it that no other fan has taken yet, so that
     // what was welded in vain is as it was; a copy where there is none.
     std::vector<Image> wishes;  // fan, vertex of the file
@@ -128,9 +128,9 @@ class Repair {
   }
 
   /// An edge of the file; one that only welding would have made is none.
-  void count_crowded(const std::vector<Side>& edge) {
+  void count_crowded(const std::vector<FaceSide>& edge) {
     std::vector<std::pair<std::array<std::uint32_t, 2>, std::uint32_t>> sides;
-    for (const Side& s : edge) {
+    for (const FaceSide& s : edge) {
       const std::uint32_t f = s.face();
       const std::uint32_t a = file_.triangles[f][file_corner(f, s.side % 3)];
       const std::uint32_t b = file_.triangles[f][file_corner(f, (s.side + 1 - 3 * f) % 3)];

@@ -13,7 +13,7 @@
 
 namespace talweg {
 
-struct Side {
+struct FaceSide {
   std::uint32_t low = 0;   ///< smaller vertex
   std::uint32_t high = 0;  ///< larger vertex
   std::uint32_t side = 0;  ///< 3 face + corner
@@ -22,11 +22,11 @@ struct Side {
 };
 
 /// Where the side begins, in its face's direction.
-inline std::uint32_t tail(const MeshLists& lists, const Side& s) {
+inline std::uint32_t tail(const MeshLists& lists, const FaceSide& s) {
   return lists.triangles[s.side / 3][s.side % 3];
 }
 /// The corner (3 face + corner) of the side's face at one of the side's ends.
-inline std::uint32_t corner_at(const MeshLists& lists, const Side& s, std::uint32_t vertex) {
+inline std::uint32_t corner_at(const MeshLists& lists, const FaceSide& s, std::uint32_t vertex) {
   return tail(lists, s) == vertex ? s.side : 3 * s.face() + (s.side % 3 + 1) % 3;
 }
 
@@ -48,8 +48,8 @@ std::vector<Item> bucket_sort(const std::vector<Item>& items, std::size_t keys, 
 
 /// The sides of the faces that are `proper` (three different vertices that exist), those of an edge
 /// together and by ascending face.
-inline std::vector<Side> sorted_sides(const MeshLists& lists, const std::vector<bool>& proper) {
-  std::vector<Side> sides;
+inline std::vector<FaceSide> sorted_sides(const MeshLists& lists, const std::vector<bool>& proper) {
+  std::vector<FaceSide> sides;
   sides.reserve(3 * lists.triangles.size());
   for (std::size_t f = 0; f < lists.triangles.size(); ++f) {
     if (!proper[f]) continue;
@@ -60,15 +60,15 @@ inline std::vector<Side> sorted_sides(const MeshLists& lists, const std::vector<
     }
   }
   return bucket_sort(
-      sides, lists.points.size(), [](const Side& s) { return s.low; },
-      [](const Side& a, const Side& b) {
+      sides, lists.points.size(), [](const FaceSide& s) { return s.low; },
+      [](const FaceSide& a, const FaceSide& b) {
         return std::pair{a.high, a.side} < std::pair{b.high, b.side};
       });
 }
 
 /// Calls `visit` with the sides of each edge.
 template <class Visit>
-void for_each_edge(std::span<const Side> sides, Visit visit) {
+void for_each_edge(std::span<const FaceSide> sides, Visit visit) {
   for (std::size_t i = 0; i < sides.size();) {
     std::size_t end = i + 1;
     while (end < sides.size() && sides[end].low == sides[i].low &&
@@ -81,9 +81,9 @@ void for_each_edge(std::span<const Side> sides, Visit visit) {
 }
 
 /// The edge that these sides are.
-inline EdgePlace place_of(std::span<const Side> edge) {
+inline EdgePlace place_of(std::span<const FaceSide> edge) {
   EdgePlace place{{edge[0].low, edge[0].high}, {}};
-  for (const Side& s : edge.first(std::min(edge.size(), EdgePlace::kFaces))) {
+  for (const FaceSide& s : edge.first(std::min(edge.size(), EdgePlace::kFaces))) {
     place.faces.push_back(s.face());
   }
   return place;

@@ -19,7 +19,7 @@ constexpr int kRounds = 4;
 using Pair = std::pair<std::uint32_t, std::uint32_t>;  ///< positions among an edge's sides
 
 /// From the edge into the face, at right angles to the edge; zero for a face of zero area.
-Point into_face(const MeshLists& lists, const Side& s) {
+Point into_face(const MeshLists& lists, const FaceSide& s) {
   const Point& base = lists.points[s.low];
   const Point along = (lists.points[s.high] - base).stableNormalized();
   const std::uint32_t apex = lists.triangles[s.face()][(s.side % 3 + 2) % 3];
@@ -28,10 +28,10 @@ Point into_face(const MeshLists& lists, const Side& s) {
 }
 
 /// Which faces stay joined: the flattest first, each in one pair.
-std::vector<Pair> flattest_pairs(const MeshLists& lists, std::span<const Side> edge) {
+std::vector<Pair> flattest_pairs(const MeshLists& lists, std::span<const FaceSide> edge) {
   if (edge.size() > kMostPaired) return {};
   std::vector<Point> into;
-  for (const Side& s : edge) into.push_back(into_face(lists, s));
+  for (const FaceSide& s : edge) into.push_back(into_face(lists, s));
   std::vector<std::tuple<double, std::uint32_t, std::uint32_t>> candidates;
   for (std::uint32_t i = 0; i < edge.size(); ++i) {
     for (std::uint32_t j = i + 1; j < edge.size(); ++j) {
@@ -57,7 +57,7 @@ class Splitter {
 
   Sheets run() {
     Sheets result;
-    for_each_edge(sides_, [&](std::span<const Side> edge) {
+    for_each_edge(sides_, [&](std::span<const FaceSide> edge) {
       if (edge.size() == 2) join(plain_, edge, {0, 1});
       if (edge.size() > 2) {
         result.crowded.emplace_back(edge.begin(), edge.end());
@@ -75,11 +75,11 @@ class Splitter {
 
  private:
   struct Crowded {
-    std::span<const Side> edge;
+    std::span<const FaceSide> edge;
     std::vector<Pair> pairs;
   };
 
-  void join(UnionFind& fans, std::span<const Side> edge, Pair pair) const {
+  void join(UnionFind& fans, std::span<const FaceSide> edge, Pair pair) const {
     for (const std::uint32_t v : {edge[0].low, edge[0].high}) {
       fans.join(corner_at(lists_, edge[pair.first], v), corner_at(lists_, edge[pair.second], v));
     }
@@ -95,9 +95,9 @@ class Splitter {
 
   /// Whether more than two of the faces have both ends in the same fans: they would still share one
   /// edge.
-  bool still_crowded(UnionFind& fans, std::span<const Side> edge) const {
+  bool still_crowded(UnionFind& fans, std::span<const FaceSide> edge) const {
     std::vector<Pair> ends;
-    for (const Side& s : edge) {
+    for (const FaceSide& s : edge) {
       ends.emplace_back(fans.find(corner_at(lists_, s, s.low)),
                         fans.find(corner_at(lists_, s, s.high)));
     }
@@ -124,7 +124,7 @@ class Splitter {
   }
 
   const MeshLists& lists_;
-  std::vector<Side> sides_;
+  std::vector<FaceSide> sides_;
   UnionFind plain_;  ///< corners joined over edges with two faces
   std::vector<Crowded> crowded_;
 };

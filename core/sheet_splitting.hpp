@@ -13,7 +13,7 @@ struct Sheets {
   /// Per corner (3 face + corner) the smallest corner of its fan; corners of one vertex in
   /// different fans need vertices of their own.
   std::vector<std::uint32_t> fan_of_corner;
-  std::vector<std::vector<Side>> crowded;  ///< edges with more than two faces
+  std::vector<std::vector<FaceSide>> crowded;  ///< edges with more than two faces
 };
 
 /// Cuts a surface along edges with more than two faces and at vertices with more than one fan

@@ -19,6 +19,7 @@ constexpr int kMaxHalvings = 40;
 // together, what has been seen by then stands.
 constexpr int kMostSamples = 2000;
 constexpr int kMeanHalvings = 10;
+constexpr std::size_t kMostWindows = 2;  // of all parts together, for each edge of the mesh
 
 class Measurement {
  public:
@@ -152,7 +153,8 @@ std::size_t end_of_part(std::span<const Stretch> stretches, std::span<const doub
 }
 
 /// Part by part, each with the distance to what of the others is near it, so that one far corner
-/// does not cost a wide band along all of the curves.
+/// does not cost a wide band along all of the curves. Where parts march over the same faces again
+/// and again, as those of a drawing that winds far from its result do, what is left is one part.
 OneSidedSurfaceDeviation deviation_by_parts(const SurfaceMesh& mesh,
                                             std::span<const SurfaceCurve> from,
                                             std::span<const SurfaceCurve> others,
@@ -172,11 +174,19 @@ OneSidedSurfaceDeviation deviation_by_parts(const SurfaceMesh& mesh,
   std::vector<double> reach;
   reach.reserve(stretches.size());
   for (const Stretch& stretch : stretches) reach.push_back(local.guess(stretch));
+  std::size_t windows = 0;
   for (std::size_t i = 0, end = 0; i < stretches.size() && measurement.is_finite(); i = end) {
+    if (windows > kMostWindows * surface.edge_count()) {
+      pieces = pieces_of(surface, others);
+      distance.set(others);
+      measurement.add(std::span(stretches).subspan(i));
+      break;
+    }
     end = end_of_part(stretches, reach, i);
     const auto part = std::span(stretches).subspan(i, end - i);
     pieces = pieces_of(surface, local.set_near(part, std::span(reach).subspan(i, end - i)));
     measurement.add(part);
+    windows += distance.window_count();
   }
   return measurement.result();
 }

@@ -79,6 +79,26 @@ TEST(SurfaceDeviation, AgreesWithTheEuclideanOneInThePlane) {
   }
 }
 
+/// Parts of such a drawing march over all the faces, each for itself (found by fuzzing: minutes on
+/// meshes that were divided along their drawing).
+TEST(SurfaceDeviation, OfAWindingDrawingFarFromItsResult) {
+  constexpr int kSize = 60;
+  const SurfaceMesh mesh = SurfaceMesh::open(grid(kSize, kSize));
+  std::vector<Point> windings;
+  for (int row = 0; row < 100; ++row) {
+    for (int k = 0; k <= 20; ++k) {
+      windings.emplace_back(20.0 + (row % 2 == 0 ? k : 20 - k), 10 + 0.4 * row + 0.01 * k, 0);
+    }
+  }
+  const std::vector<Point> result = {{1.3, 1.2, 0}, {58.1, 2.4, 0}};
+  const SurfaceDeviation d = measure(mesh, line(mesh, result), line(mesh, windings));
+  const Deviation plane = deviation(result, false, windings, false);
+  expect_max(d.from_drawn.max, plane.from_drawn.max * (1 + 1e-6), 1);
+  expect_max(d.to_drawn.max, plane.to_drawn.max * (1 + 1e-6), 1);
+  EXPECT_NEAR(d.from_drawn.mean, plane.from_drawn.mean, 2e-3 * plane.from_drawn.mean);
+  EXPECT_NEAR(d.to_drawn.mean, plane.to_drawn.mean, 2e-3 * plane.to_drawn.mean);
+}
+
 TEST(SurfaceDeviation, SeesACornerThatWasCut) {
   const SurfaceMesh mesh = SurfaceMesh::open(grid(12, 8));
   const SurfaceCurve drawn = line(mesh, {{1, 2, 0}, {6, 5, 0}, {11, 2, 0}});
