@@ -7,11 +7,13 @@
 
 #include "talweg/core/formats/line_scanner.hpp"
 #include "talweg/core/formats/ply_header.hpp"
+#include "talweg/core/formats/triangle_strips.hpp"
 
 namespace talweg {
 namespace {
 
 constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+constexpr std::string_view kStrips = "tristrips";
 
 std::size_t property_index(const PlyElement& element, std::string_view name) {
   for (std::size_t i = 0; i < element.properties.size(); ++i) {
@@ -33,12 +35,12 @@ struct Columns {
   }
 };
 
-/// What to do with the two elements that matter.
+/// What to do with the elements that matter.
 struct Plan {
   PlyHeader header;
   std::size_t vertices = 0;
   std::array<std::size_t, 3> coordinate{kNone, kNone, kNone};  ///< properties of a vertex
-  std::size_t corners = kNone;                                 ///< property of a face
+  std::size_t corners = kNone;                                 ///< property of a face or a strip
   std::size_t texture = kNone;  ///< property of a face: texture coordinates of its corners
   Columns vertex_columns, face_columns;
   MeshAttributes* attributes = nullptr;
@@ -55,11 +57,12 @@ void plan_vertices(const MeshFile& file, const PlyElement& element, Plan& plan) 
   }
 }
 
-void plan_faces(const MeshFile& file, const PlyElement& element, Plan& plan) {
+void plan_corners(const MeshFile& file, const PlyElement& element, Plan& plan) {
   plan.corners = property_index(element, "vertex_indices");
   if (plan.corners == kNone) plan.corners = property_index(element, "vertex_index");
   if (plan.corners == kNone || !element.properties[plan.corners].is_list) {
-    bad_file(file.path, "the faces have no list vertex_indices.");
+    bad_file(file.path, fmt::format("the {} have no list vertex_indices.",
+                                    element.name == "face" ? "faces" : "triangle strips"));
   }
   if (element.properties[plan.corners].type >= NumberType::kFloat32) {
     bad_file(file.path, "the list vertex_indices must hold whole numbers.");
@@ -69,21 +72,25 @@ void plan_faces(const MeshFile& file, const PlyElement& element, Plan& plan) {
 Plan make_plan(const MeshFile& file) {
   Plan plan;
   plan.header = read_ply_header(file);
-  std::size_t vertex_elements = 0;
-  std::size_t face_elements = 0;
+  std::size_t vertex_elements = 0, face_elements = 0, strip_elements = 0, faces = 0;
   for (const PlyElement& element : plan.header.elements) {
     if (element.name == "vertex") {
       ++vertex_elements;
       plan_vertices(file, element, plan);
     } else if (element.name == "face") {
       ++face_elements;
-      plan_faces(file, element, plan);
-    } else if (element.name == "tristrips" && element.count > 0) {
-      bad_file(file.path, "triangle strips are not supported; save the mesh with plain faces.");
+      faces += element.count;
+      if (strip_elements == 0) plan_corners(file, element, plan);
+    } else if (element.name == kStrips && element.count > 0) {
+      ++strip_elements;
+      plan_corners(file, element, plan);
     }
   }
   if (vertex_elements != 1 || face_elements > 1) {
     bad_file(file.path, "the PLY header must announce vertices once and faces at most once.");
+  }
+  if (strip_elements > 1 || (strip_elements == 1 && faces > 0)) {
+    bad_file(file.path, "the PLY header must announce either faces or triangle strips, and once.");
   }
   return plan;
 }
@@ -119,12 +126,12 @@ void plan_attributes(MeshAttributes& attributes, Plan& plan) {
     if (element.name == "vertex") {
       plan.vertex_columns =
           make_columns(element, plan.coordinate, attributes.vertices, attributes.left_out);
-    } else if (element.name == "face") {
+    } else if (element.name == "face" && element.count > 0) {
       plan.texture = property_index(element, "texcoord");
       if (plan.texture != kNone && !element.properties[plan.texture].is_list) plan.texture = kNone;
       const std::array<std::size_t, 2> taken{plan.corners, plan.texture};
       plan.face_columns = make_columns(element, taken, attributes.faces, attributes.left_out);
-    } else if (element.count > 0) {
+    } else if (element.count > 0 && element.name != kStrips) {
       attributes.left_out.push_back(fmt::format("element '{}'", element.name));
     }
   }
@@ -207,6 +214,7 @@ class TextBody {
         lists_(lists),
         lines_(file, '\0', plan.header.body, plan.header.lines),
         faces_(file, plan, lists),
+        strips_(file, plan.vertices, lists),
         face_numbers_(plan, lists) {}
 
   void read() {
@@ -217,6 +225,8 @@ class TextBody {
           read_vertex(element);
         } else if (element.name == "face") {
           read_face(element, i);
+        } else if (element.name == kStrips) {
+          read_strips(element);
         }
       }
     }
@@ -279,10 +289,24 @@ class TextBody {
     face_numbers_.end();
   }
 
+  void read_strips(const PlyElement& element) {
+    for (std::size_t i = 0; i < element.properties.size(); ++i) {
+      if (i != plan_.corners) {
+        skip(element.properties[i]);
+        continue;
+      }
+      const std::int64_t n = lines_.integer("the length of a list");
+      if (n < 0) lines_.fail("a list has a negative length.");
+      for (std::int64_t k = 0; k < n; ++k) strips_.add(lines_.integer("the index of a vertex"));
+      strips_.end();
+    }
+  }
+
   const Plan& plan_;
   MeshLists& lists_;
   LineScanner lines_;
   FaceSink faces_;
+  TriangleStrips strips_;
   FaceNumbers face_numbers_;
 };
 
@@ -294,6 +318,7 @@ class BinaryBody {
         lists_(lists),
         cursor_(file.bytes.substr(plan.header.body)),
         faces_(file, plan, lists),
+        strips_(file, plan.vertices, lists),
         face_numbers_(plan, lists),
         swap_((plan.header.encoding == PlyEncoding::kBigEndian) ==
               (std::endian::native == std::endian::little)) {}
@@ -345,11 +370,13 @@ class BinaryBody {
   }
 
   void read_element(const PlyElement& element, std::size_t index) {
-    const bool is_face = element.name == "face";
+    const bool is_face = element.name == "face", is_strips = element.name == kStrips;
     for (std::size_t i = 0; i < element.properties.size(); ++i) {
       const PlyProperty& property = element.properties[i];
       if (is_face && i == plan_.corners) {
         read_corners(element, property, index);
+      } else if (is_strips && i == plan_.corners) {
+        read_strips(element, property, index);
       } else if (is_face && i == plan_.texture) {
         read_texture(element, property, index);
       } else if (property.is_list) {
@@ -387,6 +414,16 @@ class BinaryBody {
     faces_.end();
   }
 
+  void read_strips(const PlyElement& element, const PlyProperty& property, std::size_t index) {
+    const std::size_t n = list_length(element, property, index);
+    const std::size_t step = size_of(property.type);
+    const char* at = take(element, index, n * step);
+    for (std::size_t k = 0; k < n; ++k) {
+      strips_.add(load_integer(property.type, at + k * step, swap_));
+    }
+    strips_.end();
+  }
+
   void read_texture(const PlyElement& element, const PlyProperty& property, std::size_t index) {
     const std::size_t n = list_length(element, property, index);
     const std::size_t step = size_of(property.type);
@@ -401,6 +438,7 @@ class BinaryBody {
   MeshLists& lists_;
   ByteCursor cursor_;
   FaceSink faces_;
+  TriangleStrips strips_;
   FaceNumbers face_numbers_;
   bool swap_;
 };

@@ -30,7 +30,10 @@ Failure current_failure() {
   try {
     throw;
   } catch (const Error& error) {
-    return {exit_code_of(error.code()), error.what()};
+    const char* hint = error.code() == ErrorCode::kBadMesh
+                           ? " (talweg info tells more, and what --repair can do)"
+                           : "";
+    return {exit_code_of(error.code()), error.what() + std::string(hint)};
   } catch (const std::bad_alloc&) {
     return {kInternal, "There is not enough memory."};
   } catch (const std::exception& error) {

@@ -1,4 +1,5 @@
 // talweg-scenes: meshes and jagged curves for the demo.
+#include <cstdint>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
@@ -9,7 +10,9 @@
 
 #include "scenes/ply_writer.hpp"
 #include "scenes/scenes.hpp"
+#include "talweg/core/mesh_inspection.hpp"
 #include "talweg/core/mesh_reader.hpp"
+#include "talweg/core/mesh_repair.hpp"
 #include "talweg/intrinsic/error.hpp"
 
 namespace talweg::scenes {
@@ -28,6 +31,18 @@ void write_scenes(const std::filesystem::path& folder, const std::vector<DemoSce
     }
     std::printf("%-8s %7zu faces\n", scene.name.c_str(), scene.mesh.triangles.size());
   }
+}
+
+/// On what --repair makes of the file's mesh, where it has to; in the file's numbers.
+Waypoints waypoints_on(const std::string& path) {
+  const MeshLists lists = read_mesh(path);
+  if (inspect(lists).verdict == MeshVerdict::kUsable) return waypoints_across(lists);
+  const RepairedMesh repaired = repair(lists);
+  Waypoints through = waypoints_across(repaired.lists);
+  for (std::uint32_t& v : through.vertices) {
+    v = static_cast<std::uint32_t>(repaired.map.file_vertex(VertexId{v}).index());
+  }
+  return through;
 }
 
 int run(int argc, char** argv) {
@@ -49,7 +64,7 @@ int run(int argc, char** argv) {
     throw Error(ErrorCode::kBadUsage, error.what());
   }
   if (!mesh.empty()) {
-    std::printf("%s\n", draw_arguments(waypoints_across(read_mesh(mesh))).c_str());
+    std::printf("%s\n", draw_arguments(waypoints_on(mesh)).c_str());
   } else if (!folder.empty()) {
     write_scenes(folder, gallery ? gallery_scenes() : demo_scenes());
   } else {

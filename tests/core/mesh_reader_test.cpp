@@ -128,6 +128,50 @@ TEST_F(MeshReader, BinaryPlyCutOffAnywhereIsRefused) {
   EXPECT_EQ(refusal("a.ply", whole + "\n"), "");
 }
 
+TEST_F(MeshReader, PlyTriangleStrips) {
+  const auto head = [](const std::string& format, const std::string& elements) {
+    return "ply\nformat " + format +
+           " 1.0\nelement vertex 6\nproperty float x\nproperty float y\nproperty float z\n" +
+           elements + "end_header\n";
+  };
+  const std::string strips = "element tristrips 2\nproperty list int int vertex_indices\n";
+  const std::string faces = "element face 0\nproperty list uchar int vertex_indices\n";
+  const std::string points = "0 0 0\n0 1 0\n1 0 0\n1 1 0\n2 0 0\n2 1 0\n";
+  // The first strip goes on to another after a -1, the second turns by repeating a vertex.
+  const std::string indices = "8 0 2 1 3 -1 2 4 3\n6 3 4 5 5 1 0\n";
+  const Triangles expected{{0, 2, 1}, {1, 2, 3}, {2, 4, 3}, {3, 4, 5}, {1, 5, 0}};
+  for (const std::string& elements : {strips, faces + strips, strips + faces}) {
+    EXPECT_EQ(read("a.ply", head("ascii", elements) + points + indices).triangles, expected);
+    MeshAttributes attributes;
+    read_mesh(file("a.ply"), attributes);
+    EXPECT_TRUE(attributes.left_out.empty());
+    EXPECT_TRUE(attributes.faces.empty());
+  }
+
+  std::string binary = head("binary_big_endian", strips);
+  for (int k = 0; k < 18; ++k) put(binary, static_cast<float>(k % 7), true);
+  for (const std::int32_t k : {8, 0, 2, 1, 3, -1, 2, 4, 3, 6, 3, 4, 5, 5, 1, 0}) {
+    put(binary, k, true);
+  }
+  EXPECT_EQ(read("b.ply", binary).triangles, expected);
+  EXPECT_EQ(refusal("b.ply", binary.substr(0, binary.size() - 1)),
+            ": the file ends in tristrips 1 of 2.");
+
+  EXPECT_EQ(refusal("a.ply", head("ascii", strips) + points + "3 0 1 6\n3 0 1 2\n"),
+            ": a triangle strip refers to vertex 6, but the file has 6 vertices.");
+  EXPECT_EQ(refusal("a.ply", head("ascii", strips) + points + "3 0 1 -2\n3 0 1 2\n"),
+            ": a triangle strip refers to vertex -2, but the file has 6 vertices.");
+  EXPECT_EQ(refusal("a.ply", head("ascii", strips) + points + "-3 0 1 2\n3 0 1 2\n"),
+            ", line 16: a list has a negative length.");
+  EXPECT_EQ(refusal("a.ply", head("ascii", "element tristrips 1\nproperty int a\n") + points),
+            ": the triangle strips have no list vertex_indices.");
+  EXPECT_EQ(refusal("a.ply", head("ascii",
+                                  "element face 1\nproperty list uchar int "
+                                  "vertex_indices\n" +
+                                      strips)),
+            ": the PLY header must announce either faces or triangle strips, and once.");
+}
+
 TEST_F(MeshReader, PlyHeadersThatMakeNoSense) {
   EXPECT_EQ(refusal("a.ply", "plx\n"),
             ", line 1: expected the word ply at the beginning of the file.");

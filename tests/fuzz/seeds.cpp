@@ -54,6 +54,11 @@ std::string ply_binary(bool big) {
   }
   return bytes;
 }
+std::string ply_strips() {
+  return "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty "
+         "float z\nelement tristrips 1\nproperty list int int vertex_indices\nend_header\n"
+         "0 0 0\n1 0 0\n0 1 0\n0 0 1\n8 0 1 2 3 -1 0 3 1\n";
+}
 
 std::string stl_text() {
   std::string text = "solid pyramid\n";
@@ -231,7 +236,8 @@ std::string curve_ply_binary() {
 std::vector<std::string> mesh_seeds(const Target& target) {
   if (target.name == "mesh_obj") return {obj()};
   if (target.name == "mesh_off") return {off()};
-  if (target.name == "mesh_ply") return {ply_text(), ply_binary(false), ply_binary(true)};
+  if (target.name == "mesh_ply")
+    return {ply_text(), ply_binary(false), ply_binary(true), ply_strips()};
   if (target.name == "mesh_stl") return {stl_text(), stl_binary()};
   return {om_faces(), om_halfedges()};
 }
