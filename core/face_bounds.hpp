@@ -41,33 +41,36 @@ class FaceBounds {
   }
 
   /// By way of a point on a side of the face, one on each side of the stretch, where the shortest
-  /// way is likely to come from: it meets the stretch at an angle that the slope tells.
-  double by_sides(const Stretch& s, const StretchSample& a, const StretchSample& b) {
-    double best = by_sides_in(s, a, b);
+  /// way is likely to come from: it meets the stretch at an angle that the slope tells. Whether
+  /// that is less than `enough`; sides of large faces may be far away, and nothing is asked beyond.
+  bool less_by_sides(const Stretch& s, const StretchSample& a, const StretchSample& b,
+                     double enough) {
+    if (less_by_sides_in(s, a, b, enough)) return true;
     for (std::size_t k = 0; k < 3; ++k) {
-      if (s.from[k] == 0 && s.to[k] == 0) best = std::min(best, by_other_face(s, k, a, b));
+      if (s.from[k] == 0 && s.to[k] == 0 && less_by_other_face(s, k, a, b, enough)) return true;
     }
-    return best;
+    return false;
   }
 
  private:
   /// The stretch runs along the side opposite to corner k, which has another face.
-  double by_other_face(const Stretch& s, std::size_t k, const StretchSample& a,
-                       const StretchSample& b) {
+  bool less_by_other_face(const Stretch& s, std::size_t k, const StretchSample& a,
+                          const StretchSample& b, double enough) {
     const HalfedgeId side = side_frame(*surface_, s.face, (k + 1) % 3).side;
-    if (!surface_->has_face(twin(side))) return std::numeric_limits<double>::infinity();
+    if (!surface_->has_face(twin(side))) return false;
     const FaceId face = surface_->face(twin(side));
-    return by_sides_in(
-        stretch_between(*surface_, s.point(*surface_, 0), s.point(*surface_, 1), face), a, b);
+    return less_by_sides_in(
+        stretch_between(*surface_, s.point(*surface_, 0), s.point(*surface_, 1), face), a, b,
+        enough);
   }
 
-  double by_sides_in(const Stretch& s, const StretchSample& a, const StretchSample& b) {
+  bool less_by_sides_in(const Stretch& s, const StretchSample& a, const StretchSample& b,
+                        double enough) {
     const SideFrame frame = side_frame(*surface_, s.face, 0);
-    double best = std::numeric_limits<double>::infinity();
-    if (!(frame.length > 0 && frame.apex.y > 0)) return best;
+    if (!(frame.length > 0 && frame.apex.y > 0)) return false;
     const PlanePoint p = frame.at(s.at(a.t), 0), q = frame.at(s.at(b.t), 0);
     const double length = distance_of(p, q);
-    if (!(length > 0)) return best;
+    if (!(length > 0)) return false;
     const double slope = std::clamp((b.distance - a.distance) / length, -1.0, 1.0);
     const double across = std::sqrt(1 - slope * slope);
     const double ex = (q.x - p.x) / length, ey = (q.y - p.y) / length;
@@ -77,11 +80,12 @@ class FaceBounds {
       // A point that is near compared with the interval tells no more than its ends do.
       if (!(walk_to_side(frame, back, c) > length / 4)) continue;
       const PlanePoint corner = frame.at(c, 0);
-      const double distance =
-          to_->at(SurfacePoint::from_barycentric(*surface_, s.face, c)).distance;
-      best = std::min(best, distance + std::max(distance_of(p, corner), distance_of(q, corner)));
+      const double limit = enough - std::max(distance_of(p, corner), distance_of(q, corner));
+      if (!(limit > 0)) continue;
+      const SurfacePoint on_side = SurfacePoint::from_barycentric(*surface_, s.face, c);
+      if (std::isfinite(to_->below(limit, on_side))) return true;
     }
-    return best;
+    return false;
   }
 
   /// Moves c in a direction as far as the face goes; returns how far that is.

@@ -100,7 +100,7 @@ class Measurement {
     if (samples_left_-- <= 0) return;
     if (bounds_.by_pieces(s, a, b) <= enough) return;
     // Costs two distances, so only where halving would go on for long.
-    if (middle_value + length / 8 > enough && bounds_.by_sides(s, a, b) <= enough) return;
+    if (middle_value + length / 8 > enough && bounds_.less_by_sides(s, a, b, enough)) return;
     const StretchSample middle = sample(s, (a.t + b.t) / 2);
     search(s, a, middle, halvings + 1);
     search(s, middle, b, halvings + 1);

@@ -111,51 +111,6 @@ PolylineDistance::EdgeHit PolylineDistance::final_hit(EdgeId edge, double x) {
   }
 }
 
-void PolylineDistance::reach_along(HalfedgeId spoke, double way) {
-  const VertexId v = surface_->head(spoke);
-  const auto known = std::find_if(reached_.begin(), reached_.end(),
-                                  [&](const Reached& r) { return r.vertex == v; });
-  if (known == reached_.end()) {
-    reached_.push_back({v, way});
-  } else {
-    known->way = std::min(known->way, way);
-  }
-}
-
-Nearest PolylineDistance::at_vertex_roughly(VertexId v, double exact) {
-  constexpr int kMost = 64;  // vertices; whoever asks farther out had better know exactly
-  const Nearest& known = vertex_[v.index()];
-  while (!is_final(std::min(known.distance, exact)) && !marches_in_vain(v)) march();
-  if (known.distance <= exact) return finish(known);
-
-  Nearest best{kInfinity, 0, 0};
-  reached_.assign(1, {v});
-  for (int k = 0; k < kMost; ++k) {
-    Reached* next = nullptr;
-    for (Reached& r : reached_) {
-      if (!r.settled && (next == nullptr || r.way < next->way)) next = &r;
-    }
-    // From here on every way passes an edge, whose farther end is nearer by its length at most.
-    if (next == nullptr || !(next->way + exact < best.distance)) return finish(best);
-    next->settled = true;
-    const double way = next->way;
-    const HalfedgeId first = surface_->halfedge(next->vertex);
-    for (HalfedgeId h = first; h.valid();) {
-      const Nearest& end = vertex_[surface_->head(h).index()];
-      const double longer = way + surface_->length(edge_of(h));
-      if (end.distance > exact) {
-        reach_along(h, longer);
-      } else if (const Nearest by_end = farther(end, longer); is_nearer(by_end, best)) {
-        best = by_end;
-      }
-      if (!surface_->has_face(h)) break;
-      h = surface_->turn_ccw(h);
-      if (h == first) break;
-    }
-  }
-  return at_vertex(v);
-}
-
 /// A copy of the edge that is final for the answer at t; made again only where the front has come
 /// on since.
 const PolylineDistance::EdgeCopy& PolylineDistance::final_copy(EdgeId edge, double t,
@@ -202,16 +157,22 @@ Nearest PolylineDistance::at(const SurfacePoint& point) {
   return in_face(inside.face, inside.barycentric);
 }
 
-double PolylineDistance::below(double limit, const SurfacePoint& point) {
-  reach(limit);
-  double known = kInfinity;
+double PolylineDistance::known_at(const SurfacePoint& point) {
   if (const auto* v = std::get_if<AtVertex>(&point.where())) {
-    known = vertex_[v->vertex.index()].distance;
-  } else if (const auto* e = std::get_if<OnEdge>(&point.where())) {
-    known = hit_on_edge(e->edge, e->t * surface_->length(e->edge)).nearest.distance;
-  } else {
-    const auto& inside = std::get<InFace>(point.where());
-    known = hit_in(fresh_copy(inside.face), inside.barycentric).nearest.distance;
+    return vertex_[v->vertex.index()].distance;
+  }
+  if (const auto* e = std::get_if<OnEdge>(&point.where())) {
+    return hit_on_edge(e->edge, e->t * surface_->length(e->edge)).nearest.distance;
+  }
+  const auto& inside = std::get<InFace>(point.where());
+  return hit_in(fresh_copy(inside.face), inside.barycentric).nearest.distance;
+}
+
+double PolylineDistance::below(double limit, const SurfacePoint& point) {
+  double known = known_at(point);
+  while (!is_final(std::min(known, limit))) {
+    march();
+    known = known_at(point);
   }
   return known < limit ? known : kInfinity;
 }

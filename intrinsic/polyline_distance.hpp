@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <unordered_map>
 #include <vector>
 
 #include "talweg/intrinsic/polyline_pieces.hpp"
@@ -157,6 +158,18 @@ class PolylineDistance {
   void copy_edge(EdgeId edge);
   EdgeHit final_hit(EdgeId edge, double x);
   const EdgeCopy& final_copy(EdgeId edge, double t, EdgeHit& hit);
+  // polyline_along_edges.cpp
+  struct EdgeWay {
+    Nearest nearest;
+    VertexId vertex;
+  };
+  struct Reached {
+    VertexId vertex;
+    double way = 0;  // along edges
+    bool settled = false;
+  };
+  void reach_along(HalfedgeId spoke, double way);
+  Nearest along_edges(VertexId v, double exact);
   // polyline_in_face.cpp
   struct LedIn;  // see below
   struct FaceHit {
@@ -174,12 +187,7 @@ class PolylineDistance {
   const FaceCopy& fresh_copy(FaceId face);
   const FaceCopy& final_copy(FaceId face, const Barycentric& b, FaceHit& hit);
   Nearest in_face(FaceId face, const Barycentric& b);
-  struct Reached {
-    VertexId vertex;
-    double way = 0;  // along edges
-    bool settled = false;
-  };
-  void reach_along(HalfedgeId spoke, double way);
+  double known_at(const SurfacePoint& point);
   [[nodiscard]] Nearest finish(Nearest nearest) const;
   [[nodiscard]] bool marches_in_vain(VertexId v);
   [[nodiscard]] bool is_final(double distance) const {
@@ -227,6 +235,10 @@ class PolylineDistance {
   std::vector<LedIn> led_in_, into_one_face_;
 
   std::vector<Reached> reached_;  // by the last search along edges
+  // The one from all that is exact: up to where, what comes next, what is settled.
+  double edge_ways_from_ = -1;
+  std::vector<EdgeWay> edge_ways_;
+  std::unordered_map<VertexId, Nearest> by_edges_;
 
   std::vector<EdgeWindow> windows_;
   StepQueue queue_;

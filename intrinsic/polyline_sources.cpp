@@ -35,6 +35,7 @@ void PolylineDistance::forget() {
   touched_vertices_.clear();
   windows_.clear();
   with_curve_.clear();
+  edge_ways_from_ = -1;
 }
 
 void PolylineDistance::set(std::span<const SurfaceCurve> curves) {

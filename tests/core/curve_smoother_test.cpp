@@ -12,6 +12,9 @@
 #include "core/reference_data.hpp"
 #include "core/small_meshes.hpp"
 #include "talweg/core/drawing.hpp"
+#include "talweg/core/mesh_reader.hpp"
+#include "talweg/core/mesh_repair.hpp"
+#include "talweg/core/snapping.hpp"
 #include "talweg/core/straight_lines.hpp"
 #include "talweg/intrinsic/error.hpp"
 
@@ -470,6 +473,25 @@ TEST_P(OwnDistance, SmoothsTheReferenceCurves) {
       EXPECT_EQ(result.curve().points.back(), drawn.points.back());
     }
   }
+}
+
+/// Took 19 minutes: what is far from these edges was asked for exactly, over thousands of needles,
+/// by one flip and by a bound of the deviation.
+TEST(RealBuildings, ADrawingAlongLongEdgesAmongNeedles) {
+  const std::filesystem::path path = test::mesh_folder() / "buildings_needles_400k.ply";
+  if (!std::filesystem::exists(path)) GTEST_SKIP() << test::missing(path.stem().string());
+  const auto opened = OpenedMesh::open(repair(read_mesh(path)).lists);
+  CurveInput input;
+  input.points =
+      std::vector<Point>{{90.1008, 55.6751, 9}, {90.1008, 55.6751, 0}, {116.669, 78.1875, 0}};
+  const SurfaceCurve drawn{false, snap(opened->mesh(), input).points};
+  CurveSmoother smoother(opened);
+  smoother.set_curve(drawn);
+  const SmoothingResult result = smoother.smooth(1.0);
+  expect_on_mesh(opened->surface(), result.curve());
+  EXPECT_EQ(result.report().termination, "converged");
+  EXPECT_LT(result.report().curvature_after, result.report().curvature_before);
+  EXPECT_LT(result.report().deviation_from_drawn_max, result.report().edge_length_near);
 }
 
 INSTANTIATE_TEST_SUITE_P(Real, OwnDistance,

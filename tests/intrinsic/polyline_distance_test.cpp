@@ -616,6 +616,46 @@ TEST(PolylineDistance, RoughlyIsExactNearbyAndAWayAlongEdgesBeyond) {
   EXPECT_GT(beyond, 100U);
 }
 
+/// By hand, relaxed until nothing changes.
+std::vector<double> along_edges(const Surface& surface, std::vector<double> known, double exact) {
+  for (double& d : known) d = d <= exact ? d : std::numeric_limits<double>::infinity();
+  for (bool again = true; again;) {
+    again = false;
+    for (std::size_t h = 0; h < 2 * surface.edge_count(); ++h) {
+      const double way =
+          known[surface.tail(HalfedgeId{h}).index()] + surface.length(edge_of(HalfedgeId{h}));
+      double& head = known[surface.head(HalfedgeId{h}).index()];
+      if (!(way < head * (1 - kExact))) continue;
+      head = way;
+      again = true;
+    }
+  }
+  return known;
+}
+
+/// Exact distances cost minutes where thousands of needles lie between (a model of buildings: one
+/// flip took 19 of them).
+TEST(PolylineDistance, RoughlyIsAWayAlongEdgesHoweverFar) {
+  const Surface surface = test::surface_of(test::torus(60, 28, 3, 1));
+  Random random(14);
+  const SurfaceCurve curve = random_walk(random, surface, 5);
+  PolylineDistance rough(surface), exact(surface);
+  exact.set({&curve, 1});
+  std::vector<double> distances;
+  for (std::size_t i = 0; i < surface.vertex_count(); ++i) {
+    distances.push_back(exact.at_vertex(VertexId{i}).distance);
+  }
+  for (const double near : {0.3, 0.7}) {
+    rough.set({&curve, 1});
+    const std::vector<double> expected = along_edges(surface, distances, near);
+    for (std::size_t i = 0; i < surface.vertex_count(); ++i) {
+      const VertexId v{(i * 997) % surface.vertex_count()};  // far and near by turns
+      EXPECT_NEAR(rough.at_vertex_roughly(v, near).distance, expected[v.index()], 1e-9);
+    }
+    EXPECT_LT(4 * rough.window_count(), exact.window_count());
+  }
+}
+
 TEST(PolylineDistance, RoughlyNeedsNoWideBand) {
   const Surface surface = test::surface_of(test::grid(200, 200, 0.2));
   const SurfaceCurve curve = through_vertices(surface, {100 + 201 * 100, 101 + 201 * 100});
