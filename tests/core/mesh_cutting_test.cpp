@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 #include <random>
 #include <set>
 
@@ -309,7 +311,10 @@ TEST_F(MeshCutting, RandomCurvesOnRealMeshes) {
                            "cylinder_varying_16k", "degenerate_13k", "elephant_106holes_tiny_4k",
                            "fandisk_14k", "skull_100k", "terrain_utm_21k", "tooth_ct_119k"}) {
     const auto path = test::mesh_folder() / (std::string(name) + ".ply");
-    if (!std::filesystem::exists(path)) continue;
+    if (!std::filesystem::exists(path)) {
+      std::printf("%s\n", test::missing(name).c_str());
+      continue;
+    }
     const MeshLists lists = read_mesh(path);
     const SurfaceMesh mesh = open(lists);
     const bool is_small_and_whole = lists.triangles.size() < 30000 && !repair(lists).changes.any();
