@@ -1,16 +1,30 @@
 #include "cancellation.hpp"
 
 #include <atomic>
+#include <chrono>
 #include <csignal>
+#include <cstdint>
+#include <cstdlib>
+
+#include "commands.hpp"
 
 namespace talweg::driver {
 namespace {
 
-// Any thread may ask; lock-free, so that a signal handler may set it.
-std::atomic<bool> g_interrupted = false;
-static_assert(std::atomic<bool>::is_always_lock_free);
+using Clock = std::chrono::steady_clock;
 
-extern "C" void on_interrupt(int /*signal*/) { g_interrupted = true; }
+// When it was asked for first; 0: not yet. Any thread may ask; lock-free, for the signal handler.
+std::atomic<std::int64_t> g_interrupted_at = 0;
+static_assert(std::atomic<std::int64_t>::is_always_lock_free);
+
+extern "C" void on_interrupt(int /*signal*/) {
+  const auto now = std::chrono::nanoseconds(Clock::now().time_since_epoch());
+  std::int64_t first = 0;
+  if (g_interrupted_at.compare_exchange_strong(first, now.count())) return;
+  // timeout(1) and others send a signal twice, at once.
+  if (now - std::chrono::nanoseconds(first) > std::chrono::milliseconds(500))
+    std::_Exit(kCancelled);
+}
 
 }  // namespace
 
@@ -21,6 +35,6 @@ void catch_interrupts() {
   std::signal(SIGXFSZ, SIG_IGN);
 }
 
-bool interrupted() { return g_interrupted; }
+bool interrupted() { return g_interrupted_at != 0; }
 
 }  // namespace talweg::driver

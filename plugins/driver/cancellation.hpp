@@ -3,7 +3,8 @@
 
 namespace talweg::driver {
 
-/// From now on SIGINT and SIGTERM only raise the flag below, and SIGXFSZ ends nothing.
+/// From now on the first SIGINT or SIGTERM only raises the flag below; another one, half a second
+/// later or more, ends the process at once. SIGXFSZ ends nothing.
 void catch_interrupts();
 bool interrupted();
 

@@ -11,6 +11,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 #include <sys/resource.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include "core/generated_meshes.hpp"
@@ -128,6 +130,19 @@ TEST_F(Faults, SignalsEndARunWithCode4AndTheOldFile) {
     EXPECT_EQ(bytes_of(file("out.obj")), "old");
     EXPECT_FALSE(std::filesystem::exists(file("out.json")));
   }
+}
+
+TEST_F(Faults, ASecondSignalEndsAtOnceWhatHearsNone) {
+  ASSERT_EQ(mkfifo(file("pipe.ply").c_str(), 0600), 0);  // nobody writes it: reading waits for ever
+  const pid_t child = start({"info", "pipe.ply"});
+  const auto runs = [&] { return waitpid(child, nullptr, WNOHANG) == 0; };
+  sleep_us(300'000);
+  kill(child, SIGTERM);
+  kill(child, SIGINT);  // too soon to be meant as a second one
+  sleep_us(700'000);
+  ASSERT_TRUE(runs());
+  kill(child, SIGTERM);
+  EXPECT_EQ(wait_for(child), 4);
 }
 
 TEST_F(Faults, OutputsThatCannotBeWrittenAreNamed) {
