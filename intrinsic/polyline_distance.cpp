@@ -39,9 +39,7 @@ PolylineDistance::EdgeHit PolylineDistance::hit_on_edge(EdgeId edge, double x) c
   const double length = surface_->length(edge);
   EdgeHit hit = hit_along(vertex_[surface_->tail(halfedge_of(edge)).index()],
                           vertex_[surface_->head(halfedge_of(edge)).index()], length, x);
-  for (std::uint32_t i = first_window_[edge.index()]; i != kNone; i = windows_[i].next) {
-    offer(hit, windows_[i], x);
-  }
+  windows_.each(edge, [&](const EdgeWindow& window) { offer(hit, window, x); });
   if (hit.nearest.distance <= kRounding * length) hit.nearest.distance = 0;
   return hit;
 }
@@ -67,9 +65,7 @@ void PolylineDistance::copy_edge(EdgeId edge) {
   copy.tail = vertex_[surface_->tail(halfedge_of(edge)).index()];
   copy.head = vertex_[surface_->head(halfedge_of(edge)).index()];
   of_one_edge_.clear();
-  for (std::uint32_t i = first_window_[edge.index()]; i != kNone; i = windows_[i].next) {
-    of_one_edge_.push_back(windows_[i]);
-  }
+  windows_.each(edge, [&](const EdgeWindow& window) { of_one_edge_.push_back(window); });
   store(copy, copied_, of_one_edge_);
 }
 

@@ -11,6 +11,7 @@
 #include "talweg/intrinsic/polyline_pieces.hpp"
 #include "talweg/intrinsic/polyline_queue.hpp"
 #include "talweg/intrinsic/polyline_window.hpp"
+#include "talweg/intrinsic/polyline_window_lists.hpp"
 #include "talweg/intrinsic/surface.hpp"
 #include "talweg/intrinsic/surface_point.hpp"
 
@@ -199,7 +200,6 @@ class PolylineDistance {
   std::vector<std::uint8_t> bends_;        // per vertex: not known yet, no, yes
   std::vector<std::uint32_t> with_curve_;  // components, in order; made when first needed
   std::vector<Nearest> vertex_;
-  std::vector<std::uint32_t> first_window_;  // per edge
 
   // What at_edge() asks again and again, side by side: edges as they were when they were copied.
   // What was final then still is.
@@ -240,11 +240,10 @@ class PolylineDistance {
   std::vector<EdgeWay> edge_ways_;
   std::unordered_map<VertexId, Nearest> by_edges_;
 
-  std::vector<EdgeWindow> windows_;
+  WindowLists windows_;
   StepQueue queue_;
   PolylinePieces pieces_;
   std::vector<VertexId> touched_vertices_;
-  std::vector<EdgeId> touched_edges_;
 };
 
 }  // namespace talweg

@@ -114,10 +114,9 @@ void PolylineDistance::copy_face(FaceId face) {
     copy.corners[k] = vertex_[surface_->tail(h).index()];
     copy.longest = std::max(copy.longest, copy.frames[k].length);
     const EdgeId edge = edge_of(h);
-    for (std::uint32_t i = first_window_[edge.index()]; i != kNone; i = windows_[i].next) {
-      const EdgeWindow& w = windows_[i];
+    windows_.each(edge, [&](const EdgeWindow& w) {
       if (w.into == h) into_one_face_.push_back({w, w.lowest(), k, h == halfedge_of(edge)});
-    }
+    });
   }
   store(copy, led_in_, into_one_face_);
 }

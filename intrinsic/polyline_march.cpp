@@ -3,7 +3,6 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <utility>
 
 #include "talweg/intrinsic/polyline_distance.hpp"
 #include "talweg/intrinsic/triangle.hpp"
@@ -128,7 +127,7 @@ void keep_below(Parts& parts, const EdgeWindow& window, EdgeWindow& other, doubl
 /// Asks the memory for what the next items need: windows and edges lie anywhere.
 void PolylineDistance::fetch_ahead() const {
   if (const auto* item = queue_.ahead(5); item != nullptr && item->kind == kWindowItem) {
-    __builtin_prefetch(&windows_[item->id]);
+    windows_.fetch(item->id);
   }
   if (const auto* item = queue_.ahead(3); item != nullptr && item->kind == kWindowItem) {
     __builtin_prefetch(&surface_->halfedges()[windows_[item->id].into.index()]);
@@ -137,7 +136,7 @@ void PolylineDistance::fetch_ahead() const {
     const HalfedgeId right = surface_->next(windows_[item->id].into);
     if (!right.valid()) return;
     for (const HalfedgeId side : {right, surface_->next(right)}) {
-      __builtin_prefetch(&first_window_[edge_of(side).index()]);
+      windows_.fetch(edge_of(side));
       __builtin_prefetch(&surface_->lengths()[edge_of(side).index()]);
     }
   }
@@ -338,30 +337,15 @@ void PolylineDistance::insert(const EdgeWindow& window) {
   Parts parts;
   parts.add(window.begin, window.end);
   const double size = size_of(window, length);
-  std::uint32_t* link = &first_window_[edge.index()];
-  const bool is_first = *link == kNone;
-  while (*link != kNone) {
-    EdgeWindow& other = windows_[*link];
-    if (parts.end() < other.begin || other.end < parts.begin()) {
-      link = &other.next;
-      continue;
-    }
+  windows_.each_meeting({window.begin, window.end}, edge, [&](EdgeWindow& other) {
     keep_below(parts, window, other, same, length, size);
-    if (other.is_empty()) {
-      *link = other.next;
-    } else {
-      link = &other.next;
-    }
-    if (parts.count == 0) return;
-  }
-  if (is_first) touched_edges_.push_back(edge);
+    return parts.count > 0 ? WindowLists::Range{parts.begin(), parts.end()} : WindowLists::Range{};
+  });
   for (std::size_t i = 0; i < parts.count; ++i) {
-    const auto id = static_cast<std::uint32_t>(windows_.size());
-    EdgeWindow& part = windows_.emplace_back(window);
+    EdgeWindow part = window;
     part.begin = parts.at[i][0];
     part.end = parts.at[i][1];
-    part.next = std::exchange(first_window_[edge.index()], id);
-    queue_.push({part.lowest(), id, kWindowItem});
+    queue_.push({part.lowest(), windows_.add(edge, part), kWindowItem});
   }
 }
 

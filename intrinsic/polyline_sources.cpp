@@ -16,12 +16,11 @@ PolylineDistance::PolylineDistance(const Surface& surface)
     : surface_(&surface),
       bends_(surface.vertex_count(), 0),
       vertex_(surface.vertex_count(), Nearest{std::numeric_limits<double>::infinity(), 0, 0}),
-      first_window_(surface.edge_count(), kNone),
       copy_of_(surface.edge_count(), kNone),
-      face_copy_of_(surface.face_count(), kNone) {}
+      face_copy_of_(surface.face_count(), kNone),
+      windows_(surface.edge_count()) {}
 
 void PolylineDistance::forget() {
-  for (const EdgeId e : touched_edges_) first_window_[e.index()] = kNone;
   for (const VertexId v : touched_vertices_) {
     vertex_[v.index()].distance = std::numeric_limits<double>::infinity();
   }
@@ -31,7 +30,6 @@ void PolylineDistance::forget() {
   copied_.clear();
   face_copies_.clear();
   led_in_.clear();
-  touched_edges_.clear();
   touched_vertices_.clear();
   windows_.clear();
   with_curve_.clear();
