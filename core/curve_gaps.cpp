@@ -23,23 +23,34 @@ Box box_of(std::span<const Point> points, double margin) {
   return {box.min() - out, box.max() + out};
 }
 
-/// From the points of one curve to the other, as far as `limit`.
+/// From the points of one curve to the other, where that is below `limit`. The points that are
+/// nearest through space come first, so the distance is needed only as far as the least so far.
 double gap(const SurfaceMesh& mesh, const SurfaceCurve& from, const SurfaceCurve& to, double limit,
            std::optional<PolylineDistance>& distance) {
   const NearParts other(mesh, std::span(&to, 1));
-  std::vector<SurfacePoint> near;
+  struct Near {
+    double through_space;
+    const SurfacePoint* point;
+  };
+  std::vector<Near> near;
   std::vector<Box> boxes;
   for (const SurfacePoint& point : from.points) {
     const Point p = mesh.position(point);
-    if (!(other.distance(p) < limit)) continue;
-    near.push_back(point);
+    const double through_space = other.distance(p);
+    if (!(through_space < limit)) continue;
+    near.push_back({through_space, &point});
     boxes.push_back(box_of(std::array{p}, limit));
   }
   if (near.empty()) return HUGE_VAL;
+  std::sort(near.begin(), near.end(),
+            [](const Near& a, const Near& b) { return a.through_space < b.through_space; });
   if (!distance) distance.emplace(mesh.surface());
   distance->set(other.meeting(boxes));
   double least = HUGE_VAL;
-  for (const SurfacePoint& point : near) least = std::min(least, distance->below(limit, point));
+  for (const Near& n : near) {
+    if (n.through_space >= least) break;
+    least = std::min(least, distance->below(std::min(limit, least), *n.point));
+  }
   return least;
 }
 
@@ -56,8 +67,9 @@ std::vector<double> gaps_to_others(const SurfaceMesh& mesh, std::span<const Surf
   for (std::size_t i = 0; i < curves.size(); ++i) {
     for (std::size_t j = i + 1; j < curves.size(); ++j) {
       if (!boxes[i].intersects(boxes[j])) continue;
-      const double apart = std::min(gap(mesh, curves[i], curves[j], limit, distance),
-                                    gap(mesh, curves[j], curves[i], limit, distance));
+      const double there = gap(mesh, curves[i], curves[j], limit, distance);
+      const double back = gap(mesh, curves[j], curves[i], std::min(limit, there), distance);
+      const double apart = std::min(there, back);
       if (!(apart < limit) || apart <= 1e-9 * limit) continue;
       gaps[i] = std::min(gaps[i], apart);
       gaps[j] = std::min(gaps[j], apart);

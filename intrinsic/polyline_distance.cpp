@@ -153,6 +153,15 @@ Nearest PolylineDistance::at(const SurfacePoint& point) {
   return in_face(inside.face, inside.barycentric);
 }
 
+/// A vertex of the face, edge or vertex where a point lies.
+VertexId PolylineDistance::vertex_beside(const SurfacePoint& point) const {
+  if (const auto* v = std::get_if<AtVertex>(&point.where())) return v->vertex;
+  if (const auto* e = std::get_if<OnEdge>(&point.where())) {
+    return surface_->tail(halfedge_of(e->edge));
+  }
+  return surface_->tail(surface_->halfedge(std::get<InFace>(point.where()).face));
+}
+
 double PolylineDistance::known_at(const SurfacePoint& point) {
   if (const auto* v = std::get_if<AtVertex>(&point.where())) {
     return vertex_[v->vertex.index()].distance;
@@ -165,8 +174,9 @@ double PolylineDistance::known_at(const SurfacePoint& point) {
 }
 
 double PolylineDistance::below(double limit, const SurfacePoint& point) {
+  const VertexId beside = vertex_beside(point);
   double known = known_at(point);
-  while (!is_final(std::min(known, limit))) {
+  while (!is_final(std::min(known, limit)) && !marches_in_vain(beside)) {
     march();
     known = known_at(point);
   }

@@ -188,6 +188,7 @@ class PolylineDistance {
   const FaceCopy& fresh_copy(FaceId face);
   const FaceCopy& final_copy(FaceId face, const Barycentric& b, FaceHit& hit);
   Nearest in_face(FaceId face, const Barycentric& b);
+  [[nodiscard]] VertexId vertex_beside(const SurfacePoint& point) const;
   double known_at(const SurfacePoint& point);
   [[nodiscard]] Nearest finish(Nearest nearest) const;
   [[nodiscard]] bool marches_in_vain(VertexId v);

@@ -712,6 +712,30 @@ TEST(PolylineDistance, IsInfiniteWhereThereIsNoCurve) {
   EXPECT_EQ(distance.at_vertex(VertexId{0}).distance, kInfinity);
 }
 
+TEST(PolylineDistance, BelowDoesNotLookForWhatHasNoCurve) {
+  TestMesh mesh = test::grid(40, 40);
+  const auto n = static_cast<std::uint32_t>(mesh.points.size());
+  for (std::size_t v = 0; v < n; ++v) mesh.points.push_back(mesh.points[v]);
+  for (std::size_t i = 0, faces = mesh.triangles.size(); i < faces; ++i) {
+    const Triangle t = mesh.triangles[i];
+    mesh.triangles.push_back({t[0] + n, t[1] + n, t[2] + n});
+  }
+  const Surface surface = test::surface_of(mesh);
+  const SurfaceCurve curve = through_vertices(surface, {0, 1});
+  PolylineDistance distance(surface);
+  const SurfacePoint elsewhere[] = {
+      SurfacePoint::at_vertex(surface, VertexId{n}),
+      SurfacePoint::on_edge(surface, EdgeId{surface.edge_count() - 1}, 0.3),
+      SurfacePoint::in_face(surface, FaceId{surface.face_count() - 1}, {0.2, 0.3, 0.5})};
+  for (const SurfacePoint& point : elsewhere) {
+    distance.set({&curve, 1});
+    EXPECT_EQ(distance.below(1000, point), kInfinity);
+    const std::size_t in_vain = distance.window_count();
+    distance.reach(1000);
+    EXPECT_LT(3 * in_vain, distance.window_count());
+  }
+}
+
 TEST(PolylineDistance, NamesTheNearestOfSeveralCurves) {
   const Surface surface = test::surface_of(test::grid(10, 4));
   const auto id = [](std::size_t i, std::size_t j) { return i + 11 * j; };
