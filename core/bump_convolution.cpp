@@ -17,8 +17,11 @@ namespace {
   throw Error(ErrorCode::kBadUsage, message);
 }
 
-// A straight ray can turn around a tip of almost no angle for long without getting ahead.
-constexpr std::size_t kMostSteps = std::size_t{1} << 16U;
+// A straight ray can turn around a tip of almost no angle for long without getting ahead; and where
+// the radius is many times the surface's size, it winds about it without learning anything.
+std::size_t most_triangles(const Surface& surface) {
+  return std::min(std::size_t{1} << 16U, 1000 + 8 * surface.face_count());
+}
 
 /// One radius of the quadrature, and the weight h(r) r dr there.
 struct Ring {
@@ -97,8 +100,9 @@ class Ray {
 
   /// Adds the rings that the ray reaches; `sum` is of weight · value.
   void add(std::span<const Ring> rings, double& sum, double& weight) {
+    const std::size_t most = most_triangles(surface_);
     std::size_t k = 0;
-    for (std::size_t step = 0; step < kMostSteps && std::isfinite(value_out_); ++step) {
+    for (std::size_t step = 0; step < most && std::isfinite(value_out_); ++step) {
       for (; k < rings.size() && rings[k].radius <= out_; ++k) {
         const double t = out_ > in_ ? (rings[k].radius - in_) / (out_ - in_) : 1.0;
         sum += rings[k].weight * (value_in_ + t * (value_out_ - value_in_));

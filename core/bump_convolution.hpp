@@ -26,7 +26,8 @@ struct BumpOptions {
 /// The integral is taken in polar coordinates about x: `rays` straightest rays that divide the
 /// cone angle evenly, traced over the triangles from edge lengths, with `samples` Gauss-Legendre
 /// radii on each. A ray that meets a vertex passes it on one side. A ray that meets the boundary
-/// ends there, and the weights that are left are normalised.
+/// ends there, and the weights that are left are normalised; so does one that has gone through 1000
+/// triangles and eight times as many as there are, or through 65,536.
 ///
 /// Constants come out unchanged everywhere, bit for bit. Linear functions on a plane come out
 /// unchanged up to rounding at vertices farther than R from the boundary, since the rays come in
@@ -36,7 +37,8 @@ struct BumpOptions {
 ///
 /// `values` has one entry per vertex. +infinity (a component that the curve does not reach) stays,
 /// and rays end where they meet one. Isolated vertices keep their value.
-/// Cost: vertices · rays · (samples + 1 + R / mean edge length). No memory but the result.
+/// Cost: vertices · rays · (samples + 1 + R / mean edge length), R at most the length of such rays.
+/// No memory but the result.
 ///
 /// Throws Error(kBadUsage) when the options are invalid, the number of values is not the number of
 /// vertices, or a value is NaN or -infinity.
