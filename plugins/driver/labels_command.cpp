@@ -235,9 +235,9 @@ Command add_labels(CLI::App& app, const GlobalOptions& global) {
                       "region, class, scalar_label)");
   command->add_option("--tau", o->network.tau, "More keeps closer to the labels' borders")
       ->capture_default_str();
-  command->add_option("--slack", o->network.slack,
-                      "How exact the labels are, in mesh units (default: the mean segment of each "
-                      "border)");
+  command->add_option(
+      "--slack", o->network.slack,
+      "How exact the labels are, in mesh units (default: as of smooth, for each border)");
   command->add_option("--max-deviation", o->network.max_deviation,
                       "Each border within so many mesh units of where it was, either way");
   command

@@ -31,8 +31,10 @@ void add_outputs(CLI::App& app, SmoothOptions& o) {
 void add_closeness(CLI::App& app, SmoothOptions& o) {
   app.add_option("--tau", o.tau, "0: straight lines; more keeps closer to the drawing")
       ->capture_default_str();
-  app.add_option("--slack", o.slack,
-                 "How exact the drawing is, in mesh units (corridor; default: its mean segment)");
+  app.add_option(
+      "--slack", o.slack,
+      "How exact the drawing is, in mesh units (corridor; default: 0.7 of its median segment, "
+      "less where it turns little, at most 1/24 of its length)");
   app.add_option("--slack-field", o.slack_field,
                  "The slack near each mesh vertex, one number each, instead of --slack");
   app.add_option("--max-deviation", o.max_deviation,
