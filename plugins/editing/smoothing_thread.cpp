@@ -228,7 +228,12 @@ Progress SmoothingThread::progress() const {
 void SmoothingThread::cancel() {
   const std::scoped_lock lock(mutex_);
   waiting_.clear();
-  if (began_ms_ > 0) cancelled_ = true;
+  if (began_ms_ > 0) {
+    cancelled_ = true;
+  } else {  // the worker has not taken what was asked, and now never will
+    progress_.busy = false;
+    done_.notify_all();
+  }
 }
 
 void SmoothingThread::wait() {
