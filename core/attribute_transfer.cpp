@@ -14,7 +14,7 @@
 namespace talweg {
 namespace {
 
-constexpr std::uint32_t kNone = CornerAttribute::kNone;
+constexpr std::uint32_t kNoValue = CornerAttribute::kNone;
 
 /// "red", and "diffuse_red".
 bool is_colour(std::string_view name) {
@@ -154,8 +154,8 @@ class CornerCarrier {
     const Parts parts = coordinates_in(old_, cut_.vertex_from[vertex], face).barycentric;
     Key key{vertex, own};
     for (std::size_t k = 0; k < 3; ++k) {
-      if (parts[k] == 0) key.second[k] = kNone;
-      if (parts[k] > 0 && own[k] == kNone) return kNone;
+      if (parts[k] == 0) key.second[k] = kNoValue;
+      if (parts[k] > 0 && own[k] == kNoValue) return kNoValue;
     }
     std::sort(key.second.begin(), key.second.end());  // neighbours have other orders
     const auto [place, is_new] = known_.try_emplace(key, 0);
@@ -196,12 +196,12 @@ std::vector<Value> of_faces(const std::vector<Value>& values, std::span<const st
 CornerAttribute of_faces(const CornerAttribute& from, std::span<const std::uint32_t> faces) {
   CornerAttribute to{from.dimension, {}, {}};
   if (from.dimension == 0) return to;
-  to.corners = of_faces(from.corners, faces, {kNone, kNone, kNone});
-  std::vector<std::uint32_t> number(from.values.size() / from.dimension, kNone);
+  to.corners = of_faces(from.corners, faces, {kNoValue, kNoValue, kNoValue});
+  std::vector<std::uint32_t> number(from.values.size() / from.dimension, kNoValue);
   for (Corners& corners : to.corners) {
     for (std::uint32_t& corner : corners) {
-      if (corner == kNone) continue;
-      if (number[corner] == kNone) {
+      if (corner == kNoValue) continue;
+      if (number[corner] == kNoValue) {
         number[corner] = static_cast<std::uint32_t>(to.values.size() / to.dimension);
         const auto first = from.values.begin() + static_cast<std::ptrdiff_t>(corner * to.dimension);
         to.values.insert(to.values.end(), first, first + static_cast<std::ptrdiff_t>(to.dimension));

@@ -13,7 +13,7 @@
 namespace talweg {
 namespace {
 
-[[noreturn]] void bad_usage(const std::string& message) {
+[[noreturn]] void refuse_bump(const std::string& message) {
   throw Error(ErrorCode::kBadUsage, message);
 }
 
@@ -165,12 +165,12 @@ class Ray {
 
 void check(const Surface& surface, std::span<const double> values) {
   if (values.size() != surface.vertex_count()) {
-    bad_usage("There are " + std::to_string(values.size()) + " values for " +
-              std::to_string(surface.vertex_count()) + " vertices.");
+    refuse_bump("There are " + std::to_string(values.size()) + " values for " +
+                std::to_string(surface.vertex_count()) + " vertices.");
   }
   for (std::size_t v = 0; v < values.size(); ++v) {
     if (!(values[v] > -std::numeric_limits<double>::infinity())) {
-      bad_usage("The value of vertex " + std::to_string(v) + " is not a number or -infinity.");
+      refuse_bump("The value of vertex " + std::to_string(v) + " is not a number or -infinity.");
     }
   }
 }
@@ -196,13 +196,13 @@ double mean_change(const Surface& surface, std::span<const double> values,
 
 void BumpOptions::validate() const {
   if (!(std::isfinite(radius) && radius >= 0)) {
-    bad_usage("radius must be finite and at least 0, not " + std::to_string(radius) + ".");
+    refuse_bump("radius must be finite and at least 0, not " + std::to_string(radius) + ".");
   }
   if (rays < 4 || rays > 1024 || rays % 2 != 0) {
-    bad_usage("rays must be even and from 4 to 1024, not " + std::to_string(rays) + ".");
+    refuse_bump("rays must be even and from 4 to 1024, not " + std::to_string(rays) + ".");
   }
   if (samples < 2 || samples > 64) {
-    bad_usage("samples must be from 2 to 64, not " + std::to_string(samples) + ".");
+    refuse_bump("samples must be from 2 to 64, not " + std::to_string(samples) + ".");
   }
 }
 

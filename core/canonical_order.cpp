@@ -34,7 +34,7 @@ Sequence rotated(const Sequence& s, std::size_t start) {
   return result;
 }
 
-Sequence segment_lengths(const Surface& surface, const SurfaceCurve& curve) {
+Sequence all_lengths(const Surface& surface, const SurfaceCurve& curve) {
   const std::size_t n = curve.points.size();
   const double whole = curve_length(surface, curve);
   Sequence lengths;
@@ -51,7 +51,7 @@ Sequence segment_lengths(const Surface& surface, const SurfaceCurve& curve) {
 CurveOrder canonical_order(const Surface& surface, const SurfaceCurve& curve) {
   const std::size_t n = curve.points.size();
   if (n < 2) return {};
-  const Sequence forward = segment_lengths(surface, curve);
+  const Sequence forward = all_lengths(surface, curve);
   const Sequence backward(forward.rbegin(), forward.rend());
   if (!curve.closed) return backward < forward ? CurveOrder{n - 1, true} : CurveOrder{};
   const std::size_t start = least_rotation(forward), other = least_rotation(backward);

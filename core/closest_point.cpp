@@ -22,21 +22,21 @@ std::uint64_t spread(std::uint64_t x) {
   return (x | x << 2) & 0x1249249249249249ULL;
 }
 
-struct Key {
+struct Nearness {
   std::uint64_t code;
   std::uint32_t face;
 };
 
 /// Stable radix sort by code.
-void sort_keys(std::vector<Key>& keys) {
+void sort_keys(std::vector<Nearness>& keys) {
   constexpr int kBits = 11;
   constexpr std::size_t kBuckets = std::size_t{1} << kBits;
-  std::vector<Key> other(keys.size());
+  std::vector<Nearness> other(keys.size());
   for (int shift = 0; shift < 63; shift += kBits) {
     std::array<std::size_t, kBuckets + 1> start{};
-    for (const Key& key : keys) ++start[(key.code >> shift & (kBuckets - 1)) + 1];
+    for (const Nearness& key : keys) ++start[(key.code >> shift & (kBuckets - 1)) + 1];
     for (std::size_t k = 0; k < kBuckets; ++k) start[k + 1] += start[k];
-    for (const Key& key : keys) other[start[key.code >> shift & (kBuckets - 1)]++] = key;
+    for (const Nearness& key : keys) other[start[key.code >> shift & (kBuckets - 1)]++] = key;
     keys.swap(other);
   }
 }
@@ -117,7 +117,7 @@ void ClosestPoint::sort_faces() {
   }
   const double extent = (high - low).maxCoeff();
   const double scale = extent > 0 ? (kCells - 1) / extent : 0.0;
-  std::vector<Key> keys(mesh_->surface().face_count());
+  std::vector<Nearness> keys(mesh_->surface().face_count());
   for (std::size_t f = 0; f < keys.size(); ++f) {
     const auto corner = corner_points(*mesh_, f);
     std::uint64_t code = 0;
@@ -131,7 +131,7 @@ void ClosestPoint::sort_faces() {
   }
   sort_keys(keys);
   order_.reserve(keys.size());
-  for (const Key& key : keys) order_.push_back(key.face);
+  for (const Nearness& key : keys) order_.push_back(key.face);
 }
 
 void ClosestPoint::make_boxes() {

@@ -11,7 +11,7 @@
 namespace talweg {
 namespace {
 
-[[noreturn]] void bad_curve(const std::string& message) {
+[[noreturn]] void refuse_curve(const std::string& message) {
   throw Error(ErrorCode::kBadCurve, message);
 }
 
@@ -34,7 +34,7 @@ void erase_loops(const SignpostTriangulation& t, std::vector<HalfedgeId>& path, 
   };
   std::vector<HalfedgeId> kept;
   std::map<VertexId, std::size_t> passed;  // and how much was kept before
-  for (const HalfedgeId& h : path) {  // where it stands in the path counts
+  for (const HalfedgeId& h : path) {       // where it stands in the path counts
     passed.emplace(t.tail(h), kept.size());
     kept.push_back(h);
     const auto again = passed.find(t.head(h));
@@ -60,17 +60,18 @@ void check_drawn(const Surface& surface, const SurfaceCurve& curve) {
   const std::size_t count = curve.points.size();
   const std::size_t least = curve.closed ? 3 : 2;
   if (count < least) {
-    bad_curve(std::string(curve.closed ? "A closed" : "An open") + " curve needs at least " +
-              std::to_string(least) + " different points, but this one has " +
-              std::to_string(count) + ".");
+    refuse_curve(std::string(curve.closed ? "A closed" : "An open") + " curve needs at least " +
+                 std::to_string(least) + " different points, but this one has " +
+                 std::to_string(count) + ".");
   }
   for (std::size_t i = 0; i < count; ++i) {
     const std::size_t next = (i + 1) % count;
     if (next == 0 && !curve.closed) break;
     const SurfacePoint &p = curve.points[i], &q = curve.points[next];
     if (common_face(surface, p, q).valid()) continue;
-    bad_curve("Points " + std::to_string(i + 1) + " and " + std::to_string(next + 1) +
-              " of the curve (" + name(p) + " and " + name(q) + ") do not lie in a common face.");
+    refuse_curve("Points " + std::to_string(i + 1) + " and " + std::to_string(next + 1) +
+                 " of the curve (" + name(p) + " and " + name(q) +
+                 ") do not lie in a common face.");
   }
 }
 
@@ -114,9 +115,10 @@ EmbeddedCurves embed_curves(SignpostTriangulation& triangulation,
   for (std::size_t c = 0; c < curves.size(); ++c) {
     if (loops == Loops::kErase) erase_loops(triangulation, chains[c], curves[c].closed);
     if (chains[c].size() < (curves[c].closed ? 3U : 1U)) {
-      bad_curve("Curve " + std::to_string(c) +
-                " comes back to where it began without going around anything: its points are too "
-                "close together, or it goes back the way it came.");
+      refuse_curve(
+          "Curve " + std::to_string(c) +
+          " comes back to where it began without going around anything: its points are too "
+          "close together, or it goes back the way it came.");
     }
     embedded.paths.push_back(EdgePath::make(triangulation, std::move(chains[c]), curves[c].closed));
   }

@@ -14,10 +14,10 @@
 namespace talweg {
 namespace {
 
-using Box = Eigen::AlignedBox3d;
+using PieceBox = Eigen::AlignedBox3d;
 
-Box box_of(std::span<const Point> points, double margin) {
-  Box box;
+PieceBox box_of(std::span<const Point> points, double margin) {
+  PieceBox box;
   for (const Point& p : points) box.extend(p);
   const Point out = Point::Constant(margin);
   return {box.min() - out, box.max() + out};
@@ -33,7 +33,7 @@ double gap(const SurfaceMesh& mesh, const SurfaceCurve& from, const SurfaceCurve
     const SurfacePoint* point;
   };
   std::vector<Near> near;
-  std::vector<Box> boxes;
+  std::vector<PieceBox> boxes;
   for (const SurfacePoint& point : from.points) {
     const Point p = mesh.position(point);
     const double through_space = other.distance(p);
@@ -59,7 +59,7 @@ double gap(const SurfaceMesh& mesh, const SurfaceCurve& from, const SurfaceCurve
 std::vector<double> gaps_to_others(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves,
                                    double limit) {
   std::vector<double> gaps(curves.size(), HUGE_VAL);
-  std::vector<Box> boxes;
+  std::vector<PieceBox> boxes;
   for (const SurfaceCurve& curve : curves) {
     boxes.push_back(box_of(positions_of(mesh, curve), limit / 2));
   }

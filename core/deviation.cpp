@@ -14,8 +14,8 @@ namespace {
 
 constexpr double kMaxTolerance = 1e-6;
 constexpr double kMeanTolerance = 1e-4;
-constexpr int kMaxHalvings = 40;
-constexpr int kMeanHalvings = 12;
+constexpr int kMostHalvings = 40;
+constexpr int kMostHalvingsOfMean = 12;
 
 /// Distances below this are rounding: a few ulp of the largest coordinate.
 double rounding_of(std::span<const Segment> segments) {
@@ -46,7 +46,7 @@ class LargestDistance {
 
   /// Looks between two samples for what is larger than all that was seen.
   void search(const Sample& a, const Sample& b, int halvings = 0) {
-    if (halvings > kMaxHalvings || bound(a, b) <= max_ * (1 + kMaxTolerance) + rounding_) return;
+    if (halvings > kMostHalvings || bound(a, b) <= max_ * (1 + kMaxTolerance) + rounding_) return;
     const Sample middle = sample(to_, a.point + (b.point - a.point) / 2);
     see(middle);
     search(a, middle, halvings + 1);
@@ -85,7 +85,7 @@ class MeanDistance {
     const double at_second = to_.nearest(middle + (b - middle) / 2).distance;
     const double coarse = (at_a + 4 * at_middle + at_b) / 6;
     const double fine = (at_a + 4 * at_first + 2 * at_middle + 4 * at_second + at_b) / 12;
-    if (halvings >= kMeanHalvings || std::abs(fine - coarse) <= tolerance_) return fine;
+    if (halvings >= kMostHalvingsOfMean || std::abs(fine - coarse) <= tolerance_) return fine;
     return (between(a, middle, at_a, at_first, at_middle, halvings + 1) +
             between(middle, b, at_middle, at_second, at_b, halvings + 1)) /
            2;

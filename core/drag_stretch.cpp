@@ -9,13 +9,13 @@
 namespace talweg {
 namespace {
 
-using Box = Eigen::AlignedBox3d;
+using StretchBox = Eigen::AlignedBox3d;
 
 /// The runs of one curve that come near; a run has the points just outside as well.
 class Runs {
  public:
   Runs(const SurfaceMesh& mesh, const SurfaceCurve& curve, const Corridor::Valley& valley,
-       const Box& box)
+       const StretchBox& box)
       : curve_(curve), valley_(valley), points_(positions_of(mesh, curve)) {
     for (const Point& p : points_) inside_.push_back(box.contains(p));
   }
@@ -84,7 +84,7 @@ DragStretch stretch_of(const SurfaceMesh& mesh, std::span<const SurfaceCurve> cu
   const auto points = std::span(curves[number].points).subspan(first, last - first);
   stretch.curve.points.assign(points.begin(), points.end());
   stretch.curve.closed = curves[number].closed && points.size() == curves[number].points.size();
-  Box box;
+  StretchBox box;
   for (const SurfacePoint& point : points) box.extend(mesh.position(point));
   box.min().array() -= reach;
   box.max().array() += reach;

@@ -10,14 +10,14 @@
 namespace talweg {
 namespace {
 
-constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+constexpr std::uint32_t kNoSide = std::numeric_limits<std::uint32_t>::max();
 
 /// The faces of a part, and how each is seen from its first one.
 class Flood {
  public:
   Flood(const MeshLists& lists, const std::vector<bool>& proper)
       : lists_(lists),
-        across_(3 * lists.triangles.size(), kNone),
+        across_(3 * lists.triangles.size(), kNoSide),
         seen_(lists.triangles.size(), false),
         turned_(lists.triangles.size(), false) {
     for_each_edge(sorted_sides(lists, proper), [&](std::span<const FaceSide> edge) {
@@ -37,7 +37,7 @@ class Flood {
     for (std::size_t i = 0; i < part.size(); ++i) {
       for (std::uint32_t k = 0; k < 3; ++k) {
         const std::uint32_t side = 3 * part[i] + k;
-        if (across_[side] == kNone) continue;
+        if (across_[side] == kNoSide) continue;
         const std::uint32_t other = across_[side] / 3;
         const bool turned = turned_[part[i]] != (tail_of(side) == tail_of(across_[side]));
         if (!seen_[other]) {

@@ -11,7 +11,7 @@
 namespace talweg {
 namespace {
 
-constexpr std::uint32_t kNone = 0xFFFFFFFFU;
+constexpr std::uint32_t kNoIndex = 0xFFFFFFFFU;
 
 double area_of(const MeshLists& lists, const Triangle& t) {
   const Point& a = lists.points[t[0]];
@@ -26,10 +26,10 @@ double area_of(const SurfaceMesh& mesh, FaceId face) {
 
 /// Numbers the sets in the order of their first elements.
 void number_parts(UnionFind& sets, std::span<const std::int64_t> labels, RegionParts& result) {
-  std::vector<std::uint32_t> number(labels.size(), kNone);
+  std::vector<std::uint32_t> number(labels.size(), kNoIndex);
   for (std::uint32_t i = 0; i < labels.size(); ++i) {
     std::uint32_t& part = number[sets.find(i)];
-    if (part == kNone) {
+    if (part == kNoIndex) {
       part = static_cast<std::uint32_t>(result.parts.size());
       result.parts.push_back({labels[i], 0});
     }
@@ -110,7 +110,7 @@ RegionParts parts_by_vertex(const SurfaceMesh& mesh, std::span<const std::int64_
 /// A face or a link of a chain at one of its edges.
 struct AtEdge {
   std::uint32_t high;         // the end with the larger number
-  std::uint32_t face, chain;  // kNone for the other kind
+  std::uint32_t face, chain;  // kNoIndex for the other kind
   bool rising;                // it runs from the smaller number to the larger one
 };
 
@@ -145,12 +145,12 @@ class EdgeLists {
   static void each(const CutMesh& cut, const Visit& visit) {
     for (std::uint32_t f = 0; f < cut.lists.triangles.size(); ++f) {
       const Triangle& t = cut.lists.triangles[f];
-      for (std::size_t c = 0; c < 3; ++c) visit(t[c], t[(c + 1) % 3], f, kNone);
+      for (std::size_t c = 0; c < 3; ++c) visit(t[c], t[(c + 1) % 3], f, kNoIndex);
     }
     for (std::uint32_t k = 0; k < cut.chains.size(); ++k) {
       const auto& v = cut.chains[k].vertices;
       for (std::size_t i = 0; i + (cut.chains[k].closed ? 0 : 1) < v.size(); ++i) {
-        if (v[i] != v[(i + 1) % v.size()]) visit(v[i], v[(i + 1) % v.size()], kNone, k);
+        if (v[i] != v[(i + 1) % v.size()]) visit(v[i], v[(i + 1) % v.size()], kNoIndex, k);
       }
     }
   }
@@ -195,25 +195,25 @@ class Follower {
   void gather() {
     EdgeLists edges(cut_);
     edges.each_edge([&](std::uint32_t low, std::span<const AtEdge> here) {
-      std::uint32_t rising = kNone, falling = kNone;
+      std::uint32_t rising = kNoIndex, falling = kNoIndex;
       std::size_t chains = 0;
       for (const AtEdge& at : here) {
-        if (at.face == kNone) ++chains;
-        if (at.face != kNone) (at.rising ? rising : falling) = at.face;
+        if (at.face == kNoIndex) ++chains;
+        if (at.face != kNoIndex) (at.rising ? rising : falling) = at.face;
       }
       if (chains == 0) {
-        if (rising != kNone && falling != kNone) heaps_.join(rising, falling);
+        if (rising != kNoIndex && falling != kNoIndex) heaps_.join(rising, falling);
         return;
       }
       const double length = (cut_.lists.points[low] - cut_.lists.points[here[0].high]).norm();
       for (const AtEdge& at : here) {
-        if (at.face != kNone) continue;
+        if (at.face != kNoIndex) continue;
         const auto& [left, right] = drawn_.beside[at.chain];
         if (chains > 1) wrong_.push_back(at.chain);  // two lie on each other
         const std::uint32_t on_left = at.rising ? rising : falling;
         const std::uint32_t on_right = at.rising ? falling : rising;
-        if (on_left != kNone) sides_.push_back({at.chain, left, on_left, length});
-        if (on_right != kNone) sides_.push_back({at.chain, right, on_right, length});
+        if (on_left != kNoIndex) sides_.push_back({at.chain, left, on_left, length});
+        if (on_right != kNoIndex) sides_.push_back({at.chain, right, on_right, length});
       }
     });
     for (LinkSide& side : sides_) side.face = heaps_.find(side.face);
@@ -221,12 +221,12 @@ class Follower {
 
   /// Each heap gets the part that the longest stretch around it names.
   void name_heaps() {
-    owner_.assign(cut_.lists.triangles.size(), kNone);
+    owner_.assign(cut_.lists.triangles.size(), kNoIndex);
     std::sort(sides_.begin(), sides_.end(), [](const LinkSide& a, const LinkSide& b) {
       return std::tie(a.face, a.part, a.chain) < std::tie(b.face, b.part, b.chain);
     });
     std::vector<double> best(drawn_.parts.size(), -1);
-    main_.assign(drawn_.parts.size(), kNone);
+    main_.assign(drawn_.parts.size(), kNoIndex);
     double most = -1;
     for (std::size_t i = 0, end = 0; i < sides_.size(); i = end) {
       if (i == 0 || sides_[i].face != sides_[i - 1].face) most = -1;
@@ -247,7 +247,7 @@ class Follower {
     }
     for (std::uint32_t f = 0; f < owner_.size(); ++f) {  // heaps without a border
       std::uint32_t& owner = owner_[heaps_.find(f)];
-      if (owner == kNone) owner = part_before(f);
+      if (owner == kNoIndex) owner = part_before(f);
     }
   }
 
@@ -269,7 +269,7 @@ class Follower {
     // A part without a side of its own has all its borders on the mesh's boundary.
     for (std::size_t c = 0; c < borders_.size(); ++c) {
       for (const std::uint32_t part : drawn_.beside[c]) {
-        if (main_[part] == kNone) wrong_.push_back(c);
+        if (main_[part] == kNoIndex) wrong_.push_back(c);
       }
     }
   }

@@ -6,9 +6,9 @@
 namespace talweg {
 namespace {
 
-constexpr double kStraight = 1e-4;  // rad
-constexpr double kEnd = 1e-7;       // points stay this far (in t) from the ends of their edges
-constexpr double kNearer = 0.8;     // of the way to a vertex, at most, in one step
+constexpr double kBarelyBent = 1e-4;  // rad
+constexpr double kFromEnds = 1e-7;    // points stay this far (in t) from the ends of their edges
+constexpr double kNearer = 0.8;       // of the way to a vertex, at most, in one step
 
 }  // namespace
 
@@ -31,7 +31,7 @@ ChainNode LiftedChain::node_at(const SurfacePoint& point, bool keep) const {
 
 LiftedPlace LiftedChain::place_at(const ChainNode& node, double t) const {
   LiftedPlace place;
-  place.t = std::clamp(t, kEnd, 1 - kEnd);
+  place.t = std::clamp(t, kFromEnds, 1 - kFromEnds);
   const PotentialOnEdge phi = potential_.on_edge(node.edge, place.t);
   place.y << node.origin + place.t * node.along, phi.value[0], phi.value[1];
   place.dphi << phi.first[0], phi.first[1];
@@ -156,14 +156,14 @@ bool LiftedChain::assemble(std::span<const ChainNode> nodes) {
   for (std::size_t i = 1; i + 1 < n; ++i) {
     const ChainNode& node = nodes[i];
     Row& row = rows_[i];
-    row.held = node.fixed || (node.t <= kEnd && row.gradient > 0) ||
-               (node.t >= 1 - kEnd && row.gradient < 0);
+    row.held = node.fixed || (node.t <= kFromEnds && row.gradient > 0) ||
+               (node.t >= 1 - kFromEnds && row.gradient < 0);
     if (row.held) continue;
     row.speed = std::sqrt(node.along.squaredNorm() + node.dphi.squaredNorm());
     row.diagonal += std::max(0.0, row.bend);
     force = std::max(force, std::abs(row.gradient) / row.speed);
   }
-  return force >= kStraight;
+  return force >= kBarelyBent;
 }
 
 /// Thomas' algorithm; held points are rows of the identity.

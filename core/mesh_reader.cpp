@@ -10,9 +10,9 @@
 namespace talweg {
 namespace {
 
-using Reader = MeshLists (*)(const MeshFile&, MeshAttributes*);
+using FormatReader = MeshLists (*)(const MeshFile&, MeshAttributes*);
 
-Reader reader_of(const std::filesystem::path& path) {
+FormatReader format_reader_of(const std::filesystem::path& path) {
   const std::string extension = lower_extension(path);
   if (extension == ".obj") return &read_obj;
   if (extension == ".off") return &read_off;
@@ -26,7 +26,7 @@ Reader reader_of(const std::filesystem::path& path) {
 
 MeshLists read_bytes(const std::filesystem::path& path, std::string_view bytes,
                      MeshAttributes* attributes) {
-  const Reader read = reader_of(path);
+  const FormatReader read = format_reader_of(path);
   if (bytes.empty()) bad_file(path, "the file is empty.");
   if (read == &read_obj || read == &read_off || read == &read_ply) {
     formats::check_encoding(path, bytes);
@@ -45,12 +45,12 @@ MeshLists read_bytes(const std::filesystem::path& path, std::string_view bytes,
 }  // namespace
 
 MeshLists read_mesh(const std::filesystem::path& path) {
-  static_cast<void>(reader_of(path));  // no file is read that has an unknown extension
+  static_cast<void>(format_reader_of(path));  // no file is read that has an unknown extension
   return read_mesh(path, read_file(path));
 }
 
 MeshLists read_mesh(const std::filesystem::path& path, MeshAttributes& attributes) {
-  static_cast<void>(reader_of(path));
+  static_cast<void>(format_reader_of(path));
   return read_mesh(path, read_file(path), attributes);
 }
 

@@ -16,7 +16,7 @@
 namespace talweg {
 namespace {
 
-constexpr std::uint32_t kNone = RepairMap::kDropped;
+constexpr std::uint32_t kNoVertex = RepairMap::kDropped;
 
 using Image = std::pair<std::uint32_t, std::uint32_t>;  ///< vertex of the file, what it became
 
@@ -148,22 +148,22 @@ class Repair {
   }
 
   std::vector<std::uint32_t> name_fans(const std::vector<Image>& wishes) {
-    std::vector<std::uint32_t> vertex_of_fan(3 * lists_.triangles.size(), kNone);
+    std::vector<std::uint32_t> vertex_of_fan(3 * lists_.triangles.size(), kNoVertex);
     std::vector<bool> taken(file_.points.size(), false);
     for (std::size_t i = 0; i < wishes.size();) {
       const auto [fan, smallest] = wishes[i];
       std::uint32_t& vertex = vertex_of_fan[fan];
       for (; i < wishes.size() && wishes[i].first == fan; ++i) {
-        if (vertex == kNone && !taken[wishes[i].second]) vertex = wishes[i].second;
+        if (vertex == kNoVertex && !taken[wishes[i].second]) vertex = wishes[i].second;
       }
-      if (vertex == kNone) vertex = copy_of(smallest);
+      if (vertex == kNoVertex) vertex = copy_of(smallest);
       if (vertex < taken.size()) taken[vertex] = true;
     }
     return vertex_of_fan;
   }
 
   std::uint32_t copy_of(std::uint32_t vertex) {
-    if (lists_.points.size() >= kNone) {
+    if (lists_.points.size() >= kNoVertex) {
       throw Error(ErrorCode::kBadMesh, "The repaired mesh has more vertices than can be numbered.");
     }
     lists_.points.push_back(file_.points[vertex]);

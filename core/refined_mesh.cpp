@@ -16,11 +16,11 @@ namespace {
 
 using Barycentric = std::array<double, 3>;
 
-constexpr std::uint32_t kNone = 0xFFFFFFFFU;
+constexpr std::uint32_t kNothing = 0xFFFFFFFFU;
 constexpr std::size_t kMostSegments = 64;  // of a drawing in one face
 // In slacks: what a curve that is straight in a face may miss there; in faces with longer edges
-// than kWide it comes to lie farther from the drawing than that, so a bend of kBent is enough.
-constexpr double kAside = 4, kWide = 8, kBent = 0.5;
+// than kWide it comes to lie farther from the drawing than that, so a bend of kBentAt is enough.
+constexpr double kAside = 4, kWide = 8, kBentAt = 0.5;
 
 double distance_to_chord(const Point& p, const Point& a, const Point& b) {
   const Point ab = b - a;
@@ -56,8 +56,8 @@ class Bisection {
   };
   struct Segment {
     Index piece;
-    Barycentric from, to;  // there
-    Index next = kNone;    // along the curve
+    Barycentric from, to;   // there
+    Index next = kNothing;  // along the curve
     Index curve = 0;
     Index drawn = 0;  // the segment of the drawing that it is a part of
     double begin = 0, end = 1;
@@ -103,7 +103,8 @@ Bisection::Bisection(const SurfaceMesh& mesh, std::span<const FaceId> faces)
     HalfedgeId h = surface.halfedge(piece.face);
     for (std::size_t k = 0; k < 3; ++k, h = surface.next(h)) {
       const bool inner = surface.has_face(twin(h));
-      piece.across[k] = inner ? of_face_[surface.face(twin(h)).index()] - 1 : kNone;  // 0 - 1: none
+      piece.across[k] =
+          inner ? of_face_[surface.face(twin(h)).index()] - 1 : kNothing;  // 0 - 1: none
     }
   }
 }
@@ -156,7 +157,7 @@ void Bisection::bisect(Index piece) {
     const Index a = pieces_[t].corners[side], b = pieces_[t].corners[(side + 1) % 3];
     const Index other = pieces_[t].across[side];
     std::size_t there = 0;
-    if (other != kNone) {
+    if (other != kNothing) {
       there = side_towards(other, b, a);
       if (longest_side(other) != there) {
         stack.push_back(other);
@@ -166,7 +167,7 @@ void Bisection::bisect(Index piece) {
     const auto middle = static_cast<Index>(points_.size());
     points_.emplace_back(0.5 * (points_[std::min(a, b)] + points_[std::max(a, b)]));
     const Index fresh = split(t, side, middle);
-    if (other != kNone) {
+    if (other != kNothing) {
       const Index fresh_there = split(other, there, middle);
       pieces_[t].across[side] = fresh_there;
       pieces_[fresh_there].across[there] = t;
@@ -183,7 +184,7 @@ Bisection::Index Bisection::split(Index piece, std::size_t side, Index middle) {
   pieces_.push_back(pieces_[piece]);
   Piece &t = pieces_[piece], &u = pieces_[fresh];
   const std::size_t ia = side, ib = (side + 1) % 3, ic = (side + 2) % 3;
-  if (const Index beyond = t.across[ib]; beyond != kNone) {
+  if (const Index beyond = t.across[ib]; beyond != kNothing) {
     pieces_[beyond].across[side_towards(beyond, t.corners[ic], t.corners[ib])] = fresh;
   }
   Barycentric in_face{};
@@ -273,10 +274,10 @@ RefinedMesh Bisection::result(std::size_t curves) && {
   }
   result.curves.resize(curves);
   for (std::size_t c = 0; c < curves; ++c) {
-    for (Index id = first_[c]; id != kNone; id = segments_[id].next) {
+    for (Index id = first_[c]; id != kNothing; id = segments_[id].next) {
       const Segment& s = segments_[id];
       result.curves[c].push_back({FaceId{s.piece}, s.from, s.drawn, s.begin});
-      if (s.next == kNone) result.curves[c].push_back({FaceId{s.piece}, s.to, s.drawn + 1UL, 0});
+      if (s.next == kNothing) result.curves[c].push_back({FaceId{s.piece}, s.to, s.drawn + 1UL, 0});
     }
   }
   return result;
@@ -348,7 +349,7 @@ std::vector<FaceId> too_large_faces(const SurfaceMesh& mesh, const SurfaceCurve&
       aside = std::max(aside, distance_to_chord(mesh.position(drawn.points[k]), a, b));
     }
     const bool wide = longest_side(mesh.surface(), face) > kWide * slack;
-    const bool too_large = end - i > kMostSegments || aside > (wide ? kBent : kAside) * slack;
+    const bool too_large = end - i > kMostSegments || aside > (wide ? kBentAt : kAside) * slack;
     if (too_large) faces.push_back(face);
   }
   return faces;

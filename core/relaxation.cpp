@@ -10,8 +10,8 @@
 namespace talweg {
 namespace {
 
-constexpr double kStep = 2.0 / 3;  // damps all short waves by 1/3 or better
-constexpr double kMargin = 1e-6;   // of the edge: between a point and an end or another point
+constexpr double kStep = 2.0 / 3;    // damps all short waves by 1/3 or better
+constexpr double kEndMargin = 1e-6;  // of the edge: between a point and an end or another point
 
 /// A point that slides along the edge origin + t · along.
 struct Slider {
@@ -26,7 +26,7 @@ struct Slider {
 };
 
 /// A point of a curve on an edge.
-struct Place {
+struct SlidingPoint {
   EdgeId edge;
   double t = 0;
   Slider* slider = nullptr;  ///< null for an end of a curve, which stays
@@ -52,9 +52,10 @@ class Sliders {
     }
     for (Slider& s : sliders_) places_.push_back({s.edge, s.t, &s});
     // The order along each edge is found once and kept by all rounds.
-    std::stable_sort(places_.begin(), places_.end(), [](const Place& a, const Place& b) {
-      return a.edge != b.edge ? a.edge < b.edge : a.t < b.t;
-    });
+    std::stable_sort(places_.begin(), places_.end(),
+                     [](const SlidingPoint& a, const SlidingPoint& b) {
+                       return a.edge != b.edge ? a.edge < b.edge : a.t < b.t;
+                     });
   }
   Sliders(const Sliders&) = delete;
   Sliders& operator=(const Sliders&) = delete;
@@ -64,22 +65,22 @@ class Sliders {
 
  private:
   std::vector<Slider> sliders_;
-  std::vector<Place> places_;
+  std::vector<SlidingPoint> places_;
 };
 
 /// Two points of one edge may each use half of the gap between them.
 void Sliders::limit() {
-  for (Place& place : places_) {
+  for (SlidingPoint& place : places_) {
     if (place.slider == nullptr) continue;
     place.t = place.slider->t;
-    place.slider->low = std::min(place.t, kMargin);
-    place.slider->high = std::max(place.t, 1 - kMargin);
+    place.slider->low = std::min(place.t, kEndMargin);
+    place.slider->high = std::max(place.t, 1 - kEndMargin);
   }
   for (std::size_t i = 0; i + 1 < places_.size(); ++i) {
-    const Place& a = places_[i];
-    const Place& b = places_[i + 1];
+    const SlidingPoint& a = places_[i];
+    const SlidingPoint& b = places_[i + 1];
     if (a.edge != b.edge) continue;
-    const double share = std::max(0.0, b.t - a.t - kMargin) / 2;
+    const double share = std::max(0.0, b.t - a.t - kEndMargin) / 2;
     if (a.slider != nullptr) a.slider->high = std::min(a.slider->high, a.t + share);
     if (b.slider != nullptr) b.slider->low = std::max(b.slider->low, b.t - share);
   }

@@ -7,9 +7,9 @@
 namespace talweg {
 namespace {
 
-using Key = std::uint64_t;
-Key undirected(std::uint32_t a, std::uint32_t b) {
-  return (Key{std::min(a, b)} << 32U) | std::max(a, b);
+using EdgeKey = std::uint64_t;
+EdgeKey edge_key(std::uint32_t a, std::uint32_t b) {
+  return (EdgeKey{std::min(a, b)} << 32U) | std::max(a, b);
 }
 using Edge = std::array<std::uint32_t, 2>;
 
@@ -18,13 +18,13 @@ using Edge = std::array<std::uint32_t, 2>;
 std::vector<TaggedEdge> tagged_edges(std::span<const Triangle> triangles,
                                      std::span<const std::uint32_t> from,
                                      std::span<const CutMesh::Chain> chains) {
-  std::unordered_map<Key, std::vector<Edge>> here;  // by the edge in the chains' numbers
+  std::unordered_map<EdgeKey, std::vector<Edge>> here;  // by the edge in the chains' numbers
   std::uint32_t last = 0;
   for (const CutMesh::Chain& chain : chains) {
     for (const std::uint32_t v : chain.vertices) last = std::max(last, v);
     const std::size_t n = chain.vertices.size();
     for (std::size_t i = 0; i + (chain.closed ? 0 : 1) < n; ++i) {
-      here[undirected(chain.vertices[i], chain.vertices[(i + 1) % n])];
+      here[edge_key(chain.vertices[i], chain.vertices[(i + 1) % n])];
     }
   }
   std::vector<bool> on_chain(std::size_t{last} + 1, false);
@@ -36,7 +36,7 @@ std::vector<TaggedEdge> tagged_edges(std::span<const Triangle> triangles,
     for (std::size_t k = 0; k < 3; ++k) {
       const std::uint32_t a = t[k], b = t[(k + 1) % 3];
       if (!marked(a) || !marked(b)) continue;
-      const auto found = here.find(undirected(from[a], from[b]));
+      const auto found = here.find(edge_key(from[a], from[b]));
       if (found == here.end()) continue;
       const Edge edge{std::min(a, b), std::max(a, b)};
       auto& there = found->second;
@@ -49,7 +49,7 @@ std::vector<TaggedEdge> tagged_edges(std::span<const Triangle> triangles,
     const std::size_t n = vertices.size();
     for (std::size_t i = 0; i + (chains[c].closed ? 0 : 1) < n; ++i) {
       const std::uint32_t a = vertices[i], b = vertices[(i + 1) % n];
-      for (const auto& [u, v] : here[undirected(a, b)]) {
+      for (const auto& [u, v] : here[edge_key(a, b)]) {
         const bool along = from[u] == a;
         edges.push_back({along ? u : v, along ? v : u, c});
       }

@@ -9,7 +9,7 @@ namespace {
 
 using Nearest = PolylineDistance::Nearest;
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kNoWay = std::numeric_limits<double>::infinity();
 
 /// visit(edge to it, neighbour) for every neighbour of v.
 template <class Visit>
@@ -42,7 +42,7 @@ Nearest PolylineDistance::at_vertex_roughly(VertexId v, double exact) {
   while (!is_final(std::min(known.distance, exact)) && !marches_in_vain(v)) march();
   if (known.distance <= exact || marches_in_vain(v)) return finish(known);
 
-  Nearest best{kInfinity, 0, 0};
+  Nearest best{kNoWay, 0, 0};
   reached_.assign(1, {v});
   for (int k = 0; k < kMost; ++k) {
     Reached* next = nullptr;
@@ -88,7 +88,7 @@ Nearest PolylineDistance::along_edges(VertexId v, double exact) {
   }
   for (;;) {
     if (const auto known = by_edges_.find(v); known != by_edges_.end()) return known->second;
-    if (edge_ways_.empty()) return {kInfinity, 0, 0};
+    if (edge_ways_.empty()) return {kNoWay, 0, 0};
     std::pop_heap(edge_ways_.begin(), edge_ways_.end(), is_later);
     const EdgeWay next = edge_ways_.back();
     edge_ways_.pop_back();

@@ -8,7 +8,7 @@
 namespace talweg {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kUnreached = std::numeric_limits<double>::infinity();
 
 /// How far along the segment from p to q the point nearest to x is, in [0, 1].
 double nearest_part(PlanePoint x, PlanePoint p, PlanePoint q) {
@@ -83,7 +83,7 @@ void PolylineDistance::offer_pieces(const FaceCopy& copy, PlanePoint at, FaceHit
 
 PolylineDistance::FaceHit PolylineDistance::hit_in(const FaceCopy& copy,
                                                    const Barycentric& b) const {
-  FaceHit best{{kInfinity, 0, 0}};
+  FaceHit best{{kUnreached, 0, 0}};
   Corners at;
   for (std::size_t k = 0; k < 3; ++k) {
     const PlanePoint p = at[k] = copy.frames[k].at(b, k);

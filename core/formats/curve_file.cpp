@@ -21,9 +21,9 @@ std::string curve_extension(const std::filesystem::path& path) {
                                      : std::filesystem::path(name).extension().string();
 }
 
-using Reader = std::vector<CurveInput> (*)(const formats::Source&);
+using CurveReader = std::vector<CurveInput> (*)(const formats::Source&);
 
-Reader reader_of(const std::filesystem::path& path) {
+CurveReader curve_reader_of(const std::filesystem::path& path) {
   const std::string extension = curve_extension(path);
   if (extension == ".obj") return formats::read_obj;
   if (extension == ".ply") return formats::read_ply;
@@ -37,12 +37,12 @@ Reader reader_of(const std::filesystem::path& path) {
 }  // namespace
 
 std::vector<CurveInput> read_curves(const std::filesystem::path& path) {
-  static_cast<void>(reader_of(path));  // no file is read that has an unknown extension
+  static_cast<void>(curve_reader_of(path));  // no file is read that has an unknown extension
   return read_curves(path, read_file(path));
 }
 
 std::vector<CurveInput> read_curves(const std::filesystem::path& path, std::string_view bytes) {
-  const Reader reader = reader_of(path);
+  const CurveReader reader = curve_reader_of(path);
   if (bytes.empty()) cannot_read(path, "the file is empty");
   formats::check_encoding(path, bytes);
   if (reader != formats::read_json && reader != formats::read_vtp) {

@@ -12,14 +12,14 @@
 namespace talweg {
 namespace {
 
-constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+constexpr std::size_t kAbsent = static_cast<std::size_t>(-1);
 constexpr std::string_view kStrips = "tristrips";
 
 std::size_t property_index(const PlyElement& element, std::string_view name) {
   for (std::size_t i = 0; i < element.properties.size(); ++i) {
     if (element.properties[i].name == name) return i;
   }
-  return kNone;
+  return kAbsent;
 }
 
 std::string numbered(const PlyElement& element, std::size_t index) {
@@ -28,10 +28,10 @@ std::string numbered(const PlyElement& element, std::size_t index) {
 
 /// Where the numbers of an element go that are no coordinates and no corners.
 struct Columns {
-  std::vector<std::size_t> of_property;  ///< kNone: nowhere
+  std::vector<std::size_t> of_property;  ///< kAbsent: nowhere
   std::vector<AttributeColumn>* into = nullptr;
   [[nodiscard]] std::size_t at(std::size_t property) const {
-    return of_property.empty() ? kNone : of_property[property];
+    return of_property.empty() ? kAbsent : of_property[property];
   }
 };
 
@@ -39,9 +39,9 @@ struct Columns {
 struct Plan {
   PlyHeader header;
   std::size_t vertices = 0;
-  std::array<std::size_t, 3> coordinate{kNone, kNone, kNone};  ///< properties of a vertex
-  std::size_t corners = kNone;                                 ///< property of a face or a strip
-  std::size_t texture = kNone;  ///< property of a face: texture coordinates of its corners
+  std::array<std::size_t, 3> coordinate{kAbsent, kAbsent, kAbsent};  ///< properties of a vertex
+  std::size_t corners = kAbsent;  ///< property of a face or a strip
+  std::size_t texture = kAbsent;  ///< property of a face: texture coordinates of its corners
   Columns vertex_columns, face_columns;
   MeshAttributes* attributes = nullptr;
 };
@@ -51,7 +51,7 @@ void plan_vertices(const MeshFile& file, const PlyElement& element, Plan& plan) 
   for (std::size_t k = 0; k < 3; ++k) {
     const std::string name(1, "xyz"[k]);
     plan.coordinate[k] = property_index(element, name);
-    if (plan.coordinate[k] == kNone || element.properties[plan.coordinate[k]].is_list) {
+    if (plan.coordinate[k] == kAbsent || element.properties[plan.coordinate[k]].is_list) {
       bad_file(file.path, "the vertices have no coordinate " + name + ".");
     }
   }
@@ -59,8 +59,8 @@ void plan_vertices(const MeshFile& file, const PlyElement& element, Plan& plan) 
 
 void plan_corners(const MeshFile& file, const PlyElement& element, Plan& plan) {
   plan.corners = property_index(element, "vertex_indices");
-  if (plan.corners == kNone) plan.corners = property_index(element, "vertex_index");
-  if (plan.corners == kNone || !element.properties[plan.corners].is_list) {
+  if (plan.corners == kAbsent) plan.corners = property_index(element, "vertex_index");
+  if (plan.corners == kAbsent || !element.properties[plan.corners].is_list) {
     bad_file(file.path, fmt::format("the {} have no list vertex_indices.",
                                     element.name == "face" ? "faces" : "triangle strips"));
   }
@@ -100,7 +100,7 @@ Plan make_plan(const MeshFile& file) {
 Columns make_columns(const PlyElement& element, std::span<const std::size_t> taken,
                      std::vector<AttributeColumn>& into, std::vector<std::string>& left_out) {
   constexpr std::size_t kMost = 64;
-  Columns columns{std::vector<std::size_t>(element.properties.size(), kNone), &into};
+  Columns columns{std::vector<std::size_t>(element.properties.size(), kAbsent), &into};
   for (std::size_t i = 0; i < element.properties.size(); ++i) {
     const PlyProperty& property = element.properties[i];
     if (std::find(taken.begin(), taken.end(), i) != taken.end()) continue;
@@ -128,7 +128,8 @@ void plan_attributes(MeshAttributes& attributes, Plan& plan) {
           make_columns(element, plan.coordinate, attributes.vertices, attributes.left_out);
     } else if (element.name == "face" && element.count > 0) {
       plan.texture = property_index(element, "texcoord");
-      if (plan.texture != kNone && !element.properties[plan.texture].is_list) plan.texture = kNone;
+      if (plan.texture != kAbsent && !element.properties[plan.texture].is_list)
+        plan.texture = kAbsent;
       const std::array<std::size_t, 2> taken{plan.corners, plan.texture};
       plan.face_columns = make_columns(element, taken, attributes.faces, attributes.left_out);
     } else if (element.count > 0 && element.name != kStrips) {
@@ -150,7 +151,7 @@ class FaceNumbers {
     for (std::size_t c = 0; c < values_.size(); ++c) {
       plan_.attributes->faces[c].values.resize(now, values_[c]);
     }
-    if (plan_.texture != kNone) end_texture(now);
+    if (plan_.texture != kAbsent) end_texture(now);
   }
 
  private:
@@ -260,7 +261,7 @@ class TextBody {
                                    plan_.coordinate.begin());
       if (k < 3) {
         p[static_cast<int>(k)] = lines_.number("a coordinate");
-      } else if (const std::size_t c = plan_.vertex_columns.at(i); c != kNone) {
+      } else if (const std::size_t c = plan_.vertex_columns.at(i); c != kAbsent) {
         plan_.attributes->vertices[c].values.push_back(number(element.properties[i]));
       } else {
         skip(element.properties[i]);
@@ -280,7 +281,7 @@ class TextBody {
       } else if (i == plan_.texture) {
         const std::int64_t n = lines_.integer("the length of a list");
         for (std::int64_t k = 0; k < n; ++k) face_numbers_.texture().push_back(number(property));
-      } else if (const std::size_t c = plan_.face_columns.at(i); c != kNone) {
+      } else if (const std::size_t c = plan_.face_columns.at(i); c != kAbsent) {
         face_numbers_.set(c, number(property));
       } else {
         skip(property);
@@ -362,7 +363,7 @@ class BinaryBody {
           p[k] = load_number(property.type, at, swap_);
         }
       }
-      if (const std::size_t c = plan_.vertex_columns.at(i); c != kNone) {
+      if (const std::size_t c = plan_.vertex_columns.at(i); c != kAbsent) {
         plan_.attributes->vertices[c].values.push_back(load_number(property.type, at, swap_));
       }
     }
@@ -383,8 +384,8 @@ class BinaryBody {
         pass_list(element, property, index);
       } else {
         const char* at = take(element, index, size_of(property.type));
-        const std::size_t c = is_face ? plan_.face_columns.at(i) : kNone;
-        if (c != kNone) face_numbers_.set(c, load_number(property.type, at, swap_));
+        const std::size_t c = is_face ? plan_.face_columns.at(i) : kAbsent;
+        if (c != kAbsent) face_numbers_.set(c, load_number(property.type, at, swap_));
       }
     }
     if (is_face) face_numbers_.end();

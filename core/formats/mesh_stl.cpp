@@ -15,10 +15,10 @@ constexpr std::size_t kHeader = 84;    // 80 bytes of text and the number of tri
 constexpr std::size_t kTriangle = 50;  // normal, three corners, two bytes of attributes
 
 /// Numbers positions by first appearance: open addressing on their bits.
-class Welder {
+class CornerWelder {
  public:
   /// A closed surface has half as many vertices as triangles; more is no mistake.
-  Welder(std::vector<Point>& points, std::size_t triangles)
+  CornerWelder(std::vector<Point>& points, std::size_t triangles)
       : points_(points), slots_(std::bit_ceil(triangles + 1024), kEmpty) {}
 
   std::uint32_t id(Point p) {
@@ -68,7 +68,7 @@ MeshLists read_binary(const MeshFile& file, std::size_t triangles, MeshAttribute
   MeshLists lists;
   lists.single_precision = true;
   lists.triangles.resize(triangles);
-  Welder welder(lists.points, triangles);
+  CornerWelder welder(lists.points, triangles);
   bool has_attributes = false;
   for (std::size_t f = 0; f < triangles; ++f) {
     const char* at = file.bytes.data() + kHeader + kTriangle * f + 12;
@@ -95,7 +95,7 @@ void need_word(LineScanner& lines, std::string_view expected, std::size_t facet)
 
 MeshLists read_text(const MeshFile& file) {
   MeshLists lists;
-  Welder welder(lists.points, 0);
+  CornerWelder welder(lists.points, 0);
   LineScanner lines(file);
   bool inside = false;
   while (lines.next_line()) {

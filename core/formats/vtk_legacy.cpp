@@ -14,7 +14,7 @@ namespace {
 /// Legacy files are big-endian.
 constexpr bool kSwap = std::endian::native == std::endian::little;
 
-std::optional<NumberType> scalar_named(std::string_view name) {
+std::optional<NumberType> legacy_type(std::string_view name) {
   struct Name {
     std::string_view name;
     NumberType type;
@@ -54,7 +54,7 @@ std::uint64_t VtkLegacy::read_count() {
 
 NumberType VtkLegacy::read_type() {
   const std::string_view name = scanner_.word_on_line();
-  const std::optional<NumberType> type = scalar_named(name);
+  const std::optional<NumberType> type = legacy_type(name);
   if (!type) scanner_.fail("a VTK data type", name);
   return *type;
 }

@@ -13,7 +13,7 @@
 namespace talweg::formats {
 namespace {
 
-std::optional<NumberType> scalar_named(std::string_view name) {
+std::optional<NumberType> xml_type(std::string_view name) {
   static constexpr std::string_view kNames[] = {"Int8",   "UInt8", "Int16",  "UInt16",  "Int32",
                                                 "UInt32", "Int64", "UInt64", "Float32", "Float64"};
   for (std::size_t k = 0; k < std::size(kNames); ++k) {
@@ -87,7 +87,7 @@ pugi::xml_node VtkXml::named(const pugi::xml_node& among, const char* name) cons
 
 std::vector<double> VtkXml::read_array(const pugi::xml_node& array) const {
   const std::string_view format = array.attribute("format").as_string("ascii");
-  const auto type = scalar_named(array.attribute("type").value());
+  const auto type = xml_type(array.attribute("type").value());
   if (!type) fail(array, "expected a type such as Float64 or Int32");
   if (format == "ascii") return read_ascii(array);
   if (format != "binary" && format != "appended") {

@@ -15,7 +15,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::size_t kWidth = 30;
+constexpr std::size_t kCells = 30;
 constexpr auto kFirst = std::chrono::milliseconds(300);  // short work shows no bar at all
 constexpr auto kEvery = std::chrono::milliseconds(50);
 
@@ -29,8 +29,8 @@ void put_line(const std::string& line) {
 }
 
 std::string bar(double fraction) {
-  const auto filled = static_cast<std::size_t>(std::clamp(fraction, 0.0, 1.0) * kWidth);
-  return fmt::format("[{:#>{}}{:.>{}}] {:3.0f} %", "", filled, "", kWidth - filled, 100 * fraction);
+  const auto filled = static_cast<std::size_t>(std::clamp(fraction, 0.0, 1.0) * kCells);
+  return fmt::format("[{:#>{}}{:.>{}}] {:3.0f} %", "", filled, "", kCells - filled, 100 * fraction);
 }
 
 /// 1:05, 2:03:09.

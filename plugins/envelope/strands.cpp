@@ -5,8 +5,8 @@
 namespace talweg::plugins {
 namespace {
 
-constexpr std::uint32_t kNone = StrandNode::kNone;
-constexpr double kMargin = 1e-6;  // of the edge: between a node and another one or a vertex
+constexpr std::uint32_t kNoNode = StrandNode::kNone;
+constexpr double kFromEnds = 1e-6;  // of the edge: between a node and another one or a vertex
 
 }  // namespace
 
@@ -25,8 +25,8 @@ Strands::Strands(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves,
       const bool end = !curve.closed && (k == 0 || k + 1 == n);
       const bool pinned = std::find(pins.begin(), pins.end(), p) != pins.end();
       nodes_.push_back({p, mesh.position(p), number,
-                        k > 0 ? first + k - 1 : (curve.closed ? first + n - 1 : kNone),
-                        k + 1 < n ? first + k + 1 : (curve.closed ? first : kNone), end || pinned,
+                        k > 0 ? first + k - 1 : (curve.closed ? first + n - 1 : kNoNode),
+                        k + 1 < n ? first + k + 1 : (curve.closed ? first : kNoNode), end || pinned,
                         true});
       enter(first + k);
     }
@@ -62,8 +62,8 @@ void Strands::leave(std::uint32_t node) {
 }
 
 void Strands::join(std::uint32_t before, std::uint32_t after) {
-  if (before != kNone) nodes_[before].after = after;
-  if (after != kNone) nodes_[after].before = before;
+  if (before != kNoNode) nodes_[before].after = after;
+  if (after != kNoNode) nodes_[after].before = before;
 }
 
 std::vector<std::uint32_t> Strands::chain(std::uint32_t curve) const {
@@ -72,7 +72,7 @@ std::vector<std::uint32_t> Strands::chain(std::uint32_t curve) const {
   do {
     chain.push_back(node);
     node = nodes_[node].after;
-  } while (node != kNone && node != first_[curve]);
+  } while (node != kNoNode && node != first_[curve]);
   return chain;
 }
 
@@ -86,7 +86,7 @@ double Strands::length(std::uint32_t curve) const {
   double length = 0;
   for (const std::uint32_t node : chain(curve)) {
     const std::uint32_t after = nodes_[node].after;
-    if (after != kNone) length += (nodes_[after].position - nodes_[node].position).norm();
+    if (after != kNoNode) length += (nodes_[after].position - nodes_[node].position).norm();
   }
   return length;
 }
@@ -98,12 +98,12 @@ void Strands::fix(std::uint32_t curve) {
 Strands::Room Strands::room(std::uint32_t node) const {
   const OnEdge& here = std::get<OnEdge>(nodes_[node].at.where());
   const HalfedgeId h = halfedge_of(here.edge);
-  Room room{is_taken(mesh_->surface().tail(h)) ? std::min(kMargin, here.t) : 0,
-            is_taken(mesh_->surface().head(h)) ? std::max(1 - kMargin, here.t) : 1};
+  Room room{is_taken(mesh_->surface().tail(h)) ? std::min(kFromEnds, here.t) : 0,
+            is_taken(mesh_->surface().head(h)) ? std::max(1 - kFromEnds, here.t) : 1};
   for (const std::uint32_t other : on_edge_.at(here.edge.index())) {
     if (other == node) continue;
     const double t = std::get<OnEdge>(nodes_[other].at.where()).t;
-    const double share = std::max(0.0, std::abs(here.t - t) - kMargin) / 2;
+    const double share = std::max(0.0, std::abs(here.t - t) - kFromEnds) / 2;
     if (t <= here.t) room.low = std::max(room.low, here.t - share);
     if (t >= here.t) room.high = std::min(room.high, here.t + share);
   }

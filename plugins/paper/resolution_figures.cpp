@@ -60,8 +60,8 @@ std::vector<Point> circle() {
   return places;
 }
 
-// A wave over the front of the ball from left to right.
-std::vector<Point> wave() {
+// A arched_wave over the front of the ball from left to right.
+std::vector<Point> arched_wave() {
   scenes::Random hand(8);
   std::vector<Point> places;
   for (double x = -0.8; x < 0.8; x += 0.03) {
@@ -150,7 +150,7 @@ std::string continuous_change(const Folders& folders) {
   }
   make_bumpy(mesh, 2);
   Experiment experiment(std::move(mesh));
-  experiment.set_drawing(painted(experiment.mesh(), experiment.lists(), wave(), false));
+  experiment.set_drawing(painted(experiment.mesh(), experiment.lists(), arched_wave(), false));
   return "## Figure 7: ever finer\n\n![](paper_finer.png)\n\n" +
          report_on(experiment, {0.5, 1.5},
                    {{"coarsest", -9, -0.55},

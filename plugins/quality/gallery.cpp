@@ -18,7 +18,7 @@ constexpr std::array<std::string_view, 6> kGallery{"aneurysm_14k",    "armadillo
                                                    "brain_icbm_164k", "terrain_utm_21k"};
 constexpr picture::Color kDrawn{0.78, 0.16, 0.12}, kPaper{0.45, 0.12, 0.55},
     kDefault{0.08, 0.31, 0.75};
-constexpr double kTau = 1;
+constexpr double kShownTau = 1;
 constexpr int kPaperRelaxes = 5;  // rounds, as its authors do
 
 const Drawing& chosen(const Subject& subject) {
@@ -44,7 +44,7 @@ void add(picture::Scene& scene, const SurfaceMesh& mesh, const SurfaceCurve& cur
 SmoothingResult smoothed(const Subject& subject, const SurfaceCurve& drawn, Method method,
                          int relax_rounds) {
   SmoothingOptions options;
-  options.tau = kTau;
+  options.tau = kShownTau;
   options.relax_rounds = relax_rounds;
   CurveOptions curve_options;
   curve_options.method = method;
@@ -73,9 +73,10 @@ void write_gallery_picture(const Subject& subject, const std::filesystem::path& 
                         relaxed = smoothed(subject, drawn, Method::kPaper, kPaperRelaxes),
                         corridor = smoothed(subject, drawn, Method::kCorridor, 0);
   add(scene, mesh, paper.curve(), kPaper,
-      fmt::format("paper, tau = {}: {} rad, relaxed {}", kTau, turning(paper), turning(relaxed)));
+      fmt::format("paper, tau = {}: {} rad, relaxed {}", kShownTau, turning(paper),
+                  turning(relaxed)));
   add(scene, mesh, corridor.curve(), kDefault,
-      fmt::format("default, tau = {}: {} rad", kTau, turning(corridor)));
+      fmt::format("default, tau = {}: {} rad", kShownTau, turning(corridor)));
   picture::RenderOptions size;
   size.panel_width = size.panel_height = 400;
   picture::write_png(file, picture::render(scene, size));

@@ -9,7 +9,7 @@ namespace talweg::scenes {
 namespace {
 
 // Neighbours of each vertex: at the boundary only those along it.
-std::vector<std::vector<std::uint32_t>> neighbors_of(const MeshLists& mesh) {
+std::vector<std::vector<std::uint32_t>> neighbor_lists(const MeshLists& mesh) {
   std::vector<std::vector<std::uint32_t>> out(mesh.points.size()), result(mesh.points.size());
   for (const Triangle& t : mesh.triangles) {
     for (std::size_t k = 0; k < 3; ++k) out[t[k]].push_back(t[(k + 1) % 3]);
@@ -56,7 +56,7 @@ Point pulled(const Field& field, const Point& p, double step) {
 }  // namespace
 
 void relax(MeshLists& mesh, const Field& field, double step, int rounds) {
-  const auto neighbors = neighbors_of(mesh);
+  const auto neighbors = neighbor_lists(mesh);
   std::vector<Point> moved(mesh.points.size());
   for (int round = 0; round < rounds; ++round) {
     for (std::size_t v = 0; v < moved.size(); ++v) {

@@ -13,17 +13,17 @@ namespace {
 
 using test::grid;
 
-constexpr std::uint32_t kColumns = 20;
+constexpr std::uint32_t kGapColumns = 20;
 
 /// Along a row of the grid's vertices, from column to column.
 SurfaceCurve row(const Surface& surface, std::uint32_t j, std::uint32_t from, std::uint32_t to) {
   std::vector<VertexId> path;
-  for (std::uint32_t i = from; i <= to; ++i) path.emplace_back(j * (kColumns + 1) + i);
+  for (std::uint32_t i = from; i <= to; ++i) path.emplace_back(j * (kGapColumns + 1) + i);
   return test::vertex_curve(surface, path, false);
 }
 
 TEST(CurveGaps, AreThoseOfTheNearestPoints) {
-  const SurfaceMesh mesh = SurfaceMesh::open(grid(kColumns, kColumns));
+  const SurfaceMesh mesh = SurfaceMesh::open(grid(kGapColumns, kGapColumns));
   const Surface& s = mesh.surface();
   const std::vector<SurfaceCurve> rows{row(s, 2, 0, 20), row(s, 5, 3, 9), row(s, 9, 13, 15)};
   const std::vector<double> gaps = gaps_to_others(mesh, rows, 6);
@@ -34,7 +34,7 @@ TEST(CurveGaps, AreThoseOfTheNearestPoints) {
 }
 
 TEST(CurveGaps, CurvesThatTouchDoNotCountForEachOther) {
-  const SurfaceMesh mesh = SurfaceMesh::open(grid(kColumns, kColumns));
+  const SurfaceMesh mesh = SurfaceMesh::open(grid(kGapColumns, kGapColumns));
   const Surface& s = mesh.surface();
   const std::vector<SurfaceCurve> curves{row(s, 5, 0, 7), row(s, 5, 7, 12), row(s, 8, 2, 4)};
   const std::vector<double> gaps = gaps_to_others(mesh, curves, 10);
@@ -45,7 +45,7 @@ TEST(CurveGaps, CurvesThatTouchDoNotCountForEachOther) {
 
 // Two sheets a hundredth apart, not connected: near in space, not on the surface.
 TEST(CurveGaps, GoAlongTheSurface) {
-  MeshLists lists = grid(kColumns, kColumns);
+  MeshLists lists = grid(kGapColumns, kGapColumns);
   const auto vertices = static_cast<std::uint32_t>(lists.points.size());
   const std::vector<std::array<std::uint32_t, 3>> faces(lists.triangles.begin(),
                                                         lists.triangles.end());
@@ -58,7 +58,7 @@ TEST(CurveGaps, GoAlongTheSurface) {
   const SurfaceMesh mesh = SurfaceMesh::open(lists);
   const SurfaceCurve below = row(mesh.surface(), 5, 3, 9);
   std::vector<VertexId> path;
-  for (std::uint32_t i = 3; i <= 9; ++i) path.emplace_back(vertices + 5 * (kColumns + 1) + i);
+  for (std::uint32_t i = 3; i <= 9; ++i) path.emplace_back(vertices + 5 * (kGapColumns + 1) + i);
   const SurfaceCurve above = test::vertex_curve(mesh.surface(), path, false);
   for (const double gap : gaps_to_others(mesh, std::vector{below, above}, 4)) {
     EXPECT_EQ(gap, HUGE_VAL);
@@ -67,7 +67,7 @@ TEST(CurveGaps, GoAlongTheSurface) {
 
 // Slacks that met would let the curves cross.
 TEST(CurveGaps, KeepTheSlacksOfASetApart) {
-  const auto opened = OpenedMesh::open(grid(kColumns, kColumns));
+  const auto opened = OpenedMesh::open(grid(kGapColumns, kGapColumns));
   const Surface& s = opened->surface();
   CurveSmoother smoother(opened);
   smoother.set_curve(row(s, 5, 1, 19));

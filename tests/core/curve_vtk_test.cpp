@@ -24,22 +24,22 @@ std::string header(const std::string& version, const std::string& encoding) {
 }
 
 const std::string kPoints = "POINTS 4 float\n0 0 0 1 0 0\n1 1 0\n0 1 0\n";
-const std::string kAscii = header("3.0", "ASCII") + kPoints;
+const std::string kAscii3 = header("3.0", "ASCII") + kPoints;
 
-const std::vector<Point> kSquare{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+const std::vector<Point> kUnitSquare{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
 
 TEST_F(CurveVtk, Ascii) {
-  const auto curves = read("a.vtk", kAscii + "LINES 1 5\n4 0 1 2 3\n");
+  const auto curves = read("a.vtk", kAscii3 + "LINES 1 5\n4 0 1 2 3\n");
   ASSERT_EQ(curves.size(), 1U);
   EXPECT_FALSE(curves[0].closed);
-  EXPECT_EQ(test::positions(curves[0]), kSquare);
+  EXPECT_EQ(test::positions(curves[0]), kUnitSquare);
 }
 
 TEST_F(CurveVtk, ClosedWhereTheFirstIndexEnds) {
-  const auto curves = read("a.vtk", kAscii + "LINES 1 6\n5 0 1 2 3 0\n");
+  const auto curves = read("a.vtk", kAscii3 + "LINES 1 6\n5 0 1 2 3 0\n");
   ASSERT_EQ(curves.size(), 1U);
   EXPECT_TRUE(curves[0].closed);
-  EXPECT_EQ(test::positions(curves[0]), kSquare);
+  EXPECT_EQ(test::positions(curves[0]), kUnitSquare);
 }
 
 TEST_F(CurveVtk, OtherSectionsArePassedOver) {
@@ -56,13 +56,13 @@ TEST_F(CurveVtk, OffsetsAndConnectivityOfVersion5) {
                                         "LINES 3 5\nOFFSETS vtktypeint64\n0 2 5\n"
                                         "CONNECTIVITY vtktypeint64\n2 3 0 1 0\n");
   ASSERT_EQ(curves.size(), 2U);
-  EXPECT_EQ(test::positions(curves[0]), (std::vector<Point>{kSquare[2], kSquare[3]}));
+  EXPECT_EQ(test::positions(curves[0]), (std::vector<Point>{kUnitSquare[2], kUnitSquare[3]}));
   EXPECT_TRUE(curves[1].closed);
 }
 
-std::string binary(bool version_5) {
+std::string binary_file(bool version_5) {
   std::string bytes = header(version_5 ? "5.1" : "3.0", "BINARY") + "POINTS 4 double\n";
-  for (const Point& p : kSquare) {
+  for (const Point& p : kUnitSquare) {
     for (int k = 0; k < 3; ++k) append(bytes, p[k]);
   }
   if (!version_5) {
@@ -79,9 +79,9 @@ std::string binary(bool version_5) {
 
 TEST_F(CurveVtk, Binary) {
   for (const bool version_5 : {false, true}) {
-    const auto curves = read("a.vtk", binary(version_5));
+    const auto curves = read("a.vtk", binary_file(version_5));
     ASSERT_EQ(curves.size(), 1U);
-    EXPECT_EQ(test::positions(curves[0]), kSquare);
+    EXPECT_EQ(test::positions(curves[0]), kUnitSquare);
   }
 }
 
@@ -90,16 +90,16 @@ TEST_F(CurveVtk, RefusesMalformedFiles) {
   expect_refused("a.vtk", "# vtk DataFile Version 3.0\nt\nTEXT\n", {"line 3", "'TEXT'"});
   expect_refused("a.vtk", "# vtk DataFile Version 3.0\nt\nASCII\nDATASET UNSTRUCTURED_GRID\n",
                  {"line 4", "POLYDATA"});
-  expect_refused("a.vtk", kAscii, {"no LINES"});
-  expect_refused("a.vtk", kAscii + "LINES 1 3\n2 0 4\n",
+  expect_refused("a.vtk", kAscii3, {"no LINES"});
+  expect_refused("a.vtk", kAscii3 + "LINES 1 3\n2 0 4\n",
                  {"line 0 of LINES", "no point 4", "has 4"});
-  expect_refused("a.vtk", kAscii + "LINES 1 3\n2 0 -1\n", {"-1"});
-  expect_refused("a.vtk", kAscii + "LINES 1 2\n1 0\n", {"line 0", "two points"});
-  expect_refused("a.vtk", kAscii + "LINES 1 3\n9 0 1\n", {"more than there are"});
-  expect_refused("a.vtk", kAscii + "LINES 2 3\n2 0 1\n", {"line 1 is missing"});
-  expect_refused("a.vtk", kAscii + "LINES 1 9\n2 0 1\n", {"ends before"});
-  expect_refused("a.vtk", kAscii + "LINES -1 3\n2 0 1\n", {"'-1'"});
-  expect_refused("a.vtk", kAscii + "LINES 1 99999999999\n2 0 1\n", {"99999999999"});
+  expect_refused("a.vtk", kAscii3 + "LINES 1 3\n2 0 -1\n", {"-1"});
+  expect_refused("a.vtk", kAscii3 + "LINES 1 2\n1 0\n", {"line 0", "two points"});
+  expect_refused("a.vtk", kAscii3 + "LINES 1 3\n9 0 1\n", {"more than there are"});
+  expect_refused("a.vtk", kAscii3 + "LINES 2 3\n2 0 1\n", {"line 1 is missing"});
+  expect_refused("a.vtk", kAscii3 + "LINES 1 9\n2 0 1\n", {"ends before"});
+  expect_refused("a.vtk", kAscii3 + "LINES -1 3\n2 0 1\n", {"'-1'"});
+  expect_refused("a.vtk", kAscii3 + "LINES 1 99999999999\n2 0 1\n", {"99999999999"});
   expect_refused("a.vtk", header("3.0", "ASCII") + "POINTS 1 float\n0 0 nan\nLINES 1 1\n",
                  {"line 6", "finite"});
   expect_refused("a.vtk", header("3.0", "ASCII") + "POINTS 1 quad\n0 0 0\n", {"line 5", "'quad'"});
@@ -127,8 +127,8 @@ TEST_F(CurveVtk, NotFiniteInBinary) {
 
 TEST_F(CurveVtk, SurvivesDamage) {
   for (const bool version_5 : {false, true}) {
-    try_every_prefix("a.vtk", binary(version_5));
-    try_damaged("a.vtk", binary(version_5), 500);
+    try_every_prefix("a.vtk", binary_file(version_5));
+    try_damaged("a.vtk", binary_file(version_5), 500);
   }
 }
 

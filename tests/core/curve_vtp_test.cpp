@@ -14,7 +14,7 @@ namespace {
 
 using CurveVtp = test::CurveFiles;
 
-const std::vector<Point> kSquare{{0, 0, 0}, {1, 0, 0}, {1, 1, 0.1}, {0, 1, 0}};
+const std::vector<Point> kBentSquare{{0, 0, 0}, {1, 0, 0}, {1, 1, 0.1}, {0, 1, 0}};
 
 std::string base64(const std::string& bytes) {
   constexpr char kDigits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -115,7 +115,7 @@ struct Encoder {
   template <class Real, class Index>
   std::string square(const std::string& real, const std::string& index) {
     std::vector<Real> x;
-    for (const Point& p : kSquare) {
+    for (const Point& p : kBentSquare) {
       for (int k = 0; k < 3; ++k) x.push_back(static_cast<Real>(p[k]));
     }
     const std::string points = array(real, "Points", x);
@@ -140,7 +140,7 @@ TEST_F(CurveVtp, EveryEncodingOfDoubles) {
     const auto curves = read("a.vtp", encoder.square<double, std::int64_t>("Float64", "Int64"));
     ASSERT_EQ(curves.size(), 1U);
     EXPECT_TRUE(curves[0].closed);
-    EXPECT_EQ(test::positions(curves[0]), kSquare);
+    EXPECT_EQ(test::positions(curves[0]), kBentSquare);
   }
 }
 
@@ -150,7 +150,7 @@ TEST_F(CurveVtp, EveryEncodingOfFloats) {
     ASSERT_EQ(curves.size(), 1U);
     ASSERT_EQ(test::positions(curves[0]).size(), 4U);
     for (std::size_t k = 0; k < 4; ++k) {
-      EXPECT_EQ(test::positions(curves[0])[k], kSquare[k].cast<float>().cast<double>());
+      EXPECT_EQ(test::positions(curves[0])[k], kBentSquare[k].cast<float>().cast<double>());
     }
   }
 }
@@ -174,13 +174,13 @@ TEST_F(CurveVtp, Ascii) {
   const auto curves = read("a.vtp", ascii(kFour, "0 1 2 3", "4"));
   ASSERT_EQ(curves.size(), 1U);
   EXPECT_FALSE(curves[0].closed);
-  EXPECT_EQ(test::positions(curves[0]), kSquare);
+  EXPECT_EQ(test::positions(curves[0]), kBentSquare);
 }
 
 TEST_F(CurveVtp, SegmentsAreJoined) {
   const auto curves = read("a.vtp", ascii(kFour, "1 2 0 1 2 3", "2 4 6"));
   ASSERT_EQ(curves.size(), 1U);
-  EXPECT_EQ(test::positions(curves[0]), kSquare);
+  EXPECT_EQ(test::positions(curves[0]), kBentSquare);
 }
 
 TEST_F(CurveVtp, SeveralPieces) {

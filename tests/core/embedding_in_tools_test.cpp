@@ -15,13 +15,13 @@
 namespace talweg {
 namespace {
 
-struct DoublePoints : OpenMesh::DefaultTraits {
+struct DoubleToolPoints : OpenMesh::DefaultTraits {
   typedef OpenMesh::Vec3d Point;  // normals stay float
 };
 using FloatMesh = OpenMesh::TriMesh_ArrayKernelT<>;
-using DoubleMesh = OpenMesh::TriMesh_ArrayKernelT<DoublePoints>;
+using DoubleMesh = OpenMesh::TriMesh_ArrayKernelT<DoubleToolPoints>;
 
-MeshLists bumpy_sphere() {
+MeshLists bumpy_ball() {
   MeshLists lists = test::sphere(4);
   for (Point& p : lists.points) {
     p *= 1 + 0.15 * std::sin(5 * p.x() + 0.3) * std::cos(4 * p.y()) + 0.1 * std::sin(7 * p.z());
@@ -53,7 +53,7 @@ std::vector<Point> smoothed(const Mesh& mesh, double tau) {
 }
 
 TEST(EmbeddingInTools, SinglePrecisionMeshesGiveTheSameWithinTheirPrecision) {
-  const MeshLists lists = bumpy_sphere();
+  const MeshLists lists = bumpy_ball();
   for (const double tau : {0.0, 0.5, 2.0}) {
     const auto fine = smoothed(as_openmesh<DoubleMesh>(lists), tau);
     const auto coarse = smoothed(as_openmesh<FloatMesh>(lists), tau);
@@ -65,7 +65,7 @@ TEST(EmbeddingInTools, SinglePrecisionMeshesGiveTheSameWithinTheirPrecision) {
 }
 
 TEST(EmbeddingInTools, ThreadsShareAnOpenedMesh) {
-  const auto opened = OpenedMesh::open(bumpy_sphere());
+  const auto opened = OpenedMesh::open(bumpy_ball());
   const auto path = draw_edge_path(opened->surface(), test::ids({0, 600, 3, 200}));
   const SurfaceCurve drawn = test::vertex_curve(opened->surface(), path, false);
   constexpr std::size_t kThreads = 4;

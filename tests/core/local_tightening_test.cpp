@@ -14,17 +14,17 @@ namespace talweg {
 namespace {
 
 /// Squares of side 1: vertex (x, y) has the number y (columns + 1) + x.
-constexpr std::size_t kColumns = 40, kRows = 10;
+constexpr std::size_t kCells = 40, kRows = 10;
 
-VertexId at(std::size_t x, std::size_t y) { return VertexId{y * (kColumns + 1) + x}; }
+VertexId vertex_at(std::size_t x, std::size_t y) { return VertexId{y * (kCells + 1) + x}; }
 
 /// Along y = 4, but between two columns along y = height; by way of the vertical edges.
 SurfaceCurve step(const Surface& surface, std::size_t from, std::size_t to, std::size_t height) {
   SurfaceCurve curve;
   const auto add = [&](std::size_t x, std::size_t y) {
-    curve.points.push_back(SurfacePoint::at_vertex(surface, at(x, y)));
+    curve.points.push_back(SurfacePoint::at_vertex(surface, vertex_at(x, y)));
   };
-  for (std::size_t x = 0; x <= kColumns; ++x) {
+  for (std::size_t x = 0; x <= kCells; ++x) {
     for (std::size_t y = 4; x == from && y < height; ++y) add(x, y);
     add(x, x >= from && x <= to ? height : 4);
     for (std::size_t y = height; x == to && y > 4;) add(x, --y);
@@ -34,8 +34,8 @@ SurfaceCurve step(const Surface& surface, std::size_t from, std::size_t to, std:
 
 class LocalTighteningOnASheet : public testing::Test {
  protected:
-  const SurfaceMesh mesh_ = SurfaceMesh::open(test::grid(kColumns, kRows));
-  const SurfaceCurve straight_ = step(mesh_.surface(), kColumns + 1, 0, 4);
+  const SurfaceMesh mesh_ = SurfaceMesh::open(test::grid(kCells, kRows));
+  const SurfaceCurve straight_ = step(mesh_.surface(), kCells + 1, 0, 4);
   LocalTightening tightening_{mesh_.surface()};
 };
 
@@ -47,7 +47,7 @@ TEST_F(LocalTighteningOnASheet, HalvesTheSlackBesideTheStretchOnly) {
     std::vector<double> slack(straight_.points.size(), 3.0);
     const auto farthest = tightening_.tighten(straight_, bump, bound, slack);
     // The drawing's points 18 to 22 are 2 from the bump or less, those between the most.
-    for (std::size_t x = 0; x <= kColumns; ++x) {
+    for (std::size_t x = 0; x <= kCells; ++x) {
       const double away = x < 18 ? 18.0 - double(x) : x > 22 ? double(x) - 22 : 0;
       if (away <= 4 * bound) {
         EXPECT_EQ(slack[x], 1.5) << x;
@@ -59,7 +59,7 @@ TEST_F(LocalTighteningOnASheet, HalvesTheSlackBesideTheStretchOnly) {
       EXPECT_LE(slack[x], 3.0);
     }
     ASSERT_EQ(farthest.size(), 1U);
-    EXPECT_EQ(farthest.front(), SurfacePoint::at_vertex(mesh_.surface(), at(20, 4)));
+    EXPECT_EQ(farthest.front(), SurfacePoint::at_vertex(mesh_.surface(), vertex_at(20, 4)));
   }
 }
 
@@ -71,7 +71,7 @@ TEST_F(LocalTighteningOnASheet, SeesWhereTheDrawingIsCutOff) {
   EXPECT_EQ(slack.back(), 1.0);
   EXPECT_EQ(slack[22], 0.5);  // in the middle of the bump's top
   ASSERT_EQ(farthest.size(), 1U);
-  EXPECT_EQ(farthest.front(), SurfacePoint::at_vertex(mesh_.surface(), at(18, 6)));
+  EXPECT_EQ(farthest.front(), SurfacePoint::at_vertex(mesh_.surface(), vertex_at(18, 6)));
 }
 
 TEST_F(LocalTighteningOnASheet, WithinTheBoundTakesTheFarthestAndPinsNothing) {

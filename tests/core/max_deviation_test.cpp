@@ -15,12 +15,14 @@ namespace {
 
 using test::grid;
 
-constexpr std::uint32_t kColumns = 60;
+constexpr std::uint32_t kBoundColumns = 60;
 
 /// A staircase-like line along row 12 of a grid with a spike of 2 by 10 edges in the middle.
 SurfaceCurve with_spike(const Surface& surface) {
   std::vector<VertexId> way;
-  const auto at = [](std::uint32_t i, std::uint32_t j) { return VertexId{j * (kColumns + 1) + i}; };
+  const auto at = [](std::uint32_t i, std::uint32_t j) {
+    return VertexId{j * (kBoundColumns + 1) + i};
+  };
   for (std::uint32_t i = 4; i <= 28; i += 2) way.push_back(at(i, 12 + i / 2 % 2));
   for (const auto& [i, j] : {std::pair(29U, 12U), {29U, 22U}, {31U, 22U}, {31U, 12U}}) {
     way.push_back(at(i, j));
@@ -31,7 +33,7 @@ SurfaceCurve with_spike(const Surface& surface) {
 
 class MaxDeviation : public testing::Test {
  protected:
-  const std::shared_ptr<const OpenedMesh> opened = OpenedMesh::open(grid(kColumns, 30));
+  const std::shared_ptr<const OpenedMesh> opened = OpenedMesh::open(grid(kBoundColumns, 30));
   const SurfaceCurve drawn = with_spike(opened->surface());
 };
 
@@ -138,7 +140,7 @@ TEST_F(MaxDeviation, TwoCurvesKeepItAgainstTheirOwnDrawings) {
   for (SurfacePoint& p : lower.points) {  // six rows below
     const VertexId v = std::get<AtVertex>(p.where()).vertex;
     p = SurfacePoint::at_vertex(opened->surface(),
-                                VertexId{v.index() - std::size_t{6} * (kColumns + 1)});
+                                VertexId{v.index() - std::size_t{6} * (kBoundColumns + 1)});
   }
   lower.points.erase(lower.points.begin() + 20, lower.points.end());
   const std::vector<SurfaceCurve> both = {drawn, lower};

@@ -20,7 +20,7 @@ using test::ids;
 using test::surface_of_lists;
 using test::vertex_curve;
 
-constexpr double kPi = std::numbers::pi;
+constexpr double kHalfTurn = std::numbers::pi;
 
 SurfacePoint vertex(const Surface& surface, std::size_t v) {
   return SurfacePoint::at_vertex(surface, VertexId{v});
@@ -33,24 +33,24 @@ TEST(Measures, AnglesInThePlane) {
     return turning_angle(surface, vertex(surface, a), vertex(surface, 12), vertex(surface, c));
   };
   EXPECT_NEAR(turn(11, 13), 0, 1e-14);
-  EXPECT_NEAR(turn(11, 17), kPi / 2, 1e-14);
-  EXPECT_NEAR(turn(6, 13), kPi / 4, 1e-14);
-  EXPECT_NEAR(turn(6, 7), 3 * kPi / 4, 1e-14);
-  EXPECT_NEAR(turn(11, 11), kPi, 1e-14);
-  EXPECT_NEAR(turn(17, 11), kPi / 2, 1e-14);
+  EXPECT_NEAR(turn(11, 17), kHalfTurn / 2, 1e-14);
+  EXPECT_NEAR(turn(6, 13), kHalfTurn / 4, 1e-14);
+  EXPECT_NEAR(turn(6, 7), 3 * kHalfTurn / 4, 1e-14);
+  EXPECT_NEAR(turn(11, 11), kHalfTurn, 1e-14);
+  EXPECT_NEAR(turn(17, 11), kHalfTurn / 2, 1e-14);
 }
 
 TEST(Measures, SignedCurvatureOfALoopIsGaussAndBonnets) {
   const Surface sheet = surface_of_lists(grid(4, 4));
   const SurfaceCurve left = vertex_curve(sheet, ids({6, 7, 8, 13, 18, 17, 16, 11}), true);
   const SurfaceCurve right = vertex_curve(sheet, ids({11, 16, 17, 18, 13, 8, 7, 6}), true);
-  EXPECT_NEAR(measure_curve(sheet, left).signed_curvature, 2 * kPi, 1e-13);
-  EXPECT_NEAR(measure_curve(sheet, right).signed_curvature, -2 * kPi, 1e-13);
+  EXPECT_NEAR(measure_curve(sheet, left).signed_curvature, 2 * kHalfTurn, 1e-13);
+  EXPECT_NEAR(measure_curve(sheet, right).signed_curvature, -2 * kHalfTurn, 1e-13);
   // Along the boundary the inner angle counts: a turn about a corner of the sheet.
-  EXPECT_NEAR(signed_turning(sheet, vertex(sheet, 5), vertex(sheet, 0), vertex(sheet, 1)), kPi / 2,
-              1e-14);
-  EXPECT_NEAR(signed_turning(sheet, vertex(sheet, 1), vertex(sheet, 0), vertex(sheet, 5)), -kPi / 2,
-              1e-14);
+  EXPECT_NEAR(signed_turning(sheet, vertex(sheet, 5), vertex(sheet, 0), vertex(sheet, 1)),
+              kHalfTurn / 2, 1e-14);
+  EXPECT_NEAR(signed_turning(sheet, vertex(sheet, 1), vertex(sheet, 0), vertex(sheet, 5)),
+              -kHalfTurn / 2, 1e-14);
 }
 
 TEST(Measures, StraightLineThroughTheSheetTurnsNowhere) {
@@ -73,42 +73,43 @@ TEST(Measures, TurnsOnEdgesAndInFaces) {
               std::atan(0.75) - std::atan(0.25), 1e-14);
   // Back on the same side, to (1/4, 1/4).
   EXPECT_NEAR(turning_angle(surface, vertex(surface, 0), quarter, between(surface, 0, 4, 0.25)),
-              kPi - std::atan(0.25), 1e-14);
+              kHalfTurn - std::atan(0.25), 1e-14);
   // Along the edge itself, on and back.
   const auto on_edge = between(surface, 1, 4, 0.5);
   EXPECT_NEAR(turning_angle(surface, vertex(surface, 1), on_edge, vertex(surface, 4)), 0, 1e-14);
-  EXPECT_NEAR(turning_angle(surface, vertex(surface, 4), on_edge, between(surface, 1, 4, 0.7)), kPi,
-              1e-14);
+  EXPECT_NEAR(turning_angle(surface, vertex(surface, 4), on_edge, between(surface, 1, 4, 0.7)),
+              kHalfTurn, 1e-14);
   // Inside face 0 with corners (0, 0), (1, 0), (1, 1).
   const auto inside = SurfacePoint::in_face(surface, FaceId{0}, {0.25, 0.5, 0.25});
   EXPECT_NEAR(turning_angle(surface, vertex(surface, 0), inside, vertex(surface, 1)),
-              kPi - (kPi - std::atan(1.0 / 3) - kPi / 4), 1e-14);
-  EXPECT_NEAR(turning_angle(surface, vertex(surface, 4), inside, vertex(surface, 4)), kPi, 1e-14);
+              kHalfTurn - (kHalfTurn - std::atan(1.0 / 3) - kHalfTurn / 4), 1e-14);
+  EXPECT_NEAR(turning_angle(surface, vertex(surface, 4), inside, vertex(surface, 4)), kHalfTurn,
+              1e-14);
 }
 
 TEST(Measures, ConesTurnByTheSmallerSide) {
   // Opposite spokes of a fan have cone / 2 on both sides.
-  for (const double cone : {1.5 * kPi, 2 * kPi, 3 * kPi}) {
+  for (const double cone : {1.5 * kHalfTurn, 2 * kHalfTurn, 3 * kHalfTurn}) {
     const Surface surface = test::fan(6, cone, true);
     for (std::size_t k = 1; k <= 3; ++k) {
       const double side = static_cast<double>(k) * cone / 6;
       const double turn =
           turning_angle(surface, vertex(surface, 1), vertex(surface, 0), vertex(surface, 1 + k));
-      EXPECT_NEAR(turn, std::max(0.0, kPi - side), 1e-12) << cone << " " << k;
+      EXPECT_NEAR(turn, std::max(0.0, kHalfTurn - side), 1e-12) << cone << " " << k;
     }
   }
 }
 
 TEST(Measures, OnTheBoundaryOnlyTheInsideCounts) {
   // A quarter of a disc about a corner, and a boundary vertex with more than pi inside.
-  const Surface corner = test::fan(2, kPi / 2, false);
+  const Surface corner = test::fan(2, kHalfTurn / 2, false);
   EXPECT_NEAR(turning_angle(corner, vertex(corner, 1), vertex(corner, 0), vertex(corner, 3)),
-              kPi / 2, 1e-14);
-  const Surface reflex = test::fan(4, 1.5 * kPi, false);
+              kHalfTurn / 2, 1e-14);
+  const Surface reflex = test::fan(4, 1.5 * kHalfTurn, false);
   EXPECT_NEAR(turning_angle(reflex, vertex(reflex, 1), vertex(reflex, 0), vertex(reflex, 5)), 0,
               1e-14);
   EXPECT_NEAR(turning_angle(reflex, vertex(reflex, 1), vertex(reflex, 0), vertex(reflex, 2)),
-              kPi - 1.5 * kPi / 4, 1e-12);
+              kHalfTurn - 1.5 * kHalfTurn / 4, 1e-12);
   // Along a boundary edge and off it.
   const Surface sheet = surface_of_lists(grid(1, 1));
   const auto middle = between(sheet, 0, 1, 0.5);
@@ -122,13 +123,13 @@ TEST(Measures, ClosedCurvesTurnByTwoPiInThePlane) {
   const auto path = ids({6, 7, 8, 13, 18, 17, 16, 11});
   const CurveMeasures measures = measure_curve(surface, vertex_curve(surface, path, true));
   EXPECT_NEAR(measures.length, 8, 1e-14);
-  EXPECT_NEAR(measures.total_curvature, 2 * kPi, 1e-13);
-  EXPECT_NEAR(measures.max_curvature, kPi / 2, 1e-14);
+  EXPECT_NEAR(measures.total_curvature, 2 * kHalfTurn, 1e-13);
+  EXPECT_NEAR(measures.max_curvature, kHalfTurn / 2, 1e-14);
   EXPECT_EQ(measures.max_at, 0U);
   // Open, the same points miss the last segment and the two turns at its ends.
   const CurveMeasures open = measure_curve(surface, vertex_curve(surface, path, false));
   EXPECT_NEAR(open.length, 7, 1e-14);
-  EXPECT_NEAR(open.total_curvature, 1.5 * kPi, 1e-13);
+  EXPECT_NEAR(open.total_curvature, 1.5 * kHalfTurn, 1e-13);
 }
 
 TEST(Measures, UnfoldsAcrossABentEdge) {
@@ -161,7 +162,7 @@ TEST(Measures, DegenerateTrianglesGiveNoNan) {
       if (a == 2 || b == 2) continue;
       const double turn =
           turning_angle(surface, vertex(surface, a), vertex(surface, 2), vertex(surface, b));
-      EXPECT_TRUE(turn >= 0 && turn <= kPi) << a << " " << b;
+      EXPECT_TRUE(turn >= 0 && turn <= kHalfTurn) << a << " " << b;
     }
   }
   const SurfaceCurve curve{false,

@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "core/jagged_curves.hpp"
+#include "core/mesh_numbers.hpp"
 #include "talweg/core/crossings.hpp"
 #include "talweg/core/label_network.hpp"
 #include "talweg/core/union_find.hpp"
@@ -70,15 +71,6 @@ inline std::multiset<std::size_t> degrees(const MeshLists& lists, const Labels& 
     if (count != 2) result.insert(count);
   }
   return result;
-}
-
-inline double area(const MeshLists& lists) {
-  double sum = 0;
-  for (const Triangle& t : lists.triangles) {
-    const Point& a = lists.points[t[0]];
-    sum += (lists.points[t[1]] - a).cross(lists.points[t[2]] - a).norm() / 2;
-  }
-  return sum;
 }
 
 /// What holds of every result, whatever was asked for.

@@ -8,11 +8,11 @@
 namespace talweg::test {
 namespace {
 
-struct DoublePoints : OpenMesh::DefaultTraits {
+struct DoubleTraits : OpenMesh::DefaultTraits {
   using Point = OpenMesh::Vec3d;  // the normals stay float
 };
 using FloatMesh = OpenMesh::TriMesh_ArrayKernelT<>;
-using DoubleMesh = OpenMesh::TriMesh_ArrayKernelT<DoublePoints>;
+using DoubleMesh = OpenMesh::TriMesh_ArrayKernelT<DoubleTraits>;
 
 template <class Mesh>
 Mesh openmesh_of(const MeshLists& lists) {

@@ -15,7 +15,7 @@
 namespace talweg {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kInf = std::numeric_limits<double>::infinity();
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 /// A change of one field that validate() must refuse by a sentence with the field's name.
@@ -50,14 +50,14 @@ TEST(Options, OfACurve) {
       {"heat_time", [](auto& o) { o.heat_time = 1e7; }},
       {"heat_time", [](auto& o) { o.heat_time = kNaN; }},
       {"bump_radius", [](auto& o) { o.bump_radius = -1; }},
-      {"bump_radius", [](auto& o) { o.bump_radius = kInfinity; }},
+      {"bump_radius", [](auto& o) { o.bump_radius = kInf; }},
   });
 }
 
 TEST(Options, OfSmoothing) {
   expect_refused<SmoothingOptions>({
       {"tau", [](auto& o) { o.tau = -1e-300; }},
-      {"tau", [](auto& o) { o.tau = kInfinity; }},
+      {"tau", [](auto& o) { o.tau = kInf; }},
       {"tau", [](auto& o) { o.tau = kNaN; }},
       {"slack", [](auto& o) { o.slack = -1; }},
       {"slack", [](auto& o) { o.slack = kNaN; }},
@@ -67,7 +67,7 @@ TEST(Options, OfSmoothing) {
       {"min_relative_length", [](auto& o) { o.min_relative_length = 1; }},
       {"min_relative_length", [](auto& o) { o.min_relative_length = kNaN; }},
       {"length_floor", [](auto& o) { o.length_floor = -1; }},
-      {"length_floor", [](auto& o) { o.length_floor = kInfinity; }},
+      {"length_floor", [](auto& o) { o.length_floor = kInf; }},
   });
 }
 
@@ -99,7 +99,7 @@ TEST(Options, ARefusedTauLeavesTheCurveSet) {
   smoother.set_curve(
       test::vertex_curve(opened->surface(), test::ids({24, 25, 37, 38, 50, 51}), false));
   const double before = smoother.smooth(1.0).report().length_after;
-  for (const double tau : {-1.0, kInfinity, kNaN}) EXPECT_THROW(smoother.smooth(tau), Error);
+  for (const double tau : {-1.0, kInf, kNaN}) EXPECT_THROW(smoother.smooth(tau), Error);
   EXPECT_EQ(smoother.smooth(1.0).report().length_after, before);
 }
 
@@ -109,7 +109,7 @@ TEST(Options, DistancesAndPotentialsThatAreNoNumbersNameTheVertex) {
       test::vertex_curve(opened->surface(), test::ids({24, 25, 37, 38, 50, 51}), false);
   CurveSmoother smoother(opened);
   const std::size_t n = opened->surface().vertex_count();
-  for (const double bad : {kNaN, -kInfinity}) {
+  for (const double bad : {kNaN, -kInf}) {
     std::vector<double> distance(n, 1);
     distance[17] = bad;
     try {
@@ -120,7 +120,7 @@ TEST(Options, DistancesAndPotentialsThatAreNoNumbersNameTheVertex) {
     }
   }
   smoother.set_curve(drawn);
-  for (const double bad : {kNaN, kInfinity, 1e200}) {
+  for (const double bad : {kNaN, kInf, 1e200}) {
     std::vector<double> potential(2 * n, 0);
     potential[2 * 17 + 1] = bad;
     try {

@@ -46,7 +46,7 @@ ExactPotential tilted(const SurfaceMesh& mesh, double slope) {
 }
 ExactPotential flat(const SurfaceMesh& mesh) { return tilted(mesh, 0); }
 
-void expect_on_mesh(const Surface& surface, const SurfaceCurve& curve) {
+void expect_each_in_a_face(const Surface& surface, const SurfaceCurve& curve) {
   const std::size_t n = curve.points.size();
   for (std::size_t i = 0; i + (curve.closed ? 0 : 1) < n; ++i) {
     EXPECT_TRUE(common_face(surface, curve.points[i], curve.points[(i + 1) % n]).valid()) << i;
@@ -78,7 +78,7 @@ TEST(Polish, BentCurvesInThePlaneBecomeStraightWhateverTheTilt) {
     EXPECT_GT(result.passed_vertices, 0U);
     EXPECT_EQ(curve.points.front(), drawn.points.front());
     EXPECT_EQ(curve.points.back(), drawn.points.back());
-    expect_on_mesh(mesh.surface(), curve);
+    expect_each_in_a_face(mesh.surface(), curve);
   }
 }
 
@@ -90,7 +90,7 @@ TEST(Polish, PinnedPointsStay) {
   const double expected = std::hypot(7, 5) + std::hypot(9, 5);
   EXPECT_NEAR(curve_length(mesh.surface(), curve), expected, kNear * expected);
   EXPECT_EQ(std::count(curve.points.begin(), curve.points.end(), pin), 1);
-  expect_on_mesh(mesh.surface(), curve);
+  expect_each_in_a_face(mesh.surface(), curve);
 }
 
 TEST(Polish, BendsAroundACornerOfTheBoundary) {
@@ -108,7 +108,7 @@ TEST(Polish, BendsAroundACornerOfTheBoundary) {
     EXPECT_NEAR(curve_length(mesh.surface(), curve), std::hypot(2, 4) + std::hypot(4, 1), kNear);
     const SurfacePoint corner = SurfacePoint::at_vertex(mesh.surface(), VertexId{5 * 11 + 5});
     EXPECT_EQ(std::count(curve.points.begin(), curve.points.end(), corner), 1);
-    expect_on_mesh(mesh.surface(), curve);
+    expect_each_in_a_face(mesh.surface(), curve);
   }
 }
 
@@ -132,7 +132,7 @@ TEST(Polish, LoopsAroundAPrismHaveItsGirth) {
     EXPECT_NEAR(result.length_before, before, 1e-6 * before);
     EXPECT_NEAR(result.length_after, girth, kNear * girth) << start;
     EXPECT_TRUE(curve.closed);
-    expect_on_mesh(mesh.surface(), curve);
+    expect_each_in_a_face(mesh.surface(), curve);
   }
 }
 
@@ -156,14 +156,14 @@ TEST(Polish, TakesOutTurnsOnOneEdgeAndPointsInsideFaces) {
       curve.points.push_back(test::between(surface, 11, 12, t));
     }
     curve.points.push_back(to);
-    expect_on_mesh(surface, curve);
+    expect_each_in_a_face(surface, curve);
     polish(mesh, curve, flat(mesh), {});
     EXPECT_NEAR(curve_length(surface, curve), (mesh.position(from) - mesh.position(to)).norm(),
                 kNear)
         << turn;
     EXPECT_EQ(curve.points.front(), from);
     EXPECT_EQ(curve.points.back(), to);
-    expect_on_mesh(surface, curve);
+    expect_each_in_a_face(surface, curve);
   }
 }
 

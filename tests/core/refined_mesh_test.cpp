@@ -22,7 +22,7 @@ namespace talweg {
 namespace {
 
 using namespace test;
-constexpr double kPi = std::numbers::pi;
+constexpr double kStraightAngle = std::numbers::pi;
 constexpr double kEverywhere = std::numeric_limits<double>::infinity();
 
 /// The sheet [0, 8]² in count² squares.
@@ -278,7 +278,7 @@ TEST(FineDrawings, KeepTheirCrossings) {
   const auto opened = OpenedMesh::open(sheet(1));
   std::vector<Point> points;
   for (std::size_t k = 0; k < 200; ++k) {
-    const double t = 2 * kPi * (static_cast<double>(k) + 0.5) / 200;
+    const double t = 2 * kStraightAngle * (static_cast<double>(k) + 0.5) / 200;
     points.push_back(Point(4.2, 3.9, 0) + 3 * Point(std::sin(t), std::sin(t) * std::cos(t), 0) +
                      Point(k % 2 == 0 ? 0.05 : 0, 0, 0));
   }

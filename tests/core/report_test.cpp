@@ -15,7 +15,7 @@
 namespace talweg {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kForever = std::numeric_limits<double>::infinity();
 
 /// A report in which every number is another one.
 SmoothingReport numbered(double start) {
@@ -139,10 +139,10 @@ TEST(Report, HasEachNumberUnderItsName) {
 
 TEST(Report, NumbersThatAreNoneBecomeNull) {
   SmoothingReport r = numbered(1);
-  r.deviation_to_drawn_max = kInfinity;
-  r.deviation_from_drawn_mean = -kInfinity;
+  r.deviation_to_drawn_max = kForever;
+  r.deviation_from_drawn_mean = -kForever;
   r.length_before = std::numeric_limits<double>::quiet_NaN();
-  r.deviation_at = Point::Constant(kInfinity);
+  r.deviation_at = Point::Constant(kForever);
   const auto j = parsed(r);
   EXPECT_TRUE(j["deviation_to_drawn_max"].is_null());
   EXPECT_TRUE(j["deviation_from_drawn_mean"].is_null());
@@ -195,11 +195,11 @@ TEST(Report, TotalsAreSumsMaximaAndMeansByLength) {
 
 TEST(Report, TotalsOfWhatIsInfiniteAreInfinite) {
   SmoothingReport a = numbered(1), b = numbered(100);
-  b.deviation_to_drawn_max = b.deviation_to_drawn_mean = kInfinity;
+  b.deviation_to_drawn_max = b.deviation_to_drawn_mean = kForever;
   b.length_after = 0;  // and not NaN
   for (const SmoothingReport& total : {total_of({a, b}), total_of({b, a})}) {
-    EXPECT_EQ(total.deviation_to_drawn_max, kInfinity);
-    EXPECT_EQ(total.deviation_to_drawn_mean, kInfinity);
+    EXPECT_EQ(total.deviation_to_drawn_max, kForever);
+    EXPECT_EQ(total.deviation_to_drawn_mean, kForever);
     EXPECT_EQ(total.deviation_at, b.deviation_at);
   }
 }
@@ -226,7 +226,7 @@ TEST(Report, TheMeasureOfDeviationIsAChoice) {
   EXPECT_GE(surface.deviation_from_drawn_max, euclidean.deviation_from_drawn_max - slop);
   EXPECT_NEAR(surface.deviation_to_drawn_max, euclidean.deviation_to_drawn_max,
               0.05 * euclidean.deviation_to_drawn_max);
-  EXPECT_EQ(none.deviation_to_drawn_max, kInfinity);
+  EXPECT_EQ(none.deviation_to_drawn_max, kForever);
   EXPECT_TRUE(parsed(none)["deviation_from_drawn_mean"].is_null());
   EXPECT_EQ(surface.length_after, none.length_after);  // the result is the same
 }
@@ -239,7 +239,7 @@ TEST(Report, CurvesOnPartsThatAreNotConnectedGetAWarning) {
   report_deviation(report, DeviationMeasure::kAlongSurface, meter, mesh,
                    test::vertex_curve(mesh.surface(), test::ids({6, 7, 8}), false),
                    test::vertex_curve(mesh.surface(), test::ids({31, 32}), false));
-  EXPECT_EQ(report.deviation_to_drawn_max, kInfinity);
+  EXPECT_EQ(report.deviation_to_drawn_max, kForever);
   EXPECT_TRUE(report.deviation_at.allFinite());
   ASSERT_EQ(report.warnings.size(), 1U);
   EXPECT_NE(report.warnings[0].find("not connected"), std::string::npos);

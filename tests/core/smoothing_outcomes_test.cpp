@@ -16,7 +16,7 @@ namespace {
 using test::grid;
 using test::ids;
 
-bool warns_of(const SmoothingReport& report, const char* words) {
+bool has_warning(const SmoothingReport& report, const char* words) {
   return std::any_of(report.warnings.begin(), report.warnings.end(),
                      [&](const std::string& w) { return w.find(words) != std::string::npos; });
 }
@@ -52,7 +52,7 @@ TEST(SmoothingOutcomes, NeedlesAreToldAndHarmless) {
   const SurfaceCurve drawn =
       test::vertex_curve(opened->surface(), draw_edge_path(opened->surface(), row, false), false);
   const SmoothingResult result = smooth_curve(opened, drawn, {}, {.method = Method::kPaper});
-  EXPECT_TRUE(warns_of(result.report(), "Needle triangles"));
+  EXPECT_TRUE(has_warning(result.report(), "Needle triangles"));
   // Next to nothing would do for the needle: at most 1e-5 mean edges are added (mollification.hpp).
   EXPECT_GT(result.report().mollification, 0);
   EXPECT_LE(result.report().mollification, 1e-5 * opened->mesh().mean_edge_length());
@@ -121,7 +121,7 @@ TEST(SmoothingOutcomes, AJointThatAnotherCurveHoldsIsTold) {
   SmoothingOptions straight;
   straight.tau = 0;
   const SmoothingResult result = smoother.smooth(straight);
-  EXPECT_TRUE(warns_of(result.reports[0], "another part of the drawing is in the way"));
+  EXPECT_TRUE(has_warning(result.reports[0], "another part of the drawing is in the way"));
   // The shortest way above the obstacle's end.
   EXPECT_NEAR(result.reports[0].length_after, 2 * std::hypot(4, 2), 1e-9);
   EXPECT_NEAR(result.reports[1].length_after, 6, 1e-12);

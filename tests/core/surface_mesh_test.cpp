@@ -13,7 +13,7 @@ namespace talweg::test {
 namespace {
 
 /// The sentence of the Error(kBadMesh) that opening raises; empty where it opens.
-std::string refusal(const MeshLists& lists) {
+std::string refusal_of(const MeshLists& lists) {
   try {
     SurfaceMesh::open(lists);
   } catch (const Error& error) {
@@ -53,46 +53,46 @@ TEST(SurfaceMesh, PositionsOfAllKindsOfPoints) {
 }
 
 TEST(SurfaceMesh, OpensWhatIsOddButSound) {
-  EXPECT_EQ(refusal(with_isolated_vertices(grid(3, 2), 5)), "");
-  EXPECT_EQ(refusal(together(torus(6, 5), grid(2, 2), 10)), "");
-  EXPECT_EQ(refusal(together(grid(2, 2), grid(2, 2), 0)), "");  // the same place twice
-  EXPECT_EQ(refusal(with_zero_area_face(grid(3, 2), 0)), "");
-  EXPECT_EQ(refusal(with_needle(grid(3, 2), 0, Point(0, -1e-9, 0))), "");
+  EXPECT_EQ(refusal_of(with_isolated_vertices(grid(3, 2), 5)), "");
+  EXPECT_EQ(refusal_of(together(torus(6, 5), grid(2, 2), 10)), "");
+  EXPECT_EQ(refusal_of(together(grid(2, 2), grid(2, 2), 0)), "");  // the same place twice
+  EXPECT_EQ(refusal_of(with_zero_area_face(grid(3, 2), 0)), "");
+  EXPECT_EQ(refusal_of(with_needle(grid(3, 2), 0, Point(0, -1e-9, 0))), "");
 }
 
 TEST(SurfaceMesh, RefusesWithTheDefectItsCountAndItsPlace) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const double inf = std::numeric_limits<double>::infinity();
-  EXPECT_EQ(refusal({}), "The mesh has no vertices.");
-  EXPECT_EQ(refusal({{Point(0, 0, 0)}, {}}), "The mesh has vertices but no faces.");
-  EXPECT_EQ(refusal(with_index_out_of_range(grid(3, 2), 4)),
+  EXPECT_EQ(refusal_of({}), "The mesh has no vertices.");
+  EXPECT_EQ(refusal_of({{Point(0, 0, 0)}, {}}), "The mesh has vertices but no faces.");
+  EXPECT_EQ(refusal_of(with_index_out_of_range(grid(3, 2), 4)),
             "1 face refers to vertices that do not exist (face 4 to vertex 12 of 12).");
-  EXPECT_EQ(refusal(with_coordinate(grid(3, 2), 7, nan)),
+  EXPECT_EQ(refusal_of(with_coordinate(grid(3, 2), 7, nan)),
             "1 vertex has a coordinate that is not a finite number of at most 1e152 (vertex 7).");
-  EXPECT_EQ(refusal(with_coordinate(with_coordinate(grid(3, 2), 7, -inf), 9, inf)),
+  EXPECT_EQ(refusal_of(with_coordinate(with_coordinate(grid(3, 2), 7, -inf), 9, inf)),
             "2 vertices have a coordinate that is not a finite number of at most 1e152 (first: "
             "vertex 7).");
-  EXPECT_EQ(refusal(with_repeated_vertex(grid(3, 2))), "1 face uses a vertex twice (face 12).");
-  EXPECT_EQ(refusal(with_duplicate_face(grid(3, 2), 5, false)),
+  EXPECT_EQ(refusal_of(with_repeated_vertex(grid(3, 2))), "1 face uses a vertex twice (face 12).");
+  EXPECT_EQ(refusal_of(with_duplicate_face(grid(3, 2), 5, false)),
             "1 face repeats the vertices of another face (face 12 repeats face 5).");
-  EXPECT_EQ(refusal(with_duplicate_face(grid(3, 2), 5, true)),
+  EXPECT_EQ(refusal_of(with_duplicate_face(grid(3, 2), 5, true)),
             "1 face repeats the vertices of another face (face 12 repeats face 5).");
-  EXPECT_EQ(refusal(with_fin(sphere(0), 0)),
+  EXPECT_EQ(refusal_of(with_fin(sphere(0), 0)),
             "1 edge has more than two faces (between vertices 0 and 2, faces 0, 4 and 8).");
   EXPECT_EQ(
-      refusal(with_turned_face(sphere(0), 0)),
+      refusal_of(with_turned_face(sphere(0), 0)),
       "3 edges join two faces of opposite orientation (first: between vertices 0 and 2, faces "
       "0 and 4).");
-  EXPECT_EQ(refusal(with_bow_tie(grid(3, 2), 6)),
+  EXPECT_EQ(refusal_of(with_bow_tie(grid(3, 2), 6)),
             "1 vertex joins surface parts that share no edge there (bow-tie) (vertex 6).");
-  EXPECT_NE(refusal(moebius(9)), "");
+  EXPECT_NE(refusal_of(moebius(9)), "");
 }
 
 TEST(SurfaceMesh, TwoFacesBackToBackAreNoSurface) {
   MeshLists pillow;
   pillow.points = {Point(0, 0, 0), Point(1, 0, 0), Point(0, 1, 0)};
   pillow.triangles = {{0, 1, 2}, {2, 1, 0}};
-  EXPECT_EQ(refusal(pillow),
+  EXPECT_EQ(refusal_of(pillow),
             "1 face repeats the vertices of another face (face 1 repeats face 0).");
 }
 
@@ -108,7 +108,7 @@ TEST(SurfaceMesh, TinyAndHugeUnits) {
 TEST(SurfaceMesh, LengthsThatOverflowAreRefused) {
   MeshLists lists = grid(1, 1);
   for (Point& p : lists.points) p = (p - Point(0.5, 0.5, 0)) * 1.5e308;
-  EXPECT_NE(refusal(lists), "");
+  EXPECT_NE(refusal_of(lists), "");
 }
 
 }  // namespace

@@ -12,9 +12,9 @@ namespace {
 
 using namespace test;
 
-constexpr double kStraight = kPi - 1e-5;
+constexpr double kLoopStraight = kPi - 1e-5;
 
-FlipOutResult straighten(SignpostTriangulation& t, const EdgePath& path, double floor = 0) {
+FlipOutResult straighten_loop(SignpostTriangulation& t, const EdgePath& path, double floor = 0) {
   FlipOutOptions options;
   options.length_floor = floor;
   return FlipOut(t).run(std::span(&path, 1), options);
@@ -30,7 +30,7 @@ void expect_geodesic(SignpostTriangulation& t, const FlipOutResult& result) {
   EXPECT_EQ(result.paths[0].termination, Termination::kConverged);
   EXPECT_EQ(result.blocked, 0U);
   for (const double angle : side_angles(t, result.paths[0].path)) {
-    EXPECT_GE(angle, kStraight - 1e-9);
+    EXPECT_GE(angle, kLoopStraight - 1e-9);
   }
 }
 
@@ -56,7 +56,7 @@ TEST(FlipOutLoops, CylinderLoopIsItsCircumference) {
     for (const std::size_t v : wavy) {
       if (tidy.empty() || tidy.back() != v) tidy.push_back(v);
     }
-    const FlipOutResult result = straighten(t, path_through(t, tidy, true));
+    const FlipOutResult result = straighten_loop(t, path_through(t, tidy, true));
     expect_geodesic(t, result);
     EXPECT_NEAR(result.paths[0].length_after, circumference, 1e-8) << n;
     const TraceResult traced = Tracer(t).trace_and_undo(std::array{result.paths[0].path});
@@ -64,7 +64,7 @@ TEST(FlipOutLoops, CylinderLoopIsItsCircumference) {
     EXPECT_TRUE(runs_in_faces(s, traced.curves[0]));
     EXPECT_NEAR(length_of(s, mesh.points, traced.curves[0]), circumference, 1e-8);
     // A ring is straight from the beginning.
-    EXPECT_EQ(straighten(t, path_through(t, ring(n, 2), true)).iterations, 0U);
+    EXPECT_EQ(straighten_loop(t, path_through(t, ring(n, 2), true)).iterations, 0U);
   }
 }
 
@@ -75,7 +75,7 @@ TEST(FlipOutLoops, TwiceAroundTheCylinder) {
   std::vector<std::size_t> twice = ring(5, 2);
   const auto again = ring(5, 2);
   twice.insert(twice.end(), again.begin(), again.end());
-  const FlipOutResult result = straighten(t, path_through(t, twice, true));
+  const FlipOutResult result = straighten_loop(t, path_through(t, twice, true));
   EXPECT_EQ(result.paths[0].termination, Termination::kConverged);
   EXPECT_NEAR(result.paths[0].length_after, 20 * std::sin(kPi / 5), 1e-12);
 }
@@ -97,7 +97,7 @@ TEST(FlipOutLoops, TorusLoopsKeepTheirHandle) {
         loop.push_back((i + 1) % 24 * 10 + j + 1);
       }
     }
-    const FlipOutResult result = straighten(t, path_through(t, loop, true));
+    const FlipOutResult result = straighten_loop(t, path_through(t, loop, true));
     expect_geodesic(t, result);
     // The tube's section is a decagon at a column, squeezed towards the middle of two columns.
     double shortest = 0;
@@ -112,7 +112,7 @@ TEST(FlipOutLoops, TorusLoopsKeepTheirHandle) {
     // Around the hole: slides to its inner rim, and nothing around it is shorter.
     std::vector<std::size_t> around;
     for (std::size_t k = 0; k < 24; ++k) around.push_back(k * 10 + 3);
-    const FlipOutResult hole = straighten(t, path_through(t, around, true));
+    const FlipOutResult hole = straighten_loop(t, path_through(t, around, true));
     EXPECT_GE(hole.paths[0].length_after, 2 * 24 * 2 * std::sin(kPi / 24) * (1 - 1e-12));
     EXPECT_LE(hole.paths[0].length_after, 2 * 24 * 2 * std::sin(kPi / 24) * (1 + 1e-8));
     Tracer(t).trace_and_undo({});
@@ -142,7 +142,7 @@ TEST(FlipOutLoops, LoopAroundAHandleOfADoubleTorus) {
       loop.insert(loop.end(), part.begin(), part.end());
     }
     SignpostTriangulation t(s);
-    const FlipOutResult result = straighten(t, path_through(t, loop, true));
+    const FlipOutResult result = straighten_loop(t, path_through(t, loop, true));
     EXPECT_EQ(result.paths[0].termination, Termination::kConverged);
     EXPECT_NEAR(result.paths[0].length_after, 4, 1e-9);
   }
@@ -168,11 +168,11 @@ TEST(FlipOutLoops, ContractibleLoopsCollapse) {
     for (const double floor : {0.0, 0.1 * mean, 3 * mean}) {
       SignpostTriangulation t(s);
       const Snapshot before = snapshot(t);
-      const FlipOutResult result = straighten(t, path_through(t, c.loop, true), floor);
+      const FlipOutResult result = straighten_loop(t, path_through(t, c.loop, true), floor);
       // A tetrahedron and an octahedron have closed geodesics of their own.
       if (result.paths[0].termination == Termination::kConverged) {
         for (const double angle : side_angles(t, result.paths[0].path)) {
-          EXPECT_GE(angle, kStraight - 1e-9);
+          EXPECT_GE(angle, kLoopStraight - 1e-9);
         }
         EXPECT_LE(c.mesh.points.size(), 6U);
       } else {
@@ -197,12 +197,12 @@ TEST(FlipOutLoops, ContractibleLoopsCollapse) {
 TEST(FlipOutLoops, LoopBelowTheFloorStaysAsItIs) {
   const Surface s = surface_of(disc(12, 6));
   SignpostTriangulation t(s);
-  const FlipOutResult result = straighten(t, path_through(t, ring(12, 3), true), 100);
+  const FlipOutResult result = straighten_loop(t, path_through(t, ring(12, 3), true), 100);
   EXPECT_EQ(result.paths[0].termination, Termination::kCollapsed);
   EXPECT_EQ(result.iterations, 0U);
   EXPECT_EQ(result.paths[0].path.halfedges().size(), 12U);
   // The floor is for loops only.
-  EXPECT_EQ(straighten(t, path_through(t, {0, 1}), 100).paths[0].termination,
+  EXPECT_EQ(straighten_loop(t, path_through(t, {0, 1}), 100).paths[0].termination,
             Termination::kConverged);
 }
 
@@ -223,13 +223,13 @@ TEST(FlipOutLoops, LoopOnAConvexSphereEndsWhateverItsShape) {
       loop.insert(loop.end(), part.begin(), part.end() - 1);
     }
     const EdgePath path = path_through(t, loop, true);
-    const FlipOutResult result = straighten(t, path, k % 2 == 0 ? 0.3 : 0);
+    const FlipOutResult result = straighten_loop(t, path, k % 2 == 0 ? 0.3 : 0);
     EXPECT_LE(result.paths[0].length_after, result.paths[0].length_before);
     EXPECT_NE(result.paths[0].termination, Termination::kLimit);
     collapsed += result.paths[0].termination == Termination::kCollapsed ? 1U : 0U;
     if (result.paths[0].termination == Termination::kConverged && result.blocked == 0) {
       for (const double angle : side_angles(t, result.paths[0].path)) {
-        EXPECT_GE(angle, kStraight - 1e-9);
+        EXPECT_GE(angle, kLoopStraight - 1e-9);
       }
     }
     const double length = result.paths[0].length_after;
@@ -250,7 +250,7 @@ TEST(FlipOutLoops, OneEdgeLoopOnAThinLimbOpensToItsWaist) {
   const Surface s = surface_of(mesh);
   for (const std::size_t r : {1U, 3U, 5U, 6U, 8U, 11U}) {
     SignpostTriangulation t(s);
-    const FlipOutResult result = straighten(t, path_through(t, ring(3, r), true));
+    const FlipOutResult result = straighten_loop(t, path_through(t, ring(3, r), true));
     expect_geodesic(t, result);
     EXPECT_NEAR(result.paths[0].length_after, 6 * 0.2 * std::sin(kPi / 3), 1e-7) << r;
     EXPECT_GE(result.paths[0].length_after, 6 * 0.2 * std::sin(kPi / 3) * (1 - 1e-12));
@@ -265,7 +265,7 @@ TEST(FlipOutLoops, OneEdgeLoopOfAConeEndsWithoutArea) {
   s.set_lengths({1, 1});
   for (const std::size_t h : {0U, 1U}) {
     SignpostTriangulation t(s);
-    const FlipOutResult result = straighten(t, EdgePath::make(t, {HalfedgeId{h}}, true));
+    const FlipOutResult result = straighten_loop(t, EdgePath::make(t, {HalfedgeId{h}}, true));
     EXPECT_EQ(result.paths[0].termination, Termination::kCollapsed);
     EXPECT_EQ(result.paths[0].length_after, 1);
   }
@@ -281,14 +281,14 @@ TEST(FlipOutLoops, ClosedGeodesicOfOneEdgeOnTheFlatTorus) {
   SignpostTriangulation t(s);
   EXPECT_NEAR(t.cone_angle(VertexId{0}), 2 * kPi, 1e-14);
   for (std::size_t h = 0; h < 6; ++h) {
-    const FlipOutResult result = straighten(t, EdgePath::make(t, {HalfedgeId{h}}, true));
+    const FlipOutResult result = straighten_loop(t, EdgePath::make(t, {HalfedgeId{h}}, true));
     expect_geodesic(t, result);
     EXPECT_EQ(result.iterations, 0U);
   }
   // Once along each side, as one loop: homotopic to one of the diagonals.
   const HalfedgeId a = halfedge_of(EdgeId{0}), b = halfedge_of(EdgeId{1});
   for (const HalfedgeId second : {b, twin(b)}) {
-    const FlipOutResult result = straighten(t, EdgePath::make(t, {a, second}, true));
+    const FlipOutResult result = straighten_loop(t, EdgePath::make(t, {a, second}, true));
     expect_geodesic(t, result);
     EXPECT_NEAR(result.paths[0].length_after, std::sqrt(2), 1e-12);
     Tracer(t).trace_and_undo({});

@@ -14,8 +14,8 @@ namespace {
 
 using namespace test;
 
-FlipOutResult straighten(SignpostTriangulation& t, const EdgePath& path,
-                         const FlipOutOptions& options = {}) {
+FlipOutResult straighten_with(SignpostTriangulation& t, const EdgePath& path,
+                              const FlipOutOptions& options = {}) {
   return FlipOut(t).run(std::span(&path, 1), options);
 }
 
@@ -26,11 +26,11 @@ TEST(FlipOutOptions, PinnedVerticesAreKept) {
   FlipOutOptions options;
   options.pinned = {VertexId{6}};
   const EdgePath around = path_through(t, {0, 1, 2, 3, 4, 5, 6, 13, 20, 27, 34, 41, 48});
-  const FlipOutResult kept = straighten(t, around, options);
+  const FlipOutResult kept = straighten_with(t, around, options);
   EXPECT_NEAR(kept.paths[0].length_after, 12, 1e-12);
   Tracer(t).trace_and_undo({});
   options.pinned = {VertexId{20}};
-  const FlipOutResult other = straighten(t, around, options);
+  const FlipOutResult other = straighten_with(t, around, options);
   EXPECT_NEAR(other.paths[0].length_after, std::hypot(6, 2) + 4, 1e-8);
   EXPECT_EQ(other.paths[0].termination, Termination::kConverged);
 }
@@ -48,19 +48,19 @@ TEST(FlipOutOptions, PinsThatThePathDoesNotPassAreNothingToIt) {
   for (std::size_t v = 0; v < s.vertex_count(); ++v) {
     if (std::find(arch.begin(), arch.end(), v) == arch.end()) options.pinned.emplace_back(v);
   }
-  const FlipOutResult result = straighten(t, path_through(t, arch), options);
+  const FlipOutResult result = straighten_with(t, path_through(t, arch), options);
   EXPECT_NEAR(result.paths[0].length_after, 8, 1e-8);
   Tracer(t).trace_and_undo({});
   // A spike that ends at a pin stays; its foot may not slide when the pin is there.
   const EdgePath spike = path_through(t, {0, 10, 20, 21, 20, 30, 40});
   options.pinned = {VertexId{21}};
   const Point &a = mesh.points[0], &b = mesh.points[21], &c = mesh.points[40];
-  EXPECT_NEAR(straighten(t, spike, options).paths[0].length_after, distance(a, b) + distance(b, c),
-              1e-8);
+  EXPECT_NEAR(straighten_with(t, spike, options).paths[0].length_after,
+              distance(a, b) + distance(b, c), 1e-8);
   Tracer(t).trace_and_undo({});
   const Point& foot = mesh.points[20];
   options.pinned = {VertexId{20}};
-  EXPECT_NEAR(straighten(t, spike, options).paths[0].length_after,
+  EXPECT_NEAR(straighten_with(t, spike, options).paths[0].length_after,
               distance(a, foot) + distance(foot, c), 1e-8);
 }
 
@@ -72,26 +72,26 @@ TEST(FlipOutOptions, OptionsAreChecked) {
   for (const double bad : {0.0, -1.0, 1.0, nan}) {
     FlipOutOptions o;
     o.angle_tolerance = bad;
-    EXPECT_THROW(straighten(t, path, o), Error);
+    EXPECT_THROW(straighten_with(t, path, o), Error);
   }
   for (const double bad : {-0.1, 1.0, nan}) {
     FlipOutOptions o;
     o.min_relative_length = bad;
-    EXPECT_THROW(straighten(t, path, o), Error);
+    EXPECT_THROW(straighten_with(t, path, o), Error);
     o.min_relative_length = 0;
     o.length_floor = bad == 1.0 ? std::numeric_limits<double>::infinity() : bad;
-    EXPECT_THROW(straighten(t, path, o), Error);
+    EXPECT_THROW(straighten_with(t, path, o), Error);
   }
   FlipOutOptions o;
   o.pinned = {VertexId{3}, VertexId{1}};
-  EXPECT_THROW(straighten(t, path, o), Error);
+  EXPECT_THROW(straighten_with(t, path, o), Error);
 }
 
 TEST(FlipOutOptions, NoPathsAndSingleEdges) {
   const Surface s = surface_of(grid(2, 2));
   SignpostTriangulation t(s);
   EXPECT_TRUE(FlipOut(t).run({}, {}).paths.empty());
-  const FlipOutResult one = straighten(t, path_through(t, {0, 1}));
+  const FlipOutResult one = straighten_with(t, path_through(t, {0, 1}));
   EXPECT_EQ(one.paths[0].termination, Termination::kConverged);
   EXPECT_EQ(one.iterations, 0U);
 }
@@ -103,14 +103,14 @@ TEST(FlipOutOptions, LimitsAndCancelLeaveAUsableState) {
   const Snapshot before = snapshot(t);
   Random random(2);
   const EdgePath path = EdgePath::make(t, random_walk(t, random, 400), false);
-  const std::size_t whole = straighten(t, path).iterations;
+  const std::size_t whole = straighten_with(t, path).iterations;
   Tracer(t).trace_and_undo({});
   ASSERT_GT(whole, 100U);
   double last = path_length(t, path);
   for (std::size_t limit = 1; limit < whole + 3; limit += limit < 50 ? 1 : 17) {
     FlipOutOptions options;
     options.max_iterations = limit;
-    const FlipOutResult result = straighten(t, path, options);
+    const FlipOutResult result = straighten_with(t, path, options);
     EXPECT_EQ(result.iterations, std::min(limit, whole));
     EXPECT_LE(result.paths[0].length_after, last);
     EXPECT_EQ(result.paths[0].termination,
@@ -123,7 +123,7 @@ TEST(FlipOutOptions, LimitsAndCancelLeaveAUsableState) {
   for (const std::size_t most : {1U, 20U, 100U}) {
     FlipOutOptions options;
     options.max_flips = most;
-    const FlipOutResult result = straighten(t, path, options);
+    const FlipOutResult result = straighten_with(t, path, options);
     EXPECT_EQ(result.paths[0].termination, Termination::kLimit);
     EXPECT_GE(result.flips, most);
     EXPECT_LT(result.flips, most + 20);  // the wedge that is being cleared
@@ -141,14 +141,14 @@ TEST(FlipOutOptions, LimitsAndCancelLeaveAUsableState) {
       EXPECT_LE(share, 1);
       return --left > 0;
     };
-    const FlipOutResult result = straighten(t, path, options);
+    const FlipOutResult result = straighten_with(t, path, options);
     EXPECT_EQ(result.paths[0].termination, Termination::kCancelled);
     Tracer(t).trace_and_undo(std::array{result.paths[0].path});
     EXPECT_EQ(snapshot(t), before);
   }
   FlipOutOptions half;
   half.min_relative_length = 0.5;
-  const FlipOutResult result = straighten(t, path, half);
+  const FlipOutResult result = straighten_with(t, path, half);
   EXPECT_EQ(result.paths[0].termination, Termination::kLimit);
   EXPECT_LE(result.paths[0].length_after, 0.5 * result.paths[0].length_before);
   EXPECT_GT(result.paths[0].length_after, 0.3 * result.paths[0].length_before);
@@ -168,7 +168,7 @@ TEST(FlipOutOptions, LazyAndPreparedAgreeBitForBit) {
     prepared.prepare_all();
     const auto walk = random_walk(lazy, random, 50);
     const EdgePath path = EdgePath::make(lazy, walk, false);
-    const FlipOutResult a = straighten(lazy, path), b = straighten(prepared, path);
+    const FlipOutResult a = straighten_with(lazy, path), b = straighten_with(prepared, path);
     EXPECT_EQ(a.paths[0].length_after, b.paths[0].length_after);
     EXPECT_EQ(a.flips, b.flips);
     EXPECT_EQ(a.iterations, b.iterations);
@@ -183,7 +183,7 @@ TEST(FlipOutOptions, ScaleReversalAndNumbering) {
   const Surface s = surface_of(mesh);
   const auto vertices = shortest_vertices(s, 3, 137);
   SignpostTriangulation t(s);
-  const double length = straighten(t, path_through(t, vertices)).paths[0].length_after;
+  const double length = straighten_with(t, path_through(t, vertices)).paths[0].length_after;
   Tracer(t).trace_and_undo({});
   for (const double scale : {1e-8, 1e8}) {
     TestMesh scaled = mesh;
@@ -192,12 +192,12 @@ TEST(FlipOutOptions, ScaleReversalAndNumbering) {
     }
     const Surface other = surface_of(scaled);
     SignpostTriangulation u(other);
-    EXPECT_NEAR(straighten(u, path_through(u, vertices)).paths[0].length_after / scale, length,
+    EXPECT_NEAR(straighten_with(u, path_through(u, vertices)).paths[0].length_after / scale, length,
                 1e-12 * length);
   }
   // Joints up to 1e-5 off straight: a relative difference of (1e-5)² at most for each.
   const std::vector<std::size_t> reversed(vertices.rbegin(), vertices.rend());
-  EXPECT_NEAR(straighten(t, path_through(t, reversed)).paths[0].length_after, length,
+  EXPECT_NEAR(straighten_with(t, path_through(t, reversed)).paths[0].length_after, length,
               1e-9 * length);
   TestMesh renumbered = mesh;
   const std::size_t n = mesh.points.size();
@@ -212,7 +212,8 @@ TEST(FlipOutOptions, ScaleReversalAndNumbering) {
   SignpostTriangulation u(other);
   std::vector<std::size_t> same;
   for (const std::size_t v : vertices) same.push_back(moved(v));
-  EXPECT_NEAR(straighten(u, path_through(u, same)).paths[0].length_after, length, 1e-9 * length);
+  EXPECT_NEAR(straighten_with(u, path_through(u, same)).paths[0].length_after, length,
+              1e-9 * length);
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ using test::TestMesh;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-Point position(const TestMesh& mesh, const Surface& surface, const SurfacePoint& p) {
+Point position_on(const TestMesh& mesh, const Surface& surface, const SurfacePoint& p) {
   const FaceId face = any_face(surface, p);
   const auto b = coordinates_in(surface, p, face).barycentric;
   const auto corners = surface.corners(face);
@@ -92,7 +92,7 @@ double to_segment(const Point& x, const Point& p, const Point& q) {
 std::vector<Point> positions(const TestMesh& mesh, const Surface& surface,
                              const SurfaceCurve& curve) {
   std::vector<Point> line;
-  for (const SurfacePoint& p : curve.points) line.push_back(position(mesh, surface, p));
+  for (const SurfacePoint& p : curve.points) line.push_back(position_on(mesh, surface, p));
   if (curve.closed) line.push_back(line.front());
   return line;
 }
@@ -130,7 +130,7 @@ void expect_plane_distances(const TestMesh& mesh, const Surface& surface, const 
   distance.set({&curve, 1});
   for (int i = 0; i < 400; ++i) {
     const SurfacePoint p = random_point(random, surface);
-    const Point x = position(mesh, surface, p);
+    const Point x = position_on(mesh, surface, p);
     const auto nearest = distance.at(p);
     ASSERT_NEAR(nearest.distance, to_polyline(x, line), tolerance) << i;
     // The nearest point is on the curve at its arc length.
@@ -228,7 +228,7 @@ SurfaceCurve straight_line(const TestMesh& mesh, const Surface& surface, Point t
     const double a = height(surface.tail(h)), b = height(surface.head(h));
     if (!(a * b < 0)) continue;
     const SurfacePoint at = SurfacePoint::on_edge(surface, EdgeId{e}, a / (a - b));
-    const Point x = position(mesh, surface, at);
+    const Point x = position_on(mesh, surface, at);
     crossed.emplace_back(c * (x[0] - through[0]) + s * (x[1] - through[1]), at);
   }
   std::sort(crossed.begin(), crossed.end(),

@@ -19,10 +19,9 @@ namespace {
 using editing::Curve;
 using editing::Drawing;
 using editing::Editor;
-using editing::Point;
 using editing::Stage;
 
-Point at(std::uint32_t face) { return {face, {0.25, 0.25, 0.5}, false}; }
+editing::Point at(std::uint32_t face) { return {face, {0.25, 0.25, 0.5}, false}; }
 
 template <class Edit>
 std::string refusal(Edit edit) {
@@ -38,7 +37,8 @@ TEST(Editor, DrawsAnOpenCurve) {
   Editor editor;
   for (const std::uint32_t face : {3U, 4U, 4U, 7U}) editor.add_point(at(face));
   EXPECT_TRUE(editor.is_drawing());
-  EXPECT_EQ(editor.drawing().curves.at(0)->points, (std::vector<Point>{at(3), at(4), at(7)}));
+  EXPECT_EQ(editor.drawing().curves.at(0)->points,
+            (std::vector<editing::Point>{at(3), at(4), at(7)}));
   editor.take_back_point();
   editor.finish_curve();
   EXPECT_FALSE(editor.is_drawing());
@@ -134,7 +134,7 @@ TEST(Editor, AGestureIsOneStep) {
 }
 
 TEST(Editor, PickedPointsComeIntoTheirTriangle) {
-  const Point point = editing::picked(7, {-1e-17, 0.5, 0.5 + 1e-17});
+  const editing::Point point = editing::picked(7, {-1e-17, 0.5, 0.5 + 1e-17});
   EXPECT_EQ(point.barycentric[0], 0);
   EXPECT_EQ(point.barycentric[1] + point.barycentric[2], 1);
   EXPECT_EQ(refusal([] {
@@ -220,7 +220,7 @@ TEST(History, ForgetsTheOldestSteps) {
 
 TEST(MeshArrays, PointsAtVerticesLieThere) {
   const editing::MeshArrays mesh = test::arrays_of(test::grid(5, 4));
-  const std::vector<Point> points = editing::points_at(mesh, {0, 29, 7, 7});
+  const std::vector<editing::Point> points = editing::points_at(mesh, {0, 29, 7, 7});
   EXPECT_EQ(editing::position_of(mesh, points.at(1)), mesh.positions[29]);
   EXPECT_EQ(editing::position_of(mesh, points.at(3)), mesh.positions[7]);
   EXPECT_EQ(refusal([&] { editing::points_at(mesh, {30}); }),

@@ -26,7 +26,7 @@ std::vector<host::Curve> sweep(host::Instance& instance) {
   return results;
 }
 
-void expect_same(const std::vector<host::Curve>& a, const std::vector<host::Curve>& b) {
+void expect_equal(const std::vector<host::Curve>& a, const std::vector<host::Curve>& b) {
   ASSERT_EQ(a.size(), b.size());
   for (std::size_t k = 0; k < a.size(); ++k) EXPECT_TRUE(same_bits(a[k], b[k])) << k;
 }
@@ -56,8 +56,8 @@ TEST(PluginThreads, TwoMeshesInTwoThreads) {
     std::thread two([&] { second = on_sheet(); });
     one.join();
     two.join();
-    expect_same(first, hills);
-    expect_same(second, flat);
+    expect_equal(first, hills);
+    expect_equal(second, flat);
   }
 }
 
@@ -80,8 +80,8 @@ TEST(PluginThreads, WorkspacesOnOneMesh) {
   }
   const auto expected = sweep(owner);
   for (std::thread& thread : threads) thread.join();
-  expect_same(results[1], expected);
-  expect_same(results[2], expected);
+  expect_equal(results[1], expected);
+  expect_equal(results[2], expected);
 }
 
 TEST(PluginThreads, LoadersSideBySide) {

@@ -15,23 +15,23 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr std::size_t kColumns = 8;
-using Row = std::array<std::string, kColumns>;
+constexpr std::size_t kMeasures = 8;
+using TableRow = std::array<std::string, kMeasures>;
 
-const Row kHead = {"method",         "parameter", "curvature, rad",   "to drawing, edges",
-                   "from it, edges", "length, x", "first, again, ms", "kind"};
+const TableRow kHead = {"method",         "parameter", "curvature, rad",   "to drawing, edges",
+                        "from it, edges", "length, x", "first, again, ms", "kind"};
 
 std::string parameter_of(const Comparison& c, const ComparedRun& run) {
   if (!run.value) return "default";
   return fmt::format("{} {:.4g}", c.methods[run.method].swept, *run.value);
 }
 
-Row drawing_row(const Comparison& c) {
+TableRow drawing_row(const Comparison& c) {
   return {"(drawing)", "", fmt::format("{:.3f}", c.drawn.curvature), "", "", "", "", ""};
 }
 
-Row row_of(const Comparison& c, const ComparedRun& run) {
-  Row row;
+TableRow row_of(const Comparison& c, const ComparedRun& run) {
+  TableRow row;
   row[0] = c.methods[run.method].name;
   row[1] = parameter_of(c, run);
   if (!run.refusal.empty()) {
@@ -135,15 +135,15 @@ std::string beaten_text(const Comparison& c) {
 }  // namespace
 
 std::string comparison_table(const Comparison& c) {
-  std::vector<Row> rows{kHead, drawing_row(c)};
+  std::vector<TableRow> rows{kHead, drawing_row(c)};
   for (const ComparedRun& run : c.runs) rows.push_back(row_of(c, run));
-  std::array<std::size_t, kColumns> width{};
-  for (const Row& row : rows) {
-    for (std::size_t k = 0; k < kColumns; ++k) width[k] = std::max(width[k], row[k].size());
+  std::array<std::size_t, kMeasures> width{};
+  for (const TableRow& row : rows) {
+    for (std::size_t k = 0; k < kMeasures; ++k) width[k] = std::max(width[k], row[k].size());
   }
   std::string text;
   for (std::size_t r = 0; r < rows.size(); ++r) {
-    for (std::size_t k = 0; k < kColumns; ++k) {
+    for (std::size_t k = 0; k < kMeasures; ++k) {
       text += fmt::format("| {:<{}} ", rows[r][k], width[k]);
     }
     text += "|\n";
