@@ -9,14 +9,27 @@
 namespace talweg {
 namespace {
 
-__extension__ using Wide = __int128;
-
 using Place = FaceTriangulation::Place;
 
-/// Twice the signed area.
-Wide area(const Place& a, const Place& b, const Place& c) {
-  const Wide ux = b[1] - a[1], uy = b[2] - a[2], vx = c[1] - a[1], vy = c[2] - a[2];
-  return ux * vy - uy * vx;
+/// Twice a signed area, exactly: high times 2^21, and low. Coordinates differ by at most 2^40, so
+/// it has up to 82 bits; parts of 21 bits times 40 fit into 64.
+struct Area {
+  static constexpr int kShift = 21;
+  std::int64_t high;
+  std::int64_t low;  // in [0, 2^21)
+
+  [[nodiscard]] int sign() const { return high != 0 ? (high > 0 ? 1 : -1) : (low > 0 ? 1 : 0); }
+  [[nodiscard]] long double value() const {
+    return std::ldexp(static_cast<long double>(high), kShift) + static_cast<long double>(low);
+  }
+};
+
+Area area(const Place& a, const Place& b, const Place& c) {
+  constexpr std::int64_t kLow = (std::int64_t{1} << Area::kShift) - 1;
+  const std::int64_t ux = b[1] - a[1], uy = b[2] - a[2], vx = c[1] - a[1], vy = c[2] - a[2];
+  const std::int64_t high = (ux >> Area::kShift) * vy - (uy >> Area::kShift) * vx;
+  const std::int64_t low = (ux & kLow) * vy - (uy & kLow) * vx;
+  return {high + (low >> Area::kShift), low & kLow};
 }
 
 [[noreturn]] void fail() {
@@ -31,8 +44,7 @@ FaceTriangulation::FaceTriangulation(const std::array<PlanePoint, 3>& corners)
 }
 
 int FaceTriangulation::side(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
-  const Wide twice = area(places_[a], places_[b], places_[c]);
-  return twice > 0 ? 1 : twice < 0 ? -1 : 0;
+  return area(places_[a], places_[b], places_[c]).sign();
 }
 
 bool FaceTriangulation::has_edge(std::uint32_t a, std::uint32_t b) const {
@@ -178,8 +190,8 @@ void FaceTriangulation::connect_part(std::uint32_t a, std::uint32_t b,
 /// of its ends where no other place is left.
 std::uint32_t FaceTriangulation::cross(std::uint32_t a, std::uint32_t b, std::uint32_t u,
                                        std::uint32_t v) {
-  const auto right = static_cast<long double>(area(places_[a], places_[b], places_[u]));
-  const auto left = static_cast<long double>(area(places_[a], places_[b], places_[v]));
+  const long double right = area(places_[a], places_[b], places_[u]).value();
+  const long double left = area(places_[a], places_[b], places_[v]).value();
   const long double part = right / (right - left);
   Place at{};
   for (const std::size_t k : {1U, 2U}) {

@@ -109,7 +109,7 @@ struct Taken {
   }
   bool operator()(std::size_t& value) const {
     const auto* found = std::get_if<std::uint64_t>(&entry.value);
-    if (found != nullptr) value = *found;
+    if (found != nullptr) value = static_cast<std::size_t>(*found);
     return found != nullptr;
   }
   bool operator()(Point& value) const {

@@ -127,7 +127,8 @@ LabelFile read_freesurfer_label(const Source& source, std::size_t vertex_count) 
   LabelFile file;
   file.labels.assign(vertex_count, 0);
   for (std::uint64_t k = 0; k < count; ++k) {
-    const std::uint64_t v = text.count(text.word(), "a vertex of the mesh", vertex_count);
+    const auto v =
+        static_cast<std::size_t>(text.count(text.word(), "a vertex of the mesh", vertex_count));
     for (int c = 0; c < 3; ++c) text.number(text.word(), "a coordinate");
     text.number(text.word(), "a value");
     file.labels[v] = 1;

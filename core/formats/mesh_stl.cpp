@@ -46,7 +46,7 @@ class CornerWelder {
       hash = (hash ^ b) * 0x9E3779B97F4A7C15ULL;
       hash ^= hash >> 32U;
     }
-    std::size_t slot = hash & (slots_.size() - 1);
+    std::size_t slot = static_cast<std::size_t>(hash) & (slots_.size() - 1);
     while (slots_[slot] != kEmpty && bits(points_[slots_[slot]]) != bits(p)) {
       slot = (slot + 1) & (slots_.size() - 1);
     }

@@ -29,8 +29,9 @@ class ByteStream {
     return base64_ ? pending_.size() + (stored_.size() - at_) / 4 * 3 : stored_.size() - at_;
   }
 
-  std::string take(std::uint64_t n) {
-    if (n > at_most()) throw std::runtime_error("the data ends too early");
+  std::string take(std::uint64_t bytes) {
+    if (bytes > at_most()) throw std::runtime_error("the data ends too early");
+    const auto n = static_cast<std::size_t>(bytes);
     if (!base64_) {
       at_ += n;
       return std::string(stored_.substr(at_ - n, n));
@@ -81,9 +82,12 @@ std::uint64_t size_word(ByteStream& stream, const VtkEncoding& encoding) {
 }
 
 std::string inflated(const std::string& packed, std::uint64_t size) {
+  std::string result;
   // Deflate cannot pack better than about 1032 : 1.
-  if (size / 1040 > packed.size() + 1) throw std::runtime_error("a block's size is impossible");
-  std::string result(size, '\0');
+  if (size / 1040 > packed.size() + 1 || size > result.max_size()) {
+    throw std::runtime_error("a block's size is impossible");
+  }
+  result.resize(static_cast<std::size_t>(size));
   auto length = static_cast<uLongf>(size);
   const int status =
       uncompress(reinterpret_cast<Bytef*>(result.data()), &length,
@@ -102,7 +106,7 @@ std::string decoded_block(const VtkEncoding& encoding, std::string_view stored, 
   const std::uint64_t block = size_word(stream, encoding);
   const std::uint64_t last = size_word(stream, encoding);
   if (first > stream.at_most()) throw std::runtime_error("the data ends too early");
-  std::vector<std::uint64_t> packed_size(first);
+  std::vector<std::uint64_t> packed_size(static_cast<std::size_t>(first));
   for (std::uint64_t& size : packed_size) size = size_word(stream, encoding);
   std::string result;
   for (std::size_t k = 0; k < packed_size.size(); ++k) {

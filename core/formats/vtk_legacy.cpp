@@ -59,12 +59,13 @@ NumberType VtkLegacy::read_type() {
   return *type;
 }
 
-std::vector<double> VtkLegacy::read_numbers(std::uint64_t n, NumberType type) {
+std::vector<double> VtkLegacy::read_numbers(std::uint64_t count, NumberType type) {
   scanner_.next_line();
   const std::size_t size = ascii_ ? 1 : size_of(type);
-  if (n > (scanner_.remaining() + 1) / size) {
-    fail(fmt::format("expected {} numbers, the file ends before", n));
+  if (count > (scanner_.remaining() + 1) / size) {
+    fail(fmt::format("expected {} numbers, the file ends before", count));
   }
+  const auto n = static_cast<std::size_t>(count);
   std::vector<double> numbers(n);
   if (ascii_) {
     for (double& x : numbers) x = scanner_.number(scanner_.word(), "a number");

@@ -97,7 +97,7 @@ std::vector<double> VtkXml::read_array(const pugi::xml_node& array) const {
   if (format == "appended") {
     const std::uint64_t offset = array.attribute("offset").as_ullong();
     if (offset >= encoding_.appended.size()) fail(array, "its offset is beyond the appended data");
-    stored = encoding_.appended.substr(offset);
+    stored = encoding_.appended.substr(static_cast<std::size_t>(offset));
   }
   try {
     const bool base64 = format == "binary" || encoding_.appended_base64;

@@ -68,7 +68,7 @@ void convert(const talweg_array& array, const std::string& what, Target* out) {
   const std::uint64_t dense = sizeof(Source) * std::uint64_t{array.columns};
   const std::uint64_t stride = array.stride == 0 ? dense : array.stride;
   if (std::is_same_v<Source, Target> && std::is_floating_point_v<Target> && stride == dense) {
-    std::memcpy(out, bytes, array.rows * dense);
+    std::memcpy(out, bytes, static_cast<std::size_t>(array.rows * dense));
     return;
   }
   for (std::uint64_t row = 0; row < array.rows; ++row) {
@@ -99,7 +99,7 @@ inline void check_array(const talweg_array& array, std::uint32_t columns, const 
     detail::bad_array(
         what, "has " + std::to_string(array.columns) + " columns, not " + std::to_string(columns));
   }
-  if (array.rows >= UINT32_MAX) {
+  if (array.rows >= UINT32_MAX || array.rows > SIZE_MAX / (sizeof(double) * columns)) {
     detail::bad_array(what, "has " + std::to_string(array.rows) + " rows, which is too many");
   }
   if (array.data == nullptr) detail::bad_array(what, "has rows but no data");
@@ -110,6 +110,11 @@ inline void check_array(const talweg_array& array, std::uint32_t columns, const 
   if (array.stride > (std::uint64_t{1} << 32)) {
     detail::bad_array(what, "has a stride of " + std::to_string(array.stride) + " bytes");
   }
+}
+
+/// How many numbers an array of as many columns has. For a checked array it fits into memory.
+inline std::size_t count_of(const talweg_array& array, std::uint32_t columns) {
+  return static_cast<std::size_t>(array.rows) * columns;
 }
 
 /// Copies a checked array's numbers, row by row. Throws as check_array() does.
@@ -156,7 +161,7 @@ inline void copy_indices(const talweg_array& array, std::uint32_t columns, const
 inline std::vector<double> numbers_of(const talweg_array& array, std::uint32_t columns,
                                       const std::string& what) {
   check_array(array, columns, what);
-  std::vector<double> result(array.rows * columns);
+  std::vector<double> result(count_of(array, columns));
   copy_numbers(array, columns, what, result.data());
   return result;
 }
@@ -164,7 +169,7 @@ inline std::vector<double> numbers_of(const talweg_array& array, std::uint32_t c
 inline std::vector<std::uint32_t> indices_of(const talweg_array& array, std::uint32_t columns,
                                              const std::string& what) {
   check_array(array, columns, what);
-  std::vector<std::uint32_t> result(array.rows * columns);
+  std::vector<std::uint32_t> result(count_of(array, columns));
   copy_indices(array, columns, what, result.data());
   return result;
 }

@@ -184,7 +184,7 @@ inline talweg_curve view_of(const Curve& curve) {
 template <std::size_t n>
 std::vector<std::array<double, n>> rows_of(const talweg_array& array, const char* what) {
   plugin::check_array(array, n, what);
-  std::vector<std::array<double, n>> rows(array.rows);
+  std::vector<std::array<double, n>> rows(plugin::count_of(array, 1));
   if (!rows.empty()) plugin::copy_numbers(array, n, what, rows.front().data());
   return rows;
 }
@@ -221,7 +221,7 @@ inline Mesh copy(const talweg_mesh& mesh) {
   Mesh result;
   result.positions = rows_of<3>(mesh.positions, "The positions");
   plugin::check_array(mesh.triangles, 3, "The triangles");
-  result.triangles.resize(mesh.triangles.rows);
+  result.triangles.resize(plugin::count_of(mesh.triangles, 1));
   if (!result.triangles.empty()) {
     plugin::copy_indices(mesh.triangles, 3, "The triangles", result.triangles.front().data());
   }
