@@ -1,21 +1,25 @@
 #include "talweg/core/canonical_order.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numeric>
+#include <utility>
 
 #include "talweg/core/measures.hpp"
 
 namespace talweg {
 namespace {
 
-using Sequence = std::vector<long long>;
+using Letter = long long;
+using Sequence = std::vector<Letter>;
 
 /// Where the lexicographically least rotation begins.
 std::size_t least_rotation(const Sequence& s) {
   const std::size_t n = s.size();
   std::size_t i = 0, j = 1, same = 0;
   while (i < n && j < n && same < n) {
-    const long long a = s[(i + same) % n], b = s[(j + same) % n];
+    const Letter a = s[(i + same) % n], b = s[(j + same) % n];
     if (a == b) {
       ++same;
       continue;
@@ -28,36 +32,141 @@ std::size_t least_rotation(const Sequence& s) {
   return std::min(i, j);
 }
 
+/// By how much a sequence must be turned to be itself again.
+std::size_t period_of(const Sequence& s) {
+  const std::size_t n = s.size();
+  std::vector<std::size_t> border(n + 1, 0);  // of the first k letters
+  for (std::size_t i = 1, k = 0; i < n; ++i) {
+    while (k > 0 && s[i] != s[k]) k = border[k];
+    border[i + 1] = k += s[i] == s[k] ? 1 : 0;
+  }
+  const std::size_t period = n - border[n];
+  return n % period == 0 ? period : n;
+}
+
 Sequence rotated(const Sequence& s, std::size_t start) {
   Sequence result(s.begin() + static_cast<std::ptrdiff_t>(start), s.end());
   result.insert(result.end(), s.begin(), s.begin() + static_cast<std::ptrdiff_t>(start));
   return result;
 }
 
-Sequence segment_lengths(const Surface& surface, const SurfaceCurve& curve) {
-  const std::size_t n = curve.points.size();
-  const double whole = curve_length(surface, curve);
-  Sequence lengths;
-  for (std::size_t i = 0; i + (curve.closed ? 0 : 1) < n; ++i) {
-    const double length =
-        curve_length(surface, {false, {curve.points[i], curve.points[(i + 1) % n]}});
-    lengths.push_back(whole > 0 ? std::llround(1e9 * (length / whole)) : 0);
+template <class Key>
+Sequence ranks_of(const std::vector<Key>& keys) {
+  std::vector<Key> sorted = keys;
+  std::sort(sorted.begin(), sorted.end());
+  Sequence ranks;
+  for (const Key& key : keys) {
+    ranks.push_back(std::lower_bound(sorted.begin(), sorted.end(), key) - sorted.begin());
   }
-  return lengths;
+  return ranks;
 }
+
+/// The starts that are still equally good in one direction: first, first + period, ...
+struct Starts {
+  std::size_t first = 0, period = 1;
+
+  /// Keeps those from which this sequence is the least, and returns it.
+  Sequence choose(const Sequence& letters) {
+    const Sequence turned = rotated(letters, first);
+    std::vector<Sequence> blocks;
+    for (auto at = turned.begin(); at != turned.end();) {
+      const auto begin = std::exchange(at, at + static_cast<std::ptrdiff_t>(period));
+      blocks.emplace_back(begin, at);
+    }
+    const Sequence ranks = period > 1 ? ranks_of(blocks) : turned;
+    const std::size_t least = least_rotation(ranks), shift = least * period;
+    first = (first + shift) % letters.size();
+    period *= period_of(ranks);
+    return rotated(turned, shift);
+  }
+};
+
+/// What curves are compared by, one after the other. Letters at points, or between them.
+class Comparison {
+ public:
+  Comparison(const SurfaceMesh& mesh, const SurfaceCurve& curve)
+      : mesh_(mesh), surface_(mesh.surface()), points_(curve.points), closed_(curve.closed) {}
+
+  static constexpr int kLevels = 3;
+
+  /// Forward, and gone through from the last point to the first.
+  [[nodiscard]] std::array<Sequence, 2> letters(int level) const {
+    Sequence forward = level == 0 ? lengths() : level == 1 ? turns() : positions();
+    Sequence backward(forward.rbegin(), forward.rend());
+    if (level == 1) {
+      for (Letter& turn : backward) turn = -turn;
+    }
+    // Backwards the first segment is that before the last point.
+    if (level == 0 && closed_) std::rotate(backward.begin(), backward.begin() + 1, backward.end());
+    return {forward, backward};
+  }
+
+ private:
+  [[nodiscard]] const SurfacePoint& point(std::size_t i) const {
+    return points_[i % points_.size()];
+  }
+
+  /// Segments. Summed by size, so that the order of the points does not matter to a bit.
+  [[nodiscard]] Sequence lengths() const {
+    std::vector<double> own;
+    for (std::size_t i = 0; i + (closed_ ? 0 : 1) < points_.size(); ++i) {
+      own.push_back(curve_length(surface_, {false, {point(i), point(i + 1)}}));
+    }
+    std::vector<double> sorted = own;
+    std::sort(sorted.begin(), sorted.end());
+    const double whole = std::accumulate(sorted.begin(), sorted.end(), 0.0);
+    Sequence result;
+    for (const double length : own) {
+      result.push_back(whole > 0 ? std::llround(1e9 * (length / whole)) : 0);
+    }
+    return result;
+  }
+
+  [[nodiscard]] Sequence turns() const {
+    const std::size_t n = points_.size();
+    Sequence result(n, 0);
+    for (std::size_t i = closed_ ? 0 : 1; i + (closed_ ? 0 : 1) < n; ++i) {
+      const double turn = signed_turning(surface_, point(i + n - 1), point(i), point(i + 1));
+      result[i] = std::llround(1e9 * turn);
+    }
+    return result;
+  }
+
+  [[nodiscard]] Sequence positions() const {
+    std::vector<std::array<double, 3>> places;
+    for (const SurfacePoint& p : points_) {
+      const Point at = mesh_.position(p);
+      places.push_back({at.x(), at.y(), at.z()});
+    }
+    return ranks_of(places);
+  }
+
+  const SurfaceMesh& mesh_;
+  const Surface& surface_;
+  const std::vector<SurfacePoint>& points_;
+  bool closed_;
+};
 
 }  // namespace
 
-CurveOrder canonical_order(const Surface& surface, const SurfaceCurve& curve) {
+CurveOrder canonical_order(const SurfaceMesh& mesh, const SurfaceCurve& curve) {
   const std::size_t n = curve.points.size();
   if (n < 2) return {};
-  const Sequence forward = segment_lengths(surface, curve);
-  const Sequence backward(forward.rbegin(), forward.rend());
-  if (!curve.closed) return backward < forward ? CurveOrder{n - 1, true} : CurveOrder{};
-  const std::size_t start = least_rotation(forward), other = least_rotation(backward);
-  // Segment i of the backward sequence leads from point n - i to the one before it.
-  if (rotated(backward, other) < rotated(forward, start)) return {(n - other) % n, true};
-  return {start, false};
+  const Comparison comparison(mesh, curve);
+  Starts ahead, back;
+  bool may_go_ahead = true, may_go_back = true;
+  const auto is_clear = [&](const Starts& starts) { return !curve.closed || starts.period == n; };
+  for (int level = 0; level < Comparison::kLevels; ++level) {
+    if (may_go_ahead != may_go_back && is_clear(may_go_ahead ? ahead : back)) break;
+    auto [forward, backward] = comparison.letters(level);
+    if (curve.closed && may_go_ahead) forward = ahead.choose(forward);
+    if (curve.closed && may_go_back) backward = back.choose(backward);
+    if (!may_go_ahead || !may_go_back) continue;
+    may_go_ahead = !(backward < forward);
+    may_go_back = !(forward < backward);
+  }
+  if (may_go_ahead) return {ahead.first, false};
+  return {n - 1 - back.first, true};
 }
 
 SurfaceCurve in_order(const SurfaceCurve& curve, const CurveOrder& order) {

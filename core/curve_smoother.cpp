@@ -94,11 +94,11 @@ void CurveSmoother::take(std::span<const SurfaceCurve> curves, const CurveOption
   curve_options_ = options;
   drawn_.assign(curves.begin(), curves.end());
   for (const SurfaceCurve& curve : drawn_) {
-    drawn_measures_.push_back(measure_curve(surface, curve));
+    orders_.push_back(canonical_order(mesh_->mesh(), curve));
+    ordered_.push_back(in_order(curve, orders_.back()));
+    drawn_measures_.push_back(measure_curve(surface, ordered_.back()));
     if (!(drawn_measures_.back().length > 0)) refuse_point(curve);
     edges_near_.push_back(edge_length_near(surface, curve));
-    orders_.push_back(canonical_order(surface, curve));
-    ordered_.push_back(in_order(curve, orders_.back()));
   }
 }
 
@@ -296,6 +296,32 @@ SmoothingResult CurveSmoother::smooth(double tau) {
 }
 
 SmoothingResult CurveSmoother::smooth(const SmoothingOptions& options) {
+  return as_drawn(smooth_in_order(with_ordered_slack(options)));
+}
+
+/// Of curves as they were drawn. All that is measured and decided is so on ordered ones, so that a
+/// reversed drawing has the same result to the last bit.
+SmoothingOptions CurveSmoother::with_ordered_slack(SmoothingOptions options) const {
+  for (std::size_t c = 0; c < std::min(options.slack_at.size(), drawn_.size()); ++c) {
+    const std::vector<double> drawn = options.slack_at[c];
+    const std::size_t n = drawn_[c].points.size();
+    if (drawn.size() != n) continue;  // the corridor refuses it
+    for (std::size_t k = 0; k < n; ++k) {
+      options.slack_at[c][k] = drawn[orders_[c].drawn_index(k, n)];
+    }
+  }
+  return options;
+}
+
+SmoothingResult CurveSmoother::as_drawn(SmoothingResult result) const {
+  for (std::size_t c = 0; c < result.curves.size(); ++c) {
+    std::vector<SurfacePoint>& points = result.curves[c].points;
+    if (orders_[c].reversed) std::reverse(points.begin(), points.end());
+  }
+  return result;
+}
+
+SmoothingResult CurveSmoother::smooth_in_order(const SmoothingOptions& options) {
   options.validate();
   if (!is_set()) bad_usage("No curve is set.");
   if (refined_) return smooth_refined(options);
@@ -333,8 +359,8 @@ SmoothingResult CurveSmoother::smooth(const SmoothingOptions& options,
                 " is not a number of at most 1e150.");
     }
   }
-  if (refined_) return smooth_refined(options, potential, components);
-  if (unrolled_) return smooth_unrolled(options, potential, components);
+  if (refined_) return as_drawn(smooth_refined(options, potential, components));
+  if (unrolled_) return as_drawn(smooth_unrolled(options, potential, components));
   const std::vector<double> inserted = at_inserted(potential, components);
   SmoothingResult result = run(options, [&](VertexId p, VertexId q, double length) {
     const auto at = [&](VertexId v) {
@@ -346,7 +372,7 @@ SmoothingResult CurveSmoother::smooth(const SmoothingOptions& options,
   });
   for (SmoothingReport& report : result.reports) report.potential = "custom";
   result.total.potential = "custom";
-  return result;
+  return as_drawn(std::move(result));
 }
 
 SmoothingResult CurveSmoother::run(const SmoothingOptions& options,
@@ -392,10 +418,6 @@ SmoothingResult CurveSmoother::report_on(const SmoothingOptions& options,
                                          std::vector<SurfaceCurve> curves, StageTimes times) {
   SmoothingResult result;
   result.curves = std::move(curves);
-  for (std::size_t c = 0; c < result.curves.size(); ++c) {
-    std::vector<SurfacePoint>& points = result.curves[c].points;
-    if (orders_[c].reversed) std::reverse(points.begin(), points.end());
-  }
   times.open = mesh_->open_ms() + heat_open_ms_;
   times.solve = solve_ms_;
   times.total =
@@ -404,7 +426,7 @@ SmoothingResult CurveSmoother::report_on(const SmoothingOptions& options,
   if (!deviation_meter_) deviation_meter_.emplace(mesh_->mesh());
   for (std::size_t c = 0; c < result.curves.size(); ++c) {
     SmoothingReport& report = result.reports.emplace_back(
-        report_on_curve(mesh_->mesh(), drawn_[c], drawn_measures_[c], result.curves[c]));
+        report_on_curve(mesh_->mesh(), ordered_[c], drawn_measures_[c], result.curves[c]));
     const FlipOutResult::Path& path = straight.flip_out.paths[c];
     report.tau = options.tau;
     report.edge_length_near = edges_near_[c];
@@ -417,7 +439,7 @@ SmoothingResult CurveSmoother::report_on(const SmoothingOptions& options,
     report.trace_fallbacks = straight.clamped;
     report.mollification = mollification_;
     report.warnings = warnings_;
-    report_deviation(report, options.deviation, *deviation_meter_, mesh_->mesh(), drawn_[c],
+    report_deviation(report, options.deviation, *deviation_meter_, mesh_->mesh(), ordered_[c],
                      result.curves[c], band_is_there ? &*exact_distance_ : nullptr);
     if (warns_if_far_) warn_if_far(report, kFarInEdges * edges_near_[c]);
     if (path.termination == Termination::kLimit && options.max_iterations == 0 &&

@@ -184,6 +184,9 @@ class CurveSmoother {
                          const SmoothingOptions& options);
 
   void take(std::span<const SurfaceCurve> curves, const CurveOptions& options);
+  [[nodiscard]] SmoothingOptions with_ordered_slack(SmoothingOptions options) const;
+  [[nodiscard]] SmoothingResult as_drawn(SmoothingResult result) const;
+  SmoothingResult smooth_in_order(const SmoothingOptions& options);
   [[noreturn]] void refuse_point(const SurfaceCurve& curve) const;
   void embed_drawn();
   void forget();
@@ -200,8 +203,6 @@ class CurveSmoother {
   void keep_valleys_apart();
   void hold_loops();
   void steepen(Corridor::Valley& valley, const SurfaceCurve& drawn) const;
-  [[nodiscard]] std::vector<double> slack_in_order(const std::vector<double>& drawn,
-                                                   std::size_t curve) const;
   [[nodiscard]] std::vector<Corridor::Valley> valleys_for(const SmoothingOptions& options) const;
   SmoothingResult smooth_in_corridor(const SmoothingOptions& options);
   SmoothingResult smooth_in_valleys(const SmoothingOptions& options,
@@ -239,7 +240,7 @@ class CurveSmoother {
   // dragging.cpp
   SmoothingResult drag_whole(std::size_t curve, const SurfaceCurve& moved,
                              const SmoothingOptions& options);
-  const SmoothingResult& result_for(const SmoothingOptions& options);
+  SmoothingResult result_for(const SmoothingOptions& options);
   [[nodiscard]] std::vector<Corridor::Valley> dragged_valleys(
       const DrawingChange& change, std::size_t curve, const SmoothingOptions& options) const;
   void set_stretch(const DragStretch& stretch, const CurveOptions& options);
@@ -283,7 +284,7 @@ class CurveSmoother {
     SmoothingOptions options;
     SmoothingResult result;
   };
-  std::optional<Last> last_;                // of smooth() on these curves
+  std::optional<Last> last_;                // of smooth() on the ordered curves
   std::unique_ptr<CurveSmoother> dragger_;  // for stretches of a drawing; made when first needed
   bool cancelled_ = false;                  // of a dragger: its last stretch
   std::vector<Corridor::Valley> valleys_;   // per curve, of the corridor

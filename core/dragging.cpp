@@ -106,13 +106,13 @@ std::vector<double> carried_over(const std::vector<double>& drawn, const Surface
 }  // namespace
 
 /// The last result if it is what these options ask for.
-const SmoothingResult& CurveSmoother::result_for(const SmoothingOptions& options) {
-  if (!last_ || !same_result(last_->options, options)) {
-    SmoothingOptions plain = options;
+SmoothingResult CurveSmoother::result_for(const SmoothingOptions& options) {
+  SmoothingOptions plain = with_ordered_slack(options);
+  if (!last_ || !same_result(last_->options, plain)) {
     plain.deviation = DeviationMeasure::kNone;
-    smooth(plain);
+    smooth_in_order(plain);
   }
-  return last_->result;
+  return as_drawn(last_->result);
 }
 
 /// As for the drawing that is set, whose slack and L stay.
@@ -257,7 +257,8 @@ SurfaceCurve CurveSmoother::dragged(const DrawingChange& change, std::size_t cur
       curve_options_);
   SmoothingOptions plain = options;
   plain.deviation = DeviationMeasure::kNone;
-  SmoothingResult result = dragger_->smooth_in_valleys(plain, dragger_->valleys_);
+  SmoothingResult result =
+      dragger_->as_drawn(dragger_->smooth_in_valleys(plain, dragger_->valleys_));
   dragger_->cancelled_ = result.total.termination == to_string(Termination::kCancelled);
   return std::move(result.curves.front());
 }

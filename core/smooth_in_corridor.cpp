@@ -74,7 +74,7 @@ void CurveSmoother::hold_loops() {
   std::vector<bool> doubtful(drawn_.size(), false);
   for (std::size_t c = 0; c < drawn_.size(); ++c) {
     const Corridor::Valley& valley = valleys_[c];
-    doubtful[c] = valley.closed && valley.slack > width_of_loop(mesh_->mesh(), drawn_[c]);
+    doubtful[c] = valley.closed && valley.slack > width_of_loop(mesh_->mesh(), ordered_[c]);
   }
   if (std::count(doubtful.begin(), doubtful.end(), true) == 0) return;
   // Without pins, which may be taken away later.
@@ -99,20 +99,11 @@ void CurveSmoother::hold_loops() {
     }
   }
   for (std::size_t c = 0; c < drawn_.size(); ++c) {
-    if (doubtful[c]) steepen(valleys_[c], drawn_[c]);
+    if (doubtful[c]) steepen(valleys_[c], ordered_[c]);
   }
   curve_options_.pins = pins;
   embed_again();
   last_.reset();
-}
-
-std::vector<double> CurveSmoother::slack_in_order(const std::vector<double>& drawn,
-                                                  std::size_t curve) const {
-  const std::size_t n = drawn_[curve].points.size();
-  if (drawn.size() != n) return drawn;  // the corridor refuses it
-  std::vector<double> result;
-  for (std::size_t k = 0; k < n; ++k) result.push_back(drawn[orders_[curve].drawn_index(k, n)]);
-  return result;
 }
 
 std::vector<Corridor::Valley> CurveSmoother::valleys_for(const SmoothingOptions& options) const {
@@ -125,7 +116,7 @@ std::vector<Corridor::Valley> CurveSmoother::valleys_for(const SmoothingOptions&
   for (std::size_t c = 0; c < valleys.size(); ++c) {
     Corridor::Valley& valley = valleys[c];
     if (options.slack) valley.slack = *options.slack;
-    if (!options.slack_at.empty()) valley.slack_at = slack_in_order(options.slack_at[c], c);
+    if (!options.slack_at.empty()) valley.slack_at = options.slack_at[c];
     // With fewer points to a turn the phase could not follow the loop.
     const std::size_t most = std::max<std::size_t>(drawn_[c].points.size() / 8, 1);
     valley.turns = std::min(options.phase_turns, static_cast<int>(most));

@@ -48,12 +48,13 @@ bool CurveSmoother::set_unrolled(const std::vector<bool>& alone, const Progress&
 
   const SurfaceMesh& mesh = mesh_->mesh();
   double reach = 0;
-  for (std::size_t c = 0; c < drawn_.size(); ++c) {
-    if (alone[c]) reach = std::max(reach, corridor_reach(mesh, drawn_[c], edges_near_[c]));
+  for (std::size_t c = 0; c < ordered_.size(); ++c) {
+    if (alone[c]) reach = std::max(reach, corridor_reach(mesh, ordered_[c], edges_near_[c]));
   }
-  unrolled->mesh = unroll(mesh, drawn_, alone, reach);
+  unrolled->mesh = unroll(mesh, ordered_, alone, reach);
   const auto opened = OpenedMesh::open(unrolled->mesh.lists);
-  const std::vector<SurfaceCurve> curves = unrolled->mesh.unrolled(mesh, opened->surface(), drawn_);
+  const std::vector<SurfaceCurve> curves =
+      unrolled->mesh.unrolled(mesh, opened->surface(), ordered_);
   unrolled->smoother = std::make_unique<CurveSmoother>(opened);
   CurveSmoother& smoother = *unrolled->smoother;
   smoother.loops_ = Loops::kErase;
@@ -78,8 +79,8 @@ bool CurveSmoother::set_unrolled(const std::vector<bool>& alone, const Progress&
 std::vector<SurfacePoint> CurveSmoother::unrolled_pins(std::span<const SurfaceCurve> curves,
                                                        std::span<const SurfacePoint> pins) const {
   std::vector<SurfacePoint> result;
-  for (std::size_t c = 0; c < drawn_.size(); ++c) {
-    const std::vector<SurfacePoint>& points = drawn_[c].points;
+  for (std::size_t c = 0; c < ordered_.size(); ++c) {
+    const std::vector<SurfacePoint>& points = ordered_[c].points;
     for (std::size_t i = 0; i < points.size(); ++i) {
       if (std::find(pins.begin(), pins.end(), points[i]) == pins.end()) continue;
       result.push_back(curves[c].points[i]);
@@ -100,7 +101,7 @@ SmoothingResult CurveSmoother::smooth_unrolled(const SmoothingOptions& options) 
   SmoothingOptions own = options;
   if (curve_options_.method == Method::kPaper) {  // L is that of the whole mesh
     double length = 0;
-    for (const SurfaceCurve& curve : drawn_) {
+    for (const SurfaceCurve& curve : ordered_) {
       const FaceId face = any_face(mesh_->surface(), curve.points.front());
       length = std::max(
           length, characteristic_length(options.potential,
@@ -162,7 +163,7 @@ SmoothingResult CurveSmoother::folded(SmoothingResult result) {
   for (std::size_t c = 0; c < result.curves.size(); ++c) {
     SmoothingReport& report = result.reports[c];
     SmoothingReport fresh =
-        report_on_curve(mesh_->mesh(), drawn_[c], drawn_measures_[c], result.curves[c]);
+        report_on_curve(mesh_->mesh(), ordered_[c], drawn_measures_[c], result.curves[c]);
     report.faces = fresh.faces;
     report.vertices = fresh.vertices;
     report.points_after = fresh.points_after;

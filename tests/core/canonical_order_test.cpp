@@ -32,12 +32,14 @@ TEST(CanonicalOrder, IsThatOfTheReversedAndTheTurnedCurve) {
   const Surface& surface = opened->surface();
   for (const bool closed : {false, true}) {
     const SurfaceCurve drawn = drawn_on(surface, closed);
-    const SurfaceCurve ordered = in_order(drawn, canonical_order(surface, drawn));
+    const SurfaceCurve ordered = in_order(drawn, canonical_order(opened->mesh(), drawn));
     SurfaceCurve other = drawn;
     for (std::size_t turn = 0; turn < (closed ? drawn.points.size() : 1); ++turn) {
-      EXPECT_EQ(in_order(other, canonical_order(surface, other)).points, ordered.points) << turn;
+      EXPECT_EQ(in_order(other, canonical_order(opened->mesh(), other)).points, ordered.points)
+          << turn;
       std::reverse(other.points.begin(), other.points.end());
-      EXPECT_EQ(in_order(other, canonical_order(surface, other)).points, ordered.points) << turn;
+      EXPECT_EQ(in_order(other, canonical_order(opened->mesh(), other)).points, ordered.points)
+          << turn;
       std::reverse(other.points.begin(), other.points.end());
       if (closed) std::rotate(other.points.begin(), other.points.begin() + 1, other.points.end());
     }
@@ -47,9 +49,9 @@ TEST(CanonicalOrder, IsThatOfTheReversedAndTheTurnedCurve) {
 TEST(CanonicalOrder, OfEqualSegmentsIsAsDrawn) {
   const auto opened = OpenedMesh::open(grid(5, 5));
   const SurfaceCurve row = test::vertex_curve(opened->surface(), ids({6, 7, 8, 9}), false);
-  EXPECT_EQ(in_order(row, canonical_order(opened->surface(), row)).points, row.points);
+  EXPECT_EQ(in_order(row, canonical_order(opened->mesh(), row)).points, row.points);
   const SurfaceCurve point = test::vertex_curve(opened->surface(), ids({6}), false);
-  EXPECT_EQ(in_order(point, canonical_order(opened->surface(), point)).points, point.points);
+  EXPECT_EQ(in_order(point, canonical_order(opened->mesh(), point)).points, point.points);
 }
 
 TEST(CanonicalOrder, TheResultRunsAsTheDrawingDoes) {
