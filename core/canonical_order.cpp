@@ -14,6 +14,22 @@ namespace {
 using Letter = long long;
 using Sequence = std::vector<Letter>;
 
+/// By size, so that the order of the terms does not matter to a bit.
+double sum_of(std::vector<double> terms) {
+  std::sort(terms.begin(), terms.end());
+  return std::accumulate(terms.begin(), terms.end(), 0.0);
+}
+
+std::vector<std::array<double, 3>> places_of(const SurfaceMesh& mesh,
+                                             const std::vector<SurfacePoint>& points) {
+  std::vector<std::array<double, 3>> places;
+  for (const SurfacePoint& point : points) {
+    const Point at = mesh.position(point);
+    places.push_back({at.x(), at.y(), at.z()});
+  }
+  return places;
+}
+
 /// Where the lexicographically least rotation begins.
 std::size_t least_rotation(const Sequence& s) {
   const std::size_t n = s.size();
@@ -106,15 +122,13 @@ class Comparison {
     return points_[i % points_.size()];
   }
 
-  /// Segments. Summed by size, so that the order of the points does not matter to a bit.
+  /// Of segments.
   [[nodiscard]] Sequence lengths() const {
     std::vector<double> own;
     for (std::size_t i = 0; i + (closed_ ? 0 : 1) < points_.size(); ++i) {
       own.push_back(curve_length(surface_, {false, {point(i), point(i + 1)}}));
     }
-    std::vector<double> sorted = own;
-    std::sort(sorted.begin(), sorted.end());
-    const double whole = std::accumulate(sorted.begin(), sorted.end(), 0.0);
+    const double whole = sum_of(own);
     Sequence result;
     for (const double length : own) {
       result.push_back(whole > 0 ? std::llround(1e9 * (length / whole)) : 0);
@@ -132,14 +146,7 @@ class Comparison {
     return result;
   }
 
-  [[nodiscard]] Sequence positions() const {
-    std::vector<std::array<double, 3>> places;
-    for (const SurfacePoint& p : points_) {
-      const Point at = mesh_.position(p);
-      places.push_back({at.x(), at.y(), at.z()});
-    }
-    return ranks_of(places);
-  }
+  [[nodiscard]] Sequence positions() const { return ranks_of(places_of(mesh_, points_)); }
 
   const SurfaceMesh& mesh_;
   const Surface& surface_;
@@ -167,6 +174,27 @@ CurveOrder canonical_order(const SurfaceMesh& mesh, const SurfaceCurve& curve) {
   }
   if (may_go_ahead) return {ahead.first, false};
   return {n - 1 - back.first, true};
+}
+
+std::vector<std::size_t> canonical_set_order(const SurfaceMesh& mesh,
+                                             const std::vector<SurfaceCurve>& ordered) {
+  std::vector<double> lengths;
+  for (const SurfaceCurve& curve : ordered) lengths.push_back(curve_length(mesh.surface(), curve));
+  const double whole = sum_of(lengths);
+  const auto share = [&](std::size_t c) {
+    return whole > 0 ? std::llround(1e9 * (lengths[c] / whole)) : 0;
+  };
+  const auto is_first = [&](std::size_t a, std::size_t b) {
+    const SurfaceCurve &p = ordered[a], &q = ordered[b];
+    if (p.closed != q.closed) return q.closed;
+    if (p.points.size() != q.points.size()) return p.points.size() < q.points.size();
+    if (share(a) != share(b)) return share(a) < share(b);
+    return places_of(mesh, p.points) < places_of(mesh, q.points);
+  };
+  std::vector<std::size_t> order(ordered.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), is_first);
+  return order;
 }
 
 SurfaceCurve in_order(const SurfaceCurve& curve, const CurveOrder& order) {

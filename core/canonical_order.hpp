@@ -33,4 +33,10 @@ CurveOrder canonical_order(const SurfaceMesh& mesh, const SurfaceCurve& curve);
 /// The curve in this order.
 SurfaceCurve in_order(const SurfaceCurve& curve, const CurveOrder& order);
 
+/// In which order the curves of a set are gone through, whoever listed them: open ones first, then
+/// by number of points, share of the set's length (in billionths), and positions. For curves that
+/// are in_order(). O(points + curves log).
+std::vector<std::size_t> canonical_set_order(const SurfaceMesh& mesh,
+                                             const std::vector<SurfaceCurve>& ordered);
+
 }  // namespace talweg

@@ -34,7 +34,7 @@ void erase_loops(const SignpostTriangulation& t, std::vector<HalfedgeId>& path, 
   };
   std::vector<HalfedgeId> kept;
   std::map<VertexId, std::size_t> passed;  // and how much was kept before
-  for (const HalfedgeId& h : path) {  // where it stands in the path counts
+  for (const HalfedgeId& h : path) {       // where it stands in the path counts
     passed.emplace(t.tail(h), kept.size());
     kept.push_back(h);
     const auto again = passed.find(t.head(h));
@@ -76,7 +76,8 @@ void check_drawn(const Surface& surface, const SurfaceCurve& curve) {
 
 EmbeddedCurves embed_curves(SignpostTriangulation& triangulation,
                             std::span<const SurfaceCurve> curves,
-                            std::span<const SurfacePoint> pins, Loops loops) {
+                            std::span<const SurfacePoint> pins, Loops loops,
+                            std::span<const std::size_t> names) {
   PointInsertion insertion(triangulation);
   std::vector<std::vector<VertexId>> vertices(curves.size());
   for (std::size_t c = 0; c < curves.size(); ++c) {
@@ -114,7 +115,7 @@ EmbeddedCurves embed_curves(SignpostTriangulation& triangulation,
   for (std::size_t c = 0; c < curves.size(); ++c) {
     if (loops == Loops::kErase) erase_loops(triangulation, chains[c], curves[c].closed);
     if (chains[c].size() < (curves[c].closed ? 3U : 1U)) {
-      bad_curve("Curve " + std::to_string(c) +
+      bad_curve("Curve " + std::to_string(names.empty() ? c : names[c]) +
                 " comes back to where it began without going around anything: its points are too "
                 "close together, or it goes back the way it came.");
     }

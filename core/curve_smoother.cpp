@@ -62,6 +62,7 @@ void CurveSmoother::forget() {
   refined_.reset();
   refined_whole_.reset();
   drawn_.clear();
+  set_order_.clear();
   orders_.clear();
   ordered_.clear();
   capped_.clear();
@@ -82,7 +83,8 @@ void CurveSmoother::refuse_point(const SurfaceCurve& curve) const {
   throw Error(ErrorCode::kBadCurve,
               fmt::format("Curve {} has no length: its {} points all lie at ({:.9g}, {:.9g}, "
                           "{:.9g}), where faces of the mesh have no extent.",
-                          drawn_measures_.size() - 1, curve.points.size(), at.x(), at.y(), at.z()));
+                          set_order_[drawn_measures_.size() - 1], curve.points.size(), at.x(),
+                          at.y(), at.z()));
 }
 
 void CurveSmoother::take(std::span<const SurfaceCurve> curves, const CurveOptions& options) {
@@ -93,10 +95,17 @@ void CurveSmoother::take(std::span<const SurfaceCurve> curves, const CurveOption
   check_pins(curves, options.pins);
   curve_options_ = options;
   drawn_.assign(curves.begin(), curves.end());
+  std::vector<CurveOrder> orders;
+  std::vector<SurfaceCurve> ordered;
   for (const SurfaceCurve& curve : drawn_) {
-    orders_.push_back(canonical_order(mesh_->mesh(), curve));
-    ordered_.push_back(in_order(curve, orders_.back()));
-    drawn_measures_.push_back(measure_curve(surface, ordered_.back()));
+    orders.push_back(canonical_order(mesh_->mesh(), curve));
+    ordered.push_back(in_order(curve, orders.back()));
+  }
+  set_order_ = canonical_set_order(mesh_->mesh(), ordered);
+  for (const std::size_t c : set_order_) {
+    orders_.push_back(orders[c]);
+    const SurfaceCurve& curve = ordered_.emplace_back(std::move(ordered[c]));
+    drawn_measures_.push_back(measure_curve(surface, curve));
     if (!(drawn_measures_.back().length > 0)) refuse_point(curve);
     edges_near_.push_back(edge_length_near(surface, curve));
   }
@@ -109,7 +118,7 @@ void CurveSmoother::embed_drawn() {
                           ? capped_curve(mesh_->surface(), curve, curve_options_.pins)
                           : curve);
   }
-  embedded_ = embed_curves(triangulation_, capped_, curve_options_.pins, loops_);
+  embedded_ = embed_curves(triangulation_, capped_, curve_options_.pins, loops_, set_order_);
 }
 
 void CurveSmoother::set_pins(std::span<const SurfacePoint> pins) {
@@ -296,21 +305,38 @@ SmoothingResult CurveSmoother::smooth(double tau) {
 }
 
 SmoothingResult CurveSmoother::smooth(const SmoothingOptions& options) {
+  options.validate();
+  if (!is_set()) bad_usage("No curve is set.");
   return as_drawn(smooth_in_order(with_ordered_slack(options)));
 }
 
 /// Of curves as they were drawn. All that is measured and decided is so on ordered ones, so that a
 /// reversed drawing has the same result to the last bit.
 SmoothingOptions CurveSmoother::with_ordered_slack(SmoothingOptions options) const {
-  for (std::size_t c = 0; c < std::min(options.slack_at.size(), drawn_.size()); ++c) {
-    const std::vector<double> drawn = options.slack_at[c];
-    const std::size_t n = drawn_[c].points.size();
-    if (drawn.size() != n) continue;  // the corridor refuses it
-    for (std::size_t k = 0; k < n; ++k) {
-      options.slack_at[c][k] = drawn[orders_[c].drawn_index(k, n)];
+  if (options.slack_at.empty() || curve_options_.method != Method::kCorridor) return options;
+  const std::vector<std::vector<double>> drawn = std::move(options.slack_at);
+  if (drawn.size() != drawn_.size()) {
+    bad_usage(
+        fmt::format("slack_at has values for {} curves, not for {}.", drawn.size(), drawn_.size()));
+  }
+  for (std::size_t c = 0; c < drawn.size(); ++c) {
+    Corridor::check_slack(drawn[c], c, drawn_[c].points.size());
+  }
+  options.slack_at.clear();
+  for (std::size_t c = 0; c < drawn.size(); ++c) {
+    const std::vector<double>& own = drawn[set_order_[c]];
+    std::vector<double>& ordered = options.slack_at.emplace_back();
+    for (std::size_t k = 0; k < own.size(); ++k) {
+      ordered.push_back(own[orders_[c].drawn_index(k, own.size())]);
     }
   }
   return options;
+}
+
+/// Where a drawn curve is among the ordered ones.
+std::size_t CurveSmoother::place_of(std::size_t curve) const {
+  return static_cast<std::size_t>(std::find(set_order_.begin(), set_order_.end(), curve) -
+                                  set_order_.begin());
 }
 
 SmoothingResult CurveSmoother::as_drawn(SmoothingResult result) const {
@@ -318,12 +344,14 @@ SmoothingResult CurveSmoother::as_drawn(SmoothingResult result) const {
     std::vector<SurfacePoint>& points = result.curves[c].points;
     if (orders_[c].reversed) std::reverse(points.begin(), points.end());
   }
+  if (std::is_sorted(set_order_.begin(), set_order_.end())) return result;
+  result.curves = in_drawn_order(std::move(result.curves));
+  result.reports = in_drawn_order(std::move(result.reports));
+  result.total = total_of(result.reports);
   return result;
 }
 
 SmoothingResult CurveSmoother::smooth_in_order(const SmoothingOptions& options) {
-  options.validate();
-  if (!is_set()) bad_usage("No curve is set.");
   if (refined_) return smooth_refined(options);
   if (unrolled_) return smooth_unrolled(options);
   if (curve_options_.method == Method::kCorridor) return smooth_in_corridor(options);

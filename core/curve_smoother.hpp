@@ -146,7 +146,8 @@ class CurveSmoother {
   /// The corridor's slack for each curve where no other is asked for, mesh units: default_slack(),
   /// less for loops that would collapse at tau = 1/4. Empty for the paper's method.
   [[nodiscard]] std::vector<double> slack() const;
-  /// The drawn curves, in their canonical_order(), corners capped, that are being smoothed.
+  /// The drawn curves, in their canonical_order() and that of the set, corners capped, that are
+  /// being smoothed.
   [[nodiscard]] std::span<const SurfaceCurve> capped() const { return capped_; }
 
  private:
@@ -184,6 +185,15 @@ class CurveSmoother {
                          const SmoothingOptions& options);
 
   void take(std::span<const SurfaceCurve> curves, const CurveOptions& options);
+  [[nodiscard]] std::size_t place_of(std::size_t curve) const;
+  template <class Value>
+  [[nodiscard]] std::vector<Value> in_drawn_order(std::vector<Value> ordered) const {
+    std::vector<Value> result(ordered.size());
+    for (std::size_t c = 0; c < ordered.size(); ++c) {
+      result[set_order_[c]] = std::move(ordered[c]);
+    }
+    return result;
+  }
   [[nodiscard]] SmoothingOptions with_ordered_slack(SmoothingOptions options) const;
   [[nodiscard]] SmoothingResult as_drawn(SmoothingResult result) const;
   SmoothingResult smooth_in_order(const SmoothingOptions& options);
@@ -267,9 +277,12 @@ class CurveSmoother {
   std::unique_ptr<Refined> refined_;        // and for those that are finer than the mesh
   std::unique_ptr<Refined> refined_whole_;  // the same without a bound; made when first needed
   std::vector<SurfaceCurve> drawn_;
-  std::vector<CurveOrder> orders_;     // in which the drawn curves are gone through
-  std::vector<SurfaceCurve> ordered_;  // drawn_ in these
-  std::vector<SurfaceCurve> capped_;   // ordered_, corners capped
+  // All that follows, "per curve", is of ordered_: drawn_ in the canonical order of its points and
+  // of its curves. Only what callers give and get is in theirs.
+  std::vector<std::size_t> set_order_;  // which drawn curve each ordered one is
+  std::vector<CurveOrder> orders_;      // in which its points are gone through
+  std::vector<SurfaceCurve> ordered_;
+  std::vector<SurfaceCurve> capped_;  // ordered_, corners capped
   EmbeddedCurves embedded_;
   CurveOptions curve_options_;
   std::optional<PolylineDistance> exact_distance_;

@@ -118,7 +118,7 @@ SmoothingResult CurveSmoother::result_for(const SmoothingOptions& options) {
 /// As for the drawing that is set, whose slack and L stay.
 std::vector<Corridor::Valley> CurveSmoother::dragged_valleys(
     const DrawingChange& change, std::size_t curve, const SmoothingOptions& options) const {
-  std::vector<Corridor::Valley> valleys = valleys_for(options);
+  std::vector<Corridor::Valley> valleys = in_drawn_order(valleys_for(with_ordered_slack(options)));
   for (std::size_t c = 0; c < options.slack_at.size(); ++c) {
     valleys[c].slack_at =
         c == curve ? carried_over(options.slack_at[c], drawn_[c], change) : options.slack_at[c];
@@ -236,10 +236,10 @@ SurfaceCurve CurveSmoother::dragged(const DrawingChange& change, std::size_t cur
   curves[curve] = change.after;
   const std::vector<Corridor::Valley> valleys = dragged_valleys(change, curve, options);
   const double segment =
-      drawn_measures_[curve].length / static_cast<double>(change.before.points.size());
+      drawn_measures_[place_of(curve)].length / static_cast<double>(change.before.points.size());
   double slack = valleys[curve].slack;
   for (const double s : valleys[curve].slack_at) slack = std::max(slack, s);
-  const double reach = kReach * (slack + edges_near_[curve]);
+  const double reach = kReach * (slack + edges_near_[place_of(curve)]);
   if (!dragger_) dragger_ = std::make_unique<CurveSmoother>(mesh_);
   dragger_->loops_ = Loops::kErase;
   if (anchor_of(options)) {

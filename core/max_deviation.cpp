@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <optional>
 #include <span>
 #include <string>
@@ -29,6 +30,13 @@ struct Narrowing {
 constexpr Narrowing kGently = {1, 0.85, 20}, kFirmly = {2, 0.6, 12};
 
 double to_drawn(const SmoothingResult& result) { return result.total.deviation_to_drawn_max; }
+/// Of all curves, whatever their order.
+double curvature(const SmoothingResult& result) {
+  std::vector<double> each;
+  for (const SmoothingReport& report : result.reports) each.push_back(report.curvature_after);
+  std::sort(each.begin(), each.end());
+  return std::accumulate(each.begin(), each.end(), 0.0);
+}
 double both_ways(const SmoothingResult& result) {
   return std::max(to_drawn(result), result.total.deviation_from_drawn_max);
 }
@@ -252,7 +260,7 @@ class Search {
       const bool proper_a = a.total.termination == to_string(Termination::kConverged);
       const bool proper_b = b.total.termination == to_string(Termination::kConverged);
       if (proper_a != proper_b) return proper_b;
-      return over_a != over_b ? over_a > over_b : a.total.curvature_after > b.total.curvature_after;
+      return over_a != over_b ? over_a > over_b : curvature(a) > curvature(b);
     };
     if (!best_.curves.empty() && !worse(best_, last_)) return;
     best_ = last_;

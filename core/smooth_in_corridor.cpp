@@ -27,11 +27,11 @@ constexpr double kLeastAnchor = 1.0 / 8, kMostAnchor = 64;
 }  // namespace
 
 std::vector<double> CurveSmoother::slack() const {
-  if (refined_) return refined_slack();
-  if (unrolled_) return unrolled_slack();
+  if (refined_) return in_drawn_order(refined_slack());
+  if (unrolled_) return in_drawn_order(unrolled_slack());
   std::vector<double> result;
   for (const Corridor::Valley& valley : valleys_) result.push_back(valley.slack);
-  return result;
+  return in_drawn_order(std::move(result));
 }
 
 void CurveSmoother::make_valleys() {
@@ -107,18 +107,13 @@ void CurveSmoother::hold_loops() {
 }
 
 std::vector<Corridor::Valley> CurveSmoother::valleys_for(const SmoothingOptions& options) const {
-  if (!options.slack_at.empty() && options.slack_at.size() != drawn_.size()) {
-    throw Error(ErrorCode::kBadUsage,
-                "slack_at has values for " + std::to_string(options.slack_at.size()) +
-                    " curves, not for " + std::to_string(drawn_.size()) + ".");
-  }
   std::vector<Corridor::Valley> valleys = valleys_;
   for (std::size_t c = 0; c < valleys.size(); ++c) {
     Corridor::Valley& valley = valleys[c];
     if (options.slack) valley.slack = *options.slack;
     if (!options.slack_at.empty()) valley.slack_at = options.slack_at[c];
     // With fewer points to a turn the phase could not follow the loop.
-    const std::size_t most = std::max<std::size_t>(drawn_[c].points.size() / 8, 1);
+    const std::size_t most = std::max<std::size_t>(ordered_[c].points.size() / 8, 1);
     valley.turns = std::min(options.phase_turns, static_cast<int>(most));
   }
   return valleys;

@@ -97,10 +97,8 @@ SmoothingResult CurveSmoother::smooth_refined(const SmoothingOptions& options) {
   constexpr double kLeastTau = 1.0 / 8;  // of corridor_reach()
   const Refined& refined = refined_for(options.tau < kLeastTau);
   SmoothingOptions own = options;
-  if (options.slack_at.size() == ordered_.size()) {
-    for (std::size_t c = 0; c < ordered_.size(); ++c) {
-      own.slack_at[c] = refined_slack_at(refined, c, options.slack_at[c]);
-    }
+  for (std::size_t c = 0; c < options.slack_at.size(); ++c) {
+    own.slack_at[c] = refined_slack_at(refined, c, options.slack_at[c]);
   }
   refined.smoother->last_.reset();  // moves are reported here
   return coarse(refined, refined.smoother->smooth(own), options);
@@ -132,7 +130,6 @@ SmoothingResult CurveSmoother::smooth_refined(const SmoothingOptions& options,
 std::vector<double> CurveSmoother::refined_slack_at(const Refined& refined, std::size_t curve,
                                                     const std::vector<double>& drawn) const {
   const std::size_t n = ordered_[curve].points.size();
-  if (drawn.size() != n) return drawn;  // the corridor refuses it
   std::vector<double> result;
   for (std::size_t i = 0; i < refined.smoother->drawn()[curve].points.size(); ++i) {
     const RefinedMesh::Place& place = refined.mesh.curves[curve][i];
