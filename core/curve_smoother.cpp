@@ -63,6 +63,7 @@ void CurveSmoother::forget() {
   refined_whole_.reset();
   drawn_.clear();
   set_order_.clear();
+  places_.clear();
   orders_.clear();
   ordered_.clear();
   capped_.clear();
@@ -102,7 +103,9 @@ void CurveSmoother::take(std::span<const SurfaceCurve> curves, const CurveOption
     ordered.push_back(in_order(curve, orders.back()));
   }
   set_order_ = canonical_set_order(mesh_->mesh(), ordered);
+  places_.resize(drawn_.size());
   for (const std::size_t c : set_order_) {
+    places_[c] = ordered_.size();
     orders_.push_back(orders[c]);
     const SurfaceCurve& curve = ordered_.emplace_back(std::move(ordered[c]));
     drawn_measures_.push_back(measure_curve(surface, curve));
@@ -333,20 +336,14 @@ SmoothingOptions CurveSmoother::with_ordered_slack(SmoothingOptions options) con
   return options;
 }
 
-/// Where a drawn curve is among the ordered ones.
-std::size_t CurveSmoother::place_of(std::size_t curve) const {
-  return static_cast<std::size_t>(std::find(set_order_.begin(), set_order_.end(), curve) -
-                                  set_order_.begin());
-}
-
 SmoothingResult CurveSmoother::as_drawn(SmoothingResult result) const {
   for (std::size_t c = 0; c < result.curves.size(); ++c) {
     std::vector<SurfacePoint>& points = result.curves[c].points;
     if (orders_[c].reversed) std::reverse(points.begin(), points.end());
   }
   if (std::is_sorted(set_order_.begin(), set_order_.end())) return result;
-  result.curves = in_drawn_order(std::move(result.curves));
-  result.reports = in_drawn_order(std::move(result.reports));
+  result.curves = in_drawn_order(result.curves);
+  result.reports = in_drawn_order(result.reports);
   result.total = total_of(result.reports);
   return result;
 }

@@ -185,13 +185,10 @@ class CurveSmoother {
                          const SmoothingOptions& options);
 
   void take(std::span<const SurfaceCurve> curves, const CurveOptions& options);
-  [[nodiscard]] std::size_t place_of(std::size_t curve) const;
   template <class Value>
-  [[nodiscard]] std::vector<Value> in_drawn_order(std::vector<Value> ordered) const {
-    std::vector<Value> result(ordered.size());
-    for (std::size_t c = 0; c < ordered.size(); ++c) {
-      result[set_order_[c]] = std::move(ordered[c]);
-    }
+  [[nodiscard]] std::vector<Value> in_drawn_order(const std::vector<Value>& ordered) const {
+    std::vector<Value> result;
+    for (const std::size_t place : places_) result.push_back(ordered[place]);
     return result;
   }
   [[nodiscard]] SmoothingOptions with_ordered_slack(SmoothingOptions options) const;
@@ -280,7 +277,8 @@ class CurveSmoother {
   // All that follows, "per curve", is of ordered_: drawn_ in the canonical order of its points and
   // of its curves. Only what callers give and get is in theirs.
   std::vector<std::size_t> set_order_;  // which drawn curve each ordered one is
-  std::vector<CurveOrder> orders_;      // in which its points are gone through
+  std::vector<std::size_t> places_;     // where each drawn curve is among the ordered ones
+  std::vector<CurveOrder> orders_;      // in which their points are gone through
   std::vector<SurfaceCurve> ordered_;
   std::vector<SurfaceCurve> capped_;  // ordered_, corners capped
   EmbeddedCurves embedded_;

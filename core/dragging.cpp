@@ -236,10 +236,10 @@ SurfaceCurve CurveSmoother::dragged(const DrawingChange& change, std::size_t cur
   curves[curve] = change.after;
   const std::vector<Corridor::Valley> valleys = dragged_valleys(change, curve, options);
   const double segment =
-      drawn_measures_[place_of(curve)].length / static_cast<double>(change.before.points.size());
+      drawn_measures_[places_[curve]].length / static_cast<double>(change.before.points.size());
   double slack = valleys[curve].slack;
   for (const double s : valleys[curve].slack_at) slack = std::max(slack, s);
-  const double reach = kReach * (slack + edges_near_[place_of(curve)]);
+  const double reach = kReach * (slack + edges_near_[places_[curve]]);
   if (!dragger_) dragger_ = std::make_unique<CurveSmoother>(mesh_);
   dragger_->loops_ = Loops::kErase;
   if (anchor_of(options)) {

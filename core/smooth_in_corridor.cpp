@@ -31,7 +31,7 @@ std::vector<double> CurveSmoother::slack() const {
   if (unrolled_) return in_drawn_order(unrolled_slack());
   std::vector<double> result;
   for (const Corridor::Valley& valley : valleys_) result.push_back(valley.slack);
-  return in_drawn_order(std::move(result));
+  return in_drawn_order(result);
 }
 
 void CurveSmoother::make_valleys() {

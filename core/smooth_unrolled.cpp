@@ -40,7 +40,9 @@ std::vector<bool> CurveSmoother::tangled() const {
 bool CurveSmoother::set_unrolled(const std::vector<bool>& alone, const Progress& progress) {
   const Stopwatch watch;
   auto unrolled = std::make_unique<Unrolled>();
-  unrolled->crossings = path_contacts(triangulation_, embedded_.paths).crossings;
+  // Each curve's with itself and those that were drawn after it.
+  const std::vector<EdgePath> paths = in_drawn_order(embedded_.paths);
+  unrolled->crossings = path_contacts(triangulation_, paths).crossings;
   triangulation_.remove_inserted();
   embedded_ = {};
   const bool paper = curve_options_.method == Method::kPaper;
@@ -158,7 +160,8 @@ SmoothingResult CurveSmoother::folded(SmoothingResult result) {
   for (SurfaceCurve& curve : result.curves) {
     curve = unrolled_->mesh.folded(copies, mesh_->surface(), curve);
   }
-  const std::vector<std::size_t> after = crossings_of(triangulation_, result.curves);
+  const std::vector<std::size_t> after =
+      crossings_of(triangulation_, in_drawn_order(result.curves));
   const std::vector<std::string> lost = lost_pins(result.curves);
   for (std::size_t c = 0; c < result.curves.size(); ++c) {
     SmoothingReport& report = result.reports[c];
@@ -173,8 +176,8 @@ SmoothingResult CurveSmoother::folded(SmoothingResult result) {
     report.curvature_max_after = fresh.curvature_max_after;
     report.edge_length_near = edges_near_[c];
     report.mollification = mollification_;
-    report.crossings_before = unrolled_->crossings[c];
-    report.crossings_after = after[c];
+    report.crossings_before = unrolled_->crossings[set_order_[c]];
+    report.crossings_after = after[set_order_[c]];
     report.warnings.insert(report.warnings.end(), warnings_.begin(), warnings_.end());
     report.warnings.insert(report.warnings.end(), lost.begin(), lost.end());
     if (report.crossings_after != report.crossings_before) {
