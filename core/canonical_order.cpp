@@ -136,12 +136,15 @@ class Comparison {
     return result;
   }
 
+  /// Seen from both sides, so that the other way round it is the negative; 0 where the curve turns
+  /// back, which is neither to the left nor to the right.
   [[nodiscard]] Sequence turns() const {
     const std::size_t n = points_.size();
     Sequence result(n, 0);
     for (std::size_t i = closed_ ? 0 : 1; i + (closed_ ? 0 : 1) < n; ++i) {
-      const double turn = signed_turning(surface_, point(i + n - 1), point(i), point(i + 1));
-      result[i] = std::llround(1e9 * turn);
+      const SurfacePoint &before = point(i + n - 1), &after = point(i + 1);
+      result[i] = std::llround(5e8 * signed_turning(surface_, before, point(i), after)) -
+                  std::llround(5e8 * signed_turning(surface_, after, point(i), before));
     }
     return result;
   }

@@ -69,6 +69,9 @@ TEST(CanonicalOrder, IsOneAlsoWhereAllSegmentsAreEqual) {
   // A square of 2 x 2, an L of the same outline's length, and a staircase up and back down.
   expect_one_order(opened->mesh(), vertices({9, 10, 11, 19, 27, 26, 25, 17}, true));
   expect_one_order(opened->mesh(), vertices({9, 10, 11, 19, 18, 26, 25, 17}, true));
+  // Out and back again, aside from the way at one point only.
+  expect_one_order(opened->mesh(), vertices({9, 10, 11, 12, 13, 12, 11, 10}, true));
+  expect_one_order(opened->mesh(), vertices({9, 10, 18, 26, 27, 26, 18, 17}, true));
   expect_one_order(opened->mesh(), vertices({9, 10, 18, 19, 27, 28, 36, 35, 34, 33, 25, 17}, true));
 }
 
