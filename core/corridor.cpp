@@ -15,7 +15,10 @@ namespace {
 constexpr double kGain = 10;    // a, as in the paper
 constexpr double kCut = 1e100;  // of φ; its square is still a number
 
-void check_slack(const std::vector<double>& values, std::size_t curve, std::size_t points) {
+}  // namespace
+
+void Corridor::check_slack(const std::vector<double>& values, std::size_t curve,
+                           std::size_t points) {
   if (values.size() != points) {
     throw Error(ErrorCode::kBadUsage,
                 fmt::format("slack_at has {} values for the {} points of curve {}.", values.size(),
@@ -28,8 +31,6 @@ void check_slack(const std::vector<double>& values, std::size_t curve, std::size
         fmt::format("The slack of curve {} at its point {} must be finite and >= 0.", curve, i));
   }
 }
-
-}  // namespace
 
 Corridor::Corridor(PolylineDistance& distance, double tau, const std::vector<Valley>& valleys)
     : distance_(&distance) {

@@ -39,6 +39,9 @@ class Corridor {
   /// has a value that is negative or not finite.
   Corridor(PolylineDistance& distance, double tau, const std::vector<Valley>& valleys);
 
+  /// Throws as above for the slack along a curve of so many points.
+  static void check_slack(const std::vector<double>& values, std::size_t curve, std::size_t points);
+
   std::array<double, 2> at(const SurfacePoint& point) const;
   std::array<double, 2> at_vertex(VertexId v) const;
   /// The same where δ is at most `exact`; farther out not less, as if δ were the length of a way

@@ -77,7 +77,8 @@ void check_drawn(const Surface& surface, const SurfaceCurve& curve) {
 
 EmbeddedCurves embed_curves(SignpostTriangulation& triangulation,
                             std::span<const SurfaceCurve> curves,
-                            std::span<const SurfacePoint> pins, Loops loops) {
+                            std::span<const SurfacePoint> pins, Loops loops,
+                            std::span<const std::size_t> names) {
   PointInsertion insertion(triangulation);
   std::vector<std::vector<VertexId>> vertices(curves.size());
   for (std::size_t c = 0; c < curves.size(); ++c) {
@@ -116,7 +117,7 @@ EmbeddedCurves embed_curves(SignpostTriangulation& triangulation,
     if (loops == Loops::kErase) erase_loops(triangulation, chains[c], curves[c].closed);
     if (chains[c].size() < (curves[c].closed ? 3U : 1U)) {
       refuse_curve(
-          "Curve " + std::to_string(c) +
+          "Curve " + std::to_string(names.empty() ? c : names[c]) +
           " comes back to where it began without going around anything: its points are too "
           "close together, or it goes back the way it came.");
     }

@@ -26,9 +26,11 @@ enum class Loops { kKeep, kErase };
 /// The curves as edge paths, after inserting those of their points that are not vertices. Different
 /// curves may touch or share edges. `pins` are points of the curves.
 /// With Loops::kErase a path passes no vertex twice: what lies between is left out, of a closed
-/// curve the shorter part. Throws Error(kBadCurve) when too little is left.
+/// curve the shorter part. Throws Error(kBadCurve) when too little is left,
+/// with the curve's number, or that in `names`.
 EmbeddedCurves embed_curves(SignpostTriangulation& triangulation,
                             std::span<const SurfaceCurve> curves,
-                            std::span<const SurfacePoint> pins = {}, Loops loops = Loops::kKeep);
+                            std::span<const SurfacePoint> pins = {}, Loops loops = Loops::kKeep,
+                            std::span<const std::size_t> names = {});
 
 }  // namespace talweg

@@ -62,6 +62,8 @@ void CurveSmoother::forget() {
   refined_.reset();
   refined_whole_.reset();
   drawn_.clear();
+  set_order_.clear();
+  places_.clear();
   orders_.clear();
   ordered_.clear();
   capped_.clear();
@@ -82,7 +84,8 @@ void CurveSmoother::refuse_point(const SurfaceCurve& curve) const {
   throw Error(ErrorCode::kBadCurve,
               fmt::format("Curve {} has no length: its {} points all lie at ({:.9g}, {:.9g}, "
                           "{:.9g}), where faces of the mesh have no extent.",
-                          drawn_measures_.size() - 1, curve.points.size(), at.x(), at.y(), at.z()));
+                          set_order_[drawn_measures_.size() - 1], curve.points.size(), at.x(),
+                          at.y(), at.z()));
 }
 
 void CurveSmoother::take(std::span<const SurfaceCurve> curves, const CurveOptions& options) {
@@ -93,12 +96,21 @@ void CurveSmoother::take(std::span<const SurfaceCurve> curves, const CurveOption
   check_pins(curves, options.pins);
   curve_options_ = options;
   drawn_.assign(curves.begin(), curves.end());
+  std::vector<CurveOrder> orders;
+  std::vector<SurfaceCurve> ordered;
   for (const SurfaceCurve& curve : drawn_) {
+    orders.push_back(canonical_order(mesh_->mesh(), curve));
+    ordered.push_back(in_order(curve, orders.back()));
+  }
+  set_order_ = canonical_set_order(mesh_->mesh(), ordered);
+  places_.resize(drawn_.size());
+  for (const std::size_t c : set_order_) {
+    places_[c] = ordered_.size();
+    orders_.push_back(orders[c]);
+    const SurfaceCurve& curve = ordered_.emplace_back(std::move(ordered[c]));
     drawn_measures_.push_back(measure_curve(surface, curve));
     if (!(drawn_measures_.back().length > 0)) refuse_point(curve);
     edges_near_.push_back(edge_length_near(surface, curve));
-    orders_.push_back(canonical_order(surface, curve));
-    ordered_.push_back(in_order(curve, orders_.back()));
   }
 }
 
@@ -109,7 +121,7 @@ void CurveSmoother::embed_drawn() {
                           ? capped_curve(mesh_->surface(), curve, curve_options_.pins)
                           : curve);
   }
-  embedded_ = embed_curves(triangulation_, capped_, curve_options_.pins, loops_);
+  embedded_ = embed_curves(triangulation_, capped_, curve_options_.pins, loops_, set_order_);
 }
 
 void CurveSmoother::set_pins(std::span<const SurfacePoint> pins) {
@@ -298,6 +310,45 @@ SmoothingResult CurveSmoother::smooth(double tau) {
 SmoothingResult CurveSmoother::smooth(const SmoothingOptions& options) {
   options.validate();
   if (!is_set()) bad_usage("No curve is set.");
+  return as_drawn(smooth_in_order(with_ordered_slack(options)));
+}
+
+/// Of curves as they were drawn. All that is measured and decided is so on ordered ones, so that a
+/// reversed drawing has the same result to the last bit.
+SmoothingOptions CurveSmoother::with_ordered_slack(SmoothingOptions options) const {
+  if (options.slack_at.empty() || curve_options_.method != Method::kCorridor) return options;
+  const std::vector<std::vector<double>> drawn = std::move(options.slack_at);
+  if (drawn.size() != drawn_.size()) {
+    bad_usage(
+        fmt::format("slack_at has values for {} curves, not for {}.", drawn.size(), drawn_.size()));
+  }
+  for (std::size_t c = 0; c < drawn.size(); ++c) {
+    Corridor::check_slack(drawn[c], c, drawn_[c].points.size());
+  }
+  options.slack_at.clear();
+  for (std::size_t c = 0; c < drawn.size(); ++c) {
+    const std::vector<double>& own = drawn[set_order_[c]];
+    std::vector<double>& ordered = options.slack_at.emplace_back();
+    for (std::size_t k = 0; k < own.size(); ++k) {
+      ordered.push_back(own[orders_[c].drawn_index(k, own.size())]);
+    }
+  }
+  return options;
+}
+
+SmoothingResult CurveSmoother::as_drawn(SmoothingResult result) const {
+  for (std::size_t c = 0; c < result.curves.size(); ++c) {
+    std::vector<SurfacePoint>& points = result.curves[c].points;
+    if (orders_[c].reversed) std::reverse(points.begin(), points.end());
+  }
+  if (std::is_sorted(set_order_.begin(), set_order_.end())) return result;
+  result.curves = in_drawn_order(result.curves);
+  result.reports = in_drawn_order(result.reports);
+  result.total = total_of(result.reports);
+  return result;
+}
+
+SmoothingResult CurveSmoother::smooth_in_order(const SmoothingOptions& options) {
   if (refined_) return smooth_refined(options);
   if (unrolled_) return smooth_unrolled(options);
   if (curve_options_.method == Method::kCorridor) return smooth_in_corridor(options);
@@ -333,8 +384,8 @@ SmoothingResult CurveSmoother::smooth(const SmoothingOptions& options,
                 " is not a number of at most 1e150.");
     }
   }
-  if (refined_) return smooth_refined(options, potential, components);
-  if (unrolled_) return smooth_unrolled(options, potential, components);
+  if (refined_) return as_drawn(smooth_refined(options, potential, components));
+  if (unrolled_) return as_drawn(smooth_unrolled(options, potential, components));
   const std::vector<double> inserted = at_inserted(potential, components);
   SmoothingResult result = run(options, [&](VertexId p, VertexId q, double length) {
     const auto at = [&](VertexId v) {
@@ -346,7 +397,7 @@ SmoothingResult CurveSmoother::smooth(const SmoothingOptions& options,
   });
   for (SmoothingReport& report : result.reports) report.potential = "custom";
   result.total.potential = "custom";
-  return result;
+  return as_drawn(std::move(result));
 }
 
 SmoothingResult CurveSmoother::run(const SmoothingOptions& options,
@@ -392,10 +443,6 @@ SmoothingResult CurveSmoother::report_on(const SmoothingOptions& options,
                                          std::vector<SurfaceCurve> curves, StageTimes times) {
   SmoothingResult result;
   result.curves = std::move(curves);
-  for (std::size_t c = 0; c < result.curves.size(); ++c) {
-    std::vector<SurfacePoint>& points = result.curves[c].points;
-    if (orders_[c].reversed) std::reverse(points.begin(), points.end());
-  }
   times.open = mesh_->open_ms() + heat_open_ms_;
   times.solve = solve_ms_;
   times.total =
@@ -404,7 +451,7 @@ SmoothingResult CurveSmoother::report_on(const SmoothingOptions& options,
   if (!deviation_meter_) deviation_meter_.emplace(mesh_->mesh());
   for (std::size_t c = 0; c < result.curves.size(); ++c) {
     SmoothingReport& report = result.reports.emplace_back(
-        report_on_curve(mesh_->mesh(), drawn_[c], drawn_measures_[c], result.curves[c]));
+        report_on_curve(mesh_->mesh(), ordered_[c], drawn_measures_[c], result.curves[c]));
     const FlipOutResult::Path& path = straight.flip_out.paths[c];
     report.tau = options.tau;
     report.edge_length_near = edges_near_[c];
@@ -417,7 +464,7 @@ SmoothingResult CurveSmoother::report_on(const SmoothingOptions& options,
     report.trace_fallbacks = straight.clamped;
     report.mollification = mollification_;
     report.warnings = warnings_;
-    report_deviation(report, options.deviation, *deviation_meter_, mesh_->mesh(), drawn_[c],
+    report_deviation(report, options.deviation, *deviation_meter_, mesh_->mesh(), ordered_[c],
                      result.curves[c], band_is_there ? &*exact_distance_ : nullptr);
     if (warns_if_far_) warn_if_far(report, kFarInEdges * edges_near_[c]);
     if (path.termination == Termination::kLimit && options.max_iterations == 0 &&

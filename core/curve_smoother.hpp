@@ -146,7 +146,8 @@ class CurveSmoother {
   /// The corridor's slack for each curve where no other is asked for, mesh units: default_slack(),
   /// less for loops that would collapse at tau = 1/4. Empty for the paper's method.
   [[nodiscard]] std::vector<double> slack() const;
-  /// The drawn curves, in their canonical_order(), corners capped, that are being smoothed.
+  /// The drawn curves, in their canonical_order() and that of the set, corners capped, that are
+  /// being smoothed.
   [[nodiscard]] std::span<const SurfaceCurve> capped() const { return capped_; }
 
  private:
@@ -184,6 +185,15 @@ class CurveSmoother {
                          const SmoothingOptions& options);
 
   void take(std::span<const SurfaceCurve> curves, const CurveOptions& options);
+  template <class Value>
+  [[nodiscard]] std::vector<Value> in_drawn_order(const std::vector<Value>& ordered) const {
+    std::vector<Value> result;
+    for (const std::size_t place : places_) result.push_back(ordered[place]);
+    return result;
+  }
+  [[nodiscard]] SmoothingOptions with_ordered_slack(SmoothingOptions options) const;
+  [[nodiscard]] SmoothingResult as_drawn(SmoothingResult result) const;
+  SmoothingResult smooth_in_order(const SmoothingOptions& options);
   [[noreturn]] void refuse_point(const SurfaceCurve& curve) const;
   void embed_drawn();
   void forget();
@@ -200,8 +210,6 @@ class CurveSmoother {
   void keep_valleys_apart();
   void hold_loops();
   void steepen(Corridor::Valley& valley, const SurfaceCurve& drawn) const;
-  [[nodiscard]] std::vector<double> slack_in_order(const std::vector<double>& drawn,
-                                                   std::size_t curve) const;
   [[nodiscard]] std::vector<Corridor::Valley> valleys_for(const SmoothingOptions& options) const;
   SmoothingResult smooth_in_corridor(const SmoothingOptions& options);
   SmoothingResult smooth_in_valleys(const SmoothingOptions& options,
@@ -239,7 +247,7 @@ class CurveSmoother {
   // dragging.cpp
   SmoothingResult drag_whole(std::size_t curve, const SurfaceCurve& moved,
                              const SmoothingOptions& options);
-  const SmoothingResult& result_for(const SmoothingOptions& options);
+  SmoothingResult result_for(const SmoothingOptions& options);
   [[nodiscard]] std::vector<Corridor::Valley> dragged_valleys(
       const DrawingChange& change, std::size_t curve, const SmoothingOptions& options) const;
   void set_stretch(const DragStretch& stretch, const CurveOptions& options);
@@ -266,9 +274,13 @@ class CurveSmoother {
   std::unique_ptr<Refined> refined_;        // and for those that are finer than the mesh
   std::unique_ptr<Refined> refined_whole_;  // the same without a bound; made when first needed
   std::vector<SurfaceCurve> drawn_;
-  std::vector<CurveOrder> orders_;     // in which the drawn curves are gone through
-  std::vector<SurfaceCurve> ordered_;  // drawn_ in these
-  std::vector<SurfaceCurve> capped_;   // ordered_, corners capped
+  // All that follows, "per curve", is of ordered_: drawn_ in the canonical order of its points and
+  // of its curves. Only what callers give and get is in theirs.
+  std::vector<std::size_t> set_order_;  // which drawn curve each ordered one is
+  std::vector<std::size_t> places_;     // where each drawn curve is among the ordered ones
+  std::vector<CurveOrder> orders_;      // in which their points are gone through
+  std::vector<SurfaceCurve> ordered_;
+  std::vector<SurfaceCurve> capped_;  // ordered_, corners capped
   EmbeddedCurves embedded_;
   CurveOptions curve_options_;
   std::optional<PolylineDistance> exact_distance_;
@@ -283,7 +295,7 @@ class CurveSmoother {
     SmoothingOptions options;
     SmoothingResult result;
   };
-  std::optional<Last> last_;                // of smooth() on these curves
+  std::optional<Last> last_;                // of smooth() on the ordered curves
   std::unique_ptr<CurveSmoother> dragger_;  // for stretches of a drawing; made when first needed
   bool cancelled_ = false;                  // of a dragger: its last stretch
   std::vector<Corridor::Valley> valleys_;   // per curve, of the corridor

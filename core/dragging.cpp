@@ -106,19 +106,19 @@ std::vector<double> carried_over(const std::vector<double>& drawn, const Surface
 }  // namespace
 
 /// The last result if it is what these options ask for.
-const SmoothingResult& CurveSmoother::result_for(const SmoothingOptions& options) {
-  if (!last_ || !same_result(last_->options, options)) {
-    SmoothingOptions plain = options;
+SmoothingResult CurveSmoother::result_for(const SmoothingOptions& options) {
+  SmoothingOptions plain = with_ordered_slack(options);
+  if (!last_ || !same_result(last_->options, plain)) {
     plain.deviation = DeviationMeasure::kNone;
-    smooth(plain);
+    smooth_in_order(plain);
   }
-  return last_->result;
+  return as_drawn(last_->result);
 }
 
 /// As for the drawing that is set, whose slack and L stay.
 std::vector<Corridor::Valley> CurveSmoother::dragged_valleys(
     const DrawingChange& change, std::size_t curve, const SmoothingOptions& options) const {
-  std::vector<Corridor::Valley> valleys = valleys_for(options);
+  std::vector<Corridor::Valley> valleys = in_drawn_order(valleys_for(with_ordered_slack(options)));
   for (std::size_t c = 0; c < options.slack_at.size(); ++c) {
     valleys[c].slack_at =
         c == curve ? carried_over(options.slack_at[c], drawn_[c], change) : options.slack_at[c];
@@ -236,10 +236,10 @@ SurfaceCurve CurveSmoother::dragged(const DrawingChange& change, std::size_t cur
   curves[curve] = change.after;
   const std::vector<Corridor::Valley> valleys = dragged_valleys(change, curve, options);
   const double segment =
-      drawn_measures_[curve].length / static_cast<double>(change.before.points.size());
+      drawn_measures_[places_[curve]].length / static_cast<double>(change.before.points.size());
   double slack = valleys[curve].slack;
   for (const double s : valleys[curve].slack_at) slack = std::max(slack, s);
-  const double reach = kReach * (slack + edges_near_[curve]);
+  const double reach = kReach * (slack + edges_near_[places_[curve]]);
   if (!dragger_) dragger_ = std::make_unique<CurveSmoother>(mesh_);
   dragger_->loops_ = Loops::kErase;
   if (anchor_of(options)) {
@@ -257,7 +257,8 @@ SurfaceCurve CurveSmoother::dragged(const DrawingChange& change, std::size_t cur
       curve_options_);
   SmoothingOptions plain = options;
   plain.deviation = DeviationMeasure::kNone;
-  SmoothingResult result = dragger_->smooth_in_valleys(plain, dragger_->valleys_);
+  SmoothingResult result =
+      dragger_->as_drawn(dragger_->smooth_in_valleys(plain, dragger_->valleys_));
   dragger_->cancelled_ = result.total.termination == to_string(Termination::kCancelled);
   return std::move(result.curves.front());
 }

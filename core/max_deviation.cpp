@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <optional>
 #include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "talweg/core/canonical_order.hpp"
 #include "talweg/core/measures.hpp"
 #include "talweg/intrinsic/error.hpp"
 #include "talweg/intrinsic/polyline_distance.hpp"
@@ -28,6 +30,13 @@ struct Narrowing {
 constexpr Narrowing kGently = {1, 0.85, 20}, kFirmly = {2, 0.6, 12};
 
 double to_drawn(const SmoothingResult& result) { return result.total.deviation_to_drawn_max; }
+/// Of all curves, whatever their order.
+double curvature(const SmoothingResult& result) {
+  std::vector<double> each;
+  for (const SmoothingReport& report : result.reports) each.push_back(report.curvature_after);
+  std::sort(each.begin(), each.end());
+  return std::accumulate(each.begin(), each.end(), 0.0);
+}
 double both_ways(const SmoothingResult& result) {
   return std::max(to_drawn(result), result.total.deviation_from_drawn_max);
 }
@@ -40,6 +49,10 @@ class Search {
         options_(std::move(options)),
         own_pins_(smoother.pins().begin(), smoother.pins().end()) {
     options_.deviation = DeviationMeasure::kAlongSurface;
+    for (const SurfaceCurve& drawn : smoother_.drawn()) {
+      orders_.push_back(canonical_order(smoother_.opened().mesh(), drawn));
+      ordered_.push_back(in_order(drawn, orders_.back()));
+    }
   }
   ~Search() { smoother_.set_pins(own_pins_); }
   Search(const Search&) = delete;
@@ -47,9 +60,9 @@ class Search {
 
   SmoothingResult run() {
     const auto closed = [](const SurfaceCurve& curve) { return curve.closed; };
-    const auto& drawn = smoother_.drawn();
     // A geodesic within the bound cannot be beaten; loops would collapse.
-    if (std::none_of(drawn.begin(), drawn.end(), closed) && measured(0, both_ways) <= bound_) {
+    if (std::none_of(ordered_.begin(), ordered_.end(), closed) &&
+        measured(0, both_ways) <= bound_) {
       finish();
       return std::move(best_);
     }
@@ -101,12 +114,12 @@ class Search {
   /// elsewhere: no kink, as at a pin.
   void narrow_at_corners(double slack, const Narrowing& way) {
     begin_with(slack);
-    for (const SurfaceCurve& drawn : smoother_.drawn()) {
+    for (const SurfaceCurve& drawn : ordered_) {
       options_.slack_at.emplace_back(drawn.points.size(), slack);
     }
     for (int round = 0; round < way.rounds && !cancelled_; ++round) {
       if (measured(kWideTau, both_ways) <= bound_) break;
-      for (std::size_t c = 0; c < smoother_.drawn().size(); ++c) narrow(c, way);
+      for (std::size_t c = 0; c < ordered_.size(); ++c) narrow(c, way);
     }
     options_.slack_at.clear();
   }
@@ -114,32 +127,37 @@ class Search {
   /// The slack of the points within D, along the drawing, of those that lie too far from the
   /// result.
   void narrow(std::size_t c, const Narrowing& way) {
-    const SurfaceCurve& drawn = smoother_.drawn()[c];
-    const std::size_t n = drawn.points.size();
+    const SurfaceCurve& drawn = ordered_[c];
+    const std::size_t n = drawn.points.size(), around = drawn.closed ? n : 0;
     const std::vector<double> far = distances_to_result(c);
-    std::vector<double> along{0};  // where each point is
-    for (std::size_t k = 1; k < n; ++k) {
-      const SurfaceCurve leg{false, {drawn.points[k - 1], drawn.points[k]}};
+    std::vector<double> along{0};  // where each point is; all of a loop twice
+    for (std::size_t k = 1; k < n + around; ++k) {
+      const SurfaceCurve leg{false, {drawn.points[(k - 1) % n], drawn.points[k % n]}};
       along.push_back(along.back() + curve_length(smoother_.opened().surface(), leg));
     }
     const double reach = way.reach * bound_;
     std::vector<bool> near(n, false);
     for (std::size_t k = 0; k < n; ++k) {
       if (far[k] <= bound_) continue;
-      for (std::size_t j = k; j < n && along[j] - along[k] <= reach; ++j) near[j] = true;
-      for (std::size_t j = k; j-- > 0 && along[k] - along[j] <= reach;) near[j] = true;
+      const std::size_t back = k + around;
+      for (std::size_t j = k; j < k + n && j < along.size() && along[j] - along[k] <= reach; ++j) {
+        near[j % n] = true;
+      }
+      for (std::size_t j = back; j-- > 0 && along[back] - along[j] <= reach;) near[j % n] = true;
     }
     for (std::size_t k = 0; k < n; ++k) {
-      if (near[k]) options_.slack_at[c][k] *= way.factor;
+      if (near[k]) options_.slack_at[c][orders_[c].drawn_index(k, n)] *= way.factor;
     }
   }
 
-  /// Of the drawing's points to the last result.
+  /// Of the drawing's points, in their order, to the last result.
   std::vector<double> distances_to_result(std::size_t c) {
     if (!to_result_) to_result_.emplace(smoother_.opened().surface());
-    to_result_->set(std::span(&last_.curves[c], 1));
+    SurfaceCurve result = last_.curves[c];
+    if (orders_[c].reversed) std::reverse(result.points.begin(), result.points.end());
+    to_result_->set(std::span(&result, 1));
     std::vector<double> distances;
-    for (const SurfacePoint& p : smoother_.drawn()[c].points) {
+    for (const SurfacePoint& p : ordered_[c].points) {
       distances.push_back(to_result_->at(p).distance);
     }
     return distances;
@@ -206,9 +224,13 @@ class Search {
 
   /// Of each stretch of the drawing that lies too far from the last result the farthest point.
   void add_lost_corners(std::vector<SurfacePoint>& pins) {
-    for (std::size_t c = 0; c < smoother_.drawn().size(); ++c) {
-      const SurfaceCurve& drawn = smoother_.drawn()[c];
+    for (std::size_t c = 0; c < ordered_.size(); ++c) {
+      const SurfaceCurve& drawn = ordered_[c];
       const std::vector<double> far = distances_to_result(c);
+      const std::size_t n = far.size();
+      // A loop is gone around from where no stretch is.
+      std::size_t first = 0;
+      while (drawn.closed && first < n && far[first] > bound_) ++first;
       const SurfacePoint* farthest = nullptr;
       double most = 0;
       const auto add = [&] {
@@ -218,7 +240,8 @@ class Search {
         farthest = nullptr;
         most = 0;
       };
-      for (std::size_t k = 0; k < far.size(); ++k) {
+      for (std::size_t i = 0; i < n; ++i) {
+        const std::size_t k = (first + i) % n;
         if (far[k] <= bound_) {
           add();
         } else if (far[k] > most) {
@@ -237,7 +260,7 @@ class Search {
       const bool proper_a = a.total.termination == to_string(Termination::kConverged);
       const bool proper_b = b.total.termination == to_string(Termination::kConverged);
       if (proper_a != proper_b) return proper_b;
-      return over_a != over_b ? over_a > over_b : a.total.curvature_after > b.total.curvature_after;
+      return over_a != over_b ? over_a > over_b : curvature(a) > curvature(b);
     };
     if (!best_.curves.empty() && !worse(best_, last_)) return;
     best_ = last_;
@@ -264,6 +287,9 @@ class Search {
   double bound_;
   SmoothingOptions options_;
   std::vector<SurfacePoint> own_pins_;
+  // The drawing, in the order in which the smoother goes through it too.
+  std::vector<CurveOrder> orders_;
+  std::vector<SurfaceCurve> ordered_;
   std::optional<PolylineDistance> to_result_;
   SmoothingResult last_, best_;
   std::size_t pinned_ = 0, best_pinned_ = 0;

@@ -12,8 +12,9 @@ namespace talweg {
 /// Looks for the smallest tau that keeps the result within the bound of the drawing, for two
 /// slacks, and for the widest slack that does. A corner of the drawing that is cut off all the same
 /// is pinned, or held by a larger tau, or the slack is narrowed around it, whichever is smoother.
-/// `options.tau` and `options.deviation` are not looked at, `options.slack` is the only slack where
-/// it is given. 20 to 110 runs of smooth().
+/// All of this in the curves' canonical order, so a drawing that is reversed, begun elsewhere or
+/// listed otherwise has the same result. `options.tau` and `options.deviation` are not looked at,
+/// `options.slack` is the only slack where it is given. 20 to 110 runs of smooth().
 ///
 /// The report has the tau and slack that were found, `max_deviation`, and how many points were
 /// pinned. Where no curve within the bound was found the best one is returned, its `termination` is

@@ -27,11 +27,11 @@ constexpr double kLeastAnchor = 1.0 / 8, kMostAnchor = 64;
 }  // namespace
 
 std::vector<double> CurveSmoother::slack() const {
-  if (refined_) return refined_slack();
-  if (unrolled_) return unrolled_slack();
+  if (refined_) return in_drawn_order(refined_slack());
+  if (unrolled_) return in_drawn_order(unrolled_slack());
   std::vector<double> result;
   for (const Corridor::Valley& valley : valleys_) result.push_back(valley.slack);
-  return result;
+  return in_drawn_order(result);
 }
 
 void CurveSmoother::make_valleys() {
@@ -74,7 +74,7 @@ void CurveSmoother::hold_loops() {
   std::vector<bool> doubtful(drawn_.size(), false);
   for (std::size_t c = 0; c < drawn_.size(); ++c) {
     const Corridor::Valley& valley = valleys_[c];
-    doubtful[c] = valley.closed && valley.slack > width_of_loop(mesh_->mesh(), drawn_[c]);
+    doubtful[c] = valley.closed && valley.slack > width_of_loop(mesh_->mesh(), ordered_[c]);
   }
   if (std::count(doubtful.begin(), doubtful.end(), true) == 0) return;
   // Without pins, which may be taken away later.
@@ -99,35 +99,21 @@ void CurveSmoother::hold_loops() {
     }
   }
   for (std::size_t c = 0; c < drawn_.size(); ++c) {
-    if (doubtful[c]) steepen(valleys_[c], drawn_[c]);
+    if (doubtful[c]) steepen(valleys_[c], ordered_[c]);
   }
   curve_options_.pins = pins;
   embed_again();
   last_.reset();
 }
 
-std::vector<double> CurveSmoother::slack_in_order(const std::vector<double>& drawn,
-                                                  std::size_t curve) const {
-  const std::size_t n = drawn_[curve].points.size();
-  if (drawn.size() != n) return drawn;  // the corridor refuses it
-  std::vector<double> result;
-  for (std::size_t k = 0; k < n; ++k) result.push_back(drawn[orders_[curve].drawn_index(k, n)]);
-  return result;
-}
-
 std::vector<Corridor::Valley> CurveSmoother::valleys_for(const SmoothingOptions& options) const {
-  if (!options.slack_at.empty() && options.slack_at.size() != drawn_.size()) {
-    throw Error(ErrorCode::kBadUsage,
-                "slack_at has values for " + std::to_string(options.slack_at.size()) +
-                    " curves, not for " + std::to_string(drawn_.size()) + ".");
-  }
   std::vector<Corridor::Valley> valleys = valleys_;
   for (std::size_t c = 0; c < valleys.size(); ++c) {
     Corridor::Valley& valley = valleys[c];
     if (options.slack) valley.slack = *options.slack;
-    if (!options.slack_at.empty()) valley.slack_at = slack_in_order(options.slack_at[c], c);
+    if (!options.slack_at.empty()) valley.slack_at = options.slack_at[c];
     // With fewer points to a turn the phase could not follow the loop.
-    const std::size_t most = std::max<std::size_t>(drawn_[c].points.size() / 8, 1);
+    const std::size_t most = std::max<std::size_t>(ordered_[c].points.size() / 8, 1);
     valley.turns = std::min(options.phase_turns, static_cast<int>(most));
   }
   return valleys;

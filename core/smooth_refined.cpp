@@ -40,19 +40,19 @@ bool CurveSmoother::set_refined(bool whole, const Progress& progress) {
   const SurfaceMesh& mesh = mesh_->mesh();
   double reach = 0;
   std::vector<double> longest;
-  for (std::size_t c = 0; c < drawn_.size(); ++c) {
-    reach = std::max(reach, corridor_reach(mesh, drawn_[c], edges_near_[c]));
+  for (std::size_t c = 0; c < ordered_.size(); ++c) {
+    reach = std::max(reach, corridor_reach(mesh, ordered_[c], edges_near_[c]));
     longest.push_back(longest_edge(mesh.surface(), ordered_[c]));
   }
   if (whole) reach = std::numeric_limits<double>::infinity();
   auto refined = std::make_unique<Refined>();
-  refined->mesh = refine_along(mesh, drawn_, faces_to_divide(), longest, reach);
+  refined->mesh = refine_along(mesh, ordered_, faces_to_divide(), longest, reach);
   const auto opened = OpenedMesh::open(refined->mesh.lists);
   refined->smoother = std::make_unique<CurveSmoother>(opened);
   CurveSmoother& smoother = *refined->smoother;
   smoother.may_refine_ = false;
   smoother.warns_if_far_ = false;  // that counts edges of the mesh, not of its pieces
-  const std::vector<SurfaceCurve> curves = refined->mesh.refined(opened->surface(), drawn_);
+  const std::vector<SurfaceCurve> curves = refined->mesh.refined(opened->surface(), ordered_);
   CurveOptions options = curve_options_;
   options.pins = refined_pins(*refined, curves);
   if (!smoother.set_curves(curves, options, progress)) return false;
@@ -69,7 +69,7 @@ std::vector<SurfacePoint> CurveSmoother::refined_pins(const Refined& refined,
     for (std::size_t i = 0; i < curves[c].points.size(); ++i) {
       const RefinedMesh::Place& place = refined.mesh.curves[c][i];
       if (place.part > 0) continue;
-      const SurfacePoint& drawn = drawn_[c].points[place.drawn];
+      const SurfacePoint& drawn = ordered_[c].points[place.drawn];
       if (std::find(pins.begin(), pins.end(), drawn) == pins.end()) continue;
       result.push_back(curves[c].points[i]);
     }
@@ -97,10 +97,8 @@ SmoothingResult CurveSmoother::smooth_refined(const SmoothingOptions& options) {
   constexpr double kLeastTau = 1.0 / 8;  // of corridor_reach()
   const Refined& refined = refined_for(options.tau < kLeastTau);
   SmoothingOptions own = options;
-  if (options.slack_at.size() == drawn_.size()) {
-    for (std::size_t c = 0; c < drawn_.size(); ++c) {
-      own.slack_at[c] = refined_slack_at(refined, c, options.slack_at[c]);
-    }
+  for (std::size_t c = 0; c < options.slack_at.size(); ++c) {
+    own.slack_at[c] = refined_slack_at(refined, c, options.slack_at[c]);
   }
   refined.smoother->last_.reset();  // moves are reported here
   return coarse(refined, refined.smoother->smooth(own), options);
@@ -131,8 +129,7 @@ SmoothingResult CurveSmoother::smooth_refined(const SmoothingOptions& options,
 /// Linear between the points of the drawing.
 std::vector<double> CurveSmoother::refined_slack_at(const Refined& refined, std::size_t curve,
                                                     const std::vector<double>& drawn) const {
-  const std::size_t n = drawn_[curve].points.size();
-  if (drawn.size() != n) return drawn;  // the corridor refuses it
+  const std::size_t n = ordered_[curve].points.size();
   std::vector<double> result;
   for (std::size_t i = 0; i < refined.smoother->drawn()[curve].points.size(); ++i) {
     const RefinedMesh::Place& place = refined.mesh.curves[curve][i];
@@ -151,7 +148,7 @@ SmoothingResult CurveSmoother::coarse(const Refined& refined, SmoothingResult re
     SmoothingReport& report = result.reports[c];
     result.curves[c] = refined.mesh.coarse(fine, mesh_->surface(), result.curves[c]);
     const SmoothingReport fresh =
-        report_on_curve(mesh_->mesh(), drawn_[c], drawn_measures_[c], result.curves[c]);
+        report_on_curve(mesh_->mesh(), ordered_[c], drawn_measures_[c], result.curves[c]);
     report.engine = "refined";
     report.faces = fresh.faces;
     report.vertices = fresh.vertices;

@@ -40,7 +40,9 @@ std::vector<bool> CurveSmoother::tangled() const {
 bool CurveSmoother::set_unrolled(const std::vector<bool>& alone, const Progress& progress) {
   const Stopwatch watch;
   auto unrolled = std::make_unique<Unrolled>();
-  unrolled->crossings = path_contacts(triangulation_, embedded_.paths).crossings;
+  // Each curve's with itself and those that were drawn after it.
+  const std::vector<EdgePath> paths = in_drawn_order(embedded_.paths);
+  unrolled->crossings = path_contacts(triangulation_, paths).crossings;
   triangulation_.remove_inserted();
   embedded_ = {};
   const bool paper = curve_options_.method == Method::kPaper;
@@ -48,12 +50,13 @@ bool CurveSmoother::set_unrolled(const std::vector<bool>& alone, const Progress&
 
   const SurfaceMesh& mesh = mesh_->mesh();
   double reach = 0;
-  for (std::size_t c = 0; c < drawn_.size(); ++c) {
-    if (alone[c]) reach = std::max(reach, corridor_reach(mesh, drawn_[c], edges_near_[c]));
+  for (std::size_t c = 0; c < ordered_.size(); ++c) {
+    if (alone[c]) reach = std::max(reach, corridor_reach(mesh, ordered_[c], edges_near_[c]));
   }
-  unrolled->mesh = unroll(mesh, drawn_, alone, reach);
+  unrolled->mesh = unroll(mesh, ordered_, alone, reach);
   const auto opened = OpenedMesh::open(unrolled->mesh.lists);
-  const std::vector<SurfaceCurve> curves = unrolled->mesh.unrolled(mesh, opened->surface(), drawn_);
+  const std::vector<SurfaceCurve> curves =
+      unrolled->mesh.unrolled(mesh, opened->surface(), ordered_);
   unrolled->smoother = std::make_unique<CurveSmoother>(opened);
   CurveSmoother& smoother = *unrolled->smoother;
   smoother.loops_ = Loops::kErase;
@@ -78,8 +81,8 @@ bool CurveSmoother::set_unrolled(const std::vector<bool>& alone, const Progress&
 std::vector<SurfacePoint> CurveSmoother::unrolled_pins(std::span<const SurfaceCurve> curves,
                                                        std::span<const SurfacePoint> pins) const {
   std::vector<SurfacePoint> result;
-  for (std::size_t c = 0; c < drawn_.size(); ++c) {
-    const std::vector<SurfacePoint>& points = drawn_[c].points;
+  for (std::size_t c = 0; c < ordered_.size(); ++c) {
+    const std::vector<SurfacePoint>& points = ordered_[c].points;
     for (std::size_t i = 0; i < points.size(); ++i) {
       if (std::find(pins.begin(), pins.end(), points[i]) == pins.end()) continue;
       result.push_back(curves[c].points[i]);
@@ -100,7 +103,7 @@ SmoothingResult CurveSmoother::smooth_unrolled(const SmoothingOptions& options) 
   SmoothingOptions own = options;
   if (curve_options_.method == Method::kPaper) {  // L is that of the whole mesh
     double length = 0;
-    for (const SurfaceCurve& curve : drawn_) {
+    for (const SurfaceCurve& curve : ordered_) {
       const FaceId face = any_face(mesh_->surface(), curve.points.front());
       length = std::max(
           length, characteristic_length(options.potential,
@@ -157,12 +160,13 @@ SmoothingResult CurveSmoother::folded(SmoothingResult result) {
   for (SurfaceCurve& curve : result.curves) {
     curve = unrolled_->mesh.folded(copies, mesh_->surface(), curve);
   }
-  const std::vector<std::size_t> after = crossings_of(triangulation_, result.curves);
+  const std::vector<std::size_t> after =
+      crossings_of(triangulation_, in_drawn_order(result.curves));
   const std::vector<std::string> lost = lost_pins(result.curves);
   for (std::size_t c = 0; c < result.curves.size(); ++c) {
     SmoothingReport& report = result.reports[c];
     SmoothingReport fresh =
-        report_on_curve(mesh_->mesh(), drawn_[c], drawn_measures_[c], result.curves[c]);
+        report_on_curve(mesh_->mesh(), ordered_[c], drawn_measures_[c], result.curves[c]);
     report.faces = fresh.faces;
     report.vertices = fresh.vertices;
     report.points_after = fresh.points_after;
@@ -172,8 +176,8 @@ SmoothingResult CurveSmoother::folded(SmoothingResult result) {
     report.curvature_max_after = fresh.curvature_max_after;
     report.edge_length_near = edges_near_[c];
     report.mollification = mollification_;
-    report.crossings_before = unrolled_->crossings[c];
-    report.crossings_after = after[c];
+    report.crossings_before = unrolled_->crossings[set_order_[c]];
+    report.crossings_after = after[set_order_[c]];
     report.warnings.insert(report.warnings.end(), warnings_.begin(), warnings_.end());
     report.warnings.insert(report.warnings.end(), lost.begin(), lost.end());
     if (report.crossings_after != report.crossings_before) {

@@ -17,7 +17,7 @@ class Strip {
  public:
   explicit Strip(const Surface& surface) : surface_(surface) {}
 
-  /// False where a closed curve's strip does not come back to where it began.
+  /// False where a closed curve's strip does not come back to where it began, wherever that is.
   bool lay_along(const SurfaceCurve& curve);
   void grow(double reach);
 
@@ -59,6 +59,10 @@ class Strip {
   Index cross(Index side, bool at_tail, bool at_head);
   bool walk(const SurfacePoint& around, Index& copy, FaceId to, Index last);
   void complete_around(Index corner);
+  [[nodiscard]] std::vector<FaceId> faces_along(const SurfaceCurve& curve) const;
+  static std::vector<std::size_t> starts_of(const SurfaceCurve& curve,
+                                            std::span<const FaceId> faces);
+  bool lay_from(const SurfaceCurve& curve, std::span<const FaceId> faces, std::size_t start);
 
   const Surface& surface_;
   std::vector<FaceId> faces_;
@@ -189,7 +193,8 @@ bool Strip::walk(const SurfacePoint& around, Index& copy, FaceId to, Index last)
   return false;
 }
 
-bool Strip::lay_along(const SurfaceCurve& curve) {
+/// Of each segment.
+std::vector<FaceId> Strip::faces_along(const SurfaceCurve& curve) const {
   const std::size_t n = curve.points.size(), segments = n - (curve.closed ? 0 : 1);
   std::vector<FaceId> faces;
   for (std::size_t i = 0; i < segments; ++i) {
@@ -203,13 +208,28 @@ bool Strip::lay_along(const SurfaceCurve& curve) {
     if (!face.valid() || !has(p) || !has(q)) face = common_face(surface_, p, q);
     faces.push_back(face);
   }
-  // A closed strip is closed where it goes from one face to another.
-  std::size_t start = 0;
-  while (curve.closed && start < segments &&
-         faces[(start + segments - 1) % segments] == faces[start]) {
-    ++start;
+  return faces;
+}
+
+/// Where a closed strip may be closed: where it goes from one face to another. Where the curve only
+/// dips into a face and comes back that does not succeed, so there are several, far apart.
+std::vector<std::size_t> Strip::starts_of(const SurfaceCurve& curve,
+                                          std::span<const FaceId> faces) {
+  if (!curve.closed) return {0};
+  constexpr std::size_t kMost = 16;
+  std::vector<std::size_t> changes, starts;
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    if (faces[(i + faces.size() - 1) % faces.size()] != faces[i]) changes.push_back(i);
   }
-  if (start == segments && curve.closed) return false;
+  const std::size_t count = std::min(changes.size(), kMost);
+  for (std::size_t k = 0; k < count; ++k) starts.push_back(changes[k * changes.size() / count]);
+  return starts;
+}
+
+bool Strip::lay_from(const SurfaceCurve& curve, std::span<const FaceId> faces, std::size_t start) {
+  const std::size_t segments = faces.size();
+  faces_.clear();
+  across_.clear();
   along_.assign(segments, 0);
   Index copy = add(faces[start]);
   along_[start] = copy;
@@ -218,7 +238,17 @@ bool Strip::lay_along(const SurfaceCurve& curve) {
     if (!walk(curve.points[i], copy, faces[i], kOpen)) return false;
     along_[i] = copy;
   }
-  if (curve.closed && !walk(curve.points[start], copy, faces[start], along_[start])) return false;
+  return !curve.closed || walk(curve.points[start], copy, faces[start], along_[start]);
+}
+
+bool Strip::lay_along(const SurfaceCurve& curve) {
+  const std::vector<FaceId> faces = faces_along(curve);
+  const std::vector<std::size_t> starts = starts_of(curve, faces);
+  if (std::none_of(starts.begin(), starts.end(),
+                   [&](std::size_t start) { return lay_from(curve, faces, start); })) {
+    return false;
+  }
+  const std::size_t n = curve.points.size(), segments = faces.size();
   // All around the curve's own vertices first, each for itself.
   for (std::size_t i = 0; i < segments; ++i) {
     for (const std::size_t end : {i, (i + 1) % n}) {

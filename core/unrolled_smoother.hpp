@@ -12,7 +12,7 @@ namespace talweg {
 struct CurveSmoother::Unrolled {
   UnrolledMesh mesh;
   std::unique_ptr<CurveSmoother> smoother;  ///< on the mesh that was opened from that
-  std::vector<std::size_t> crossings;       ///< of the drawing, per curve
+  std::vector<std::size_t> crossings;       ///< of the drawing, per drawn curve
 };
 
 }  // namespace talweg

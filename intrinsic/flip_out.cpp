@@ -9,6 +9,16 @@
 #include "talweg/intrinsic/error.hpp"
 
 namespace talweg {
+namespace {
+
+/// Wedges that differ by rounding are equally narrow: on regular grids many are, and then the one
+/// that comes first on its path is cleared first, whatever the numbers of the vertices.
+double without_rounding(double angle) {
+  constexpr double kPerRadian = 1e9;
+  return std::round(angle * kPerRadian) / kPerRadian;
+}
+
+}  // namespace
 
 void FlipOutOptions::validate() const {
   const auto fail = [](const char* message) { throw Error(ErrorCode::kBadUsage, message); };
@@ -48,7 +58,7 @@ void FlipOut::push(SegmentId before, Side side) {
   if (segment.pinned) return;
   const double angle = network_.angle(network_.wedge(before, side));
   if (angle >= std::numbers::pi - options_.angle_tolerance) return;
-  heap_.push_back({angle, before, segment.next, side});
+  heap_.push_back({without_rounding(angle), before, segment.next, side});
   std::push_heap(heap_.begin(), heap_.end(), std::greater<>{});
 }
 

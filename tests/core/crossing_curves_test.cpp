@@ -13,6 +13,7 @@
 #include "talweg/core/curve_smoother.hpp"
 #include "talweg/core/snapping.hpp"
 #include "talweg/core/straight_lines.hpp"
+#include "talweg/core/unrolled_mesh.hpp"
 
 namespace talweg {
 namespace {
@@ -71,20 +72,45 @@ TEST(CrossingCurves, InThePlaneAFigureEightTurnsLittleMoreThanItMust) {
   EXPECT_EQ(report.crossings_after, 1U);
 }
 
-TEST(CrossingCurves, TwiceAroundATube) {
-  const auto opened = OpenedMesh::open(tube(48, 60, 8));
+/// Two turns around a tube, the second higher than the first.
+std::vector<Point> twice_around() {
   std::vector<Point> points;
   for (int k = 0; k < 80; ++k) {
-    const double t = 4 * kPi * k / 80;  // two turns, the second higher than the first
+    const double t = 4 * kPi * k / 80;
     points.emplace_back(std::cos(t), std::sin(t), 4 - std::cos(t / 2) + (k % 2 == 0 ? 0.1 : -0.1));
   }
+  return points;
+}
+
+TEST(CrossingCurves, TwiceAroundATube) {
+  const auto opened = OpenedMesh::open(tube(48, 60, 8));
   CurveSmoother smoother(opened);
-  smoother.set_curve(through(opened->mesh(), points, true));
+  smoother.set_curve(through(opened->mesh(), twice_around(), true));
   const SmoothingResult result = smoother.smooth(1.0);
   EXPECT_EQ(result.report().crossings_before, 1U);
   EXPECT_EQ(result.report().crossings_after, 1U);
   EXPECT_LT(result.report().curvature_after, result.report().curvature_before / 5);
   EXPECT_GT(result.report().length_after, 0.98 * 4 * kPi);
+}
+
+// The strip is closed where the drawing begins, unless it only dips into a face there.
+TEST(CrossingCurves, WhereverTheDrawingBeginsNoTurnIsLost) {
+  const MeshLists lists = tube(48, 60, 8);
+  const SurfaceMesh mesh = SurfaceMesh::open(lists);
+  const SurfaceCurve drawn = through(mesh, twice_around(), true);
+  const double whole = curve_length(mesh.surface(), drawn);
+  for (std::size_t start = 0; start < drawn.points.size(); start += 16) {
+    SurfaceCurve turned = drawn;
+    std::rotate(turned.points.begin(), turned.points.begin() + static_cast<std::ptrdiff_t>(start),
+                turned.points.end());
+    const UnrolledMesh strip = unroll(mesh, std::span(&turned, 1), {true}, 2);
+    // Not a whole copy of the mesh instead, on which the turns cannot be told apart.
+    EXPECT_NE(strip.face_of.size(), lists.triangles.size()) << start;
+    const SurfaceMesh laid = SurfaceMesh::open(strip.lists);
+    const std::vector<SurfaceCurve> there =
+        strip.unrolled(mesh, laid.surface(), std::span(&turned, 1));
+    EXPECT_NEAR(curve_length(laid.surface(), there.front()), whole, 1e-9 * whole) << start;
+  }
 }
 
 TEST(CrossingCurves, CurvesThatCrossAreSmoothedAsIfAlone) {

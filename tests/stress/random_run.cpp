@@ -12,6 +12,7 @@
 
 #include "stress/planted_defects.hpp"
 #include "stress/random_curves.hpp"
+#include "stress/redrawn_curves.hpp"
 #include "talweg/core/curve_smoother.hpp"
 #include "talweg/core/max_deviation.hpp"
 #include "talweg/core/mesh_repair.hpp"
@@ -206,6 +207,15 @@ void smooth_random(const std::shared_ptr<const OpenedMesh>& opened, Random& rand
     check(smoother, smooth_within(smoother, bound, options), outcome, hash, RunOutcome::kSearch);
   }
   outcome.bytes = hash.value;
+  if (outcome.broken.empty() && random.one_in(3)) {
+    const double bound = curve_options.method == Method::kCorridor && random.one_in(2)
+                             ? random.scale(0.1, 30) * mesh.mean_edge_length()
+                             : 0;
+    if (bound > 0) outcome.what += fmt::format(" redrawn within {:.3g}", bound);
+    outcome.broken = differs_when_redrawn(smoother, curve_options, options, bound, random);
+    outcome.work += (bound > 0 ? 2 * RunOutcome::kSearch : 2) *
+                    static_cast<double>(mesh.surface().face_count());
+  }
 }
 
 }  // namespace

@@ -1,0 +1,78 @@
+#include "stress/redrawn_curves.hpp"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "talweg/core/max_deviation.hpp"
+#include "talweg/intrinsic/error.hpp"
+
+namespace talweg::stress {
+namespace {
+
+struct Redrawn {
+  std::size_t from = 0;  // which curve it is
+  bool reversed = false;
+  SurfaceCurve curve;
+};
+
+std::vector<Redrawn> redrawn(std::span<const SurfaceCurve> drawn, Random& random) {
+  std::vector<Redrawn> all;
+  for (std::size_t c = 0; c < drawn.size(); ++c) {
+    Redrawn& one = all.emplace_back(Redrawn{c, random.one_in(2), drawn[c]});
+    std::vector<SurfacePoint>& points = one.curve.points;
+    if (one.reversed) std::reverse(points.begin(), points.end());
+    if (!one.curve.closed) continue;
+    const auto start = static_cast<std::ptrdiff_t>(random.below(points.size()));
+    std::rotate(points.begin(), points.begin() + start, points.end());
+  }
+  for (std::size_t k = all.size(); k > 1; --k) std::swap(all[k - 1], all[random.below(k)]);
+  return all;
+}
+
+/// A curve that comes back the way it went is the same from both ends.
+bool is_its_own_reverse(const SurfaceCurve& curve) {
+  std::vector<SurfacePoint> around = curve.points;
+  if (curve.closed) around.insert(around.end(), curve.points.begin(), curve.points.end());
+  return std::search(around.begin(), around.end(), curve.points.rbegin(), curve.points.rend()) !=
+         around.end();
+}
+
+}  // namespace
+
+std::string differs_when_redrawn(CurveSmoother& smoother, const CurveOptions& curve_options,
+                                 const SmoothingOptions& options, double bound, Random& random) {
+  const auto smoothed = [&] {
+    return bound > 0 ? smooth_within(smoother, bound, options) : smoother.smooth(options);
+  };
+  const std::vector<SurfaceCurve> drawn(smoother.drawn().begin(), smoother.drawn().end());
+  const SmoothingResult expected = smoothed();
+  const std::vector<Redrawn> others = redrawn(drawn, random);
+  std::vector<SurfaceCurve> curves;
+  for (const Redrawn& other : others) curves.push_back(other.curve);
+  try {
+    smoother.set_curves(curves, curve_options);
+  } catch (const Error& error) {
+    return fmt::format("refused when redrawn: {}", error.what());
+  }
+  const SmoothingResult found = smoothed();
+  for (std::size_t k = 0; k < others.size(); ++k) {
+    const Redrawn& other = others[k];
+    std::vector<SurfacePoint> points = found.curves[k].points;
+    if (other.reversed && !is_its_own_reverse(other.curve)) {
+      std::reverse(points.begin(), points.end());
+    }
+    if (points != expected.curves[other.from].points) {
+      return fmt::format("curve {}, {}redrawn, has another result", other.from,
+                         other.curve.closed ? "closed, " : "");
+    }
+    if (found.reports[k].slack != expected.reports[other.from].slack) {
+      return fmt::format("curve {}, redrawn, has another slack", other.from);
+    }
+  }
+  return {};
+}
+
+}  // namespace talweg::stress
