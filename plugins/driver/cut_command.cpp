@@ -293,8 +293,9 @@ std::string Cutting::summary() const {
                           part.lids.triangles, part.lids.planar);
     }
     if (part.lids.sunk > 0) {
-      text += fmt::format("; {} lids have points inside, moved by up to {:.3g} to clear the piece",
-                          part.lids.sunk, part.lids.sunk_by);
+      text +=
+          fmt::format(", {} of them with points inside, moved by up to {:.3g} to clear the piece",
+                      part.lids.sunk, part.lids.sunk_by);
     }
     if (part.lids.left_open > 0) {
       text += fmt::format("; {} rims stay open: slits, or they end at the old boundary",
