@@ -100,8 +100,7 @@ class ConeSeparation {
       for (std::size_t k = 0; k < 2; ++k) {
         if (through(p_[i].cross(q_[k]), p_[1 - i], q_[1 - k])) return true;
       }
-      if (beside(m.cross(p_[i]), m.norm(), p_[1 - i], q_)) return true;
-      if (beside(n.cross(q_[i]), n.norm(), q_[1 - i], p_)) return true;
+      if (beside(m, p_[i], p_[1 - i], q_) || beside(n, q_[i], q_[1 - i], p_)) return true;
     }
     return false;
   }
@@ -137,10 +136,19 @@ class ConeSeparation {
     const int a = side(axis, axis.norm(), p);
     return a != 0 && a == -side(axis, axis.norm(), q);
   }
-  /// A side of one lies in the plane, the rest of it on one side and the other on the other.
-  static bool beside(const Point& axis, double width, const Point& own, const Two& other) {
-    const int a = side(axis, width, own);
-    return a != 0 && side(axis, width, other[0]) == -a && side(axis, width, other[1]) == -a;
+  /// A side of one lies in the plane, the rest of it on one side and the other on the other; a side
+  /// of that may go on from this one, straight on.
+  static bool beside(const Point& normal, const Point& flat, const Point& own, const Two& other) {
+    const Point axis = normal.cross(flat);
+    const int a = side(axis, normal.norm(), own);
+    if (a == 0) return false;
+    int beyond = 0;
+    for (const Point& q : other) {
+      const int b = side(axis, normal.norm(), q);
+      if (b == a || (b == 0 && !(q.dot(flat) < 0))) return false;
+      beyond += b;
+    }
+    return beyond != 0;
   }
 
   Two p_, q_;
