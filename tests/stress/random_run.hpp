@@ -9,19 +9,22 @@ namespace talweg::stress {
 struct RunOutcome {
   enum class End { kSmoothed, kMeshRefused, kCurveRefused };
   End end = End::kSmoothed;
-  std::string what;         ///< mesh, defects, curves and options in short
-  std::string refusal;      ///< the sentence, where something was refused
-  std::string broken;       ///< what did not hold; empty where everything did
+  std::string what;     ///< mesh, defects, curves and options in short
+  std::string refusal;  ///< the sentence, where something was refused
+  std::string broken;   ///< what did not hold; empty where everything did
   /// What there was to do: faces of the mesh and faces, flips and points that smoothing met, summed
   /// over the smoothings. A search within a bound counts as kSearch of them.
   double work = 0;
   static constexpr double kSearch = 20;
+  /// Of the runs that cut along the result and close the pieces: those that were, rims that got
+  /// lids, and pieces that were refused.
+  std::size_t pieces = 0, lids = 0, lids_refused = 0;
   std::uint64_t bytes = 0;  ///< a hash of the results: curves and reports but for their times
 };
 
 /// A random mesh, defects, repair, a drawing and options, all from the seed; smooths twice (tau
-/// moved), and checks. Never throws but for what it is there to find: an exception that is no
-/// Error. `threads` must not matter.
+/// moved), in every fourth run cuts along the result and caps the pieces, and checks. Never throws
+/// but for what it is there to find: an exception that is no Error. `threads` must not matter.
 RunOutcome random_run(std::uint64_t seed, unsigned threads = 1);
 
 }  // namespace talweg::stress
