@@ -61,11 +61,12 @@ bool fill_short(const std::vector<Point>& points, const Loop& loop, const LeftOu
 }
 
 /// The shorter polygons that a long one is filled by, then the one between them.
-bool fill(const std::vector<Point>& points, std::span<const std::uint32_t> loop,
-          const LeftOut* left_out, std::vector<Triangle>& triangles) {
+void fill(const std::vector<Point>& points, std::span<const std::uint32_t> loop,
+          std::vector<Triangle>& triangles) {
   const std::size_t n = loop.size();
-  if (n <= kMost || (left_out != nullptr && n <= left_out->whole)) {
-    return fill_short(points, {loop.begin(), loop.end()}, left_out, triangles);
+  if (n <= kMost) {
+    fill_short(points, {loop.begin(), loop.end()}, nullptr, triangles);
+    return;
   }
   Loop spread;
   for (std::size_t k = 0; k < kMost; ++k) {
@@ -73,13 +74,31 @@ bool fill(const std::vector<Point>& points, std::span<const std::uint32_t> loop,
     spread.push_back(loop[from]);
     Loop stretch;
     for (std::size_t i = from; i <= to; ++i) stretch.push_back(loop[i % n]);
-    const bool is_chord = stretch.size() > 2;
-    if (is_chord && left_out != nullptr && left_out->chord(stretch.front(), stretch.back())) {
-      return false;
-    }
-    if (!fill(points, stretch, left_out, triangles)) return false;
+    fill(points, stretch, triangles);
   }
-  return fill_short(points, spread, left_out, triangles);
+  fill_short(points, spread, nullptr, triangles);
+}
+
+/// The same without what is left out: stretches are as much shorter as they must be for that.
+bool fill_without(const std::vector<Point>& points, std::span<const std::uint32_t> loop,
+                  const LeftOut& left_out, std::vector<Triangle>& triangles) {
+  const std::size_t n = loop.size(), whole = std::max(left_out.whole, kMost);
+  if (n <= whole) return fill_short(points, {loop.begin(), loop.end()}, &left_out, triangles);
+  const std::size_t step = (n + kMost - 1) / kMost;
+  if (step > whole) return false;
+  Loop spread;
+  for (std::size_t from = 0; from < n;) {
+    spread.push_back(loop[from]);
+    std::size_t to = std::min(n, from + step);
+    for (; to > from + 1; --to) {  // the next point is always one
+      if (left_out.chord(loop[from], loop[to % n])) continue;
+      Loop stretch;
+      for (std::size_t i = from; i <= to; ++i) stretch.push_back(loop[i % n]);
+      if (fill_short(points, stretch, &left_out, triangles)) break;
+    }
+    from = to;
+  }
+  return spread.size() <= whole && fill_short(points, spread, &left_out, triangles);
 }
 
 /// Whether the loop runs along one seam on both sides, so that a lid would have no area.
@@ -123,7 +142,7 @@ std::map<std::uint32_t, std::uint32_t> cut_rims(const Piece& piece, const Opened
 std::vector<Triangle> fill_loop(const std::vector<Point>& points,
                                 std::span<const std::uint32_t> loop) {
   std::vector<Triangle> triangles;
-  fill(points, loop, nullptr, triangles);
+  fill(points, loop, triangles);
   return triangles;
 }
 
@@ -131,7 +150,7 @@ std::optional<std::vector<Triangle>> fill_loop(const std::vector<Point>& points,
                                                std::span<const std::uint32_t> loop,
                                                const LeftOut& left_out) {
   std::vector<Triangle> triangles;
-  if (!fill(points, loop, &left_out, triangles)) return std::nullopt;
+  if (!fill_without(points, loop, left_out, triangles)) return std::nullopt;
   return triangles;
 }
 

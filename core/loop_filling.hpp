@@ -35,8 +35,9 @@ struct LeftOut {
     return triangles.count(triangle) > 0;
   }
 };
-/// The least of those that do without; none where there is none, or where a longer polygon would
-/// need a side of the one over 256 of its points that is left out. O(n³) up to `whole` points.
+/// The least of those that do without; of polygons of more than `whole` points the one over a part
+/// of them, about 256 and more where sides of that are left out, and over the stretches between
+/// them. None where there is none, or none was found. O(n³) up to `whole` points.
 std::optional<std::vector<Triangle>> fill_loop(const std::vector<Point>& points,
                                                std::span<const std::uint32_t> loop,
                                                const LeftOut& left_out);

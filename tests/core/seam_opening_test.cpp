@@ -136,6 +136,19 @@ TEST(SeamOpening, CurvesThatCrossPartASheetInFour) {
   EXPECT_EQ(open_seams(cut.lists, cut.chains).pieces, 4U);
 }
 
+TEST(SeamOpening, AChainOfOneVertexOpensNothing) {
+  const MeshLists lists = test::grid(10, 10);
+  for (const bool closed : {false, true}) {
+    const CutMesh::Chain point[] = {{closed, {50}}};
+    const OpenedSeams seams = open_seams(lists, point);
+    EXPECT_EQ(seams.pieces, 1U);
+    EXPECT_EQ(seams.lists.points.size(), lists.points.size());
+    EXPECT_TRUE(seams.left[0].empty());
+    Piece whole = piece(seams, 0);
+    EXPECT_EQ(add_lids(whole, seams, point).filled, 0U);
+  }
+}
+
 TEST(SeamOpening, RefusesChainsThatAreNone) {
   const MeshLists lists = test::grid(10, 10);
   const CutMesh::Chain jump[] = {{false, {0, 50}}}, outside[] = {{false, {0, 5000}}};
