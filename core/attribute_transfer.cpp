@@ -251,7 +251,10 @@ MeshAttributes picked(const MeshAttributes& attributes, std::span<const std::uin
     AttributeColumn& to =
         result.vertices.emplace_back(AttributeColumn{column.name, column.type, {}});
     to.values.reserve(vertices.size());
-    for (const std::uint32_t v : vertices) to.values.push_back(column.values[v]);
+    const double without = is_colour(column.name) ? white(column.type) : 0;
+    for (const std::uint32_t v : vertices) {
+      to.values.push_back(v == kNoVertex ? without : column.values[v]);
+    }
   }
   result.texture = of_faces(attributes.texture, faces);
   result.normals = of_faces(attributes.normals, faces);

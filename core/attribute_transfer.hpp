@@ -23,8 +23,8 @@ namespace talweg {
 MeshAttributes carried_to(const CutMesh& cut, const Surface& old, const MeshAttributes& attributes);
 
 /// The attributes of a mesh of other vertices and faces of this one, any number of times each.
-/// Faces from none (kNoFace), such as lids, have 0 in every column but white in those of colours,
-/// and neither texture coordinates nor normals nor names.
+/// Faces and vertices from none (kNoFace, kNoVertex), such as those of lids, have 0 in every column
+/// but white in those of colours, and neither texture coordinates nor normals nor names.
 MeshAttributes picked(const MeshAttributes& attributes, std::span<const std::uint32_t> vertices,
                       std::span<const std::uint32_t> faces);
 

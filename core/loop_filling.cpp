@@ -3,15 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 #include <set>
-#include <string>
 #include <utility>
 
-#include <fmt/format.h>
-
+#include "talweg/core/lid_choice.hpp"
+#include "talweg/core/lid_clearance.hpp"
 #include "talweg/core/plane_filling.hpp"
-#include "talweg/intrinsic/error.hpp"
 
 namespace talweg {
 namespace {
@@ -25,27 +22,31 @@ double cost(const Point& a, const Point& b, const Point& c) {
   return (b - a).cross(c - a).norm() / 2 + kShape * sides;
 }
 
-/// By dynamic programming over stretches of the polygon.
-void fill_short(const std::vector<Point>& points, const Loop& loop,
+/// By dynamic programming over stretches of the polygon; false where there is no triangulation.
+bool fill_short(const std::vector<Point>& points, const Loop& loop, const LeftOut* left_out,
                 std::vector<Triangle>& triangles) {
   const std::size_t n = loop.size();
-  if (n < 3) return;
+  if (n < 3) return true;
   std::vector<double> least(n * n, 0);
   std::vector<std::uint32_t> apex(n * n, 0);
   for (std::size_t width = 2; width < n; ++width) {
     for (std::size_t i = 0; i + width < n; ++i) {
       const std::size_t k = i + width;
       double best = HUGE_VAL;
-      for (std::size_t j = i + 1; j < k; ++j) {
+      const bool is_side = width + 1 == n;
+      const bool out = left_out != nullptr && !is_side && left_out->chord(loop[i], loop[k]);
+      for (std::size_t j = i + 1; j < k && !out; ++j) {
         const double sum = least[i * n + j] + least[j * n + k] +
                            cost(points[loop[i]], points[loop[j]], points[loop[k]]);
         if (sum >= best) continue;
+        if (left_out != nullptr && left_out->has({loop[i], loop[j], loop[k]})) continue;
         best = sum;
         apex[i * n + k] = static_cast<std::uint32_t>(j);
       }
       least[i * n + k] = best;
     }
   }
+  if (!(least[n - 1] < HUGE_VAL)) return false;
   std::vector<std::pair<std::size_t, std::size_t>> open{{0, n - 1}};
   while (!open.empty()) {
     const auto [i, k] = open.back();
@@ -56,6 +57,48 @@ void fill_short(const std::vector<Point>& points, const Loop& loop,
     open.emplace_back(i, j);
     open.emplace_back(j, k);
   }
+  return true;
+}
+
+/// The shorter polygons that a long one is filled by, then the one between them.
+void fill(const std::vector<Point>& points, std::span<const std::uint32_t> loop,
+          std::vector<Triangle>& triangles) {
+  const std::size_t n = loop.size();
+  if (n <= kMost) {
+    fill_short(points, {loop.begin(), loop.end()}, nullptr, triangles);
+    return;
+  }
+  Loop spread;
+  for (std::size_t k = 0; k < kMost; ++k) {
+    const std::size_t from = k * n / kMost, to = (k + 1) * n / kMost;
+    spread.push_back(loop[from]);
+    Loop stretch;
+    for (std::size_t i = from; i <= to; ++i) stretch.push_back(loop[i % n]);
+    fill(points, stretch, triangles);
+  }
+  fill_short(points, spread, nullptr, triangles);
+}
+
+/// The same without what is left out: stretches are as much shorter as they must be for that.
+bool fill_without(const std::vector<Point>& points, std::span<const std::uint32_t> loop,
+                  const LeftOut& left_out, std::vector<Triangle>& triangles) {
+  const std::size_t n = loop.size(), whole = std::max(left_out.whole, kMost);
+  if (n <= whole) return fill_short(points, {loop.begin(), loop.end()}, &left_out, triangles);
+  const std::size_t step = (n + kMost - 1) / kMost;
+  if (step > whole) return false;
+  Loop spread;
+  for (std::size_t from = 0; from < n;) {
+    spread.push_back(loop[from]);
+    std::size_t to = std::min(n, from + step);
+    for (; to > from + 1; --to) {  // the next point is always one
+      if (left_out.chord(loop[from], loop[to % n])) continue;
+      Loop stretch;
+      for (std::size_t i = from; i <= to; ++i) stretch.push_back(loop[i % n]);
+      if (fill_short(points, stretch, &left_out, triangles)) break;
+    }
+    from = to;
+  }
+  return spread.size() <= whole && fill_short(points, spread, &left_out, triangles);
 }
 
 /// Whether the loop runs along one seam on both sides, so that a lid would have no area.
@@ -99,21 +142,15 @@ std::map<std::uint32_t, std::uint32_t> cut_rims(const Piece& piece, const Opened
 std::vector<Triangle> fill_loop(const std::vector<Point>& points,
                                 std::span<const std::uint32_t> loop) {
   std::vector<Triangle> triangles;
-  const std::size_t n = loop.size();
-  if (n <= kMost) {
-    fill_short(points, {loop.begin(), loop.end()}, triangles);
-    return triangles;
-  }
-  Loop spread;
-  for (std::size_t k = 0; k < kMost; ++k) {
-    const std::size_t from = k * n / kMost, to = (k + 1) * n / kMost;
-    spread.push_back(loop[from]);
-    Loop stretch;
-    for (std::size_t i = from; i <= to; ++i) stretch.push_back(loop[i % n]);
-    const auto more = fill_loop(points, stretch);
-    triangles.insert(triangles.end(), more.begin(), more.end());
-  }
-  fill_short(points, spread, triangles);
+  fill(points, loop, triangles);
+  return triangles;
+}
+
+std::optional<std::vector<Triangle>> fill_loop(const std::vector<Point>& points,
+                                               std::span<const std::uint32_t> loop,
+                                               const LeftOut& left_out) {
+  std::vector<Triangle> triangles;
+  if (!fill_without(points, loop, left_out, triangles)) return std::nullopt;
   return triangles;
 }
 
@@ -151,43 +188,51 @@ std::vector<Loop> loops_of(const Piece& piece, const OpenedSeams& opened,
   return loops;
 }
 
-/// Adds plane lids; returns the loops that have none.
-std::vector<std::size_t> fill_planes(const std::vector<Point>& points,
-                                     const std::vector<Loop>& loops,
-                                     std::vector<Triangle>& triangles) {
+/// The rims that get a lid together.
+std::vector<std::vector<Loop>> groups_of(const std::vector<Point>& points,
+                                         const std::vector<Loop>& loops, LidKind kind) {
+  std::vector<std::vector<Loop>> groups;
   std::vector<bool> done(loops.size(), false);
-  const auto fill = [&](const std::vector<std::size_t>& group) {
-    std::vector<Loop> own;
-    for (const std::size_t i : group) own.push_back(loops[i]);
-    const auto lid = fill_plane(points, own);
-    if (!lid) return false;
-    triangles.insert(triangles.end(), lid->begin(), lid->end());
-    for (const std::size_t i : group) done[i] = true;
-    return true;
+  const auto add = [&](const std::vector<std::size_t>& group) {
+    std::vector<Loop>& own = groups.emplace_back();
+    for (const std::size_t i : group) {
+      own.push_back(loops[i]);
+      done[i] = true;
+    }
   };
-  for (const std::vector<std::size_t>& group : plane_groups(points, loops)) {
-    if (fill(group) || group.size() == 1) continue;
-    for (const std::size_t i : group) fill({i});
+  if (kind != LidKind::kLeastArea) {
+    for (const std::vector<std::size_t>& group : plane_groups(points, loops)) {
+      if (group.size() > 1) {
+        std::vector<Loop> own;
+        for (const std::size_t i : group) own.push_back(loops[i]);
+        if (!fill_plane(points, own)) continue;  // they touch: each by itself
+      }
+      add(group);
+    }
   }
-  std::vector<std::size_t> rest;
   for (std::size_t i = 0; i < loops.size(); ++i) {
-    if (!done[i]) rest.push_back(i);
+    if (!done[i]) add({i});
   }
-  return rest;
+  return groups;
 }
 
-[[noreturn]] void refuse(const std::vector<Point>& points, const Loop& loop) {
-  const Point& at = points[loop[0]];
-  const std::string rim = fmt::format("The rim of {} points at ({:.6g}, {:.6g}, {:.6g})",
-                                      loop.size(), at.x(), at.y(), at.z());
-  const double distance = distance_from_plane(points, loop);
-  if (distance <= kPlaneTolerance) {
-    throw Error(ErrorCode::kBadCurve,
-                rim + " is plane but touches or crosses itself, so no plane lid fits it.");
+std::vector<std::uint32_t> parts_of(const Piece& piece, const OpenedSeams& opened) {
+  std::vector<std::uint32_t> parts;
+  parts.reserve(piece.faces.size());
+  for (const std::uint32_t f : piece.faces) parts.push_back(opened.piece_of_face[f]);
+  return parts;
+}
+
+/// Puts a lid's triangles and inner points at the end of the piece.
+void append(const Lid& lid, std::uint32_t first_inner, Piece& piece) {
+  const auto shift = static_cast<std::uint32_t>(piece.lists.points.size()) - first_inner;
+  for (Triangle t : lid.triangles) {
+    for (std::uint32_t& v : t) v += v < first_inner ? 0 : shift;
+    piece.lists.triangles.push_back(t);
   }
-  throw Error(
-      ErrorCode::kBadCurve,
-      rim + fmt::format(" is not plane: its points lie up to {:.2g} of its extent off.", distance));
+  piece.lists.points.insert(piece.lists.points.end(), lid.inner.begin(), lid.inner.end());
+  piece.vertices.resize(piece.lists.points.size(), kNoVertex);
+  piece.faces.resize(piece.lists.triangles.size(), kNoFace);
 }
 
 }  // namespace
@@ -195,22 +240,24 @@ std::vector<std::size_t> fill_planes(const std::vector<Point>& points,
 Lids add_lids(Piece& piece, const OpenedSeams& opened, std::span<const CutMesh::Chain> chains,
               LidKind kind) {
   Lids lids;
-  const std::vector<Point>& points = piece.lists.points;
   const std::vector<Loop> loops = loops_of(piece, opened, chains, lids.left_open);
-  std::vector<Triangle> triangles;
-  std::vector<std::size_t> rest(loops.size());
-  std::iota(rest.begin(), rest.end(), std::size_t{0});
-  if (kind != LidKind::kLeastArea) rest = fill_planes(points, loops, triangles);
-  if (kind == LidKind::kPlanar && !rest.empty()) refuse(points, loops[rest[0]]);
-  for (const std::size_t i : rest) {
-    const std::vector<Triangle> lid = fill_loop(points, loops[i]);
-    triangles.insert(triangles.end(), lid.begin(), lid.end());
+  if (loops.empty()) return lids;
+  const auto old = [&](std::uint32_t v) { return opened.vertex_from[piece.vertices[v]]; };
+  const std::vector<std::uint32_t> parts = parts_of(piece, opened);
+  LidClearance clearance(piece.lists, parts, loops);
+  LidChooser chooser(piece.lists.points, clearance, old, chains);
+  std::vector<Lid> chosen;
+  for (const std::vector<Loop>& rims : groups_of(piece.lists.points, loops, kind)) {
+    const Lid& lid = chosen.emplace_back(chooser.choose(rims, kind));
+    lids.filled += rims.size();
+    lids.planar += lid.plane ? rims.size() : 0;
+    lids.triangles += lid.triangles.size();
+    lids.inner += lid.inner.size();
+    lids.sunk += lid.sunk_by > 0 ? rims.size() : 0;
+    lids.sunk_by = std::max(lids.sunk_by, lid.sunk_by);
   }
-  lids.filled = loops.size();
-  lids.planar = loops.size() - rest.size();
-  lids.triangles = triangles.size();
-  piece.lists.triangles.insert(piece.lists.triangles.end(), triangles.begin(), triangles.end());
-  piece.faces.resize(piece.lists.triangles.size(), kNoFace);
+  const std::uint32_t first_inner = clearance.first_inner();
+  for (const Lid& lid : chosen) append(lid, first_inner, piece);
   return lids;
 }
 

@@ -1,8 +1,12 @@
 // Lids for the holes that a cut leaves.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <optional>
+#include <set>
 #include <span>
 #include <vector>
 
@@ -19,6 +23,25 @@ namespace talweg {
 std::vector<Triangle> fill_loop(const std::vector<Point>& points,
                                 std::span<const std::uint32_t> loop);
 
+/// What a triangulation must do without.
+struct LeftOut {
+  std::function<bool(std::uint32_t, std::uint32_t)> chord;  ///< asked for sides that are no rim's
+  std::set<Triangle> triangles;                             ///< by their corners, ascending
+  std::size_t whole = 256;  ///< up to so many points all triangulations are looked at
+
+  [[nodiscard]] bool has(Triangle triangle) const {
+    if (triangles.empty()) return false;
+    std::sort(triangle.begin(), triangle.end());
+    return triangles.count(triangle) > 0;
+  }
+};
+/// The least of those that do without; of polygons of more than `whole` points the one over a part
+/// of them, about 256 and more where sides of that are left out, and over the stretches between
+/// them. None where there is none, or none was found. O(n³) up to `whole` points.
+std::optional<std::vector<Triangle>> fill_loop(const std::vector<Point>& points,
+                                               std::span<const std::uint32_t> loop,
+                                               const LeftOut& left_out);
+
 /// What a lid is.
 enum class LidKind : std::uint8_t {
   kAuto,      ///< plane where its rim is, of least area elsewhere
@@ -31,10 +54,21 @@ struct Lids {
   std::size_t planar = 0;     ///< those of them whose lid is plane
   std::size_t triangles = 0;  ///< of all lids; the last faces of the piece
   std::size_t left_open = 0;  ///< rims that end at the old boundary, and slits
+  std::size_t inner = 0;      ///< points inside lids; the last vertices of the piece
+  std::size_t sunk = 0;       ///< rims whose lid has such points out of the way of the piece
+  double sunk_by = 0;         ///< by how much at most, mesh units
 };
-/// Fills the holes of a piece that were cut. Their faces come from none: kNoFace in `faces`.
-/// Throws Error(kBadCurve) where a lid must be plane and its rim is not, or crosses itself.
+/// Fills the holes of a piece that were cut. Lids never have an edge or a triangle that the piece
+/// has already, and keep clear of what they close, of themselves and of other lids of that part of
+/// the piece. So where the first choice of a lid does not, it is the triangulation of least area
+/// that does; else one with points inside that are moved out of the way, to the outside of the lid.
+/// A lid may touch what lies in it but for `kPlaneTolerance`, where nothing else helps and where it
+/// must be plane.
+/// Their faces and inner points come from none: kNoFace in `faces`, kNoVertex in `vertices`.
+/// Throws Error(kBadCurve), naming rim and curve, where a lid must be plane and its rim is not or
+/// crosses itself, and where every lid goes through the piece; the piece is as it was then.
 inline constexpr std::uint32_t kNoFace = 0xFFFFFFFFU;
+inline constexpr std::uint32_t kNoVertex = 0xFFFFFFFFU;
 Lids add_lids(Piece& piece, const OpenedSeams& opened, std::span<const CutMesh::Chain> chains,
               LidKind kind = LidKind::kAuto);
 

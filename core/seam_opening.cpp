@@ -85,6 +85,7 @@ void Opener::find_seams() {
     const std::size_t n = vertices.size();
     for (std::size_t i = 0; i + (chains_[c].closed ? 0 : 1) < n; ++i) {
       const std::uint32_t a = vertices[i], b = vertices[(i + 1) % n];
+      if (n == 1) continue;  // a curve that is but a point
       if (left_of(a, b) == kNone && left_of(b, a) == kNone) {
         throw Error(ErrorCode::kBadCurve,
                     fmt::format("Vertices {} and {} of chain {} are joined by no edge.", a, b, c));

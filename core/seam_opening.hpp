@@ -22,7 +22,8 @@ struct OpenedSeams {
 };
 
 /// Takes a mesh apart along chains of edges: on either side of a seam its vertices are of their
-/// own. An end of an open chain inside the mesh stays closed. Pieces are what still hangs together.
+/// own. An end of an open chain inside the mesh stays closed; a chain of one vertex opens nothing.
+/// Pieces are what still hangs together.
 /// The lists must be a surface, as those of cut_along() are; only the faces around the chains are
 /// looked at for that. O(vertices + faces), one pass but for these.
 /// Throws Error(kBadMesh) for an index out of range, and for faces around a chain that do not fit

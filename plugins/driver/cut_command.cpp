@@ -1,4 +1,5 @@
 // talweg cut: curves become edges of the mesh, and the mesh is taken apart along them.
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -64,7 +65,8 @@ class Cutting {
 
  private:
   void take_apart();
-  [[nodiscard]] std::vector<bool> kept(const OpenedSeams& seams) const;
+  [[nodiscard]] std::vector<bool> kept(const OpenedSeams& seams);
+  [[noreturn]] void refuse_empty(const OpenedSeams& seams) const;
   void add_part(const OpenedSeams& seams, const std::vector<bool>& wanted);
   [[nodiscard]] std::string path_of(std::size_t part) const;
   [[nodiscard]] std::string map_json() const;
@@ -77,6 +79,7 @@ class Cutting {
   Drawing drawing_;
   CutMesh cut_;
   std::size_t pieces_ = 1;
+  std::size_t between_ = 0;  // of those, on the left of one curve and the right of another
   std::vector<Part> parts_;
   double cut_ms_ = 0;
   std::vector<std::string> left_out_;  // sentences, one for each kind of file
@@ -120,10 +123,11 @@ void Cutting::take_apart() {
   }
 }
 
-/// The pieces on the side of the curves that is asked for.
-std::vector<bool> Cutting::kept(const OpenedSeams& seams) const {
-  std::vector<bool> wanted(seams.pieces, o_.keep.empty());
-  if (o_.keep.empty()) return wanted;
+/// The pieces on the side that is asked for: that of every curve along them. So none is on both
+/// sides, whichever way curves lie inside each other.
+std::vector<bool> Cutting::kept(const OpenedSeams& seams) {
+  if (o_.keep.empty()) return std::vector<bool>(seams.pieces, true);
+  std::vector<bool> wanted(seams.pieces, false), other(seams.pieces, false);
   for (std::size_t c = 0; c < seams.left.size(); ++c) {
     for (const std::uint32_t l : seams.left[c]) {
       for (const std::uint32_t r : seams.right[c]) {
@@ -134,11 +138,39 @@ std::vector<bool> Cutting::kept(const OpenedSeams& seams) const {
                                 c, o_.keep));
       }
     }
-    for (const std::uint32_t k : o_.keep == "left" ? seams.left[c] : seams.right[c]) {
-      wanted[k] = true;
+    const bool left = o_.keep == "left";
+    for (const std::uint32_t k : left ? seams.left[c] : seams.right[c]) wanted[k] = true;
+    for (const std::uint32_t k : left ? seams.right[c] : seams.left[c]) other[k] = true;
+  }
+  for (std::size_t k = 0; k < seams.pieces; ++k) {
+    if (wanted[k] && other[k]) ++between_;
+    wanted[k] = wanted[k] && !other[k];
+  }
+  if (std::find(wanted.begin(), wanted.end(), true) == wanted.end()) refuse_empty(seams);
+  return wanted;
+}
+
+void Cutting::refuse_empty(const OpenedSeams& seams) const {
+  const bool left = o_.keep == "left";
+  const char* const across = left ? "right" : "left";
+  for (std::size_t c = 0; c < seams.left.size(); ++c) {
+    for (const std::uint32_t k : left ? seams.left[c] : seams.right[c]) {
+      for (std::size_t d = 0; d < seams.left.size(); ++d) {
+        const auto& there = left ? seams.right[d] : seams.left[d];
+        if (std::find(there.begin(), there.end(), k) == there.end()) continue;
+        throw Error(ErrorCode::kBadCurve,
+                    fmt::format("--keep {} leaves nothing: what lies on the {} of curve {} lies on "
+                                "the {} of curve {}; turn one of them around.",
+                                o_.keep, o_.keep, c, across, d));
+      }
     }
   }
-  return wanted;
+  const std::size_t n = seams.left.size();
+  throw Error(
+      ErrorCode::kBadCurve,
+      fmt::format("--keep {} leaves nothing: {} no face on the {}.", o_.keep,
+                  n == 1 ? "curve 0 has" : fmt::format("none of the curves 0 to {} has", n - 1),
+                  o_.keep));
 }
 
 void Cutting::add_part(const OpenedSeams& seams, const std::vector<bool>& wanted) {
@@ -147,7 +179,9 @@ void Cutting::add_part(const OpenedSeams& seams, const std::vector<bool>& wanted
   if (!o_.cap.empty()) part.lids = add_lids(piece, seams, cut_.chains, lid_kind(o_.cap));
   part.lists = std::move(piece.lists);
   part.faces = std::move(piece.faces);
-  for (const std::uint32_t v : piece.vertices) part.vertices.push_back(seams.vertex_from[v]);
+  for (const std::uint32_t v : piece.vertices) {
+    part.vertices.push_back(v == kNoVertex ? kNoVertex : seams.vertex_from[v]);
+  }
 }
 
 /// With --split "out.ply" becomes "out-0.ply", "out-1.ply", ...
@@ -186,6 +220,10 @@ std::string Cutting::map_json() const {
     nlohmann::json vertices = nlohmann::json::array(), faces = nlohmann::json::array();
     std::vector<std::vector<std::uint32_t>> here(cut_.lists.points.size());
     for (std::uint32_t v = 0; v < part.vertices.size(); ++v) {
+      if (part.vertices[v] == kNoVertex) {
+        vertices.push_back(nullptr);
+        continue;
+      }
       vertices.push_back(vertex_json(part.vertices[v]));
       here[part.vertices[v]].push_back(v);
     }
@@ -241,6 +279,10 @@ std::string Cutting::summary() const {
   }
   if (o_.open || o_.split || !o_.cap.empty() || !o_.keep.empty()) {
     text += fmt::format("{} {}\n", pieces_, pieces_ == 1 ? "piece" : "pieces");
+    if (between_ > 0) {
+      text += fmt::format(
+          "{} of them left out: on the left of one curve and on the right of another\n", between_);
+    }
   }
   for (std::size_t k = 0; k < parts_.size(); ++k) {
     const Part& part = parts_[k];
@@ -249,6 +291,11 @@ std::string Cutting::summary() const {
     if (!o_.cap.empty()) {
       text += fmt::format(", {} rims closed by {} faces, {} of them plane", part.lids.filled,
                           part.lids.triangles, part.lids.planar);
+    }
+    if (part.lids.sunk > 0) {
+      text +=
+          fmt::format(", {} of them with points inside, moved by up to {:.3g} to clear the piece",
+                      part.lids.sunk, part.lids.sunk_by);
     }
     if (part.lids.left_open > 0) {
       text += fmt::format("; {} rims stay open: slits, or they end at the old boundary",
@@ -287,11 +334,12 @@ Command add_cut(CLI::App& app, const GlobalOptions& global) {
                     "A file for each piece, OUT-0.ply, OUT-1.ply, ...; without it the pieces are "
                     "components of one");
   command->add_option("--keep", o->keep,
-                      "left or right: only pieces on that side of the curves, seen along them from "
-                      "outside");
+                      "left or right: only pieces on that side of every curve along them, seen "
+                      "along the curve from outside");
   command->add_flag("--cap{auto}", o->cap,
                     "Close what the cut leaves open: auto (plane where the rim is, else of least "
-                    "area; the default), planar or least-area, after an equals sign");
+                    "area; the default), planar or least-area, after an equals sign; never through "
+                    "the piece");
   command->add_flag("--tag", o->tag,
                     "Write the curves' edges, too: element edge of a .ply, l of an .obj");
   command->add_option("--map", o->map,

@@ -136,6 +136,19 @@ TEST(SeamOpening, CurvesThatCrossPartASheetInFour) {
   EXPECT_EQ(open_seams(cut.lists, cut.chains).pieces, 4U);
 }
 
+TEST(SeamOpening, AChainOfOneVertexOpensNothing) {
+  const MeshLists lists = test::grid(10, 10);
+  for (const bool closed : {false, true}) {
+    const CutMesh::Chain point[] = {{closed, {50}}};
+    const OpenedSeams seams = open_seams(lists, point);
+    EXPECT_EQ(seams.pieces, 1U);
+    EXPECT_EQ(seams.lists.points.size(), lists.points.size());
+    EXPECT_TRUE(seams.left[0].empty());
+    Piece whole = piece(seams, 0);
+    EXPECT_EQ(add_lids(whole, seams, point).filled, 0U);
+  }
+}
+
 TEST(SeamOpening, RefusesChainsThatAreNone) {
   const MeshLists lists = test::grid(10, 10);
   const CutMesh::Chain jump[] = {{false, {0, 50}}}, outside[] = {{false, {0, 5000}}};
@@ -205,9 +218,12 @@ TEST(Lids, BetweenNestedRimsInOnePlaneAreWithHoles) {
   }
   EXPECT_NEAR(volume(lower.lists), 12, 1e-12);
   EXPECT_NEAR(volume(upper.lists), 24, 1e-12);
-  // Of least area each rim has its own: the shaft is closed and the two lids overlap.
+  // Of least area each rim has its own. They would lie on each other: the outer one is moved away.
   Piece other = piece(seams, seams.right[0][0]);
-  EXPECT_EQ(add_lids(other, seams, rings, LidKind::kLeastArea).triangles, 4U);
+  const Lids apart = add_lids(other, seams, rings, LidKind::kLeastArea);
+  EXPECT_EQ(apart.filled, 2U);
+  EXPECT_EQ(apart.sunk, 1U);
+  EXPECT_EQ(euler(other.lists), 2);  // the shaft's end is closed inside of the block
   // Both sides of a seam in one mesh: the rims lie on each other, and both get lids.
   Piece both = piece_of(seams, {true, true});
   const Lids lids = add_lids(both, seams, rings);
@@ -219,7 +235,7 @@ TEST(Lids, BetweenNestedRimsInOnePlaneAreWithHoles) {
 TEST(Lids, OfATorusCutOnceAreTwo) {
   const MeshLists lists = test::torus(32, 16);
   CutMesh::Chain ring{true, {}};
-  for (std::uint32_t v = 0; v < lists.points.size(); v += 32) ring.vertices.push_back(v);
+  for (std::uint32_t v = 64; v < 96; ++v) ring.vertices.push_back(v);
   const OpenedSeams seams = open_seams(lists, std::span(&ring, 1));
   Piece tube = piece(seams, 0);
   const Lids lids = add_lids(tube, seams, std::span(&ring, 1));

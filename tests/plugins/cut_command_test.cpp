@@ -187,6 +187,90 @@ TEST_F(CutCommand, ClosesWithLidsOfAKind) {
   expect_failure("cut ball.ply --curve ring.json -o c.stl --tag", 1, {"--tag", ".ply or .obj"});
 }
 
+/// A parallel of a tube of 16 columns, seen from outside with what is above on its left.
+std::string parallel(int row) {
+  std::string ring;
+  for (int k = 0; k <= 16; ++k) ring += std::to_string(16 * row + k % 16) + "\n";
+  return ring;
+}
+
+TEST_F(CutCommand, KeepsWhatIsOnThatSideOfEveryCurveAlongIt) {
+  write_mesh(file("tube.ply"), test::tube(16, 9, 8));
+  write(file("low.txt"), parallel(2));
+  write(file("high.txt"), parallel(5));
+  const auto heights = [&](const std::string& name) {
+    double low = 9, high = -1;
+    for (const Point& p : read_mesh(file(name)).points) {
+      low = std::min(low, p.z());
+      high = std::max(high, p.z());
+    }
+    return std::pair(low, high);
+  };
+  // Between the two lies the left of one and the right of the other.
+  const std::string both = "cut tube.ply --curve low.txt --curve high.txt ";
+  const Outcome left = run(both + "-o left.ply --keep left");
+  ASSERT_EQ(left.code, 0) << left.err;
+  EXPECT_NE(left.out.find("1 of them left out"), std::string::npos) << left.out;
+  EXPECT_EQ(heights("left.ply"), std::pair(5.0, 8.0));
+  ASSERT_EQ(run(both + "-o right.ply --keep right").code, 0);
+  EXPECT_EQ(heights("right.ply"), std::pair(0.0, 2.0));
+  // With one turned around it is on the left of both, and the rest on the right.
+  std::string turned;
+  for (int k = 16; k >= 0; --k) turned += std::to_string(80 + k % 16) + "\n";
+  write(file("turned.txt"), turned);
+  const std::string around = "cut tube.ply --curve low.txt --curve turned.txt ";
+  const Outcome between = run(around + "-o between.ply --keep left");
+  ASSERT_EQ(between.code, 0) << between.err;
+  EXPECT_EQ(between.out.find("left out"), std::string::npos) << between.out;
+  EXPECT_EQ(heights("between.ply"), std::pair(2.0, 5.0));
+  ASSERT_EQ(run(around + "-o rest.ply --keep right --split").code, 0);
+  EXPECT_EQ(heights("rest-0.ply"), std::pair(0.0, 2.0));
+  EXPECT_EQ(heights("rest-1.ply"), std::pair(5.0, 8.0));
+}
+
+TEST_F(CutCommand, RefusesToKeepNothing) {
+  std::string around;  // the sheet's boundary, with the sheet on its left
+  for (int k = 0; k < 10; ++k) around += std::to_string(k) + "\n";
+  for (int k = 0; k < 10; ++k) around += std::to_string(10 + 11 * k) + "\n";
+  for (int k = 0; k < 10; ++k) around += std::to_string(120 - k) + "\n";
+  for (int k = 0; k <= 10; ++k) around += std::to_string(110 - 11 * k) + "\n";
+  write(file("around.txt"), around);
+  ASSERT_EQ(run("cut plane.ply --curve around.txt -o all.ply --keep left").code, 0);
+  EXPECT_EQ(read_mesh(file("all.ply")).triangles.size(), 200U);
+  expect_failure("cut plane.ply --curve around.txt -o c.ply --keep right", 2,
+                 {"--keep right", "curve 0 has no face on the right"});
+  // Around a torus nothing is on the left of both of two meridians that run the same way.
+  write_mesh(file("torus.ply"), test::torus(16, 32));
+  write(file("one.txt"), parallel(3));
+  write(file("two.txt"), parallel(20));
+  expect_failure("cut torus.ply --curve one.txt --curve two.txt -o c.ply --keep left", 2,
+                 {"--keep left leaves nothing", "curve 0", "curve 1", "turn one of them around"});
+  EXPECT_FALSE(there("c.ply"));
+}
+
+TEST_F(CutCommand, LidsRepeatNothingOfThePiece) {
+  // One face, and the lid over it, which must not be the same.
+  const Triangle t = read_mesh(file("ball.ply")).triangles[500];
+  std::string around;
+  for (const std::size_t k : {0, 1, 2, 0}) around += std::to_string(t[k]) + "\n";
+  write(file("face.txt"), around);
+  const Outcome outcome =
+      run("cut ball.ply --curve face.txt -o part.ply --split --cap --map map.json --tag");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("1 of them with points inside"), std::string::npos) << outcome.out;
+  std::size_t with_points = 0;
+  for (int k = 0; k < 2; ++k) {
+    const MeshLists part = read_mesh(file(k == 0 ? "part-0.ply" : "part-1.ply"));
+    const MeshInspection found = inspect(part);
+    EXPECT_EQ(found.verdict, MeshVerdict::kUsable) << found.reason;
+    EXPECT_EQ(found.boundary_edges, 0U);
+    const nlohmann::json vertices = json("map.json")["parts"][k]["vertices"];
+    ASSERT_EQ(vertices.size(), part.points.size());
+    with_points += vertices.back().is_null() ? 1U : 0U;
+  }
+  EXPECT_EQ(with_points, 1U);
+}
+
 TEST_F(CutCommand, SaysWhatIsWrong) {
   expect_failure("cut plane.ply --curve line.txt -o c.ply --keep up", 1,
                  {"--keep", "left or right"});

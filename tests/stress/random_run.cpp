@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "stress/capped_pieces.hpp"
 #include "stress/planted_defects.hpp"
 #include "stress/random_curves.hpp"
 #include "stress/redrawn_curves.hpp"
@@ -165,6 +166,20 @@ SmoothingOptions random_options(const SurfaceMesh& mesh, Random& random, std::st
   return options;
 }
 
+/// Cuts along the result, and closes what that leaves.
+void cap(const SurfaceMesh& mesh, const SmoothingResult& result, Random& random,
+         RunOutcome& outcome) {
+  try {
+    const CappedPieces capped = cap_pieces(mesh, result.curves, random);
+    outcome.broken = capped.broken;
+    outcome.pieces = capped.pieces;
+    outcome.lids = capped.lids;
+    outcome.lids_refused = capped.refused;
+  } catch (const Error& error) {
+    outcome.broken = std::string("cutting along the result says: ") + error.what();
+  }
+}
+
 void smooth_random(const std::shared_ptr<const OpenedMesh>& opened, Random& random,
                    unsigned threads, RunOutcome& outcome) {
   const SurfaceMesh& mesh = opened->mesh();
@@ -197,7 +212,8 @@ void smooth_random(const std::shared_ptr<const OpenedMesh>& opened, Random& rand
     return;
   }
   Hash hash;
-  check(smoother, smoother.smooth(options), outcome, hash);
+  const SmoothingResult result = smoother.smooth(options);
+  check(smoother, result, outcome, hash);
   SmoothingOptions moved = options;
   moved.tau *= random.scale(0.2, 5);
   check(smoother, smoother.smooth(moved), outcome, hash);
@@ -206,6 +222,7 @@ void smooth_random(const std::shared_ptr<const OpenedMesh>& opened, Random& rand
     outcome.what += fmt::format(" within {:.3g}", bound);
     check(smoother, smooth_within(smoother, bound, options), outcome, hash, RunOutcome::kSearch);
   }
+  if (outcome.broken.empty() && random.one_in(4)) cap(mesh, result, random, outcome);
   outcome.bytes = hash.value;
   if (outcome.broken.empty() && random.one_in(3)) {
     const double bound = curve_options.method == Method::kCorridor && random.one_in(2)

@@ -16,12 +16,15 @@ struct RunOutcome {
   /// over the smoothings. A search within a bound counts as kSearch of them.
   double work = 0;
   static constexpr double kSearch = 20;
+  /// Of the runs that cut along the result and close the pieces: those that were, rims that got
+  /// lids, and pieces that were refused.
+  std::size_t pieces = 0, lids = 0, lids_refused = 0;
   std::uint64_t bytes = 0;  ///< a hash of the results: curves and reports but for their times
 };
 
 /// A random mesh, defects, repair, a drawing and options, all from the seed; smooths twice (tau
-/// moved), and checks. Never throws but for what it is there to find: an exception that is no
-/// Error. `threads` must not matter.
+/// moved), in every fourth run cuts along the result and caps the pieces, and checks. Never throws
+/// but for what it is there to find: an exception that is no Error. `threads` must not matter.
 RunOutcome random_run(std::uint64_t seed, unsigned threads = 1);
 
 }  // namespace talweg::stress

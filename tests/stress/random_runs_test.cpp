@@ -7,15 +7,17 @@ namespace talweg::stress {
 namespace {
 
 TEST(RandomRuns, WhateverComesInSomethingSensibleComesOut) {
-  std::size_t smoothed = 0;
+  std::size_t smoothed = 0, lids = 0;
   constexpr std::uint64_t kRuns = 300;
   for (std::uint64_t seed = 1; seed <= kRuns; ++seed) {
     const RunOutcome outcome = random_run(seed);
     EXPECT_EQ(outcome.broken, "") << "seed " << seed << ": " << outcome.what << ' '
                                   << outcome.refusal;
+    lids += outcome.lids;
     smoothed += outcome.end == RunOutcome::End::kSmoothed ? 1U : 0U;
   }
   EXPECT_GT(smoothed, kRuns / 10);  // else the runs would try little
+  EXPECT_GT(lids, kRuns / 20);
 }
 
 TEST(RandomRuns, ThreadsChangeNoByte) {

@@ -74,7 +74,7 @@ int main(int argc, char** argv) {
 
   std::map<std::string, std::size_t> ends;
   std::vector<Time> times;
-  std::size_t broken = 0;
+  std::size_t broken = 0, pieces = 0, lids = 0, lids_refused = 0;
   std::uint64_t bytes = 0;
   double total = 0;
   for (auto seed = first; seed < first + count; ++seed) {
@@ -105,10 +105,15 @@ int main(int argc, char** argv) {
                   outcome.refusal.c_str());
       std::fflush(stdout);
     }
+    pieces += outcome.pieces;
+    lids += outcome.lids;
+    lids_refused += outcome.lids_refused;
     bytes = bytes * 31 + outcome.bytes;
   }
   limit_time(0);
   for (const auto& [end, number] : ends) std::printf("%s: %zu\n", end.c_str(), number);
+  std::printf("pieces capped: %zu, by %zu lids; refused: %zu\n", pieces - lids_refused, lids,
+              lids_refused);
   print_longest(times, "seconds", [](const Time& t) { return t.seconds; });
   print_longest(times, "seconds per million units of work",
                 [](const Time& t) { return 1e6 * t.seconds / t.work; });
