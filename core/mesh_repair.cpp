@@ -296,7 +296,7 @@ std::optional<WeldedMesh> try_weld(const MeshLists& lists, const MeshInspection&
   if (welded.after.verdict == MeshVerdict::kRepairable) inspect_with("weld," + welded.after.steps);
   if (welded.after.verdict != MeshVerdict::kUsable) return {};
   const bool joined = welded.after.components < before.components ||
-                      welded.after.boundary_edges < before.boundary_edges;
+                      welded.after.boundary_loops < before.boundary_loops;
   return joined ? std::optional(std::move(welded)) : std::nullopt;
 }
 
