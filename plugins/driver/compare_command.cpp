@@ -47,11 +47,16 @@ void write_results(const std::string& prefix, const Comparison& c) {
 
 void write(const CompareCommandOptions& o, const Comparison& comparison, const MeshLists& mesh) {
   const std::string title = std::filesystem::path(o.mesh).stem().string();
-  if (!o.report.empty()) write_output(o.report, comparison_json(comparison));
-  if (!o.table.empty()) write_output(o.table, comparison_csv(comparison));
-  if (!o.plot.empty()) write_output(o.plot, comparison_plot(comparison, title));
-  if (!o.results.empty()) write_results(o.results, comparison);
-  if (!o.picture.empty()) write_output(o.picture, comparison_picture(comparison, mesh));
+  OutputAttempts attempts;
+  const auto write_to = [&](const std::string& path, const auto& bytes) {
+    if (!path.empty()) attempts.make([&] { write_output(path, bytes()); });
+  };
+  write_to(o.report, [&] { return comparison_json(comparison); });
+  write_to(o.table, [&] { return comparison_csv(comparison); });
+  write_to(o.plot, [&] { return comparison_plot(comparison, title); });
+  if (!o.results.empty()) attempts.make([&] { write_results(o.results, comparison); });
+  write_to(o.picture, [&] { return comparison_picture(comparison, mesh); });
+  attempts.finish();
 }
 
 void check_files(const CompareCommandOptions& o, const std::vector<Method>& methods) {

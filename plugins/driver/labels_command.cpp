@@ -178,15 +178,19 @@ void write(const LabelsOptions& o, const LabelNetwork& network, const SurfaceMes
     placed.push_back(in_file_numbers(map, place(mesh, border.border.curve, placed.size())));
   }
   const LengthUnit unit = LengthUnit::named(o.mesh_units);
+  OutputAttempts attempts;
   for (const std::string& output : o.outputs) {
-    write_output(output, border_bytes(output, placed, sides, unit));
+    attempts.make([&] { write_output(output, border_bytes(output, placed, sides, unit)); });
   }
-  if (!o.labels_out.empty()) {
-    write_output(o.labels_out, lines_of(of_file_faces(network.face_labels, map, labels, o.mesh)));
-  }
-  if (!o.cut.empty()) write_cut(o.cut, network);
-  if (!o.cut_labels.empty()) write_output(o.cut_labels, lines_of(network.cut_labels));
-  if (!o.report.empty()) write_output(o.report, report_of(network, warnings, labels.names));
+  const auto write_text = [&](const std::string& path, const auto& text) {
+    if (!path.empty()) attempts.make([&] { write_output(path, text()); });
+  };
+  write_text(o.labels_out,
+             [&] { return lines_of(of_file_faces(network.face_labels, map, labels, o.mesh)); });
+  if (!o.cut.empty()) attempts.make([&] { write_cut(o.cut, network); });
+  write_text(o.cut_labels, [&] { return lines_of(network.cut_labels); });
+  write_text(o.report, [&] { return report_of(network, warnings, labels.names); });
+  attempts.finish();
 }
 
 void check_files(const LabelsOptions& o) {

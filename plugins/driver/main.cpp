@@ -130,7 +130,9 @@ void check_values(const CLI::App& app, const std::vector<std::string>& arguments
   };
   std::string before;
   for (const std::string& argument : arguments) {
-    const std::size_t equals = argument.starts_with("--") ? argument.find('=') : std::string::npos;
+    const bool has_name = argument.starts_with("--") || argument.find('=') == 2;
+    const std::size_t equals =
+        argument.starts_with("-") && has_name ? argument.find('=') : std::string::npos;
     const std::string name = equals == std::string::npos ? before : argument.substr(0, equals);
     const std::string value = equals == std::string::npos ? argument : argument.substr(equals + 1);
     if (value.empty()) {

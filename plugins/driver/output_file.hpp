@@ -2,8 +2,11 @@
 #pragma once
 
 #include <cstdio>
+#include <exception>
 #include <string>
 #include <string_view>
+
+#include "talweg/intrinsic/error.hpp"
 
 namespace talweg::driver {
 
@@ -18,6 +21,27 @@ struct WaitCancelled {
 /// Writes a file as write_file() does, or the standard output; a pipe waits for its reader.
 /// Throws Error(kBadFile) naming path and reason, and WaitCancelled.
 void write_output(const std::string& path, std::string_view bytes);
+
+/// Writes several outputs: one that fails does not take the work of a long run from the others.
+class OutputAttempts {
+ public:
+  /// Keeps the first Error.
+  template <class Write>
+  void make(const Write& write) {
+    try {
+      write();
+    } catch (const Error&) {
+      if (!failure_) failure_ = std::current_exception();
+    }
+  }
+  /// Throws it.
+  void finish() const {
+    if (failure_) std::rethrow_exception(failure_);
+  }
+
+ private:
+  std::exception_ptr failure_;
+};
 
 /// Where text for people goes: the standard output, unless that is an output's.
 std::FILE* text_stream();

@@ -119,42 +119,59 @@ std::vector<double> per_file_vertex(const RepairMap* map, const std::vector<doub
   return result;
 }
 
-void write_results(const Files& files, const talweg_plugin& plugin, const host::Results& results,
-                   const RepairMap* map) {
-  std::vector<PlacedCurve> curves;
-  for (const host::Curve& curve : results.curves) {
-    curves.push_back(in_file_numbers(map, placed_curve(curve)));
+void write_named_field(const std::string& name, const std::string& path,
+                       const talweg_plugin& plugin, const host::Results& results,
+                       const RepairMap* map) {
+  bool written = false;
+  for (const host::Field& field : results.fields) {
+    if (field.name != name) continue;
+    write_field(path, per_file_vertex(map, field.values));
+    written = true;
   }
-  for (const std::string& output : files.outputs) {
-    write_output(output, curve_bytes(output, curves, LengthUnit::named(files.mesh_units)));
+  if (!written) {
+    throw Error(ErrorCode::kBadFile, std::string(plugin.id) + " gave no field " + name + ".");
   }
-  for (const auto& [name, path] : files.fields) {
-    if (path.empty()) continue;
-    bool written = false;
-    for (const host::Field& field : results.fields) {
-      if (field.name != name) continue;
-      write_field(path, per_file_vertex(map, field.values));
-      written = true;
-    }
-    if (!written) {
-      throw Error(ErrorCode::kBadFile, std::string(plugin.id) + " gave no field " + name + ".");
-    }
+}
+
+void write_report(const std::string& path, const host::Results& results) {
+  std::vector<std::vector<ReportEntry>> reports;
+  for (std::size_t c = 0; c < results.curves.size(); ++c) {
+    reports.push_back(entries_of(results, static_cast<std::int64_t>(c)));
   }
-  if (!files.report.empty()) {
-    std::vector<std::vector<ReportEntry>> reports;
-    for (std::size_t c = 0; c < curves.size(); ++c) {
-      reports.push_back(entries_of(results, static_cast<std::int64_t>(c)));
-    }
-    write_output(files.report, to_json(entries_of(results, -1), reports));
-  }
-  if (files.meshes.empty()) return;
+  write_output(path, to_json(entries_of(results, -1), reports));
+}
+
+void write_result_mesh(const std::string& path, const talweg_plugin& plugin,
+                       const host::Results& results) {
   if (results.meshes.empty()) {
     throw Error(ErrorCode::kBadFile, std::string(plugin.id) + " gave no mesh.");
   }
   MeshLists lists;
   for (const auto& p : results.meshes[0].positions) lists.points.emplace_back(p.data());
   for (const auto& t : results.meshes[0].triangles) lists.triangles.push_back(t);
-  write_output(files.meshes, mesh_bytes(files.meshes, lists).bytes);
+  write_output(path, mesh_bytes(path, lists).bytes);
+}
+
+void write_results(const Files& files, const talweg_plugin& plugin, const host::Results& results,
+                   const RepairMap* map) {
+  std::vector<PlacedCurve> curves;
+  for (const host::Curve& curve : results.curves) {
+    curves.push_back(in_file_numbers(map, placed_curve(curve)));
+  }
+  const LengthUnit unit = LengthUnit::named(files.mesh_units);
+  OutputAttempts attempts;
+  for (const std::string& output : files.outputs) {
+    attempts.make([&] { write_output(output, curve_bytes(output, curves, unit)); });
+  }
+  for (const auto& field : files.fields) {
+    const std::string& path = field.second;
+    if (path.empty()) continue;
+    attempts.make([&] { write_named_field(field.first, path, plugin, results, map); });
+  }
+  if (!files.report.empty()) attempts.make([&] { write_report(files.report, results); });
+  if (!files.meshes.empty())
+    attempts.make([&] { write_result_mesh(files.meshes, plugin, results); });
+  attempts.finish();
 }
 
 bool writes_nothing(const Files& files) {

@@ -307,12 +307,16 @@ RunOutcome Workspace::smooth(const SmoothOptions& options, const Progress& progr
 void write_run(const SmoothOptions& options, const RunOutcome& outcome) {
   if (outcome.cancelled() || outcome.result.curves.empty()) return;
   const LengthUnit unit = LengthUnit::named(options.mesh_units);
+  OutputAttempts attempts;
   for (const std::string& output : options.outputs) {
-    write_output(output, curve_bytes(output, outcome.result.curves, unit));
+    attempts.make([&] { write_output(output, curve_bytes(output, outcome.result.curves, unit)); });
   }
   if (!options.report.empty()) {
-    write_output(options.report, to_json(outcome.result.total, outcome.result.reports));
+    attempts.make([&] {
+      write_output(options.report, to_json(outcome.result.total, outcome.result.reports));
+    });
   }
+  attempts.finish();
 }
 
 }  // namespace talweg::driver

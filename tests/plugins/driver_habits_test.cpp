@@ -52,6 +52,7 @@ TEST_F(DriverHabits, RefusesEmptyValuesOfEveryOptionOfEveryCommand) {
   }
   EXPECT_GT(options, 60U);
   expect_failure("smooth mesh.ply --curve a.txt -o ''", 1, {"-o", "is empty"});
+  expect_failure("smooth mesh.ply --curve a.txt -o=", 1, {"-o", "is empty"});
   expect_failure("--threads '' info mesh.ply", 1, {"--threads", "is empty"});
   expect_failure("'' mesh.ply", 1, {"is empty"});
   // Lists of which one is missing.

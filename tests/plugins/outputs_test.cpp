@@ -188,6 +188,22 @@ TEST_F(Outputs, ThatCannotBeWrittenAreFoundBeforeTheMeshIsRead) {
   EXPECT_FALSE(fs::exists(file("a.json")));
 }
 
+// What a format cannot hold is known only when the curve is there; the others are written.
+TEST_F(Outputs, ThatFailDoNotTakeTheWorkFromTheOthers) {
+  for (const char* command : {"smooth", "run talweg.smooth"}) {
+    const std::string line = std::string(command) + " mesh.ply --curve curve.json ";
+    expect_failure(line + "-o a.txt -o b.json --report c.json", 2, {"a.txt"});
+    EXPECT_FALSE(fs::exists(file("a.txt")));
+    EXPECT_EQ(read_curves(file("b.json")).size(), 1U);
+    EXPECT_TRUE(nlohmann::json::accept(bytes_of(file("c.json"))));
+    fs::remove(file("b.json"));
+    fs::remove(file("c.json"));
+  }
+  expect_failure("labels mesh.ply labels.txt --labels-out /dev/full --report c.json", 2,
+                 {"/dev/full"});
+  EXPECT_TRUE(fs::exists(file("c.json")));
+}
+
 TEST_F(Outputs, OfABatchHaveTheirFoldersMade) {
   EXPECT_EQ(run("smooth --batch list.csv -o made/a/b.json --summary made/too/s.csv").code, 0);
   EXPECT_TRUE(fs::exists(file("made/a/b.json")));
