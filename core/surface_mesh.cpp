@@ -89,7 +89,10 @@ bool large_enough(const MeshLists& lists) {
     if (t[0] >= n || t[1] >= n || t[2] >= n) return true;
     if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) return true;
     for (std::size_t k = 0; k < 3; ++k) {
-      const double length = point_distance(lists.points[t[k]], lists.points[t[(k + 1) % 3]]);
+      const Point& p = lists.points[t[k]];
+      const Point& q = lists.points[t[(k + 1) % 3]];
+      if ((q - p).squaredNorm() > 2 * kShortestEdge * kShortestEdge) continue;  // most of them
+      const double length = point_distance(p, q);
       if (length > 0 && length < kShortestEdge) return false;
     }
     return true;
