@@ -54,6 +54,7 @@ int run(int argc, char** argv) {
   app.footer(
       "Exit codes: 0 done, 1 bad usage, 2 bad input, 3 not converged or a limit was reached (the "
       "result is written), 4 cancelled, 5 internal error.\n"
+      "An output named - is the standard output; -.vtp and the like tell its format, too.\n"
       "Example:\n"
       "  talweg draw vessel.ply --through 12,845,9001 -o drawn.obj\n"
       "  talweg smooth vessel.ply --curve drawn.obj --tau 2 -o smooth.vtp --report smooth.json\n"
