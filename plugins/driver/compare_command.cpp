@@ -67,6 +67,10 @@ void check_files(const CompareCommandOptions& o, const std::vector<Method>& meth
   files.writes("--plot", o.plot);
   files.writes("--report", o.report);
   files.writes("--table", o.table);
+  if (is_standard_output(o.results)) {
+    throw Error(ErrorCode::kBadUsage,
+                "--results names several files, and the standard output is one.");
+  }
   for (const Method& method : methods) {
     if (o.results.empty()) break;
     const std::string name = o.results + "-" + method.name;

@@ -133,11 +133,12 @@ void FilePlan::writes_numbered(const std::string& what, const std::string& prefi
   const fs::path folder = full.has_parent_path() ? full.parent_path() : fs::path(".");
   const std::string first = fs::path(prefix).filename().string();
   numbered_.push_back({outputs_.size(), folder.string(), first, ending});
-  writes(what, prefix + "0" + ending, name_check);
+  const std::string zeroth = prefix + "0" + ending;
+  writes(what, zeroth, name_check);
   std::error_code failed;
   for (fs::directory_iterator at(folder, failed), end; !failed && at != end; at.increment(failed)) {
     const std::string name = at->path().filename().string();
-    if (name == first + "0" + ending || !is_numbered(name, first, ending)) continue;
+    if (name == fs::path(zeroth).filename() || !is_numbered(name, first, ending)) continue;
     writes(what, at->path().string(), name_check);
   }
 }

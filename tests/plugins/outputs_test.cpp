@@ -244,6 +244,7 @@ TEST_F(Outputs, WithTheNameOfAStrokeAreTheStandardOutput) {
   expect_failure("smooth mesh.ply --curve curve.json -o -.xyz", 2, {".xyz"});
   expect_failure("smooth mesh.ply --curve curve.json -o -.vtp --report -", 1, {"written twice"});
   expect_failure("cut mesh.ply --curve curve.json --split -o -.ply", 1, {"--split"});
+  expect_failure("compare mesh.ply --curve curve.json --results -", 1, {"--results"});
   EXPECT_EQ(run("smooth mesh.ply --curve curve.json -o /dev/null --report /dev/null").code, 2);
   EXPECT_EQ(run("labels mesh.ply labels.txt --labels-out /dev/null --report /dev/null").code, 0);
 }
