@@ -87,6 +87,8 @@ class Topology {
     const bool first = measured_++ == 0;
     found_.edge_length_min = first ? length : std::min(found_.edge_length_min, length);
     found_.edge_length_max = std::max(found_.edge_length_max, length);
+    double& least = found_.edge_length_least;
+    if (length > 0 && !(least > 0 && least < length)) least = length;
     // A running mean, because a sum could leave the range of doubles.
     found_.edge_length_mean += (length - found_.edge_length_mean) / static_cast<double>(measured_);
   }
@@ -176,6 +178,9 @@ void measure_box(const MeshLists& lists, MeshInspection& found) {
   Point low = Point::Constant(std::numeric_limits<double>::infinity());
   Point high = -low;
   for (std::uint32_t v = 0; v < lists.points.size(); ++v) {
+    for (const double x : lists.points[v]) {
+      if (std::abs(x) > found.coordinate_max) found.coordinate_max = std::abs(x);
+    }
     if (!can_be_measured(lists.points[v])) {
       found.non_finite_vertices.add(v);
       continue;

@@ -65,7 +65,7 @@ struct MeshInspection {
 
   // Defects that keep a mesh from being opened.
   Defect<FaceIndexPlace> indices_out_of_range;  ///< counted once per face
-  Defect<std::uint32_t> non_finite_vertices;
+  Defect<std::uint32_t> non_finite_vertices;    ///< or beyond kLargestCoordinate
   Defect<std::uint32_t> repeated_vertex_faces;  ///< faces that name a vertex twice
   Defect<RepeatPlace> duplicate_faces;          ///< same three vertices, in any order
   Defect<EdgePlace> non_manifold_edges;         ///< more than two faces
@@ -81,12 +81,14 @@ struct MeshInspection {
   // Measures.
   std::array<double, 3> box_min{};
   std::array<double, 3> box_max{};
-  double edge_length_min = 0;   ///< mesh units
-  double edge_length_mean = 0;  ///< mesh units
-  double edge_length_max = 0;   ///< mesh units
-  double smallest_angle = 0;    ///< of the faces that are not of zero area
-  double offset = 0;            ///< distance of the box's centre from the origin
-  double size = 0;              ///< the box's diagonal
+  double coordinate_max = 0;     ///< the largest, without its sign, that is a number
+  double edge_length_min = 0;    ///< mesh units
+  double edge_length_mean = 0;   ///< mesh units
+  double edge_length_max = 0;    ///< mesh units
+  double edge_length_least = 0;  ///< of the edges that are not of length 0; 0 where all are
+  double smallest_angle = 0;     ///< of the faces that are not of zero area
+  double offset = 0;             ///< distance of the box's centre from the origin
+  double size = 0;               ///< the box's diagonal
 
   MeshVerdict verdict = MeshVerdict::kUnusable;  ///< what judge() says
   std::string reason;                            ///< the verdict in one sentence
@@ -100,7 +102,12 @@ MeshInspection inspect(const MeshLists& lists);
 /// first is: "33 edges have more than two faces (first: ...)."; empty where there is none.
 std::string obstacle(const MeshInspection& inspection);
 
-/// Sets verdict, reason and steps from everything else. A one-sided surface (Moebius strip) is not usable.
+/// Which coordinate or length is out of the range that can be worked with (measurable_point.hpp),
+/// as obstacle() says it; empty where none is. O(faces), without an inspection where none is.
+std::string out_of_range(const MeshLists& lists);
+
+/// Sets verdict, reason and steps from everything else. A one-sided surface (Moebius strip) is not
+/// usable.
 void judge(MeshInspection& inspection);
 
 }  // namespace talweg

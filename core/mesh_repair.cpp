@@ -25,7 +25,8 @@ bool mendable(const MeshLists& lists) {
   const auto exists = [n](const Triangle& t) { return t[0] < n && t[1] < n && t[2] < n; };
   return n > 0 && !lists.triangles.empty() &&
          std::all_of(lists.triangles.begin(), lists.triangles.end(), exists) &&
-         std::all_of(lists.points.begin(), lists.points.end(), can_be_measured);
+         std::all_of(lists.points.begin(), lists.points.end(), can_be_measured) &&
+         large_enough(lists);
 }
 
 /// A dropped face, the one that it repeats, and which corner of that each of its corners is.
@@ -280,6 +281,23 @@ void try_repair(const MeshLists& lists, MeshInspection& inspection) {
   inspection.verdict = MeshVerdict::kUnusable;
   inspection.reason += " Repair (" + inspection.steps + ") does not help: " + after.reason;
   inspection.steps.clear();
+}
+
+std::optional<WeldedMesh> try_weld(const MeshLists& lists, const MeshInspection& before) {
+  if (before.verdict != MeshVerdict::kUsable || !before.duplicate_positions.found()) return {};
+  WeldedMesh welded;
+  const auto inspect_with = [&](const std::string& steps) {
+    const RepairedMesh mesh = repair(lists, repair_steps(steps));
+    welded.steps = steps;
+    welded.vertices = mesh.changes.welded_vertices.count;
+    welded.after = inspect(mesh.lists);
+  };
+  inspect_with("weld");
+  if (welded.after.verdict == MeshVerdict::kRepairable) inspect_with("weld," + welded.after.steps);
+  if (welded.after.verdict != MeshVerdict::kUsable) return {};
+  const bool joined = welded.after.components < before.components ||
+                      welded.after.boundary_loops < before.boundary_loops;
+  return joined ? std::optional(std::move(welded)) : std::nullopt;
 }
 
 }  // namespace talweg

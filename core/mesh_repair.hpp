@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -62,7 +63,7 @@ struct RepairedMesh {
 /// O(faces log faces).
 ///
 /// Throws Error(kBadMesh) for what no repair can mend: no vertices, no faces, an index out of
-/// range, a coordinate that is not finite or beyond 1e152.
+/// range, a coordinate that is not finite or beyond 1e40, a mesh or edges that are too small.
 RepairedMesh repair(const MeshLists& lists, const RepairSteps& steps = {});
 
 /// Tries the steps that a kRepairable verdict on the lists names, because what faces do to each
@@ -70,5 +71,17 @@ RepairedMesh repair(const MeshLists& lists, const RepairSteps& steps = {});
 /// not help, the verdict becomes kUnusable and the reason says why. Other verdicts stay.
 /// Time and memory as of repair().
 void try_repair(const MeshLists& lists, MeshInspection& inspection);
+
+/// A usable mesh whose vertices at one place have become one.
+struct WeldedMesh {
+  std::string steps;         ///< of repair_steps(): "weld", and what has to follow on it
+  std::size_t vertices = 0;  ///< that were welded onto others
+  MeshInspection after;
+};
+
+/// What welding would give where vertices lie at one place, as in a soup of single triangles.
+/// Nothing where that joins no parts and closes no boundary, or the mesh is not usable before or
+/// after. Time and memory as of repair().
+std::optional<WeldedMesh> try_weld(const MeshLists& lists, const MeshInspection& before);
 
 }  // namespace talweg

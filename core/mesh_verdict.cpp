@@ -1,7 +1,12 @@
 // Sentences of an inspection: what is in the way of opening the mesh, and the verdict.
+#include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 
+#include <fmt/format.h>
+
+#include "talweg/core/measurable_point.hpp"
 #include "talweg/core/mesh_inspection.hpp"
 
 namespace talweg {
@@ -41,6 +46,35 @@ std::string element_sentence(const Defect<std::uint32_t>& defect, const char* ki
                 std::string(kind) + " " + text(defect.first.front()));
 }
 
+/// Whose lengths are so small that their products are no longer numbers.
+std::string too_small(const MeshInspection& m) {
+  if (m.size > 0 && m.size < kSmallestSize) {
+    return fmt::format(
+        "The mesh is only {:.3g} large (the diagonal of its box), and must be {:g} at least: scale "
+        "it.",
+        m.size, kSmallestSize);
+  }
+  if (m.edge_length_least > 0 && m.edge_length_least < kShortestEdge) {
+    return fmt::format(
+        "The shortest edge that is not of length 0 is {:.3g} long, and must be {:g} at least.",
+        m.edge_length_least, kShortestEdge);
+  }
+  return "";
+}
+
+std::string beyond_range(const MeshInspection& m) {
+  if (!m.non_finite_vertices.found()) return too_small(m);
+  const std::string limit =
+      fmt::format(" a coordinate that is not a finite number of at most {:g}", kLargestCoordinate);
+  const std::string largest =
+      std::isfinite(m.coordinate_max) && m.coordinate_max > kLargestCoordinate
+          ? fmt::format("; the largest is {:.3g}: scale the mesh", m.coordinate_max)
+          : "";
+  const Defect<std::uint32_t>& all = m.non_finite_vertices;
+  return placed(counted(all.count, " vertex has", " vertices have") + limit, all.count,
+                "vertex " + text(all.first.front()) + largest);
+}
+
 /// What no repair can mend.
 std::string fatal(const MeshInspection& m) {
   if (m.vertices == 0) return "The mesh has no vertices.";
@@ -53,13 +87,7 @@ std::string fatal(const MeshInspection& m) {
                   "face " + text(place.face) + " to vertex " + text(place.vertex) + " of " +
                       text(m.vertices));
   }
-  if (m.non_finite_vertices.found()) {
-    return element_sentence(
-        m.non_finite_vertices, "vertex",
-        " vertex has a coordinate that is not a finite number of at most 1e152",
-        " vertices have a coordinate that is not a finite number of at most 1e152");
-  }
-  return "";
+  return beyond_range(m);
 }
 
 std::string mendable(const MeshInspection& m) {
@@ -109,6 +137,11 @@ std::string needed_steps(const MeshInspection& m) {
 std::string obstacle(const MeshInspection& inspection) {
   const std::string reason = fatal(inspection);
   return reason.empty() ? mendable(inspection) : reason;
+}
+
+std::string out_of_range(const MeshLists& lists) {
+  const bool measurable = std::all_of(lists.points.begin(), lists.points.end(), can_be_measured);
+  return measurable && large_enough(lists) ? "" : beyond_range(inspect(lists));
 }
 
 void judge(MeshInspection& inspection) {

@@ -94,6 +94,18 @@ std::vector<std::string> all_of(const MeshAttributes& attributes, bool has_edges
   return all;
 }
 
+using Bytes = std::string (*)(formats::MeshContent&);
+
+/// Null where no format has the extension.
+Bytes bytes_of(const std::filesystem::path& name) {
+  const std::string extension = lower_extension(name);
+  if (extension == ".obj") return &formats::obj_bytes;
+  if (extension == ".off") return &formats::off_bytes;
+  if (extension == ".ply") return &formats::ply_bytes;
+  if (extension == ".stl") return &formats::stl_bytes;
+  return nullptr;
+}
+
 }  // namespace
 
 void write_mesh(const std::filesystem::path& path, const MeshLists& lists) {
@@ -103,24 +115,31 @@ void write_mesh(const std::filesystem::path& path, const MeshLists& lists) {
 std::vector<std::string> write_mesh(const std::filesystem::path& path, const MeshLists& lists,
                                     const MeshAttributes& attributes,
                                     std::span<const TaggedEdge> edges) {
-  using Bytes = std::string (*)(formats::MeshContent&);
-  const std::string extension = lower_extension(path);
-  Bytes bytes = nullptr;
-  if (extension == ".obj") bytes = &formats::obj_bytes;
-  if (extension == ".off") bytes = &formats::off_bytes;
-  if (extension == ".ply") bytes = &formats::ply_bytes;
-  if (extension == ".stl") bytes = &formats::stl_bytes;
-  if (bytes == nullptr) {
-    cannot_write(path, "its name does not end in .obj, .off, .ply or .stl");
-  }
+  MeshBytes file = mesh_bytes(path, lists, attributes, edges);
+  write_file(path, file.bytes);
+  return std::move(file.left_out);
+}
+
+MeshBytes mesh_bytes(const std::filesystem::path& name, const MeshLists& lists,
+                     const MeshAttributes& attributes, std::span<const TaggedEdge> edges) {
+  check_mesh_name(name);
+  const Bytes bytes = bytes_of(name);
   check_indices(lists);
   check_attributes(lists, attributes);
   formats::MeshContent content{lists, attributes, edges, {}};
   if (bytes == &formats::off_bytes || bytes == &formats::stl_bytes) {
     content.left_out = all_of(attributes, !edges.empty());
   }
-  write_file(path, bytes(content));
-  return std::move(content.left_out);
+  MeshBytes file;
+  file.bytes = bytes(content);
+  file.left_out = std::move(content.left_out);
+  return file;
+}
+
+void check_mesh_name(const std::filesystem::path& name) {
+  if (bytes_of(name) == nullptr) {
+    cannot_write(name, "its name does not end in .obj, .off, .ply or .stl");
+  }
 }
 
 }  // namespace talweg

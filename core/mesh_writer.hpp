@@ -35,4 +35,16 @@ std::vector<std::string> write_mesh(const std::filesystem::path& path, const Mes
                                     const MeshAttributes& attributes,
                                     std::span<const TaggedEdge> edges = {});
 
+/// A file in memory.
+struct MeshBytes {
+  std::string bytes;
+  std::vector<std::string> left_out;  ///< what it does not hold, in words
+};
+/// What write_mesh() would write to a file of this name. Throws as it does.
+MeshBytes mesh_bytes(const std::filesystem::path& name, const MeshLists& lists,
+                     const MeshAttributes& attributes = {}, std::span<const TaggedEdge> edges = {});
+/// Throws what write_mesh() would for a name whose extension is none of a mesh format that it
+/// writes.
+void check_mesh_name(const std::filesystem::path& name);
+
 }  // namespace talweg

@@ -32,6 +32,11 @@ struct AsJson {
   }
 };
 
+/// A sentence may name a file whose name is no UTF-8, and JSON must be.
+std::string text_of(const Json& json) {
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
 Json object_of(const std::vector<ReportEntry>& entries) {
   Json object = Json::object();
   for (const ReportEntry& entry : entries) {
@@ -204,7 +209,7 @@ SmoothingReport report_of(const std::vector<ReportEntry>& entries) {
 }
 
 std::string to_json(const SmoothingReport& report) {
-  return object_of(entries_of(report)).dump(2) + "\n";
+  return text_of(object_of(entries_of(report)));
 }
 
 std::string to_json(const SmoothingReport& total, const std::vector<SmoothingReport>& curves) {
@@ -220,7 +225,7 @@ std::string to_json(const std::vector<ReportEntry>& total,
     for (const std::vector<ReportEntry>& entries : curves)
       j["curves"].push_back(object_of(entries));
   }
-  return j.dump(2) + "\n";
+  return text_of(j);
 }
 
 double peak_memory_mib() {

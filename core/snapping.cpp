@@ -20,8 +20,12 @@ constexpr double kMostRounding = 1e-4;
 /// Relative rounding of 32-bit floats, as a bound for all three coordinates together.
 constexpr double kSinglePrecision = 1.2e-7;
 
-/// Of the diagonal of the mesh's box; positions farther away belong to something else.
-constexpr double kFarthest = 10;
+/// Positions farther away than both belong to something else: of the diagonal of the mesh's box,
+/// and in mean edges, for meshes of a few faces.
+constexpr double kFarthestOfSize = 0.125;
+constexpr double kFarthestInEdges = 10;
+/// In mean edges. So far is no mesh from its drawing that was only smoothed or made coarser.
+constexpr double kFarInEdges = 3;
 
 double size_of(const SurfaceMesh& mesh) {
   Point low = mesh.points().front(), high = low;
@@ -152,14 +156,16 @@ std::vector<SurfacePoint> snap_positions(const SurfaceMesh& mesh, const ClosestP
                                          const std::vector<Point>& positions, double& largest) {
   std::vector<SurfacePoint> points;
   const double size = size_of(mesh);
+  const double farthest =
+      std::max(kFarthestOfSize * size, kFarthestInEdges * mesh.mean_edge_length());
   for (std::size_t k = 0; k < positions.size(); ++k) {
     try {
       const ClosestPoint::Result found = closest.nearest(positions[k]);
-      if (found.distance > kFarthest * size) {
-        bad_curve(
-            fmt::format("the mesh is {:.3g} away, and only {:.3g} large: it seems to be in "
-                        "another unit or place",
-                        found.distance, size));
+      if (found.distance > farthest) {
+        bad_curve(fmt::format(
+            "the mesh is {:.3g} away and {:.3g} large, and at most {:.3g} is taken: the "
+            "curve seems to be in another unit or place",
+            found.distance, size, farthest));
       }
       points.push_back(settled(mesh, found, positions[k]));
     } catch (const Error& error) {
@@ -247,6 +253,23 @@ std::vector<SnappedCurve> snap(const SurfaceMesh& mesh, std::span<const CurveInp
     }
   }
   return result;
+}
+
+bool moved_far(double largest_snap_distance, const SurfaceMesh& mesh) {
+  return largest_snap_distance > kFarInEdges * mesh.mean_edge_length();
+}
+
+std::string snap_warning(double largest_snap_distance, const SurfaceMesh& mesh) {
+  if (!(largest_snap_distance > 0)) return "";
+  if (!moved_far(largest_snap_distance, mesh)) {
+    return fmt::format("The curve was moved onto the mesh, by up to {:.3g} mesh units.",
+                       largest_snap_distance);
+  }
+  return fmt::format(
+      "{}: it was moved onto the mesh, by up to {:.3g} mesh units, {:.1f} mean edges. Is it of "
+      "this "
+      "mesh, and in its unit?",
+      kFarFromMesh, largest_snap_distance, largest_snap_distance / mesh.mean_edge_length());
 }
 
 }  // namespace talweg

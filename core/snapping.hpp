@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "talweg/core/closest_point.hpp"
@@ -37,8 +39,8 @@ struct SnappedCurve {
 ///
 /// Throws Error(kBadCurve) naming the position in the curve (from 0) and the ids: an id or face
 /// out of range, neighbours that share no edge, barycentrics out of range, a position without
-/// finite coordinates or farther from the mesh than ten times the diagonal of its box, fewer than
-/// two points, closed with fewer than three.
+/// finite coordinates or farther from the mesh than an eighth of the diagonal of its box and than
+/// ten mean edges, fewer than two points, closed with fewer than three.
 SnappedCurve snap(const SurfaceMesh& mesh, const CurveInput& curve,
                   const SnapOptions& options = {});
 
@@ -50,5 +52,15 @@ std::vector<SnappedCurve> snap(const SurfaceMesh& mesh, std::span<const CurveInp
 std::vector<SnappedCurve> snap(const SurfaceMesh& mesh, std::span<const CurveInput> curves,
                                std::optional<ClosestPoint>& closest,
                                const SnapOptions& options = {});
+
+/// How the sentence of snap_warning() begins where the drawing was moved far.
+constexpr std::string_view kFarFromMesh = "The drawing lies far from the mesh";
+
+/// Whether a drawing that was moved by so much may belong to another mesh, place or unit: by more
+/// than three mean edges.
+bool moved_far(double largest_snap_distance, const SurfaceMesh& mesh);
+
+/// A sentence on how far a drawing was moved; empty where it was not.
+std::string snap_warning(double largest_snap_distance, const SurfaceMesh& mesh);
 
 }  // namespace talweg

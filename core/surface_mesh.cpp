@@ -52,6 +52,7 @@ Surface checked_surface(const MeshLists& lists) {
   if (!acceptable(lists)) refuse(lists, "The mesh cannot be used.");
   Surface surface = connect(lists);
   if (has_pillow(surface)) refuse(lists, "Two faces have the same three vertices.");
+  if (!large_enough(lists)) refuse(lists, "The mesh is too small.");
   return surface;
 }
 
@@ -71,6 +72,32 @@ double instead_of_zero(const Surface& surface, const std::vector<double>& length
 }
 
 }  // namespace
+
+bool large_enough(const MeshLists& lists) {
+  if (lists.points.empty()) return true;
+  Point low = lists.points.front(), high = low;
+  for (const Point& p : lists.points) {
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+  }
+  const double size = (high - low).stableNorm();
+  if (size > 0 && size < kSmallestSize) return false;
+  if (size == 0) return true;
+  // The same edges and lengths as inspect() measures.
+  return std::all_of(lists.triangles.begin(), lists.triangles.end(), [&](const Triangle& t) {
+    const std::size_t n = lists.points.size();
+    if (t[0] >= n || t[1] >= n || t[2] >= n) return true;
+    if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) return true;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Point& p = lists.points[t[k]];
+      const Point& q = lists.points[t[(k + 1) % 3]];
+      if ((q - p).squaredNorm() > 2 * kShortestEdge * kShortestEdge) continue;  // most of them
+      const double length = point_distance(p, q);
+      if (length > 0 && length < kShortestEdge) return false;
+    }
+    return true;
+  });
+}
 
 SurfaceMesh SurfaceMesh::open(const MeshLists& lists) {
   SurfaceMesh mesh;

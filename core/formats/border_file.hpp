@@ -4,7 +4,9 @@
 #include <cstdint>
 #include <filesystem>
 #include <span>
+#include <string>
 
+#include "talweg/core/length_unit.hpp"
 #include "talweg/core/placed_curve.hpp"
 
 namespace talweg {
@@ -19,6 +21,10 @@ struct CurveSides {
 /// group `left_right`. Others without. Throws as write_curves() does, and Error(kBadUsage) when
 /// there are not as many sides as curves.
 void write_borders(const std::filesystem::path& path, std::span<const PlacedCurve> curves,
-                   std::span<const CurveSides> sides);
+                   std::span<const CurveSides> sides, const LengthUnit& mesh_unit = {});
+
+/// What write_borders() would write to a file of this name. Throws as it does.
+std::string border_bytes(const std::filesystem::path& name, std::span<const PlacedCurve> curves,
+                         std::span<const CurveSides> sides, const LengthUnit& mesh_unit = {});
 
 }  // namespace talweg

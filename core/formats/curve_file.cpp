@@ -36,12 +36,14 @@ CurveReader curve_reader_of(const std::filesystem::path& path) {
 
 }  // namespace
 
-std::vector<CurveInput> read_curves(const std::filesystem::path& path) {
+std::vector<CurveInput> read_curves(const std::filesystem::path& path,
+                                    const LengthUnit& mesh_unit) {
   static_cast<void>(curve_reader_of(path));  // no file is read that has an unknown extension
-  return read_curves(path, read_file(path));
+  return read_curves(path, read_file(path), mesh_unit);
 }
 
-std::vector<CurveInput> read_curves(const std::filesystem::path& path, std::string_view bytes) {
+std::vector<CurveInput> read_curves(const std::filesystem::path& path, std::string_view bytes,
+                                    const LengthUnit& mesh_unit) {
   const CurveReader reader = curve_reader_of(path);
   if (bytes.empty()) cannot_read(path, "the file is empty");
   formats::check_encoding(path, bytes);
@@ -51,47 +53,67 @@ std::vector<CurveInput> read_curves(const std::filesystem::path& path, std::stri
   if (reader == formats::read_obj || reader == formats::read_txt) {
     formats::check_no_nul(path, bytes);
   }
-  return reader({path, bytes});
+  return reader({path, bytes, mesh_unit});
 }
 
 namespace {
 
-void write_with(const std::filesystem::path& path, std::span<const PlacedCurve> curves,
-                formats::Sides sides) {
-  const std::string extension = curve_extension(path);
-  const auto writer = extension == ".obj"        ? formats::write_obj
-                      : extension == ".ply"      ? formats::write_ply
-                      : extension == ".vtp"      ? formats::write_vtp
-                      : extension == ".vtk"      ? formats::write_vtk
-                      : extension == ".json"     ? formats::write_json
-                      : extension == ".mrk.json" ? formats::write_slicer
-                                                 : nullptr;
-  const bool as_ids = extension == ".txt";
-  if (writer == nullptr && !as_ids) {
-    cannot_write(path, "no curve format has the extension '" + extension + "'; " + kKnown);
-  }
+using Writer = std::string (*)(std::span<const PlacedCurve>, formats::Sides);
+
+/// Of the formats that hold positions of points and name no unit, else null.
+Writer writer_of(const std::string& extension) {
+  if (extension == ".obj") return formats::write_obj;
+  if (extension == ".ply") return formats::write_ply;
+  if (extension == ".vtp") return formats::write_vtp;
+  if (extension == ".vtk") return formats::write_vtk;
+  if (extension == ".json") return formats::write_json;
+  return nullptr;
+}
+
+std::string bytes_with(const std::filesystem::path& name, std::span<const PlacedCurve> curves,
+                       formats::Sides sides, const LengthUnit& mesh_unit) {
+  check_curve_name(name);
   if (curves.empty()) throw Error(ErrorCode::kBadCurve, "There is no curve to write.");
-  write_file(path, as_ids ? formats::write_txt(path, curves) : writer(curves, sides));
+  const std::string extension = curve_extension(name);
+  if (extension == ".txt") return formats::write_txt(name, curves);
+  if (extension == ".mrk.json") return formats::write_slicer(curves, mesh_unit);
+  return writer_of(extension)(curves, sides);
 }
 
 }  // namespace
 
-void write_curves(const std::filesystem::path& path, std::span<const PlacedCurve> curves) {
-  write_with(path, curves, {});
+void check_curve_name(const std::filesystem::path& name) {
+  const std::string extension = curve_extension(name);
+  if (writer_of(extension) != nullptr || extension == ".txt" || extension == ".mrk.json") return;
+  cannot_write(name, "no curve format has the extension '" + extension + "'; " + kKnown);
 }
-void write_borders(const std::filesystem::path& path, std::span<const PlacedCurve> curves,
-                   std::span<const CurveSides> sides) {
+
+std::string curve_bytes(const std::filesystem::path& name, std::span<const PlacedCurve> curves,
+                        const LengthUnit& mesh_unit) {
+  return bytes_with(name, curves, {}, mesh_unit);
+}
+std::string border_bytes(const std::filesystem::path& name, std::span<const PlacedCurve> curves,
+                         std::span<const CurveSides> sides, const LengthUnit& mesh_unit) {
   if (sides.size() != curves.size()) {
     throw Error(ErrorCode::kBadUsage, "There must be as many sides as curves.");
   }
-  write_with(path, curves, sides);
+  return bytes_with(name, curves, sides, mesh_unit);
+}
+
+void write_curves(const std::filesystem::path& path, std::span<const PlacedCurve> curves,
+                  const LengthUnit& mesh_unit) {
+  write_file(path, curve_bytes(path, curves, mesh_unit));
+}
+void write_borders(const std::filesystem::path& path, std::span<const PlacedCurve> curves,
+                   std::span<const CurveSides> sides, const LengthUnit& mesh_unit) {
+  write_file(path, border_bytes(path, curves, sides, mesh_unit));
 }
 
 void write_curves(const std::filesystem::path& path, const SurfaceMesh& mesh,
-                  std::span<const SurfaceCurve> curves) {
+                  std::span<const SurfaceCurve> curves, const LengthUnit& mesh_unit) {
   std::vector<PlacedCurve> ready;
   for (const SurfaceCurve& curve : curves) ready.push_back(place(mesh, curve, ready.size()));
-  write_curves(path, ready);
+  write_curves(path, ready, mesh_unit);
 }
 
 }  // namespace talweg

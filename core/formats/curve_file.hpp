@@ -4,10 +4,12 @@
 #include <cstddef>
 #include <filesystem>
 #include <span>
+#include <string>
 #include <string_view>
 #include <variant>
 #include <vector>
 
+#include "talweg/core/length_unit.hpp"
 #include "talweg/core/mesh_lists.hpp"
 #include "talweg/core/placed_curve.hpp"
 #include "talweg/core/surface_mesh.hpp"
@@ -34,7 +36,9 @@ struct CurveInput {
 /// - `.mrk.json`: the Curve and ClosedCurve markups of 3D Slicer (schema 1.0.x), by their control
 ///   points; a locked control point is a pin, one without a defined position is left out. The mesh
 ///   is taken to be in LPS, as Slicer itself writes meshes; positions of a markup in RAS get x and
-///   y negated. `coordinateUnits` is not looked at: curve and mesh are in the same unit.
+///   y negated. Positions are converted from the markup's `coordinateUnits`, a UCUM code or a coded
+///   entry with one (mm where it has none), to `mesh_unit`. The other formats name no unit: their
+///   positions are in that of the mesh.
 /// - `.txt`: vertex ids from 0, separated by blanks, commas or ends of lines; `#` starts a comment,
 ///   a blank line separates curves; a list that repeats its first id at its end is closed.
 /// - `.json`: ours (below). A `.json` that holds Slicer's markups is read as such.
@@ -42,10 +46,12 @@ struct CurveInput {
 /// Throws Error(kBadFile) with one sentence that names the file, the place (line, or byte in
 /// binary data) and what was expected. Every index is in range of the file's own points and every
 /// coordinate finite in what is returned; at least one curve is.
-std::vector<CurveInput> read_curves(const std::filesystem::path& path);
+std::vector<CurveInput> read_curves(const std::filesystem::path& path,
+                                    const LengthUnit& mesh_unit = {});
 
 /// The same from a file's bytes in memory; the path gives the extension and the name in errors.
-std::vector<CurveInput> read_curves(const std::filesystem::path& path, std::string_view bytes);
+std::vector<CurveInput> read_curves(const std::filesystem::path& path, std::string_view bytes,
+                                    const LengthUnit& mesh_unit = {});
 
 /// Writes curves by extension, in the formats of read_curves. Coordinates and barycentrics have 17
 /// digits (doubles in binary); nothing else goes in, so equal curves are equal files.
@@ -54,14 +60,22 @@ std::vector<CurveInput> read_curves(const std::filesystem::path& path, std::stri
 /// [{"face": 12, "barycentric": [a, b, c], "xyz": [x, y, z]}, ...]}]}. `face` is a face that
 /// contains the point and the next (the one of smallest id), for an open curve's last point the one
 /// before; the barycentrics are in the order of Surface::corners(face). It gives back the same
-/// SurfacePoints, bit for bit. `.vtp` and `.vtk` carry `face` and `barycentric` as point data.
+/// SurfacePoints, bit for bit. `.vtp` and `.vtk` carry `face` and `barycentric` as point data;
+/// `.mrk.json` names the mesh's unit.
 ///
 /// Throws Error(kBadFile) when the file cannot be written (an old file is then as it was) or the
 /// format cannot hold the curves: `.txt` only vertices. Throws Error(kBadCurve) when there is no
 /// curve, a curve has no points, or a point and the next lie in no common face.
 void write_curves(const std::filesystem::path& path, const SurfaceMesh& mesh,
-                  std::span<const SurfaceCurve> curves);
+                  std::span<const SurfaceCurve> curves, const LengthUnit& mesh_unit = {});
 /// The same for curves that are placed already, as place() does it.
-void write_curves(const std::filesystem::path& path, std::span<const PlacedCurve> curves);
+void write_curves(const std::filesystem::path& path, std::span<const PlacedCurve> curves,
+                  const LengthUnit& mesh_unit = {});
+
+/// What write_curves() would write to a file of this name. Throws as it does.
+std::string curve_bytes(const std::filesystem::path& name, std::span<const PlacedCurve> curves,
+                        const LengthUnit& mesh_unit = {});
+/// Throws what write_curves() would for a name whose extension is none of a curve format.
+void check_curve_name(const std::filesystem::path& name);
 
 }  // namespace talweg

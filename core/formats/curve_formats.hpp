@@ -16,6 +16,7 @@ namespace talweg::formats {
 struct Source {
   const std::filesystem::path& path;
   std::string_view bytes;
+  LengthUnit mesh_unit;
 };
 
 std::vector<CurveInput> read_obj(const Source& source);
@@ -36,6 +37,6 @@ std::string write_vtk(std::span<const PlacedCurve> curves, Sides sides = {});
 /// Throws Error(kBadFile) where a point is no vertex.
 std::string write_txt(const std::filesystem::path& path, std::span<const PlacedCurve> curves);
 std::string write_json(std::span<const PlacedCurve> curves, Sides sides = {});
-std::string write_slicer(std::span<const PlacedCurve> curves, Sides sides = {});
+std::string write_slicer(std::span<const PlacedCurve> curves, const LengthUnit& unit);
 
 }  // namespace talweg::formats

@@ -32,7 +32,7 @@ CurveInput read_curve(const JsonPlace& curve) {
 std::vector<CurveInput> read_json(const Source& source) {
   const nlohmann::json document = parsed_json(source);
   const JsonPlace root(source.path, document, "");
-  if (root.has("markups")) return read_slicer(root);
+  if (root.has("markups")) return read_slicer(root, source.mesh_unit);
   const JsonPlace format = root.member("format");
   if (format.string() != "talweg-curves") {
     format.fail("expected \"talweg-curves\", found \"" + shown(format.string()) + "\"");

@@ -4,6 +4,8 @@
 #include "talweg/core/formats/curve_formats.hpp"
 #include "talweg/core/formats/json_place.hpp"
 #include "talweg/core/formats/text_scanner.hpp"
+#include "talweg/core/length_unit.hpp"
+#include "talweg/intrinsic/error.hpp"
 
 namespace talweg::formats {
 namespace {
@@ -19,10 +21,33 @@ bool is_flipped(const JsonPlace& markup) {
   return name == "RAS";
 }
 
-CurveInput read_markup(const JsonPlace& markup, bool closed) {
+/// A code like "mm", or a coded entry: code, coding scheme, meaning. Millimetres where there is
+/// none.
+LengthUnit unit_of(const JsonPlace& markup) {
+  if (!markup.has("coordinateUnits")) return {};
+  JsonPlace code = markup.member("coordinateUnits");
+  if (code.is_array()) {
+    if (code.size() < 2) code.fail("expected a code and its coding scheme");
+    const JsonPlace scheme = code.element(1);
+    if (scheme.string() != "UCUM") {
+      scheme.fail("expected \"UCUM\", found \"" + shown(scheme.string()) + "\"");
+    }
+    code = code.element(0);
+  }
+  try {
+    return LengthUnit::named(code.string());
+  } catch (const Error& error) {
+    if (error.code() != ErrorCode::kBadUsage) throw;
+    code.fail("expected a unit of length such as \"mm\", \"cm\" or \"um\", found \"" +
+              shown(code.string()) + "\"");
+  }
+}
+
+CurveInput read_markup(const JsonPlace& markup, bool closed, const LengthUnit& mesh_unit) {
   CurveInput result;
   result.closed = closed;
-  const double sign = is_flipped(markup) ? -1 : 1;
+  const double scale = unit_of(markup).in(mesh_unit);
+  const double sign = is_flipped(markup) ? -scale : scale;
   const JsonPlace controls = markup.member("controlPoints");
   std::vector<Point> positions;
   for (std::size_t k = 0; k < controls.size(); ++k) {
@@ -34,7 +59,10 @@ CurveInput read_markup(const JsonPlace& markup, bool closed) {
     if (control.has("locked") && control.member("locked").boolean()) {
       result.pins.push_back(positions.size());
     }
-    positions.emplace_back(sign * p[0], sign * p[1], p[2]);
+    positions.emplace_back(sign * p[0], sign * p[1], scale * p[2]);
+    if (!positions.back().allFinite()) {
+      control.member("position").fail("a coordinate is too large in the unit of the mesh");
+    }
   }
   if (positions.empty()) controls.fail("expected at least one point with a defined position");
   result.points = std::move(positions);
@@ -43,7 +71,7 @@ CurveInput read_markup(const JsonPlace& markup, bool closed) {
 
 }  // namespace
 
-std::vector<CurveInput> read_slicer(const JsonPlace& root) {
+std::vector<CurveInput> read_slicer(const JsonPlace& root, const LengthUnit& mesh_unit) {
   const JsonPlace markups = root.member("markups");
   std::vector<CurveInput> curves;
   std::string other;
@@ -51,7 +79,7 @@ std::vector<CurveInput> read_slicer(const JsonPlace& root) {
     const JsonPlace markup = markups.element(k);
     const std::string type = markup.member("type").string();
     if (type == "Curve" || type == "ClosedCurve") {
-      curves.push_back(read_markup(markup, type == "ClosedCurve"));
+      curves.push_back(read_markup(markup, type == "ClosedCurve", mesh_unit));
     } else if (other.empty()) {
       other = " (the first is a " + shown(type) + ")";
     }
@@ -60,7 +88,7 @@ std::vector<CurveInput> read_slicer(const JsonPlace& root) {
   return curves;
 }
 
-std::string write_slicer(std::span<const PlacedCurve> curves, Sides /*sides*/) {
+std::string write_slicer(std::span<const PlacedCurve> curves, const LengthUnit& unit) {
   fmt::memory_buffer out;
   const auto to = fmt::appender(out);
   fmt::format_to(
@@ -72,10 +100,10 @@ std::string write_slicer(std::span<const PlacedCurve> curves, Sides /*sides*/) {
     const PlacedCurve& curve = curves[c];
     fmt::format_to(to,
                    "{}\n{{\"type\": \"{}\", \"coordinateSystem\": \"LPS\", \"coordinateUnits\": "
-                   "\"mm\", \"locked\": false, \"fixedNumberOfControlPoints\": false, "
+                   "\"{}\", \"locked\": false, \"fixedNumberOfControlPoints\": false, "
                    "\"labelFormat\": \"%N-%d\", \"lastUsedControlPointNumber\": {}, "
                    "\"controlPoints\": [",
-                   c > 0 ? "," : "", curve.closed ? "ClosedCurve" : "Curve",
+                   c > 0 ? "," : "", curve.closed ? "ClosedCurve" : "Curve", unit.code(),
                    curve.positions.size());
     for (std::size_t k = 0; k < curve.positions.size(); ++k) {
       const Point& p = curve.positions[k];

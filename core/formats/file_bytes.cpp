@@ -49,6 +49,13 @@ std::string put(File file, std::string_view bytes) {
   return std::strerror(written ? errno : write_errno);
 }
 
+/// What is renamed over: the file that a link leads to.
+fs::path target_of(const fs::path& path) {
+  std::error_code failed;
+  fs::path target = fs::canonical(path, failed);
+  return failed ? path : target;
+}
+
 /// A new file beside the target that nobody else uses. Its name has the process in it: what killed
 /// processes left behind takes no names away.
 File open_beside(const fs::path& target, fs::path& temporary) {
@@ -95,6 +102,21 @@ std::string read_file(const fs::path& path) {
   return bytes;
 }
 
+void check_writable(const fs::path& path) {
+  std::error_code status;
+  const bool exists = fs::exists(path, status);
+  if (exists && fs::is_directory(path, status)) cannot_write(path, "it is a directory");
+  if (exists && !fs::is_regular_file(path, status)) {
+    if (access(path.c_str(), W_OK) != 0) cannot_write(path, std::strerror(errno));
+    return;
+  }
+  if (!path.has_filename()) cannot_write(path, "it is the name of a directory");
+  fs::path temporary;
+  const File file = open_beside(target_of(path), temporary);
+  if (!file) cannot_write(path, std::strerror(errno));
+  fs::remove(temporary, status);
+}
+
 void write_file(const fs::path& path, std::string_view bytes) {
   std::error_code status;
   const bool exists = fs::exists(path, status);
@@ -105,8 +127,7 @@ void write_file(const fs::path& path, std::string_view bytes) {
     if (!reason.empty()) cannot_write(path, reason);
     return;
   }
-  fs::path target = exists ? fs::canonical(path, status) : path;
-  if (status) target = path;
+  const fs::path target = target_of(path);
   fs::path temporary;
   File file = open_beside(target, temporary);
   if (!file) cannot_write(path, std::strerror(errno));

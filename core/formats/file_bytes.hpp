@@ -16,6 +16,11 @@ std::string read_file(const std::filesystem::path& path);
 /// (/dev/stdout) is written in place. Throws Error(kBadFile) naming path and reason.
 void write_file(const std::filesystem::path& path, std::string_view bytes);
 
+/// Throws what write_file() would, as far as that can be known before: the folder is missing or
+/// cannot be written in, the path is a directory, its name is too long. Makes the file that
+/// write_file() would begin with, and removes it; the target is not touched.
+void check_writable(const std::filesystem::path& path);
+
 /// Throws Error(kBadFile): "Cannot read PATH: WHAT."
 [[noreturn]] void cannot_read(const std::filesystem::path& path, const std::string& what);
 /// Throws Error(kBadFile): "Cannot write PATH: WHAT."

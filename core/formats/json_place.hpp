@@ -23,6 +23,7 @@ class JsonPlace {
   [[nodiscard]] bool has(const char* key) const {
     return value_->is_object() && value_->contains(key);
   }
+  [[nodiscard]] bool is_array() const { return value_->is_array(); }
   /// A member that must be there.
   [[nodiscard]] JsonPlace member(const char* key) const;
   /// An element of an array; k must be below size().
@@ -48,6 +49,6 @@ class JsonPlace {
 };
 
 /// The curves of a 3D Slicer markups file, given its root.
-std::vector<CurveInput> read_slicer(const JsonPlace& root);
+std::vector<CurveInput> read_slicer(const JsonPlace& root, const LengthUnit& mesh_unit);
 
 }  // namespace talweg::formats

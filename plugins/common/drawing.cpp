@@ -66,17 +66,16 @@ Drawing drawing_of(const SurfaceMesh& mesh, StraightLines& lines,
     drawing.largest_snap_distance =
         std::max(drawing.largest_snap_distance, snapped.largest_snap_distance);
   }
+  drawing.moved = snap_warning(drawing.largest_snap_distance, mesh);
+  drawing.far = moved_far(drawing.largest_snap_distance, mesh);
   return drawing;
 }
 
-std::vector<std::string> drawing_warnings(const Drawing& drawing) {
-  std::vector<std::string> warnings;
-  if (drawing.largest_snap_distance > 0) {
-    warnings.push_back(fmt::format("The curve was moved onto the mesh, by up to {:.3g} mesh units.",
-                                   drawing.largest_snap_distance));
-  }
-  if (drawing.gaps.count > 0) warnings.push_back(gap_warning(drawing.gaps));
-  return warnings;
+void add_drawing_warnings(const Drawing& drawing, std::vector<std::string>& warnings) {
+  std::vector<std::string> more;
+  if (!drawing.moved.empty()) more.push_back(drawing.moved);
+  if (drawing.gaps.count > 0) more.push_back(gap_warning(drawing.gaps));
+  warnings.insert(drawing.far ? warnings.begin() : warnings.end(), more.begin(), more.end());
 }
 
 }  // namespace talweg::plugins

@@ -21,6 +21,8 @@ struct Drawing {
   std::vector<SurfaceCurve> curves;
   std::vector<SurfacePoint> pins;
   double largest_snap_distance = 0;  ///< by which a position was moved onto the mesh, mesh units
+  std::string moved;                 ///< a sentence on that, if any was
+  bool far = false;                  ///< so far that the sentence comes first
   JoinedGaps gaps;
 };
 
@@ -29,7 +31,8 @@ struct Drawing {
 Drawing drawing_of(const SurfaceMesh& mesh, StraightLines& lines,
                    std::span<const talweg_curve* const> curves, const SnapOptions& options = {});
 
-/// Sentences that tell of a curve that was moved onto the mesh, and of joined gaps.
-std::vector<std::string> drawing_warnings(const Drawing& drawing);
+/// Adds sentences that tell of a curve that was moved onto the mesh, and of joined gaps; they come
+/// first where it was moved far.
+void add_drawing_warnings(const Drawing& drawing, std::vector<std::string>& warnings);
 
 }  // namespace talweg::plugins

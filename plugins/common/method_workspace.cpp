@@ -44,8 +44,7 @@ SmoothingReport MethodWorkspace::report_on(const Method& method, std::size_t cur
   report.termination = made.termination;
   report.iterations = made.iterations;
   report.warnings.insert(report.warnings.begin(), made.warnings.begin(), made.warnings.end());
-  const std::vector<std::string> more = drawing_warnings(drawing());
-  report.warnings.insert(report.warnings.end(), more.begin(), more.end());
+  add_drawing_warnings(drawing(), report.warnings);
   StageTimes& t = report.time_ms = method.times;
   t.open = opened_mesh()->open_ms();
   t.total = t.load + t.open + t.solve + t.straighten + t.trace + t.relax + t.polish;

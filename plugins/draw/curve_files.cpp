@@ -71,14 +71,18 @@ PlacedCurve placed(const talweg_curve* curve) {
   return result;
 }
 
-talweg_status write(const char* path, const talweg_curve* const* curves, std::uint64_t count,
-                    char* message, std::uint64_t message_size) noexcept {
+LengthUnit unit_of(const char* code) {
+  return code == nullptr ? LengthUnit() : LengthUnit::named(code);
+}
+
+talweg_status write_in(const char* path, const char* mesh_unit, const talweg_curve* const* curves,
+                       std::uint64_t count, char* message, std::uint64_t message_size) noexcept {
   return attempt(message, message_size, [&] {
     if (path == nullptr || (curves == nullptr && count > 0))
       bad("The path or the curves are null.");
     std::vector<PlacedCurve> ready;
     for (std::uint64_t k = 0; k < count; ++k) ready.push_back(placed(curves[k]));
-    write_curves(path, ready);
+    write_curves(path, ready, unit_of(mesh_unit));
   });
 }
 
@@ -119,12 +123,12 @@ class Input {
   std::vector<double> numbers_;
 };
 
-talweg_status read(const char* path, const talweg_sink* sink, char* message,
-                   std::uint64_t message_size) noexcept {
+talweg_status read_in(const char* path, const char* mesh_unit, const talweg_sink* sink,
+                      char* message, std::uint64_t message_size) noexcept {
   return attempt(message, message_size, [&] {
     if (path == nullptr) bad("The path is null.");
     if (sink == nullptr || sink->size < sizeof *sink) bad("The sink is null or too small.");
-    for (const CurveInput& curve : read_curves(path)) {
+    for (const CurveInput& curve : read_curves(path, unit_of(mesh_unit))) {
       if (sink->curve == nullptr) continue;
       const Input input(curve);
       if (sink->curve(sink->context, &input.view()) != TALWEG_OK) {
@@ -134,7 +138,22 @@ talweg_status read(const char* path, const talweg_sink* sink, char* message,
   });
 }
 
+talweg_status write(const char* path, const talweg_curve* const* curves, std::uint64_t count,
+                    char* message, std::uint64_t message_size) noexcept {
+  return write_in(path, nullptr, curves, count, message, message_size);
+}
+
+talweg_status read(const char* path, const talweg_sink* sink, char* message,
+                   std::uint64_t message_size) noexcept {
+  return read_in(path, nullptr, sink, message, message_size);
+}
+
 }  // namespace
+
+const talweg_curve_files_2* curve_files_2() {
+  static constexpr talweg_curve_files_2 kFiles = {sizeof kFiles, write_in, read_in};
+  return &kFiles;
+}
 
 const talweg_curve_files* curve_files() {
   static constexpr talweg_curve_files kFiles = {sizeof kFiles, write, read};

@@ -7,5 +7,6 @@ namespace talweg::plugins {
 
 /// Constant, and there as long as the module.
 const talweg_curve_files* curve_files();
+const talweg_curve_files_2* curve_files_2();
 
 }  // namespace talweg::plugins

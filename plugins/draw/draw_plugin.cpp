@@ -30,7 +30,9 @@ class Draw : public Workspace {
     return about;
   }
   static const void* extension(const char* id) {
-    return id != nullptr && std::string_view(id) == TALWEG_CURVE_FILES ? curve_files() : nullptr;
+    if (id == nullptr) return nullptr;
+    if (std::string_view(id) == TALWEG_CURVE_FILES) return curve_files();
+    return std::string_view(id) == TALWEG_CURVE_FILES_2 ? curve_files_2() : nullptr;
   }
   static std::vector<talweg_parameter> parameters() {
     return {plugin::boolean("straight", "Straight", false,

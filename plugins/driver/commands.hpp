@@ -2,6 +2,8 @@
 #pragma once
 
 #include <functional>
+#include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
@@ -24,6 +26,14 @@ struct GlobalOptions {
 };
 
 using Command = std::function<int()>;
+
+/// Throws Error(kBadUsage) naming the first argument that has no value where one is written (an
+/// unset variable of a shell, mostly): an empty one, `--tau=`, or a list with nothing between two
+/// commas.
+void check_values(const CLI::App& app, const std::vector<std::string>& arguments);
+
+/// Throws Error(kBadUsage) for an argument that nobody takes, with what may have been meant.
+[[noreturn]] void refuse_unexpected(const CLI::App& app, const std::string& argument);
 
 Command add_draw(CLI::App& app, const GlobalOptions& global);
 Command add_smooth(CLI::App& app, const GlobalOptions& global);

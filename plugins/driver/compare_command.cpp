@@ -11,10 +11,11 @@
 #include "compare/plot.hpp"
 #include "compare/table.hpp"
 #include "drawing_file.hpp"
+#include "file_plan.hpp"
+#include "output_file.hpp"
 #include "progress_bar.hpp"
 #include "repaired_mesh.hpp"
 #include "talweg/core/formats/curve_file.hpp"
-#include "talweg/core/formats/file_bytes.hpp"
 #include "talweg/intrinsic/error.hpp"
 #include "talweg/plugin/talweg_host.hpp"
 
@@ -28,6 +29,7 @@ struct CompareCommandOptions {
   bool sweep = false;
   std::string picture, plot, report, table, results;
   std::string repair;
+  std::string mesh_units = "mm";
 };
 
 /// The curves of each method that has a result, as PREFIX-METHOD.json; of a sweep numbered.
@@ -37,18 +39,45 @@ void write_results(const std::string& prefix, const Comparison& c) {
     const std::size_t number = count[run.method]++;
     if (!run.refusal.empty()) continue;
     const std::string name = prefix + "-" + c.methods[run.method].name;
-    write_curves(run.value ? name + "-" + std::to_string(number) + ".json" : name + ".json",
-                 run.curves);
+    const std::string path =
+        run.value ? name + "-" + std::to_string(number) + ".json" : name + ".json";
+    write_output(path, curve_bytes(path, run.curves));
   }
 }
 
 void write(const CompareCommandOptions& o, const Comparison& comparison, const MeshLists& mesh) {
   const std::string title = std::filesystem::path(o.mesh).stem().string();
-  if (!o.report.empty()) write_file(o.report, comparison_json(comparison));
-  if (!o.table.empty()) write_file(o.table, comparison_csv(comparison));
-  if (!o.plot.empty()) write_file(o.plot, comparison_plot(comparison, title));
-  if (!o.results.empty()) write_results(o.results, comparison);
-  if (!o.picture.empty()) write_comparison_picture(o.picture, comparison, mesh);
+  OutputAttempts attempts;
+  const auto write_to = [&](const std::string& path, const auto& bytes) {
+    if (!path.empty()) attempts.make([&] { write_output(path, bytes()); });
+  };
+  write_to(o.report, [&] { return comparison_json(comparison); });
+  write_to(o.table, [&] { return comparison_csv(comparison); });
+  write_to(o.plot, [&] { return comparison_plot(comparison, title); });
+  if (!o.results.empty()) attempts.make([&] { write_results(o.results, comparison); });
+  write_to(o.picture, [&] { return comparison_picture(comparison, mesh); });
+  attempts.finish();
+}
+
+void check_files(const CompareCommandOptions& o, const std::vector<Method>& methods) {
+  FilePlan files;
+  files.reads("the mesh", o.mesh);
+  files.reads("--curve", o.curves);
+  files.writes("-o", o.picture);
+  files.writes("--plot", o.plot);
+  files.writes("--report", o.report);
+  files.writes("--table", o.table);
+  if (is_standard_output(o.results)) {
+    throw Error(ErrorCode::kBadUsage,
+                "--results names several files, and the standard output is one.");
+  }
+  for (const Method& method : methods) {
+    if (o.results.empty()) break;
+    const std::string name = o.results + "-" + method.name;
+    files.writes("--results", name + ".json");
+    if (o.sweep) files.writes_numbered("--results", name + "-", ".json");
+  }
+  files.check();
 }
 
 int run_compare(const CompareCommandOptions& o, const GlobalOptions& global) {
@@ -56,9 +85,12 @@ int run_compare(const CompareCommandOptions& o, const GlobalOptions& global) {
   if (!o.plot.empty() && !o.sweep) {
     throw Error(ErrorCode::kBadUsage, "--plot needs --sweep: it shows a line for each method.");
   }
+  const LengthUnit unit = LengthUnit::named(o.mesh_units);
+  check_files(o, options.methods);
   const ReadMesh read = read_and_repair(o.mesh, o.repair);
   const SurfaceMesh mesh = SurfaceMesh::open(read.lists);
-  const Drawing drawing = DrawingReader(mesh, read.map.get()).read(o.curves);
+  const Drawing drawing = DrawingReader(mesh, read.map.get()).read(o.curves, unit);
+  lead_with_far_move(drawing, global.quiet);
   Comparison comparison;
   try {
     comparison = compare_methods(read, drawing, mesh, options);
@@ -77,7 +109,7 @@ int run_compare(const CompareCommandOptions& o, const GlobalOptions& global) {
   for (const std::string& warning : reading_warnings(drawing, read.lists.polygon_count)) {
     text += warning + "\n";
   }
-  std::fputs(text.c_str(), stdout);
+  std::fputs(text.c_str(), text_stream());
   return kDone;
 }
 
@@ -108,6 +140,7 @@ Command add_compare(CLI::App& app, const GlobalOptions& global) {
   command->add_option("--results", o->results,
                       "The resulting curves: files RESULTS-METHOD.json, numbered with --sweep");
   add_repair_option(*command, o->repair);
+  add_unit_option(*command, o->mesh_units);
   return [o, &global] { return run_compare(*o, global); };
 }
 

@@ -12,9 +12,10 @@
 
 #include "commands.hpp"
 #include "drawing_file.hpp"
+#include "file_plan.hpp"
+#include "output_file.hpp"
 #include "repaired_mesh.hpp"
 #include "talweg/core/attribute_transfer.hpp"
-#include "talweg/core/formats/file_bytes.hpp"
 #include "talweg/core/formats/mesh_file.hpp"
 #include "talweg/core/loop_filling.hpp"
 #include "talweg/core/mesh_cutting.hpp"
@@ -39,6 +40,7 @@ struct CutCommandOptions {
   bool tag = false;
   std::string cap;
   double merge = CutOptions{}.merge;
+  std::string mesh_units = "mm";
 };
 
 /// A mesh to be written: where its vertices and faces come from, and what was done.
@@ -57,11 +59,18 @@ LidKind lid_kind(const std::string& name) {
               "--cap must be auto, planar or least-area, not \"" + name + "\".");
 }
 
+/// What comes before the numbers of the pieces.
+std::string split_prefix(const CutCommandOptions& o) {
+  const std::filesystem::path path(o.output);
+  return (path.parent_path() / (path.stem().string() + "-")).string();
+}
+
 class Cutting {
  public:
   explicit Cutting(const CutCommandOptions& options);
   void write();
   [[nodiscard]] std::string summary() const;
+  [[nodiscard]] const Drawing& drawing() const { return drawing_; }
 
  private:
   void take_apart();
@@ -89,7 +98,8 @@ Cutting::Cutting(const CutCommandOptions& options)
     : o_(options),
       read_(read_and_repair(options.mesh, options.repair, attributes_)),
       mesh_(SurfaceMesh::open(read_.lists)) {
-  drawing_ = DrawingReader(mesh_, read_.map.get()).read(o_.curves);
+  drawing_ =
+      DrawingReader(mesh_, read_.map.get()).read(o_.curves, LengthUnit::named(options.mesh_units));
   const Stopwatch watch;
   cut_ = cut_along(mesh_, drawing_.curves, {o_.merge});
   cut_.lists.single_precision = read_.lists.single_precision;
@@ -187,10 +197,8 @@ void Cutting::add_part(const OpenedSeams& seams, const std::vector<bool>& wanted
 /// With --split "out.ply" becomes "out-0.ply", "out-1.ply", ...
 std::string Cutting::path_of(std::size_t part) const {
   if (!o_.split) return o_.output;
-  const std::filesystem::path path(o_.output);
-  return (path.parent_path() /
-          fmt::format("{}-{}{}", path.stem().string(), part, path.extension().string()))
-      .string();
+  return fmt::format("{}{}{}", split_prefix(o_), part,
+                     std::filesystem::path(o_.output).extension().string());
 }
 
 /// [vertex], [a, b, part from a to b] or [a, b, c, barycentrics], in the numbers of the file.
@@ -246,21 +254,25 @@ std::string Cutting::map_json() const {
                      {"faces", std::move(faces)},
                      {"curves", std::move(chains)}});
   }
-  return json.dump() + "\n";
+  // A name of a file may be no UTF-8, and JSON must be.
+  return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
 void Cutting::write() {
+  const std::string map = o_.map.empty() ? "" : map_json();
   std::vector<std::string> left_out;  // the same for all parts
   for (std::size_t k = 0; k < parts_.size(); ++k) {
     const Part& part = parts_[k];
     std::vector<TaggedEdge> edges;
     if (o_.tag) edges = tagged_edges(part.lists.triangles, part.vertices, cut_.chains);
-    left_out = write_mesh(path_of(k), part.lists, part.attributes, edges);
+    MeshBytes file = mesh_bytes(path_of(k), part.lists, part.attributes, edges);
+    write_output(path_of(k), file.bytes);
+    left_out = std::move(file.left_out);
   }
   if (!left_out.empty()) {
     left_out_.push_back(fmt::format("{} does not hold: {}.", o_.output, fmt::join(left_out, ", ")));
   }
-  if (!o_.map.empty()) write_file(o_.map, map_json());
+  if (!o_.map.empty()) write_output(o_.map, map);
 }
 
 std::string Cutting::summary() const {
@@ -312,8 +324,26 @@ void check(const CutCommandOptions& o) {
   if (o.tag && ending != ".ply" && ending != ".obj") {
     throw Error(ErrorCode::kBadUsage, "--tag needs an output that holds edges: .ply or .obj.");
   }
-  if (o.keep.empty() || o.keep == "left" || o.keep == "right") return;
-  throw Error(ErrorCode::kBadUsage, "--keep must be left or right, not \"" + o.keep + "\".");
+  if (!o.keep.empty() && o.keep != "left" && o.keep != "right") {
+    throw Error(ErrorCode::kBadUsage, "--keep must be left or right, not \"" + o.keep + "\".");
+  }
+}
+
+void check_files(const CutCommandOptions& o) {
+  FilePlan files;
+  files.reads("the mesh", o.mesh);
+  files.reads("--curve", o.curves);
+  if (o.split && !is_standard_output(o.output)) {
+    const std::string ending = std::filesystem::path(o.output).extension().string();
+    files.writes_numbered("-o", split_prefix(o), ending, check_mesh_name);
+  } else if (o.split) {
+    throw Error(ErrorCode::kBadUsage,
+                "--split writes several files, and the standard output is one.");
+  } else {
+    files.writes("-o", o.output, check_mesh_name);
+  }
+  files.writes("--map", o.map);
+  files.check();
 }
 
 }  // namespace
@@ -349,11 +379,15 @@ Command add_cut(CLI::App& app, const GlobalOptions& global) {
                    "Points within this part of an edge of a vertex, an edge or each other are one")
       ->capture_default_str();
   add_repair_option(*command, o->repair);
+  add_unit_option(*command, o->mesh_units);
   return [o, &global] {
     check(*o);
+    LengthUnit::named(o->mesh_units);
+    check_files(*o);
     Cutting cutting(*o);
+    lead_with_far_move(cutting.drawing(), global.quiet);
     cutting.write();
-    if (!global.quiet) std::fputs(cutting.summary().c_str(), stdout);
+    if (!global.quiet) std::fputs(cutting.summary().c_str(), text_stream());
     return static_cast<int>(kDone);
   };
 }

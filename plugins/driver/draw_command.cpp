@@ -5,9 +5,12 @@
 #include <vector>
 
 #include "commands.hpp"
+#include "file_plan.hpp"
+#include "output_file.hpp"
 #include "plugin_host.hpp"
 #include "repaired_mesh.hpp"
 #include "talweg/core/version.hpp"
+#include "weld_hint.hpp"
 
 namespace talweg::driver {
 namespace {
@@ -19,6 +22,7 @@ struct DrawOptions {
   bool straight = false;
   std::vector<std::string> outputs;
   std::string repair;
+  std::string mesh_units = "mm";
 };
 
 /// The vertices to draw through, in the numbers of the mesh.
@@ -33,10 +37,9 @@ std::vector<std::uint32_t> through_on(const ReadMesh& mesh, const DrawOptions& o
   return host_curve(mesh.map->to_repaired(input, surface)).vertices;
 }
 
-int run(const DrawOptions& options, const GlobalOptions& global) {
-  const ReadMesh mesh = read_and_repair(options.mesh, options.repair);
+host::Results drawn(const ReadMesh& mesh, const DrawOptions& options) {
   const host::Services services("talweg", version());
-  const host::Results results = translated([&] {
+  return translated([&] {
     host::Instance draw(plugin_named("talweg.draw"), services);
     set_mesh(draw, mesh.lists.points, mesh.lists.triangles);
     host::Curve through;
@@ -46,13 +49,30 @@ int run(const DrawOptions& options, const GlobalOptions& global) {
     draw.set("straight", options.straight ? 1.0 : 0.0);
     return draw.run();
   });
+}
+
+int run(const DrawOptions& options, const GlobalOptions& global) {
+  const LengthUnit unit = LengthUnit::named(options.mesh_units);
+  FilePlan files;
+  files.reads("the mesh", options.mesh);
+  files.writes("-o", options.outputs, check_curve_name);
+  files.check();
+  const ReadMesh mesh = read_and_repair(options.mesh, options.repair);
+  host::Results results;
+  try {
+    results = drawn(mesh, options);
+  } catch (const Error& error) {
+    rethrow_with_weld_hint(error, mesh.lists);
+  }
   std::vector<PlacedCurve> curves;
   for (const host::Curve& curve : results.curves) {
     curves.push_back(in_file_numbers(mesh.map.get(), placed_curve(curve)));
   }
-  for (const std::string& output : options.outputs) write_curves(output, curves);
+  for (const std::string& output : options.outputs) {
+    write_output(output, curve_bytes(output, curves, unit));
+  }
   for (const std::string& change : mesh.changes) {
-    if (!global.quiet) std::fprintf(stdout, "%s\n", change.c_str());
+    if (!global.quiet) std::fprintf(text_stream(), "%s\n", change.c_str());
   }
   return kDone;
 }
@@ -77,6 +97,7 @@ Command add_draw(CLI::App& app, const GlobalOptions& global) {
                    "Curve: .obj, .ply, .vtp, .vtk, .mrk.json, .txt (vertex numbers) or .json")
       ->required();
   add_repair_option(*command, options->repair);
+  add_unit_option(*command, options->mesh_units);
   return [options, &global] { return run(*options, global); };
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <cstdio>
 #include <utility>
 
 #include <fmt/format.h>
@@ -10,35 +11,58 @@
 #include "talweg/core/label_borders.hpp"
 #include "talweg/core/snapping.hpp"
 #include "talweg/intrinsic/error.hpp"
+#include "weld_hint.hpp"
 
 namespace talweg::driver {
 
-Drawing DrawingReader::read(std::span<const std::string> paths) {
+Drawing DrawingReader::read(std::span<const std::string> paths, const LengthUnit& unit) {
   Drawing drawing;
   if (!lines_) lines_.emplace(mesh_->surface());
   for (const std::string& path : paths) {
-    std::vector<CurveInput> inputs = read_curves(path);
+    std::vector<CurveInput> inputs = read_curves(path, unit);
     for (CurveInput& input : inputs) {
       if (map_ != nullptr) input = map_->to_repaired(input, mesh_->surface());
     }
-    std::vector<SnappedCurve> all = snap(*mesh_, inputs, closest_);
-    for (std::size_t i = 0; i < all.size(); ++i) {
-      SnappedCurve& snapped = all[i];
-      if (map_ != nullptr && std::holds_alternative<std::vector<Point>>(inputs[i].points)) {
-        snapped.points = map_->on_one_sheet(snapped.points, snapped.closed, mesh_->surface());
-      }
-      for (const std::size_t pin : snapped.pins) drawing.pins.push_back(snapped.points[pin]);
-      drawing.curves.push_back(lines_->join(snapped.points, snapped.closed));
-      drawing.gaps.add(lines_->gaps());
-      drawing.largest_snap_distance =
-          std::max(drawing.largest_snap_distance, snapped.largest_snap_distance);
+    try {
+      add(inputs, drawing);
+    } catch (const Error& error) {
+      rethrow_with_weld_hint(error, lists());
     }
   }
+  drawing.moved = snap_warning(drawing.largest_snap_distance, *mesh_);
+  drawing.far = moved_far(drawing.largest_snap_distance, *mesh_);
   return drawing;
 }
 
-Drawing read_drawing(const std::string& path, const SurfaceMesh& mesh, const RepairMap* map) {
-  return DrawingReader(mesh, map).read(std::span(&path, 1));
+void DrawingReader::add(const std::vector<CurveInput>& inputs, Drawing& drawing) {
+  std::vector<SnappedCurve> all = snap(*mesh_, inputs, closest_);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    SnappedCurve& snapped = all[i];
+    if (map_ != nullptr && std::holds_alternative<std::vector<Point>>(inputs[i].points)) {
+      snapped.points = map_->on_one_sheet(snapped.points, snapped.closed, mesh_->surface());
+    }
+    for (const std::size_t pin : snapped.pins) drawing.pins.push_back(snapped.points[pin]);
+    drawing.curves.push_back(lines_->join(snapped.points, snapped.closed));
+    drawing.gaps.add(lines_->gaps());
+    drawing.largest_snap_distance =
+        std::max(drawing.largest_snap_distance, snapped.largest_snap_distance);
+  }
+}
+
+MeshLists DrawingReader::lists() const {
+  MeshLists lists;
+  lists.points.assign(mesh_->points().begin(), mesh_->points().end());
+  for (std::size_t f = 0; f < mesh_->surface().face_count(); ++f) {
+    const auto corners = mesh_->surface().corners(FaceId{f});
+    Triangle& t = lists.triangles.emplace_back();
+    for (std::size_t k = 0; k < 3; ++k) t[k] = static_cast<std::uint32_t>(corners[k].index());
+  }
+  return lists;
+}
+
+Drawing read_drawing(const std::string& path, const SurfaceMesh& mesh, const RepairMap* map,
+                     const LengthUnit& unit) {
+  return DrawingReader(mesh, map).read(std::span(&path, 1), unit);
 }
 
 namespace {
@@ -84,16 +108,22 @@ Drawing drawing_of_labels(const std::string& path, const Surface& surface, const
 
 std::vector<std::string> reading_warnings(const Drawing& drawing, std::size_t polygons) {
   std::vector<std::string> warnings;
-  if (drawing.largest_snap_distance > 0) {
-    warnings.push_back(fmt::format("The curve was moved onto the mesh, by up to {:.3g} mesh units.",
-                                   drawing.largest_snap_distance));
-  }
+  if (!drawing.moved.empty()) warnings.push_back(drawing.moved);
   if (drawing.gaps.count > 0) warnings.push_back(gap_warning(drawing.gaps));
   if (polygons > 0) {
     warnings.push_back(std::to_string(polygons) +
                        " polygons of the mesh were split into triangles.");
   }
   return warnings;
+}
+
+void add_warnings(const Drawing& drawing, const std::vector<std::string>& warnings,
+                  std::vector<std::string>& all) {
+  all.insert(drawing.far ? all.begin() : all.end(), warnings.begin(), warnings.end());
+}
+
+void lead_with_far_move(const Drawing& drawing, bool quiet) {
+  if (drawing.far && !quiet) std::fprintf(stderr, "talweg: warning: %s\n", drawing.moved.c_str());
 }
 
 }  // namespace talweg::driver

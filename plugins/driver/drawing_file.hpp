@@ -9,6 +9,7 @@
 
 #include "talweg/core/closest_point.hpp"
 #include "talweg/core/formats/label_file.hpp"
+#include "talweg/core/length_unit.hpp"
 #include "talweg/core/repair_map.hpp"
 #include "talweg/core/straight_lines.hpp"
 #include "talweg/core/surface_mesh.hpp"
@@ -20,6 +21,8 @@ struct Drawing {
   std::vector<SurfaceCurve> curves;
   std::vector<SurfacePoint> pins;
   double largest_snap_distance = 0;  ///< by which a position was moved onto the mesh, mesh units
+  std::string moved;                 ///< a sentence on that, if any was
+  bool far = false;                  ///< so far that the sentence comes before everything else
   JoinedGaps gaps;
 };
 
@@ -30,11 +33,15 @@ class DrawingReader {
   /// With a map curves are in the numbers of the file.
   explicit DrawingReader(const SurfaceMesh& mesh, const RepairMap* map = nullptr)
       : mesh_(&mesh), map_(map) {}
-  /// The curves of all files, in their order.
-  /// Throws Error as read_curves(), snap() and StraightLines::join() do.
-  Drawing read(std::span<const std::string> paths);
+  /// The curves of all files, in their order; `unit` is that of the mesh.
+  /// Throws Error as read_curves(), snap() and StraightLines::join() do, with what welding would
+  /// give where that may help.
+  Drawing read(std::span<const std::string> paths, const LengthUnit& unit = {});
 
  private:
+  void add(const std::vector<CurveInput>& inputs, Drawing& drawing);
+  [[nodiscard]] MeshLists lists() const;
+
   const SurfaceMesh* mesh_;
   const RepairMap* map_;
   std::optional<ClosestPoint> closest_;
@@ -43,7 +50,7 @@ class DrawingReader {
 
 /// The same for one file.
 Drawing read_drawing(const std::string& path, const SurfaceMesh& mesh,
-                     const RepairMap* map = nullptr);
+                     const RepairMap* map = nullptr, const LengthUnit& unit = {});
 
 /// Labels on the repaired mesh where there was a map.
 struct ReadLabels : LabelFile {
@@ -62,5 +69,12 @@ Drawing drawing_of_labels(const std::string& path, const Surface& surface,
 
 /// What a user should know of how curves and a mesh were read.
 std::vector<std::string> reading_warnings(const Drawing& drawing, std::size_t polygons);
+
+/// Adds warnings to others: in front where a drawing was moved far.
+void add_warnings(const Drawing& drawing, const std::vector<std::string>& warnings,
+                  std::vector<std::string>& all);
+
+/// Says it on the standard error, before anything else, that a drawing was moved far.
+void lead_with_far_move(const Drawing& drawing, bool quiet);
 
 }  // namespace talweg::driver

@@ -4,6 +4,7 @@
 #include <new>
 
 #include "commands.hpp"
+#include "output_file.hpp"
 #include "talweg/intrinsic/error.hpp"
 
 namespace talweg::driver {
@@ -34,6 +35,9 @@ Failure current_failure() {
                            ? " (talweg info tells more, and what --repair can do)"
                            : "";
     return {exit_code_of(error.code()), error.what() + std::string(hint)};
+  } catch (const WaitCancelled& waiting) {
+    return {kCancelled, "cancelled while " + waiting.path +
+                            " waited for its reader; outputs named before it are written."};
   } catch (const std::bad_alloc&) {
     return {kInternal, "There is not enough memory."};
   } catch (const std::exception& error) {

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "talweg/core/formats/file_bytes.hpp"
+#include "output_file.hpp"
 #include "talweg/intrinsic/error.hpp"
 
 namespace talweg::driver {
@@ -39,7 +39,7 @@ std::vector<double> read_field(const std::string& path, std::size_t vertices) {
 void write_field(const std::string& path, const std::vector<double>& values) {
   std::string text;
   for (const double value : values) fmt::format_to(std::back_inserter(text), "{:.17g}\n", value);
-  write_file(path, text);
+  write_output(path, text);
 }
 
 }  // namespace talweg::driver

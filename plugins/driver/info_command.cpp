@@ -54,10 +54,11 @@ Command add_info(CLI::App& app, const GlobalOptions& /*global*/) {
     MeshInspection inspection = inspect(lists);
     try_repair(lists, inspection);
     times.inspect = check.ms();
+    const std::optional<WeldedMesh> welded = try_weld(lists, inspection);
     if (inspection.verdict == MeshVerdict::kUsable) times.open = OpenedMesh::open(lists)->open_ms();
     const std::optional<InfoRepair> repaired = repair_of(lists, options->repair);
-    const std::string text = options->json ? info_json(inspection, times, repaired)
-                                           : info_text(inspection, times, repaired);
+    const std::string text = options->json ? info_json(inspection, times, repaired, welded)
+                                           : info_text(inspection, times, repaired, welded);
     std::fputs(text.c_str(), stdout);
     const MeshVerdict verdict = repaired ? repaired->after.verdict : inspection.verdict;
     return verdict == MeshVerdict::kUnusable ? kBadInput : kDone;

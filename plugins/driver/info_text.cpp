@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "weld_hint.hpp"
+
 namespace talweg::driver {
 namespace {
 
@@ -49,7 +51,7 @@ template <class Visit>
 void for_each_defect(const MeshInspection& m, Visit visit) {
   visit("indices_out_of_range", "faces with vertices that do not exist: face",
         m.indices_out_of_range, true);
-  visit("non_finite_vertices", "vertices with NaN or infinite coordinates: vertex",
+  visit("non_finite_vertices", "vertices with coordinates that are not finite or too large: vertex",
         m.non_finite_vertices, true);
   visit("repeated_vertex_faces", "faces that use a vertex twice: face", m.repeated_vertex_faces,
         true);
@@ -145,7 +147,8 @@ ordered_json repair_json(const InfoRepair& repair) {
 }  // namespace
 
 std::string info_text(const MeshInspection& m, const InfoTimes& times,
-                      const std::optional<InfoRepair>& repair) {
+                      const std::optional<InfoRepair>& repair,
+                      const std::optional<WeldedMesh>& welded) {
   std::string text = line("faces", grouped(m.faces));
   if (m.polygons > 0) {
     text.pop_back();
@@ -177,12 +180,14 @@ std::string info_text(const MeshInspection& m, const InfoTimes& times,
       text += (blocking ? "\nDefects:\n" : "\nNo obstacle, but good to know:\n") + list;
   }
   const std::string steps = m.steps.empty() ? "" : fmt::format(" (--repair={})", m.steps);
-  text += fmt::format("\nVerdict: {}{}. {}\n", verdict_words(m.verdict), steps, m.reason);
+  const std::string weld = welded ? " But " + weld_sentence(m, *welded) : "";
+  text += fmt::format("\nVerdict: {}{}. {}{}\n", verdict_words(m.verdict), steps, m.reason, weld);
   return repair ? text + repair_text(*repair) : text;
 }
 
 std::string info_json(const MeshInspection& m, const InfoTimes& times,
-                      const std::optional<InfoRepair>& repair) {
+                      const std::optional<InfoRepair>& repair,
+                      const std::optional<WeldedMesh>& welded) {
   ordered_json json{{"faces", m.faces},
                     {"vertices", m.vertices},
                     {"edges", m.edges},
@@ -213,6 +218,14 @@ std::string info_json(const MeshInspection& m, const InfoTimes& times,
   json["verdict"] = verdict_key(m.verdict);
   json["reason"] = m.reason;
   json["repair_steps"] = m.steps;
+  json["weld"] = nullptr;
+  if (welded) {
+    json["weld"] = {{"steps", welded->steps},
+                    {"vertices", welded->vertices},
+                    {"components", welded->after.components},
+                    {"boundary_loops", welded->after.boundary_loops},
+                    {"sentence", weld_sentence(m, *welded)}};
+  }
   if (repair) json["repair"] = repair_json(*repair);
   return json.dump(2) + "\n";
 }

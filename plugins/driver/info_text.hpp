@@ -24,11 +24,13 @@ struct InfoRepair {
 
 /// Readable lines, the verdict last; only the defects that the mesh has are listed.
 std::string info_text(const MeshInspection& inspection, const InfoTimes& times,
-                      const std::optional<InfoRepair>& repair = {});
+                      const std::optional<InfoRepair>& repair = {},
+                      const std::optional<WeldedMesh>& welded = {});
 
 /// The same as JSON with stable keys; every defect is there, with its count and first places.
 /// Angles in radians, lengths in mesh units, times in ms.
 std::string info_json(const MeshInspection& inspection, const InfoTimes& times,
-                      const std::optional<InfoRepair>& repair = {});
+                      const std::optional<InfoRepair>& repair = {},
+                      const std::optional<WeldedMesh>& welded = {});
 
 }  // namespace talweg::driver

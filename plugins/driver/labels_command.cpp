@@ -14,10 +14,12 @@
 
 #include "commands.hpp"
 #include "drawing_file.hpp"
+#include "file_plan.hpp"
+#include "output_file.hpp"
 #include "progress_bar.hpp"
 #include "repaired_mesh.hpp"
 #include "talweg/core/formats/border_file.hpp"
-#include "talweg/core/formats/file_bytes.hpp"
+#include "talweg/core/formats/curve_file.hpp"
 #include "talweg/core/label_network.hpp"
 #include "talweg/core/mesh_attributes.hpp"
 #include "talweg/core/mesh_reader.hpp"
@@ -40,6 +42,7 @@ struct LabelsOptions {
   std::string property;
   std::string junctions = "fixed";
   std::string ends = "stay";
+  std::string mesh_units = "mm";
   LabelNetworkOptions network;
 };
 
@@ -115,7 +118,8 @@ std::string report_of(const LabelNetwork& network, const std::vector<std::string
                        {"curvature_before", border.report.curvature_before},
                        {"curvature_after", border.report.curvature_after}});
   }
-  return json.dump(2) + "\n";
+  // Names of labels are the bytes that their file has.
+  return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
 std::vector<std::string> warnings_of(const LabelNetwork& network, const Names& names) {
@@ -161,7 +165,7 @@ void write_cut(const std::string& path, const LabelNetwork& network) {
     if (label != static_cast<std::int32_t>(label)) column.type = NumberType::kFloat64;
     column.values.push_back(static_cast<double>(label));
   }
-  write_mesh(path, network.cut.lists, attributes);
+  write_output(path, mesh_bytes(path, network.cut.lists, attributes).bytes);
 }
 
 void write(const LabelsOptions& o, const LabelNetwork& network, const SurfaceMesh& mesh,
@@ -173,16 +177,38 @@ void write(const LabelsOptions& o, const LabelNetwork& network, const SurfaceMes
     sides.push_back({border.border.labels[0], border.border.labels[1]});
     placed.push_back(in_file_numbers(map, place(mesh, border.border.curve, placed.size())));
   }
-  for (const std::string& output : o.outputs) write_borders(output, placed, sides);
-  if (!o.labels_out.empty()) {
-    write_file(o.labels_out, lines_of(of_file_faces(network.face_labels, map, labels, o.mesh)));
+  const LengthUnit unit = LengthUnit::named(o.mesh_units);
+  OutputAttempts attempts;
+  for (const std::string& output : o.outputs) {
+    attempts.make([&] { write_output(output, border_bytes(output, placed, sides, unit)); });
   }
-  if (!o.cut.empty()) write_cut(o.cut, network);
-  if (!o.cut_labels.empty()) write_file(o.cut_labels, lines_of(network.cut_labels));
-  if (!o.report.empty()) write_file(o.report, report_of(network, warnings, labels.names));
+  const auto write_text = [&](const std::string& path, const auto& text) {
+    if (!path.empty()) attempts.make([&] { write_output(path, text()); });
+  };
+  write_text(o.labels_out,
+             [&] { return lines_of(of_file_faces(network.face_labels, map, labels, o.mesh)); });
+  if (!o.cut.empty()) attempts.make([&] { write_cut(o.cut, network); });
+  write_text(o.cut_labels, [&] { return lines_of(network.cut_labels); });
+  write_text(o.report, [&] { return report_of(network, warnings, labels.names); });
+  attempts.finish();
+}
+
+void check_files(const LabelsOptions& o) {
+  FilePlan files;
+  files.reads("the mesh", o.mesh);
+  // The mesh may be the file of its labels.
+  files.reads("LABELS", o.labels);
+  files.writes("-o", o.outputs, check_curve_name);
+  files.writes("--labels-out", o.labels_out);
+  files.writes("--cut", o.cut, check_mesh_name);
+  files.writes("--cut-labels", o.cut_labels);
+  files.writes("--report", o.report);
+  files.check();
 }
 
 int run_labels(const LabelsOptions& o, const GlobalOptions& global) {
+  LengthUnit::named(o.mesh_units);
+  check_files(o);
   ReadMesh read = read_and_repair(o.mesh, o.repair);
   std::vector<std::string> warnings = reading_warnings({}, read.lists.polygon_count);
   const auto mesh = OpenedMesh::open(std::move(read.lists));
@@ -210,8 +236,10 @@ int run_labels(const LabelsOptions& o, const GlobalOptions& global) {
   warnings.insert(warnings.end(), held.begin(), held.end());
   write(o, network, mesh->mesh(), read.map.get(), warnings, file);
   if (!global.quiet) {
-    std::fputs(summary_of(network, ms).c_str(), stdout);
-    for (const std::string& warning : warnings) std::printf("%s\n", warning.c_str());
+    std::fputs(summary_of(network, ms).c_str(), text_stream());
+    for (const std::string& warning : warnings) {
+      std::fprintf(text_stream(), "%s\n", warning.c_str());
+    }
   }
   return kDone;
 }
@@ -264,6 +292,7 @@ Command add_labels(CLI::App& app, const GlobalOptions& global) {
   command->add_option("--cut-labels", o->cut_labels, "The labels of its faces, exact")->needs(cut);
   command->add_option("--report", o->report, "What was done and measured, as JSON");
   add_repair_option(*command, o->repair);
+  add_unit_option(*command, o->mesh_units);
   return [o, &global] { return run_labels(*o, global); };
 }
 

@@ -1,5 +1,7 @@
 // talweg: curves on surface meshes from the command line.
+#include <algorithm>
 #include <cstdio>
+#include <iostream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -8,7 +10,9 @@
 #include "commands.hpp"
 #include "failure.hpp"
 #include "progress_bar.hpp"
+#include "suggestion.hpp"
 #include "talweg/core/version.hpp"
+#include "talweg/intrinsic/error.hpp"
 
 namespace talweg::driver {
 namespace {
@@ -19,6 +23,30 @@ int fail(int code, const std::string& message) {
   return code;
 }
 
+/// What was printed has to be out before the exit code says so.
+int printed(int code) {
+  std::cout.flush();
+  if (std::cout.good() && std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return code;
+  return fail(kBadInput, "What was to be printed could not be written to the standard output.");
+}
+
+/// All options of a command and the commands above it, with their dashes.
+std::vector<std::string> option_names(const CLI::App* app) {
+  std::vector<std::string> names;
+  for (; app != nullptr; app = app->get_parent()) {
+    for (const CLI::Option* option : app->get_options()) {
+      for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+    }
+  }
+  return names;
+}
+
+/// The command that was given, or the app itself.
+const CLI::App* given_command(const CLI::App& app) {
+  const std::vector<CLI::App*> given = app.get_subcommands();
+  return given.empty() ? &app : given.back();
+}
+
 int run(int argc, char** argv) {
   CLI::App app("Curves on triangle meshes: draw, smooth while staying close, measure.", "talweg");
   app.set_version_flag("--version", std::string("talweg ") + version());
@@ -26,6 +54,7 @@ int run(int argc, char** argv) {
   app.footer(
       "Exit codes: 0 done, 1 bad usage, 2 bad input, 3 not converged or a limit was reached (the "
       "result is written), 4 cancelled, 5 internal error.\n"
+      "An output named - is the standard output; -.vtp and the like tell its format, too.\n"
       "Example:\n"
       "  talweg draw vessel.ply --through 12,845,9001 -o drawn.obj\n"
       "  talweg smooth vessel.ply --curve drawn.obj --tau 2 -o smooth.vtp --report smooth.json\n"
@@ -57,33 +86,86 @@ int run(int argc, char** argv) {
   add(add_plugins);
   add(add_run);
   app.allow_extras();  // they get a sentence of ours
+  check_values(app, std::vector<std::string>(argv + 1, argv + argc));
+  // A word that nobody knows is named before the one that is missing for it.
+  const auto check_all_taken = [&app] {
+    for (const std::string& extra : app.remaining(!app.got_subcommand("run"))) {  // has its own
+      refuse_unexpected(app, extra);
+    }
+  };
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& asked) {
-    return app.exit(asked);  // --help, --version
+    return printed(app.exit(asked));  // --help, --version
   } catch (const CLI::ParseError& error) {
+    check_all_taken();
     return fail(kBadUsage, error.what() + std::string(" (see talweg --help)"));
   }
-  for (const std::string& extra : app.remaining(!app.got_subcommand("run"))) {  // run has its own
-    return fail(kBadUsage, "\"" + extra + "\" was not expected (see talweg --help)");
-  }
+  check_all_taken();
   catch_interrupts();
   for (const auto& [subcommand, command] : commands) {
     if (subcommand->parsed()) {
       const int code = command();
       clear_progress_bar();
-      if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
-        return fail(kBadInput, "What was to be printed could not be written to the standard output.");
-      }
-      return code;
+      return printed(code);
     }
   }
-  return fail(kBadUsage,
-              "A command is needed: draw, smooth, measure, cut, labels, compare, info, plugins or run (see "
-              "talweg --help)");
+  return fail(
+      kBadUsage,
+      "A command is needed: draw, smooth, measure, cut, labels, compare, info, plugins or run (see "
+      "talweg --help)");
 }
 
 }  // namespace
+
+void check_values(const CLI::App& app, const std::vector<std::string>& arguments) {
+  const auto is_list = [](const CLI::App& of, const std::string& name) {
+    const CLI::Option* option = name.starts_with("-") ? of.get_option_no_throw(name) : nullptr;
+    return option != nullptr && option->get_delimiter() != '\0';
+  };
+  const std::vector<const CLI::App*> commands =
+      app.get_subcommands([](const CLI::App*) { return true; });
+  const auto names_list = [&](const std::string& name) {
+    return is_list(app, name) || std::any_of(commands.begin(), commands.end(),
+                                             [&](const CLI::App* c) { return is_list(*c, name); });
+  };
+  std::string before;
+  for (const std::string& argument : arguments) {
+    const bool has_name = argument.starts_with("--") || argument.find('=') == 2;
+    const std::size_t equals =
+        argument.starts_with("-") && has_name ? argument.find('=') : std::string::npos;
+    const std::string name = equals == std::string::npos ? before : argument.substr(0, equals);
+    const std::string value = equals == std::string::npos ? argument : argument.substr(equals + 1);
+    if (value.empty()) {
+      throw Error(ErrorCode::kBadUsage,
+                  name.starts_with("-") ? "The value of " + name + " is empty."
+                                        : "An argument is empty" +
+                                              (name.empty() ? "." : ", after \"" + name + "\"."));
+    }
+    if (names_list(name) &&
+        (value.starts_with(',') || value.ends_with(',') || value.find(",,") != std::string::npos)) {
+      throw Error(ErrorCode::kBadUsage, "A value of the list " + name + " " + value + " is empty.");
+    }
+    before = argument;
+  }
+}
+
+void refuse_unexpected(const CLI::App& app, const std::string& argument) {
+  const CLI::App* command = given_command(app);
+  std::vector<std::string> known;
+  if (argument.starts_with("-")) {
+    known = option_names(command);
+  } else if (command == &app) {
+    for (const CLI::App* sub : app.get_subcommands([](const CLI::App*) { return true; })) {
+      known.push_back(sub->get_name());
+    }
+  }
+  throw Error(ErrorCode::kBadUsage,
+              "\"" + argument + "\" was not expected" +
+                  suggestion(argument.substr(0, argument.find('=')), known) + " (see " +
+                  (app.get_name().empty() ? "talweg" : app.get_name()) + " --help)");
+}
+
 }  // namespace talweg::driver
 
 int main(int argc, char** argv) {

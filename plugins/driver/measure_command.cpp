@@ -10,9 +10,10 @@
 
 #include "commands.hpp"
 #include "drawing_file.hpp"
+#include "file_plan.hpp"
 #include "measure_text.hpp"
+#include "output_file.hpp"
 #include "repaired_mesh.hpp"
-#include "talweg/core/formats/file_bytes.hpp"
 #include "talweg/core/self_contacts.hpp"
 #include "talweg/core/surface_deviation.hpp"
 
@@ -25,6 +26,7 @@ struct MeasureOptions {
   std::string other;
   std::string report;
   std::string repair;
+  std::string mesh_units = "mm";
 };
 
 void count_contacts(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves,
@@ -109,11 +111,13 @@ void compare(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves,
   }
 }
 
-Measurement measure(const MeasureOptions& options) {
+Measurement measure(const MeasureOptions& options, bool quiet) {
+  const LengthUnit unit = LengthUnit::named(options.mesh_units);
   ReadMesh read = read_and_repair(options.mesh, options.repair);
   const std::size_t polygons = read.lists.polygon_count;
   const SurfaceMesh mesh = SurfaceMesh::open(std::move(read.lists));
-  Drawing drawing = read_drawing(options.curve, mesh, read.map.get());
+  Drawing drawing = read_drawing(options.curve, mesh, read.map.get(), unit);
+  lead_with_far_move(drawing, quiet);
   Measurement m{mesh.surface().face_count(),
                 mesh.surface().vertex_count(),
                 measure_file(mesh, options.curve, drawing.curves),
@@ -122,15 +126,19 @@ Measurement measure(const MeasureOptions& options) {
                 {},
                 {}};
   if (!options.other.empty()) {
-    const Drawing other = read_drawing(options.other, mesh, read.map.get());
-    drawing.largest_snap_distance =
-        std::max(drawing.largest_snap_distance, other.largest_snap_distance);
+    const Drawing other = read_drawing(options.other, mesh, read.map.get(), unit);
+    lead_with_far_move(other, quiet);
+    if (other.largest_snap_distance > drawing.largest_snap_distance) {
+      drawing.largest_snap_distance = other.largest_snap_distance;
+      drawing.moved = other.moved;
+      drawing.far = other.far;
+    }
     m.other = measure_file(mesh, options.other, other.curves);
     compare(mesh, drawing.curves, other.curves, m);
   }
   drawing.gaps = {};  // what is measured is the joined curve
   const std::vector<std::string> reading = reading_warnings(drawing, polygons);
-  m.warnings.insert(m.warnings.end(), reading.begin(), reading.end());
+  add_warnings(drawing, reading, m.warnings);
   m.warnings.insert(m.warnings.end(), read.changes.begin(), read.changes.end());
   return m;
 }
@@ -153,11 +161,18 @@ Command add_measure(CLI::App& app, const GlobalOptions& global) {
                       "more or fewer all together");
   command->add_option("--report", o->report, "What was measured, as JSON");
   add_repair_option(*command, o->repair);
+  add_unit_option(*command, o->mesh_units);
   return [o, &global] {
-    const Measurement m = measure(*o);
-    if (!o->report.empty()) write_file(o->report, measure_json(m));
+    FilePlan files;
+    files.reads("the mesh", o->mesh);
+    files.reads("the curve", o->curve);
+    files.reads("the other curve", o->other);
+    files.writes("--report", o->report);
+    files.check();
+    const Measurement m = measure(*o, global.quiet);
+    if (!o->report.empty()) write_output(o->report, measure_json(m));
     const bool table = global.verbose || o->report.empty();
-    if (table && !global.quiet) std::fputs(measure_table(m).c_str(), stdout);
+    if (table && !global.quiet) std::fputs(measure_table(m).c_str(), text_stream());
     return static_cast<int>(kDone);
   };
 }

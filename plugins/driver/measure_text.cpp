@@ -112,7 +112,7 @@ std::string measure_json(const Measurement& m) {
   }
   json.update(curves);
   json["warnings"] = m.warnings;
-  return json.dump(2) + "\n";
+  return json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace talweg::driver

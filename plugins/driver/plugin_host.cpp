@@ -5,6 +5,9 @@
 #include <stdexcept>
 #include <string>
 #include <utility>
+#include <vector>
+
+#include "suggestion.hpp"
 
 namespace talweg::driver {
 namespace {
@@ -38,8 +41,13 @@ const talweg_loader* plugin_loader() {
 const talweg_plugin& plugin_named(const std::string& id) {
   const talweg_plugin* plugin = talweg_loader_find(plugin_loader(), id.c_str());
   if (plugin != nullptr) return *plugin;
+  std::vector<std::string> known;
+  for (std::uint64_t k = 0; k < talweg_loader_count(plugin_loader()); ++k) {
+    known.emplace_back(talweg_loader_plugin(plugin_loader(), k)->id);
+  }
   throw Error(ErrorCode::kBadFile, "There is no plugin " + id + " in " +
                                        talweg_loader_folders(plugin_loader()) +
+                                       suggestion(id, known) +
                                        " (TALWEG_PLUGIN_PATH names other folders; talweg plugins "
                                        "lists what is there).");
 }

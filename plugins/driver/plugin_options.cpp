@@ -73,6 +73,15 @@ void PluginOptions::add(CLI::App& app, Value& value) {
   if ((p.flags & TALWEG_ADVANCED) != 0) value.option->group("Advanced");
 }
 
+std::vector<std::pair<std::string, std::string>> PluginOptions::files() const {
+  std::vector<std::pair<std::string, std::string>> files;
+  for (const auto& value : values_) {
+    if (value->parameter->type != TALWEG_FIELD || value->text.empty()) continue;
+    files.emplace_back(option_name(value->parameter->id), value->text);
+  }
+  return files;
+}
+
 void PluginOptions::apply(host::Instance& instance) const {
   for (const auto& value : values_) {
     if (value->option == nullptr || value->option->count() == 0) continue;

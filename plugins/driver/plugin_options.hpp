@@ -4,6 +4,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -20,6 +21,8 @@ class PluginOptions {
 
   /// Sets what was given. Throws Error(kBadFile) for files of fields, host::Error.
   void apply(host::Instance& instance) const;
+  /// The options that were given files of fields, and these.
+  [[nodiscard]] std::vector<std::pair<std::string, std::string>> files() const;
 
  private:
   struct Value {

@@ -17,11 +17,24 @@ void add_repair_option(CLI::App& app, std::string& list) {
                "separated by commas after an equals sign; results have the file's numbers");
 }
 
+void add_unit_option(CLI::App& app, std::string& unit) {
+  app.add_option("--mesh-units", unit,
+                 "The unit of the mesh's coordinates, for .mrk.json files, which name theirs: pm, "
+                 "nm, um, mm, cm, dm, m, km, in or ft")
+      ->capture_default_str();
+}
+
 void check_repair(const std::string& list) {
   if (!list.empty()) repair_steps(list);
 }
 
 namespace {
+
+/// Names the file; the library says the same without it.
+void check_range(const std::string& path, const MeshLists& lists) {
+  const std::string reason = out_of_range(lists);
+  if (!reason.empty()) throw Error(ErrorCode::kBadMesh, path + ": " + reason);
+}
 
 ReadMesh repaired(MeshLists lists, const std::string& list) {
   ReadMesh mesh;
@@ -43,13 +56,17 @@ ReadMesh repaired(MeshLists lists, const std::string& list) {
 
 ReadMesh read_and_repair(const std::string& path, const std::string& list) {
   check_repair(list);
-  return repaired(read_mesh(path), list);
+  MeshLists lists = read_mesh(path);
+  check_range(path, lists);
+  return repaired(std::move(lists), list);
 }
 
 ReadMesh read_and_repair(const std::string& path, const std::string& list,
                          MeshAttributes& attributes) {
   check_repair(list);
-  ReadMesh mesh = repaired(read_mesh(path, attributes), list);
+  MeshLists lists = read_mesh(path, attributes);
+  check_range(path, lists);
+  ReadMesh mesh = repaired(std::move(lists), list);
   if (!mesh.map) return mesh;
   std::size_t differing = 0;
   attributes = of_repaired(attributes, *mesh.map, differing);

@@ -21,6 +21,9 @@ struct ReadMesh {
 /// Adds --repair[=LIST]; `list` stays empty without it.
 void add_repair_option(CLI::App& app, std::string& list);
 
+/// Adds --mesh-units UNIT; `unit` keeps its value, "mm", without it.
+void add_unit_option(CLI::App& app, std::string& unit);
+
 /// Reads a mesh, and repairs it unless `list` is empty. Throws Error as read_mesh(), repair_steps()
 /// and repair() do, and Error(kBadMesh) where the repaired mesh cannot be used.
 ReadMesh read_and_repair(const std::string& path, const std::string& list);

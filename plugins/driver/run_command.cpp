@@ -10,13 +10,18 @@
 
 #include "commands.hpp"
 #include "field_file.hpp"
+#include "file_plan.hpp"
+#include "output_file.hpp"
 #include "plugin_host.hpp"
 #include "plugin_options.hpp"
 #include "progress_bar.hpp"
 #include "repaired_mesh.hpp"
-#include "talweg/core/formats/file_bytes.hpp"
+#include "talweg/core/formats/curve_file.hpp"
+#include "talweg/core/mesh_reader.hpp"
 #include "talweg/core/mesh_writer.hpp"
+#include "talweg/core/snapping.hpp"
 #include "talweg/core/version.hpp"
+#include "weld_hint.hpp"
 
 namespace talweg::driver {
 namespace {
@@ -30,7 +35,21 @@ struct Files {
   std::string meshes;
   std::map<std::string, std::string> fields;  ///< by name
   std::string repair;                         ///< steps; empty: none
+  std::string mesh_units = "mm";
 };
+
+void plan(const Files& files, const PluginOptions& options) {
+  LengthUnit::named(files.mesh_units);
+  FilePlan plan;
+  plan.reads("the mesh", files.mesh);
+  plan.reads("--curve", files.curves);
+  for (const auto& [option, path] : options.files()) plan.reads(option, path);
+  plan.writes("-o", files.outputs, check_curve_name);
+  plan.writes("--report", files.report);
+  plan.writes("--write-mesh", files.meshes, check_mesh_name);
+  for (const auto& [name, path] : files.fields) plan.writes(option_name("write_" + name), path);
+  plan.check();
+}
 
 bool gives(const talweg_plugin& plugin, std::uint32_t kind) {
   for (std::uint32_t k = 0; k < plugin.output_count; ++k) {
@@ -42,6 +61,7 @@ bool gives(const talweg_plugin& plugin, std::uint32_t kind) {
 void add_files(CLI::App& app, const talweg_plugin& plugin, Files& files) {
   app.add_option("mesh", files.mesh, "Mesh: OBJ, OFF, PLY, STL or OM")->required();
   add_repair_option(app, files.repair);
+  add_unit_option(app, files.mesh_units);
   if ((plugin.flags & TALWEG_TAKES_CURVES) != 0) {
     app.add_option("--curve", files.curves,
                    "Curves: .obj, .ply, .vtp, .vtk, .mrk.json, .txt (vertex numbers) or .json; may "
@@ -73,14 +93,15 @@ std::string list_text(const host::ReportEntry& entry) {
 }
 
 /// The curves of the files, in the numbers of the mesh.
-std::vector<host::Curve> curves_on(const ReadMesh& mesh, const std::vector<std::string>& paths) {
+std::vector<host::Curve> curves_on(const ReadMesh& mesh, const Files& files) {
+  const LengthUnit unit = LengthUnit::named(files.mesh_units);
   Surface surface;
   if (mesh.map != nullptr) {
     surface = Surface::from_triangles(mesh.lists.points.size(), mesh.lists.triangles);
   }
   std::vector<host::Curve> curves;
-  for (const std::string& path : paths) {
-    for (const CurveInput& curve : read_curves(path)) {
+  for (const std::string& path : files.curves) {
+    for (const CurveInput& curve : read_curves(path, unit)) {
       curves.push_back(
           host_curve(mesh.map != nullptr ? mesh.map->to_repaired(curve, surface) : curve));
     }
@@ -98,40 +119,59 @@ std::vector<double> per_file_vertex(const RepairMap* map, const std::vector<doub
   return result;
 }
 
-void write_results(const Files& files, const talweg_plugin& plugin, const host::Results& results,
-                   const RepairMap* map) {
-  std::vector<PlacedCurve> curves;
-  for (const host::Curve& curve : results.curves) {
-    curves.push_back(in_file_numbers(map, placed_curve(curve)));
+void write_named_field(const std::string& name, const std::string& path,
+                       const talweg_plugin& plugin, const host::Results& results,
+                       const RepairMap* map) {
+  bool written = false;
+  for (const host::Field& field : results.fields) {
+    if (field.name != name) continue;
+    write_field(path, per_file_vertex(map, field.values));
+    written = true;
   }
-  for (const std::string& output : files.outputs) write_curves(output, curves);
-  for (const auto& [name, path] : files.fields) {
-    if (path.empty()) continue;
-    bool written = false;
-    for (const host::Field& field : results.fields) {
-      if (field.name != name) continue;
-      write_field(path, per_file_vertex(map, field.values));
-      written = true;
-    }
-    if (!written) {
-      throw Error(ErrorCode::kBadFile, std::string(plugin.id) + " gave no field " + name + ".");
-    }
+  if (!written) {
+    throw Error(ErrorCode::kBadFile, std::string(plugin.id) + " gave no field " + name + ".");
   }
-  if (!files.report.empty()) {
-    std::vector<std::vector<ReportEntry>> reports;
-    for (std::size_t c = 0; c < curves.size(); ++c) {
-      reports.push_back(entries_of(results, static_cast<std::int64_t>(c)));
-    }
-    write_file(files.report, to_json(entries_of(results, -1), reports));
+}
+
+void write_report(const std::string& path, const host::Results& results) {
+  std::vector<std::vector<ReportEntry>> reports;
+  for (std::size_t c = 0; c < results.curves.size(); ++c) {
+    reports.push_back(entries_of(results, static_cast<std::int64_t>(c)));
   }
-  if (files.meshes.empty()) return;
+  write_output(path, to_json(entries_of(results, -1), reports));
+}
+
+void write_result_mesh(const std::string& path, const talweg_plugin& plugin,
+                       const host::Results& results) {
   if (results.meshes.empty()) {
     throw Error(ErrorCode::kBadFile, std::string(plugin.id) + " gave no mesh.");
   }
   MeshLists lists;
   for (const auto& p : results.meshes[0].positions) lists.points.emplace_back(p.data());
   for (const auto& t : results.meshes[0].triangles) lists.triangles.push_back(t);
-  write_mesh(files.meshes, lists);
+  write_output(path, mesh_bytes(path, lists).bytes);
+}
+
+void write_results(const Files& files, const talweg_plugin& plugin, const host::Results& results,
+                   const RepairMap* map) {
+  std::vector<PlacedCurve> curves;
+  for (const host::Curve& curve : results.curves) {
+    curves.push_back(in_file_numbers(map, placed_curve(curve)));
+  }
+  const LengthUnit unit = LengthUnit::named(files.mesh_units);
+  OutputAttempts attempts;
+  for (const std::string& output : files.outputs) {
+    attempts.make([&] { write_output(output, curve_bytes(output, curves, unit)); });
+  }
+  for (const auto& field : files.fields) {
+    const std::string& path = field.second;
+    if (path.empty()) continue;
+    attempts.make([&] { write_named_field(field.first, path, plugin, results, map); });
+  }
+  if (!files.report.empty()) attempts.make([&] { write_report(files.report, results); });
+  if (!files.meshes.empty())
+    attempts.make([&] { write_result_mesh(files.meshes, plugin, results); });
+  attempts.finish();
 }
 
 bool writes_nothing(const Files& files) {
@@ -139,6 +179,27 @@ bool writes_nothing(const Files& files) {
     if (!path.empty()) return false;
   }
   return files.outputs.empty() && files.report.empty() && files.meshes.empty();
+}
+
+/// What a plugin refused; the mesh, which is no longer there, is read again for the hint.
+[[noreturn]] void rethrow_with_hint(const host::Error& error, const Files& files) {
+  try {
+    rethrow(error);
+  } catch (const Error& translated) {
+    if (translated.code() != ErrorCode::kBadCurve) throw;
+    rethrow_with_weld_hint(translated, read_and_repair(files.mesh, files.repair).lists);
+  }
+}
+
+/// The plugin's warning that the drawing was moved far comes before everything else.
+void lead_with_far_move(const host::Results& results) {
+  for (const host::ReportEntry& entry : results.report) {
+    if (entry.curve >= 0 || entry.key != "warnings") continue;
+    for (const std::string& warning : entry.texts) {
+      if (!warning.starts_with(kFarFromMesh)) continue;
+      std::fprintf(stderr, "talweg: warning: %s\n", warning.c_str());
+    }
+  }
 }
 
 int run_plugin(const talweg_plugin& plugin, const Files& files, const PluginOptions& options,
@@ -157,7 +218,7 @@ int run_plugin(const talweg_plugin& plugin, const Files& files, const PluginOpti
     options.apply(instance);
     mesh = read_and_repair(files.mesh, files.repair);
     set_mesh(instance, mesh.lists.points, mesh.lists.triangles);
-    const std::vector<host::Curve> curves = curves_on(mesh, files.curves);
+    const std::vector<host::Curve> curves = curves_on(mesh, files);
     mesh.lists = {};
     if (!curves.empty()) instance.set_curves(curves);
     host::Wanted wanted;
@@ -167,19 +228,20 @@ int run_plugin(const talweg_plugin& plugin, const Files& files, const PluginOpti
     }
     results = instance.run(wanted);
   } catch (const host::Error& error) {
-    if (error.status() != TALWEG_CANCELLED) rethrow(error);
+    if (error.status() != TALWEG_CANCELLED) rethrow_with_hint(error, files);
     clear_progress_bar();
     std::fprintf(stderr, "talweg: cancelled; nothing was written.\n");
     return kCancelled;
   }
   clear_progress_bar();
+  if (!global.quiet) lead_with_far_move(results);
   write_results(files, plugin, results, mesh.map.get());
   for (const std::string& change : mesh.changes) {
-    if (!global.quiet) fmt::print("{}\n", change);
+    if (!global.quiet) fmt::print(text_stream(), "{}\n", change);
   }
   if (!global.quiet && (global.verbose || writes_nothing(files))) {
     for (const host::ReportEntry& entry : results.report) {
-      if (entry.curve < 0) fmt::print("{:<28}{}\n", entry.key, list_text(entry));
+      if (entry.curve < 0) fmt::print(text_stream(), "{:<28}{}\n", entry.key, list_text(entry));
     }
   }
   const std::string termination = results.text("termination");
@@ -198,15 +260,20 @@ int parse_and_run(std::vector<std::string> arguments, const GlobalOptions& given
   app.add_flag("-q,--quiet", global.quiet, "Print nothing but errors");
   app.add_flag("-v,--verbose", global.verbose, "Print the report and what the plugin logs");
   arguments.erase(arguments.begin());
+  app.allow_extras();  // they get a sentence of ours
+  check_values(app, arguments);
   std::reverse(arguments.begin(), arguments.end());  // as CLI11 wants them
   try {
     app.parse(arguments);
   } catch (const CLI::Success& asked) {
     return app.exit(asked);  // --help
   } catch (const CLI::ParseError& error) {
+    for (const std::string& extra : app.remaining()) refuse_unexpected(app, extra);
     throw Error(ErrorCode::kBadUsage,
                 error.what() + std::string(" (see talweg run ") + plugin.id + " --help)");
   }
+  for (const std::string& extra : app.remaining()) refuse_unexpected(app, extra);
+  plan(files, options);
   return run_plugin(plugin, files, options, global);
 }
 

@@ -4,12 +4,14 @@
 #include <filesystem>
 #include <map>
 #include <set>
-#include <system_error>
 #include <utility>
 
 #include <fmt/args.h>
 #include <fmt/format.h>
 
+#include "commands.hpp"
+#include "file_plan.hpp"
+#include "suggestion.hpp"
 #include "talweg/core/formats/file_bytes.hpp"
 #include "talweg/intrinsic/error.hpp"
 
@@ -71,8 +73,9 @@ SmoothOptions with_cells(const SmoothOptions& base, const Line& line) {
     if (column == "curve") run.labels.clear();
     if (column == "labels") run.curves.clear();
   }
-  std::reverse(arguments.begin(), arguments.end());
   try {
+    check_values(app, arguments);
+    std::reverse(arguments.begin(), arguments.end());
     app.parse(arguments);
     check_method(run);
   } catch (const CLI::ParseError& error) {
@@ -113,6 +116,10 @@ void check_columns(const std::string& path, const TableLine& header, const Smoot
   add_smooth_options(app, unused);
   std::string patterns = base.report;
   for (const std::string& output : base.outputs) patterns += "|" + output;
+  std::vector<std::string> columns = {"mesh"};
+  for (const CLI::Option* option : app.get_options()) {
+    for (const std::string& name : option->get_lnames()) columns.push_back(name);
+  }
   std::set<std::string> known;
   for (const std::string& column : header.cells) {
     if (column.empty()) bad_line(path, header.line, "a column has no name.");
@@ -121,55 +128,29 @@ void check_columns(const std::string& path, const TableLine& header, const Smoot
     }
     if (column == "mesh" || app.get_option_no_throw(option_of(column)) != nullptr) continue;
     if (patterns.find("{" + column + "}") == std::string::npos) {
+      const std::string meant = suggestion(option_of(column), columns);
       bad_line(path, header.line,
                fmt::format("the column \"{}\" is no option of smooth, and no output is named "
-                           "by it.",
-                           column));
-    }
-  }
-}
-
-std::string identity(const std::string& path) {
-  std::error_code failed;
-  const fs::path known = fs::weakly_canonical(fs::absolute(path), failed);
-  return failed ? path : known.string();
-}
-
-/// No file may be written twice, or read and written: the result would depend on the order.
-void check_files(const std::string& path, const std::vector<ListedRun>& runs,
-                 const std::string& summary) {
-  std::map<std::string, std::size_t> read, written;
-  for (const ListedRun& run : runs) {
-    const SmoothOptions& o = run.options;
-    std::vector<std::string> inputs = o.curves;
-    for (const std::string& more : {o.mesh, o.labels, o.distance, o.slack_field}) {
-      if (!more.empty()) inputs.push_back(more);
-    }
-    for (const std::string& input : inputs) read.emplace(identity(input), run.line);
-  }
-  for (const ListedRun& run : runs) {
-    std::vector<std::string> outputs = run.options.outputs;
-    if (!run.options.report.empty()) outputs.push_back(run.options.report);
-    for (const std::string& output : outputs) {
-      const std::string file = identity(output);
-      if (const auto at = read.find(file); at != read.end()) {
-        bad_line(path, run.line,
-                 fmt::format("{} would be written, but line {} reads it.", output, at->second));
-      }
-      if (!summary.empty() && file == identity(summary)) {
-        bad_line(path, run.line, fmt::format("{} is the file of --summary, too.", output));
-      }
-      const auto [at, is_new] = written.emplace(file, run.line);
-      if (!is_new) {
-        bad_line(
-            path, run.line,
-            fmt::format("{} would be written twice, here and by line {}.", output, at->second));
-      }
+                           "by it{}",
+                           column, meant.empty() ? "." : meant));
     }
   }
 }
 
 }  // namespace
+
+void check_files(const std::vector<ListedRun>& runs, const std::string& list,
+                 const std::string& summary) {
+  FilePlan files;
+  files.makes_folders();
+  files.reads("--batch", list);
+  files.writes("--summary", summary);
+  for (const ListedRun& run : runs) {
+    if (run.line > 0) files.at(list, fmt::format("line {}", run.line));
+    plan_files(run.options, files);
+  }
+  files.check();
+}
 
 std::vector<TableLine> table_lines(const std::string& path, std::string_view text) {
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
@@ -240,7 +221,7 @@ std::vector<ListedRun> read_run_list(const std::string& path, const SmoothOption
     }
     runs.push_back(std::move(run));
   }
-  check_files(path, runs, summary);
+  check_files(runs, path, summary);
   return runs;
 }
 

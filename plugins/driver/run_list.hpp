@@ -25,10 +25,14 @@ struct ListedRun {
 ///
 /// Throws Error(kBadFile) with the line for a bad header or cell, a column that is neither an
 /// option nor in the name of an output, a run without mesh, curve or output (unless
-/// there is a `summary`, the name of a file), and two runs that would write the same file or one
-/// that another one reads.
+/// there is a `summary`, the name of a file), and as check_files() does.
 std::vector<ListedRun> read_run_list(const std::string& path, const SmoothOptions& base,
                                      const std::string& summary);
+
+/// Throws Error(kBadUsage) where two runs would write the same file or one writes what another one,
+/// or the list, is read from; and for outputs that cannot be written, as FilePlan::check() does.
+void check_files(const std::vector<ListedRun>& runs, const std::string& list,
+                 const std::string& summary);
 
 /// The cells of each line that is neither empty nor a comment, with the line it begins on.
 struct TableLine {

@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "commands.hpp"
+#include "file_plan.hpp"
+#include "output_file.hpp"
 #include "progress_bar.hpp"
 #include "report_table.hpp"
 #include "run_list.hpp"
@@ -30,9 +32,10 @@ int finish(const SmoothOptions& options, const GlobalOptions& global, const RunO
     std::fprintf(stderr, "talweg: cancelled; nothing was written.\n");
     return kCancelled;
   }
+  lead_with_far_move(outcome.moved, global.quiet);
   write_run(options, outcome);
   const bool table = global.verbose || (options.outputs.empty() && options.report.empty());
-  if (table && !global.quiet) std::fputs(table_of(total).c_str(), stdout);
+  if (table && !global.quiet) std::fputs(table_of(total).c_str(), text_stream());
   if (total.termination == to_string(Termination::kConverged)) return kDone;
   if (!global.quiet) {
     const bool far = total.termination == "deviation";
@@ -57,8 +60,13 @@ int run(SmoothCommand command, const GlobalOptions& global) {
   if (options.curves.empty() && options.labels.empty()) bad_usage("--curve is required.");
   check_method(options);
   if (options.independent || !many.summary.empty()) {
-    return smooth_many({{0, options}}, many, global);
+    const std::vector<ListedRun> runs = {{0, options}};
+    check_files(runs, many.list, many.summary);
+    return smooth_many(runs, many, global);
   }
+  FilePlan files;
+  plan_files(options, files);
+  files.check();
   options.threads = global.threads;
   Workspace workspace(load_mesh(options.mesh, options.repair), 1);
   return finish(options, global, workspace.smooth(options, progress_bar(global.quiet)));

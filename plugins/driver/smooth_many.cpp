@@ -16,11 +16,11 @@
 
 #include "cancellation.hpp"
 #include "failure.hpp"
+#include "output_file.hpp"
 #include "progress_bar.hpp"
 #include "shared_work.hpp"
 #include "smooth_run.hpp"
 #include "summary_table.hpp"
-#include "talweg/core/formats/file_bytes.hpp"
 
 namespace talweg::driver {
 namespace {
@@ -68,6 +68,7 @@ struct RunRecord {
   std::vector<SmoothingReport> reports;
   std::vector<std::size_t> numbers;
   std::vector<CurveFailure> failed_curves;
+  std::string moved;  ///< a sentence, where the drawing was moved far
 
   [[nodiscard]] int code() const {
     if (cancelled) return kCancelled;
@@ -82,6 +83,12 @@ struct RunRecord {
     return worst;
   }
 };
+
+/// Where that fails, the writing that follows says so.
+void make_folder_of(const std::string& output) {
+  std::error_code ignored;
+  fs::create_directories(fs::path(output).parent_path(), ignored);
+}
 
 class ManyRuns {
  public:
@@ -137,24 +144,19 @@ class ManyRuns {
         return !interrupted();
       });
       if (outcome.cancelled()) return;
-      make_folders(options);
+      for (const std::string& output : options.outputs) make_folder_of(output);
+      make_folder_of(options.report);
       write_run(options, outcome);
+      if (outcome.moved.far) record.moved = outcome.moved.moved;
       record.reports = std::move(outcome.result.reports);
       record.numbers = std::move(outcome.numbers);
       record.failed_curves = std::move(outcome.failures);
+    } catch (const WaitCancelled&) {
+      return;
     } catch (...) {
       record.failure = current_failure();
     }
     record.cancelled = false;
-  }
-
-  /// Where that fails, the writing that follows says so.
-  static void make_folders(const SmoothOptions& options) {
-    std::error_code ignored;
-    for (const std::string& output : options.outputs) {
-      fs::create_directories(fs::path(output).parent_path(), ignored);
-    }
-    fs::create_directories(fs::path(options.report).parent_path(), ignored);
   }
 
   std::vector<ListedRun> runs_;
@@ -196,6 +198,27 @@ std::string summary_of(const ManyRuns& many) {
   return table.text();
 }
 
+std::string place_of(const ListedRun& run, const ManyOptions& options) {
+  return run.line > 0 ? fmt::format("{}, line {} ({})", options.list, run.line, run.options.mesh)
+                      : run.options.mesh;
+}
+
+/// Drawings that were moved far, on stderr and before everything else, up to a bound.
+void tell_moved(const ManyRuns& many, const ManyOptions& options) {
+  std::size_t told = 0, moved = 0;
+  for (std::size_t i = 0; i < many.runs().size(); ++i) {
+    const std::string& sentence = many.records()[i].moved;
+    if (sentence.empty() || ++moved > kFailuresShown) continue;
+    ++told;
+    std::fprintf(stderr, "talweg: warning: %s: %s\n", place_of(many.runs()[i], options).c_str(),
+                 sentence.c_str());
+  }
+  if (moved > told) {
+    std::fprintf(stderr, "talweg: warning: %zu more drawings lie far from their meshes.\n",
+                 moved - told);
+  }
+}
+
 /// One line on stderr for each failure, up to a bound; returns how many runs failed in part or
 /// whole.
 std::size_t tell_failures(const ManyRuns& many, const ManyOptions& options) {
@@ -204,10 +227,8 @@ std::size_t tell_failures(const ManyRuns& many, const ManyOptions& options) {
     ++lines;
     if (shown == kFailuresShown) return;
     ++shown;
-    const std::string place =
-        run.line > 0 ? fmt::format("{}, line {} ({})", options.list, run.line, run.options.mesh)
-                     : run.options.mesh;
-    std::fprintf(stderr, "talweg: %s%s: %s\n", place.c_str(), what.c_str(), why.c_str());
+    std::fprintf(stderr, "talweg: %s%s: %s\n", place_of(run, options).c_str(), what.c_str(),
+                 why.c_str());
   };
   for (std::size_t i = 0; i < many.runs().size(); ++i) {
     const RunRecord& record = many.records()[i];
@@ -232,7 +253,11 @@ int smooth_many(std::vector<ListedRun> runs, const ManyOptions& options,
   ManyRuns many(std::move(runs), options, global);
   many.go();
   clear_progress_bar();
-  if (!options.summary.empty()) write_file(options.summary, summary_of(many));
+  if (!global.quiet) tell_moved(many, options);
+  if (!options.summary.empty()) {
+    make_folder_of(options.summary);
+    write_output(options.summary, summary_of(many));
+  }
   const std::size_t failed = tell_failures(many, options);
   // From the mildest to the worst.
   constexpr std::array<int, 6> kSeverity = {kDone,     kNotConverged, kBadUsage,
@@ -250,9 +275,10 @@ int smooth_many(std::vector<ListedRun> runs, const ManyOptions& options,
   }
   if (!global.quiet) {
     const std::size_t count = many.runs().size();
-    std::printf("%zu run%s: %zu done, %zu of them not converged; %zu failed, %zu cancelled\n",
-                count, count == 1 ? "" : "s", count - failed - unfinished, not_converged, failed,
-                unfinished);
+    std::fprintf(text_stream(),
+                 "%zu run%s: %zu done, %zu of them not converged; %zu failed, %zu cancelled\n",
+                 count, count == 1 ? "" : "s", count - failed - unfinished, not_converged, failed,
+                 unfinished);
   }
   return worst;
 }

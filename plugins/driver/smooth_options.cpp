@@ -1,6 +1,7 @@
 #include "smooth_options.hpp"
 
 #include "repaired_mesh.hpp"
+#include "talweg/core/formats/curve_file.hpp"
 #include "talweg/intrinsic/error.hpp"
 
 namespace talweg::driver {
@@ -20,6 +21,7 @@ void add_inputs(CLI::App& app, SmoothOptions& o) {
   app.add_option("--pin", o.pins, "Vertices of the drawing that the result passes through")
       ->delimiter(',');
   add_repair_option(app, o.repair);
+  add_unit_option(app, o.mesh_units);
 }
 
 void add_outputs(CLI::App& app, SmoothOptions& o) {
@@ -74,8 +76,19 @@ void add_smooth_options(CLI::App& app, SmoothOptions& options) {
   add_method(app, options);
 }
 
+void plan_files(const SmoothOptions& options, FilePlan& files) {
+  files.reads("the mesh", options.mesh);
+  files.reads("--curve", options.curves);
+  files.reads("--labels", options.labels);
+  files.reads("--distance", options.distance);
+  files.reads("--slack-field", options.slack_field);
+  files.writes("-o", options.outputs, check_curve_name);
+  files.writes("--report", options.report);
+}
+
 void check_method(const SmoothOptions& options) {
   check_repair(options.repair);
+  LengthUnit::named(options.mesh_units);
   const bool corridor = options.potential == "corridor";
   const auto fail = [](const char* message) { throw Error(ErrorCode::kBadUsage, message); };
   if (corridor && options.engine == "full") fail("The corridor needs --engine local.");

@@ -8,6 +8,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include "file_plan.hpp"
+
 namespace talweg::driver {
 
 struct SmoothOptions {
@@ -15,6 +17,7 @@ struct SmoothOptions {
   std::string repair;               ///< steps; empty: none
   std::vector<std::string> curves;  ///< files
   std::string labels;               ///< a file of labels whose borders are the curves
+  std::string mesh_units = "mm";    ///< for files that name theirs
   bool independent = false;         ///< each curve by itself instead of all as one set
   std::vector<std::string> outputs;
   std::string report;
@@ -34,6 +37,9 @@ struct SmoothOptions {
 
 /// All but the mesh. `options` must outlive the app; its values are the defaults.
 void add_smooth_options(CLI::App& app, SmoothOptions& options);
+
+/// Adds what a run reads and writes.
+void plan_files(const SmoothOptions& options, FilePlan& files);
 
 /// Throws Error(kBadUsage) where options contradict each other.
 void check_method(const SmoothOptions& options);

@@ -5,10 +5,10 @@
 #include <utility>
 
 #include "field_file.hpp"
+#include "output_file.hpp"
 #include "shared_work.hpp"
 #include "talweg/core/drawn_curves.hpp"
 #include "talweg/core/formats/curve_file.hpp"
-#include "talweg/core/formats/file_bytes.hpp"
 #include "talweg/core/stopwatch.hpp"
 #include "talweg/core/version.hpp"
 #include "talweg/intrinsic/error.hpp"
@@ -61,6 +61,7 @@ struct Prepared {
   const SmoothOptions* options = nullptr;
   Progress progress;
   std::vector<std::string> warnings;
+  Drawing moved;  ///< without its curves
   double load_ms = 0;
 };
 
@@ -105,7 +106,7 @@ Prepared prepare(const MeshFromFile& mesh, DrawingReader& reader, const SmoothOp
                  const Progress& progress) {
   const Surface& surface = mesh.mesh->surface();
   Drawing drawing = options.labels.empty()
-                        ? reader.read(options.curves)
+                        ? reader.read(options.curves, LengthUnit::named(options.mesh_units))
                         : drawing_of_labels(options.labels, surface, mesh.map.get());
   Prepared run;
   run.options = &options;
@@ -127,6 +128,8 @@ Prepared prepare(const MeshFromFile& mesh, DrawingReader& reader, const SmoothOp
   if (!options.slack_field.empty()) {
     run.slack_field = field_on(mesh, options.slack_field);
   }
+  drawing.curves.clear();
+  run.moved = std::move(drawing);
   return run;
 }
 
@@ -139,6 +142,7 @@ Prepared alone(const Prepared& run, std::size_t curve) {
   one.options = run.options;
   one.progress = run.progress;
   one.warnings = run.warnings;
+  one.moved = run.moved;
   one.load_ms = run.load_ms;
   return one;
 }
@@ -183,7 +187,7 @@ void finish_reports(SmoothedCurves& result, const std::vector<std::vector<StageT
     report.time_ms.open = times[c].front().open;  // the factors are made in the first run
     report.time_ms.load = run.load_ms;
     report.time_ms.total += run.load_ms;
-    report.warnings.insert(report.warnings.end(), run.warnings.begin(), run.warnings.end());
+    add_warnings(run.moved, run.warnings, report.warnings);
   }
   result.total = total_of(result.reports);
 }
@@ -293,6 +297,7 @@ RunOutcome Workspace::smooth(const SmoothOptions& options, const Progress& progr
     outcome.result = smooth_set(*smoothers_[0], run);
     for (std::size_t i = 0; i < outcome.result.curves.size(); ++i) outcome.numbers.push_back(i);
   }
+  outcome.moved = run.moved;
   for (PlacedCurve& curve : outcome.result.curves) {
     curve = in_file_numbers(mesh_.map.get(), std::move(curve));
   }
@@ -301,10 +306,17 @@ RunOutcome Workspace::smooth(const SmoothOptions& options, const Progress& progr
 
 void write_run(const SmoothOptions& options, const RunOutcome& outcome) {
   if (outcome.cancelled() || outcome.result.curves.empty()) return;
-  for (const std::string& output : options.outputs) write_curves(output, outcome.result.curves);
-  if (!options.report.empty()) {
-    write_file(options.report, to_json(outcome.result.total, outcome.result.reports));
+  const LengthUnit unit = LengthUnit::named(options.mesh_units);
+  OutputAttempts attempts;
+  for (const std::string& output : options.outputs) {
+    attempts.make([&] { write_output(output, curve_bytes(output, outcome.result.curves, unit)); });
   }
+  if (!options.report.empty()) {
+    attempts.make([&] {
+      write_output(options.report, to_json(outcome.result.total, outcome.result.reports));
+    });
+  }
+  attempts.finish();
 }
 
 }  // namespace talweg::driver

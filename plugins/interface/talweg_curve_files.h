@@ -13,7 +13,10 @@ extern "C" {
 #endif
 
 #define TALWEG_CURVE_FILES "talweg.curve_files/1"
+#define TALWEG_CURVE_FILES_2 "talweg.curve_files/2"
 
+/* For meshes in millimetres: .mrk.json files, which name their unit, are converted to it and written
+ * in it. */
 typedef struct talweg_curve_files {
   uint32_t size;
   /* [any thread] Writes curves as plugins give them: each with faces, barycentrics and positions,
@@ -28,6 +31,17 @@ typedef struct talweg_curve_files {
   talweg_status (*read)(const char* path, const talweg_sink* sink, char* message,
                         uint64_t message_size);
 } talweg_curve_files;
+
+/* For meshes in any unit. `mesh_unit` is its UCUM code ("mm", "cm", "m", "um", "[in_i]", ...; null:
+ * "mm"); one that is not known is TALWEG_BAD_USAGE. All else is as above. */
+typedef struct talweg_curve_files_2 {
+  uint32_t size;
+  talweg_status (*write)(const char* path, const char* mesh_unit,
+                         const talweg_curve* const* curves, uint64_t count, char* message,
+                         uint64_t message_size);
+  talweg_status (*read)(const char* path, const char* mesh_unit, const talweg_sink* sink,
+                        char* message, uint64_t message_size);
+} talweg_curve_files_2;
 
 #ifdef __cplusplus
 }

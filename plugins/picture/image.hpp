@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <string>
 #include <vector>
 
 namespace talweg::picture {
@@ -21,6 +22,9 @@ struct Image {
     return &rgb[3 * (y * width + x)];
   }
 };
+
+/// The bytes of a PNG file. Throws Error(kBadFile) when there are too many.
+std::string png_bytes(const Image& image);
 
 /// Writes a PNG file. Throws Error(kBadFile) when the file cannot be written.
 void write_png(const std::filesystem::path& path, const Image& image);

@@ -138,10 +138,8 @@ class Smooth : public SmootherWorkspace {
   }
 
   void add_warnings(SmoothingResult& result) const {
-    for (const std::string& warning : drawing_warnings(drawing())) {
-      for (SmoothingReport& report : result.reports) report.warnings.push_back(warning);
-      result.total.warnings.push_back(warning);
-    }
+    for (SmoothingReport& report : result.reports) add_drawing_warnings(drawing(), report.warnings);
+    add_drawing_warnings(drawing(), result.total.warnings);
     for (const std::string& warning : result.total.warnings) {
       services().log(TALWEG_LOG_WARNING, warning);
     }

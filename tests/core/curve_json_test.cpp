@@ -128,6 +128,62 @@ TEST_F(CurveSlicer, PointsWithoutPositionAreLeftOut) {
   EXPECT_EQ(curves[0].pins, (std::vector<std::size_t>{0}));
 }
 
+/// The markup of kTwo with these units ("" for none), on a mesh in `mesh`.
+std::vector<Point> in_units(const std::filesystem::path& path, const std::string& units,
+                            const char* mesh) {
+  std::string text = markups("Curve", "\"coordinateSystem\": \"RAS\", ", kTwo);
+  const std::string mm = "\"coordinateUnits\": \"mm\", ";
+  const std::string member = units.empty() ? "" : "\"coordinateUnits\": " + units + ", ";
+  text.replace(text.find(mm), mm.size(), member);
+  return test::positions(read_curves(path, text, LengthUnit::named(mesh)).at(0));
+}
+
+TEST_F(CurveSlicer, PositionsAreConvertedToTheUnitOfTheMesh) {
+  const auto expect = [&](const char* units, const char* mesh, double scale) {
+    const std::vector<Point> found = in_units("a.mrk.json", units, mesh);
+    ASSERT_EQ(found.size(), 2U);
+    const Point p = scale * Point(-1, -2, 3), q = scale * Point(-4.5, -5, 6);
+    EXPECT_LT((found[0] - p).norm(), 1e-15 * p.norm()) << units << " to " << mesh;
+    EXPECT_LT((found[1] - q).norm(), 1e-15 * q.norm()) << units << " to " << mesh;
+  };
+  expect("", "mm", 1);
+  expect("", "m", 1e-3);
+  expect("\"mm\"", "mm", 1);
+  expect("\"cm\"", "mm", 10);
+  expect("\"m\"", "mm", 1000);
+  expect("\"um\"", "mm", 1e-3);
+  expect("\"\u00b5m\"", "mm", 1e-3);
+  expect("\"nm\"", "um", 1e-3);
+  expect("\"cm\"", "cm", 1);
+  expect("\"m\"", "km", 1e-3);
+  expect("\"[in_i]\"", "cm", 2.54);
+  expect("[\"um\", \"UCUM\", \"micrometer\"]", "mm", 1e-3);
+  // Exactly what the file has, where the units are the same.
+  EXPECT_EQ(in_units("a.mrk.json", "\"um\"", "um"),
+            (std::vector<Point>{{-1, -2, 3}, {-4.5, -5, 6}}));
+}
+
+TEST_F(CurveSlicer, UnitsThatAreUnknownAreRefused) {
+  const auto refuse = [&](const char* units, std::vector<const char*> words) {
+    try {
+      in_units("a.mrk.json", units, "mm");
+      FAIL() << units;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), ErrorCode::kBadFile);
+      for (const char* word : words) {
+        EXPECT_NE(std::string(error.what()).find(word), std::string::npos) << error.what();
+      }
+    }
+  };
+  refuse("\"furlong\"", {"a.mrk.json", "coordinateUnits", "furlong"});
+  refuse("\"\"", {"coordinateUnits"});
+  refuse("3", {"coordinateUnits", "string"});
+  refuse("[\"mm\"]", {"coordinateUnits"});
+  refuse("[\"mm\", \"DCM\", \"\"]", {"coordinateUnits", "DCM"});
+  EXPECT_THROW(LengthUnit::named(""), Error);
+  EXPECT_THROW(LengthUnit::named("MM"), Error);
+}
+
 TEST_F(CurveSlicer, IsKnownByItsContentToo) {
   EXPECT_EQ(read("a.json", markups("Curve", "", kTwo)).size(), 1U);
 }
@@ -147,6 +203,10 @@ TEST_F(CurveSlicer, IsWrittenAsTheSchemaAsks) {
   EXPECT_EQ(first.at("controlPoints").size(), curves[0].points.size());
   EXPECT_TRUE(first.at("controlPoints").at(0).at("position").is_array());
   EXPECT_EQ(first.at("controlPoints").at(0).at("locked"), false);
+  write_curves(path("a.mrk.json"), mesh, curves, LengthUnit::named("um"));
+  const auto again = nlohmann::json::parse(bytes_of(path("a.mrk.json")));
+  EXPECT_EQ(again.at("markups").at(0).at("coordinateUnits"), "um");
+  EXPECT_EQ(again.at("markups").at(0).at("controlPoints"), first.at("controlPoints"));
 }
 
 TEST_F(CurveSlicer, RefusesMalformedFiles) {

@@ -84,5 +84,29 @@ TEST_F(FileBytes, FoldersAndAbsentFoldersAreNamed) {
   EXPECT_THROW(read_file(write("empty", "")), Error);
 }
 
+TEST_F(FileBytes, WhatCannotBeWrittenIsKnownBefore) {
+  const auto reason = [](const std::filesystem::path& path) -> std::string {
+    try {
+      check_writable(path);
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), ErrorCode::kBadFile);
+      return error.what();
+    }
+    return "";
+  };
+  write("here", "old");
+  std::filesystem::create_directory(file("folder"));
+  for (const char* name : {"here", "new", "folder/new"}) EXPECT_EQ(reason(file(name)), "");
+  for (const auto& path : {file("absent/a"), file("here/a"), file("folder"),
+                           file(std::string(300, 'a')), file(std::string(250, 'a'))}) {
+    EXPECT_EQ(reason(path), refusal(path, "bytes"));
+    EXPECT_NE(reason(path), "");
+  }
+  EXPECT_NE(reason(file("folder/")), "");
+  EXPECT_EQ(bytes_of(file("here")), "old");
+  EXPECT_EQ(files(), 2U);
+  EXPECT_EQ(reason("/dev/null"), "");
+}
+
 }  // namespace
 }  // namespace talweg::test

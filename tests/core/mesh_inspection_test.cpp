@@ -15,6 +15,7 @@
 #include "talweg/core/mesh_reader.hpp"
 #include "talweg/core/mesh_repair.hpp"
 #include "talweg/core/opened_mesh.hpp"
+#include "talweg/core/surface_mesh.hpp"
 #include "talweg/intrinsic/error.hpp"
 
 namespace talweg::test {
@@ -81,14 +82,19 @@ TEST(MeshInspection, IndexOutOfRange) {
 }
 
 TEST(MeshInspection, NonFiniteCoordinates) {
-  for (const double value : {std::nan(""), std::numeric_limits<double>::infinity(), 1e308}) {
+  for (const double value : {std::nan(""), std::numeric_limits<double>::infinity(), 1e308, 1e41}) {
     const MeshInspection m =
         inspect(with_coordinate(with_coordinate(grid(3, 2), 7, value), 5, value));
     EXPECT_EQ(m.non_finite_vertices.count, 2U);
     EXPECT_EQ(m.verdict, MeshVerdict::kUnusable);
+    const std::string largest = std::isfinite(value)
+                                    ? (value > 1e300 ? "; the largest is 1e+308: scale the mesh"
+                                                     : "; the largest is 1e+41: scale the mesh")
+                                    : "";
     EXPECT_EQ(m.reason,
-              "2 vertices have a coordinate that is not a finite number of at most 1e152 (first: "
-              "vertex 5).");
+              "2 vertices have a coordinate that is not a finite number of at most 1e+40 (first: "
+              "vertex 5" +
+                  largest + ").");
     EXPECT_TRUE(std::isfinite(m.edge_length_mean));
     EXPECT_TRUE(std::isfinite(m.size));
   }
@@ -184,8 +190,32 @@ TEST(MeshInspection, OdditiesAreUsable) {
   EXPECT_EQ(alone.verdict, MeshVerdict::kUsable);
 }
 
+// The verdict is that of opening the mesh.
+TEST(MeshInspection, WhatIsTooSmallIsNotUsable) {
+  for (const double unit : {1e-200, 1e-80, 1e-41, 1e-39, 1e39, 1e41, 1e80}) {
+    MeshLists lists = sphere(2);
+    for (Point& p : lists.points) p *= unit;
+    const MeshInspection m = inspect(lists);
+    const bool fits = unit > 1e-40 && unit < 1e40;
+    EXPECT_EQ(m.verdict == MeshVerdict::kUsable, fits) << unit << ": " << m.reason;
+    EXPECT_EQ(out_of_range(lists), fits ? "" : m.reason);
+    try {
+      SurfaceMesh::open(lists);
+      EXPECT_TRUE(fits) << unit;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.what(), m.reason);
+    }
+    try {
+      repair(lists);
+      EXPECT_TRUE(fits) << unit;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.what(), m.reason);
+    }
+  }
+}
+
 TEST(MeshInspection, UnitsChangeNothing) {
-  for (const double unit : {1e-200, 1e-8, 1e8, 1e150}) {
+  for (const double unit : {1e-200, 1e-8, 1e8, 1e39}) {
     MeshLists lists = with_needle(with_zero_area_face(sphere(1), 0), 0, Point(0, 0, 1e-4));
     const MeshInspection before = inspect(lists);
     for (Point& p : lists.points) p *= unit;

@@ -442,6 +442,43 @@ TEST(MeshRepair, CurvesInDroppedFacesAreRefused) {
   }
 }
 
+/// Every triangle with vertices of its own, as in an STL file.
+MeshLists soup_of(const MeshLists& mesh) {
+  MeshLists soup;
+  for (const Triangle& t : mesh.triangles) {
+    const auto first = static_cast<std::uint32_t>(soup.points.size());
+    for (const std::uint32_t v : t) soup.points.push_back(mesh.points[v]);
+    soup.triangles.push_back({first, first + 1, first + 2});
+  }
+  return soup;
+}
+
+TEST(MeshRepair, ASoupIsToldWhatWeldingWouldGive) {
+  const MeshLists soup = soup_of(grid(4, 3));  // 20 vertices, 24 faces
+  const MeshInspection before = inspect(soup);
+  EXPECT_EQ(before.verdict, MeshVerdict::kUsable);
+  EXPECT_EQ(before.components, 24U);
+  const auto welded = try_weld(soup, before);
+  ASSERT_TRUE(welded);
+  EXPECT_EQ(welded->steps, "weld");
+  EXPECT_EQ(welded->vertices, 3U * 24U - 20U);
+  EXPECT_EQ(welded->after.components, 1U);
+  EXPECT_EQ(welded->after.boundary_loops, 1U);
+  EXPECT_EQ(welded->after.boundary_edges, 14U);
+
+  // Faces that turn against each other when they are joined, and three of one edge.
+  const MeshLists turned = soup_of(with_turned_face(grid(4, 3), 3));
+  EXPECT_EQ(try_weld(turned, inspect(turned)).value().steps, "weld,orient");
+  const MeshLists fin = soup_of(with_fin(sphere(1), 0));
+  EXPECT_NE(try_weld(fin, inspect(fin)).value().steps.find("split"), std::string::npos);
+
+  // Nothing to say where nothing is joined.
+  EXPECT_FALSE(try_weld(grid(4, 3), inspect(grid(4, 3))));
+  MeshLists isolated = grid(4, 3);
+  isolated.points.push_back(isolated.points[5]);
+  EXPECT_FALSE(try_weld(isolated, inspect(isolated)));
+}
+
 /// The defects that the collection's own table names, and what is done about them.
 TEST(MeshRepair, RealMeshes) {
   const std::filesystem::path folder = test::mesh_folder();

@@ -129,6 +129,29 @@ TEST_F(Snapping, PutsPositionsOnTheNearestPoints) {
   EXPECT_EQ(curve.largest_snap_distance, 1);
 }
 
+TEST_F(Snapping, WarnsOfPositionsFarFromTheMeshAndRefusesThoseFarther) {
+  const SurfaceMesh fine = SurfaceMesh::open(test::grid(100, 100));  // edges of 1 and sqrt(2)
+  const auto at = [](double height) {
+    return of_positions({Point(20, 20, height), Point(50, 50, 0)});
+  };
+  const double h = fine.mean_edge_length(), diagonal = 100 * std::sqrt(2);
+  EXPECT_EQ(snap_warning(snap(fine, at(0)).largest_snap_distance, fine), "");
+  const double near = snap(fine, at(2.9 * h)).largest_snap_distance;
+  EXPECT_FALSE(moved_far(near, fine));
+  expect_parts(snap_warning(near, fine), {"moved onto the mesh", fmt::format("{:.3g}", 2.9 * h)});
+  const double far = snap(fine, at(-3.1 * h)).largest_snap_distance;
+  EXPECT_TRUE(moved_far(far, fine));
+  EXPECT_TRUE(snap_warning(far, fine).starts_with(kFarFromMesh));
+  expect_parts(snap_warning(far, fine), {"3.1 mean edges"});
+  EXPECT_NO_THROW(snap(fine, at(0.124 * diagonal)));
+  expect_parts(refusal(fine, at(0.126 * diagonal)), {"position 0", "17.8", "17.7", "unit"});
+  // Of a mesh of a few faces an eighth is less than an edge.
+  const double edge = mesh_.mean_edge_length();
+  EXPECT_NO_THROW(snap(mesh_, of_positions({Point(0, 0, 9.9 * edge), Point(1, 1, 0)})));
+  expect_parts(refusal(mesh_, of_positions({Point(0, 0, 10.1 * edge), Point(1, 1, 0)})),
+               {"position 0", "unit"});
+}
+
 TEST_F(Snapping, MergesPositionsThatFallTogether) {
   CurveInput input = of_positions({Point(0, 0, 0), Point(0, 0, 1), Point(1, 0, 0), Point(1, 1, 0),
                                    Point(1, 1, 5), Point(0, 0, 2)},

@@ -68,9 +68,9 @@ TEST(SurfaceMesh, RefusesWithTheDefectItsCountAndItsPlace) {
   EXPECT_EQ(refusal_of(with_index_out_of_range(grid(3, 2), 4)),
             "1 face refers to vertices that do not exist (face 4 to vertex 12 of 12).");
   EXPECT_EQ(refusal_of(with_coordinate(grid(3, 2), 7, nan)),
-            "1 vertex has a coordinate that is not a finite number of at most 1e152 (vertex 7).");
+            "1 vertex has a coordinate that is not a finite number of at most 1e+40 (vertex 7).");
   EXPECT_EQ(refusal_of(with_coordinate(with_coordinate(grid(3, 2), 7, -inf), 9, inf)),
-            "2 vertices have a coordinate that is not a finite number of at most 1e152 (first: "
+            "2 vertices have a coordinate that is not a finite number of at most 1e+40 (first: "
             "vertex 7).");
   EXPECT_EQ(refusal_of(with_repeated_vertex(grid(3, 2))), "1 face uses a vertex twice (face 12).");
   EXPECT_EQ(refusal_of(with_duplicate_face(grid(3, 2), 5, false)),
@@ -97,12 +97,45 @@ TEST(SurfaceMesh, TwoFacesBackToBackAreNoSurface) {
 }
 
 TEST(SurfaceMesh, TinyAndHugeUnits) {
-  for (const double unit : {1e-170, 1e-8, 1e8, 1e150}) {
+  for (const double unit : {1e-40, 1e-8, 1e8, 1e40}) {
     MeshLists lists = sphere(1);
     for (Point& p : lists.points) p *= unit;
     EXPECT_NEAR(SurfaceMesh::open(lists).mean_edge_length() / unit,
                 SurfaceMesh::open(sphere(1)).mean_edge_length(), 1e-14);
   }
+}
+
+TEST(SurfaceMesh, WhatIsTooLargeOrTooSmallIsRefusedWithTheLimitAndWhatWasFound) {
+  const auto scaled = [](double unit) {
+    MeshLists lists = grid(10, 10);
+    for (Point& p : lists.points) p *= unit;
+    return lists;
+  };
+  // Large: the extent, or the way from the origin.
+  EXPECT_EQ(refusal_of(scaled(1e39)), "");
+  for (const MeshLists& lists : {scaled(1.1e39), scaled(1e75), scaled(1e80)}) {
+    EXPECT_NE(refusal_of(lists).find("1e+40"), std::string::npos) << refusal_of(lists);
+  }
+  EXPECT_NE(refusal_of(scaled(3e79)).find("the largest is 3e+80"), std::string::npos);
+  EXPECT_NE(
+      refusal_of(with_coordinate(grid(3, 2), 7, -2e40)).find("vertex 7; the largest is 2e+40"),
+      std::string::npos);
+  // Small: as a whole, or an edge. Edges without length are handled.
+  EXPECT_EQ(refusal_of(scaled(1e-41)), "");
+  for (const MeshLists& lists : {scaled(5e-42), scaled(1e-75), scaled(1e-80), scaled(1e-200)}) {
+    EXPECT_NE(refusal_of(lists).find("must be 1e-40 at least"), std::string::npos)
+        << refusal_of(lists);
+  }
+  EXPECT_NE(refusal_of(scaled(1e-80)).find("1.41e-79 large"), std::string::npos);
+  const auto with_edge = [](double length) {
+    MeshLists lists = grid(3, 2);
+    lists.points[1] = Point(length, 0, 0);  // beside vertex 0 at the origin
+    return lists;
+  };
+  EXPECT_EQ(refusal_of(with_edge(0)), "");
+  EXPECT_EQ(refusal_of(with_edge(1.4e-45)), "");  // the least of 32 bits
+  EXPECT_EQ(refusal_of(with_edge(1e-59)), "");
+  EXPECT_NE(refusal_of(with_edge(2e-61)).find("2e-61 long"), std::string::npos);
 }
 
 TEST(SurfaceMesh, LengthsThatOverflowAreRefused) {

@@ -157,6 +157,37 @@ TEST_F(Faults, ASecondSignalEndsAtOnceWhatHearsNone) {
   EXPECT_EQ(WEXITSTATUS(status), 4);
 }
 
+TEST_F(Faults, APipeWithoutAReaderIsLeftAtTheFirstSignal) {
+  const std::string pipe = file("pipe.json");
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  const std::vector<std::vector<std::string>> lines = {
+      {"draw", "mesh.ply", "--through", "64,400", "-o", "pipe.json"},
+      {"smooth", "mesh.ply", "--curve", "drawn.obj", "--report", "pipe.json"},
+      {"smooth", "mesh.ply", "--curve", "drawn.obj", "--summary", "s.csv", "-o", "pipe.json"},
+      {"cut", "mesh.ply", "--curve", "drawn.obj", "-o", "cut.ply", "--map", "pipe.json"}};
+  for (const std::vector<std::string>& words : lines) {
+    const pid_t child = start(words);
+    int status = 0;
+    const auto runs = [&] { return waitpid(child, &status, WNOHANG) == 0; };
+    sleep_us(1'000'000);
+    EXPECT_TRUE(runs()) << words[0];  // it waits for a reader
+    kill(child, SIGINT);
+    for (int k = 0; k < 200 && runs(); ++k) sleep_us(20'000);
+    if (runs()) kill(child, SIGKILL);
+    EXPECT_TRUE(WIFEXITED(status)) << words[0];
+    EXPECT_EQ(WEXITSTATUS(status), 4) << words[0];
+  }
+}
+
+TEST_F(Faults, APipeWithAReaderGetsAllBytes) {
+  const std::string pipe = file("pipe.json");
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  ASSERT_EQ(run("smooth mesh.ply --curve drawn.obj -o plain.json").code, 0);
+  const pid_t child = start({"smooth", "mesh.ply", "--curve", "drawn.obj", "-o", "pipe.json"});
+  EXPECT_EQ(bytes_of(pipe), bytes_of(file("plain.json")));  // waits for the writer
+  EXPECT_EQ(wait_for(child), 0);
+}
+
 TEST_F(Faults, OutputsThatCannotBeWrittenAreNamed) {
   const std::string smooth = "smooth mesh.ply --curve drawn.obj ";
   expect_failure(smooth + "-o absent/out.obj", 2, {"absent/out.obj", "No such file"});

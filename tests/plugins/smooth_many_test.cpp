@@ -249,12 +249,12 @@ TEST_F(SmoothMany, RefusesBadListsBeforeAnyWork) {
   refuse("mesh,curve,slack\nsheet.ply,across.txt,1\n", "-o out.json --potential paper",
          {"line 2", "--slack"});
   // Two runs that write one file, however it is spelt; and one that writes what another reads.
-  refuse(good + "sheet.ply,up.txt,./out.json\n", "", {"line 3", "out.json", "line 2"});
+  refuse(good + "sheet.ply,up.txt,./out.json\n", "", {"line 3", "out.json", "line 2"}, 1);
   refuse("mesh,curve\nsheet.ply,across.txt\nsheet.ply,up.txt\n", "-o out.json",
-         {"line 3", "written twice"});
-  refuse(good, "--report out.json", {"line 2", "written twice"});
-  refuse(good, "--summary out.json", {"line 2", "--summary"});
-  refuse("mesh,curve\nsheet.ply,across.txt\n", "-o '{curve}.txt'", {"line 2", "reads it"});
+         {"line 3", "written twice"}, 1);
+  refuse(good, "--report out.json", {"line 2", "written twice"}, 1);
+  refuse(good, "--summary out.json", {"line 2", "--summary"}, 1);
+  refuse("mesh,curve\nsheet.ply,across.txt\n", "-o '{curve}.txt'", {"line 2", "reads it"}, 1);
   refuse("mesh,curve\nsheet.ply,across.txt\n", "-o '{kurve}.vtp'", {"line 2", "{curve}"});
   refuse("mesh,curve\nsheet.ply,across.txt\n", "-o '{curve.vtp'", {"line 2", "{curve}"});
   refuse(good, "--jobs 0", {"--jobs"}, 1);

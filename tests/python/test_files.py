@@ -24,6 +24,21 @@ class Files(unittest.TestCase):
         self.addCleanup(folder.cleanup)
         self.folder = Path(folder.name)
 
+    def test_units(self):
+        text = ('{"markups": [{"type": "Curve", "coordinateUnits": "cm", "controlPoints": '
+                '[{"position": [1, 2, 3]}, {"position": [4, 5, 6]}]}]}')
+        path = self.folder / "cm.mrk.json"
+        path.write_text(text)
+        expected = np.array([[1, 2, 3], [4, 5, 6]], float)
+        for unit, scale in (("cm", 1), ("mm", 10), ("um", 10000)):
+            curve, = talweg.read_curves(path, mesh_unit=unit)
+            np.testing.assert_allclose(curve.positions, scale * expected, rtol=1e-15)
+        np.testing.assert_array_equal(talweg.read_curves(path)[0].positions, 10 * expected)
+        with self.assertRaisesRegex(talweg.BadUsage, "furlong"):
+            talweg.read_curves(path, mesh_unit="furlong")
+        talweg.write_curves(path, self.curve, mesh_unit="um")
+        self.assertIn('"coordinateUnits": "um"', path.read_text())
+
     def test_the_drivers_bytes(self):
         support.write_obj(self.folder / "mesh.obj", self.vertices, self.faces)
         drawn = talweg.draw(self.vertices, self.faces, [305, 1820, 3055])

@@ -15,7 +15,8 @@ HEADER = re.sub(r"/\*.*?\*/", "", "".join(
 STRUCTS = {"array": "Array", "field": "Field", "mesh": "Mesh", "curve": "Curve",
            "parameter": "Parameter", "output": "Output", "sink": "Sink", "host": "Host",
            "report_entry": "ReportEntry", "host_log": "HostLog", "host_progress": "HostProgress",
-           "plugin": "Plugin", "module": "Module", "curve_files": "CurveFiles"}
+           "plugin": "Plugin", "module": "Module", "curve_files": "CurveFiles",
+           "curve_files_2": "CurveFiles2"}
 SCALARS = {"uint32_t": ctypes.c_uint32, "uint64_t": ctypes.c_uint64, "int64_t": ctypes.c_int64,
            "double": ctypes.c_double, "const char *": ctypes.c_char_p}
 
@@ -57,7 +58,7 @@ class Interface(unittest.TestCase):
                 self.assertEqual(value, eval(declared[name]), name)  # pylint: disable=eval-used
                 compared += 1
         self.assertGreater(compared, 25)
-        for name in ("HOST_LOG", "HOST_PROGRESS", "CURVE_FILES"):
+        for name in ("HOST_LOG", "HOST_PROGRESS", "CURVE_FILES", "CURVE_FILES_2"):
             self.assertIn('#define TALWEG_%s "%s"' % (name, getattr(_interface, name).decode()),
                           HEADER)
 

@@ -65,8 +65,7 @@ picture::Image stacked(const std::vector<picture::Image>& rows) {
 
 }  // namespace
 
-void write_comparison_picture(const std::filesystem::path& path, const Comparison& c,
-                              const MeshLists& mesh) {
+std::string comparison_picture(const Comparison& c, const MeshLists& mesh) {
   picture::Scene scene;
   scene.mesh = mesh;
   const std::vector<std::size_t> drawing = add(scene, c.drawing, "c8281e", 3);
@@ -95,7 +94,7 @@ void write_comparison_picture(const std::filesystem::path& path, const Compariso
     }
     rows.push_back(picture::render(scene, options));
   }
-  picture::write_png(path, stacked(rows));
+  return picture::png_bytes(stacked(rows));
 }
 
 }  // namespace talweg::driver

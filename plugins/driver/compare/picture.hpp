@@ -1,7 +1,7 @@
 // All methods' curves in one picture.
 #pragma once
 
-#include <filesystem>
+#include <string>
 
 #include "compare/comparison.hpp"
 
@@ -9,8 +9,7 @@ namespace talweg::driver {
 
 /// A PNG with the drawing and all results in one panel, and a panel per method with the place where
 /// the drawing turns most. Of a sweep the value with a deviation nearest to 1.5 edges is drawn.
-/// Throws Error as picture::render() and write_png() do.
-void write_comparison_picture(const std::filesystem::path& path, const Comparison& comparison,
-                              const MeshLists& mesh);
+/// Throws Error as picture::render() and png_bytes() do.
+std::string comparison_picture(const Comparison& comparison, const MeshLists& mesh);
 
 }  // namespace talweg::driver

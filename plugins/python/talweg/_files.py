@@ -18,10 +18,10 @@ _MESSAGE_SIZE = 1000
 
 def _extension() -> Any:
     plugin = _plugins.plugin("talweg.draw")
-    address = plugin.table.get_extension(c.CURVE_FILES)
+    address = plugin.table.get_extension(c.CURVE_FILES_2)
     if not address:
         raise Unsupported(f"{plugin.path} is too old to read and write curve files.")
-    return c.CurveFiles.from_address(address)
+    return c.CurveFiles2.from_address(address)
 
 
 def _checked(call: Callable[[Any], int]) -> None:
@@ -31,10 +31,12 @@ def _checked(call: Callable[[Any], int]) -> None:
         raise error_of(status, message.value.decode(errors="replace"))
 
 
-def read_curves(path: Path) -> List[Curve]:
+def read_curves(path: Path, mesh_unit: str = "mm") -> List[Curve]:
     """The curves of a file, for smooth() and the others.
 
     :param path: .obj, .ply, .vtp, .vtk, .mrk.json (3D Slicer), .json (ours) or .txt (vertices).
+    :param mesh_unit: the unit of the mesh ("mm", "cm", "m", "um", ...): .mrk.json files name theirs
+        and are converted to it.
     :raises BadFile: with file, line, and what was expected. Nothing is checked against a mesh.
     """
     curves: List[Curve] = []
@@ -50,8 +52,8 @@ def read_curves(path: Path) -> List[Curve]:
 
     sink = c.Sink(size=sizeof(c.Sink), curve=c.CurveSink(take))
     try:
-        _checked(lambda message: _extension().read(os.fsencode(path), byref(sink), message,
-                                                   _MESSAGE_SIZE))
+        _checked(lambda message: _extension().read(os.fsencode(path), mesh_unit.encode(),
+                                                   byref(sink), message, _MESSAGE_SIZE))
     except Exception:
         if failures:
             raise failures[0] from None
@@ -59,14 +61,15 @@ def read_curves(path: Path) -> List[Curve]:
     return curves
 
 
-def write_curves(path: Path, curves: Union[Curve, Sequence[Curve]]) -> None:
+def write_curves(path: Path, curves: Union[Curve, Sequence[Curve]], mesh_unit: str = "mm") -> None:
     """Writes curves as they come from Talweg; the same bytes as the driver's.
 
     :param path: its extension tells the format, as for read_curves(). .json keeps everything; .txt
         needs curves whose points are all at vertices.
+    :param mesh_unit: the unit of the mesh, which .mrk.json files name.
     :raises BadFile: if the file cannot be written; it is as it was then.
     """
     pointers, kept = _curves.whole_views([curves] if isinstance(curves, Curve) else curves)
-    _checked(lambda message: _extension().write(os.fsencode(path), pointers, len(pointers), message,
-                                                _MESSAGE_SIZE))
+    _checked(lambda message: _extension().write(os.fsencode(path), mesh_unit.encode(), pointers,
+                                                len(pointers), message, _MESSAGE_SIZE))
     del kept  # until here

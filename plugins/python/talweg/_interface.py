@@ -23,6 +23,7 @@ TAKES_CURVES = 1
 HOST_LOG = b"talweg.log/1"
 HOST_PROGRESS = b"talweg.progress/1"
 CURVE_FILES = b"talweg.curve_files/1"
+CURVE_FILES_2 = b"talweg.curve_files/2"
 LOG_DEBUG, LOG_INFO, LOG_WARNING, LOG_ERROR = 1, 2, 3, 4
 
 Status = c_uint32
@@ -126,6 +127,13 @@ class CurveFiles(Structure):
                 ("write", CFUNCTYPE(Status, c_char_p, POINTER(POINTER(Curve)), c_uint64, c_char_p,
                                     c_uint64)),
                 ("read", CFUNCTYPE(Status, c_char_p, POINTER(Sink), c_char_p, c_uint64))]
+
+
+class CurveFiles2(Structure):
+    _fields_ = [("size", c_uint32),
+                ("write", CFUNCTYPE(Status, c_char_p, c_char_p, POINTER(POINTER(Curve)), c_uint64,
+                                    c_char_p, c_uint64)),
+                ("read", CFUNCTYPE(Status, c_char_p, c_char_p, POINTER(Sink), c_char_p, c_uint64))]
 
 
 class Module(Structure):

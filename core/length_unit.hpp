@@ -1,0 +1,31 @@
+// Units of length, by their codes.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace talweg {
+
+/// A unit of length; a millimetre unless named otherwise.
+class LengthUnit {
+ public:
+  LengthUnit() = default;
+
+  /// By its UCUM code: pm, nm, um, mm, cm, dm, m, km, [in_i] (inch) or [ft_i] (foot); µm, in and ft
+  /// are understood, too. Throws Error(kBadUsage) that names these.
+  static LengthUnit named(std::string_view code);
+
+  [[nodiscard]] const std::string& code() const { return code_; }
+  /// How many of `other` one of this is; exactly 1 for the same unit.
+  [[nodiscard]] double in(const LengthUnit& other) const {
+    return code_ == other.code_ ? 1.0 : millimetres_ / other.millimetres_;
+  }
+
+ private:
+  LengthUnit(const char* code, double millimetres) : code_(code), millimetres_(millimetres) {}
+
+  std::string code_ = "mm";
+  double millimetres_ = 1;
+};
+
+}  // namespace talweg

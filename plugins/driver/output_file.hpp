@@ -1,0 +1,51 @@
+// Outputs as the driver writes them: files, the standard output, pipes.
+#pragma once
+
+#include <cstdio>
+#include <exception>
+#include <string>
+#include <string_view>
+
+#include "talweg/intrinsic/error.hpp"
+
+namespace talweg::driver {
+
+/// "-" is the standard output; so is "-.vtp", whose ending chooses the format as a file's does.
+bool is_standard_output(std::string_view path);
+
+/// Thrown where a signal came while an output waited for its reader.
+struct WaitCancelled {
+  std::string path;
+};
+
+/// Writes a file as write_file() does, or the standard output; a pipe waits for its reader.
+/// Throws Error(kBadFile) naming path and reason, and WaitCancelled.
+void write_output(const std::string& path, std::string_view bytes);
+
+/// Writes several outputs: one that fails does not take the work of a long run from the others.
+class OutputAttempts {
+ public:
+  /// Keeps the first Error.
+  template <class Write>
+  void make(const Write& write) {
+    try {
+      write();
+    } catch (const Error&) {
+      if (!failure_) failure_ = std::current_exception();
+    }
+  }
+  /// Throws it.
+  void finish() const {
+    if (failure_) std::rethrow_exception(failure_);
+  }
+
+ private:
+  std::exception_ptr failure_;
+};
+
+/// Where text for people goes: the standard output, unless that is an output's.
+std::FILE* text_stream();
+/// From now on text for people goes to the standard error.
+void keep_text_from_standard_output();
+
+}  // namespace talweg::driver

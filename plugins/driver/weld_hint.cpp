@@ -1,0 +1,46 @@
+#include "weld_hint.hpp"
+
+#include <fmt/format.h>
+
+#include "talweg/core/mesh_inspection.hpp"
+
+namespace talweg::driver {
+namespace {
+
+std::string counted(std::size_t n, const char* what) {
+  return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s");
+}
+
+std::string boundary_of(const MeshInspection& m) {
+  return m.boundary_loops == 0 ? "no boundary" : counted(m.boundary_loops, "boundary loop");
+}
+
+}  // namespace
+
+std::string weld_sentence(const MeshInspection& before, const WeldedMesh& welded) {
+  const bool one = welded.vertices == 1;
+  std::string text =
+      fmt::format("{} {} at the place of {}: with --repair={} the mesh has {}", welded.vertices,
+                  one ? "vertex lies" : "vertices lie", one ? "another" : "others", welded.steps,
+                  counted(welded.after.components, "part"));
+  if (welded.after.components != before.components) {
+    text += fmt::format(" instead of {}", before.components);
+  }
+  text += " and " + boundary_of(welded.after);
+  if (welded.after.boundary_loops != before.boundary_loops) {
+    text += " instead of " + boundary_of(before);
+  }
+  return text + ".";
+}
+
+void rethrow_with_weld_hint(const Error& error, const MeshLists& mesh) {
+  if (error.code() == ErrorCode::kBadCurve) {
+    const MeshInspection before = inspect(mesh);
+    if (const auto welded = try_weld(mesh, before)) {
+      throw Error(error.code(), error.what() + (" " + weld_sentence(before, *welded)));
+    }
+  }
+  throw Error(error);
+}
+
+}  // namespace talweg::driver

@@ -1,0 +1,19 @@
+// What welding would give a mesh whose vertices lie at one place.
+#pragma once
+
+#include <string>
+
+#include "talweg/core/mesh_repair.hpp"
+#include "talweg/intrinsic/error.hpp"
+
+namespace talweg::driver {
+
+/// "2880 vertices lie at the place of others: with --repair=weld the mesh has 1 part instead of 960
+/// and no boundary instead of 960 boundary loops."
+std::string weld_sentence(const MeshInspection& before, const WeldedMesh& welded);
+
+/// Throws the error again, with that sentence where the curve was refused and welding helps: parts
+/// that only lie beside each other are not connected.
+[[noreturn]] void rethrow_with_weld_hint(const Error& error, const MeshLists& mesh);
+
+}  // namespace talweg::driver
