@@ -190,8 +190,9 @@ class Network {
         continue;
       }
       if (!tightening_) tightening_.emplace(mesh_->surface());
-      const std::vector<SurfacePoint> farthest = tightening_->tighten(
-          drawn_[c].curve, result_[c].border.curve, *options_.max_deviation, slack_[c]);
+      const std::vector<SurfacePoint> farthest =
+          tightening_->tighten(drawn_[c].curve, result_[c].border.curve, *options_.max_deviation,
+                               slack_[c], options_.progress);
       if (++tightenings_[c] > kPinnedFrom) {
         pins_[c].insert(pins_[c].end(), farthest.begin(), farthest.end());
       }
@@ -221,10 +222,16 @@ class Network {
     return curves;
   }
 
+  /// Throws Cancelled.
   void cut() {
+    const auto ask = [&](double fraction) {
+      if (!go_on(options_.progress, "cut", fraction)) throw Cancelled();
+    };
+    ask(0);
     std::vector<LabelBorder> borders;
     for (const SmoothedBorder& border : result_) borders.push_back(border.border);
     cut_ = cut_along(mesh_->mesh(), curves());
+    ask(0.5);
     regions_ = regions_of_cut(cut_, parts_, borders);
   }
 
@@ -307,7 +314,7 @@ class Network {
       report.curvature_before = fresh.curvature_before;
       report.curvature_max_before = fresh.curvature_max_before;
       report_deviation(report, DeviationMeasure::kAlongSurface, *meter_, mesh_->mesh(), drawn,
-                       curve);
+                       curve, nullptr, options_.progress);
       warn_if_far(report, kFarInEdges * report.edge_length_near);
     }
     return too_far(moved);
@@ -396,7 +403,14 @@ LabelNetwork smooth_labels(const std::shared_ptr<const OpenedMesh>& mesh,
                            std::span<const std::int64_t> labels,
                            const LabelNetworkOptions& options) {
   options.validate();
-  return Network(mesh, labels, options).run();
+  try {
+    Asker(options.progress, "borders");
+    return Network(mesh, labels, options).run();
+  } catch (const Cancelled&) {
+    LabelNetwork cancelled;
+    cancelled.cancelled = true;
+    return cancelled;
+  }
 }
 
 }  // namespace talweg

@@ -9,8 +9,14 @@ namespace {
 constexpr double kStraight = 1e-4;  // rad
 constexpr double kEnd = 1e-7;       // points stay this far (in t) from the ends of their edges
 constexpr double kNearer = 0.8;     // of the way to a vertex, at most, in one step
+constexpr std::size_t kOfNode = 4;  // units of work, each time that it is looked at
 
 }  // namespace
+
+/// So many nodes have been looked at.
+void LiftedChain::tell_work(std::size_t nodes) const {
+  if (asker_ != nullptr) asker_->did(kOfNode * nodes);
+}
 
 ChainNode LiftedChain::node_at(const SurfacePoint& point, bool keep) const {
   ChainNode node(point);
@@ -189,6 +195,7 @@ bool LiftedChain::solve(std::span<const ChainNode> nodes) {
 /// shortens the curve. False when it does not.
 bool LiftedChain::go_along(std::span<ChainNode> nodes, double most, double& total) {
   for (double scale = most; scale > 1e-3 * most; scale /= 2) {
+    tell_work(nodes.size());
     double shorter = 0;
     for (std::size_t i = 1; i < nodes.size(); ++i) {
       const double step = rows_[i].step, t = nodes[i].t;
@@ -216,6 +223,7 @@ bool LiftedChain::go_along(std::span<ChainNode> nodes, double most, double& tota
 
 /// One damped Newton step on a chain whose ends stay. False when nothing is gained.
 bool LiftedChain::newton_step(std::span<ChainNode> nodes, double& total) {
+  tell_work(nodes.size());
   if (!assemble(nodes) || !solve(nodes)) return false;
   trials_.assign(nodes.begin(), nodes.end());
   const double before = total;
@@ -235,6 +243,7 @@ bool LiftedChain::newton_step(std::span<ChainNode> nodes, double& total) {
 }
 
 LiftedChain::Settled LiftedChain::settle_between(std::span<ChainNode> nodes, int steps) {
+  tell_work(nodes.size());
   links_.resize(nodes.size());
   middles_.resize(nodes.size());
   tried_middles_.resize(nodes.size());

@@ -43,7 +43,10 @@ std::vector<SurfacePoint> farthest_points(const SurfaceCurve& drawn,
 
 std::vector<SurfacePoint> LocalTightening::tighten(const SurfaceCurve& drawn,
                                                    const SurfaceCurve& result, double bound,
-                                                   std::span<double> slack) {
+                                                   std::span<double> slack,
+                                                   const Progress& progress) {
+  Asker asker(progress, "measure");
+  const AskedDuring asked(distance_, asker);
   struct Place {
     double arc, apart;
   };

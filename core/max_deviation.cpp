@@ -41,11 +41,20 @@ class Search {
         own_pins_(smoother.pins().begin(), smoother.pins().end()) {
     options_.deviation = DeviationMeasure::kAlongSurface;
   }
-  ~Search() { smoother_.set_pins(own_pins_); }
-  Search(const Search&) = delete;
-  Search& operator=(const Search&) = delete;
-
+  /// The smoother has its own pins again afterwards, also when something throws.
   SmoothingResult run() {
+    try {
+      SmoothingResult result = search();
+      smoother_.set_pins(own_pins_);
+      return result;
+    } catch (...) {
+      smoother_.set_pins(own_pins_);
+      throw;
+    }
+  }
+
+ private:
+  SmoothingResult search() {
     const auto closed = [](const SurfaceCurve& curve) { return curve.closed; };
     const auto& drawn = smoother_.drawn();
     // A geodesic within the bound cannot be beaten; loops would collapse.
@@ -69,7 +78,6 @@ class Search {
     return std::move(best_);
   }
 
- private:
   using Measure = double (*)(const SmoothingResult&);
 
   [[nodiscard]] std::vector<double> slacks() const {
@@ -81,7 +89,7 @@ class Search {
 
   void begin_with(double slack) {
     options_.slack = slack;
-    smoother_.set_pins(own_pins_);
+    if (!smoother_.set_pins(own_pins_, options_.progress)) throw Cancelled();
     pinned_ = 0;
   }
 
@@ -134,9 +142,11 @@ class Search {
     }
   }
 
-  /// Of the drawing's points to the last result.
+  /// Of the drawing's points to the last result. Throws Cancelled.
   std::vector<double> distances_to_result(std::size_t c) {
     if (!to_result_) to_result_.emplace(smoother_.opened().surface());
+    Asker asker(options_.progress, "measure");
+    const AskedDuring asked(*to_result_, asker);
     to_result_->set(std::span(&last_.curves[c], 1));
     std::vector<double> distances;
     for (const SurfacePoint& p : smoother_.drawn()[c].points) {
@@ -198,7 +208,7 @@ class Search {
       const std::size_t before = pins.size();
       add_lost_corners(pins);
       if (pins.size() == before || to_drawn(last_) > bound_) tau *= 1.25;
-      smoother_.set_pins(pins);
+      if (!smoother_.set_pins(pins, options_.progress)) throw Cancelled();
       pinned_ = pins.size() - own_pins_.size();
       if (measured(tau, both_ways) <= bound_) return;
     }
@@ -281,7 +291,13 @@ SmoothingResult smooth_within(CurveSmoother& smoother, double max_deviation,
   if (smoother.slack().empty()) {  // so that giving back the pins cannot fail
     throw Error(ErrorCode::kBadUsage, "smooth_within() needs the corridor.");
   }
-  return Search(smoother, max_deviation, options).run();
+  try {
+    return Search(smoother, max_deviation, options).run();
+  } catch (const Cancelled&) {  // between two runs
+    SmoothingOptions none = options;
+    none.progress = [](const char*, double) { return false; };
+    return smoother.smooth(none);
+  }
 }
 
 }  // namespace talweg

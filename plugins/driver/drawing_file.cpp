@@ -13,7 +13,7 @@
 
 namespace talweg::driver {
 
-Drawing DrawingReader::read(std::span<const std::string> paths) {
+Drawing DrawingReader::read(std::span<const std::string> paths, const Progress& progress) {
   Drawing drawing;
   if (!lines_) lines_.emplace(mesh_->surface());
   for (const std::string& path : paths) {
@@ -21,14 +21,14 @@ Drawing DrawingReader::read(std::span<const std::string> paths) {
     for (CurveInput& input : inputs) {
       if (map_ != nullptr) input = map_->to_repaired(input, mesh_->surface());
     }
-    std::vector<SnappedCurve> all = snap(*mesh_, inputs, closest_);
+    std::vector<SnappedCurve> all = snap(*mesh_, inputs, closest_, {}, progress);
     for (std::size_t i = 0; i < all.size(); ++i) {
       SnappedCurve& snapped = all[i];
       if (map_ != nullptr && std::holds_alternative<std::vector<Point>>(inputs[i].points)) {
         snapped.points = map_->on_one_sheet(snapped.points, snapped.closed, mesh_->surface());
       }
       for (const std::size_t pin : snapped.pins) drawing.pins.push_back(snapped.points[pin]);
-      drawing.curves.push_back(lines_->join(snapped.points, snapped.closed));
+      drawing.curves.push_back(lines_->join(snapped.points, snapped.closed, progress));
       drawing.gaps.add(lines_->gaps());
       drawing.largest_snap_distance =
           std::max(drawing.largest_snap_distance, snapped.largest_snap_distance);

@@ -12,6 +12,7 @@
 #include "talweg/core/repair_map.hpp"
 #include "talweg/core/straight_lines.hpp"
 #include "talweg/core/surface_mesh.hpp"
+#include "talweg/intrinsic/progress.hpp"
 #include "talweg/intrinsic/surface_point.hpp"
 
 namespace talweg::driver {
@@ -31,8 +32,8 @@ class DrawingReader {
   explicit DrawingReader(const SurfaceMesh& mesh, const RepairMap* map = nullptr)
       : mesh_(&mesh), map_(map) {}
   /// The curves of all files, in their order.
-  /// Throws Error as read_curves(), snap() and StraightLines::join() do.
-  Drawing read(std::span<const std::string> paths);
+  /// Throws Error as read_curves(), snap() and StraightLines::join() do, and Cancelled.
+  Drawing read(std::span<const std::string> paths, const Progress& progress = {});
 
  private:
   const SurfaceMesh* mesh_;
