@@ -62,9 +62,10 @@ struct SmoothingOptions {
   int phase_turns = 3;   ///< of the corridor's phase around a loop, at most points / 8; [0, 64]
   bool polish = true;    ///< the corridor's result
   int relax_rounds = 0;  ///< of the paper's relaxation; its authors use 5
-  std::size_t max_iterations = 0;      ///< of FlipOut; 0: FlipOut's own bound
-  double min_relative_length = 0;      ///< stop at this fraction of the lifted length; [0, 1)
-  std::optional<double> length_floor;  ///< mesh units; default: 3 mean edges of the drawn loop
+  std::size_t max_iterations = 0;  ///< of FlipOut; 0: FlipOut's own bound
+  double min_relative_length = 0;  ///< stop at this fraction of the lifted length; [0, 1)
+  /// Mesh units; by default 3 mean edges of the drawn loop, at most half of its length.
+  std::optional<double> length_floor;
   /// Between result and drawing, for the report.
   DeviationMeasure deviation = DeviationMeasure::kAutomatic;
   bool prepare_whole_mesh = false;  ///< lay out everything first; slower, same result
