@@ -111,6 +111,7 @@ class Network {
     give_slack(members);
     SmoothingOptions options;
     options.progress = options_.progress;
+    if (options_.max_deviation) options.deviation = DeviationMeasure::kAlongSurface;
     if (nodes_) options.deviation = DeviationMeasure::kNone;  // not that to these drawings
     options.tau = options_.tau * std::pow(kSteeper, rung);
     if (rung > 0 && options.tau == 0) options.tau = std::pow(kSteeper, rung - 1);

@@ -6,6 +6,7 @@
 
 #include "commands.hpp"
 #include "plugin_host.hpp"
+#include "progress_bar.hpp"
 #include "repaired_mesh.hpp"
 #include "talweg/core/version.hpp"
 
@@ -35,7 +36,7 @@ std::vector<std::uint32_t> through_on(const ReadMesh& mesh, const DrawOptions& o
 
 int run(const DrawOptions& options, const GlobalOptions& global) {
   const ReadMesh mesh = read_and_repair(options.mesh, options.repair);
-  const host::Services services("talweg", version());
+  const host::Services services("talweg", version(), progress_bar(global.quiet));
   const host::Results results = translated([&] {
     host::Instance draw(plugin_named("talweg.draw"), services);
     set_mesh(draw, mesh.lists.points, mesh.lists.triangles);
@@ -46,6 +47,7 @@ int run(const DrawOptions& options, const GlobalOptions& global) {
     draw.set("straight", options.straight ? 1.0 : 0.0);
     return draw.run();
   });
+  clear_progress_bar();
   std::vector<PlacedCurve> curves;
   for (const host::Curve& curve : results.curves) {
     curves.push_back(in_file_numbers(mesh.map.get(), placed_curve(curve)));

@@ -5,6 +5,7 @@
 
 #include "commands.hpp"
 #include "talweg/intrinsic/error.hpp"
+#include "talweg/intrinsic/progress.hpp"
 
 namespace talweg::driver {
 namespace {
@@ -34,6 +35,8 @@ Failure current_failure() {
                            ? " (talweg info tells more, and what --repair can do)"
                            : "";
     return {exit_code_of(error.code()), error.what() + std::string(hint)};
+  } catch (const Cancelled&) {
+    return {kCancelled, "cancelled; nothing was written."};
   } catch (const std::bad_alloc&) {
     return {kInternal, "There is not enough memory."};
   } catch (const std::exception& error) {

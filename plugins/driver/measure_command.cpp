@@ -11,6 +11,7 @@
 #include "commands.hpp"
 #include "drawing_file.hpp"
 #include "measure_text.hpp"
+#include "progress_bar.hpp"
 #include "repaired_mesh.hpp"
 #include "talweg/core/formats/file_bytes.hpp"
 #include "talweg/core/self_contacts.hpp"
@@ -85,10 +86,10 @@ MeasuredDeviation all_of(const Measurement& m) {
 }
 
 void compare(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves,
-             std::span<const SurfaceCurve> others, Measurement& m) {
+             std::span<const SurfaceCurve> others, const Progress& progress, Measurement& m) {
   DeviationMeter meter(mesh);
   const auto between = [&](std::span<const SurfaceCurve> a, std::span<const SurfaceCurve> b) {
-    const SurfaceDeviation d = meter.measure(a, b);
+    const SurfaceDeviation d = meter.measure(a, b, progress);
     return MeasuredDeviation{d.to_drawn.max, d.to_drawn.mean, d.from_drawn.max, d.from_drawn.mean,
                              mesh.position(d.larger().at)};
   };
@@ -109,7 +110,7 @@ void compare(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves,
   }
 }
 
-Measurement measure(const MeasureOptions& options) {
+Measurement measure(const MeasureOptions& options, const Progress& progress) {
   ReadMesh read = read_and_repair(options.mesh, options.repair);
   const std::size_t polygons = read.lists.polygon_count;
   const SurfaceMesh mesh = SurfaceMesh::open(std::move(read.lists));
@@ -126,7 +127,7 @@ Measurement measure(const MeasureOptions& options) {
     drawing.largest_snap_distance =
         std::max(drawing.largest_snap_distance, other.largest_snap_distance);
     m.other = measure_file(mesh, options.other, other.curves);
-    compare(mesh, drawing.curves, other.curves, m);
+    compare(mesh, drawing.curves, other.curves, progress, m);
   }
   drawing.gaps = {};  // what is measured is the joined curve
   const std::vector<std::string> reading = reading_warnings(drawing, polygons);
@@ -154,7 +155,8 @@ Command add_measure(CLI::App& app, const GlobalOptions& global) {
   command->add_option("--report", o->report, "What was measured, as JSON");
   add_repair_option(*command, o->repair);
   return [o, &global] {
-    const Measurement m = measure(*o);
+    const Measurement m = measure(*o, progress_bar(global.quiet));
+    clear_progress_bar();
     if (!o->report.empty()) write_file(o->report, measure_json(m));
     const bool table = global.verbose || o->report.empty();
     if (table && !global.quiet) std::fputs(measure_table(m).c_str(), stdout);

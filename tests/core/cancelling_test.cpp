@@ -264,6 +264,41 @@ TEST(Cancelling, SmoothingAtAnyMomentGivesTheDrawingAndChangesNothing) {
   }
 }
 
+// A callback may throw; what it throws comes out, and the smoother is as if it had not been asked.
+TEST(Cancelling, WhatACallbackThrowsComesOutAndChangesNothing) {
+  struct Thrown {};
+  std::mt19937 random(19);
+  for (const Job& job : jobs()) {
+    SCOPED_TRACE(job.name);
+    const bool within = job.options.method == Method::kCorridor && job.drawn.size() == 1;
+    CurveOptions curve_options = job.options;
+    if (within) curve_options.pins = {job.drawn[0].points[9]};
+    CurveSmoother fresh(job.opened), smoother(job.opened);
+    fresh.set_curves(job.drawn, curve_options);
+    smoother.set_curves(job.drawn, curve_options);
+    const auto expected = points_of(fresh.smooth(1.5).curves);
+    for (int k = 0; k < 12; ++k) {
+      std::size_t left = moment(random, 60);
+      SmoothingOptions options;
+      options.tau = k % 2 == 0 ? 1.5 : 0.05;
+      options.progress = [&](const char*, double) {
+        if (left-- == 0) throw Thrown();
+        return true;
+      };
+      try {
+        if (within && k % 3 == 0) {
+          smooth_within(smoother, 0.5, options);
+        } else {
+          smoother.smooth(options);
+        }
+      } catch (const Thrown&) {
+      }
+      EXPECT_EQ(std::vector(smoother.pins().begin(), smoother.pins().end()), curve_options.pins);
+      EXPECT_EQ(points_of(smoother.smooth(1.5).curves), expected);
+    }
+  }
+}
+
 TEST(Cancelling, OtherPinsAtAnyMomentKeepsTheOnesThatAreSet) {
   std::mt19937 random(13);
   for (const Job& job : jobs()) {
