@@ -13,9 +13,9 @@ constexpr std::size_t kOfNode = 4;  // units of work, each time that it is looke
 
 }  // namespace
 
-/// So many nodes have been looked at.
-void LiftedChain::tell_work(std::size_t nodes) const {
-  if (asker_ != nullptr) asker_->did(kOfNode * nodes);
+/// A node has been looked at.
+void LiftedChain::tell_work() const {
+  if (asker_ != nullptr) asker_->did(kOfNode);
 }
 
 ChainNode LiftedChain::node_at(const SurfacePoint& point, bool keep) const {
@@ -156,6 +156,7 @@ bool LiftedChain::assemble(std::span<const ChainNode> nodes) {
   const std::size_t n = nodes.size();
   rows_.assign(n, Row{});
   for (std::size_t i = 0; i + 1 < n; ++i) {
+    tell_work();
     add_segment(nodes[i], middles_[i], nodes[i + 1], rows_[i], rows_[i + 1]);
   }
   double force = 0;  // sine of the angle by which the curve is not straight yet
@@ -195,9 +196,9 @@ bool LiftedChain::solve(std::span<const ChainNode> nodes) {
 /// shortens the curve. False when it does not.
 bool LiftedChain::go_along(std::span<ChainNode> nodes, double most, double& total) {
   for (double scale = most; scale > 1e-3 * most; scale /= 2) {
-    tell_work(nodes.size());
     double shorter = 0;
     for (std::size_t i = 1; i < nodes.size(); ++i) {
+      tell_work();
       const double step = rows_[i].step, t = nodes[i].t;
       if (step != 0 && i + 1 < nodes.size()) {
         trials_[i] = place_at(nodes[i], t + std::clamp(scale * step, std::max(-0.5, -kNearer * t),
@@ -223,7 +224,6 @@ bool LiftedChain::go_along(std::span<ChainNode> nodes, double most, double& tota
 
 /// One damped Newton step on a chain whose ends stay. False when nothing is gained.
 bool LiftedChain::newton_step(std::span<ChainNode> nodes, double& total) {
-  tell_work(nodes.size());
   if (!assemble(nodes) || !solve(nodes)) return false;
   trials_.assign(nodes.begin(), nodes.end());
   const double before = total;
@@ -243,12 +243,12 @@ bool LiftedChain::newton_step(std::span<ChainNode> nodes, double& total) {
 }
 
 LiftedChain::Settled LiftedChain::settle_between(std::span<ChainNode> nodes, int steps) {
-  tell_work(nodes.size());
   links_.resize(nodes.size());
   middles_.resize(nodes.size());
   tried_middles_.resize(nodes.size());
   double total = 0;
   for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
+    tell_work();
     const ChainNode &a = nodes[i], &b = nodes[i + 1];
     links_[i] = link_between(a, b);
     middles_[i] = halfway(links_[i], a, b);

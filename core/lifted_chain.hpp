@@ -130,7 +130,7 @@ class LiftedChain {
   bool newton_step(std::span<ChainNode> nodes, double& total);
   bool assemble(std::span<const ChainNode> nodes);
   bool solve(std::span<const ChainNode> nodes);
-  void tell_work(std::size_t nodes) const;
+  void tell_work() const;
 
   const SurfaceMesh& mesh_;
   const ExactPotential& potential_;
