@@ -207,7 +207,7 @@ void BumpOptions::validate() const {
 }
 
 std::vector<double> convolve_with_bump(const Surface& surface, std::span<const double> values,
-                                       const BumpOptions& options) {
+                                       const BumpOptions& options, const Progress& progress) {
   options.validate();
   check(surface, values);
   std::vector<double> result(values.begin(), values.end());
@@ -215,7 +215,11 @@ std::vector<double> convolve_with_bump(const Surface& surface, std::span<const d
 
   const std::vector<Ring> rings = rings_of(options.radius, options.samples);
   std::vector<Corner> corners;
+  Asker asker(progress, "solve");
+  const auto rays = static_cast<std::size_t>(options.rays);
   for (std::size_t v = 0; v < result.size(); ++v) {
+    asker.is_at(static_cast<double>(v) / static_cast<double>(result.size()));
+    asker.did(rays * rings.size());
     corners_about(surface, VertexId{v}, corners);
     if (corners.empty() || std::isinf(values[v])) continue;
     result[v] += mean_change(surface, values, corners, rings, options.rays);

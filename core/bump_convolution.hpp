@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "talweg/intrinsic/progress.hpp"
 #include "talweg/intrinsic/surface.hpp"
 
 namespace talweg {
@@ -41,8 +42,8 @@ struct BumpOptions {
 /// No memory but the result.
 ///
 /// Throws Error(kBadUsage) when the options are invalid, the number of values is not the number of
-/// vertices, or a value is NaN or -infinity.
+/// vertices, or a value is NaN or -infinity; Cancelled when `progress` (stage "solve") says so.
 std::vector<double> convolve_with_bump(const Surface& surface, std::span<const double> values,
-                                       const BumpOptions& options);
+                                       const BumpOptions& options, const Progress& progress = {});
 
 }  // namespace talweg

@@ -93,6 +93,21 @@ std::array<double, 2> Corridor::at(const SurfacePoint& point) const {
   return lifted(distance_->at(point));
 }
 
+/// Of a single open curve with one slack φ is a function of δ, which grows no faster than ways do;
+/// else the nearest point may jump between the ends of an edge, and φ to anything.
+double Corridor::largest_lengthening(double distance, double length) const {
+  const bool by_distance_alone = profiles_.size() == 1 && profiles_.front().arcs.empty() &&
+                                 profiles_.front().phase_per_arc == 0;
+  double largest = 0;
+  for (const Profile& profile : profiles_) {
+    const double beyond = std::max(0.0, distance - least_slack_);
+    const double slope = by_distance_alone ? 2 * profile.steepness * beyond
+                                           : 2 * profile.steepness * beyond * (beyond / length);
+    largest = std::max(largest, slope * slope / 2);
+  }
+  return std::isnan(largest) ? HUGE_VAL : largest;
+}
+
 PotentialOnEdge Corridor::on_edge(EdgeId e, double t) const {
   PotentialOnEdge result;
   const PolylineDistance::EdgeValue d = distance_->at_edge(e, t);

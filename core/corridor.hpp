@@ -47,6 +47,9 @@ class Corridor {
   /// The same where δ is at most `exact`; farther out not less, as if δ were the length of a way
   /// along edges. Spares a wide band, for walls that nothing climbs.
   std::array<double, 2> at_vertex_roughly(VertexId v, double exact) const;
+  /// By what part of itself an edge of this length or more, with its ends no farther from the
+  /// drawing than `distance`, can be lengthened at most. O(curves), asks no distance.
+  [[nodiscard]] double largest_lengthening(double distance, double length) const;
   PotentialOnEdge on_edge(EdgeId e, double t) const;
   PotentialInFace in_face(FaceId face, const ExactPotential::Barycentric& b,
                           const std::array<ExactPotential::Barycentric, 2>& d) const;

@@ -78,11 +78,14 @@ void check_drawn(const Surface& surface, const SurfaceCurve& curve) {
 EmbeddedCurves embed_curves(SignpostTriangulation& triangulation,
                             std::span<const SurfaceCurve> curves,
                             std::span<const SurfacePoint> pins, Loops loops,
-                            std::span<const std::size_t> names) {
+                            std::span<const std::size_t> names, const Progress& progress) {
+  constexpr std::size_t kOfPoint = 32;  // units of work
+  Asker asker(progress, "embed");
   PointInsertion insertion(triangulation);
   std::vector<std::vector<VertexId>> vertices(curves.size());
   for (std::size_t c = 0; c < curves.size(); ++c) {
     for (const SurfacePoint& point : curves[c].points) {
+      asker.did(kOfPoint);
       const VertexId v = insertion.insert(point);
       if (vertices[c].empty() || vertices[c].back() != v) vertices[c].push_back(v);
     }
@@ -100,6 +103,7 @@ EmbeddedCurves embed_curves(SignpostTriangulation& triangulation,
   for (std::size_t c = 0; c < curves.size(); ++c) {
     const std::size_t count = vertices[c].size();
     for (std::size_t i = 0; i + (curves[c].closed ? 0 : 1) < count; ++i) {
+      asker.did(kOfPoint);
       std::vector<HalfedgeId> way;
       insertion.connect(vertices[c][i], vertices[c][(i + 1) % count], way);
       joined.push_back({c, insertion.split_count(), std::move(way)});
@@ -107,10 +111,12 @@ EmbeddedCurves embed_curves(SignpostTriangulation& triangulation,
   }
   std::vector<std::vector<HalfedgeId>> chains(curves.size());
   for (const Joined& pair : joined) {
+    asker.did(kOfPoint / 4);
     const std::vector<HalfedgeId> now = insertion.now(pair.way, pair.since);
     chains[pair.curve].insert(chains[pair.curve].end(), now.begin(), now.end());
   }
   EmbeddedCurves embedded;
+  asker.ask();
   for (const SurfacePoint& pin : pins) embedded.pinned.push_back(insertion.insert(pin));
   std::sort(embedded.pinned.begin(), embedded.pinned.end());
   for (std::size_t c = 0; c < curves.size(); ++c) {

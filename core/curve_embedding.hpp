@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "talweg/intrinsic/edge_path.hpp"
+#include "talweg/intrinsic/progress.hpp"
 #include "talweg/intrinsic/signpost_triangulation.hpp"
 #include "talweg/intrinsic/surface_point.hpp"
 
@@ -26,11 +27,12 @@ enum class Loops { kKeep, kErase };
 /// The curves as edge paths, after inserting those of their points that are not vertices. Different
 /// curves may touch or share edges. `pins` are points of the curves.
 /// With Loops::kErase a path passes no vertex twice: what lies between is left out, of a closed
-/// curve the shorter part. Throws Error(kBadCurve) when too little is left,
-/// with the curve's number, or that in `names`.
+/// curve the shorter part. Throws Error(kBadCurve) when too little is left, with the curve's
+/// number, or that in `names`, and Cancelled when `progress` (stage "embed") says so; points may
+/// have been inserted by then.
 EmbeddedCurves embed_curves(SignpostTriangulation& triangulation,
                             std::span<const SurfaceCurve> curves,
                             std::span<const SurfacePoint> pins = {}, Loops loops = Loops::kKeep,
-                            std::span<const std::size_t> names = {});
+                            std::span<const std::size_t> names = {}, const Progress& progress = {});
 
 }  // namespace talweg

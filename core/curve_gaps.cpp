@@ -26,7 +26,9 @@ PieceBox box_of(std::span<const Point> points, double margin) {
 /// From the points of one curve to the other, where that is below `limit`. The points that are
 /// nearest through space come first, so the distance is needed only as far as the least so far.
 double gap(const SurfaceMesh& mesh, const SurfaceCurve& from, const SurfaceCurve& to, double limit,
-           std::optional<PolylineDistance>& distance) {
+           std::optional<PolylineDistance>& distance, Asker& asker) {
+  constexpr std::size_t kOfPoint = 16;  // units of work
+  asker.did(kOfPoint * to.points.size());
   const NearParts other(mesh, std::span(&to, 1));
   struct Near {
     double through_space;
@@ -35,6 +37,7 @@ double gap(const SurfaceMesh& mesh, const SurfaceCurve& from, const SurfaceCurve
   std::vector<Near> near;
   std::vector<PieceBox> boxes;
   for (const SurfacePoint& point : from.points) {
+    asker.did(kOfPoint);
     const Point p = mesh.position(point);
     const double through_space = other.distance(p);
     if (!(through_space < limit)) continue;
@@ -45,6 +48,7 @@ double gap(const SurfaceMesh& mesh, const SurfaceCurve& from, const SurfaceCurve
   std::sort(near.begin(), near.end(),
             [](const Near& a, const Near& b) { return a.through_space < b.through_space; });
   if (!distance) distance.emplace(mesh.surface());
+  const AskedDuring asked(*distance, asker);
   distance->set(other.meeting(boxes));
   double least = HUGE_VAL;
   for (const Near& n : near) {
@@ -57,7 +61,8 @@ double gap(const SurfaceMesh& mesh, const SurfaceCurve& from, const SurfaceCurve
 }  // namespace
 
 std::vector<double> gaps_to_others(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves,
-                                   double limit) {
+                                   double limit, const Progress& progress) {
+  Asker asker(progress, "solve");
   std::vector<double> gaps(curves.size(), HUGE_VAL);
   std::vector<PieceBox> boxes;
   for (const SurfaceCurve& curve : curves) {
@@ -65,10 +70,11 @@ std::vector<double> gaps_to_others(const SurfaceMesh& mesh, std::span<const Surf
   }
   std::optional<PolylineDistance> distance;
   for (std::size_t i = 0; i < curves.size(); ++i) {
+    asker.did(curves.size());
     for (std::size_t j = i + 1; j < curves.size(); ++j) {
       if (!boxes[i].intersects(boxes[j])) continue;
-      const double there = gap(mesh, curves[i], curves[j], limit, distance);
-      const double back = gap(mesh, curves[j], curves[i], std::min(limit, there), distance);
+      const double there = gap(mesh, curves[i], curves[j], limit, distance, asker);
+      const double back = gap(mesh, curves[j], curves[i], std::min(limit, there), distance, asker);
       const double apart = std::min(there, back);
       if (!(apart < limit) || apart <= 1e-9 * limit) continue;
       gaps[i] = std::min(gaps[i], apart);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "talweg/core/surface_mesh.hpp"
+#include "talweg/intrinsic/progress.hpp"
 #include "talweg/intrinsic/surface_point.hpp"
 
 namespace talweg {
@@ -12,8 +13,8 @@ namespace talweg {
 /// Per curve the length of the shortest way along the surface to another one, mesh units; infinite
 /// where that is `limit` or more. Curves that touch (nodes of a network) do not count for each
 /// other. O(pairs) for curves that are far apart; the others cost the band of width `limit` between
-/// them.
+/// them. Throws Cancelled when `progress` (stage "solve") says so.
 std::vector<double> gaps_to_others(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves,
-                                   double limit);
+                                   double limit, const Progress& progress = {});
 
 }  // namespace talweg

@@ -20,6 +20,11 @@
 namespace talweg {
 namespace {
 
+constexpr std::size_t kOfPoint = 8;  // units of work, to measure or to check it
+
+/// The length where nothing is lifted, as the others are computed.
+double flat_length(double length) { return lifted_length(length, 0.0, 0.0); }
+
 [[noreturn]] void bad_usage(const std::string& message) {
   throw Error(ErrorCode::kBadUsage, message);
 }
@@ -59,8 +64,7 @@ CurveSmoother::~CurveSmoother() = default;
 void CurveSmoother::forget() {
   triangulation_.remove_inserted();
   unrolled_.reset();
-  refined_.reset();
-  refined_whole_.reset();
+  refined_.clear();
   drawn_.clear();
   set_order_.clear();
   places_.clear();
@@ -88,17 +92,24 @@ void CurveSmoother::refuse_point(const SurfaceCurve& curve) const {
                           at.y(), at.z()));
 }
 
-void CurveSmoother::take(std::span<const SurfaceCurve> curves, const CurveOptions& options) {
+void CurveSmoother::take(std::span<const SurfaceCurve> curves, const CurveOptions& options,
+                         const Progress& progress) {
   if (curves.empty()) bad_usage("There is no curve to smooth.");
   options.validate();
   const Surface& surface = mesh_->surface();
-  for (const SurfaceCurve& curve : curves) check_drawn(surface, curve);
+  Asker asker(progress, "embed");
+  for (const SurfaceCurve& curve : curves) {
+    asker.did(kOfPoint * curve.points.size());
+    check_drawn(surface, curve);
+  }
   check_pins(curves, options.pins);
   curve_options_ = options;
   drawn_.assign(curves.begin(), curves.end());
   std::vector<CurveOrder> orders;
   std::vector<SurfaceCurve> ordered;
   for (const SurfaceCurve& curve : drawn_) {
+    const auto next = [&] { asker.did(kOfPoint * curve.points.size()); };
+    next();
     orders.push_back(canonical_order(mesh_->mesh(), curve));
     ordered.push_back(in_order(curve, orders.back()));
   }
@@ -108,34 +119,56 @@ void CurveSmoother::take(std::span<const SurfaceCurve> curves, const CurveOption
     places_[c] = ordered_.size();
     orders_.push_back(orders[c]);
     const SurfaceCurve& curve = ordered_.emplace_back(std::move(ordered[c]));
+    const auto next = [&] { asker.did(kOfPoint * curve.points.size()); };
+    next();
     drawn_measures_.push_back(measure_curve(surface, curve));
     if (!(drawn_measures_.back().length > 0)) refuse_point(curve);
+    next();
     edges_near_.push_back(edge_length_near(surface, curve));
   }
 }
 
-void CurveSmoother::embed_drawn() {
+void CurveSmoother::embed_drawn(const Progress& progress) {
   capped_.clear();
   for (const SurfaceCurve& curve : ordered_) {
     capped_.push_back(curve_options_.cap_corners
                           ? capped_curve(mesh_->surface(), curve, curve_options_.pins)
                           : curve);
   }
-  embedded_ = embed_curves(triangulation_, capped_, curve_options_.pins, loops_, set_order_);
+  embedded_ =
+      embed_curves(triangulation_, capped_, curve_options_.pins, loops_, set_order_, progress);
 }
 
-void CurveSmoother::set_pins(std::span<const SurfacePoint> pins) {
+bool CurveSmoother::set_pins(std::span<const SurfacePoint> pins, const Progress& progress) {
   if (!is_set()) bad_usage("No curve is set.");
   if (curve_options_.method != Method::kCorridor) bad_usage("set_pins() needs the corridor.");
   check_pins(drawn_, pins);
   const std::vector<SurfacePoint> own(pins.begin(), pins.end());  // may be our own
-  curve_options_.pins = own;
-  if (refined_) return set_refined_pins();
-  if (unrolled_) return set_unrolled_pins();
-  triangulation_.remove_inserted();
+  const std::vector<SurfacePoint> before = curve_options_.pins;
+  const auto set = [&](const std::vector<SurfacePoint>& these, const Progress& asked) {
+    curve_options_.pins = these;
+    if (!refined_.empty()) return set_refined_pins(asked);
+    if (unrolled_) return set_unrolled_pins(asked);
+    triangulation_.remove_inserted();
+    embed_drawn(asked);
+    return true;
+  };
+  bool done = false;
+  try {
+    done = set(own, progress);
+  } catch (const Cancelled&) {
+  } catch (...) {
+    set(before, {});
+    throw;
+  }
+  if (!done) {
+    set(before, {});
+    return false;
+  }
+  if (!refined_.empty() || unrolled_) return true;
   anchors_.clear();
   last_.reset();
-  embed_drawn();
+  return true;
 }
 
 bool CurveSmoother::set_curve(const SurfaceCurve& curve, const CurveOptions& options,
@@ -148,27 +181,35 @@ bool CurveSmoother::set_curves(std::span<const SurfaceCurve> curves, const Curve
   const std::vector<SurfaceCurve> own(curves.begin(), curves.end());  // may be our own drawing
   forget();
   try {
-    take(own, options);
-    if (!faces_to_divide().empty()) {
-      capped_ = ordered_;
-      if (set_refined(false, progress)) return true;
-    } else {
-      embed_drawn();
-      const std::vector<bool> alone = tangled();
-      if (!alone.empty() ? set_unrolled(alone, progress) : solve_distance(options, progress)) {
-        return true;
-      }
-    }
+    take(own, options, progress);
+    set_drawn(options, progress);
+  } catch (const Cancelled&) {
+    forget();
+    return false;
   } catch (...) {
     forget();
     throw;
   }
-  forget();
-  return false;
+  return true;
+}
+
+void CurveSmoother::set_drawn(const CurveOptions& options, const Progress& progress) {
+  if (!faces_to_divide().empty()) {
+    capped_ = ordered_;
+    return set_refined(progress);
+  }
+  embed_drawn(progress);
+  if (const std::vector<bool> alone = tangled(); !alone.empty()) {
+    set_unrolled(alone, progress);
+  } else if (options.method == Method::kCorridor) {
+    solve_corridor(progress);
+  } else if (options.distance_at_once) {
+    solve_distance(progress);
+  }
 }
 
 bool CurveSmoother::set_curves(std::span<const SurfaceCurve> curves, std::vector<double> distance,
-                               const CurveOptions& options) {
+                               const CurveOptions& options, const Progress& progress) {
   const std::vector<SurfaceCurve> own(curves.begin(), curves.end());
   forget();
   const Stopwatch watch;
@@ -182,13 +223,18 @@ bool CurveSmoother::set_curves(std::span<const SurfaceCurve> curves, std::vector
     }
   }
   try {
-    take(own, options);
-    embed_drawn();
+    take(own, options, progress);
+    embed_drawn(progress);
     curve_options_.method = Method::kPaper;
     distance_ = std::move(distance);
     inserted_distance_ = at_inserted(distance_, 1);
     find_largest_distances();
-    if (const std::vector<bool> alone = tangled(); !alone.empty()) set_unrolled(alone, {});
+    if (const std::vector<bool> alone = tangled(); !alone.empty()) {
+      set_unrolled(alone, progress);
+    }
+  } catch (const Cancelled&) {
+    forget();
+    return false;
   } catch (...) {
     forget();
     throw;
@@ -197,30 +243,48 @@ bool CurveSmoother::set_curves(std::span<const SurfaceCurve> curves, std::vector
   return true;
 }
 
-bool CurveSmoother::solve_distance(const CurveOptions& options, const Progress& progress) {
-  if (options.method == Method::kCorridor) {
-    const Stopwatch watch;
-    if (!exact_distance_) exact_distance_.emplace(mesh_->surface());
+void CurveSmoother::solve_corridor(const Progress& progress) {
+  const Stopwatch watch;
+  if (!exact_distance_) exact_distance_.emplace(mesh_->surface());
+  {
+    Asker asker(progress, "solve");
+    const AskedDuring asked(*exact_distance_, asker);
     exact_distance_->set(ordered_);
-    make_valleys();
-    hold_loops();
-    solve_ms_ = watch.ms();
-    return true;
   }
+  make_valleys(progress);
+  hold_loops(progress);
+  solve_ms_ = watch.ms();
+}
+
+bool CurveSmoother::need_distance(const Progress& progress) {
+  if (!is_set()) bad_usage("No curve is set.");
+  if (curve_options_.method != Method::kPaper || !distance_.empty()) return true;
+  try {
+    solve_distance(progress);
+  } catch (const Cancelled&) {
+    return false;
+  }
+  return true;
+}
+
+void CurveSmoother::solve_distance(const Progress& progress) {
+  const CurveOptions& options = curve_options_;
   const Stopwatch open_watch;
-  const HeatDistance* heat = mesh_->heat(options.heat_time, progress, options.threads);
-  if (heat == nullptr) return false;
+  const auto heat = mesh_->heat(options.heat_time, progress, options.threads);
+  if (heat == nullptr) throw Cancelled();
   heat_open_ms_ = open_watch.ms();
 
   const Stopwatch watch;
-  if (!go_on(progress, "solve", 0)) return false;
-  distance_ = heat->solve(sources_of(mesh_->surface(), capped_));
+  std::vector<double> solved =
+      heat->solve(sources_of(mesh_->surface(), capped_), DistanceOptions{}, progress);
   if (options.bump_radius > 0) {
     BumpOptions bump;
     bump.radius = options.bump_radius;
-    distance_ = convolve_with_bump(mesh_->surface(), distance_, bump);
+    solved = convolve_with_bump(mesh_->surface(), solved, bump, progress);
+    distance_ = std::move(solved);
     inserted_distance_ = at_inserted(distance_, 1);
   } else {
+    distance_ = std::move(solved);
     // Inserted vertices lie on the drawing, where the distance is 0 whatever the mesh can resolve.
     inserted_distance_.assign(triangulation_.inserted_count(), 0.0);
   }
@@ -235,7 +299,6 @@ bool CurveSmoother::solve_distance(const CurveOptions& options, const Progress& 
                     mollification_, mollification_ / mesh_->mesh().mean_edge_length()));
   }
   solve_ms_ = watch.ms();
-  return true;
 }
 
 std::vector<double> CurveSmoother::at_inserted(std::span<const double> values,
@@ -310,7 +373,27 @@ SmoothingResult CurveSmoother::smooth(double tau) {
 SmoothingResult CurveSmoother::smooth(const SmoothingOptions& options) {
   options.validate();
   if (!is_set()) bad_usage("No curve is set.");
-  return as_drawn(smooth_in_order(with_ordered_slack(options)));
+  try {
+    Asker(options.progress, "straighten");
+    return as_drawn(smooth_now(with_ordered_slack(options)));
+  } catch (const Cancelled&) {
+    return cancelled_result(options);
+  }
+}
+
+/// The drawing as it is.
+SmoothingResult CurveSmoother::cancelled_result(const SmoothingOptions& options) const {
+  SmoothingResult result;
+  result.curves = drawn_;
+  for (std::size_t c = 0; c < drawn_.size(); ++c) {
+    SmoothingReport& report = result.reports.emplace_back(
+        report_on_nothing(mesh_->mesh(), drawn_[c], drawn_measures_[places_[c]]));
+    report.tau = options.tau;
+    report.edge_length_near = edges_near_[places_[c]];
+    report.termination = to_string(Termination::kCancelled);
+  }
+  result.total = total_of(result.reports);
+  return result;
 }
 
 /// Of curves as they were drawn. All that is measured and decided is so on ordered ones, so that a
@@ -348,10 +431,18 @@ SmoothingResult CurveSmoother::as_drawn(SmoothingResult result) const {
   return result;
 }
 
-SmoothingResult CurveSmoother::smooth_in_order(const SmoothingOptions& options) {
-  if (refined_) return smooth_refined(options);
+SmoothingResult CurveSmoother::smooth_now(const SmoothingOptions& options) {
+  if (!refined_.empty()) return smooth_refined(options);
   if (unrolled_) return smooth_unrolled(options);
   if (curve_options_.method == Method::kCorridor) return smooth_in_corridor(options);
+  return smooth_for_paper(options);
+}
+
+SmoothingResult CurveSmoother::smooth_for_paper(const SmoothingOptions& options) {
+  if (options.tau == 0) {
+    return run(options, [](VertexId, VertexId, double length) { return flat_length(length); });
+  }
+  if (!need_distance(options.progress)) throw Cancelled();
   std::vector<Potential> potentials;  // by component
   for (std::size_t k = 0; k < largest_distance_.size(); ++k) {
     potentials.emplace_back(options.potential, options.tau,
@@ -384,8 +475,20 @@ SmoothingResult CurveSmoother::smooth(const SmoothingOptions& options,
                 " is not a number of at most 1e150.");
     }
   }
-  if (refined_) return as_drawn(smooth_refined(options, potential, components));
-  if (unrolled_) return as_drawn(smooth_unrolled(options, potential, components));
+  try {
+    Asker(options.progress, "straighten");
+    return as_drawn(smooth_now(options, potential, components));
+  } catch (const Cancelled&) {
+    return cancelled_result(options);
+  }
+}
+
+SmoothingResult CurveSmoother::smooth_now(const SmoothingOptions& options,
+                                          std::span<const double> potential,
+                                          std::size_t components) {
+  if (!refined_.empty()) return smooth_refined(options, potential, components);
+  if (unrolled_) return smooth_unrolled(options, potential, components);
+  const std::size_t own = mesh_->surface().vertex_count();
   const std::vector<double> inserted = at_inserted(potential, components);
   SmoothingResult result = run(options, [&](VertexId p, VertexId q, double length) {
     const auto at = [&](VertexId v) {
@@ -406,7 +509,7 @@ SmoothingResult CurveSmoother::run(const SmoothingOptions& options,
   triangulation_.set_metric({});  // what it refers to may go away
   const Stopwatch watch;
   std::vector<SurfaceCurve> curves = straight.curves;
-  relax(mesh_->mesh(), curves, {options.relax_rounds});
+  relax(mesh_->mesh(), curves, {options.relax_rounds}, options.progress);
   StageTimes times = straight.time_ms;
   times.relax = watch.ms();
   return report_on(options, straight, std::move(curves), times);
@@ -414,9 +517,19 @@ SmoothingResult CurveSmoother::run(const SmoothingOptions& options,
 
 CurveSmoother::Straightened CurveSmoother::straighten(const SmoothingOptions& options,
                                                       SignpostTriangulation::Metric metric) {
+  triangulation_.set_metric(std::move(metric));
+  try {
+    return straightened(options);
+  } catch (...) {  // cancelled, most likely, and anywhere
+    while (triangulation_.flip_count() > 0) triangulation_.undo_flip();
+    triangulation_.set_metric({});
+    throw;
+  }
+}
+
+CurveSmoother::Straightened CurveSmoother::straightened(const SmoothingOptions& options) {
   Stopwatch watch;
   Straightened result;
-  triangulation_.set_metric(std::move(metric));
   if (options.prepare_whole_mesh) triangulation_.prepare_all();
   FlipOutOptions flip_options;
   flip_options.max_iterations = options.max_iterations;
@@ -429,13 +542,28 @@ CurveSmoother::Straightened CurveSmoother::straighten(const SmoothingOptions& op
 
   watch = Stopwatch();
   std::vector<EdgePath> paths;
-  for (const FlipOutResult::Path& path : result.flip_out.paths) paths.push_back(path.path);
-  TraceResult traced = tracer_.trace_and_undo(paths);
+  for (const FlipOutResult::Path& path : result.flip_out.paths) {
+    if (path.termination == Termination::kCancelled) throw Cancelled();
+    paths.push_back(path.path);
+  }
+  TraceResult traced = tracer_.trace_and_undo(paths, options.progress);
   result.time_ms.trace = watch.ms();
   result.curves = std::move(traced.curves);
   result.clamped = traced.clamped;
   result.faces_touched = count_touched_faces(triangulation_);
+  const auto touched = triangulation_.touched();
+  result.touched.assign(touched.begin(), touched.end());
+  at_cut_ =
+      at_cut_ || (cut_ != nullptr && std::any_of(touched.begin(), touched.end(), [&](VertexId v) {
+                    return v.index() < cut_->size() && (*cut_)[v.index()];
+                  }));
   return result;
+}
+
+DeviationMeasure CurveSmoother::measure_for(const SmoothingOptions& options) {
+  const bool automatic = options.deviation == DeviationMeasure::kAutomatic;
+  return automatic && options.tau >= kLeastAnchor ? DeviationMeasure::kAlongSurface
+                                                  : options.deviation;
 }
 
 SmoothingResult CurveSmoother::report_on(const SmoothingOptions& options,
@@ -464,9 +592,13 @@ SmoothingResult CurveSmoother::report_on(const SmoothingOptions& options,
     report.trace_fallbacks = straight.clamped;
     report.mollification = mollification_;
     report.warnings = warnings_;
-    report_deviation(report, options.deviation, *deviation_meter_, mesh_->mesh(), ordered_[c],
-                     result.curves[c], band_is_there ? &*exact_distance_ : nullptr);
-    if (warns_if_far_) warn_if_far(report, kFarInEdges * edges_near_[c]);
+    report_deviation(report, measure_for(options), *deviation_meter_, mesh_->mesh(), ordered_[c],
+                     result.curves[c], band_is_there ? &*exact_distance_ : nullptr,
+                     options.progress);
+    if (warns_if_far_) {
+      warn_if_far(report, kFarInEdges * edges_near_[c],
+                  options.deviation == DeviationMeasure::kAutomatic);
+    }
     if (path.termination == Termination::kLimit && options.max_iterations == 0 &&
         options.min_relative_length == 0) {
       report.warnings.emplace_back(
@@ -502,7 +634,7 @@ void CurveSmoother::report_moves(const SmoothingOptions& options, SmoothingResul
   if (last_ && options.deviation != DeviationMeasure::kNone && near(last_->options)) {
     for (std::size_t c = 0; c < result.curves.size(); ++c) {
       report_move(result.reports[c], mesh_->mesh(), last_->options.tau, last_->result.curves[c],
-                  result.curves[c]);
+                  result.curves[c], options.progress);
     }
   }
   last_ = Last{options, result};

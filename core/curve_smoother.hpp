@@ -40,6 +40,9 @@ enum class Method {
 struct CurveOptions {
   Method method = Method::kCorridor;  ///< and with it the distance
   double heat_time = 10;              ///< of the distance's heat flow, in units of h²; [1e-3, 1e6]
+  /// Whether the paper's distance, which is what setting a curve costs, is there when it is set;
+  /// else it is computed when something first needs it, and at tau = 0 nothing does.
+  bool distance_at_once = true;
   double bump_radius = 0;   ///< mesh units; > 0 smooths the distance once more by equation 3
   bool cap_corners = true;  ///< as the paper does; only curves that run along mesh edges
   unsigned threads = 2;  ///< at most, for the factors of the heat distance; >= 1; changes no result
@@ -59,13 +62,14 @@ struct SmoothingOptions {
   int phase_turns = 3;   ///< of the corridor's phase around a loop, at most points / 8; [0, 64]
   bool polish = true;    ///< the corridor's result
   int relax_rounds = 0;  ///< of the paper's relaxation; its authors use 5
-  std::size_t max_iterations = 0;      ///< of FlipOut; 0: FlipOut's own bound
-  double min_relative_length = 0;      ///< stop at this fraction of the lifted length; [0, 1)
-  std::optional<double> length_floor;  ///< mesh units; default: 3 mean edges of the drawn loop
+  std::size_t max_iterations = 0;  ///< of FlipOut; 0: FlipOut's own bound
+  double min_relative_length = 0;  ///< stop at this fraction of the lifted length; [0, 1)
+  /// Mesh units; by default 3 mean edges of the drawn loop, at most half of its length.
+  std::optional<double> length_floor;
   /// Between result and drawing, for the report.
-  DeviationMeasure deviation = DeviationMeasure::kAlongSurface;
+  DeviationMeasure deviation = DeviationMeasure::kAutomatic;
   bool prepare_whole_mesh = false;  ///< lay out everything first; slower, same result
-  Progress progress;                ///< may cancel
+  Progress progress;                ///< may cancel; asked about once in a millisecond of work
 
   void validate() const;  ///< throws Error(kBadUsage) naming the field and its bound
 };
@@ -96,9 +100,10 @@ class CurveSmoother {
   explicit CurveSmoother(std::shared_ptr<const OpenedMesh> mesh);
   ~CurveSmoother();
 
-  /// Sets the drawing: checks and embeds it and computes the distance to it. False when cancelled;
-  /// no curve is set then. Throws Error(kBadCurve) for a curve that check_drawn() or embed_curves()
-  /// refuse (no curve is set then), Error(kBadUsage) for bad options or a pin that is not on it.
+  /// Sets the drawing: checks and embeds it and makes the distance to it ready. False when
+  /// cancelled; no curve is set then. Throws Error(kBadCurve) for a curve that check_drawn() or
+  /// embed_curves() refuse (no curve is set then), Error(kBadUsage) for bad options or a pin that
+  /// is not on it.
   bool set_curve(const SurfaceCurve& curve, const CurveOptions& options = {},
                  const Progress& progress = {});
   /// A set of curves: the distance is to their union, and none crosses another by straightening.
@@ -109,13 +114,21 @@ class CurveSmoother {
   /// The same with a distance of the caller's, one value per mesh vertex, used as it is; it may be
   /// negative, and +infinity in components without a curve. Always Method::kPaper.
   bool set_curves(std::span<const SurfaceCurve> curves, std::vector<double> distance,
-                  const CurveOptions& options = {});
+                  const CurveOptions& options = {}, const Progress& progress = {});
+
+  /// The paper's distance, if it has not been computed yet. False when cancelled.
+  /// Throws Error(kBadUsage) when no curve is set.
+  bool need_distance(const Progress& progress = {});
 
   /// Other pins for the curves that are set; the distance stays as it is. With the corridor only.
+  /// False when cancelled; the pins are what they were then.
   /// Throws Error(kBadUsage) for a pin that is not a point of the drawing, or another method.
-  void set_pins(std::span<const SurfacePoint> pins);
+  bool set_pins(std::span<const SurfacePoint> pins, const Progress& progress = {});
 
-  /// The smoothed curves. Costs what the curves touch, whatever the size of the mesh.
+  /// The smoothed curves. Costs what the curves touch, whatever the size of the mesh; where nothing
+  /// is lifted (tau = 0, or so small that it lengthens no edge by 1e-7 of it) no distance either.
+  /// When cancelled the curves are those drawn, `termination` says so, and the smoother is as if it
+  /// had not been asked.
   /// Throws Error(kBadUsage) when no curve is set or an option is out of range.
   SmoothingResult smooth(double tau = 1);
   SmoothingResult smooth(const SmoothingOptions& options);
@@ -132,12 +145,12 @@ class CurveSmoother {
   /// gives what counts. The same arguments give the same curve, whatever was dragged before. With
   /// the corridor only; where tau is 0 or the result is relaxed everything is smoothed anew. Throws
   /// Error(kBadCurve) as set_curve() does, Error(kBadUsage) for a curve that is not there or
-  /// another method.
+  /// another method. When cancelled as smooth() is, with `moved` as that curve.
   SmoothingResult drag(std::size_t curve, const SurfaceCurve& moved,
                        const SmoothingOptions& options = {});
 
   [[nodiscard]] const OpenedMesh& opened() const { return *mesh_; }
-  /// The distance per mesh vertex that the last set_curve made or was given.
+  /// The distance per mesh vertex that was given, or computed so far: see need_distance().
   [[nodiscard]] std::span<const double> distance() const { return distance_; }
   /// The curves as they were set.
   [[nodiscard]] std::span<const SurfaceCurve> drawn() const { return drawn_; }
@@ -154,37 +167,40 @@ class CurveSmoother {
   // smooth_unrolled.cpp
   struct Unrolled;
   [[nodiscard]] bool is_set() const {
-    return unrolled_ != nullptr || refined_ != nullptr || !embedded_.paths.empty();
+    return unrolled_ != nullptr || !refined_.empty() || !embedded_.paths.empty();
   }
   [[nodiscard]] std::vector<bool> tangled() const;
-  void set_unrolled_pins();
+  bool set_unrolled_pins(const Progress& progress);
   [[nodiscard]] std::vector<std::string> lost_pins(std::span<const SurfaceCurve> results) const;
   [[nodiscard]] std::vector<double> unrolled_slack() const;
-  bool set_unrolled(const std::vector<bool>& alone, const Progress& progress);
+  void set_unrolled(const std::vector<bool>& alone, const Progress& progress);
   [[nodiscard]] std::vector<SurfacePoint> unrolled_pins(std::span<const SurfaceCurve> curves,
                                                         std::span<const SurfacePoint> pins) const;
   SmoothingResult smooth_unrolled(const SmoothingOptions& options);
   SmoothingResult smooth_unrolled(const SmoothingOptions& options,
                                   std::span<const double> potential, std::size_t components);
-  SmoothingResult folded(SmoothingResult result);
+  SmoothingResult folded(SmoothingResult result, const Progress& progress);
   // smooth_refined.cpp
   struct Refined;
   [[nodiscard]] std::vector<FaceId> faces_to_divide() const;
-  bool set_refined(bool whole, const Progress& progress);
+  std::unique_ptr<Refined> refined_within(double reach, const Progress& progress);
+  void set_refined(const Progress& progress);
+  [[nodiscard]] double refined_reach() const;
   [[nodiscard]] std::vector<SurfacePoint> refined_pins(const Refined& refined,
                                                        std::span<const SurfaceCurve> curves) const;
-  void set_refined_pins();
+  bool set_refined_pins(const Progress& progress);
   [[nodiscard]] std::vector<double> refined_slack() const;
   [[nodiscard]] std::vector<double> refined_slack_at(const Refined& refined, std::size_t curve,
                                                      const std::vector<double>& drawn) const;
-  const Refined& refined_for(bool whole);
+  static bool is_at_cut(const Refined& refined, const SmoothingResult& result);
+  template <class Smooth>
+  SmoothingResult in_reach(const SmoothingOptions& options, const Smooth& smooth);
   SmoothingResult smooth_refined(const SmoothingOptions& options);
   SmoothingResult smooth_refined(const SmoothingOptions& options, std::span<const double> potential,
                                  std::size_t components);
   SmoothingResult coarse(const Refined& refined, SmoothingResult result,
                          const SmoothingOptions& options);
 
-  void take(std::span<const SurfaceCurve> curves, const CurveOptions& options);
   template <class Value>
   [[nodiscard]] std::vector<Value> in_drawn_order(const std::vector<Value>& ordered) const {
     std::vector<Value> result;
@@ -193,22 +209,31 @@ class CurveSmoother {
   }
   [[nodiscard]] SmoothingOptions with_ordered_slack(SmoothingOptions options) const;
   [[nodiscard]] SmoothingResult as_drawn(SmoothingResult result) const;
-  SmoothingResult smooth_in_order(const SmoothingOptions& options);
+  [[nodiscard]] SmoothingResult cancelled_result(const SmoothingOptions& options) const;
+  SmoothingResult smooth_now(const SmoothingOptions& options);
+  SmoothingResult smooth_now(const SmoothingOptions& options, std::span<const double> potential,
+                             std::size_t components);
+  SmoothingResult smooth_for_paper(const SmoothingOptions& options);
+  void take(std::span<const SurfaceCurve> curves, const CurveOptions& options,
+            const Progress& progress);
   [[noreturn]] void refuse_point(const SurfaceCurve& curve) const;
-  void embed_drawn();
+  void embed_drawn(const Progress& progress);
+  void set_drawn(const CurveOptions& options, const Progress& progress);
   void forget();
   void find_largest_distances();
   [[nodiscard]] std::size_t component_of(VertexId v) const;
   [[nodiscard]] double characteristic_length(const PotentialOptions& options,
                                              std::size_t component) const;
   [[nodiscard]] double default_floor() const;
-  bool solve_distance(const CurveOptions& options, const Progress& progress);
+  void solve_distance(const Progress& progress);
+  void solve_corridor(const Progress& progress);
+  static DeviationMeasure measure_for(const SmoothingOptions& options);
   /// Per-vertex values (k a row) at the inserted vertices, linear in each face.
   [[nodiscard]] std::vector<double> at_inserted(std::span<const double> values,
                                                 std::size_t k) const;
-  void make_valleys();
-  void keep_valleys_apart();
-  void hold_loops();
+  void make_valleys(const Progress& progress);
+  void keep_valleys_apart(const Progress& progress);
+  void hold_loops(const Progress& progress);
   void steepen(Corridor::Valley& valley, const SurfaceCurve& drawn) const;
   [[nodiscard]] std::vector<Corridor::Valley> valleys_for(const SmoothingOptions& options) const;
   SmoothingResult smooth_in_corridor(const SmoothingOptions& options);
@@ -218,12 +243,15 @@ class CurveSmoother {
                                      const std::vector<Corridor::Valley>& valleys);
   SmoothingResult smooth_for_itself(const SmoothingOptions& options,
                                     const std::vector<Corridor::Valley>& valleys);
+  // below which each tau is straightened for itself, and may lead far from the drawing
+  static constexpr double kLeastAnchor = 1.0 / 8;
   /// Geodesics in the lifted surface, back on the mesh.
   struct Straightened {
     std::vector<SurfaceCurve> curves;
     FlipOutResult flip_out;
     std::size_t clamped = 0;  // crossings that the tracing put at the end of their edge
     std::size_t faces_touched = 0;
+    std::vector<VertexId> touched;  // vertices whose directions were laid out
     StageTimes time_ms;
   };
   struct Anchor {
@@ -232,12 +260,19 @@ class CurveSmoother {
     std::vector<SurfaceCurve> polished;  // once asked for
   };
   Straightened straighten(const SmoothingOptions& options, SignpostTriangulation::Metric metric);
+  Straightened straightened(const SmoothingOptions& options);
+  Straightened straighten_flat(const SmoothingOptions& options);
+  std::optional<Straightened> unlifted(const Corridor& corridor,
+                                       const std::vector<Corridor::Valley>& valleys,
+                                       const SmoothingOptions& options);
+  [[nodiscard]] bool is_felt(const Corridor& corridor, const Straightened& flat,
+                             const Progress& progress) const;
   [[nodiscard]] double exact_for(const std::vector<Corridor::Valley>& valleys) const;
   Straightened straighten_in(const Corridor& corridor, const SmoothingOptions& options,
                              double exact);
   void hold_thin_loops(Straightened& straight) const;
   void polish_in(const Corridor& corridor, std::vector<SurfaceCurve>& curves,
-                 const PolishOptions& options = {}) const;
+                 const Progress& progress, const PolishOptions& options = {});
   static std::optional<double> anchor_of(const SmoothingOptions& options);
   Anchor& anchor_at(double tau, const SmoothingOptions& options,
                     const std::vector<Corridor::Valley>& valleys, StageTimes& times);
@@ -245,12 +280,15 @@ class CurveSmoother {
                             std::vector<SurfaceCurve> curves, StageTimes times);
   SmoothingResult run(const SmoothingOptions& options, SignpostTriangulation::Metric metric);
   // dragging.cpp
+  SmoothingResult drag_now(std::size_t curve, const SurfaceCurve& moved,
+                           const SmoothingOptions& options);
   SmoothingResult drag_whole(std::size_t curve, const SurfaceCurve& moved,
                              const SmoothingOptions& options);
   SmoothingResult result_for(const SmoothingOptions& options);
   [[nodiscard]] std::vector<Corridor::Valley> dragged_valleys(
       const DrawingChange& change, std::size_t curve, const SmoothingOptions& options) const;
-  void set_stretch(const DragStretch& stretch, const CurveOptions& options);
+  void set_stretch(const DragStretch& stretch, const CurveOptions& options,
+                   const Progress& progress);
   SurfaceCurve rough_stretch(const SmoothingOptions& options);
   struct DragRange;
   [[nodiscard]] std::optional<DragRange> range_around(const DrawingChange& change,
@@ -271,8 +309,9 @@ class CurveSmoother {
   std::unique_ptr<Unrolled> unrolled_;  // what smooths instead of this, for tangled drawings
   bool may_refine_ = true;
   bool warns_if_far_ = true;
-  std::unique_ptr<Refined> refined_;        // and for those that are finer than the mesh
-  std::unique_ptr<Refined> refined_whole_;  // the same without a bound; made when first needed
+  // And for those that are finer than the mesh, on parts of it, each with twice the reach of the
+  // one before; all but the first are made when first needed.
+  std::vector<std::unique_ptr<Refined>> refined_;
   std::vector<SurfaceCurve> drawn_;
   // All that follows, "per curve", is of ordered_: drawn_ in the canonical order of its points and
   // of its curves. Only what callers give and get is in theirs.
@@ -283,12 +322,12 @@ class CurveSmoother {
   std::vector<SurfaceCurve> capped_;  // ordered_, corners capped
   EmbeddedCurves embedded_;
   CurveOptions curve_options_;
-  std::optional<PolylineDistance> exact_distance_;
-  std::optional<DeviationMeter> deviation_meter_;  // made when first needed
-  std::vector<double> distance_;                   // per mesh vertex
-  std::vector<double> inserted_distance_;          // per inserted vertex
-  std::optional<Components> components_;           // made when a set first asks
-  std::vector<double> largest_distance_;           // per component, or one for all
+  std::optional<PolylineDistance> exact_distance_;  // of the corridor
+  std::optional<DeviationMeter> deviation_meter_;   // made when first needed
+  std::vector<double> distance_;                    // per mesh vertex
+  std::vector<double> inserted_distance_;           // per inserted vertex
+  std::optional<Components> components_;            // made when a set first asks
+  std::vector<double> largest_distance_;            // per component, or one for all
   std::vector<CurveMeasures> drawn_measures_;
   std::vector<double> edges_near_;  // per curve
   struct Last {
@@ -297,9 +336,11 @@ class CurveSmoother {
   };
   std::optional<Last> last_;                // of smooth() on the ordered curves
   std::unique_ptr<CurveSmoother> dragger_;  // for stretches of a drawing; made when first needed
-  bool cancelled_ = false;                  // of a dragger: its last stretch
-  std::vector<Corridor::Valley> valleys_;   // per curve, of the corridor
-  std::map<double, Anchor> anchors_;        // by tau, for the valleys and the floor below
+  // Of a part of a mesh: the vertices at which it was cut off, and whether one has been touched.
+  const std::vector<bool>* cut_ = nullptr;
+  bool at_cut_ = false;
+  std::vector<Corridor::Valley> valleys_;  // per curve, of the corridor
+  std::map<double, Anchor> anchors_;       // by tau, for the valleys and the floor below
   std::vector<Corridor::Valley> anchor_valleys_;
   double anchor_floor_ = 0;
   double solve_ms_ = 0;

@@ -5,6 +5,7 @@
 
 #include "talweg/core/mesh_lists.hpp"
 #include "talweg/core/segment_tree.hpp"
+#include "talweg/intrinsic/progress.hpp"
 
 namespace talweg {
 
@@ -31,11 +32,13 @@ struct Deviation {
 /// bounded by its values at the two ends; intervals are halved until that bound rules them out.
 /// `mean` is integrated by adaptive Simpson's rule to about 1e-4 relative.
 /// O((m + n) log n) for curves that are not all ties.
-/// Throws Error(kBadCurve) when `from` is empty or has a coordinate that is not finite.
-OneSidedDeviation one_sided_deviation(std::span<const Segment> from, const SegmentTree& to);
+/// Throws Error(kBadCurve) when `from` is empty or has a coordinate that is not finite; Cancelled
+/// when `progress` (stage "measure") says so.
+OneSidedDeviation one_sided_deviation(std::span<const Segment> from, const SegmentTree& to,
+                                      const Progress& progress = {});
 
 /// Both one-sided deviations of two polylines. A closed one does not repeat its first point.
 Deviation deviation(std::span<const Point> result, bool result_closed, std::span<const Point> drawn,
-                    bool drawn_closed);
+                    bool drawn_closed, const Progress& progress = {});
 
 }  // namespace talweg

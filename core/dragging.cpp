@@ -110,7 +110,7 @@ SmoothingResult CurveSmoother::result_for(const SmoothingOptions& options) {
   SmoothingOptions plain = with_ordered_slack(options);
   if (!last_ || !same_result(last_->options, plain)) {
     plain.deviation = DeviationMeasure::kNone;
-    smooth_in_order(plain);
+    smooth_now(plain);
   }
   return as_drawn(last_->result);
 }
@@ -126,7 +126,8 @@ std::vector<Corridor::Valley> CurveSmoother::dragged_valleys(
   return valleys;
 }
 
-void CurveSmoother::set_stretch(const DragStretch& stretch, const CurveOptions& options) {
+void CurveSmoother::set_stretch(const DragStretch& stretch, const CurveOptions& options,
+                                const Progress& progress) {
   forget();
   try {
     CurveOptions own = options;
@@ -134,9 +135,11 @@ void CurveSmoother::set_stretch(const DragStretch& stretch, const CurveOptions& 
       const Points& points = stretch.curve.points;
       return std::find(points.begin(), points.end(), pin) == points.end();
     });
-    take(std::span(&stretch.curve, 1), own);
-    embed_drawn();
+    take(std::span(&stretch.curve, 1), own, progress);
+    embed_drawn(progress);
     if (!exact_distance_) exact_distance_.emplace(mesh_->surface());
+    Asker asker(progress, "solve");
+    const AskedDuring asked(*exact_distance_, asker);
     exact_distance_->set(stretch.near);
     valleys_ = stretch.valleys;
   } catch (...) {
@@ -150,7 +153,6 @@ SurfaceCurve CurveSmoother::rough_stretch(const SmoothingOptions& options) {
   StageTimes times;
   anchors_.clear();
   const Anchor& anchor = anchor_at(*anchor_of(options), options, valleys_, times);
-  cancelled_ = anchor.straight.flip_out.paths.front().termination == Termination::kCancelled;
   SurfaceCurve curve = anchor.rough.front();
   if (orders_.front().reversed) std::reverse(curve.points.begin(), curve.points.end());
   return curve;
@@ -185,7 +187,6 @@ std::optional<SurfaceCurve> CurveSmoother::joined(const DragRange& range,
                                                   const SmoothingOptions& options) {
   const SurfaceMesh& mesh = mesh_->mesh();
   const Points stretch = dragger_->rough_stretch(options).points;
-  if (dragger_->cancelled_) return last;
   const std::size_t m = stretch.size(), open_end = m - 1;
   const auto within = [&](std::size_t from, int step, double length) {
     return points_within(mesh, stretch, from, step, m - 1, length);
@@ -222,7 +223,7 @@ std::optional<SurfaceCurve> CurveSmoother::joined(const DragRange& range,
   points.insert(points.end(), at(stretch, head->in_stretch), at(stretch, tail->in_stretch + 1));
   points.insert(points.end(), at(kept, tail->in_last + 1), at(kept, to + 1));
   const Corridor corridor(*dragger_->exact_distance_, options.tau, dragger_->valleys_);
-  dragger_->polish_in(corridor, chain);
+  dragger_->polish_in(corridor, chain, options.progress);
   points.insert(points.begin(), kept.cbegin(), at(std::as_const(kept), from));
   points.insert(points.end(), at(std::as_const(kept), to + 1), kept.cend());
   chain.front().closed = last.closed;
@@ -248,18 +249,17 @@ SurfaceCurve CurveSmoother::dragged(const DrawingChange& change, std::size_t cur
       if (!range) break;
       dragger_->set_stretch(
           stretch_of(mesh, curves, valleys, curve, range->first, range->last + 1, reach),
-          curve_options_);
+          curve_options_, options.progress);
       if (auto result = joined(*range, change, margin, last, options)) return *std::move(result);
     }
   }
   dragger_->set_stretch(
       stretch_of(mesh, curves, valleys, curve, 0, change.after.points.size(), reach),
-      curve_options_);
+      curve_options_, options.progress);
   SmoothingOptions plain = options;
   plain.deviation = DeviationMeasure::kNone;
   SmoothingResult result =
       dragger_->as_drawn(dragger_->smooth_in_valleys(plain, dragger_->valleys_));
-  dragger_->cancelled_ = result.total.termination == to_string(Termination::kCancelled);
   return std::move(result.curves.front());
 }
 
@@ -278,8 +278,8 @@ SmoothingResult CurveSmoother::drag_whole(std::size_t curve, const SurfaceCurve&
   plain.slack_at.clear();  // it belongs to the drawing that is set
   if (!dragger_) dragger_ = std::make_unique<CurveSmoother>(mesh_);
   dragger_->loops_ = Loops::kKeep;
-  dragger_->set_curves(curves, own);
-  SmoothingResult result = dragger_->smooth(plain);
+  if (!dragger_->set_curves(curves, own, options.progress)) throw Cancelled();
+  SmoothingResult result = dragger_->as_drawn(dragger_->smooth_now(plain));
   result.reports[curve].engine = "preview";
   result.total = total_of(result.reports);
   return result;
@@ -296,7 +296,19 @@ SmoothingResult CurveSmoother::drag(std::size_t curve, const SurfaceCurve& moved
   require(curve < drawn_.size(), "drag() is asked for a curve that is not set.");
   const SurfaceCurve own = moved;  // may be our own drawing
   check_drawn(mesh_->surface(), own);
-  if (unrolled_ || refined_) return drag_whole(curve, own, options);
+  try {
+    Asker(options.progress, "straighten");
+    return drag_now(curve, own, options);
+  } catch (const Cancelled&) {
+    SmoothingResult result = cancelled_result(options);
+    result.curves[curve] = own;
+    return result;
+  }
+}
+
+SmoothingResult CurveSmoother::drag_now(std::size_t curve, const SurfaceCurve& own,
+                                        const SmoothingOptions& options) {
+  if (unrolled_ || !refined_.empty()) return drag_whole(curve, own, options);
   SmoothingResult result = result_for(options);
   const Stopwatch watch;
   const DrawingChange change = change_between(drawn_[curve], own);
@@ -311,11 +323,11 @@ SmoothingResult CurveSmoother::drag(std::size_t curve, const SurfaceCurve& moved
   fresh.tau = report.tau;
   fresh.slack = report.slack;
   fresh.edge_length_near = report.edge_length_near;
-  fresh.termination = !change.is_none() && dragger_->cancelled_ ? to_string(Termination::kCancelled)
-                                                                : report.termination;
-  report_deviation(fresh, options.deviation, *deviation_meter_, mesh_->mesh(), own,
-                   result.curves[curve]);
-  warn_if_far(fresh, kFarInEdges * fresh.edge_length_near);
+  fresh.termination = report.termination;
+  report_deviation(fresh, measure_for(options), *deviation_meter_, mesh_->mesh(), own,
+                   result.curves[curve], nullptr, options.progress);
+  warn_if_far(fresh, kFarInEdges * fresh.edge_length_near,
+              options.deviation == DeviationMeasure::kAutomatic);
   fresh.time_ms.polish = fresh.time_ms.total = watch.ms();
   fresh.peak_memory_mib = report.peak_memory_mib;
   report = std::move(fresh);

@@ -21,7 +21,13 @@ EdgeDijkstra::EdgeDijkstra(const Surface& surface)
       distance_(surface.vertex_count()),
       parent_(surface.vertex_count()) {}
 
-std::vector<VertexId> EdgeDijkstra::draw(std::span<const VertexId> through, bool closed) {
+std::vector<VertexId> EdgeDijkstra::draw(std::span<const VertexId> through, bool closed,
+                                         const Progress& progress) {
+  asker_ = Asker(progress, "draw");
+  return drawn(through, closed);
+}
+
+std::vector<VertexId> EdgeDijkstra::drawn(std::span<const VertexId> through, bool closed) {
   check(through);
   ++drawing_;
   for (const VertexId v : through) block_stamp_[v.index()] = drawing_;
@@ -29,6 +35,7 @@ std::vector<VertexId> EdgeDijkstra::draw(std::span<const VertexId> through, bool
   std::vector<VertexId> path{through.front()};
   const std::size_t legs = closed ? through.size() : through.size() - 1;
   for (std::size_t leg = 0; leg < legs; ++leg) {
+    asker_.is_at(static_cast<double>(leg) / static_cast<double>(legs));
     const VertexId from = through[leg];
     const VertexId to = through[(leg + 1) % through.size()];
     // The way back along the only edge so far would close nothing.
@@ -58,11 +65,12 @@ bool EdgeDijkstra::append_redrawn(VertexId from, VertexId over, VertexId to,
 
 std::vector<VertexId> EdgeDijkstra::redraw(std::span<const VertexId> path,
                                            std::span<const VertexId> through, std::size_t moved,
-                                           bool closed) {
+                                           bool closed, const Progress& progress) {
+  asker_ = Asker(progress, "draw");
   check(through);
   const std::size_t n = through.size();
   if (moved >= n) throw Error(ErrorCode::kBadUsage, "redraw() is asked for a missing way-point.");
-  if (closed && n < 3) return draw(through, closed);
+  if (closed && n < 3) return drawn(through, closed);
   const bool has_before = closed || moved > 0, has_after = closed || moved + 1 < n;
   const VertexId before = has_before ? through[(moved + n - 1) % n] : VertexId{};
   const VertexId after = has_after ? through[(moved + 1) % n] : VertexId{};
@@ -72,7 +80,7 @@ std::vector<VertexId> EdgeDijkstra::redraw(std::span<const VertexId> path,
   std::vector<VertexId> head(path.begin(), path.end()), tail;
   const auto at = [&](VertexId v) { return std::find(head.begin(), head.end(), v); };
   if ((has_before && at(before) == head.end()) || (has_after && at(after) == head.end())) {
-    return draw(through, closed);
+    return drawn(through, closed);
   }
   if (closed) {
     std::rotate(head.begin(), at(after), head.end());
@@ -84,12 +92,12 @@ std::vector<VertexId> EdgeDijkstra::redraw(std::span<const VertexId> path,
   for (const auto& stays : {std::span<const VertexId>(head), std::span<const VertexId>(tail),
                             std::span<const VertexId>(through)}) {
     for (const VertexId v : stays) {
-      if (v == through[moved] && stays.data() != through.data()) return draw(through, closed);
+      if (v == through[moved] && stays.data() != through.data()) return drawn(through, closed);
       block_stamp_[v.index()] = drawing_;
     }
   }
   std::vector<VertexId> result = std::move(head);
-  if (!append_redrawn(before, through[moved], after, result)) return draw(through, closed);
+  if (!append_redrawn(before, through[moved], after, result)) return drawn(through, closed);
   result.insert(result.end(), tail.begin(), tail.end());
   if (!closed) return result;
   result.pop_back();  // the way-point after, where it began
@@ -133,7 +141,9 @@ bool EdgeDijkstra::search(VertexId from, VertexId to, bool not_along_edge, bool 
   ++search_;
   heap_.clear();
   reach(from, VertexId{}, 0);
+  constexpr std::size_t kOfEntry = 8;  // units of work
   while (!heap_.empty()) {
+    asker_.did(kOfEntry);
     std::pop_heap(heap_.begin(), heap_.end(), later);
     const Entry top = heap_.back();
     heap_.pop_back();

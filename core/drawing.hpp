@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "talweg/intrinsic/ids.hpp"
+#include "talweg/intrinsic/progress.hpp"
 #include "talweg/intrinsic/surface.hpp"
 
 namespace talweg {
@@ -28,8 +29,10 @@ class EdgeDijkstra {
   ///
   /// Throws Error(kBadCurve) when there are fewer than 2 way-points, when one is out of range or
   /// repeated, or when a leg has no path; then the sentence names the leg (counted from 1) and
-  /// says whether its ends lie on different components or the earlier legs are in its way.
-  std::vector<VertexId> draw(std::span<const VertexId> through, bool closed);
+  /// says whether its ends lie on different components or the earlier legs are in its way. Throws
+  /// Cancelled when `progress` (stage "draw") says so.
+  std::vector<VertexId> draw(std::span<const VertexId> through, bool closed,
+                             const Progress& progress = {});
 
   /// The path when one way-point has moved: `path` was drawn through the same way-points but for
   /// number `moved`, whose new place is in `through`. Only the legs that meet it are drawn anew,
@@ -38,7 +41,7 @@ class EdgeDijkstra {
   /// moved way-point, it is draw(through, closed). Throws as draw() does, and Error(kBadUsage)
   /// where there is no way-point `moved`. O(path + two legs).
   std::vector<VertexId> redraw(std::span<const VertexId> path, std::span<const VertexId> through,
-                               std::size_t moved, bool closed);
+                               std::size_t moved, bool closed, const Progress& progress = {});
 
  private:
   struct Entry {
@@ -47,6 +50,7 @@ class EdgeDijkstra {
   };
 
   void check(std::span<const VertexId> through) const;
+  std::vector<VertexId> drawn(std::span<const VertexId> through, bool closed);
   bool append_redrawn(VertexId from, VertexId over, VertexId to, std::vector<VertexId>& path);
   /// Writes the path from just behind `from` to `to`; false where there is none.
   bool append_leg(VertexId from, VertexId to, bool not_along_edge, std::vector<VertexId>& path);
@@ -67,6 +71,7 @@ class EdgeDijkstra {
   std::vector<double> distance_;
   std::vector<VertexId> parent_;
   std::vector<Entry> heap_;
+  Asker asker_{{}, "draw"};
 };
 
 /// One drawing without keeping the memory: EdgeDijkstra(surface).draw(through, closed).

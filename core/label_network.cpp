@@ -111,6 +111,7 @@ class Network {
     give_slack(members);
     SmoothingOptions options;
     options.progress = options_.progress;
+    if (options_.max_deviation) options.deviation = DeviationMeasure::kAlongSurface;
     if (nodes_) options.deviation = DeviationMeasure::kNone;  // not that to these drawings
     options.tau = options_.tau * std::pow(kSteeper, rung);
     if (rung > 0 && options.tau == 0) options.tau = std::pow(kSteeper, rung - 1);
@@ -190,8 +191,9 @@ class Network {
         continue;
       }
       if (!tightening_) tightening_.emplace(mesh_->surface());
-      const std::vector<SurfacePoint> farthest = tightening_->tighten(
-          drawn_[c].curve, result_[c].border.curve, *options_.max_deviation, slack_[c]);
+      const std::vector<SurfacePoint> farthest =
+          tightening_->tighten(drawn_[c].curve, result_[c].border.curve, *options_.max_deviation,
+                               slack_[c], options_.progress);
       if (++tightenings_[c] > kPinnedFrom) {
         pins_[c].insert(pins_[c].end(), farthest.begin(), farthest.end());
       }
@@ -221,10 +223,16 @@ class Network {
     return curves;
   }
 
+  /// Throws Cancelled.
   void cut() {
+    const auto ask = [&](double fraction) {
+      if (!go_on(options_.progress, "cut", fraction)) throw Cancelled();
+    };
+    ask(0);
     std::vector<LabelBorder> borders;
     for (const SmoothedBorder& border : result_) borders.push_back(border.border);
     cut_ = cut_along(mesh_->mesh(), curves());
+    ask(0.5);
     regions_ = regions_of_cut(cut_, parts_, borders);
   }
 
@@ -307,7 +315,7 @@ class Network {
       report.curvature_before = fresh.curvature_before;
       report.curvature_max_before = fresh.curvature_max_before;
       report_deviation(report, DeviationMeasure::kAlongSurface, *meter_, mesh_->mesh(), drawn,
-                       curve);
+                       curve, nullptr, options_.progress);
       warn_if_far(report, kFarInEdges * report.edge_length_near);
     }
     return too_far(moved);
@@ -396,7 +404,14 @@ LabelNetwork smooth_labels(const std::shared_ptr<const OpenedMesh>& mesh,
                            std::span<const std::int64_t> labels,
                            const LabelNetworkOptions& options) {
   options.validate();
-  return Network(mesh, labels, options).run();
+  try {
+    Asker(options.progress, "borders");
+    return Network(mesh, labels, options).run();
+  } catch (const Cancelled&) {
+    LabelNetwork cancelled;
+    cancelled.cancelled = true;
+    return cancelled;
+  }
 }
 
 }  // namespace talweg

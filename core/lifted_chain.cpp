@@ -9,8 +9,14 @@ namespace {
 constexpr double kBarelyBent = 1e-4;  // rad
 constexpr double kFromEnds = 1e-7;    // points stay this far (in t) from the ends of their edges
 constexpr double kNearer = 0.8;       // of the way to a vertex, at most, in one step
+constexpr std::size_t kOfNode = 4;    // units of work, each time that it is looked at
 
 }  // namespace
+
+/// A node has been looked at.
+void LiftedChain::tell_work() const {
+  if (asker_ != nullptr) asker_->did(kOfNode);
+}
 
 ChainNode LiftedChain::node_at(const SurfacePoint& point, bool keep) const {
   ChainNode node(point);
@@ -150,6 +156,7 @@ bool LiftedChain::assemble(std::span<const ChainNode> nodes) {
   const std::size_t n = nodes.size();
   rows_.assign(n, Row{});
   for (std::size_t i = 0; i + 1 < n; ++i) {
+    tell_work();
     add_segment(nodes[i], middles_[i], nodes[i + 1], rows_[i], rows_[i + 1]);
   }
   double force = 0;  // sine of the angle by which the curve is not straight yet
@@ -191,6 +198,7 @@ bool LiftedChain::go_along(std::span<ChainNode> nodes, double most, double& tota
   for (double scale = most; scale > 1e-3 * most; scale /= 2) {
     double shorter = 0;
     for (std::size_t i = 1; i < nodes.size(); ++i) {
+      tell_work();
       const double step = rows_[i].step, t = nodes[i].t;
       if (step != 0 && i + 1 < nodes.size()) {
         trials_[i] = place_at(nodes[i], t + std::clamp(scale * step, std::max(-0.5, -kNearer * t),
@@ -240,6 +248,7 @@ LiftedChain::Settled LiftedChain::settle_between(std::span<ChainNode> nodes, int
   tried_middles_.resize(nodes.size());
   double total = 0;
   for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
+    tell_work();
     const ChainNode &a = nodes[i], &b = nodes[i + 1];
     links_[i] = link_between(a, b);
     middles_[i] = halfway(links_[i], a, b);

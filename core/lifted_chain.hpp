@@ -9,6 +9,7 @@
 #include <Eigen/Core>
 
 #include "talweg/core/surface_mesh.hpp"
+#include "talweg/intrinsic/progress.hpp"
 #include "talweg/intrinsic/surface_point.hpp"
 
 namespace talweg {
@@ -68,10 +69,15 @@ class LiftedChain {
   using Nodes = std::vector<ChainNode>;
 
   /// `tolerance`: relative gain in length below which a Newton step counts as none.
-  /// `scale`: about the length of a segment; what is 1e-7 of it counts as nothing.
+  /// `scale`: about the length of a segment; what is 1e-6 of it counts as nothing. The asker, if
+  /// there is one, may throw Cancelled while nodes are settled.
   LiftedChain(const SurfaceMesh& mesh, const ExactPotential& potential, double tolerance,
-              double scale)
-      : mesh_(mesh), potential_(potential), tolerance_(tolerance), smallest_(1e-6 * scale) {}
+              double scale, Asker* asker = nullptr)
+      : mesh_(mesh),
+        potential_(potential),
+        tolerance_(tolerance),
+        smallest_(1e-6 * scale),
+        asker_(asker) {}
 
   /// What `changed` of nodes that move from now on will be.
   void begin_round(int round) { round_ = round; }
@@ -124,11 +130,13 @@ class LiftedChain {
   bool newton_step(std::span<ChainNode> nodes, double& total);
   bool assemble(std::span<const ChainNode> nodes);
   bool solve(std::span<const ChainNode> nodes);
+  void tell_work() const;
 
   const SurfaceMesh& mesh_;
   const ExactPotential& potential_;
   double tolerance_;
   double smallest_;
+  Asker* asker_;
   int round_ = 0;
   std::vector<Row> rows_;
   std::vector<LiftedPlace> trials_;

@@ -71,9 +71,10 @@ class NearParts {
 /// Sets a distance to what of the curves can be nearest to some stretches.
 class LocalDistance {
  public:
+  /// Nobody will ask for distances of `limit` or more.
   LocalDistance(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves,
-                PolylineDistance& distance)
-      : mesh_(&mesh), curves_(curves), parts_(mesh, curves), distance_(&distance) {}
+                PolylineDistance& distance, double limit = HUGE_VAL)
+      : mesh_(&mesh), curves_(curves), parts_(mesh, curves), distance_(&distance), limit_(limit) {}
 
   /// What the distance on a stretch is at most, by those in space: a guess, to be proved.
   [[nodiscard]] double guess(const Stretch& s) const {
@@ -86,8 +87,9 @@ class LocalDistance {
     std::vector<SurfaceCurve> near = set(stretches, reach);
     bool proved = true;
     for (std::size_t i = 0; i < stretches.size(); ++i) {
-      const double most =
-          bound(stretches[i], [&](const SurfacePoint& p) { return distance_->at(p).distance; });
+      const double most = bound(stretches[i], [&](const SurfacePoint& p) {
+        return std::isfinite(limit_) ? distance_->below(limit_, p) : distance_->at(p).distance;
+      });
       proved = proved && most <= reach[i];
       reach[i] = std::max(reach[i], most);
     }
@@ -124,6 +126,7 @@ class LocalDistance {
   std::span<const SurfaceCurve> curves_;
   NearParts parts_;
   PolylineDistance* distance_;
+  double limit_;
 };
 
 }  // namespace talweg

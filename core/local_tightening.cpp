@@ -7,7 +7,7 @@
 namespace talweg {
 namespace {
 
-constexpr double kHalved = 4, kWhole = 8;  // bounds away along the drawing: 1/2 up to, 1 from there
+constexpr double kHalved = 4, kAllOfIt = 8;  // bounds away along the drawing: 1/2 up to, 1 from there
 constexpr double kAlmost = 0.97;           // of the bound: between points it may be more
 
 /// How far away along the drawing the nearest of some places (ascending) is; `length` is that of a
@@ -43,7 +43,10 @@ std::vector<SurfacePoint> farthest_points(const SurfaceCurve& drawn,
 
 std::vector<SurfacePoint> LocalTightening::tighten(const SurfaceCurve& drawn,
                                                    const SurfaceCurve& result, double bound,
-                                                   std::span<double> slack) {
+                                                   std::span<double> slack,
+                                                   const Progress& progress) {
+  Asker asker(progress, "measure");
+  const AskedDuring asked(distance_, asker);
   struct Place {
     double arc, apart;
   };
@@ -71,7 +74,7 @@ std::vector<SurfacePoint> LocalTightening::tighten(const SurfaceCurve& drawn,
   std::sort(beyond.begin(), beyond.end());
   for (std::size_t i = 0; i < slack.size(); ++i) {
     const double away = nearest_of(beyond, arcs[i], length) / bound;
-    slack[i] *= std::clamp(0.5 + 0.5 * (away - kHalved) / (kWhole - kHalved), 0.5, 1.0);
+    slack[i] *= std::clamp(0.5 + 0.5 * (away - kHalved) / (kAllOfIt - kHalved), 0.5, 1.0);
   }
   return farthest_points(drawn, apart, bound);
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "talweg/intrinsic/polyline_distance.hpp"
+#include "talweg/intrinsic/progress.hpp"
 #include "talweg/intrinsic/surface.hpp"
 #include "talweg/intrinsic/surface_point.hpp"
 
@@ -21,9 +22,11 @@ class LocalTightening {
   /// beside it, and for four times the bound on either side; from there to twice as far the factor
   /// rises to 1. Where nothing is beyond the bound it is the farthest stretch.
   /// Returns of each stretch of points beyond the bound the one that is farthest from the result:
-  /// to be pinned where less slack does not help. Distances are along the surface, exact.
+  /// to be pinned where less slack does not help. Distances are along the surface, exact. Throws
+  /// Cancelled when `progress` (stage "measure") says so; the slack is as it was then.
   std::vector<SurfacePoint> tighten(const SurfaceCurve& drawn, const SurfaceCurve& result,
-                                    double bound, std::span<double> slack);
+                                    double bound, std::span<double> slack,
+                                    const Progress& progress = {});
 
  private:
   PolylineDistance distance_;

@@ -54,11 +54,20 @@ class Search {
       ordered_.push_back(in_order(drawn, orders_.back()));
     }
   }
-  ~Search() { smoother_.set_pins(own_pins_); }
-  Search(const Search&) = delete;
-  Search& operator=(const Search&) = delete;
-
+  /// The smoother has its own pins again afterwards, also when something throws.
   SmoothingResult run() {
+    try {
+      SmoothingResult result = search();
+      smoother_.set_pins(own_pins_);
+      return result;
+    } catch (...) {
+      smoother_.set_pins(own_pins_);
+      throw;
+    }
+  }
+
+ private:
+  SmoothingResult search() {
     const auto closed = [](const SurfaceCurve& curve) { return curve.closed; };
     // A geodesic within the bound cannot be beaten; loops would collapse.
     if (std::none_of(ordered_.begin(), ordered_.end(), closed) &&
@@ -82,7 +91,6 @@ class Search {
     return std::move(best_);
   }
 
- private:
   using Measure = double (*)(const SmoothingResult&);
 
   [[nodiscard]] std::vector<double> slacks() const {
@@ -94,7 +102,7 @@ class Search {
 
   void begin_with(double slack) {
     options_.slack = slack;
-    smoother_.set_pins(own_pins_);
+    if (!smoother_.set_pins(own_pins_, options_.progress)) throw Cancelled();
     pinned_ = 0;
   }
 
@@ -150,11 +158,13 @@ class Search {
     }
   }
 
-  /// Of the drawing's points, in their order, to the last result.
+  /// Of the drawing's points, in their order, to the last result. Throws Cancelled.
   std::vector<double> distances_to_result(std::size_t c) {
     if (!to_result_) to_result_.emplace(smoother_.opened().surface());
     SurfaceCurve result = last_.curves[c];
     if (orders_[c].reversed) std::reverse(result.points.begin(), result.points.end());
+    Asker asker(options_.progress, "measure");
+    const AskedDuring asked(*to_result_, asker);
     to_result_->set(std::span(&result, 1));
     std::vector<double> distances;
     for (const SurfacePoint& p : ordered_[c].points) {
@@ -216,7 +226,7 @@ class Search {
       const std::size_t before = pins.size();
       add_lost_corners(pins);
       if (pins.size() == before || to_drawn(last_) > bound_) tau *= 1.25;
-      smoother_.set_pins(pins);
+      if (!smoother_.set_pins(pins, options_.progress)) throw Cancelled();
       pinned_ = pins.size() - own_pins_.size();
       if (measured(tau, both_ways) <= bound_) return;
     }
@@ -307,7 +317,13 @@ SmoothingResult smooth_within(CurveSmoother& smoother, double max_deviation,
   if (smoother.slack().empty()) {  // so that giving back the pins cannot fail
     throw Error(ErrorCode::kBadUsage, "smooth_within() needs the corridor.");
   }
-  return Search(smoother, max_deviation, options).run();
+  try {
+    return Search(smoother, max_deviation, options).run();
+  } catch (const Cancelled&) {  // between two runs
+    SmoothingOptions none = options;
+    none.progress = [](const char*, double) { return false; };
+    return smoother.smooth(none);
+  }
 }
 
 }  // namespace talweg

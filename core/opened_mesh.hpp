@@ -1,9 +1,10 @@
 // A mesh made ready for curves: everything that depends on the mesh alone.
 #pragma once
 
-#include <map>
 #include <memory>
 #include <mutex>
+#include <utility>
+#include <vector>
 
 #include "talweg/core/surface_mesh.hpp"
 #include "talweg/heat/heat_distance.hpp"
@@ -26,18 +27,22 @@ class OpenedMesh {
   [[nodiscard]] double open_ms() const { return open_ms_; }
 
   /// The heat solver for this time scale (in units of h²), factored on first use; safe to call from
-  /// any thread. nullptr when cancelled. Throws as HeatDistance does.
+  /// any thread. The two that were asked for last are kept, so a slider of the time scale costs the
+  /// memory of two; others go when nobody holds them any more. nullptr when cancelled, also while
+  /// another thread factors. Throws as HeatDistance does.
   /// `threads` at most are used; their number changes no result.
-  [[nodiscard]] const HeatDistance* heat(double time_scale, const Progress& progress = {},
-                                         unsigned threads = 2) const;
+  [[nodiscard]] std::shared_ptr<const HeatDistance> heat(double time_scale,
+                                                         const Progress& progress = {},
+                                                         unsigned threads = 2) const;
 
  private:
   explicit OpenedMesh(SurfaceMesh mesh) : mesh_(std::move(mesh)) {}
 
   SurfaceMesh mesh_;
   double open_ms_ = 0;
+  using Heat = std::pair<double, std::shared_ptr<const HeatDistance>>;
   mutable std::mutex mutex_;
-  mutable std::map<double, HeatDistance> heat_;
+  mutable std::vector<Heat> heat_;  // by time scale, the one asked for last in front
 };
 
 }  // namespace talweg

@@ -13,6 +13,8 @@
 namespace talweg {
 namespace {
 
+constexpr std::size_t kOfPolishNode = 8;  // units of work, each time that it is looked at
+
 /// How far from the origin the line from radius p at angle 0 to radius q at angle `end` crosses the
 /// ray at `angle`; 0 where it goes around the other side.
 double straight_across(double p, double q, double end, double angle) {
@@ -23,10 +25,12 @@ double straight_across(double p, double q, double end, double angle) {
 class Polisher {
  public:
   Polisher(const SurfaceMesh& mesh, const ExactPotential& potential,
-           std::span<const SurfacePoint> pinned, const PolishOptions& options, double scale)
+           std::span<const SurfacePoint> pinned, const PolishOptions& options, double scale,
+           Asker& asker)
       : mesh_(mesh),
         surface_(mesh.surface()),
-        chain_(mesh, potential, options.tolerance, scale),
+        asker_(asker),
+        chain_(mesh, potential, options.tolerance, scale, &asker),
         pinned_(pinned),
         options_(options),
         tiny_(1e-6 * scale) {}
@@ -60,6 +64,7 @@ class Polisher {
 
   const SurfaceMesh& mesh_;
   const Surface& surface_;
+  Asker& asker_;
   LiftedChain chain_;
   std::span<const SurfacePoint> pinned_;
   PolishOptions options_;
@@ -84,6 +89,7 @@ void Polisher::load(const SurfaceCurve& curve) {
   nodes_.clear();
   const std::size_t n = curve.points.size();
   for (std::size_t i = 0; i < n; ++i) {
+    asker_.did(kOfPolishNode + pinned_.size());
     const SurfacePoint& p = curve.points[i];
     const bool end = !closed_ && (i == 0 || i + 1 == n);
     const bool pin = end || pinned(p);
@@ -292,6 +298,7 @@ void Polisher::untangle() {
   const std::size_t least = closed_ ? 3 : 2;
   done_.clear();
   for (std::size_t next = 0; next < nodes_.size();) {
+    asker_.did(kOfPolishNode);
     done_.push_back(nodes_[next++]);
     while (done_.size() > 1 && next < nodes_.size() && !behind(0).fixed &&
            done_.size() + nodes_.size() - next > least) {
@@ -331,6 +338,7 @@ bool Polisher::pass_vertices() {
   bool changed = false;
   done_.clear();
   for (std::size_t i = 0; i < nodes_.size();) {
+    asker_.did(kOfPolishNode + pinned_.size());
     const bool pin = nodes_[i].fixed && pinned(nodes_[i].point);
     const VertexId v = pin ? VertexId{} : driven_to(nodes_[i]);
     std::size_t count = 1;
@@ -423,6 +431,7 @@ PolishResult Polisher::run(SurfaceCurve& curve) {
   result.length_before = result.length_after = length();
   bool whole = true;  // first all together; then what is left to do here and there; and again
   for (round_ = 0; round_ < options_.max_rounds; ++round_) {
+    asker_.is_at(static_cast<double>(round_) / options_.max_rounds);
     turn();
     chain_.begin_round(round_);
     settle_awake(whole);
@@ -457,12 +466,14 @@ void PolishOptions::validate() const {
 }
 
 PolishResult polish(const SurfaceMesh& mesh, SurfaceCurve& curve, const ExactPotential& potential,
-                    std::span<const SurfacePoint> pinned, const PolishOptions& options) {
+                    std::span<const SurfacePoint> pinned, const PolishOptions& options,
+                    const Progress& progress) {
   options.validate();
   if (curve.points.size() < 3) return {};
   const double scale =
       curve_length(mesh.surface(), curve) / static_cast<double>(curve.points.size());
-  return Polisher(mesh, potential, pinned, options, scale).run(curve);
+  Asker asker(progress, "polish");
+  return Polisher(mesh, potential, pinned, options, scale, asker).run(curve);
 }
 
 }  // namespace talweg

@@ -6,6 +6,7 @@
 
 #include "talweg/core/lifted_chain.hpp"
 #include "talweg/core/surface_mesh.hpp"
+#include "talweg/intrinsic/progress.hpp"
 #include "talweg/intrinsic/surface_point.hpp"
 
 namespace talweg {
@@ -20,20 +21,23 @@ struct PolishOptions {
 };
 
 struct PolishResult {
-  double length_before = 0;  ///< lifted, with the exact potential at the points
+  double length_before = 0;  ///< lifted, with the exact potential at the points and halfway
   double length_after = 0;   ///< never more
   std::size_t passed_vertices = 0;
 };
 
 /// Minimises the lifted length Σ √(|p−q|² + |Φp−Φq|²) of a curve over the places of its points on
-/// their edges by a tridiagonal Newton method, with the potential evaluated exactly. FlipOut's
-/// result bends where the piecewise linear potential has its creases, that is at mesh edges; this
-/// one does not know the mesh, but for where its points are. A point that is driven to the end of
+/// their edges by a tridiagonal Newton method, with the potential evaluated exactly, at the points
+/// and halfway between any two. FlipOut's result bends where the piecewise linear potential has its
+/// creases, that is at mesh edges; this one does not know the mesh, but for where its points are. A
+/// point that is driven to the end of
 /// its edge goes around the vertex there, or stays at it, whichever is shorter.
 ///
-/// The ends of an open curve and the `pinned` points (sorted indices) stay. Points inside faces are
-/// dropped where their neighbours share the face, since the curve is straight there.
+/// The ends of an open curve and the points in `pinned` stay. Points inside faces are dropped where
+/// their neighbours share the face, since the curve is straight there. Throws Cancelled when
+/// `progress` (stage "polish") says so; the curve is as it was then.
 PolishResult polish(const SurfaceMesh& mesh, SurfaceCurve& curve, const ExactPotential& potential,
-                    std::span<const SurfacePoint> pinned, const PolishOptions& options = {});
+                    std::span<const SurfacePoint> pinned, const PolishOptions& options = {},
+                    const Progress& progress = {});
 
 }  // namespace talweg

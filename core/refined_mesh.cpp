@@ -18,6 +18,7 @@ using Barycentric = std::array<double, 3>;
 
 constexpr std::uint32_t kNothing = 0xFFFFFFFFU;
 constexpr std::size_t kMostSegments = 64;  // of a drawing in one face
+constexpr std::size_t kOfFace = 8;         // units of work
 // In slacks: what a curve that is straight in a face may miss there; in faces with longer edges
 // than kWide it comes to lie farther from the drawing than that, so a bend of kBentAt is enough.
 constexpr double kAside = 4, kWide = 8, kBentAt = 0.5;
@@ -38,7 +39,7 @@ double longest_side(const Surface& surface, FaceId face) {
 /// A triangulation whose triangles are bisected, and pieces of curves in its triangles.
 class Bisection {
  public:
-  Bisection(const SurfaceMesh& mesh, std::span<const FaceId> faces);
+  Bisection(const SurfaceMesh& mesh, std::span<const FaceId> faces, Asker& asker);
 
   void add(std::size_t curve, const SurfaceCurve& drawn);
   void divide(std::span<const FaceId> faces, std::span<const double> longest);
@@ -49,6 +50,7 @@ class Bisection {
   struct Piece {  // a triangle
     std::array<Index, 3> corners;
     std::array<Index, 3> across;  // the side from corner k to the next one
+    std::array<bool, 3> cut;      // the mesh goes on beyond it
     FaceId face;
     RefinedMesh::Corners in_face;
     bool divided = false;         // until it is small enough
@@ -74,6 +76,7 @@ class Bisection {
   [[nodiscard]] bool is_too_large(const Piece& piece, std::span<const double> longest) const;
 
   const SurfaceMesh& mesh_;
+  Asker& asker_;
   std::vector<Point> points_;
   std::vector<Piece> pieces_;
   ZeroedVector<Index> of_face_;  // plus 1
@@ -81,12 +84,13 @@ class Bisection {
   std::vector<Index> first_;  // per curve
 };
 
-Bisection::Bisection(const SurfaceMesh& mesh, std::span<const FaceId> faces)
-    : mesh_(mesh), of_face_(mesh.surface().face_count()) {
+Bisection::Bisection(const SurfaceMesh& mesh, std::span<const FaceId> faces, Asker& asker)
+    : mesh_(mesh), asker_(asker), of_face_(mesh.surface().face_count()) {
   const Surface& surface = mesh.surface();
   ZeroedVector<Index> known(surface.vertex_count());  // plus 1
   for (const FaceId face : faces) {
-    Piece piece{{}, {}, face, {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, false, {}};
+    asker_.did(kOfFace);
+    Piece piece{{}, {}, {}, face, {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, false, {}};
     const auto corners = surface.corners(face);
     for (std::size_t k = 0; k < 3; ++k) {
       Index& id = known[corners[k].index()];
@@ -100,11 +104,13 @@ Bisection::Bisection(const SurfaceMesh& mesh, std::span<const FaceId> faces)
     of_face_[face.index()] = static_cast<Index>(pieces_.size());
   }
   for (Piece& piece : pieces_) {
+    asker_.did(kOfFace);
     HalfedgeId h = surface.halfedge(piece.face);
     for (std::size_t k = 0; k < 3; ++k, h = surface.next(h)) {
       const bool inner = surface.has_face(twin(h));
       piece.across[k] =
           inner ? of_face_[surface.face(twin(h)).index()] - 1 : kNothing;  // 0 - 1: none
+      piece.cut[k] = inner && piece.across[k] == kNothing;
     }
   }
 }
@@ -152,6 +158,7 @@ std::size_t Bisection::side_towards(Index piece, Index from, Index to) const {
 void Bisection::bisect(Index piece) {
   std::vector<Index> stack{piece};
   while (!stack.empty()) {
+    asker_.did(kOfFace);
     const Index t = stack.back();
     const std::size_t side = longest_side(t);
     const Index a = pieces_[t].corners[side], b = pieces_[t].corners[(side + 1) % 3];
@@ -193,6 +200,7 @@ Bisection::Index Bisection::split(Index piece, std::size_t side, Index middle) {
   t.in_face[ib] = u.in_face[ia] = in_face;
   t.across[ib] = fresh;
   u.across[ic] = piece;
+  t.cut[ib] = u.cut[ic] = false;
   share_segments(piece, fresh, side);
   return fresh;
 }
@@ -258,6 +266,7 @@ void Bisection::divide(std::span<const FaceId> faces, std::span<const double> lo
   while (!queue.empty() && pieces_.size() < most) {
     const Index piece = queue.front();
     queue.pop();
+    asker_.did(kOfFace);
     const auto first = static_cast<Index>(pieces_.size());
     while (is_too_large(pieces_[piece], longest) && pieces_.size() < most) bisect(piece);
     for (Index k = first; k < pieces_.size(); ++k) queue.push(k);
@@ -267,7 +276,14 @@ void Bisection::divide(std::span<const FaceId> faces, std::span<const double> lo
 RefinedMesh Bisection::result(std::size_t curves) && {
   RefinedMesh result;
   result.lists.points = std::move(points_);
+  result.at_cut.assign(result.lists.points.size(), false);
   for (const Piece& piece : pieces_) {
+    asker_.did(kOfFace);
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (piece.cut[k]) {
+        result.at_cut[piece.corners[k]] = result.at_cut[piece.corners[(k + 1) % 3]] = true;
+      }
+    }
     result.lists.triangles.push_back(piece.corners);
     result.face_of.push_back(piece.face);
     result.corners_of.push_back(piece.in_face);
@@ -285,7 +301,7 @@ RefinedMesh Bisection::result(std::size_t curves) && {
 
 /// The faces along the curves and those around them, in order.
 std::vector<FaceId> faces_around(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves,
-                                 double reach) {
+                                 double reach, Asker& asker) {
   const Surface& surface = mesh.surface();
   ZeroedVector<double> nearness(surface.vertex_count());  // 1 / (1 + way); 0: not reached
   using Item = std::pair<double, std::size_t>;
@@ -307,6 +323,7 @@ std::vector<FaceId> faces_around(const SurfaceMesh& mesh, std::span<const Surfac
   while (!queue.empty()) {
     const auto [way, id] = queue.top();
     queue.pop();
+    asker.did(kOfFace);
     const VertexId v{id};
     if (nearness[id] > 1 / (1 + way)) continue;
     const HalfedgeId first = surface.halfedge(v);
@@ -318,8 +335,10 @@ std::vector<FaceId> faces_around(const SurfaceMesh& mesh, std::span<const Surfac
       if (h == first) break;
     }
   }
+  asker.ask();
   std::sort(faces.begin(), faces.end());
   faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+  asker.ask();
   std::vector<FaceId> result;
   result.reserve(faces.size());
   for (const std::size_t f : faces) result.emplace_back(f);
@@ -357,8 +376,9 @@ std::vector<FaceId> too_large_faces(const SurfaceMesh& mesh, const SurfaceCurve&
 
 RefinedMesh refine_along(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves,
                          std::span<const FaceId> faces, std::span<const double> longest,
-                         double reach) {
-  Bisection bisection(mesh, faces_around(mesh, curves, reach));
+                         double reach, const Progress& progress) {
+  Asker asker(progress, "solve");
+  Bisection bisection(mesh, faces_around(mesh, curves, reach, asker), asker);
   for (std::size_t c = 0; c < curves.size(); ++c) bisection.add(c, curves[c]);
   bisection.divide(faces, longest);
   return std::move(bisection).result(curves.size());

@@ -1,12 +1,14 @@
 // The faces along a drawing that is finer than the mesh, divided until they are as fine as it.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <span>
 #include <vector>
 
 #include "talweg/core/surface_mesh.hpp"
+#include "talweg/intrinsic/progress.hpp"
 #include "talweg/intrinsic/surface_point.hpp"
 
 namespace talweg {
@@ -23,6 +25,12 @@ struct RefinedMesh {
     std::size_t drawn = 0;  ///< the point of the drawing that this is, or the one before it
     double part = 0;        ///< of the way to the next one, in [0, 1)
   };
+  /// Per vertex of `lists`: whether the surface goes on there, beyond what was taken along.
+  std::vector<bool> at_cut;
+  /// Whether there is no such vertex.
+  [[nodiscard]] bool is_whole() const {
+    return std::find(at_cut.begin(), at_cut.end(), true) == at_cut.end();
+  }
   /// Per curve its points: those of the drawing, in their order, and where it passes new edges.
   std::vector<std::vector<Place>> curves;
 
@@ -45,9 +53,10 @@ std::vector<FaceId> too_large_faces(const SurfaceMesh& mesh, const SurfaceCurve&
 /// no angle below half the smallest one) until these are no longer than the curve's `longest` (mesh
 /// units, > 0) and none has more than 64 of its segments. Takes along the faces up to `reach`
 /// around the curves (mesh units, along edges; infinite: all that is connected with them). The
-/// drawing stays what it is, to rounding. O(faces in reach + points, log).
+/// drawing stays what it is, to rounding. O(faces in reach + points, log). Throws Cancelled when
+/// `progress` (stage "solve") says so.
 RefinedMesh refine_along(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves,
                          std::span<const FaceId> faces, std::span<const double> longest,
-                         double reach);
+                         double reach, const Progress& progress = {});
 
 }  // namespace talweg

@@ -109,13 +109,16 @@ void RelaxationOptions::validate() const {
 }
 
 void relax(const SurfaceMesh& mesh, std::span<SurfaceCurve> curves,
-           const RelaxationOptions& options) {
+           const RelaxationOptions& options, const Progress& progress) {
   options.validate();
+  Asker asker(progress, "relax");
   Sliders sliders(mesh, curves);
   std::vector<std::vector<Point>> points;
   for (const SurfaceCurve& curve : curves) points.push_back(positions_of(mesh, curve));
   std::vector<double> t(sliders.all().size());
   for (int round = 0; round < options.rounds; ++round) {
+    asker.is_at(static_cast<double>(round) / options.rounds);
+    asker.did(t.size());
     sliders.limit();
     for (std::size_t k = 0; k < t.size(); ++k) {
       const Slider& s = sliders.all()[k];
@@ -134,8 +137,9 @@ void relax(const SurfaceMesh& mesh, std::span<SurfaceCurve> curves,
   }
 }
 
-void relax(const SurfaceMesh& mesh, SurfaceCurve& curve, const RelaxationOptions& options) {
-  relax(mesh, std::span<SurfaceCurve>(&curve, 1), options);
+void relax(const SurfaceMesh& mesh, SurfaceCurve& curve, const RelaxationOptions& options,
+           const Progress& progress) {
+  relax(mesh, std::span<SurfaceCurve>(&curve, 1), options, progress);
 }
 
 }  // namespace talweg

@@ -4,6 +4,7 @@
 #include <span>
 
 #include "talweg/core/surface_mesh.hpp"
+#include "talweg/intrinsic/progress.hpp"
 #include "talweg/intrinsic/surface_point.hpp"
 
 namespace talweg {
@@ -34,10 +35,12 @@ struct RelaxationOptions {
 /// nearer to the edge's ends or to each other than 1e-6 of the edge, unless they were.
 ///
 /// O(rounds · points + points log points). Independent of scale and position but for rounding.
+/// Throws Cancelled when `progress` (stage "relax") says so; the curves are as they were then.
 void relax(const SurfaceMesh& mesh, std::span<SurfaceCurve> curves,
-           const RelaxationOptions& options = {});
+           const RelaxationOptions& options = {}, const Progress& progress = {});
 
 /// The same for one curve.
-void relax(const SurfaceMesh& mesh, SurfaceCurve& curve, const RelaxationOptions& options = {});
+void relax(const SurfaceMesh& mesh, SurfaceCurve& curve, const RelaxationOptions& options = {},
+           const Progress& progress = {});
 
 }  // namespace talweg

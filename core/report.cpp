@@ -158,6 +158,7 @@ SmoothingReport total_of(const std::vector<SmoothingReport>& reports) {
     total.curvature_after += r.curvature_after;
     total.curvature_max_before = std::max(total.curvature_max_before, r.curvature_max_before);
     total.curvature_max_after = std::max(total.curvature_max_after, r.curvature_max_after);
+    if (r.deviation == "euclidean") total.deviation = r.deviation;
     total.deviation_to_drawn_max = std::max(total.deviation_to_drawn_max, r.deviation_to_drawn_max);
     total.deviation_from_drawn_max =
         std::max(total.deviation_from_drawn_max, r.deviation_from_drawn_max);

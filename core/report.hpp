@@ -26,7 +26,8 @@ struct StageTimes {
 };
 
 /// The report on one curve, or the totals of a set: there counts, lengths and total curvatures are
-/// sums, maxima are maxima, means are weighted by length, and `termination` is the worst.
+/// sums, maxima are maxima, means are weighted by length, `termination` is the worst, and
+/// `deviation` is "euclidean" where one of them is.
 /// Lengths in mesh units, angles in radians; deviations that were not measured, or between curves
 /// on parts of the mesh that are not connected, are infinite. "Before" and "drawn" mean the curve
 /// as it was given, before corners were capped.

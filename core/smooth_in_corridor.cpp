@@ -14,6 +14,7 @@
 #include "talweg/core/polish.hpp"
 #include "talweg/core/relaxation.hpp"
 #include "talweg/core/stopwatch.hpp"
+#include "talweg/core/touched_edges.hpp"
 #include "talweg/intrinsic/error.hpp"
 
 namespace talweg {
@@ -22,35 +23,46 @@ namespace {
 constexpr double kOrigin = 4;  // of the chain of anchors below it
 // Anchors that only lead on to lower ones.
 const PolishOptions kRough{.max_rounds = 3, .newton_steps = 4, .tolerance = 1e-5};
-constexpr double kLeastAnchor = 1.0 / 8, kMostAnchor = 64;
+constexpr double kMostAnchor = 64;
+// Where the lift lengthens no edge by more than this part of it, it is not felt: the polish does
+// not look for gains that are smaller (PolishOptions::tolerance).
+constexpr double kUnfelt = 1e-7;
+
+double largest_slack(const Corridor::Valley& valley) {
+  const std::vector<double>& field = valley.slack_at;
+  return field.empty() ? valley.slack : *std::max_element(field.begin(), field.end());
+}
 
 }  // namespace
 
 std::vector<double> CurveSmoother::slack() const {
-  if (refined_) return in_drawn_order(refined_slack());
+  if (!refined_.empty()) return in_drawn_order(refined_slack());
   if (unrolled_) return in_drawn_order(unrolled_slack());
   std::vector<double> result;
   for (const Corridor::Valley& valley : valleys_) result.push_back(valley.slack);
   return in_drawn_order(result);
 }
 
-void CurveSmoother::make_valleys() {
+void CurveSmoother::make_valleys(const Progress& progress) {
+  constexpr std::size_t kOfPoint = 16;  // units of work
+  Asker asker(progress, "solve");
   valleys_.clear();
   for (const SurfaceCurve& curve : ordered_) {
+    asker.did(kOfPoint * curve.points.size());
     Corridor::Valley& valley = valleys_.emplace_back();
     valley.closed = curve.closed;
     valley.slack = default_slack(mesh_->surface(), curve);
     valley.length = corridor_length(mesh_->mesh(), curve);
   }
-  if (valleys_.size() > 1) keep_valleys_apart();
+  if (valleys_.size() > 1) keep_valleys_apart(progress);
 }
 
 /// Where the slacks of two curves met nothing would keep the curves apart.
-void CurveSmoother::keep_valleys_apart() {
+void CurveSmoother::keep_valleys_apart(const Progress& progress) {
   constexpr double kOfGap = 0.45;
   double most = 0;
   for (const Corridor::Valley& valley : valleys_) most = std::max(most, valley.slack);
-  const std::vector<double> gaps = gaps_to_others(mesh_->mesh(), ordered_, most / kOfGap);
+  const std::vector<double> gaps = gaps_to_others(mesh_->mesh(), ordered_, most / kOfGap, progress);
   for (std::size_t c = 0; c < gaps.size(); ++c) {
     valleys_[c].slack = std::min(valleys_[c].slack, kOfGap * gaps[c]);
   }
@@ -68,7 +80,7 @@ void CurveSmoother::steepen(Corridor::Valley& valley, const SurfaceCurve& drawn)
 
 /// A loop that is thin, or small against its slack, could collapse within its own corridor. Whether
 /// it does is tried at the smallest tau at which it must not.
-void CurveSmoother::hold_loops() {
+void CurveSmoother::hold_loops(const Progress& progress) {
   constexpr double kLeastTau = 0.25;
   constexpr int kHalvings = 8;
   std::vector<bool> doubtful(drawn_.size(), false);
@@ -82,13 +94,14 @@ void CurveSmoother::hold_loops() {
   const auto embed_again = [&] {
     if (pins.empty()) return;
     triangulation_.remove_inserted();
-    embed_drawn();
+    embed_drawn(progress);
   };
   embed_again();
   SmoothingOptions options;
   options.tau = kLeastTau;
   options.polish = false;
   options.deviation = DeviationMeasure::kNone;
+  options.progress = progress;
   for (int k = 0; k < kHalvings && std::count(doubtful.begin(), doubtful.end(), true) > 0; ++k) {
     const SmoothingResult tried = smooth_in_corridor(options);
     for (std::size_t c = 0; c < drawn_.size(); ++c) {
@@ -130,15 +143,19 @@ std::optional<double> CurveSmoother::anchor_of(const SmoothingOptions& options) 
 }
 
 void CurveSmoother::polish_in(const Corridor& corridor, std::vector<SurfaceCurve>& curves,
-                              const PolishOptions& options) const {
+                              const Progress& progress, const PolishOptions& options) {
   const SurfaceMesh& mesh = mesh_->mesh();
+  Asker asker(progress, "polish");
+  const AskedDuring asked(*exact_distance_, asker);
   const ExactPotential exact = {
       [&](EdgeId e, double t) { return corridor.on_edge(e, t); },
       [&](const SurfacePoint& p) { return corridor.at(p); },
       [&](FaceId f, const auto& b, const auto& d) { return corridor.in_face(f, b, d); },
   };
   const std::vector<SurfaceCurve> before = curves;
-  for (SurfaceCurve& curve : curves) polish(mesh, curve, exact, curve_options_.pins, options);
+  for (SurfaceCurve& curve : curves) {
+    polish(mesh, curve, exact, curve_options_.pins, options, progress);
+  }
   // Each curve is polished for itself; where that made them cross they stay as they were.
   for (auto crossing = crossing_curves(mesh.surface(), curves); !crossing.empty();
        crossing = crossing_curves(mesh.surface(), curves)) {
@@ -155,9 +172,7 @@ void CurveSmoother::polish_in(const Corridor& corridor, std::vector<SurfaceCurve
 double CurveSmoother::exact_for(const std::vector<Corridor::Valley>& valleys) const {
   double exact = 0;
   for (std::size_t c = 0; c < valleys.size(); ++c) {
-    const std::vector<double>& field = valleys[c].slack_at;
-    const double slack =
-        field.empty() ? valleys[c].slack : *std::max_element(field.begin(), field.end());
+    const double slack = largest_slack(valleys[c]);
     // While dragging there are valleys of curves that are only near.
     exact = std::max(exact, slack + edges_near_[std::min(c, edges_near_.size() - 1)]);
   }
@@ -168,6 +183,8 @@ CurveSmoother::Straightened CurveSmoother::straighten_in(const Corridor& corrido
                                                          const SmoothingOptions& options,
                                                          double exact) {
   const std::size_t own = mesh_->surface().vertex_count();
+  Asker asker(options.progress, "straighten");
+  const AskedDuring asked(*exact_distance_, asker);
   Straightened result = straighten(options, [&](VertexId p, VertexId q, double length) {
     const auto at = [&](VertexId v) {  // inserted vertices lie on the drawing
       return v.index() < own ? corridor.at_vertex_roughly(v, exact) : std::array<double, 2>{0, 0};
@@ -176,6 +193,20 @@ CurveSmoother::Straightened CurveSmoother::straighten_in(const Corridor& corrido
   });
   triangulation_.set_metric({});  // the corridor goes away
   return result;
+}
+
+/// Without a lift.
+CurveSmoother::Straightened CurveSmoother::straighten_flat(const SmoothingOptions& options) {
+  return straighten(
+      options, [](VertexId, VertexId, double length) { return lifted_length(length, 0.0, 0.0); });
+}
+
+/// Whether the lift would have changed one of the lengths that were looked at. Ways along their
+/// edges from the drawing say how far away they are at most.
+bool CurveSmoother::is_felt(const Corridor& corridor, const Straightened& flat,
+                            const Progress& progress) const {
+  const TouchedEdges edges = touched_edges(mesh_->surface(), flat.touched, ordered_, progress);
+  return !(corridor.largest_lengthening(edges.farthest, edges.shortest) <= kUnfelt);
 }
 
 /// FlipOut sees the potential at the mesh's vertices. A loop that has none inside it collapses
@@ -216,7 +247,7 @@ CurveSmoother::Anchor& CurveSmoother::anchor_at(double tau, const SmoothingOptio
     anchor = {above.straight, above.rough, {}};
   }
   const Stopwatch watch;
-  polish_in(corridor, anchor.rough, kRough);
+  polish_in(corridor, anchor.rough, options.progress, kRough);
   times.polish += watch.ms();
   return anchors_.emplace(tau, std::move(anchor)).first->second;
 }
@@ -231,39 +262,57 @@ SmoothingResult CurveSmoother::smooth_from_anchor(double from, const SmoothingOp
   StageTimes times;
   Anchor& anchor = anchor_at(from, options, valleys, times);
   if (anchor.polished.empty()) {
-    anchor.polished = anchor.rough;
+    std::vector<SurfaceCurve> polished = anchor.rough;
     const Corridor corridor(*exact_distance_, from, valleys);
     const Stopwatch watch;
-    polish_in(corridor, anchor.polished);
+    polish_in(corridor, polished, options.progress);
+    anchor.polished = std::move(polished);
     times.polish += watch.ms();
   }
   std::vector<SurfaceCurve> curves = anchor.polished;
   if (from != options.tau) {
     const Corridor corridor(*exact_distance_, options.tau, valleys);
     const Stopwatch watch;
-    polish_in(corridor, curves);
+    polish_in(corridor, curves, options.progress);
     times.polish += watch.ms();
   }
   SmoothingResult result = report_on(options, anchor.straight, std::move(curves), times);
-  const auto cancelled = [](const FlipOutResult::Path& path) {
-    return path.termination == Termination::kCancelled;
-  };
-  const auto& paths = anchor.straight.flip_out.paths;
-  if (whole || std::any_of(paths.begin(), paths.end(), cancelled)) anchors_.clear();
+  if (whole) anchors_.clear();
   return result;
+}
+
+/// The curve where nothing lifts it, which takes no distance; none where the lift is felt.
+std::optional<CurveSmoother::Straightened> CurveSmoother::unlifted(
+    const Corridor& corridor, const std::vector<Corridor::Valley>& valleys,
+    const SmoothingOptions& options) {
+  if (options.tau == 0) return straighten_flat(options);
+  // A try is worth its time only if it would not be felt a sixteenth of the drawing's radius beyond
+  // the slack.
+  double beyond = HUGE_VAL, slack = 0;
+  for (const Corridor::Valley& valley : valleys) {
+    beyond = std::min(beyond, valley.length / 4);
+    slack = std::max(slack, largest_slack(valley));
+  }
+  if (corridor.largest_lengthening(slack + beyond, beyond) > kUnfelt) return std::nullopt;
+  SmoothingOptions lazy = options;
+  lazy.prepare_whole_mesh = false;  // what it touches decides
+  Straightened flat = straighten_flat(lazy);
+  if (is_felt(corridor, flat, options.progress)) return std::nullopt;
+  return options.prepare_whole_mesh ? straighten_flat(options) : std::move(flat);
 }
 
 SmoothingResult CurveSmoother::smooth_for_itself(const SmoothingOptions& options,
                                                  const std::vector<Corridor::Valley>& valleys) {
   const Corridor corridor(*exact_distance_, options.tau, valleys);
-  Straightened straight = straighten_in(corridor, options, HUGE_VAL);
+  const std::optional<Straightened> flat = unlifted(corridor, valleys, options);
+  const Straightened straight = flat ? *flat : straighten_in(corridor, options, HUGE_VAL);
   std::vector<SurfaceCurve> curves = straight.curves;
   StageTimes times = straight.time_ms;
   Stopwatch watch;
-  relax(mesh_->mesh(), curves, {options.relax_rounds});
+  relax(mesh_->mesh(), curves, {options.relax_rounds}, options.progress);
   times.relax = watch.ms();
   watch = Stopwatch();
-  if (options.polish && options.tau > 0) polish_in(corridor, curves);
+  if (options.polish && !flat) polish_in(corridor, curves, options.progress);
   times.polish = watch.ms();
   return report_on(options, straight, std::move(curves), times);
 }
@@ -281,8 +330,7 @@ SmoothingResult CurveSmoother::smooth_in_valleys(const SmoothingOptions& options
     SmoothingReport& report = result.reports[c];
     report.potential = "corridor";
     report.engine = "local";
-    const std::vector<double>& field = valleys[c].slack_at;
-    report.slack = field.empty() ? valleys[c].slack : *std::max_element(field.begin(), field.end());
+    report.slack = largest_slack(valleys[c]);
   }
   result.total = total_of(result.reports);
   last_->result = result;

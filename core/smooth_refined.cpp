@@ -1,6 +1,5 @@
 // CurveSmoother: drawings that are finer than the mesh, on faces as fine as they are.
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 #include "talweg/core/corridor_scale.hpp"
@@ -21,6 +20,25 @@ double longest_edge(const Surface& surface, const SurfaceCurve& drawn) {
   return std::max(std::min(2 * slack, curve_length(surface, drawn) / kEdges), slack / 4);
 }
 
+/// Per-vertex values (k a row) of a mesh at the vertices of its refined part, linear in each face.
+std::vector<double> values_on(const RefinedMesh& mesh, const Surface& original,
+                              std::span<const double> values, std::size_t components) {
+  std::vector<double> result(mesh.lists.points.size() * components);
+  for (std::size_t f = 0; f < mesh.face_of.size(); ++f) {
+    const auto corners = original.corners(mesh.face_of[f]);
+    for (std::size_t j = 0; j < 3; ++j) {
+      double* row = result.data() + mesh.lists.triangles[f][j] * components;
+      std::fill_n(row, components, 0.0);
+      for (std::size_t i = 0; i < 3 * components; ++i) {
+        row[i % components] +=
+            mesh.corners_of[f][j][i / components] *
+            values[corners[i / components].index() * components + i % components];
+      }
+    }
+  }
+  return result;
+}
+
 }  // namespace
 
 /// The corridor only: the paper's method has the mesh's vertices, and no others.
@@ -35,30 +53,39 @@ std::vector<FaceId> CurveSmoother::faces_to_divide() const {
   return faces;
 }
 
-bool CurveSmoother::set_refined(bool whole, const Progress& progress) {
+/// As far around the drawing as a result comes at tau = 1/8 and more.
+double CurveSmoother::refined_reach() const {
+  double reach = 0;
+  for (std::size_t c = 0; c < ordered_.size(); ++c) {
+    reach = std::max(reach, corridor_reach(mesh_->mesh(), ordered_[c], edges_near_[c]));
+  }
+  return reach;
+}
+
+std::unique_ptr<CurveSmoother::Refined> CurveSmoother::refined_within(double reach,
+                                                                      const Progress& progress) {
   const Stopwatch watch;
   const SurfaceMesh& mesh = mesh_->mesh();
-  double reach = 0;
   std::vector<double> longest;
-  for (std::size_t c = 0; c < ordered_.size(); ++c) {
-    reach = std::max(reach, corridor_reach(mesh, ordered_[c], edges_near_[c]));
-    longest.push_back(longest_edge(mesh.surface(), ordered_[c]));
-  }
-  if (whole) reach = std::numeric_limits<double>::infinity();
+  for (const SurfaceCurve& curve : ordered_) longest.push_back(longest_edge(mesh.surface(), curve));
   auto refined = std::make_unique<Refined>();
-  refined->mesh = refine_along(mesh, ordered_, faces_to_divide(), longest, reach);
+  refined->mesh = refine_along(mesh, ordered_, faces_to_divide(), longest, reach, progress);
   const auto opened = OpenedMesh::open(refined->mesh.lists);
   refined->smoother = std::make_unique<CurveSmoother>(opened);
   CurveSmoother& smoother = *refined->smoother;
   smoother.may_refine_ = false;
   smoother.warns_if_far_ = false;  // that counts edges of the mesh, not of its pieces
+  smoother.cut_ = &refined->mesh.at_cut;
   const std::vector<SurfaceCurve> curves = refined->mesh.refined(opened->surface(), ordered_);
   CurveOptions options = curve_options_;
   options.pins = refined_pins(*refined, curves);
-  if (!smoother.set_curves(curves, options, progress)) return false;
+  if (!smoother.set_curves(curves, options, progress)) throw Cancelled();
   solve_ms_ += watch.ms();
-  (whole ? refined_whole_ : refined_) = std::move(refined);
-  return true;
+  return refined;
+}
+
+void CurveSmoother::set_refined(const Progress& progress) {
+  refined_.push_back(refined_within(refined_reach(), progress));
 }
 
 std::vector<SurfacePoint> CurveSmoother::refined_pins(const Refined& refined,
@@ -77,53 +104,75 @@ std::vector<SurfacePoint> CurveSmoother::refined_pins(const Refined& refined,
   return result;
 }
 
-void CurveSmoother::set_refined_pins() {
-  for (const Refined* refined : {refined_.get(), refined_whole_.get()}) {
-    if (refined == nullptr) continue;
+bool CurveSmoother::set_refined_pins(const Progress& progress) {
+  for (const std::unique_ptr<Refined>& refined : refined_) {
     const auto set = refined->smoother->drawn();
     const std::vector<SurfaceCurve> drawn(set.begin(), set.end());
-    refined->smoother->set_pins(refined_pins(*refined, drawn));
+    if (!refined->smoother->set_pins(refined_pins(*refined, drawn), progress)) return false;
   }
+  return true;
 }
 
-std::vector<double> CurveSmoother::refined_slack() const { return refined_->smoother->slack(); }
+std::vector<double> CurveSmoother::refined_slack() const {
+  return refined_.front()->smoother->slack();
+}
 
-const CurveSmoother::Refined& CurveSmoother::refined_for(bool whole) {
-  if (whole && !refined_whole_) set_refined(true, {});
-  return whole ? *refined_whole_ : *refined_;
+/// Whether a result might have gone on beyond what was taken along.
+bool CurveSmoother::is_at_cut(const Refined& refined, const SmoothingResult& result) {
+  const Surface& fine = refined.smoother->opened().surface();
+  const auto cut = [&](VertexId v) { return refined.mesh.at_cut[v.index()]; };
+  const auto touches = [&](const SurfacePoint& point) {
+    const auto corners = fine.corners(any_face(fine, point));
+    return std::any_of(corners.begin(), corners.end(), cut);
+  };
+  return refined.smoother->at_cut_ ||
+         std::any_of(result.curves.begin(), result.curves.end(), [&](const SurfaceCurve& curve) {
+           return std::any_of(curve.points.begin(), curve.points.end(), touches);
+         });
+}
+
+/// Below tau = 1/8 a result may lead anywhere. It is looked for in larger and larger parts of the
+/// mesh, always from the first on, until it does not come to where its part was cut off: that costs
+/// what it touches, and is what the whole mesh would give. `smooth` is asked for each part.
+template <class Smooth>
+SmoothingResult CurveSmoother::in_reach(const SmoothingOptions& options, const Smooth& smooth) {
+  double reach = refined_reach();
+  for (std::size_t k = 0;; ++k, reach *= 2) {
+    if (k == refined_.size()) refined_.push_back(refined_within(reach, options.progress));
+    const Refined& refined = *refined_[k];
+    refined.smoother->last_.reset();  // moves are reported here
+    refined.smoother->at_cut_ = false;
+    SmoothingOptions lazy = options;
+    lazy.prepare_whole_mesh = false;  // what is touched decides
+    SmoothingResult result = smooth(refined, lazy);
+    if (is_at_cut(refined, result)) continue;
+    if (options.prepare_whole_mesh) result = smooth(refined, options);
+    return coarse(refined, std::move(result), options);
+  }
 }
 
 SmoothingResult CurveSmoother::smooth_refined(const SmoothingOptions& options) {
-  constexpr double kLeastTau = 1.0 / 8;  // of corridor_reach()
-  const Refined& refined = refined_for(options.tau < kLeastTau);
-  SmoothingOptions own = options;
-  for (std::size_t c = 0; c < options.slack_at.size(); ++c) {
-    own.slack_at[c] = refined_slack_at(refined, c, options.slack_at[c]);
-  }
-  refined.smoother->last_.reset();  // moves are reported here
-  return coarse(refined, refined.smoother->smooth(own), options);
+  const auto smooth = [&](const Refined& refined, SmoothingOptions own) {
+    for (std::size_t c = 0; c < options.slack_at.size(); ++c) {
+      own.slack_at[c] = refined_slack_at(refined, c, options.slack_at[c]);
+    }
+    CurveSmoother& smoother = *refined.smoother;
+    return smoother.as_drawn(smoother.smooth_now(smoother.with_ordered_slack(own)));
+  };
+  if (options.tau < kLeastAnchor) return in_reach(options, smooth);
+  const Refined& refined = *refined_.front();
+  refined.smoother->last_.reset();
+  return coarse(refined, smooth(refined, options), options);
 }
 
 SmoothingResult CurveSmoother::smooth_refined(const SmoothingOptions& options,
                                               std::span<const double> potential,
                                               std::size_t components) {
-  const Refined& refined = refined_for(true);
-  const RefinedMesh& mesh = refined.mesh;
-  std::vector<double> own(mesh.lists.points.size() * components);
-  for (std::size_t f = 0; f < mesh.face_of.size(); ++f) {
-    const auto corners = mesh_->surface().corners(mesh.face_of[f]);
-    for (std::size_t j = 0; j < 3; ++j) {
-      double* values = own.data() + mesh.lists.triangles[f][j] * components;
-      std::fill_n(values, components, 0.0);
-      for (std::size_t i = 0; i < 3 * components; ++i) {
-        values[i % components] +=
-            mesh.corners_of[f][j][i / components] *
-            potential[corners[i / components].index() * components + i % components];
-      }
-    }
-  }
-  refined.smoother->last_.reset();
-  return coarse(refined, refined.smoother->smooth(options, own, components), options);
+  return in_reach(options, [&](const Refined& refined, const SmoothingOptions& own) {
+    CurveSmoother& smoother = *refined.smoother;
+    return smoother.as_drawn(smoother.smooth_now(
+        own, values_on(refined.mesh, mesh_->surface(), potential, components), components));
+  });
 }
 
 /// Linear between the points of the drawing.
@@ -154,7 +203,8 @@ SmoothingResult CurveSmoother::coarse(const Refined& refined, SmoothingResult re
     report.vertices = fresh.vertices;
     report.points_before = fresh.points_before;
     report.edge_length_near = edges_near_[c];
-    warn_if_far(report, kFar * default_slack(mesh_->surface(), ordered_[c]));
+    warn_if_far(report, kFar * default_slack(mesh_->surface(), ordered_[c]),
+                options.deviation == DeviationMeasure::kAutomatic);
     const double open = mesh_->open_ms();
     report.time_ms.total += open - report.time_ms.open + solve_ms_ - report.time_ms.solve;
     report.time_ms.open = open;

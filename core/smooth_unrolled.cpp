@@ -17,11 +17,17 @@ namespace talweg {
 namespace {
 
 std::vector<std::size_t> crossings_of(SignpostTriangulation& triangulation,
-                                      std::span<const SurfaceCurve> curves) {
+                                      std::span<const SurfaceCurve> curves,
+                                      const Progress& progress) {
   std::vector<std::size_t> crossings(curves.size(), 0);
   try {
-    crossings = path_contacts(triangulation, embed_curves(triangulation, curves).paths).crossings;
+    const EmbeddedCurves embedded =
+        embed_curves(triangulation, curves, {}, Loops::kKeep, {}, progress);
+    crossings = path_contacts(triangulation, embedded.paths).crossings;
   } catch (const Error&) {  // a loop of less than three edges, which crosses nothing
+  } catch (...) {
+    triangulation.remove_inserted();
+    throw;
   }
   triangulation.remove_inserted();
   return crossings;
@@ -37,7 +43,7 @@ std::vector<bool> CurveSmoother::tangled() const {
   return tangled;
 }
 
-bool CurveSmoother::set_unrolled(const std::vector<bool>& alone, const Progress& progress) {
+void CurveSmoother::set_unrolled(const std::vector<bool>& alone, const Progress& progress) {
   const Stopwatch watch;
   auto unrolled = std::make_unique<Unrolled>();
   // Each curve's with itself and those that were drawn after it.
@@ -46,14 +52,14 @@ bool CurveSmoother::set_unrolled(const std::vector<bool>& alone, const Progress&
   triangulation_.remove_inserted();
   embedded_ = {};
   const bool paper = curve_options_.method == Method::kPaper;
-  if (paper && distance_.empty() && !solve_distance(curve_options_, progress)) return false;
+  if (paper && distance_.empty()) solve_distance(progress);
 
   const SurfaceMesh& mesh = mesh_->mesh();
   double reach = 0;
   for (std::size_t c = 0; c < ordered_.size(); ++c) {
     if (alone[c]) reach = std::max(reach, corridor_reach(mesh, ordered_[c], edges_near_[c]));
   }
-  unrolled->mesh = unroll(mesh, ordered_, alone, reach);
+  unrolled->mesh = unroll(mesh, ordered_, alone, reach, progress);
   const auto opened = OpenedMesh::open(unrolled->mesh.lists);
   const std::vector<SurfaceCurve> curves =
       unrolled->mesh.unrolled(mesh, opened->surface(), ordered_);
@@ -68,13 +74,13 @@ bool CurveSmoother::set_unrolled(const std::vector<bool>& alone, const Progress&
   if (paper) {
     std::vector<double> distance;
     for (const VertexId v : unrolled->mesh.vertex_of) distance.push_back(distance_[v.index()]);
-    smoother.set_curves(curves, std::move(distance), options);
+    done = smoother.set_curves(curves, std::move(distance), options, progress);
   } else {
     done = smoother.set_curves(curves, options, progress);
   }
+  if (!done) throw Cancelled();
   solve_ms_ += watch.ms();
   unrolled_ = std::move(unrolled);
-  return done;
 }
 
 /// Each copy of them.
@@ -91,10 +97,10 @@ std::vector<SurfacePoint> CurveSmoother::unrolled_pins(std::span<const SurfaceCu
   return result;
 }
 
-void CurveSmoother::set_unrolled_pins() {
+bool CurveSmoother::set_unrolled_pins(const Progress& progress) {
   CurveSmoother& smoother = *unrolled_->smoother;
   const std::vector<SurfaceCurve> drawn(smoother.drawn().begin(), smoother.drawn().end());
-  smoother.set_pins(unrolled_pins(drawn, curve_options_.pins));
+  return smoother.set_pins(unrolled_pins(drawn, curve_options_.pins), progress);
 }
 
 std::vector<double> CurveSmoother::unrolled_slack() const { return unrolled_->smoother->slack(); }
@@ -112,7 +118,9 @@ SmoothingResult CurveSmoother::smooth_unrolled(const SmoothingOptions& options) 
     own.potential.length = PotentialOptions::Length::kGiven;
     own.potential.given_length = length;
   }
-  return folded(unrolled_->smoother->smooth(own));
+  CurveSmoother& smoother = *unrolled_->smoother;
+  SmoothingResult result = smoother.smooth_now(smoother.with_ordered_slack(std::move(own)));
+  return folded(smoother.as_drawn(std::move(result)), options.progress);
 }
 
 SmoothingResult CurveSmoother::smooth_unrolled(const SmoothingOptions& options,
@@ -123,7 +131,9 @@ SmoothingResult CurveSmoother::smooth_unrolled(const SmoothingOptions& options,
     const auto values = potential.subspan(v.index() * components, components);
     copies.insert(copies.end(), values.begin(), values.end());
   }
-  return folded(unrolled_->smoother->smooth(options, copies, components));
+  CurveSmoother& smoother = *unrolled_->smoother;
+  return folded(smoother.as_drawn(smoother.smooth_now(options, copies, components)),
+                options.progress);
 }
 
 /// Pins that no result passes, on spikes and curls that go: one sentence for each.
@@ -155,13 +165,13 @@ std::vector<std::string> CurveSmoother::lost_pins(std::span<const SurfaceCurve> 
 }
 
 /// Back from the strips, with the reports as if they were not.
-SmoothingResult CurveSmoother::folded(SmoothingResult result) {
+SmoothingResult CurveSmoother::folded(SmoothingResult result, const Progress& progress) {
   const Surface& copies = unrolled_->smoother->opened().surface();
   for (SurfaceCurve& curve : result.curves) {
     curve = unrolled_->mesh.folded(copies, mesh_->surface(), curve);
   }
   const std::vector<std::size_t> after =
-      crossings_of(triangulation_, in_drawn_order(result.curves));
+      crossings_of(triangulation_, in_drawn_order(result.curves), progress);
   const std::vector<std::string> lost = lost_pins(result.curves);
   for (std::size_t c = 0; c < result.curves.size(); ++c) {
     SmoothingReport& report = result.reports[c];

@@ -25,7 +25,7 @@ constexpr double kSinglePrecision = 1.2e-7;
 constexpr double kFarthestOfSize = 0.125;
 constexpr double kFarthestInEdges = 10;
 /// In mean edges. So far is no mesh from its drawing that was only smoothed or made coarser.
-constexpr double kFarInEdges = 3;
+constexpr double kMovedFarInEdges = 3;
 
 double size_of(const SurfaceMesh& mesh) {
   Point low = mesh.points().front(), high = low;
@@ -153,12 +153,15 @@ SurfacePoint settled(const SurfaceMesh& mesh, const ClosestPoint::Result& found,
 }
 
 std::vector<SurfacePoint> snap_positions(const SurfaceMesh& mesh, const ClosestPoint& closest,
-                                         const std::vector<Point>& positions, double& largest) {
+                                         const std::vector<Point>& positions, double& largest,
+                                         Asker& asker) {
+  constexpr std::size_t kOfPoint = 64;  // units of work
   std::vector<SurfacePoint> points;
   const double size = size_of(mesh);
   const double farthest =
       std::max(kFarthestOfSize * size, kFarthestInEdges * mesh.mean_edge_length());
   for (std::size_t k = 0; k < positions.size(); ++k) {
+    asker.did(kOfPoint);
     try {
       const ClosestPoint::Result found = closest.nearest(positions[k]);
       if (found.distance > farthest) {
@@ -205,7 +208,7 @@ void merge_equal(std::vector<SurfacePoint> points, const std::vector<std::size_t
 }
 
 SnappedCurve snap_one(const SurfaceMesh& mesh, const ClosestPoint* closest, const CurveInput& curve,
-                      const SnapOptions& options) {
+                      const SnapOptions& options, Asker& asker) {
   SnappedCurve result;
   result.closed = curve.closed;
   std::vector<SurfacePoint> points;
@@ -215,7 +218,7 @@ SnappedCurve snap_one(const SurfaceMesh& mesh, const ClosestPoint* closest, cons
     points = snap_coordinates(mesh.surface(), *at);
   } else {
     points = snap_positions(mesh, *closest, std::get<std::vector<Point>>(curve.points),
-                            result.largest_snap_distance);
+                            result.largest_snap_distance, asker);
   }
   merge_equal(std::move(points), curve.pins, result);
   check_length(result.points.size(), result.closed);
@@ -228,25 +231,30 @@ bool has_positions(const CurveInput& curve) {
 
 }  // namespace
 
-SnappedCurve snap(const SurfaceMesh& mesh, const CurveInput& curve, const SnapOptions& options) {
+SnappedCurve snap(const SurfaceMesh& mesh, const CurveInput& curve, const SnapOptions& options,
+                  const Progress& progress) {
+  Asker asker(progress, "snap");
   std::optional<ClosestPoint> closest;
   if (has_positions(curve)) closest.emplace(mesh);
-  return snap_one(mesh, closest ? &*closest : nullptr, curve, options);
+  return snap_one(mesh, closest ? &*closest : nullptr, curve, options, asker);
 }
 
 std::vector<SnappedCurve> snap(const SurfaceMesh& mesh, std::span<const CurveInput> curves,
-                               const SnapOptions& options) {
+                               const SnapOptions& options, const Progress& progress) {
   std::optional<ClosestPoint> closest;
-  return snap(mesh, curves, closest, options);
+  return snap(mesh, curves, closest, options, progress);
 }
 
 std::vector<SnappedCurve> snap(const SurfaceMesh& mesh, std::span<const CurveInput> curves,
-                               std::optional<ClosestPoint>& closest, const SnapOptions& options) {
+                               std::optional<ClosestPoint>& closest, const SnapOptions& options,
+                               const Progress& progress) {
+  Asker asker(progress, "snap");
   if (!closest && std::any_of(curves.begin(), curves.end(), has_positions)) closest.emplace(mesh);
   std::vector<SnappedCurve> result;
   for (const CurveInput& curve : curves) {
+    asker.is_at(static_cast<double>(result.size()) / static_cast<double>(curves.size()));
     try {
-      result.push_back(snap_one(mesh, closest ? &*closest : nullptr, curve, options));
+      result.push_back(snap_one(mesh, closest ? &*closest : nullptr, curve, options, asker));
     } catch (const Error& error) {
       if (curves.size() == 1) throw;
       throw Error(error.code(), "Curve " + std::to_string(result.size()) + ": " + error.what());
@@ -256,7 +264,7 @@ std::vector<SnappedCurve> snap(const SurfaceMesh& mesh, std::span<const CurveInp
 }
 
 bool moved_far(double largest_snap_distance, const SurfaceMesh& mesh) {
-  return largest_snap_distance > kFarInEdges * mesh.mean_edge_length();
+  return largest_snap_distance > kMovedFarInEdges * mesh.mean_edge_length();
 }
 
 std::string snap_warning(double largest_snap_distance, const SurfaceMesh& mesh) {

@@ -11,6 +11,7 @@
 #include "talweg/core/closest_point.hpp"
 #include "talweg/core/formats/curve_file.hpp"
 #include "talweg/core/surface_mesh.hpp"
+#include "talweg/intrinsic/progress.hpp"
 
 namespace talweg {
 
@@ -40,18 +41,19 @@ struct SnappedCurve {
 /// Throws Error(kBadCurve) naming the position in the curve (from 0) and the ids: an id or face
 /// out of range, neighbours that share no edge, barycentrics out of range, a position without
 /// finite coordinates or farther from the mesh than an eighth of the diagonal of its box and than
-/// ten mean edges, fewer than two points, closed with fewer than three.
-SnappedCurve snap(const SurfaceMesh& mesh, const CurveInput& curve,
-                  const SnapOptions& options = {});
+/// ten mean edges, fewer than two points, closed with fewer than three. Throws Cancelled when
+/// `progress` (stage "snap") says so.
+SnappedCurve snap(const SurfaceMesh& mesh, const CurveInput& curve, const SnapOptions& options = {},
+                  const Progress& progress = {});
 
 /// The same for several curves; what searches the mesh is built once. Errors name the curve too.
 std::vector<SnappedCurve> snap(const SurfaceMesh& mesh, std::span<const CurveInput> curves,
-                               const SnapOptions& options = {});
+                               const SnapOptions& options = {}, const Progress& progress = {});
 
 /// The same with what searches the mesh kept by the caller: made here when positions first need it.
 std::vector<SnappedCurve> snap(const SurfaceMesh& mesh, std::span<const CurveInput> curves,
                                std::optional<ClosestPoint>& closest,
-                               const SnapOptions& options = {});
+                               const SnapOptions& options = {}, const Progress& progress = {});
 
 /// How the sentence of snap_warning() begins where the drawing was moved far.
 constexpr std::string_view kFarFromMesh = "The drawing lies far from the mesh";

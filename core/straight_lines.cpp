@@ -34,7 +34,7 @@ VertexId StraightLines::nearest_corner(const SurfacePoint& point) const {
 }
 
 void StraightLines::append_leg(const SurfacePoint& from, const SurfacePoint& to,
-                               std::vector<SurfacePoint>& points) {
+                               std::vector<SurfacePoint>& points, const Progress& progress) {
   points.push_back(from);
   if (const FaceId face = common_face(*surface_, from, to); face.valid()) {
     legs_.push_back(distance_in_face(*surface_, coordinates_in(*surface_, from, face),
@@ -43,17 +43,30 @@ void StraightLines::append_leg(const SurfacePoint& from, const SurfacePoint& to,
   }
   if (!workshop_) workshop_ = std::make_unique<Workshop>(*surface_);
   SignpostTriangulation& triangulation = workshop_->triangulation;
+  try {
+    append_line(from, to, points, progress);
+  } catch (...) {
+    while (triangulation.flip_count() > 0) triangulation.undo_flip();
+    triangulation.remove_inserted();
+    throw;
+  }
+  triangulation.remove_inserted();
+}
+
+/// What lies between two points that share no face; leaves points inserted.
+void StraightLines::append_line(const SurfacePoint& from, const SurfacePoint& to,
+                                std::vector<SurfacePoint>& points, const Progress& progress) {
+  SignpostTriangulation& triangulation = workshop_->triangulation;
   const VertexId a = nearest_corner(from), b = nearest_corner(to);
   std::vector<VertexId> vertices = {a};
   if (a != b) {
     const std::array<VertexId, 2> ends = {a, b};
-    vertices = workshop_->dijkstra.draw(ends, false);
+    vertices = workshop_->dijkstra.draw(ends, false, progress);
   }
   PointInsertion insertion(triangulation);
   const VertexId start = insertion.insert(from), end = insertion.insert(to);
   if (start == end) {  // both as near to it as rounding, in different faces there
     points.push_back(triangulation.location(start));
-    triangulation.remove_inserted();
     return;
   }
   if (vertices.front() != start) vertices.insert(vertices.begin(), start);
@@ -66,11 +79,14 @@ void StraightLines::append_leg(const SurfacePoint& from, const SurfacePoint& to,
     since = insertion.split_count();
   }
   const std::array<EdgePath, 1> path = {EdgePath::make(triangulation, std::move(chain), false)};
-  const FlipOutResult straight = workshop_->flip_out.run(path, {});
+  FlipOutOptions options;
+  options.progress = progress;
+  const FlipOutResult straight = workshop_->flip_out.run(path, options);
+  if (straight.paths.front().termination == Termination::kCancelled) throw Cancelled();
   legs_.push_back(straight.paths.front().length_after);
   joined_.push_back(legs_.back());
   const std::array<EdgePath, 1> result = {straight.paths.front().path};
-  const TraceResult traced = workshop_->tracer.trace_and_undo(result);
+  const TraceResult traced = workshop_->tracer.trace_and_undo(result, progress);
   const std::vector<SurfacePoint>& line = traced.curves.front().points;
   // A point as near to a vertex or an edge as rounding was inserted there, and the line may go on
   // through another face than its own.
@@ -80,7 +96,6 @@ void StraightLines::append_leg(const SurfacePoint& from, const SurfacePoint& to,
   if (!meets(from, line[1])) points.push_back(line.front());
   points.insert(points.end(), line.begin() + 1, line.end() - 1);
   if (!meets(points.back(), to)) points.push_back(line.back());
-  triangulation.remove_inserted();
 }
 
 void StraightLines::find_gaps() {
@@ -94,7 +109,10 @@ void StraightLines::find_gaps() {
   }
 }
 
-SurfaceCurve StraightLines::join(std::span<const SurfacePoint> points, bool closed) {
+SurfaceCurve StraightLines::join(std::span<const SurfacePoint> points, bool closed,
+                                 const Progress& progress) {
+  constexpr std::size_t kOfLeg = 8;  // units of work, inside a face
+  Asker asker(progress, "draw");
   legs_.clear();
   joined_.clear();
   std::vector<SurfacePoint> distinct;
@@ -111,10 +129,11 @@ SurfaceCurve StraightLines::join(std::span<const SurfacePoint> points, bool clos
   }
   SurfaceCurve curve{closed, {}};
   for (std::size_t i = 0; i + 1 < distinct.size(); ++i) {
-    append_leg(distinct[i], distinct[i + 1], curve.points);
+    asker.did(kOfLeg);
+    append_leg(distinct[i], distinct[i + 1], curve.points, progress);
   }
   if (closed) {
-    append_leg(distinct.back(), distinct.front(), curve.points);
+    append_leg(distinct.back(), distinct.front(), curve.points, progress);
   } else {
     curve.points.push_back(distinct.back());
   }

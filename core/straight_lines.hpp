@@ -10,6 +10,7 @@
 
 #include "talweg/core/drawing.hpp"
 #include "talweg/intrinsic/flip_out.hpp"
+#include "talweg/intrinsic/progress.hpp"
 #include "talweg/intrinsic/signpost_triangulation.hpp"
 #include "talweg/intrinsic/surface_point.hpp"
 #include "talweg/intrinsic/trace.hpp"
@@ -43,14 +44,17 @@ class StraightLines {
   /// by the geodesic that FlipOut finds from a shortest edge path between them, which is locally,
   /// not always globally, shortest. Points that fall together are taken once.
   /// Throws Error(kBadCurve) when two points lie on different components, or fewer than two (three
-  /// if closed) different ones are left.
-  SurfaceCurve join(std::span<const SurfacePoint> points, bool closed);
+  /// if closed) different ones are left; Cancelled when `progress` (stage "draw") says so.
+  SurfaceCurve join(std::span<const SurfacePoint> points, bool closed,
+                    const Progress& progress = {});
   /// Those of the last join().
   [[nodiscard]] const JoinedGaps& gaps() const { return gaps_; }
 
  private:
   void append_leg(const SurfacePoint& from, const SurfacePoint& to,
-                  std::vector<SurfacePoint>& points);
+                  std::vector<SurfacePoint>& points, const Progress& progress);
+  void append_line(const SurfacePoint& from, const SurfacePoint& to,
+                   std::vector<SurfacePoint>& points, const Progress& progress);
   [[nodiscard]] VertexId nearest_corner(const SurfacePoint& point) const;
 
   /// O(mesh), and needed only where two points share no face.

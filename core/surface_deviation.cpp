@@ -20,12 +20,21 @@ constexpr int kMaxHalvings = 40;
 constexpr int kMostSamples = 2000;
 constexpr int kMeanHalvings = 10;
 constexpr std::size_t kMostWindows = 2;  // of all parts together, for each edge of the mesh
+constexpr double kNoLimit = HUGE_VAL;
+constexpr const char* kStage = "measure";
+constexpr std::size_t kOfGuess = 32;  // units of work
 
 class Measurement {
  public:
+  /// Distances of `limit` and more count as infinite.
   Measurement(const Surface& surface, PolylineDistance& to, const PolylinePieces& pieces,
-              double tolerance)
-      : surface_(&surface), to_(&to), bounds_(surface, to, pieces), tolerance_(tolerance) {}
+              double tolerance, double limit, Asker& asker)
+      : surface_(&surface),
+        to_(&to),
+        bounds_(surface, to, pieces),
+        tolerance_(tolerance),
+        limit_(limit),
+        asker_(&asker) {}
 
   /// What is added comes in parts; between them `to` and `pieces` may be set to others.
 
@@ -36,6 +45,7 @@ class Measurement {
     std::vector<Sampled> sampled;
     double length = 0, integral = 0;
     for (const Stretch& s : stretches) {
+      if (std::isfinite(limit_) && !std::isfinite(max_)) return;
       const StretchSample a = sample(s, 0), middle = sample(s, 0.5), b = sample(s, 1);
       sampled.push_back({a, middle, b});
       length += s.length;
@@ -63,7 +73,10 @@ class Measurement {
 
   /// The distance at a single point, which counts as a sample.
   double see(const SurfacePoint& point) {
-    const double distance = to_->at(point).distance;
+    constexpr std::size_t kWork = 32;
+    asker_->did(kWork);
+    const double distance =
+        std::isfinite(limit_) ? to_->below(limit_, point) : to_->at(point).distance;
     if (!at_ || distance > max_) {
       max_ = distance;
       at_ = point;
@@ -110,6 +123,8 @@ class Measurement {
   PolylineDistance* to_;
   FaceBounds bounds_;
   double tolerance_;
+  double limit_;
+  Asker* asker_;
   double length_ = 0, integral_ = 0;
   double max_ = 0;
   int samples_left_ = 0;
@@ -152,13 +167,28 @@ std::size_t end_of_part(std::span<const Stretch> stretches, std::span<const doub
   return end;
 }
 
+OneSidedSurfaceDeviation at_once(const Surface& surface, std::span<const SurfaceCurve> from,
+                                 PolylineDistance& to, std::span<const SurfaceCurve> to_curves,
+                                 double limit, Asker& asker) {
+  const AskedDuring asked(to, asker);
+  const std::vector<Stretch> stretches = stretches_of(surface, from);
+  const PolylinePieces pieces = pieces_of(surface, to_curves);
+  Measurement measurement(surface, to, pieces, tolerance_for(stretches, to_curves, pieces.lengths),
+                          limit, asker);
+  for (const SurfaceCurve& curve : from) measurement.see(curve.points.front());
+  measurement.add(stretches);
+  return measurement.result();
+}
+
 /// Part by part, each with the distance to what of the others is near it, so that one far corner
 /// does not cost a wide band along all of the curves. Where parts march over the same faces again
 /// and again, as those of a drawing that winds far from its result do, what is left is one part.
 OneSidedSurfaceDeviation deviation_by_parts(const SurfaceMesh& mesh,
                                             std::span<const SurfaceCurve> from,
                                             std::span<const SurfaceCurve> others,
-                                            PolylineDistance& distance) {
+                                            PolylineDistance& distance, double limit,
+                                            Asker& asker) {
+  const AskedDuring asked(distance, asker);
   const Surface& surface = mesh.surface();
   const std::vector<Stretch> stretches = stretches_of(surface, from);
   PolylinePieces pieces = pieces_of(surface, others);
@@ -166,14 +196,17 @@ OneSidedSurfaceDeviation deviation_by_parts(const SurfaceMesh& mesh,
       from.begin(), from.end(), [](const SurfaceCurve& curve) { return curve.points.size() == 1; });
   if (stretches.empty() || has_point) {
     distance.set(others);
-    return one_sided_deviation(surface, from, distance, others);
+    return at_once(surface, from, distance, others, limit, asker);
   }
   Measurement measurement(surface, distance, pieces,
-                          tolerance_for(stretches, others, pieces.lengths));
-  LocalDistance local(mesh, others, distance);
+                          tolerance_for(stretches, others, pieces.lengths), limit, asker);
+  LocalDistance local(mesh, others, distance, limit);
   std::vector<double> reach;
   reach.reserve(stretches.size());
-  for (const Stretch& stretch : stretches) reach.push_back(local.guess(stretch));
+  for (const Stretch& stretch : stretches) {
+    reach.push_back(local.guess(stretch));
+    asker.did(kOfGuess);
+  }
   std::size_t windows = 0;
   for (std::size_t i = 0, end = 0; i < stretches.size() && measurement.is_finite(); i = end) {
     if (windows > kMostWindows * surface.edge_count()) {
@@ -184,6 +217,7 @@ OneSidedSurfaceDeviation deviation_by_parts(const SurfaceMesh& mesh,
     }
     end = end_of_part(stretches, reach, i);
     const auto part = std::span(stretches).subspan(i, end - i);
+    asker.did(others.front().points.size());
     pieces = pieces_of(surface, local.set_near(part, std::span(reach).subspan(i, end - i)));
     measurement.add(part);
     windows += distance.window_count();
@@ -196,34 +230,47 @@ OneSidedSurfaceDeviation deviation_by_parts(const SurfaceMesh& mesh,
 OneSidedSurfaceDeviation one_sided_deviation(const Surface& surface,
                                              std::span<const SurfaceCurve> from,
                                              PolylineDistance& to,
-                                             std::span<const SurfaceCurve> to_curves) {
+                                             std::span<const SurfaceCurve> to_curves,
+                                             const Progress& progress) {
   refuse_nothing(from);
   refuse_nothing(to_curves);
-  const std::vector<Stretch> stretches = stretches_of(surface, from);
-  const PolylinePieces pieces = pieces_of(surface, to_curves);
-  Measurement measurement(surface, to, pieces, tolerance_for(stretches, to_curves, pieces.lengths));
-  for (const SurfaceCurve& curve : from) measurement.see(curve.points.front());
-  measurement.add(stretches);
-  return measurement.result();
-}
-
-SurfaceDeviation DeviationMeter::measure(std::span<const SurfaceCurve> result,
-                                         std::span<const SurfaceCurve> drawn) {
-  refuse_nothing(result);
-  refuse_nothing(drawn);
-  if (!distance_) distance_.emplace(mesh_->surface());
-  return {deviation_by_parts(*mesh_, result, drawn, *distance_),
-          deviation_by_parts(*mesh_, drawn, result, *distance_)};
+  Asker asker(progress, kStage);
+  return at_once(surface, from, to, to_curves, kNoLimit, asker);
 }
 
 SurfaceDeviation DeviationMeter::measure(std::span<const SurfaceCurve> result,
                                          std::span<const SurfaceCurve> drawn,
-                                         PolylineDistance& to_drawn) {
+                                         const Progress& progress) {
+  return *measure_below(kNoLimit, result, drawn, progress);
+}
+
+SurfaceDeviation DeviationMeter::measure(std::span<const SurfaceCurve> result,
+                                         std::span<const SurfaceCurve> drawn,
+                                         PolylineDistance& to_drawn, const Progress& progress) {
   refuse_nothing(result);
   refuse_nothing(drawn);
   if (!distance_) distance_.emplace(mesh_->surface());
-  return {one_sided_deviation(mesh_->surface(), result, to_drawn, drawn),
-          deviation_by_parts(*mesh_, drawn, result, *distance_)};
+  Asker asker(progress, kStage);
+  return {at_once(mesh_->surface(), result, to_drawn, drawn, kNoLimit, asker),
+          deviation_by_parts(*mesh_, drawn, result, *distance_, kNoLimit, asker)};
+}
+
+std::optional<SurfaceDeviation> DeviationMeter::measure_below(double limit,
+                                                              std::span<const SurfaceCurve> result,
+                                                              std::span<const SurfaceCurve> drawn,
+                                                              const Progress& progress) {
+  refuse_nothing(result);
+  refuse_nothing(drawn);
+  if (!distance_) distance_.emplace(mesh_->surface());
+  Asker asker(progress, kStage);
+  const auto is_beyond = [&](const OneSidedSurfaceDeviation& side) {
+    return std::isfinite(limit) && !std::isfinite(side.max);
+  };
+  const auto to_drawn = deviation_by_parts(*mesh_, result, drawn, *distance_, limit, asker);
+  if (is_beyond(to_drawn)) return std::nullopt;
+  const auto from_drawn = deviation_by_parts(*mesh_, drawn, result, *distance_, limit, asker);
+  if (is_beyond(from_drawn)) return std::nullopt;
+  return SurfaceDeviation{to_drawn, from_drawn};
 }
 
 }  // namespace talweg

@@ -7,6 +7,7 @@
 
 #include "talweg/core/surface_mesh.hpp"
 #include "talweg/intrinsic/polyline_distance.hpp"
+#include "talweg/intrinsic/progress.hpp"
 #include "talweg/intrinsic/surface.hpp"
 #include "talweg/intrinsic/surface_point.hpp"
 
@@ -14,6 +15,9 @@ namespace talweg {
 
 /// Which distance between result and drawing a report has.
 enum class DeviationMeasure {
+  /// kAlongSurface; but below tau = 1/8, where results leave their drawings, only where they lie
+  /// within four mean edges of each other, and through space where they do not.
+  kAutomatic,
   kAlongSurface,  ///< exact, along the surface; its cost grows with the deviation
   kEuclidean,     ///< through space: never more, and cheaper
   kNone,          ///< none: the report's deviations are infinite, null in JSON
@@ -47,11 +51,12 @@ struct SurfaceDeviation {
 /// intervals are halved until these bounds rule them out. `mean` is integrated by adaptive
 /// Simpson's rule to about that accuracy.
 /// Throws Error(kBadCurve) when there is no curve, one has no points, or two neighbours share no
-/// face.
+/// face; Cancelled when `progress` (stage "measure") says so.
 OneSidedSurfaceDeviation one_sided_deviation(const Surface& surface,
                                              std::span<const SurfaceCurve> from,
                                              PolylineDistance& to,
-                                             std::span<const SurfaceCurve> to_curves);
+                                             std::span<const SurfaceCurve> to_curves,
+                                             const Progress& progress = {});
 
 /// Measures both directions again and again on one mesh. Holds the working memory, O(mesh), which
 /// is made when first needed. One thread at a time; the mesh must outlive the object.
@@ -60,13 +65,19 @@ class DeviationMeter {
   explicit DeviationMeter(const SurfaceMesh& mesh) : mesh_(&mesh) {}
 
   /// All of `result` against all of `drawn`. Goes along the curves part by part, so each part costs
-  /// what lies within its own distance. Throws Error(kBadCurve) as one_sided_deviation() does.
+  /// what lies within its own distance. Throws as one_sided_deviation() does.
   SurfaceDeviation measure(std::span<const SurfaceCurve> result,
-                           std::span<const SurfaceCurve> drawn);
+                           std::span<const SurfaceCurve> drawn, const Progress& progress = {});
   /// The same with a distance of the caller's that is set to `drawn` already, and used as a whole:
   /// cheaper where its band is there.
   SurfaceDeviation measure(std::span<const SurfaceCurve> result,
-                           std::span<const SurfaceCurve> drawn, PolylineDistance& to_drawn);
+                           std::span<const SurfaceCurve> drawn, PolylineDistance& to_drawn,
+                           const Progress& progress = {});
+  /// The same as the first, or nothing where it is `limit` (mesh units) or more, either way: costs
+  /// what lies nearer than that.
+  std::optional<SurfaceDeviation> measure_below(double limit, std::span<const SurfaceCurve> result,
+                                                std::span<const SurfaceCurve> drawn,
+                                                const Progress& progress = {});
 
  private:
   const SurfaceMesh* mesh_;

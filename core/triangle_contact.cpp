@@ -15,11 +15,11 @@ constexpr double kRounding = 1e-14;
 constexpr double kAngle = 1e-12;
 
 /// The corners of both, those at one place first and in the same order.
-struct Pair {
+struct TrianglePair {
   PointTriangle s, t;
   std::size_t shared = 0;
 
-  Pair(const PointTriangle& first, const PointTriangle& second) : s(first), t(second) {
+  TrianglePair(const PointTriangle& first, const PointTriangle& second) : s(first), t(second) {
     for (std::size_t i = 0; i < 3; ++i) {
       for (std::size_t k = shared; k < 3; ++k) {
         if (s[i] != t[k]) continue;
@@ -86,7 +86,7 @@ class Separation {
 /// so that directions are enough.
 class ConeSeparation {
  public:
-  explicit ConeSeparation(const Pair& pair) {
+  explicit ConeSeparation(const TrianglePair& pair) {
     for (std::size_t k = 0; k < 2; ++k) {
       p_[k] = (pair.s[k + 1] - pair.s[0]).normalized();
       q_[k] = (pair.t[k + 1] - pair.t[0]).normalized();
@@ -155,7 +155,7 @@ class ConeSeparation {
 };
 
 /// Whether two triangles at a common side do not fold onto each other.
-bool fold_apart(const Pair& pair) {
+bool fold_apart(const TrianglePair& pair) {
   const Point along = (pair.s[1] - pair.s[0]).normalized();
   const Point p = pair.s[2] - pair.s[0], q = pair.t[2] - pair.t[0];
   const Point across_p = p - p.dot(along) * along, across_q = q - q.dot(along) * along;
@@ -169,7 +169,7 @@ bool fold_apart(const Pair& pair) {
 }  // namespace
 
 bool certainly_apart(const PointTriangle& s, const PointTriangle& t) {
-  const Pair pair(s, t);
+  const TrianglePair pair(s, t);
   switch (pair.shared) {
     case 0:
       return Separation(s, t).found();

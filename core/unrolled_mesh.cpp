@@ -11,11 +11,12 @@ namespace talweg {
 namespace {
 
 constexpr std::uint32_t kOpen = 0xFFFFFFFFU;
+constexpr std::size_t kOfUnrolledFace = 8;  // units of work
 
 /// Copies of faces. Side 3 c + k of copy c runs from its corner k to corner k + 1; corner 3 c + k.
 class Strip {
  public:
-  explicit Strip(const Surface& surface) : surface_(surface) {}
+  Strip(const Surface& surface, Asker& asker) : surface_(surface), asker_(asker) {}
 
   /// False where a closed curve's strip does not come back to where it began, wherever that is.
   bool lay_along(const SurfaceCurve& curve);
@@ -65,12 +66,14 @@ class Strip {
   bool lay_from(const SurfaceCurve& curve, std::span<const FaceId> faces, std::size_t start);
 
   const Surface& surface_;
+  Asker& asker_;
   std::vector<FaceId> faces_;
   std::vector<Index> across_;
   std::vector<Index> along_;
 };
 
 Strip::Index Strip::add(FaceId face) {
+  asker_.did(kOfUnrolledFace);
   faces_.push_back(face);
   across_.insert(across_.end(), 3, kOpen);
   return static_cast<Index>(faces_.size() - 1);
@@ -291,6 +294,7 @@ void Strip::grow(double reach) {
   while (!queue.empty() && faces_.size() < most) {
     const auto [near, side] = queue.top();
     queue.pop();
+    asker_.did(kOfUnrolledFace);
     if (near > reach) break;
     if (across_[side] != kOpen || !surface_.has_face(twin(halfedge(side)))) continue;
     if (close_at(side, true) || close_at(side, false)) continue;
@@ -404,17 +408,19 @@ SurfacePoint moved(const Surface& from_surface, FaceId from_face, const SurfaceP
 }  // namespace
 
 UnrolledMesh unroll(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves,
-                    const std::vector<bool>& alone, double reach) {
+                    const std::vector<bool>& alone, double reach, const Progress& progress) {
+  Asker asker(progress, "solve");
   const Surface& surface = mesh.surface();
   UnrolledMesh result;
   result.curves.resize(curves.size());
   std::vector<std::size_t> together;
   for (std::size_t c = 0; c < curves.size(); ++c) {
-    Strip strip(surface);
+    Strip strip(surface, asker);
     const std::size_t first = result.face_of.size();
     const auto is_laid = [&] {
       if (!strip.lay_along(curves[c])) return false;
       strip.grow(reach);
+      asker.ask();
       return append(mesh, strip, result);
     };
     if (!alone[c] || !is_laid()) {
@@ -428,6 +434,7 @@ UnrolledMesh unroll(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curve
     }
   }
   if (together.empty()) return result;
+  asker.ask();
   const std::size_t first = result.face_of.size();
   append_whole(mesh, result);
   for (const std::size_t c : together) {

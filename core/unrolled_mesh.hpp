@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "talweg/core/surface_mesh.hpp"
+#include "talweg/intrinsic/progress.hpp"
 #include "talweg/intrinsic/surface_point.hpp"
 
 namespace talweg {
@@ -37,8 +38,8 @@ struct UnrolledMesh {
 /// turns around a vertex more than once is left open there. Curves without `alone` share one whole
 /// copy of the mesh, and so do a closed curve of so few faces that its strip does not close and one
 /// whose strip turns around two neighbouring vertices more than once.
-/// O(faces of the strips, log).
+/// O(faces of the strips, log). Throws Cancelled when `progress` (stage "solve") says so.
 UnrolledMesh unroll(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves,
-                    const std::vector<bool>& alone, double reach);
+                    const std::vector<bool>& alone, double reach, const Progress& progress = {});
 
 }  // namespace talweg

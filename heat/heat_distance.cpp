@@ -104,7 +104,7 @@ struct HeatDistance::Impl {
   bool prepare(const Surface& surface, const HeatOptions& options, const Progress& progress);
   bool factor(const CotanLaplacian& laplacian, unsigned threads, const Progress& progress);
   Start start(std::span<const WeightedVertex> sources) const;
-  ScaledField heat(const Start& start) const;
+  ScaledField heat(const Start& start, const Progress& progress) const;
   void finish(std::vector<double>& distance, std::span<const WeightedVertex> sources,
               const Start& start, const DistanceOptions& options) const;
 };
@@ -118,16 +118,20 @@ bool HeatDistance::Impl::prepare(const Surface& surface, const HeatOptions& opti
   time_scale = options.time_scale;
   components = components_of(surface);
   boundary = boundary_vertices(surface);
+  if (!go_on(progress, "laplacian", 0)) return false;
   report.components = components.count;
   report.mean_edge_length = mean_edge_lengths(surface, components);
 
   CotanLaplacian laplacian;
   {
     Mollification mollified = mollify(surface, components, options.mollification);
+    if (!go_on(progress, "laplacian", 0)) return false;
     const std::vector<MetricTriangle> metric =
         triangles_of(surface, mollified, options.delaunay, report.flips);
     report.mollification = std::move(mollified.amount);
+    if (!go_on(progress, "laplacian", 0)) return false;
     laplacian = cotan_laplacian(surface.vertex_count(), metric);
+    if (!go_on(progress, "laplacian", 0)) return false;
     triangles = heat_triangles(metric);
     report.flat_triangles = metric.size() - triangles.size();
   }
@@ -190,8 +194,8 @@ HeatDistance::Impl::Start HeatDistance::Impl::start(std::span<const WeightedVert
   return start;
 }
 
-ScaledField HeatDistance::Impl::heat(const Start& start) const {
-  ScaledField u = heat_flow(*neumann, triangles, time_scale, start.heat, start.reached);
+ScaledField HeatDistance::Impl::heat(const Start& start, const Progress& progress) const {
+  ScaledField u = heat_flow(*neumann, triangles, time_scale, start.heat, start.reached, progress);
   if (!dirichlet) return u;
   // Components with a boundary and a source off it; a closed one would just get u again.
   std::vector<char> bounded(components.count, 0);
@@ -211,8 +215,8 @@ ScaledField HeatDistance::Impl::heat(const Start& start) const {
     source[v] = start.heat[v];
   }
   if (!any) return u;
-  return average(std::move(u), heat_flow(*dirichlet, triangles, time_scale, source, reached),
-                 averaged);
+  return average(std::move(u),
+                 heat_flow(*dirichlet, triangles, time_scale, source, reached, progress), averaged);
 }
 
 void HeatDistance::Impl::finish(std::vector<double>& distance,
@@ -253,13 +257,19 @@ std::optional<HeatDistance> HeatDistance::open(const Surface& surface, const Hea
 }
 
 std::vector<double> HeatDistance::solve(std::span<const WeightedVertex> sources,
-                                        const DistanceOptions& options) const {
+                                        const DistanceOptions& options,
+                                        const Progress& progress) const {
+  Asker asker(progress, "solve");
   const Impl::Start start = impl_->start(sources);
-  std::vector<double> right = unit_gradient_divergence(impl_->triangles, impl_->heat(start));
+  const ScaledField heat = impl_->heat(start, progress);
+  asker.ask();
+  std::vector<double> right = unit_gradient_divergence(impl_->triangles, heat);
   for (std::size_t v = 0; v < right.size(); ++v) {
     if (impl_->pinned[v] != 0) right[v] = 0;
   }
+  asker.ask();
   std::vector<double> distance = impl_->poisson->solve(right);
+  asker.ask();
   impl_->finish(distance, sources, start, options);
   return distance;
 }

@@ -72,8 +72,10 @@ class HeatDistance {
   /// elsewhere. Without zero_on_sources only differences within a component mean anything.
   /// Throws Error(kBadCurve) when a source is no vertex of the surface, a weight is negative or
   /// not finite, or no weight is positive; Error(kNumerical) should a distance not be finite.
+  /// `progress` (stage "solve") is asked between its steps; Cancelled is thrown when it says no.
   [[nodiscard]] std::vector<double> solve(std::span<const WeightedVertex> sources,
-                                          const DistanceOptions& options = {}) const;
+                                          const DistanceOptions& options = {},
+                                          const Progress& progress = {}) const;
 
   [[nodiscard]] const HeatReport& report() const;
 

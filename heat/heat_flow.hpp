@@ -7,6 +7,7 @@
 
 #include "talweg/heat/cholesky_factor.hpp"
 #include "talweg/heat/heat_triangles.hpp"
+#include "talweg/intrinsic/progress.hpp"
 
 namespace talweg {
 
@@ -27,10 +28,11 @@ struct ScaledField {
 /// solve; one more solve for each 1,700 edge lengths or so.
 ///
 /// `source` has one entry per vertex, of order 1 at most; `reached[i]` tells where u is not 0 by
-/// itself (components with a source, Dirichlet rows excepted).
+/// itself (components with a source, Dirichlet rows excepted). `progress` (stage "solve") is asked
+/// before each solve; Cancelled is thrown when it says no.
 ScaledField heat_flow(const CholeskyFactor& factor, std::span<const HeatTriangle> triangles,
                       double time_scale, const std::vector<double>& source,
-                      const std::vector<char>& reached);
+                      const std::vector<char>& reached, const Progress& progress = {});
 
 /// (a + b) / 2 where `where` is set, else a. b must not exceed a by more than 2^kStageBits.
 ScaledField average(ScaledField a, const ScaledField& b, const std::vector<char>& where);

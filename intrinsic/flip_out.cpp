@@ -270,12 +270,17 @@ FlipOutResult FlipOut::run(std::span<const EdgePath> paths, const FlipOutOptions
       network_.pin(id);
     }
   }
-  for (std::size_t s = 0; s < segments; ++s) push(static_cast<SegmentId>(s));
-
-  Termination stop = Termination::kConverged;
   constexpr std::size_t kPoll = 64;
+  Termination stop = Termination::kConverged;
+  for (std::size_t s = 0; s < segments && stop == Termination::kConverged; ++s) {
+    if (s % (16 * kPoll) == 0 && !go_on(options.progress, "straighten", 0)) {
+      stop = Termination::kCancelled;
+    }
+    push(static_cast<SegmentId>(s));
+  }
+
   std::size_t steps = 0;
-  while (!heap_.empty()) {
+  while (!heap_.empty() && stop == Termination::kConverged) {
     if (steps++ % kPoll == 0) {
       const double share = static_cast<double>(result.iterations) /
                            static_cast<double>(result.iterations + heap_.size());

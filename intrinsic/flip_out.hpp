@@ -17,7 +17,7 @@ struct FlipOutOptions {
   double angle_tolerance = 1e-5;
   /// Cleared wedges in all; 0 means 1,000,000 + 1,000 per segment, which no sane input reaches.
   std::size_t max_iterations = 0;
-  /// Flips in all, which are kept to be undone (48 bytes each); 0 means 4,000,000 + 16 per edge,
+  /// Flips in all, which are kept to be undone (40 bytes each); 0 means 4,000,000 + 16 per edge,
   /// which only paths with thousands of points in one face reach: their flips grow with the points'
   /// square.
   std::size_t max_flips = 0;

@@ -70,6 +70,7 @@ Nearest PolylineDistance::at_vertex_roughly(VertexId v, double exact) {
 /// the last question left it. Exact distances would cost far more: where faces are needles their
 /// windows are as many as the square of the edges.
 Nearest PolylineDistance::along_edges(VertexId v, double exact) {
+  constexpr std::size_t kOfVertex = 8;  // units of work
   const auto is_later = [](const EdgeWay& a, const EdgeWay& b) {
     return is_nearer(b.nearest, a.nearest);
   };
@@ -89,6 +90,8 @@ Nearest PolylineDistance::along_edges(VertexId v, double exact) {
   for (;;) {
     if (const auto known = by_edges_.find(v); known != by_edges_.end()) return known->second;
     if (edge_ways_.empty()) return {kNoWay, 0, 0};
+    tell_work();
+    work_ += kOfVertex;
     std::pop_heap(edge_ways_.begin(), edge_ways_.end(), is_later);
     const EdgeWay next = edge_ways_.back();
     edge_ways_.pop_back();

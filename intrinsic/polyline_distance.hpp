@@ -12,6 +12,7 @@
 #include "talweg/intrinsic/polyline_queue.hpp"
 #include "talweg/intrinsic/polyline_window.hpp"
 #include "talweg/intrinsic/polyline_window_lists.hpp"
+#include "talweg/intrinsic/progress.hpp"
 #include "talweg/intrinsic/surface.hpp"
 #include "talweg/intrinsic/surface_point.hpp"
 
@@ -34,6 +35,11 @@ class PolylineDistance {
   /// A curve of one point is a point. Throws Error(kBadCurve) naming the curve and the point when
   /// a curve has no points or two neighbours have no common face; nothing is set then.
   void set(std::span<const SurfaceCurve> curves);
+
+  /// Who is asked from now on while windows spread; null: nobody. Then set() and every query may
+  /// throw Cancelled: set() leaves nothing set, and after a query that was cut short all goes on
+  /// as if it had not been asked. See AskedDuring.
+  void ask(Asker* asker) { asker_ = asker; }
 
   struct Nearest {
     double distance = 0;      ///< mesh units; infinite where no curve can be reached
@@ -101,6 +107,12 @@ class PolylineDistance {
 
   // polyline_sources.cpp
   void forget();
+  void send_pieces();
+  /// Only where everything is as it is between two steps.
+  void tell_work() {
+    if (asker_ != nullptr) asker_->did(work_);
+    work_ = 0;
+  }
   [[nodiscard]] double step_width() const;
   void send_vertex(const PolylinePiece& piece);
   void send_point(const PolylinePiece& piece);
@@ -245,6 +257,22 @@ class PolylineDistance {
   StepQueue queue_;
   PolylinePieces pieces_;
   std::vector<VertexId> touched_vertices_;
+  Asker* asker_ = nullptr;
+  std::size_t work_ = 0;  // since it was told of it
+};
+
+/// Has a distance ask during a scope.
+class AskedDuring {
+ public:
+  AskedDuring(PolylineDistance& distance, Asker& asker) : distance_(distance) {
+    distance_.ask(&asker);
+  }
+  ~AskedDuring() { distance_.ask(nullptr); }
+  AskedDuring(const AskedDuring&) = delete;
+  AskedDuring& operator=(const AskedDuring&) = delete;
+
+ private:
+  PolylineDistance& distance_;
 };
 
 }  // namespace talweg

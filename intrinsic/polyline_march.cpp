@@ -144,8 +144,10 @@ void PolylineDistance::fetch_ahead() const {
 
 /// All items of one step of the queue.
 void PolylineDistance::march() {
+  constexpr std::size_t kOfItem = 4;  // units of work
   StepQueue::Item item{};
-  while (queue_.pop(item)) {
+  for (tell_work(); queue_.pop(item); tell_work()) {
+    work_ += kOfItem;
     fetch_ahead();
     if (item.kind == kVertexItem) {
       const VertexId v{item.id};
@@ -338,6 +340,7 @@ void PolylineDistance::insert(const EdgeWindow& window) {
   parts.add(window.begin, window.end);
   const double size = size_of(window, length);
   windows_.each_meeting({window.begin, window.end}, edge, [&](EdgeWindow& other) {
+    ++work_;
     keep_below(parts, window, other, same, length, size);
     return parts.count > 0 ? WindowLists::Range{parts.begin(), parts.end()} : WindowLists::Range{};
   });

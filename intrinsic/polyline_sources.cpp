@@ -41,9 +41,29 @@ void PolylineDistance::set(std::span<const SurfaceCurve> curves) {
   forget();
   pieces_ = std::move(pieces);
   queue_.reset(step_width());
+  try {
+    send_pieces();
+  } catch (...) {
+    forget();
+    pieces_ = {};
+    queue_.reset(1);
+    throw;
+  }
+}
+
+void PolylineDistance::send_pieces() {
   // Most of what points send is hidden behind what segments send, so these go first.
-  for (const PolylinePiece& piece : pieces_.segments) send_segment(piece);
+  constexpr std::size_t kOfPiece = 8;  // units of work
+  const auto begin_piece = [&] {
+    tell_work();
+    work_ += kOfPiece;
+  };
+  for (const PolylinePiece& piece : pieces_.segments) {
+    begin_piece();
+    send_segment(piece);
+  }
   for (const PolylinePiece& piece : pieces_.points) {
+    begin_piece();
     if (piece.vertex.valid()) {
       send_vertex(piece);
     } else {

@@ -184,7 +184,27 @@ void Tracer::emit(const Strand& strand, SurfaceCurve& curve, std::size_t& clampe
   }
 }
 
-TraceResult Tracer::trace_and_undo(std::span<const EdgePath> paths) {
+TraceResult Tracer::trace_and_undo(std::span<const EdgePath> paths, const Progress& progress) {
+  try {
+    TraceResult result = trace(paths, progress);
+    forget();
+    return result;
+  } catch (...) {
+    forget();
+    throw;
+  }
+}
+
+/// What is noted at edges.
+void Tracer::forget() {
+  for (const Crossing& c : crossings_) crossings_on_[edge_of(c.through).index()] = kNone;
+  for (const Strand& s : strands_) {
+    if (s.along.valid()) strands_on_[edge_of(s.along).index()] = kNone;
+  }
+}
+
+TraceResult Tracer::trace(std::span<const EdgePath> paths, const Progress& progress) {
+  constexpr std::size_t kOfFlip = 8, kOfStrand = 16;  // units of work
   SignpostTriangulation& t = *triangulation_;
   if (crossings_on_.size() < t.edge_count()) {
     crossings_on_.resize(t.edge_count(), kNone);
@@ -199,7 +219,11 @@ TraceResult Tracer::trace_and_undo(std::span<const EdgePath> paths) {
       head = static_cast<Index>(strands_.size() - 1);
     }
   }
-  while (t.flip_count() > 0) undo_one();
+  Asker asker(progress, "trace");
+  while (t.flip_count() > 0) {
+    undo_one();
+    asker.did(kOfFlip + visits_.size());
+  }
 
   TraceResult result;
   Index strand = 0;
@@ -208,12 +232,9 @@ TraceResult Tracer::trace_and_undo(std::span<const EdgePath> paths) {
     curve.closed = path.closed();
     for (std::size_t k = 0; k < path.halfedges().size(); ++k) {
       emit(strands_[strand++], curve, result.clamped);
+      asker.did(kOfStrand);
     }
     if (!path.closed()) curve.points.push_back(t.location(strands_[strand - 1].to));
-  }
-  for (const Crossing& c : crossings_) crossings_on_[edge_of(c.through).index()] = kNone;
-  for (const Strand& s : strands_) {
-    if (s.along.valid()) strands_on_[edge_of(s.along).index()] = kNone;
   }
   return result;
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "talweg/intrinsic/edge_path.hpp"
+#include "talweg/intrinsic/progress.hpp"
 #include "talweg/intrinsic/signpost_triangulation.hpp"
 #include "talweg/intrinsic/surface_point.hpp"
 
@@ -32,8 +33,10 @@ class Tracer {
   explicit Tracer(SignpostTriangulation& triangulation) : triangulation_(&triangulation) {}
 
   /// Undoes every pending flip. Each point of a curve and the next lie in one face of the surface;
-  /// vertices of a path that were inserted keep the point they were inserted for.
-  TraceResult trace_and_undo(std::span<const EdgePath> paths);
+  /// vertices of a path that were inserted keep the point they were inserted for. Throws Cancelled
+  /// when `progress` (stage "trace") says so, and what the metric throws; flips may be pending
+  /// then.
+  TraceResult trace_and_undo(std::span<const EdgePath> paths, const Progress& progress = {});
 
  private:
   using Index = std::uint32_t;
@@ -63,6 +66,8 @@ class Tracer {
                         std::vector<Visit>& visits);
   Index insert(Index strand, Index before, Index after, HalfedgeId through);
   void undo_one();
+  TraceResult trace(std::span<const EdgePath> paths, const Progress& progress);
+  void forget();
   void emit(const Strand& strand, SurfaceCurve& curve, std::size_t& clamped);
   SurfacePoint point_on(HalfedgeId h, double t) const;
 

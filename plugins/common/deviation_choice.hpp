@@ -8,7 +8,9 @@ namespace talweg::plugins {
 
 /// The description of the parameter "deviation".
 talweg_parameter deviation_choice();
-/// Its value.
+/// The same with kAutomatic, which is the default then.
+talweg_parameter deviation_choice_by_tau();
+/// The value of either.
 DeviationMeasure deviation_of(const plugin::Parameters& parameters);
 
 }  // namespace talweg::plugins

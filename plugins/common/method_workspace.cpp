@@ -85,7 +85,7 @@ void MethodWorkspace::run(const plugin::Parameters& parameters, const plugin::Ou
   }
   for (const std::string& warning : total.warnings) services().log(TALWEG_LOG_WARNING, warning);
   const auto fields = [&](std::size_t c) -> std::vector<PointField> {
-    return {deviation_field(mesh(), drawing().curves[c], curves[c]),
+    return {deviation_field(mesh(), drawing().curves[c], curves[c], services()),
             curvature_field(mesh(), curves[c])};
   };
   const auto entries = [&](std::int64_t curve) {

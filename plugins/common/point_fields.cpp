@@ -4,15 +4,36 @@
 #include "talweg/intrinsic/polyline_distance.hpp"
 
 namespace talweg::plugins {
+namespace {
+
+constexpr std::size_t kOfValue = 4;  // units of work
+
+/// Does work with a distance that asks the host whether to go on.
+template <class Work>
+void asked(PolylineDistance& distance, const plugin::Services& services, const Work& work) {
+  try {
+    Asker asker([&](const char* stage, double done) { return services.go_on(stage, done); },
+                "distance");
+    const AskedDuring during(distance, asker);
+    work(asker);
+  } catch (const Cancelled&) {
+    throw plugin::Services::cancelled();
+  }
+}
+
+}  // namespace
 
 PointField deviation_field(const SurfaceMesh& mesh, const SurfaceCurve& drawn,
-                           const SurfaceCurve& result) {
-  PolylineDistance distance(mesh.surface());
-  distance.set(std::span(&drawn, 1));
+                           const SurfaceCurve& result, const plugin::Services& services) {
   PointField field{"deviation", "mesh units", {}};
-  for (const SurfacePoint& point : result.points) {
-    field.values.push_back(distance.at(point).distance);
-  }
+  PolylineDistance distance(mesh.surface());
+  asked(distance, services, [&](Asker& asker) {
+    distance.set(std::span(&drawn, 1));
+    for (const SurfacePoint& point : result.points) {
+      field.values.push_back(distance.at(point).distance);
+      asker.did(kOfValue);
+    }
+  });
   return field;
 }
 
@@ -30,19 +51,18 @@ PointField curvature_field(const SurfaceMesh& mesh, const SurfaceCurve& curve) {
 std::vector<double> exact_distance_field(const Surface& surface,
                                          std::span<const SurfaceCurve> curves,
                                          const plugin::Services& services) {
-  constexpr std::size_t kEvery = 1024;
   PolylineDistance distance(surface);
-  distance.set(curves);
   const std::size_t n = surface.vertex_count();
   std::vector<double> values;
   values.reserve(n);
-  for (std::size_t v = 0; v < n; ++v) {
-    if (v % kEvery == 0 &&
-        !services.go_on("distance", static_cast<double>(v) / static_cast<double>(n))) {
-      throw plugin::Services::cancelled();
+  asked(distance, services, [&](Asker& asker) {
+    distance.set(curves);
+    for (std::size_t v = 0; v < n; ++v) {
+      asker.is_at(static_cast<double>(v) / static_cast<double>(n));
+      asker.did(kOfValue);
+      values.push_back(distance.at_vertex(VertexId{v}).distance);
     }
-    values.push_back(distance.at_vertex(VertexId{v}).distance);
-  }
+  });
   return values;
 }
 

@@ -11,9 +11,10 @@
 namespace talweg::plugins {
 
 /// Distance along the surface of each point of the result to the drawing, mesh units; infinite
-/// where it cannot be reached. O(mesh) memory, and what lies within the largest deviation.
+/// where it cannot be reached. O(mesh) memory, and what lies within the largest deviation. Throws
+/// plugin::Services::cancelled().
 PointField deviation_field(const SurfaceMesh& mesh, const SurfaceCurve& drawn,
-                           const SurfaceCurve& result);
+                           const SurfaceCurve& result, const plugin::Services& services);
 
 /// Turning angle at each point, radians; 0 at the ends of an open curve.
 PointField curvature_field(const SurfaceMesh& mesh, const SurfaceCurve& curve);

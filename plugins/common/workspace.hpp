@@ -49,6 +49,15 @@ class Workspace {
   [[nodiscard]] const plugin::Services& services() const { return *services_; }
   /// For the library's calls; refers to the services.
   [[nodiscard]] Progress progress() const;
+  /// Does work of the library that throws Cancelled. Throws plugin::Services::cancelled() instead.
+  template <class Work>
+  static auto cancellable(const Work& work) {
+    try {
+      return work();
+    } catch (const Cancelled&) {
+      throw plugin::Services::cancelled();
+    }
+  }
 
  private:
   void use(std::shared_ptr<const OpenedMesh> mesh);

@@ -72,10 +72,11 @@ class Draw : public Workspace {
                             static_cast<double>(c) / static_cast<double>(snapped_.size()))) {
         throw plugin::Services::cancelled();
       }
-      const SurfaceCurve curve =
-          straight ? lines().join(snapped_[c].points, snapped_[c].closed)
-                   : along_edges(snapped_[c], preview && c < paths_.size() ? &paths_[c] : nullptr,
-                                 paths.emplace_back());
+      const DrawnPath* last = preview && c < paths_.size() ? &paths_[c] : nullptr;
+      const SurfaceCurve curve = cancellable([&] {
+        return straight ? lines().join(snapped_[c].points, snapped_[c].closed, progress())
+                        : along_edges(snapped_[c], last, paths.emplace_back());
+      });
       placed.push_back(place(mesh(), curve, c));
       if (outputs.wants_point_fields()) fields[c] = {given_field(snapped_[c], curve)};
       lengths.push_back(curve_length(mesh().surface(), curve));
@@ -138,8 +139,9 @@ class Draw : public Workspace {
     if (!dijkstra_) dijkstra_.emplace(mesh().surface());
     const std::optional<std::size_t> moved =
         last != nullptr ? only_change(*last, path) : std::nullopt;
-    path.vertices = moved ? dijkstra_->redraw(last->vertices, path.through, *moved, path.closed)
-                          : dijkstra_->draw(path.through, path.closed);
+    path.vertices =
+        moved ? dijkstra_->redraw(last->vertices, path.through, *moved, path.closed, progress())
+              : dijkstra_->draw(path.through, path.closed, progress());
     SurfaceCurve curve{path.closed, {}};
     for (const VertexId v : path.vertices) {
       curve.points.push_back(SurfacePoint::at_vertex(mesh().surface(), v));

@@ -8,6 +8,7 @@
 #include "file_plan.hpp"
 #include "output_file.hpp"
 #include "plugin_host.hpp"
+#include "progress_bar.hpp"
 #include "repaired_mesh.hpp"
 #include "talweg/core/version.hpp"
 #include "weld_hint.hpp"
@@ -37,8 +38,8 @@ std::vector<std::uint32_t> through_on(const ReadMesh& mesh, const DrawOptions& o
   return host_curve(mesh.map->to_repaired(input, surface)).vertices;
 }
 
-host::Results drawn(const ReadMesh& mesh, const DrawOptions& options) {
-  const host::Services services("talweg", version());
+host::Results drawn(const ReadMesh& mesh, const DrawOptions& options, bool quiet) {
+  const host::Services services("talweg", version(), progress_bar(quiet));
   return translated([&] {
     host::Instance draw(plugin_named("talweg.draw"), services);
     set_mesh(draw, mesh.lists.points, mesh.lists.triangles);
@@ -60,10 +61,11 @@ int run(const DrawOptions& options, const GlobalOptions& global) {
   const ReadMesh mesh = read_and_repair(options.mesh, options.repair);
   host::Results results;
   try {
-    results = drawn(mesh, options);
+    results = drawn(mesh, options, global.quiet);
   } catch (const Error& error) {
     rethrow_with_weld_hint(error, mesh.lists);
   }
+  clear_progress_bar();
   std::vector<PlacedCurve> curves;
   for (const host::Curve& curve : results.curves) {
     curves.push_back(in_file_numbers(mesh.map.get(), placed_curve(curve)));

@@ -15,7 +15,8 @@
 
 namespace talweg::driver {
 
-Drawing DrawingReader::read(std::span<const std::string> paths, const LengthUnit& unit) {
+Drawing DrawingReader::read(std::span<const std::string> paths, const LengthUnit& unit,
+                            const Progress& progress) {
   Drawing drawing;
   if (!lines_) lines_.emplace(mesh_->surface());
   for (const std::string& path : paths) {
@@ -24,7 +25,7 @@ Drawing DrawingReader::read(std::span<const std::string> paths, const LengthUnit
       if (map_ != nullptr) input = map_->to_repaired(input, mesh_->surface());
     }
     try {
-      add(inputs, drawing);
+      add(inputs, drawing, progress);
     } catch (const Error& error) {
       rethrow_with_weld_hint(error, lists());
     }
@@ -34,15 +35,16 @@ Drawing DrawingReader::read(std::span<const std::string> paths, const LengthUnit
   return drawing;
 }
 
-void DrawingReader::add(const std::vector<CurveInput>& inputs, Drawing& drawing) {
-  std::vector<SnappedCurve> all = snap(*mesh_, inputs, closest_);
+void DrawingReader::add(const std::vector<CurveInput>& inputs, Drawing& drawing,
+                        const Progress& progress) {
+  std::vector<SnappedCurve> all = snap(*mesh_, inputs, closest_, {}, progress);
   for (std::size_t i = 0; i < all.size(); ++i) {
     SnappedCurve& snapped = all[i];
     if (map_ != nullptr && std::holds_alternative<std::vector<Point>>(inputs[i].points)) {
       snapped.points = map_->on_one_sheet(snapped.points, snapped.closed, mesh_->surface());
     }
     for (const std::size_t pin : snapped.pins) drawing.pins.push_back(snapped.points[pin]);
-    drawing.curves.push_back(lines_->join(snapped.points, snapped.closed));
+    drawing.curves.push_back(lines_->join(snapped.points, snapped.closed, progress));
     drawing.gaps.add(lines_->gaps());
     drawing.largest_snap_distance =
         std::max(drawing.largest_snap_distance, snapped.largest_snap_distance);

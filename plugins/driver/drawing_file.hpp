@@ -13,6 +13,7 @@
 #include "talweg/core/repair_map.hpp"
 #include "talweg/core/straight_lines.hpp"
 #include "talweg/core/surface_mesh.hpp"
+#include "talweg/intrinsic/progress.hpp"
 #include "talweg/intrinsic/surface_point.hpp"
 
 namespace talweg::driver {
@@ -35,11 +36,12 @@ class DrawingReader {
       : mesh_(&mesh), map_(map) {}
   /// The curves of all files, in their order; `unit` is that of the mesh.
   /// Throws Error as read_curves(), snap() and StraightLines::join() do, with what welding would
-  /// give where that may help.
-  Drawing read(std::span<const std::string> paths, const LengthUnit& unit = {});
+  /// give where that may help, and Cancelled.
+  Drawing read(std::span<const std::string> paths, const LengthUnit& unit = {},
+               const Progress& progress = {});
 
  private:
-  void add(const std::vector<CurveInput>& inputs, Drawing& drawing);
+  void add(const std::vector<CurveInput>& inputs, Drawing& drawing, const Progress& progress);
   [[nodiscard]] MeshLists lists() const;
 
   const SurfaceMesh* mesh_;

@@ -6,6 +6,7 @@
 #include "commands.hpp"
 #include "output_file.hpp"
 #include "talweg/intrinsic/error.hpp"
+#include "talweg/intrinsic/progress.hpp"
 
 namespace talweg::driver {
 namespace {
@@ -38,6 +39,8 @@ Failure current_failure() {
   } catch (const WaitCancelled& waiting) {
     return {kCancelled, "cancelled while " + waiting.path +
                             " waited for its reader; outputs named before it are written."};
+  } catch (const Cancelled&) {
+    return {kCancelled, "cancelled; nothing was written."};
   } catch (const std::bad_alloc&) {
     return {kInternal, "There is not enough memory."};
   } catch (const std::exception& error) {

@@ -13,6 +13,7 @@
 #include "file_plan.hpp"
 #include "measure_text.hpp"
 #include "output_file.hpp"
+#include "progress_bar.hpp"
 #include "repaired_mesh.hpp"
 #include "talweg/core/self_contacts.hpp"
 #include "talweg/core/surface_deviation.hpp"
@@ -87,10 +88,10 @@ MeasuredDeviation all_of(const Measurement& m) {
 }
 
 void compare(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves,
-             std::span<const SurfaceCurve> others, Measurement& m) {
+             std::span<const SurfaceCurve> others, const Progress& progress, Measurement& m) {
   DeviationMeter meter(mesh);
   const auto between = [&](std::span<const SurfaceCurve> a, std::span<const SurfaceCurve> b) {
-    const SurfaceDeviation d = meter.measure(a, b);
+    const SurfaceDeviation d = meter.measure(a, b, progress);
     return MeasuredDeviation{d.to_drawn.max, d.to_drawn.mean, d.from_drawn.max, d.from_drawn.mean,
                              mesh.position(d.larger().at)};
   };
@@ -111,7 +112,7 @@ void compare(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves,
   }
 }
 
-Measurement measure(const MeasureOptions& options, bool quiet) {
+Measurement measure(const MeasureOptions& options, const Progress& progress, bool quiet) {
   const LengthUnit unit = LengthUnit::named(options.mesh_units);
   ReadMesh read = read_and_repair(options.mesh, options.repair);
   const std::size_t polygons = read.lists.polygon_count;
@@ -134,7 +135,7 @@ Measurement measure(const MeasureOptions& options, bool quiet) {
       drawing.far = other.far;
     }
     m.other = measure_file(mesh, options.other, other.curves);
-    compare(mesh, drawing.curves, other.curves, m);
+    compare(mesh, drawing.curves, other.curves, progress, m);
   }
   drawing.gaps = {};  // what is measured is the joined curve
   const std::vector<std::string> reading = reading_warnings(drawing, polygons);
@@ -169,7 +170,8 @@ Command add_measure(CLI::App& app, const GlobalOptions& global) {
     files.reads("the other curve", o->other);
     files.writes("--report", o->report);
     files.check();
-    const Measurement m = measure(*o, global.quiet);
+    const Measurement m = measure(*o, progress_bar(global.quiet), global.quiet);
+    clear_progress_bar();
     if (!o->report.empty()) write_output(o->report, measure_json(m));
     const bool table = global.verbose || o->report.empty();
     if (table && !global.quiet) std::fputs(measure_table(m).c_str(), text_stream());

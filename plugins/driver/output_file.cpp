@@ -55,7 +55,7 @@ void put(int file, std::string_view bytes, const std::string& path) {
       if (interrupted()) throw WaitCancelled{path};
       continue;
     }
-    const ssize_t done = write(file, bytes.data(), std::min(bytes.size(), most));
+    const ssize_t done = ::write(file, bytes.data(), std::min(bytes.size(), most));
     if (done >= 0) {
       bytes.remove_prefix(static_cast<std::size_t>(done));
     } else if (errno != EINTR && errno != EAGAIN) {

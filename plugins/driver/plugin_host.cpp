@@ -67,6 +67,8 @@ void rethrow(const host::Error& error) {
       throw Error(ErrorCode::kBadUsage, error.what());
     case TALWEG_OUT_OF_MEMORY:
       throw std::bad_alloc();
+    case TALWEG_CANCELLED:
+      throw Cancelled();
     default:
       throw std::runtime_error(error.what());
   }

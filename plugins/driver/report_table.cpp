@@ -18,7 +18,9 @@ std::string table_of(const SmoothingReport& r) {
   line("lifted length", number(r.lifted_length_before), number(r.lifted_length_after), "");
   line("total curvature", number(r.curvature_before), number(r.curvature_after), "rad");
   line("largest turn", number(r.curvature_max_before), number(r.curvature_max_after), "rad");
-  fmt::format_to(std::back_inserter(out), "{:<22}{:>14}{:>14}\n", "deviation", "max", "mean");
+  const bool through_space = r.deviation == "euclidean";
+  fmt::format_to(std::back_inserter(out), "{:<22}{:>14}{:>14}{}\n", "deviation", "max", "mean",
+                 through_space ? "  through space" : "");
   line("  smoothed to drawn", number(r.deviation_to_drawn_max), number(r.deviation_to_drawn_mean),
        "mesh units");
   line("  drawn to smoothed", number(r.deviation_from_drawn_max),

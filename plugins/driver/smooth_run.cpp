@@ -105,9 +105,10 @@ std::vector<double> field_on(const MeshFromFile& mesh, const std::string& path) 
 Prepared prepare(const MeshFromFile& mesh, DrawingReader& reader, const SmoothOptions& options,
                  const Progress& progress) {
   const Surface& surface = mesh.mesh->surface();
-  Drawing drawing = options.labels.empty()
-                        ? reader.read(options.curves, LengthUnit::named(options.mesh_units))
-                        : drawing_of_labels(options.labels, surface, mesh.map.get());
+  Drawing drawing =
+      options.labels.empty()
+          ? reader.read(options.curves, LengthUnit::named(options.mesh_units), progress)
+          : drawing_of_labels(options.labels, surface, mesh.map.get());
   Prepared run;
   run.options = &options;
   run.progress = progress;
@@ -288,8 +289,14 @@ Workspace::Workspace(MeshFromFile mesh, std::size_t threads)
 Workspace::~Workspace() = default;
 
 RunOutcome Workspace::smooth(const SmoothOptions& options, const Progress& progress) {
-  const Prepared run = prepare(mesh_, reader_, options, progress);
   RunOutcome outcome;
+  Prepared run;
+  try {
+    run = prepare(mesh_, reader_, options, progress);
+  } catch (const Cancelled&) {
+    outcome.result.total.termination = to_string(Termination::kCancelled);
+    return outcome;
+  }
   if (options.independent) {
     outcome = smooth_each(smoothers_, mesh_, run);
   } else {

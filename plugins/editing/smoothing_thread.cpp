@@ -109,7 +109,11 @@ struct SmoothingThread::Workplace {
     if (has_parameter(instance.plugin(), "preview")) {
       instance.set("preview", request.hand == Hand::kDrags ? 1.0 : 0.0);
     }
-    instance.set("deviation", request.hand == Hand::kRests ? "surface" : "none");
+    if (request.hand == Hand::kRests) {
+      instance.reset("deviation");
+    } else {
+      instance.set("deviation", "none");
+    }
     outcome.results = instance.run(request.wanted);
   }
 

@@ -83,7 +83,9 @@ class Geodesic : public SmootherWorkspace {
     curve_options.pins = parameters.flag("through") ? given_.all : given_.pins;
     // Nothing is lifted, so no distance is needed.
     const std::vector<double> flat(mesh().surface().vertex_count(), 0.0);
-    smoother().set_curves(joined_, flat, curve_options);
+    if (!smoother().set_curves(joined_, flat, curve_options, progress())) {
+      throw plugin::Services::cancelled();
+    }
     SmoothingOptions options;
     options.tau = 0;
     options.deviation = DeviationMeasure::kNone;

@@ -33,6 +33,7 @@ Timed Experiment::smooth(double tau, int relax_rounds, std::size_t repeats) {
   SmoothingOptions options;
   options.tau = tau;
   options.relax_rounds = relax_rounds;
+  options.deviation = DeviationMeasure::kAlongSurface;
   Timed timed;
   std::vector<double> solve, straighten, processor;
   for (std::size_t k = 0; k < repeats; ++k) {

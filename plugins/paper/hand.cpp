@@ -14,12 +14,12 @@ namespace {
 
 // The ends of the tour: each as far as possible from those before.
 std::vector<VertexId> far_ends(const OpenedMesh& mesh, std::size_t count) {
-  const HeatDistance& heat = *mesh.heat(10);
+  const auto heat = mesh.heat(10);
   std::vector<VertexId> ends{VertexId{0}};
   std::vector<double> distance(mesh.surface().vertex_count(), HUGE_VAL);
   for (std::size_t k = 0; k <= count; ++k) {
     const std::vector<WeightedVertex> source{{ends.back(), 1.0}};
-    const std::vector<double> from = heat.solve(source);
+    const std::vector<double> from = heat->solve(source);
     std::size_t farthest = 0;
     for (std::size_t v = 0; v < distance.size(); ++v) {
       distance[v] = k == 1 ? from[v] : std::min(distance[v], from[v]);  // vertex 0 is no end itself

@@ -111,7 +111,7 @@ std::vector<talweg_parameter> further_parameters() {
       number("length_floor", "Least length of a loop", "mesh units", 0, {0, HUGE_VAL, 0, 10},
              "A loop that gets shorter has collapsed. By default 3 mean edges of the drawn loop.",
              kRun, kOptional | kAdvanced),
-      deviation_choice(),
+      deviation_choice_by_tau(),
   };
 }
 
@@ -145,6 +145,7 @@ CurveOptions curve_options_of(const Parameters& p) {
   options.bump_radius = p.number("bump_radius");
   options.cap_corners = p.flag("cap_corners");
   options.threads = static_cast<unsigned>(p.number("threads"));
+  options.distance_at_once = false;  // only run() knows whether it is needed
   return options;
 }
 

@@ -119,7 +119,7 @@ class Smooth : public SmootherWorkspace {
     if (solved_ && has_smoother() && drawings() == drawings_ && changes == changes_) {
       if (options.pins == pins_) return;
       if (options.method == Method::kCorridor) {
-        smoother().set_pins(options.pins);
+        if (!smoother().set_pins(options.pins, progress())) throw plugin::Services::cancelled();
         pins_ = options.pins;
         return;
       }
@@ -134,7 +134,7 @@ class Smooth : public SmootherWorkspace {
   bool set_curves_in(const std::vector<double>& distance, const CurveOptions& options) {
     if (!services().go_on("solve", 0)) return false;
     if (distance.empty()) return smoother().set_curves(drawing().curves, options, progress());
-    return smoother().set_curves(drawing().curves, distance, options);
+    return smoother().set_curves(drawing().curves, distance, options, progress());
   }
 
   void add_warnings(SmoothingResult& result) const {
@@ -149,7 +149,7 @@ class Smooth : public SmootherWorkspace {
     std::vector<double> distance;
     if (outputs.wants_fields()) distance = distance_field();
     const auto fields = [&](std::size_t c) -> std::vector<PointField> {
-      return {deviation_field(mesh(), drawing().curves[c], result.curves[c]),
+      return {deviation_field(mesh(), drawing().curves[c], result.curves[c], services()),
               curvature_field(mesh(), result.curves[c])};
     };
     give_curves(outputs, result, fields, entries_of);
@@ -157,6 +157,7 @@ class Smooth : public SmootherWorkspace {
   }
 
   std::vector<double> distance_field() {
+    if (!smoother().need_distance(progress())) throw plugin::Services::cancelled();
     if (!smoother().distance().empty()) {
       return {smoother().distance().begin(), smoother().distance().end()};
     }

@@ -88,11 +88,11 @@ std::vector<double> session(const std::string& mesh, const std::vector<std::uint
     drag();  // makes the memory for it
     ms.push_back(mean_ms(repeat, drag));
   } else {
-    const HeatDistance& heat = *opened->heat(options.heat_time);
+    const auto heat = opened->heat(options.heat_time);
     const auto sources = curve_sources(opened->surface(), curve);
     const WeightedVertex one[] = {{VertexId{vertices.front()}, 1}};
-    ms.push_back(mean_ms(repeat, [&] { (void)heat.solve(sources); }));
-    ms.push_back(mean_ms(repeat, [&] { (void)heat.solve(one); }));
+    ms.push_back(mean_ms(repeat, [&] { (void)heat->solve(sources); }));
+    ms.push_back(mean_ms(repeat, [&] { (void)heat->solve(one); }));
   }
   return ms;
 }

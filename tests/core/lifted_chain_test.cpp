@@ -104,6 +104,39 @@ TEST(LiftedChain, PointsCloseAroundAVertexComeAwayFromIt) {
   EXPECT_NEAR(chain.settle(nodes, 60), std::sqrt(2.0), 1e-6);
 }
 
+// Over the upright edges of a strip, up and down by turns: every Newton step looks at every node,
+// which is four units of work at least.
+TEST(LiftedChain, AsksInProportionToTheNodesThatItLooksAt) {
+  constexpr std::uint32_t kColumns = 6000;
+  const SurfaceMesh mesh = SurfaceMesh::open(grid(kColumns, 1));
+  const ExactPotential flat = none();
+  std::size_t asked = 0;
+  Asker asker([&](const char*, double) { return ++asked > 0; }, "polish");
+  LiftedChain chain(mesh, flat, 1e-12, 1, &asker);
+  LiftedChain::Nodes nodes;
+  for (std::uint32_t i = 0; i <= kColumns; ++i) {
+    const double t = i % 2 == 0 ? 0.2 : 0.8;
+    nodes.push_back(chain.node_at(test::between(mesh.surface(), i, kColumns + 1 + i, t),
+                                  i == 0 || i == kColumns));
+    if (i == kColumns) break;
+    const bool diagonal =
+        mesh.surface().find_halfedge(VertexId{i}, VertexId{kColumns + 2 + i}).valid();
+    nodes.push_back(chain.node_at(diagonal
+                                      ? test::between(mesh.surface(), i, kColumns + 2 + i, 0.5)
+                                      : test::between(mesh.surface(), i + 1, kColumns + 1 + i, 0.5),
+                                  false));
+  }
+  const double before = chain.length(nodes);
+  asked = 0;
+  EXPECT_LT(chain.settle(nodes, 3), before);
+  EXPECT_GE(asked, 3 * 4 * nodes.size() / Asker::kEvery);
+  EXPECT_GE(asked, 5U);
+  Asker refusing([&](const char*, double) { return asked-- > 0; }, "polish");
+  LiftedChain cut_short(mesh, flat, 1e-12, 1, &refusing);
+  asked = 2;
+  EXPECT_THROW(cut_short.settle(nodes, 50), Cancelled);
+}
+
 // A ridge between two nodes, of which their own potentials know nothing.
 TEST(LiftedChain, SeesWhatLiesBetweenItsNodes) {
   const SurfaceMesh mesh = SurfaceMesh::open(grid(2, 1));

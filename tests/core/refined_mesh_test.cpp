@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <string>
 
 #include <gtest/gtest.h>
 
@@ -305,6 +306,56 @@ TEST(FineDrawings, OfASetDoNotCross) {
                 .larger()
                 .max,
             0.05);
+}
+
+// Below tau = 1/8 a result may lead anywhere; what is divided is what it comes to, and not what
+// lies beyond.
+TEST(FineDrawings, CostWhatTheyComeToWhateverTheMesh) {
+  const auto asked_on = [](std::uint32_t count) {
+    MeshLists lists = grid(count, count);
+    for (Point& p : lists.points) p *= 2;  // the sheet of 4 x 4 squares and more around it
+    const auto opened = OpenedMesh::open(lists);
+    CurveSmoother smoother(opened);
+    smoother.set_curve(drawn_on(opened->mesh(), wave(161, 0.06), false));
+    std::size_t asked = 0;
+    SmoothingOptions options;
+    options.tau = 0.05;
+    options.progress = [&](const char*, double) { return ++asked > 0; };
+    EXPECT_EQ(smoother.smooth(options).report().engine, "refined");
+    return asked;
+  };
+  const std::size_t few = asked_on(40), many = asked_on(600);
+  EXPECT_GT(few, 0U);
+  EXPECT_LE(many, few + few / 4);
+}
+
+// The chord of a semicircle lies farther from it than any result at tau >= 1/8 can, so a larger
+// part of the mesh is divided for it, which asks; twice as large, not all of it.
+TEST(FineDrawings, ThatLeadFarAreFollowed) {
+  const auto opened = OpenedMesh::open(grid(300, 300));
+  const Point centre(150.3, 80.2, 0);
+  std::vector<Point> points = circle(centre, Point(100, 0, 0), Point(0, 100, 0), 800);
+  points.resize(401);
+  // Too many points for one face, at the top.
+  std::vector<Point> trembling;
+  for (int i = 0; i < 100; ++i) {
+    trembling.push_back(points[200] + Point(0.002 * (50 - i), i % 2 == 0 ? 0.05 : -0.05, 0));
+  }
+  points.insert(points.erase(points.begin() + 200), trembling.begin(), trembling.end());
+  CurveSmoother smoother(opened);
+  smoother.set_curve(drawn_on(opened->mesh(), points, false));
+  std::size_t dividing = 0;
+  SmoothingOptions options;
+  options.tau = 0;
+  options.progress = [&](const char* stage, double) {
+    if (std::string(stage) == "solve") ++dividing;
+    return true;
+  };
+  const SmoothingResult result = smoother.smooth(options);
+  ASSERT_EQ(result.report().engine, "refined");
+  EXPECT_GT(dividing, 0U);
+  EXPECT_NEAR(result.report().length_after, 200, 1e-9);
+  EXPECT_LT(result.report().curvature_after, 1e-6);
 }
 
 TEST(FineDrawings, CanBeDragged) {

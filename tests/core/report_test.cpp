@@ -204,6 +204,15 @@ TEST(Report, TotalsOfWhatIsInfiniteAreInfinite) {
   }
 }
 
+TEST(Report, TotalsSayWhereADistanceIsOneThroughSpace) {
+  SmoothingReport a = numbered(1), b = numbered(2);
+  a.deviation = "surface";
+  b.deviation = "euclidean";
+  EXPECT_EQ(total_of({a, b}).deviation, "euclidean");
+  EXPECT_EQ(total_of({b, a}).deviation, "euclidean");
+  EXPECT_EQ(total_of({a, a}).deviation, "surface");
+}
+
 TEST(Report, TheMeasureOfDeviationIsAChoice) {
   const auto opened = OpenedMesh::open(test::sphere(4));
   const auto way = test::ids({0, 600, 3, 200});
