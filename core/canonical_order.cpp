@@ -23,6 +23,7 @@ double sum_of(std::vector<double> terms) {
 std::vector<std::array<double, 3>> places_of(const SurfaceMesh& mesh,
                                              const std::vector<SurfacePoint>& points) {
   std::vector<std::array<double, 3>> places;
+  places.reserve(points.size());
   for (const SurfacePoint& point : points) {
     const Point at = mesh.position(point);
     places.push_back({at.x(), at.y(), at.z()});
@@ -71,6 +72,7 @@ Sequence ranks_of(const std::vector<Key>& keys) {
   std::vector<Key> sorted = keys;
   std::sort(sorted.begin(), sorted.end());
   Sequence ranks;
+  ranks.reserve(keys.size());
   for (const Key& key : keys) {
     ranks.push_back(std::lower_bound(sorted.begin(), sorted.end(), key) - sorted.begin());
   }
@@ -130,6 +132,7 @@ class Comparison {
     }
     const double whole = sum_of(own);
     Sequence result;
+    result.reserve(own.size());
     for (const double length : own) {
       result.push_back(whole > 0 ? std::llround(1e9 * (length / whole)) : 0);
     }
@@ -182,6 +185,7 @@ CurveOrder canonical_order(const SurfaceMesh& mesh, const SurfaceCurve& curve) {
 std::vector<std::size_t> canonical_set_order(const SurfaceMesh& mesh,
                                              const std::vector<SurfaceCurve>& ordered) {
   std::vector<double> lengths;
+  lengths.reserve(ordered.size());
   for (const SurfaceCurve& curve : ordered) lengths.push_back(curve_length(mesh.surface(), curve));
   const double whole = sum_of(lengths);
   const auto share = [&](std::size_t c) {

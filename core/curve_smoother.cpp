@@ -107,6 +107,8 @@ void CurveSmoother::take(std::span<const SurfaceCurve> curves, const CurveOption
   drawn_.assign(curves.begin(), curves.end());
   std::vector<CurveOrder> orders;
   std::vector<SurfaceCurve> ordered;
+  orders.reserve(drawn_.size());
+  ordered.reserve(drawn_.size());
   for (const SurfaceCurve& curve : drawn_) {
     const auto next = [&] { asker.did(kOfPoint * curve.points.size()); };
     next();
@@ -412,6 +414,7 @@ SmoothingOptions CurveSmoother::with_ordered_slack(SmoothingOptions options) con
   for (std::size_t c = 0; c < drawn.size(); ++c) {
     const std::vector<double>& own = drawn[set_order_[c]];
     std::vector<double>& ordered = options.slack_at.emplace_back();
+    ordered.reserve(own.size());
     for (std::size_t k = 0; k < own.size(); ++k) {
       ordered.push_back(own[orders_[c].drawn_index(k, own.size())]);
     }

@@ -204,6 +204,7 @@ class CurveSmoother {
   template <class Value>
   [[nodiscard]] std::vector<Value> in_drawn_order(const std::vector<Value>& ordered) const {
     std::vector<Value> result;
+    result.reserve(places_.size());
     for (const std::size_t place : places_) result.push_back(ordered[place]);
     return result;
   }

@@ -33,6 +33,7 @@ double to_drawn(const SmoothingResult& result) { return result.total.deviation_t
 /// Of all curves, whatever their order.
 double curvature(const SmoothingResult& result) {
   std::vector<double> each;
+  each.reserve(result.reports.size());
   for (const SmoothingReport& report : result.reports) each.push_back(report.curvature_after);
   std::sort(each.begin(), each.end());
   return std::accumulate(each.begin(), each.end(), 0.0);

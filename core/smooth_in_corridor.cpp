@@ -36,11 +36,16 @@ double largest_slack(const Corridor::Valley& valley) {
 }  // namespace
 
 std::vector<double> CurveSmoother::slack() const {
-  if (!refined_.empty()) return in_drawn_order(refined_slack());
-  if (unrolled_) return in_drawn_order(unrolled_slack());
-  std::vector<double> result;
-  for (const Corridor::Valley& valley : valleys_) result.push_back(valley.slack);
-  return in_drawn_order(result);
+  std::vector<double> ordered;
+  if (!refined_.empty()) {
+    ordered = refined_slack();
+  } else if (unrolled_) {
+    ordered = unrolled_slack();
+  } else {
+    for (const Corridor::Valley& valley : valleys_) ordered.push_back(valley.slack);
+  }
+  if (ordered.empty()) return ordered;  // the paper's method
+  return in_drawn_order(ordered);
 }
 
 void CurveSmoother::make_valleys(const Progress& progress) {

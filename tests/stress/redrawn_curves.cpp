@@ -20,6 +20,7 @@ struct Redrawn {
 
 std::vector<Redrawn> redrawn(std::span<const SurfaceCurve> drawn, Random& random) {
   std::vector<Redrawn> all;
+  all.reserve(drawn.size());
   for (std::size_t c = 0; c < drawn.size(); ++c) {
     Redrawn& one = all.emplace_back(Redrawn{c, random.one_in(2), drawn[c]});
     std::vector<SurfacePoint>& points = one.curve.points;
@@ -51,6 +52,7 @@ std::string differs_when_redrawn(CurveSmoother& smoother, const CurveOptions& cu
   const SmoothingResult expected = smoothed();
   const std::vector<Redrawn> others = redrawn(drawn, random);
   std::vector<SurfaceCurve> curves;
+  curves.reserve(others.size());
   for (const Redrawn& other : others) curves.push_back(other.curve);
   try {
     smoother.set_curves(curves, curve_options);
