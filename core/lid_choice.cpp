@@ -48,7 +48,7 @@ bool LidChooser::offer(Lid lid, std::size_t twin) {
     return false;
   }
   contacts_ = clearance_.contacts(lid, parts_, twin);
-  const double depth = clearance_.depth(lid, contacts_);
+  const double depth = clearance_.depth(lid, contacts_, parts_, kPlaneTolerance / 10 * extent_);
   if (!best_.lid || contacts_.empty() || depth < best_.depth) best_ = {std::move(lid), depth};
   return contacts_.empty();
 }

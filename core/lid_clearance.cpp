@@ -134,11 +134,32 @@ std::vector<LidClearance::Contact> LidClearance::contacts(const Lid& lid,
   return found;
 }
 
-double LidClearance::depth(const Lid& lid, std::span<const Contact> contacts) const {
+/// How much of the piece's faces goes through a triangle, wherever.
+double LidClearance::reach_through(const PointTriangle& t,
+                                   const std::set<std::uint32_t>& parts) const {
+  double reach = 0;
+  tree_.visit(BoxesAtTriangle(t[0], t[1], t[2]), [&](std::uint32_t k) {
+    if (parts.count(near_part_[k]) == 0) return;
+    reach = std::max(reach, crossing_reach(t, face_at(piece_, near_[k])));
+  });
+  return reach;
+}
+
+double LidClearance::depth(const Lid& lid, std::span<const Contact> contacts,
+                           const std::set<std::uint32_t>& parts, double shift) const {
   double deepest = 0;
+  std::set<std::size_t> touched;
   for (const Contact& contact : contacts) {
     const PointTriangle own = at(lid, lid.triangles[contact.triangle]);
     deepest = std::max(deepest, crossing_depth(own, contact.other));
+    touched.insert(contact.triangle);
+  }
+  for (const std::size_t triangle : touched) {
+    PointTriangle above = at(lid, lid.triangles[triangle]), below = above;
+    const Point by = shift * (above[1] - above[0]).cross(above[2] - above[0]).stableNormalized();
+    for (Point& p : above) p += by;
+    for (Point& p : below) p -= by;
+    deepest = std::max(deepest, std::min(reach_through(above, parts), reach_through(below, parts)));
   }
   return deepest;
 }

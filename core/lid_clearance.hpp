@@ -56,8 +56,10 @@ class LidClearance {
   /// With faces of the piece alone.
   [[nodiscard]] std::vector<Contact> contacts_with_piece(
       const Lid& lid, const std::set<std::uint32_t>& parts) const;
-  /// Of these, how far the deepest goes through. 0 for contacts that only touch.
-  [[nodiscard]] double depth(const Lid& lid, std::span<const Contact> contacts) const;
+  /// Of these, how far the deepest goes through; about 0 for contacts that only touch. What goes
+  /// through exactly at a corner or a side is found by moving the triangle by `shift` either way.
+  [[nodiscard]] double depth(const Lid& lid, std::span<const Contact> contacts,
+                             const std::set<std::uint32_t>& parts, double shift) const;
 
   /// Whether the segment between two points of a rim goes through a face of its part, by more than
   /// `tolerance`.
@@ -95,6 +97,8 @@ class LidClearance {
   };
 
   void add_edges(const Triangle& triangle);
+  [[nodiscard]] double reach_through(const PointTriangle& t,
+                                     const std::set<std::uint32_t>& parts) const;
   [[nodiscard]] std::vector<PointTriangle> triangles_of(const Lid& lid) const;
 
   const MeshLists& piece_;

@@ -253,7 +253,7 @@ Lids add_lids(Piece& piece, const OpenedSeams& opened, std::span<const CutMesh::
     lids.planar += lid.plane ? rims.size() : 0;
     lids.triangles += lid.triangles.size();
     lids.inner += lid.inner.size();
-    lids.sunk += lid.sunk_by > 0 ? rims.size() : 0;
+    lids.with_inner += lid.inner.empty() ? 0 : rims.size();
     lids.sunk_by = std::max(lids.sunk_by, lid.sunk_by);
   }
   const std::uint32_t first_inner = clearance.first_inner();

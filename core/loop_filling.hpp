@@ -50,13 +50,13 @@ enum class LidKind : std::uint8_t {
 };
 
 struct Lids {
-  std::size_t filled = 0;     ///< rims that got a lid
-  std::size_t planar = 0;     ///< those of them whose lid is plane
-  std::size_t triangles = 0;  ///< of all lids; the last faces of the piece
-  std::size_t left_open = 0;  ///< rims that end at the old boundary, and slits
-  std::size_t inner = 0;      ///< points inside lids; the last vertices of the piece
-  std::size_t sunk = 0;       ///< rims whose lid has such points out of the way of the piece
-  double sunk_by = 0;         ///< by how much at most, mesh units
+  std::size_t filled = 0;      ///< rims that got a lid
+  std::size_t planar = 0;      ///< those of them whose lid is plane
+  std::size_t triangles = 0;   ///< of all lids; the last faces of the piece
+  std::size_t left_open = 0;   ///< rims that end at the old boundary, and slits
+  std::size_t inner = 0;       ///< points inside lids; the last vertices of the piece
+  std::size_t with_inner = 0;  ///< rims whose lid has such points
+  double sunk_by = 0;  ///< how far they are moved out of the way of the piece at most, mesh units
 };
 /// Fills the holes of a piece that were cut. Lids never have an edge or a triangle that the piece
 /// has already, and keep clear of what they close, of themselves and of other lids of that part of

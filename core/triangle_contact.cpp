@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <utility>
-#include <vector>
 
 namespace talweg {
 namespace {
@@ -166,6 +166,28 @@ bool fold_apart(const TrianglePair& pair) {
   return a.dot(b) < -doubt || a.cross(b).norm() > doubt;
 }
 
+/// Where a segment goes through a triangle: how far its ends are from the plane, and the place from
+/// the sides; zeros where it does not.
+struct Piercing {
+  double before = 0, after = 0, inside = 0;
+
+  Piercing(const Point& p, const Point& q, const PointTriangle& t) {
+    const Point normal = (t[1] - t[0]).cross(t[2] - t[0]).stableNormalized();
+    const double above = (p - t[0]).dot(normal), below = (q - t[0]).dot(normal);
+    if (!((above > 0 && below < 0) || (above < 0 && below > 0))) return;
+    const Point at = p + above / (above - below) * (q - p);
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Point inwards = normal.cross(t[(k + 1) % 3] - t[k]).stableNormalized();
+      least = std::min(least, (at - t[k]).dot(inwards));
+    }
+    if (!(least > 0)) return;
+    before = std::abs(above);
+    after = std::abs(below);
+    inside = least;
+  }
+};
+
 }  // namespace
 
 bool certainly_apart(const PointTriangle& s, const PointTriangle& t) {
@@ -183,16 +205,8 @@ bool certainly_apart(const PointTriangle& s, const PointTriangle& t) {
 }
 
 double piercing_depth(const Point& p, const Point& q, const PointTriangle& t) {
-  const Point normal = (t[1] - t[0]).cross(t[2] - t[0]).stableNormalized();
-  const double before = (p - t[0]).dot(normal), after = (q - t[0]).dot(normal);
-  if (!(before * after < 0)) return 0;
-  const Point at = p + before / (before - after) * (q - p);
-  double depth = std::min(std::abs(before), std::abs(after));
-  for (std::size_t k = 0; k < 3; ++k) {
-    const Point inwards = normal.cross(t[(k + 1) % 3] - t[k]).stableNormalized();
-    depth = std::min(depth, (at - t[k]).dot(inwards));
-  }
-  return std::max(0.0, depth);
+  const Piercing found(p, q, t);
+  return std::max(0.0, std::min({found.before, found.after, found.inside}));
 }
 
 double crossing_depth(const PointTriangle& s, const PointTriangle& t) {
@@ -202,6 +216,17 @@ double crossing_depth(const PointTriangle& s, const PointTriangle& t) {
     depth = std::max(depth, piercing_depth(t[k], t[(k + 1) % 3], s));
   }
   return depth;
+}
+
+double crossing_reach(const PointTriangle& s, const PointTriangle& t) {
+  double reach = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    for (const Piercing& found :
+         {Piercing(s[k], s[(k + 1) % 3], t), Piercing(t[k], t[(k + 1) % 3], s)}) {
+      reach = std::max(reach, std::min(std::max(found.before, found.after), found.inside));
+    }
+  }
+  return reach;
 }
 
 }  // namespace talweg

@@ -22,4 +22,7 @@ double piercing_depth(const Point& p, const Point& q, const PointTriangle& t);
 /// The largest piercing_depth() of a side of one in the other.
 double crossing_depth(const PointTriangle& s, const PointTriangle& t);
 
+/// The same by the farther end of the side: how much of it is there, not how little it would take.
+double crossing_reach(const PointTriangle& s, const PointTriangle& t);
+
 }  // namespace talweg

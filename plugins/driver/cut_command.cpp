@@ -304,10 +304,11 @@ std::string Cutting::summary() const {
       text += fmt::format(", {} rims closed by {} faces, {} of them plane", part.lids.filled,
                           part.lids.triangles, part.lids.planar);
     }
-    if (part.lids.sunk > 0) {
-      text +=
-          fmt::format(", {} of them with points inside, moved by up to {:.3g} to clear the piece",
-                      part.lids.sunk, part.lids.sunk_by);
+    if (part.lids.with_inner > 0) {
+      text += fmt::format(", {} of them with points inside", part.lids.with_inner);
+    }
+    if (part.lids.sunk_by > 0) {
+      text += fmt::format(", moved by up to {:.3g} to clear the piece", part.lids.sunk_by);
     }
     if (part.lids.left_open > 0) {
       text += fmt::format("; {} rims stay open: slits, or they end at the old boundary",

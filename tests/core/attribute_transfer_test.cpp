@@ -211,9 +211,9 @@ TEST_F(AttributeTransfer, InterpolatesRoundsNormalisesAndTakesTheNearest) {
 }
 
 TEST_F(AttributeTransfer, LidsAreWhiteAndZero) {
-  const std::uint32_t vertices[] = {3, 1}, faces[] = {1, kNoFace};
+  const std::uint32_t vertices[] = {3, 1, kNoVertex}, faces[] = {1, kNoFace};
   const MeshAttributes part = picked(attributes_, vertices, faces);
-  EXPECT_EQ(column(part.vertices, "label").values, (std::vector<double>{10, 8}));
+  EXPECT_EQ(column(part.vertices, "label").values, (std::vector<double>{10, 8, 0}));
   EXPECT_EQ(column(part.faces, "region").values, (std::vector<double>{5, 0}));
   EXPECT_EQ(column(part.faces, "red").values, (std::vector<double>{78, 255}));
   EXPECT_EQ(part.texture.corners[1][0], CornerAttribute::kNone);

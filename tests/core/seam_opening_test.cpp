@@ -106,12 +106,12 @@ TEST(SeamOpening, ALoopAroundATorusPartsNothingAndTwoDo) {
     CutMesh::Chain chain{true, {}};
     for (std::uint32_t v = 0; v < lists.points.size(); ++v) {
       // Vertices are in rows; which way they run does not matter here.
-      if (v % 32 == k) chain.vertices.push_back(v);
+      if (v / 32 == k) chain.vertices.push_back(v);
     }
     return chain;
   };
   const CutMesh::Chain one[] = {meridian(0)};
-  const CutMesh::Chain two[] = {meridian(0), meridian(9)};
+  const CutMesh::Chain two[] = {meridian(0), meridian(5)};
   EXPECT_EQ(open_seams(lists, one).pieces, 1U);
   const OpenedSeams tubes = open_seams(lists, two);
   EXPECT_EQ(tubes.pieces, 2U);
@@ -222,7 +222,7 @@ TEST(Lids, BetweenNestedRimsInOnePlaneAreWithHoles) {
   Piece other = piece(seams, seams.right[0][0]);
   const Lids apart = add_lids(other, seams, rings, LidKind::kLeastArea);
   EXPECT_EQ(apart.filled, 2U);
-  EXPECT_EQ(apart.sunk, 1U);
+  EXPECT_EQ(apart.with_inner, 1U);
   EXPECT_EQ(euler(other.lists), 2);  // the shaft's end is closed inside of the block
   // Both sides of a seam in one mesh: the rims lie on each other, and both get lids.
   Piece both = piece_of(seams, {true, true});

@@ -92,7 +92,7 @@ void check_pieces(const SurfaceMesh& mesh, const SurfaceCurve& curve, Count& cou
       EXPECT_TRUE(CGAL::is_closed(theirs));
       ++count.closed;
     }
-    if (lids.sunk > 0) ++count.lids_with_points;
+    if (lids.with_inner > 0) ++count.lids_with_points;
     // Two lids over the two sides of one cut lie on each other, which CGAL calls meeting.
     if (lids.filled == 1 && meetings(theirs, faces) > 0) ++count.touching;
   }
