@@ -27,7 +27,9 @@ Drawing DrawingReader::read(std::span<const std::string> paths, const LengthUnit
     try {
       add(inputs, drawing, progress);
     } catch (const Error& error) {
-      rethrow_with_weld_hint(error, lists());
+      if (error.code() != ErrorCode::kBadCurve) throw;
+      if (!weld_hint_) weld_hint_ = weld_hint(*mesh_);
+      throw Error(error.code(), error.what() + *weld_hint_);
     }
   }
   drawing.moved = snap_warning(drawing.largest_snap_distance, *mesh_);
@@ -49,17 +51,6 @@ void DrawingReader::add(const std::vector<CurveInput>& inputs, Drawing& drawing,
     drawing.largest_snap_distance =
         std::max(drawing.largest_snap_distance, snapped.largest_snap_distance);
   }
-}
-
-MeshLists DrawingReader::lists() const {
-  MeshLists lists;
-  lists.points.assign(mesh_->points().begin(), mesh_->points().end());
-  for (std::size_t f = 0; f < mesh_->surface().face_count(); ++f) {
-    const auto corners = mesh_->surface().corners(FaceId{f});
-    Triangle& t = lists.triangles.emplace_back();
-    for (std::size_t k = 0; k < 3; ++k) t[k] = static_cast<std::uint32_t>(corners[k].index());
-  }
-  return lists;
 }
 
 Drawing read_drawing(const std::string& path, const SurfaceMesh& mesh, const RepairMap* map,

@@ -42,12 +42,12 @@ class DrawingReader {
 
  private:
   void add(const std::vector<CurveInput>& inputs, Drawing& drawing, const Progress& progress);
-  [[nodiscard]] MeshLists lists() const;
 
   const SurfaceMesh* mesh_;
   const RepairMap* map_;
   std::optional<ClosestPoint> closest_;
   std::optional<StraightLines> lines_;
+  std::optional<std::string> weld_hint_;  ///< made when a curve is first refused
 };
 
 /// The same for one file.

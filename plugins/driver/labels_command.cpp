@@ -26,6 +26,7 @@
 #include "talweg/core/mesh_writer.hpp"
 #include "talweg/core/stopwatch.hpp"
 #include "talweg/intrinsic/error.hpp"
+#include "weld_hint.hpp"
 
 namespace talweg::driver {
 namespace {
@@ -223,7 +224,7 @@ int run_labels(const LabelsOptions& o, const GlobalOptions& global) {
     network = smooth_labels(mesh, file.labels, options);
   } catch (const Error& error) {
     if (error.code() != ErrorCode::kBadCurve) throw;
-    throw Error(ErrorCode::kBadFile, o.labels + ": " + error.what());
+    throw Error(ErrorCode::kBadFile, o.labels + ": " + error.what() + weld_hint(mesh->mesh()));
   }
   const double ms = watch.ms();
   clear_progress_bar();

@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include <fmt/format.h>
+
 #include "cancellation.hpp"
 #include "commands.hpp"
 #include "failure.hpp"
@@ -116,35 +118,40 @@ int run(int argc, char** argv) {
       "talweg --help)");
 }
 
+/// Whether it is the name of an option that takes a list, of any command.
+bool is_list(const CLI::App& app, const std::string& name) {
+  if (!name.starts_with("-")) return false;
+  const auto takes_list = [&](const CLI::App* command) {
+    const CLI::Option* option = command->get_option_no_throw(name);
+    return option != nullptr && option->get_delimiter() != '\0';
+  };
+  const auto commands = app.get_subcommands([](const CLI::App*) { return true; });
+  return takes_list(&app) || std::any_of(commands.begin(), commands.end(), takes_list);
+}
+
+std::string empty_value(const std::string& name) {
+  if (name.starts_with("-")) return fmt::format("The value of {} is empty.", name);
+  if (name.empty()) return "An argument is empty.";
+  return fmt::format("An argument is empty, after \"{}\".", name);
+}
+
 }  // namespace
 
 void check_values(const CLI::App& app, const std::vector<std::string>& arguments) {
-  const auto is_list = [](const CLI::App& of, const std::string& name) {
-    const CLI::Option* option = name.starts_with("-") ? of.get_option_no_throw(name) : nullptr;
-    return option != nullptr && option->get_delimiter() != '\0';
-  };
-  const std::vector<const CLI::App*> commands =
-      app.get_subcommands([](const CLI::App*) { return true; });
-  const auto names_list = [&](const std::string& name) {
-    return is_list(app, name) || std::any_of(commands.begin(), commands.end(),
-                                             [&](const CLI::App* c) { return is_list(*c, name); });
-  };
   std::string before;
   for (const std::string& argument : arguments) {
-    const bool has_name = argument.starts_with("--") || argument.find('=') == 2;
+    const bool has_value = argument.starts_with("--") || argument.find('=') == 2;  // -o=FILE
     const std::size_t equals =
-        argument.starts_with("-") && has_name ? argument.find('=') : std::string::npos;
-    const std::string name = equals == std::string::npos ? before : argument.substr(0, equals);
-    const std::string value = equals == std::string::npos ? argument : argument.substr(equals + 1);
-    if (value.empty()) {
+        argument.starts_with("-") && has_value ? argument.find('=') : std::string::npos;
+    const bool inside = equals != std::string::npos;
+    const std::string name = inside ? argument.substr(0, equals) : before;
+    const std::string value = inside ? argument.substr(equals + 1) : argument;
+    if (value.empty()) throw Error(ErrorCode::kBadUsage, empty_value(name));
+    const bool gap =
+        value.starts_with(',') || value.ends_with(',') || value.find(",,") != std::string::npos;
+    if (gap && is_list(app, name)) {
       throw Error(ErrorCode::kBadUsage,
-                  name.starts_with("-") ? "The value of " + name + " is empty."
-                                        : "An argument is empty" +
-                                              (name.empty() ? "." : ", after \"" + name + "\"."));
-    }
-    if (names_list(name) &&
-        (value.starts_with(',') || value.ends_with(',') || value.find(",,") != std::string::npos)) {
-      throw Error(ErrorCode::kBadUsage, "A value of the list " + name + " " + value + " is empty.");
+                  fmt::format("A value of the list {} {} is empty.", name, value));
     }
     before = argument;
   }
@@ -161,9 +168,9 @@ void refuse_unexpected(const CLI::App& app, const std::string& argument) {
     }
   }
   throw Error(ErrorCode::kBadUsage,
-              "\"" + argument + "\" was not expected" +
-                  suggestion(argument.substr(0, argument.find('=')), known) + " (see " +
-                  (app.get_name().empty() ? "talweg" : app.get_name()) + " --help)");
+              fmt::format("\"{}\" was not expected{} (see {} --help)", argument,
+                          suggestion(argument.substr(0, argument.find('=')), known),
+                          app.get_name().empty() ? "talweg" : app.get_name()));
 }
 
 }  // namespace talweg::driver

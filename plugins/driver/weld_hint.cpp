@@ -33,14 +33,26 @@ std::string weld_sentence(const MeshInspection& before, const WeldedMesh& welded
   return text + ".";
 }
 
-void rethrow_with_weld_hint(const Error& error, const MeshLists& mesh) {
-  if (error.code() == ErrorCode::kBadCurve) {
-    const MeshInspection before = inspect(mesh);
-    if (const auto welded = try_weld(mesh, before)) {
-      throw Error(error.code(), error.what() + (" " + weld_sentence(before, *welded)));
-    }
+std::string weld_hint(const MeshLists& mesh) {
+  const MeshInspection before = inspect(mesh);
+  const auto welded = try_weld(mesh, before);
+  return welded ? fmt::format(" {}", weld_sentence(before, *welded)) : std::string();
+}
+
+std::string weld_hint(const SurfaceMesh& mesh) {
+  MeshLists lists;
+  lists.points.assign(mesh.points().begin(), mesh.points().end());
+  for (std::size_t f = 0; f < mesh.surface().face_count(); ++f) {
+    const auto corners = mesh.surface().corners(FaceId{f});
+    Triangle& t = lists.triangles.emplace_back();
+    for (std::size_t k = 0; k < 3; ++k) t[k] = static_cast<std::uint32_t>(corners[k].index());
   }
-  throw Error(error);
+  return weld_hint(lists);
+}
+
+void rethrow_with_weld_hint(const Error& error, const MeshLists& mesh) {
+  if (error.code() != ErrorCode::kBadCurve) throw Error(error);
+  throw Error(error.code(), error.what() + weld_hint(mesh));
 }
 
 }  // namespace talweg::driver

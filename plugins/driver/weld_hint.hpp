@@ -4,6 +4,7 @@
 #include <string>
 
 #include "talweg/core/mesh_repair.hpp"
+#include "talweg/core/surface_mesh.hpp"
 #include "talweg/intrinsic/error.hpp"
 
 namespace talweg::driver {
@@ -12,8 +13,12 @@ namespace talweg::driver {
 /// and no boundary instead of 960 boundary loops."
 std::string weld_sentence(const MeshInspection& before, const WeldedMesh& welded);
 
-/// Throws the error again, with that sentence where the curve was refused and welding helps: parts
-/// that only lie beside each other are not connected.
+/// That sentence after a blank, where welding helps: parts that only lie beside each other are not
+/// connected. Else empty. Time as of inspect(), and of repair() where vertices lie at one place.
+std::string weld_hint(const MeshLists& mesh);
+std::string weld_hint(const SurfaceMesh& mesh);
+
+/// Throws the error again, with the hint where a curve was refused.
 [[noreturn]] void rethrow_with_weld_hint(const Error& error, const MeshLists& mesh);
 
 }  // namespace talweg::driver

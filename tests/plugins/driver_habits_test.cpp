@@ -155,6 +155,10 @@ TEST_F(DriverHabits, ASoupIsToldToBeWeldedByVerdictAndRefusal) {
     }
   }
   expect_failure("measure soup.ply a.obj", 2, {words[0]});
+  std::string labels;
+  for (int f = 0; f < 1200; ++f) labels += f < 600 ? "1\n" : "2\n";
+  write("labels.txt", labels);
+  expect_failure("labels soup.ply labels.txt", 2, {"no border", words[0]});
   EXPECT_EQ(run("draw soup.ply --through 0,3000 -o b.obj --repair=weld").code, 0);
   // No hint where welding changes nothing.
   const std::string far = run("draw mesh.ply --through 1,1 -o b.obj").err;

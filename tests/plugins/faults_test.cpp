@@ -179,6 +179,24 @@ TEST_F(Faults, APipeWithoutAReaderIsLeftAtTheFirstSignal) {
   }
 }
 
+TEST_F(Faults, APipeWhoseReaderDoesNotReadIsLeftAtTheFirstSignal) {
+  const std::string pipe = file("pipe.ply");
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  write_mesh(file("large.ply"), grid(100, 80));  // more bytes than a pipe takes
+  write("edge.txt", "0\n1\n2\n");
+  const pid_t child = start({"cut", "large.ply", "--curve", "edge.txt", "-o", "pipe.ply"});
+  const int reader = open(pipe.c_str(), O_RDONLY);  // waits for the writer
+  sleep_us(300'000);
+  kill(child, SIGINT);
+  int status = 0;
+  const auto runs = [&] { return waitpid(child, &status, WNOHANG) == 0; };
+  for (int k = 0; k < 200 && runs(); ++k) sleep_us(20'000);
+  if (runs()) kill(child, SIGKILL);
+  close(reader);
+  EXPECT_TRUE(WIFEXITED(status));
+  EXPECT_EQ(WEXITSTATUS(status), 4);
+}
+
 TEST_F(Faults, APipeWithAReaderGetsAllBytes) {
   const std::string pipe = file("pipe.json");
   ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
