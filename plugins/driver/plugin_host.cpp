@@ -6,6 +6,8 @@
 #include <string>
 #include <utility>
 
+#include "talweg/intrinsic/progress.hpp"
+
 namespace talweg::driver {
 namespace {
 
