@@ -9,6 +9,8 @@
 
 #include "suggestion.hpp"
 
+#include "talweg/intrinsic/progress.hpp"
+
 namespace talweg::driver {
 namespace {
 
