@@ -144,11 +144,16 @@ bool LidChooser::offer_sunk(const std::vector<Triangle>& triangles, bool in_one_
   return offer(std::move(lid));
 }
 
-/// Over the rim as it looks from its outside, and of least area; moved in one direction, or in that
-/// which each place asks for.
+/// Over the rim as it looks from its outside, and of least area; with points inside, moved in one
+/// direction, or in that which each place asks for.
 bool LidChooser::offer_sunk() {
   std::vector<std::vector<Triangle>> starts;
-  if (auto plane = fill_plane(points_, rims_)) starts.push_back(std::move(*plane));
+  if (auto plane = fill_plane(points_, rims_)) {
+    const Best before = best_;
+    if (offer({*plane, {}})) return true;
+    best_ = before;  // not if it touches
+    starts.push_back(std::move(*plane));
+  }
   if (!starts_.empty()) starts.push_back(starts_.back());
   if (rims_.size() == 1) starts.push_back(fill_loop(points_, rims_[0]));
   for (const bool in_one_direction : {true, false}) {
