@@ -18,7 +18,7 @@
 namespace talweg {
 namespace {
 
-using Chain = CutMesh::Chain;
+using Rim = CutMesh::Chain;
 
 Piece piece(const OpenedSeams& opened, std::size_t number) {
   std::vector<bool> wanted(opened.pieces, false);
@@ -64,7 +64,7 @@ void expect_closed(const Piece& part) {
 TEST(Lids, OverOneTriangleHaveAPointInside) {
   const MeshLists lists = test::sphere(3);
   const auto& [a, b, c] = lists.triangles[100];
-  const Chain chain[] = {{true, {a, b, c}}};
+  const Rim chain[] = {{true, {a, b, c}}};
   const OpenedSeams seams = open_seams(lists, chain);
   ASSERT_EQ(seams.pieces, 2U);
   Piece part = piece(seams, smallest(seams));
@@ -94,7 +94,7 @@ TEST(Lids, DoNotUseADiagonalThatThePieceHas) {
   const std::uint32_t d = v(surface.head(surface.next(twin(h))));
   const Point middle = (lists.points[c] + lists.points[d]) / 2;
   lists.points[a] = middle + 0.3 * (lists.points[b] - middle);
-  const Chain chain[] = {{true, {a, d, b, c}}};
+  const Rim chain[] = {{true, {a, d, b, c}}};
   const OpenedSeams seams = open_seams(lists, chain);
   ASSERT_EQ(seams.pieces, 2U);
   const std::uint32_t loop[] = {a, d, b, c};
@@ -174,7 +174,7 @@ TEST(Lids, OfAFlatPieceEncloseALittle) {
 TEST(Lids, OfBothSidesOfACutInOnePieceLieOnEachOther) {
   // Once around a torus, across: the two rims are at one place. Not plane.
   const MeshLists lists = test::torus(32, 64);
-  Chain ring{true, {}};
+  Rim ring{true, {}};
   for (std::uint32_t i = 0; i < 32; ++i) {
     const auto shift =
         static_cast<std::uint32_t>(std::lround(3 * std::sin(std::numbers::pi * i / 16)));
@@ -216,12 +216,12 @@ TEST(Lids, AreRefusedWhereNoneIsFree) {
   // The strip between the two borders goes through every surface over either.
   const std::uint32_t n = 60;
   const MeshLists lists = twisted(n, 6);
-  Chain low{true, {}}, high{true, {}};
+  Rim low{true, {}}, high{true, {}};
   for (std::uint32_t i = 0; i < n; ++i) {
     low.vertices.push_back(n + i);
     high.vertices.push_back(5 * n + i);
   }
-  const Chain both[] = {low, high};
+  const Rim both[] = {low, high};
   const OpenedSeams seams = open_seams(lists, both);
   ASSERT_EQ(seams.pieces, 3U);
   Piece strip = piece(seams, seams.left[0][0]);
@@ -245,7 +245,7 @@ TEST(Lids, DoNotGoThroughAWallExactlyAtItsVertices) {
   // Along its outermost ring a torus is cut so that lids go through the innermost one: vertices
   // that lie in the plane of the rim.
   const MeshLists lists = test::torus(32, 16);
-  Chain ring{true, {}};
+  Rim ring{true, {}};
   for (std::uint32_t v = 0; v < lists.points.size(); v += 32) ring.vertices.push_back(v);
   const OpenedSeams seams = open_seams(lists, std::span(&ring, 1));
   for (const LidKind kind : {LidKind::kPlanar, LidKind::kAuto, LidKind::kLeastArea}) {
