@@ -251,7 +251,7 @@ std::vector<std::string> curve_seeds(const Target& target) {
   if (target.name == "curve_vtk") return {formats::write_vtk(curves), vtk_binary()};
   if (target.name == "curve_txt") return {formats::write_txt("c.txt", curves), "0,1 2 # here\n\n3"};
   if (target.name == "curve_json") return {formats::write_json(curves)};
-  return {formats::write_slicer(curves)};
+  return {formats::write_slicer(curves, {})};
 }
 
 std::vector<std::string> label_seeds(const Target& target) {
