@@ -376,7 +376,7 @@ SmoothingResult CurveSmoother::smooth(const SmoothingOptions& options) {
   options.validate();
   if (!is_set()) bad_usage("No curve is set.");
   try {
-    Asker(options.progress, "straighten");
+    const Asker asked(options.progress, "straighten");
     return as_drawn(smooth_now(with_ordered_slack(options)));
   } catch (const Cancelled&) {
     return cancelled_result(options);
@@ -479,7 +479,7 @@ SmoothingResult CurveSmoother::smooth(const SmoothingOptions& options,
     }
   }
   try {
-    Asker(options.progress, "straighten");
+    const Asker asked(options.progress, "straighten");
     return as_drawn(smooth_now(options, potential, components));
   } catch (const Cancelled&) {
     return cancelled_result(options);

@@ -294,10 +294,10 @@ SmoothingResult CurveSmoother::drag(std::size_t curve, const SurfaceCurve& moved
   require(is_set(), "No curve is set.");
   require(curve_options_.method == Method::kCorridor, "drag() needs the corridor.");
   require(curve < drawn_.size(), "drag() is asked for a curve that is not set.");
-  const SurfaceCurve own = moved;  // may be our own drawing
+  const SurfaceCurve own = moved;  // NOLINT: may be our own drawing, which changes
   check_drawn(mesh_->surface(), own);
   try {
-    Asker(options.progress, "straighten");
+    const Asker asked(options.progress, "straighten");
     return drag_now(curve, own, options);
   } catch (const Cancelled&) {
     SmoothingResult result = cancelled_result(options);

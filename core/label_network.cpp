@@ -342,6 +342,7 @@ class Network {
       region.parts_after += regions_.heaps[p];
     }
     std::vector<LabelRegion> table;
+    table.reserve(regions.size());
     for (const auto& [label, region] : regions) table.push_back(region);
     return table;
   }
@@ -405,7 +406,7 @@ LabelNetwork smooth_labels(const std::shared_ptr<const OpenedMesh>& mesh,
                            const LabelNetworkOptions& options) {
   options.validate();
   try {
-    Asker(options.progress, "borders");
+    const Asker asked(options.progress, "borders");
     return Network(mesh, labels, options).run();
   } catch (const Cancelled&) {
     LabelNetwork cancelled;

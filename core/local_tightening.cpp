@@ -7,8 +7,9 @@
 namespace talweg {
 namespace {
 
-constexpr double kHalved = 4, kAllOfIt = 8;  // bounds away along the drawing: 1/2 up to, 1 from there
-constexpr double kAlmost = 0.97;           // of the bound: between points it may be more
+constexpr double kHalved = 4,
+                 kAllOfIt = 8;    // bounds away along the drawing: 1/2 up to, 1 from there
+constexpr double kAlmost = 0.97;  // of the bound: between points it may be more
 
 /// How far away along the drawing the nearest of some places (ascending) is; `length` is that of a
 /// loop, infinite for others.

@@ -204,6 +204,7 @@ std::vector<std::vector<Loop>> groups_of(const std::vector<Point>& points,
     for (const std::vector<std::size_t>& group : plane_groups(points, loops)) {
       if (group.size() > 1) {
         std::vector<Loop> own;
+        own.reserve(group.size());
         for (const std::size_t i : group) own.push_back(loops[i]);
         if (!fill_plane(points, own)) continue;  // they touch: each by itself
       }

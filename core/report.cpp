@@ -215,6 +215,7 @@ std::string to_json(const SmoothingReport& report) {
 
 std::string to_json(const SmoothingReport& total, const std::vector<SmoothingReport>& curves) {
   std::vector<std::vector<ReportEntry>> entries;
+  entries.reserve(curves.size());
   for (const SmoothingReport& report : curves) entries.push_back(entries_of(report));
   return to_json(entries_of(total), entries);
 }

@@ -70,8 +70,9 @@ class Ways {
   [[nodiscard]] double shortest() const {
     double shortest = HUGE_VAL;
     for (const VertexId v : vertices_) {
-      for_each_spoke(surface_, v,
-                 [&](HalfedgeId h) { shortest = std::min(shortest, surface_.length(edge_of(h))); });
+      for_each_spoke(surface_, v, [&](HalfedgeId h) {
+        shortest = std::min(shortest, surface_.length(edge_of(h)));
+      });
     }
     return shortest;
   }

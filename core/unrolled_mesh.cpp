@@ -352,7 +352,7 @@ bool append(const SurfaceMesh& mesh, const Strip& strip, UnrolledMesh& result) {
       vertex[at] = id;
     }
   }
-  for (std::uint32_t copy = 0; copy < strip.faces().size(); ++copy) {
+  for (std::size_t copy = 0; copy < strip.faces().size(); ++copy) {
     result.lists.triangles.push_back(
         {vertex[3 * copy], vertex[3 * copy + 1], vertex[3 * copy + 2]});
     result.face_of.push_back(strip.faces()[copy]);

@@ -114,7 +114,8 @@ class PlyReader {
   void skip_list(const PlyProperty& property) {
     const double count = read_value(property.count_type);
     const std::size_t size = ascii_ ? 1 : size_of(property.type);
-    if (!(count >= 0 && count <= static_cast<double>(scanner_.remaining() / size))) {
+    const std::size_t most = scanner_.remaining() / size;
+    if (!(count >= 0 && count <= static_cast<double>(most))) {
       fail("a list is longer than the file");
     }
     if (!ascii_) {

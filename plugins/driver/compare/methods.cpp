@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <sstream>
+
+#include <fmt/format.h>
 
 #include "talweg/intrinsic/error.hpp"
 
@@ -12,6 +15,7 @@ namespace {
 /// count values from `first` to `last` in equal ratios.
 std::vector<double> geometric(double first, double last, int count) {
   std::vector<double> values;
+  values.reserve(static_cast<std::size_t>(count));
   for (int k = 0; k < count; ++k) {
     values.push_back(first * std::pow(last / first, static_cast<double>(k) / (count - 1)));
   }
@@ -76,8 +80,10 @@ std::vector<Method> methods_of(const std::string& list) {
     } else {
       std::string all;
       for (const Method& m : known_methods()) all += (all.empty() ? "" : ", ") + m.name;
-      throw Error(ErrorCode::kBadUsage, "There is no method \"" + name + "\": there are " + all +
-                                            ", and every plugin by its id.");
+      throw Error(
+          ErrorCode::kBadUsage,
+          fmt::format("There is no method \"{}\": there are {}, and every plugin by its id.", name,
+                      all));
     }
   }
   return chosen;
