@@ -44,6 +44,7 @@ Triangle ascending(Triangle t) {
 
 /// Whether it is the one: it meets nothing. Else it is kept if it is the best so far.
 bool LidChooser::offer(Lid lid, std::size_t twin) {
+  contacts_.clear();  // those of another lid name other triangles
   if (lid.triangles.empty() || clearance_.repeats_triangle(lid) || !clearance_.taken(lid).empty()) {
     return false;
   }

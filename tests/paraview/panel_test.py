@@ -22,7 +22,7 @@ def described():
     for line in help.splitlines():
         advanced = advanced or line.startswith("Advanced")
         found = OPTION.match(line)
-        if found and found[1] not in ("curve", "report", "write-distance"):
+        if found and found[1] not in ("curve", "mesh-units", "report", "write-distance"):
             kind = found[3] or "FLAG"
             default = found[4] if found[3] else "1" if found[2] else "0"
             options.append((found[1], kind, default, advanced))
