@@ -82,11 +82,14 @@ EmbeddedCurves embed_curves(SignpostTriangulation& triangulation,
   constexpr std::size_t kOfPoint = 32;  // units of work
   Asker asker(progress, "embed");
   PointInsertion insertion(triangulation);
+  EmbeddedCurves embedded;
   std::vector<std::vector<VertexId>> vertices(curves.size());
   for (std::size_t c = 0; c < curves.size(); ++c) {
     for (const SurfacePoint& point : curves[c].points) {
       asker.did(kOfPoint);
       const VertexId v = insertion.insert(point);
+      // Between slivers a point put in a second time may become another vertex.
+      if (std::find(pins.begin(), pins.end(), point) != pins.end()) embedded.pinned.push_back(v);
       if (vertices[c].empty() || vertices[c].back() != v) vertices[c].push_back(v);
     }
     if (curves[c].closed && vertices[c].size() > 1 && vertices[c].front() == vertices[c].back()) {
@@ -115,9 +118,6 @@ EmbeddedCurves embed_curves(SignpostTriangulation& triangulation,
     const std::vector<HalfedgeId> now = insertion.now(pair.way, pair.since);
     chains[pair.curve].insert(chains[pair.curve].end(), now.begin(), now.end());
   }
-  EmbeddedCurves embedded;
-  asker.ask();
-  for (const SurfacePoint& pin : pins) embedded.pinned.push_back(insertion.insert(pin));
   std::sort(embedded.pinned.begin(), embedded.pinned.end());
   for (std::size_t c = 0; c < curves.size(); ++c) {
     if (loops == Loops::kErase) erase_loops(triangulation, chains[c], curves[c].closed);
