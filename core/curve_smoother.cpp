@@ -503,7 +503,7 @@ SmoothingResult CurveSmoother::smooth_now(const SmoothingOptions& options,
   });
   for (SmoothingReport& report : result.reports) report.potential = "custom";
   result.total.potential = "custom";
-  return as_drawn(std::move(result));
+  return result;
 }
 
 SmoothingResult CurveSmoother::run(const SmoothingOptions& options,

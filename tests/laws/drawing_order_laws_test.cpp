@@ -112,6 +112,17 @@ TEST_P(DrawingOrderLaw, WithBothPotentials) {
   }
 }
 
+TEST_P(DrawingOrderLaw, WithAPotentialOfTheCaller) {
+  std::vector<double> potential;
+  for (const Point& p : opened_->mesh().points()) {
+    potential.push_back(edge_ * std::sin(p.sum() / (3 * edge_)));
+  }
+  expect_same([&](CurveSmoother& smoother, const Redrawn& drawn) {
+    smoother.set_curve(drawn.curve);
+    return smoother.smooth({}, potential, 1);
+  });
+}
+
 TEST_P(DrawingOrderLaw, WithPinsAndASlackThatVaries) {
   expect_same([&](CurveSmoother& smoother, const Redrawn& drawn) {
     const std::size_t n = drawn.from.size();

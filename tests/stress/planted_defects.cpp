@@ -193,7 +193,8 @@ void second_component(MeshLists& lists, Random& random) {
   lists = test::together(std::move(lists), random_mesh(random), dx);
 }
 void large_offset(MeshLists& lists, Random& random) {
-  const Point shift(random.uniform(-5e6, 5e6), random.uniform(-5e6, 5e6), random.uniform(-5e6, 0));
+  Point shift;  // one after the other: the order in which arguments are computed is the compiler's
+  for (double& x : shift) x = random.uniform(-5e6, 5e6);
   for (Point& p : lists.points) p += shift;
 }
 void other_unit(MeshLists& lists, Random& random) {
@@ -282,25 +283,37 @@ MeshLists random_mesh(Random& random) {
   const auto size = [&](std::size_t least, std::size_t most) {
     return static_cast<std::uint32_t>(least + random.below(most - least + 1));
   };
+  // In braces, which fix the order, unlike parentheses.
+  const auto sizes = [&](std::array<std::uint32_t, 4> b) {
+    return std::array{size(b[0], b[1]), size(b[2], b[3])};
+  };
   switch (random.below(8)) {
-    case 0:
-      return test::grid(size(4, 24), size(4, 24));
+    case 0: {
+      const auto [columns, rows] = sizes({4, 24, 4, 24});
+      return test::grid(columns, rows);
+    }
     case 1:
       return test::moebius(size(12, 60));
     case 2:
       lists = divided_box(static_cast<int>(size(2, 3)));
       if (random.one_in(2)) return lists;
       break;
-    case 3:
-      lists = test::torus(size(6, 20), size(8, 30));
+    case 3: {
+      const auto [around, along] = sizes({6, 20, 8, 30});
+      lists = test::torus(around, along);
       break;
-    case 4:
-      lists = test::tube(size(6, 24), size(4, 30), random.uniform(1, 12));
+    }
+    case 4: {
+      const auto [around, along] = sizes({6, 24, 4, 30});
+      lists = test::tube(around, along, random.uniform(1, 12));
       break;
-    case 5:
-      lists = test::grid(size(6, 30), size(6, 24));
+    }
+    case 5: {
+      const auto [columns, rows] = sizes({6, 30, 6, 24});
+      lists = test::grid(columns, rows);
       for (Point& p : lists.points) p /= 6;
       break;
+    }
     default:
       lists = test::sphere(static_cast<int>(size(2, 3)));
   }

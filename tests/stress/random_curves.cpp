@@ -126,7 +126,10 @@ void disturb(List& list, Random& random) {
     if (to < from) std::swap(from, to);
     std::reverse(from, to);
   }
-  if (random.one_in(12)) list.insert(list.end(), list.rbegin(), list.rend());
+  if (random.one_in(12)) {  // there and back
+    const List way = list;
+    list.insert(list.end(), way.rbegin(), way.rend());
+  }
   if (random.one_in(12))
     list.resize(1 + random.below(std::min<std::size_t>(list.size(), 2)), list[0]);
 }
