@@ -106,6 +106,7 @@ bool LidChooser::offer_other_triangulations() {
   const int rounds = rims_[0].size() <= 256 ? 4 : 2;
   LeftOut left_out;
   left_out.whole = kWhole;
+  left_out.asker = &asker_;
   std::unordered_map<std::uint64_t, bool> known;
   left_out.chord = [&](std::uint32_t a, std::uint32_t b) {
     const auto [found, is_new] = known.try_emplace((std::uint64_t{a} << 32U) | b);

@@ -23,10 +23,14 @@ class LidChooser {
   /// part.
   LidChooser(const std::vector<Point>& points, LidClearance& clearance,
              std::function<std::uint32_t(std::uint32_t)> origin,
-             std::span<const CutMesh::Chain> chains)
-      : points_(points), clearance_(clearance), origin_(std::move(origin)), chains_(chains) {}
+             std::span<const CutMesh::Chain> chains, Asker& asker)
+      : points_(points),
+        clearance_(clearance),
+        origin_(std::move(origin)),
+        chains_(chains),
+        asker_(asker) {}
 
-  /// A lid over one rim, or over a plane one and the holes in it; it is placed.
+  /// A lid over one rim, or over a plane one and the holes in it; it is placed. Throws Cancelled.
   Lid choose(const std::vector<Loop>& rims, LidKind kind);
 
  private:
@@ -54,6 +58,7 @@ class LidChooser {
   LidClearance& clearance_;
   std::function<std::uint32_t(std::uint32_t)> origin_;
   std::span<const CutMesh::Chain> chains_;
+  Asker& asker_;
   std::vector<Twin> made_;  // in the order of their numbers
 
   // Of the rims at hand.

@@ -5,6 +5,8 @@
 namespace talweg {
 namespace {
 
+constexpr std::size_t kOfVisit = 32, kOfPair = 12;  // units of work: of the tree, two triangles
+
 SpaceBox box_of(const PointTriangle& t) { return SpaceBox::around(t); }
 
 PointTriangle face_at(const MeshLists& piece, std::uint32_t face) {
@@ -62,8 +64,8 @@ bool have_one_in_common(const std::set<std::uint32_t>& a, const std::set<std::ui
 }  // namespace
 
 LidClearance::LidClearance(const MeshLists& piece, std::span<const std::uint32_t> part_of_face,
-                           std::span<const Loop> rims)
-    : piece_(piece), near_(faces_near(piece, rims)), tree_(boxes_of(piece, near_)) {
+                           std::span<const Loop> rims, Asker& asker)
+    : piece_(piece), asker_(asker), near_(faces_near(piece, rims)), tree_(boxes_of(piece, near_)) {
   std::vector<bool> on_rim(piece.points.size(), false);
   for (const Loop& rim : rims) {
     for (std::size_t i = 0; i < rim.size(); ++i) {
@@ -101,8 +103,10 @@ std::vector<LidClearance::Contact> LidClearance::contacts_with_piece(
     const Lid& lid, const std::set<std::uint32_t>& parts) const {
   std::vector<Contact> found;
   for (std::size_t i = 0; i < lid.triangles.size(); ++i) {
+    asker_.did(kOfVisit);
     const PointTriangle own = at(lid, lid.triangles[i]);
     tree_.visit(BoxesAtTriangle(own[0], own[1], own[2]), [&](std::uint32_t k) {
+      asker_.did(kOfPair);
       if (parts.count(near_part_[k]) == 0) return;
       const PointTriangle other = face_at(piece_, near_[k]);
       if (!certainly_apart(own, other)) found.push_back({i, other});
@@ -119,7 +123,9 @@ std::vector<LidClearance::Contact> LidClearance::contacts(const Lid& lid,
   const std::vector<SpaceBox> boxes = boxes_of(own);
   const BoxTree among(boxes);
   for (std::size_t i = 0; i < own.size(); ++i) {
+    asker_.did(kOfVisit);
     const auto meet = [&](const PointTriangle& other) {
+      asker_.did(kOfPair);
       if (!certainly_apart(own[i], other)) found.push_back({i, other});
     };
     const BoxesAtTriangle here(own[i][0], own[i][1], own[i][2]);
@@ -138,6 +144,7 @@ std::vector<LidClearance::Contact> LidClearance::contacts(const Lid& lid,
 double LidClearance::reach_through(const PointTriangle& t,
                                    const std::set<std::uint32_t>& parts) const {
   double reach = 0;
+  asker_.did(kOfVisit);
   tree_.visit(BoxesAtTriangle(t[0], t[1], t[2]), [&](std::uint32_t k) {
     if (parts.count(near_part_[k]) == 0) return;
     reach = std::max(reach, crossing_reach(t, face_at(piece_, near_[k])));
@@ -168,6 +175,7 @@ bool LidClearance::pierces(std::uint32_t a, std::uint32_t b, double tolerance) c
   const Point &p = piece_.points[a], &q = piece_.points[b];
   const std::uint32_t part = part_of_vertex_.at(a);
   bool found = false;
+  asker_.did(kOfVisit);
   tree_.visit(BoxesAtTriangle(p, q, q), [&](std::uint32_t k) {
     found = found ||
             (near_part_[k] == part && piercing_depth(p, q, face_at(piece_, near_[k])) > tolerance);

@@ -15,6 +15,7 @@
 #include "talweg/core/mesh_lists.hpp"
 #include "talweg/core/plane_filling.hpp"
 #include "talweg/core/triangle_contact.hpp"
+#include "talweg/intrinsic/progress.hpp"
 
 namespace talweg {
 
@@ -34,9 +35,10 @@ inline Chord chord(std::uint32_t a, std::uint32_t b) { return {std::min(a, b), s
 class LidClearance {
  public:
   /// `part_of_face`: numbers of what hangs together, per face of the piece. The piece must outlive
-  /// it, and its faces must not change. O(faces), and O(k log k) for the k that are near.
+  /// it, and its faces must not change. O(faces), and O(k log k) for the k that are near. What
+  /// looks for contacts asks `asker`, which must outlive it too, and throws Cancelled.
   LidClearance(const MeshLists& piece, std::span<const std::uint32_t> part_of_face,
-               std::span<const Loop> rims);
+               std::span<const Loop> rims, Asker& asker);
 
   /// The part that a rim is on.
   [[nodiscard]] std::uint32_t part_of(const Loop& rim) const { return part_of_vertex_.at(rim[0]); }
@@ -102,6 +104,7 @@ class LidClearance {
   [[nodiscard]] std::vector<PointTriangle> triangles_of(const Lid& lid) const;
 
   const MeshLists& piece_;
+  Asker& asker_;
   std::map<std::uint32_t, std::uint32_t> part_of_vertex_;  // of the rims
   std::set<Chord> edges_;                                  // between vertices of rims
   std::set<Chord> rims_;

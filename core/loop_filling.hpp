@@ -12,6 +12,7 @@
 
 #include "talweg/core/mesh_lists.hpp"
 #include "talweg/core/seam_opening.hpp"
+#include "talweg/intrinsic/progress.hpp"
 
 namespace talweg {
 
@@ -28,6 +29,7 @@ struct LeftOut {
   std::function<bool(std::uint32_t, std::uint32_t)> chord;  ///< asked for sides that are no rim's
   std::set<Triangle> triangles;                             ///< by their corners, ascending
   std::size_t whole = 256;  ///< up to so many points all triangulations are looked at
+  Asker* asker = nullptr;   ///< asked on the way
 
   [[nodiscard]] bool has(Triangle triangle) const {
     if (triangles.empty()) return false;
@@ -66,10 +68,11 @@ struct Lids {
 /// must be plane.
 /// Their faces and inner points come from none: kNoFace in `faces`, kNoVertex in `vertices`.
 /// Throws Error(kBadCurve), naming rim and curve, where a lid must be plane and its rim is not or
-/// crosses itself, and where every lid goes through the piece; the piece is as it was then.
+/// crosses itself, and where every lid goes through the piece, and Cancelled when `progress` (stage
+/// "cap") says so; the piece is as it was then.
 inline constexpr std::uint32_t kNoFace = 0xFFFFFFFFU;
 inline constexpr std::uint32_t kNoVertex = 0xFFFFFFFFU;
 Lids add_lids(Piece& piece, const OpenedSeams& opened, std::span<const CutMesh::Chain> chains,
-              LidKind kind = LidKind::kAuto);
+              LidKind kind = LidKind::kAuto, const Progress& progress = {});
 
 }  // namespace talweg

@@ -14,6 +14,7 @@
 #include "drawing_file.hpp"
 #include "file_plan.hpp"
 #include "output_file.hpp"
+#include "progress_bar.hpp"
 #include "repaired_mesh.hpp"
 #include "talweg/core/attribute_transfer.hpp"
 #include "talweg/core/formats/mesh_file.hpp"
@@ -67,7 +68,7 @@ std::string split_prefix(const CutCommandOptions& o) {
 
 class Cutting {
  public:
-  explicit Cutting(const CutCommandOptions& options);
+  Cutting(const CutCommandOptions& options, Progress progress);
   void write();
   [[nodiscard]] std::string summary() const;
   [[nodiscard]] const Drawing& drawing() const { return drawing_; }
@@ -82,6 +83,7 @@ class Cutting {
   [[nodiscard]] nlohmann::json vertex_json(std::uint32_t vertex) const;
 
   const CutCommandOptions& o_;
+  Progress progress_;
   MeshAttributes attributes_;  // of the file's mesh, then of the cut one
   ReadMesh read_;
   SurfaceMesh mesh_;
@@ -94,12 +96,13 @@ class Cutting {
   std::vector<std::string> left_out_;  // sentences, one for each kind of file
 };
 
-Cutting::Cutting(const CutCommandOptions& options)
+Cutting::Cutting(const CutCommandOptions& options, Progress progress)
     : o_(options),
+      progress_(std::move(progress)),
       read_(read_and_repair(options.mesh, options.repair, attributes_)),
       mesh_(SurfaceMesh::open(read_.lists)) {
-  drawing_ =
-      DrawingReader(mesh_, read_.map.get()).read(o_.curves, LengthUnit::named(options.mesh_units));
+  drawing_ = DrawingReader(mesh_, read_.map.get())
+                 .read(o_.curves, LengthUnit::named(options.mesh_units), progress_);
   const Stopwatch watch;
   cut_ = cut_along(mesh_, drawing_.curves, {o_.merge});
   cut_.lists.single_precision = read_.lists.single_precision;
@@ -186,7 +189,9 @@ void Cutting::refuse_empty(const OpenedSeams& seams) const {
 void Cutting::add_part(const OpenedSeams& seams, const std::vector<bool>& wanted) {
   Piece piece = piece_of(seams, wanted);
   Part& part = parts_.emplace_back();
-  if (!o_.cap.empty()) part.lids = add_lids(piece, seams, cut_.chains, lid_kind(o_.cap));
+  if (!o_.cap.empty()) {
+    part.lids = add_lids(piece, seams, cut_.chains, lid_kind(o_.cap), progress_);
+  }
   part.lists = std::move(piece.lists);
   part.faces = std::move(piece.faces);
   for (const std::uint32_t v : piece.vertices) {
@@ -385,7 +390,8 @@ Command add_cut(CLI::App& app, const GlobalOptions& global) {
     check(*o);
     LengthUnit::named(o->mesh_units);
     check_files(*o);
-    Cutting cutting(*o);
+    Cutting cutting(*o, progress_bar(global.quiet));
+    clear_progress_bar();
     lead_with_far_move(cutting.drawing(), global.quiet);
     cutting.write();
     if (!global.quiet) std::fputs(cutting.summary().c_str(), text_stream());

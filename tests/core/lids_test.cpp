@@ -153,6 +153,36 @@ TEST(Lids, OfAPatchOfHillsGoUnderIt) {
   EXPECT_GT(test::volume(patch.lists), 0);  // all of the lid lies on the inner side
 }
 
+TEST(Lids, CancelledAtAnyQuestionLeaveThePieceAsItIs) {
+  const auto opened = OpenedMesh::open(test::hills(40));
+  const auto points = test::circle({20, 20, 0}, {9, 0, 0}, {0, 9, 0}, 24);
+  const SurfaceCurve ring =
+      smooth_curve(opened, test::drawn_near(opened->mesh(), points, true)).curve();
+  const CutMesh cut = cut_along(opened->mesh(), std::span(&ring, 1));
+  const OpenedSeams seams = open_seams(cut.lists, cut.chains);
+  const Piece patch = piece(seams, seams.left[0][0]);
+  const auto cap = [&](std::size_t yes, std::size_t& asked) {
+    asked = 0;
+    Piece part = patch;
+    const Progress progress = [&](const char*, double) { return asked++ < yes; };
+    try {
+      add_lids(part, seams, cut.chains, LidKind::kAuto, progress);
+    } catch (const Cancelled&) {
+      EXPECT_EQ(part.lists.triangles, patch.lists.triangles);
+      EXPECT_EQ(part.vertices, patch.vertices);
+      return false;
+    }
+    return true;
+  };
+  std::size_t all = 0, asked = 0;
+  ASSERT_TRUE(cap(SIZE_MAX, all));
+  ASSERT_GT(all, 50U);
+  for (std::size_t yes = 0; yes < all; yes += 1 + all / 20) {
+    EXPECT_FALSE(cap(yes, asked));
+    EXPECT_EQ(asked, yes + 1);  // none after that
+  }
+}
+
 TEST(Lids, OfAFlatPieceEncloseALittle) {
   const MeshLists lists = test::grid(10, 10);
   const SurfaceMesh mesh = SurfaceMesh::open(lists);
