@@ -7,7 +7,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "talweg/intrinsic/error.hpp"
 
 #if defined(__unix__) || defined(__APPLE__)
 #include <sys/resource.h>
@@ -102,29 +101,6 @@ void for_each_field(Report& r, Visit visit) {
   visit("peak_memory_mib", r.peak_memory_mib);
 }
 
-/// A field's value from an entry; false where that is of another kind.
-struct Taken {
-  const ReportEntry& entry;
-
-  template <class Value>
-  bool operator()(Value& value) const {
-    const auto* found = std::get_if<Value>(&entry.value);
-    if (found != nullptr) value = *found;
-    return found != nullptr;
-  }
-  bool operator()(std::size_t& value) const {
-    const auto* found = std::get_if<std::uint64_t>(&entry.value);
-    if (found != nullptr) value = static_cast<std::size_t>(*found);
-    return found != nullptr;
-  }
-  bool operator()(Point& value) const {
-    const auto* found = std::get_if<std::vector<double>>(&entry.value);
-    if (found == nullptr || found->size() != 3) return false;
-    value = Point(found->data());
-    return true;
-  }
-};
-
 /// Worse outcomes last.
 std::size_t rank(const std::string& termination) {
   constexpr std::array<const char*, 5> kOrder = {"converged", "deviation", "collapsed", "limit",
@@ -195,18 +171,6 @@ std::vector<ReportEntry> entries_of(const SmoothingReport& report) {
     }
   });
   return entries;
-}
-
-SmoothingReport report_of(const std::vector<ReportEntry>& entries) {
-  SmoothingReport report;
-  for_each_field(report, [&](const char* key, auto& value) {
-    const auto entry = std::find_if(entries.begin(), entries.end(),
-                                    [&](const ReportEntry& e) { return e.key == key; });
-    if (entry == entries.end() || !Taken{*entry}(value)) {
-      throw Error(ErrorCode::kBadUsage, std::string("A report has no proper \"") + key + "\".");
-    }
-  });
-  return report;
 }
 
 std::string to_json(const SmoothingReport& report) {

@@ -85,8 +85,6 @@ struct ReportEntry {
 };
 /// All of a report, under the field names above and in their order.
 std::vector<ReportEntry> entries_of(const SmoothingReport& report);
-/// The way back. Throws Error(kBadUsage) naming an entry that is missing or of another kind.
-SmoothingReport report_of(const std::vector<ReportEntry>& entries);
 
 /// JSON with the field names above; non-finite numbers become null.
 std::string to_json(const SmoothingReport& report);

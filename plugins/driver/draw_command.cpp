@@ -7,10 +7,15 @@
 #include "commands.hpp"
 #include "file_plan.hpp"
 #include "output_file.hpp"
-#include "plugin_host.hpp"
 #include "progress_bar.hpp"
 #include "repaired_mesh.hpp"
-#include "talweg/core/version.hpp"
+#include "talweg/core/drawing.hpp"
+#include "talweg/core/formats/curve_file.hpp"
+#include "talweg/core/length_unit.hpp"
+#include "talweg/core/placed_curve.hpp"
+#include "talweg/core/straight_lines.hpp"
+#include "talweg/core/surface_mesh.hpp"
+#include "talweg/intrinsic/error.hpp"
 #include "weld_hint.hpp"
 
 namespace talweg::driver {
@@ -27,29 +32,31 @@ struct DrawOptions {
 };
 
 /// The vertices to draw through, in the numbers of the mesh.
-std::vector<std::uint32_t> through_on(const ReadMesh& mesh, const DrawOptions& options) {
-  if (mesh.map == nullptr) return options.through;
+std::vector<VertexId> through_on(const SurfaceMesh& mesh, const RepairMap* map,
+                                 const DrawOptions& options) {
   CurveInput input;
   input.closed = options.closed;
   std::vector<VertexId> ids;
-  for (const std::uint32_t v : options.through) ids.push_back(VertexId{v});
+  for (const std::uint32_t v : options.through) ids.emplace_back(v);
   input.points = std::move(ids);
-  const Surface surface = Surface::from_triangles(mesh.lists.points.size(), mesh.lists.triangles);
-  return host_curve(mesh.map->to_repaired(input, surface)).vertices;
+  if (map != nullptr) input = map->to_repaired(input, mesh.surface());
+  return std::get<std::vector<VertexId>>(input.points);
 }
 
-host::Results drawn(const ReadMesh& mesh, const DrawOptions& options, bool quiet) {
-  const host::Services services("talweg", version(), progress_bar(quiet));
-  return translated([&] {
-    host::Instance draw(plugin_named("talweg.draw"), services);
-    set_mesh(draw, mesh.lists.points, mesh.lists.triangles);
-    host::Curve through;
-    through.closed = options.closed;
-    through.vertices = through_on(mesh, options);
-    draw.set_curves({through});
-    draw.set("straight", options.straight ? 1.0 : 0.0);
-    return draw.run();
-  });
+SurfaceCurve drawn(const SurfaceMesh& mesh, const RepairMap* map, const DrawOptions& options,
+                   const Progress& progress) {
+  const Surface& surface = mesh.surface();
+  const std::vector<VertexId> through = through_on(mesh, map, options);
+  std::vector<SurfacePoint> points;
+  for (const VertexId v : through) points.push_back(SurfacePoint::at_vertex(surface, v));
+  if (points.size() < 2) throw Error(ErrorCode::kBadCurve, "A curve needs at least two points.");
+  if (options.straight) return StraightLines(surface).join(points, options.closed, progress);
+  SurfaceCurve curve{options.closed, {}};
+  EdgeDijkstra dijkstra(surface);
+  for (const VertexId v : dijkstra.draw(through, options.closed, progress)) {
+    curve.points.push_back(SurfacePoint::at_vertex(surface, v));
+  }
+  return curve;
 }
 
 int run(const DrawOptions& options, const GlobalOptions& global) {
@@ -58,22 +65,20 @@ int run(const DrawOptions& options, const GlobalOptions& global) {
   files.reads("the mesh", options.mesh);
   files.writes("-o", options.outputs, check_curve_name);
   files.check();
-  const ReadMesh mesh = read_and_repair(options.mesh, options.repair);
-  host::Results results;
+  const ReadMesh read = read_and_repair(options.mesh, options.repair);
+  const SurfaceMesh mesh = SurfaceMesh::open(read.lists);
+  std::vector<PlacedCurve> curves;
   try {
-    results = drawn(mesh, options, global.quiet);
+    const SurfaceCurve curve = drawn(mesh, read.map.get(), options, progress_bar(global.quiet));
+    curves.push_back(in_file_numbers(read.map.get(), place(mesh, curve)));
   } catch (const Error& error) {
-    rethrow_with_weld_hint(error, mesh.lists);
+    rethrow_with_weld_hint(error, read.lists);
   }
   clear_progress_bar();
-  std::vector<PlacedCurve> curves;
-  for (const host::Curve& curve : results.curves) {
-    curves.push_back(in_file_numbers(mesh.map.get(), placed_curve(curve)));
-  }
   for (const std::string& output : options.outputs) {
     write_output(output, curve_bytes(output, curves, unit));
   }
-  for (const std::string& change : mesh.changes) {
+  for (const std::string& change : read.changes) {
     if (!global.quiet) std::fprintf(text_stream(), "%s\n", change.c_str());
   }
   return kDone;

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "suggestion.hpp"
-
 #include "talweg/intrinsic/progress.hpp"
 
 namespace talweg::driver {

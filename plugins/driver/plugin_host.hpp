@@ -22,16 +22,6 @@ const talweg_plugin& plugin_named(const std::string& id);
 /// plugin's own faults.
 [[noreturn]] void rethrow(const host::Error& error);
 
-/// Calls a plugin, and throws what the driver understands.
-template <class Call>
-auto translated(const Call& call) {
-  try {
-    return call();
-  } catch (const host::Error& error) {
-    rethrow(error);
-  }
-}
-
 host::Curve host_curve(const PlacedCurve& curve);
 host::Curve host_curve(const CurveInput& curve);
 PlacedCurve placed_curve(const host::Curve& curve);

@@ -16,15 +16,22 @@ std::string range_of(const talweg_parameter& p) {
                      std::isfinite(p.maximum) ? "]" : ")");
 }
 
-std::string description_of(const talweg_parameter& p) {
+}  // namespace
+
+std::string option_text(const talweg_parameter& p) {
   std::string text = p.doc;
   if (p.type == TALWEG_NUMBER || p.type == TALWEG_INTEGER) text += " In " + range_of(p);
   if (*p.unit != '\0') text += std::string(text.ends_with(".") ? " In " : ", ") + p.unit;
   if (!text.ends_with(".")) text += ".";
+  if (p.type == TALWEG_FIELD) text += " A file, one number per vertex.";
   return text;
 }
 
-}  // namespace
+CLI::Option* add_choice(CLI::App& app, const talweg_parameter& p, std::string& value) {
+  return app.add_option(option_name(p.id), value, option_text(p))
+      ->check(CLI::IsMember(std::vector<std::string>(p.choices, p.choices + p.choice_count)))
+      ->default_str(p.default_choice);
+}
 
 std::string option_name(const std::string& id) {
   std::string name = "--" + id;
@@ -42,7 +49,7 @@ PluginOptions::PluginOptions(CLI::App& app, const talweg_plugin& plugin) {
 
 void PluginOptions::add(CLI::App& app, Value& value) {
   const talweg_parameter& p = *value.parameter;
-  const std::string name = option_name(p.id), text = description_of(p);
+  const std::string name = option_name(p.id), text = option_text(p);
   const bool optional = (p.flags & TALWEG_OPTIONAL) != 0;
   switch (p.type) {
     case TALWEG_NUMBER:
@@ -56,16 +63,13 @@ void PluginOptions::add(CLI::App& app, Value& value) {
                                   value.flag, text);
       break;
     case TALWEG_CHOICE:
-      value.option = app.add_option(name, value.text, text)
-                         ->check(CLI::IsMember(
-                             std::vector<std::string>(p.choices, p.choices + p.choice_count)))
-                         ->default_str(p.default_choice);
+      value.option = add_choice(app, p, value.text);
       break;
     case TALWEG_VERTICES:
       value.option = app.add_option(name, value.vertices, text)->delimiter(',');
       break;
     case TALWEG_FIELD:
-      value.option = app.add_option(name, value.text, text + " A file, one number per vertex.");
+      value.option = app.add_option(name, value.text, text);
       break;
     default:  // of a newer plugin: it keeps its default
       return;

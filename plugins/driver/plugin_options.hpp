@@ -40,5 +40,9 @@ class PluginOptions {
 
 /// "max_deviation" as "--max-deviation".
 std::string option_name(const std::string& id);
+/// What help says about a parameter's option.
+std::string option_text(const talweg_parameter& parameter);
+/// Adds an option that takes one of a parameter's choices.
+CLI::Option* add_choice(CLI::App& app, const talweg_parameter& parameter, std::string& value);
 
 }  // namespace talweg::driver

@@ -37,7 +37,7 @@ class SharedMesh {
   MeshFromFile take(const SmoothOptions& options) {
     const std::lock_guard lock(mutex_);
     if (failure_) std::rethrow_exception(failure_);
-    if (mesh_.owner) return mesh_;
+    if (mesh_.opened) return mesh_;
     try {
       mesh_ = load_mesh(options.mesh, options.repair);
     } catch (...) {

@@ -1,11 +1,18 @@
 #include "smooth_options.hpp"
 
+#include "plugin_options.hpp"
 #include "repaired_mesh.hpp"
 #include "talweg/core/formats/curve_file.hpp"
 #include "talweg/intrinsic/error.hpp"
 
 namespace talweg::driver {
 namespace {
+
+/// A parameter of talweg.smooth, with the name and the text that it has there.
+template <class Value>
+CLI::Option* add(CLI::App& app, const char* id, Value& value) {
+  return app.add_option(option_name(id), value, option_text(plugins::smooth_parameter(id)));
+}
 
 void add_inputs(CLI::App& app, SmoothOptions& o) {
   CLI::Option* curve = app.add_option(
@@ -18,8 +25,7 @@ void add_inputs(CLI::App& app, SmoothOptions& o) {
   app.add_flag("--independent", o.independent,
                "Smooth each curve by itself; by default all are one set, in which none crosses "
                "another");
-  app.add_option("--pin", o.pins, "Vertices of the drawing that the result passes through")
-      ->delimiter(',');
+  add(app, "pin", o.pins)->delimiter(',');
   add_repair_option(app, o.repair);
   add_unit_option(app, o.mesh_units);
 }
@@ -31,37 +37,18 @@ void add_outputs(CLI::App& app, SmoothOptions& o) {
 }
 
 void add_closeness(CLI::App& app, SmoothOptions& o) {
-  app.add_option("--tau", o.tau, "0: straight lines; more keeps closer to the drawing")
-      ->capture_default_str();
-  app.add_option(
-      "--slack", o.slack,
-      "How exact the drawing is, in mesh units (corridor; default: 0.7 of its median segment, "
-      "less where it turns little, at most 1/24 of its length)");
-  app.add_option("--slack-field", o.slack_field,
-                 "The slack near each mesh vertex, one number each, instead of --slack");
-  app.add_option("--max-deviation", o.max_deviation,
-                 "The smoothest curve that deviates by no more, in mesh units, either way; chooses "
-                 "tau and slack")
-      ->excludes("--tau");
+  add(app, "tau", o.tau)->capture_default_str();
+  add(app, "slack", o.slack);
+  add(app, "slack_field", o.slack_field);
+  add(app, "max_deviation", o.max_deviation)->excludes("--tau");
 }
 
 void add_method(CLI::App& app, SmoothOptions& o) {
-  app.add_option("--potential", o.potential,
-                 "paper: equations 4 to 6; corridor: flat within the slack, exact distance")
-      ->check(CLI::IsMember({"paper", "corridor"}))
-      ->capture_default_str();
-  app.add_option("--engine", o.engine,
-                 "full: distance over the whole mesh (paper); local: near the drawing (corridor)")
-      ->check(CLI::IsMember({"auto", "full", "local"}))
-      ->capture_default_str();
-  app.add_option("--heat-time", o.heat_time,
-                 "Smoothing of the paper's distance, in squared mean edge lengths")
-      ->default_str("10");
-  app.add_option("--distance", o.distance,
-                 "Distance to the drawing, one number per vertex, used as it is");
-  app.add_option("--relax", o.relax,
-                 "Rounds of relaxation along the supporting edges (the paper: 5)")
-      ->capture_default_str();
+  add_choice(app, plugins::smooth_parameter("potential"), o.potential);
+  add_choice(app, plugins::smooth_parameter("engine"), o.engine);
+  add(app, "heat_time", o.heat_time)->default_str("10");
+  add(app, "distance", o.distance);
+  add(app, "relax", o.relax)->capture_default_str();
   app.add_option("--repeat", o.repeat, "Run so often and report median times")
       ->check(CLI::Range(1, 10000))
       ->capture_default_str();
@@ -90,14 +77,20 @@ void check_method(const SmoothOptions& options) {
   check_repair(options.repair);
   LengthUnit::named(options.mesh_units);
   const bool corridor = options.potential == "corridor";
-  const auto fail = [](const char* message) { throw Error(ErrorCode::kBadUsage, message); };
+  const auto fail = [](const std::string& text) { throw Error(ErrorCode::kBadUsage, text); };
   if (corridor && options.engine == "full") fail("The corridor needs --engine local.");
   if (!corridor && options.engine == "local") fail("The paper's potential needs --engine full.");
-  if (corridor && !options.distance.empty()) fail("--distance needs --potential paper.");
-  if (corridor && options.heat_time) fail("--heat-time needs --potential paper.");
-  if (!corridor && options.slack) fail("--slack needs --potential corridor.");
-  if (!corridor && !options.slack_field.empty()) fail("--slack-field needs --potential corridor.");
-  if (!corridor && options.max_deviation) fail("--max-deviation needs --potential corridor.");
+  const auto check_potential = [&](const char* id, bool given) {
+    const std::string its_own = plugins::potential_of(id);
+    if (given && its_own != options.potential) {
+      fail(option_name(id) + " needs --potential " + its_own + ".");
+    }
+  };
+  check_potential("distance", !options.distance.empty());
+  check_potential("heat_time", options.heat_time.has_value());
+  check_potential("slack", options.slack.has_value());
+  check_potential("slack_field", !options.slack_field.empty());
+  check_potential("max_deviation", options.max_deviation.has_value());
 }
 
 }  // namespace talweg::driver

@@ -9,6 +9,7 @@
 #include <CLI/CLI.hpp>
 
 #include "file_plan.hpp"
+#include "smooth/smooth_parameters.hpp"
 
 namespace talweg::driver {
 
@@ -21,15 +22,15 @@ struct SmoothOptions {
   bool independent = false;         ///< each curve by itself instead of all as one set
   std::vector<std::string> outputs;
   std::string report;
-  std::string potential = "corridor";
-  std::string engine = "auto";
+  std::string potential = plugins::smooth_parameter("potential").default_choice;
+  std::string engine = plugins::smooth_parameter("engine").default_choice;
   std::string distance;
   std::string slack_field;
   std::optional<double> max_deviation;
   std::optional<double> heat_time;
   std::vector<std::size_t> pins;
   std::size_t repeat = 1;
-  double tau = 1;
+  double tau = plugins::smooth_parameter("tau").default_number;
   std::optional<double> slack;
   int relax = 0;
   unsigned threads = 2;

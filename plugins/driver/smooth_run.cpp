@@ -7,34 +7,14 @@
 #include "field_file.hpp"
 #include "output_file.hpp"
 #include "shared_work.hpp"
+#include "smooth/smooth_parameters.hpp"
 #include "talweg/core/drawn_curves.hpp"
 #include "talweg/core/formats/curve_file.hpp"
 #include "talweg/core/stopwatch.hpp"
-#include "talweg/core/version.hpp"
 #include "talweg/intrinsic/error.hpp"
 #include "talweg/intrinsic/flip_out.hpp"
 
 namespace talweg::driver {
-
-/// An instance of talweg.smooth, with the progress of the run that it is at.
-class Smoother {
- public:
-  explicit Smoother(const MeshFromFile& mesh)
-      : services_("talweg", version(),
-                  [this](const char* stage, double fraction) {
-                    return go_on(progress_, stage, fraction);
-                  }),
-        instance_(mesh.owner->plugin(), services_) {
-    instance_.share_mesh(*mesh.owner);
-  }
-  void set_progress(const Progress& progress) { progress_ = progress; }
-  host::Instance& instance() { return instance_; }
-
- private:
-  Progress progress_;
-  host::Services services_;
-  host::Instance instance_;
-};
 
 namespace {
 
@@ -55,7 +35,8 @@ StageTimes median_times(const std::vector<StageTimes>& runs) {
 
 /// What is smoothed, and how: the options with all their files read.
 struct Prepared {
-  std::vector<host::Curve> curves;  ///< with their pins
+  std::vector<SurfaceCurve> curves;
+  std::vector<SurfacePoint> pins;   ///< points of the curves
   std::vector<double> distance;     ///< per vertex; empty unless given
   std::vector<double> slack_field;  ///< the same
   const SmoothOptions* options = nullptr;
@@ -65,22 +46,10 @@ struct Prepared {
   double load_ms = 0;
 };
 
-/// The indices of the pins among the curve's points.
-std::vector<std::uint32_t> pins_on(const SurfaceCurve& curve,
-                                   const std::vector<SurfacePoint>& pins) {
-  std::vector<std::uint32_t> indices;
-  for (const SurfacePoint& pin : pins) {
-    const auto found = std::find(curve.points.begin(), curve.points.end(), pin);
-    if (found == curve.points.end()) continue;
-    indices.push_back(static_cast<std::uint32_t>(found - curve.points.begin()));
-  }
-  return indices;
-}
-
 /// A vertex of the file on the mesh; of several that it was split into the one on a curve.
 SurfacePoint pin_on(const std::vector<SurfaceCurve>& curves, const MeshFromFile& mesh,
                     VertexId pin) {
-  const Surface& surface = mesh.mesh->surface();
+  const Surface& surface = mesh.mesh().surface();
   if (mesh.map == nullptr || pin.index() >= mesh.map->file_vertex_count()) {
     return SurfacePoint::at_vertex(surface, pin);
   }
@@ -98,13 +67,13 @@ SurfacePoint pin_on(const std::vector<SurfaceCurve>& curves, const MeshFromFile&
 
 /// One number per vertex of the mesh, from one per vertex of its file.
 std::vector<double> field_on(const MeshFromFile& mesh, const std::string& path) {
-  if (mesh.map == nullptr) return read_field(path, mesh.mesh->surface().vertex_count());
+  if (mesh.map == nullptr) return read_field(path, mesh.mesh().surface().vertex_count());
   return mesh.map->of_vertices(read_field(path, mesh.map->file_vertex_count()));
 }
 
 Prepared prepare(const MeshFromFile& mesh, DrawingReader& reader, const SmoothOptions& options,
                  const Progress& progress) {
-  const Surface& surface = mesh.mesh->surface();
+  const Surface& surface = mesh.mesh().surface();
   Drawing drawing =
       options.labels.empty()
           ? reader.read(options.curves, LengthUnit::named(options.mesh_units), progress)
@@ -119,17 +88,14 @@ Prepared prepare(const MeshFromFile& mesh, DrawingReader& reader, const SmoothOp
     drawing.pins.push_back(pin_on(drawing.curves, mesh, VertexId{pin}));
   }
   check_pins(drawing.curves, drawing.pins);
-  for (const SurfaceCurve& curve : drawing.curves) {
-    run.curves.push_back(host_curve(place(*mesh.mesh, curve, run.curves.size())));
-    run.curves.back().pins = pins_on(curve, drawing.pins);
-  }
+  run.curves = std::move(drawing.curves);
+  run.pins = std::move(drawing.pins);
   if (!options.distance.empty()) {
     run.distance = field_on(mesh, options.distance);
   }
   if (!options.slack_field.empty()) {
     run.slack_field = field_on(mesh, options.slack_field);
   }
-  drawing.curves.clear();
   run.moved = std::move(drawing);
   return run;
 }
@@ -138,6 +104,10 @@ Prepared prepare(const MeshFromFile& mesh, DrawingReader& reader, const SmoothOp
 Prepared alone(const Prepared& run, std::size_t curve) {
   Prepared one;
   one.curves = {run.curves[curve]};
+  for (const SurfacePoint& pin : run.pins) {
+    const std::vector<SurfacePoint>& points = one.curves.front().points;
+    if (std::find(points.begin(), points.end(), pin) != points.end()) one.pins.push_back(pin);
+  }
   one.distance = run.distance;
   one.slack_field = run.slack_field;
   one.options = run.options;
@@ -148,36 +118,30 @@ Prepared alone(const Prepared& run, std::size_t curve) {
   return one;
 }
 
-/// Sets the parameters, all of them: the instance may come from another run.
-void set_parameters(host::Instance& smooth, const Prepared& run) {
-  const SmoothOptions& o = *run.options;
-  const auto set_or_reset = [&](const char* id, const std::optional<double>& value) {
-    if (value) {
-      smooth.set(id, *value);
-    } else {
-      smooth.reset(id);
-    }
-  };
-  smooth.set("tau", o.tau);
-  smooth.set("potential", o.potential);
-  smooth.set("engine", o.engine);
-  smooth.set("relax", static_cast<double>(o.relax));
-  smooth.set("threads", static_cast<double>(o.threads));
-  set_or_reset("slack", o.slack);
-  set_or_reset("max_deviation", o.max_deviation);
-  set_or_reset("heat_time", o.heat_time);
-  smooth.set("distance", run.distance);
-  smooth.set("slack_field", run.slack_field);
+/// Throws plugin::Failure for a value out of range.
+void set_field(plugin::Parameters& parameters, const char* id, const std::vector<double>& values) {
+  const talweg_array array = plugin::view(values.data(), values.size());
+  parameters.set_array(id, &array);
 }
 
-SmoothedCurves smoothed(const host::Results& results) {
-  SmoothedCurves smoothed;
-  for (const host::Curve& curve : results.curves) {
-    smoothed.curves.push_back(placed_curve(curve));
-    const auto number = static_cast<std::int64_t>(smoothed.reports.size());
-    smoothed.reports.push_back(report_of(entries_of(results, number)));
-  }
-  return smoothed;
+/// What the options say in the parameters of talweg.smooth. Throws plugin::Failure.
+plugin::Parameters parameters_of(const Prepared& run) {
+  plugin::Parameters parameters(plugins::smooth_parameters());
+  const SmoothOptions& o = *run.options;
+  const auto set_if = [&](const char* id, const std::optional<double>& value) {
+    if (value) parameters.set_number(id, *value);
+  };
+  parameters.set_number("tau", o.tau);
+  parameters.set_choice("potential", o.potential.c_str());
+  parameters.set_choice("engine", o.engine.c_str());
+  parameters.set_number("relax", o.relax);
+  parameters.set_number("threads", o.threads);
+  set_if("slack", o.slack);
+  set_if("max_deviation", o.max_deviation);
+  set_if("heat_time", o.heat_time);
+  set_field(parameters, "distance", run.distance);
+  set_field(parameters, "slack_field", run.slack_field);
+  return parameters;
 }
 
 void finish_reports(SmoothedCurves& result, const std::vector<std::vector<StageTimes>>& times,
@@ -193,30 +157,54 @@ void finish_reports(SmoothedCurves& result, const std::vector<std::vector<StageT
   result.total = total_of(result.reports);
 }
 
-SmoothedCurves smooth_set(Smoother& smoother, const Prepared& run) {
-  host::Instance& smooth = smoother.instance();
-  smoother.set_progress(run.progress);
-  SmoothedCurves result;
-  try {
-    set_parameters(smooth, run);
-    std::vector<std::vector<StageTimes>> times(run.curves.size());
-    for (std::size_t k = 0; k < run.options->repeat; ++k) {
-      smooth.reset("cap_corners");  // so that what depends on the curves is done anew
-      smooth.set_curves(run.curves);
-      result = smoothed(smooth.run());
-      for (std::size_t c = 0; c < times.size(); ++c) times[c].push_back(result.reports[c].time_ms);
-    }
-    finish_reports(result, times, run);
-  } catch (const host::Error& error) {
-    if (error.status() != TALWEG_CANCELLED) rethrow(error);
-    result = {};
-    result.total.termination = to_string(Termination::kCancelled);
-  }
-  return result;
+bool is_cancelled(const SmoothingReport& total) {
+  return total.termination == to_string(Termination::kCancelled);
 }
 
-bool is_cancelled(const SmoothedCurves& result) {
-  return result.total.termination == to_string(Termination::kCancelled);
+/// Once, from the drawing on.
+SmoothingResult smooth_once(CurveSmoother& smoother, const Prepared& run,
+                            const plugin::Parameters& parameters) {
+  CurveOptions options = plugins::curve_options_of(parameters);
+  options.pins = run.pins;
+  if (!plugins::set_curves(smoother, run.curves, parameters, options, run.progress)) {
+    SmoothingResult cancelled;
+    cancelled.total.termination = to_string(Termination::kCancelled);
+    return cancelled;
+  }
+  return plugins::smooth_by(parameters, smoother,
+                            plugins::smoothing_options_of(parameters, smoother.opened().surface(),
+                                                          smoother.drawn(), run.progress));
+}
+
+SmoothedCurves placed(const SurfaceMesh& mesh, SmoothingResult result) {
+  SmoothedCurves smoothed;
+  smoothed.reports = std::move(result.reports);
+  for (const SurfaceCurve& curve : result.curves) {
+    smoothed.curves.push_back(place(mesh, curve, smoothed.curves.size()));
+  }
+  return smoothed;
+}
+
+SmoothedCurves smooth_set(CurveSmoother& smoother, const Prepared& run) {
+  SmoothedCurves result;
+  std::vector<std::vector<StageTimes>> times(run.curves.size());
+  try {
+    const plugin::Parameters parameters = parameters_of(run);
+    for (std::size_t k = 0; k < run.options->repeat; ++k) {
+      SmoothingResult smoothed = smooth_once(smoother, run, parameters);
+      if (is_cancelled(smoothed.total)) {
+        result = {};
+        result.total.termination = smoothed.total.termination;
+        return result;
+      }
+      result = placed(smoother.opened().mesh(), std::move(smoothed));
+      for (std::size_t c = 0; c < times.size(); ++c) times[c].push_back(result.reports[c].time_ms);
+    }
+  } catch (const plugin::Failure& failure) {
+    throw Error(ErrorCode::kBadUsage, failure.what());
+  }
+  finish_reports(result, times, run);
+  return result;
 }
 
 /// What each curve came to, put together in their order.
@@ -224,7 +212,7 @@ RunOutcome gathered(std::vector<SmoothedCurves> results, std::vector<CurveFailur
   RunOutcome outcome;
   outcome.failures = std::move(failures);
   for (std::size_t i = 0; i < results.size(); ++i) {
-    if (is_cancelled(results[i])) {
+    if (is_cancelled(results[i].total)) {
       outcome.result = {};
       outcome.result.total.termination = results[i].total.termination;
       return outcome;
@@ -238,8 +226,8 @@ RunOutcome gathered(std::vector<SmoothedCurves> results, std::vector<CurveFailur
   return outcome;
 }
 
-RunOutcome smooth_each(std::vector<std::unique_ptr<Smoother>>& smoothers, const MeshFromFile& mesh,
-                       const Prepared& run) {
+RunOutcome smooth_each(std::vector<std::unique_ptr<CurveSmoother>>& smoothers,
+                       const MeshFromFile& mesh, const Prepared& run) {
   const std::size_t count = run.curves.size();
   std::vector<SmoothedCurves> results(count);
   std::vector<std::optional<CurveFailure>> failed(count);
@@ -249,7 +237,7 @@ RunOutcome smooth_each(std::vector<std::unique_ptr<Smoother>>& smoothers, const 
       return;
     }
     try {
-      if (!smoothers[worker]) smoothers[worker] = std::make_unique<Smoother>(mesh);
+      if (!smoothers[worker]) smoothers[worker] = std::make_unique<CurveSmoother>(mesh.opened);
       results[i] = smooth_set(*smoothers[worker], alone(run, i));
     } catch (const Error& error) {
       if (error.code() == ErrorCode::kBadUsage) throw;
@@ -265,28 +253,22 @@ RunOutcome smooth_each(std::vector<std::unique_ptr<Smoother>>& smoothers, const 
 
 }  // namespace
 
-bool RunOutcome::cancelled() const { return is_cancelled(result); }
+bool RunOutcome::cancelled() const { return is_cancelled(result.total); }
 
 MeshFromFile load_mesh(const std::string& path, const std::string& repair) {
   MeshFromFile mesh;
   const Stopwatch watch;
   ReadMesh read = read_and_repair(path, repair);
-  MeshLists& lists = read.lists;
   mesh.map = std::move(read.map);
   mesh.changes = std::move(read.changes);
   mesh.load_ms = watch.ms();
-  mesh.polygons = lists.polygon_count;
-  mesh.services = std::make_shared<host::Services>("talweg", version());
-  mesh.owner = std::make_shared<host::Instance>(plugin_named("talweg.smooth"), *mesh.services);
-  translated([&] { set_mesh(*mesh.owner, lists.points, lists.triangles); });
-  mesh.mesh = std::make_shared<const SurfaceMesh>(SurfaceMesh::open(std::move(lists)));
+  mesh.polygons = read.lists.polygon_count;
+  mesh.opened = OpenedMesh::open(std::move(read.lists));
   return mesh;
 }
 
 Workspace::Workspace(MeshFromFile mesh, std::size_t threads)
-    : mesh_(std::move(mesh)), reader_(*mesh_.mesh, mesh_.map.get()), smoothers_(threads) {}
-
-Workspace::~Workspace() = default;
+    : mesh_(std::move(mesh)), reader_(mesh_.mesh(), mesh_.map.get()), smoothers_(threads) {}
 
 RunOutcome Workspace::smooth(const SmoothOptions& options, const Progress& progress) {
   RunOutcome outcome;
@@ -300,7 +282,7 @@ RunOutcome Workspace::smooth(const SmoothOptions& options, const Progress& progr
   if (options.independent) {
     outcome = smooth_each(smoothers_, mesh_, run);
   } else {
-    if (!smoothers_[0]) smoothers_[0] = std::make_unique<Smoother>(mesh_);
+    if (!smoothers_[0]) smoothers_[0] = std::make_unique<CurveSmoother>(mesh_.opened);
     outcome.result = smooth_set(*smoothers_[0], run);
     for (std::size_t i = 0; i < outcome.result.curves.size(); ++i) outcome.numbers.push_back(i);
   }

@@ -8,27 +8,27 @@
 
 #include "drawing_file.hpp"
 #include "failure.hpp"
-#include "plugin_host.hpp"
 #include "repaired_mesh.hpp"
 #include "smooth_options.hpp"
+#include "talweg/core/curve_smoother.hpp"
+#include "talweg/core/opened_mesh.hpp"
 #include "talweg/core/placed_curve.hpp"
 #include "talweg/core/report.hpp"
-#include "talweg/core/surface_mesh.hpp"
 
 namespace talweg::driver {
 
-/// A mesh, how it was read, and the plugin that smooths on it.
+/// A mesh, and how it was read.
 struct MeshFromFile {
-  std::shared_ptr<const SurfaceMesh> mesh;  ///< for what files say about it
-  std::shared_ptr<host::Services> services;
-  std::shared_ptr<host::Instance> owner;  ///< of talweg.smooth; others take the mesh from it
+  std::shared_ptr<const OpenedMesh> opened;
   double load_ms = 0;
   std::size_t polygons = 0;              ///< that were split into triangles
   std::shared_ptr<const RepairMap> map;  ///< to the file's numbers; none without a repair
   std::vector<std::string> changes;      ///< by the repair, in sentences
+
+  [[nodiscard]] const SurfaceMesh& mesh() const { return opened->mesh(); }
 };
 
-/// Throws Error as read_and_repair() and SurfaceMesh::open() do, and plugin_named().
+/// Throws Error as read_and_repair() and OpenedMesh::open() do.
 MeshFromFile load_mesh(const std::string& path, const std::string& repair);
 
 /// A curve that could not be smoothed.
@@ -54,14 +54,11 @@ struct RunOutcome {
   [[nodiscard]] bool cancelled() const;
 };
 
-class Smoother;
-
 /// A mesh and the memory to work on it, kept from run to run. One thread at a time.
 class Workspace {
  public:
   /// Independent curves are shared out among `threads`; that changes no result.
   Workspace(MeshFromFile mesh, std::size_t threads);
-  ~Workspace();
 
   /// Reads the curves and smooths them, as one set or each by itself. `options` are after
   /// check_method(). Throws Error for what concerns all curves. `progress` is called from several
@@ -71,7 +68,7 @@ class Workspace {
  private:
   MeshFromFile mesh_;
   DrawingReader reader_;
-  std::vector<std::unique_ptr<Smoother>> smoothers_;  ///< one per thread, made when needed
+  std::vector<std::unique_ptr<CurveSmoother>> smoothers_;  ///< one per thread, made when needed
 };
 
 /// Writes the outputs and the report. Nothing where the run was cancelled or no curve is left.

@@ -1,8 +1,12 @@
 #include "smooth_parameters.hpp"
 
+#include <algorithm>
+#include <cassert>
 #include <cmath>
+#include <optional>
 
 #include "common/deviation_choice.hpp"
+#include "talweg/core/max_deviation.hpp"
 
 namespace talweg::plugins {
 namespace {
@@ -23,20 +27,31 @@ constexpr const char* kLengthLabels[] = {"Largest distance", "Length of the draw
 constexpr std::uint32_t kCurves = TALWEG_STAGE_CURVES, kRun = TALWEG_STAGE_RUN;
 constexpr std::uint32_t kOptional = TALWEG_OPTIONAL, kAdvanced = TALWEG_ADVANCED;
 
-void require(bool good, const char* message) {
+struct OfOnePotential {
+  const char* id;
+  const char* potential;
+  bool field = false;
+};
+constexpr OfOnePotential kOfOnePotential[] = {{"distance", "paper", true},
+                                              {"heat_time", "paper"},
+                                              {"slack", "corridor"},
+                                              {"slack_field", "corridor", true},
+                                              {"max_deviation", "corridor"}};
+
+void require(bool good, const std::string& message) {
   if (!good) throw plugin::Failure(TALWEG_BAD_USAGE, message);
 }
 
 void check_together(const Parameters& p) {
-  const bool corridor = p.choice("potential") == "corridor";
-  const std::string& engine = p.choice("engine");
+  const std::string &potential = p.choice("potential"), &engine = p.choice("engine");
+  const bool corridor = potential == "corridor";
   require(!corridor || engine != "full", "The potential corridor needs the engine local.");
   require(corridor || engine != "local", "The potential paper needs the engine full.");
-  require(!corridor || p.field("distance").empty(), "distance needs the potential paper.");
-  require(!corridor || !p.optional("heat_time"), "heat_time needs the potential paper.");
-  require(corridor || !p.optional("slack"), "slack needs the potential corridor.");
-  require(corridor || p.field("slack_field").empty(), "slack_field needs the potential corridor.");
-  require(corridor || !p.optional("max_deviation"), "max_deviation needs the potential corridor.");
+  for (const OfOnePotential& one : kOfOnePotential) {
+    const bool given = one.field ? !p.field(one.id).empty() : p.optional(one.id).has_value();
+    require(!given || potential == one.potential,
+            std::string(one.id) + " needs the potential " + one.potential + ".");
+  }
 }
 
 std::vector<talweg_parameter> main_parameters() {
@@ -46,8 +61,8 @@ std::vector<talweg_parameter> main_parameters() {
              "0: straight lines; more keeps closer to the drawing."),
       number(
           "slack", "Slack", "mesh units", 0, {0, HUGE_VAL, 0, 10},
-          "How exact the drawing is (corridor). By default seven tenths of its median segment, at "
-          "most 1/24 of its length.",
+          "How exact the drawing is (corridor). By default 0.7 of its median segment, less where "
+          "it turns little, at most 1/24 of its length.",
           kRun, kOptional),
       number(
           "max_deviation", "Largest deviation", "mesh units", 0, {0, HUGE_VAL, 0, 10},
@@ -131,10 +146,28 @@ PotentialOptions potential_options_of(const Parameters& p) {
 
 }  // namespace
 
-std::vector<talweg_parameter> smooth_parameters() {
-  std::vector<talweg_parameter> all = main_parameters();
-  for (const talweg_parameter& parameter : further_parameters()) all.push_back(parameter);
-  return all;
+const std::vector<talweg_parameter>& smooth_parameters() {
+  static const std::vector<talweg_parameter> table = [] {
+    std::vector<talweg_parameter> all = main_parameters();
+    for (const talweg_parameter& parameter : further_parameters()) all.push_back(parameter);
+    return all;
+  }();
+  return table;
+}
+
+const talweg_parameter& smooth_parameter(std::string_view id) {
+  const std::vector<talweg_parameter>& table = smooth_parameters();
+  const auto found = std::find_if(table.begin(), table.end(),
+                                  [&](const talweg_parameter& p) { return id == p.id; });
+  assert(found != table.end());
+  return *found;
+}
+
+std::string potential_of(std::string_view id) {
+  for (const OfOnePotential& one : kOfOnePotential) {
+    if (id == one.id) return one.potential;
+  }
+  return {};
 }
 
 CurveOptions curve_options_of(const Parameters& p) {
@@ -149,8 +182,24 @@ CurveOptions curve_options_of(const Parameters& p) {
   return options;
 }
 
-SmoothingOptions smoothing_options_of(const Parameters& p) {
+bool set_curves(CurveSmoother& smoother, std::span<const SurfaceCurve> curves, const Parameters& p,
+                const CurveOptions& options, const Progress& progress) {
+  if (!go_on(progress, "solve", 0)) return false;
+  const std::vector<double>& distance = p.field("distance");
+  if (distance.empty()) return smoother.set_curves(curves, options, progress);
+  return smoother.set_curves(curves, distance, options, progress);
+}
+
+SmoothingOptions smoothing_options_of(const Parameters& p, const Surface& surface,
+                                      std::span<const SurfaceCurve> drawn,
+                                      const Progress& progress) {
   SmoothingOptions options;
+  options.progress = progress;
+  if (const std::vector<double>& slack = p.field("slack_field"); !slack.empty()) {
+    for (const SurfaceCurve& curve : drawn) {
+      options.slack_at.push_back(slack_along(surface, curve, slack));
+    }
+  }
   options.tau = p.number("tau");
   options.potential = potential_options_of(p);
   options.slack = p.optional("slack");
@@ -162,6 +211,12 @@ SmoothingOptions smoothing_options_of(const Parameters& p) {
   options.length_floor = p.optional("length_floor");
   options.deviation = deviation_of(p);
   return options;
+}
+
+SmoothingResult smooth_by(const Parameters& p, CurveSmoother& smoother,
+                          const SmoothingOptions& options) {
+  const std::optional<double> bound = p.optional("max_deviation");
+  return bound ? smooth_within(smoother, *bound, options) : smoother.smooth(options);
 }
 
 }  // namespace talweg::plugins

@@ -1,6 +1,9 @@
 // The parameters of talweg.smooth, and what they mean to the library.
 #pragma once
 
+#include <span>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "talweg/core/curve_smoother.hpp"
@@ -8,12 +11,30 @@
 
 namespace talweg::plugins {
 
-std::vector<talweg_parameter> smooth_parameters();
+const std::vector<talweg_parameter>& smooth_parameters();
+/// The one of this id; it must be there.
+const talweg_parameter& smooth_parameter(std::string_view id);
+
+/// The potential that a parameter is of; empty where it is of both.
+std::string potential_of(std::string_view id);
 
 /// Pins are not in it. Throws plugin::Failure(TALWEG_BAD_USAGE) for parameters that do not go
 /// together.
 CurveOptions curve_options_of(const plugin::Parameters& parameters);
-/// Neither progress nor the slack field is in it.
-SmoothingOptions smoothing_options_of(const plugin::Parameters& parameters);
+
+/// Sets the curves, with a distance where one is given. False when that was cancelled. Throws as
+/// CurveSmoother::set_curves() does.
+bool set_curves(CurveSmoother& smoother, std::span<const SurfaceCurve> curves,
+                const plugin::Parameters& parameters, const CurveOptions& options,
+                const Progress& progress);
+
+/// For curves that are set on a surface.
+SmoothingOptions smoothing_options_of(const plugin::Parameters& parameters, const Surface& surface,
+                                      std::span<const SurfaceCurve> drawn,
+                                      const Progress& progress);
+
+/// Within the bound, where there is one. Throws as smooth_within() and CurveSmoother::smooth() do.
+SmoothingResult smooth_by(const plugin::Parameters& parameters, CurveSmoother& smoother,
+                          const SmoothingOptions& options);
 
 }  // namespace talweg::plugins

@@ -11,7 +11,6 @@
 #include "common/smoother_workspace.hpp"
 #include "smooth_parameters.hpp"
 #include "talweg/core/curve_smoother.hpp"
-#include "talweg/core/max_deviation.hpp"
 
 namespace talweg::plugins {
 namespace {
@@ -48,25 +47,18 @@ class Smooth : public SmootherWorkspace {
     const CurveOptions curve_options = curve_options_of(parameters);
     const std::optional<std::size_t> dragged = dragged_curve(parameters);
     if (!dragged) solve(parameters, curve_options);
-    SmoothingOptions options = smoothing_options_of(parameters);
-    if (!parameters.field("slack_field").empty()) {
-      for (const SurfaceCurve& curve : smoother().drawn()) {
-        options.slack_at.push_back(
-            slack_along(mesh().surface(), curve, parameters.field("slack_field")));
-      }
-    }
-    options.progress = progress();
-    SmoothingResult result = dragged ? drag(*dragged, parameters, options)
-                                     : smooth(parameters.optional("max_deviation"), options);
+    const SmoothingOptions options =
+        smoothing_options_of(parameters, mesh().surface(), smoother().drawn(), progress());
+    SmoothingResult result =
+        dragged ? drag(*dragged, parameters, options) : smooth(parameters, options);
     check(result);
     add_warnings(result);
     give_all(outputs, result);
   }
 
  private:
-  SmoothingResult smooth(std::optional<double> bound, const SmoothingOptions& options) {
-    SmoothingResult result =
-        bound ? smooth_within(smoother(), *bound, options) : smoother().smooth(options);
+  SmoothingResult smooth(const plugin::Parameters& parameters, const SmoothingOptions& options) {
+    SmoothingResult result = smooth_by(parameters, smoother(), options);
     found_tau_ = result.total.tau;
     found_slack_ = result.total.slack;
     return result;
@@ -125,16 +117,13 @@ class Smooth : public SmootherWorkspace {
       }
     }
     solved_ = false;
-    if (!set_curves_in(parameters.field("distance"), options)) throw plugin::Services::cancelled();
+    if (!plugins::set_curves(smoother(), drawing().curves, parameters, options, progress())) {
+      throw plugin::Services::cancelled();
+    }
     solved_ = true;
     drawings_ = drawings();
     changes_ = changes;
     pins_ = options.pins;
-  }
-  bool set_curves_in(const std::vector<double>& distance, const CurveOptions& options) {
-    if (!services().go_on("solve", 0)) return false;
-    if (distance.empty()) return smoother().set_curves(drawing().curves, options, progress());
-    return smoother().set_curves(drawing().curves, distance, options, progress());
   }
 
   void add_warnings(SmoothingResult& result) const {

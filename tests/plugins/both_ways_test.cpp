@@ -1,0 +1,105 @@
+// `talweg smooth` and `draw` call the library; `talweg run` goes through the loader and the C
+// interface. Both give the same bytes.
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "core/jagged_curves.hpp"
+#include "plugins/driver_runs.hpp"
+#include "talweg/core/mesh_writer.hpp"
+
+namespace talweg {
+namespace {
+
+class BothWays : public test::DriverRuns {
+ protected:
+  void SetUp() override {
+    DriverRuns::SetUp();
+    MeshLists hills = test::hills(40);
+    vertices_ = hills.points.size();
+    write_mesh(file("hills.ply"), hills);
+  }
+  void field(const std::string& name, double constant, double slope) {
+    std::string text;
+    for (std::size_t v = 0; v < vertices_; ++v) {
+      text += std::to_string(constant + slope * static_cast<double>(v % 41)) + "\n";
+    }
+    write(name, text);
+  }
+  /// Without what depends on the clock.
+  nlohmann::json report(const std::string& name) {
+    auto json = nlohmann::json::parse(bytes_of(file(name)));
+    const auto strip = [](nlohmann::json& one) {
+      one.erase("time_ms");
+      one.erase("peak_memory_mib");
+    };
+    strip(json);
+    if (json.contains("curves")) {
+      for (auto& one : json["curves"]) strip(one);
+    }
+    return json;
+  }
+  void expect_same(const std::string& arguments) {
+    SCOPED_TRACE(arguments);
+    const Outcome direct = run("-q smooth hills.ply -o a.json --report a-report.json " + arguments);
+    const Outcome loaded =
+        run("-q run talweg.smooth hills.ply -o b.json --report b-report.json " + arguments);
+    ASSERT_EQ(direct.code, loaded.code) << direct.err << loaded.err;
+    ASSERT_LE(direct.code, 3) << direct.err;
+    ASSERT_NE(direct.code, 2) << direct.err;
+    EXPECT_EQ(bytes_of(file("a.json")), bytes_of(file("b.json")));
+    EXPECT_EQ(report("a-report.json"), report("b-report.json"));
+  }
+
+  std::size_t vertices_ = 0;
+};
+
+TEST_F(BothWays, SmoothTheSame) {
+  ASSERT_EQ(run("draw hills.ply --through 130,760,1500 -o open.txt").code, 0);
+  ASSERT_EQ(run("draw hills.ply --through 400,430,1200,1180 --closed -o closed.json").code, 0);
+  ASSERT_EQ(run("draw hills.ply --through 131,1502 --straight -o across.vtp").code, 0);
+  field("slack.txt", 0.3, 0.02);
+  field("distance.txt", 0, 0.5);
+  for (const char* curve : {"--curve open.txt", "--curve closed.json", "--curve across.vtp",
+                            "--curve open.txt --curve across.vtp"}) {
+    for (const char* options :
+         {"", "--tau 0", "--tau 0.05", "--tau 4 --relax 5", "--slack 0.4 --engine local",
+          "--slack-field slack.txt", "--max-deviation 1.2", "--potential paper",
+          "--potential paper --tau 3 --heat-time 5 --engine full",
+          "--potential paper --distance distance.txt"}) {
+      expect_same(std::string(curve) + " " + options);
+    }
+  }
+  expect_same("--curve open.txt --pin 760");
+}
+
+TEST_F(BothWays, DrawTheSame) {
+  struct Case {
+    const char* through;
+    const char* points;
+    const char* drawn;   // options of draw
+    const char* loaded;  // and of run
+  };
+  for (const Case& one :
+       {Case{"130,760,1500", "130 760 1500", "", ""},
+        Case{"130,760,1500", "130 760 1500", "--straight", "--straight"},
+        Case{"400,430,1200", "400 430 1200 400", "--closed", ""},
+        Case{"400,430,1200", "400 430 1200 400", "--closed --straight", "--straight"}}) {
+    SCOPED_TRACE(one.drawn);
+    write("points.txt", one.points);
+    ASSERT_EQ(
+        run(std::string("draw hills.ply -o a.json --through ") + one.through + " " + one.drawn)
+            .code,
+        0);
+    ASSERT_EQ(
+        run(std::string("run talweg.draw hills.ply -o b.json --curve points.txt ") + one.loaded)
+            .code,
+        0);
+    EXPECT_EQ(bytes_of(file("a.json")), bytes_of(file("b.json")));
+  }
+}
+
+}  // namespace
+}  // namespace talweg
