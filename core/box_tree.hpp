@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "talweg/core/mesh_lists.hpp"
+#include "talweg/core/point.hpp"
 
 namespace talweg {
 

@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <limits>
 
-#include "talweg/core/mesh_lists.hpp"
+#include "talweg/core/point.hpp"
 #include "talweg/core/point_distance.hpp"
 
 namespace talweg {

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "talweg/core/formats/byte_cursor.hpp"
+#include "talweg/core/number_type.hpp"
 
 namespace talweg {
 

@@ -4,14 +4,10 @@
 #include <cstddef>
 #include <vector>
 
-#include <Eigen/Core>
-#include <Eigen/Geometry>  // cross()
-
+#include "talweg/core/point.hpp"
 #include "talweg/intrinsic/surface.hpp"
 
 namespace talweg {
-
-using Point = Eigen::Vector3d;
 
 /// Vertex and face numbers here are the numbers of all results. Polygons are fan-triangulated when
 /// a file is read: the triangles of one polygon follow each other.

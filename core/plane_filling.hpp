@@ -7,7 +7,8 @@
 #include <span>
 #include <vector>
 
-#include "talweg/core/mesh_lists.hpp"
+#include "talweg/core/point.hpp"
+#include "talweg/intrinsic/surface.hpp"
 
 namespace talweg {
 

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "talweg/core/mesh_lists.hpp"
+#include "talweg/core/point.hpp"
 
 namespace talweg {
 

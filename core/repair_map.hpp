@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "talweg/core/formats/curve_file.hpp"
+#include "talweg/core/curve_input.hpp"
 #include "talweg/core/placed_curve.hpp"
 #include "talweg/intrinsic/surface.hpp"
 

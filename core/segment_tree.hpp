@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "talweg/core/mesh_lists.hpp"
+#include "talweg/core/point.hpp"
 
 namespace talweg {
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "talweg/core/closest_point.hpp"
-#include "talweg/core/formats/curve_file.hpp"
+#include "talweg/core/curve_input.hpp"
 #include "talweg/core/surface_mesh.hpp"
 #include "talweg/intrinsic/progress.hpp"
 

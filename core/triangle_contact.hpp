@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "talweg/core/mesh_lists.hpp"
+#include "talweg/core/point.hpp"
 
 namespace talweg {
 

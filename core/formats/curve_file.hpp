@@ -6,9 +6,9 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <variant>
 #include <vector>
 
+#include "talweg/core/curve_input.hpp"
 #include "talweg/core/length_unit.hpp"
 #include "talweg/core/mesh_lists.hpp"
 #include "talweg/core/placed_curve.hpp"
@@ -17,14 +17,6 @@
 #include "talweg/intrinsic/surface_point.hpp"
 
 namespace talweg {
-
-/// One curve as a file gives it; nothing is checked against a mesh yet (snapping.hpp does that).
-struct CurveInput {
-  bool closed = false;  ///< the first point is not repeated then
-  /// Vertices of the mesh, points in its faces, or positions in space.
-  std::variant<std::vector<VertexId>, std::vector<FaceCoordinates>, std::vector<Point>> points;
-  std::vector<std::size_t> pins;  ///< indices of points that shall stay, ascending
-};
 
 /// Reads every curve of a file, in the file's order. By extension, in either case:
 ///
