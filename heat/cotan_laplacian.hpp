@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "talweg/heat/symmetric_matrix.hpp"
-#include "talweg/intrinsic/delaunay.hpp"
+#include "talweg/intrinsic/flips/delaunay.hpp"
 
 namespace talweg {
 

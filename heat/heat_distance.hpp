@@ -9,7 +9,7 @@
 
 #include "talweg/heat/curve_sources.hpp"
 #include "talweg/intrinsic/progress.hpp"
-#include "talweg/intrinsic/surface.hpp"
+#include "talweg/intrinsic/surface/surface.hpp"
 
 namespace talweg {
 

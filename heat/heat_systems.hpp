@@ -5,7 +5,7 @@
 
 #include "talweg/heat/cotan_laplacian.hpp"
 #include "talweg/heat/symmetric_matrix.hpp"
-#include "talweg/intrinsic/surface.hpp"
+#include "talweg/intrinsic/surface/surface.hpp"
 
 namespace talweg {
 

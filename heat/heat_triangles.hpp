@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "talweg/intrinsic/delaunay.hpp"
+#include "talweg/intrinsic/flips/delaunay.hpp"
 
 namespace talweg {
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "talweg/intrinsic/surface.hpp"
+#include "talweg/intrinsic/surface/surface.hpp"
 
 namespace talweg {
 

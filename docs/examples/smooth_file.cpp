@@ -6,11 +6,11 @@
 #include <memory>
 #include <vector>
 
-#include <talweg/core/curve_smoother.hpp>
-#include <talweg/core/formats/curve_file.hpp>
-#include <talweg/core/mesh_reader.hpp>
-#include <talweg/core/snapping.hpp>
-#include <talweg/core/straight_lines.hpp>
+#include <talweg/core/drawing/snapping.hpp>
+#include <talweg/core/drawing/straight_lines.hpp>
+#include <talweg/core/io/curve_file.hpp>
+#include <talweg/core/io/mesh_reader.hpp>
+#include <talweg/core/smoothing/curve_smoother.hpp>
 #include <talweg/intrinsic/error.hpp>
 
 namespace {

@@ -10,7 +10,7 @@
 #include "talweg/heat/heat_systems.hpp"
 #include "talweg/heat/heat_triangles.hpp"
 #include "talweg/heat/mollification.hpp"
-#include "talweg/intrinsic/delaunay.hpp"
+#include "talweg/intrinsic/flips/delaunay.hpp"
 
 namespace talweg::plugins {
 namespace {

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "talweg/core/surface_mesh.hpp"
+#include "talweg/core/mesh/surface_mesh.hpp"
 #include "talweg/intrinsic/progress.hpp"
 
 namespace talweg::plugins {

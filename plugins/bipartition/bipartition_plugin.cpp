@@ -13,7 +13,7 @@
 #include "face_sides.hpp"
 #include "level_set.hpp"
 #include "level_set_matching.hpp"
-#include "talweg/core/measures.hpp"
+#include "talweg/core/measure/measures.hpp"
 #include "talweg/core/stopwatch.hpp"
 
 namespace talweg::plugins {

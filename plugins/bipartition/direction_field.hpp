@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "talweg/core/surface_mesh.hpp"
+#include "talweg/core/mesh/surface_mesh.hpp"
 #include "talweg/heat/heat_flow.hpp"
 
 namespace talweg::plugins {

@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "talweg/core/mesh_cutting.hpp"
+#include "talweg/core/cutting/mesh_cutting.hpp"
 #include "talweg/intrinsic/error.hpp"
 
 namespace talweg::plugins {

@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "talweg/core/surface_mesh.hpp"
-#include "talweg/intrinsic/surface_point.hpp"
+#include "talweg/core/mesh/surface_mesh.hpp"
+#include "talweg/intrinsic/surface/surface_point.hpp"
 
 namespace talweg::plugins {
 

@@ -6,9 +6,9 @@
 
 #include <fmt/format.h>
 
-#include "talweg/core/deviation.hpp"
+#include "talweg/core/measure/deviation.hpp"
 #include "talweg/intrinsic/error.hpp"
-#include "talweg/intrinsic/polyline_distance.hpp"
+#include "talweg/intrinsic/exact_distance/polyline_distance.hpp"
 
 namespace talweg::plugins {
 namespace {

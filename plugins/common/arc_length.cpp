@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "talweg/core/measures.hpp"
+#include "talweg/core/measure/measures.hpp"
 
 namespace talweg::plugins {
 

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "talweg/intrinsic/surface.hpp"
-#include "talweg/intrinsic/surface_point.hpp"
+#include "talweg/intrinsic/surface/surface.hpp"
+#include "talweg/intrinsic/surface/surface_point.hpp"
 
 namespace talweg::plugins {
 

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "talweg/core/snapping.hpp"
-#include "talweg/core/straight_lines.hpp"
-#include "talweg/core/surface_mesh.hpp"
+#include "talweg/core/drawing/snapping.hpp"
+#include "talweg/core/drawing/straight_lines.hpp"
+#include "talweg/core/mesh/surface_mesh.hpp"
 #include "talweg/plugin/talweg_plugin.h"
 
 namespace talweg::plugins {

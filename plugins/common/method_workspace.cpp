@@ -4,8 +4,8 @@
 
 #include "deviation_choice.hpp"
 #include "point_fields.hpp"
-#include "talweg/core/result_report.hpp"
-#include "talweg/core/self_contacts.hpp"
+#include "talweg/core/measure/result_report.hpp"
+#include "talweg/core/measure/self_contacts.hpp"
 
 namespace talweg::plugins {
 namespace {

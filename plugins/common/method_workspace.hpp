@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "results.hpp"
-#include "talweg/core/report.hpp"
-#include "talweg/core/surface_deviation.hpp"
-#include "talweg/intrinsic/surface_point.hpp"
+#include "talweg/core/measure/report.hpp"
+#include "talweg/core/measure/surface_deviation.hpp"
+#include "talweg/intrinsic/surface/surface_point.hpp"
 #include "workspace.hpp"
 
 namespace talweg::plugins {

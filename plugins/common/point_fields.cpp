@@ -1,7 +1,7 @@
 #include "point_fields.hpp"
 
-#include "talweg/core/measures.hpp"
-#include "talweg/intrinsic/polyline_distance.hpp"
+#include "talweg/core/measure/measures.hpp"
+#include "talweg/intrinsic/exact_distance/polyline_distance.hpp"
 
 namespace talweg::plugins {
 namespace {

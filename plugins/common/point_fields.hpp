@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "results.hpp"
-#include "talweg/core/surface_mesh.hpp"
-#include "talweg/intrinsic/surface_point.hpp"
+#include "talweg/core/mesh/surface_mesh.hpp"
+#include "talweg/intrinsic/surface/surface_point.hpp"
 
 namespace talweg::plugins {
 

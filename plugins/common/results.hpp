@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "talweg/core/placed_curve.hpp"
-#include "talweg/core/report.hpp"
-#include "talweg/core/surface_mesh.hpp"
+#include "talweg/core/drawing/placed_curve.hpp"
+#include "talweg/core/measure/report.hpp"
+#include "talweg/core/mesh/surface_mesh.hpp"
 #include "talweg/plugin/talweg_plugin.hpp"
 
 namespace talweg::plugins {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "results.hpp"
-#include "talweg/core/curve_smoother.hpp"
+#include "talweg/core/smoothing/curve_smoother.hpp"
 #include "workspace.hpp"
 
 namespace talweg::plugins {

@@ -7,8 +7,8 @@
 #include <span>
 
 #include "drawing.hpp"
-#include "talweg/core/opened_mesh.hpp"
-#include "talweg/core/straight_lines.hpp"
+#include "talweg/core/drawing/straight_lines.hpp"
+#include "talweg/core/mesh/opened_mesh.hpp"
 #include "talweg/intrinsic/progress.hpp"
 #include "talweg/plugin/talweg_plugin.hpp"
 

@@ -8,11 +8,11 @@
 #include "common/point_fields.hpp"
 #include "common/results.hpp"
 #include "common/smoother_workspace.hpp"
-#include "talweg/core/corridor.hpp"
-#include "talweg/core/corridor_scale.hpp"
-#include "talweg/core/curve_smoother.hpp"
-#include "talweg/core/potential.hpp"
-#include "talweg/intrinsic/polyline_distance.hpp"
+#include "talweg/core/smoothing/corridor.hpp"
+#include "talweg/core/smoothing/corridor_scale.hpp"
+#include "talweg/core/smoothing/curve_smoother.hpp"
+#include "talweg/core/smoothing/potential.hpp"
+#include "talweg/intrinsic/exact_distance/polyline_distance.hpp"
 
 namespace talweg::plugins {
 namespace {

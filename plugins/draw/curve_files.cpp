@@ -8,7 +8,7 @@
 
 #include "common/drawing.hpp"
 #include "common/workspace.hpp"
-#include "talweg/core/formats/curve_file.hpp"
+#include "talweg/core/io/curve_file.hpp"
 #include "talweg/plugin/talweg_arrays.hpp"
 
 namespace talweg::plugins {

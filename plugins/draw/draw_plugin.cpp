@@ -9,8 +9,8 @@
 #include "common/results.hpp"
 #include "common/workspace.hpp"
 #include "curve_files.hpp"
-#include "talweg/core/drawing.hpp"
-#include "talweg/core/measures.hpp"
+#include "talweg/core/drawing/drawing.hpp"
+#include "talweg/core/measure/measures.hpp"
 #include "talweg/intrinsic/error.hpp"
 
 namespace talweg::plugins {

@@ -15,7 +15,7 @@
 #include "output_file.hpp"
 #include "progress_bar.hpp"
 #include "repaired_mesh.hpp"
-#include "talweg/core/formats/curve_file.hpp"
+#include "talweg/core/io/curve_file.hpp"
 #include "talweg/intrinsic/error.hpp"
 #include "talweg/plugin/talweg_host.hpp"
 

@@ -7,9 +7,9 @@
 
 #include <fmt/format.h>
 
-#include "talweg/core/formats/curve_file.hpp"
-#include "talweg/core/label_borders.hpp"
-#include "talweg/core/snapping.hpp"
+#include "talweg/core/drawing/snapping.hpp"
+#include "talweg/core/io/curve_file.hpp"
+#include "talweg/core/labels/label_borders.hpp"
 #include "talweg/intrinsic/error.hpp"
 #include "weld_hint.hpp"
 

@@ -7,14 +7,14 @@
 #include <string>
 #include <vector>
 
-#include "talweg/core/closest_point.hpp"
-#include "talweg/core/formats/label_file.hpp"
-#include "talweg/core/length_unit.hpp"
-#include "talweg/core/repair_map.hpp"
-#include "talweg/core/straight_lines.hpp"
-#include "talweg/core/surface_mesh.hpp"
+#include "talweg/core/drawing/length_unit.hpp"
+#include "talweg/core/drawing/straight_lines.hpp"
+#include "talweg/core/io/label_file.hpp"
+#include "talweg/core/mesh/closest_point.hpp"
+#include "talweg/core/mesh/surface_mesh.hpp"
+#include "talweg/core/repair/repair_map.hpp"
 #include "talweg/intrinsic/progress.hpp"
-#include "talweg/intrinsic/surface_point.hpp"
+#include "talweg/intrinsic/surface/surface_point.hpp"
 
 namespace talweg::driver {
 

@@ -13,7 +13,7 @@
 #include <unistd.h>
 
 #include "output_file.hpp"
-#include "talweg/core/formats/file_bytes.hpp"
+#include "talweg/core/io/file_bytes.hpp"
 #include "talweg/intrinsic/error.hpp"
 
 namespace talweg::driver {

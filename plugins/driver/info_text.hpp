@@ -4,8 +4,8 @@
 #include <optional>
 #include <string>
 
-#include "talweg/core/mesh_inspection.hpp"
-#include "talweg/core/mesh_repair.hpp"
+#include "talweg/core/mesh/mesh_inspection.hpp"
+#include "talweg/core/repair/mesh_repair.hpp"
 
 namespace talweg::driver {
 

@@ -15,8 +15,8 @@
 #include "output_file.hpp"
 #include "progress_bar.hpp"
 #include "repaired_mesh.hpp"
-#include "talweg/core/self_contacts.hpp"
-#include "talweg/core/surface_deviation.hpp"
+#include "talweg/core/measure/self_contacts.hpp"
+#include "talweg/core/measure/surface_deviation.hpp"
 
 namespace talweg::driver {
 namespace {

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "talweg/core/measures.hpp"
-#include "talweg/core/mesh_lists.hpp"
+#include "talweg/core/measure/measures.hpp"
+#include "talweg/core/mesh/mesh_lists.hpp"
 
 namespace talweg::driver {
 

@@ -11,7 +11,7 @@
 #include <unistd.h>
 
 #include "cancellation.hpp"
-#include "talweg/core/formats/file_bytes.hpp"
+#include "talweg/core/io/file_bytes.hpp"
 
 namespace talweg::driver {
 namespace {

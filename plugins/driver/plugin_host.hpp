@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "talweg/core/formats/curve_file.hpp"
-#include "talweg/core/placed_curve.hpp"
-#include "talweg/core/report.hpp"
+#include "talweg/core/drawing/placed_curve.hpp"
+#include "talweg/core/io/curve_file.hpp"
+#include "talweg/core/measure/report.hpp"
 #include "talweg/intrinsic/error.hpp"
 #include "talweg/loader/talweg_loader.h"
 #include "talweg/plugin/talweg_host.hpp"

@@ -4,9 +4,9 @@
 
 #include <fmt/format.h>
 
-#include "talweg/core/attribute_transfer.hpp"
-#include "talweg/core/mesh_inspection.hpp"
-#include "talweg/core/mesh_reader.hpp"
+#include "talweg/core/cutting/attribute_transfer.hpp"
+#include "talweg/core/io/mesh_reader.hpp"
+#include "talweg/core/mesh/mesh_inspection.hpp"
 #include "talweg/intrinsic/error.hpp"
 
 namespace talweg::driver {

@@ -7,8 +7,8 @@
 
 #include <CLI/CLI.hpp>
 
-#include "talweg/core/mesh_attributes.hpp"
-#include "talweg/core/mesh_repair.hpp"
+#include "talweg/core/mesh/mesh_attributes.hpp"
+#include "talweg/core/repair/mesh_repair.hpp"
 
 namespace talweg::driver {
 

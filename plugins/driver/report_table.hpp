@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "talweg/core/report.hpp"
+#include "talweg/core/measure/report.hpp"
 
 namespace talweg::driver {
 

@@ -12,7 +12,7 @@
 #include "commands.hpp"
 #include "file_plan.hpp"
 #include "suggestion.hpp"
-#include "talweg/core/formats/file_bytes.hpp"
+#include "talweg/core/io/file_bytes.hpp"
 #include "talweg/intrinsic/error.hpp"
 
 namespace talweg::driver {

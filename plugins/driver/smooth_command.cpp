@@ -15,7 +15,7 @@
 #include "smooth_options.hpp"
 #include "smooth_run.hpp"
 #include "talweg/intrinsic/error.hpp"
-#include "talweg/intrinsic/flip_out.hpp"
+#include "talweg/intrinsic/flips/flip_out.hpp"
 
 namespace talweg::driver {
 namespace {

@@ -2,7 +2,7 @@
 
 #include "plugin_options.hpp"
 #include "repaired_mesh.hpp"
-#include "talweg/core/formats/curve_file.hpp"
+#include "talweg/core/io/curve_file.hpp"
 #include "talweg/intrinsic/error.hpp"
 
 namespace talweg::driver {

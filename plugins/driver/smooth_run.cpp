@@ -8,11 +8,11 @@
 #include "output_file.hpp"
 #include "shared_work.hpp"
 #include "smooth/smooth_parameters.hpp"
-#include "talweg/core/drawn_curves.hpp"
-#include "talweg/core/formats/curve_file.hpp"
+#include "talweg/core/drawing/drawn_curves.hpp"
+#include "talweg/core/io/curve_file.hpp"
 #include "talweg/core/stopwatch.hpp"
 #include "talweg/intrinsic/error.hpp"
-#include "talweg/intrinsic/flip_out.hpp"
+#include "talweg/intrinsic/flips/flip_out.hpp"
 
 namespace talweg::driver {
 

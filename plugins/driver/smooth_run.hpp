@@ -10,10 +10,10 @@
 #include "failure.hpp"
 #include "repaired_mesh.hpp"
 #include "smooth_options.hpp"
-#include "talweg/core/curve_smoother.hpp"
-#include "talweg/core/opened_mesh.hpp"
-#include "talweg/core/placed_curve.hpp"
-#include "talweg/core/report.hpp"
+#include "talweg/core/drawing/placed_curve.hpp"
+#include "talweg/core/measure/report.hpp"
+#include "talweg/core/mesh/opened_mesh.hpp"
+#include "talweg/core/smoothing/curve_smoother.hpp"
 
 namespace talweg::driver {
 

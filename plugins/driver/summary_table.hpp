@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "talweg/core/report.hpp"
+#include "talweg/core/measure/report.hpp"
 
 namespace talweg::driver {
 

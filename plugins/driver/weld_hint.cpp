@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "talweg/core/mesh_inspection.hpp"
+#include "talweg/core/mesh/mesh_inspection.hpp"
 
 namespace talweg::driver {
 namespace {

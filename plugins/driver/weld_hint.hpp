@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "talweg/core/mesh_repair.hpp"
-#include "talweg/core/surface_mesh.hpp"
+#include "talweg/core/mesh/surface_mesh.hpp"
+#include "talweg/core/repair/mesh_repair.hpp"
 #include "talweg/intrinsic/error.hpp"
 
 namespace talweg::driver {

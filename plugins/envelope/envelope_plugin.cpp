@@ -8,7 +8,7 @@
 #include "common/deviation_choice.hpp"
 #include "common/method_workspace.hpp"
 #include "envelope_smoothing.hpp"
-#include "talweg/core/measures.hpp"
+#include "talweg/core/measure/measures.hpp"
 #include "talweg/core/stopwatch.hpp"
 
 namespace talweg::plugins {

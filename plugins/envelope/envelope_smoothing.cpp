@@ -9,9 +9,9 @@
 #include <fmt/format.h>
 
 #include "strands.hpp"
-#include "talweg/core/edge_length_near.hpp"
+#include "talweg/core/measure/edge_length_near.hpp"
 #include "talweg/intrinsic/error.hpp"
-#include "talweg/intrinsic/polyline_distance.hpp"
+#include "talweg/intrinsic/exact_distance/polyline_distance.hpp"
 #include "vertex_passage.hpp"
 
 namespace talweg::plugins {

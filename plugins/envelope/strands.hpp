@@ -7,8 +7,8 @@
 #include <unordered_map>
 #include <vector>
 
-#include "talweg/core/surface_mesh.hpp"
-#include "talweg/intrinsic/surface_point.hpp"
+#include "talweg/core/mesh/surface_mesh.hpp"
+#include "talweg/intrinsic/surface/surface_point.hpp"
 
 namespace talweg::plugins {
 

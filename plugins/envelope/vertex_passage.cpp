@@ -6,7 +6,7 @@
 #include <limits>
 #include <numbers>
 
-#include "talweg/intrinsic/triangle.hpp"
+#include "talweg/intrinsic/surface/triangle.hpp"
 
 namespace talweg::plugins {
 namespace {

@@ -6,7 +6,7 @@
 #include "common/point_fields.hpp"
 #include "common/results.hpp"
 #include "common/smoother_workspace.hpp"
-#include "talweg/core/curve_smoother.hpp"
+#include "talweg/core/smoothing/curve_smoother.hpp"
 
 namespace talweg::plugins {
 namespace {

@@ -3,9 +3,9 @@
 
 #include <vector>
 
-#include "talweg/core/straight_lines.hpp"
-#include "talweg/intrinsic/surface.hpp"
-#include "talweg/intrinsic/surface_point.hpp"
+#include "talweg/core/drawing/straight_lines.hpp"
+#include "talweg/intrinsic/surface/surface.hpp"
+#include "talweg/intrinsic/surface/surface_point.hpp"
 
 namespace talweg::plugins {
 

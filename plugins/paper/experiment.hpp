@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "picture/render.hpp"
-#include "talweg/core/curve_smoother.hpp"
+#include "talweg/core/smoothing/curve_smoother.hpp"
 
 namespace talweg::paper {
 

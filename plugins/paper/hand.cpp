@@ -5,8 +5,8 @@
 
 #include "scenes/random.hpp"
 #include "scenes/waypoints.hpp"
-#include "talweg/core/curve_smoother.hpp"
-#include "talweg/core/drawing.hpp"
+#include "talweg/core/drawing/drawing.hpp"
+#include "talweg/core/smoothing/curve_smoother.hpp"
 #include "talweg/intrinsic/error.hpp"
 
 namespace talweg::paper {

@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "talweg/core/mesh_lists.hpp"
-#include "talweg/core/opened_mesh.hpp"
-#include "talweg/intrinsic/surface_point.hpp"
+#include "talweg/core/mesh/mesh_lists.hpp"
+#include "talweg/core/mesh/opened_mesh.hpp"
+#include "talweg/intrinsic/surface/surface_point.hpp"
 
 namespace talweg::paper {
 

@@ -9,7 +9,7 @@
 #include <CLI/CLI.hpp>
 
 #include "paper/experiment.hpp"
-#include "talweg/core/formats/file_bytes.hpp"
+#include "talweg/core/io/file_bytes.hpp"
 #include "talweg/core/version.hpp"
 #include "talweg/intrinsic/error.hpp"
 

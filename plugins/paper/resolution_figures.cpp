@@ -11,7 +11,7 @@
 #include "paper/hand.hpp"
 #include "paper/refinement.hpp"
 #include "scenes/random.hpp"
-#include "talweg/core/measures.hpp"
+#include "talweg/core/measure/measures.hpp"
 
 namespace talweg::paper {
 namespace {

@@ -10,7 +10,7 @@
 #include "paper/experiment.hpp"
 #include "paper/hand.hpp"
 #include "picture/contact_sheet.hpp"
-#include "talweg/core/mesh_reader.hpp"
+#include "talweg/core/io/mesh_reader.hpp"
 
 namespace talweg::paper {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <Eigen/Core>
 
-#include "talweg/core/mesh_lists.hpp"
+#include "talweg/core/mesh/mesh_lists.hpp"
 
 namespace talweg::picture {
 

@@ -5,7 +5,7 @@
 #include <fstream>
 #include <numeric>
 
-#include "talweg/core/union_find.hpp"
+#include "talweg/core/mesh/union_find.hpp"
 #include "talweg/intrinsic/error.hpp"
 
 namespace talweg::picture {

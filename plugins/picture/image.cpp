@@ -4,7 +4,7 @@
 
 #include <png.h>
 
-#include "talweg/core/formats/file_bytes.hpp"
+#include "talweg/core/io/file_bytes.hpp"
 #include "talweg/intrinsic/error.hpp"
 
 namespace talweg::picture {

@@ -11,8 +11,8 @@
 #include "picture/contact_sheet.hpp"
 #include "picture/face_colors.hpp"
 #include "picture/render.hpp"
-#include "talweg/core/formats/curve_file.hpp"
-#include "talweg/core/mesh_reader.hpp"
+#include "talweg/core/io/curve_file.hpp"
+#include "talweg/core/io/mesh_reader.hpp"
 #include "talweg/intrinsic/error.hpp"
 
 namespace talweg::picture {

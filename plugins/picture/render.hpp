@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "picture/image.hpp"
-#include "talweg/core/mesh_lists.hpp"
+#include "talweg/core/mesh/mesh_lists.hpp"
 
 namespace talweg::picture {
 

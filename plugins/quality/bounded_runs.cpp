@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "quality/statistics.hpp"
-#include "talweg/core/max_deviation.hpp"
+#include "talweg/core/smoothing/max_deviation.hpp"
 
 namespace talweg::quality {
 namespace {

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "quality/runs.hpp"
-#include "talweg/core/edge_length_near.hpp"
+#include "talweg/core/measure/edge_length_near.hpp"
 
 namespace talweg::quality {
 

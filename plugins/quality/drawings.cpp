@@ -9,8 +9,8 @@
 
 #include "quality/level_sets.hpp"
 #include "scenes/random.hpp"
-#include "talweg/core/drawing.hpp"
-#include "talweg/core/formats/curve_file.hpp"
+#include "talweg/core/drawing/drawing.hpp"
+#include "talweg/core/io/curve_file.hpp"
 #include "talweg/intrinsic/error.hpp"
 
 namespace talweg::quality {

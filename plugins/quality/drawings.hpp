@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "talweg/core/opened_mesh.hpp"
-#include "talweg/intrinsic/surface_point.hpp"
+#include "talweg/core/mesh/opened_mesh.hpp"
+#include "talweg/intrinsic/surface/surface_point.hpp"
 
 namespace talweg::quality {
 

@@ -4,7 +4,7 @@
 #include <functional>
 #include <vector>
 
-#include "talweg/core/surface_mesh.hpp"
+#include "talweg/core/mesh/surface_mesh.hpp"
 
 namespace talweg::quality {
 

@@ -15,8 +15,8 @@
 #include "quality/runs.hpp"
 #include "quality/tables.hpp"
 #include "scenes/scenes.hpp"
-#include "talweg/core/formats/file_bytes.hpp"
-#include "talweg/core/mesh_reader.hpp"
+#include "talweg/core/io/file_bytes.hpp"
+#include "talweg/core/io/mesh_reader.hpp"
 #include "talweg/intrinsic/error.hpp"
 
 namespace talweg::quality {
@@ -30,9 +30,7 @@ struct Options {
   CurveOptions curve_options;
 };
 
-void write(const std::filesystem::path& file, const std::string& text) {
-  write_file(file, text);
-}
+void write(const std::filesystem::path& file, const std::string& text) { write_file(file, text); }
 
 std::vector<std::filesystem::path> mesh_files(const Options& options) {
   std::vector<std::filesystem::path> files;

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "quality/drawings.hpp"
-#include "talweg/core/curve_smoother.hpp"
+#include "talweg/core/smoothing/curve_smoother.hpp"
 
 namespace talweg::quality {
 

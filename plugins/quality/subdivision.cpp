@@ -4,9 +4,9 @@
 
 #include "paper/refinement.hpp"
 #include "quality/runs.hpp"
-#include "talweg/core/corridor_scale.hpp"
-#include "talweg/core/deviation.hpp"
-#include "talweg/core/edge_length_near.hpp"
+#include "talweg/core/measure/deviation.hpp"
+#include "talweg/core/measure/edge_length_near.hpp"
+#include "talweg/core/smoothing/corridor_scale.hpp"
 
 namespace talweg::quality {
 namespace {

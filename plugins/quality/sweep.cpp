@@ -3,8 +3,8 @@
 #include <optional>
 
 #include "quality/runs.hpp"
-#include "talweg/core/deviation.hpp"
-#include "talweg/core/edge_length_near.hpp"
+#include "talweg/core/measure/deviation.hpp"
+#include "talweg/core/measure/edge_length_near.hpp"
 
 namespace talweg::quality {
 

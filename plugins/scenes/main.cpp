@@ -10,9 +10,9 @@
 
 #include "scenes/ply_writer.hpp"
 #include "scenes/scenes.hpp"
-#include "talweg/core/mesh_inspection.hpp"
-#include "talweg/core/mesh_reader.hpp"
-#include "talweg/core/mesh_repair.hpp"
+#include "talweg/core/io/mesh_reader.hpp"
+#include "talweg/core/mesh/mesh_inspection.hpp"
+#include "talweg/core/repair/mesh_repair.hpp"
 #include "talweg/intrinsic/error.hpp"
 
 namespace talweg::scenes {

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "talweg/core/mesh_lists.hpp"
+#include "talweg/core/mesh/mesh_lists.hpp"
 
 namespace talweg::scenes {
 

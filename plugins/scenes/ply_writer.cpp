@@ -3,7 +3,7 @@
 #include <bit>
 #include <cstdint>
 
-#include "talweg/core/formats/file_bytes.hpp"
+#include "talweg/core/io/file_bytes.hpp"
 
 namespace talweg::scenes {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "scenes/waypoints.hpp"
-#include "talweg/core/mesh_lists.hpp"
+#include "talweg/core/mesh/mesh_lists.hpp"
 
 namespace talweg::scenes {
 

@@ -4,7 +4,7 @@
 #include <functional>
 #include <vector>
 
-#include "talweg/core/mesh_lists.hpp"
+#include "talweg/core/mesh/mesh_lists.hpp"
 
 namespace talweg::scenes {
 

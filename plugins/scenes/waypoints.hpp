@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "talweg/core/mesh_lists.hpp"
+#include "talweg/core/mesh/mesh_lists.hpp"
 
 namespace talweg::scenes {
 

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "common/deviation_choice.hpp"
-#include "talweg/core/max_deviation.hpp"
+#include "talweg/core/smoothing/max_deviation.hpp"
 
 namespace talweg::plugins {
 namespace {

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "talweg/core/curve_smoother.hpp"
+#include "talweg/core/smoothing/curve_smoother.hpp"
 #include "talweg/plugin/talweg_parameters.hpp"
 
 namespace talweg::plugins {

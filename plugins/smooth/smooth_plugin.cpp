@@ -10,7 +10,7 @@
 #include "common/results.hpp"
 #include "common/smoother_workspace.hpp"
 #include "smooth_parameters.hpp"
-#include "talweg/core/curve_smoother.hpp"
+#include "talweg/core/smoothing/curve_smoother.hpp"
 
 namespace talweg::plugins {
 namespace {

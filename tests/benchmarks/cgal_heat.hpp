@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "talweg/core/mesh_lists.hpp"
+#include "talweg/core/mesh/mesh_lists.hpp"
 
 namespace talweg::benchmarks {
 

@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "talweg/core/drawing.hpp"
-#include "talweg/core/surface_mesh.hpp"
+#include "talweg/core/drawing/drawing.hpp"
+#include "talweg/core/mesh/surface_mesh.hpp"
 
 namespace talweg::benchmarks {
 

@@ -10,10 +10,10 @@
 #include <vector>
 
 #include "../core/voronoi_labels.hpp"
-#include "talweg/core/label_network.hpp"
-#include "talweg/core/mesh_reader.hpp"
+#include "talweg/core/io/mesh_reader.hpp"
+#include "talweg/core/labels/label_network.hpp"
+#include "talweg/core/mesh/union_find.hpp"
 #include "talweg/core/stopwatch.hpp"
-#include "talweg/core/union_find.hpp"
 
 namespace talweg::benchmarks {
 namespace {

@@ -17,10 +17,10 @@
 #include "measured_apart.hpp"
 #include "paper/ball.hpp"
 #include "paper/hand.hpp"
-#include "talweg/core/curve_smoother.hpp"
-#include "talweg/core/mesh_reader.hpp"
+#include "talweg/core/io/mesh_reader.hpp"
+#include "talweg/core/smoothing/curve_smoother.hpp"
 #include "talweg/heat/curve_sources.hpp"
-#include "talweg/intrinsic/polyline_distance.hpp"
+#include "talweg/intrinsic/exact_distance/polyline_distance.hpp"
 
 namespace talweg::benchmarks {
 namespace {

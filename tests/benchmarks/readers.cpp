@@ -25,8 +25,8 @@
 #include <tiny_obj_loader.h>
 #endif
 
-#include "talweg/core/mesh_reader.hpp"
-#include "talweg/core/mesh_writer.hpp"
+#include "talweg/core/io/mesh_reader.hpp"
+#include "talweg/core/io/mesh_writer.hpp"
 #include "talweg/core/stopwatch.hpp"
 
 namespace talweg::benchmarks {

@@ -16,9 +16,9 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "talweg/core/curve_smoother.hpp"
-#include "talweg/core/mesh_reader.hpp"
-#include "talweg/core/mesh_writer.hpp"
+#include "talweg/core/io/mesh_reader.hpp"
+#include "talweg/core/io/mesh_writer.hpp"
+#include "talweg/core/smoothing/curve_smoother.hpp"
 #include "talweg/core/stopwatch.hpp"
 
 namespace talweg::benchmarks {

@@ -10,10 +10,10 @@
 
 #include "dragged_point.hpp"
 #include "measured_apart.hpp"
-#include "talweg/core/curve_smoother.hpp"
-#include "talweg/core/formats/curve_file.hpp"
-#include "talweg/core/mesh_reader.hpp"
-#include "talweg/core/snapping.hpp"
+#include "talweg/core/drawing/snapping.hpp"
+#include "talweg/core/io/curve_file.hpp"
+#include "talweg/core/io/mesh_reader.hpp"
+#include "talweg/core/smoothing/curve_smoother.hpp"
 
 namespace talweg::benchmarks {
 namespace {

@@ -7,10 +7,10 @@
 #include "paper/ball.hpp"
 #include "paper/hand.hpp"
 #include "scenes/ply_writer.hpp"
-#include "talweg/core/deviation.hpp"
-#include "talweg/core/lifted_lengths.hpp"
-#include "talweg/core/measures.hpp"
-#include "talweg/core/mesh_reader.hpp"
+#include "talweg/core/io/mesh_reader.hpp"
+#include "talweg/core/measure/deviation.hpp"
+#include "talweg/core/measure/measures.hpp"
+#include "talweg/core/smoothing/lifted_lengths.hpp"
 #include "talweg/heat/curve_sources.hpp"
 
 namespace talweg::benchmarks {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "dragged_point.hpp"
-#include "talweg/core/curve_smoother.hpp"
+#include "talweg/core/smoothing/curve_smoother.hpp"
 
 namespace talweg::benchmarks {
 

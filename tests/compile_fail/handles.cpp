@@ -4,10 +4,10 @@
 #include <utility>
 #include <vector>
 
-#include "talweg/intrinsic/edge_path.hpp"
-#include "talweg/intrinsic/ids.hpp"
-#include "talweg/intrinsic/surface.hpp"
-#include "talweg/intrinsic/surface_point.hpp"
+#include "talweg/intrinsic/flips/edge_path.hpp"
+#include "talweg/intrinsic/surface/ids.hpp"
+#include "talweg/intrinsic/surface/surface.hpp"
+#include "talweg/intrinsic/surface/surface_point.hpp"
 
 #ifdef TALWEG_MISTAKE
 #define PICK(right, wrong) wrong

@@ -6,8 +6,8 @@
 
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 
-#include "talweg/core/curve_smoother.hpp"
-#include "talweg/core/openmesh_adaptor.hpp"
+#include "talweg/core/openmesh/openmesh_adaptor.hpp"
+#include "talweg/core/smoothing/curve_smoother.hpp"
 
 constexpr int kCells = 8;
 

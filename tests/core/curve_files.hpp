@@ -12,7 +12,7 @@
 #include <gtest/gtest.h>
 
 #include "core/small_meshes.hpp"
-#include "talweg/core/formats/curve_file.hpp"
+#include "talweg/core/io/curve_file.hpp"
 #include "talweg/intrinsic/error.hpp"
 
 namespace talweg::test {

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "core/small_meshes.hpp"
-#include "talweg/core/mesh_lists.hpp"
+#include "talweg/core/mesh/mesh_lists.hpp"
 
 namespace talweg::test {
 

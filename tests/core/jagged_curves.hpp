@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "core/small_meshes.hpp"
-#include "talweg/core/curve_smoother.hpp"
-#include "talweg/core/drawing.hpp"
-#include "talweg/core/surface_deviation.hpp"
+#include "talweg/core/drawing/drawing.hpp"
+#include "talweg/core/measure/surface_deviation.hpp"
+#include "talweg/core/smoothing/curve_smoother.hpp"
 
 namespace talweg::test {
 

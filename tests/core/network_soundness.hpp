@@ -12,9 +12,9 @@
 
 #include "core/jagged_curves.hpp"
 #include "core/mesh_numbers.hpp"
-#include "talweg/core/crossings.hpp"
-#include "talweg/core/label_network.hpp"
-#include "talweg/core/union_find.hpp"
+#include "talweg/core/drawing/crossings.hpp"
+#include "talweg/core/labels/label_network.hpp"
+#include "talweg/core/mesh/union_find.hpp"
 
 namespace talweg::test {
 

@@ -15,7 +15,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "talweg/core/surface_mesh.hpp"
+#include "talweg/core/mesh/surface_mesh.hpp"
 
 namespace talweg::test {
 
@@ -29,7 +29,8 @@ inline std::filesystem::path reference_folder() {
 }
 /// Why a test that needs it does not run.
 inline std::string missing(const std::string& name) {
-  return "skipped: no " + name + " in " + mesh_folder().string() + " or its ../reference (set TALWEG_MESHES)";
+  return "skipped: no " + name + " in " + mesh_folder().string() +
+         " or its ../reference (set TALWEG_MESHES)";
 }
 
 /// A little-endian binary PLY of float or double points and `uchar int` triangles.

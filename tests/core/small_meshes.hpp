@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "talweg/core/surface_mesh.hpp"
+#include "talweg/core/mesh/surface_mesh.hpp"
 
 namespace talweg::test {
 

@@ -8,7 +8,7 @@
 #include <tuple>
 #include <vector>
 
-#include "talweg/core/surface_mesh.hpp"
+#include "talweg/core/mesh/surface_mesh.hpp"
 
 namespace talweg::test {
 

@@ -10,8 +10,8 @@
 
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 
-#include "talweg/core/curve_smoother.hpp"
-#include "talweg/core/openmesh_adaptor.hpp"
+#include "talweg/core/openmesh/openmesh_adaptor.hpp"
+#include "talweg/core/smoothing/curve_smoother.hpp"
 
 namespace docs {
 

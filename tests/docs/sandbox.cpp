@@ -6,10 +6,10 @@
 #include <numbers>
 #include <vector>
 
-#include "talweg/core/curve_smoother.hpp"
-#include "talweg/core/drawing.hpp"
-#include "talweg/core/formats/curve_file.hpp"
-#include "talweg/core/mesh_writer.hpp"
+#include "talweg/core/drawing/drawing.hpp"
+#include "talweg/core/io/curve_file.hpp"
+#include "talweg/core/io/mesh_writer.hpp"
+#include "talweg/core/smoothing/curve_smoother.hpp"
 
 namespace {
 

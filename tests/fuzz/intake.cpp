@@ -6,9 +6,9 @@
 #include "fuzz_bytes.hpp"
 #include "fuzz_target.hpp"
 #include "small_mesh.hpp"
-#include "talweg/core/mesh_inspection.hpp"
-#include "talweg/core/mesh_repair.hpp"
-#include "talweg/core/surface_mesh.hpp"
+#include "talweg/core/mesh/mesh_inspection.hpp"
+#include "talweg/core/mesh/surface_mesh.hpp"
+#include "talweg/core/repair/mesh_repair.hpp"
 #include "talweg/intrinsic/error.hpp"
 
 namespace talweg::fuzz {

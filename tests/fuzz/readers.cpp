@@ -5,9 +5,9 @@
 
 #include "fuzz_bytes.hpp"
 #include "fuzz_target.hpp"
-#include "talweg/core/formats/curve_file.hpp"
-#include "talweg/core/formats/label_file.hpp"
-#include "talweg/core/mesh_reader.hpp"
+#include "talweg/core/io/curve_file.hpp"
+#include "talweg/core/io/label_file.hpp"
+#include "talweg/core/io/mesh_reader.hpp"
 #include "talweg/intrinsic/error.hpp"
 
 namespace talweg::fuzz {

@@ -5,7 +5,7 @@
 #include <zlib.h>
 
 #include "fuzz_target.hpp"
-#include "talweg/core/formats/curve_formats.hpp"
+#include "talweg/core/io/curve_formats.hpp"
 
 namespace talweg::fuzz {
 namespace {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "fuzz_bytes.hpp"
-#include "talweg/core/mesh_lists.hpp"
+#include "talweg/core/mesh/mesh_lists.hpp"
 
 namespace talweg::fuzz {
 

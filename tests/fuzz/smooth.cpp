@@ -7,10 +7,10 @@
 #include "fuzz_bytes.hpp"
 #include "fuzz_target.hpp"
 #include "small_mesh.hpp"
-#include "talweg/core/curve_smoother.hpp"
-#include "talweg/core/mesh_repair.hpp"
-#include "talweg/core/snapping.hpp"
-#include "talweg/core/straight_lines.hpp"
+#include "talweg/core/drawing/snapping.hpp"
+#include "talweg/core/drawing/straight_lines.hpp"
+#include "talweg/core/repair/mesh_repair.hpp"
+#include "talweg/core/smoothing/curve_smoother.hpp"
 #include "talweg/intrinsic/error.hpp"
 
 namespace talweg::fuzz {

@@ -6,11 +6,11 @@
 
 #include "fuzz_bytes.hpp"
 #include "fuzz_target.hpp"
-#include "talweg/intrinsic/edge_path.hpp"
 #include "talweg/intrinsic/error.hpp"
-#include "talweg/intrinsic/flip_out.hpp"
-#include "talweg/intrinsic/surface.hpp"
-#include "talweg/intrinsic/trace.hpp"
+#include "talweg/intrinsic/flips/edge_path.hpp"
+#include "talweg/intrinsic/flips/flip_out.hpp"
+#include "talweg/intrinsic/flips/trace.hpp"
+#include "talweg/intrinsic/surface/surface.hpp"
 
 namespace talweg::fuzz {
 namespace {

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "talweg/intrinsic/surface.hpp"
+#include "talweg/intrinsic/surface/surface.hpp"
 
 namespace talweg::test {
 

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "talweg/core/opened_mesh.hpp"
+#include "talweg/core/mesh/opened_mesh.hpp"
 #include "talweg/loader/talweg_loader.h"
 #include "talweg/plugin/talweg_arrays.hpp"
 

@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "intrinsic/test_surfaces.hpp"
-#include "talweg/intrinsic/edge_path.hpp"
-#include "talweg/intrinsic/signpost_triangulation.hpp"
-#include "talweg/intrinsic/surface_point.hpp"
+#include "talweg/intrinsic/flips/edge_path.hpp"
+#include "talweg/intrinsic/flips/signpost_triangulation.hpp"
+#include "talweg/intrinsic/surface/surface_point.hpp"
 
 namespace talweg::test {
 

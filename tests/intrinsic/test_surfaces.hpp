@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "talweg/intrinsic/surface.hpp"
+#include "talweg/intrinsic/surface/surface.hpp"
 
 namespace talweg::test {
 

@@ -9,9 +9,9 @@
 
 #include "laws/subjects.hpp"
 #include "talweg/heat/cotan_laplacian.hpp"
-#include "talweg/intrinsic/delaunay.hpp"
-#include "talweg/intrinsic/signpost_triangulation.hpp"
-#include "talweg/intrinsic/triangle.hpp"
+#include "talweg/intrinsic/flips/delaunay.hpp"
+#include "talweg/intrinsic/flips/signpost_triangulation.hpp"
+#include "talweg/intrinsic/surface/triangle.hpp"
 
 namespace talweg {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "core/jagged_curves.hpp"
 #include "laws/subjects.hpp"
-#include "talweg/core/max_deviation.hpp"
+#include "talweg/core/smoothing/max_deviation.hpp"
 
 namespace talweg {
 namespace {

@@ -13,10 +13,10 @@
 #include "core/generated_meshes.hpp"
 #include "core/reference_data.hpp"
 #include "core/small_meshes.hpp"
-#include "talweg/core/curve_smoother.hpp"
-#include "talweg/core/deviation.hpp"
-#include "talweg/core/drawing.hpp"
-#include "talweg/core/mesh_reader.hpp"
+#include "talweg/core/drawing/drawing.hpp"
+#include "talweg/core/io/mesh_reader.hpp"
+#include "talweg/core/measure/deviation.hpp"
+#include "talweg/core/smoothing/curve_smoother.hpp"
 
 namespace talweg::test {
 

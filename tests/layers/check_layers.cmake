@@ -1,12 +1,15 @@
-# Rejects includes that point up: plugins -> core -> heat -> intrinsic.
+# Rejects includes that point up: plugins -> core -> heat -> intrinsic, and within a layer from a room
+# to one that comes after it here. What stands at a layer's top is below all its rooms.
 # cmake -D ROOT=project -P check_layers.cmake
 cmake_minimum_required(VERSION 3.25)
 set(intrinsic_may intrinsic)
 set(heat_may heat intrinsic)
 set(core_may core heat intrinsic)
 set(plugins_may plugin loader editing core heat intrinsic)
+set(intrinsic_rooms surface flips exact_distance)
+set(core_rooms space mesh measure drawing smoothing repair io cutting labels openmesh)
 # Outside headers that have one home: a regular expression and the files that may include it.
-set(homes "cholmod\\.h@^heat/fill_reducing_order\\.cpp$" "^OpenMesh/@^core/")
+set(homes "cholmod\\.h@^heat/fill_reducing_order\\.cpp$" "^OpenMesh/@^core/openmesh/")
 
 set(wrong "")
 set(looked 0)
@@ -15,11 +18,24 @@ foreach(layer intrinsic heat core plugins)
        ${ROOT}/${layer}/*.hh)
   foreach(file IN LISTS files)
     math(EXPR looked "${looked} + 1")
+    set(height -1)
+    if(DEFINED ${layer}_rooms AND file MATCHES "^[^/]+/([^/]+)/")
+      list(FIND ${layer}_rooms "${CMAKE_MATCH_1}" height)
+      if(height EQUAL -1)
+        string(APPEND wrong "  ${file} is in no room of ${layer}\n")
+      endif()
+    endif()
     file(STRINGS ${ROOT}/${file} includes REGEX "^[ \t]*#[ \t]*include")
     foreach(line IN LISTS includes)
       string(REGEX REPLACE "^[ \t]*#[ \t]*include[ \t]*[<\"]([^>\"]*).*" "\\1" header "${line}")
       if(header MATCHES "^talweg/([^/]+)/" AND NOT CMAKE_MATCH_1 IN_LIST ${layer}_may)
         string(APPEND wrong "  ${file} includes ${header}\n")
+      endif()
+      if(DEFINED ${layer}_rooms AND header MATCHES "^talweg/${layer}/([^/]+)/")
+        list(FIND ${layer}_rooms "${CMAKE_MATCH_1}" other)
+        if(other EQUAL -1 OR other GREATER height)
+          string(APPEND wrong "  ${file} includes ${header}, of a room above\n")
+        endif()
       endif()
       # Between layers only the full name: a relative one would hide the direction.
       if(header MATCHES "\\.\\./" OR (NOT layer STREQUAL "plugins" AND line MATCHES "\""

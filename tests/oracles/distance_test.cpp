@@ -10,10 +10,10 @@
 #include "core/reference_data.hpp"
 #include "core/small_meshes.hpp"
 #include "exact_distance.hpp"
-#include "talweg/core/drawing.hpp"
-#include "talweg/core/mesh_reader.hpp"
+#include "talweg/core/drawing/drawing.hpp"
+#include "talweg/core/io/mesh_reader.hpp"
 #include "talweg/heat/heat_distance.hpp"
-#include "talweg/intrinsic/polyline_distance.hpp"
+#include "talweg/intrinsic/exact_distance/polyline_distance.hpp"
 
 namespace talweg {
 namespace {

@@ -9,8 +9,8 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh_shortest_path.h>
 
-#include "talweg/core/mesh_lists.hpp"
-#include "talweg/intrinsic/ids.hpp"
+#include "talweg/core/mesh/mesh_lists.hpp"
+#include "talweg/intrinsic/surface/ids.hpp"
 
 namespace talweg::test {
 

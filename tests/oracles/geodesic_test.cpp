@@ -12,10 +12,10 @@
 #include "core/small_meshes.hpp"
 #include "exact_distance.hpp"
 #include "stress/random.hpp"
-#include "talweg/core/curve_smoother.hpp"
-#include "talweg/core/drawing.hpp"
-#include "talweg/core/measures.hpp"
-#include "talweg/core/mesh_reader.hpp"
+#include "talweg/core/drawing/drawing.hpp"
+#include "talweg/core/io/mesh_reader.hpp"
+#include "talweg/core/measure/measures.hpp"
+#include "talweg/core/smoothing/curve_smoother.hpp"
 
 namespace talweg {
 namespace {

@@ -21,10 +21,10 @@
 #include "core/reference_data.hpp"
 #include "polygon_soup.hpp"
 #include "stress/planted_defects.hpp"
-#include "talweg/core/face_shape.hpp"
-#include "talweg/core/mesh_inspection.hpp"
-#include "talweg/core/mesh_reader.hpp"
-#include "talweg/core/mesh_repair.hpp"
+#include "talweg/core/io/mesh_reader.hpp"
+#include "talweg/core/mesh/mesh_inspection.hpp"
+#include "talweg/core/repair/mesh_repair.hpp"
+#include "talweg/core/space/face_shape.hpp"
 
 namespace talweg {
 namespace {

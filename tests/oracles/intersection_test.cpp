@@ -17,14 +17,14 @@
 #include "core/small_meshes.hpp"
 #include "polygon_soup.hpp"
 #include "stress/planted_defects.hpp"
-#include "talweg/core/crossings.hpp"
-#include "talweg/core/face_triangulation.hpp"
-#include "talweg/core/label_borders.hpp"
-#include "talweg/core/label_regions.hpp"
-#include "talweg/core/mesh_cutting.hpp"
-#include "talweg/core/mesh_inspection.hpp"
-#include "talweg/core/seam_opening.hpp"
-#include "talweg/core/self_contacts.hpp"
+#include "talweg/core/cutting/face_triangulation.hpp"
+#include "talweg/core/cutting/mesh_cutting.hpp"
+#include "talweg/core/cutting/seam_opening.hpp"
+#include "talweg/core/drawing/crossings.hpp"
+#include "talweg/core/labels/label_borders.hpp"
+#include "talweg/core/labels/label_regions.hpp"
+#include "talweg/core/measure/self_contacts.hpp"
+#include "talweg/core/mesh/mesh_inspection.hpp"
 
 namespace talweg {
 namespace {

@@ -19,11 +19,11 @@
 #include "core/reference_data.hpp"
 #include "polygon_soup.hpp"
 #include "stress/random.hpp"
-#include "talweg/core/loop_filling.hpp"
-#include "talweg/core/mesh_cutting.hpp"
-#include "talweg/core/mesh_inspection.hpp"
-#include "talweg/core/seam_opening.hpp"
-#include "talweg/core/triangle_contact.hpp"
+#include "talweg/core/cutting/loop_filling.hpp"
+#include "talweg/core/cutting/mesh_cutting.hpp"
+#include "talweg/core/cutting/seam_opening.hpp"
+#include "talweg/core/mesh/mesh_inspection.hpp"
+#include "talweg/core/space/triangle_contact.hpp"
 #include "talweg/intrinsic/error.hpp"
 
 namespace talweg {

@@ -12,7 +12,7 @@
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/Surface_mesh.h>
 
-#include "talweg/core/mesh_lists.hpp"
+#include "talweg/core/mesh/mesh_lists.hpp"
 
 namespace talweg::test {
 

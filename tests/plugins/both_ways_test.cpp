@@ -8,7 +8,7 @@
 
 #include "core/jagged_curves.hpp"
 #include "plugins/driver_runs.hpp"
-#include "talweg/core/mesh_writer.hpp"
+#include "talweg/core/io/mesh_writer.hpp"
 
 namespace talweg {
 namespace {

@@ -8,9 +8,9 @@
 #include "core/generated_meshes.hpp"
 #include "core/jagged_curves.hpp"
 #include "plugins/driver_runs.hpp"
-#include "talweg/core/formats/curve_file.hpp"
-#include "talweg/core/mesh_writer.hpp"
-#include "talweg/core/placed_curve.hpp"
+#include "talweg/core/drawing/placed_curve.hpp"
+#include "talweg/core/io/curve_file.hpp"
+#include "talweg/core/io/mesh_writer.hpp"
 
 namespace talweg {
 namespace {

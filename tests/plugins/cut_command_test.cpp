@@ -8,10 +8,10 @@
 #include "core/generated_meshes.hpp"
 #include "core/jagged_curves.hpp"
 #include "plugins/driver_runs.hpp"
-#include "talweg/core/formats/curve_file.hpp"
-#include "talweg/core/mesh_inspection.hpp"
-#include "talweg/core/mesh_reader.hpp"
-#include "talweg/core/mesh_writer.hpp"
+#include "talweg/core/io/curve_file.hpp"
+#include "talweg/core/io/mesh_reader.hpp"
+#include "talweg/core/io/mesh_writer.hpp"
+#include "talweg/core/mesh/mesh_inspection.hpp"
 
 namespace talweg {
 namespace {

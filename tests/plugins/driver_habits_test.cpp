@@ -10,7 +10,7 @@
 
 #include "core/generated_meshes.hpp"
 #include "plugins/driver_runs.hpp"
-#include "talweg/core/mesh_writer.hpp"
+#include "talweg/core/io/mesh_writer.hpp"
 
 namespace talweg {
 namespace {

@@ -13,8 +13,8 @@
 #include "core/reference_data.hpp"
 #include "plugins/driver_runs.hpp"
 #include "plugins/plugin_runs.hpp"
-#include "talweg/core/formats/curve_file.hpp"
-#include "talweg/core/mesh_writer.hpp"
+#include "talweg/core/io/curve_file.hpp"
+#include "talweg/core/io/mesh_writer.hpp"
 
 namespace talweg {
 namespace {

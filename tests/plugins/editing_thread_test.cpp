@@ -12,7 +12,7 @@
 
 #include "plugins/editing_drawings.hpp"
 #include "plugins/plugin_runs.hpp"
-#include "talweg/core/formats/curve_file.hpp"
+#include "talweg/core/io/curve_file.hpp"
 #include "talweg/editing/curve_files.hpp"
 #include "talweg/editing/smoothing_thread.hpp"
 

@@ -19,9 +19,9 @@
 #include "core/generated_meshes.hpp"
 #include "core/memory_limits.hpp"
 #include "plugins/driver_runs.hpp"
-#include "talweg/core/formats/curve_file.hpp"
-#include "talweg/core/formats/file_bytes.hpp"
-#include "talweg/core/mesh_writer.hpp"
+#include "talweg/core/io/curve_file.hpp"
+#include "talweg/core/io/file_bytes.hpp"
+#include "talweg/core/io/mesh_writer.hpp"
 #include "talweg/intrinsic/error.hpp"
 
 namespace talweg::test {

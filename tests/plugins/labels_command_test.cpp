@@ -12,9 +12,9 @@
 #include "core/jagged_curves.hpp"
 #include "core/voronoi_labels.hpp"
 #include "plugins/driver_runs.hpp"
-#include "talweg/core/formats/curve_file.hpp"
-#include "talweg/core/mesh_reader.hpp"
-#include "talweg/core/mesh_writer.hpp"
+#include "talweg/core/io/curve_file.hpp"
+#include "talweg/core/io/mesh_reader.hpp"
+#include "talweg/core/io/mesh_writer.hpp"
 
 namespace talweg {
 namespace {

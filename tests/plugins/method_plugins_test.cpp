@@ -11,10 +11,10 @@
 
 #include "core/generated_meshes.hpp"
 #include "plugins/plugin_runs.hpp"
-#include "talweg/core/measures.hpp"
-#include "talweg/core/report.hpp"
+#include "talweg/core/measure/measures.hpp"
+#include "talweg/core/measure/report.hpp"
 #include "talweg/core/version.hpp"
-#include "talweg/intrinsic/polyline_distance.hpp"
+#include "talweg/intrinsic/exact_distance/polyline_distance.hpp"
 
 namespace talweg {
 namespace {

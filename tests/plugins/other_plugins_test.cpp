@@ -9,8 +9,8 @@
 
 #include "core/generated_meshes.hpp"
 #include "plugins/plugin_runs.hpp"
-#include "talweg/core/corridor_scale.hpp"
-#include "talweg/core/drawing.hpp"
+#include "talweg/core/drawing/drawing.hpp"
+#include "talweg/core/smoothing/corridor_scale.hpp"
 
 namespace talweg {
 namespace {

@@ -16,9 +16,9 @@
 
 #include "core/generated_meshes.hpp"
 #include "plugins/driver_runs.hpp"
-#include "talweg/core/formats/curve_file.hpp"
-#include "talweg/core/mesh_reader.hpp"
-#include "talweg/core/mesh_writer.hpp"
+#include "talweg/core/io/curve_file.hpp"
+#include "talweg/core/io/mesh_reader.hpp"
+#include "talweg/core/io/mesh_writer.hpp"
 
 namespace talweg::test {
 namespace {

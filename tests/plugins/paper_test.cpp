@@ -7,8 +7,8 @@
 #include "paper/ball.hpp"
 #include "paper/hand.hpp"
 #include "paper/refinement.hpp"
-#include "talweg/core/curve_smoother.hpp"
-#include "talweg/core/surface_mesh.hpp"
+#include "talweg/core/mesh/surface_mesh.hpp"
+#include "talweg/core/smoothing/curve_smoother.hpp"
 
 namespace talweg::paper {
 namespace {

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "core/jagged_curves.hpp"
-#include "talweg/core/curve_smoother.hpp"
-#include "talweg/core/placed_curve.hpp"
+#include "talweg/core/drawing/placed_curve.hpp"
+#include "talweg/core/smoothing/curve_smoother.hpp"
 #include "talweg/loader/talweg_loader.h"
 #include "talweg/plugin/talweg_host.hpp"
 

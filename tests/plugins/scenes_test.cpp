@@ -13,7 +13,7 @@
 #include "scenes/ply_writer.hpp"
 #include "scenes/relaxation.hpp"
 #include "talweg/intrinsic/error.hpp"
-#include "talweg/intrinsic/surface.hpp"
+#include "talweg/intrinsic/surface/surface.hpp"
 
 namespace talweg::scenes {
 namespace {

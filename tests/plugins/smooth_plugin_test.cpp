@@ -7,9 +7,9 @@
 
 #include "core/generated_meshes.hpp"
 #include "plugins/plugin_runs.hpp"
-#include "talweg/core/max_deviation.hpp"
-#include "talweg/core/measures.hpp"
-#include "talweg/core/report.hpp"
+#include "talweg/core/measure/measures.hpp"
+#include "talweg/core/measure/report.hpp"
+#include "talweg/core/smoothing/max_deviation.hpp"
 
 namespace talweg {
 namespace {

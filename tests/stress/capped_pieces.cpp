@@ -5,10 +5,10 @@
 
 #include <fmt/format.h>
 
-#include "talweg/core/loop_filling.hpp"
-#include "talweg/core/mesh_cutting.hpp"
-#include "talweg/core/mesh_inspection.hpp"
-#include "talweg/core/seam_opening.hpp"
+#include "talweg/core/cutting/loop_filling.hpp"
+#include "talweg/core/cutting/mesh_cutting.hpp"
+#include "talweg/core/cutting/seam_opening.hpp"
+#include "talweg/core/mesh/mesh_inspection.hpp"
 #include "talweg/intrinsic/error.hpp"
 
 namespace talweg::stress {

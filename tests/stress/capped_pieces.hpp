@@ -5,8 +5,8 @@
 #include <string>
 
 #include "stress/random.hpp"
-#include "talweg/core/surface_mesh.hpp"
-#include "talweg/intrinsic/surface_point.hpp"
+#include "talweg/core/mesh/surface_mesh.hpp"
+#include "talweg/intrinsic/surface/surface_point.hpp"
 
 namespace talweg::stress {
 

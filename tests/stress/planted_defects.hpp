@@ -5,7 +5,7 @@
 #include <string>
 
 #include "stress/random.hpp"
-#include "talweg/core/mesh_lists.hpp"
+#include "talweg/core/mesh/mesh_lists.hpp"
 
 namespace talweg::stress {
 

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "stress/random.hpp"
-#include "talweg/core/formats/curve_file.hpp"
-#include "talweg/core/surface_mesh.hpp"
+#include "talweg/core/io/curve_file.hpp"
+#include "talweg/core/mesh/surface_mesh.hpp"
 
 namespace talweg::stress {
 

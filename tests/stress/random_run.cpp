@@ -14,11 +14,11 @@
 #include "stress/planted_defects.hpp"
 #include "stress/random_curves.hpp"
 #include "stress/redrawn_curves.hpp"
-#include "talweg/core/curve_smoother.hpp"
-#include "talweg/core/max_deviation.hpp"
-#include "talweg/core/mesh_repair.hpp"
-#include "talweg/core/snapping.hpp"
-#include "talweg/core/straight_lines.hpp"
+#include "talweg/core/drawing/snapping.hpp"
+#include "talweg/core/drawing/straight_lines.hpp"
+#include "talweg/core/repair/mesh_repair.hpp"
+#include "talweg/core/smoothing/curve_smoother.hpp"
+#include "talweg/core/smoothing/max_deviation.hpp"
 
 namespace talweg::stress {
 namespace {

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "talweg/core/max_deviation.hpp"
+#include "talweg/core/smoothing/max_deviation.hpp"
 #include "talweg/intrinsic/error.hpp"
 
 namespace talweg::stress {

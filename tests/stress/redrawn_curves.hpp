@@ -4,7 +4,7 @@
 #include <string>
 
 #include "stress/random.hpp"
-#include "talweg/core/curve_smoother.hpp"
+#include "talweg/core/smoothing/curve_smoother.hpp"
 
 namespace talweg::stress {
 

@@ -12,8 +12,8 @@
 #include "compare/methods.hpp"
 #include "drawing_file.hpp"
 #include "repaired_mesh.hpp"
-#include "talweg/core/placed_curve.hpp"
-#include "talweg/core/surface_deviation.hpp"
+#include "talweg/core/drawing/placed_curve.hpp"
+#include "talweg/core/measure/surface_deviation.hpp"
 #include "talweg/intrinsic/progress.hpp"
 
 namespace talweg::driver {

@@ -1,0 +1,79 @@
+// One triangle cut up along points and segments in it.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <unordered_map>
+#include <vector>
+
+#include "talweg/intrinsic/surface/triangle.hpp"
+
+namespace talweg {
+
+/// A triangulation of a triangle in which given segments are chains of edges. Points are integer
+/// barycentrics, so that which side of a line a point lies on is always decided exactly, and no
+/// two faces of a mesh disagree on the points of their common edge.
+class FaceTriangulation {
+ public:
+  static constexpr std::int64_t kOne = std::int64_t{1} << 40;
+  /// Each >= 0, with sum kOne. On side k, from corner k to k + 1, number k + 2 is 0.
+  using Place = std::array<std::int64_t, 3>;
+  using Corners = std::array<std::uint32_t, 3>;
+
+  /// The corners (numbers 0, 1, 2) in the plane, counterclockwise; only for the shape of triangles.
+  explicit FaceTriangulation(const std::array<PlanePoint, 3>& corners);
+
+  /// Adds a point; the number of the one that is there already if there is one.
+  std::uint32_t insert(const Place& place);
+  /// Makes the segment between two points a chain of edges. Where it meets a point it passes it;
+  /// where it crosses another segment a point is added, at the nearest place there is.
+  /// Returns the segment's number. Throws Error(kNumerical) when it cannot (never seen).
+  std::size_t connect(std::uint32_t a, std::uint32_t b);
+  /// Flips edges that belong to no segment until the triangulation is Delaunay but for rounding.
+  void improve();
+
+  /// The points along a segment, in order, with its ends.
+  [[nodiscard]] std::vector<std::uint32_t> chain(std::size_t segment) const;
+  [[nodiscard]] const std::vector<Place>& places() const { return places_; }
+  /// Counterclockwise; none is flat.
+  [[nodiscard]] const std::vector<Corners>& triangles() const { return triangles_; }
+
+ private:
+  using Key = std::uint64_t;
+  static Key directed(std::uint32_t a, std::uint32_t b) { return (Key{a} << 32U) | b; }
+  static Key undirected(std::uint32_t a, std::uint32_t b) {
+    return a < b ? directed(a, b) : directed(b, a);
+  }
+  /// Twice the signed area in the lattice, by sign: 1 where a, b, c turn left.
+  [[nodiscard]] int side(std::uint32_t a, std::uint32_t b, std::uint32_t c) const;
+  [[nodiscard]] bool has_edge(std::uint32_t a, std::uint32_t b) const;
+  [[nodiscard]] bool is_fixed(std::uint32_t a, std::uint32_t b) const {
+    return fixed_.count(undirected(a, b)) > 0;
+  }
+  [[nodiscard]] std::uint32_t opposite(std::uint32_t a, std::uint32_t b) const;
+  void set(std::uint32_t triangle, const Corners& corners);
+  void add(const Corners& corners);
+  void split_inside(std::uint32_t triangle, std::uint32_t p);
+  void split_edge(std::uint32_t a, std::uint32_t b, std::uint32_t p);
+  void flip(std::uint32_t a, std::uint32_t b);
+  [[nodiscard]] bool can_flip(std::uint32_t a, std::uint32_t b) const;
+  void connect_part(std::uint32_t a, std::uint32_t b, std::vector<std::uint32_t>& way);
+  std::uint32_t cross(std::uint32_t a, std::uint32_t b, std::uint32_t u, std::uint32_t v);
+  void clear_way(std::uint32_t a, std::uint32_t b, std::vector<std::array<std::uint32_t, 2>> edges);
+  [[nodiscard]] bool should_flip(std::uint32_t a, std::uint32_t b) const;
+  [[nodiscard]] PlanePoint plane(std::uint32_t p) const;
+
+  std::array<PlanePoint, 3> corners_;
+  std::vector<Place> places_;
+  std::vector<Corners> triangles_;
+  std::unordered_map<Key, std::uint32_t> triangle_of_;  // by directed edge
+  struct Fixed {
+    bool is_split = false;
+    std::uint32_t at = 0;
+  };
+  std::unordered_map<Key, Fixed> fixed_;  // edges of segments, those that were split too
+  std::vector<std::vector<std::uint32_t>> segments_;
+};
+
+}  // namespace talweg

@@ -1,0 +1,74 @@
+// Which lid closes a rim without meeting what is there.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <set>
+#include <span>
+#include <vector>
+
+#include "talweg/core/cutting/lid_clearance.hpp"
+#include "talweg/core/cutting/loop_filling.hpp"
+#include "talweg/core/cutting/mesh_cutting.hpp"
+
+namespace talweg {
+
+/// Makes the lids of a piece, one after the other; each keeps clear of those before.
+class LidChooser {
+ public:
+  /// `origin`: by the piece's numbers, those of the cut mesh, which are the chains'; two rims that
+  /// run along the same of them, the two sides of one cut, get the same lid where they are on one
+  /// part.
+  LidChooser(const std::vector<Point>& points, LidClearance& clearance,
+             std::function<std::uint32_t(std::uint32_t)> origin,
+             std::span<const CutMesh::Chain> chains, Asker& asker)
+      : points_(points),
+        clearance_(clearance),
+        origin_(std::move(origin)),
+        chains_(chains),
+        asker_(asker) {}
+
+  /// A lid over one rim, or over a plane one and the holes in it; it is placed. Throws Cancelled.
+  Lid choose(const std::vector<Loop>& rims, LidKind kind);
+
+ private:
+  struct Best {
+    std::optional<Lid> lid;
+    double depth = 0;
+  };
+  struct Twin {
+    std::vector<std::uint32_t> origins;  // ascending
+    std::vector<Loop> rims;
+    Lid lid;
+  };
+
+  bool offer(Lid lid, std::size_t twin = LidClearance::kNoTwin);
+  bool offer_plane();
+  bool offer_twin();
+  bool offer_least_area();
+  bool offer_other_triangulations();
+  bool offer_sunk();
+  bool offer_sunk(const std::vector<Triangle>& triangles, bool in_one_direction);
+  [[nodiscard]] std::size_t find_twin() const;
+  [[noreturn]] void refuse(LidKind kind) const;
+
+  const std::vector<Point>& points_;
+  LidClearance& clearance_;
+  std::function<std::uint32_t(std::uint32_t)> origin_;
+  std::span<const CutMesh::Chain> chains_;
+  Asker& asker_;
+  std::vector<Twin> made_;  // in the order of their numbers
+
+  // Of the rims at hand.
+  std::vector<Loop> rims_;
+  std::set<std::uint32_t> parts_;
+  std::vector<std::uint32_t> origins_;
+  double extent_ = 0;
+  std::vector<LidClearance::Contact> contacts_;  // of the last offer
+  std::vector<std::vector<Triangle>> starts_;
+  Best best_;
+};
+
+}  // namespace talweg

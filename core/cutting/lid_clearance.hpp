@@ -1,0 +1,117 @@
+// What a lid must keep clear of: the piece that it closes, other lids, and itself.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <set>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "talweg/core/cutting/plane_filling.hpp"
+#include "talweg/core/mesh/mesh_lists.hpp"
+#include "talweg/core/space/box_tree.hpp"
+#include "talweg/core/space/triangle_contact.hpp"
+#include "talweg/intrinsic/progress.hpp"
+
+namespace talweg {
+
+/// Triangles over one rim, or over an outer one and holes in it.
+struct Lid {
+  std::vector<Triangle> triangles;
+  std::vector<Point> inner;  ///< points that are not the piece's; numbered from the piece's size on
+  bool plane = false;
+  double sunk_by = 0;  ///< how far these points have been moved out of the way at most, mesh units
+};
+
+/// A side of triangles: an edge without direction.
+using Chord = std::pair<std::uint32_t, std::uint32_t>;
+inline Chord chord(std::uint32_t a, std::uint32_t b) { return {std::min(a, b), std::max(a, b)}; }
+
+/// Faces in boxes around the rims, and the lids that have been placed.
+class LidClearance {
+ public:
+  /// `part_of_face`: numbers of what hangs together, per face of the piece. The piece must outlive
+  /// it, and its faces must not change. O(faces), and O(k log k) for the k that are near. What
+  /// looks for contacts asks `asker`, which must outlive it too, and throws Cancelled.
+  LidClearance(const MeshLists& piece, std::span<const std::uint32_t> part_of_face,
+               std::span<const Loop> rims, Asker& asker);
+
+  /// The part that a rim is on.
+  [[nodiscard]] std::uint32_t part_of(const Loop& rim) const { return part_of_vertex_.at(rim[0]); }
+
+  /// A triangle of a lid, and one that it touches or crosses: a face of the piece, or another one
+  /// of the same or an earlier lid.
+  struct Contact {
+    std::size_t triangle;
+    PointTriangle other;
+  };
+  /// Touching counts, and whatever is in doubt. Only faces and lids of the parts that the lid
+  /// closes, `parts`; parts may well meet each other, as the two sides of a cut do. `twin`: the
+  /// number of a placed lid that does not count.
+  [[nodiscard]] std::vector<Contact> contacts(const Lid& lid, const std::set<std::uint32_t>& parts,
+                                              std::size_t twin = kNoTwin) const;
+  static constexpr std::size_t kNoTwin = static_cast<std::size_t>(-1);
+  /// With faces of the piece alone.
+  [[nodiscard]] std::vector<Contact> contacts_with_piece(
+      const Lid& lid, const std::set<std::uint32_t>& parts) const;
+  /// Of these, how far the deepest goes through; about 0 for contacts that only touch. What goes
+  /// through exactly at a corner or a side is found by moving the triangle by `shift` either way.
+  [[nodiscard]] double depth(const Lid& lid, std::span<const Contact> contacts,
+                             const std::set<std::uint32_t>& parts, double shift) const;
+
+  /// Whether the segment between two points of a rim goes through a face of its part, by more than
+  /// `tolerance`.
+  [[nodiscard]] bool pierces(std::uint32_t a, std::uint32_t b, double tolerance) const;
+
+  /// Whether there is an edge between two vertices.
+  [[nodiscard]] bool has_edge(std::uint32_t a, std::uint32_t b) const {
+    return edges_.count(chord(a, b)) > 0;
+  }
+  /// Sides of a lid's triangles that edges have already, but for those of the rims themselves.
+  [[nodiscard]] std::vector<Chord> taken(const Lid& lid) const;
+  /// Whether a triangle of the lid has the corners of one that is there.
+  [[nodiscard]] bool repeats_triangle(const Lid& lid) const;
+
+  /// From now on the lid is there for the others; lids are numbered in this order.
+  void place(const Lid& lid, const std::set<std::uint32_t>& parts);
+
+  /// The number of a lid's first inner point.
+  [[nodiscard]] std::uint32_t first_inner() const {
+    return static_cast<std::uint32_t>(piece_.points.size());
+  }
+  [[nodiscard]] const Point& at(const Lid& lid, std::uint32_t vertex) const {
+    const std::uint32_t n = first_inner();
+    return vertex < n ? piece_.points[vertex] : lid.inner[vertex - n];
+  }
+  [[nodiscard]] PointTriangle at(const Lid& lid, const Triangle& t) const {
+    return {at(lid, t[0]), at(lid, t[1]), at(lid, t[2])};
+  }
+
+ private:
+  struct Placed {
+    std::vector<PointTriangle> triangles;
+    BoxTree tree;
+    std::set<std::uint32_t> parts;
+  };
+
+  void add_edges(const Triangle& triangle);
+  [[nodiscard]] double reach_through(const PointTriangle& t,
+                                     const std::set<std::uint32_t>& parts) const;
+  [[nodiscard]] std::vector<PointTriangle> triangles_of(const Lid& lid) const;
+
+  const MeshLists& piece_;
+  Asker& asker_;
+  std::map<std::uint32_t, std::uint32_t> part_of_vertex_;  // of the rims
+  std::set<Chord> edges_;                                  // between vertices of rims
+  std::set<Chord> rims_;
+  std::set<std::array<std::uint32_t, 3>> triangles_;  // between vertices of rims, sorted corners
+  std::vector<std::uint32_t> near_, near_part_;       // faces
+  BoxTree tree_;                                      // over them
+  std::vector<Placed> placed_;
+};
+
+}  // namespace talweg

@@ -1,0 +1,42 @@
+// Meshes taken apart along chains of their edges.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "talweg/core/cutting/mesh_cutting.hpp"
+#include "talweg/core/mesh/mesh_lists.hpp"
+
+namespace talweg {
+
+struct OpenedSeams {
+  MeshLists lists;  ///< vertices keep their numbers; copies for the other sides of seams follow
+  std::vector<std::uint32_t> vertex_from;    ///< of which vertex each is a copy, or itself
+  std::vector<std::uint32_t> piece_of_face;  ///< numbered by their first faces
+  std::size_t pieces = 0;
+  /// Per chain the pieces on its left and right, seen along it with the outside up; equal where it
+  /// does not part them there.
+  std::vector<std::vector<std::uint32_t>> left, right;
+};
+
+/// Takes a mesh apart along chains of edges: on either side of a seam its vertices are of their
+/// own. An end of an open chain inside the mesh stays closed; a chain of one vertex opens nothing.
+/// Pieces are what still hangs together.
+/// The lists must be a surface, as those of cut_along() are; only the faces around the chains are
+/// looked at for that. O(vertices + faces), one pass but for these.
+/// Throws Error(kBadMesh) for an index out of range, and for faces around a chain that do not fit
+/// each other; Error(kBadCurve) naming chain and place where two neighbours of a chain are joined
+/// by no edge.
+OpenedSeams open_seams(const MeshLists& lists, std::span<const CutMesh::Chain> chains);
+
+/// One piece, or several as one mesh; unused vertices are left out. `faces`, `vertices`: where each
+/// face and vertex comes from.
+struct Piece {
+  MeshLists lists;
+  std::vector<std::uint32_t> faces, vertices;
+};
+Piece piece_of(const OpenedSeams& opened, const std::vector<bool>& wanted);
+
+}  // namespace talweg

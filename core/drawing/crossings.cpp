@@ -1,0 +1,172 @@
+#include "talweg/core/drawing/crossings.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+#include "talweg/intrinsic/error.hpp"
+
+namespace talweg {
+namespace {
+
+struct FaceSegment {
+  FaceId face;
+  std::size_t curve;
+  std::array<double, 3> from, to;  // barycentrics
+};
+
+double orient(const std::array<double, 3>& a, const std::array<double, 3>& b,
+              const std::array<double, 3>& c) {
+  return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+}
+
+bool cross(const FaceSegment& p, const FaceSegment& q) {
+  constexpr double kTouch = 1e-12;  // of the face
+  const auto apart = [](double a, double b) {
+    return (a > kTouch && b < -kTouch) || (a < -kTouch && b > kTouch);
+  };
+  return apart(orient(p.from, p.to, q.from), orient(p.from, p.to, q.to)) &&
+         apart(orient(q.from, q.to, p.from), orient(q.from, q.to, p.to));
+}
+
+std::vector<FaceSegment> segments_by_face(const Surface& surface,
+                                          std::span<const SurfaceCurve> curves) {
+  std::vector<FaceSegment> segments;
+  for (std::size_t c = 0; c < curves.size(); ++c) {
+    const auto& points = curves[c].points;
+    for (std::size_t i = 0; i + (curves[c].closed ? 0 : 1) < points.size(); ++i) {
+      const SurfacePoint &p = points[i], &q = points[(i + 1) % points.size()];
+      const FaceId face = common_face(surface, p, q);
+      if (!face.valid()) {
+        throw Error(ErrorCode::kBadCurve,
+                    "Segment " + std::to_string(i + 1) + " of the curve lies in no face.");
+      }
+      segments.push_back({face, c, coordinates_in(surface, p, face).barycentric,
+                          coordinates_in(surface, q, face).barycentric});
+    }
+  }
+  std::stable_sort(segments.begin(), segments.end(),
+                   [](const auto& a, const auto& b) { return a.face < b.face; });
+  return segments;
+}
+
+/// One path at a vertex it passes, in its own direction or against it.
+struct Passage {
+  std::size_t path = 0, at = 0;  // the vertex before halfedge number `at`
+  bool against = false;
+};
+
+class Paths {
+ public:
+  Paths(const SignpostTriangulation& triangulation, std::span<const EdgePath> paths)
+      : triangulation_(triangulation), paths_(paths) {}
+
+  /// The halfedge from the vertex onwards, and that back to where the path comes from; invalid at
+  /// an end.
+  [[nodiscard]] HalfedgeId onward(const Passage& p) const {
+    return p.against ? before(p) : after(p);
+  }
+  [[nodiscard]] HalfedgeId back(const Passage& p) const { return p.against ? after(p) : before(p); }
+  [[nodiscard]] Passage next(Passage p) const {
+    const std::size_t n = paths_[p.path].halfedges().size();
+    const std::size_t vertices = n + (paths_[p.path].closed() ? 0 : 1);
+    p.at = (p.at + (p.against ? vertices - 1 : 1)) % vertices;
+    return p;
+  }
+  /// Whether h leaves the passage's vertex on the left of the path there.
+  [[nodiscard]] bool is_left(const Passage& p, HalfedgeId h) const {
+    const HalfedgeId stop = back(p);
+    for (HalfedgeId k = turned(onward(p)); k != stop; k = turned(k)) {
+      if (k == h) return true;
+    }
+    return false;
+  }
+  /// Whether the paths, which part behind the vertex, change sides here or where they part again.
+  [[nodiscard]] bool cross_from(Passage a, Passage b) const {
+    if (!back(a).valid() || !back(b).valid() || back(a) == back(b)) return false;
+    if (!onward(a).valid() || onward(a) == back(b) || back(a) == onward(b)) return false;
+    const bool left = is_left(a, back(b));
+    for (std::size_t k = paths_[a.path].halfedges().size();; --k) {
+      if (!onward(a).valid() || !onward(b).valid() || k == 0) return false;
+      if (onward(a) != onward(b)) break;
+      a = next(a);
+      b = next(b);
+    }
+    if (onward(a) == back(a) || onward(b) == back(b)) return false;  // one turns back
+    return is_left(a, onward(b)) != left;
+  }
+
+ private:
+  [[nodiscard]] HalfedgeId after(const Passage& p) const {
+    const auto h = paths_[p.path].halfedges();
+    return p.at < h.size() ? h[p.at] : HalfedgeId{};
+  }
+  [[nodiscard]] HalfedgeId before(const Passage& p) const {
+    const auto h = paths_[p.path].halfedges();
+    if (p.at > 0) return twin(h[p.at - 1]);
+    return paths_[p.path].closed() ? twin(h.back()) : HalfedgeId{};
+  }
+  /// Counterclockwise; past a boundary the turn goes on at the other end of the fan.
+  [[nodiscard]] HalfedgeId turned(HalfedgeId h) const {
+    if (triangulation_.has_face(h)) return triangulation_.turn_ccw(h);
+    for (HalfedgeId cw = triangulation_.turn_cw(h); cw.valid(); cw = triangulation_.turn_cw(cw)) {
+      h = cw;
+    }
+    return h;
+  }
+
+  const SignpostTriangulation& triangulation_;
+  std::span<const EdgePath> paths_;
+};
+
+}  // namespace
+
+PathContacts path_contacts(const SignpostTriangulation& triangulation,
+                           std::span<const EdgePath> paths) {
+  PathContacts result;
+  result.crossings.assign(paths.size(), 0);
+  result.tangled.assign(paths.size(), false);
+  std::vector<std::pair<VertexId, Passage>> passages;
+  for (std::size_t p = 0; p < paths.size(); ++p) {
+    const auto h = paths[p].halfedges();
+    for (std::size_t i = 0; i < h.size(); ++i)
+      passages.push_back({triangulation.tail(h[i]), {p, i}});
+    if (!paths[p].closed()) passages.push_back({triangulation.head(h.back()), {p, h.size()}});
+  }
+  std::stable_sort(passages.begin(), passages.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
+  const Paths course(triangulation, paths);
+  for (std::size_t i = 0; i < passages.size(); ++i) {
+    for (std::size_t k = i + 1; k < passages.size() && passages[k].first == passages[i].first;
+         ++k) {
+      const Passage a = passages[i].second;
+      Passage b = passages[k].second;
+      if (a.path == b.path) result.tangled[a.path] = true;
+      bool crossing = course.cross_from(a, b);
+      b.against = true;  // a common stretch that they pass in opposite directions
+      crossing |= course.onward(a) == course.onward(b) && course.cross_from(a, b);
+      if (!crossing) continue;
+      ++result.crossings[a.path];
+      result.tangled[a.path] = result.tangled[b.path] = true;
+    }
+  }
+  return result;
+}
+
+std::vector<std::size_t> crossing_curves(const Surface& surface,
+                                         std::span<const SurfaceCurve> curves) {
+  const std::vector<FaceSegment> segments = segments_by_face(surface, curves);
+  std::vector<std::size_t> crossing;
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    for (std::size_t k = i + 1; k < segments.size() && segments[k].face == segments[i].face; ++k) {
+      if (!cross(segments[i], segments[k])) continue;
+      crossing.push_back(segments[i].curve);
+      crossing.push_back(segments[k].curve);
+    }
+  }
+  std::sort(crossing.begin(), crossing.end());
+  crossing.erase(std::unique(crossing.begin(), crossing.end()), crossing.end());
+  return crossing;
+}
+
+}  // namespace talweg

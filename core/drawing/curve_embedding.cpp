@@ -1,0 +1,135 @@
+#include "talweg/core/drawing/curve_embedding.hpp"
+
+#include <algorithm>
+#include <map>
+#include <string>
+#include <utility>
+
+#include "talweg/intrinsic/error.hpp"
+#include "talweg/intrinsic/flips/point_insertion.hpp"
+
+namespace talweg {
+namespace {
+
+[[noreturn]] void refuse_curve(const std::string& message) {
+  throw Error(ErrorCode::kBadCurve, message);
+}
+
+std::string name(const SurfacePoint& point) {
+  if (const auto* v = std::get_if<AtVertex>(&point.where())) {
+    return "vertex " + std::to_string(v->vertex.index());
+  }
+  if (const auto* e = std::get_if<OnEdge>(&point.where())) {
+    return "a point on edge " + std::to_string(e->edge.index());
+  }
+  return "a point in face " + std::to_string(std::get<InFace>(point.where()).face.index());
+}
+
+/// Leaves out what lies between two passages of a vertex; of a closed path the shorter part.
+void erase_loops(const SignpostTriangulation& t, std::vector<HalfedgeId>& path, bool closed) {
+  const auto length_of = [&](const HalfedgeId* from, const HalfedgeId* to) {
+    double length = 0;
+    for (; from != to; ++from) length += t.surface_length(edge_of(*from));
+    return length;
+  };
+  std::vector<HalfedgeId> kept;
+  std::map<VertexId, std::size_t> passed;  // and how much was kept before
+  for (const HalfedgeId& h : path) {       // where it stands in the path counts
+    passed.emplace(t.tail(h), kept.size());
+    kept.push_back(h);
+    const auto again = passed.find(t.head(h));
+    if (again == passed.end()) continue;
+    const std::size_t from = again->second;
+    const HalfedgeId* data = kept.data();
+    if (closed && from == 0 && &h == &path.back()) break;  // that is where it began
+    if (closed && length_of(data + from, data + kept.size()) >
+                      length_of(data, data + from) + length_of(&h + 1, path.data() + path.size())) {
+      kept.erase(kept.begin(), kept.begin() + static_cast<std::ptrdiff_t>(from));
+      break;
+    }
+    kept.resize(from);
+    std::erase_if(passed, [&](const auto& entry) { return entry.second > from; });
+    passed.erase(t.head(h));
+  }
+  path = std::move(kept);
+}
+
+}  // namespace
+
+void check_drawn(const Surface& surface, const SurfaceCurve& curve) {
+  const std::size_t count = curve.points.size();
+  const std::size_t least = curve.closed ? 3 : 2;
+  if (count < least) {
+    refuse_curve(std::string(curve.closed ? "A closed" : "An open") + " curve needs at least " +
+                 std::to_string(least) + " different points, but this one has " +
+                 std::to_string(count) + ".");
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t next = (i + 1) % count;
+    if (next == 0 && !curve.closed) break;
+    const SurfacePoint &p = curve.points[i], &q = curve.points[next];
+    if (common_face(surface, p, q).valid()) continue;
+    refuse_curve("Points " + std::to_string(i + 1) + " and " + std::to_string(next + 1) +
+                 " of the curve (" + name(p) + " and " + name(q) +
+                 ") do not lie in a common face.");
+  }
+}
+
+EmbeddedCurves embed_curves(SignpostTriangulation& triangulation,
+                            std::span<const SurfaceCurve> curves,
+                            std::span<const SurfacePoint> pins, Loops loops,
+                            std::span<const std::size_t> names, const Progress& progress) {
+  constexpr std::size_t kOfPoint = 32;  // units of work
+  Asker asker(progress, "embed");
+  PointInsertion insertion(triangulation);
+  EmbeddedCurves embedded;
+  std::vector<std::vector<VertexId>> vertices(curves.size());
+  for (std::size_t c = 0; c < curves.size(); ++c) {
+    for (const SurfacePoint& point : curves[c].points) {
+      asker.did(kOfPoint);
+      const VertexId v = insertion.insert(point);
+      // Between slivers a point put in a second time may become another vertex.
+      if (std::find(pins.begin(), pins.end(), point) != pins.end()) embedded.pinned.push_back(v);
+      if (vertices[c].empty() || vertices[c].back() != v) vertices[c].push_back(v);
+    }
+    if (curves[c].closed && vertices[c].size() > 1 && vertices[c].front() == vertices[c].back()) {
+      vertices[c].pop_back();
+    }
+  }
+  // Joining one pair may split an edge that another pair runs along, so the chains are read off
+  // only when all are joined.
+  struct Joined {
+    std::size_t curve, since;
+    std::vector<HalfedgeId> way;
+  };
+  std::vector<Joined> joined;
+  for (std::size_t c = 0; c < curves.size(); ++c) {
+    const std::size_t count = vertices[c].size();
+    for (std::size_t i = 0; i + (curves[c].closed ? 0 : 1) < count; ++i) {
+      asker.did(kOfPoint);
+      std::vector<HalfedgeId> way;
+      insertion.connect(vertices[c][i], vertices[c][(i + 1) % count], way);
+      joined.push_back({c, insertion.split_count(), std::move(way)});
+    }
+  }
+  std::vector<std::vector<HalfedgeId>> chains(curves.size());
+  for (const Joined& pair : joined) {
+    asker.did(kOfPoint / 4);
+    const std::vector<HalfedgeId> now = insertion.now(pair.way, pair.since);
+    chains[pair.curve].insert(chains[pair.curve].end(), now.begin(), now.end());
+  }
+  std::sort(embedded.pinned.begin(), embedded.pinned.end());
+  for (std::size_t c = 0; c < curves.size(); ++c) {
+    if (loops == Loops::kErase) erase_loops(triangulation, chains[c], curves[c].closed);
+    if (chains[c].size() < (curves[c].closed ? 3U : 1U)) {
+      refuse_curve(
+          "Curve " + std::to_string(names.empty() ? c : names[c]) +
+          " comes back to where it began without going around anything: its points are too "
+          "close together, or it goes back the way it came.");
+    }
+    embedded.paths.push_back(EdgePath::make(triangulation, std::move(chains[c]), curves[c].closed));
+  }
+  return embedded;
+}
+
+}  // namespace talweg

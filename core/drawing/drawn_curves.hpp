@@ -1,0 +1,26 @@
+// What is done to drawn curves before they are smoothed.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "talweg/heat/curve_sources.hpp"
+#include "talweg/intrinsic/surface/surface.hpp"
+#include "talweg/intrinsic/surface/surface_point.hpp"
+
+namespace talweg {
+
+/// The curve with its corners capped (capping.hpp) if it runs along mesh edges and passes
+/// no vertex twice, else as it is.
+/// Points in `pins` stay.
+SurfaceCurve capped_curve(const Surface& surface, const SurfaceCurve& curve,
+                          std::span<const SurfacePoint> pins);
+
+/// Throws Error(kBadUsage) naming the first pin that is not a point of one of the curves.
+void check_pins(std::span<const SurfaceCurve> curves, std::span<const SurfacePoint> pins);
+
+/// The union of the curves as heat sources; where curves meet their weights add. Sorted by vertex.
+std::vector<WeightedVertex> sources_of(const Surface& surface,
+                                       std::span<const SurfaceCurve> curves);
+
+}  // namespace talweg

@@ -1,0 +1,283 @@
+#include "talweg/core/drawing/snapping.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "talweg/core/mesh/closest_point.hpp"
+#include "talweg/intrinsic/error.hpp"
+
+namespace talweg {
+namespace {
+
+/// Parts of a face's longest side.
+constexpr double kOnElement = 1e-9;
+constexpr double kMostRounding = 1e-4;
+/// Relative rounding of 32-bit floats, as a bound for all three coordinates together.
+constexpr double kSinglePrecision = 1.2e-7;
+
+/// Positions farther away than both belong to something else: of the diagonal of the mesh's box,
+/// and in mean edges, for meshes of a few faces.
+constexpr double kFarthestOfSize = 0.125;
+constexpr double kFarthestInEdges = 10;
+/// In mean edges. So far is no mesh from its drawing that was only smoothed or made coarser.
+constexpr double kMovedFarInEdges = 3;
+
+double size_of(const SurfaceMesh& mesh) {
+  Point low = mesh.points().front(), high = low;
+  for (const Point& p : mesh.points()) {
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+  }
+  return (high - low).norm();
+}
+
+[[noreturn]] void bad_curve(const std::string& what) {
+  throw Error(ErrorCode::kBadCurve, what + ".");
+}
+
+std::string at_position(std::size_t k) { return "position " + std::to_string(k) + " of the curve"; }
+
+void check_neighbours(const Surface& surface, const std::vector<VertexId>& ids, bool closed) {
+  const std::size_t n = ids.size();
+  for (std::size_t k = 0; k < n; ++k) {
+    if (k + 1 == n && !closed) break;
+    const VertexId a = ids[k];
+    const VertexId b = ids[(k + 1) % n];
+    if (a == b || surface.find_halfedge(a, b).valid() || surface.find_halfedge(b, a).valid())
+      continue;
+    bad_curve("Vertices " + std::to_string(a.index()) + " and " + std::to_string(b.index()) +
+              " at " + at_position(k) + " and after it share no edge of the mesh");
+  }
+}
+
+void check_length(std::size_t n, bool closed) {
+  if (closed && n < 3) {
+    bad_curve("A closed curve needs at least three different points, and this one has " +
+              std::to_string(n));
+  }
+  if (n < 2) {
+    bad_curve("A curve needs at least two different points, and this one has " + std::to_string(n));
+  }
+}
+
+std::vector<SurfacePoint> snap_vertices(const Surface& surface, const std::vector<VertexId>& ids,
+                                        bool closed, const SnapOptions& options) {
+  std::vector<SurfacePoint> points;
+  for (std::size_t k = 0; k < ids.size(); ++k) {
+    if (ids[k].index() >= surface.vertex_count()) {
+      bad_curve("There is no vertex " + std::to_string(ids[k].index()) + " (" + at_position(k) +
+                "); the mesh has " + std::to_string(surface.vertex_count()) + ", counted from 0");
+    }
+    points.push_back(SurfacePoint::at_vertex(surface, ids[k]));
+  }
+  check_length(ids.size(), closed);
+  if (!options.connect) check_neighbours(surface, ids, closed);
+  return points;
+}
+
+/// On an edge the fraction is taken from the file as it stands there, so nothing is lost.
+SurfacePoint exact_point(const Surface& surface, const FaceCoordinates& at) {
+  const auto& b = at.barycentric;
+  if (at.face.index() < surface.face_count() && std::count(b.begin(), b.end(), 0.0) == 1) {
+    const auto zero = static_cast<std::size_t>(std::find(b.begin(), b.end(), 0.0) - b.begin());
+    HalfedgeId h = surface.halfedge(at.face);
+    for (std::size_t k = 0; k != (zero + 1) % 3; ++k) h = surface.next(h);
+    const double tail = b[(zero + 1) % 3];
+    const double head = b[(zero + 2) % 3];
+    const double t = h == halfedge_of(edge_of(h)) ? head : tail;
+    const double sum = tail + head;
+    if (sum == 1 && t > 0 && t < 1) return SurfacePoint::on_edge(surface, edge_of(h), t);
+  }
+  const bool inside = std::all_of(b.begin(), b.end(), [](double x) { return x > 0 && x < 1; });
+  if (inside) return SurfacePoint::in_face(surface, at.face, b);
+  return SurfacePoint::from_barycentric(surface, at.face, b);
+}
+
+std::vector<SurfacePoint> snap_coordinates(const Surface& surface,
+                                           const std::vector<FaceCoordinates>& coordinates) {
+  std::vector<SurfacePoint> points;
+  for (std::size_t k = 0; k < coordinates.size(); ++k) {
+    try {
+      points.push_back(exact_point(surface, coordinates[k]));
+    } catch (const Error& error) {
+      throw Error(error.code(), "At " + at_position(k) + ": " + error.what());
+    }
+  }
+  return points;
+}
+
+/// The nearest point, moved to a vertex or else an edge of its face within `near`.
+SurfacePoint settled(const SurfaceMesh& mesh, const ClosestPoint::Result& found,
+                     const Point& position) {
+  const Surface& surface = mesh.surface();
+  const auto corners = surface.corners(found.face);
+  std::array<Point, 3> corner;
+  for (std::size_t k = 0; k < 3; ++k) corner[k] = mesh.point(corners[k]);
+  const Point at = found.barycentric[0] * corner[0] + found.barycentric[1] * corner[1] +
+                   found.barycentric[2] * corner[2];
+  double size = 0;
+  for (std::size_t k = 0; k < 3; ++k)
+    size = std::max(size, (corner[(k + 1) % 3] - corner[k]).norm());
+  const double rounding =
+      std::min(kSinglePrecision * position.cwiseAbs().maxCoeff(), kMostRounding * size);
+  const double near = std::max(kOnElement * size, rounding);
+
+  std::size_t vertex = 0;
+  for (std::size_t k = 1; k < 3; ++k) {
+    if ((at - corner[k]).norm() < (at - corner[vertex]).norm()) vertex = k;
+  }
+  if ((at - corner[vertex]).norm() <= near)
+    return SurfacePoint::at_vertex(surface, corners[vertex]);
+
+  double nearest = near;
+  std::optional<std::array<double, 3>> on_side;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::size_t next = (k + 1) % 3;
+    const Point side = corner[next] - corner[k];
+    if (!(side.squaredNorm() > 0)) continue;
+    const double t = std::clamp((at - corner[k]).dot(side) / side.squaredNorm(), 0.0, 1.0);
+    const double distance = (at - corner[k] - t * side).norm();
+    if (!(distance <= nearest) || (on_side && distance == nearest)) continue;
+    nearest = distance;
+    on_side = {0, 0, 0};
+    (*on_side)[k] = 1 - t;
+    (*on_side)[next] = t;
+  }
+  if (!on_side) return found.point;
+  return SurfacePoint::from_barycentric(surface, found.face, *on_side);
+}
+
+std::vector<SurfacePoint> snap_positions(const SurfaceMesh& mesh, const ClosestPoint& closest,
+                                         const std::vector<Point>& positions, double& largest,
+                                         Asker& asker) {
+  constexpr std::size_t kOfPoint = 64;  // units of work
+  std::vector<SurfacePoint> points;
+  const double size = size_of(mesh);
+  const double farthest =
+      std::max(kFarthestOfSize * size, kFarthestInEdges * mesh.mean_edge_length());
+  for (std::size_t k = 0; k < positions.size(); ++k) {
+    asker.did(kOfPoint);
+    try {
+      const ClosestPoint::Result found = closest.nearest(positions[k]);
+      if (found.distance > farthest) {
+        bad_curve(fmt::format(
+            "the mesh is {:.3g} away and {:.3g} large, and at most {:.3g} is taken: the "
+            "curve seems to be in another unit or place",
+            found.distance, size, farthest));
+      }
+      points.push_back(settled(mesh, found, positions[k]));
+    } catch (const Error& error) {
+      throw Error(error.code(), "At " + at_position(k) + ": " + error.what());
+    }
+    largest = std::max(largest, (mesh.position(points.back()) - positions[k]).norm());
+  }
+  return points;
+}
+
+/// Drops every point that equals the one before (in a closed curve also the last that equals the
+/// first); its pin goes to the point that stays.
+void merge_equal(std::vector<SurfacePoint> points, const std::vector<std::size_t>& pins,
+                 SnappedCurve& curve) {
+  std::vector<std::size_t> kept(points.size());
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    if (curve.points.empty() || !(curve.points.back() == points[k])) {
+      curve.points.push_back(points[k]);
+    }
+    kept[k] = curve.points.size() - 1;
+  }
+  if (curve.closed && curve.points.size() > 1 && curve.points.back() == curve.points.front()) {
+    const std::size_t last = curve.points.size() - 1;
+    curve.points.pop_back();
+    std::replace(kept.begin(), kept.end(), last, std::size_t{0});
+  }
+  curve.merged = points.size() - curve.points.size();
+  for (const std::size_t pin : pins) {
+    if (pin >= kept.size()) {
+      bad_curve("There is no point " + std::to_string(pin) + " to pin; the curve has " +
+                std::to_string(kept.size()));
+    }
+    curve.pins.push_back(kept[pin]);
+  }
+  std::sort(curve.pins.begin(), curve.pins.end());
+  curve.pins.erase(std::unique(curve.pins.begin(), curve.pins.end()), curve.pins.end());
+}
+
+SnappedCurve snap_one(const SurfaceMesh& mesh, const ClosestPoint* closest, const CurveInput& curve,
+                      const SnapOptions& options, Asker& asker) {
+  SnappedCurve result;
+  result.closed = curve.closed;
+  std::vector<SurfacePoint> points;
+  if (const auto* ids = std::get_if<std::vector<VertexId>>(&curve.points)) {
+    points = snap_vertices(mesh.surface(), *ids, curve.closed, options);
+  } else if (const auto* at = std::get_if<std::vector<FaceCoordinates>>(&curve.points)) {
+    points = snap_coordinates(mesh.surface(), *at);
+  } else {
+    points = snap_positions(mesh, *closest, std::get<std::vector<Point>>(curve.points),
+                            result.largest_snap_distance, asker);
+  }
+  merge_equal(std::move(points), curve.pins, result);
+  check_length(result.points.size(), result.closed);
+  return result;
+}
+
+bool has_positions(const CurveInput& curve) {
+  return std::holds_alternative<std::vector<Point>>(curve.points);
+}
+
+}  // namespace
+
+SnappedCurve snap(const SurfaceMesh& mesh, const CurveInput& curve, const SnapOptions& options,
+                  const Progress& progress) {
+  Asker asker(progress, "snap");
+  std::optional<ClosestPoint> closest;
+  if (has_positions(curve)) closest.emplace(mesh);
+  return snap_one(mesh, closest ? &*closest : nullptr, curve, options, asker);
+}
+
+std::vector<SnappedCurve> snap(const SurfaceMesh& mesh, std::span<const CurveInput> curves,
+                               const SnapOptions& options, const Progress& progress) {
+  std::optional<ClosestPoint> closest;
+  return snap(mesh, curves, closest, options, progress);
+}
+
+std::vector<SnappedCurve> snap(const SurfaceMesh& mesh, std::span<const CurveInput> curves,
+                               std::optional<ClosestPoint>& closest, const SnapOptions& options,
+                               const Progress& progress) {
+  Asker asker(progress, "snap");
+  if (!closest && std::any_of(curves.begin(), curves.end(), has_positions)) closest.emplace(mesh);
+  std::vector<SnappedCurve> result;
+  for (const CurveInput& curve : curves) {
+    asker.is_at(static_cast<double>(result.size()) / static_cast<double>(curves.size()));
+    try {
+      result.push_back(snap_one(mesh, closest ? &*closest : nullptr, curve, options, asker));
+    } catch (const Error& error) {
+      if (curves.size() == 1) throw;
+      throw Error(error.code(), "Curve " + std::to_string(result.size()) + ": " + error.what());
+    }
+  }
+  return result;
+}
+
+bool moved_far(double largest_snap_distance, const SurfaceMesh& mesh) {
+  return largest_snap_distance > kMovedFarInEdges * mesh.mean_edge_length();
+}
+
+std::string snap_warning(double largest_snap_distance, const SurfaceMesh& mesh) {
+  if (!(largest_snap_distance > 0)) return "";
+  if (!moved_far(largest_snap_distance, mesh)) {
+    return fmt::format("The curve was moved onto the mesh, by up to {:.3g} mesh units.",
+                       largest_snap_distance);
+  }
+  return fmt::format(
+      "{}: it was moved onto the mesh, by up to {:.3g} mesh units, {:.1f} mean edges. Is it of "
+      "this "
+      "mesh, and in its unit?",
+      kFarFromMesh, largest_snap_distance, largest_snap_distance / mesh.mean_edge_length());
+}
+
+}  // namespace talweg

@@ -1,0 +1,68 @@
+// From what a curve file holds to points on a mesh.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "talweg/core/drawing/curve_input.hpp"
+#include "talweg/core/mesh/closest_point.hpp"
+#include "talweg/core/mesh/surface_mesh.hpp"
+#include "talweg/intrinsic/progress.hpp"
+
+namespace talweg {
+
+struct SnapOptions {
+  /// Vertex ids need not be neighbours: the caller connects them.
+  bool connect = false;
+};
+
+/// A curve's points on a mesh; consecutive ones differ but need not share a face.
+struct SnappedCurve {
+  bool closed = false;               ///< the first point is not repeated
+  std::vector<SurfacePoint> points;  ///< at least two, at least three where closed
+  double largest_snap_distance = 0;  ///< of 3D positions, mesh units
+  std::size_t merged = 0;            ///< points that fell together with the one before
+  std::vector<std::size_t> pins;     ///< indices of points, ascending
+};
+
+/// Puts a curve on the mesh.
+///
+/// Vertex ids must exist and each be the neighbour of the one before (unless `connect`). Points in
+/// faces are taken as they are. Positions go to the nearest point of the mesh, and there to a
+/// vertex or else an edge within 1e-9 of the face's longest side, or within the rounding of
+/// single-precision coordinates (1.2e-7 of the largest one, but no more than 1e-4 of the longest
+/// side): so mesh vertices come back as themselves from files with 9 digits or 32-bit floats.
+/// Points in faces and positions that fall together with the one before are merged.
+///
+/// Throws Error(kBadCurve) naming the position in the curve (from 0) and the ids: an id or face
+/// out of range, neighbours that share no edge, barycentrics out of range, a position without
+/// finite coordinates or farther from the mesh than an eighth of the diagonal of its box and than
+/// ten mean edges, fewer than two points, closed with fewer than three. Throws Cancelled when
+/// `progress` (stage "snap") says so.
+SnappedCurve snap(const SurfaceMesh& mesh, const CurveInput& curve, const SnapOptions& options = {},
+                  const Progress& progress = {});
+
+/// The same for several curves; what searches the mesh is built once. Errors name the curve too.
+std::vector<SnappedCurve> snap(const SurfaceMesh& mesh, std::span<const CurveInput> curves,
+                               const SnapOptions& options = {}, const Progress& progress = {});
+
+/// The same with what searches the mesh kept by the caller: made here when positions first need it.
+std::vector<SnappedCurve> snap(const SurfaceMesh& mesh, std::span<const CurveInput> curves,
+                               std::optional<ClosestPoint>& closest,
+                               const SnapOptions& options = {}, const Progress& progress = {});
+
+/// How the sentence of snap_warning() begins where the drawing was moved far.
+constexpr std::string_view kFarFromMesh = "The drawing lies far from the mesh";
+
+/// Whether a drawing that was moved by so much may belong to another mesh, place or unit: by more
+/// than three mean edges.
+bool moved_far(double largest_snap_distance, const SurfaceMesh& mesh);
+
+/// A sentence on how far a drawing was moved; empty where it was not.
+std::string snap_warning(double largest_snap_distance, const SurfaceMesh& mesh);
+
+}  // namespace talweg

@@ -1,0 +1,78 @@
+// Drawing straight over the surface from point to point.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "talweg/core/drawing/drawing.hpp"
+#include "talweg/intrinsic/flips/flip_out.hpp"
+#include "talweg/intrinsic/flips/signpost_triangulation.hpp"
+#include "talweg/intrinsic/flips/trace.hpp"
+#include "talweg/intrinsic/progress.hpp"
+#include "talweg/intrinsic/surface/surface_point.hpp"
+
+namespace talweg {
+
+/// Consecutive points of a drawing that share no face and lie more than four times as far apart as
+/// its points do in the median: something is missing there. Points that were clicked are all far
+/// apart, and have none.
+struct JoinedGaps {
+  std::size_t count = 0;
+  double longest = 0;  ///< mesh units
+
+  void add(const JoinedGaps& more) {
+    count += more.count;
+    longest = std::max(longest, more.longest);
+  }
+};
+
+/// The sentence that tells of them; empty where there are none.
+std::string gap_warning(const JoinedGaps& gaps);
+
+/// Joins surface points by straight lines (geodesics). Memory is made once per object, when points
+/// that share no face first ask for it; a call costs what its lines touch. The surface must outlive
+/// the object. One thread at a time.
+class StraightLines {
+ public:
+  explicit StraightLines(const Surface& surface);
+
+  /// A curve through the points, in order. Two points of a common face are joined inside it; others
+  /// by the geodesic that FlipOut finds from a shortest edge path between them, which is locally,
+  /// not always globally, shortest. Points that fall together are taken once.
+  /// Throws Error(kBadCurve) when two points lie on different components, or fewer than two (three
+  /// if closed) different ones are left; Cancelled when `progress` (stage "draw") says so.
+  SurfaceCurve join(std::span<const SurfacePoint> points, bool closed,
+                    const Progress& progress = {});
+  /// Those of the last join().
+  [[nodiscard]] const JoinedGaps& gaps() const { return gaps_; }
+
+ private:
+  void append_leg(const SurfacePoint& from, const SurfacePoint& to,
+                  std::vector<SurfacePoint>& points, const Progress& progress);
+  void append_line(const SurfacePoint& from, const SurfacePoint& to,
+                   std::vector<SurfacePoint>& points, const Progress& progress);
+  [[nodiscard]] VertexId nearest_corner(const SurfacePoint& point) const;
+
+  /// O(mesh), and needed only where two points share no face.
+  struct Workshop {
+    explicit Workshop(const Surface& surface);
+    SignpostTriangulation triangulation;
+    FlipOut flip_out;
+    Tracer tracer;
+    EdgeDijkstra dijkstra;
+  };
+
+  const Surface* surface_;
+  void find_gaps();
+
+  JoinedGaps gaps_;
+  std::vector<double> legs_;    // lengths, mesh units, of the last join()
+  std::vector<double> joined_;  // of them those through several faces
+  std::unique_ptr<Workshop> workshop_;
+};
+
+}  // namespace talweg

@@ -1,0 +1,73 @@
+// Curve files: what they hold, reading and writing them by extension.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "talweg/core/drawing/curve_input.hpp"
+#include "talweg/core/drawing/length_unit.hpp"
+#include "talweg/core/drawing/placed_curve.hpp"
+#include "talweg/core/mesh/mesh_lists.hpp"
+#include "talweg/core/mesh/surface_mesh.hpp"
+#include "talweg/intrinsic/surface/ids.hpp"
+#include "talweg/intrinsic/surface/surface_point.hpp"
+
+namespace talweg {
+
+/// Reads every curve of a file, in the file's order. By extension, in either case:
+///
+/// - `.obj`: `v` and `l`. `.ply`: vertices and edges (`vertex1 vertex2`), ascii or binary.
+///   `.vtp`, `.vtk`: the lines of polydata (ascii, base64, raw, zlib; legacy ascii and binary).
+///   Lines that meet end to end, two and no more at a point, are joined into one curve, which keeps
+///   the direction of its first line. A line is closed when it ends at its first point, or
+///   (four points or more) at a copy of it with the same coordinates.
+/// - `.mrk.json`: the Curve and ClosedCurve markups of 3D Slicer (schema 1.0.x), by their control
+///   points; a locked control point is a pin, one without a defined position is left out. The mesh
+///   is taken to be in LPS, as Slicer itself writes meshes; positions of a markup in RAS get x and
+///   y negated. Positions are converted from the markup's `coordinateUnits`, a UCUM code or a coded
+///   entry with one (mm where it has none), to `mesh_unit`. The other formats name no unit: their
+///   positions are in that of the mesh.
+/// - `.txt`: vertex ids from 0, separated by blanks, commas or ends of lines; `#` starts a comment,
+///   a blank line separates curves; a list that repeats its first id at its end is closed.
+/// - `.json`: ours (below). A `.json` that holds Slicer's markups is read as such.
+///
+/// Throws Error(kBadFile) with one sentence that names the file, the place (line, or byte in
+/// binary data) and what was expected. Every index is in range of the file's own points and every
+/// coordinate finite in what is returned; at least one curve is.
+std::vector<CurveInput> read_curves(const std::filesystem::path& path,
+                                    const LengthUnit& mesh_unit = {});
+
+/// The same from a file's bytes in memory; the path gives the extension and the name in errors.
+std::vector<CurveInput> read_curves(const std::filesystem::path& path, std::string_view bytes,
+                                    const LengthUnit& mesh_unit = {});
+
+/// Writes curves by extension, in the formats of read_curves. Coordinates and barycentrics have 17
+/// digits (doubles in binary); nothing else goes in, so equal curves are equal files.
+///
+/// Our JSON: {"format": "talweg-curves", "version": 1, "curves": [{"closed": false, "points":
+/// [{"face": 12, "barycentric": [a, b, c], "xyz": [x, y, z]}, ...]}]}. `face` is a face that
+/// contains the point and the next (the one of smallest id), for an open curve's last point the one
+/// before; the barycentrics are in the order of Surface::corners(face). It gives back the same
+/// SurfacePoints, bit for bit. `.vtp` and `.vtk` carry `face` and `barycentric` as point data;
+/// `.mrk.json` names the mesh's unit.
+///
+/// Throws Error(kBadFile) when the file cannot be written (an old file is then as it was) or the
+/// format cannot hold the curves: `.txt` only vertices. Throws Error(kBadCurve) when there is no
+/// curve, a curve has no points, or a point and the next lie in no common face.
+void write_curves(const std::filesystem::path& path, const SurfaceMesh& mesh,
+                  std::span<const SurfaceCurve> curves, const LengthUnit& mesh_unit = {});
+/// The same for curves that are placed already, as place() does it.
+void write_curves(const std::filesystem::path& path, std::span<const PlacedCurve> curves,
+                  const LengthUnit& mesh_unit = {});
+
+/// What write_curves() would write to a file of this name. Throws as it does.
+std::string curve_bytes(const std::filesystem::path& name, std::span<const PlacedCurve> curves,
+                        const LengthUnit& mesh_unit = {});
+/// Throws what write_curves() would for a name whose extension is none of a curve format.
+void check_curve_name(const std::filesystem::path& name);
+
+}  // namespace talweg

@@ -1,0 +1,42 @@
+// The single formats behind curve_file.hpp: bytes to curves and back.
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "talweg/core/io/border_file.hpp"
+#include "talweg/core/io/curve_file.hpp"
+
+namespace talweg::formats {
+
+/// What a reader gets: the bytes, and the path for its messages.
+struct Source {
+  const std::filesystem::path& path;
+  std::string_view bytes;
+  LengthUnit mesh_unit;
+};
+
+std::vector<CurveInput> read_obj(const Source& source);
+std::vector<CurveInput> read_ply(const Source& source);
+std::vector<CurveInput> read_vtp(const Source& source);
+std::vector<CurveInput> read_vtk(const Source& source);
+std::vector<CurveInput> read_txt(const Source& source);
+/// Ours, or Slicer's where the file has `markups`.
+std::vector<CurveInput> read_json(const Source& source);
+
+/// Of each curve, or none; formats without a place for them leave them out.
+using Sides = std::span<const CurveSides>;
+
+std::string write_obj(std::span<const PlacedCurve> curves, Sides sides = {});
+std::string write_ply(std::span<const PlacedCurve> curves, Sides sides = {});
+std::string write_vtp(std::span<const PlacedCurve> curves, Sides sides = {});
+std::string write_vtk(std::span<const PlacedCurve> curves, Sides sides = {});
+/// Throws Error(kBadFile) where a point is no vertex.
+std::string write_txt(const std::filesystem::path& path, std::span<const PlacedCurve> curves);
+std::string write_json(std::span<const PlacedCurve> curves, Sides sides = {});
+std::string write_slicer(std::span<const PlacedCurve> curves, const LengthUnit& unit);
+
+}  // namespace talweg::formats

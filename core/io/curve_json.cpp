@@ -1,0 +1,78 @@
+// Our own JSON: faces, barycentrics and positions, without loss.
+#include <fmt/format.h>
+
+#include "talweg/core/io/curve_formats.hpp"
+#include "talweg/core/io/json_place.hpp"
+#include "talweg/core/io/text_scanner.hpp"
+
+namespace talweg::formats {
+namespace {
+
+constexpr std::uint32_t kVersion = 1;
+
+CurveInput read_curve(const JsonPlace& curve) {
+  CurveInput result;
+  result.closed = curve.member("closed").boolean();
+  const JsonPlace points = curve.member("points");
+  std::vector<FaceCoordinates> coordinates;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const JsonPlace point = points.element(k);
+    coordinates.push_back(
+        {FaceId{point.member("face").index()}, point.member("barycentric").triple()});
+    // The position follows from face and barycentrics; it must only be one.
+    if (point.has("xyz")) static_cast<void>(point.member("xyz").triple());
+  }
+  if (coordinates.empty()) points.fail("expected at least one point");
+  result.points = std::move(coordinates);
+  return result;
+}
+
+}  // namespace
+
+std::vector<CurveInput> read_json(const Source& source) {
+  const nlohmann::json document = parsed_json(source);
+  const JsonPlace root(source.path, document, "");
+  if (root.has("markups")) return read_slicer(root, source.mesh_unit);
+  const JsonPlace format = root.member("format");
+  if (format.string() != "talweg-curves") {
+    format.fail("expected \"talweg-curves\", found \"" + shown(format.string()) + "\"");
+  }
+  const JsonPlace version = root.member("version");
+  if (version.index() != kVersion) {
+    version.fail(fmt::format("this program reads version {}, and the file is of version {}",
+                             kVersion, version.index()));
+  }
+  const JsonPlace curves = root.member("curves");
+  std::vector<CurveInput> result;
+  for (std::size_t k = 0; k < curves.size(); ++k) result.push_back(read_curve(curves.element(k)));
+  if (result.empty()) curves.fail("expected at least one curve");
+  return result;
+}
+
+std::string write_json(std::span<const PlacedCurve> curves, Sides sides) {
+  fmt::memory_buffer out;
+  const auto to = fmt::appender(out);
+  fmt::format_to(to, "{{\"format\": \"talweg-curves\", \"version\": {}, \"curves\": [", kVersion);
+  for (std::size_t c = 0; c < curves.size(); ++c) {
+    const PlacedCurve& curve = curves[c];
+    fmt::format_to(to, "{}\n{{\"closed\": {}, ", c > 0 ? "," : "", curve.closed);
+    if (!sides.empty()) {
+      fmt::format_to(to, "\"left\": {}, \"right\": {}, ", sides[c].left, sides[c].right);
+    }
+    fmt::format_to(to, "\"points\": [");
+    for (std::size_t k = 0; k < curve.faces.size(); ++k) {
+      const auto& b = curve.faces[k].barycentric;
+      const Point& p = curve.positions[k];
+      fmt::format_to(to,
+                     "{}\n  {{\"face\": {}, \"barycentric\": [{:.17g}, {:.17g}, {:.17g}], "
+                     "\"xyz\": [{:.17g}, {:.17g}, {:.17g}]}}",
+                     k > 0 ? "," : "", curve.faces[k].face.index(), b[0], b[1], b[2], p.x(), p.y(),
+                     p.z());
+    }
+    fmt::format_to(to, "\n]}}");
+  }
+  fmt::format_to(to, "\n]}}\n");
+  return fmt::to_string(out);
+}
+
+}  // namespace talweg::formats

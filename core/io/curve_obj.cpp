@@ -1,0 +1,92 @@
+// Wavefront OBJ: `v` and `l`.
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "talweg/core/io/curve_formats.hpp"
+#include "talweg/core/io/file_bytes.hpp"
+#include "talweg/core/io/polylines.hpp"
+#include "talweg/core/io/text_scanner.hpp"
+
+namespace talweg::formats {
+namespace {
+
+constexpr auto kMostPoints = std::int64_t{std::numeric_limits<std::uint32_t>::max()};
+
+/// An index as written, from 1 or relative from -1, with the line it stands on.
+struct ObjLine {
+  Line points;
+  std::size_t line = 0;
+};
+
+Point read_vertex(TextScanner& scanner) {
+  Point p;
+  for (int k = 0; k < 3; ++k) p[k] = scanner.number(scanner.word_on_line(), "a coordinate");
+  return p;
+}
+
+/// Points may come later in the file, so only the range of the ids is checked here.
+ObjLine read_line(TextScanner& scanner, std::size_t point_count) {
+  ObjLine result{{}, scanner.line()};
+  for (;;) {
+    const std::string_view word = scanner.word_on_line();
+    if (word.empty() || word[0] == '#') break;
+    const std::string_view vertex = word.substr(0, word.find('/'));
+    std::int64_t index = scanner.integer(vertex, "a vertex index");
+    if (index < 0) index += static_cast<std::int64_t>(point_count) + 1;
+    if (index < 1 || index >= kMostPoints) scanner.fail("a vertex index of the file", word);
+    result.points.push_back(static_cast<std::uint32_t>(index - 1));
+  }
+  if (result.points.size() < 2) scanner.fail("an l needs at least two vertices");
+  return result;
+}
+
+}  // namespace
+
+std::vector<CurveInput> read_obj(const Source& source) {
+  TextScanner scanner(source.path, source.bytes);
+  std::vector<Point> points;
+  std::vector<ObjLine> found;
+  do {
+    const std::string_view keyword = scanner.word_on_line();
+    if (keyword == "v") points.push_back(read_vertex(scanner));
+    if (keyword == "l") found.push_back(read_line(scanner, points.size()));
+  } while (scanner.next_line());
+  if (found.empty()) cannot_read(source.path, "it has no line elements (l)");
+  std::vector<Line> lines;
+  for (ObjLine& line : found) {
+    for (const std::uint32_t index : line.points) {
+      if (index < points.size()) continue;
+      cannot_read(source.path, fmt::format("line {}: there is no vertex {} (the file has {})",
+                                           line.line, std::size_t{index} + 1, points.size()));
+    }
+    lines.push_back(std::move(line.points));
+  }
+  return curves_of(points, std::move(lines));
+}
+
+std::string write_obj(std::span<const PlacedCurve> curves, Sides sides) {
+  fmt::memory_buffer out;
+  for (const PlacedCurve& curve : curves) {
+    for (const Point& p : curve.positions) {
+      fmt::format_to(fmt::appender(out), "v {:.17g} {:.17g} {:.17g}\n", p.x(), p.y(), p.z());
+    }
+  }
+  std::size_t first = 1;
+  for (std::size_t c = 0; c < curves.size(); ++c) {
+    const PlacedCurve& curve = curves[c];
+    if (!sides.empty()) {
+      fmt::format_to(fmt::appender(out), "g {}_{}\n", sides[c].left, sides[c].right);
+    }
+    out.push_back('l');
+    for (std::size_t k = 0; k < curve.positions.size(); ++k) {
+      fmt::format_to(fmt::appender(out), " {}", first + k);
+    }
+    if (curve.closed) fmt::format_to(fmt::appender(out), " {}", first);
+    out.push_back('\n');
+    first += curve.positions.size();
+  }
+  return fmt::to_string(out);
+}
+
+}  // namespace talweg::formats

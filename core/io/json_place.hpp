@@ -1,0 +1,54 @@
+// A value in a JSON file together with its place, so that errors can say where.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "talweg/core/io/curve_formats.hpp"
+
+namespace talweg::formats {
+
+/// Throws Error(kBadFile) naming line and column where the file is no JSON or nests deeper than 64.
+nlohmann::json parsed_json(const Source& source);
+
+/// All accessors throw Error(kBadFile) naming the file and the place, as in curves[2].points[0].
+class JsonPlace {
+ public:
+  JsonPlace(const std::filesystem::path& path, const nlohmann::json& value, std::string name)
+      : path_(&path), value_(&value), name_(std::move(name)) {}
+
+  [[nodiscard]] bool has(const char* key) const {
+    return value_->is_object() && value_->contains(key);
+  }
+  [[nodiscard]] bool is_array() const { return value_->is_array(); }
+  /// A member that must be there.
+  [[nodiscard]] JsonPlace member(const char* key) const;
+  /// An element of an array; k must be below size().
+  [[nodiscard]] JsonPlace element(std::size_t k) const;
+  /// The length of an array; anything else is an error.
+  [[nodiscard]] std::size_t size() const;
+
+  [[nodiscard]] bool boolean() const;
+  [[nodiscard]] std::string string() const;
+  /// A finite number.
+  [[nodiscard]] double number() const;
+  /// A whole number from 0 to 4294967294.
+  [[nodiscard]] std::uint32_t index() const;
+  /// Three finite numbers.
+  [[nodiscard]] std::array<double, 3> triple() const;
+
+  [[noreturn]] void fail(const std::string& what) const;
+
+ private:
+  const std::filesystem::path* path_;
+  const nlohmann::json* value_;
+  std::string name_;
+};
+
+/// The curves of a 3D Slicer markups file, given its root.
+std::vector<CurveInput> read_slicer(const JsonPlace& root, const LengthUnit& mesh_unit);
+
+}  // namespace talweg::formats

@@ -1,0 +1,93 @@
+#include "talweg/core/io/label_file.hpp"
+
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "talweg/core/io/file_bytes.hpp"
+#include "talweg/core/io/label_formats.hpp"
+#include "talweg/core/io/mesh_file.hpp"
+#include "talweg/core/io/text_scanner.hpp"
+
+namespace talweg {
+namespace formats {
+namespace {
+
+constexpr std::array<std::string_view, 6> kUsual = {"label",  "labels", "segment",
+                                                    "region", "class",  "scalar_label"};
+
+LabelFile read_text_labels(const Source& source) {
+  TextScanner words(source.path, source.bytes);
+  LabelFile file;
+  for (std::string_view word = words.word(); !word.empty(); word = words.word()) {
+    file.labels.push_back(words.integer(word, "a label (a whole number)"));
+  }
+  return file;
+}
+
+}  // namespace
+
+const NamedNumbers& chosen(const Source& source, const std::vector<NamedNumbers>& all,
+                           const std::string& property) {
+  const auto find = [&](std::string_view name) -> const NamedNumbers* {
+    for (const bool of_faces : {true, false}) {
+      for (const NamedNumbers& numbers : all) {
+        if (numbers.of_faces == of_faces && numbers.name == name) return &numbers;
+      }
+    }
+    return nullptr;
+  };
+  if (!property.empty()) {
+    if (const NamedNumbers* found = find(property)) return *found;
+  } else {
+    for (const std::string_view name : kUsual) {
+      if (const NamedNumbers* found = find(name)) return *found;
+    }
+  }
+  std::string names;
+  for (const NamedNumbers& numbers : all) {
+    if (names.size() < 100) names += (names.empty() ? "" : ", ") + shown(numbers.name);
+  }
+  cannot_read(source.path,
+              fmt::format("it has no labels called {}, but {}",
+                          property.empty() ? "label, labels, segment, region, class or scalar_label"
+                                           : shown(property),
+                          names.empty() ? "nothing of one number per face or vertex" : names));
+}
+
+std::vector<std::int64_t> whole_numbers(const Source& source, const NamedNumbers& numbers) {
+  constexpr double kMost = 9007199254740992;  // 2^53
+  std::vector<std::int64_t> labels;
+  labels.reserve(numbers.numbers.size());
+  for (const double x : numbers.numbers) {
+    if (!(std::abs(x) <= kMost) || x != std::floor(x)) {
+      cannot_read(source.path, fmt::format("{} {}: expected a whole number as {}, found {:.17g}",
+                                           numbers.of_faces ? "face" : "vertex", labels.size(),
+                                           shown(numbers.name), x));
+    }
+    labels.push_back(static_cast<std::int64_t>(x));
+  }
+  return labels;
+}
+
+}  // namespace formats
+
+LabelFile read_label_file(const std::filesystem::path& path, std::string_view bytes,
+                          const LabelFileOptions& options) {
+  const formats::Source source{path, bytes};
+  const std::string extension = lower_extension(path);
+  if (extension == ".annot") return formats::read_annot_labels(source);
+  if (extension == ".label") return formats::read_freesurfer_label(source, options.vertex_count);
+  if (extension == ".ply") return formats::read_ply_labels(source, options.property);
+  if (extension == ".vtk") return formats::read_vtk_labels(source, options.property);
+  if (extension == ".vtp") return formats::read_vtp_labels(source, options.property);
+  return formats::read_text_labels(source);
+}
+
+LabelFile read_label_file(const std::filesystem::path& path, const LabelFileOptions& options) {
+  const std::string bytes = read_file(path);
+  return read_label_file(path, bytes, options);
+}
+
+}  // namespace talweg

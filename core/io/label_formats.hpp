@@ -1,0 +1,32 @@
+// The single formats behind label_file.hpp: bytes to labels.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "talweg/core/io/curve_formats.hpp"
+#include "talweg/core/io/label_file.hpp"
+
+namespace talweg::formats {
+
+/// A property or array of numbers, one per face (cell) or vertex (point).
+struct NamedNumbers {
+  std::string name;
+  bool of_faces = false;
+  std::vector<double> numbers;
+};
+
+/// Those of faces come first. Throws Error(kBadFile) that lists what there is where none fits.
+const NamedNumbers& chosen(const Source& source, const std::vector<NamedNumbers>& all,
+                           const std::string& property);
+/// Throws Error(kBadFile) naming the first that is no whole number.
+std::vector<std::int64_t> whole_numbers(const Source& source, const NamedNumbers& numbers);
+
+LabelFile read_annot_labels(const Source& source);
+LabelFile read_freesurfer_label(const Source& source, std::size_t vertex_count);
+LabelFile read_ply_labels(const Source& source, const std::string& property);
+LabelFile read_vtk_labels(const Source& source, const std::string& property);
+LabelFile read_vtp_labels(const Source& source, const std::string& property);
+
+}  // namespace talweg::formats

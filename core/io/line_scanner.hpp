@@ -1,0 +1,65 @@
+// Reading text line by line, token by token.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "talweg/core/io/mesh_file.hpp"
+
+namespace talweg {
+
+/// Walks over the lines of a file that have something on them. Independent of the locale.
+class LineScanner {
+ public:
+  /// What follows `comment` on a line is skipped; '\0' for none. Line 1 starts at byte `from`; a
+  /// byte order mark (UTF-8) at the start of the file is skipped.
+  explicit LineScanner(const MeshFile& file, char comment = '\0', std::size_t from = 0,
+                       std::size_t lines_before = 0)
+      : file_(&file), comment_(comment), next_(from), line_(lines_before) {
+    if (from == 0 && file.bytes.starts_with("\xEF\xBB\xBF")) next_ = 3;
+  }
+
+  /// Goes to the next line that is not blank; false at the end of the file.
+  bool next_line();
+  /// The same, where the file must go on: `expected` says with what.
+  void need_line(const std::string& expected);
+
+  /// The next word of the line; empty at its end.
+  std::string_view word();
+  /// The next word as a finite number. Throws Error(kBadFile).
+  double number(const char* what);
+  /// The next word as a whole number. Throws Error(kBadFile).
+  std::int64_t integer(const char* what);
+
+  /// Continues the line with the following one (a backslash at its end says so).
+  void join_next();
+  [[nodiscard]] std::size_t line() const { return line_; }
+  /// The byte after the line.
+  [[nodiscard]] std::size_t offset() const { return next_; }
+  [[noreturn]] void fail(const std::string& what) const { bad_line(file_->path, line_, what); }
+
+  /// Parse a whole word; false where it is none. `value` of a number may be infinite or NaN.
+  static bool parse(std::string_view word, double& value);
+  static bool parse(std::string_view word, std::int64_t& value);
+
+ private:
+  void take_line();
+  /// The next word, where it is a plain number: parsed as it is found. Nothing is taken otherwise.
+  template <class Value>
+  bool take(Value& value);
+  /// With a plus sign, out of range, or wrong.
+  double unusual_number(const char* what);
+
+  const MeshFile* file_;
+  char comment_;
+  std::size_t next_;
+  std::size_t line_;
+  std::string_view rest_;
+};
+
+/// A word in quotes, cut and made printable, for error messages.
+std::string quoted(std::string_view word);
+
+}  // namespace talweg

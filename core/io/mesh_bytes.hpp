@@ -1,0 +1,38 @@
+// Meshes as the bytes of files.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstring>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "talweg/core/io/mesh_writer.hpp"
+
+namespace talweg::formats {
+
+/// What a writer is given, and what it says that its format cannot hold.
+struct MeshContent {
+  const MeshLists& lists;
+  const MeshAttributes& attributes;
+  std::span<const TaggedEdge> edges;
+  std::vector<std::string> left_out;
+};
+
+std::string obj_bytes(MeshContent& content);
+std::string off_bytes(MeshContent& content);
+std::string ply_bytes(MeshContent& content);
+std::string stl_bytes(MeshContent& content);
+
+/// Appends a number's bytes, little end first.
+template <class T>
+void put(std::string& bytes, T value) {
+  std::array<char, sizeof(T)> raw{};
+  std::memcpy(raw.data(), &value, sizeof(T));
+  if constexpr (std::endian::native == std::endian::big) std::reverse(raw.begin(), raw.end());
+  bytes.append(raw.data(), raw.size());
+}
+
+}  // namespace talweg::formats

@@ -1,0 +1,40 @@
+// What the readers of mesh formats share: the file's bytes, its errors, its polygons.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "talweg/core/mesh/mesh_attributes.hpp"
+#include "talweg/core/mesh/mesh_lists.hpp"
+
+namespace talweg {
+
+/// A file in memory.
+struct MeshFile {
+  std::filesystem::path path;
+  std::string_view bytes;
+};
+
+/// Throws Error(kBadFile): "Cannot read PATH: what" or
+/// "Cannot read PATH, line N: what"; `what` ends with a period.
+[[noreturn]] void bad_file(const std::filesystem::path& path, const std::string& what);
+[[noreturn]] void bad_line(const std::filesystem::path& path, std::size_t line,
+                           const std::string& what);
+
+/// ".ply" of "A.PLY".
+std::string lower_extension(const std::filesystem::path& path);
+
+/// Appends the fan of a polygon with at least three corners.
+void add_polygon(MeshLists& lists, std::span<const std::uint32_t> corners);
+
+/// Each also reads what else the file holds, where that is asked for.
+MeshLists read_obj(const MeshFile& file, MeshAttributes* attributes = nullptr);
+MeshLists read_off(const MeshFile& file, MeshAttributes* attributes = nullptr);
+MeshLists read_ply(const MeshFile& file, MeshAttributes* attributes = nullptr);
+MeshLists read_stl(const MeshFile& file, MeshAttributes* attributes = nullptr);
+MeshLists read_om(const MeshFile& file, MeshAttributes* attributes = nullptr);
+
+}  // namespace talweg

@@ -1,0 +1,172 @@
+// PLY, binary: positions, corners, and all columns in their types.
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "talweg/core/io/mesh_bytes.hpp"
+
+namespace talweg::formats {
+namespace {
+
+const char* ply_name(NumberType type) {
+  switch (type) {
+    case NumberType::kInt8:
+      return "char";
+    case NumberType::kUint8:
+      return "uchar";
+    case NumberType::kInt16:
+      return "short";
+    case NumberType::kUint16:
+      return "ushort";
+    case NumberType::kInt32:
+      return "int";
+    case NumberType::kUint32:
+      return "uint";
+    case NumberType::kFloat32:
+      return "float";
+    default:
+      return "double";
+  }
+}
+
+void put_number(std::string& bytes, NumberType type, double value) {
+  switch (type) {
+    case NumberType::kInt8:
+      return put(bytes, static_cast<std::int8_t>(value));
+    case NumberType::kUint8:
+      return put(bytes, static_cast<std::uint8_t>(value));
+    case NumberType::kInt16:
+      return put(bytes, static_cast<std::int16_t>(value));
+    case NumberType::kUint16:
+      return put(bytes, static_cast<std::uint16_t>(value));
+    case NumberType::kInt32:
+      return put(bytes, static_cast<std::int32_t>(value));
+    case NumberType::kUint32:
+      return put(bytes, static_cast<std::uint32_t>(value));
+    case NumberType::kFloat32:
+      return put(bytes, static_cast<float>(value));
+    default:
+      return put(bytes, value);
+  }
+}
+
+/// Normals of corners as three columns of vertices; none where a vertex has several.
+std::vector<AttributeColumn> normals_of_vertices(const MeshLists& lists,
+                                                 const CornerAttribute& normals) {
+  constexpr std::uint32_t kNone = CornerAttribute::kNone;
+  std::vector<std::uint32_t> of_vertex(lists.points.size(), kNone);
+  for (std::size_t f = 0; f < lists.triangles.size(); ++f) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t own = normals.corners[f][k];
+      std::uint32_t& there = of_vertex[lists.triangles[f][k]];
+      if (own != kNone && there != kNone && own != there) return {};
+      if (own != kNone) there = own;
+    }
+  }
+  std::vector<AttributeColumn> columns;
+  for (std::size_t d = 0; d < 3; ++d) {
+    AttributeColumn& column = columns.emplace_back();
+    column.name = kNormals[d];
+    for (const std::uint32_t n : of_vertex) {
+      column.values.push_back(n == kNone ? 0 : normals.values[3 * std::size_t{n} + d]);
+    }
+  }
+  return columns;
+}
+
+class PlyWriter {
+ public:
+  explicit PlyWriter(MeshContent& content)
+      : content_(content), lists_(content.lists), attributes_(content.attributes) {
+    for (const AttributeColumn& column : attributes_.vertices) vertices_.push_back(&column);
+    if (attributes_.normals.dimension == 0) return;
+    normals_ = normals_of_vertices(lists_, attributes_.normals);
+    for (const AttributeColumn& column : normals_) vertices_.push_back(&column);
+    if (normals_.empty()) content_.left_out.emplace_back("normals that differ between corners");
+  }
+
+  std::string bytes() {
+    header();
+    bytes_.reserve(bytes_.size() + (24 + 8 * vertices_.size()) * lists_.points.size() +
+                   (13 + 8 * attributes_.faces.size()) * lists_.triangles.size());
+    for (std::size_t v = 0; v < lists_.points.size(); ++v) {
+      for (const double x : lists_.points[v]) put(bytes_, x);
+      for (const AttributeColumn* column : vertices_) {
+        put_number(bytes_, column->type, column->values[v]);
+      }
+    }
+    for (std::size_t f = 0; f < lists_.triangles.size(); ++f) face(f);
+    for (const TaggedEdge& edge : content_.edges) {
+      put(bytes_, edge.from);
+      put(bytes_, edge.to);
+      put(bytes_, edge.curve);
+    }
+    return std::move(bytes_);
+  }
+
+ private:
+  void header() {
+    bytes_ = "ply\nformat binary_little_endian 1.0\n";
+    for (const std::string& line : attributes_.references) {
+      if (line.starts_with("comment ")) {
+        bytes_ += line + "\n";
+      } else {
+        content_.left_out.push_back(fmt::format("'{}'", line));
+      }
+    }
+    for (const FaceNames& names : attributes_.names) {
+      content_.left_out.push_back(fmt::format("names of faces ({})", names.keyword));
+    }
+    const char* const index = lists_.points.size() <= 0x80000000U ? "int" : "uint";
+    const auto property = [this](const AttributeColumn& column) {
+      bytes_ += fmt::format("property {} {}\n", ply_name(column.type), column.name);
+    };
+    bytes_ +=
+        fmt::format("element vertex {}\nproperty double x\nproperty double y\nproperty double z\n",
+                    lists_.points.size());
+    for (const AttributeColumn* column : vertices_) property(*column);
+    bytes_ += fmt::format("element face {}\nproperty list uchar {} vertex_indices\n",
+                          lists_.triangles.size(), index);  // not every reader knows uint
+    if (attributes_.texture.dimension > 0) bytes_ += "property list uchar float texcoord\n";
+    for (const AttributeColumn& column : attributes_.faces) property(column);
+    if (!content_.edges.empty()) {
+      bytes_ += fmt::format(
+          "element edge {}\nproperty {} vertex1\nproperty {} vertex2\n"
+          "property int curve\n",
+          content_.edges.size(), index, index);
+    }
+    bytes_ += "end_header\n";
+  }
+
+  void face(std::size_t f) {
+    put(bytes_, std::uint8_t{3});
+    for (const std::uint32_t v : lists_.triangles[f]) put(bytes_, v);
+    if (attributes_.texture.dimension > 0) {
+      put(bytes_, std::uint8_t{6});
+      for (const std::uint32_t c : attributes_.texture.corners[f]) {
+        for (std::size_t d = 0; d < 2; ++d) {
+          const bool none = c == CornerAttribute::kNone;
+          put(bytes_,
+              none ? 0.0F : static_cast<float>(attributes_.texture.values[2 * std::size_t{c} + d]));
+        }
+      }
+    }
+    for (const AttributeColumn& column : attributes_.faces) {
+      put_number(bytes_, column.type, column.values[f]);
+    }
+  }
+
+  MeshContent& content_;
+  const MeshLists& lists_;
+  const MeshAttributes& attributes_;
+  std::vector<AttributeColumn> normals_;
+  std::vector<const AttributeColumn*> vertices_;
+  std::string bytes_;
+};
+
+}  // namespace
+
+std::string ply_bytes(MeshContent& content) { return PlyWriter(content).bytes(); }
+
+}  // namespace talweg::formats

@@ -1,0 +1,38 @@
+// The header of a PLY file.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "talweg/core/io/byte_cursor.hpp"
+#include "talweg/core/io/mesh_file.hpp"
+
+namespace talweg {
+
+struct PlyProperty {
+  std::string name;
+  NumberType type{};
+  bool is_list = false;
+  NumberType count_type{};  ///< of a list
+};
+
+struct PlyElement {
+  std::string name;
+  std::size_t count = 0;
+  std::vector<PlyProperty> properties;
+};
+
+enum class PlyEncoding { kText, kLittleEndian, kBigEndian };
+
+struct PlyHeader {
+  PlyEncoding encoding{};
+  std::vector<PlyElement> elements;
+  std::size_t body = 0;               ///< the byte where the data begins
+  std::size_t lines = 0;              ///< how many lines come before it
+  std::vector<std::string> textures;  ///< comments that name texture files, as they stand
+};
+
+/// Throws Error(kBadFile) with the line that cannot be understood.
+PlyHeader read_ply_header(const MeshFile& file);
+
+}  // namespace talweg

@@ -1,0 +1,35 @@
+// Lines between numbered points, joined into curves.
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "talweg/core/io/curve_file.hpp"
+
+namespace talweg::formats {
+
+/// Indices into a list of points.
+using Line = std::vector<std::uint32_t>;
+
+/// The value as an index below `count`; nothing where it is none.
+inline std::optional<std::uint32_t> index_below(double value, std::size_t count) {
+  constexpr double kLimit = 4294967295.0;  // the largest 32-bit number marks an invalid index
+  if (!(value >= 0 && value < kLimit && value < static_cast<double>(count))) return std::nullopt;
+  if (value != std::floor(value)) return std::nullopt;
+  return static_cast<std::uint32_t>(value);
+}
+
+/// Joins lines that meet end to end where exactly two line ends meet; junctions stay ends. A curve
+/// has the direction of its first line and comes in that line's place. Of two-point lines that
+/// repeat an earlier one (either way round) only the first is kept. O(n log n).
+std::vector<Line> joined(std::vector<Line> lines);
+
+/// The joined lines as curves. Closed is what ends where it began: at the same index, or with at
+/// least four points at the same coordinates. All indices must be in range.
+std::vector<CurveInput> curves_of(std::span<const Point> points, std::vector<Line> lines);
+
+}  // namespace talweg::formats

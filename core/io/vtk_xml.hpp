@@ -1,0 +1,39 @@
+// VTK's XML files: well-formed, with an encoding, and data arrays in it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <pugixml.hpp>
+
+#include "talweg/core/io/curve_formats.hpp"
+#include "talweg/core/io/vtk_data_array.hpp"
+
+namespace talweg::formats {
+
+/// A file of type PolyData. All errors are Error(kBadFile) with the line.
+class VtkXml {
+ public:
+  explicit VtkXml(const Source& source);
+
+  [[nodiscard]] pugi::xml_object_range<pugi::xml_named_node_iterator> pieces() const {
+    return document_.child("VTKFile").child("PolyData").children("Piece");
+  }
+  /// The data array of that name.
+  [[nodiscard]] pugi::xml_node named(const pugi::xml_node& among, const char* name) const;
+  /// Its numbers, of any type and encoding.
+  [[nodiscard]] std::vector<double> read_array(const pugi::xml_node& array) const;
+  [[noreturn]] void fail(const pugi::xml_node& node, const std::string& what) const;
+
+ private:
+  void parse();
+  void read_encoding(const pugi::xml_node& root);
+  [[nodiscard]] std::vector<double> read_ascii(const pugi::xml_node& array) const;
+
+  const Source& source_;
+  std::string xml_;
+  pugi::xml_document document_;
+  VtkEncoding encoding_;
+};
+
+}  // namespace talweg::formats

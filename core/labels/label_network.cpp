@@ -1,0 +1,418 @@
+#include "talweg/core/labels/label_network.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <optional>
+#include <utility>
+
+#include "talweg/core/labels/local_tightening.hpp"
+#include "talweg/core/labels/network_nodes.hpp"
+#include "talweg/core/measure/result_report.hpp"
+#include "talweg/core/smoothing/curve_smoother.hpp"
+#include "talweg/intrinsic/error.hpp"
+
+namespace talweg {
+namespace {
+
+constexpr int kRungs = 4;  // of smoothing; above them there is the drawing
+constexpr double kSteeper = 4, kNarrower = 0.5;
+// How often a border beyond D gets less slack where it is, and from when on it is pinned there.
+constexpr int kTightenings = 10, kPinnedFrom = 4;
+constexpr int kSteps = 6;    // of the nodes towards balance
+constexpr int kRetries = 3;  // with nodes held whose borders are not well
+
+class Network {
+ public:
+  Network(std::shared_ptr<const OpenedMesh> mesh, std::span<const std::int64_t> labels,
+          const LabelNetworkOptions& options)
+      : mesh_(std::move(mesh)),
+        options_(options),
+        drawn_(label_borders(mesh_->surface(), labels)),
+        parts_(parts_of_regions(mesh_->mesh(), labels, drawn_)),
+        rung_(drawn_.size(), 0),
+        tightenings_(drawn_.size(), 0),
+        pins_(drawn_.size()),
+        slack_(drawn_.size()),
+        result_(drawn_.size()),
+        smoother_(mesh_) {}
+
+  LabelNetwork run() {
+    std::vector<std::size_t> todo(drawn_.size());
+    for (std::size_t c = 0; c < todo.size(); ++c) todo[c] = c;
+    while (!todo.empty()) {
+      if (!smooth(todo)) return cancelled();
+      note_held(collapsed(todo));
+      todo = tighten(too_far(todo));  // before the mesh is cut for nothing
+      if (!todo.empty()) continue;
+      cut();
+      note_held(regions_.wrong);
+      todo = climb(regions_.wrong);
+    }
+    if ((options_.free_junctions || options_.sliding_ends) && !balance()) return cancelled();
+    return finished();
+  }
+
+ private:
+  /// What is known to be sound.
+  struct State {
+    std::vector<SmoothedBorder> result;
+    CutMesh cut;
+    CutRegions regions;
+  };
+
+  enum class Outcome { kSound, kUnsound, kCancelled };
+
+  static LabelNetwork cancelled() {
+    LabelNetwork result;
+    result.cancelled = true;
+    return result;
+  }
+
+  /// Smooths these borders as a set for each of their rungs. False when cancelled.
+  bool smooth(const std::vector<std::size_t>& todo) {
+    std::map<int, std::vector<std::size_t>> by_rung;
+    for (const std::size_t c : todo) by_rung[rung_[c]].push_back(c);
+    for (const auto& [rung, members] : by_rung) {
+      if (rung == kRungs) {
+        for (const std::size_t c : members) keep_drawn(c);
+      } else if (!smooth_set(members, rung)) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /// What a border is drawn as, with its ends where the nodes are now.
+  NetworkNodes::Redrawing drawing(std::size_t c) {
+    if (nodes_ && nodes_->is_moved(c)) return nodes_->redrawn(c);
+    NetworkNodes::Redrawing same{drawn_[c], {}};
+    same.from.resize(drawn_[c].curve.points.size());
+    std::iota(same.from.begin(), same.from.end(), 0);
+    return same;
+  }
+
+  bool smooth_set(const std::vector<std::size_t>& members, int rung) {
+    std::vector<NetworkNodes::Redrawing> drawings;
+    std::vector<SurfaceCurve> curves;
+    CurveOptions curve_options;
+    const auto pin = [&](const SurfacePoint& p) { curve_options.pins.push_back(p); };
+    for (const std::size_t c : members) {
+      const LabelBorder& border = drawings.emplace_back(drawing(c)).border;
+      curves.push_back(border.curve);
+      for (const SurfacePoint& p : border.fixed) pin(p);
+      for (const SurfacePoint& p : pins_[c]) {
+        const auto& points = border.curve.points;
+        if (std::find(points.begin(), points.end(), p) != points.end()) pin(p);
+      }
+    }
+    if (!smoother_.set_curves(curves, curve_options, options_.progress)) return false;
+    give_slack(members);
+    SmoothingOptions options;
+    options.progress = options_.progress;
+    if (options_.max_deviation) options.deviation = DeviationMeasure::kAlongSurface;
+    if (nodes_) options.deviation = DeviationMeasure::kNone;  // not that to these drawings
+    options.tau = options_.tau * std::pow(kSteeper, rung);
+    if (rung > 0 && options.tau == 0) options.tau = std::pow(kSteeper, rung - 1);
+    for (std::size_t i = 0; i < members.size(); ++i) {
+      std::vector<double>& slack = options.slack_at.emplace_back();
+      for (const std::size_t from : drawings[i].from) slack.push_back(slack_[members[i]][from]);
+    }
+    SmoothingResult smoothed = smoother_.smooth(options);
+    if (smoothed.total.termination == to_string(Termination::kCancelled)) return false;
+    for (std::size_t i = 0; i < members.size(); ++i) {
+      LabelBorder& border = drawings[i].border;
+      border.curve = std::move(smoothed.curves[i]);
+      result_[members[i]] = {std::move(border), std::move(smoothed.reports[i]), false};
+    }
+    return true;
+  }
+
+  /// To those that have none yet.
+  void give_slack(const std::vector<std::size_t>& members) {
+    const std::vector<double> own = smoother_.slack();
+    for (std::size_t i = 0; i < members.size(); ++i) {
+      if (!slack_[members[i]].empty()) continue;
+      double slack = options_.slack.value_or(own[i]);
+      if (options_.max_deviation) slack = std::min(slack, 0.75 * *options_.max_deviation);
+      slack_[members[i]].assign(drawn_[members[i]].curve.points.size(), slack);
+    }
+  }
+
+  void keep_drawn(std::size_t c) {
+    SmoothingReport report = std::move(result_[c].report);
+    const LabelBorder& drawn = drawn_[c];
+    const SmoothingReport same = report_on_curve(
+        mesh_->mesh(), drawn.curve, measure_curve(mesh_->surface(), drawn.curve), drawn.curve);
+    report.points_after = same.points_after;
+    report.length_after = same.length_after;
+    report.lifted_length_after = report.lifted_length_before;
+    report.curvature_after = same.curvature_after;
+    report.curvature_max_after = same.curvature_max_after;
+    report.deviation_to_drawn_max = report.deviation_to_drawn_mean = 0;
+    report.deviation_from_drawn_max = report.deviation_from_drawn_mean = 0;
+    report.slack = 0;
+    report.termination = to_string(Termination::kConverged);
+    report.warnings = {"A border stays as it was drawn."};
+    result_[c] = {drawn, std::move(report), true};
+  }
+
+  [[nodiscard]] bool has_collapsed(std::size_t border) const {
+    return result_[border].report.termination == to_string(Termination::kCollapsed);
+  }
+  [[nodiscard]] std::vector<std::size_t> collapsed(const std::vector<std::size_t>& among) const {
+    std::vector<std::size_t> gone;
+    for (const std::size_t c : among) {
+      if (has_collapsed(c)) gone.push_back(c);
+    }
+    return gone;
+  }
+
+  /// Those that have collapsed or lie beyond D.
+  [[nodiscard]] std::vector<std::size_t> too_far(const std::vector<std::size_t>& among) const {
+    std::vector<std::size_t> far;
+    for (const std::size_t c : among) {
+      const SmoothingReport& report = result_[c].report;
+      const double apart = std::max(report.deviation_to_drawn_max, report.deviation_from_drawn_max);
+      if (has_collapsed(c) || (options_.max_deviation && !(apart <= *options_.max_deviation))) {
+        far.push_back(c);
+      }
+    }
+    return far;
+  }
+
+  /// Those beyond D get less slack where they are, others the next rung.
+  std::vector<std::size_t> tighten(const std::vector<std::size_t>& borders) {
+    std::vector<std::size_t> moved, rest;
+    for (const std::size_t c : borders) {
+      if (has_collapsed(c) || tightenings_[c] == kTightenings || rung_[c] == kRungs) {
+        rest.push_back(c);
+        continue;
+      }
+      if (!tightening_) tightening_.emplace(mesh_->surface());
+      const std::vector<SurfacePoint> farthest =
+          tightening_->tighten(drawn_[c].curve, result_[c].border.curve, *options_.max_deviation,
+                               slack_[c], options_.progress);
+      if (++tightenings_[c] > kPinnedFrom) {
+        pins_[c].insert(pins_[c].end(), farthest.begin(), farthest.end());
+      }
+      moved.push_back(c);
+    }
+    rest = climb(rest);
+    moved.insert(moved.end(), rest.begin(), rest.end());
+    std::sort(moved.begin(), moved.end());
+    return moved;
+  }
+
+  /// The next rung for these; those that have one.
+  std::vector<std::size_t> climb(const std::vector<std::size_t>& borders) {
+    std::vector<std::size_t> moved;
+    for (const std::size_t c : borders) {
+      if (rung_[c] == kRungs) continue;
+      ++rung_[c];
+      for (double& slack : slack_[c]) slack *= kNarrower;
+      moved.push_back(c);
+    }
+    return moved;
+  }
+
+  [[nodiscard]] std::vector<SurfaceCurve> curves() const {
+    std::vector<SurfaceCurve> curves;
+    for (const SmoothedBorder& border : result_) curves.push_back(border.border.curve);
+    return curves;
+  }
+
+  /// Throws Cancelled.
+  void cut() {
+    const auto ask = [&](double fraction) {
+      if (!go_on(options_.progress, "cut", fraction)) throw Cancelled();
+    };
+    ask(0);
+    std::vector<LabelBorder> borders;
+    for (const SmoothedBorder& border : result_) borders.push_back(border.border);
+    cut_ = cut_along(mesh_->mesh(), curves());
+    ask(0.5);
+    regions_ = regions_of_cut(cut_, parts_, borders);
+  }
+
+  /// Nodes walk to where their borders balance, and the borders are smoothed anew; where one is not
+  /// well then its nodes go home. False when cancelled.
+  bool balance() {
+    const State settled{result_, cut_, regions_};
+    std::vector<double> tolerance;
+    for (std::size_t c = 0; c < drawn_.size(); ++c) {
+      const double slack = std::min(slack_[c].front(), slack_[c].back());
+      tolerance.push_back(result_[c].as_drawn      ? 0
+                          : options_.max_deviation ? 0.75 * *options_.max_deviation
+                                                   : slack);
+    }
+    const NetworkNodes::Rules rules{options_.free_junctions, options_.sliding_ends};
+    nodes_.emplace(mesh_->mesh(), drawn_, tolerance, rules);
+    imbalance_ = nodes_->imbalance(curves());
+    Outcome outcome = Outcome::kUnsound;
+    try {
+      outcome = walk(settled);
+    } catch (const Error& error) {  // a border whose nodes came too near is no curve any more
+      if (error.code() != ErrorCode::kBadCurve) throw;
+    }
+    if (outcome == Outcome::kUnsound) {
+      result_ = settled.result;
+      cut_ = settled.cut;
+      regions_ = settled.regions;
+      nodes_.reset();
+    }
+    return outcome != Outcome::kCancelled;
+  }
+
+  Outcome walk(const State& settled) {
+    for (int k = 0; k < kSteps; ++k) {
+      const std::vector<std::size_t> changed = nodes_->step(curves());
+      if (changed.empty()) break;
+      if (!smooth(changed)) return Outcome::kCancelled;
+    }
+    for (int tries = 0; tries < kRetries; ++tries) {
+      std::vector<std::size_t> wrong = measure_moved();
+      if (wrong.empty()) {
+        cut();
+        wrong = regions_.wrong;
+      }
+      if (wrong.empty()) return Outcome::kSound;
+      const std::vector<std::size_t> back = nodes_->hold(wrong);
+      if (back.empty()) break;
+      if (!smooth_from(settled, back)) return Outcome::kCancelled;
+    }
+    return Outcome::kUnsound;
+  }
+
+  /// Borders that have no moved node any more are what they were.
+  bool smooth_from(const State& settled, const std::vector<std::size_t>& borders) {
+    std::vector<std::size_t> todo;
+    for (const std::size_t c : borders) {
+      if (nodes_->is_moved(c)) {
+        todo.push_back(c);
+      } else {
+        result_[c] = settled.result[c];
+      }
+    }
+    return smooth(todo);
+  }
+
+  /// Reports on borders whose nodes have moved; those of them that are not well.
+  std::vector<std::size_t> measure_moved() {
+    if (!meter_) meter_.emplace(mesh_->mesh());
+    std::vector<std::size_t> moved;
+    for (std::size_t c = 0; c < drawn_.size(); ++c) {
+      if (!nodes_->is_moved(c)) continue;
+      moved.push_back(c);
+      const SurfaceCurve& drawn = drawn_[c].curve;
+      const SurfaceCurve& curve = result_[c].border.curve;
+      SmoothingReport& report = result_[c].report;
+      const SmoothingReport fresh =
+          report_on_curve(mesh_->mesh(), drawn, measure_curve(mesh_->surface(), drawn), curve);
+      report.points_before = fresh.points_before;
+      report.length_before = fresh.length_before;
+      report.curvature_before = fresh.curvature_before;
+      report.curvature_max_before = fresh.curvature_max_before;
+      report_deviation(report, DeviationMeasure::kAlongSurface, *meter_, mesh_->mesh(), drawn,
+                       curve, nullptr, options_.progress);
+      warn_if_far(report, kFarInEdges * report.edge_length_near);
+    }
+    return too_far(moved);
+  }
+
+  /// Of the two parts beside a border that is wrong the smaller one: it is what would be lost.
+  void note_held(const std::vector<std::size_t>& wrong) {
+    held_.resize(parts_.parts.size(), false);
+    for (const std::size_t c : wrong) {
+      const auto [left, right] = parts_.beside[c];
+      held_[parts_.parts[left].area <= parts_.parts[right].area ? left : right] = true;
+    }
+  }
+
+  [[nodiscard]] std::vector<LabelRegion> region_table() const {
+    std::map<std::int64_t, LabelRegion> regions;
+    for (std::size_t p = 0; p < parts_.parts.size(); ++p) {
+      LabelRegion& region = regions[parts_.parts[p].label];
+      region.label = parts_.parts[p].label;
+      ++region.parts_before;
+      region.area_before += parts_.parts[p].area;
+      region.area_after += regions_.area[p];
+      region.held = region.held || held_[p];
+      region.parts_after += regions_.heaps[p];
+    }
+    std::vector<LabelRegion> table;
+    table.reserve(regions.size());
+    for (const auto& [label, region] : regions) table.push_back(region);
+    return table;
+  }
+
+  LabelNetwork finished() {
+    LabelNetwork network;
+    if (nodes_) network.moved = nodes_->moved_count();
+    network.imbalance_before = imbalance_;
+    network.imbalance_after = nodes_ ? nodes_->imbalance(curves()) : imbalance_;
+    network.regions = region_table();
+    network.junctions = count_junctions(mesh_->surface(), drawn_);
+    std::vector<SmoothingReport> reports;
+    for (std::size_t c = 0; c < result_.size(); ++c) {
+      if (result_[c].as_drawn) ++network.as_drawn;
+      if (!result_[c].as_drawn && (rung_[c] > 0 || tightenings_[c] > 0)) ++network.tightened;
+      if (options_.max_deviation) result_[c].report.max_deviation = *options_.max_deviation;
+      reports.push_back(result_[c].report);
+    }
+    network.total = total_of(reports);
+    network.borders = std::move(result_);
+    for (const std::uint32_t part : regions_.part_of_face) {
+      network.cut_labels.push_back(parts_.parts[part].label);
+    }
+    network.face_labels = majority_labels(cut_, parts_, regions_, mesh_->surface().face_count());
+    network.cut = std::move(cut_);
+    return network;
+  }
+
+  std::shared_ptr<const OpenedMesh> mesh_;
+  LabelNetworkOptions options_;
+  std::vector<LabelBorder> drawn_;
+  RegionParts parts_;
+  // Of each border:
+  std::vector<int> rung_, tightenings_;
+  std::vector<std::vector<SurfacePoint>> pins_;  // of the drawing, where less slack did not help
+  std::vector<std::vector<double>> slack_;       // per point of the drawing
+  std::vector<SmoothedBorder> result_;
+  CurveSmoother smoother_;
+  std::optional<LocalTightening> tightening_;  // once a border lies beyond D
+  std::optional<NetworkNodes> nodes_;          // while they are where they may not have been drawn
+  std::optional<DeviationMeter> meter_;        // then
+  double imbalance_ = 0;                       // of the nodes as drawn
+  CutMesh cut_;
+  CutRegions regions_;
+  std::vector<bool> held_;  // per part
+};
+
+}  // namespace
+
+void LabelNetworkOptions::validate() const {
+  const auto bad = [](const char* message) { throw Error(ErrorCode::kBadUsage, message); };
+  if (!(tau >= 0 && std::isfinite(tau))) bad("tau must be finite and >= 0.");
+  if (slack && !(*slack >= 0 && std::isfinite(*slack))) bad("slack must be finite and >= 0.");
+  if (max_deviation && !(*max_deviation > 0 && std::isfinite(*max_deviation))) {
+    bad("max_deviation must be finite and > 0.");
+  }
+}
+
+LabelNetwork smooth_labels(const std::shared_ptr<const OpenedMesh>& mesh,
+                           std::span<const std::int64_t> labels,
+                           const LabelNetworkOptions& options) {
+  options.validate();
+  try {
+    const Asker asked(options.progress, "borders");
+    return Network(mesh, labels, options).run();
+  } catch (const Cancelled&) {
+    LabelNetwork cancelled;
+    cancelled.cancelled = true;
+    return cancelled;
+  }
+}
+
+}  // namespace talweg

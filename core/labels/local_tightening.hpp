@@ -1,0 +1,35 @@
+// Where a smoothed curve lies too far from its drawing, the drawing gets less slack; there only.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "talweg/intrinsic/exact_distance/polyline_distance.hpp"
+#include "talweg/intrinsic/progress.hpp"
+#include "talweg/intrinsic/surface/surface.hpp"
+#include "talweg/intrinsic/surface/surface_point.hpp"
+
+namespace talweg {
+
+/// Compares results with their drawings, stretch by stretch. Holds the working memory, O(mesh); the
+/// surface must outlive the object. One thread at a time.
+class LocalTightening {
+ public:
+  explicit LocalTightening(const Surface& surface) : distance_(surface) {}
+
+  /// Halves the slack (per point of the drawing, mesh units) along every stretch of the drawing
+  /// that lies beyond `bound` (mesh units, > 0) of the result or has a part of the result beyond it
+  /// beside it, and for four times the bound on either side; from there to twice as far the factor
+  /// rises to 1. Where nothing is beyond the bound it is the farthest stretch.
+  /// Returns of each stretch of points beyond the bound the one that is farthest from the result:
+  /// to be pinned where less slack does not help. Distances are along the surface, exact. Throws
+  /// Cancelled when `progress` (stage "measure") says so; the slack is as it was then.
+  std::vector<SurfacePoint> tighten(const SurfaceCurve& drawn, const SurfaceCurve& result,
+                                    double bound, std::span<double> slack,
+                                    const Progress& progress = {});
+
+ private:
+  PolylineDistance distance_;
+};
+
+}  // namespace talweg

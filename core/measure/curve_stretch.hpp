@@ -1,0 +1,62 @@
+// The segments of curves, each in a face that contains it.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "talweg/intrinsic/error.hpp"
+#include "talweg/intrinsic/surface/surface.hpp"
+#include "talweg/intrinsic/surface/surface_point.hpp"
+
+namespace talweg {
+
+/// A curve's segment in a face that contains it.
+struct Stretch {
+  FaceId face;                   ///< that contains it
+  std::array<double, 3> from{};  ///< barycentrics of one end
+  std::array<double, 3> to{};    ///< and of the other
+  double length = 0;             ///< mesh units
+
+  /// t in [0, 1] from one end to the other.
+  [[nodiscard]] std::array<double, 3> at(double t) const {
+    std::array<double, 3> b{};
+    for (std::size_t k = 0; k < 3; ++k) b[k] = (1 - t) * from[k] + t * to[k];
+    return b;
+  }
+  [[nodiscard]] SurfacePoint point(const Surface& surface, double t) const {
+    return SurfacePoint::from_barycentric(surface, face, at(t));
+  }
+};
+
+/// Two points of a face. Throws Error(kBadCurve) where it does not contain them.
+inline Stretch stretch_between(const Surface& surface, const SurfacePoint& p, const SurfacePoint& q,
+                               FaceId face) {
+  const FaceCoordinates a = coordinates_in(surface, p, face), b = coordinates_in(surface, q, face);
+  return {face, a.barycentric, b.barycentric, distance_in_face(surface, a, b)};
+}
+
+/// The segments of all curves, those without length left out. Throws Error(kBadCurve) naming the
+/// first point that shares no face with the next.
+inline std::vector<Stretch> stretches_of(const Surface& surface,
+                                         std::span<const SurfaceCurve> curves) {
+  std::vector<Stretch> stretches;
+  for (std::size_t c = 0; c < curves.size(); ++c) {
+    const auto& points = curves[c].points;
+    for (std::size_t i = 0; i + (curves[c].closed ? 0 : 1) < points.size(); ++i) {
+      const SurfacePoint &p = points[i], &q = points[(i + 1) % points.size()];
+      if (p == q) continue;
+      const FaceId face = common_face(surface, p, q);
+      if (!face.valid()) {
+        throw Error(ErrorCode::kBadCurve, "Point " + std::to_string(i) + " of curve " +
+                                              std::to_string(c) + " and the next share no face.");
+      }
+      stretches.push_back(stretch_between(surface, p, q, face));
+    }
+  }
+  return stretches;
+}
+
+}  // namespace talweg

@@ -1,0 +1,13 @@
+// How fine a mesh is where something is drawn on it.
+#pragma once
+
+#include "talweg/intrinsic/surface/surface.hpp"
+#include "talweg/intrinsic/surface/surface_point.hpp"
+
+namespace talweg {
+
+/// h₀: the mean length of the mesh edges within two rings of the curve (of the corners of the edges
+/// and faces that its points lie in), mesh units. O(points · degree²).
+double edge_length_near(const Surface& surface, const SurfaceCurve& curve);
+
+}  // namespace talweg

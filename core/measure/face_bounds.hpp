@@ -1,0 +1,126 @@
+// How far a piece of a curve can be from other curves, judged within its face.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+#include "talweg/core/measure/curve_stretch.hpp"
+#include "talweg/intrinsic/exact_distance/polyline_distance.hpp"
+#include "talweg/intrinsic/exact_distance/polyline_pieces.hpp"
+
+namespace talweg {
+
+/// A place on a stretch and the distance there.
+struct StretchSample {
+  double t = 0;         ///< in [0, 1]
+  double distance = 0;  ///< mesh units
+};
+
+/// What the distance between two samples is at most, beyond what its slope of 1 says. Every bound
+/// is a convex function along the stretch, so its values at the two samples bound it between them.
+class FaceBounds {
+ public:
+  /// `pieces` are those of the curves that `to` is set to.
+  FaceBounds(const Surface& surface, PolylineDistance& to, const PolylinePieces& pieces)
+      : surface_(&surface), to_(&to), pieces_(&pieces) {}
+
+  /// By way of the pieces of the other curves in the same face.
+  [[nodiscard]] double by_pieces(const Stretch& s, const StretchSample& a,
+                                 const StretchSample& b) const {
+    const SideFrame frame = side_frame(*surface_, s.face, 0);
+    const PlanePoint p = frame.at(s.at(a.t), 0), q = frame.at(s.at(b.t), 0);
+    double best = std::numeric_limits<double>::infinity();
+    for (const PolylinePiece& piece : pieces_->segments_in(s.face)) {
+      const PlanePoint from = frame.at(piece.from, 0), to = frame.at(piece.to, 0);
+      best = std::min(best, std::max(to_segment(p, from, to), to_segment(q, from, to)));
+    }
+    return best;
+  }
+
+  /// By way of a point on a side of the face, one on each side of the stretch, where the shortest
+  /// way is likely to come from: it meets the stretch at an angle that the slope tells. Whether
+  /// that is less than `enough`; sides of large faces may be far away, and nothing is asked beyond.
+  bool less_by_sides(const Stretch& s, const StretchSample& a, const StretchSample& b,
+                     double enough) {
+    if (less_by_sides_in(s, a, b, enough)) return true;
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (s.from[k] == 0 && s.to[k] == 0 && less_by_other_face(s, k, a, b, enough)) return true;
+    }
+    return false;
+  }
+
+ private:
+  /// The stretch runs along the side opposite to corner k, which has another face.
+  bool less_by_other_face(const Stretch& s, std::size_t k, const StretchSample& a,
+                          const StretchSample& b, double enough) {
+    const HalfedgeId side = side_frame(*surface_, s.face, (k + 1) % 3).side;
+    if (!surface_->has_face(twin(side))) return false;
+    const FaceId face = surface_->face(twin(side));
+    return less_by_sides_in(
+        stretch_between(*surface_, s.point(*surface_, 0), s.point(*surface_, 1), face), a, b,
+        enough);
+  }
+
+  bool less_by_sides_in(const Stretch& s, const StretchSample& a, const StretchSample& b,
+                        double enough) {
+    const SideFrame frame = side_frame(*surface_, s.face, 0);
+    if (!(frame.length > 0 && frame.apex.y > 0)) return false;
+    const PlanePoint p = frame.at(s.at(a.t), 0), q = frame.at(s.at(b.t), 0);
+    const double length = distance_of(p, q);
+    if (!(length > 0)) return false;
+    const double slope = std::clamp((b.distance - a.distance) / length, -1.0, 1.0);
+    const double across = std::sqrt(1 - slope * slope);
+    const double ex = (q.x - p.x) / length, ey = (q.y - p.y) / length;
+    for (const double side : {-across, across}) {
+      const PlanePoint back{-slope * ex - side * ey, -slope * ey + side * ex};
+      std::array<double, 3> c = s.at((a.t + b.t) / 2);
+      // A point that is near compared with the interval tells no more than its ends do.
+      if (!(walk_to_side(frame, back, c) > length / 4)) continue;
+      const PlanePoint corner = frame.at(c, 0);
+      const double limit = enough - std::max(distance_of(p, corner), distance_of(q, corner));
+      if (!(limit > 0)) continue;
+      const SurfacePoint on_side = SurfacePoint::from_barycentric(*surface_, s.face, c);
+      if (std::isfinite(to_->below(limit, on_side))) return true;
+    }
+    return false;
+  }
+
+  /// Moves c in a direction as far as the face goes; returns how far that is.
+  static double walk_to_side(const SideFrame& frame, PlanePoint direction,
+                             std::array<double, 3>& c) {
+    const double up = direction.y / frame.apex.y;
+    const double along = (direction.x - up * frame.apex.x) / frame.length;
+    const std::array<double, 3> change{-along - up, along, up};
+    double way = std::numeric_limits<double>::infinity();
+    std::size_t reached = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (!(change[k] < 0) || c[k] / -change[k] >= way) continue;
+      way = c[k] / -change[k];
+      reached = k;
+    }
+    if (!std::isfinite(way)) return 0;
+    for (std::size_t k = 0; k < 3; ++k) c[k] = std::max(0.0, c[k] + way * change[k]);
+    c[reached] = 0;
+    const double sum = c[0] + c[1] + c[2];
+    for (double& x : c) x /= sum;
+    return way;
+  }
+
+  const Surface* surface_;
+  static double distance_of(PlanePoint p, PlanePoint q) { return std::hypot(q.x - p.x, q.y - p.y); }
+
+  static double to_segment(PlanePoint x, PlanePoint p, PlanePoint q) {
+    const double dx = q.x - p.x, dy = q.y - p.y, squared = dx * dx + dy * dy;
+    const double t = squared > 0 ? ((x.x - p.x) * dx + (x.y - p.y) * dy) / squared : 0;
+    const double clamped = std::clamp(t, 0.0, 1.0);
+    return distance_of(x, {p.x + clamped * dx, p.y + clamped * dy});
+  }
+
+  PolylineDistance* to_;
+  const PolylinePieces* pieces_;
+};
+
+}  // namespace talweg

@@ -1,0 +1,46 @@
+// What a curve on a surface measures: length and geodesic curvature.
+#pragma once
+
+#include <cstddef>
+
+#include "talweg/intrinsic/surface/surface.hpp"
+#include "talweg/intrinsic/surface/surface_point.hpp"
+
+namespace talweg {
+
+/// Length and discrete geodesic curvature of a piecewise straight curve, from edge lengths only.
+struct CurveMeasures {
+  double length = 0;           ///< mesh units
+  double total_curvature = 0;  ///< radians: sum of the turning angles
+  double signed_curvature =
+      0;                     ///< radians: left turns less right turns; on a loop Gauss and Bonnet's
+  double max_curvature = 0;  ///< radians: the largest turning angle
+  std::size_t max_at = 0;    ///< index of the point that turns most, the first one of equals
+};
+
+/// The turning angle at a point of a curve, in [0, pi] radians: pi minus the smaller of the two
+/// side angles, which are swept along the surface between the directions to the neighbours, and 0
+/// where both are at least pi (a curve through a saddle vertex can be straight without being
+/// straight on either side; Polthier & Schmies 1998). Inside an edge or a face the side angles sum
+/// to 2 pi, and this is the angle between the segments with the two faces unfolded into one plane.
+/// On the boundary only the side inside the surface counts; the other is taken as infinite.
+/// Needles and zero-area triangles give some angle in that range, never NaN. O(degree).
+/// Throws Error(kBadCurve) when a neighbour shares no face with the point.
+double turning_angle(const Surface& surface, const SurfacePoint& before, const SurfacePoint& at,
+                     const SurfacePoint& after);
+
+/// Half of the right side angle less the left one, radians: positive where the curve turns left.
+/// Inside an edge or a face its size is the turning angle. On the boundary: pi minus the angle on
+/// the inner side, with its sign. Throws as turning_angle() does.
+double signed_turning(const Surface& surface, const SurfacePoint& before, const SurfacePoint& at,
+                      const SurfacePoint& after);
+
+/// The length of a curve in mesh units, each segment measured in its common face; 0 for fewer than
+/// two points. Throws Error(kBadCurve) naming the first pair of points without a common face.
+double curve_length(const Surface& surface, const SurfaceCurve& curve);
+
+/// Length and turning angles of a curve. The ends of an open curve do not turn; a closed one turns
+/// at every point. O(points · degree). Throws Error(kBadCurve) as curve_length() does.
+CurveMeasures measure_curve(const Surface& surface, const SurfaceCurve& curve);
+
+}  // namespace talweg

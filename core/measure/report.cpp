@@ -1,0 +1,208 @@
+#include "talweg/core/measure/report.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <type_traits>
+
+#include <nlohmann/json.hpp>
+
+#if defined(__unix__) || defined(__APPLE__)
+#include <sys/resource.h>
+#endif
+
+namespace talweg {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// As a JSON value; what is not finite becomes null.
+struct AsJson {
+  Json operator()(double value) const { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+  Json operator()(const std::vector<double>& list) const {
+    Json values = Json::array();
+    for (const double value : list) values.push_back((*this)(value));
+    return values;
+  }
+  template <class Value>
+  Json operator()(const Value& value) const {
+    return value;
+  }
+};
+
+/// A sentence may name a file whose name is no UTF-8, and JSON must be.
+std::string text_of(const Json& json) {
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+Json object_of(const std::vector<ReportEntry>& entries) {
+  Json object = Json::object();
+  for (const ReportEntry& entry : entries) {
+    Json* place = &object;
+    std::string key = entry.key;
+    for (std::size_t dot = key.find('.'); dot != std::string::npos; dot = key.find('.')) {
+      place = &(*place)[key.substr(0, dot)];
+      key.erase(0, dot + 1);
+    }
+    (*place)[key] = std::visit(AsJson{}, entry.value);
+  }
+  return object;
+}
+
+/// Every field of a report under its name, in their order; `Report` is const or not.
+template <class Report, class Visit>
+void for_each_field(Report& r, Visit visit) {
+  visit("version", r.version);
+  visit("faces", r.faces);
+  visit("vertices", r.vertices);
+  visit("tau", r.tau);
+  visit("slack", r.slack);
+  visit("max_deviation", r.max_deviation);
+  visit("pins_added", r.pins_added);
+  visit("edge_length_near", r.edge_length_near);
+  visit("potential", r.potential);
+  visit("engine", r.engine);
+  visit("closed", r.closed);
+  visit("points_before", r.points_before);
+  visit("points_after", r.points_after);
+  visit("length_before", r.length_before);
+  visit("length_after", r.length_after);
+  visit("lifted_length_before", r.lifted_length_before);
+  visit("lifted_length_after", r.lifted_length_after);
+  visit("curvature_before", r.curvature_before);
+  visit("curvature_after", r.curvature_after);
+  visit("curvature_max_before", r.curvature_max_before);
+  visit("curvature_max_after", r.curvature_max_after);
+  visit("deviation", r.deviation);
+  visit("deviation_to_drawn_max", r.deviation_to_drawn_max);
+  visit("deviation_to_drawn_mean", r.deviation_to_drawn_mean);
+  visit("deviation_from_drawn_max", r.deviation_from_drawn_max);
+  visit("deviation_from_drawn_mean", r.deviation_from_drawn_mean);
+  visit("deviation_at", r.deviation_at);
+  visit("moved", r.moved);
+  visit("flips", r.flips);
+  visit("iterations", r.iterations);
+  visit("faces_touched", r.faces_touched);
+  visit("trace_fallbacks", r.trace_fallbacks);
+  visit("mollification", r.mollification);
+  visit("crossings_before", r.crossings_before);
+  visit("crossings_after", r.crossings_after);
+  visit("termination", r.termination);
+  visit("warnings", r.warnings);
+  visit("time_ms.load", r.time_ms.load);
+  visit("time_ms.open", r.time_ms.open);
+  visit("time_ms.solve", r.time_ms.solve);
+  visit("time_ms.straighten", r.time_ms.straighten);
+  visit("time_ms.trace", r.time_ms.trace);
+  visit("time_ms.relax", r.time_ms.relax);
+  visit("time_ms.polish", r.time_ms.polish);
+  visit("time_ms.total", r.time_ms.total);
+  visit("peak_memory_mib", r.peak_memory_mib);
+}
+
+/// Worse outcomes last.
+std::size_t rank(const std::string& termination) {
+  constexpr std::array<const char*, 5> kOrder = {"converged", "deviation", "collapsed", "limit",
+                                                 "cancelled"};
+  const auto at = std::find(kOrder.begin(), kOrder.end(), termination);
+  return static_cast<std::size_t>(at - kOrder.begin());
+}
+
+}  // namespace
+
+SmoothingReport total_of(const std::vector<SmoothingReport>& reports) {
+  if (reports.empty()) return {};
+  SmoothingReport total = reports.front();
+  // Infinite even where the length is 0.
+  const auto weighted = [](double mean, double length) {
+    return std::isfinite(mean) ? mean * length : mean;
+  };
+  double mean_to = weighted(total.deviation_to_drawn_mean, total.length_after);
+  double mean_from = weighted(total.deviation_from_drawn_mean, total.length_before);
+  double worst = std::max(total.deviation_to_drawn_max, total.deviation_from_drawn_max);
+  for (std::size_t i = 1; i < reports.size(); ++i) {
+    const SmoothingReport& r = reports[i];
+    total.closed = total.closed && r.closed;
+    total.points_before += r.points_before;
+    total.points_after += r.points_after;
+    total.length_before += r.length_before;
+    total.length_after += r.length_after;
+    total.lifted_length_before += r.lifted_length_before;
+    total.lifted_length_after += r.lifted_length_after;
+    total.curvature_before += r.curvature_before;
+    total.curvature_after += r.curvature_after;
+    total.curvature_max_before = std::max(total.curvature_max_before, r.curvature_max_before);
+    total.curvature_max_after = std::max(total.curvature_max_after, r.curvature_max_after);
+    if (r.deviation == "euclidean") total.deviation = r.deviation;
+    total.deviation_to_drawn_max = std::max(total.deviation_to_drawn_max, r.deviation_to_drawn_max);
+    total.deviation_from_drawn_max =
+        std::max(total.deviation_from_drawn_max, r.deviation_from_drawn_max);
+    mean_to += weighted(r.deviation_to_drawn_mean, r.length_after);
+    mean_from += weighted(r.deviation_from_drawn_mean, r.length_before);
+    const double own_worst = std::max(r.deviation_to_drawn_max, r.deviation_from_drawn_max);
+    if (own_worst > worst) {
+      worst = own_worst;
+      total.deviation_at = r.deviation_at;
+    }
+    total.moved = std::max(total.moved, r.moved);
+    if (rank(r.termination) > rank(total.termination)) total.termination = r.termination;
+    for (const std::string& warning : r.warnings) {
+      if (std::find(total.warnings.begin(), total.warnings.end(), warning) ==
+          total.warnings.end()) {
+        total.warnings.push_back(warning);
+      }
+    }
+  }
+  if (total.length_after > 0) total.deviation_to_drawn_mean = mean_to / total.length_after;
+  if (total.length_before > 0) total.deviation_from_drawn_mean = mean_from / total.length_before;
+  return total;
+}
+
+std::vector<ReportEntry> entries_of(const SmoothingReport& report) {
+  std::vector<ReportEntry> entries;
+  for_each_field(report, [&entries]<class Value>(const char* key, const Value& value) {
+    if constexpr (std::is_same_v<Value, Point>) {
+      entries.push_back({key, std::vector<double>(value.begin(), value.end())});
+    } else if constexpr (std::is_same_v<Value, std::size_t>) {
+      entries.push_back({key, std::uint64_t{value}});
+    } else {
+      entries.push_back({key, value});
+    }
+  });
+  return entries;
+}
+
+std::string to_json(const SmoothingReport& report) {
+  return text_of(object_of(entries_of(report)));
+}
+
+std::string to_json(const SmoothingReport& total, const std::vector<SmoothingReport>& curves) {
+  std::vector<std::vector<ReportEntry>> entries;
+  entries.reserve(curves.size());
+  for (const SmoothingReport& report : curves) entries.push_back(entries_of(report));
+  return to_json(entries_of(total), entries);
+}
+
+std::string to_json(const std::vector<ReportEntry>& total,
+                    const std::vector<std::vector<ReportEntry>>& curves) {
+  Json j = object_of(total);
+  if (curves.size() > 1) {
+    for (const std::vector<ReportEntry>& entries : curves)
+      j["curves"].push_back(object_of(entries));
+  }
+  return text_of(j);
+}
+
+double peak_memory_mib() {
+#if defined(__APPLE__)
+  rusage usage{};
+  return getrusage(RUSAGE_SELF, &usage) == 0 ? static_cast<double>(usage.ru_maxrss) / 1048576 : 0;
+#elif defined(__unix__)
+  rusage usage{};
+  return getrusage(RUSAGE_SELF, &usage) == 0 ? static_cast<double>(usage.ru_maxrss) / 1024 : 0;
+#else
+  return 0;
+#endif
+}
+
+}  // namespace talweg

@@ -1,0 +1,179 @@
+#include "talweg/core/measure/result_report.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "talweg/core/measure/deviation.hpp"
+#include "talweg/core/measure/edge_length_near.hpp"
+#include "talweg/core/version.hpp"
+
+namespace talweg {
+namespace {
+
+constexpr double kJump = 0.2;       // mesh edges
+constexpr double kAutomaticTo = 4;  // mesh edges: farther apart, kAutomatic measures through space
+
+}  // namespace
+
+void warn_if_far(SmoothingReport& report, double far, bool automatic) {
+  const bool cut = report.deviation_from_drawn_max > report.deviation_to_drawn_max;
+  const double apart = cut ? report.deviation_from_drawn_max : report.deviation_to_drawn_max;
+  const bool through_space = automatic && report.deviation == "euclidean";
+  if (!through_space && report.deviation != "surface") return;
+  const bool is_known = through_space && kAutomaticTo * report.edge_length_near > far;
+  if (!std::isfinite(apart) || !(apart > far || is_known)) return;
+  report.warnings.push_back(
+      fmt::format("{} by up to {:.3g}{}, {:.2g} mesh edges, at ({:.6g}, {:.6g}, {:.6g}).",
+                  cut ? "The result cuts off parts of the drawing that lie away from it"
+                      : "The result leaves the drawing",
+                  apart, through_space ? " through space" : "", apart / report.edge_length_near,
+                  report.deviation_at.x(), report.deviation_at.y(), report.deviation_at.z()));
+}
+
+std::size_t count_touched_faces(const SignpostTriangulation& triangulation) {
+  const Surface& surface = triangulation.surface();
+  std::vector<FaceId> faces;
+  for (const VertexId v : triangulation.touched()) {
+    const std::vector<FaceId> around = faces_at(surface, triangulation.location(v));
+    faces.insert(faces.end(), around.begin(), around.end());
+  }
+  std::sort(faces.begin(), faces.end());
+  return static_cast<std::size_t>(std::unique(faces.begin(), faces.end()) - faces.begin());
+}
+
+namespace {
+
+SmoothingReport report_between(const SurfaceMesh& mesh, const SurfaceCurve& drawn,
+                               const CurveMeasures& before, const SurfaceCurve& result,
+                               const CurveMeasures& after) {
+  SmoothingReport report;
+  report.version = version();
+  report.faces = mesh.surface().face_count();
+  report.vertices = mesh.surface().vertex_count();
+  report.potential = "paper";
+  report.engine = "full";
+  report.closed = drawn.closed;
+  report.points_before = drawn.points.size();
+  report.points_after = result.points.size();
+  report.length_before = before.length;
+  report.length_after = after.length;
+  report.curvature_before = before.total_curvature;
+  report.curvature_after = after.total_curvature;
+  report.curvature_max_before = before.max_curvature;
+  report.curvature_max_after = after.max_curvature;
+  return report;
+}
+
+}  // namespace
+
+SmoothingReport report_on_curve(const SurfaceMesh& mesh, const SurfaceCurve& drawn,
+                                const CurveMeasures& before, const SurfaceCurve& result) {
+  return report_between(mesh, drawn, before, result, measure_curve(mesh.surface(), result));
+}
+
+SmoothingReport report_on_nothing(const SurfaceMesh& mesh, const SurfaceCurve& drawn,
+                                  const CurveMeasures& measures) {
+  SmoothingReport report = report_between(mesh, drawn, measures, drawn, measures);
+  report.deviation = "none";
+  report.deviation_to_drawn_max = report.deviation_to_drawn_mean = HUGE_VAL;
+  report.deviation_from_drawn_max = report.deviation_from_drawn_mean = HUGE_VAL;
+  return report;
+}
+
+void report_deviation(SmoothingReport& report, DeviationMeasure measure, DeviationMeter& meter,
+                      const SurfaceMesh& mesh, const SurfaceCurve& drawn,
+                      const SurfaceCurve& result, PolylineDistance* to_drawn,
+                      const Progress& progress) {
+  const auto take = [&](const auto& to, const auto& from, const Point& at) {
+    report.deviation_to_drawn_max = to.max;
+    report.deviation_to_drawn_mean = to.mean;
+    report.deviation_from_drawn_max = from.max;
+    report.deviation_from_drawn_mean = from.mean;
+    report.deviation_at = at;
+  };
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  const std::span results(&result, 1), drawings(&drawn, 1);
+  const auto take_along_surface = [&](const SurfaceDeviation& apart) {
+    report.deviation = "surface";
+    take(apart.to_drawn, apart.from_drawn, mesh.position(apart.larger().at));
+  };
+  const auto through_space = [&] {
+    return deviation(positions_of(mesh, result), result.closed, positions_of(mesh, drawn),
+                     drawn.closed, progress);
+  };
+  const auto take_through_space = [&](const Deviation& apart) {
+    report.deviation = "euclidean";
+    take(apart.to_drawn, apart.from_drawn, apart.at);
+  };
+  switch (measure) {
+    case DeviationMeasure::kAlongSurface: {
+      const SurfaceDeviation apart = to_drawn != nullptr
+                                         ? meter.measure(results, drawings, *to_drawn, progress)
+                                         : meter.measure(results, drawings, progress);
+      take_along_surface(apart);
+      if (apart.larger().max == kInfinity) {
+        report.warnings.emplace_back(
+            "The result and the drawing lie on parts of the mesh that are not connected.");
+      }
+      break;
+    }
+    case DeviationMeasure::kEuclidean: {
+      take_through_space(through_space());
+      break;
+    }
+    case DeviationMeasure::kAutomatic: {
+      const double limit = kAutomaticTo * report.edge_length_near;
+      const Deviation apart = through_space();  // never more, and far cheaper
+      std::optional<SurfaceDeviation> along;
+      if (std::max(apart.to_drawn.max, apart.from_drawn.max) < limit) {
+        along = meter.measure_below(limit, results, drawings, progress);
+      }
+      if (along) {
+        take_along_surface(*along);
+      } else {
+        take_through_space(apart);
+      }
+      break;
+    }
+    case DeviationMeasure::kNone: {
+      report.deviation = "none";
+      const OneSidedDeviation unknown{kInfinity, kInfinity};
+      take(unknown, unknown, Point::Constant(kInfinity));
+      break;
+    }
+  }
+}
+
+SmoothingReport report_on_result(const SurfaceMesh& mesh, DeviationMeter& meter,
+                                 const SurfaceCurve& drawn, const SurfaceCurve& result,
+                                 DeviationMeasure measure) {
+  SmoothingReport report =
+      report_on_curve(mesh, drawn, measure_curve(mesh.surface(), drawn), result);
+  report.potential = report.engine = "none";
+  report.termination = "converged";
+  report.edge_length_near = edge_length_near(mesh.surface(), drawn);
+  report_deviation(report, measure, meter, mesh, drawn, result);
+  warn_if_far(report, kFarInEdges * report.edge_length_near);
+  report.peak_memory_mib = peak_memory_mib();
+  return report;
+}
+
+void report_move(SmoothingReport& report, const SurfaceMesh& mesh, double last_tau,
+                 const SurfaceCurve& last, const SurfaceCurve& result, const Progress& progress) {
+  const Deviation moved = deviation(positions_of(mesh, result), result.closed,
+                                    positions_of(mesh, last), last.closed, progress);
+  report.moved = std::max(moved.to_drawn.max, moved.from_drawn.max);
+  if (report.moved <= kJump * report.edge_length_near) return;
+  report.warnings.push_back(fmt::format(
+      "The curve jumped by {:.3g}, {:.1f} mesh edges, when tau went from {:.4g} to {:.4g}.",
+      report.moved, report.moved / report.edge_length_near, last_tau, report.tau));
+}
+
+}  // namespace talweg

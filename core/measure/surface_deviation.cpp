@@ -1,0 +1,276 @@
+#include "talweg/core/measure/surface_deviation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "talweg/core/measure/curve_stretch.hpp"
+#include "talweg/core/measure/face_bounds.hpp"
+#include "talweg/core/measure/local_distance.hpp"
+#include "talweg/intrinsic/error.hpp"
+#include "talweg/intrinsic/exact_distance/polyline_pieces.hpp"
+
+namespace talweg {
+namespace {
+
+constexpr double kTolerance = 1e-3;
+constexpr int kMaxHalvings = 40;
+// Looked at between two samples at most. Where rounding, in slivers, makes bounds that never come
+// together, what has been seen by then stands.
+constexpr int kMostSamples = 2000;
+constexpr int kMeanHalvings = 10;
+constexpr std::size_t kMostWindows = 2;  // of all parts together, for each edge of the mesh
+constexpr double kNoLimit = HUGE_VAL;
+constexpr const char* kStage = "measure";
+constexpr std::size_t kOfGuess = 32;  // units of work
+
+class Measurement {
+ public:
+  /// Distances of `limit` and more count as infinite.
+  Measurement(const Surface& surface, PolylineDistance& to, const PolylinePieces& pieces,
+              double tolerance, double limit, Asker& asker)
+      : surface_(&surface),
+        to_(&to),
+        bounds_(surface, to, pieces),
+        tolerance_(tolerance),
+        limit_(limit),
+        asker_(&asker) {}
+
+  /// What is added comes in parts; between them `to` and `pieces` may be set to others.
+
+  void add(std::span<const Stretch> stretches) {
+    struct Sampled {
+      StretchSample a, middle, b;
+    };
+    std::vector<Sampled> sampled;
+    double length = 0, integral = 0;
+    for (const Stretch& s : stretches) {
+      if (std::isfinite(limit_) && !std::isfinite(max_)) return;
+      const StretchSample a = sample(s, 0), middle = sample(s, 0.5), b = sample(s, 1);
+      sampled.push_back({a, middle, b});
+      length += s.length;
+      integral += s.length * simpson(a, middle, b);
+    }
+    if (!std::isfinite(max_)) return;
+    const double missed = std::max(tolerance_, kTolerance * integral / length);
+    for (std::size_t i = 0; i < stretches.size(); ++i) {
+      const Sampled& s = sampled[i];
+      integral_ += stretches[i].length * mean(stretches[i], s.a, s.middle, s.b, missed);
+    }
+    length_ += length;
+    for (std::size_t i = 0; i < stretches.size(); ++i) {
+      samples_left_ = kMostSamples;
+      search(stretches[i], sampled[i].a, sampled[i].middle);
+      search(stretches[i], sampled[i].middle, sampled[i].b);
+    }
+  }
+
+  [[nodiscard]] OneSidedSurfaceDeviation result() const {
+    const bool is_mean = std::isfinite(max_) && length_ > 0;
+    return {max_, is_mean ? integral_ / length_ : max_, *at_};
+  }
+  [[nodiscard]] bool is_finite() const { return std::isfinite(max_); }
+
+  /// The distance at a single point, which counts as a sample.
+  double see(const SurfacePoint& point) {
+    constexpr std::size_t kWork = 32;
+    asker_->did(kWork);
+    const double distance =
+        std::isfinite(limit_) ? to_->below(limit_, point) : to_->at(point).distance;
+    if (!at_ || distance > max_) {
+      max_ = distance;
+      at_ = point;
+    }
+    return distance;
+  }
+
+ private:
+  StretchSample sample(const Stretch& s, double t) { return {t, see(s.point(*surface_, t))}; }
+
+  static double simpson(const StretchSample& a, const StretchSample& middle,
+                        const StretchSample& b) {
+    return (a.distance + 4 * middle.distance + b.distance) / 6;
+  }
+
+  /// The mean between a and b; compared with the trapezoids, which miss kinks as much.
+  double mean(const Stretch& s, const StretchSample& a, const StretchSample& middle,
+              const StretchSample& b, double missed, int halvings = 0) {
+    const double bend = std::abs(a.distance - 2 * middle.distance + b.distance) / 12;
+    if (bend <= missed || halvings >= kMeanHalvings) return simpson(a, middle, b);
+    const StretchSample first = sample(s, (a.t + middle.t) / 2),
+                        second = sample(s, (middle.t + b.t) / 2);
+    return (mean(s, a, first, middle, missed, halvings + 1) +
+            mean(s, middle, second, b, missed, halvings + 1)) /
+           2;
+  }
+
+  /// Looks between two samples for what is larger than all that was seen.
+  void search(const Stretch& s, const StretchSample& a, const StretchSample& b, int halvings = 0) {
+    const double enough = max_ + std::max(tolerance_, kTolerance * max_);
+    const double length = (b.t - a.t) * s.length;
+    const double middle_value = (a.distance + b.distance) / 2;
+    if (halvings > kMaxHalvings || middle_value + length / 2 <= enough) return;
+    if (samples_left_-- <= 0) return;
+    if (bounds_.by_pieces(s, a, b) <= enough) return;
+    // Costs two distances, so only where halving would go on for long.
+    if (middle_value + length / 8 > enough && bounds_.less_by_sides(s, a, b, enough)) return;
+    const StretchSample middle = sample(s, (a.t + b.t) / 2);
+    search(s, a, middle, halvings + 1);
+    search(s, middle, b, halvings + 1);
+  }
+
+  const Surface* surface_;
+  PolylineDistance* to_;
+  FaceBounds bounds_;
+  double tolerance_;
+  double limit_;
+  Asker* asker_;
+  double length_ = 0, integral_ = 0;
+  double max_ = 0;
+  int samples_left_ = 0;
+  std::optional<SurfacePoint> at_;
+};
+
+void refuse_nothing(std::span<const SurfaceCurve> curves) {
+  if (curves.empty()) throw Error(ErrorCode::kBadCurve, "There is no curve to measure.");
+  for (std::size_t c = 0; c < curves.size(); ++c) {
+    if (curves[c].points.empty()) {
+      throw Error(ErrorCode::kBadCurve, "Curve " + std::to_string(c) + " has no points.");
+    }
+  }
+}
+
+/// A thousandth of the mean segment of all the curves.
+double tolerance_for(std::span<const Stretch> stretches, std::span<const SurfaceCurve> others,
+                     const std::vector<double>& other_lengths) {
+  double length = 0;
+  std::size_t segments = stretches.size();
+  for (const Stretch& s : stretches) length += s.length;
+  for (std::size_t c = 0; c < others.size(); ++c) {
+    length += other_lengths[c];
+    segments += others[c].points.size() - (others[c].closed ? 0 : 1);
+  }
+  return segments > 0 ? kTolerance * length / static_cast<double>(segments) : 0;
+}
+
+/// Parts are long compared with their distances, so that little is marched twice.
+std::size_t end_of_part(std::span<const Stretch> stretches, std::span<const double> reach,
+                        std::size_t begin) {
+  constexpr double kLong = 4;
+  double length = 0, farthest = 0;
+  std::size_t end = begin;
+  while (end < stretches.size() && (end < begin + 8 || length < kLong * farthest)) {
+    length += stretches[end].length;
+    farthest = std::max(farthest, reach[end]);
+    ++end;
+  }
+  return end;
+}
+
+OneSidedSurfaceDeviation at_once(const Surface& surface, std::span<const SurfaceCurve> from,
+                                 PolylineDistance& to, std::span<const SurfaceCurve> to_curves,
+                                 double limit, Asker& asker) {
+  const AskedDuring asked(to, asker);
+  const std::vector<Stretch> stretches = stretches_of(surface, from);
+  const PolylinePieces pieces = pieces_of(surface, to_curves);
+  Measurement measurement(surface, to, pieces, tolerance_for(stretches, to_curves, pieces.lengths),
+                          limit, asker);
+  for (const SurfaceCurve& curve : from) measurement.see(curve.points.front());
+  measurement.add(stretches);
+  return measurement.result();
+}
+
+/// Part by part, each with the distance to what of the others is near it, so that one far corner
+/// does not cost a wide band along all of the curves. Where parts march over the same faces again
+/// and again, as those of a drawing that winds far from its result do, what is left is one part.
+OneSidedSurfaceDeviation deviation_by_parts(const SurfaceMesh& mesh,
+                                            std::span<const SurfaceCurve> from,
+                                            std::span<const SurfaceCurve> others,
+                                            PolylineDistance& distance, double limit,
+                                            Asker& asker) {
+  const AskedDuring asked(distance, asker);
+  const Surface& surface = mesh.surface();
+  const std::vector<Stretch> stretches = stretches_of(surface, from);
+  PolylinePieces pieces = pieces_of(surface, others);
+  const bool has_point = std::any_of(
+      from.begin(), from.end(), [](const SurfaceCurve& curve) { return curve.points.size() == 1; });
+  if (stretches.empty() || has_point) {
+    distance.set(others);
+    return at_once(surface, from, distance, others, limit, asker);
+  }
+  Measurement measurement(surface, distance, pieces,
+                          tolerance_for(stretches, others, pieces.lengths), limit, asker);
+  LocalDistance local(mesh, others, distance, limit);
+  std::vector<double> reach;
+  reach.reserve(stretches.size());
+  for (const Stretch& stretch : stretches) {
+    reach.push_back(local.guess(stretch));
+    asker.did(kOfGuess);
+  }
+  std::size_t windows = 0;
+  for (std::size_t i = 0, end = 0; i < stretches.size() && measurement.is_finite(); i = end) {
+    if (windows > kMostWindows * surface.edge_count()) {
+      pieces = pieces_of(surface, others);
+      distance.set(others);
+      measurement.add(std::span(stretches).subspan(i));
+      break;
+    }
+    end = end_of_part(stretches, reach, i);
+    const auto part = std::span(stretches).subspan(i, end - i);
+    asker.did(others.front().points.size());
+    pieces = pieces_of(surface, local.set_near(part, std::span(reach).subspan(i, end - i)));
+    measurement.add(part);
+    windows += distance.window_count();
+  }
+  return measurement.result();
+}
+
+}  // namespace
+
+OneSidedSurfaceDeviation one_sided_deviation(const Surface& surface,
+                                             std::span<const SurfaceCurve> from,
+                                             PolylineDistance& to,
+                                             std::span<const SurfaceCurve> to_curves,
+                                             const Progress& progress) {
+  refuse_nothing(from);
+  refuse_nothing(to_curves);
+  Asker asker(progress, kStage);
+  return at_once(surface, from, to, to_curves, kNoLimit, asker);
+}
+
+SurfaceDeviation DeviationMeter::measure(std::span<const SurfaceCurve> result,
+                                         std::span<const SurfaceCurve> drawn,
+                                         const Progress& progress) {
+  return *measure_below(kNoLimit, result, drawn, progress);
+}
+
+SurfaceDeviation DeviationMeter::measure(std::span<const SurfaceCurve> result,
+                                         std::span<const SurfaceCurve> drawn,
+                                         PolylineDistance& to_drawn, const Progress& progress) {
+  refuse_nothing(result);
+  refuse_nothing(drawn);
+  if (!distance_) distance_.emplace(mesh_->surface());
+  Asker asker(progress, kStage);
+  return {at_once(mesh_->surface(), result, to_drawn, drawn, kNoLimit, asker),
+          deviation_by_parts(*mesh_, drawn, result, *distance_, kNoLimit, asker)};
+}
+
+std::optional<SurfaceDeviation> DeviationMeter::measure_below(double limit,
+                                                              std::span<const SurfaceCurve> result,
+                                                              std::span<const SurfaceCurve> drawn,
+                                                              const Progress& progress) {
+  refuse_nothing(result);
+  refuse_nothing(drawn);
+  if (!distance_) distance_.emplace(mesh_->surface());
+  Asker asker(progress, kStage);
+  const auto is_beyond = [&](const OneSidedSurfaceDeviation& side) {
+    return std::isfinite(limit) && !std::isfinite(side.max);
+  };
+  const auto to_drawn = deviation_by_parts(*mesh_, result, drawn, *distance_, limit, asker);
+  if (is_beyond(to_drawn)) return std::nullopt;
+  const auto from_drawn = deviation_by_parts(*mesh_, drawn, result, *distance_, limit, asker);
+  if (is_beyond(from_drawn)) return std::nullopt;
+  return SurfaceDeviation{to_drawn, from_drawn};
+}
+
+}  // namespace talweg

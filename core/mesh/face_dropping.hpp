@@ -1,0 +1,28 @@
+// Faces of raw lists that a surface does without.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "talweg/core/mesh/mesh_inspection.hpp"
+#include "talweg/core/mesh/mesh_lists.hpp"
+
+namespace talweg {
+
+struct DroppedFaces {
+  std::vector<std::uint32_t> collapsed;  ///< a vertex twice; ascending
+  std::vector<RepeatPlace> duplicates;   ///< of an earlier face; ascending
+  std::vector<std::uint32_t> zero_area;  ///< ascending
+  std::vector<bool> kept;                ///< per face
+};
+
+/// Finds faces that name a vertex twice, repeat the vertices of an earlier one, or have zero area
+/// and can go without a gap: none of their edges has just one other face, or they hang on the
+/// boundary by one edge alone. Every index must be in range.
+DroppedFaces faces_to_drop(const MeshLists& lists);
+
+/// Faces with the same three vertices as an earlier one; faces that are not `proper` are left out.
+/// Ascending.
+std::vector<RepeatPlace> duplicate_faces(const MeshLists& lists, const std::vector<bool>& proper);
+
+}  // namespace talweg

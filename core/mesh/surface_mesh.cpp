@@ -1,0 +1,155 @@
+#include "talweg/core/mesh/surface_mesh.hpp"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "talweg/core/mesh/measurable_point.hpp"
+#include "talweg/core/mesh/mesh_inspection.hpp"
+#include "talweg/core/space/point_distance.hpp"
+#include "talweg/intrinsic/error.hpp"
+
+namespace talweg {
+namespace {
+
+/// What `inspect` calls an obstacle and Surface::from_triangles does not find.
+bool acceptable(const MeshLists& lists) {
+  if (lists.points.empty() || lists.triangles.empty()) return false;
+  return std::all_of(lists.points.begin(), lists.points.end(), can_be_measured);
+}
+
+[[noreturn]] void refuse(const MeshLists& lists, const std::string& otherwise) {
+  const std::string why = obstacle(inspect(lists));
+  throw Error(ErrorCode::kBadMesh, why.empty() ? otherwise : why);
+}
+
+Surface connect(const MeshLists& lists) {
+  try {
+    return Surface::from_triangles(lists.points.size(), lists.triangles);
+  } catch (const Error& error) {
+    refuse(lists, error.what());
+  }
+}
+
+/// Two faces back to back glue to a closed pillow, which connectivity alone would allow.
+bool has_pillow(const Surface& surface) {
+  for (std::size_t f = 0; f < surface.face_count(); ++f) {
+    const HalfedgeId h = surface.halfedge(FaceId{f});
+    const HalfedgeId across = twin(h);
+    if (!surface.has_face(across)) continue;
+    const FaceId other = surface.face(across);
+    const HalfedgeId second = twin(surface.next(h));
+    const HalfedgeId third = twin(surface.prev(h));
+    if (surface.has_face(second) && surface.face(second) == other && surface.has_face(third) &&
+        surface.face(third) == other) {
+      return true;
+    }
+  }
+  return false;
+}
+
+Surface checked_surface(const MeshLists& lists) {
+  if (!acceptable(lists)) refuse(lists, "The mesh cannot be used.");
+  Surface surface = connect(lists);
+  if (has_pillow(surface)) refuse(lists, "Two faces have the same three vertices.");
+  if (!large_enough(lists)) refuse(lists, "The mesh is too small.");
+  return surface;
+}
+
+/// An edge of no length gets this much of its faces' longest side. Beside a face with a side of
+/// length 0 no edge can be flipped, and a path over a row of them would stay as bent as it is.
+constexpr double kNoLength = 1e-12;
+
+double instead_of_zero(const Surface& surface, const std::vector<double>& lengths, EdgeId e) {
+  double longest = 0;
+  for (const HalfedgeId h : {halfedge_of(e), twin(halfedge_of(e))}) {
+    if (!surface.has_face(h)) continue;
+    for (const HalfedgeId side : {surface.next(h), surface.prev(h)}) {
+      longest = std::max(longest, lengths[edge_of(side).index()]);
+    }
+  }
+  return kNoLength * longest;
+}
+
+}  // namespace
+
+bool large_enough(const MeshLists& lists) {
+  if (lists.points.empty()) return true;
+  Point low = lists.points.front(), high = low;
+  for (const Point& p : lists.points) {
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+  }
+  const double size = (high - low).stableNorm();
+  if (size > 0 && size < kSmallestSize) return false;
+  if (size == 0) return true;
+  // The same edges and lengths as inspect() measures.
+  return std::all_of(lists.triangles.begin(), lists.triangles.end(), [&](const Triangle& t) {
+    const std::size_t n = lists.points.size();
+    if (t[0] >= n || t[1] >= n || t[2] >= n) return true;
+    if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) return true;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Point& p = lists.points[t[k]];
+      const Point& q = lists.points[t[(k + 1) % 3]];
+      if ((q - p).squaredNorm() > 2 * kShortestEdge * kShortestEdge) continue;  // most of them
+      const double length = point_distance(p, q);
+      if (length > 0 && length < kShortestEdge) return false;
+    }
+    return true;
+  });
+}
+
+SurfaceMesh SurfaceMesh::open(const MeshLists& lists) {
+  SurfaceMesh mesh;
+  mesh.surface_ = checked_surface(lists);
+  mesh.points_ = lists.points;
+  mesh.measure();
+  return mesh;
+}
+
+SurfaceMesh SurfaceMesh::open(MeshLists&& lists) {
+  SurfaceMesh mesh;
+  mesh.surface_ = checked_surface(lists);
+  mesh.points_ = std::move(lists.points);
+  mesh.measure();
+  return mesh;
+}
+
+/// Edge lengths and their mean.
+void SurfaceMesh::measure() {
+  std::vector<double> lengths(surface_.edge_count());
+  double total = 0;
+  for (std::size_t e = 0; e < lengths.size(); ++e) {
+    const HalfedgeId h = halfedge_of(EdgeId{e});
+    lengths[e] = point_distance(point(surface_.tail(h)), point(surface_.head(h)));
+    total += lengths[e];
+  }
+  for (std::size_t e = 0; e < lengths.size(); ++e) {
+    if (lengths[e] == 0) lengths[e] = instead_of_zero(surface_, lengths, EdgeId{e});
+  }
+  mean_edge_length_ = total / static_cast<double>(lengths.size());
+  surface_.set_lengths(std::move(lengths));
+}
+
+Point SurfaceMesh::position(const SurfacePoint& point) const {
+  if (const auto* v = std::get_if<AtVertex>(&point.where())) return this->point(v->vertex);
+  if (const auto* e = std::get_if<OnEdge>(&point.where())) {
+    const HalfedgeId h = halfedge_of(e->edge);
+    return (1 - e->t) * this->point(surface_.tail(h)) + e->t * this->point(surface_.head(h));
+  }
+  const auto& inside = std::get<InFace>(point.where());
+  const std::array<VertexId, 3> corner = surface_.corners(inside.face);
+  // Relative to a corner, so that far from the origin no digits of the sum are lost.
+  const Point& base = this->point(corner[0]);
+  return base + inside.barycentric[1] * (this->point(corner[1]) - base) +
+         inside.barycentric[2] * (this->point(corner[2]) - base);
+}
+
+std::vector<Point> positions_of(const SurfaceMesh& mesh, const SurfaceCurve& curve) {
+  std::vector<Point> positions;
+  positions.reserve(curve.points.size());
+  for (const SurfacePoint& point : curve.points) positions.push_back(mesh.position(point));
+  return positions;
+}
+
+}  // namespace talweg

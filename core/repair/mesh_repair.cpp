@@ -1,0 +1,303 @@
+#include "talweg/core/repair/mesh_repair.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "talweg/core/mesh/face_dropping.hpp"
+#include "talweg/core/mesh/measurable_point.hpp"
+#include "talweg/core/mesh/mesh_sides.hpp"
+#include "talweg/core/repair/face_turning.hpp"
+#include "talweg/core/repair/sheet_splitting.hpp"
+#include "talweg/core/repair/vertex_welding.hpp"
+#include "talweg/core/space/point_distance.hpp"
+#include "talweg/intrinsic/error.hpp"
+
+namespace talweg {
+namespace {
+
+constexpr std::uint32_t kNoVertex = RepairMap::kDropped;
+
+using Image = std::pair<std::uint32_t, std::uint32_t>;  ///< vertex of the file, what it became
+
+bool mendable(const MeshLists& lists) {
+  const std::size_t n = lists.points.size();
+  const auto exists = [n](const Triangle& t) { return t[0] < n && t[1] < n && t[2] < n; };
+  return n > 0 && !lists.triangles.empty() &&
+         std::all_of(lists.triangles.begin(), lists.triangles.end(), exists) &&
+         std::all_of(lists.points.begin(), lists.points.end(), can_be_measured) &&
+         large_enough(lists);
+}
+
+/// A dropped face, the one that it repeats, and which corner of that each of its corners is.
+struct Double {
+  RepeatPlace place;
+  std::array<std::uint8_t, 3> corner;
+};
+
+std::array<std::uint8_t, 3> corners_in(const Triangle& t, const Triangle& other) {
+  std::array<std::uint8_t, 3> corner{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    corner[k] =
+        static_cast<std::uint8_t>(std::find(other.begin(), other.end(), t[k]) - other.begin());
+  }
+  return corner;
+}
+
+/// The lists on their way: all faces of the file in their places until the end.
+class Repair {
+ public:
+  explicit Repair(const MeshLists& file)
+      : file_(file),
+        lists_(file),
+        kept_(file.triangles.size(), true),
+        turned_(file.triangles.size(), false) {
+    for (std::uint32_t v = 0; v < file.points.size(); ++v) vertex_to_file_.push_back(v);
+  }
+
+  RepairedMesh run(const RepairSteps& steps) {
+    if (steps.weld) weld();
+    if (steps.drop) drop();
+    if (steps.orient) orient();
+    if (steps.split) split();
+    return finished();
+  }
+
+ private:
+  void weld() {
+    const Welding welding = weld_vertices(file_);
+    changes_.weld_tolerance = welding.tolerance;
+    for (Triangle& t : lists_.triangles) {
+      for (std::uint32_t& v : t) v = welding.onto[v];
+    }
+  }
+
+  void drop() {
+    DroppedFaces dropped = faces_to_drop(lists_);
+    kept_ = std::move(dropped.kept);
+    for (const std::uint32_t f : dropped.collapsed) changes_.collapsed_faces.add(f);
+    for (const std::uint32_t f : dropped.zero_area) changes_.zero_area_faces.add(f);
+    for (const RepeatPlace& place : dropped.duplicates) {
+      changes_.duplicate_faces.add(place);
+      doubles_.push_back(
+          {place, corners_in(lists_.triangles[place.element], lists_.triangles[place.earlier])});
+    }
+  }
+
+  /// Faces that can be joined to others.
+  [[nodiscard]] std::vector<bool> proper() const {
+    std::vector<bool> result = kept_;
+    for (std::size_t f = 0; f < result.size(); ++f) {
+      const Triangle& t = lists_.triangles[f];
+      if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) result[f] = false;
+    }
+    return result;
+  }
+
+  void orient() {
+    for (const std::uint32_t f : faces_to_turn(lists_, proper())) {
+      changes_.turned_faces.add(f);
+      turned_[f] = true;
+      std::swap(lists_.triangles[f][1], lists_.triangles[f][2]);
+    }
+  }
+
+  /// The corner of the file that a corner of the lists is.
+  [[nodiscard]] std::uint32_t file_corner(std::uint32_t f, std::uint32_t k) const {
+    return turned_[f] && k > 0 ? 3 - k : k;
+  }
+
+  void split() {
+    const std::vector<bool> joined = proper();
+    const Sheets sheets = split_sheets(lists_, joined);
+    for (const std::vector<FaceSide>& edge : sheets.crowded) count_crowded(edge);
+    // Of every fan: the smallest vertex of the file in it that no other fan has taken yet, so that
+    // what was welded in vain is as it was; a copy where there is none.
+    std::vector<Image> wishes;  // fan, vertex of the file
+    for (std::uint32_t f = 0; f < joined.size(); ++f) {
+      for (std::uint32_t k = 0; joined[f] && k < 3; ++k) {
+        wishes.emplace_back(sheets.fan_of_corner[3 * f + k], file_.triangles[f][file_corner(f, k)]);
+      }
+    }
+    std::sort(wishes.begin(), wishes.end());
+    const std::vector<std::uint32_t> vertex_of_fan = name_fans(wishes);
+    for (std::uint32_t f = 0; f < joined.size(); ++f) {
+      for (std::uint32_t k = 0; joined[f] && k < 3; ++k) {
+        lists_.triangles[f][k] = vertex_of_fan[sheets.fan_of_corner[3 * f + k]];
+      }
+    }
+  }
+
+  /// An edge of the file; one that only welding would have made is none.
+  void count_crowded(const std::vector<FaceSide>& edge) {
+    std::vector<std::pair<std::array<std::uint32_t, 2>, std::uint32_t>> sides;
+    for (const FaceSide& s : edge) {
+      const std::uint32_t f = s.face();
+      const std::uint32_t a = file_.triangles[f][file_corner(f, s.side % 3)];
+      const std::uint32_t b = file_.triangles[f][file_corner(f, (s.side + 1 - 3 * f) % 3)];
+      sides.push_back({{std::min(a, b), std::max(a, b)}, f});
+    }
+    std::sort(sides.begin(), sides.end());
+    for (std::size_t i = 0; i < sides.size();) {
+      EdgePlace place{sides[i].first, {}};
+      std::size_t faces = 0;
+      for (; i < sides.size() && sides[i].first == place.vertices; ++i) {
+        if (faces++ < EdgePlace::kFaces) place.faces.push_back(sides[i].second);
+      }
+      if (faces > 2) changes_.split_edges.add(place);
+    }
+  }
+
+  std::vector<std::uint32_t> name_fans(const std::vector<Image>& wishes) {
+    std::vector<std::uint32_t> vertex_of_fan(3 * lists_.triangles.size(), kNoVertex);
+    std::vector<bool> taken(file_.points.size(), false);
+    for (std::size_t i = 0; i < wishes.size();) {
+      const auto [fan, smallest] = wishes[i];
+      std::uint32_t& vertex = vertex_of_fan[fan];
+      for (; i < wishes.size() && wishes[i].first == fan; ++i) {
+        if (vertex == kNoVertex && !taken[wishes[i].second]) vertex = wishes[i].second;
+      }
+      if (vertex == kNoVertex) vertex = copy_of(smallest);
+      if (vertex < taken.size()) taken[vertex] = true;
+    }
+    return vertex_of_fan;
+  }
+
+  std::uint32_t copy_of(std::uint32_t vertex) {
+    if (lists_.points.size() >= kNoVertex) {
+      throw Error(ErrorCode::kBadMesh, "The repaired mesh has more vertices than can be numbered.");
+    }
+    lists_.points.push_back(file_.points[vertex]);
+    vertex_to_file_.push_back(vertex);
+    ++changes_.vertex_copies;
+    return static_cast<std::uint32_t>(lists_.points.size() - 1);
+  }
+
+  /// What every vertex of the file became, sorted; one in no face that is left stays itself.
+  [[nodiscard]] std::vector<Image> vertex_images() const {
+    std::vector<Image> images;
+    std::vector<bool> used(file_.points.size(), false);
+    for (std::uint32_t f = 0; f < kept_.size(); ++f) {
+      for (std::uint32_t k = 0; kept_[f] && k < 3; ++k) {
+        const std::uint32_t v = file_.triangles[f][file_corner(f, k)];
+        images.emplace_back(v, lists_.triangles[f][k]);
+        used[v] = true;
+      }
+    }
+    // A double's corners are those of the face that stays, whatever else became of its vertices.
+    for (const Double& d : doubles_) {
+      const std::uint32_t f = d.place.earlier;
+      for (std::uint32_t k = 0; kept_[f] && k < 3; ++k) {
+        const std::uint32_t v = file_.triangles[d.place.element][k];
+        images.emplace_back(v, lists_.triangles[f][file_corner(f, d.corner[k])]);
+        used[v] = true;
+      }
+    }
+    std::vector<Image> left;  // those of dropped faces went with the vertex they were welded onto
+    for (std::uint32_t f = 0; f < kept_.size(); ++f) {
+      for (std::uint32_t k = 0; !kept_[f] && k < 3; ++k) {
+        const std::uint32_t v = file_.triangles[f][k];
+        if (!used[v]) left.emplace_back(v, lists_.triangles[f][k]);
+        used[v] = true;
+      }
+    }
+    images.insert(images.end(), left.begin(), left.end());
+    for (std::uint32_t v = 0; v < used.size(); ++v) {
+      if (!used[v]) images.emplace_back(v, v);
+    }
+    std::sort(images.begin(), images.end());
+    images.erase(std::unique(images.begin(), images.end()), images.end());
+    return images;
+  }
+
+  void count_vertices(const std::vector<Image>& images) {
+    for (std::size_t i = 0; i < images.size();) {
+      const auto [vertex, first] = images[i];
+      std::size_t end = i + 1;
+      while (end < images.size() && images[end].first == vertex) ++end;
+      if (end - i > 1) changes_.split_vertices.add(vertex);
+      if (first < vertex) changes_.welded_vertices.add({vertex, first});
+      for (; i < end; ++i) {
+        const double moved = point_distance(file_.points[vertex], lists_.points[images[i].second]);
+        changes_.weld_distance = std::max(changes_.weld_distance, moved);
+      }
+    }
+  }
+
+  /// Where a face went that stays: its corners in the file's order.
+  [[nodiscard]] RepairMap::FaceImage image_of(std::uint32_t f, std::uint32_t number) const {
+    RepairMap::FaceImage image{number, {0, 1, 2}};
+    if (turned_[f]) std::swap(image.corner[1], image.corner[2]);
+    return image;
+  }
+
+  RepairedMesh finished() {
+    const std::vector<Image> images = vertex_images();
+    count_vertices(images);
+    std::vector<std::uint32_t> face_to_file;
+    std::vector<RepairMap::FaceImage> faces(kept_.size());
+    for (std::uint32_t f = 0; f < kept_.size(); ++f) {
+      if (kept_[f]) {
+        const auto number = static_cast<std::uint32_t>(face_to_file.size());
+        faces[f] = image_of(f, number);
+        lists_.triangles[number] = lists_.triangles[f];
+        face_to_file.push_back(f);
+      }
+    }
+    for (const Double& d : doubles_) {
+      const RepairMap::FaceImage& other = faces[d.place.earlier];
+      for (std::size_t k = 0; k < 3; ++k) {
+        faces[d.place.element].corner[k] = other.corner[d.corner[k]];
+      }
+      faces[d.place.element].face = other.face;
+    }
+    lists_.triangles.resize(face_to_file.size());
+    return {
+        std::move(lists_),
+        RepairMap(std::move(vertex_to_file_), std::move(face_to_file), std::move(faces), images),
+        std::move(changes_)};
+  }
+
+  const MeshLists& file_;
+  MeshLists lists_;
+  std::vector<bool> kept_;
+  std::vector<bool> turned_;
+  std::vector<Double> doubles_;
+  std::vector<std::uint32_t> vertex_to_file_;
+  MeshChanges changes_;
+};
+
+}  // namespace
+
+RepairedMesh repair(const MeshLists& lists, const RepairSteps& steps) {
+  if (!mendable(lists)) throw Error(ErrorCode::kBadMesh, obstacle(inspect(lists)));
+  return Repair(lists).run(steps);
+}
+
+void try_repair(const MeshLists& lists, MeshInspection& inspection) {
+  if (inspection.verdict != MeshVerdict::kRepairable) return;
+  const MeshInspection after = inspect(repair(lists, repair_steps(inspection.steps)).lists);
+  if (after.verdict == MeshVerdict::kUsable) return;
+  inspection.verdict = MeshVerdict::kUnusable;
+  inspection.reason += " Repair (" + inspection.steps + ") does not help: " + after.reason;
+  inspection.steps.clear();
+}
+
+std::optional<WeldedMesh> try_weld(const MeshLists& lists, const MeshInspection& before) {
+  if (before.verdict != MeshVerdict::kUsable || !before.duplicate_positions.found()) return {};
+  WeldedMesh welded;
+  const auto inspect_with = [&](const std::string& steps) {
+    const RepairedMesh mesh = repair(lists, repair_steps(steps));
+    welded.steps = steps;
+    welded.vertices = mesh.changes.welded_vertices.count;
+    welded.after = inspect(mesh.lists);
+  };
+  inspect_with("weld");
+  if (welded.after.verdict == MeshVerdict::kRepairable) inspect_with("weld," + welded.after.steps);
+  if (welded.after.verdict != MeshVerdict::kUsable) return {};
+  const bool joined = welded.after.components < before.components ||
+                      welded.after.boundary_loops < before.boundary_loops;
+  return joined ? std::optional(std::move(welded)) : std::nullopt;
+}
+
+}  // namespace talweg

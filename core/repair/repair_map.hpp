@@ -1,0 +1,93 @@
+// From the numbers of a file's vertices and faces to those of the repaired mesh, and back.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "talweg/core/drawing/curve_input.hpp"
+#include "talweg/core/drawing/placed_curve.hpp"
+#include "talweg/intrinsic/surface/surface.hpp"
+
+namespace talweg {
+
+/// Made by repair(). Vertices of the file keep their numbers, also where no face uses them any
+/// more; copies follow after the last. Faces that stay follow each other in the file's order.
+class RepairMap {
+ public:
+  static constexpr std::uint32_t kDropped = std::numeric_limits<std::uint32_t>::max();
+
+  /// Where a face of the file went.
+  struct FaceImage {
+    std::uint32_t face = kDropped;                ///< of the repaired mesh; that of its double too
+    std::array<std::uint8_t, 3> corner{0, 1, 2};  ///< there, of each corner here
+  };
+
+  RepairMap() = default;
+  /// `vertex_to_file`: of every vertex of the repaired mesh. `face_to_file`: of every face.
+  /// `images`: of every face of the file. `pairs`: (vertex of the file, vertex it became), sorted;
+  /// every vertex of the file at least once.
+  RepairMap(std::vector<std::uint32_t> vertex_to_file, std::vector<std::uint32_t> face_to_file,
+            std::vector<FaceImage> images,
+            const std::vector<std::pair<std::uint32_t, std::uint32_t>>& pairs);
+
+  [[nodiscard]] std::size_t file_vertex_count() const { return first_.size() - 1; }
+  [[nodiscard]] std::size_t file_face_count() const { return images_.size(); }
+  [[nodiscard]] std::size_t vertex_count() const { return to_file_.size(); }  ///< repaired
+  [[nodiscard]] std::size_t face_count() const { return face_to_file_.size(); }
+  [[nodiscard]] VertexId file_vertex(VertexId v) const { return VertexId{to_file_[v.index()]}; }
+  [[nodiscard]] FaceId file_face(FaceId f) const { return FaceId{face_to_file_[f.index()]}; }
+  [[nodiscard]] const FaceImage& image(FaceId file_face) const {
+    return images_[file_face.index()];
+  }
+  /// What a vertex of the file became: itself, the one it was welded onto, several where it was
+  /// split.
+  [[nodiscard]] std::span<const std::uint32_t> images(VertexId file_vertex) const;
+
+  /// Values of the file's vertices or faces, one for each of the repaired mesh's.
+  template <class Value>
+  [[nodiscard]] std::vector<Value> of_vertices(const std::vector<Value>& values) const {
+    return picked(values, to_file_);
+  }
+  template <class Value>
+  [[nodiscard]] std::vector<Value> of_faces(const std::vector<Value>& values) const {
+    return picked(values, face_to_file_);
+  }
+
+  /// A curve in the file's numbers, in those of the repaired mesh. Of a vertex that was split that
+  /// copy is taken which is the neighbour of the points before and after, or else on the same part
+  /// of the surface. Positions stay as they are.
+  /// Throws Error(kBadCurve) naming the position in the curve where there is no such vertex or
+  /// face, or the face was dropped.
+  [[nodiscard]] CurveInput to_repaired(const CurveInput& curve, const Surface& repaired) const;
+  /// Points on the repaired mesh, found by their positions: those at a vertex that was split are
+  /// put on the copy that suits the points before and after, as above.
+  [[nodiscard]] std::vector<SurfacePoint> on_one_sheet(std::vector<SurfacePoint> points,
+                                                       bool closed, const Surface& repaired) const;
+  /// A curve on the repaired mesh in the file's numbers.
+  [[nodiscard]] PlacedCurve to_file(PlacedCurve curve) const;
+
+ private:
+  template <class Value>
+  static std::vector<Value> picked(const std::vector<Value>& values,
+                                   const std::vector<std::uint32_t>& from) {
+    std::vector<Value> result;
+    result.reserve(from.size());
+    for (const std::uint32_t i : from) result.push_back(values[i]);
+    return result;
+  }
+  [[nodiscard]] std::vector<FaceCoordinates> moved(std::vector<FaceCoordinates> points) const;
+  [[nodiscard]] std::vector<VertexId> moved(const std::vector<VertexId>& ids, bool closed,
+                                            const Surface& repaired) const;
+
+  std::vector<std::uint32_t> to_file_;
+  std::vector<std::uint32_t> face_to_file_;
+  std::vector<FaceImage> images_;
+  std::vector<std::uint32_t> first_{0};  ///< of each vertex of the file, in became_
+  std::vector<std::uint32_t> became_;
+};
+
+}  // namespace talweg

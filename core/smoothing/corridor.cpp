@@ -1,0 +1,165 @@
+#include "talweg/core/smoothing/corridor.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "talweg/intrinsic/error.hpp"
+
+namespace talweg {
+namespace {
+
+constexpr double kGain = 10;    // a, as in the paper
+constexpr double kCut = 1e100;  // of φ; its square is still a number
+
+}  // namespace
+
+void Corridor::check_slack(const std::vector<double>& values, std::size_t curve,
+                           std::size_t points) {
+  if (values.size() != points) {
+    throw Error(ErrorCode::kBadUsage,
+                fmt::format("slack_at has {} values for the {} points of curve {}.", values.size(),
+                            points, curve));
+  }
+  for (std::size_t i = 0; i < points; ++i) {
+    if (values[i] >= 0 && std::isfinite(values[i])) continue;
+    throw Error(
+        ErrorCode::kBadUsage,
+        fmt::format("The slack of curve {} at its point {} must be finite and >= 0.", curve, i));
+  }
+}
+
+Corridor::Corridor(PolylineDistance& distance, double tau, const std::vector<Valley>& valleys)
+    : distance_(&distance) {
+  profiles_.reserve(valleys.size());
+  for (std::size_t c = 0; c < valleys.size(); ++c) {
+    const Valley& valley = valleys[c];
+    Profile& profile = profiles_.emplace_back();
+    profile.slack = valley.slack;
+    profile.steepness = kGain * tau * (kGain * tau / valley.length);
+    const double loop = valley.closed ? distance.curve_length(c) : valley.loop_length;
+    if (loop > 0) profile.phase_per_arc = 2 * std::numbers::pi * valley.turns / loop;
+    profile.phase = profile.phase_per_arc * valley.arc_start;
+    if (!valley.slack_at.empty()) set_field(profile, valley, c);
+    least_slack_ = std::min(least_slack_, valley.slack);
+    for (const double slack : profile.slacks) least_slack_ = std::min(least_slack_, slack);
+  }
+}
+
+void Corridor::set_field(Profile& profile, const Valley& valley, std::size_t curve) const {
+  const auto arcs = distance_->point_arcs(curve);
+  check_slack(valley.slack_at, curve, arcs.size());
+  profile.arcs.assign(arcs.begin(), arcs.end());
+  profile.slacks = valley.slack_at;
+  if (!valley.closed) return;
+  profile.arcs.push_back(distance_->curve_length(curve));
+  profile.slacks.push_back(profile.slacks.front());
+}
+
+Corridor::Varying Corridor::slack(const Profile& profile, double arc) {
+  const std::vector<double>&arcs = profile.arcs, &values = profile.slacks;
+  if (arcs.empty()) return {profile.slack, 0};
+  const auto after = std::upper_bound(arcs.begin(), arcs.end(), arc);
+  if (after == arcs.begin()) return {values.front(), 0};
+  if (after == arcs.end()) return {values.back(), 0};
+  const auto i = static_cast<std::size_t>(after - arcs.begin()) - 1;
+  const double change = values[i + 1] - values[i], width = arcs[i + 1] - arcs[i];
+  return {values[i] + change * ((arc - arcs[i]) / width), change / width};
+}
+
+std::array<double, 2> Corridor::lifted(const PolylineDistance::Nearest& nearest) const {
+  if (!std::isfinite(nearest.distance)) return {0, 0};
+  const Profile& profile = profiles_[nearest.curve];
+  const double beyond = nearest.distance - slack(profile, nearest.arc_length).value;
+  if (!(beyond > 0)) return {0, 0};
+  const double phi = std::min(profile.steepness * beyond * beyond, kCut);
+  const double theta = profile.phase + profile.phase_per_arc * nearest.arc_length;
+  if (theta == 0) return {phi, 0};
+  return {phi * std::cos(theta), phi * std::sin(theta)};
+}
+
+std::array<double, 2> Corridor::at_vertex(VertexId v) const {
+  return lifted(distance_->at_vertex(v));
+}
+
+std::array<double, 2> Corridor::at_vertex_roughly(VertexId v, double exact) const {
+  return lifted(distance_->at_vertex_roughly(v, exact));
+}
+
+std::array<double, 2> Corridor::at(const SurfacePoint& point) const {
+  return lifted(distance_->at(point));
+}
+
+/// Of a single open curve with one slack φ is a function of δ, which grows no faster than ways do;
+/// else the nearest point may jump between the ends of an edge, and φ to anything.
+double Corridor::largest_lengthening(double distance, double length) const {
+  const bool by_distance_alone = profiles_.size() == 1 && profiles_.front().arcs.empty() &&
+                                 profiles_.front().phase_per_arc == 0;
+  double largest = 0;
+  for (const Profile& profile : profiles_) {
+    const double beyond = std::max(0.0, distance - least_slack_);
+    const double slope = by_distance_alone ? 2 * profile.steepness * beyond
+                                           : 2 * profile.steepness * beyond * (beyond / length);
+    largest = std::max(largest, slope * slope / 2);
+  }
+  return std::isnan(largest) ? HUGE_VAL : largest;
+}
+
+PotentialOnEdge Corridor::on_edge(EdgeId e, double t) const {
+  PotentialOnEdge result;
+  const PolylineDistance::EdgeValue d = distance_->at_edge(e, t);
+  if (!std::isfinite(d.value)) return result;
+  const Profile& profile = profiles_[d.curve];
+  const Varying slack_here = slack(profile, d.arc_length);
+  const double beyond = d.value - slack_here.value;
+  result.clear = std::max(0.0, least_slack_ - d.value);
+  if (!(beyond > 0)) return result;
+  const double slope = d.first - slack_here.slope * d.arc_first;
+  const double phi = profile.steepness * beyond * beyond;
+  const double first = 2 * profile.steepness * beyond * slope;
+  const double second = 2 * profile.steepness * (slope * slope + beyond * d.second);
+  const double turn = profile.phase_per_arc;
+  if (turn == 0) return {{phi, 0}, {first, 0}, {second, 0}};
+  const double theta = profile.phase + turn * d.arc_length, dtheta = turn * d.arc_first;
+  const double c = std::cos(theta), s = std::sin(theta);
+  result.value = {phi * c, phi * s};
+  result.first = {first * c - phi * s * dtheta, first * s + phi * c * dtheta};
+  const double radial = second - phi * dtheta * dtheta, around = 2 * first * dtheta;
+  result.second = {radial * c - around * s, radial * s + around * c};
+  return result;
+}
+
+PotentialInFace Corridor::in_face(FaceId face, const ExactPotential::Barycentric& b,
+                                  const std::array<ExactPotential::Barycentric, 2>& d) const {
+  PotentialInFace result;
+  const PolylineDistance::FaceValue at = distance_->at_face(face, b, d);
+  if (!std::isfinite(at.value)) return result;
+  const Profile& profile = profiles_[at.curve];
+  const Varying slack_here = slack(profile, at.arc_length);
+  const double beyond = at.value - slack_here.value;
+  if (!(beyond > 0)) return result;
+  const double turn = profile.phase_per_arc, theta = profile.phase + turn * at.arc_length;
+  const double c = std::cos(theta), s = std::sin(theta), k = profile.steepness;
+  const double phi = k * beyond * beyond;
+  std::array<double, 2> slope{}, rise{}, spin{};
+  for (std::size_t i = 0; i < 2; ++i) {
+    slope[i] = at.first[i] - slack_here.slope * at.arc_first[i];
+    rise[i] = 2 * k * beyond * slope[i];
+    spin[i] = turn * at.arc_first[i];
+    result.first[i] = {rise[i] * c - phi * s * spin[i], rise[i] * s + phi * c * spin[i]};
+  }
+  result.value = {phi * c, phi * s};
+  for (std::size_t n = 0; n < 3; ++n) {
+    const std::size_t i = n / 2, j = (n + 1) / 2;
+    const double radial =
+        2 * k * (slope[i] * slope[j] + beyond * at.second[n]) - phi * spin[i] * spin[j];
+    const double around = rise[i] * spin[j] + rise[j] * spin[i];
+    result.second[n] = {radial * c - around * s, radial * s + around * c};
+  }
+  return result;
+}
+
+}  // namespace talweg

@@ -1,0 +1,20 @@
+// How far apart the curves of a set are.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "talweg/core/mesh/surface_mesh.hpp"
+#include "talweg/intrinsic/progress.hpp"
+#include "talweg/intrinsic/surface/surface_point.hpp"
+
+namespace talweg {
+
+/// Per curve the length of the shortest way along the surface to another one, mesh units; infinite
+/// where that is `limit` or more. Curves that touch (nodes of a network) do not count for each
+/// other. O(pairs) for curves that are far apart; the others cost the band of width `limit` between
+/// them. Throws Cancelled when `progress` (stage "solve") says so.
+std::vector<double> gaps_to_others(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves,
+                                   double limit, const Progress& progress = {});
+
+}  // namespace talweg

@@ -1,0 +1,695 @@
+#include "talweg/core/smoothing/curve_smoother.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "talweg/core/drawing/drawn_curves.hpp"
+#include "talweg/core/measure/edge_length_near.hpp"
+#include "talweg/core/measure/result_report.hpp"
+#include "talweg/core/smoothing/bump_convolution.hpp"
+#include "talweg/core/smoothing/lifted_lengths.hpp"
+#include "talweg/core/smoothing/refined_smoother.hpp"
+#include "talweg/core/smoothing/relaxation.hpp"
+#include "talweg/core/smoothing/unrolled_smoother.hpp"
+#include "talweg/core/stopwatch.hpp"
+#include "talweg/intrinsic/error.hpp"
+
+namespace talweg {
+namespace {
+
+constexpr std::size_t kOfPoint = 8;  // units of work, to measure or to check it
+
+/// The length where nothing is lifted, as the others are computed.
+double flat_length(double length) { return lifted_length(length, 0.0, 0.0); }
+
+[[noreturn]] void bad_usage(const std::string& message) {
+  throw Error(ErrorCode::kBadUsage, message);
+}
+
+}  // namespace
+
+void CurveOptions::validate() const {
+  if (threads < 1) bad_usage("threads must be >= 1.");
+  if (!(heat_time >= 1e-3 && heat_time <= 1e6)) bad_usage("heat_time must be in [1e-3, 1e6].");
+  if (!(bump_radius >= 0 && std::isfinite(bump_radius))) {
+    bad_usage("bump_radius must be finite and >= 0.");
+  }
+}
+
+void SmoothingOptions::validate() const {
+  if (!(tau >= 0 && std::isfinite(tau))) bad_usage("tau must be finite and >= 0.");
+  potential.validate();
+  RelaxationOptions{relax_rounds}.validate();
+  if (!(min_relative_length >= 0 && min_relative_length < 1)) {
+    bad_usage("min_relative_length must be in [0, 1).");
+  }
+  if (slack && !(*slack >= 0 && std::isfinite(*slack))) bad_usage("slack must be finite and >= 0.");
+  if (phase_turns < 0 || phase_turns > 64) bad_usage("phase_turns must be in [0, 64].");
+  if (length_floor && !(*length_floor >= 0 && std::isfinite(*length_floor))) {
+    bad_usage("length_floor must be finite and >= 0.");
+  }
+}
+
+CurveSmoother::CurveSmoother(std::shared_ptr<const OpenedMesh> mesh)
+    : mesh_(std::move(mesh)),
+      triangulation_(mesh_->surface()),
+      flip_out_(triangulation_),
+      tracer_(triangulation_) {}
+
+CurveSmoother::~CurveSmoother() = default;
+
+void CurveSmoother::forget() {
+  triangulation_.remove_inserted();
+  unrolled_.reset();
+  refined_.clear();
+  drawn_.clear();
+  set_order_.clear();
+  places_.clear();
+  orders_.clear();
+  ordered_.clear();
+  capped_.clear();
+  embedded_ = {};
+  distance_.clear();
+  inserted_distance_.clear();
+  drawn_measures_.clear();
+  edges_near_.clear();
+  last_.reset();
+  warnings_.clear();
+  valleys_.clear();
+  anchors_.clear();
+  heat_open_ms_ = solve_ms_ = mollification_ = 0;
+}
+
+void CurveSmoother::refuse_point(const SurfaceCurve& curve) const {
+  const Point at = mesh_->mesh().position(curve.points.front());
+  throw Error(ErrorCode::kBadCurve,
+              fmt::format("Curve {} has no length: its {} points all lie at ({:.9g}, {:.9g}, "
+                          "{:.9g}), where faces of the mesh have no extent.",
+                          set_order_[drawn_measures_.size() - 1], curve.points.size(), at.x(),
+                          at.y(), at.z()));
+}
+
+void CurveSmoother::take(std::span<const SurfaceCurve> curves, const CurveOptions& options,
+                         const Progress& progress) {
+  if (curves.empty()) bad_usage("There is no curve to smooth.");
+  options.validate();
+  const Surface& surface = mesh_->surface();
+  Asker asker(progress, "embed");
+  for (const SurfaceCurve& curve : curves) {
+    asker.did(kOfPoint * curve.points.size());
+    check_drawn(surface, curve);
+  }
+  check_pins(curves, options.pins);
+  curve_options_ = options;
+  drawn_.assign(curves.begin(), curves.end());
+  std::vector<CurveOrder> orders;
+  std::vector<SurfaceCurve> ordered;
+  orders.reserve(drawn_.size());
+  ordered.reserve(drawn_.size());
+  for (const SurfaceCurve& curve : drawn_) {
+    const auto next = [&] { asker.did(kOfPoint * curve.points.size()); };
+    next();
+    orders.push_back(canonical_order(mesh_->mesh(), curve));
+    ordered.push_back(in_order(curve, orders.back()));
+  }
+  set_order_ = canonical_set_order(mesh_->mesh(), ordered);
+  places_.resize(drawn_.size());
+  for (const std::size_t c : set_order_) {
+    places_[c] = ordered_.size();
+    orders_.push_back(orders[c]);
+    const SurfaceCurve& curve = ordered_.emplace_back(std::move(ordered[c]));
+    const auto next = [&] { asker.did(kOfPoint * curve.points.size()); };
+    next();
+    drawn_measures_.push_back(measure_curve(surface, curve));
+    if (!(drawn_measures_.back().length > 0)) refuse_point(curve);
+    next();
+    edges_near_.push_back(edge_length_near(surface, curve));
+  }
+}
+
+void CurveSmoother::embed_drawn(const Progress& progress) {
+  capped_.clear();
+  for (const SurfaceCurve& curve : ordered_) {
+    capped_.push_back(curve_options_.cap_corners
+                          ? capped_curve(mesh_->surface(), curve, curve_options_.pins)
+                          : curve);
+  }
+  embedded_ =
+      embed_curves(triangulation_, capped_, curve_options_.pins, loops_, set_order_, progress);
+}
+
+bool CurveSmoother::set_pins(std::span<const SurfacePoint> pins, const Progress& progress) {
+  if (!is_set()) bad_usage("No curve is set.");
+  if (curve_options_.method != Method::kCorridor) bad_usage("set_pins() needs the corridor.");
+  check_pins(drawn_, pins);
+  const std::vector<SurfacePoint> own(pins.begin(), pins.end());  // may be our own
+  const std::vector<SurfacePoint> before = curve_options_.pins;
+  const auto set = [&](const std::vector<SurfacePoint>& these, const Progress& asked) {
+    curve_options_.pins = these;
+    if (!refined_.empty()) return set_refined_pins(asked);
+    if (unrolled_) return set_unrolled_pins(asked);
+    triangulation_.remove_inserted();
+    embed_drawn(asked);
+    return true;
+  };
+  bool done = false;
+  try {
+    done = set(own, progress);
+  } catch (const Cancelled&) {
+  } catch (...) {
+    set(before, {});
+    throw;
+  }
+  if (!done) {
+    set(before, {});
+    return false;
+  }
+  if (!refined_.empty() || unrolled_) return true;
+  anchors_.clear();
+  last_.reset();
+  return true;
+}
+
+bool CurveSmoother::set_curve(const SurfaceCurve& curve, const CurveOptions& options,
+                              const Progress& progress) {
+  return set_curves(std::span(&curve, 1), options, progress);
+}
+
+bool CurveSmoother::set_curves(std::span<const SurfaceCurve> curves, const CurveOptions& options,
+                               const Progress& progress) {
+  const std::vector<SurfaceCurve> own(curves.begin(), curves.end());  // may be our own drawing
+  forget();
+  try {
+    take(own, options, progress);
+    set_drawn(options, progress);
+  } catch (const Cancelled&) {
+    forget();
+    return false;
+  } catch (...) {
+    forget();
+    throw;
+  }
+  return true;
+}
+
+void CurveSmoother::set_drawn(const CurveOptions& options, const Progress& progress) {
+  if (!faces_to_divide().empty()) {
+    capped_ = ordered_;
+    return set_refined(progress);
+  }
+  embed_drawn(progress);
+  if (const std::vector<bool> alone = tangled(); !alone.empty()) {
+    set_unrolled(alone, progress);
+  } else if (options.method == Method::kCorridor) {
+    solve_corridor(progress);
+  } else if (options.distance_at_once) {
+    solve_distance(progress);
+  }
+}
+
+bool CurveSmoother::set_curves(std::span<const SurfaceCurve> curves, std::vector<double> distance,
+                               const CurveOptions& options, const Progress& progress) {
+  const std::vector<SurfaceCurve> own(curves.begin(), curves.end());
+  forget();
+  const Stopwatch watch;
+  if (distance.size() != mesh_->surface().vertex_count()) {
+    bad_usage("There are " + std::to_string(distance.size()) + " distances for " +
+              std::to_string(mesh_->surface().vertex_count()) + " vertices.");
+  }
+  for (std::size_t v = 0; v < distance.size(); ++v) {
+    if (std::isnan(distance[v]) || distance[v] == -HUGE_VAL) {
+      bad_usage("The distance of vertex " + std::to_string(v) + " is not a number.");
+    }
+  }
+  try {
+    take(own, options, progress);
+    embed_drawn(progress);
+    curve_options_.method = Method::kPaper;
+    distance_ = std::move(distance);
+    inserted_distance_ = at_inserted(distance_, 1);
+    find_largest_distances();
+    if (const std::vector<bool> alone = tangled(); !alone.empty()) {
+      set_unrolled(alone, progress);
+    }
+  } catch (const Cancelled&) {
+    forget();
+    return false;
+  } catch (...) {
+    forget();
+    throw;
+  }
+  solve_ms_ = watch.ms();
+  return true;
+}
+
+void CurveSmoother::solve_corridor(const Progress& progress) {
+  const Stopwatch watch;
+  if (!exact_distance_) exact_distance_.emplace(mesh_->surface());
+  {
+    Asker asker(progress, "solve");
+    const AskedDuring asked(*exact_distance_, asker);
+    exact_distance_->set(ordered_);
+  }
+  make_valleys(progress);
+  hold_loops(progress);
+  solve_ms_ = watch.ms();
+}
+
+bool CurveSmoother::need_distance(const Progress& progress) {
+  if (!is_set()) bad_usage("No curve is set.");
+  if (curve_options_.method != Method::kPaper || !distance_.empty()) return true;
+  try {
+    solve_distance(progress);
+  } catch (const Cancelled&) {
+    return false;
+  }
+  return true;
+}
+
+void CurveSmoother::solve_distance(const Progress& progress) {
+  const CurveOptions& options = curve_options_;
+  const Stopwatch open_watch;
+  const auto heat = mesh_->heat(options.heat_time, progress, options.threads);
+  if (heat == nullptr) throw Cancelled();
+  heat_open_ms_ = open_watch.ms();
+
+  const Stopwatch watch;
+  std::vector<double> solved =
+      heat->solve(sources_of(mesh_->surface(), capped_), DistanceOptions{}, progress);
+  if (options.bump_radius > 0) {
+    BumpOptions bump;
+    bump.radius = options.bump_radius;
+    solved = convolve_with_bump(mesh_->surface(), solved, bump, progress);
+    distance_ = std::move(solved);
+    inserted_distance_ = at_inserted(distance_, 1);
+  } else {
+    distance_ = std::move(solved);
+    // Inserted vertices lie on the drawing, where the distance is 0 whatever the mesh can resolve.
+    inserted_distance_.assign(triangulation_.inserted_count(), 0.0);
+  }
+  find_largest_distances();
+  const auto& mollified = heat->report().mollification;
+  mollification_ = mollified.empty() ? 0 : *std::max_element(mollified.begin(), mollified.end());
+  if (mollification_ > 0) {
+    warnings_.push_back(
+        fmt::format("Needle triangles: edges were lengthened by up to {:.3g}, {:.3g} mean edge "
+                    "lengths, for the "
+                    "distance (and only for it).",
+                    mollification_, mollification_ / mesh_->mesh().mean_edge_length()));
+  }
+  solve_ms_ = watch.ms();
+}
+
+std::vector<double> CurveSmoother::at_inserted(std::span<const double> values,
+                                               std::size_t k) const {
+  const Surface& surface = mesh_->surface();
+  std::vector<double> result;
+  for (std::size_t i = 0; i < triangulation_.inserted_count(); ++i) {
+    const SurfacePoint point = triangulation_.location(VertexId{surface.vertex_count() + i});
+    const FaceCoordinates at = coordinates_in(surface, point, any_face(surface, point));
+    const auto corners = surface.corners(at.face);
+    for (std::size_t j = 0; j < k; ++j) {
+      double value = 0;
+      for (std::size_t c = 0; c < 3; ++c) {
+        if (at.barycentric[c] > 0) value += at.barycentric[c] * values[corners[c].index() * k + j];
+      }
+      result.push_back(value);
+    }
+  }
+  return result;
+}
+
+/// The largest distance in each component, so that L follows the curve's own component only. With
+/// a single curve no other component has a distance to speak of, and all count as one.
+void CurveSmoother::find_largest_distances() {
+  const bool several = drawn_.size() > 1;
+  if (several && !components_) components_ = components_of(mesh_->surface());
+  largest_distance_.assign(several ? components_->count : 1, 0.0);
+  for (std::size_t v = 0; v < distance_.size(); ++v) {
+    double& largest = largest_distance_[several ? components_->of_vertex[v] : 0];
+    if (std::isfinite(distance_[v])) largest = std::max(largest, distance_[v]);
+  }
+}
+
+std::size_t CurveSmoother::component_of(VertexId v) const {
+  if (largest_distance_.size() == 1) return 0;
+  const Surface& surface = mesh_->surface();
+  if (v.index() >= surface.vertex_count()) {
+    v = surface.corners(any_face(surface, triangulation_.location(v)))[0];
+  }
+  return components_->of_vertex[v.index()];
+}
+
+double CurveSmoother::characteristic_length(const PotentialOptions& options,
+                                            std::size_t component) const {
+  if (options.length == PotentialOptions::Length::kGiven) return options.given_length;
+  double length = 0;
+  for (const CurveMeasures& m : drawn_measures_) length += m.length;
+  if (options.length == PotentialOptions::Length::kCurveLength) return length;
+  const double largest = largest_distance_[component];
+  return largest > 0 ? largest : length;  // a curve over every vertex leaves no distance at all
+}
+
+/// A loop of this length is a handful of edges around a vertex: three mean edges of the drawing,
+/// but less than half a loop that is drawn so small.
+double CurveSmoother::default_floor() const {
+  double floor = HUGE_VAL;
+  for (std::size_t c = 0; c < capped_.size(); ++c) {
+    if (!capped_[c].closed) continue;
+    const double length = curve_length(mesh_->surface(), capped_[c]);
+    const double mean = length / static_cast<double>(capped_[c].points.size());
+    floor = std::min({floor, 3 * mean, length / 2});
+  }
+  return std::isfinite(floor) ? floor : 0;
+}
+
+SmoothingResult CurveSmoother::smooth(double tau) {
+  SmoothingOptions options;
+  options.tau = tau;
+  return smooth(options);
+}
+
+SmoothingResult CurveSmoother::smooth(const SmoothingOptions& options) {
+  options.validate();
+  if (!is_set()) bad_usage("No curve is set.");
+  try {
+    const Asker asked(options.progress, "straighten");
+    return as_drawn(smooth_now(with_ordered_slack(options)));
+  } catch (const Cancelled&) {
+    return cancelled_result(options);
+  }
+}
+
+/// The drawing as it is.
+SmoothingResult CurveSmoother::cancelled_result(const SmoothingOptions& options) const {
+  SmoothingResult result;
+  result.curves = drawn_;
+  for (std::size_t c = 0; c < drawn_.size(); ++c) {
+    SmoothingReport& report = result.reports.emplace_back(
+        report_on_nothing(mesh_->mesh(), drawn_[c], drawn_measures_[places_[c]]));
+    report.tau = options.tau;
+    report.edge_length_near = edges_near_[places_[c]];
+    report.termination = to_string(Termination::kCancelled);
+  }
+  result.total = total_of(result.reports);
+  return result;
+}
+
+/// Of curves as they were drawn. All that is measured and decided is so on ordered ones, so that a
+/// reversed drawing has the same result to the last bit.
+SmoothingOptions CurveSmoother::with_ordered_slack(SmoothingOptions options) const {
+  if (options.slack_at.empty() || curve_options_.method != Method::kCorridor) return options;
+  const std::vector<std::vector<double>> drawn = std::move(options.slack_at);
+  if (drawn.size() != drawn_.size()) {
+    bad_usage(
+        fmt::format("slack_at has values for {} curves, not for {}.", drawn.size(), drawn_.size()));
+  }
+  for (std::size_t c = 0; c < drawn.size(); ++c) {
+    Corridor::check_slack(drawn[c], c, drawn_[c].points.size());
+  }
+  options.slack_at.clear();
+  for (std::size_t c = 0; c < drawn.size(); ++c) {
+    const std::vector<double>& own = drawn[set_order_[c]];
+    std::vector<double>& ordered = options.slack_at.emplace_back();
+    ordered.reserve(own.size());
+    for (std::size_t k = 0; k < own.size(); ++k) {
+      ordered.push_back(own[orders_[c].drawn_index(k, own.size())]);
+    }
+  }
+  return options;
+}
+
+SmoothingResult CurveSmoother::as_drawn(SmoothingResult result) const {
+  for (std::size_t c = 0; c < result.curves.size(); ++c) {
+    std::vector<SurfacePoint>& points = result.curves[c].points;
+    if (orders_[c].reversed) std::reverse(points.begin(), points.end());
+  }
+  if (std::is_sorted(set_order_.begin(), set_order_.end())) return result;
+  result.curves = in_drawn_order(result.curves);
+  result.reports = in_drawn_order(result.reports);
+  result.total = total_of(result.reports);
+  return result;
+}
+
+SmoothingResult CurveSmoother::smooth_now(const SmoothingOptions& options) {
+  if (!refined_.empty()) return smooth_refined(options);
+  if (unrolled_) return smooth_unrolled(options);
+  if (curve_options_.method == Method::kCorridor) return smooth_in_corridor(options);
+  return smooth_for_paper(options);
+}
+
+SmoothingResult CurveSmoother::smooth_for_paper(const SmoothingOptions& options) {
+  if (options.tau == 0) {
+    return run(options, [](VertexId, VertexId, double length) { return flat_length(length); });
+  }
+  if (!need_distance(options.progress)) throw Cancelled();
+  std::vector<Potential> potentials;  // by component
+  for (std::size_t k = 0; k < largest_distance_.size(); ++k) {
+    potentials.emplace_back(options.potential, options.tau,
+                            characteristic_length(options.potential, k));
+  }
+  const std::size_t own = mesh_->surface().vertex_count();
+  return run(options, [this, potentials, own](VertexId p, VertexId q, double length) {
+    const Potential& potential = potentials[component_of(p)];
+    const auto at = [&](VertexId v) {
+      return potential(v.index() < own ? distance_[v.index()]
+                                       : inserted_distance_[v.index() - own]);
+    };
+    return lifted_length(length, at(p), at(q));
+  });
+}
+
+SmoothingResult CurveSmoother::smooth(const SmoothingOptions& options,
+                                      std::span<const double> potential, std::size_t components) {
+  options.validate();
+  if (!is_set()) bad_usage("No curve is set.");
+  const std::size_t own = mesh_->surface().vertex_count();
+  if (components == 0 || potential.size() != own * components) {
+    bad_usage("A potential of " + std::to_string(components) + " components needs " +
+              std::to_string(own * components) + " values, not " +
+              std::to_string(potential.size()) + ".");
+  }
+  for (std::size_t i = 0; i < potential.size(); ++i) {
+    if (!(std::abs(potential[i]) <= 1e150)) {
+      bad_usage("The potential of vertex " + std::to_string(i / components) +
+                " is not a number of at most 1e150.");
+    }
+  }
+  try {
+    const Asker asked(options.progress, "straighten");
+    return as_drawn(smooth_now(options, potential, components));
+  } catch (const Cancelled&) {
+    return cancelled_result(options);
+  }
+}
+
+SmoothingResult CurveSmoother::smooth_now(const SmoothingOptions& options,
+                                          std::span<const double> potential,
+                                          std::size_t components) {
+  if (!refined_.empty()) return smooth_refined(options, potential, components);
+  if (unrolled_) return smooth_unrolled(options, potential, components);
+  const std::size_t own = mesh_->surface().vertex_count();
+  const std::vector<double> inserted = at_inserted(potential, components);
+  SmoothingResult result = run(options, [&](VertexId p, VertexId q, double length) {
+    const auto at = [&](VertexId v) {
+      return v.index() < own
+                 ? potential.subspan(v.index() * components, components)
+                 : std::span(inserted).subspan((v.index() - own) * components, components);
+    };
+    return lifted_length(length, at(p), at(q));
+  });
+  for (SmoothingReport& report : result.reports) report.potential = "custom";
+  result.total.potential = "custom";
+  return result;
+}
+
+SmoothingResult CurveSmoother::run(const SmoothingOptions& options,
+                                   SignpostTriangulation::Metric metric) {
+  const Straightened straight = straighten(options, std::move(metric));
+  triangulation_.set_metric({});  // what it refers to may go away
+  const Stopwatch watch;
+  std::vector<SurfaceCurve> curves = straight.curves;
+  relax(mesh_->mesh(), curves, {options.relax_rounds}, options.progress);
+  StageTimes times = straight.time_ms;
+  times.relax = watch.ms();
+  return report_on(options, straight, std::move(curves), times);
+}
+
+CurveSmoother::Straightened CurveSmoother::straighten(const SmoothingOptions& options,
+                                                      SignpostTriangulation::Metric metric) {
+  triangulation_.set_metric(std::move(metric));
+  try {
+    return straightened(options);
+  } catch (...) {  // cancelled, most likely, and anywhere
+    while (triangulation_.flip_count() > 0) triangulation_.undo_flip();
+    triangulation_.set_metric({});
+    throw;
+  }
+}
+
+CurveSmoother::Straightened CurveSmoother::straightened(const SmoothingOptions& options) {
+  Stopwatch watch;
+  Straightened result;
+  if (options.prepare_whole_mesh) triangulation_.prepare_all();
+  FlipOutOptions flip_options;
+  flip_options.max_iterations = options.max_iterations;
+  flip_options.min_relative_length = options.min_relative_length;
+  flip_options.length_floor = options.length_floor.value_or(default_floor());
+  flip_options.pinned = embedded_.pinned;
+  flip_options.progress = options.progress;
+  result.flip_out = flip_out_.run(embedded_.paths, flip_options);
+  result.time_ms.straighten = watch.ms();
+
+  watch = Stopwatch();
+  std::vector<EdgePath> paths;
+  for (const FlipOutResult::Path& path : result.flip_out.paths) {
+    if (path.termination == Termination::kCancelled) throw Cancelled();
+    paths.push_back(path.path);
+  }
+  TraceResult traced = tracer_.trace_and_undo(paths, options.progress);
+  result.time_ms.trace = watch.ms();
+  result.curves = std::move(traced.curves);
+  result.clamped = traced.clamped;
+  result.faces_touched = count_touched_faces(triangulation_);
+  const auto touched = triangulation_.touched();
+  result.touched.assign(touched.begin(), touched.end());
+  at_cut_ =
+      at_cut_ || (cut_ != nullptr && std::any_of(touched.begin(), touched.end(), [&](VertexId v) {
+                    return v.index() < cut_->size() && (*cut_)[v.index()];
+                  }));
+  return result;
+}
+
+DeviationMeasure CurveSmoother::measure_for(const SmoothingOptions& options) {
+  const bool automatic = options.deviation == DeviationMeasure::kAutomatic;
+  return automatic && options.tau >= kLeastAnchor ? DeviationMeasure::kAlongSurface
+                                                  : options.deviation;
+}
+
+SmoothingResult CurveSmoother::report_on(const SmoothingOptions& options,
+                                         const Straightened& straight,
+                                         std::vector<SurfaceCurve> curves, StageTimes times) {
+  SmoothingResult result;
+  result.curves = std::move(curves);
+  times.open = mesh_->open_ms() + heat_open_ms_;
+  times.solve = solve_ms_;
+  times.total =
+      times.open + times.solve + times.straighten + times.trace + times.relax + times.polish;
+  const bool band_is_there = curve_options_.method == Method::kCorridor && drawn_.size() == 1;
+  if (!deviation_meter_) deviation_meter_.emplace(mesh_->mesh());
+  for (std::size_t c = 0; c < result.curves.size(); ++c) {
+    SmoothingReport& report = result.reports.emplace_back(
+        report_on_curve(mesh_->mesh(), ordered_[c], drawn_measures_[c], result.curves[c]));
+    const FlipOutResult::Path& path = straight.flip_out.paths[c];
+    report.tau = options.tau;
+    report.edge_length_near = edges_near_[c];
+    report.lifted_length_before = path.length_before;
+    report.lifted_length_after = path.length_after;
+    report.termination = to_string(path.termination);
+    report.flips = straight.flip_out.flips;
+    report.iterations = straight.flip_out.iterations;
+    report.faces_touched = straight.faces_touched;
+    report.trace_fallbacks = straight.clamped;
+    report.mollification = mollification_;
+    report.warnings = warnings_;
+    report_deviation(report, measure_for(options), *deviation_meter_, mesh_->mesh(), ordered_[c],
+                     result.curves[c], band_is_there ? &*exact_distance_ : nullptr,
+                     options.progress);
+    if (warns_if_far_) {
+      warn_if_far(report, kFarInEdges * edges_near_[c],
+                  options.deviation == DeviationMeasure::kAutomatic);
+    }
+    if (path.termination == Termination::kLimit && options.max_iterations == 0 &&
+        options.min_relative_length == 0) {
+      report.warnings.emplace_back(
+          "Straightening was given up before the curve was straight: the drawing has too many "
+          "points for so few faces.");
+    }
+    if (path.termination == Termination::kCollapsed) {
+      report.warnings.emplace_back(
+          "The loop shrinks to a point; it is returned as it was when it fell below the floor.");
+    }
+    if (straight.flip_out.blocked > 0) {
+      report.warnings.emplace_back("The curve stays bent at " +
+                                   std::to_string(straight.flip_out.blocked) +
+                                   " points where another part of the drawing is in the way.");
+    }
+    report.time_ms = times;
+    report.peak_memory_mib = peak_memory_mib();
+  }
+  report_moves(options, result);
+  result.total = total_of(result.reports);
+  return result;
+}
+
+/// A slider moves tau in small steps; the result should follow in small ones.
+void CurveSmoother::report_moves(const SmoothingOptions& options, SmoothingResult& result) {
+  constexpr double kSmallStep = 1.05;
+  const auto near = [&](const SmoothingOptions& last) {
+    const double least = std::min(last.tau, options.tau), most = std::max(last.tau, options.tau);
+    return least > 0 && most <= kSmallStep * least && last.slack == options.slack &&
+           last.slack_at == options.slack_at && last.phase_turns == options.phase_turns &&
+           last.polish == options.polish && last.relax_rounds == options.relax_rounds;
+  };
+  if (last_ && options.deviation != DeviationMeasure::kNone && near(last_->options)) {
+    for (std::size_t c = 0; c < result.curves.size(); ++c) {
+      report_move(result.reports[c], mesh_->mesh(), last_->options.tau, last_->result.curves[c],
+                  result.curves[c], options.progress);
+    }
+  }
+  last_ = Last{options, result};
+  last_->options.progress = {};
+}
+
+SmoothingResult smooth_curve(std::shared_ptr<const OpenedMesh> mesh, const SurfaceCurve& curve,
+                             const SmoothingOptions& options, const CurveOptions& curve_options) {
+  CurveSmoother smoother(std::move(mesh));
+  if (!smoother.set_curve(curve, curve_options, options.progress)) {
+    SmoothingResult cancelled;
+    cancelled.curves.push_back(curve);
+    cancelled.reports.emplace_back();
+    cancelled.reports.back().termination = to_string(Termination::kCancelled);
+    cancelled.total = cancelled.reports.back();
+    return cancelled;
+  }
+  return smoother.smooth(options);
+}
+
+std::vector<double> slack_along(const Surface& surface, const SurfaceCurve& drawn,
+                                std::span<const double> per_vertex) {
+  if (per_vertex.size() != surface.vertex_count()) {
+    bad_usage("There are " + std::to_string(per_vertex.size()) + " slacks for " +
+              std::to_string(surface.vertex_count()) + " vertices.");
+  }
+  std::vector<double> along;
+  for (const SurfacePoint& point : drawn.points) {
+    const FaceCoordinates at = coordinates_in(surface, point, any_face(surface, point));
+    const auto corners = surface.corners(at.face);
+    double value = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (at.barycentric[k] == 0) continue;
+      const double here = per_vertex[corners[k].index()];
+      if (!(here >= 0 && std::isfinite(here))) {
+        bad_usage("The slack of vertex " + std::to_string(corners[k].index()) +
+                  " must be finite and >= 0.");
+      }
+      value += at.barycentric[k] * here;
+    }
+    along.push_back(value);
+  }
+  return along;
+}
+
+SurfaceCurve curve_through(const Surface& surface, std::span<const VertexId> vertices) {
+  SurfaceCurve curve;
+  curve.closed = vertices.size() > 1 && vertices.front() == vertices.back();
+  if (curve.closed) vertices = vertices.first(vertices.size() - 1);
+  for (const VertexId v : vertices) curve.points.push_back(SurfacePoint::at_vertex(surface, v));
+  check_drawn(surface, curve);
+  return curve;
+}
+
+}  // namespace talweg

@@ -1,0 +1,27 @@
+// The part of a changed drawing that is smoothed anew, and what holds it.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "talweg/core/mesh/surface_mesh.hpp"
+#include "talweg/core/smoothing/corridor.hpp"
+#include "talweg/intrinsic/surface/surface_point.hpp"
+
+namespace talweg {
+
+struct DragStretch {
+  SurfaceCurve curve;
+  std::vector<SurfaceCurve> near;         ///< what the distance is measured from
+  std::vector<Corridor::Valley> valleys;  ///< one for each of these
+};
+
+/// The points [first, last) of curve `number`, and those runs of all curves that come within
+/// `reach` (mesh units) of their bounding box. A curve that lies in the box altogether is one run,
+/// closed as it is. `valleys`: of the whole curves; a slack_at has one value per point. O(points).
+DragStretch stretch_of(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves,
+                       const std::vector<Corridor::Valley>& valleys, std::size_t number,
+                       std::size_t first, std::size_t last, double reach);
+
+}  // namespace talweg

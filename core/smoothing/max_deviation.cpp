@@ -1,0 +1,330 @@
+#include "talweg/core/smoothing/max_deviation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "talweg/core/drawing/canonical_order.hpp"
+#include "talweg/core/measure/measures.hpp"
+#include "talweg/intrinsic/error.hpp"
+#include "talweg/intrinsic/exact_distance/polyline_distance.hpp"
+
+namespace talweg {
+namespace {
+
+constexpr double kLeastTau = 1.0 / 8, kMostTau = 64;
+constexpr double kWideTau = 4;      // with a wide slack: its walls are steep
+constexpr double kFineness = 1.05;  // of tau and slack
+constexpr int kPinRounds = 8;
+/// How the slack is narrowed near a lost corner: how far along the drawing, by how much in a round.
+struct Narrowing {
+  double reach;  // D
+  double factor;
+  int rounds;
+};
+constexpr Narrowing kGently = {1, 0.85, 20}, kFirmly = {2, 0.6, 12};
+
+double to_drawn(const SmoothingResult& result) { return result.total.deviation_to_drawn_max; }
+/// Of all curves, whatever their order.
+double curvature(const SmoothingResult& result) {
+  std::vector<double> each;
+  each.reserve(result.reports.size());
+  for (const SmoothingReport& report : result.reports) each.push_back(report.curvature_after);
+  std::sort(each.begin(), each.end());
+  return std::accumulate(each.begin(), each.end(), 0.0);
+}
+double both_ways(const SmoothingResult& result) {
+  return std::max(to_drawn(result), result.total.deviation_from_drawn_max);
+}
+
+class Search {
+ public:
+  Search(CurveSmoother& smoother, double bound, SmoothingOptions options)
+      : smoother_(smoother),
+        bound_(bound),
+        options_(std::move(options)),
+        own_pins_(smoother.pins().begin(), smoother.pins().end()) {
+    options_.deviation = DeviationMeasure::kAlongSurface;
+    for (const SurfaceCurve& drawn : smoother_.drawn()) {
+      orders_.push_back(canonical_order(smoother_.opened().mesh(), drawn));
+      ordered_.push_back(in_order(drawn, orders_.back()));
+    }
+  }
+  /// The smoother has its own pins again afterwards, also when something throws.
+  SmoothingResult run() {
+    try {
+      SmoothingResult result = search();
+      smoother_.set_pins(own_pins_);
+      return result;
+    } catch (...) {
+      smoother_.set_pins(own_pins_);
+      throw;
+    }
+  }
+
+ private:
+  SmoothingResult search() {
+    const auto closed = [](const SurfaceCurve& curve) { return curve.closed; };
+    // A geodesic within the bound cannot be beaten; loops would collapse.
+    if (std::none_of(ordered_.begin(), ordered_.end(), closed) &&
+        measured(0, both_ways) <= bound_) {
+      finish();
+      return std::move(best_);
+    }
+    const bool own_slack = !options_.slack && options_.slack_at.empty();
+    for (const double slack : slacks()) {
+      begin_with(slack);
+      // By tau alone, and by less of it with corners pinned.
+      const double loose = least_tau(to_drawn);
+      const double tight = least_tau(both_ways);
+      if (cancelled_) break;
+      if (tight > loose * kFineness * kFineness || both_ways(best_) > bound_) pin_corners(loose);
+      if (cancelled_) break;
+    }
+    if (own_slack) try_wider();
+    if (cancelled_ || best_.curves.empty()) return std::move(last_);
+    finish();
+    return std::move(best_);
+  }
+
+  using Measure = double (*)(const SmoothingResult&);
+
+  [[nodiscard]] std::vector<double> slacks() const {
+    if (options_.slack) return {*options_.slack};
+    const std::vector<double> own = smoother_.slack();
+    const double widest = std::min(*std::max_element(own.begin(), own.end()), 0.75 * bound_);
+    return {widest, widest / 2};
+  }
+
+  void begin_with(double slack) {
+    options_.slack = slack;
+    if (!smoother_.set_pins(own_pins_, options_.progress)) throw Cancelled();
+    pinned_ = 0;
+  }
+
+  /// Where the bound leaves room, a wider valley makes smoother curves than a lower tau.
+  void try_wider() {
+    const double own = slacks().front();
+    if (cancelled_ || !(own * kFineness < bound_)) return;
+    const double loose = widest_slack(own, to_drawn);
+    const double tight = widest_slack(own, both_ways);
+    if (cancelled_ || !(tight * kFineness * kFineness < loose)) return;
+    begin_with(loose);
+    pin_corners(kWideTau);
+    for (const Narrowing& way : {kGently, kFirmly}) narrow_at_corners(loose, way);
+  }
+
+  /// Lets the valley be narrow where the result cuts off a corner of the drawing, and wide
+  /// elsewhere: no kink, as at a pin.
+  void narrow_at_corners(double slack, const Narrowing& way) {
+    begin_with(slack);
+    for (const SurfaceCurve& drawn : ordered_) {
+      options_.slack_at.emplace_back(drawn.points.size(), slack);
+    }
+    for (int round = 0; round < way.rounds && !cancelled_; ++round) {
+      if (measured(kWideTau, both_ways) <= bound_) break;
+      for (std::size_t c = 0; c < ordered_.size(); ++c) narrow(c, way);
+    }
+    options_.slack_at.clear();
+  }
+
+  /// The slack of the points within D, along the drawing, of those that lie too far from the
+  /// result.
+  void narrow(std::size_t c, const Narrowing& way) {
+    const SurfaceCurve& drawn = ordered_[c];
+    const std::size_t n = drawn.points.size(), around = drawn.closed ? n : 0;
+    const std::vector<double> far = distances_to_result(c);
+    std::vector<double> along{0};  // where each point is; all of a loop twice
+    for (std::size_t k = 1; k < n + around; ++k) {
+      const SurfaceCurve leg{false, {drawn.points[(k - 1) % n], drawn.points[k % n]}};
+      along.push_back(along.back() + curve_length(smoother_.opened().surface(), leg));
+    }
+    const double reach = way.reach * bound_;
+    std::vector<bool> near(n, false);
+    for (std::size_t k = 0; k < n; ++k) {
+      if (far[k] <= bound_) continue;
+      const std::size_t back = k + around;
+      for (std::size_t j = k; j < k + n && j < along.size() && along[j] - along[k] <= reach; ++j) {
+        near[j % n] = true;
+      }
+      for (std::size_t j = back; j-- > 0 && along[back] - along[j] <= reach;) near[j % n] = true;
+    }
+    for (std::size_t k = 0; k < n; ++k) {
+      if (near[k]) options_.slack_at[c][orders_[c].drawn_index(k, n)] *= way.factor;
+    }
+  }
+
+  /// Of the drawing's points, in their order, to the last result. Throws Cancelled.
+  std::vector<double> distances_to_result(std::size_t c) {
+    if (!to_result_) to_result_.emplace(smoother_.opened().surface());
+    SurfaceCurve result = last_.curves[c];
+    if (orders_[c].reversed) std::reverse(result.points.begin(), result.points.end());
+    Asker asker(options_.progress, "measure");
+    const AskedDuring asked(*to_result_, asker);
+    to_result_->set(std::span(&result, 1));
+    std::vector<double> distances;
+    for (const SurfacePoint& p : ordered_[c].points) {
+      distances.push_back(to_result_->at(p).distance);
+    }
+    return distances;
+  }
+
+  /// The widest slack within the bound, from `own` on, as far as the deviation grows with it.
+  double widest_slack(double own, Measure measure) {
+    const auto within = [&](double slack) {
+      begin_with(slack);
+      return measured(kWideTau, measure) <= bound_;
+    };
+    double low = own, high = bound_;
+    while (high > low * kFineness && !cancelled_) {
+      const double middle = std::sqrt(low * high);
+      (within(middle) ? low : high) = middle;
+    }
+    return low;
+  }
+
+  double measured(double tau, Measure measure) {
+    if (cancelled_) return HUGE_VAL;
+    options_.tau = tau;
+    last_ = smoother_.smooth(options_);
+    cancelled_ = last_.total.termination == to_string(Termination::kCancelled);
+    if (!cancelled_) keep_better();
+    return measure(last_);
+  }
+
+  /// The smallest tau within the bound, as far as it falls monotonically; the largest if none is.
+  double least_tau(Measure measure) {
+    double low = 1, high = 1;
+    if (measured(1, measure) <= bound_) {
+      do {
+        high = low;
+        low /= 4;
+      } while (low >= kLeastTau && measured(low, measure) <= bound_);
+      if (low < kLeastTau) return high;
+    } else {
+      do {
+        low = high;
+        high *= 4;
+      } while (high <= kMostTau && measured(high, measure) > bound_);
+      if (high > kMostTau) return low;
+    }
+    while (high > low * kFineness && !cancelled_) {
+      const double middle = std::sqrt(low * high);
+      (measured(middle, measure) <= bound_ ? high : low) = middle;
+    }
+    return high;
+  }
+
+  void pin_corners(double tau) {
+    std::vector<SurfacePoint> pins = own_pins_;
+    if (measured(tau, both_ways) <= bound_) return;
+    for (int round = 0; round < kPinRounds && !cancelled_; ++round) {
+      const std::size_t before = pins.size();
+      add_lost_corners(pins);
+      if (pins.size() == before || to_drawn(last_) > bound_) tau *= 1.25;
+      if (!smoother_.set_pins(pins, options_.progress)) throw Cancelled();
+      pinned_ = pins.size() - own_pins_.size();
+      if (measured(tau, both_ways) <= bound_) return;
+    }
+  }
+
+  /// Of each stretch of the drawing that lies too far from the last result the farthest point.
+  void add_lost_corners(std::vector<SurfacePoint>& pins) {
+    for (std::size_t c = 0; c < ordered_.size(); ++c) {
+      const SurfaceCurve& drawn = ordered_[c];
+      const std::vector<double> far = distances_to_result(c);
+      const std::size_t n = far.size();
+      // A loop is gone around from where no stretch is.
+      std::size_t first = 0;
+      while (drawn.closed && first < n && far[first] > bound_) ++first;
+      const SurfacePoint* farthest = nullptr;
+      double most = 0;
+      const auto add = [&] {
+        if (farthest != nullptr && std::find(pins.begin(), pins.end(), *farthest) == pins.end()) {
+          pins.push_back(*farthest);
+        }
+        farthest = nullptr;
+        most = 0;
+      };
+      for (std::size_t i = 0; i < n; ++i) {
+        const std::size_t k = (first + i) % n;
+        if (far[k] <= bound_) {
+          add();
+        } else if (far[k] > most) {
+          most = far[k];
+          farthest = &drawn.points[k];
+        }
+      }
+      add();
+    }
+  }
+
+  /// Within the bound the smoothest, before that the nearest.
+  void keep_better() {
+    const auto worse = [this](const SmoothingResult& a, const SmoothingResult& b) {
+      const double over_a = std::max(both_ways(a), bound_), over_b = std::max(both_ways(b), bound_);
+      const bool proper_a = a.total.termination == to_string(Termination::kConverged);
+      const bool proper_b = b.total.termination == to_string(Termination::kConverged);
+      if (proper_a != proper_b) return proper_b;
+      return over_a != over_b ? over_a > over_b : curvature(a) > curvature(b);
+    };
+    if (!best_.curves.empty() && !worse(best_, last_)) return;
+    best_ = last_;
+    best_pinned_ = pinned_;
+  }
+
+  void finish() {
+    const auto fill = [&](SmoothingReport& report) {
+      report.max_deviation = bound_;
+      report.pins_added = best_pinned_;
+      const double apart = std::max(report.deviation_to_drawn_max, report.deviation_from_drawn_max);
+      if (!(apart <= bound_)) {
+        report.termination = "deviation";
+        report.warnings.push_back("No curve within " + std::to_string(bound_) +
+                                  " of the drawing was found; this one deviates by " +
+                                  std::to_string(apart) + ".");
+      }
+    };
+    for (SmoothingReport& report : best_.reports) fill(report);
+    fill(best_.total);
+  }
+
+  CurveSmoother& smoother_;
+  double bound_;
+  SmoothingOptions options_;
+  std::vector<SurfacePoint> own_pins_;
+  // The drawing, in the order in which the smoother goes through it too.
+  std::vector<CurveOrder> orders_;
+  std::vector<SurfaceCurve> ordered_;
+  std::optional<PolylineDistance> to_result_;
+  SmoothingResult last_, best_;
+  std::size_t pinned_ = 0, best_pinned_ = 0;
+  bool cancelled_ = false;
+};
+
+}  // namespace
+
+SmoothingResult smooth_within(CurveSmoother& smoother, double max_deviation,
+                              const SmoothingOptions& options) {
+  if (!(max_deviation > 0 && std::isfinite(max_deviation))) {
+    throw Error(ErrorCode::kBadUsage, "max_deviation must be finite and > 0.");
+  }
+  if (smoother.drawn().empty()) throw Error(ErrorCode::kBadUsage, "No curve is set.");
+  if (smoother.slack().empty()) {  // so that giving back the pins cannot fail
+    throw Error(ErrorCode::kBadUsage, "smooth_within() needs the corridor.");
+  }
+  try {
+    return Search(smoother, max_deviation, options).run();
+  } catch (const Cancelled&) {  // between two runs
+    SmoothingOptions none = options;
+    none.progress = [](const char*, double) { return false; };
+    return smoother.smooth(none);
+  }
+}
+
+}  // namespace talweg

@@ -1,0 +1,25 @@
+// What is known, without a distance, of the edges that a straightening has looked at.
+#pragma once
+
+#include <span>
+
+#include "talweg/intrinsic/progress.hpp"
+#include "talweg/intrinsic/surface/surface.hpp"
+#include "talweg/intrinsic/surface/surface_point.hpp"
+
+namespace talweg {
+
+struct TouchedEdges {
+  double farthest = 0;  ///< mesh units: no end of one is farther from the curves than this
+  double shortest = 0;  ///< mesh units: the length of the shortest one
+};
+
+/// Of all edges of the faces around the vertices `touched`; those that are not the surface's, which
+/// were inserted on the curves, are passed over. By Dijkstra's algorithm from the curves over these
+/// edges alone: ways along them are at least as long as the distance. `farthest` is infinite where
+/// they are not connected with the curves. O(touched, log). Throws Cancelled when `progress` (stage
+/// "straighten") says so.
+TouchedEdges touched_edges(const Surface& surface, std::span<const VertexId> touched,
+                           std::span<const SurfaceCurve> curves, const Progress& progress = {});
+
+}  // namespace talweg

@@ -1,0 +1,472 @@
+#include "talweg/core/smoothing/unrolled_mesh.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <queue>
+#include <utility>
+
+namespace talweg {
+namespace {
+
+constexpr std::uint32_t kOpen = 0xFFFFFFFFU;
+constexpr std::size_t kOfUnrolledFace = 8;  // units of work
+
+/// Copies of faces. Side 3 c + k of copy c runs from its corner k to corner k + 1; corner 3 c + k.
+class Strip {
+ public:
+  Strip(const Surface& surface, Asker& asker) : surface_(surface), asker_(asker) {}
+
+  /// False where a closed curve's strip does not come back to where it began, wherever that is.
+  bool lay_along(const SurfaceCurve& curve);
+  void grow(double reach);
+
+  [[nodiscard]] std::span<const FaceId> faces() const { return faces_; }
+  [[nodiscard]] std::span<const std::uint32_t> across() const { return across_; }
+  /// Per segment of the curve the copy it lies in.
+  [[nodiscard]] std::span<const std::uint32_t> copies_along() const { return along_; }
+
+ private:
+  using Index = std::uint32_t;
+  static Index next(Index side) { return side % 3 == 2 ? side - 2 : side + 1; }
+  static Index prev(Index side) { return side % 3 == 0 ? side + 2 : side - 1; }
+
+  [[nodiscard]] HalfedgeId halfedge(Index side) const {
+    HalfedgeId h = surface_.halfedge(faces_[side / 3]);
+    for (Index k = side % 3; k > 0; --k) h = surface_.next(h);
+    return h;
+  }
+  [[nodiscard]] Index side_of(Index copy, HalfedgeId h) const {
+    Index side = 3 * copy;
+    for (HalfedgeId k = surface_.halfedge(faces_[copy]); k != h; k = surface_.next(k)) ++side;
+    return side;
+  }
+  Index add(FaceId face);
+  void glue(Index a, Index b) {
+    across_[a] = b;
+    across_[b] = a;
+  }
+  [[nodiscard]] std::size_t degree(VertexId v) const;
+  /// The copies around one corner; the sides where they end, unless they go all around.
+  struct Fan {
+    std::size_t count = 0;
+    Index clockwise = kOpen;  // an outgoing side
+    Index counter = kOpen;    // an incoming one
+  };
+  [[nodiscard]] Fan fan_at(Index corner) const;
+  bool close_at(Index side, bool at_tail);
+  [[nodiscard]] bool may_join(Index a, Index b) const;
+  Index cross(Index side, bool at_tail, bool at_head);
+  bool walk(const SurfacePoint& around, Index& copy, FaceId to, Index last);
+  void complete_around(Index corner);
+  [[nodiscard]] std::vector<FaceId> faces_along(const SurfaceCurve& curve) const;
+  static std::vector<std::size_t> starts_of(const SurfaceCurve& curve,
+                                            std::span<const FaceId> faces);
+  bool lay_from(const SurfaceCurve& curve, std::span<const FaceId> faces, std::size_t start);
+
+  const Surface& surface_;
+  Asker& asker_;
+  std::vector<FaceId> faces_;
+  std::vector<Index> across_;
+  std::vector<Index> along_;
+};
+
+Strip::Index Strip::add(FaceId face) {
+  asker_.did(kOfUnrolledFace);
+  faces_.push_back(face);
+  across_.insert(across_.end(), 3, kOpen);
+  return static_cast<Index>(faces_.size() - 1);
+}
+
+std::size_t Strip::degree(VertexId v) const {
+  std::size_t count = 0;
+  const HalfedgeId first = surface_.halfedge(v);
+  HalfedgeId h = first;
+  do {
+    if (!surface_.has_face(h)) break;
+    ++count;
+    h = surface_.turn_ccw(h);
+  } while (h != first);
+  return count;
+}
+
+Strip::Fan Strip::fan_at(Index corner) const {
+  Fan fan{1, kOpen, kOpen};
+  Index at = corner;
+  while (across_[prev(at)] != kOpen) {  // counterclockwise, over the incoming side
+    at = across_[prev(at)];
+    if (at == corner) return fan;
+    ++fan.count;
+  }
+  fan.counter = prev(at);
+  at = corner;
+  while (across_[at] != kOpen) {  // clockwise, over the outgoing side
+    at = next(across_[at]);
+    ++fan.count;
+  }
+  fan.clockwise = at;
+  return fan;
+}
+
+/// Whether two open sides of one edge can become one without turning around an end of it more than
+/// the mesh does.
+bool Strip::may_join(Index a, Index b) const {
+  const auto fits = [&](Index p, Index q) {  // corners at the same vertex
+    const Fan one = fan_at(p), other = fan_at(q);
+    const bool same = one.clockwise == other.clockwise;
+    const std::size_t whole = degree(surface_.tail(halfedge(p)));
+    return same ? one.count == whole : one.count + other.count <= whole;
+  };
+  return fits(a, next(b)) && fits(next(a), b);
+}
+
+/// Joins a side with the other end of the fan around its tail or head where they are one edge.
+bool Strip::close_at(Index side, bool at_tail) {
+  const Fan fan = fan_at(at_tail ? side : next(side));
+  const Index other = at_tail ? fan.counter : fan.clockwise;
+  if (other == kOpen || other == side || halfedge(other) != twin(halfedge(side))) return false;
+  if (!may_join(side, other)) return false;
+  glue(side, other);
+  return true;
+}
+
+/// The side that this one is joined with; a new copy where there is none yet.
+Strip::Index Strip::cross(Index side, bool at_tail, bool at_head) {
+  if (across_[side] != kOpen) return across_[side];
+  const HalfedgeId h = twin(halfedge(side));
+  if (!surface_.has_face(h)) return kOpen;
+  if ((at_tail && close_at(side, true)) || (at_head && close_at(side, false))) return across_[side];
+  const Index copy = add(surface_.face(h));
+  glue(side, side_of(copy, h));
+  return across_[side];
+}
+
+/// From a copy to one of face `to`, turning around a point that both contain, the shorter way; to
+/// the copy `last` unless that is open.
+bool Strip::walk(const SurfacePoint& around, Index& copy, FaceId to, Index last) {
+  const auto arrive = [&](Index side, bool at_tail) {  // over the last side
+    const HalfedgeId h = twin(halfedge(side));
+    if (last != kOpen && across_[side] == kOpen) {
+      const Index other = side_of(last, h);
+      if (across_[other] == kOpen) glue(side, other);
+    }
+    const Index there = last != kOpen ? across_[side] : cross(side, at_tail, !at_tail);
+    if (there == kOpen) return false;
+    copy = there / 3;
+    return last == kOpen || copy == last;
+  };
+  if (faces_[copy] == to) return last == kOpen || copy == last;
+  if (const auto* e = std::get_if<OnEdge>(&around.where())) {
+    for (Index side = 3 * copy; side < 3 * copy + 3; ++side) {
+      if (edge_of(halfedge(side)) == e->edge) return arrive(side, true);
+    }
+    return false;
+  }
+  const auto* v = std::get_if<AtVertex>(&around.where());
+  if (v == nullptr) return false;
+  Index corner = 3 * copy;
+  while (surface_.tail(halfedge(corner)) != v->vertex) ++corner;
+  // How many faces away it is in either direction.
+  const auto steps = [&](bool counter) {
+    std::size_t count = 0;
+    HalfedgeId h = halfedge(corner);
+    for (const HalfedgeId first = h;;) {
+      if (counter) {
+        h = surface_.turn_ccw(h);
+      } else {
+        h = twin(h);
+        if (surface_.has_face(h)) h = surface_.next(h);
+      }
+      ++count;
+      if (!surface_.has_face(h) || h == first) return SIZE_MAX;
+      if (surface_.face(h) == to) return count;
+    }
+  };
+  const std::size_t left = steps(true), right = steps(false);
+  if (left == SIZE_MAX && right == SIZE_MAX) return false;
+  const bool counter = left <= right;
+  for (std::size_t k = std::min(left, right); k > 0; --k) {
+    const Index side = counter ? prev(corner) : corner;
+    if (k == 1) return arrive(side, !counter);
+    const Index there = cross(side, !counter, counter);
+    if (there == kOpen) return false;
+    corner = counter ? there : next(there);
+  }
+  return false;
+}
+
+/// Of each segment.
+std::vector<FaceId> Strip::faces_along(const SurfaceCurve& curve) const {
+  const std::size_t n = curve.points.size(), segments = n - (curve.closed ? 0 : 1);
+  std::vector<FaceId> faces;
+  for (std::size_t i = 0; i < segments; ++i) {
+    const SurfacePoint &p = curve.points[i], &q = curve.points[(i + 1) % n];
+    // Stay where the last segment was, if that face has this one too.
+    FaceId face = faces.empty() ? FaceId{} : faces.back();
+    const auto has = [&](const SurfacePoint& point) {
+      const std::vector<FaceId> at = faces_at(surface_, point);
+      return std::find(at.begin(), at.end(), face) != at.end();
+    };
+    if (!face.valid() || !has(p) || !has(q)) face = common_face(surface_, p, q);
+    faces.push_back(face);
+  }
+  return faces;
+}
+
+/// Where a closed strip may be closed: where it goes from one face to another. Where the curve only
+/// dips into a face and comes back that does not succeed, so there are several, far apart.
+std::vector<std::size_t> Strip::starts_of(const SurfaceCurve& curve,
+                                          std::span<const FaceId> faces) {
+  if (!curve.closed) return {0};
+  constexpr std::size_t kMost = 16;
+  std::vector<std::size_t> changes, starts;
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    if (faces[(i + faces.size() - 1) % faces.size()] != faces[i]) changes.push_back(i);
+  }
+  const std::size_t count = std::min(changes.size(), kMost);
+  for (std::size_t k = 0; k < count; ++k) starts.push_back(changes[k * changes.size() / count]);
+  return starts;
+}
+
+bool Strip::lay_from(const SurfaceCurve& curve, std::span<const FaceId> faces, std::size_t start) {
+  const std::size_t segments = faces.size();
+  faces_.clear();
+  across_.clear();
+  along_.assign(segments, 0);
+  Index copy = add(faces[start]);
+  along_[start] = copy;
+  for (std::size_t k = 1; k < segments; ++k) {
+    const std::size_t i = (start + k) % segments;
+    if (!walk(curve.points[i], copy, faces[i], kOpen)) return false;
+    along_[i] = copy;
+  }
+  return !curve.closed || walk(curve.points[start], copy, faces[start], along_[start]);
+}
+
+bool Strip::lay_along(const SurfaceCurve& curve) {
+  const std::vector<FaceId> faces = faces_along(curve);
+  const std::vector<std::size_t> starts = starts_of(curve, faces);
+  if (std::none_of(starts.begin(), starts.end(),
+                   [&](std::size_t start) { return lay_from(curve, faces, start); })) {
+    return false;
+  }
+  const std::size_t n = curve.points.size(), segments = faces.size();
+  // All around the curve's own vertices first, each for itself.
+  for (std::size_t i = 0; i < segments; ++i) {
+    for (const std::size_t end : {i, (i + 1) % n}) {
+      const auto* v = std::get_if<AtVertex>(&curve.points[end].where());
+      for (Index corner = 3 * along_[i]; v != nullptr && corner < 3 * along_[i] + 3; ++corner) {
+        if (surface_.tail(halfedge(corner)) == v->vertex) complete_around(corner);
+      }
+    }
+  }
+  return true;
+}
+
+void Strip::complete_around(Index corner) {
+  const std::size_t whole = degree(surface_.tail(halfedge(corner)));
+  for (;;) {
+    const Fan fan = fan_at(corner);
+    if (fan.clockwise == kOpen) return;
+    if (fan.count >= whole) {
+      close_at(fan.clockwise, true);
+      return;
+    }
+    if (cross(fan.clockwise, true, false) == kOpen && cross(fan.counter, false, true) == kOpen) {
+      return;
+    }
+  }
+}
+
+void Strip::grow(double reach) {
+  // Around handles and holes a covering grows without end; nearer faces come first.
+  const std::size_t most = 2 * surface_.face_count() + 32 * faces_.size();
+  std::vector<double> distance(3 * faces_.size(), 0.0);  // per corner
+  using Item = std::pair<double, Index>;
+  std::priority_queue<Item, std::vector<Item>, std::greater<>> queue;
+  const auto push = [&](Index side) {
+    if (across_[side] == kOpen) {
+      queue.emplace(std::min(distance[side], distance[next(side)]), side);
+    }
+  };
+  for (Index side = 0; side < across_.size(); ++side) push(side);
+  while (!queue.empty() && faces_.size() < most) {
+    const auto [near, side] = queue.top();
+    queue.pop();
+    asker_.did(kOfUnrolledFace);
+    if (near > reach) break;
+    if (across_[side] != kOpen || !surface_.has_face(twin(halfedge(side)))) continue;
+    if (close_at(side, true) || close_at(side, false)) continue;
+    const HalfedgeId h = halfedge(side);
+    if (fan_at(side).count >= degree(surface_.tail(h)) ||
+        fan_at(next(side)).count >= degree(surface_.head(h))) {
+      continue;  // that would turn around the vertex once more
+    }
+    const Index there = cross(side, false, false);
+    distance.resize(3 * faces_.size());
+    const Index apex = prev(there);
+    distance[there] = distance[next(side)];
+    distance[next(there)] = distance[side];
+    distance[apex] =
+        std::min(distance[there] + surface_.length(edge_of(halfedge(apex))),
+                 distance[next(there)] + surface_.length(edge_of(halfedge(next(there)))));
+    push(next(there));
+    push(apex);
+  }
+}
+
+/// Whether two faces run along an edge the same way.
+bool has_repeated_side(std::span<const Triangle> triangles) {
+  std::vector<std::array<std::uint32_t, 2>> sides;
+  for (const Triangle& t : triangles) {
+    for (std::size_t k = 0; k < 3; ++k) sides.push_back({t[k], t[(k + 1) % 3]});
+  }
+  std::sort(sides.begin(), sides.end());
+  return std::adjacent_find(sides.begin(), sides.end()) != sides.end();
+}
+
+/// Adds the copies of a strip, a vertex for each fan. False, and nothing is added, where they are
+/// no mesh: a strip that turns around two neighbours more than once has several edges between them.
+bool append(const SurfaceMesh& mesh, const Strip& strip, UnrolledMesh& result) {
+  const std::size_t vertices = result.vertex_of.size(), faces = result.face_of.size();
+  const auto across = strip.across();
+  constexpr std::uint32_t kNone = kOpen;
+  std::vector<std::uint32_t> vertex(across.size(), kNone);  // per corner
+  const auto next = [](std::uint32_t side) { return side % 3 == 2 ? side - 2 : side + 1; };
+  const auto prev = [](std::uint32_t side) { return side % 3 == 0 ? side + 2 : side - 1; };
+  for (std::uint32_t corner = 0; corner < across.size(); ++corner) {
+    if (vertex[corner] != kNone) continue;
+    const auto id = static_cast<std::uint32_t>(result.lists.points.size());
+    const VertexId v = mesh.surface().corners(strip.faces()[corner / 3])[corner % 3];
+    result.lists.points.push_back(mesh.point(v));
+    result.vertex_of.push_back(v);
+    std::uint32_t at = corner;
+    do {  // counterclockwise
+      vertex[at] = id;
+      at = across[prev(at)];
+    } while (at != kOpen && at != corner);
+    if (at == corner) continue;
+    for (at = corner; across[at] != kOpen;) {
+      at = next(across[at]);
+      vertex[at] = id;
+    }
+  }
+  for (std::size_t copy = 0; copy < strip.faces().size(); ++copy) {
+    result.lists.triangles.push_back(
+        {vertex[3 * copy], vertex[3 * copy + 1], vertex[3 * copy + 2]});
+    result.face_of.push_back(strip.faces()[copy]);
+  }
+  if (!has_repeated_side(std::span(result.lists.triangles).subspan(faces))) return true;
+  result.lists.points.resize(vertices);
+  result.vertex_of.resize(vertices);
+  result.lists.triangles.resize(faces);
+  result.face_of.resize(faces);
+  return false;
+}
+
+void append_whole(const SurfaceMesh& mesh, UnrolledMesh& result) {
+  const Surface& surface = mesh.surface();
+  const auto first = static_cast<std::uint32_t>(result.lists.points.size());
+  for (std::size_t v = 0; v < surface.vertex_count(); ++v) {
+    result.lists.points.push_back(mesh.point(VertexId{v}));
+    result.vertex_of.emplace_back(v);
+  }
+  for (std::size_t f = 0; f < surface.face_count(); ++f) {
+    Triangle t{};
+    const auto corners = surface.corners(FaceId{f});
+    for (std::size_t k = 0; k < 3; ++k)
+      t[k] = first + static_cast<std::uint32_t>(corners[k].index());
+    result.lists.triangles.push_back(t);
+    result.face_of.emplace_back(f);
+  }
+}
+
+/// The point of one face as that of another with the same corners; `from` and `to` are the faces'
+/// first halfedges.
+SurfacePoint moved(const Surface& from_surface, FaceId from_face, const SurfacePoint& point,
+                   const Surface& to_surface, FaceId to_face) {
+  if (const auto* inside = std::get_if<InFace>(&point.where())) {
+    return SurfacePoint::in_face(to_surface, to_face, inside->barycentric);
+  }
+  HalfedgeId h = from_surface.halfedge(from_face), g = to_surface.halfedge(to_face);
+  for (int k = 0; k < 3; ++k, h = from_surface.next(h), g = to_surface.next(g)) {
+    if (const auto* v = std::get_if<AtVertex>(&point.where())) {
+      if (from_surface.tail(h) == v->vertex) {
+        return SurfacePoint::at_vertex(to_surface, to_surface.tail(g));
+      }
+    } else if (const auto& e = std::get<OnEdge>(point.where()); edge_of(h) == e.edge) {
+      const bool same = (h == halfedge_of(edge_of(h))) == (g == halfedge_of(edge_of(g)));
+      const double t = same ? e.t : 1 - e.t;
+      if (t < 1) return SurfacePoint::on_edge(to_surface, edge_of(g), t);
+      return SurfacePoint::at_vertex(to_surface, to_surface.head(halfedge_of(edge_of(g))));
+    }
+  }
+  return SurfacePoint::in_face(to_surface, to_face, {1, 0, 0});  // throws: not in that face
+}
+
+}  // namespace
+
+UnrolledMesh unroll(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves,
+                    const std::vector<bool>& alone, double reach, const Progress& progress) {
+  Asker asker(progress, "solve");
+  const Surface& surface = mesh.surface();
+  UnrolledMesh result;
+  result.curves.resize(curves.size());
+  std::vector<std::size_t> together;
+  for (std::size_t c = 0; c < curves.size(); ++c) {
+    Strip strip(surface, asker);
+    const std::size_t first = result.face_of.size();
+    const auto is_laid = [&] {
+      if (!strip.lay_along(curves[c])) return false;
+      strip.grow(reach);
+      asker.ask();
+      return append(mesh, strip, result);
+    };
+    if (!alone[c] || !is_laid()) {
+      together.push_back(c);
+      continue;
+    }
+    const auto along = strip.copies_along();
+    for (std::size_t i = 0; i < curves[c].points.size(); ++i) {
+      const std::size_t copy = along[std::min(i, along.size() - 1)];
+      result.curves[c].push_back({FaceId{first + copy}, curves[c].points[i]});
+    }
+  }
+  if (together.empty()) return result;
+  asker.ask();
+  const std::size_t first = result.face_of.size();
+  append_whole(mesh, result);
+  for (const std::size_t c : together) {
+    for (const SurfacePoint& point : curves[c].points) {
+      result.curves[c].push_back({FaceId{first + any_face(surface, point).index()}, point});
+    }
+  }
+  return result;
+}
+
+std::vector<SurfaceCurve> UnrolledMesh::unrolled(const SurfaceMesh& from, const Surface& copies,
+                                                 std::span<const SurfaceCurve> drawn) const {
+  std::vector<SurfaceCurve> result;
+  for (std::size_t c = 0; c < drawn.size(); ++c) {
+    SurfaceCurve& curve = result.emplace_back();
+    curve.closed = drawn[c].closed;
+    for (const Place& place : curves[c]) {
+      curve.points.push_back(
+          moved(from.surface(), face_of[place.face.index()], place.point, copies, place.face));
+    }
+  }
+  return result;
+}
+
+SurfaceCurve UnrolledMesh::folded(const Surface& copies, const Surface& original,
+                                  const SurfaceCurve& curve) const {
+  SurfaceCurve result{curve.closed, {}};
+  for (const SurfacePoint& point : curve.points) {
+    const FaceId face = any_face(copies, point);
+    result.points.push_back(moved(copies, face, point, original, face_of[face.index()]));
+  }
+  return result;
+}
+
+}  // namespace talweg

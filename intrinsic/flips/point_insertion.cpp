@@ -1,0 +1,318 @@
+#include "talweg/intrinsic/flips/point_insertion.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <set>
+#include <string>
+#include <utility>
+
+#include "talweg/intrinsic/error.hpp"
+
+namespace talweg {
+namespace {
+
+constexpr double kOnSide = 1e-10;  // of a piece's extent
+
+using Weights = std::array<double, 3>;
+
+/// Twice the signed area of a triangle, in units of the face (barycentrics are affine).
+double orient(const Weights& a, const Weights& b, const Weights& c) {
+  return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+}
+
+Weights mix(const Weights& a, const Weights& b, double t) {
+  return {(1 - t) * a[0] + t * b[0], (1 - t) * a[1] + t * b[1], (1 - t) * a[2] + t * b[2]};
+}
+
+}  // namespace
+
+std::vector<HalfedgeId>& PointInsertion::pieces(FaceId face) {
+  std::vector<HalfedgeId>& list = pieces_[face];
+  if (list.empty()) {
+    list.push_back(triangulation_->surface().halfedge(face));
+    slot_[list.front()] = 0;
+  }
+  return list;
+}
+
+Weights PointInsertion::barycentric(VertexId v, FaceId face) const {
+  return coordinates_in(triangulation_->surface(), triangulation_->location(v), face).barycentric;
+}
+
+PointInsertion::Place PointInsertion::locate(FaceId face, const Weights& point) {
+  Place best;
+  double best_margin = -std::numeric_limits<double>::infinity();
+  for (const HalfedgeId side : pieces(face)) {
+    const Weights a = barycentric(triangulation_->tail(side), face);
+    const Weights b = barycentric(triangulation_->tail(triangulation_->next(side)), face);
+    const Weights c = barycentric(triangulation_->tail(triangulation_->prev(side)), face);
+    const double area = orient(a, b, c);
+    if (!(area > 0)) continue;
+    const Weights weight = {orient(point, b, c) / area, orient(a, point, c) / area,
+                            orient(a, b, point) / area};
+    const double margin = std::min({weight[0], weight[1], weight[2]});
+    if (margin > best_margin) {
+      best_margin = margin;
+      best = {side, weight};
+    }
+  }
+  return best;
+}
+
+/// For a face that is in slivers all over.
+VertexId PointInsertion::nearest_vertex(FaceId face, const Weights& point) {
+  const SignpostTriangulation& t = *triangulation_;
+  VertexId best;
+  double least = std::numeric_limits<double>::infinity();
+  for (const HalfedgeId piece : pieces(face)) {
+    for (const HalfedgeId side : {piece, t.next(piece), t.prev(piece)}) {
+      const Weights at = barycentric(t.tail(side), face);
+      const double apart = std::hypot(at[0] - point[0], at[1] - point[1], at[2] - point[2]);
+      if (!(apart < least)) continue;
+      least = apart;
+      best = t.tail(side);
+    }
+  }
+  return best;
+}
+
+double PointInsertion::distance(VertexId v, FaceId face, const Weights& point) const {
+  return distance_in_face(triangulation_->surface(), {face, barycentric(v, face)}, {face, point});
+}
+
+void PointInsertion::replace_pieces(FaceId face, HalfedgeId old,
+                                    std::span<const HalfedgeId> fresh) {
+  std::vector<HalfedgeId>& list = pieces(face);
+  auto known = slot_.find(old);
+  if (known == slot_.end()) known = slot_.find(triangulation_->next(old));
+  if (known == slot_.end()) known = slot_.find(triangulation_->prev(old));
+  assert(known != slot_.end());
+  const std::size_t slot = known->second;
+  slot_.erase(known);
+  list[slot] = fresh[0];
+  slot_[fresh[0]] = slot;
+  for (const HalfedgeId side : fresh.subspan(1)) {
+    slot_[side] = list.size();
+    list.push_back(side);
+  }
+}
+
+VertexId PointInsertion::insert(const SurfacePoint& point) {
+  const Surface& surface = triangulation_->surface();
+  if (const auto* v = std::get_if<AtVertex>(&point.where())) return v->vertex;
+  if (std::holds_alternative<OnEdge>(point.where())) return insert_on_edge(point);
+  const FaceId face = any_face(surface, point);
+  const Weights weights = coordinates_in(surface, point, face).barycentric;
+  Place place = locate(face, weights);
+  if (!place.side.valid()) return nearest_vertex(face, weights);
+
+  std::array<HalfedgeId, 3> side = {place.side, triangulation_->next(place.side),
+                                    triangulation_->prev(place.side)};
+  std::array<bool, 3> zero{};
+  for (std::size_t k = 0; k < 3; ++k) zero[k] = place.weight[k] <= kOnSide;
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (zero[(k + 1) % 3] && zero[(k + 2) % 3]) return triangulation_->tail(side[k]);
+  }
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (!zero[k]) continue;
+    const double from = place.weight[(k + 1) % 3], to = place.weight[(k + 2) % 3];
+    return insert_on_side(side[(k + 1) % 3], to / (from + to), &point);
+  }
+
+  std::array<double, 3> lengths{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    lengths[k] = distance(triangulation_->tail(side[k]), face, weights);
+  }
+  replace_pieces(face, side[0], side);  // each side keeps one of the new faces
+  return triangulation_->split_face(side[0], lengths, point);
+}
+
+/// Only the edge's own pieces are looked at. In slivers of its faces a point inside one of them may
+/// be as near, but that is not in the other face, where the curve may go on.
+VertexId PointInsertion::insert_on_edge(const SurfacePoint& point) {
+  const OnEdge& at = std::get<OnEdge>(point.where());
+  const HalfedgeId whole = halfedge_of(at.edge);
+  const VertexId begin = triangulation_->surface().tail(whole);
+  const auto parameter = [&](VertexId v) {
+    const SurfacePoint where = triangulation_->location(v);
+    if (const auto* e = std::get_if<OnEdge>(&where.where())) return e->t;
+    return std::get<AtVertex>(where.where()).vertex == begin ? 0.0 : 1.0;
+  };
+  const std::vector<HalfedgeId> chain = now(std::span(&whole, 1), 0);
+  const auto piece = std::find_if(chain.begin(), chain.end() - 1, [&](HalfedgeId h) {
+    return at.t <= parameter(triangulation_->head(h));
+  });
+  const double from = parameter(triangulation_->tail(*piece));
+  const double t = (at.t - from) / (parameter(triangulation_->head(*piece)) - from);
+  if (!(t > kOnSide)) return triangulation_->tail(*piece);
+  if (!(t < 1 - kOnSide)) return triangulation_->head(*piece);
+  return insert_on_side(*piece, t, &point);
+}
+
+VertexId PointInsertion::insert_on_side(HalfedgeId side, double t, const SurfacePoint* exact) {
+  if (!triangulation_->has_face(side)) {
+    side = twin(side);
+    t = 1 - t;
+  }
+  const Surface& surface = triangulation_->surface();
+  const HalfedgeId other = twin(side);
+  const FaceId left = triangulation_->surface_face(side);
+  // On the side to the last bit, so that a point of a mesh edge is known to both faces there.
+  const bool inner = triangulation_->has_face(other) && triangulation_->surface_face(other) == left;
+  const bool keep = exact != nullptr && (inner || std::holds_alternative<OnEdge>(exact->where()));
+  const SurfacePoint location =
+      keep ? *exact
+           : SurfacePoint::from_barycentric(surface, left,
+                                            mix(barycentric(triangulation_->tail(side), left),
+                                                barycentric(triangulation_->head(side), left), t));
+  const double whole = triangulation_->surface_length(edge_of(side));
+  SignpostTriangulation::EdgeSplit split{t * whole, (1 - t) * whole, 0, 0};
+  split.to_left = distance(triangulation_->tail(triangulation_->prev(side)), left,
+                           coordinates_in(surface, location, left).barycentric);
+  const HalfedgeId left_next = triangulation_->next(side);
+  const HalfedgeId left_prev = triangulation_->prev(side);
+  HalfedgeId right_next, right_prev;
+  FaceId right;
+  pieces(left);
+  if (triangulation_->has_face(other)) {
+    right = triangulation_->surface_face(other);
+    right_next = triangulation_->next(other);
+    right_prev = triangulation_->prev(other);
+    pieces(right);
+    split.to_right = distance(triangulation_->tail(right_prev), right,
+                              coordinates_in(surface, location, right).barycentric);
+  }
+  // Before the split the old faces are still known by any of their sides.
+  const std::array<HalfedgeId, 2> fresh_left = {left_prev, left_next};
+  replace_pieces(left, side, fresh_left);
+  if (right.valid()) {
+    const std::array<HalfedgeId, 2> fresh_right = {right_next, right_prev};
+    replace_pieces(right, other, fresh_right);
+  }
+  const VertexId middle = triangulation_->split_edge(side, split, location);
+  const HalfedgeId rest = triangulation_->next(twin(triangulation_->next(side)));
+  splits_[edge_of(side)].push_back({split_count_++, side, rest});
+  return middle;
+}
+
+/// The halfedge from `from` towards `to` inside the face; inserts its end where need be.
+HalfedgeId PointInsertion::step(VertexId from, VertexId to, FaceId face) {
+  SignpostTriangulation& t = *triangulation_;
+  const Weights p = barycentric(from, face), q = barycentric(to, face);
+  const HalfedgeId first = t.halfedge(from);
+  HalfedgeId h = first;
+  do {
+    const bool left_inside = t.has_face(h) && t.surface_face(h) == face;
+    const bool right_inside = t.has_face(twin(h)) && t.surface_face(twin(h)) == face;
+    if ((left_inside || right_inside) && t.head(h) == to) return h;
+    if (left_inside) {
+      const Weights b = barycentric(t.head(h), face);
+      const Weights c = barycentric(t.head(t.next(h)), face);
+      const double right_of = orient(p, b, q), left_of = orient(p, q, c);
+      const double size = orient(p, b, c);
+      // Ahead, between the two sides of this piece.
+      if (right_of >= -kOnSide * size && left_of >= -kOnSide * size && right_of + left_of > 0 &&
+          orient(b, c, q) <= kOnSide * size) {
+        if (right_of <= kOnSide * (right_of + left_of)) return h;
+        if (left_of <= kOnSide * (right_of + left_of)) return twin(t.prev(h));
+        return t.find_halfedge(from, insert_on_side(t.next(h), right_of / (right_of + left_of)));
+      }
+    }
+    if (!t.has_face(h)) break;
+    h = t.turn_ccw(h);
+  } while (h != first);
+  return {};
+}
+
+void PointInsertion::connect(VertexId from, VertexId to, std::vector<HalfedgeId>& path) {
+  const std::size_t own = triangulation_->surface().vertex_count();
+  if (from.index() < own && to.index() < own) {  // the common case: an edge of the surface
+    if (const HalfedgeId h = triangulation_->find_halfedge(from, to); h.valid()) {
+      path.push_back(h);
+      return;
+    }
+  }
+  const SurfacePoint p = triangulation_->location(from), q = triangulation_->location(to);
+  const FaceId face = common_face(triangulation_->surface(), p, q);
+  if (!face.valid()) {
+    throw Error(ErrorCode::kBadCurve,
+                "Two consecutive points of the curve do not lie in a common face.");
+  }
+  // A straight segment meets each piece of the face once.
+  for (std::size_t left = pieces(face).size() + 2; from != to && left > 0; --left) {
+    const HalfedgeId h = step(from, to, face);
+    if (!h.valid()) break;
+    path.push_back(h);
+    from = triangulation_->head(h);
+  }
+  if (from != to) go_along_edges(from, to, face, path);
+}
+
+/// Always finds a way: the pieces of a face are a disc.
+void PointInsertion::go_along_edges(VertexId from, VertexId to, FaceId face,
+                                    std::vector<HalfedgeId>& path) {
+  const SignpostTriangulation& t = *triangulation_;
+  const auto inside = [&](HalfedgeId h) { return t.has_face(h) && t.surface_face(h) == face; };
+  struct Reached {
+    double distance = 0;
+    HalfedgeId by;
+  };
+  std::map<VertexId, Reached> reached;
+  std::set<std::pair<double, VertexId>> front;
+  reached[from] = {};
+  front.emplace(0, from);
+  while (!front.empty()) {
+    const auto [distance, at] = *front.begin();
+    if (at == to) break;
+    front.erase(front.begin());
+    const HalfedgeId first = t.halfedge(at);
+    HalfedgeId h = first;
+    do {
+      if (inside(h) || inside(twin(h))) {
+        const double way = distance + t.surface_length(edge_of(h));
+        const auto [known, fresh] = reached.try_emplace(t.head(h), Reached{way, h});
+        if (fresh || way < known->second.distance) {
+          if (!fresh) front.erase({known->second.distance, t.head(h)});
+          known->second = {way, h};
+          front.emplace(way, t.head(h));
+        }
+      }
+      if (!t.has_face(h)) break;
+      h = t.turn_ccw(h);
+    } while (h != first);
+  }
+  if (!reached.contains(to)) {
+    throw Error(ErrorCode::kBadCurve,
+                "The pieces of face " + std::to_string(face.index()) + " do not hang together.");
+  }
+  const auto first = static_cast<std::ptrdiff_t>(path.size());
+  for (VertexId at = to; at != from; at = t.tail(path.back())) path.push_back(reached[at].by);
+  std::reverse(path.begin() + first, path.end());
+}
+
+void PointInsertion::append_now(HalfedgeId h, std::size_t since,
+                                std::vector<HalfedgeId>& path) const {
+  const auto splits = splits_.find(edge_of(h));
+  if (splits != splits_.end()) {
+    for (const Split& split : splits->second) {
+      if (split.number < since) continue;
+      const bool same = split.first == h;
+      append_now(same ? h : twin(split.second), split.number + 1, path);
+      append_now(same ? split.second : h, split.number + 1, path);
+      return;
+    }
+  }
+  path.push_back(h);
+}
+
+std::vector<HalfedgeId> PointInsertion::now(std::span<const HalfedgeId> path,
+                                            std::size_t since) const {
+  std::vector<HalfedgeId> result;
+  for (const HalfedgeId h : path) append_now(h, since, result);
+  return result;
+}
+
+}  // namespace talweg

@@ -1,0 +1,70 @@
+// Making vertices of points on edges and in faces, and edges of the straight segments between them.
+#pragma once
+
+#include <array>
+#include <span>
+#include <unordered_map>
+#include <vector>
+
+#include "talweg/intrinsic/flips/signpost_triangulation.hpp"
+#include "talweg/intrinsic/surface/surface_point.hpp"
+
+namespace talweg {
+
+/// Inserts points of the surface into a triangulation without pending flips. New lengths are
+/// measured in the surface's own metric, inside one face each, so insertion never accumulates
+/// errors. Points closer than 1e-10 of a face to a vertex or edge fall on it.
+class PointInsertion {
+ public:
+  /// The triangulation must outlive this object and have no inserted vertices yet.
+  explicit PointInsertion(SignpostTriangulation& triangulation) : triangulation_(&triangulation) {}
+
+  /// The vertex at the point; inserts it if there is none. It lies in every face that the point
+  /// lies in. O(pieces of the face).
+  VertexId insert(const SurfacePoint& point);
+
+  /// Appends to `path` the halfedges of the straight segment between two vertices which lie in a
+  /// common face of the surface; where it crosses an edge inside the face, a vertex is inserted.
+  /// Where rounding leaves no such way (in slivers among many points) it is the shortest one along
+  /// the edges inside the face. Throws Error(kBadCurve) when the vertices have no face in common.
+  void connect(VertexId from, VertexId to, std::vector<HalfedgeId>& path);
+
+  /// Edges that have been split so far.
+  [[nodiscard]] std::size_t split_count() const { return split_count_; }
+  /// What has become of a path that was connected when split_count() was `since`: an edge that was
+  /// split after that is replaced by its two halves.
+  [[nodiscard]] std::vector<HalfedgeId> now(std::span<const HalfedgeId> path,
+                                            std::size_t since) const;
+
+ private:
+  struct Place {
+    HalfedgeId side;  ///< of the piece that contains the point
+    std::array<double, 3> weight{};
+  };
+
+  std::vector<HalfedgeId>& pieces(FaceId face);
+  std::array<double, 3> barycentric(VertexId v, FaceId face) const;
+  Place locate(FaceId face, const std::array<double, 3>& point);
+  VertexId nearest_vertex(FaceId face, const std::array<double, 3>& point);
+  double distance(VertexId v, FaceId face, const std::array<double, 3>& point) const;
+  VertexId insert_on_edge(const SurfacePoint& point);
+  VertexId insert_on_side(HalfedgeId side, double t, const SurfacePoint* exact = nullptr);
+  void replace_pieces(FaceId face, HalfedgeId old, std::span<const HalfedgeId> fresh);
+  HalfedgeId step(VertexId from, VertexId to, FaceId face);
+  void go_along_edges(VertexId from, VertexId to, FaceId face, std::vector<HalfedgeId>& path);
+  void append_now(HalfedgeId h, std::size_t since, std::vector<HalfedgeId>& path) const;
+
+  SignpostTriangulation* triangulation_;
+  struct Split {  // the edge became these two, in the direction of `first`
+    std::size_t number = 0;
+    HalfedgeId first, second;
+  };
+  // All are looked up only, never iterated. A piece is known by one of its sides, and that side's
+  // place in the list of its face.
+  std::unordered_map<FaceId, std::vector<HalfedgeId>> pieces_;
+  std::unordered_map<HalfedgeId, std::size_t> slot_;
+  std::unordered_map<EdgeId, std::vector<Split>> splits_;
+  std::size_t split_count_ = 0;
+};
+
+}  // namespace talweg

@@ -1,0 +1,82 @@
+// From intrinsic edges back to points on the surface.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "talweg/intrinsic/flips/edge_path.hpp"
+#include "talweg/intrinsic/flips/signpost_triangulation.hpp"
+#include "talweg/intrinsic/progress.hpp"
+#include "talweg/intrinsic/surface/surface_point.hpp"
+
+namespace talweg {
+
+struct TraceResult {
+  std::vector<SurfaceCurve> curves;  ///< one per path, in their order
+  /// Crossings whose straight line missed their edge by rounding and that were put at its end.
+  std::size_t clamped = 0;
+};
+
+/// Traces paths by taking the pending flips back, newest first.
+///
+/// A path starts out running along edges. When the flip of an edge is undone, what ran along the
+/// edge crosses the restored one, and whether a passage through the diamond crosses it follows from
+/// the sides by which it enters and leaves. So the sequence of edges that each path crosses is
+/// found without any arithmetic and cannot go wrong; the flips had to be undone anyway. Positions
+/// come from unfolding the crossed triangles into the plane.
+///
+/// Memory for the edges is made once per object; a call costs O(flips + crossings).
+class Tracer {
+ public:
+  explicit Tracer(SignpostTriangulation& triangulation) : triangulation_(&triangulation) {}
+
+  /// Undoes every pending flip. Each point of a curve and the next lie in one face of the surface;
+  /// vertices of a path that were inserted keep the point they were inserted for. Throws Cancelled
+  /// when `progress` (stage "trace") says so, and what the metric throws; flips may be pending
+  /// then.
+  TraceResult trace_and_undo(std::span<const EdgePath> paths, const Progress& progress = {});
+
+ private:
+  using Index = std::uint32_t;
+  static constexpr Index kNone = 0xFFFFFFFFU;
+
+  struct Crossing {  // leaves the face of `through` by it
+    HalfedgeId through;
+    Index strand = kNone;
+    Index prev = kNone, next = kNone;  // along the strand
+    Index next_on_edge = kNone;
+  };
+  struct Strand {  // one segment of a path
+    VertexId from, to;
+    HalfedgeId along;  // valid while it runs along an edge
+    Index first = kNone, last = kNone;
+    Index next_along = kNone;
+  };
+  enum class Place : std::uint8_t { kA, kB, kC, kD };  // corner or half of a diamond
+  struct Visit {
+    Index strand;
+    Index before, after;  // crossings by which it enters and leaves; kNone at an end
+    Place from, to;
+  };
+
+  void collect(EdgeId e, std::vector<Visit>& visits);
+  void collect_entering(HalfedgeId side, Place half, Place opposite, HalfedgeId diagonal,
+                        std::vector<Visit>& visits);
+  Index insert(Index strand, Index before, Index after, HalfedgeId through);
+  void undo_one();
+  TraceResult trace(std::span<const EdgePath> paths, const Progress& progress);
+  void forget();
+  void emit(const Strand& strand, SurfaceCurve& curve, std::size_t& clamped);
+  SurfacePoint point_on(HalfedgeId h, double t) const;
+
+  SignpostTriangulation* triangulation_;
+  std::vector<Index> crossings_on_;  // heads of lists, by edge
+  std::vector<Index> strands_on_;
+  std::vector<Crossing> crossings_;
+  std::vector<Strand> strands_;
+  std::vector<Visit> visits_;
+};
+
+}  // namespace talweg

@@ -1,0 +1,92 @@
+#include "talweg/core/drawing/straight_lines.hpp"
+
+#include <array>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "core/small_meshes.hpp"
+#include "talweg/intrinsic/error.hpp"
+
+namespace talweg {
+namespace {
+
+using namespace test;
+
+void expect_joined(const Surface& surface, const SurfaceCurve& curve) {
+  for (std::size_t i = 0; i + (curve.closed ? 0 : 1) < curve.points.size(); ++i) {
+    EXPECT_TRUE(
+        common_face(surface, curve.points[i], curve.points[(i + 1) % curve.points.size()]).valid())
+        << i;
+  }
+}
+
+TEST(StraightLines, PointsAsNearToEdgesAndVerticesAsRounding) {
+  const SurfaceMesh mesh = SurfaceMesh::open(grid(6, 6));
+  const Surface& surface = mesh.surface();
+  StraightLines lines(surface);
+  for (const double e : {1e-11, 1e-13, 1e-16}) {
+    // One in each face of the sheet, near each corner and each side: lines leave them every way.
+    std::vector<SurfacePoint> points;
+    for (std::size_t f = 0; f < surface.face_count(); ++f) {
+      const FaceId face{(f * 29) % surface.face_count()};
+      points.push_back(SurfacePoint::in_face(surface, face, {1 - 2 * e, e, e}));
+      points.push_back(SurfacePoint::in_face(surface, face, {e, 0.5, 0.5 - e}));
+      points.push_back(SurfacePoint::in_face(surface, face, {0.5, e, 0.5 - e}));
+    }
+    expect_joined(surface, lines.join(points, true));
+  }
+}
+
+TEST(StraightLines, GapsAreCountedAndMeasured) {
+  const SurfaceMesh mesh = SurfaceMesh::open(grid(10, 10));
+  const auto at = [&](std::size_t x, std::size_t y) {
+    return SurfacePoint::at_vertex(mesh.surface(), VertexId{y * 11 + x});
+  };
+  StraightLines lines(mesh.surface());
+  const std::vector<SurfacePoint> points = {at(1, 1), at(2, 1), at(3, 1), at(3, 2),
+                                            at(7, 5), at(8, 5), at(8, 6)};
+  lines.join(points, false);
+  EXPECT_EQ(lines.gaps().count, 1U);
+  EXPECT_NEAR(lines.gaps().longest, 5, 1e-12);
+  EXPECT_NE(gap_warning(lines.gaps()).find("1 gap of"), std::string::npos);
+  EXPECT_NE(gap_warning(lines.gaps()).find("over 5 mesh units"), std::string::npos);
+  lines.join(points, true);  // and from the end to the beginning
+  EXPECT_EQ(lines.gaps().count, 2U);
+  lines.join(std::span(points).first(2), false);
+  EXPECT_EQ(lines.gaps().count, 0U);
+  EXPECT_EQ(gap_warning(lines.gaps()), "");
+}
+
+// Clicked points are all far apart: nothing is missing between them.
+TEST(StraightLines, PointsThatAreAllFarApartHaveNoGaps) {
+  const SurfaceMesh mesh = SurfaceMesh::open(grid(10, 10));
+  std::vector<SurfacePoint> points;
+  for (const std::size_t v : {12, 16, 64, 108, 60}) {
+    points.push_back(SurfacePoint::at_vertex(mesh.surface(), VertexId{v}));
+  }
+  StraightLines lines(mesh.surface());
+  lines.join(points, false);
+  EXPECT_EQ(lines.gaps().count, 0U);
+}
+
+TEST(StraightLines, BetweenTwoPointsThatAreAsNearToAVertexAsRounding) {
+  const SurfaceMesh mesh = SurfaceMesh::open(grid(4, 4));
+  const Surface& surface = mesh.surface();
+  const VertexId middle{12};
+  std::vector<SurfacePoint> points;  // the first of opposite faces around the vertex
+  const std::vector<FaceId> around = faces_at(surface, SurfacePoint::at_vertex(surface, middle));
+  for (const std::size_t i : {std::size_t{0}, around.size() / 2}) {
+    std::array<double, 3> at{};
+    const auto corners = surface.corners(around[i]);
+    for (std::size_t k = 0; k < 3; ++k) at[k] = corners[k] == middle ? 1 - 2e-12 : 1e-12;
+    points.push_back(SurfacePoint::in_face(surface, around[i], at));
+  }
+  const SurfaceCurve line = StraightLines(surface).join(points, false);
+  expect_joined(surface, line);
+  ASSERT_EQ(line.points.size(), 3U);
+  EXPECT_EQ(line.points[1], SurfacePoint::at_vertex(surface, middle));
+}
+
+}  // namespace
+}  // namespace talweg

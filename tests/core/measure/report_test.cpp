@@ -1,0 +1,259 @@
+#include "talweg/core/measure/report.hpp"
+
+#include <limits>
+#include <string>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "core/generated_meshes.hpp"
+#include "core/small_meshes.hpp"
+#include "talweg/core/drawing/drawing.hpp"
+#include "talweg/core/measure/result_report.hpp"
+#include "talweg/core/smoothing/curve_smoother.hpp"
+
+namespace talweg {
+namespace {
+
+constexpr double kForever = std::numeric_limits<double>::infinity();
+
+/// A report in which every number is another one.
+SmoothingReport numbered(double start) {
+  SmoothingReport r;
+  r.version = "1.2.3";
+  r.potential = "paper";
+  r.engine = "full";
+  r.termination = "converged";
+  r.deviation = "surface";
+  double next = start;
+  for (double SmoothingReport::*field :
+       {&SmoothingReport::tau, &SmoothingReport::slack, &SmoothingReport::length_before,
+        &SmoothingReport::length_after, &SmoothingReport::lifted_length_before,
+        &SmoothingReport::lifted_length_after, &SmoothingReport::curvature_before,
+        &SmoothingReport::curvature_after, &SmoothingReport::curvature_max_before,
+        &SmoothingReport::curvature_max_after, &SmoothingReport::deviation_to_drawn_max,
+        &SmoothingReport::deviation_to_drawn_mean, &SmoothingReport::deviation_from_drawn_max,
+        &SmoothingReport::deviation_from_drawn_mean, &SmoothingReport::mollification,
+        &SmoothingReport::peak_memory_mib}) {
+    r.*field = next++;
+  }
+  for (std::size_t SmoothingReport::*field :
+       {&SmoothingReport::faces, &SmoothingReport::vertices, &SmoothingReport::points_before,
+        &SmoothingReport::points_after, &SmoothingReport::flips, &SmoothingReport::iterations,
+        &SmoothingReport::faces_touched, &SmoothingReport::trace_fallbacks,
+        &SmoothingReport::crossings_before, &SmoothingReport::crossings_after}) {
+    r.*field = static_cast<std::size_t>(next++);
+  }
+  for (double StageTimes::*field :
+       {&StageTimes::load, &StageTimes::open, &StageTimes::solve, &StageTimes::straighten,
+        &StageTimes::trace, &StageTimes::relax, &StageTimes::polish, &StageTimes::total}) {
+    r.time_ms.*field = next++;
+  }
+  r.deviation_at = Point(next, next + 1, next + 2);
+  return r;
+}
+
+nlohmann::json parsed(const SmoothingReport& r) { return nlohmann::json::parse(to_json(r)); }
+
+TEST(Report, HasItsStableNames) {
+  const auto j = parsed(numbered(1));
+  for (const char* name : {"version",
+                           "faces",
+                           "vertices",
+                           "tau",
+                           "slack",
+                           "potential",
+                           "engine",
+                           "closed",
+                           "points_before",
+                           "points_after",
+                           "length_before",
+                           "length_after",
+                           "lifted_length_before",
+                           "lifted_length_after",
+                           "curvature_before",
+                           "curvature_after",
+                           "curvature_max_before",
+                           "curvature_max_after",
+                           "deviation",
+                           "deviation_to_drawn_max",
+                           "deviation_to_drawn_mean",
+                           "deviation_from_drawn_max",
+                           "deviation_from_drawn_mean",
+                           "deviation_at",
+                           "flips",
+                           "iterations",
+                           "faces_touched",
+                           "trace_fallbacks",
+                           "mollification",
+                           "crossings_before",
+                           "crossings_after",
+                           "termination",
+                           "warnings",
+                           "time_ms",
+                           "peak_memory_mib"}) {
+    EXPECT_TRUE(j.contains(name)) << name;
+  }
+  EXPECT_EQ(j["time_ms"].size(), 8U);
+}
+
+TEST(Report, HasEachNumberUnderItsName) {
+  SmoothingReport r = numbered(1);
+  r.closed = true;
+  r.warnings = {"One.", "A \"quoted\" one."};
+  const auto j = parsed(r);
+  EXPECT_EQ(j["version"], r.version);
+  EXPECT_EQ(j["tau"], r.tau);
+  EXPECT_EQ(j["slack"], r.slack);
+  EXPECT_EQ(j["closed"], true);
+  EXPECT_EQ(j["faces"], r.faces);
+  EXPECT_EQ(j["vertices"], r.vertices);
+  EXPECT_EQ(j["points_before"], r.points_before);
+  EXPECT_EQ(j["points_after"], r.points_after);
+  EXPECT_EQ(j["length_before"], r.length_before);
+  EXPECT_EQ(j["length_after"], r.length_after);
+  EXPECT_EQ(j["lifted_length_before"], r.lifted_length_before);
+  EXPECT_EQ(j["lifted_length_after"], r.lifted_length_after);
+  EXPECT_EQ(j["curvature_before"], r.curvature_before);
+  EXPECT_EQ(j["curvature_after"], r.curvature_after);
+  EXPECT_EQ(j["curvature_max_before"], r.curvature_max_before);
+  EXPECT_EQ(j["curvature_max_after"], r.curvature_max_after);
+  EXPECT_EQ(j["deviation"], "surface");
+  EXPECT_EQ(j["deviation_to_drawn_max"], r.deviation_to_drawn_max);
+  EXPECT_EQ(j["deviation_to_drawn_mean"], r.deviation_to_drawn_mean);
+  EXPECT_EQ(j["deviation_from_drawn_max"], r.deviation_from_drawn_max);
+  EXPECT_EQ(j["deviation_from_drawn_mean"], r.deviation_from_drawn_mean);
+  EXPECT_EQ(j["deviation_at"],
+            nlohmann::json({r.deviation_at[0], r.deviation_at[1], r.deviation_at[2]}));
+  EXPECT_EQ(j["flips"], r.flips);
+  EXPECT_EQ(j["iterations"], r.iterations);
+  EXPECT_EQ(j["faces_touched"], r.faces_touched);
+  EXPECT_EQ(j["trace_fallbacks"], r.trace_fallbacks);
+  EXPECT_EQ(j["mollification"], r.mollification);
+  EXPECT_EQ(j["warnings"], nlohmann::json(r.warnings));
+  EXPECT_EQ(j["time_ms"]["load"], r.time_ms.load);
+  EXPECT_EQ(j["time_ms"]["polish"], r.time_ms.polish);
+  EXPECT_EQ(j["time_ms"]["total"], r.time_ms.total);
+  EXPECT_EQ(j["peak_memory_mib"], r.peak_memory_mib);
+}
+
+TEST(Report, NumbersThatAreNoneBecomeNull) {
+  SmoothingReport r = numbered(1);
+  r.deviation_to_drawn_max = kForever;
+  r.deviation_from_drawn_mean = -kForever;
+  r.length_before = std::numeric_limits<double>::quiet_NaN();
+  r.deviation_at = Point::Constant(kForever);
+  const auto j = parsed(r);
+  EXPECT_TRUE(j["deviation_to_drawn_max"].is_null());
+  EXPECT_TRUE(j["deviation_from_drawn_mean"].is_null());
+  EXPECT_TRUE(j["length_before"].is_null());
+  EXPECT_EQ(j["deviation_at"], nlohmann::json({nullptr, nullptr, nullptr}));
+  EXPECT_EQ(j["deviation_to_drawn_mean"], r.deviation_to_drawn_mean);
+}
+
+TEST(Report, SeveralCurvesAreAnArrayBesideTheirTotal) {
+  const std::vector<SmoothingReport> two = {numbered(1), numbered(100)};
+  const auto one = nlohmann::json::parse(to_json(two[0], {two[0]}));
+  EXPECT_FALSE(one.contains("curves"));
+  const auto j = nlohmann::json::parse(to_json(total_of(two), two));
+  ASSERT_EQ(j["curves"].size(), 2U);
+  EXPECT_EQ(j["curves"][0], parsed(two[0]));
+  EXPECT_EQ(j["curves"][1], parsed(two[1]));
+}
+
+TEST(Report, TotalsAreSumsMaximaAndMeansByLength) {
+  SmoothingReport a = numbered(1), b = numbered(100);
+  a.closed = true;
+  a.length_after = 3;
+  b.length_after = 1;
+  a.deviation_to_drawn_mean = 1;
+  b.deviation_to_drawn_mean = 5;
+  a.warnings = {"x", "y"};
+  b.warnings = {"y", "z"};
+  b.termination = "collapsed";
+  const SmoothingReport total = total_of({a, b});
+  EXPECT_FALSE(total.closed);
+  EXPECT_EQ(total.points_before, a.points_before + b.points_before);
+  EXPECT_EQ(total.points_after, a.points_after + b.points_after);
+  EXPECT_EQ(total.length_before, a.length_before + b.length_before);
+  EXPECT_EQ(total.length_after, 4);
+  EXPECT_EQ(total.lifted_length_after, a.lifted_length_after + b.lifted_length_after);
+  EXPECT_EQ(total.curvature_before, a.curvature_before + b.curvature_before);
+  EXPECT_EQ(total.curvature_max_after, b.curvature_max_after);
+  EXPECT_EQ(total.deviation_from_drawn_max, b.deviation_from_drawn_max);
+  EXPECT_EQ(total.deviation_to_drawn_mean, 2);
+  EXPECT_EQ(total.deviation_at, b.deviation_at);
+  EXPECT_EQ(total.flips, a.flips);  // of the whole run, the same in all of them
+  EXPECT_EQ(total.warnings, (std::vector<std::string>{"x", "y", "z"}));
+  EXPECT_EQ(total.termination, "collapsed");
+  b.termination = "cancelled";
+  EXPECT_EQ(total_of({b, a}).termination, "cancelled");
+  EXPECT_EQ(total_of({a, b}).termination, "cancelled");
+  EXPECT_EQ(total_of({}).points_after, 0U);
+  EXPECT_EQ(to_json(total_of({a})), to_json(a));
+}
+
+TEST(Report, TotalsOfWhatIsInfiniteAreInfinite) {
+  SmoothingReport a = numbered(1), b = numbered(100);
+  b.deviation_to_drawn_max = b.deviation_to_drawn_mean = kForever;
+  b.length_after = 0;  // and not NaN
+  for (const SmoothingReport& total : {total_of({a, b}), total_of({b, a})}) {
+    EXPECT_EQ(total.deviation_to_drawn_max, kForever);
+    EXPECT_EQ(total.deviation_to_drawn_mean, kForever);
+    EXPECT_EQ(total.deviation_at, b.deviation_at);
+  }
+}
+
+TEST(Report, TotalsSayWhereADistanceIsOneThroughSpace) {
+  SmoothingReport a = numbered(1), b = numbered(2);
+  a.deviation = "surface";
+  b.deviation = "euclidean";
+  EXPECT_EQ(total_of({a, b}).deviation, "euclidean");
+  EXPECT_EQ(total_of({b, a}).deviation, "euclidean");
+  EXPECT_EQ(total_of({a, a}).deviation, "surface");
+}
+
+TEST(Report, TheMeasureOfDeviationIsAChoice) {
+  const auto opened = OpenedMesh::open(test::sphere(4));
+  const auto way = test::ids({0, 600, 3, 200});
+  const SurfaceCurve drawn =
+      test::vertex_curve(opened->surface(), draw_edge_path(opened->surface(), way), false);
+  CurveSmoother smoother(opened);
+  smoother.set_curve(drawn);
+  SmoothingOptions options;
+  const SmoothingReport surface = smoother.smooth(options).report();
+  options.deviation = DeviationMeasure::kEuclidean;
+  const SmoothingReport euclidean = smoother.smooth(options).report();
+  options.deviation = DeviationMeasure::kNone;
+  const SmoothingReport none = smoother.smooth(options).report();
+  EXPECT_EQ(surface.deviation, "surface");
+  EXPECT_EQ(euclidean.deviation, "euclidean");
+  EXPECT_EQ(none.deviation, "none");
+  EXPECT_GT(euclidean.deviation_from_drawn_max, 0.01);
+  const double slop = 2e-3 * opened->mesh().mean_edge_length();
+  EXPECT_GE(surface.deviation_to_drawn_max, euclidean.deviation_to_drawn_max - slop);
+  EXPECT_GE(surface.deviation_from_drawn_max, euclidean.deviation_from_drawn_max - slop);
+  EXPECT_NEAR(surface.deviation_to_drawn_max, euclidean.deviation_to_drawn_max,
+              0.05 * euclidean.deviation_to_drawn_max);
+  EXPECT_EQ(none.deviation_to_drawn_max, kForever);
+  EXPECT_TRUE(parsed(none)["deviation_from_drawn_mean"].is_null());
+  EXPECT_EQ(surface.length_after, none.length_after);  // the result is the same
+}
+
+TEST(Report, CurvesOnPartsThatAreNotConnectedGetAWarning) {
+  const SurfaceMesh mesh =
+      SurfaceMesh::open(test::together(test::grid(4, 4), test::grid(4, 4), 100));
+  DeviationMeter meter(mesh);
+  SmoothingReport report = numbered(1);
+  report_deviation(report, DeviationMeasure::kAlongSurface, meter, mesh,
+                   test::vertex_curve(mesh.surface(), test::ids({6, 7, 8}), false),
+                   test::vertex_curve(mesh.surface(), test::ids({31, 32}), false));
+  EXPECT_EQ(report.deviation_to_drawn_max, kForever);
+  EXPECT_TRUE(report.deviation_at.allFinite());
+  ASSERT_EQ(report.warnings.size(), 1U);
+  EXPECT_NE(report.warnings[0].find("not connected"), std::string::npos);
+  EXPECT_TRUE(parsed(report)["deviation_to_drawn_mean"].is_null());
+}
+
+}  // namespace
+}  // namespace talweg

@@ -1,0 +1,246 @@
+// Curves that cross or touch themselves and each other: smoothed, with the crossings they had.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+#include "core/generated_meshes.hpp"
+#include "core/jagged_curves.hpp"
+#include "core/small_meshes.hpp"
+#include "talweg/core/drawing/crossings.hpp"
+#include "talweg/core/drawing/snapping.hpp"
+#include "talweg/core/drawing/straight_lines.hpp"
+#include "talweg/core/smoothing/curve_smoother.hpp"
+#include "talweg/core/smoothing/unrolled_mesh.hpp"
+
+namespace talweg {
+namespace {
+
+using namespace test;
+constexpr double kPi = std::numbers::pi;
+
+/// Straight lines through these positions, put on the mesh.
+SurfaceCurve through(const SurfaceMesh& mesh, std::vector<Point> points, bool closed) {
+  const CurveInput input{closed, std::move(points), {}};
+  return StraightLines(mesh.surface()).join(snap(mesh, input).points, closed);
+}
+
+/// Every third position is moved off by this much, to and fro.
+void shake(std::vector<Point>& points, const Point& off) {
+  for (std::size_t k = 0; k < points.size(); k += 3) points[k] += k % 2 == 0 ? off : Point(-off);
+}
+
+std::vector<Point> eight(const Point& centre, double size, std::size_t count) {
+  std::vector<Point> points;
+  for (std::size_t k = 0; k < count; ++k) {
+    const double t = 2 * kPi * (static_cast<double>(k) + 0.5) / static_cast<double>(count);
+    points.push_back(centre + size * Point(std::sin(t), std::sin(t) * std::cos(t), 0));
+  }
+  return points;
+}
+
+TEST(CrossingCurves, AFigureEightKeepsItsCrossing) {
+  const auto opened = OpenedMesh::open(hills(40));
+  std::vector<Point> points = eight(Point(20, 20, 0), 14, 90);
+  shake(points, Point(0, 0.7, 0));
+  const SurfaceCurve drawn = through(opened->mesh(), points, true);
+  CurveSmoother smoother(opened);
+  smoother.set_curve(drawn);
+  for (const double tau : {0.25, 1.0, 4.0}) {
+    const SmoothingResult result = smoother.smooth(tau);
+    const SmoothingReport& report = result.report();
+    EXPECT_EQ(report.crossings_before, 1U);
+    EXPECT_EQ(report.crossings_after, 1U);
+    EXPECT_EQ(report.termination, "converged");
+    EXPECT_LT(report.curvature_after, report.curvature_before / 4) << tau;
+    EXPECT_LT(apart(opened->mesh(), drawn, result.curve()), tau < 1 ? 5 : 3) << tau;
+  }
+}
+
+TEST(CrossingCurves, InThePlaneAFigureEightTurnsLittleMoreThanItMust) {
+  const auto opened = OpenedMesh::open(grid(60, 60));
+  std::vector<Point> points = eight(Point(30.2, 30.3, 0), 22, 120);
+  shake(points, Point(0, 0.6, 0));
+  CurveSmoother smoother(opened);
+  smoother.set_curve(through(opened->mesh(), points, true));
+  const SmoothingReport report = smoother.smooth(2.0).report();
+  // Each loop of that curve turns by 3 pi / 2 (it crosses itself at a right angle).
+  EXPECT_LT(report.curvature_after, 1.1 * 3 * kPi);
+  EXPECT_GT(report.curvature_after, 0.9 * 3 * kPi);
+  EXPECT_EQ(report.crossings_after, 1U);
+}
+
+/// Two turns around a tube, the second higher than the first.
+std::vector<Point> twice_around() {
+  std::vector<Point> points;
+  for (int k = 0; k < 80; ++k) {
+    const double t = 4 * kPi * k / 80;
+    points.emplace_back(std::cos(t), std::sin(t), 4 - std::cos(t / 2) + (k % 2 == 0 ? 0.1 : -0.1));
+  }
+  return points;
+}
+
+TEST(CrossingCurves, TwiceAroundATube) {
+  const auto opened = OpenedMesh::open(tube(48, 60, 8));
+  CurveSmoother smoother(opened);
+  smoother.set_curve(through(opened->mesh(), twice_around(), true));
+  const SmoothingResult result = smoother.smooth(1.0);
+  EXPECT_EQ(result.report().crossings_before, 1U);
+  EXPECT_EQ(result.report().crossings_after, 1U);
+  EXPECT_LT(result.report().curvature_after, result.report().curvature_before / 5);
+  EXPECT_GT(result.report().length_after, 0.98 * 4 * kPi);
+}
+
+// The strip is closed where the drawing begins, unless it only dips into a face there.
+TEST(CrossingCurves, WhereverTheDrawingBeginsNoTurnIsLost) {
+  const MeshLists lists = tube(48, 60, 8);
+  const SurfaceMesh mesh = SurfaceMesh::open(lists);
+  const SurfaceCurve drawn = through(mesh, twice_around(), true);
+  const double whole = curve_length(mesh.surface(), drawn);
+  for (std::size_t start = 0; start < drawn.points.size(); start += 16) {
+    SurfaceCurve turned = drawn;
+    std::rotate(turned.points.begin(), turned.points.begin() + static_cast<std::ptrdiff_t>(start),
+                turned.points.end());
+    const UnrolledMesh strip = unroll(mesh, std::span(&turned, 1), {true}, 2);
+    // Not a whole copy of the mesh instead, on which the turns cannot be told apart.
+    EXPECT_NE(strip.face_of.size(), lists.triangles.size()) << start;
+    const SurfaceMesh laid = SurfaceMesh::open(strip.lists);
+    const std::vector<SurfaceCurve> there =
+        strip.unrolled(mesh, laid.surface(), std::span(&turned, 1));
+    EXPECT_NEAR(curve_length(laid.surface(), there.front()), whole, 1e-9 * whole) << start;
+  }
+}
+
+TEST(CrossingCurves, CurvesThatCrossAreSmoothedAsIfAlone) {
+  const auto opened = OpenedMesh::open(hills(40));
+  const SurfaceCurve wave = wave_on_hills(opened->mesh());
+  const std::array<Point, 4> down = {Point(17, 4, 0), Point(22, 14, 0), Point(18, 26, 0),
+                                     Point(23, 36, 0)};
+  const std::array curves = {wave, drawn_near(opened->mesh(), down, false)};
+  CurveSmoother smoother(opened);
+  smoother.set_curves(curves);
+  const SmoothingResult result = smoother.smooth(1.0);
+  EXPECT_EQ(result.total.crossings_before, 1U);
+  EXPECT_EQ(result.total.crossings_after, 1U);
+  for (std::size_t c = 0; c < 2; ++c) {
+    const SmoothingResult alone = smooth_curve(opened, curves[c]);
+    EXPECT_LT(apart(opened->mesh(), result.curves[c], alone.curve()), 1e-6);
+    EXPECT_EQ(result.reports[c].points_before, alone.report().points_before);
+  }
+}
+
+TEST(CrossingCurves, SpikesGoAndEndsStay) {
+  const auto opened = OpenedMesh::open(grid(12, 12));
+  // Along a row, up a column of it and back the same way, and on.
+  const auto way = ids({66, 67, 68, 81, 94, 81, 68, 69, 70, 71, 70, 71, 72});
+  const SurfaceCurve drawn = vertex_curve(opened->surface(), way, false);
+  const SmoothingResult result = smooth_curve(opened, drawn);
+  EXPECT_EQ(result.curve().points.front(), drawn.points.front());
+  EXPECT_EQ(result.curve().points.back(), drawn.points.back());
+  EXPECT_NEAR(result.report().length_after, 6, 1e-6);
+  EXPECT_EQ(result.report().crossings_before, 0U);
+}
+
+bool warns_of(const SmoothingReport& report, const char* words) {
+  return std::any_of(report.warnings.begin(), report.warnings.end(),
+                     [&](const std::string& w) { return w.find(words) != std::string::npos; });
+}
+
+TEST(CrossingCurves, APinOnASpikeIsLostAndTold) {
+  const auto opened = OpenedMesh::open(grid(12, 12));
+  const auto way = ids({66, 67, 68, 81, 94, 81, 68, 69, 70, 71});
+  const SurfaceCurve drawn = vertex_curve(opened->surface(), way, false);
+  CurveSmoother smoother(opened);
+  smoother.set_curve(drawn, {.pins = {drawn.points[1], drawn.points[4]}});
+  const SmoothingReport report = smoother.smooth(1.0).report();
+  EXPECT_TRUE(warns_of(report, "The pin (vertex 94) at (3, 7, 0) is lost"));
+  EXPECT_FALSE(warns_of(report, "vertex 67"));
+  smoother.set_pins(std::array{drawn.points[1], drawn.points[2]});
+  EXPECT_FALSE(warns_of(smoother.smooth(1.0).report(), "is lost"));
+}
+
+TEST(CrossingCurves, TouchingItselfAtAVertexIsNoCrossing) {
+  const auto opened = OpenedMesh::open(grid(16, 16));
+  std::vector<Point> points;  // two loops side by side, that meet at (8, 8)
+  for (const int side : {-1, 1}) {
+    for (int k = 0; k < 24; ++k) {
+      const double t = 2 * kPi * k / 24;
+      points.emplace_back(8 + side * 3.5 * (1 - std::cos(t)), 8 - side * 3.5 * std::sin(t), 0);
+    }
+  }
+  const SurfaceCurve drawn = through(opened->mesh(), points, true);
+  const SmoothingReport report = smooth_curve(opened, drawn).report();
+  EXPECT_EQ(report.crossings_before, 0U);
+  EXPECT_LT(report.curvature_after, report.curvature_before * 1.01);
+  EXPECT_LT(report.deviation_to_drawn_max, 2);
+}
+
+TEST(CrossingCurves, TheSameFromBothEndsAndWithThePapersMethod) {
+  const auto opened = OpenedMesh::open(hills(40));
+  std::vector<Point> points = eight(Point(20, 20, 0), 14, 90);
+  const SurfaceCurve drawn = through(opened->mesh(), points, true);
+  SurfaceCurve turned = drawn;
+  std::reverse(turned.points.begin(), turned.points.end());
+  const SurfaceCurve one = smooth_curve(opened, drawn).curve();
+  EXPECT_LT(apart(opened->mesh(), one, smooth_curve(opened, turned).curve()), 1e-6);
+
+  const SmoothingResult papers =
+      smooth_curve(opened, drawn, {.tau = 1}, {.method = Method::kPaper});
+  EXPECT_EQ(papers.report().crossings_after, 1U);
+  EXPECT_LE(papers.report().lifted_length_after, papers.report().lifted_length_before);
+}
+
+TEST(CrossingCurves, DraggedAndHeldByPins) {
+  const auto opened = OpenedMesh::open(hills(40));
+  const SurfaceCurve drawn = through(opened->mesh(), eight(Point(20, 20, 0), 14, 60), true);
+  CurveSmoother smoother(opened);
+  smoother.set_curve(drawn);
+  const std::array pins = {drawn.points[drawn.points.size() / 8]};
+  smoother.set_pins(pins);
+  const SurfaceCurve held = smoother.smooth(0.5).curve();
+  EXPECT_NE(std::find(held.points.begin(), held.points.end(), pins[0]), held.points.end());
+
+  const SurfaceCurve moved = through(opened->mesh(), eight(Point(21, 20, 0), 14, 60), true);
+  const SmoothingResult preview = smoother.drag(0, moved);
+  EXPECT_EQ(preview.report().engine, "preview");
+  EXPECT_EQ(preview.report().crossings_after, 1U);
+}
+
+/// Crossings of paths along the edges of a (4 x 4) sheet.
+std::vector<std::size_t> crossings(const std::vector<std::vector<VertexId>>& ways) {
+  const Surface surface = surface_of_lists(grid(4, 4));
+  const SignpostTriangulation t(surface);
+  std::vector<EdgePath> paths;
+  for (const auto& way : ways) {
+    const bool closed = way.front() == way.back();
+    std::vector<HalfedgeId> h;
+    for (std::size_t i = 0; i + 1 < way.size(); ++i) {
+      h.push_back(surface.find_halfedge(way[i], way[i + 1]));
+    }
+    paths.push_back(EdgePath::make(t, h, closed));
+  }
+  return path_contacts(t, paths).crossings;
+}
+
+TEST(PathContacts, CountsWhatChangesSides) {
+  using Counts = std::vector<std::size_t>;
+  EXPECT_EQ(crossings({ids({10, 11, 12, 13, 14}), ids({2, 7, 12, 17, 22})}), Counts({1, 0}));
+  // Together for an edge, in the same direction and against it; across and to the same side.
+  EXPECT_EQ(crossings({ids({10, 11, 12, 13}), ids({6, 11, 12, 17})}), Counts({1, 0}));
+  EXPECT_EQ(crossings({ids({10, 11, 12, 13}), ids({17, 12, 11, 6})}), Counts({1, 0}));
+  EXPECT_EQ(crossings({ids({10, 11, 12, 13}), ids({6, 11, 12, 7})}), Counts({0, 0}));
+  EXPECT_EQ(crossings({ids({10, 11, 12, 13}), ids({7, 12, 11, 6})}), Counts({0, 0}));
+  // What ends on another does not cross it.
+  EXPECT_EQ(crossings({ids({10, 11, 12, 13}), ids({2, 7, 12})}), Counts({0, 0}));
+  EXPECT_EQ(crossings({ids({10, 11, 12, 13}), ids({2, 7, 12, 13})}), Counts({0, 0}));
+  // One path, across itself.
+  EXPECT_EQ(crossings({ids({10, 11, 12, 13, 18, 12, 17, 22})}), Counts({0}));
+  EXPECT_EQ(crossings({ids({10, 11, 12, 13, 18, 17, 12, 7, 2})}), Counts({1}));
+  // The same loop twice.
+  EXPECT_EQ(crossings({ids({6, 7, 12, 6}), ids({6, 7, 12, 6})}), Counts({0, 0}));
+}
+
+}  // namespace
+}  // namespace talweg

@@ -1,0 +1,271 @@
+// Where nothing is lifted no distance is needed, and a report measures far distances through space.
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "core/jagged_curves.hpp"
+#include "core/small_meshes.hpp"
+#include "talweg/core/measure/deviation.hpp"
+#include "talweg/core/smoothing/corridor.hpp"
+#include "talweg/core/smoothing/corridor_scale.hpp"
+#include "talweg/core/smoothing/curve_smoother.hpp"
+#include "talweg/core/smoothing/lifted_lengths.hpp"
+#include "talweg/core/smoothing/touched_edges.hpp"
+
+namespace talweg {
+namespace {
+
+using test::hills;
+using test::ids;
+
+/// A drawing over hills(size) that winds far away from the straight line between its ends.
+SurfaceCurve winding(const SurfaceMesh& mesh, std::uint32_t size) {
+  const auto at = [&](double x, double y) {
+    return static_cast<std::uint32_t>(y * size) * (size + 1) + static_cast<std::uint32_t>(x * size);
+  };
+  const std::uint32_t way[] = {at(0.1, 0.5), at(0.3, 0.9), at(0.5, 0.1), at(0.7, 0.9),
+                               at(0.9, 0.5)};
+  return test::vertex_curve(mesh.surface(), draw_edge_path(mesh.surface(), ids(way)), false);
+}
+
+struct Outcome {
+  SmoothingResult result;
+  std::size_t asked = 0;
+  std::size_t asked_of_distance = 0;  // of the heat method's stages
+};
+
+Outcome outcome_of(const std::shared_ptr<const OpenedMesh>& opened, const SurfaceCurve& drawn,
+                   double tau, const CurveOptions& curve_options = {}) {
+  Outcome outcome;
+  SmoothingOptions options;
+  options.tau = tau;
+  options.progress = [&](const char* stage, double) {
+    ++outcome.asked;
+    const std::string name = stage;
+    if (name == "laplacian" || name == "order" || name == "factor" || name == "solve") {
+      ++outcome.asked_of_distance;
+    }
+    return true;
+  };
+  CurveSmoother smoother(opened);
+  smoother.set_curve(drawn, curve_options, options.progress);
+  if (curve_options.method == Method::kCorridor) outcome.asked_of_distance = 0;
+  outcome.asked = 0;
+  outcome.result = smoother.smooth(options);
+  return outcome;
+}
+
+// Questions count the work: see cancelling_test.cpp.
+TEST(StraightResults, CostWhatStraighteningCosts) {
+  const auto opened = OpenedMesh::open(hills(160));
+  const SurfaceCurve drawn = winding(opened->mesh(), 160);
+  const Outcome straight = outcome_of(opened, drawn, 0), unfelt = outcome_of(opened, drawn, 1e-6),
+                felt = outcome_of(opened, drawn, 0.05);
+  // FlipOut asks once in 64 of its steps, and the distances along the edges that it has looked at
+  // cost no more; the rest is one question for each stage, and the deviation through space.
+  const std::size_t flip_out = straight.result.report().iterations / 32;
+  EXPECT_LT(straight.asked, flip_out + 100);
+  EXPECT_LT(unfelt.asked, 2 * flip_out + 100);
+  EXPECT_GT(felt.asked, 2 * straight.asked);
+}
+
+TEST(StraightResults, AreThoseOfAFlatPotentialAndOfTausThatAreNotFelt) {
+  const auto opened = OpenedMesh::open(hills(60));
+  const std::vector<double> flat(opened->surface().vertex_count(), 0.0);
+  for (const bool paper : {false, true}) {
+    CurveOptions options;
+    if (paper) options.method = Method::kPaper;
+    const SurfaceCurve drawn = winding(opened->mesh(), 60);
+    CurveSmoother smoother(opened);
+    smoother.set_curve(drawn, options);
+    const auto expected = smoother.smooth({.tau = 0}, flat, 1).curve().points;
+    EXPECT_EQ(smoother.smooth(0.0).curve().points, expected);
+    EXPECT_EQ(smoother.smooth(1e-7).curve().points, expected);
+    EXPECT_EQ(smoother.smooth({.tau = 1e-7, .prepare_whole_mesh = true}).curve().points, expected);
+    EXPECT_NE(smoother.smooth(0.05).curve().points, expected);
+  }
+}
+
+// From the smallest tau that is felt to the next one the curve gets no longer than by what is not
+// felt: 1e-7 of its length.
+TEST(StraightResults, GrowIntoLiftedOnes) {
+  const auto opened = OpenedMesh::open(hills(60));
+  CurveSmoother smoother(opened);
+  smoother.set_curve(winding(opened->mesh(), 60));
+  const SmoothingResult straight = smoother.smooth(0.0);
+  for (double tau = 1e-6; tau < 0.05; tau *= 1.5) {
+    const SmoothingResult lifted = smoother.smooth(tau);
+    if (lifted.curve().points == straight.curve().points) continue;
+    EXPECT_GT(tau, 1e-5);
+    EXPECT_NEAR(lifted.report().length_after, straight.report().length_after,
+                2e-7 * straight.report().length_after);
+    return;
+  }
+  FAIL() << "no tau is felt";
+}
+
+TEST(StraightResults, OfThePapersMethodNeedNoFactors) {
+  const auto opened = OpenedMesh::open(hills(40));
+  const SurfaceCurve drawn = winding(opened->mesh(), 40);
+  const CurveOptions now = {.method = Method::kPaper};
+  const CurveOptions later = {.method = Method::kPaper, .distance_at_once = false};
+  const Outcome straight = outcome_of(opened, drawn, 0, later);
+  EXPECT_EQ(straight.asked_of_distance, 0U);
+  EXPECT_EQ(straight.result.curve().points,
+            outcome_of(opened, drawn, 0, now).result.curve().points);
+
+  const auto again = OpenedMesh::open(hills(40));
+  const Outcome lifted = outcome_of(again, drawn, 1, later);
+  EXPECT_GT(lifted.asked_of_distance, 4U);
+  EXPECT_EQ(lifted.result.curve().points, outcome_of(opened, drawn, 1, now).result.curve().points);
+
+  CurveSmoother smoother(opened);
+  smoother.set_curve(drawn, later);
+  EXPECT_TRUE(smoother.distance().empty());
+  EXPECT_FALSE(smoother.need_distance([](const char*, double) { return false; }));
+  EXPECT_TRUE(smoother.distance().empty());
+  EXPECT_TRUE(smoother.need_distance());
+  CurveSmoother eager(opened);
+  eager.set_curve(drawn, now);
+  EXPECT_TRUE(std::equal(smoother.distance().begin(), smoother.distance().end(),
+                         eager.distance().begin(), eager.distance().end()));
+  EXPECT_THROW(CurveSmoother(opened).need_distance(), Error);
+}
+
+TEST(StraightResults, AreMeasuredThroughSpaceWhereTheyAreFar) {
+  const auto opened = OpenedMesh::open(hills(60));
+  const SurfaceCurve drawn = winding(opened->mesh(), 60);
+  CurveSmoother smoother(opened);
+  smoother.set_curve(drawn);
+  for (const double tau : {0.0, 0.1}) {
+    const SmoothingResult far = smoother.smooth(tau);
+    EXPECT_EQ(far.report().deviation, "euclidean");
+    const Deviation apart = deviation(positions_of(opened->mesh(), far.curve()), false,
+                                      positions_of(opened->mesh(), drawn), false);
+    EXPECT_EQ(far.report().deviation_to_drawn_max, apart.to_drawn.max);
+    EXPECT_EQ(far.report().deviation_from_drawn_mean, apart.from_drawn.mean);
+    EXPECT_TRUE(std::any_of(
+        far.report().warnings.begin(), far.report().warnings.end(),
+        [](const std::string& w) { return w.find("through space") != std::string::npos; }));
+  }
+  SmoothingOptions options;
+  options.tau = 0;
+  options.deviation = DeviationMeasure::kAlongSurface;
+  const SmoothingReport exact = smoother.smooth(options).report();
+  EXPECT_EQ(exact.deviation, "surface");
+  EXPECT_GT(exact.deviation_from_drawn_max, 4 * exact.edge_length_near);
+  EXPECT_EQ(smoother.smooth(1.0).report().deviation, "surface");
+}
+
+TEST(StraightResults, AreMeasuredAlongTheSurfaceWhereTheyAreNear) {
+  const auto opened = OpenedMesh::open(hills(40));
+  const std::uint32_t way[] = {20 * 41 + 5, 20 * 41 + 15};
+  const SurfaceCurve drawn =
+      test::vertex_curve(opened->surface(), draw_edge_path(opened->surface(), ids(way)), false);
+  CurveSmoother smoother(opened);
+  smoother.set_curve(drawn);
+  const SmoothingResult near = smoother.smooth(0.0);
+  EXPECT_EQ(near.report().deviation, "surface");
+  const SurfaceDeviation apart =
+      DeviationMeter(opened->mesh()).measure(std::span(&near.curves[0], 1), std::span(&drawn, 1));
+  EXPECT_EQ(near.report().deviation_to_drawn_max, apart.to_drawn.max);
+  EXPECT_EQ(near.report().deviation_from_drawn_max, apart.from_drawn.max);
+}
+
+TEST(StraightResults, AMeasureBelowALimitIsTheWholeOneOrNone) {
+  const SurfaceMesh mesh = SurfaceMesh::open(hills(40));
+  const SurfaceCurve drawn = test::wave_on_hills(mesh);
+  const std::uint32_t ends[] = {20 * 41 + 2, 20 * 41 + 38};
+  const SurfaceCurve other =
+      test::vertex_curve(mesh.surface(), draw_edge_path(mesh.surface(), ids(ends)), false);
+  DeviationMeter meter(mesh);
+  const std::span a(&drawn, 1), b(&other, 1);
+  const SurfaceDeviation whole = meter.measure(a, b);
+  const double most = whole.larger().max;
+  for (const double share : {0.1, 0.5, 0.9, 0.999}) {
+    EXPECT_FALSE(meter.measure_below(share * most, a, b).has_value()) << share;
+  }
+  const auto below = meter.measure_below(1.01 * most, a, b);
+  ASSERT_TRUE(below.has_value());
+  EXPECT_EQ(below->to_drawn.max, whole.to_drawn.max);
+  EXPECT_EQ(below->from_drawn.max, whole.from_drawn.max);
+  EXPECT_EQ(below->to_drawn.mean, whole.to_drawn.mean);
+}
+
+// ---- what is known without a distance ----
+
+TEST(TouchedEdges, AreNoFartherThanWaysAlongThem) {
+  const SurfaceMesh mesh = SurfaceMesh::open(hills(40));
+  const Surface& surface = mesh.surface();
+  const SurfaceCurve drawn = test::wave_on_hills(mesh);
+  PolylineDistance distance(surface);
+  distance.set(std::span(&drawn, 1));
+  std::vector<VertexId> touched;
+  for (std::uint32_t y = 10; y < 30; ++y) {
+    for (std::uint32_t x = 2; x < 39; ++x) touched.emplace_back(y * 41 + x);
+  }
+  touched.emplace_back(surface.vertex_count() + 3);  // inserted
+  const TouchedEdges edges = touched_edges(surface, touched, std::span(&drawn, 1));
+  double farthest = 0, shortest = HUGE_VAL;
+  for (std::size_t e = 0; e < surface.edge_count(); ++e) {
+    const HalfedgeId h = halfedge_of(EdgeId{e});
+    const auto is_touched = [&](VertexId v) {
+      return std::find(touched.begin(), touched.end(), v) != touched.end();
+    };
+    if (!is_touched(surface.tail(h)) && !is_touched(surface.head(h))) continue;
+    shortest = std::min(shortest, surface.length(EdgeId{e}));
+    farthest = std::max({farthest, distance.at_vertex(surface.tail(h)).distance,
+                         distance.at_vertex(surface.head(h)).distance});
+  }
+  EXPECT_GE(edges.farthest, farthest);
+  EXPECT_LT(edges.farthest, 2 * farthest);
+  EXPECT_LE(edges.shortest, shortest);
+  EXPECT_GT(edges.shortest, shortest / 4);
+  // A vertex that the others do not lead to could be anywhere.
+  EXPECT_EQ(touched_edges(surface, ids({0}), std::span(&drawn, 1)).farthest, HUGE_VAL);
+}
+
+TEST(TouchedEdges, NoLiftLengthensAnEdgeByMoreThanTheCorridorSays) {
+  const SurfaceMesh mesh = SurfaceMesh::open(hills(40));
+  const Surface& surface = mesh.surface();
+  const SurfaceCurve open = test::wave_on_hills(mesh);
+  const SurfaceCurve loop = test::drawn_near(
+      mesh, test::circle(Point(20, 20, 0), Point(12, 0, 0), Point(0, 9, 0), 12), true);
+  std::mt19937 random(3);
+  std::uniform_int_distribution<std::size_t> any(0, surface.edge_count() - 1);
+  const std::vector<std::vector<SurfaceCurve>> sets{{open}, {loop}, {open, loop}};
+  for (const std::vector<SurfaceCurve>& drawn : sets) {
+    PolylineDistance distance(surface);
+    distance.set(drawn);
+    for (const bool field : {false, true}) {
+      std::vector<Corridor::Valley> valleys;
+      for (const SurfaceCurve& curve : drawn) {
+        Corridor::Valley& valley = valleys.emplace_back();
+        valley.closed = curve.closed;
+        valley.slack = default_slack(surface, curve);
+        valley.length = corridor_length(mesh, curve);
+        valley.turns = 3;
+        if (!field) continue;
+        for (std::size_t i = 0; i < curve.points.size(); ++i) {
+          valley.slack_at.push_back(0.1 + 0.05 * static_cast<double>(i % 7));
+        }
+      }
+      const Corridor corridor(distance, 0.02, valleys);
+      for (int k = 0; k < 2000; ++k) {
+        const EdgeId e{any(random)};
+        const VertexId p = surface.tail(halfedge_of(e)), q = surface.head(halfedge_of(e));
+        const double length = surface.length(e);
+        const double far = std::max(distance.at_vertex(p).distance, distance.at_vertex(q).distance);
+        const double lifted = lifted_length(length, corridor.at_vertex(p), corridor.at_vertex(q));
+        EXPECT_LE(lifted / length - 1, corridor.largest_lengthening(far, length) + 1e-15);
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace talweg
