@@ -9,7 +9,7 @@
 #include <CLI/CLI.hpp>
 
 #include "file_plan.hpp"
-#include "smooth/smooth_parameters.hpp"
+#include "methods/smooth/smooth_parameters.hpp"
 
 namespace talweg::driver {
 

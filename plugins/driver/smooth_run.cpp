@@ -5,9 +5,9 @@
 #include <utility>
 
 #include "field_file.hpp"
+#include "methods/smooth/smooth_parameters.hpp"
 #include "output_file.hpp"
 #include "shared_work.hpp"
-#include "smooth/smooth_parameters.hpp"
 #include "talweg/core/drawing/drawn_curves.hpp"
 #include "talweg/core/io/curve_file.hpp"
 #include "talweg/core/stopwatch.hpp"

@@ -15,12 +15,12 @@
 #include "cgal_heat.hpp"
 #include "dragged_point.hpp"
 #include "measured_apart.hpp"
-#include "paper/ball.hpp"
-#include "paper/hand.hpp"
 #include "talweg/core/io/mesh_reader.hpp"
 #include "talweg/core/smoothing/curve_smoother.hpp"
 #include "talweg/heat/curve_sources.hpp"
 #include "talweg/intrinsic/exact_distance/polyline_distance.hpp"
+#include "tools/paper/ball.hpp"
+#include "tools/paper/hand.hpp"
 
 namespace talweg::benchmarks {
 namespace {

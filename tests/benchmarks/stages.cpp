@@ -4,14 +4,14 @@
 #include <cmath>
 #include <utility>
 
-#include "paper/ball.hpp"
-#include "paper/hand.hpp"
-#include "scenes/ply_writer.hpp"
 #include "talweg/core/io/mesh_reader.hpp"
 #include "talweg/core/measure/deviation.hpp"
 #include "talweg/core/measure/measures.hpp"
 #include "talweg/core/smoothing/lifted_lengths.hpp"
 #include "talweg/heat/curve_sources.hpp"
+#include "tools/paper/ball.hpp"
+#include "tools/paper/hand.hpp"
+#include "tools/scenes/ply_writer.hpp"
 
 namespace talweg::benchmarks {
 namespace {

@@ -5,7 +5,7 @@
 #   cpp                          a function body in OUT.cpp, behind PRELUDE
 #   sh                           run by OUT.sh, in the order of the file
 #   json                         parsed
-#   python                       run by tests/python/test_docs.py, unless it is a file as below
+#   python                       run by tests/hosts/python/test_docs.py, unless it is a file as below
 #   text                         nothing: output, or how a command line looks
 #   <!-- file: NAME -->          written to OUT.files/NAME, for the sh blocks to use
 #   <!-- needs: PROGRAM -->      an sh block that is skipped, with a message, where PROGRAM is missing

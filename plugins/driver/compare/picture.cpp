@@ -10,7 +10,7 @@
 
 #include <fmt/format.h>
 
-#include "picture/render.hpp"
+#include "tools/picture/render.hpp"
 
 namespace talweg::driver {
 namespace {

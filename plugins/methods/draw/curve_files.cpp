@@ -1,0 +1,163 @@
+#include "curve_files.hpp"
+
+#include <algorithm>
+#include <cstring>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "methods/drawing.hpp"
+#include "methods/workspace.hpp"
+#include "talweg/core/io/curve_file.hpp"
+#include "talweg/plugin/talweg_arrays.hpp"
+
+namespace talweg::plugins {
+namespace {
+
+void tell(const char* sentence, char* message, std::uint64_t size) noexcept {
+  if (message == nullptr || size == 0) return;
+  const std::size_t length = std::min<std::size_t>(std::strlen(sentence), size - 1);
+  std::memcpy(message, sentence, length);
+  message[length] = 0;
+}
+
+template <class Body>
+talweg_status attempt(char* message, std::uint64_t size, Body body) noexcept {
+  try {
+    tell("", message, size);
+    body();
+    return TALWEG_OK;
+  } catch (const plugin::Failure& failure) {
+    tell(failure.what(), message, size);
+    return failure.status();
+  } catch (const std::bad_alloc&) {
+    tell("There is not enough memory.", message, size);
+    return TALWEG_OUT_OF_MEMORY;
+  } catch (const std::exception& error) {
+    tell(error.what(), message, size);
+    return Workspace::status_of(error);
+  }
+}
+
+[[noreturn]] void bad(const char* sentence) { throw plugin::Failure(TALWEG_BAD_USAGE, sentence); }
+
+PlacedCurve placed(const talweg_curve* curve) {
+  if (curve == nullptr || curve->size < sizeof *curve) bad("A curve is null or too small.");
+  const std::uint64_t n = curve->faces.rows;
+  if (n == 0 || curve->barycentrics.rows != n || curve->positions.rows != n) {
+    bad("A curve to write needs a face, barycentrics and a position for each of its points.");
+  }
+  if (curve->vertices.rows != 0 && curve->vertices.rows != n) {
+    bad("A curve to write has not as many vertices as points.");
+  }
+  talweg_curve without_vertices = *curve;
+  without_vertices.vertices = plugin::kNoArray;
+  CurveInput input = input_of(without_vertices);
+  PlacedCurve result;
+  result.closed = input.closed;
+  result.faces = std::get<std::vector<FaceCoordinates>>(std::move(input.points));
+  const auto numbers = plugin::numbers_of(curve->positions, 3, "The curve's positions");
+  for (std::size_t k = 0; k < numbers.size(); k += 3) result.positions.emplace_back(&numbers[k]);
+  result.vertices.resize(n);
+  if (curve->vertices.rows == 0) return result;
+  plugin::check_array(curve->vertices, 1, "The curve's vertices");
+  if (curve->vertices.type != TALWEG_UINT32 || curve->vertices.stride > sizeof(std::uint32_t)) {
+    bad("The vertices of a curve to write are not dense and UINT32.");
+  }
+  const auto* vertices = static_cast<const std::uint32_t*>(curve->vertices.data);
+  for (std::size_t k = 0; k < n; ++k) {
+    if (vertices[k] != TALWEG_NO_VERTEX) result.vertices[k] = VertexId{vertices[k]};
+  }
+  return result;
+}
+
+LengthUnit unit_of(const char* code) {
+  return code == nullptr ? LengthUnit() : LengthUnit::named(code);
+}
+
+talweg_status write_in(const char* path, const char* mesh_unit, const talweg_curve* const* curves,
+                       std::uint64_t count, char* message, std::uint64_t message_size) noexcept {
+  return attempt(message, message_size, [&] {
+    if (path == nullptr || (curves == nullptr && count > 0))
+      bad("The path or the curves are null.");
+    std::vector<PlacedCurve> ready;
+    for (std::uint64_t k = 0; k < count; ++k) ready.push_back(placed(curves[k]));
+    write_curves(path, ready, unit_of(mesh_unit));
+  });
+}
+
+/// A curve of a file, as views of lists that live as long as this.
+class Input {
+ public:
+  explicit Input(const CurveInput& curve) {
+    view_.size = sizeof view_;
+    view_.closed = curve.closed ? 1 : 0;
+    std::visit([this](const auto& points) { take(points); }, curve.points);
+    for (const std::size_t pin : curve.pins) pins_.push_back(static_cast<std::uint32_t>(pin));
+    view_.pins = plugin::view(pins_.data(), pins_.size());
+  }
+  Input(const Input&) = delete;
+  Input& operator=(const Input&) = delete;
+  [[nodiscard]] const talweg_curve& view() const { return view_; }
+
+ private:
+  void take(const std::vector<VertexId>& ids) {
+    for (const VertexId v : ids) indices_.push_back(static_cast<std::uint32_t>(v.index()));
+    view_.vertices = plugin::view(indices_.data(), indices_.size());
+  }
+  void take(const std::vector<FaceCoordinates>& points) {
+    for (const FaceCoordinates& at : points) {
+      indices_.push_back(static_cast<std::uint32_t>(at.face.index()));
+      numbers_.insert(numbers_.end(), at.barycentric.begin(), at.barycentric.end());
+    }
+    view_.faces = plugin::view(indices_.data(), indices_.size());
+    view_.barycentrics = plugin::view(numbers_.data(), points.size(), 3);
+  }
+  void take(const std::vector<Point>& points) {
+    for (const Point& p : points) numbers_.insert(numbers_.end(), p.begin(), p.end());
+    view_.positions = plugin::view(numbers_.data(), points.size(), 3);
+  }
+
+  talweg_curve view_ = {};
+  std::vector<std::uint32_t> indices_, pins_;
+  std::vector<double> numbers_;
+};
+
+talweg_status read_in(const char* path, const char* mesh_unit, const talweg_sink* sink,
+                      char* message, std::uint64_t message_size) noexcept {
+  return attempt(message, message_size, [&] {
+    if (path == nullptr) bad("The path is null.");
+    if (sink == nullptr || sink->size < sizeof *sink) bad("The sink is null or too small.");
+    for (const CurveInput& curve : read_curves(path, unit_of(mesh_unit))) {
+      if (sink->curve == nullptr) continue;
+      const Input input(curve);
+      if (sink->curve(sink->context, &input.view()) != TALWEG_OK) {
+        throw plugin::Failure(TALWEG_HOST_FAILED, "The host did not take a curve.");
+      }
+    }
+  });
+}
+
+talweg_status write(const char* path, const talweg_curve* const* curves, std::uint64_t count,
+                    char* message, std::uint64_t message_size) noexcept {
+  return write_in(path, nullptr, curves, count, message, message_size);
+}
+
+talweg_status read(const char* path, const talweg_sink* sink, char* message,
+                   std::uint64_t message_size) noexcept {
+  return read_in(path, nullptr, sink, message, message_size);
+}
+
+}  // namespace
+
+const talweg_curve_files_2* curve_files_2() {
+  static constexpr talweg_curve_files_2 kFiles = {sizeof kFiles, write_in, read_in};
+  return &kFiles;
+}
+
+const talweg_curve_files* curve_files() {
+  static constexpr talweg_curve_files kFiles = {sizeof kFiles, write, read};
+  return &kFiles;
+}
+
+}  // namespace talweg::plugins

@@ -1,0 +1,187 @@
+// talweg.draw: points become a curve.
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "curve_files.hpp"
+#include "methods/results.hpp"
+#include "methods/workspace.hpp"
+#include "talweg/core/drawing/drawing.hpp"
+#include "talweg/core/measure/measures.hpp"
+#include "talweg/intrinsic/error.hpp"
+
+namespace talweg::plugins {
+namespace {
+
+class Draw : public Workspace {
+ public:
+  using Workspace::Workspace;
+
+  static talweg_plugin about() {
+    talweg_plugin about = about_curves(
+        "talweg.draw", "Draw curves",
+        "Draws curves through points in their order: shortest edge paths between vertices, never "
+        "through itself, or straight lines over the surface between any points. Points need not be "
+        "neighbours.");
+    about.get_extension = extension;
+    return about;
+  }
+  static const void* extension(const char* id) {
+    if (id == nullptr) return nullptr;
+    if (std::string_view(id) == TALWEG_CURVE_FILES) return curve_files();
+    return std::string_view(id) == TALWEG_CURVE_FILES_2 ? curve_files_2() : nullptr;
+  }
+  static std::vector<talweg_parameter> parameters() {
+    return {plugin::boolean("straight", "Straight", false,
+                            "Straight over the faces instead of along edges."),
+            plugin::boolean("preview", "Preview", false,
+                            "While a point is dragged: of a curve of which one way-point has moved "
+                            "since the last run without preview only the legs that meet it are "
+                            "drawn anew, around the others. The next run without preview gives "
+                            "what counts.",
+                            TALWEG_STAGE_RUN, TALWEG_ADVANCED)};
+  }
+  static std::vector<talweg_output> outputs() {
+    using plugin::output;
+    return {output(TALWEG_OUTPUT_CURVES, "curves", "Drawn curves", "",
+                   "One for each given curve, in their order."),
+            output(TALWEG_OUTPUT_POINT_FIELD, "given", "Given points", "",
+                   "1 at the points that were given, 0 at those that join them."),
+            output(TALWEG_OUTPUT_REPORT, "report", "Report", "",
+                   "Points and length of each curve and in total.")};
+  }
+
+  void set_curves(std::span<const talweg_curve* const> curves) {
+    std::vector<SnappedCurve> snapped;
+    for (const talweg_curve* curve : curves) snapped.push_back(points_of(input_of(*curve)));
+    snapped_ = std::move(snapped);
+  }
+
+  void run(const plugin::Parameters& parameters, const plugin::Outputs& outputs) {
+    const bool straight = parameters.flag("straight"), preview = parameters.flag("preview");
+    std::vector<PlacedCurve> placed;
+    std::vector<std::vector<PointField>> fields(snapped_.size());
+    std::vector<double> lengths;
+    std::vector<DrawnPath> paths;
+    double total = 0;
+    for (std::size_t c = 0; c < snapped_.size(); ++c) {
+      if (!services().go_on("draw",
+                            static_cast<double>(c) / static_cast<double>(snapped_.size()))) {
+        throw plugin::Services::cancelled();
+      }
+      const DrawnPath* last = preview && c < paths_.size() ? &paths_[c] : nullptr;
+      const SurfaceCurve curve = cancellable([&] {
+        return straight ? lines().join(snapped_[c].points, snapped_[c].closed, progress())
+                        : along_edges(snapped_[c], last, paths.emplace_back());
+      });
+      placed.push_back(place(mesh(), curve, c));
+      if (outputs.wants_point_fields()) fields[c] = {given_field(snapped_[c], curve)};
+      lengths.push_back(curve_length(mesh().surface(), curve));
+      total += lengths.back();
+    }
+    if (!preview) paths_ = std::move(paths);
+    outputs.report(-1, "length", total);
+    for (std::size_t c = 0; c < placed.size(); ++c) {
+      const auto number = static_cast<std::int64_t>(c);
+      give(outputs, placed[c], fields[c]);
+      outputs.report(number, "points", static_cast<double>(placed[c].faces.size()),
+                     TALWEG_VALUE_INTEGER);
+      outputs.report(number, "length", lengths[c]);
+    }
+  }
+
+ private:
+  /// Vertices as they are, in whatever order and however often they come; other points snapped.
+  SnappedCurve points_of(const CurveInput& input) {
+    const auto* ids = std::get_if<std::vector<VertexId>>(&input.points);
+    if (ids == nullptr) return snap(mesh(), input);
+    SnappedCurve result;
+    result.closed = input.closed;
+    for (const VertexId v : *ids) {
+      result.points.push_back(SurfacePoint::at_vertex(mesh().surface(), v));
+    }
+    for (const std::size_t pin : input.pins) {
+      if (pin >= ids->size()) {
+        throw Error(ErrorCode::kBadCurve, "There is no point " + std::to_string(pin) + " to pin.");
+      }
+    }
+    if (ids->size() < 2) throw Error(ErrorCode::kBadCurve, "A curve needs at least two points.");
+    return result;
+  }
+
+  /// A drawing along edges, and what it was drawn through.
+  struct DrawnPath {
+    bool closed = false;
+    std::vector<VertexId> through, vertices;
+  };
+
+  static std::vector<VertexId> way_points(const SnappedCurve& points) {
+    std::vector<VertexId> through;
+    for (const SurfacePoint& point : points.points) {
+      const auto* at = std::get_if<AtVertex>(&point.where());
+      if (at == nullptr) {
+        throw Error(ErrorCode::kBadCurve, "Point " + std::to_string(through.size()) +
+                                              " is not at a vertex, so no edges lead there; draw "
+                                              "straight instead.");
+      }
+      through.push_back(at->vertex);
+    }
+    return through;
+  }
+
+  /// `last`: the path to keep what can be kept of, or null.
+  SurfaceCurve along_edges(const SnappedCurve& points, const DrawnPath* last, DrawnPath& path) {
+    path.closed = points.closed;
+    path.through = way_points(points);
+    if (!dijkstra_) dijkstra_.emplace(mesh().surface());
+    const std::optional<std::size_t> moved =
+        last != nullptr ? only_change(*last, path) : std::nullopt;
+    path.vertices =
+        moved ? dijkstra_->redraw(last->vertices, path.through, *moved, path.closed, progress())
+              : dijkstra_->draw(path.through, path.closed, progress());
+    SurfaceCurve curve{path.closed, {}};
+    for (const VertexId v : path.vertices) {
+      curve.points.push_back(SurfacePoint::at_vertex(mesh().surface(), v));
+    }
+    return curve;
+  }
+
+  /// The given points come in their order, as they are.
+  static PointField given_field(const SnappedCurve& given, const SurfaceCurve& drawn) {
+    PointField field{"given", "", {}};
+    std::size_t next = 0;
+    for (const SurfacePoint& point : drawn.points) {
+      const bool is_given = next < given.points.size() && point == given.points[next];
+      if (is_given) ++next;
+      field.values.push_back(is_given ? 1.0 : 0.0);
+    }
+    return field;
+  }
+
+  /// The one way-point that is not the same in both.
+  static std::optional<std::size_t> only_change(const DrawnPath& a, const DrawnPath& b) {
+    if (a.closed != b.closed || a.through.size() != b.through.size()) return std::nullopt;
+    const auto first = std::mismatch(a.through.begin(), a.through.end(), b.through.begin());
+    const auto moved = first.first - a.through.begin();
+    if (first.first == a.through.end()) return std::nullopt;
+    const bool only = std::equal(first.first + 1, a.through.end(), first.second + 1);
+    return only ? std::optional(static_cast<std::size_t>(moved)) : std::nullopt;
+  }
+
+  void forget() override {
+    dijkstra_.reset();
+    paths_.clear();
+  }
+
+  std::vector<SnappedCurve> snapped_;
+  std::optional<EdgeDijkstra> dijkstra_;  // made when first needed
+  std::vector<DrawnPath> paths_;          // of the last run along edges without preview
+};
+
+}  // namespace
+}  // namespace talweg::plugins
+
+TALWEG_PLUGIN_MODULE(talweg::plugins::Draw)

@@ -1,0 +1,222 @@
+#include "smooth_parameters.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <optional>
+
+#include "methods/deviation_choice.hpp"
+#include "talweg/core/smoothing/max_deviation.hpp"
+
+namespace talweg::plugins {
+namespace {
+
+using plugin::Parameters;
+
+constexpr const char* kPotentials[] = {"corridor", "paper"};
+constexpr const char* kPotentialLabels[] = {"Corridor: flat within the slack",
+                                            "The paper's, equations 4 to 6"};
+constexpr const char* kEngines[] = {"auto", "full", "local"};
+constexpr const char* kEngineLabels[] = {"Automatic", "Distance over the whole mesh (paper)",
+                                         "Distance near the drawing (corridor)"};
+constexpr const char* kShapes[] = {"power", "exponential"};
+constexpr const char* kShapeLabels[] = {"Power", "Exponential"};
+constexpr const char* kLengths[] = {"max_distance", "curve_length", "given"};
+constexpr const char* kLengthLabels[] = {"Largest distance", "Length of the drawing", "Given"};
+
+constexpr std::uint32_t kCurves = TALWEG_STAGE_CURVES, kRun = TALWEG_STAGE_RUN;
+constexpr std::uint32_t kOptional = TALWEG_OPTIONAL, kAdvanced = TALWEG_ADVANCED;
+
+struct OfOnePotential {
+  const char* id;
+  const char* potential;
+  bool field = false;
+};
+constexpr OfOnePotential kOfOnePotential[] = {{"distance", "paper", true},
+                                              {"heat_time", "paper"},
+                                              {"slack", "corridor"},
+                                              {"slack_field", "corridor", true},
+                                              {"max_deviation", "corridor"}};
+
+void require(bool good, const std::string& message) {
+  if (!good) throw plugin::Failure(TALWEG_BAD_USAGE, message);
+}
+
+void check_together(const Parameters& p) {
+  const std::string &potential = p.choice("potential"), &engine = p.choice("engine");
+  const bool corridor = potential == "corridor";
+  require(!corridor || engine != "full", "The potential corridor needs the engine local.");
+  require(corridor || engine != "local", "The potential paper needs the engine full.");
+  for (const OfOnePotential& one : kOfOnePotential) {
+    const bool given = one.field ? !p.field(one.id).empty() : p.optional(one.id).has_value();
+    require(!given || potential == one.potential,
+            std::string(one.id) + " needs the potential " + one.potential + ".");
+  }
+}
+
+std::vector<talweg_parameter> main_parameters() {
+  using plugin::array, plugin::boolean, plugin::choice, plugin::integer, plugin::number;
+  return {
+      number("tau", "Tau", "", 1, {0, HUGE_VAL, 0, 16},
+             "0: straight lines; more keeps closer to the drawing."),
+      number(
+          "slack", "Slack", "mesh units", 0, {0, HUGE_VAL, 0, 10},
+          "How exact the drawing is (corridor). By default 0.7 of its median segment, less where "
+          "it turns little, at most 1/24 of its length.",
+          kRun, kOptional),
+      number(
+          "max_deviation", "Largest deviation", "mesh units", 0, {0, HUGE_VAL, 0, 10},
+          "The smoothest curve that deviates from the drawing by no more, either way; chooses tau "
+          "and slack (corridor). By default no bound.",
+          kRun, kOptional | TALWEG_OPEN_MINIMUM),
+      choice("potential", "Potential", "corridor", kPotentials, kPotentialLabels,
+             "paper: equations 4 to 6; corridor: flat within the slack, exact distance.", kCurves),
+      array(TALWEG_FIELD, "slack_field", "Slack field", "mesh units",
+            "The slack near each mesh vertex, instead of slack (corridor)."),
+      array(TALWEG_VERTICES, "pin", "Pins", "",
+            "Vertices of the drawing that the result passes through.", kCurves),
+      boolean("preview", "Preview", false,
+              "While a curve is dragged: smooths only the stretch that differs from the last run "
+              "without preview, and joins it to that result (corridor, one curve changed; else "
+              "everything is smoothed). The next run without preview gives what counts.",
+              kRun, kAdvanced),
+      integer("relax", "Rounds of relaxation", 0, {0, 1e6, 0, 20},
+              "Rounds of relaxation along the supporting edges (the paper: 5)."),
+      choice("engine", "Engine", "auto", kEngines, kEngineLabels,
+             "full: distance over the whole mesh (paper); local: near the drawing (corridor).",
+             kRun, kAdvanced),
+      number("heat_time", "Heat time", "squared mean edge lengths", 10, {1e-3, 1e6, 1, 100},
+             "Smoothing of the paper's distance. By default 10.", kCurves,
+             kOptional | kAdvanced | TALWEG_LOGARITHMIC),
+      array(TALWEG_FIELD, "distance", "Distance", "mesh units",
+            "Distance to the drawing, used as it is (paper). By default it is computed.", kCurves,
+            kAdvanced),
+      integer("threads", "Threads", 2, {1, 1024, 1, 16}, "Threads at most; never changes a result.",
+              kRun, kAdvanced),
+  };
+}
+
+std::vector<talweg_parameter> further_parameters() {
+  using plugin::boolean, plugin::choice, plugin::integer, plugin::number;
+  return {
+      boolean("cap_corners", "Cap corners", true,
+              "Cut corners of drawings that run along mesh edges first, as the paper does.",
+              kCurves, kAdvanced),
+      number("bump_radius", "Bump radius", "mesh units", 0, {0, HUGE_VAL, 0, 10},
+             "Above 0 the paper's distance is smoothed once more by its equation 3.", kCurves,
+             kAdvanced),
+      choice("potential_shape", "Shape of the potential", "power", kShapes, kShapeLabels,
+             "The function f of the paper's potential.", kRun, kAdvanced),
+      number("potential_exponent", "Exponent of the potential", "", 2, {1, 16, 1, 4},
+             "Of the power.", kRun, kAdvanced),
+      number("potential_gain", "Gain of the potential", "", 10, {0, HUGE_VAL, 1, 100},
+             "The paper's a.", kRun, kAdvanced | TALWEG_OPEN_MINIMUM),
+      choice("potential_length", "Length of the potential", "max_distance", kLengths, kLengthLabels,
+             "What the paper's L is.", kRun, kAdvanced),
+      number("given_length", "Given length", "mesh units", 0, {0, HUGE_VAL, 0, 100},
+             "L where potential_length is given; above 0 then.", kRun, kAdvanced),
+      integer("phase_turns", "Turns of the phase", 3, {0, 64, 0, 8},
+              "How often the corridor's phase runs around a loop, at most points / 8.", kRun,
+              kAdvanced),
+      boolean("polish", "Polish", true, "Polish the corridor's result.", kRun, kAdvanced),
+      integer("max_iterations", "Most iterations", 0, {0, 1e9, 0, 1e6},
+              "Of the straightening; 0: its own bound.", kRun, kAdvanced),
+      number("min_relative_length", "Least relative length", "", 0, {0, 1, 0, 1},
+             "Stop at this fraction of the lifted length; below 1.", kRun, kAdvanced),
+      number("length_floor", "Least length of a loop", "mesh units", 0, {0, HUGE_VAL, 0, 10},
+             "A loop that gets shorter has collapsed. By default 3 mean edges of the drawn loop.",
+             kRun, kOptional | kAdvanced),
+      deviation_choice_by_tau(),
+  };
+}
+
+PotentialOptions potential_options_of(const Parameters& p) {
+  PotentialOptions options;
+  options.shape = p.choice("potential_shape") == "power" ? PotentialOptions::Shape::kPower
+                                                         : PotentialOptions::Shape::kExponential;
+  options.exponent = p.number("potential_exponent");
+  options.gain = p.number("potential_gain");
+  const std::string& length = p.choice("potential_length");
+  options.length = length == "given"          ? PotentialOptions::Length::kGiven
+                   : length == "curve_length" ? PotentialOptions::Length::kCurveLength
+                                              : PotentialOptions::Length::kMaximumDistance;
+  options.given_length = p.number("given_length");
+  return options;
+}
+
+}  // namespace
+
+const std::vector<talweg_parameter>& smooth_parameters() {
+  static const std::vector<talweg_parameter> table = [] {
+    std::vector<talweg_parameter> all = main_parameters();
+    for (const talweg_parameter& parameter : further_parameters()) all.push_back(parameter);
+    return all;
+  }();
+  return table;
+}
+
+const talweg_parameter& smooth_parameter(std::string_view id) {
+  const std::vector<talweg_parameter>& table = smooth_parameters();
+  const auto found = std::find_if(table.begin(), table.end(),
+                                  [&](const talweg_parameter& p) { return id == p.id; });
+  assert(found != table.end());
+  return *found;
+}
+
+std::string potential_of(std::string_view id) {
+  for (const OfOnePotential& one : kOfOnePotential) {
+    if (id == one.id) return one.potential;
+  }
+  return {};
+}
+
+CurveOptions curve_options_of(const Parameters& p) {
+  check_together(p);
+  CurveOptions options;
+  options.method = p.choice("potential") == "corridor" ? Method::kCorridor : Method::kPaper;
+  if (const auto heat_time = p.optional("heat_time")) options.heat_time = *heat_time;
+  options.bump_radius = p.number("bump_radius");
+  options.cap_corners = p.flag("cap_corners");
+  options.threads = static_cast<unsigned>(p.number("threads"));
+  options.distance_at_once = false;  // only run() knows whether it is needed
+  return options;
+}
+
+bool set_curves(CurveSmoother& smoother, std::span<const SurfaceCurve> curves, const Parameters& p,
+                const CurveOptions& options, const Progress& progress) {
+  if (!go_on(progress, "solve", 0)) return false;
+  const std::vector<double>& distance = p.field("distance");
+  if (distance.empty()) return smoother.set_curves(curves, options, progress);
+  return smoother.set_curves(curves, distance, options, progress);
+}
+
+SmoothingOptions smoothing_options_of(const Parameters& p, const Surface& surface,
+                                      std::span<const SurfaceCurve> drawn,
+                                      const Progress& progress) {
+  SmoothingOptions options;
+  options.progress = progress;
+  if (const std::vector<double>& slack = p.field("slack_field"); !slack.empty()) {
+    for (const SurfaceCurve& curve : drawn) {
+      options.slack_at.push_back(slack_along(surface, curve, slack));
+    }
+  }
+  options.tau = p.number("tau");
+  options.potential = potential_options_of(p);
+  options.slack = p.optional("slack");
+  options.phase_turns = static_cast<int>(p.number("phase_turns"));
+  options.polish = p.flag("polish");
+  options.relax_rounds = static_cast<int>(p.number("relax"));
+  options.max_iterations = static_cast<std::size_t>(p.number("max_iterations"));
+  options.min_relative_length = p.number("min_relative_length");
+  options.length_floor = p.optional("length_floor");
+  options.deviation = deviation_of(p);
+  return options;
+}
+
+SmoothingResult smooth_by(const Parameters& p, CurveSmoother& smoother,
+                          const SmoothingOptions& options) {
+  const std::optional<double> bound = p.optional("max_deviation");
+  return bound ? smooth_within(smoother, *bound, options) : smoother.smooth(options);
+}
+
+}  // namespace talweg::plugins

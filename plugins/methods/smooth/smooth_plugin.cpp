@@ -1,0 +1,166 @@
+// talweg.smooth: the pipeline, from drawing to smoothed curve.
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "methods/point_fields.hpp"
+#include "methods/results.hpp"
+#include "methods/smoother_workspace.hpp"
+#include "smooth_parameters.hpp"
+#include "talweg/core/smoothing/curve_smoother.hpp"
+
+namespace talweg::plugins {
+namespace {
+
+class Smooth : public SmootherWorkspace {
+ public:
+  using SmootherWorkspace::SmootherWorkspace;
+
+  static talweg_plugin about() {
+    return about_curves(
+        "talweg.smooth", "Smooth curves",
+        "Smooths drawn curves while they stay close to the drawing. Several curves are smoothed "
+        "together and do not cross. Vertices of a drawing must be neighbours; other points are "
+        "joined straight over the surface.");
+  }
+  static std::vector<talweg_parameter> parameters() { return smooth_parameters(); }
+  static std::vector<talweg_output> outputs() {
+    using plugin::output;
+    return {
+        output(TALWEG_OUTPUT_CURVES, "curves", "Smoothed curves", "",
+               "One for each drawn curve, in their order."),
+        output(TALWEG_OUTPUT_POINT_FIELD, "deviation", "Deviation", "mesh units",
+               "Distance along the surface to the drawn curve."),
+        output(TALWEG_OUTPUT_POINT_FIELD, "curvature", "Geodesic curvature", "radians",
+               "By how much the curve turns at the point; 0 at the ends."),
+        output(TALWEG_OUTPUT_VERTEX_FIELD, "distance", "Distance to the drawing", "mesh units",
+               "The distance that the potential is made of; infinite where no curve is reached."),
+        output(TALWEG_OUTPUT_REPORT, "report", "Report", "",
+               "What was done and measured, of each curve and in total."),
+    };
+  }
+
+  void run(const plugin::Parameters& parameters, const plugin::Outputs& outputs) {
+    const CurveOptions curve_options = curve_options_of(parameters);
+    const std::optional<std::size_t> dragged = dragged_curve(parameters);
+    if (!dragged) solve(parameters, curve_options);
+    const SmoothingOptions options =
+        smoothing_options_of(parameters, mesh().surface(), smoother().drawn(), progress());
+    SmoothingResult result =
+        dragged ? drag(*dragged, parameters, options) : smooth(parameters, options);
+    check(result);
+    add_warnings(result);
+    give_all(outputs, result);
+  }
+
+ private:
+  SmoothingResult smooth(const plugin::Parameters& parameters, const SmoothingOptions& options) {
+    SmoothingResult result = smooth_by(parameters, smoother(), options);
+    found_tau_ = result.total.tau;
+    found_slack_ = result.total.slack;
+    return result;
+  }
+
+  /// With tau and slack as they were found for the bound, if there is one.
+  SmoothingResult drag(std::size_t curve, const plugin::Parameters& parameters,
+                       SmoothingOptions options) {
+    if (parameters.optional("max_deviation")) {
+      options.tau = found_tau_;
+      options.slack = found_slack_;
+    }
+    return smoother().drag(curve, drawing().curves[curve], options);
+  }
+
+  /// The one curve that is not as it was in the last run without preview; none where that says
+  /// nothing about this run.
+  std::optional<std::size_t> dragged_curve(const plugin::Parameters& parameters) {
+    if (!parameters.flag("preview") || parameters.choice("potential") != "corridor") return {};
+    if (!has_smoother() || !solved_ || changes_of(parameters) != changes_) return {};
+    const auto drawn = smoother().drawn();
+    const std::vector<SurfaceCurve>& now = drawing().curves;
+    if (now.size() != drawn.size()) return {};
+    std::vector<std::size_t> changed;
+    for (std::size_t c = 0; c < now.size(); ++c) {
+      if (now[c].closed != drawn[c].closed || now[c].points != drawn[c].points) {
+        changed.push_back(c);
+      }
+    }
+    if (changed.size() > 1) return {};
+    return changed.empty() ? 0 : changed.front();
+  }
+
+  [[nodiscard]] std::vector<SurfacePoint> pins(const plugin::Parameters& parameters) const {
+    std::vector<SurfacePoint> pins = drawing().pins;
+    for (const std::uint32_t v : parameters.vertices("pin")) {
+      pins.push_back(SurfacePoint::at_vertex(mesh().surface(), VertexId{v}));
+    }
+    return pins;
+  }
+
+  static std::uint64_t changes_of(const plugin::Parameters& parameters) {
+    return parameters.changes_of(TALWEG_STAGE_CURVES) - parameters.changes("pin");
+  }
+
+  /// Sets the curves where anything that they depend on has changed.
+  void solve(const plugin::Parameters& parameters, CurveOptions options) {
+    options.pins = pins(parameters);
+    const std::uint64_t changes = changes_of(parameters);
+    if (solved_ && has_smoother() && drawings() == drawings_ && changes == changes_) {
+      if (options.pins == pins_) return;
+      if (options.method == Method::kCorridor) {
+        if (!smoother().set_pins(options.pins, progress())) throw plugin::Services::cancelled();
+        pins_ = options.pins;
+        return;
+      }
+    }
+    solved_ = false;
+    if (!plugins::set_curves(smoother(), drawing().curves, parameters, options, progress())) {
+      throw plugin::Services::cancelled();
+    }
+    solved_ = true;
+    drawings_ = drawings();
+    changes_ = changes;
+    pins_ = options.pins;
+  }
+
+  void add_warnings(SmoothingResult& result) const {
+    for (SmoothingReport& report : result.reports) add_drawing_warnings(drawing(), report.warnings);
+    add_drawing_warnings(drawing(), result.total.warnings);
+    for (const std::string& warning : result.total.warnings) {
+      services().log(TALWEG_LOG_WARNING, warning);
+    }
+  }
+
+  void give_all(const plugin::Outputs& outputs, const SmoothingResult& result) {
+    std::vector<double> distance;
+    if (outputs.wants_fields()) distance = distance_field();
+    const auto fields = [&](std::size_t c) -> std::vector<PointField> {
+      return {deviation_field(mesh(), drawing().curves[c], result.curves[c], services()),
+              curvature_field(mesh(), result.curves[c])};
+    };
+    give_curves(outputs, result, fields, entries_of);
+    if (outputs.wants_fields()) give(outputs, "distance", "mesh units", distance);
+  }
+
+  std::vector<double> distance_field() {
+    if (!smoother().need_distance(progress())) throw plugin::Services::cancelled();
+    if (!smoother().distance().empty()) {
+      return {smoother().distance().begin(), smoother().distance().end()};
+    }
+    return exact_distance_field(mesh().surface(), drawing().curves, services());
+  }
+
+  bool solved_ = false;
+  double found_tau_ = 0, found_slack_ = 0;  // in the last run without preview
+  std::uint64_t drawings_ = 0;
+  std::uint64_t changes_ = 0;
+  std::vector<SurfacePoint> pins_;
+};
+
+}  // namespace
+}  // namespace talweg::plugins
+
+TALWEG_PLUGIN_MODULE(talweg::plugins::Smooth)

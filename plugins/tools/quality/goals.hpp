@@ -1,0 +1,24 @@
+// What was asked for beside what was reached.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "tools/quality/runs.hpp"
+
+namespace talweg::quality {
+
+struct Goal {
+  std::string what, asked, reached;
+  bool met = false;
+};
+
+/// The goals of the default settings. Those of which nothing was measured are left out.
+std::vector<Goal> goals(std::span<const Run> runs, std::span<const Sweep> sweeps,
+                        std::span<const Subdivision> subdivisions);
+
+/// As Markdown.
+std::string tables(std::span<const Goal> goals);
+
+}  // namespace talweg::quality

@@ -1,0 +1,67 @@
+// What is measured: smoothing at the default settings, τ swept, and the same shape on finer meshes.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "talweg/core/smoothing/curve_smoother.hpp"
+#include "tools/quality/drawings.hpp"
+
+namespace talweg::quality {
+
+/// One mesh with what is drawn on it.
+struct Subject {
+  std::string name;
+  MeshLists lists;
+  std::shared_ptr<const OpenedMesh> mesh;
+  std::vector<Drawing> drawings;
+};
+
+/// One drawing at one τ. Lengths in h₀, the mean edge near the drawing; angles in radians.
+struct Run {
+  std::string mesh, drawing;
+  bool closed = false;
+  double edge = 0;  ///< h₀, mesh units
+  double tau = 0;
+  double curvature_before = 0, curvature_after = 0;
+  double least_curvature = 0;                      ///< of closed curves, by Gauss and Bonnet
+  double to_drawn = 0, from_drawn = 0, slack = 0;  ///< h₀
+  double length_ratio = 0;                         ///< after / before
+  double solve_ms = 0, smooth_ms = 0;              ///< the distance; all that a new τ repeats
+  std::string termination;
+  bool warned = false;
+
+  /// Total curvature after / before, both less what no closed curve here can do without.
+  [[nodiscard]] double ratio() const {
+    return (curvature_after - least_curvature) / (curvature_before - least_curvature);
+  }
+};
+
+/// Every drawing at four τ. `relax_rounds`: of the paper's relaxation.
+std::vector<Run> default_runs(const Subject& subject, const CurveOptions& curve_options,
+                              int relax_rounds = 0);
+
+/// τ from 0.25 to 4 in steps of 1 %.
+struct Sweep {
+  std::string mesh, drawing;
+  std::size_t steps = 0;
+  std::size_t rises = 0;  ///< steps in which the deviation rises by more than 0.1 h₀
+  std::size_t moves = 0;  ///< steps in which the curve moves by more than 0.2 h₀
+  double largest_move = 0, largest_rise = 0;  ///< h₀
+};
+Sweep sweep(const Subject& subject, const Drawing& drawing, const CurveOptions& curve_options);
+
+/// The drawing on the mesh as it is and with every face divided in four once and twice; slack and
+/// characteristic length as on the coarsest.
+struct Subdivision {
+  std::string mesh, drawing;
+  double curvature[3] = {};  ///< by level
+  double apart[3] = {};      ///< Hausdorff distance to the coarsest's result, h₀ of the coarsest
+};
+Subdivision subdivision(const Subject& subject, const Drawing& drawing, double tau,
+                        const CurveOptions& curve_options);
+
+}  // namespace talweg::quality

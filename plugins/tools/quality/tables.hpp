@@ -1,0 +1,26 @@
+// What was measured, as tables.
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "tools/quality/runs.hpp"
+
+namespace talweg::quality {
+
+/// Whether the drawing turns by 25 rad or more. Others count nowhere where curvature is compared.
+bool jagged(const Run& run);
+
+/// Every run, as comma-separated values.
+std::string csv(std::span<const Run> runs);
+
+/// As Markdown.
+std::string tables(std::span<const Run> runs);
+/// Three rows each: the defaults, and the same drawings with the paper's potential, without and
+/// with its relaxation; then what they cost. Meshes without runs of the latter are left out.
+std::string side_by_side(std::span<const Run> defaults, std::span<const Run> paper,
+                         std::span<const Run> relaxed);
+std::string tables(std::span<const Sweep> sweeps);
+std::string tables(std::span<const Subdivision> subdivisions);
+
+}  // namespace talweg::quality

@@ -1,0 +1,89 @@
+// talweg-scenes: meshes and jagged curves for the demo.
+#include <cstdint>
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "talweg/core/io/mesh_reader.hpp"
+#include "talweg/core/mesh/mesh_inspection.hpp"
+#include "talweg/core/repair/mesh_repair.hpp"
+#include "talweg/intrinsic/error.hpp"
+#include "tools/scenes/ply_writer.hpp"
+#include "tools/scenes/scenes.hpp"
+
+namespace talweg::scenes {
+namespace {
+
+void write_scenes(const std::filesystem::path& folder, const std::vector<DemoScene>& scenes) {
+  std::filesystem::create_directories(folder);
+  for (const DemoScene& scene : scenes) {
+    write_bytes(folder / (scene.name + ".ply"), ply_bytes(scene.mesh));
+    if (scene.through.vertices.empty()) {
+      std::string labels;
+      for (const int label : cortex_parcels(scene.mesh)) labels += std::to_string(label) + "\n";
+      write_bytes(folder / (scene.name + ".labels"), labels);
+    } else {
+      write_bytes(folder / (scene.name + ".through"), draw_arguments(scene.through) + "\n");
+    }
+    std::printf("%-8s %7zu faces\n", scene.name.c_str(), scene.mesh.triangles.size());
+  }
+}
+
+/// On what --repair makes of the file's mesh, where it has to; in the file's numbers.
+Waypoints waypoints_on(const std::string& path) {
+  const MeshLists lists = read_mesh(path);
+  if (inspect(lists).verdict == MeshVerdict::kUsable) return waypoints_across(lists);
+  const RepairedMesh repaired = repair(lists);
+  Waypoints through = waypoints_across(repaired.lists);
+  for (std::uint32_t& v : through.vertices) {
+    v = static_cast<std::uint32_t>(repaired.map.file_vertex(VertexId{v}).index());
+  }
+  return through;
+}
+
+int run(int argc, char** argv) {
+  CLI::App app("Generates the demo's meshes, and jagged curves to draw on them.", "talweg-scenes");
+  std::string folder, mesh;
+  CLI::Option* out = app.add_option(
+      "OUTDIR", folder,
+      "Where to write NAME.ply and NAME.through (arguments for talweg draw) of every scene");
+  bool gallery = false;
+  app.add_flag("--gallery", gallery,
+               "The scenes of ./run gallery instead; the cortex has NAME.labels and no curve");
+  app.add_option("--through-for", mesh, "Print arguments for talweg draw on this mesh instead")
+      ->excludes(out);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& asked) {
+    return app.exit(asked);
+  } catch (const CLI::ParseError& error) {
+    throw Error(ErrorCode::kBadUsage, error.what());
+  }
+  if (!mesh.empty()) {
+    std::printf("%s\n", draw_arguments(waypoints_on(mesh)).c_str());
+  } else if (!folder.empty()) {
+    write_scenes(folder, gallery ? gallery_scenes() : demo_scenes());
+  } else {
+    throw Error(ErrorCode::kBadUsage, "a folder OUTDIR or --through-for MESH is needed");
+  }
+  return 0;
+}
+
+}  // namespace
+}  // namespace talweg::scenes
+
+int main(int argc, char** argv) {
+  try {
+    return talweg::scenes::run(argc, argv);
+  } catch (const talweg::Error& error) {
+    std::fprintf(stderr, "talweg-scenes: %s\n", error.what());
+    return error.code() == talweg::ErrorCode::kBadUsage ? 1 : 2;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "talweg-scenes: %s\n", error.what());
+    return 5;
+  }
+}
