@@ -38,18 +38,8 @@ std::vector<std::uint32_t> faces_near(const MeshLists& piece, std::span<const Lo
   return near;
 }
 
-std::vector<SpaceBox> boxes_of(const MeshLists& piece, std::span<const std::uint32_t> faces) {
-  std::vector<SpaceBox> boxes;
-  boxes.reserve(faces.size());
-  for (const std::uint32_t f : faces) boxes.push_back(box_of(face_at(piece, f)));
-  return boxes;
-}
-
-std::vector<SpaceBox> boxes_of(std::span<const PointTriangle> triangles) {
-  std::vector<SpaceBox> boxes;
-  boxes.reserve(triangles.size());
-  for (const PointTriangle& t : triangles) boxes.push_back(box_of(t));
-  return boxes;
+auto boxes_of(const std::vector<PointTriangle>& triangles) {
+  return [&triangles](std::uint32_t i) { return box_of(triangles[i]); };
 }
 
 std::array<std::uint32_t, 3> sorted(Triangle t) {
@@ -65,7 +55,10 @@ bool have_one_in_common(const std::set<std::uint32_t>& a, const std::set<std::ui
 
 LidClearance::LidClearance(const MeshLists& piece, std::span<const std::uint32_t> part_of_face,
                            std::span<const Loop> rims, Asker& asker)
-    : piece_(piece), asker_(asker), near_(faces_near(piece, rims)), tree_(boxes_of(piece, near_)) {
+    : piece_(piece),
+      asker_(asker),
+      near_(faces_near(piece, rims)),
+      tree_(near_.size(), [this](std::uint32_t k) { return box_of(near_face(k)); }) {
   std::vector<bool> on_rim(piece.points.size(), false);
   for (const Loop& rim : rims) {
     for (std::size_t i = 0; i < rim.size(); ++i) {
@@ -88,6 +81,8 @@ LidClearance::LidClearance(const MeshLists& piece, std::span<const std::uint32_t
   }
 }
 
+PointTriangle LidClearance::near_face(std::uint32_t k) const { return face_at(piece_, near_[k]); }
+
 std::vector<PointTriangle> LidClearance::triangles_of(const Lid& lid) const {
   std::vector<PointTriangle> triangles;
   triangles.reserve(lid.triangles.size());
@@ -105,10 +100,10 @@ std::vector<LidClearance::Contact> LidClearance::contacts_with_piece(
   for (std::size_t i = 0; i < lid.triangles.size(); ++i) {
     asker_.did(kOfVisit);
     const PointTriangle own = at(lid, lid.triangles[i]);
-    tree_.visit(BoxesAtTriangle(own[0], own[1], own[2]), [&](std::uint32_t k) {
+    visit_near(BoxesAtTriangle(own[0], own[1], own[2]), [&](std::uint32_t k) {
       asker_.did(kOfPair);
       if (parts.count(near_part_[k]) == 0) return;
-      const PointTriangle other = face_at(piece_, near_[k]);
+      const PointTriangle other = near_face(k);
       if (!certainly_apart(own, other)) found.push_back({i, other});
     });
   }
@@ -120,8 +115,7 @@ std::vector<LidClearance::Contact> LidClearance::contacts(const Lid& lid,
                                                           std::size_t twin) const {
   std::vector<Contact> found = contacts_with_piece(lid, parts);
   const std::vector<PointTriangle> own = triangles_of(lid);
-  const std::vector<SpaceBox> boxes = boxes_of(own);
-  const BoxTree among(boxes);
+  const BoxTree among(own.size(), boxes_of(own));
   for (std::size_t i = 0; i < own.size(); ++i) {
     asker_.did(kOfVisit);
     const auto meet = [&](const PointTriangle& other) {
@@ -129,12 +123,14 @@ std::vector<LidClearance::Contact> LidClearance::contacts(const Lid& lid,
       if (!certainly_apart(own[i], other)) found.push_back({i, other});
     };
     const BoxesAtTriangle here(own[i][0], own[i][1], own[i][2]);
-    among.visit(here, [&](std::uint32_t k) {
+    among.visit(here, boxes_of(own), [&](std::uint32_t k) {
       if (k > i) meet(own[k]);
     });
     for (std::size_t k = 0; k < placed_.size(); ++k) {
       if (k == twin || !have_one_in_common(placed_[k].parts, parts)) continue;
-      placed_[k].tree.visit(here, [&](std::uint32_t t) { meet(placed_[k].triangles[t]); });
+      const Placed& other = placed_[k];
+      other.tree.visit(here, boxes_of(other.triangles),
+                       [&](std::uint32_t t) { meet(other.triangles[t]); });
     }
   }
   return found;
@@ -145,9 +141,9 @@ double LidClearance::reach_through(const PointTriangle& t,
                                    const std::set<std::uint32_t>& parts) const {
   double reach = 0;
   asker_.did(kOfVisit);
-  tree_.visit(BoxesAtTriangle(t[0], t[1], t[2]), [&](std::uint32_t k) {
+  visit_near(BoxesAtTriangle(t[0], t[1], t[2]), [&](std::uint32_t k) {
     if (parts.count(near_part_[k]) == 0) return;
-    reach = std::max(reach, crossing_reach(t, face_at(piece_, near_[k])));
+    reach = std::max(reach, crossing_reach(t, near_face(k)));
   });
   return reach;
 }
@@ -176,9 +172,8 @@ bool LidClearance::pierces(std::uint32_t a, std::uint32_t b, double tolerance) c
   const std::uint32_t part = part_of_vertex_.at(a);
   bool found = false;
   asker_.did(kOfVisit);
-  tree_.visit(BoxesAtTriangle(p, q, q), [&](std::uint32_t k) {
-    found = found ||
-            (near_part_[k] == part && piercing_depth(p, q, face_at(piece_, near_[k])) > tolerance);
+  visit_near(BoxesAtTriangle(p, q, q), [&](std::uint32_t k) {
+    found = found || (near_part_[k] == part && piercing_depth(p, q, near_face(k)) > tolerance);
   });
   return found;
 }
@@ -210,7 +205,7 @@ void LidClearance::place(const Lid& lid, const std::set<std::uint32_t>& parts) {
     }
   }
   std::vector<PointTriangle> own = triangles_of(lid);
-  BoxTree tree(boxes_of(own));
+  BoxTree tree(own.size(), boxes_of(own));
   placed_.push_back({std::move(own), std::move(tree), parts});
 }
 

@@ -98,6 +98,15 @@ class LidClearance {
     std::set<std::uint32_t> parts;
   };
 
+  /// The face of this number among those that are near.
+  [[nodiscard]] PointTriangle near_face(std::uint32_t k) const;
+  /// Calls visit(k) for the near faces whose boxes a triangle meets.
+  template <class Visit>
+  void visit_near(const BoxesAtTriangle& place, Visit visit) const {
+    tree_.visit(
+        place, [this](std::uint32_t k) { return SpaceBox::around(near_face(k)); }, visit);
+  }
+
   void add_edges(const Triangle& triangle);
   [[nodiscard]] double reach_through(const PointTriangle& t,
                                      const std::set<std::uint32_t>& parts) const;

@@ -29,25 +29,26 @@ double rounding_of(std::span<const Segment> segments) {
 /// A point of a curve and what of the other curve is nearest to it.
 struct Sample {
   Point point;
-  SegmentTree::Nearest nearest;
+  NearestSegment::Result nearest;
 };
 
 /// What is asked of the other curve, and who is asked whether to go on.
 class Samples {
  public:
-  Samples(const SegmentTree& to, const Progress& progress) : to_(to), asker_(progress, "measure") {}
+  Samples(const NearestSegment& to, const Progress& progress)
+      : to_(to), asker_(progress, "measure") {}
 
   Sample at(const Point& p) {
     constexpr std::size_t kWork = 16;
     asker_.did(kWork);
-    return {p, to_.nearest(p)};
+    return {p, to_.to(p)};
   }
   [[nodiscard]] const Segment& segment(const Sample& s) const {
     return to_.segments()[s.nearest.segment];
   }
 
  private:
-  const SegmentTree& to_;
+  const NearestSegment& to_;
   Asker asker_;
 };
 
@@ -112,7 +113,7 @@ class MeanDistance {
 
 }  // namespace
 
-OneSidedDeviation one_sided_deviation(std::span<const Segment> from, const SegmentTree& to,
+OneSidedDeviation one_sided_deviation(std::span<const Segment> from, const NearestSegment& to,
                                       const Progress& progress) {
   if (from.empty()) throw Error(ErrorCode::kBadCurve, "A curve without points deviates nowhere.");
   const double rounding = std::max(rounding_of(from), rounding_of(to.segments()));
@@ -162,8 +163,8 @@ OneSidedDeviation one_sided_deviation(std::span<const Segment> from, const Segme
 
 Deviation deviation(std::span<const Point> result, bool result_closed, std::span<const Point> drawn,
                     bool drawn_closed, const Progress& progress) {
-  const SegmentTree result_tree(segments_of(result, result_closed));
-  const SegmentTree drawn_tree(segments_of(drawn, drawn_closed));
+  const NearestSegment result_tree(segments_of(result, result_closed));
+  const NearestSegment drawn_tree(segments_of(drawn, drawn_closed));
   Deviation both;
   both.to_drawn = one_sided_deviation(result_tree.segments(), drawn_tree, progress);
   both.from_drawn = one_sided_deviation(drawn_tree.segments(), result_tree, progress);

@@ -4,7 +4,7 @@
 #include <span>
 
 #include "talweg/core/mesh/mesh_lists.hpp"
-#include "talweg/core/space/segment_tree.hpp"
+#include "talweg/core/space/nearest_segment.hpp"
 #include "talweg/intrinsic/progress.hpp"
 
 namespace talweg {
@@ -34,7 +34,7 @@ struct Deviation {
 /// O((m + n) log n) for curves that are not all ties.
 /// Throws Error(kBadCurve) when `from` is empty or has a coordinate that is not finite; Cancelled
 /// when `progress` (stage "measure") says so.
-OneSidedDeviation one_sided_deviation(std::span<const Segment> from, const SegmentTree& to,
+OneSidedDeviation one_sided_deviation(std::span<const Segment> from, const NearestSegment& to,
                                       const Progress& progress = {});
 
 /// Both one-sided deviations of two polylines. A closed one does not repeat its first point.

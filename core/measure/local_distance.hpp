@@ -13,7 +13,7 @@
 
 #include "talweg/core/measure/curve_stretch.hpp"
 #include "talweg/core/mesh/surface_mesh.hpp"
-#include "talweg/core/space/segment_tree.hpp"
+#include "talweg/core/space/nearest_segment.hpp"
 #include "talweg/intrinsic/exact_distance/polyline_distance.hpp"
 
 namespace talweg {
@@ -34,7 +34,7 @@ class NearParts {
   }
 
   /// Through space.
-  [[nodiscard]] double distance(const Point& p) const { return tree_->nearest(p).distance; }
+  [[nodiscard]] double distance(const Point& p) const { return tree_->to(p).distance; }
 
   /// The segments whose boxes meet one of these, as curves.
   [[nodiscard]] std::vector<SurfaceCurve> meeting(
@@ -65,7 +65,7 @@ class NearParts {
   std::span<const SurfaceCurve> curves_;
   std::vector<std::size_t> counts_;  // of segments
   std::vector<Eigen::AlignedBox3d> boxes_;
-  std::optional<SegmentTree> tree_;
+  std::optional<NearestSegment> tree_;
 };
 
 /// Sets a distance to what of the curves can be nearest to some stretches.

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "talweg/core/mesh/union_find.hpp"
-#include "talweg/core/space/box_pairs.hpp"
+#include "talweg/core/space/box_tree.hpp"
 #include "talweg/intrinsic/exact_distance/polyline_pieces.hpp"
 
 namespace talweg {
@@ -126,16 +126,18 @@ class Finder {
                                      std::hypot(frame.apex.x - frame.length, frame.apex.y)});
     const double same = kSame * longest;
     std::vector<Item> items;
-    std::vector<Box> boxes;
+    std::vector<SpaceBox> boxes;
     for (const PolylinePiece* piece : pieces) {
       Item item{piece, frame.at(piece->from, 0), frame.at(piece->to, 0), 0};
       item.length = std::hypot(item.b.x - item.a.x, item.b.y - item.a.y);
       items.push_back(item);
-      boxes.push_back({{std::min(item.a.x, item.b.x) - same, std::min(item.a.y, item.b.y) - same},
-                       {std::max(item.a.x, item.b.x) + same, std::max(item.a.y, item.b.y) + same}});
+      const Point a(item.a.x, item.a.y, 0), b(item.b.x, item.b.y, 0), margin(same, same, 0);
+      boxes.push_back({a.cwiseMin(b) - margin, a.cwiseMax(b) + margin});
     }
-    BoxPairs(boxes).visit(
-        [&](std::uint32_t i, std::uint32_t k) { meet(items[i], items[k], same, kLoop * longest); });
+    const auto box_of = [&](std::uint32_t i) { return boxes[i]; };
+    BoxTree(boxes.size(), box_of).visit_pairs(box_of, [&](std::uint32_t i, std::uint32_t k) {
+      meet(items[i], items[k], same, kLoop * longest);
+    });
   }
 
   void meet(const Item& p, const Item& q, double same, double loop) {

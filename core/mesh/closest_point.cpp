@@ -3,43 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 #include "talweg/intrinsic/error.hpp"
 
 namespace talweg {
 namespace {
 
-constexpr std::size_t kFacesPerLeaf = 4;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-/// Spreads the low 21 bits to every third bit.
-std::uint64_t spread(std::uint64_t x) {
-  x = (x | x << 32) & 0x1F00000000FFFFULL;
-  x = (x | x << 16) & 0x1F0000FF0000FFULL;
-  x = (x | x << 8) & 0x100F00F00F00F00FULL;
-  x = (x | x << 4) & 0x10C30C30C30C30C3ULL;
-  return (x | x << 2) & 0x1249249249249249ULL;
-}
-
-struct Nearness {
-  std::uint64_t code;
-  std::uint32_t face;
-};
-
-/// Stable radix sort by code.
-void sort_keys(std::vector<Nearness>& keys) {
-  constexpr int kBits = 11;
-  constexpr std::size_t kBuckets = std::size_t{1} << kBits;
-  std::vector<Nearness> other(keys.size());
-  for (int shift = 0; shift < 63; shift += kBits) {
-    std::array<std::size_t, kBuckets + 1> start{};
-    for (const Nearness& key : keys) ++start[(key.code >> shift & (kBuckets - 1)) + 1];
-    for (std::size_t k = 0; k < kBuckets; ++k) start[k + 1] += start[k];
-    for (const Nearness& key : keys) other[start[key.code >> shift & (kBuckets - 1)]++] = key;
-    keys.swap(other);
-  }
-}
 
 struct OnTriangle {
   std::array<double, 3> barycentric{};
@@ -98,68 +68,12 @@ std::array<Point, 3> corner_points(const SurfaceMesh& mesh, std::size_t face) {
 
 }  // namespace
 
-ClosestPoint::ClosestPoint(const SurfaceMesh& mesh) : mesh_(&mesh) {
-  const std::size_t faces = mesh.surface().face_count();
-  if (faces == 0) throw Error(ErrorCode::kBadMesh, "The mesh has no face to snap to.");
-  while (leaf_count_ * kFacesPerLeaf < faces) leaf_count_ *= 2;
-  leaf_size_ = (faces + leaf_count_ - 1) / leaf_count_;
-  sort_faces();
-  make_boxes();
-}
-
-void ClosestPoint::sort_faces() {
-  constexpr double kCells = 1 << 21;
-  Point low = Point::Constant(kInfinity);
-  Point high = -low;
-  for (const Point& p : mesh_->points()) {
-    low = low.cwiseMin(p);
-    high = high.cwiseMax(p);
-  }
-  const double extent = (high - low).maxCoeff();
-  const double scale = extent > 0 ? (kCells - 1) / extent : 0.0;
-  std::vector<Nearness> keys(mesh_->surface().face_count());
-  for (std::size_t f = 0; f < keys.size(); ++f) {
-    const auto corner = corner_points(*mesh_, f);
-    std::uint64_t code = 0;
-    for (int k = 0; k < 3; ++k) {
-      const double centre =
-          ((corner[0][k] - low[k]) + (corner[1][k] - low[k]) + (corner[2][k] - low[k])) / 3;
-      const double cell = std::clamp(centre * scale, 0.0, kCells - 1);
-      code |= spread(static_cast<std::uint64_t>(cell)) << k;
-    }
-    keys[f] = {code, static_cast<std::uint32_t>(f)};
-  }
-  sort_keys(keys);
-  order_.reserve(keys.size());
-  for (const Nearness& key : keys) order_.push_back(key.face);
-}
-
-void ClosestPoint::make_boxes() {
-  const Box empty{Point::Constant(kInfinity), Point::Constant(-kInfinity)};
-  boxes_.assign(2 * leaf_count_, empty);
-  for (std::size_t at = 0; at < order_.size(); ++at) {
-    Box& box = boxes_[leaf_count_ + at / leaf_size_];
-    for (const Point& p : corner_points(*mesh_, order_[at])) {
-      box.low = box.low.cwiseMin(p);
-      box.high = box.high.cwiseMax(p);
-    }
-  }
-  for (std::size_t k = leaf_count_ - 1; k > 0; --k) {
-    boxes_[k].low = boxes_[2 * k].low.cwiseMin(boxes_[2 * k + 1].low);
-    boxes_[k].high = boxes_[2 * k].high.cwiseMax(boxes_[2 * k + 1].high);
-  }
-}
-
-void ClosestPoint::visit(std::size_t leaf, const Point& position, Candidate& best) const {
-  const std::size_t end = std::min((leaf + 1) * leaf_size_, order_.size());
-  for (std::size_t at = leaf * leaf_size_; at < end; ++at) {
-    const std::uint32_t face = order_[at];
-    const OnTriangle found = nearest_on_triangle(corner_points(*mesh_, face), position);
-    const bool nearer = found.squared_distance < best.squared_distance;
-    const bool equal = found.squared_distance == best.squared_distance && face < best.face;
-    if (nearer || (best.found && equal)) {
-      best = {face, found.barycentric, found.squared_distance, true};
-    }
+ClosestPoint::ClosestPoint(const SurfaceMesh& mesh)
+    : mesh_(&mesh), tree_(mesh.surface().face_count(), [&](std::uint32_t face) {
+        return SpaceBox::around(corner_points(mesh, face));
+      }) {
+  if (mesh.surface().face_count() == 0) {
+    throw Error(ErrorCode::kBadMesh, "The mesh has no face to snap to.");
   }
 }
 
@@ -169,31 +83,18 @@ ClosestPoint::Result ClosestPoint::nearest(const Point& position) const {
                 "A position with a coordinate that is not finite has no "
                 "nearest point.");
   }
-  Candidate best;
-  best.squared_distance = kInfinity;
-  std::vector<std::pair<std::size_t, double>> stack{{1, boxes_[1].squared_distance(position)}};
-  while (!stack.empty()) {
-    const auto [node, bound] = stack.back();
-    stack.pop_back();
-    // Not below the best, but at it: of equally near faces the smallest is wanted.
-    if (bound > best.squared_distance) continue;
-    if (node >= leaf_count_) {
-      visit(node - leaf_count_, position, best);
-      continue;
-    }
-    std::pair<std::size_t, double> near{2 * node, boxes_[2 * node].squared_distance(position)};
-    std::pair<std::size_t, double> far{2 * node + 1,
-                                       boxes_[2 * node + 1].squared_distance(position)};
-    if (far.second < near.second) std::swap(near, far);
-    stack.push_back(far);
-    stack.push_back(near);
-  }
-  if (!best.found) {
+  const auto on = [&](std::uint32_t face) {
+    return nearest_on_triangle(corner_points(*mesh_, face), position);
+  };
+  const BoxTree::Nearest best =
+      tree_.nearest(position, [&](std::uint32_t face) { return on(face).squared_distance; });
+  if (!best.found()) {
     throw Error(ErrorCode::kBadCurve, "A position is too far from the mesh to be snapped to it.");
   }
-  const FaceId face{best.face};
-  return {SurfacePoint::from_barycentric(mesh_->surface(), face, best.barycentric), face,
-          best.barycentric, std::sqrt(best.squared_distance)};
+  const FaceId face{best.index};
+  const std::array<double, 3> barycentric = on(best.index).barycentric;
+  return {SurfacePoint::from_barycentric(mesh_->surface(), face, barycentric), face, barycentric,
+          std::sqrt(best.squared_distance)};
 }
 
 }  // namespace talweg

@@ -2,16 +2,14 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
-#include <vector>
 
 #include "talweg/core/mesh/surface_mesh.hpp"
+#include "talweg/core/space/box_tree.hpp"
 
 namespace talweg {
 
-/// A hierarchy of boxes over the triangles of a mesh, along a space-filling curve. Building is
-/// O(faces) with about 40 bytes per face; a query is O(log faces) for positions near the mesh.
-/// Immutable, so many threads may ask. The mesh must outlive it.
+/// Building is O(faces) with about 25 bytes per face; a query is O(log faces) for positions near
+/// the mesh. Immutable, so many threads may ask. The mesh must outlive it.
 class ClosestPoint {
  public:
   /// Throws Error(kBadMesh) when the mesh has no face.
@@ -29,28 +27,8 @@ class ClosestPoint {
   [[nodiscard]] Result nearest(const Point& position) const;
 
  private:
-  struct Box {
-    Point low, high;
-    [[nodiscard]] double squared_distance(const Point& p) const {
-      return ((low - p).cwiseMax(p - high)).cwiseMax(0.0).squaredNorm();
-    }
-  };
-  struct Candidate {
-    std::uint32_t face = 0;
-    std::array<double, 3> barycentric{};
-    double squared_distance = 0;
-    bool found = false;
-  };
-
-  void sort_faces();
-  void make_boxes();
-  void visit(std::size_t leaf, const Point& position, Candidate& best) const;
-
   const SurfaceMesh* mesh_;
-  std::vector<std::uint32_t> order_;  // faces along the space-filling curve
-  std::size_t leaf_count_ = 1;        // a power of two
-  std::size_t leaf_size_ = 1;         // consecutive faces per leaf
-  std::vector<Box> boxes_;            // node k has the children 2k and 2k + 1; the root is 1
+  BoxTree tree_;  // of faces
 };
 
 }  // namespace talweg

@@ -1,4 +1,4 @@
-// Which of many boxes in space overlap a given one?
+// Which of many things in space are nearest, or overlap?
 #pragma once
 
 #include <algorithm>
@@ -6,7 +6,8 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <numeric>
+#include <functional>
+#include <limits>
 #include <span>
 #include <utility>
 #include <vector>
@@ -27,6 +28,9 @@ struct SpaceBox {
   /// Touching counts.
   [[nodiscard]] bool overlaps(const SpaceBox& other) const {
     return (low.array() <= other.high.array()).all() && (other.low.array() <= high.array()).all();
+  }
+  [[nodiscard]] double squared_distance(const Point& p) const {
+    return (low - p).cwiseMax(p - high).cwiseMax(0.0).squaredNorm();
   }
   /// The smallest box around both.
   [[nodiscard]] SpaceBox with(const SpaceBox& other) const {
@@ -66,66 +70,141 @@ class BoxesAtTriangle {
   std::size_t count_ = 1;
 };
 
-/// Halves the boxes by their middles. Immutable. O(n log n) to build; a query is O(log n) as a
-/// rule, and what it meets.
+/// Boxes around neighbouring things, around pairs of those, and so on. It knows things by their
+/// numbers, and asks for the box of one where it needs it. Immutable, so many threads may ask.
+/// About 25 bytes for a thing; O(n log n) to build for a few thousand, which are halved by their
+/// middles, and O(n) for more, which are sorted along a space-filling curve (G. M. Morton 1966) and
+/// halved there. A query is O(log n) as a rule, and what it meets.
 class BoxTree {
  public:
-  explicit BoxTree(std::vector<SpaceBox> boxes) : boxes_(std::move(boxes)), order_(boxes_.size()) {
-    std::iota(order_.begin(), order_.end(), std::uint32_t{0});
-    if (!order_.empty()) build(0, order_.size());
+  using BoxOf = std::function<SpaceBox(std::uint32_t)>;
+
+  /// Of the things 0 to count - 1; all boxes are finite.
+  BoxTree(std::size_t count, const BoxOf& box_of);
+
+  /// Calls visit(i) for everything whose box place.overlaps(), always in the same order; it must
+  /// say so of a box around one that it overlaps, too. For example a SpaceBox.
+  template <class Place, class Visit>
+  void visit(const Place& place, const BoxOf& box_of, Visit visit) const {
+    if (!nodes_.empty()) visit_node(0, place, box_of, visit);
   }
 
-  /// Calls visit(i) for every box that place.overlaps() says it overlaps, always in the same order;
-  /// it must say so of a box around one that it overlaps, too. For example a SpaceBox.
-  template <class Place, class Visit>
-  void visit(const Place& place, Visit visit) const {
-    if (!nodes_.empty()) visit_node(0, place, visit);
+  /// Calls visit(i, k), i < k, once for everything whose boxes overlap or touch, always in the same
+  /// order.
+  template <class Visit>
+  void visit_pairs(const BoxOf& box_of, Visit visit) const {
+    if (!nodes_.empty()) within(0, box_of, visit);
+  }
+
+  struct Nearest {
+    std::uint32_t index = 0;  ///< the smallest of those found equally near
+    double squared_distance = std::numeric_limits<double>::infinity();
+
+    [[nodiscard]] bool found() const { return std::isfinite(squared_distance); }
+  };
+  /// What is nearest to a position by `squared_distance(i)`, which is at least that to its box.
+  /// Nothing is found where no distance is finite.
+  template <class SquaredDistance>
+  [[nodiscard]] Nearest nearest(const Point& position,
+                                const SquaredDistance& squared_distance) const {
+    struct Waiting {
+      std::uint32_t node;
+      double squared;
+    };
+    Nearest best;
+    if (nodes_.empty()) return best;
+    const auto waiting = [&](std::uint32_t node) -> Waiting {
+      return {node, nodes_[node].box.squared_distance(position)};
+    };
+    std::array<Waiting, 64> stack{};  // the tree halves, so it is less than 32 deep
+    std::size_t size = 0;
+    stack[size++] = waiting(0);
+    while (size > 0) {
+      const Waiting top = stack[--size];
+      // Not below the best, but at it: of equally near ones the smallest is wanted.
+      if (top.squared > best.squared_distance) continue;
+      const Node& node = nodes_[top.node];
+      if (node.right == 0) {
+        for (const std::uint32_t i : things(node)) {
+          const double squared = squared_distance(i);
+          const bool equal = squared == best.squared_distance && i < best.index && best.found();
+          if (squared < best.squared_distance || equal) best = {i, squared};
+        }
+        continue;
+      }
+      Waiting near = waiting(top.node + 1), far = waiting(node.right);
+      if (far.squared < near.squared) std::swap(near, far);
+      stack[size++] = far;
+      stack[size++] = near;
+    }
+    return best;
   }
 
  private:
-  static constexpr std::size_t kLeaf = 8;
-
   struct Node {
     SpaceBox box;
-    std::size_t begin = 0, end = 0;  // of order_
-    std::size_t right = 0;           // the first child follows its parent; 0: no children
+    std::uint32_t begin = 0, end = 0;  // of order_
+    std::uint32_t right = 0;           // the first child follows its parent; 0: no children
   };
 
-  std::size_t build(std::size_t begin, std::size_t end) {
-    const std::size_t id = nodes_.size();
-    Node node{boxes_[order_[begin]], begin, end, 0};
-    for (std::size_t i = begin + 1; i < end; ++i) node.box = node.box.with(boxes_[order_[i]]);
-    nodes_.push_back(node);
-    if (end - begin <= kLeaf) return id;
-    Eigen::Index axis = 0;
-    (node.box.high - node.box.low).maxCoeff(&axis);
-    const auto middle = [&](std::uint32_t i) { return boxes_[i].low[axis] + boxes_[i].high[axis]; };
-    const auto at = [&](std::size_t i) { return order_.begin() + static_cast<std::ptrdiff_t>(i); };
-    const std::size_t half = begin + (end - begin) / 2;
-    std::nth_element(at(begin), at(half), at(end), [&](std::uint32_t i, std::uint32_t k) {
-      return middle(i) != middle(k) ? middle(i) < middle(k) : i < k;
-    });
-    build(begin, half);
-    const std::size_t right = build(half, end);
-    nodes_[id].right = right;
-    return id;
+  std::uint32_t build(std::uint32_t begin, std::uint32_t end, std::span<const SpaceBox> boxes);
+  std::uint32_t build_in_order(std::uint32_t begin, std::uint32_t end, const BoxOf& box_of);
+
+  [[nodiscard]] std::span<const std::uint32_t> things(const Node& node) const {
+    return std::span(order_).subspan(node.begin, node.end - node.begin);
   }
 
   template <class Place, class Visit>
-  void visit_node(std::size_t id, const Place& place, Visit& visit) const {
+  void visit_node(std::uint32_t id, const Place& place, const BoxOf& box_of, Visit& visit) const {
     const Node& node = nodes_[id];
     if (!place.overlaps(node.box)) return;
     if (node.right != 0) {
-      visit_node(id + 1, place, visit);
-      visit_node(node.right, place, visit);
+      visit_node(id + 1, place, box_of, visit);
+      visit_node(node.right, place, box_of, visit);
       return;
     }
-    for (std::size_t i = node.begin; i < node.end; ++i) {
-      if (place.overlaps(boxes_[order_[i]])) visit(order_[i]);
+    for (const std::uint32_t i : things(node)) {
+      if (place.overlaps(box_of(i))) visit(i);
     }
   }
 
-  std::vector<SpaceBox> boxes_;
+  template <class Visit>
+  void meet(std::uint32_t i, std::uint32_t k, const BoxOf& box_of, Visit& visit) const {
+    if (box_of(i).overlaps(box_of(k))) visit(std::min(i, k), std::max(i, k));
+  }
+
+  template <class Visit>
+  void within(std::uint32_t id, const BoxOf& box_of, Visit& visit) const {
+    const Node& node = nodes_[id];
+    if (node.right != 0) {
+      within(id + 1, box_of, visit);
+      within(node.right, box_of, visit);
+      between(id + 1, node.right, box_of, visit);
+      return;
+    }
+    const std::span<const std::uint32_t> here = things(node);
+    for (std::size_t i = 0; i < here.size(); ++i) {
+      for (std::size_t k = i + 1; k < here.size(); ++k) meet(here[i], here[k], box_of, visit);
+    }
+  }
+
+  template <class Visit>
+  void between(std::uint32_t a, std::uint32_t b, const BoxOf& box_of, Visit& visit) const {
+    const Node &p = nodes_[a], &q = nodes_[b];
+    if (!p.box.overlaps(q.box)) return;
+    if (p.right == 0 && q.right == 0) {
+      for (const std::uint32_t i : things(p)) {
+        for (const std::uint32_t k : things(q)) meet(i, k, box_of, visit);
+      }
+    } else if (q.right == 0 || (p.right != 0 && p.end - p.begin >= q.end - q.begin)) {
+      between(a + 1, b, box_of, visit);
+      between(p.right, b, box_of, visit);
+    } else {
+      between(a, b + 1, box_of, visit);
+      between(a, q.right, box_of, visit);
+    }
+  }
+
   std::vector<std::uint32_t> order_;
   std::vector<Node> nodes_;
 };

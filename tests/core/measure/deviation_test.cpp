@@ -30,20 +30,20 @@ double brute_force(const std::vector<Segment>& segments, const Point& p) {
   return best;
 }
 
-TEST(SegmentTree, FindsWhatLookingAtAllFinds) {
+TEST(NearestSegment, FindsWhatLookingAtAllFinds) {
   const auto walk = random_walk(300, 1);
-  const SegmentTree tree(segments_of(walk, true));
+  const NearestSegment tree(segments_of(walk, true));
   const std::vector<Segment> all(tree.segments().begin(), tree.segments().end());
   ASSERT_EQ(all.size(), 300U);
   for (const Point& p : random_walk(500, 2)) {
-    const auto nearest = tree.nearest(p);
+    const auto nearest = tree.to(p);
     EXPECT_EQ(nearest.distance, brute_force(all, p));
     EXPECT_EQ(distance_to(all[nearest.segment], p), nearest.distance);
   }
-  for (const Point& p : walk) EXPECT_EQ(tree.nearest(p).distance, 0);
+  for (const Point& p : walk) EXPECT_EQ(tree.to(p).distance, 0);
 }
 
-TEST(SegmentTree, DistanceToOneSegment) {
+TEST(NearestSegment, DistanceToOneSegment) {
   const Segment s{Point(0, 0, 0), Point(2, 0, 0)};
   EXPECT_EQ(distance_to(s, Point(1, 3, 4)), 5);
   EXPECT_EQ(distance_to(s, Point(-3, 4, 0)), 5);
@@ -51,10 +51,10 @@ TEST(SegmentTree, DistanceToOneSegment) {
   EXPECT_EQ(distance_to({s.a, s.a}, Point(0, 2, 0)), 2);
 }
 
-TEST(SegmentTree, RefusesNothingAndNan) {
-  EXPECT_THROW(SegmentTree({}), Error);
+TEST(NearestSegment, RefusesNothingAndNan) {
+  EXPECT_THROW(NearestSegment({}), Error);
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_THROW(SegmentTree({{Point(0, 0, 0), Point(0, nan, 0)}}), Error);
+  EXPECT_THROW(NearestSegment({{Point(0, 0, 0), Point(0, nan, 0)}}), Error);
 }
 
 TEST(Deviation, OfParallelLines) {
@@ -92,7 +92,7 @@ TEST(Deviation, FindsMaximaBetweenTheSamples) {
                                    Point(2 - x, 0, 0)};
     // Distances to the posts are x + s and 2 - x - s: equal at s = 1 - x, where they are 1.
     const auto side =
-        one_sided_deviation(segments_of(base, false), SegmentTree(segments_of(posts, false)));
+        one_sided_deviation(segments_of(base, false), NearestSegment(segments_of(posts, false)));
     EXPECT_NEAR(side.max, 1, 1e-6);
     EXPECT_NEAR(side.at.x(), 1 - x, 1e-5);
     // ∫ min(x + s, 2 - x - s) ds over [0, 1].
@@ -104,7 +104,7 @@ TEST(Deviation, FindsMaximaBetweenTheSamples) {
 TEST(Deviation, KeepsItsBoundOnRandomWalks) {
   const auto a = segments_of(random_walk(60, 3), false);
   const auto b = segments_of(random_walk(80, 4), true);
-  const auto side = one_sided_deviation(a, SegmentTree(b));
+  const auto side = one_sided_deviation(a, NearestSegment(b));
   double largest = 0;
   double integral = 0;
   double length = 0;
@@ -176,11 +176,11 @@ TEST(Deviation, AgreesWithTheReference) {
     const double to = numbers["deviation_to_drawn_in_edge_lengths"];
     const double from = numbers["deviation_from_drawn_in_edge_lengths"];
     // The reference looks at points and midpoints and gives three digits.
-    const SegmentTree tree(segments_of(points, drawn->closed));
+    const NearestSegment tree(segments_of(points, drawn->closed));
     double sampled = 0;
     for (const Segment& s : segments_of(result, drawn->closed)) {
       for (const Point& p : {s.a, Point((s.a + s.b) / 2)}) {
-        sampled = std::max(sampled, tree.nearest(p).distance);
+        sampled = std::max(sampled, tree.to(p).distance);
       }
     }
     EXPECT_NEAR(sampled / h, to, 0.005 * to) << name;

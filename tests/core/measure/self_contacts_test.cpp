@@ -11,7 +11,6 @@
 #include "core/small_meshes.hpp"
 #include "talweg/core/drawing/snapping.hpp"
 #include "talweg/core/drawing/straight_lines.hpp"
-#include "talweg/core/space/box_pairs.hpp"
 #include "talweg/intrinsic/error.hpp"
 
 namespace talweg {
@@ -195,28 +194,6 @@ TEST(SelfContacts, GoAroundATorusOnce) {
       self_contacts(mesh.surface(), std::vector{curve(parallel), curve(other), curve(meridian)})
           .size(),
       2U);
-}
-
-TEST(BoxPairs, AreThoseThatLookingAtAllFinds) {
-  std::mt19937 engine(1);
-  std::uniform_real_distribution<double> place(0, 1), size(0, 0.1);
-  for (const std::size_t n : {0U, 1U, 2U, 9U, 300U}) {
-    std::vector<Box> boxes;
-    for (std::size_t i = 0; i < n; ++i) {
-      const double x = place(engine), y = place(engine);
-      boxes.push_back({{x, y}, {x + size(engine), y + size(engine)}});
-    }
-    if (n > 20) std::fill(boxes.begin(), boxes.begin() + 20, boxes.front());
-    std::set<std::pair<std::size_t, std::size_t>> expected, found;
-    for (std::size_t i = 0; i < n; ++i) {
-      for (std::size_t k = i + 1; k < n; ++k) {
-        if (boxes[i].overlaps(boxes[k])) expected.emplace(i, k);
-      }
-    }
-    BoxPairs(boxes).visit(
-        [&](std::size_t i, std::size_t k) { EXPECT_TRUE(found.emplace(i, k).second) << "twice"; });
-    EXPECT_EQ(found, expected);
-  }
 }
 
 }  // namespace

@@ -73,8 +73,8 @@ TEST(SurfaceDeviation, AgreesWithTheEuclideanOneInThePlane) {
     EXPECT_NEAR(d.to_drawn.mean, plane.to_drawn.mean, 2e-3 * plane.to_drawn.mean);
     EXPECT_NEAR(d.from_drawn.mean, plane.from_drawn.mean, 2e-3 * plane.from_drawn.mean);
     // The maximum is where it is said to be.
-    const SegmentTree tree(segments_of(b, closed));
-    EXPECT_NEAR(tree.nearest(mesh.position(d.to_drawn.at)).distance, d.to_drawn.max, 1e-9);
+    const NearestSegment tree(segments_of(b, closed));
+    EXPECT_NEAR(tree.to(mesh.position(d.to_drawn.at)).distance, d.to_drawn.max, 1e-9);
     EXPECT_EQ(d.larger().max, std::max(d.to_drawn.max, d.from_drawn.max));
   }
 }
