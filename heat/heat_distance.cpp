@@ -1,7 +1,6 @@
 #include "talweg/heat/heat_distance.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <future>
 #include <limits>
@@ -16,6 +15,7 @@
 #include "talweg/heat/mollification.hpp"
 #include "talweg/heat/unit_gradient.hpp"
 #include "talweg/intrinsic/error.hpp"
+#include "talweg/intrinsic/stopwatch.hpp"
 
 namespace talweg {
 namespace {
@@ -26,19 +26,6 @@ void check_range(double value, double low, double high, const char* name) {
                                         ", " + std::to_string(high) + "], not " +
                                         std::to_string(value) + ".");
 }
-
-class Stopwatch {
- public:
-  double lap() {
-    const auto now = std::chrono::steady_clock::now();
-    const std::chrono::duration<double, std::milli> passed = now - last_;
-    last_ = now;
-    return passed.count();
-  }
-
- private:
-  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
-};
 
 std::vector<char> boundary_vertices(const Surface& surface) {
   std::vector<char> boundary(surface.vertex_count(), 0);

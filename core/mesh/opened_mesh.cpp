@@ -6,7 +6,7 @@
 #include <thread>
 #include <utility>
 
-#include "talweg/core/stopwatch.hpp"
+#include "talweg/intrinsic/stopwatch.hpp"
 
 namespace talweg {
 

@@ -14,8 +14,8 @@
 #include "talweg/core/smoothing/refined_smoother.hpp"
 #include "talweg/core/smoothing/relaxation.hpp"
 #include "talweg/core/smoothing/unrolled_smoother.hpp"
-#include "talweg/core/stopwatch.hpp"
 #include "talweg/intrinsic/error.hpp"
+#include "talweg/intrinsic/stopwatch.hpp"
 
 namespace talweg {
 namespace {

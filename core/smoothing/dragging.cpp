@@ -7,8 +7,8 @@
 
 #include "talweg/core/measure/result_report.hpp"
 #include "talweg/core/smoothing/curve_smoother.hpp"
-#include "talweg/core/stopwatch.hpp"
 #include "talweg/intrinsic/error.hpp"
+#include "talweg/intrinsic/stopwatch.hpp"
 
 namespace talweg {
 namespace {

@@ -14,8 +14,8 @@
 #include "talweg/core/smoothing/polish.hpp"
 #include "talweg/core/smoothing/relaxation.hpp"
 #include "talweg/core/smoothing/touched_edges.hpp"
-#include "talweg/core/stopwatch.hpp"
 #include "talweg/intrinsic/error.hpp"
+#include "talweg/intrinsic/stopwatch.hpp"
 
 namespace talweg {
 namespace {

@@ -7,7 +7,7 @@
 #include "talweg/core/smoothing/corridor_scale.hpp"
 #include "talweg/core/smoothing/curve_smoother.hpp"
 #include "talweg/core/smoothing/refined_smoother.hpp"
-#include "talweg/core/stopwatch.hpp"
+#include "talweg/intrinsic/stopwatch.hpp"
 
 namespace talweg {
 namespace {

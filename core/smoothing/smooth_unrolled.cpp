@@ -10,8 +10,8 @@
 #include "talweg/core/smoothing/corridor_scale.hpp"
 #include "talweg/core/smoothing/curve_smoother.hpp"
 #include "talweg/core/smoothing/unrolled_smoother.hpp"
-#include "talweg/core/stopwatch.hpp"
 #include "talweg/intrinsic/error.hpp"
+#include "talweg/intrinsic/stopwatch.hpp"
 
 namespace talweg {
 namespace {

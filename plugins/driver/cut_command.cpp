@@ -23,8 +23,8 @@
 #include "talweg/core/cutting/tagged_edges.hpp"
 #include "talweg/core/io/mesh_file.hpp"
 #include "talweg/core/io/mesh_writer.hpp"
-#include "talweg/core/stopwatch.hpp"
 #include "talweg/intrinsic/error.hpp"
+#include "talweg/intrinsic/stopwatch.hpp"
 
 namespace talweg::driver {
 namespace {

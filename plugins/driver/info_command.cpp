@@ -11,8 +11,8 @@
 #include "talweg/core/mesh/mesh_inspection.hpp"
 #include "talweg/core/mesh/opened_mesh.hpp"
 #include "talweg/core/repair/mesh_repair.hpp"
-#include "talweg/core/stopwatch.hpp"
 #include "talweg/intrinsic/error.hpp"
+#include "talweg/intrinsic/stopwatch.hpp"
 
 namespace talweg::driver {
 namespace {

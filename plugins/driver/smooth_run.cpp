@@ -10,9 +10,9 @@
 #include "shared_work.hpp"
 #include "talweg/core/drawing/drawn_curves.hpp"
 #include "talweg/core/io/curve_file.hpp"
-#include "talweg/core/stopwatch.hpp"
 #include "talweg/intrinsic/error.hpp"
 #include "talweg/intrinsic/flips/flip_out.hpp"
+#include "talweg/intrinsic/stopwatch.hpp"
 
 namespace talweg::driver {
 

@@ -13,7 +13,7 @@
 #include "talweg/core/io/mesh_reader.hpp"
 #include "talweg/core/labels/label_network.hpp"
 #include "talweg/core/mesh/union_find.hpp"
-#include "talweg/core/stopwatch.hpp"
+#include "talweg/intrinsic/stopwatch.hpp"
 
 namespace talweg::benchmarks {
 namespace {

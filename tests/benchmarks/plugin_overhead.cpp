@@ -13,7 +13,7 @@
 #include "talweg/core/io/curve_file.hpp"
 #include "talweg/core/io/mesh_reader.hpp"
 #include "talweg/core/smoothing/curve_smoother.hpp"
-#include "talweg/core/stopwatch.hpp"
+#include "talweg/intrinsic/stopwatch.hpp"
 #include "talweg/loader/talweg_loader.h"
 #include "talweg/plugin/talweg_host.hpp"
 

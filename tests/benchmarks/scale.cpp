@@ -19,7 +19,7 @@
 #include "talweg/core/io/mesh_reader.hpp"
 #include "talweg/core/io/mesh_writer.hpp"
 #include "talweg/core/smoothing/curve_smoother.hpp"
-#include "talweg/core/stopwatch.hpp"
+#include "talweg/intrinsic/stopwatch.hpp"
 
 namespace talweg::benchmarks {
 namespace {

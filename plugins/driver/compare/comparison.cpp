@@ -13,9 +13,9 @@
 #include "talweg/core/measure/edge_length_near.hpp"
 #include "talweg/core/measure/measures.hpp"
 #include "talweg/core/measure/self_contacts.hpp"
-#include "talweg/core/stopwatch.hpp"
 #include "talweg/core/version.hpp"
 #include "talweg/intrinsic/error.hpp"
+#include "talweg/intrinsic/stopwatch.hpp"
 
 namespace talweg::driver {
 namespace {

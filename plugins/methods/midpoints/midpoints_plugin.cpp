@@ -8,7 +8,7 @@
 #include "methods/deviation_choice.hpp"
 #include "methods/method_workspace.hpp"
 #include "talweg/core/measure/measures.hpp"
-#include "talweg/core/stopwatch.hpp"
+#include "talweg/intrinsic/stopwatch.hpp"
 
 namespace talweg::plugins {
 namespace {

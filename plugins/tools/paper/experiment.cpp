@@ -4,7 +4,7 @@
 #include <ctime>
 #include <utility>
 
-#include "talweg/core/stopwatch.hpp"
+#include "talweg/intrinsic/stopwatch.hpp"
 
 namespace talweg::paper {
 namespace {

@@ -1,4 +1,4 @@
-// Milliseconds since construction.
+// How long something takes.
 #pragma once
 
 #include <chrono>
@@ -7,8 +7,16 @@ namespace talweg {
 
 class Stopwatch {
  public:
+  /// Milliseconds since construction, or since the last lap.
   [[nodiscard]] double ms() const {
     return std::chrono::duration<double, std::milli>(Clock::now() - start_).count();
+  }
+  /// The same, and begins again.
+  double lap() {
+    const Clock::time_point now = Clock::now();
+    const std::chrono::duration<double, std::milli> passed = now - start_;
+    start_ = now;
+    return passed.count();
   }
 
  private:
