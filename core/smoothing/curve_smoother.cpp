@@ -9,7 +9,6 @@
 #include "talweg/core/drawing/drawn_curves.hpp"
 #include "talweg/core/measure/edge_length_near.hpp"
 #include "talweg/core/measure/result_report.hpp"
-#include "talweg/core/smoothing/bump_convolution.hpp"
 #include "talweg/core/smoothing/lifted_lengths.hpp"
 #include "talweg/core/smoothing/refined_smoother.hpp"
 #include "talweg/core/smoothing/relaxation.hpp"
@@ -31,38 +30,13 @@ double flat_length(double length) { return lifted_length(length, 0.0, 0.0); }
 
 }  // namespace
 
-void CurveOptions::validate() const {
-  if (threads < 1) bad_usage("threads must be >= 1.");
-  if (!(heat_time >= 1e-3 && heat_time <= 1e6)) bad_usage("heat_time must be in [1e-3, 1e6].");
-  if (!(bump_radius >= 0 && std::isfinite(bump_radius))) {
-    bad_usage("bump_radius must be finite and >= 0.");
-  }
-}
-
-void SmoothingOptions::validate() const {
-  if (!(tau >= 0 && std::isfinite(tau))) bad_usage("tau must be finite and >= 0.");
-  potential.validate();
-  RelaxationOptions{relax_rounds}.validate();
-  if (!(min_relative_length >= 0 && min_relative_length < 1)) {
-    bad_usage("min_relative_length must be in [0, 1).");
-  }
-  if (slack && !(*slack >= 0 && std::isfinite(*slack))) bad_usage("slack must be finite and >= 0.");
-  if (phase_turns < 0 || phase_turns > 64) bad_usage("phase_turns must be in [0, 64].");
-  if (length_floor && !(*length_floor >= 0 && std::isfinite(*length_floor))) {
-    bad_usage("length_floor must be finite and >= 0.");
-  }
-}
-
 CurveSmoother::CurveSmoother(std::shared_ptr<const OpenedMesh> mesh)
-    : mesh_(std::move(mesh)),
-      triangulation_(mesh_->surface()),
-      flip_out_(triangulation_),
-      tracer_(triangulation_) {}
+    : mesh_(std::move(mesh)), straightening_(mesh_->surface()), lift_(*mesh_, straightening_) {}
 
 CurveSmoother::~CurveSmoother() = default;
 
 void CurveSmoother::forget() {
-  triangulation_.remove_inserted();
+  straightening_.clear();
   unrolled_.reset();
   refined_.clear();
   drawn_.clear();
@@ -71,16 +45,13 @@ void CurveSmoother::forget() {
   orders_.clear();
   ordered_.clear();
   capped_.clear();
-  embedded_ = {};
-  distance_.clear();
-  inserted_distance_.clear();
+  lift_.clear();
   drawn_measures_.clear();
   edges_near_.clear();
   last_.reset();
-  warnings_.clear();
   valleys_.clear();
   anchors_.clear();
-  heat_open_ms_ = solve_ms_ = mollification_ = 0;
+  solve_ms_ = 0;
 }
 
 void CurveSmoother::refuse_point(const SurfaceCurve& curve) const {
@@ -137,8 +108,7 @@ void CurveSmoother::embed_drawn(const Progress& progress) {
                           ? capped_curve(mesh_->surface(), curve, curve_options_.pins)
                           : curve);
   }
-  embedded_ =
-      embed_curves(triangulation_, capped_, curve_options_.pins, loops_, set_order_, progress);
+  straightening_.embed(capped_, curve_options_.pins, loops_, set_order_, progress);
 }
 
 bool CurveSmoother::set_pins(std::span<const SurfacePoint> pins, const Progress& progress) {
@@ -151,7 +121,6 @@ bool CurveSmoother::set_pins(std::span<const SurfacePoint> pins, const Progress&
     curve_options_.pins = these;
     if (!refined_.empty()) return set_refined_pins(asked);
     if (unrolled_) return set_unrolled_pins(asked);
-    triangulation_.remove_inserted();
     embed_drawn(asked);
     return true;
   };
@@ -215,22 +184,12 @@ bool CurveSmoother::set_curves(std::span<const SurfaceCurve> curves, std::vector
   const std::vector<SurfaceCurve> own(curves.begin(), curves.end());
   forget();
   const Stopwatch watch;
-  if (distance.size() != mesh_->surface().vertex_count()) {
-    bad_usage("There are " + std::to_string(distance.size()) + " distances for " +
-              std::to_string(mesh_->surface().vertex_count()) + " vertices.");
-  }
-  for (std::size_t v = 0; v < distance.size(); ++v) {
-    if (std::isnan(distance[v]) || distance[v] == -HUGE_VAL) {
-      bad_usage("The distance of vertex " + std::to_string(v) + " is not a number.");
-    }
-  }
+  PaperLift::check(mesh_->surface(), distance);
   try {
     take(own, options, progress);
     embed_drawn(progress);
     curve_options_.method = Method::kPaper;
-    distance_ = std::move(distance);
-    inserted_distance_ = at_inserted(distance_, 1);
-    find_largest_distances();
+    lift_.set(std::move(distance), drawn_.size() > 1);
     if (const std::vector<bool> alone = tangled(); !alone.empty()) {
       set_unrolled(alone, progress);
     }
@@ -260,7 +219,7 @@ void CurveSmoother::solve_corridor(const Progress& progress) {
 
 bool CurveSmoother::need_distance(const Progress& progress) {
   if (!is_set()) bad_usage("No curve is set.");
-  if (curve_options_.method != Method::kPaper || !distance_.empty()) return true;
+  if (curve_options_.method != Method::kPaper || lift_.is_known()) return true;
   try {
     solve_distance(progress);
   } catch (const Cancelled&) {
@@ -270,87 +229,14 @@ bool CurveSmoother::need_distance(const Progress& progress) {
 }
 
 void CurveSmoother::solve_distance(const Progress& progress) {
-  const CurveOptions& options = curve_options_;
-  const Stopwatch open_watch;
-  const auto heat = mesh_->heat(options.heat_time, progress, options.threads);
-  if (heat == nullptr) throw Cancelled();
-  heat_open_ms_ = open_watch.ms();
-
-  const Stopwatch watch;
-  std::vector<double> solved =
-      heat->solve(sources_of(mesh_->surface(), capped_), DistanceOptions{}, progress);
-  if (options.bump_radius > 0) {
-    BumpOptions bump;
-    bump.radius = options.bump_radius;
-    solved = convolve_with_bump(mesh_->surface(), solved, bump, progress);
-    distance_ = std::move(solved);
-    inserted_distance_ = at_inserted(distance_, 1);
-  } else {
-    distance_ = std::move(solved);
-    // Inserted vertices lie on the drawing, where the distance is 0 whatever the mesh can resolve.
-    inserted_distance_.assign(triangulation_.inserted_count(), 0.0);
-  }
-  find_largest_distances();
-  const auto& mollified = heat->report().mollification;
-  mollification_ = mollified.empty() ? 0 : *std::max_element(mollified.begin(), mollified.end());
-  if (mollification_ > 0) {
-    warnings_.push_back(
-        fmt::format("Needle triangles: edges were lengthened by up to {:.3g}, {:.3g} mean edge "
-                    "lengths, for the "
-                    "distance (and only for it).",
-                    mollification_, mollification_ / mesh_->mesh().mean_edge_length()));
-  }
-  solve_ms_ = watch.ms();
+  lift_.solve(capped_, curve_options_, progress);
+  solve_ms_ = lift_.solve_ms();
 }
 
-std::vector<double> CurveSmoother::at_inserted(std::span<const double> values,
-                                               std::size_t k) const {
-  const Surface& surface = mesh_->surface();
-  std::vector<double> result;
-  for (std::size_t i = 0; i < triangulation_.inserted_count(); ++i) {
-    const SurfacePoint point = triangulation_.location(VertexId{surface.vertex_count() + i});
-    const FaceCoordinates at = coordinates_in(surface, point, any_face(surface, point));
-    const auto corners = surface.corners(at.face);
-    for (std::size_t j = 0; j < k; ++j) {
-      double value = 0;
-      for (std::size_t c = 0; c < 3; ++c) {
-        if (at.barycentric[c] > 0) value += at.barycentric[c] * values[corners[c].index() * k + j];
-      }
-      result.push_back(value);
-    }
-  }
-  return result;
-}
-
-/// The largest distance in each component, so that L follows the curve's own component only. With
-/// a single curve no other component has a distance to speak of, and all count as one.
-void CurveSmoother::find_largest_distances() {
-  const bool several = drawn_.size() > 1;
-  if (several && !components_) components_ = components_of(mesh_->surface());
-  largest_distance_.assign(several ? components_->count : 1, 0.0);
-  for (std::size_t v = 0; v < distance_.size(); ++v) {
-    double& largest = largest_distance_[several ? components_->of_vertex[v] : 0];
-    if (std::isfinite(distance_[v])) largest = std::max(largest, distance_[v]);
-  }
-}
-
-std::size_t CurveSmoother::component_of(VertexId v) const {
-  if (largest_distance_.size() == 1) return 0;
-  const Surface& surface = mesh_->surface();
-  if (v.index() >= surface.vertex_count()) {
-    v = surface.corners(any_face(surface, triangulation_.location(v)))[0];
-  }
-  return components_->of_vertex[v.index()];
-}
-
-double CurveSmoother::characteristic_length(const PotentialOptions& options,
-                                            std::size_t component) const {
-  if (options.length == PotentialOptions::Length::kGiven) return options.given_length;
+double CurveSmoother::drawn_length() const {
   double length = 0;
   for (const CurveMeasures& m : drawn_measures_) length += m.length;
-  if (options.length == PotentialOptions::Length::kCurveLength) return length;
-  const double largest = largest_distance_[component];
-  return largest > 0 ? largest : length;  // a curve over every vertex leaves no distance at all
+  return length;
 }
 
 /// A loop of this length is a handful of edges around a vertex: three mean edges of the drawing,
@@ -446,20 +332,7 @@ SmoothingResult CurveSmoother::smooth_for_paper(const SmoothingOptions& options)
     return run(options, [](VertexId, VertexId, double length) { return flat_length(length); });
   }
   if (!need_distance(options.progress)) throw Cancelled();
-  std::vector<Potential> potentials;  // by component
-  for (std::size_t k = 0; k < largest_distance_.size(); ++k) {
-    potentials.emplace_back(options.potential, options.tau,
-                            characteristic_length(options.potential, k));
-  }
-  const std::size_t own = mesh_->surface().vertex_count();
-  return run(options, [this, potentials, own](VertexId p, VertexId q, double length) {
-    const Potential& potential = potentials[component_of(p)];
-    const auto at = [&](VertexId v) {
-      return potential(v.index() < own ? distance_[v.index()]
-                                       : inserted_distance_[v.index() - own]);
-    };
-    return lifted_length(length, at(p), at(q));
-  });
+  return run(options, lift_.metric(options.potential, options.tau, drawn_length()));
 }
 
 SmoothingResult CurveSmoother::smooth(const SmoothingOptions& options,
@@ -492,7 +365,7 @@ SmoothingResult CurveSmoother::smooth_now(const SmoothingOptions& options,
   if (!refined_.empty()) return smooth_refined(options, potential, components);
   if (unrolled_) return smooth_unrolled(options, potential, components);
   const std::size_t own = mesh_->surface().vertex_count();
-  const std::vector<double> inserted = at_inserted(potential, components);
+  const std::vector<double> inserted = straightening_.at_inserted(potential, components);
   SmoothingResult result = run(options, [&](VertexId p, VertexId q, double length) {
     const auto at = [&](VertexId v) {
       return v.index() < own
@@ -509,7 +382,6 @@ SmoothingResult CurveSmoother::smooth_now(const SmoothingOptions& options,
 SmoothingResult CurveSmoother::run(const SmoothingOptions& options,
                                    SignpostTriangulation::Metric metric) {
   const Straightened straight = straighten(options, std::move(metric));
-  triangulation_.set_metric({});  // what it refers to may go away
   const Stopwatch watch;
   std::vector<SurfaceCurve> curves = straight.curves;
   relax(mesh_->mesh(), curves, {options.relax_rounds}, options.progress);
@@ -518,48 +390,18 @@ SmoothingResult CurveSmoother::run(const SmoothingOptions& options,
   return report_on(options, straight, std::move(curves), times);
 }
 
-CurveSmoother::Straightened CurveSmoother::straighten(const SmoothingOptions& options,
-                                                      SignpostTriangulation::Metric metric) {
-  triangulation_.set_metric(std::move(metric));
-  try {
-    return straightened(options);
-  } catch (...) {  // cancelled, most likely, and anywhere
-    while (triangulation_.flip_count() > 0) triangulation_.undo_flip();
-    triangulation_.set_metric({});
-    throw;
-  }
-}
-
-CurveSmoother::Straightened CurveSmoother::straightened(const SmoothingOptions& options) {
-  Stopwatch watch;
-  Straightened result;
-  if (options.prepare_whole_mesh) triangulation_.prepare_all();
-  FlipOutOptions flip_options;
-  flip_options.max_iterations = options.max_iterations;
-  flip_options.min_relative_length = options.min_relative_length;
-  flip_options.length_floor = options.length_floor.value_or(default_floor());
-  flip_options.pinned = embedded_.pinned;
-  flip_options.progress = options.progress;
-  result.flip_out = flip_out_.run(embedded_.paths, flip_options);
-  result.time_ms.straighten = watch.ms();
-
-  watch = Stopwatch();
-  std::vector<EdgePath> paths;
-  for (const FlipOutResult::Path& path : result.flip_out.paths) {
-    if (path.termination == Termination::kCancelled) throw Cancelled();
-    paths.push_back(path.path);
-  }
-  TraceResult traced = tracer_.trace_and_undo(paths, options.progress);
-  result.time_ms.trace = watch.ms();
-  result.curves = std::move(traced.curves);
-  result.clamped = traced.clamped;
-  result.faces_touched = count_touched_faces(triangulation_);
-  const auto touched = triangulation_.touched();
-  result.touched.assign(touched.begin(), touched.end());
-  at_cut_ =
-      at_cut_ || (cut_ != nullptr && std::any_of(touched.begin(), touched.end(), [&](VertexId v) {
-                    return v.index() < cut_->size() && (*cut_)[v.index()];
-                  }));
+Straightened CurveSmoother::straighten(const SmoothingOptions& options,
+                                       SignpostTriangulation::Metric metric) {
+  Straightening::Options own;
+  own.flip_out.max_iterations = options.max_iterations;
+  own.flip_out.min_relative_length = options.min_relative_length;
+  own.flip_out.length_floor = options.length_floor.value_or(default_floor());
+  own.flip_out.progress = options.progress;
+  own.prepare_whole_mesh = options.prepare_whole_mesh;
+  Straightened result = straightening_.run(std::move(metric), std::move(own));
+  const auto is_cut = [&](VertexId v) { return v.index() < cut_->size() && (*cut_)[v.index()]; };
+  at_cut_ = at_cut_ ||
+            (cut_ != nullptr && std::any_of(result.touched.begin(), result.touched.end(), is_cut));
   return result;
 }
 
@@ -574,7 +416,7 @@ SmoothingResult CurveSmoother::report_on(const SmoothingOptions& options,
                                          std::vector<SurfaceCurve> curves, StageTimes times) {
   SmoothingResult result;
   result.curves = std::move(curves);
-  times.open = mesh_->open_ms() + heat_open_ms_;
+  times.open = mesh_->open_ms() + lift_.open_ms();
   times.solve = solve_ms_;
   times.total =
       times.open + times.solve + times.straighten + times.trace + times.relax + times.polish;
@@ -593,8 +435,8 @@ SmoothingResult CurveSmoother::report_on(const SmoothingOptions& options,
     report.iterations = straight.flip_out.iterations;
     report.faces_touched = straight.faces_touched;
     report.trace_fallbacks = straight.clamped;
-    report.mollification = mollification_;
-    report.warnings = warnings_;
+    report.mollification = lift_.mollification();
+    report.warnings = lift_.warnings();
     report_deviation(report, measure_for(options), *deviation_meter_, mesh_->mesh(), ordered_[c],
                      result.curves[c], band_is_there ? &*exact_distance_ : nullptr,
                      options.progress);

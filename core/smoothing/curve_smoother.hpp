@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "talweg/core/drawing/canonical_order.hpp"
-#include "talweg/core/drawing/curve_embedding.hpp"
 #include "talweg/core/measure/measures.hpp"
 #include "talweg/core/measure/report.hpp"
 #include "talweg/core/measure/surface_deviation.hpp"
@@ -18,61 +17,14 @@
 #include "talweg/core/smoothing/corridor.hpp"
 #include "talweg/core/smoothing/drag_stretch.hpp"
 #include "talweg/core/smoothing/drawing_change.hpp"
+#include "talweg/core/smoothing/paper_lift.hpp"
 #include "talweg/core/smoothing/polish.hpp"
-#include "talweg/core/smoothing/potential.hpp"
-#include "talweg/core/smoothing/unrolled_mesh.hpp"
-#include "talweg/intrinsic/error.hpp"
+#include "talweg/core/smoothing/smoothing_options.hpp"
+#include "talweg/core/smoothing/straightening.hpp"
 #include "talweg/intrinsic/exact_distance/polyline_distance.hpp"
-#include "talweg/intrinsic/flips/flip_out.hpp"
-#include "talweg/intrinsic/flips/signpost_triangulation.hpp"
-#include "talweg/intrinsic/flips/trace.hpp"
 #include "talweg/intrinsic/surface/surface_point.hpp"
 
 namespace talweg {
-
-/// Which potential holds the curve, and with it which distance is measured.
-enum class Method {
-  kPaper,     ///< equations 4 to 6 over the heat method's distance on the whole mesh
-  kCorridor,  ///< flat within the slack, exact distance in a band, phase for loops, polished
-};
-
-/// What setting a curve depends on.
-struct CurveOptions {
-  Method method = Method::kCorridor;  ///< and with it the distance
-  double heat_time = 10;              ///< of the distance's heat flow, in units of h²; [1e-3, 1e6]
-  /// Whether the paper's distance, which is what setting a curve costs, is there when it is set;
-  /// else it is computed when something first needs it, and at tau = 0 nothing does.
-  bool distance_at_once = true;
-  double bump_radius = 0;   ///< mesh units; > 0 smooths the distance once more by equation 3
-  bool cap_corners = true;  ///< as the paper does; only curves that run along mesh edges
-  unsigned threads = 2;  ///< at most, for the factors of the heat distance; >= 1; changes no result
-  std::vector<SurfacePoint> pins;  ///< points of the drawing that the result must pass through
-
-  void validate() const;  ///< throws Error(kBadUsage) naming the field and its bound
-};
-
-/// What a new tau depends on.
-struct SmoothingOptions {
-  double tau = 1;  ///< [0, infinity): 0 gives geodesics, more keeps closer to the drawing
-  PotentialOptions potential;   ///< of the paper's method
-  std::optional<double> slack;  ///< of the corridor, mesh units, >= 0; see CurveSmoother::slack()
-  /// Unless empty, the corridor's slack along the drawing instead: per drawn curve one value per
-  /// point, mesh units, >= 0, linear in between. See slack_along().
-  std::vector<std::vector<double>> slack_at;
-  int phase_turns = 3;   ///< of the corridor's phase around a loop, at most points / 8; [0, 64]
-  bool polish = true;    ///< the corridor's result
-  int relax_rounds = 0;  ///< of the paper's relaxation; its authors use 5
-  std::size_t max_iterations = 0;  ///< of FlipOut; 0: FlipOut's own bound
-  double min_relative_length = 0;  ///< stop at this fraction of the lifted length; [0, 1)
-  /// Mesh units; by default 3 mean edges of the drawn loop, at most half of its length.
-  std::optional<double> length_floor;
-  /// Between result and drawing, for the report.
-  DeviationMeasure deviation = DeviationMeasure::kAutomatic;
-  bool prepare_whole_mesh = false;  ///< lay out everything first; slower, same result
-  Progress progress;                ///< may cancel; asked about once in a millisecond of work
-
-  void validate() const;  ///< throws Error(kBadUsage) naming the field and its bound
-};
 
 /// What smooth() returns. Keep it as long as references into it are used.
 struct SmoothingResult {
@@ -151,7 +103,7 @@ class CurveSmoother {
 
   [[nodiscard]] const OpenedMesh& opened() const { return *mesh_; }
   /// The distance per mesh vertex that was given, or computed so far: see need_distance().
-  [[nodiscard]] std::span<const double> distance() const { return distance_; }
+  [[nodiscard]] std::span<const double> distance() const { return lift_.distance(); }
   /// The curves as they were set.
   [[nodiscard]] std::span<const SurfaceCurve> drawn() const { return drawn_; }
   /// The points of them that stay.
@@ -167,7 +119,7 @@ class CurveSmoother {
   // smooth_unrolled.cpp
   struct Unrolled;
   [[nodiscard]] bool is_set() const {
-    return unrolled_ != nullptr || !refined_.empty() || !embedded_.paths.empty();
+    return unrolled_ != nullptr || !refined_.empty() || !straightening_.paths().empty();
   }
   [[nodiscard]] std::vector<bool> tangled() const;
   bool set_unrolled_pins(const Progress& progress);
@@ -221,17 +173,11 @@ class CurveSmoother {
   void embed_drawn(const Progress& progress);
   void set_drawn(const CurveOptions& options, const Progress& progress);
   void forget();
-  void find_largest_distances();
-  [[nodiscard]] std::size_t component_of(VertexId v) const;
-  [[nodiscard]] double characteristic_length(const PotentialOptions& options,
-                                             std::size_t component) const;
+  [[nodiscard]] double drawn_length() const;
   [[nodiscard]] double default_floor() const;
   void solve_distance(const Progress& progress);
   void solve_corridor(const Progress& progress);
   static DeviationMeasure measure_for(const SmoothingOptions& options);
-  /// Per-vertex values (k a row) at the inserted vertices, linear in each face.
-  [[nodiscard]] std::vector<double> at_inserted(std::span<const double> values,
-                                                std::size_t k) const;
   void make_valleys(const Progress& progress);
   void keep_valleys_apart(const Progress& progress);
   void hold_loops(const Progress& progress);
@@ -246,22 +192,12 @@ class CurveSmoother {
                                     const std::vector<Corridor::Valley>& valleys);
   // below which each tau is straightened for itself, and may lead far from the drawing
   static constexpr double kLeastAnchor = 1.0 / 8;
-  /// Geodesics in the lifted surface, back on the mesh.
-  struct Straightened {
-    std::vector<SurfaceCurve> curves;
-    FlipOutResult flip_out;
-    std::size_t clamped = 0;  // crossings that the tracing put at the end of their edge
-    std::size_t faces_touched = 0;
-    std::vector<VertexId> touched;  // vertices whose directions were laid out
-    StageTimes time_ms;
-  };
   struct Anchor {
     Straightened straight;               // of the anchor that it comes from
     std::vector<SurfaceCurve> rough;     // polished a little, for the next anchor below
     std::vector<SurfaceCurve> polished;  // once asked for
   };
   Straightened straighten(const SmoothingOptions& options, SignpostTriangulation::Metric metric);
-  Straightened straightened(const SmoothingOptions& options);
   Straightened straighten_flat(const SmoothingOptions& options);
   std::optional<Straightened> unlifted(const Corridor& corridor,
                                        const std::vector<Corridor::Valley>& valleys,
@@ -302,9 +238,8 @@ class CurveSmoother {
   void report_moves(const SmoothingOptions& options, SmoothingResult& result);
 
   std::shared_ptr<const OpenedMesh> mesh_;
-  SignpostTriangulation triangulation_;
-  FlipOut flip_out_;
-  Tracer tracer_;
+  Straightening straightening_;
+  PaperLift lift_;
 
   Loops loops_ = Loops::kKeep;          // kErase where strips are smoothed, and stretches
   std::unique_ptr<Unrolled> unrolled_;  // what smooths instead of this, for tangled drawings
@@ -321,14 +256,9 @@ class CurveSmoother {
   std::vector<CurveOrder> orders_;      // in which their points are gone through
   std::vector<SurfaceCurve> ordered_;
   std::vector<SurfaceCurve> capped_;  // ordered_, corners capped
-  EmbeddedCurves embedded_;
   CurveOptions curve_options_;
   std::optional<PolylineDistance> exact_distance_;  // of the corridor
   std::optional<DeviationMeter> deviation_meter_;   // made when first needed
-  std::vector<double> distance_;                    // per mesh vertex
-  std::vector<double> inserted_distance_;           // per inserted vertex
-  std::optional<Components> components_;            // made when a set first asks
-  std::vector<double> largest_distance_;            // per component, or one for all
   std::vector<CurveMeasures> drawn_measures_;
   std::vector<double> edges_near_;  // per curve
   struct Last {
@@ -345,9 +275,6 @@ class CurveSmoother {
   std::vector<Corridor::Valley> anchor_valleys_;
   double anchor_floor_ = 0;
   double solve_ms_ = 0;
-  double mollification_ = 0;  // mesh units, for the heat distance
-  double heat_open_ms_ = 0;
-  std::vector<std::string> warnings_;
 };
 
 /// One curve in one call: CurveSmoother for it alone.

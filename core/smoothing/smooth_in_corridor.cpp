@@ -98,7 +98,6 @@ void CurveSmoother::hold_loops(const Progress& progress) {
   const std::vector<SurfacePoint> pins = std::exchange(curve_options_.pins, {});
   const auto embed_again = [&] {
     if (pins.empty()) return;
-    triangulation_.remove_inserted();
     embed_drawn(progress);
   };
   embed_again();
@@ -184,9 +183,8 @@ double CurveSmoother::exact_for(const std::vector<Corridor::Valley>& valleys) co
   return exact;
 }
 
-CurveSmoother::Straightened CurveSmoother::straighten_in(const Corridor& corridor,
-                                                         const SmoothingOptions& options,
-                                                         double exact) {
+Straightened CurveSmoother::straighten_in(const Corridor& corridor, const SmoothingOptions& options,
+                                          double exact) {
   const std::size_t own = mesh_->surface().vertex_count();
   Asker asker(options.progress, "straighten");
   const AskedDuring asked(*exact_distance_, asker);
@@ -196,12 +194,11 @@ CurveSmoother::Straightened CurveSmoother::straighten_in(const Corridor& corrido
     };
     return lifted_length(length, at(p), at(q));
   });
-  triangulation_.set_metric({});  // the corridor goes away
   return result;
 }
 
 /// Without a lift.
-CurveSmoother::Straightened CurveSmoother::straighten_flat(const SmoothingOptions& options) {
+Straightened CurveSmoother::straighten_flat(const SmoothingOptions& options) {
   return straighten(
       options, [](VertexId, VertexId, double length) { return lifted_length(length, 0.0, 0.0); });
 }
@@ -287,9 +284,9 @@ SmoothingResult CurveSmoother::smooth_from_anchor(double from, const SmoothingOp
 }
 
 /// The curve where nothing lifts it, which takes no distance; none where the lift is felt.
-std::optional<CurveSmoother::Straightened> CurveSmoother::unlifted(
-    const Corridor& corridor, const std::vector<Corridor::Valley>& valleys,
-    const SmoothingOptions& options) {
+std::optional<Straightened> CurveSmoother::unlifted(const Corridor& corridor,
+                                                    const std::vector<Corridor::Valley>& valleys,
+                                                    const SmoothingOptions& options) {
   if (options.tau == 0) return straighten_flat(options);
   // A try is worth its time only if it would not be felt a sixteenth of the drawing's radius beyond
   // the slack.

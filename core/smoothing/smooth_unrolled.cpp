@@ -14,31 +14,11 @@
 #include "talweg/intrinsic/stopwatch.hpp"
 
 namespace talweg {
-namespace {
-
-std::vector<std::size_t> crossings_of(SignpostTriangulation& triangulation,
-                                      std::span<const SurfaceCurve> curves,
-                                      const Progress& progress) {
-  std::vector<std::size_t> crossings(curves.size(), 0);
-  try {
-    const EmbeddedCurves embedded =
-        embed_curves(triangulation, curves, {}, Loops::kKeep, {}, progress);
-    crossings = path_contacts(triangulation, embedded.paths).crossings;
-  } catch (const Error&) {  // a loop of less than three edges, which crosses nothing
-  } catch (...) {
-    triangulation.remove_inserted();
-    throw;
-  }
-  triangulation.remove_inserted();
-  return crossings;
-}
-
-}  // namespace
-
 /// Which of the embedded curves need a strip of their own; empty where none does.
 std::vector<bool> CurveSmoother::tangled() const {
   if (loops_ == Loops::kErase) return {};
-  std::vector<bool> tangled = path_contacts(triangulation_, embedded_.paths).tangled;
+  std::vector<bool> tangled =
+      path_contacts(straightening_.triangulation(), straightening_.paths()).tangled;
   if (std::find(tangled.begin(), tangled.end(), true) == tangled.end()) tangled.clear();
   return tangled;
 }
@@ -47,12 +27,11 @@ void CurveSmoother::set_unrolled(const std::vector<bool>& alone, const Progress&
   const Stopwatch watch;
   auto unrolled = std::make_unique<Unrolled>();
   // Each curve's with itself and those that were drawn after it.
-  const std::vector<EdgePath> paths = in_drawn_order(embedded_.paths);
-  unrolled->crossings = path_contacts(triangulation_, paths).crossings;
-  triangulation_.remove_inserted();
-  embedded_ = {};
+  const std::vector<EdgePath> paths = in_drawn_order(straightening_.paths());
+  unrolled->crossings = path_contacts(straightening_.triangulation(), paths).crossings;
+  straightening_.clear();
   const bool paper = curve_options_.method == Method::kPaper;
-  if (paper && distance_.empty()) solve_distance(progress);
+  if (paper && !lift_.is_known()) solve_distance(progress);
 
   const SurfaceMesh& mesh = mesh_->mesh();
   double reach = 0;
@@ -73,7 +52,8 @@ void CurveSmoother::set_unrolled(const std::vector<bool>& alone, const Progress&
   bool done = true;
   if (paper) {
     std::vector<double> distance;
-    for (const VertexId v : unrolled->mesh.vertex_of) distance.push_back(distance_[v.index()]);
+    for (const VertexId v : unrolled->mesh.vertex_of)
+      distance.push_back(lift_.distance()[v.index()]);
     done = smoother.set_curves(curves, std::move(distance), options, progress);
   } else {
     done = smoother.set_curves(curves, options, progress);
@@ -111,9 +91,9 @@ SmoothingResult CurveSmoother::smooth_unrolled(const SmoothingOptions& options) 
     double length = 0;
     for (const SurfaceCurve& curve : ordered_) {
       const FaceId face = any_face(mesh_->surface(), curve.points.front());
-      length = std::max(
-          length, characteristic_length(options.potential,
-                                        component_of(mesh_->surface().corners(face).front())));
+      const VertexId corner = mesh_->surface().corners(face).front();
+      length =
+          std::max(length, lift_.characteristic_length(options.potential, drawn_length(), corner));
     }
     own.potential.length = PotentialOptions::Length::kGiven;
     own.potential.given_length = length;
@@ -171,7 +151,7 @@ SmoothingResult CurveSmoother::folded(SmoothingResult result, const Progress& pr
     curve = unrolled_->mesh.folded(copies, mesh_->surface(), curve);
   }
   const std::vector<std::size_t> after =
-      crossings_of(triangulation_, in_drawn_order(result.curves), progress);
+      straightening_.crossings_of(in_drawn_order(result.curves), progress);
   const std::vector<std::string> lost = lost_pins(result.curves);
   for (std::size_t c = 0; c < result.curves.size(); ++c) {
     SmoothingReport& report = result.reports[c];
@@ -185,10 +165,11 @@ SmoothingResult CurveSmoother::folded(SmoothingResult result, const Progress& pr
     report.curvature_max_before = fresh.curvature_max_before;
     report.curvature_max_after = fresh.curvature_max_after;
     report.edge_length_near = edges_near_[c];
-    report.mollification = mollification_;
+    report.mollification = lift_.mollification();
     report.crossings_before = unrolled_->crossings[set_order_[c]];
     report.crossings_after = after[set_order_[c]];
-    report.warnings.insert(report.warnings.end(), warnings_.begin(), warnings_.end());
+    const std::vector<std::string>& own = lift_.warnings();
+    report.warnings.insert(report.warnings.end(), own.begin(), own.end());
     report.warnings.insert(report.warnings.end(), lost.begin(), lost.end());
     if (report.crossings_after != report.crossings_before) {
       report.warnings.push_back(
@@ -196,7 +177,7 @@ SmoothingResult CurveSmoother::folded(SmoothingResult result, const Progress& pr
                       "result {} times.",
                       report.crossings_before, report.crossings_after));
     }
-    const double open = mesh_->open_ms() + heat_open_ms_;
+    const double open = mesh_->open_ms() + lift_.open_ms();
     report.time_ms.open += open;
     report.time_ms.solve += solve_ms_;
     report.time_ms.total += open + solve_ms_;

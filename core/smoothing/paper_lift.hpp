@@ -1,0 +1,68 @@
+// How the paper's method holds curves: by a potential of the distance to them, over the whole mesh.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "talweg/core/mesh/opened_mesh.hpp"
+#include "talweg/core/smoothing/potential.hpp"
+#include "talweg/core/smoothing/smoothing_options.hpp"
+#include "talweg/core/smoothing/straightening.hpp"
+#include "talweg/intrinsic/progress.hpp"
+
+namespace talweg {
+
+/// The distance, computed by heat or given, and the lengths in the lifted surface that follow from
+/// it (Pawellek, Rössl & Lawonn, section 3.3 and equations 4 to 6).
+class PaperLift {
+ public:
+  /// Both must outlive it; the curves are those that are embedded there when it is used.
+  PaperLift(const OpenedMesh& mesh, const Straightening& curves) : mesh_(&mesh), curves_(&curves) {}
+
+  void clear();
+  [[nodiscard]] bool is_known() const { return !distance_.empty(); }
+  /// Per mesh vertex.
+  [[nodiscard]] std::span<const double> distance() const { return distance_; }
+
+  /// Throws Error(kBadUsage) when there is not one distance per vertex, or one is NaN or -infinity.
+  static void check(const Surface& surface, std::span<const double> distance);
+  /// A distance that was checked, used as it is. `several`: curves.
+  void set(std::vector<double> distance, bool several);
+  /// The distance to the curves by heat. Throws Cancelled; nothing has changed then.
+  void solve(std::span<const SurfaceCurve> curves, const CurveOptions& options,
+             const Progress& progress);
+
+  /// Lengths in the lifted surface; it refers to this object. `drawn_length`: of all curves.
+  [[nodiscard]] SignpostTriangulation::Metric metric(const PotentialOptions& options, double tau,
+                                                     double drawn_length) const;
+  /// The L of the component that a vertex is on.
+  [[nodiscard]] double characteristic_length(const PotentialOptions& options, double drawn_length,
+                                             VertexId vertex) const;
+
+  /// By how much edges were lengthened for the distance, mesh units, and a sentence on that.
+  [[nodiscard]] double mollification() const { return mollification_; }
+  [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
+  /// How long the factors of the mesh and the solve took.
+  [[nodiscard]] double open_ms() const { return open_ms_; }
+  [[nodiscard]] double solve_ms() const { return solve_ms_; }
+
+ private:
+  void find_largest(bool several);
+  [[nodiscard]] std::size_t component_of(VertexId v) const;
+  [[nodiscard]] double length_of(const PotentialOptions& options, double drawn_length,
+                                 std::size_t component) const;
+
+  const OpenedMesh* mesh_;
+  const Straightening* curves_;
+  std::vector<double> distance_;          // per mesh vertex
+  std::vector<double> at_inserted_;       // per inserted vertex
+  std::optional<Components> components_;  // made when a set first asks
+  std::vector<double> largest_;           // per component, or one for all
+  double mollification_ = 0, open_ms_ = 0, solve_ms_ = 0;
+  std::vector<std::string> warnings_;
+};
+
+}  // namespace talweg

@@ -1,0 +1,71 @@
+// Drawn curves, straightened in any metric and traced back onto the surface.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "talweg/core/drawing/curve_embedding.hpp"
+#include "talweg/core/measure/report.hpp"
+#include "talweg/intrinsic/flips/flip_out.hpp"
+#include "talweg/intrinsic/flips/signpost_triangulation.hpp"
+#include "talweg/intrinsic/flips/trace.hpp"
+
+namespace talweg {
+
+/// Geodesics in the lifted surface, back on the mesh.
+struct Straightened {
+  std::vector<SurfaceCurve> curves;
+  FlipOutResult flip_out;
+  std::size_t clamped = 0;  ///< crossings that the tracing put at the end of their edge
+  std::size_t faces_touched = 0;
+  std::vector<VertexId> touched;  ///< vertices whose directions were laid out
+  StageTimes time_ms;             ///< straighten, trace
+};
+
+/// The triangulation of a surface, the curves that are embedded in it, and what straightens them
+/// there. Memory is made once; a run costs what it touches, and leaves the triangulation as it was.
+class Straightening {
+ public:
+  /// O(surface). The surface must outlive it.
+  explicit Straightening(const Surface& surface);
+
+  /// Embeds these curves instead of those before; the arguments are those of embed_curves(), which
+  /// says what is thrown. None are embedded then.
+  void embed(std::span<const SurfaceCurve> curves, std::span<const SurfacePoint> pins, Loops loops,
+             std::span<const std::size_t> names, const Progress& progress);
+  void clear();
+
+  /// The curves that are embedded.
+  [[nodiscard]] const std::vector<EdgePath>& paths() const { return embedded_.paths; }
+
+  /// How far FlipOut goes; `pinned` is put in.
+  struct Options {
+    FlipOutOptions flip_out;
+    bool prepare_whole_mesh = false;  ///< lay out everything first; slower, same result
+  };
+  /// Straightens the curves in a metric on the edges, which may go away afterwards. Throws
+  /// Cancelled.
+  Straightened run(SignpostTriangulation::Metric metric, Options options);
+
+  /// Per-vertex values (k a row) at the inserted vertices, linear in each face.
+  [[nodiscard]] std::vector<double> at_inserted(std::span<const double> values,
+                                                std::size_t k) const;
+
+  /// Crossings of each curve, of others than the embedded ones, with itself and those that come
+  /// after it. While none are embedded. Throws Cancelled.
+  std::vector<std::size_t> crossings_of(std::span<const SurfaceCurve> curves,
+                                        const Progress& progress);
+
+  [[nodiscard]] const SignpostTriangulation& triangulation() const { return triangulation_; }
+
+ private:
+  Straightened straightened(const Options& options);
+
+  SignpostTriangulation triangulation_;
+  FlipOut flip_out_;
+  Tracer tracer_;
+  EmbeddedCurves embedded_;
+};
+
+}  // namespace talweg
