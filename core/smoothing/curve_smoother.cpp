@@ -39,28 +39,13 @@ void CurveSmoother::forget() {
   straightening_.clear();
   unrolled_.reset();
   refined_.clear();
-  drawn_.clear();
-  set_order_.clear();
-  places_.clear();
-  orders_.clear();
-  ordered_.clear();
+  drawing_ = {};
   capped_.clear();
   lift_.clear();
-  drawn_measures_.clear();
-  edges_near_.clear();
   last_.reset();
   valleys_.clear();
   anchors_.clear();
   solve_ms_ = 0;
-}
-
-void CurveSmoother::refuse_point(const SurfaceCurve& curve) const {
-  const Point at = mesh_->mesh().position(curve.points.front());
-  throw Error(ErrorCode::kBadCurve,
-              fmt::format("Curve {} has no length: its {} points all lie at ({:.9g}, {:.9g}, "
-                          "{:.9g}), where faces of the mesh have no extent.",
-                          set_order_[drawn_measures_.size() - 1], curve.points.size(), at.x(),
-                          at.y(), at.z()));
 }
 
 void CurveSmoother::take(std::span<const SurfaceCurve> curves, const CurveOptions& options,
@@ -75,46 +60,23 @@ void CurveSmoother::take(std::span<const SurfaceCurve> curves, const CurveOption
   }
   check_pins(curves, options.pins);
   curve_options_ = options;
-  drawn_.assign(curves.begin(), curves.end());
-  std::vector<CurveOrder> orders;
-  std::vector<SurfaceCurve> ordered;
-  orders.reserve(drawn_.size());
-  ordered.reserve(drawn_.size());
-  for (const SurfaceCurve& curve : drawn_) {
-    const auto next = [&] { asker.did(kOfPoint * curve.points.size()); };
-    next();
-    orders.push_back(canonical_order(mesh_->mesh(), curve));
-    ordered.push_back(in_order(curve, orders.back()));
-  }
-  set_order_ = canonical_set_order(mesh_->mesh(), ordered);
-  places_.resize(drawn_.size());
-  for (const std::size_t c : set_order_) {
-    places_[c] = ordered_.size();
-    orders_.push_back(orders[c]);
-    const SurfaceCurve& curve = ordered_.emplace_back(std::move(ordered[c]));
-    const auto next = [&] { asker.did(kOfPoint * curve.points.size()); };
-    next();
-    drawn_measures_.push_back(measure_curve(surface, curve));
-    if (!(drawn_measures_.back().length > 0)) refuse_point(curve);
-    next();
-    edges_near_.push_back(edge_length_near(surface, curve));
-  }
+  drawing_ = OrderedDrawing(mesh_->mesh(), curves, asker);
 }
 
 void CurveSmoother::embed_drawn(const Progress& progress) {
   capped_.clear();
-  for (const SurfaceCurve& curve : ordered_) {
+  for (const SurfaceCurve& curve : drawing_.curves()) {
     capped_.push_back(curve_options_.cap_corners
                           ? capped_curve(mesh_->surface(), curve, curve_options_.pins)
                           : curve);
   }
-  straightening_.embed(capped_, curve_options_.pins, loops_, set_order_, progress);
+  straightening_.embed(capped_, curve_options_.pins, loops_, drawing_.numbers(), progress);
 }
 
 bool CurveSmoother::set_pins(std::span<const SurfacePoint> pins, const Progress& progress) {
   if (!is_set()) bad_usage("No curve is set.");
   if (curve_options_.method != Method::kCorridor) bad_usage("set_pins() needs the corridor.");
-  check_pins(drawn_, pins);
+  check_pins(drawing_.drawn(), pins);
   const std::vector<SurfacePoint> own(pins.begin(), pins.end());  // may be our own
   const std::vector<SurfacePoint> before = curve_options_.pins;
   const auto set = [&](const std::vector<SurfacePoint>& these, const Progress& asked) {
@@ -166,7 +128,7 @@ bool CurveSmoother::set_curves(std::span<const SurfaceCurve> curves, const Curve
 
 void CurveSmoother::set_drawn(const CurveOptions& options, const Progress& progress) {
   if (!faces_to_divide().empty()) {
-    capped_ = ordered_;
+    capped_ = drawing_.curves();
     return set_refined(progress);
   }
   embed_drawn(progress);
@@ -189,7 +151,7 @@ bool CurveSmoother::set_curves(std::span<const SurfaceCurve> curves, std::vector
     take(own, options, progress);
     embed_drawn(progress);
     curve_options_.method = Method::kPaper;
-    lift_.set(std::move(distance), drawn_.size() > 1);
+    lift_.set(std::move(distance), drawing_.drawn().size() > 1);
     if (const std::vector<bool> alone = tangled(); !alone.empty()) {
       set_unrolled(alone, progress);
     }
@@ -210,7 +172,7 @@ void CurveSmoother::solve_corridor(const Progress& progress) {
   {
     Asker asker(progress, "solve");
     const AskedDuring asked(*exact_distance_, asker);
-    exact_distance_->set(ordered_);
+    exact_distance_->set(drawing_.curves());
   }
   make_valleys(progress);
   hold_loops(progress);
@@ -235,7 +197,7 @@ void CurveSmoother::solve_distance(const Progress& progress) {
 
 double CurveSmoother::drawn_length() const {
   double length = 0;
-  for (const CurveMeasures& m : drawn_measures_) length += m.length;
+  for (const CurveMeasures& m : drawing_.measures()) length += m.length;
   return length;
 }
 
@@ -263,7 +225,7 @@ SmoothingResult CurveSmoother::smooth(const SmoothingOptions& options) {
   if (!is_set()) bad_usage("No curve is set.");
   try {
     const Asker asked(options.progress, "straighten");
-    return as_drawn(smooth_now(with_ordered_slack(options)));
+    return drawing_.as_drawn(smooth_now(with_ordered_slack(options)));
   } catch (const Cancelled&) {
     return cancelled_result(options);
   }
@@ -272,52 +234,21 @@ SmoothingResult CurveSmoother::smooth(const SmoothingOptions& options) {
 /// The drawing as it is.
 SmoothingResult CurveSmoother::cancelled_result(const SmoothingOptions& options) const {
   SmoothingResult result;
-  result.curves = drawn_;
-  for (std::size_t c = 0; c < drawn_.size(); ++c) {
-    SmoothingReport& report = result.reports.emplace_back(
-        report_on_nothing(mesh_->mesh(), drawn_[c], drawn_measures_[places_[c]]));
+  result.curves = drawing_.drawn();
+  for (std::size_t c = 0; c < drawing_.drawn().size(); ++c) {
+    SmoothingReport& report = result.reports.emplace_back(report_on_nothing(
+        mesh_->mesh(), drawing_.drawn()[c], drawing_.measures()[drawing_.place_of(c)]));
     report.tau = options.tau;
-    report.edge_length_near = edges_near_[places_[c]];
+    report.edge_length_near = drawing_.edges_near()[drawing_.place_of(c)];
     report.termination = to_string(Termination::kCancelled);
   }
   result.total = total_of(result.reports);
   return result;
 }
 
-/// Of curves as they were drawn. All that is measured and decided is so on ordered ones, so that a
-/// reversed drawing has the same result to the last bit.
 SmoothingOptions CurveSmoother::with_ordered_slack(SmoothingOptions options) const {
-  if (options.slack_at.empty() || curve_options_.method != Method::kCorridor) return options;
-  const std::vector<std::vector<double>> drawn = std::move(options.slack_at);
-  if (drawn.size() != drawn_.size()) {
-    bad_usage(
-        fmt::format("slack_at has values for {} curves, not for {}.", drawn.size(), drawn_.size()));
-  }
-  for (std::size_t c = 0; c < drawn.size(); ++c) {
-    Corridor::check_slack(drawn[c], c, drawn_[c].points.size());
-  }
-  options.slack_at.clear();
-  for (std::size_t c = 0; c < drawn.size(); ++c) {
-    const std::vector<double>& own = drawn[set_order_[c]];
-    std::vector<double>& ordered = options.slack_at.emplace_back();
-    ordered.reserve(own.size());
-    for (std::size_t k = 0; k < own.size(); ++k) {
-      ordered.push_back(own[orders_[c].drawn_index(k, own.size())]);
-    }
-  }
-  return options;
-}
-
-SmoothingResult CurveSmoother::as_drawn(SmoothingResult result) const {
-  for (std::size_t c = 0; c < result.curves.size(); ++c) {
-    std::vector<SurfacePoint>& points = result.curves[c].points;
-    if (orders_[c].reversed) std::reverse(points.begin(), points.end());
-  }
-  if (std::is_sorted(set_order_.begin(), set_order_.end())) return result;
-  result.curves = in_drawn_order(result.curves);
-  result.reports = in_drawn_order(result.reports);
-  result.total = total_of(result.reports);
-  return result;
+  return curve_options_.method == Method::kCorridor ? drawing_.ordered(std::move(options))
+                                                    : options;
 }
 
 SmoothingResult CurveSmoother::smooth_now(const SmoothingOptions& options) {
@@ -353,7 +284,7 @@ SmoothingResult CurveSmoother::smooth(const SmoothingOptions& options,
   }
   try {
     const Asker asked(options.progress, "straighten");
-    return as_drawn(smooth_now(options, potential, components));
+    return drawing_.as_drawn(smooth_now(options, potential, components));
   } catch (const Cancelled&) {
     return cancelled_result(options);
   }
@@ -420,14 +351,15 @@ SmoothingResult CurveSmoother::report_on(const SmoothingOptions& options,
   times.solve = solve_ms_;
   times.total =
       times.open + times.solve + times.straighten + times.trace + times.relax + times.polish;
-  const bool band_is_there = curve_options_.method == Method::kCorridor && drawn_.size() == 1;
+  const bool band_is_there =
+      curve_options_.method == Method::kCorridor && drawing_.drawn().size() == 1;
   if (!deviation_meter_) deviation_meter_.emplace(mesh_->mesh());
   for (std::size_t c = 0; c < result.curves.size(); ++c) {
-    SmoothingReport& report = result.reports.emplace_back(
-        report_on_curve(mesh_->mesh(), ordered_[c], drawn_measures_[c], result.curves[c]));
+    SmoothingReport& report = result.reports.emplace_back(report_on_curve(
+        mesh_->mesh(), drawing_.curves()[c], drawing_.measures()[c], result.curves[c]));
     const FlipOutResult::Path& path = straight.flip_out.paths[c];
     report.tau = options.tau;
-    report.edge_length_near = edges_near_[c];
+    report.edge_length_near = drawing_.edges_near()[c];
     report.lifted_length_before = path.length_before;
     report.lifted_length_after = path.length_after;
     report.termination = to_string(path.termination);
@@ -437,11 +369,11 @@ SmoothingResult CurveSmoother::report_on(const SmoothingOptions& options,
     report.trace_fallbacks = straight.clamped;
     report.mollification = lift_.mollification();
     report.warnings = lift_.warnings();
-    report_deviation(report, measure_for(options), *deviation_meter_, mesh_->mesh(), ordered_[c],
-                     result.curves[c], band_is_there ? &*exact_distance_ : nullptr,
-                     options.progress);
+    report_deviation(report, measure_for(options), *deviation_meter_, mesh_->mesh(),
+                     drawing_.curves()[c], result.curves[c],
+                     band_is_there ? &*exact_distance_ : nullptr, options.progress);
     if (warns_if_far_) {
-      warn_if_far(report, kFarInEdges * edges_near_[c],
+      warn_if_far(report, kFarInEdges * drawing_.edges_near()[c],
                   options.deviation == DeviationMeasure::kAutomatic);
     }
     if (path.termination == Termination::kLimit && options.max_iterations == 0 &&

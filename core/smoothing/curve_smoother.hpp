@@ -9,36 +9,22 @@
 #include <utility>
 #include <vector>
 
-#include "talweg/core/drawing/canonical_order.hpp"
-#include "talweg/core/measure/measures.hpp"
 #include "talweg/core/measure/report.hpp"
 #include "talweg/core/measure/surface_deviation.hpp"
 #include "talweg/core/mesh/opened_mesh.hpp"
 #include "talweg/core/smoothing/corridor.hpp"
 #include "talweg/core/smoothing/drag_stretch.hpp"
 #include "talweg/core/smoothing/drawing_change.hpp"
+#include "talweg/core/smoothing/ordered_drawing.hpp"
 #include "talweg/core/smoothing/paper_lift.hpp"
 #include "talweg/core/smoothing/polish.hpp"
 #include "talweg/core/smoothing/smoothing_options.hpp"
+#include "talweg/core/smoothing/smoothing_result.hpp"
 #include "talweg/core/smoothing/straightening.hpp"
 #include "talweg/intrinsic/exact_distance/polyline_distance.hpp"
 #include "talweg/intrinsic/surface/surface_point.hpp"
 
 namespace talweg {
-
-/// What smooth() returns. Keep it as long as references into it are used.
-struct SmoothingResult {
-  std::vector<SurfaceCurve> curves;      ///< one per drawn curve, in their order
-  std::vector<SmoothingReport> reports;  ///< one per curve, in their order
-  SmoothingReport total;                 ///< of all curves
-
-  /// The first curve, or the only one.
-  [[nodiscard]] const SurfaceCurve& curve() const& { return curves.front(); }
-  [[nodiscard]] SurfaceCurve curve() && { return std::move(curves.front()); }
-  /// The report on all curves together.
-  [[nodiscard]] const SmoothingReport& report() const& { return total; }
-  [[nodiscard]] SmoothingReport report() && { return std::move(total); }
-};
 
 /// Smooths curves on one opened mesh. Holds the working memory, which is made once; one thread at a
 /// time per smoother, any number of smoothers per opened mesh.
@@ -105,7 +91,7 @@ class CurveSmoother {
   /// The distance per mesh vertex that was given, or computed so far: see need_distance().
   [[nodiscard]] std::span<const double> distance() const { return lift_.distance(); }
   /// The curves as they were set.
-  [[nodiscard]] std::span<const SurfaceCurve> drawn() const { return drawn_; }
+  [[nodiscard]] std::span<const SurfaceCurve> drawn() const { return drawing_.drawn(); }
   /// The points of them that stay.
   [[nodiscard]] std::span<const SurfacePoint> pins() const { return curve_options_.pins; }
   /// The corridor's slack for each curve where no other is asked for, mesh units: default_slack(),
@@ -153,15 +139,7 @@ class CurveSmoother {
   SmoothingResult coarse(const Refined& refined, SmoothingResult result,
                          const SmoothingOptions& options);
 
-  template <class Value>
-  [[nodiscard]] std::vector<Value> in_drawn_order(const std::vector<Value>& ordered) const {
-    std::vector<Value> result;
-    result.reserve(places_.size());
-    for (const std::size_t place : places_) result.push_back(ordered[place]);
-    return result;
-  }
   [[nodiscard]] SmoothingOptions with_ordered_slack(SmoothingOptions options) const;
-  [[nodiscard]] SmoothingResult as_drawn(SmoothingResult result) const;
   [[nodiscard]] SmoothingResult cancelled_result(const SmoothingOptions& options) const;
   SmoothingResult smooth_now(const SmoothingOptions& options);
   SmoothingResult smooth_now(const SmoothingOptions& options, std::span<const double> potential,
@@ -169,7 +147,6 @@ class CurveSmoother {
   SmoothingResult smooth_for_paper(const SmoothingOptions& options);
   void take(std::span<const SurfaceCurve> curves, const CurveOptions& options,
             const Progress& progress);
-  [[noreturn]] void refuse_point(const SurfaceCurve& curve) const;
   void embed_drawn(const Progress& progress);
   void set_drawn(const CurveOptions& options, const Progress& progress);
   void forget();
@@ -248,19 +225,11 @@ class CurveSmoother {
   // And for those that are finer than the mesh, on parts of it, each with twice the reach of the
   // one before; all but the first are made when first needed.
   std::vector<std::unique_ptr<Refined>> refined_;
-  std::vector<SurfaceCurve> drawn_;
-  // All that follows, "per curve", is of ordered_: drawn_ in the canonical order of its points and
-  // of its curves. Only what callers give and get is in theirs.
-  std::vector<std::size_t> set_order_;  // which drawn curve each ordered one is
-  std::vector<std::size_t> places_;     // where each drawn curve is among the ordered ones
-  std::vector<CurveOrder> orders_;      // in which their points are gone through
-  std::vector<SurfaceCurve> ordered_;
-  std::vector<SurfaceCurve> capped_;  // ordered_, corners capped
+  OrderedDrawing drawing_;            // all that follows, "per curve", is of its curves()
+  std::vector<SurfaceCurve> capped_;  // those, corners capped
   CurveOptions curve_options_;
   std::optional<PolylineDistance> exact_distance_;  // of the corridor
   std::optional<DeviationMeter> deviation_meter_;   // made when first needed
-  std::vector<CurveMeasures> drawn_measures_;
-  std::vector<double> edges_near_;  // per curve
   struct Last {
     SmoothingOptions options;
     SmoothingResult result;

@@ -112,16 +112,18 @@ SmoothingResult CurveSmoother::result_for(const SmoothingOptions& options) {
     plain.deviation = DeviationMeasure::kNone;
     smooth_now(plain);
   }
-  return as_drawn(last_->result);
+  return drawing_.as_drawn(last_->result);
 }
 
 /// As for the drawing that is set, whose slack and L stay.
 std::vector<Corridor::Valley> CurveSmoother::dragged_valleys(
     const DrawingChange& change, std::size_t curve, const SmoothingOptions& options) const {
-  std::vector<Corridor::Valley> valleys = in_drawn_order(valleys_for(with_ordered_slack(options)));
+  std::vector<Corridor::Valley> valleys =
+      drawing_.in_drawn_order(valleys_for(with_ordered_slack(options)));
   for (std::size_t c = 0; c < options.slack_at.size(); ++c) {
-    valleys[c].slack_at =
-        c == curve ? carried_over(options.slack_at[c], drawn_[c], change) : options.slack_at[c];
+    valleys[c].slack_at = c == curve
+                              ? carried_over(options.slack_at[c], drawing_.drawn()[c], change)
+                              : options.slack_at[c];
   }
   return valleys;
 }
@@ -153,9 +155,7 @@ SurfaceCurve CurveSmoother::rough_stretch(const SmoothingOptions& options) {
   StageTimes times;
   anchors_.clear();
   const Anchor& anchor = anchor_at(*anchor_of(options), options, valleys_, times);
-  SurfaceCurve curve = anchor.rough.front();
-  if (orders_.front().reversed) std::reverse(curve.points.begin(), curve.points.end());
-  return curve;
+  return drawing_.as_drawn(SmoothingResult{anchor.rough, {}, {}}).curves.front();
 }
 
 /// Which points of the changed drawing are smoothed anew, [first, last].
@@ -233,14 +233,14 @@ std::optional<SurfaceCurve> CurveSmoother::joined(const DragRange& range,
 SurfaceCurve CurveSmoother::dragged(const DrawingChange& change, std::size_t curve,
                                     const SurfaceCurve& last, const SmoothingOptions& options) {
   const SurfaceMesh& mesh = mesh_->mesh();
-  std::vector<SurfaceCurve> curves = drawn_;
+  std::vector<SurfaceCurve> curves = drawing_.drawn();
   curves[curve] = change.after;
   const std::vector<Corridor::Valley> valleys = dragged_valleys(change, curve, options);
-  const double segment =
-      drawn_measures_[places_[curve]].length / static_cast<double>(change.before.points.size());
+  const double segment = drawing_.measures()[drawing_.place_of(curve)].length /
+                         static_cast<double>(change.before.points.size());
   double slack = valleys[curve].slack;
   for (const double s : valleys[curve].slack_at) slack = std::max(slack, s);
-  const double reach = kReach * (slack + edges_near_[places_[curve]]);
+  const double reach = kReach * (slack + drawing_.edges_near()[drawing_.place_of(curve)]);
   if (!dragger_) dragger_ = std::make_unique<CurveSmoother>(mesh_);
   dragger_->loops_ = Loops::kErase;
   if (anchor_of(options)) {
@@ -259,14 +259,14 @@ SurfaceCurve CurveSmoother::dragged(const DrawingChange& change, std::size_t cur
   SmoothingOptions plain = options;
   plain.deviation = DeviationMeasure::kNone;
   SmoothingResult result =
-      dragger_->as_drawn(dragger_->smooth_in_valleys(plain, dragger_->valleys_));
+      dragger_->drawing_.as_drawn(dragger_->smooth_in_valleys(plain, dragger_->valleys_));
   return std::move(result.curves.front());
 }
 
 /// A stretch is not enough where strips meet or faces are divided: all is smoothed anew.
 SmoothingResult CurveSmoother::drag_whole(std::size_t curve, const SurfaceCurve& moved,
                                           const SmoothingOptions& options) {
-  std::vector<SurfaceCurve> curves = drawn_;
+  std::vector<SurfaceCurve> curves = drawing_.drawn();
   curves[curve] = moved;
   CurveOptions own = curve_options_;
   std::erase_if(own.pins, [&](const SurfacePoint& pin) {
@@ -279,7 +279,7 @@ SmoothingResult CurveSmoother::drag_whole(std::size_t curve, const SurfaceCurve&
   if (!dragger_) dragger_ = std::make_unique<CurveSmoother>(mesh_);
   dragger_->loops_ = Loops::kKeep;
   if (!dragger_->set_curves(curves, own, options.progress)) throw Cancelled();
-  SmoothingResult result = dragger_->as_drawn(dragger_->smooth_now(plain));
+  SmoothingResult result = dragger_->drawing_.as_drawn(dragger_->smooth_now(plain));
   result.reports[curve].engine = "preview";
   result.total = total_of(result.reports);
   return result;
@@ -293,7 +293,7 @@ SmoothingResult CurveSmoother::drag(std::size_t curve, const SurfaceCurve& moved
   options.validate();
   require(is_set(), "No curve is set.");
   require(curve_options_.method == Method::kCorridor, "drag() needs the corridor.");
-  require(curve < drawn_.size(), "drag() is asked for a curve that is not set.");
+  require(curve < drawing_.drawn().size(), "drag() is asked for a curve that is not set.");
   const SurfaceCurve own = moved;  // NOLINT: may be our own drawing, which changes
   check_drawn(mesh_->surface(), own);
   try {
@@ -311,7 +311,7 @@ SmoothingResult CurveSmoother::drag_now(std::size_t curve, const SurfaceCurve& o
   if (unrolled_ || !refined_.empty()) return drag_whole(curve, own, options);
   SmoothingResult result = result_for(options);
   const Stopwatch watch;
-  const DrawingChange change = change_between(drawn_[curve], own);
+  const DrawingChange change = change_between(drawing_.drawn()[curve], own);
   if (!change.is_none())
     result.curves[curve] = dragged(change, curve, result.curves[curve], options);
 

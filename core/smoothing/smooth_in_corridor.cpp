@@ -45,14 +45,14 @@ std::vector<double> CurveSmoother::slack() const {
     for (const Corridor::Valley& valley : valleys_) ordered.push_back(valley.slack);
   }
   if (ordered.empty()) return ordered;  // the paper's method
-  return in_drawn_order(ordered);
+  return drawing_.in_drawn_order(ordered);
 }
 
 void CurveSmoother::make_valleys(const Progress& progress) {
   constexpr std::size_t kOfPoint = 16;  // units of work
   Asker asker(progress, "solve");
   valleys_.clear();
-  for (const SurfaceCurve& curve : ordered_) {
+  for (const SurfaceCurve& curve : drawing_.curves()) {
     asker.did(kOfPoint * curve.points.size());
     Corridor::Valley& valley = valleys_.emplace_back();
     valley.closed = curve.closed;
@@ -67,7 +67,8 @@ void CurveSmoother::keep_valleys_apart(const Progress& progress) {
   constexpr double kOfGap = 0.45;
   double most = 0;
   for (const Corridor::Valley& valley : valleys_) most = std::max(most, valley.slack);
-  const std::vector<double> gaps = gaps_to_others(mesh_->mesh(), ordered_, most / kOfGap, progress);
+  const std::vector<double> gaps =
+      gaps_to_others(mesh_->mesh(), drawing_.curves(), most / kOfGap, progress);
   for (std::size_t c = 0; c < gaps.size(); ++c) {
     valleys_[c].slack = std::min(valleys_[c].slack, kOfGap * gaps[c]);
   }
@@ -88,10 +89,11 @@ void CurveSmoother::steepen(Corridor::Valley& valley, const SurfaceCurve& drawn)
 void CurveSmoother::hold_loops(const Progress& progress) {
   constexpr double kLeastTau = 0.25;
   constexpr int kHalvings = 8;
-  std::vector<bool> doubtful(drawn_.size(), false);
-  for (std::size_t c = 0; c < drawn_.size(); ++c) {
+  std::vector<bool> doubtful(drawing_.drawn().size(), false);
+  for (std::size_t c = 0; c < drawing_.drawn().size(); ++c) {
     const Corridor::Valley& valley = valleys_[c];
-    doubtful[c] = valley.closed && valley.slack > width_of_loop(mesh_->mesh(), ordered_[c]);
+    doubtful[c] =
+        valley.closed && valley.slack > width_of_loop(mesh_->mesh(), drawing_.curves()[c]);
   }
   if (std::count(doubtful.begin(), doubtful.end(), true) == 0) return;
   // Without pins, which may be taken away later.
@@ -108,15 +110,15 @@ void CurveSmoother::hold_loops(const Progress& progress) {
   options.progress = progress;
   for (int k = 0; k < kHalvings && std::count(doubtful.begin(), doubtful.end(), true) > 0; ++k) {
     const SmoothingResult tried = smooth_in_corridor(options);
-    for (std::size_t c = 0; c < drawn_.size(); ++c) {
+    for (std::size_t c = 0; c < drawing_.drawn().size(); ++c) {
       const SmoothingReport& report = tried.reports[c];
       doubtful[c] = doubtful[c] && (report.termination != to_string(Termination::kConverged) ||
                                     report.length_after < report.length_before / 2);
       if (doubtful[c]) valleys_[c].slack /= 2;
     }
   }
-  for (std::size_t c = 0; c < drawn_.size(); ++c) {
-    if (doubtful[c]) steepen(valleys_[c], ordered_[c]);
+  for (std::size_t c = 0; c < drawing_.drawn().size(); ++c) {
+    if (doubtful[c]) steepen(valleys_[c], drawing_.curves()[c]);
   }
   curve_options_.pins = pins;
   embed_again();
@@ -130,7 +132,7 @@ std::vector<Corridor::Valley> CurveSmoother::valleys_for(const SmoothingOptions&
     if (options.slack) valley.slack = *options.slack;
     if (!options.slack_at.empty()) valley.slack_at = options.slack_at[c];
     // With fewer points to a turn the phase could not follow the loop.
-    const std::size_t most = std::max<std::size_t>(ordered_[c].points.size() / 8, 1);
+    const std::size_t most = std::max<std::size_t>(drawing_.curves()[c].points.size() / 8, 1);
     valley.turns = std::min(options.phase_turns, static_cast<int>(most));
   }
   return valleys;
@@ -178,7 +180,8 @@ double CurveSmoother::exact_for(const std::vector<Corridor::Valley>& valleys) co
   for (std::size_t c = 0; c < valleys.size(); ++c) {
     const double slack = largest_slack(valleys[c]);
     // While dragging there are valleys of curves that are only near.
-    exact = std::max(exact, slack + edges_near_[std::min(c, edges_near_.size() - 1)]);
+    exact = std::max(exact,
+                     slack + drawing_.edges_near()[std::min(c, drawing_.edges_near().size() - 1)]);
   }
   return exact;
 }
@@ -207,7 +210,8 @@ Straightened CurveSmoother::straighten_flat(const SmoothingOptions& options) {
 /// edges from the drawing say how far away they are at most.
 bool CurveSmoother::is_felt(const Corridor& corridor, const Straightened& flat,
                             const Progress& progress) const {
-  const TouchedEdges edges = touched_edges(mesh_->surface(), flat.touched, ordered_, progress);
+  const TouchedEdges edges =
+      touched_edges(mesh_->surface(), flat.touched, drawing_.curves(), progress);
   return !(corridor.largest_lengthening(edges.farthest, edges.shortest) <= kUnfelt);
 }
 
@@ -217,7 +221,7 @@ void CurveSmoother::hold_thin_loops(Straightened& straight) const {
   for (std::size_t c = 0; c < capped_.size(); ++c) {
     FlipOutResult::Path& path = straight.flip_out.paths[c];
     if (!capped_[c].closed || path.termination != Termination::kCollapsed) continue;
-    straight.curves[c] = ordered_[c];  // capped corners may cut through it
+    straight.curves[c] = drawing_.curves()[c];  // capped corners may cut through it
     path.length_after = path.length_before;
     path.termination = Termination::kConverged;
   }

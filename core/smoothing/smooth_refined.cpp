@@ -45,7 +45,7 @@ std::vector<double> values_on(const RefinedMesh& mesh, const Surface& original,
 std::vector<FaceId> CurveSmoother::faces_to_divide() const {
   std::vector<FaceId> faces;
   if (!may_refine_ || curve_options_.method != Method::kCorridor) return faces;
-  for (const SurfaceCurve& curve : ordered_) {
+  for (const SurfaceCurve& curve : drawing_.curves()) {
     const double slack = default_slack(mesh_->surface(), curve);
     const std::vector<FaceId> own = too_large_faces(mesh_->mesh(), curve, slack);
     faces.insert(faces.end(), own.begin(), own.end());
@@ -56,8 +56,9 @@ std::vector<FaceId> CurveSmoother::faces_to_divide() const {
 /// As far around the drawing as a result comes at tau = 1/8 and more.
 double CurveSmoother::refined_reach() const {
   double reach = 0;
-  for (std::size_t c = 0; c < ordered_.size(); ++c) {
-    reach = std::max(reach, corridor_reach(mesh_->mesh(), ordered_[c], edges_near_[c]));
+  for (std::size_t c = 0; c < drawing_.curves().size(); ++c) {
+    reach = std::max(reach,
+                     corridor_reach(mesh_->mesh(), drawing_.curves()[c], drawing_.edges_near()[c]));
   }
   return reach;
 }
@@ -67,16 +68,19 @@ std::unique_ptr<CurveSmoother::Refined> CurveSmoother::refined_within(double rea
   const Stopwatch watch;
   const SurfaceMesh& mesh = mesh_->mesh();
   std::vector<double> longest;
-  for (const SurfaceCurve& curve : ordered_) longest.push_back(longest_edge(mesh.surface(), curve));
+  for (const SurfaceCurve& curve : drawing_.curves())
+    longest.push_back(longest_edge(mesh.surface(), curve));
   auto refined = std::make_unique<Refined>();
-  refined->mesh = refine_along(mesh, ordered_, faces_to_divide(), longest, reach, progress);
+  refined->mesh =
+      refine_along(mesh, drawing_.curves(), faces_to_divide(), longest, reach, progress);
   const auto opened = OpenedMesh::open(refined->mesh.lists);
   refined->smoother = std::make_unique<CurveSmoother>(opened);
   CurveSmoother& smoother = *refined->smoother;
   smoother.may_refine_ = false;
   smoother.warns_if_far_ = false;  // that counts edges of the mesh, not of its pieces
   smoother.cut_ = &refined->mesh.at_cut;
-  const std::vector<SurfaceCurve> curves = refined->mesh.refined(opened->surface(), ordered_);
+  const std::vector<SurfaceCurve> curves =
+      refined->mesh.refined(opened->surface(), drawing_.curves());
   CurveOptions options = curve_options_;
   options.pins = refined_pins(*refined, curves);
   if (!smoother.set_curves(curves, options, progress)) throw Cancelled();
@@ -96,7 +100,7 @@ std::vector<SurfacePoint> CurveSmoother::refined_pins(const Refined& refined,
     for (std::size_t i = 0; i < curves[c].points.size(); ++i) {
       const RefinedMesh::Place& place = refined.mesh.curves[c][i];
       if (place.part > 0) continue;
-      const SurfacePoint& drawn = ordered_[c].points[place.drawn];
+      const SurfacePoint& drawn = drawing_.curves()[c].points[place.drawn];
       if (std::find(pins.begin(), pins.end(), drawn) == pins.end()) continue;
       result.push_back(curves[c].points[i]);
     }
@@ -157,7 +161,7 @@ SmoothingResult CurveSmoother::smooth_refined(const SmoothingOptions& options) {
       own.slack_at[c] = refined_slack_at(refined, c, options.slack_at[c]);
     }
     CurveSmoother& smoother = *refined.smoother;
-    return smoother.as_drawn(smoother.smooth_now(smoother.with_ordered_slack(own)));
+    return smoother.drawing_.as_drawn(smoother.smooth_now(smoother.with_ordered_slack(own)));
   };
   if (options.tau < kLeastAnchor) return in_reach(options, smooth);
   const Refined& refined = *refined_.front();
@@ -170,7 +174,7 @@ SmoothingResult CurveSmoother::smooth_refined(const SmoothingOptions& options,
                                               std::size_t components) {
   return in_reach(options, [&](const Refined& refined, const SmoothingOptions& own) {
     CurveSmoother& smoother = *refined.smoother;
-    return smoother.as_drawn(smoother.smooth_now(
+    return smoother.drawing_.as_drawn(smoother.smooth_now(
         own, values_on(refined.mesh, mesh_->surface(), potential, components), components));
   });
 }
@@ -178,7 +182,7 @@ SmoothingResult CurveSmoother::smooth_refined(const SmoothingOptions& options,
 /// Linear between the points of the drawing.
 std::vector<double> CurveSmoother::refined_slack_at(const Refined& refined, std::size_t curve,
                                                     const std::vector<double>& drawn) const {
-  const std::size_t n = ordered_[curve].points.size();
+  const std::size_t n = drawing_.curves()[curve].points.size();
   std::vector<double> result;
   for (std::size_t i = 0; i < refined.smoother->drawn()[curve].points.size(); ++i) {
     const RefinedMesh::Place& place = refined.mesh.curves[curve][i];
@@ -196,14 +200,14 @@ SmoothingResult CurveSmoother::coarse(const Refined& refined, SmoothingResult re
   for (std::size_t c = 0; c < result.curves.size(); ++c) {
     SmoothingReport& report = result.reports[c];
     result.curves[c] = refined.mesh.coarse(fine, mesh_->surface(), result.curves[c]);
-    const SmoothingReport fresh =
-        report_on_curve(mesh_->mesh(), ordered_[c], drawn_measures_[c], result.curves[c]);
+    const SmoothingReport fresh = report_on_curve(mesh_->mesh(), drawing_.curves()[c],
+                                                  drawing_.measures()[c], result.curves[c]);
     report.engine = "refined";
     report.faces = fresh.faces;
     report.vertices = fresh.vertices;
     report.points_before = fresh.points_before;
-    report.edge_length_near = edges_near_[c];
-    warn_if_far(report, kFar * default_slack(mesh_->surface(), ordered_[c]),
+    report.edge_length_near = drawing_.edges_near()[c];
+    warn_if_far(report, kFar * default_slack(mesh_->surface(), drawing_.curves()[c]),
                 options.deviation == DeviationMeasure::kAutomatic);
     const double open = mesh_->open_ms();
     report.time_ms.total += open - report.time_ms.open + solve_ms_ - report.time_ms.solve;

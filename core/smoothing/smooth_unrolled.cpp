@@ -27,7 +27,7 @@ void CurveSmoother::set_unrolled(const std::vector<bool>& alone, const Progress&
   const Stopwatch watch;
   auto unrolled = std::make_unique<Unrolled>();
   // Each curve's with itself and those that were drawn after it.
-  const std::vector<EdgePath> paths = in_drawn_order(straightening_.paths());
+  const std::vector<EdgePath> paths = drawing_.in_drawn_order(straightening_.paths());
   unrolled->crossings = path_contacts(straightening_.triangulation(), paths).crossings;
   straightening_.clear();
   const bool paper = curve_options_.method == Method::kPaper;
@@ -35,13 +35,14 @@ void CurveSmoother::set_unrolled(const std::vector<bool>& alone, const Progress&
 
   const SurfaceMesh& mesh = mesh_->mesh();
   double reach = 0;
-  for (std::size_t c = 0; c < ordered_.size(); ++c) {
-    if (alone[c]) reach = std::max(reach, corridor_reach(mesh, ordered_[c], edges_near_[c]));
+  for (std::size_t c = 0; c < drawing_.curves().size(); ++c) {
+    if (alone[c])
+      reach = std::max(reach, corridor_reach(mesh, drawing_.curves()[c], drawing_.edges_near()[c]));
   }
-  unrolled->mesh = unroll(mesh, ordered_, alone, reach, progress);
+  unrolled->mesh = unroll(mesh, drawing_.curves(), alone, reach, progress);
   const auto opened = OpenedMesh::open(unrolled->mesh.lists);
   const std::vector<SurfaceCurve> curves =
-      unrolled->mesh.unrolled(mesh, opened->surface(), ordered_);
+      unrolled->mesh.unrolled(mesh, opened->surface(), drawing_.curves());
   unrolled->smoother = std::make_unique<CurveSmoother>(opened);
   CurveSmoother& smoother = *unrolled->smoother;
   smoother.loops_ = Loops::kErase;
@@ -67,8 +68,8 @@ void CurveSmoother::set_unrolled(const std::vector<bool>& alone, const Progress&
 std::vector<SurfacePoint> CurveSmoother::unrolled_pins(std::span<const SurfaceCurve> curves,
                                                        std::span<const SurfacePoint> pins) const {
   std::vector<SurfacePoint> result;
-  for (std::size_t c = 0; c < ordered_.size(); ++c) {
-    const std::vector<SurfacePoint>& points = ordered_[c].points;
+  for (std::size_t c = 0; c < drawing_.curves().size(); ++c) {
+    const std::vector<SurfacePoint>& points = drawing_.curves()[c].points;
     for (std::size_t i = 0; i < points.size(); ++i) {
       if (std::find(pins.begin(), pins.end(), points[i]) == pins.end()) continue;
       result.push_back(curves[c].points[i]);
@@ -89,7 +90,7 @@ SmoothingResult CurveSmoother::smooth_unrolled(const SmoothingOptions& options) 
   SmoothingOptions own = options;
   if (curve_options_.method == Method::kPaper) {  // L is that of the whole mesh
     double length = 0;
-    for (const SurfaceCurve& curve : ordered_) {
+    for (const SurfaceCurve& curve : drawing_.curves()) {
       const FaceId face = any_face(mesh_->surface(), curve.points.front());
       const VertexId corner = mesh_->surface().corners(face).front();
       length =
@@ -100,7 +101,7 @@ SmoothingResult CurveSmoother::smooth_unrolled(const SmoothingOptions& options) 
   }
   CurveSmoother& smoother = *unrolled_->smoother;
   SmoothingResult result = smoother.smooth_now(smoother.with_ordered_slack(std::move(own)));
-  return folded(smoother.as_drawn(std::move(result)), options.progress);
+  return folded(smoother.drawing_.as_drawn(std::move(result)), options.progress);
 }
 
 SmoothingResult CurveSmoother::smooth_unrolled(const SmoothingOptions& options,
@@ -112,7 +113,7 @@ SmoothingResult CurveSmoother::smooth_unrolled(const SmoothingOptions& options,
     copies.insert(copies.end(), values.begin(), values.end());
   }
   CurveSmoother& smoother = *unrolled_->smoother;
-  return folded(smoother.as_drawn(smoother.smooth_now(options, copies, components)),
+  return folded(smoother.drawing_.as_drawn(smoother.smooth_now(options, copies, components)),
                 options.progress);
 }
 
@@ -123,9 +124,9 @@ std::vector<std::string> CurveSmoother::lost_pins(std::span<const SurfaceCurve> 
   for (const SurfacePoint& pin : curve_options_.pins) {
     const auto passes = [&](const SurfacePoint& p) {
       const FaceId face = common_face(surface, pin, p);
-      return face.valid() &&
-             distance_in_face(surface, coordinates_in(surface, pin, face),
-                              coordinates_in(surface, p, face)) <= 1e-9 * edges_near_.front();
+      return face.valid() && distance_in_face(surface, coordinates_in(surface, pin, face),
+                                              coordinates_in(surface, p, face)) <=
+                                 1e-9 * drawing_.edges_near().front();
     };
     if (std::any_of(results.begin(), results.end(), [&](const SurfaceCurve& curve) {
           return std::any_of(curve.points.begin(), curve.points.end(), passes);
@@ -151,12 +152,12 @@ SmoothingResult CurveSmoother::folded(SmoothingResult result, const Progress& pr
     curve = unrolled_->mesh.folded(copies, mesh_->surface(), curve);
   }
   const std::vector<std::size_t> after =
-      straightening_.crossings_of(in_drawn_order(result.curves), progress);
+      straightening_.crossings_of(drawing_.in_drawn_order(result.curves), progress);
   const std::vector<std::string> lost = lost_pins(result.curves);
   for (std::size_t c = 0; c < result.curves.size(); ++c) {
     SmoothingReport& report = result.reports[c];
-    SmoothingReport fresh =
-        report_on_curve(mesh_->mesh(), ordered_[c], drawn_measures_[c], result.curves[c]);
+    SmoothingReport fresh = report_on_curve(mesh_->mesh(), drawing_.curves()[c],
+                                            drawing_.measures()[c], result.curves[c]);
     report.faces = fresh.faces;
     report.vertices = fresh.vertices;
     report.points_after = fresh.points_after;
@@ -164,10 +165,10 @@ SmoothingResult CurveSmoother::folded(SmoothingResult result, const Progress& pr
     report.curvature_after = fresh.curvature_after;
     report.curvature_max_before = fresh.curvature_max_before;
     report.curvature_max_after = fresh.curvature_max_after;
-    report.edge_length_near = edges_near_[c];
+    report.edge_length_near = drawing_.edges_near()[c];
     report.mollification = lift_.mollification();
-    report.crossings_before = unrolled_->crossings[set_order_[c]];
-    report.crossings_after = after[set_order_[c]];
+    report.crossings_before = unrolled_->crossings[drawing_.numbers()[c]];
+    report.crossings_after = after[drawing_.numbers()[c]];
     const std::vector<std::string>& own = lift_.warnings();
     report.warnings.insert(report.warnings.end(), own.begin(), own.end());
     report.warnings.insert(report.warnings.end(), lost.begin(), lost.end());

@@ -1,0 +1,91 @@
+#include "talweg/core/smoothing/ordered_drawing.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "talweg/core/measure/edge_length_near.hpp"
+#include "talweg/core/smoothing/corridor.hpp"
+#include "talweg/intrinsic/error.hpp"
+
+namespace talweg {
+namespace {
+
+constexpr std::size_t kOfPoint = 8;  // units of work, to measure or to check it
+
+[[noreturn]] void refuse_point(const SurfaceMesh& mesh, const SurfaceCurve& curve,
+                               std::size_t number) {
+  const Point at = mesh.position(curve.points.front());
+  throw Error(ErrorCode::kBadCurve,
+              fmt::format("Curve {} has no length: its {} points all lie at ({:.9g}, {:.9g}, "
+                          "{:.9g}), where faces of the mesh have no extent.",
+                          number, curve.points.size(), at.x(), at.y(), at.z()));
+}
+
+}  // namespace
+
+OrderedDrawing::OrderedDrawing(const SurfaceMesh& mesh, std::span<const SurfaceCurve> drawn,
+                               Asker& asker)
+    : drawn_(drawn.begin(), drawn.end()) {
+  const Surface& surface = mesh.surface();
+  std::vector<CurveOrder> orders;
+  std::vector<SurfaceCurve> ordered;
+  orders.reserve(drawn_.size());
+  ordered.reserve(drawn_.size());
+  for (const SurfaceCurve& curve : drawn_) {
+    const auto next = [&] { asker.did(kOfPoint * curve.points.size()); };
+    next();
+    orders.push_back(canonical_order(mesh, curve));
+    ordered.push_back(in_order(curve, orders.back()));
+  }
+  numbers_ = canonical_set_order(mesh, ordered);
+  places_.resize(drawn_.size());
+  for (const std::size_t c : numbers_) {
+    places_[c] = ordered_.size();
+    orders_.push_back(orders[c]);
+    const SurfaceCurve& curve = ordered_.emplace_back(std::move(ordered[c]));
+    const auto next = [&] { asker.did(kOfPoint * curve.points.size()); };
+    next();
+    measures_.push_back(measure_curve(surface, curve));
+    if (!(measures_.back().length > 0)) refuse_point(mesh, curve, c);
+    next();
+    edges_near_.push_back(edge_length_near(surface, curve));
+  }
+}
+
+SmoothingOptions OrderedDrawing::ordered(SmoothingOptions options) const {
+  if (options.slack_at.empty()) return options;
+  const std::vector<std::vector<double>> drawn = std::move(options.slack_at);
+  if (drawn.size() != drawn_.size()) {
+    throw Error(ErrorCode::kBadUsage, fmt::format("slack_at has values for {} curves, not for {}.",
+                                                  drawn.size(), drawn_.size()));
+  }
+  for (std::size_t c = 0; c < drawn.size(); ++c) {
+    Corridor::check_slack(drawn[c], c, drawn_[c].points.size());
+  }
+  options.slack_at.clear();
+  for (std::size_t c = 0; c < drawn.size(); ++c) {
+    const std::vector<double>& own = drawn[numbers_[c]];
+    std::vector<double>& ordered = options.slack_at.emplace_back();
+    ordered.reserve(own.size());
+    for (std::size_t k = 0; k < own.size(); ++k) {
+      ordered.push_back(own[orders_[c].drawn_index(k, own.size())]);
+    }
+  }
+  return options;
+}
+
+SmoothingResult OrderedDrawing::as_drawn(SmoothingResult result) const {
+  for (std::size_t c = 0; c < result.curves.size(); ++c) {
+    std::vector<SurfacePoint>& points = result.curves[c].points;
+    if (orders_[c].reversed) std::reverse(points.begin(), points.end());
+  }
+  if (std::is_sorted(numbers_.begin(), numbers_.end())) return result;
+  result.curves = in_drawn_order(result.curves);
+  result.reports = in_drawn_order(result.reports);
+  result.total = total_of(result.reports);
+  return result;
+}
+
+}  // namespace talweg

@@ -1,0 +1,26 @@
+// What smoothing gives.
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "talweg/core/measure/report.hpp"
+#include "talweg/intrinsic/surface/surface_point.hpp"
+
+namespace talweg {
+
+/// What smooth() returns. Keep it as long as references into it are used.
+struct SmoothingResult {
+  std::vector<SurfaceCurve> curves;      ///< one per drawn curve, in their order
+  std::vector<SmoothingReport> reports;  ///< one per curve, in their order
+  SmoothingReport total;                 ///< of all curves
+
+  /// The first curve, or the only one.
+  [[nodiscard]] const SurfaceCurve& curve() const& { return curves.front(); }
+  [[nodiscard]] SurfaceCurve curve() && { return std::move(curves.front()); }
+  /// The report on all curves together.
+  [[nodiscard]] const SmoothingReport& report() const& { return total; }
+  [[nodiscard]] SmoothingReport report() && { return std::move(total); }
+};
+
+}  // namespace talweg
