@@ -48,6 +48,7 @@ SurfaceCurve drawn(const SurfaceMesh& mesh, const RepairMap* map, const DrawOpti
   const Surface& surface = mesh.surface();
   const std::vector<VertexId> through = through_on(mesh, map, options);
   std::vector<SurfacePoint> points;
+  points.reserve(through.size());
   for (const VertexId v : through) points.push_back(SurfacePoint::at_vertex(surface, v));
   if (points.size() < 2) throw Error(ErrorCode::kBadCurve, "A curve needs at least two points.");
   if (options.straight) return StraightLines(surface).join(points, options.closed, progress);
