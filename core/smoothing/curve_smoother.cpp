@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include "talweg/core/drawing/drawn_curves.hpp"
-#include "talweg/core/measure/edge_length_near.hpp"
 #include "talweg/core/measure/result_report.hpp"
 #include "talweg/core/smoothing/lifted_lengths.hpp"
 #include "talweg/core/smoothing/refined_smoother.hpp"
