@@ -79,9 +79,7 @@ void StraightLines::append_line(const SurfacePoint& from, const SurfacePoint& to
     since = insertion.split_count();
   }
   const std::array<EdgePath, 1> path = {EdgePath::make(triangulation, std::move(chain), false)};
-  FlipOutOptions options;
-  options.progress = progress;
-  const FlipOutResult straight = workshop_->flip_out.run(path, options);
+  const FlipOutResult straight = workshop_->flip_out.run(path, {}, progress);
   if (straight.paths.front().termination == Termination::kCancelled) throw Cancelled();
   legs_.push_back(straight.paths.front().length_after);
   joined_.push_back(legs_.back());

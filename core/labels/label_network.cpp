@@ -9,7 +9,9 @@
 
 #include "talweg/core/labels/local_tightening.hpp"
 #include "talweg/core/labels/network_nodes.hpp"
+#include "talweg/core/measure/measures.hpp"
 #include "talweg/core/measure/result_report.hpp"
+#include "talweg/core/measure/surface_deviation.hpp"
 #include "talweg/core/smoothing/curve_smoother.hpp"
 #include "talweg/intrinsic/error.hpp"
 
@@ -26,9 +28,10 @@ constexpr int kRetries = 3;  // with nodes held whose borders are not well
 class Network {
  public:
   Network(std::shared_ptr<const OpenedMesh> mesh, std::span<const std::int64_t> labels,
-          const LabelNetworkOptions& options)
+          const LabelNetworkOptions& options, Progress progress)
       : mesh_(std::move(mesh)),
         options_(options),
+        progress_(std::move(progress)),
         drawn_(label_borders(mesh_->surface(), labels)),
         parts_(parts_of_regions(mesh_->mesh(), labels, drawn_)),
         rung_(drawn_.size(), 0),
@@ -62,7 +65,7 @@ class Network {
     CutRegions regions;
   };
 
-  enum class Outcome { kSound, kUnsound, kCancelled };
+  enum class Walk { kSound, kUnsound, kCancelled };
 
   static LabelNetwork cancelled() {
     LabelNetwork result;
@@ -107,10 +110,9 @@ class Network {
         if (std::find(points.begin(), points.end(), p) != points.end()) pin(p);
       }
     }
-    if (!smoother_.set_curves(curves, curve_options, options_.progress)) return false;
+    if (!smoother_.set_curves(curves, curve_options, progress_)) return false;
     give_slack(members);
     SmoothingOptions options;
-    options.progress = options_.progress;
     if (options_.max_deviation) options.deviation = DeviationMeasure::kAlongSurface;
     if (nodes_) options.deviation = DeviationMeasure::kNone;  // not that to these drawings
     options.tau = options_.tau * std::pow(kSteeper, rung);
@@ -119,8 +121,8 @@ class Network {
       std::vector<double>& slack = options.slack_at.emplace_back();
       for (const std::size_t from : drawings[i].from) slack.push_back(slack_[members[i]][from]);
     }
-    SmoothingResult smoothed = smoother_.smooth(options);
-    if (smoothed.total.termination == to_string(Termination::kCancelled)) return false;
+    SmoothingResult smoothed = smoother_.smooth(options, progress_);
+    if (smoothed.total.termination == Outcome::kCancelled) return false;
     for (std::size_t i = 0; i < members.size(); ++i) {
       LabelBorder& border = drawings[i].border;
       border.curve = std::move(smoothed.curves[i]);
@@ -153,13 +155,13 @@ class Network {
     report.deviation_to_drawn_max = report.deviation_to_drawn_mean = 0;
     report.deviation_from_drawn_max = report.deviation_from_drawn_mean = 0;
     report.slack = 0;
-    report.termination = to_string(Termination::kConverged);
+    report.termination = Outcome::kConverged;
     report.warnings = {"A border stays as it was drawn."};
     result_[c] = {drawn, std::move(report), true};
   }
 
   [[nodiscard]] bool has_collapsed(std::size_t border) const {
-    return result_[border].report.termination == to_string(Termination::kCollapsed);
+    return result_[border].report.termination == Outcome::kCollapsed;
   }
   [[nodiscard]] std::vector<std::size_t> collapsed(const std::vector<std::size_t>& among) const {
     std::vector<std::size_t> gone;
@@ -191,9 +193,8 @@ class Network {
         continue;
       }
       if (!tightening_) tightening_.emplace(mesh_->surface());
-      const std::vector<SurfacePoint> farthest =
-          tightening_->tighten(drawn_[c].curve, result_[c].border.curve, *options_.max_deviation,
-                               slack_[c], options_.progress);
+      const std::vector<SurfacePoint> farthest = tightening_->tighten(
+          drawn_[c].curve, result_[c].border.curve, *options_.max_deviation, slack_[c], progress_);
       if (++tightenings_[c] > kPinnedFrom) {
         pins_[c].insert(pins_[c].end(), farthest.begin(), farthest.end());
       }
@@ -226,7 +227,7 @@ class Network {
   /// Throws Cancelled.
   void cut() {
     const auto ask = [&](double fraction) {
-      if (!go_on(options_.progress, "cut", fraction)) throw Cancelled();
+      if (!go_on(progress_, "cut", fraction)) throw Cancelled();
     };
     ask(0);
     std::vector<LabelBorder> borders;
@@ -250,26 +251,26 @@ class Network {
     const NetworkNodes::Rules rules{options_.free_junctions, options_.sliding_ends};
     nodes_.emplace(mesh_->mesh(), drawn_, tolerance, rules);
     imbalance_ = nodes_->imbalance(curves());
-    Outcome outcome = Outcome::kUnsound;
+    Walk outcome = Walk::kUnsound;
     try {
       outcome = walk(settled);
     } catch (const Error& error) {  // a border whose nodes came too near is no curve any more
       if (error.code() != ErrorCode::kBadCurve) throw;
     }
-    if (outcome == Outcome::kUnsound) {
+    if (outcome == Walk::kUnsound) {
       result_ = settled.result;
       cut_ = settled.cut;
       regions_ = settled.regions;
       nodes_.reset();
     }
-    return outcome != Outcome::kCancelled;
+    return outcome != Walk::kCancelled;
   }
 
-  Outcome walk(const State& settled) {
+  Walk walk(const State& settled) {
     for (int k = 0; k < kSteps; ++k) {
       const std::vector<std::size_t> changed = nodes_->step(curves());
       if (changed.empty()) break;
-      if (!smooth(changed)) return Outcome::kCancelled;
+      if (!smooth(changed)) return Walk::kCancelled;
     }
     for (int tries = 0; tries < kRetries; ++tries) {
       std::vector<std::size_t> wrong = measure_moved();
@@ -277,12 +278,12 @@ class Network {
         cut();
         wrong = regions_.wrong;
       }
-      if (wrong.empty()) return Outcome::kSound;
+      if (wrong.empty()) return Walk::kSound;
       const std::vector<std::size_t> back = nodes_->hold(wrong);
       if (back.empty()) break;
-      if (!smooth_from(settled, back)) return Outcome::kCancelled;
+      if (!smooth_from(settled, back)) return Walk::kCancelled;
     }
-    return Outcome::kUnsound;
+    return Walk::kUnsound;
   }
 
   /// Borders that have no moved node any more are what they were.
@@ -314,8 +315,9 @@ class Network {
       report.length_before = fresh.length_before;
       report.curvature_before = fresh.curvature_before;
       report.curvature_max_before = fresh.curvature_max_before;
-      report_deviation(report, DeviationMeasure::kAlongSurface, *meter_, mesh_->mesh(), drawn,
-                       curve, nullptr, options_.progress);
+      report_deviation(report,
+                       measure_deviation(DeviationMeasure::kAlongSurface, report.edge_length_near,
+                                         *meter_, mesh_->mesh(), drawn, curve, nullptr, progress_));
       warn_if_far(report, kFarInEdges * report.edge_length_near);
     }
     return too_far(moved);
@@ -373,6 +375,7 @@ class Network {
 
   std::shared_ptr<const OpenedMesh> mesh_;
   LabelNetworkOptions options_;
+  Progress progress_;
   std::vector<LabelBorder> drawn_;
   RegionParts parts_;
   // Of each border:
@@ -402,12 +405,12 @@ void LabelNetworkOptions::validate() const {
 }
 
 LabelNetwork smooth_labels(const std::shared_ptr<const OpenedMesh>& mesh,
-                           std::span<const std::int64_t> labels,
-                           const LabelNetworkOptions& options) {
+                           std::span<const std::int64_t> labels, const LabelNetworkOptions& options,
+                           const Progress& progress) {
   options.validate();
   try {
-    const Asker asked(options.progress, "borders");
-    return Network(mesh, labels, options).run();
+    const Asker asked(progress, "borders");
+    return Network(mesh, labels, options, progress).run();
   } catch (const Cancelled&) {
     LabelNetwork cancelled;
     cancelled.cancelled = true;

@@ -28,7 +28,6 @@ struct LabelNetworkOptions {
   /// Whether ends on the mesh's boundary slide along it to where the border meets it at a right
   /// angle; as far as that.
   bool sliding_ends = false;
-  Progress progress;  ///< may cancel
 
   void validate() const;  ///< throws Error(kBadUsage) naming the field and its bound
 };
@@ -79,6 +78,6 @@ struct LabelNetwork {
 /// Error(kBadUsage) for bad options.
 LabelNetwork smooth_labels(const std::shared_ptr<const OpenedMesh>& mesh,
                            std::span<const std::int64_t> labels,
-                           const LabelNetworkOptions& options = {});
+                           const LabelNetworkOptions& options = {}, const Progress& progress = {});
 
 }  // namespace talweg

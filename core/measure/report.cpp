@@ -100,15 +100,27 @@ void for_each_field(Report& r, Visit visit) {
   visit("peak_memory_mib", r.peak_memory_mib);
 }
 
-/// Worse outcomes last.
-std::size_t rank(const std::string& termination) {
-  constexpr std::array<const char*, 5> kOrder = {"converged", "deviation", "collapsed", "limit",
-                                                 "cancelled"};
-  const auto at = std::find(kOrder.begin(), kOrder.end(), termination);
-  return static_cast<std::size_t>(at - kOrder.begin());
+}  // namespace
+
+const char* to_string(PotentialKind potential) {
+  constexpr std::array kNames = {"paper", "corridor", "custom", "none"};
+  return kNames[static_cast<std::size_t>(potential)];
 }
 
-}  // namespace
+const char* to_string(Engine engine) {
+  constexpr std::array kNames = {"full", "local", "refined", "preview", "none"};
+  return kNames[static_cast<std::size_t>(engine)];
+}
+
+const char* to_string(Outcome outcome) {
+  constexpr std::array kNames = {"converged", "deviation", "collapsed", "limit", "cancelled"};
+  return kNames[static_cast<std::size_t>(outcome)];
+}
+
+const char* to_string(DeviationMeasure measure) {
+  constexpr std::array kNames = {"automatic", "surface", "euclidean", "none"};
+  return kNames[static_cast<std::size_t>(measure)];
+}
 
 SmoothingReport total_of(const std::vector<SmoothingReport>& reports) {
   if (reports.empty()) return {};
@@ -133,7 +145,7 @@ SmoothingReport total_of(const std::vector<SmoothingReport>& reports) {
     total.curvature_after += r.curvature_after;
     total.curvature_max_before = std::max(total.curvature_max_before, r.curvature_max_before);
     total.curvature_max_after = std::max(total.curvature_max_after, r.curvature_max_after);
-    if (r.deviation == "euclidean") total.deviation = r.deviation;
+    if (r.deviation == DeviationMeasure::kEuclidean) total.deviation = r.deviation;
     total.deviation_to_drawn_max = std::max(total.deviation_to_drawn_max, r.deviation_to_drawn_max);
     total.deviation_from_drawn_max =
         std::max(total.deviation_from_drawn_max, r.deviation_from_drawn_max);
@@ -145,7 +157,7 @@ SmoothingReport total_of(const std::vector<SmoothingReport>& reports) {
       total.deviation_at = r.deviation_at;
     }
     total.moved = std::max(total.moved, r.moved);
-    if (rank(r.termination) > rank(total.termination)) total.termination = r.termination;
+    total.termination = std::max(total.termination, r.termination);
     for (const std::string& warning : r.warnings) {
       if (std::find(total.warnings.begin(), total.warnings.end(), warning) ==
           total.warnings.end()) {
@@ -165,6 +177,8 @@ std::vector<ReportEntry> entries_of(const SmoothingReport& report) {
       entries.push_back({key, std::vector<double>(value.begin(), value.end())});
     } else if constexpr (std::is_same_v<Value, std::size_t>) {
       entries.push_back({key, std::uint64_t{value}});
+    } else if constexpr (std::is_enum_v<Value>) {
+      entries.push_back({key, std::string(to_string(value))});
     } else {
       entries.push_back({key, value});
     }

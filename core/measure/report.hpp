@@ -1,4 +1,4 @@
-// What every result says about itself.
+// A report says how a result came about and how far it lies from its drawing.
 #pragma once
 
 #include <cmath>
@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "talweg/core/measure/deviation_measure.hpp"
 #include "talweg/core/mesh/mesh_lists.hpp"
 
 namespace talweg {
@@ -25,35 +26,67 @@ struct StageTimes {
   double total = 0;       ///< the sum of the above
 };
 
+/// Which potential held a curve.
+enum class PotentialKind {
+  kPaper,     ///< equations 4 to 6 of the paper
+  kCorridor,  ///< flat within the slack
+  kCustom,    ///< given by the caller
+  kNone,      ///< none: some other method made the curve
+};
+
+/// Where a curve was smoothed.
+enum class Engine {
+  kFull,     ///< on the mesh, by a distance over all of it
+  kLocal,    ///< on the mesh, by a distance near the drawing
+  kRefined,  ///< on faces along the drawing that were divided
+  kPreview,  ///< as kLocal, while a part of the drawing is being dragged
+  kNone,     ///< elsewhere, by some other method
+};
+
+/// How the smoothing of a curve ended; worse ones last.
+enum class Outcome {
+  kConverged,
+  kDeviation,  ///< no curve within the bound was found
+  kCollapsed,  ///< the loop shrank below the floor; it is returned as it was when it first did
+  kLimit,      ///< a bound on the work was reached
+  kCancelled,  ///< by the caller
+};
+
+/// The names that reports have for them; DeviationMeasure's are "surface", "euclidean" and "none".
+const char* to_string(PotentialKind potential);
+const char* to_string(Engine engine);
+const char* to_string(Outcome outcome);
+const char* to_string(DeviationMeasure measure);
+
 /// The report on one curve, or the totals of a set: there counts, lengths and total curvatures are
 /// sums, maxima are maxima, means are weighted by length, `termination` is the worst, and
-/// `deviation` is "euclidean" where one of them is.
+/// `deviation` is kEuclidean where one of them is.
 /// Lengths in mesh units, angles in radians; deviations that were not measured, or between curves
 /// on parts of the mesh that are not connected, are infinite. "Before" and "drawn" mean the curve
 /// as it was given, before corners were capped.
 struct SmoothingReport {
-  std::string version;                   ///< of the library
-  std::size_t faces = 0;                 ///< of the mesh
-  std::size_t vertices = 0;              ///< of the mesh
-  double tau = 0;                        ///< as asked for
-  double slack = 0;                      ///< mesh units; 0 for the paper's method
-  double max_deviation = HUGE_VAL;       ///< mesh units, as asked of smooth_within(), or none
-  std::size_t pins_added = 0;            ///< by smooth_within()
-  double edge_length_near = 0;           ///< mesh units: mean edge within two rings of the drawing
-  std::string potential;                 ///< "paper", "corridor" or "custom"
-  std::string engine;                    ///< "full", "local", "refined" or "preview"
-  bool closed = false;                   ///< the first point is not repeated, and counts once
-  std::size_t points_before = 0;         ///< as drawn
-  std::size_t points_after = 0;          ///< of the result
-  double length_before = 0;              ///< mesh units
-  double length_after = 0;               ///< mesh units
-  double lifted_length_before = 0;       ///< after capping, before straightening
-  double lifted_length_after = 0;        ///< after straightening, before relaxation
-  double curvature_before = 0;           ///< radians: sum of the turning angles
-  double curvature_after = 0;            ///< radians
-  double curvature_max_before = 0;       ///< radians: the largest turn at one point
-  double curvature_max_after = 0;        ///< radians
-  std::string deviation;                 ///< "surface", "euclidean" or "none": the distance below
+  std::string version;              ///< of the library
+  std::size_t faces = 0;            ///< of the mesh
+  std::size_t vertices = 0;         ///< of the mesh
+  double tau = 0;                   ///< as asked for
+  double slack = 0;                 ///< mesh units; 0 for the paper's method
+  double max_deviation = HUGE_VAL;  ///< mesh units, as asked of smooth_within(), or none
+  std::size_t pins_added = 0;       ///< by smooth_within()
+  double edge_length_near = 0;      ///< mesh units: mean edge within two rings of the drawing
+  PotentialKind potential = PotentialKind::kNone;
+  Engine engine = Engine::kNone;
+  bool closed = false;              ///< the first point is not repeated, and counts once
+  std::size_t points_before = 0;    ///< as drawn
+  std::size_t points_after = 0;     ///< of the result
+  double length_before = 0;         ///< mesh units
+  double length_after = 0;          ///< mesh units
+  double lifted_length_before = 0;  ///< after capping, before straightening
+  double lifted_length_after = 0;   ///< after straightening, before relaxation
+  double curvature_before = 0;      ///< radians: sum of the turning angles
+  double curvature_after = 0;       ///< radians
+  double curvature_max_before = 0;  ///< radians: the largest turn at one point
+  double curvature_max_after = 0;   ///< radians
+  DeviationMeasure deviation = DeviationMeasure::kNone;  ///< which distance is below
   double deviation_to_drawn_max = 0;     ///< mesh units: of the result to the drawing
   double deviation_to_drawn_mean = 0;    ///< mesh units
   double deviation_from_drawn_max = 0;   ///< mesh units: of the drawing to the result
@@ -67,7 +100,7 @@ struct SmoothingReport {
   double mollification = 0;          ///< mesh units: most that an edge was lengthened for the heat
   std::size_t crossings_before = 0;  ///< of the drawing with itself and later curves of the set
   std::size_t crossings_after = 0;   ///< of the result, counted likewise
-  std::string termination;  ///< "converged", "deviation", "collapsed", "limit" or "cancelled"
+  Outcome termination = Outcome::kConverged;
   std::vector<std::string> warnings;  ///< sentences for the user
   StageTimes time_ms;                 ///< milliseconds
   double peak_memory_mib = 0;         ///< of the process so far, MiB

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -13,6 +12,7 @@
 #include "talweg/core/measure/deviation.hpp"
 #include "talweg/core/measure/edge_length_near.hpp"
 #include "talweg/core/version.hpp"
+#include "talweg/intrinsic/exact_distance/polyline_distance.hpp"
 
 namespace talweg {
 namespace {
@@ -25,8 +25,8 @@ constexpr double kAutomaticTo = 4;  // mesh edges: farther apart, kAutomatic mea
 void warn_if_far(SmoothingReport& report, double far, bool automatic) {
   const bool cut = report.deviation_from_drawn_max > report.deviation_to_drawn_max;
   const double apart = cut ? report.deviation_from_drawn_max : report.deviation_to_drawn_max;
-  const bool through_space = automatic && report.deviation == "euclidean";
-  if (!through_space && report.deviation != "surface") return;
+  const bool through_space = automatic && report.deviation == DeviationMeasure::kEuclidean;
+  if (!through_space && report.deviation != DeviationMeasure::kAlongSurface) return;
   const bool is_known = through_space && kAutomaticTo * report.edge_length_near > far;
   if (!std::isfinite(apart) || !(apart > far || is_known)) return;
   report.warnings.push_back(
@@ -57,8 +57,6 @@ SmoothingReport report_between(const SurfaceMesh& mesh, const SurfaceCurve& draw
   report.version = version();
   report.faces = mesh.surface().face_count();
   report.vertices = mesh.surface().vertex_count();
-  report.potential = "paper";
-  report.engine = "full";
   report.closed = drawn.closed;
   report.points_before = drawn.points.size();
   report.points_after = result.points.size();
@@ -81,73 +79,70 @@ SmoothingReport report_on_curve(const SurfaceMesh& mesh, const SurfaceCurve& dra
 SmoothingReport report_on_nothing(const SurfaceMesh& mesh, const SurfaceCurve& drawn,
                                   const CurveMeasures& measures) {
   SmoothingReport report = report_between(mesh, drawn, measures, drawn, measures);
-  report.deviation = "none";
-  report.deviation_to_drawn_max = report.deviation_to_drawn_mean = HUGE_VAL;
-  report.deviation_from_drawn_max = report.deviation_from_drawn_mean = HUGE_VAL;
+  report_deviation(report, {});
   return report;
 }
 
-void report_deviation(SmoothingReport& report, DeviationMeasure measure, DeviationMeter& meter,
-                      const SurfaceMesh& mesh, const SurfaceCurve& drawn,
-                      const SurfaceCurve& result, PolylineDistance* to_drawn,
-                      const Progress& progress) {
-  const auto take = [&](const auto& to, const auto& from, const Point& at) {
-    report.deviation_to_drawn_max = to.max;
-    report.deviation_to_drawn_mean = to.mean;
-    report.deviation_from_drawn_max = from.max;
-    report.deviation_from_drawn_mean = from.mean;
-    report.deviation_at = at;
-  };
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+namespace {
+
+MeasuredDeviation through_space(const Deviation& apart) {
+  return {DeviationMeasure::kEuclidean, apart.to_drawn.max,    apart.to_drawn.mean,
+          apart.from_drawn.max,         apart.from_drawn.mean, apart.at};
+}
+
+MeasuredDeviation along_surface(const SurfaceMesh& mesh, const SurfaceDeviation& apart) {
+  return {DeviationMeasure::kAlongSurface,
+          apart.to_drawn.max,
+          apart.to_drawn.mean,
+          apart.from_drawn.max,
+          apart.from_drawn.mean,
+          mesh.position(apart.larger().at)};
+}
+
+}  // namespace
+
+MeasuredDeviation measure_deviation(DeviationMeasure measure, double edge_length_near,
+                                    DeviationMeter& meter, const SurfaceMesh& mesh,
+                                    const SurfaceCurve& drawn, const SurfaceCurve& result,
+                                    PolylineDistance* to_drawn, const Progress& progress) {
   const std::span results(&result, 1), drawings(&drawn, 1);
-  const auto take_along_surface = [&](const SurfaceDeviation& apart) {
-    report.deviation = "surface";
-    take(apart.to_drawn, apart.from_drawn, mesh.position(apart.larger().at));
-  };
-  const auto through_space = [&] {
+  const auto in_space = [&] {
     return deviation(positions_of(mesh, result), result.closed, positions_of(mesh, drawn),
                      drawn.closed, progress);
   };
-  const auto take_through_space = [&](const Deviation& apart) {
-    report.deviation = "euclidean";
-    take(apart.to_drawn, apart.from_drawn, apart.at);
-  };
   switch (measure) {
-    case DeviationMeasure::kAlongSurface: {
-      const SurfaceDeviation apart = to_drawn != nullptr
-                                         ? meter.measure(results, drawings, *to_drawn, progress)
-                                         : meter.measure(results, drawings, progress);
-      take_along_surface(apart);
-      if (apart.larger().max == kInfinity) {
-        report.warnings.emplace_back(
-            "The result and the drawing lie on parts of the mesh that are not connected.");
-      }
-      break;
-    }
-    case DeviationMeasure::kEuclidean: {
-      take_through_space(through_space());
-      break;
-    }
+    case DeviationMeasure::kAlongSurface:
+      return along_surface(mesh, to_drawn != nullptr
+                                     ? meter.measure(results, drawings, *to_drawn, progress)
+                                     : meter.measure(results, drawings, progress));
+    case DeviationMeasure::kEuclidean:
+      return through_space(in_space());
     case DeviationMeasure::kAutomatic: {
-      const double limit = kAutomaticTo * report.edge_length_near;
-      const Deviation apart = through_space();  // never more, and far cheaper
+      const double limit = kAutomaticTo * edge_length_near;
+      const Deviation apart = in_space();  // never more, and far cheaper
       std::optional<SurfaceDeviation> along;
       if (std::max(apart.to_drawn.max, apart.from_drawn.max) < limit) {
         along = meter.measure_below(limit, results, drawings, progress);
       }
-      if (along) {
-        take_along_surface(*along);
-      } else {
-        take_through_space(apart);
-      }
-      break;
+      return along ? along_surface(mesh, *along) : through_space(apart);
     }
-    case DeviationMeasure::kNone: {
-      report.deviation = "none";
-      const OneSidedDeviation unknown{kInfinity, kInfinity};
-      take(unknown, unknown, Point::Constant(kInfinity));
+    case DeviationMeasure::kNone:
       break;
-    }
+  }
+  return {};
+}
+
+void report_deviation(SmoothingReport& report, const MeasuredDeviation& measured) {
+  report.deviation = measured.measure;
+  report.deviation_to_drawn_max = measured.to_drawn_max;
+  report.deviation_to_drawn_mean = measured.to_drawn_mean;
+  report.deviation_from_drawn_max = measured.from_drawn_max;
+  report.deviation_from_drawn_mean = measured.from_drawn_mean;
+  report.deviation_at = measured.at;
+  if (measured.measure == DeviationMeasure::kAlongSurface &&
+      std::max(measured.to_drawn_max, measured.from_drawn_max) == HUGE_VAL) {
+    report.warnings.emplace_back(
+        "The result and the drawing lie on parts of the mesh that are not connected.");
   }
 }
 
@@ -156,10 +151,10 @@ SmoothingReport report_on_result(const SurfaceMesh& mesh, DeviationMeter& meter,
                                  DeviationMeasure measure) {
   SmoothingReport report =
       report_on_curve(mesh, drawn, measure_curve(mesh.surface(), drawn), result);
-  report.potential = report.engine = "none";
-  report.termination = "converged";
+  report.termination = Outcome::kConverged;
   report.edge_length_near = edge_length_near(mesh.surface(), drawn);
-  report_deviation(report, measure, meter, mesh, drawn, result);
+  report_deviation(report,
+                   measure_deviation(measure, report.edge_length_near, meter, mesh, drawn, result));
   warn_if_far(report, kFarInEdges * report.edge_length_near);
   report.peak_memory_mib = peak_memory_mib();
   return report;

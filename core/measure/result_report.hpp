@@ -1,12 +1,15 @@
-// The part of a report that is measured on the curves.
+// A report is filled with what is measured on a drawing and its result.
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 
+#include "talweg/core/measure/deviation_measure.hpp"
 #include "talweg/core/measure/measures.hpp"
 #include "talweg/core/measure/report.hpp"
 #include "talweg/core/measure/surface_deviation.hpp"
 #include "talweg/core/mesh/surface_mesh.hpp"
+#include "talweg/intrinsic/exact_distance/polyline_distance.hpp"
 #include "talweg/intrinsic/flips/signpost_triangulation.hpp"
 
 namespace talweg {
@@ -20,14 +23,28 @@ SmoothingReport report_on_curve(const SurfaceMesh& mesh, const SurfaceCurve& dra
 SmoothingReport report_on_nothing(const SurfaceMesh& mesh, const SurfaceCurve& drawn,
                                   const CurveMeasures& measures);
 
-/// Adds how far result and drawing lie apart; kAutomatic as below tau = 1/8, `edge_length_near`
-/// must be there already. `to_drawn` may be a distance that is set to the drawing alone; null: the
-/// meter has one of its own. Where neither reaches the other the deviation is infinite, and a
-/// warning says so. Throws Cancelled when `progress` (stage "measure") says so.
-void report_deviation(SmoothingReport& report, DeviationMeasure measure, DeviationMeter& meter,
-                      const SurfaceMesh& mesh, const SurfaceCurve& drawn,
-                      const SurfaceCurve& result, PolylineDistance* to_drawn = nullptr,
-                      const Progress& progress = {});
+/// How far a result and its drawing lie apart; mesh units.
+struct MeasuredDeviation {
+  DeviationMeasure measure = DeviationMeasure::kNone;  ///< by what; never kAutomatic
+  double to_drawn_max = HUGE_VAL;
+  double to_drawn_mean = HUGE_VAL;
+  double from_drawn_max = HUGE_VAL;
+  double from_drawn_mean = HUGE_VAL;
+  Point at = Point::Constant(HUGE_VAL);  ///< where the larger of both maxima is
+};
+
+/// Measures it; kAutomatic as below tau = 1/8, with the mesh's edges near the drawing that long.
+/// `to_drawn` may be a distance that is set to the drawing alone; null: the meter has one of its
+/// own. Where neither reaches the other the deviation is infinite. Throws Cancelled when `progress`
+/// (stage "measure") says so.
+MeasuredDeviation measure_deviation(DeviationMeasure measure, double edge_length_near,
+                                    DeviationMeter& meter, const SurfaceMesh& mesh,
+                                    const SurfaceCurve& drawn, const SurfaceCurve& result,
+                                    PolylineDistance* to_drawn = nullptr,
+                                    const Progress& progress = {});
+
+/// Puts it into the report, with a warning where it is infinite along the surface.
+void report_deviation(SmoothingReport& report, const MeasuredDeviation& measured);
 
 /// The report on a curve that some other method made of a drawing, measured as ours are: points,
 /// lengths, curvatures, the mesh's fineness near the drawing and the deviation. `potential` and

@@ -6,101 +6,73 @@
 
 #include <fmt/format.h>
 
+#include "talweg/core/drawing/curve_embedding.hpp"
 #include "talweg/core/drawing/drawn_curves.hpp"
 #include "talweg/core/measure/result_report.hpp"
-#include "talweg/core/smoothing/lifted_lengths.hpp"
-#include "talweg/core/smoothing/refined_smoother.hpp"
-#include "talweg/core/smoothing/relaxation.hpp"
-#include "talweg/core/smoothing/unrolled_smoother.hpp"
+#include "talweg/core/smoothing/dragging.hpp"
+#include "talweg/core/smoothing/sheet.hpp"
+#include "talweg/core/smoothing/smoothing_memory.hpp"
+#include "talweg/core/smoothing/smoothing_report.hpp"
 #include "talweg/intrinsic/error.hpp"
 #include "talweg/intrinsic/stopwatch.hpp"
 
 namespace talweg {
 namespace {
 
-constexpr std::size_t kOfPoint = 8;  // units of work, to measure or to check it
-
-/// The length where nothing is lifted, as the others are computed.
-double flat_length(double length) { return lifted_length(length, 0.0, 0.0); }
-
 [[noreturn]] void bad_usage(const std::string& message) {
   throw Error(ErrorCode::kBadUsage, message);
 }
 
+/// Throws Error(kBadUsage) unless there is a number for every component of every vertex.
+void check_potential(std::size_t vertices, const GivenPotential& given) {
+  const std::size_t expected = vertices * given.components;
+  if (given.components == 0 || given.values.size() != expected) {
+    bad_usage(fmt::format("A potential of {} components needs {} values, not {}.", given.components,
+                          expected, given.values.size()));
+  }
+  for (std::size_t i = 0; i < given.values.size(); ++i) {
+    if (std::abs(given.values[i]) <= 1e150) continue;
+    bad_usage(fmt::format("The potential of vertex {} is not a number of at most 1e150.",
+                          i / given.components));
+  }
+}
+
+bool same_result(const SmoothingOptions& a, const SmoothingOptions& b) {
+  return a.tau == b.tau && a.slack == b.slack && a.slack_at == b.slack_at &&
+         a.phase_turns == b.phase_turns && a.polish == b.polish &&
+         a.relax_rounds == b.relax_rounds && a.max_iterations == b.max_iterations &&
+         a.min_relative_length == b.min_relative_length && a.length_floor == b.length_floor;
+}
+
+/// Whether tau has moved a small step, as a slider moves it, and nothing else has.
+bool is_small_step(const SmoothingOptions& last, const SmoothingOptions& options) {
+  constexpr double kSmallStep = 1.05;
+  const double least = std::min(last.tau, options.tau), most = std::max(last.tau, options.tau);
+  return least > 0 && most <= kSmallStep * least && last.slack == options.slack &&
+         last.slack_at == options.slack_at && last.phase_turns == options.phase_turns &&
+         last.polish == options.polish && last.relax_rounds == options.relax_rounds;
+}
+
 }  // namespace
 
+struct CurveSmoother::Last {
+  SmoothingOptions options;
+  SmoothingResult result;
+};
+
 CurveSmoother::CurveSmoother(std::shared_ptr<const OpenedMesh> mesh)
-    : mesh_(std::move(mesh)), straightening_(mesh_->surface()), lift_(*mesh_, straightening_) {}
+    : memory_(std::make_unique<SmoothingMemory>(std::move(mesh))),
+      drawing_(std::make_unique<OrderedDrawing>()) {}
 
 CurveSmoother::~CurveSmoother() = default;
 
+const OpenedMesh& CurveSmoother::opened() const { return memory_->opened(); }
+
 void CurveSmoother::forget() {
-  straightening_.clear();
-  unrolled_.reset();
-  refined_.clear();
-  drawing_ = {};
-  capped_.clear();
-  lift_.clear();
+  sheet_.reset();
+  memory_->straightening().clear();
+  *drawing_ = {};
   last_.reset();
-  valleys_.clear();
-  anchors_.clear();
-  solve_ms_ = 0;
-}
-
-void CurveSmoother::take(std::span<const SurfaceCurve> curves, const CurveOptions& options,
-                         const Progress& progress) {
-  if (curves.empty()) bad_usage("There is no curve to smooth.");
-  options.validate();
-  const Surface& surface = mesh_->surface();
-  Asker asker(progress, "embed");
-  for (const SurfaceCurve& curve : curves) {
-    asker.did(kOfPoint * curve.points.size());
-    check_drawn(surface, curve);
-  }
-  check_pins(curves, options.pins);
-  curve_options_ = options;
-  drawing_ = OrderedDrawing(mesh_->mesh(), curves, asker);
-}
-
-void CurveSmoother::embed_drawn(const Progress& progress) {
-  capped_.clear();
-  for (const SurfaceCurve& curve : drawing_.curves()) {
-    capped_.push_back(curve_options_.cap_corners
-                          ? capped_curve(mesh_->surface(), curve, curve_options_.pins)
-                          : curve);
-  }
-  straightening_.embed(capped_, curve_options_.pins, loops_, drawing_.numbers(), progress);
-}
-
-bool CurveSmoother::set_pins(std::span<const SurfacePoint> pins, const Progress& progress) {
-  if (!is_set()) bad_usage("No curve is set.");
-  if (curve_options_.method != Method::kCorridor) bad_usage("set_pins() needs the corridor.");
-  check_pins(drawing_.drawn(), pins);
-  const std::vector<SurfacePoint> own(pins.begin(), pins.end());  // may be our own
-  const std::vector<SurfacePoint> before = curve_options_.pins;
-  const auto set = [&](const std::vector<SurfacePoint>& these, const Progress& asked) {
-    curve_options_.pins = these;
-    if (!refined_.empty()) return set_refined_pins(asked);
-    if (unrolled_) return set_unrolled_pins(asked);
-    embed_drawn(asked);
-    return true;
-  };
-  bool done = false;
-  try {
-    done = set(own, progress);
-  } catch (const Cancelled&) {
-  } catch (...) {
-    set(before, {});
-    throw;
-  }
-  if (!done) {
-    set(before, {});
-    return false;
-  }
-  if (!refined_.empty() || unrolled_) return true;
-  anchors_.clear();
-  last_.reset();
-  return true;
 }
 
 bool CurveSmoother::set_curve(const SurfaceCurve& curve, const CurveOptions& options,
@@ -110,50 +82,28 @@ bool CurveSmoother::set_curve(const SurfaceCurve& curve, const CurveOptions& opt
 
 bool CurveSmoother::set_curves(std::span<const SurfaceCurve> curves, const CurveOptions& options,
                                const Progress& progress) {
-  const std::vector<SurfaceCurve> own(curves.begin(), curves.end());  // may be our own drawing
-  forget();
-  try {
-    take(own, options, progress);
-    set_drawn(options, progress);
-  } catch (const Cancelled&) {
-    forget();
-    return false;
-  } catch (...) {
-    forget();
-    throw;
-  }
-  return true;
-}
-
-void CurveSmoother::set_drawn(const CurveOptions& options, const Progress& progress) {
-  if (!faces_to_divide().empty()) {
-    capped_ = drawing_.curves();
-    return set_refined(progress);
-  }
-  embed_drawn(progress);
-  if (const std::vector<bool> alone = tangled(); !alone.empty()) {
-    set_unrolled(alone, progress);
-  } else if (options.method == Method::kCorridor) {
-    solve_corridor(progress);
-  } else if (options.distance_at_once) {
-    solve_distance(progress);
-  }
+  return set(curves, options, std::nullopt, progress);
 }
 
 bool CurveSmoother::set_curves(std::span<const SurfaceCurve> curves, std::vector<double> distance,
                                const CurveOptions& options, const Progress& progress) {
-  const std::vector<SurfaceCurve> own(curves.begin(), curves.end());
+  CurveOptions own = options;
+  own.method = Method::kPaper;
+  return set(curves, own, std::move(distance), progress);
+}
+
+bool CurveSmoother::set(std::span<const SurfaceCurve> curves, const CurveOptions& options,
+                        std::optional<std::vector<double>> distance, const Progress& progress) {
+  const std::vector<SurfaceCurve> own(curves.begin(), curves.end());  // may be our own drawing
+  const CurveOptions own_options = options;                           // and its options
   forget();
-  const Stopwatch watch;
-  PaperLift::check(mesh_->surface(), distance);
+  if (distance) PaperLift::check(memory_->surface(), *distance);
   try {
-    take(own, options, progress);
-    embed_drawn(progress);
-    curve_options_.method = Method::kPaper;
-    lift_.set(std::move(distance), drawing_.drawn().size() > 1);
-    if (const std::vector<bool> alone = tangled(); !alone.empty()) {
-      set_unrolled(alone, progress);
-    }
+    *drawing_ = checked_drawing(memory_->mesh(), own, own_options, progress);
+    curve_options_ = own_options;
+    SheetSetup setup;
+    setup.distance = std::move(distance);
+    sheet_ = sheet_for(*memory_, *drawing_, curve_options_, std::move(setup), progress);
   } catch (const Cancelled&) {
     forget();
     return false;
@@ -161,56 +111,48 @@ bool CurveSmoother::set_curves(std::span<const SurfaceCurve> curves, std::vector
     forget();
     throw;
   }
-  solve_ms_ = watch.ms();
   return true;
 }
 
-void CurveSmoother::solve_corridor(const Progress& progress) {
-  const Stopwatch watch;
-  if (!exact_distance_) exact_distance_.emplace(mesh_->surface());
-  {
-    Asker asker(progress, "solve");
-    const AskedDuring asked(*exact_distance_, asker);
-    exact_distance_->set(drawing_.curves());
+bool CurveSmoother::set_pins(std::span<const SurfacePoint> pins, const Progress& progress) {
+  if (!sheet_) bad_usage("No curve is set.");
+  if (curve_options_.method != Method::kCorridor) bad_usage("set_pins() needs the corridor.");
+  check_pins(drawing_->drawn(), pins);
+  const std::vector<SurfacePoint> own(pins.begin(), pins.end());  // may be our own
+  try {
+    sheet_->set_pins(own, progress);
+  } catch (const Cancelled&) {
+    sheet_->set_pins(curve_options_.pins, {});
+    return false;
+  } catch (...) {
+    sheet_->set_pins(curve_options_.pins, {});
+    throw;
   }
-  make_valleys(progress);
-  hold_loops(progress);
-  solve_ms_ = watch.ms();
+  curve_options_.pins = own;
+  last_.reset();
+  return true;
 }
 
 bool CurveSmoother::need_distance(const Progress& progress) {
-  if (!is_set()) bad_usage("No curve is set.");
-  if (curve_options_.method != Method::kPaper || lift_.is_known()) return true;
+  if (!sheet_) bad_usage("No curve is set.");
   try {
-    solve_distance(progress);
+    sheet_->need_distance(progress);
   } catch (const Cancelled&) {
     return false;
   }
   return true;
 }
 
-void CurveSmoother::solve_distance(const Progress& progress) {
-  lift_.solve(capped_, curve_options_, progress);
-  solve_ms_ = lift_.solve_ms();
+std::span<const double> CurveSmoother::distance() const {
+  return sheet_ ? sheet_->distance() : std::span<const double>{};
 }
 
-double CurveSmoother::drawn_length() const {
-  double length = 0;
-  for (const CurveMeasures& m : drawing_.measures()) length += m.length;
-  return length;
-}
+std::span<const SurfaceCurve> CurveSmoother::drawn() const { return drawing_->drawn(); }
 
-/// A loop of this length is a handful of edges around a vertex: three mean edges of the drawing,
-/// but less than half a loop that is drawn so small.
-double CurveSmoother::default_floor() const {
-  double floor = HUGE_VAL;
-  for (std::size_t c = 0; c < capped_.size(); ++c) {
-    if (!capped_[c].closed) continue;
-    const double length = curve_length(mesh_->surface(), capped_[c]);
-    const double mean = length / static_cast<double>(capped_[c].points.size());
-    floor = std::min({floor, 3 * mean, length / 2});
-  }
-  return std::isfinite(floor) ? floor : 0;
+std::vector<double> CurveSmoother::slack() const {
+  if (!sheet_) return {};
+  const std::vector<double> ordered = sheet_->slack();
+  return ordered.empty() ? ordered : drawing_->in_drawn_order(ordered);
 }
 
 SmoothingResult CurveSmoother::smooth(double tau) {
@@ -219,216 +161,142 @@ SmoothingResult CurveSmoother::smooth(double tau) {
   return smooth(options);
 }
 
-SmoothingResult CurveSmoother::smooth(const SmoothingOptions& options) {
-  options.validate();
-  if (!is_set()) bad_usage("No curve is set.");
-  try {
-    const Asker asked(options.progress, "straighten");
-    return drawing_.as_drawn(smooth_now(with_ordered_slack(options)));
-  } catch (const Cancelled&) {
-    return cancelled_result(options);
-  }
-}
-
-/// The drawing as it is.
-SmoothingResult CurveSmoother::cancelled_result(const SmoothingOptions& options) const {
-  SmoothingResult result;
-  result.curves = drawing_.drawn();
-  for (std::size_t c = 0; c < drawing_.drawn().size(); ++c) {
-    SmoothingReport& report = result.reports.emplace_back(report_on_nothing(
-        mesh_->mesh(), drawing_.drawn()[c], drawing_.measures()[drawing_.place_of(c)]));
-    report.tau = options.tau;
-    report.edge_length_near = drawing_.edges_near()[drawing_.place_of(c)];
-    report.termination = to_string(Termination::kCancelled);
-  }
-  result.total = total_of(result.reports);
-  return result;
-}
-
-SmoothingOptions CurveSmoother::with_ordered_slack(SmoothingOptions options) const {
-  return curve_options_.method == Method::kCorridor ? drawing_.ordered(std::move(options))
-                                                    : options;
-}
-
-SmoothingResult CurveSmoother::smooth_now(const SmoothingOptions& options) {
-  if (!refined_.empty()) return smooth_refined(options);
-  if (unrolled_) return smooth_unrolled(options);
-  if (curve_options_.method == Method::kCorridor) return smooth_in_corridor(options);
-  return smooth_for_paper(options);
-}
-
-SmoothingResult CurveSmoother::smooth_for_paper(const SmoothingOptions& options) {
-  if (options.tau == 0) {
-    return run(options, [](VertexId, VertexId, double length) { return flat_length(length); });
-  }
-  if (!need_distance(options.progress)) throw Cancelled();
-  return run(options, lift_.metric(options.potential, options.tau, drawn_length()));
+SmoothingResult CurveSmoother::smooth(const SmoothingOptions& options, const Progress& progress) {
+  check(options);
+  return smooth(options, nullptr, progress);
 }
 
 SmoothingResult CurveSmoother::smooth(const SmoothingOptions& options,
-                                      std::span<const double> potential, std::size_t components) {
+                                      std::span<const double> potential, std::size_t components,
+                                      const Progress& progress) {
+  check(options);
+  const GivenPotential given{potential, components};
+  check_potential(memory_->surface().vertex_count(), given);
+  return smooth(options, &given, progress);
+}
+
+void CurveSmoother::check(const SmoothingOptions& options) const {
   options.validate();
-  if (!is_set()) bad_usage("No curve is set.");
-  const std::size_t own = mesh_->surface().vertex_count();
-  if (components == 0 || potential.size() != own * components) {
-    bad_usage("A potential of " + std::to_string(components) + " components needs " +
-              std::to_string(own * components) + " values, not " +
-              std::to_string(potential.size()) + ".");
-  }
-  for (std::size_t i = 0; i < potential.size(); ++i) {
-    if (!(std::abs(potential[i]) <= 1e150)) {
-      bad_usage("The potential of vertex " + std::to_string(i / components) +
-                " is not a number of at most 1e150.");
-    }
-  }
+  if (!sheet_) bad_usage("No curve is set.");
+}
+
+SmoothingResult CurveSmoother::smooth(const SmoothingOptions& options, const GivenPotential* given,
+                                      const Progress& progress) {
   try {
-    const Asker asked(options.progress, "straighten");
-    return drawing_.as_drawn(smooth_now(options, potential, components));
+    const Asker asked(progress, "straighten");
+    return drawing_->as_drawn(
+        smooth_ordered(ordered_for(curve_options_.method, *drawing_, options), given, progress));
   } catch (const Cancelled&) {
-    return cancelled_result(options);
+    return cancelled_result(memory_->mesh(), *drawing_, options.tau);
   }
 }
 
-SmoothingResult CurveSmoother::smooth_now(const SmoothingOptions& options,
-                                          std::span<const double> potential,
-                                          std::size_t components) {
-  if (!refined_.empty()) return smooth_refined(options, potential, components);
-  if (unrolled_) return smooth_unrolled(options, potential, components);
-  const std::size_t own = mesh_->surface().vertex_count();
-  const std::vector<double> inserted = straightening_.at_inserted(potential, components);
-  SmoothingResult result = run(options, [&](VertexId p, VertexId q, double length) {
-    const auto at = [&](VertexId v) {
-      return v.index() < own
-                 ? potential.subspan(v.index() * components, components)
-                 : std::span(inserted).subspan((v.index() - own) * components, components);
-    };
-    return lifted_length(length, at(p), at(q));
-  });
-  for (SmoothingReport& report : result.reports) report.potential = "custom";
-  result.total.potential = "custom";
-  return result;
-}
-
-SmoothingResult CurveSmoother::run(const SmoothingOptions& options,
-                                   SignpostTriangulation::Metric metric) {
-  const Straightened straight = straighten(options, std::move(metric));
-  const Stopwatch watch;
-  std::vector<SurfaceCurve> curves = straight.curves;
-  relax(mesh_->mesh(), curves, {options.relax_rounds}, options.progress);
-  StageTimes times = straight.time_ms;
-  times.relax = watch.ms();
-  return report_on(options, straight, std::move(curves), times);
-}
-
-Straightened CurveSmoother::straighten(const SmoothingOptions& options,
-                                       SignpostTriangulation::Metric metric) {
-  Straightening::Options own;
-  own.flip_out.max_iterations = options.max_iterations;
-  own.flip_out.min_relative_length = options.min_relative_length;
-  own.flip_out.length_floor = options.length_floor.value_or(default_floor());
-  own.flip_out.progress = options.progress;
-  own.prepare_whole_mesh = options.prepare_whole_mesh;
-  Straightened result = straightening_.run(std::move(metric), std::move(own));
-  const auto is_cut = [&](VertexId v) { return v.index() < cut_->size() && (*cut_)[v.index()]; };
-  at_cut_ = at_cut_ ||
-            (cut_ != nullptr && std::any_of(result.touched.begin(), result.touched.end(), is_cut));
-  return result;
-}
-
-DeviationMeasure CurveSmoother::measure_for(const SmoothingOptions& options) {
-  const bool automatic = options.deviation == DeviationMeasure::kAutomatic;
-  return automatic && options.tau >= kLeastAnchor ? DeviationMeasure::kAlongSurface
-                                                  : options.deviation;
-}
-
-SmoothingResult CurveSmoother::report_on(const SmoothingOptions& options,
-                                         const Straightened& straight,
-                                         std::vector<SurfaceCurve> curves, StageTimes times) {
-  SmoothingResult result;
-  result.curves = std::move(curves);
-  times.open = mesh_->open_ms() + lift_.open_ms();
-  times.solve = solve_ms_;
-  times.total =
-      times.open + times.solve + times.straighten + times.trace + times.relax + times.polish;
-  const bool band_is_there =
-      curve_options_.method == Method::kCorridor && drawing_.drawn().size() == 1;
-  if (!deviation_meter_) deviation_meter_.emplace(mesh_->mesh());
-  for (std::size_t c = 0; c < result.curves.size(); ++c) {
-    SmoothingReport& report = result.reports.emplace_back(report_on_curve(
-        mesh_->mesh(), drawing_.curves()[c], drawing_.measures()[c], result.curves[c]));
-    const FlipOutResult::Path& path = straight.flip_out.paths[c];
-    report.tau = options.tau;
-    report.edge_length_near = drawing_.edges_near()[c];
-    report.lifted_length_before = path.length_before;
-    report.lifted_length_after = path.length_after;
-    report.termination = to_string(path.termination);
-    report.flips = straight.flip_out.flips;
-    report.iterations = straight.flip_out.iterations;
-    report.faces_touched = straight.faces_touched;
-    report.trace_fallbacks = straight.clamped;
-    report.mollification = lift_.mollification();
-    report.warnings = lift_.warnings();
-    report_deviation(report, measure_for(options), *deviation_meter_, mesh_->mesh(),
-                     drawing_.curves()[c], result.curves[c],
-                     band_is_there ? &*exact_distance_ : nullptr, options.progress);
-    if (warns_if_far_) {
-      warn_if_far(report, kFarInEdges * drawing_.edges_near()[c],
-                  options.deviation == DeviationMeasure::kAutomatic);
-    }
-    if (path.termination == Termination::kLimit && options.max_iterations == 0 &&
-        options.min_relative_length == 0) {
-      report.warnings.emplace_back(
-          "Straightening was given up before the curve was straight: the drawing has too many "
-          "points for so few faces.");
-    }
-    if (path.termination == Termination::kCollapsed) {
-      report.warnings.emplace_back(
-          "The loop shrinks to a point; it is returned as it was when it fell below the floor.");
-    }
-    if (straight.flip_out.blocked > 0) {
-      report.warnings.emplace_back("The curve stays bent at " +
-                                   std::to_string(straight.flip_out.blocked) +
-                                   " points where another part of the drawing is in the way.");
-    }
-    report.time_ms = times;
-    report.peak_memory_mib = peak_memory_mib();
-  }
-  report_moves(options, result);
+/// All in the drawing's order.
+SmoothingResult CurveSmoother::smooth_ordered(const SmoothingOptions& options,
+                                              const GivenPotential* given,
+                                              const Progress& progress) {
+  SmoothingResult result =
+      reported(memory_->opened(), *drawing_, options, sheet_->smooth(options, given, progress));
+  report_moves(options, result, progress);
   result.total = total_of(result.reports);
+  last_ = std::make_unique<Last>(Last{options, result});
   return result;
 }
 
 /// A slider moves tau in small steps; the result should follow in small ones.
-void CurveSmoother::report_moves(const SmoothingOptions& options, SmoothingResult& result) {
-  constexpr double kSmallStep = 1.05;
-  const auto near = [&](const SmoothingOptions& last) {
-    const double least = std::min(last.tau, options.tau), most = std::max(last.tau, options.tau);
-    return least > 0 && most <= kSmallStep * least && last.slack == options.slack &&
-           last.slack_at == options.slack_at && last.phase_turns == options.phase_turns &&
-           last.polish == options.polish && last.relax_rounds == options.relax_rounds;
-  };
-  if (last_ && options.deviation != DeviationMeasure::kNone && near(last_->options)) {
-    for (std::size_t c = 0; c < result.curves.size(); ++c) {
-      report_move(result.reports[c], mesh_->mesh(), last_->options.tau, last_->result.curves[c],
-                  result.curves[c], options.progress);
-    }
+void CurveSmoother::report_moves(const SmoothingOptions& options, SmoothingResult& result,
+                                 const Progress& progress) const {
+  if (!last_ || options.deviation == DeviationMeasure::kNone) return;
+  if (!is_small_step(last_->options, options)) return;
+  for (std::size_t c = 0; c < result.curves.size(); ++c) {
+    report_move(result.reports[c], memory_->mesh(), last_->options.tau, last_->result.curves[c],
+                result.curves[c], progress);
   }
-  last_ = Last{options, result};
-  last_->options.progress = {};
+}
+
+SmoothingResult CurveSmoother::drag(std::size_t curve, const SurfaceCurve& moved,
+                                    const SmoothingOptions& options, const Progress& progress) {
+  check(options);
+  if (curve_options_.method != Method::kCorridor) bad_usage("drag() needs the corridor.");
+  if (curve >= drawing_->drawn().size()) bad_usage("drag() is asked for a curve that is not set.");
+  const SurfaceCurve own = moved;  // NOLINT: may be our own drawing, which changes
+  check_drawn(memory_->surface(), own);
+  try {
+    const Asker asked(progress, "straighten");
+    return sheet_->valleys() != nullptr ? drag_now(curve, own, options, progress)
+                                        : drag_whole(curve, own, options, progress);
+  } catch (const Cancelled&) {
+    SmoothingResult result = cancelled_result(memory_->mesh(), *drawing_, options.tau);
+    result.curves[curve] = own;
+    return result;
+  }
+}
+
+/// The last result if it is what these options ask for.
+SmoothingResult CurveSmoother::last_for(const SmoothingOptions& options, const Progress& progress) {
+  SmoothingOptions plain = drawing_->ordered(options);
+  if (!last_ || !same_result(last_->options, plain)) {
+    plain.deviation = DeviationMeasure::kNone;
+    smooth_ordered(plain, nullptr, progress);
+  }
+  return drawing_->as_drawn(last_->result);
+}
+
+SmoothingResult CurveSmoother::drag_now(std::size_t curve, const SurfaceCurve& moved,
+                                        const SmoothingOptions& options, const Progress& progress) {
+  SmoothingResult result = last_for(options, progress);
+  const Stopwatch watch;
+  const DrawingChange change = change_between(drawing_->drawn()[curve], moved);
+  if (!change.is_none()) {
+    if (!dragging_) dragging_ = std::make_unique<Dragging>(memory_->shared());
+    result.curves[curve] =
+        dragging_->dragged({*drawing_, curve_options_, *sheet_->valleys(), options}, curve, change,
+                           result.curves[curve], progress);
+  }
+  SmoothingReport& report = result.reports[curve];
+  report = preview_report(memory_->mesh(), memory_->meter(), moved, result.curves[curve], options,
+                          report, progress);
+  report.time_ms.polish = report.time_ms.total = watch.ms();
+  result.total = total_of(result.reports);
+  return result;
+}
+
+/// A stretch is not enough where strips meet or faces are divided: all is smoothed anew.
+SmoothingResult CurveSmoother::drag_whole(std::size_t curve, const SurfaceCurve& moved,
+                                          const SmoothingOptions& options,
+                                          const Progress& progress) {
+  std::vector<SurfaceCurve> curves = drawing_->drawn();
+  curves[curve] = moved;
+  CurveOptions own = curve_options_;
+  std::erase_if(own.pins, [&](const SurfacePoint& pin) {
+    return std::none_of(curves.begin(), curves.end(), [&](const SurfaceCurve& c) {
+      return std::find(c.points.begin(), c.points.end(), pin) != c.points.end();
+    });
+  });
+  SmoothingOptions plain = options;
+  plain.slack_at.clear();  // it belongs to the drawing that is set
+  if (!previewer_) previewer_ = std::make_unique<CurveSmoother>(memory_->shared());
+  if (!previewer_->set_curves(curves, own, progress)) throw Cancelled();
+  SmoothingResult result =
+      previewer_->drawing_->as_drawn(previewer_->smooth_ordered(plain, nullptr, progress));
+  result.reports[curve].engine = Engine::kPreview;
+  result.total = total_of(result.reports);
+  return result;
 }
 
 SmoothingResult smooth_curve(std::shared_ptr<const OpenedMesh> mesh, const SurfaceCurve& curve,
-                             const SmoothingOptions& options, const CurveOptions& curve_options) {
+                             const SmoothingOptions& options, const CurveOptions& curve_options,
+                             const Progress& progress) {
   CurveSmoother smoother(std::move(mesh));
-  if (!smoother.set_curve(curve, curve_options, options.progress)) {
+  if (!smoother.set_curve(curve, curve_options, progress)) {
     SmoothingResult cancelled;
     cancelled.curves.push_back(curve);
     cancelled.reports.emplace_back();
-    cancelled.reports.back().termination = to_string(Termination::kCancelled);
+    cancelled.reports.back().termination = Outcome::kCancelled;
     cancelled.total = cancelled.reports.back();
     return cancelled;
   }
-  return smoother.smooth(options);
+  return smoother.smooth(options, progress);
 }
 
 std::vector<double> slack_along(const Surface& surface, const SurfaceCurve& drawn,

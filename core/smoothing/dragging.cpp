@@ -1,14 +1,11 @@
-// CurveSmoother: what a drawing would give while a part of it is being dragged.
+#include "talweg/core/smoothing/dragging.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <optional>
 #include <utility>
 
-#include "talweg/core/measure/result_report.hpp"
-#include "talweg/core/smoothing/curve_smoother.hpp"
-#include "talweg/intrinsic/error.hpp"
-#include "talweg/intrinsic/stopwatch.hpp"
+#include "talweg/core/smoothing/corridor_valleys.hpp"
 
 namespace talweg {
 namespace {
@@ -73,13 +70,6 @@ std::size_t points_within(const SurfaceMesh& mesh, const Points& points, std::si
   return count;
 }
 
-bool same_result(const SmoothingOptions& a, const SmoothingOptions& b) {
-  return a.tau == b.tau && a.slack == b.slack && a.slack_at == b.slack_at &&
-         a.phase_turns == b.phase_turns && a.polish == b.polish &&
-         a.relax_rounds == b.relax_rounds && a.max_iterations == b.max_iterations &&
-         a.min_relative_length == b.min_relative_length && a.length_floor == b.length_floor;
-}
-
 /// The values at points that are kept; linear at those between them.
 std::vector<double> carried_over(const std::vector<double>& drawn, const SurfaceCurve& before,
                                  const DrawingChange& change) {
@@ -103,74 +93,50 @@ std::vector<double> carried_over(const std::vector<double>& drawn, const Surface
   return result;
 }
 
-}  // namespace
-
-/// The last result if it is what these options ask for.
-SmoothingResult CurveSmoother::result_for(const SmoothingOptions& options) {
-  SmoothingOptions plain = with_ordered_slack(options);
-  if (!last_ || !same_result(last_->options, plain)) {
-    plain.deviation = DeviationMeasure::kNone;
-    smooth_now(plain);
-  }
-  return drawing_.as_drawn(last_->result);
-}
-
-/// As for the drawing that is set, whose slack and L stay.
-std::vector<Corridor::Valley> CurveSmoother::dragged_valleys(
-    const DrawingChange& change, std::size_t curve, const SmoothingOptions& options) const {
+/// As for the drawing that is set, whose slack and L stay; in the order as drawn.
+std::vector<Corridor::Valley> dragged_valleys(const Dragging::Setting& setting, std::size_t curve,
+                                              const DrawingChange& change) {
+  const OrderedDrawing& drawing = setting.drawing;
+  const SmoothingOptions& options = setting.options;
   std::vector<Corridor::Valley> valleys =
-      drawing_.in_drawn_order(valleys_for(with_ordered_slack(options)));
+      drawing.in_drawn_order(with_options(setting.valleys, drawing, drawing.ordered(options)));
   for (std::size_t c = 0; c < options.slack_at.size(); ++c) {
-    valleys[c].slack_at = c == curve
-                              ? carried_over(options.slack_at[c], drawing_.drawn()[c], change)
-                              : options.slack_at[c];
+    valleys[c].slack_at = c == curve ? carried_over(options.slack_at[c], drawing.drawn()[c], change)
+                                     : options.slack_at[c];
   }
   return valleys;
 }
 
-void CurveSmoother::set_stretch(const DragStretch& stretch, const CurveOptions& options,
-                                const Progress& progress) {
-  forget();
-  try {
-    CurveOptions own = options;
-    std::erase_if(own.pins, [&](const SurfacePoint& pin) {
-      const Points& points = stretch.curve.points;
-      return std::find(points.begin(), points.end(), pin) == points.end();
-    });
-    take(std::span(&stretch.curve, 1), own, progress);
-    embed_drawn(progress);
-    if (!exact_distance_) exact_distance_.emplace(mesh_->surface());
-    Asker asker(progress, "solve");
-    const AskedDuring asked(*exact_distance_, asker);
-    exact_distance_->set(stretch.near);
-    valleys_ = stretch.valleys;
-  } catch (...) {
-    forget();
-    throw;
-  }
-}
+}  // namespace
 
-/// From the drawing to where the polish of the result starts.
-SurfaceCurve CurveSmoother::rough_stretch(const SmoothingOptions& options) {
-  StageTimes times;
-  anchors_.clear();
-  const Anchor& anchor = anchor_at(*anchor_of(options), options, valleys_, times);
-  return drawing_.as_drawn(SmoothingResult{anchor.rough, {}, {}}).curves.front();
+void Dragging::set(const DragStretch& stretch, const CurveOptions& options,
+                   const Progress& progress) {
+  CurveOptions own = options;
+  std::erase_if(own.pins, [&](const SurfacePoint& pin) {
+    const Points& points = stretch.curve.points;
+    return std::find(points.begin(), points.end(), pin) == points.end();
+  });
+  stretch_ = {};
+  stretch_.drawing = checked_drawing(memory_.mesh(), std::span(&stretch.curve, 1), own, progress);
+  stretch_.embedded.emplace(memory_, stretch_.drawing, own,
+                            EmbeddedDrawing::Ground{Loops::kErase, nullptr}, progress);
+  stretch_.method.emplace(memory_, *stretch_.embedded);
+  stretch_.method->set(stretch.near, stretch.valleys, progress);
 }
 
 /// Which points of the changed drawing are smoothed anew, [first, last].
-struct CurveSmoother::DragRange {
+struct Dragging::Range {
   std::size_t first = 0, last = 0;
   double before = 0, after = 0;  // how far that is beyond the change, mesh units
 };
 
 /// With so much on either side of the change; none where all of the curve would be.
-std::optional<CurveSmoother::DragRange> CurveSmoother::range_around(const DrawingChange& change,
-                                                                    double margin) const {
-  const SurfaceMesh& mesh = mesh_->mesh();
+std::optional<Dragging::Range> Dragging::range_around(const DrawingChange& change,
+                                                      double margin) const {
+  const SurfaceMesh& mesh = memory_.mesh();
   const Points& points = change.after.points;
   const std::size_t n = points.size(), front = change.kept_before, back = change.kept_after;
-  DragRange range{0, n - 1};
+  Range range{0, n - 1};
   if (front > 0)
     range.first = front - 1 - points_within(mesh, points, front - 1, -1, front - 1, margin);
   if (back > 0) range.last = n - back + points_within(mesh, points, n - back, +1, back - 1, margin);
@@ -181,12 +147,13 @@ std::optional<CurveSmoother::DragRange> CurveSmoother::range_around(const Drawin
 
 /// Smooths these points of the drawing and puts them between what stays of the last result; none
 /// where they do not meet it.
-std::optional<SurfaceCurve> CurveSmoother::joined(const DragRange& range,
-                                                  const DrawingChange& change, double margin,
-                                                  const SurfaceCurve& last,
-                                                  const SmoothingOptions& options) {
-  const SurfaceMesh& mesh = mesh_->mesh();
-  const Points stretch = dragger_->rough_stretch(options).points;
+std::optional<SurfaceCurve> Dragging::joined(const Range& range, const DrawingChange& change,
+                                             double margin, const SurfaceCurve& last,
+                                             const SmoothingOptions& options,
+                                             const Progress& progress) {
+  const SurfaceMesh& mesh = memory_.mesh();
+  const Points stretch =
+      stretch_.drawing.in_drawn_direction(0, stretch_.method->rough(options, progress)[0]).points;
   const std::size_t m = stretch.size(), open_end = m - 1;
   const auto within = [&](std::size_t from, int step, double length) {
     return points_within(mesh, stretch, from, step, m - 1, length);
@@ -222,117 +189,42 @@ std::optional<SurfaceCurve> CurveSmoother::joined(const DragRange& range,
   points.assign(at(kept, from), at(kept, head->in_last));
   points.insert(points.end(), at(stretch, head->in_stretch), at(stretch, tail->in_stretch + 1));
   points.insert(points.end(), at(kept, tail->in_last + 1), at(kept, to + 1));
-  const Corridor corridor(*dragger_->exact_distance_, options.tau, dragger_->valleys_);
-  dragger_->polish_in(corridor, chain, options.progress);
+  stretch_.method->polish(options.tau, chain, progress);
   points.insert(points.begin(), kept.cbegin(), at(std::as_const(kept), from));
   points.insert(points.end(), at(std::as_const(kept), to + 1), kept.cend());
   chain.front().closed = last.closed;
   return std::move(chain.front());
 }
 
-SurfaceCurve CurveSmoother::dragged(const DrawingChange& change, std::size_t curve,
-                                    const SurfaceCurve& last, const SmoothingOptions& options) {
-  const SurfaceMesh& mesh = mesh_->mesh();
-  std::vector<SurfaceCurve> curves = drawing_.drawn();
+SurfaceCurve Dragging::dragged(const Setting& setting, std::size_t curve,
+                               const DrawingChange& change, const SurfaceCurve& last,
+                               const Progress& progress) {
+  const OrderedDrawing& drawing = setting.drawing;
+  std::vector<SurfaceCurve> curves = drawing.drawn();
   curves[curve] = change.after;
-  const std::vector<Corridor::Valley> valleys = dragged_valleys(change, curve, options);
-  const double segment = drawing_.measures()[drawing_.place_of(curve)].length /
-                         static_cast<double>(change.before.points.size());
+  const std::vector<Corridor::Valley> valleys = dragged_valleys(setting, curve, change);
+  const std::size_t place = drawing.place_of(curve);
+  const double segment =
+      drawing.measures()[place].length / static_cast<double>(change.before.points.size());
   double slack = valleys[curve].slack;
   for (const double s : valleys[curve].slack_at) slack = std::max(slack, s);
-  const double reach = kReach * (slack + drawing_.edges_near()[drawing_.place_of(curve)]);
-  if (!dragger_) dragger_ = std::make_unique<CurveSmoother>(mesh_);
-  dragger_->loops_ = Loops::kErase;
-  if (anchor_of(options)) {
+  const double reach = kReach * (slack + drawing.edges_near()[place]);
+  const auto set_stretch = [&](std::size_t first, std::size_t last_point) {
+    set(stretch_of(memory_.mesh(), curves, valleys, curve, first, last_point, reach),
+        setting.curve_options, progress);
+  };
+  if (CorridorAnchors::anchor_of(setting.options)) {
     for (double margin = kMargin * segment;; margin *= 2) {
-      const std::optional<DragRange> range = range_around(change, margin);
+      const std::optional<Range> range = range_around(change, margin);
       if (!range) break;
-      dragger_->set_stretch(
-          stretch_of(mesh, curves, valleys, curve, range->first, range->last + 1, reach),
-          curve_options_, options.progress);
-      if (auto result = joined(*range, change, margin, last, options)) return *std::move(result);
+      set_stretch(range->first, range->last + 1);
+      auto result = joined(*range, change, margin, last, setting.options, progress);
+      if (result) return *std::move(result);
     }
   }
-  dragger_->set_stretch(
-      stretch_of(mesh, curves, valleys, curve, 0, change.after.points.size(), reach),
-      curve_options_, options.progress);
-  SmoothingOptions plain = options;
-  plain.deviation = DeviationMeasure::kNone;
-  SmoothingResult result =
-      dragger_->drawing_.as_drawn(dragger_->smooth_in_valleys(plain, dragger_->valleys_));
-  return std::move(result.curves.front());
-}
-
-/// A stretch is not enough where strips meet or faces are divided: all is smoothed anew.
-SmoothingResult CurveSmoother::drag_whole(std::size_t curve, const SurfaceCurve& moved,
-                                          const SmoothingOptions& options) {
-  std::vector<SurfaceCurve> curves = drawing_.drawn();
-  curves[curve] = moved;
-  CurveOptions own = curve_options_;
-  std::erase_if(own.pins, [&](const SurfacePoint& pin) {
-    return std::none_of(curves.begin(), curves.end(), [&](const SurfaceCurve& c) {
-      return std::find(c.points.begin(), c.points.end(), pin) != c.points.end();
-    });
-  });
-  SmoothingOptions plain = options;
-  plain.slack_at.clear();  // it belongs to the drawing that is set
-  if (!dragger_) dragger_ = std::make_unique<CurveSmoother>(mesh_);
-  dragger_->loops_ = Loops::kKeep;
-  if (!dragger_->set_curves(curves, own, options.progress)) throw Cancelled();
-  SmoothingResult result = dragger_->drawing_.as_drawn(dragger_->smooth_now(plain));
-  result.reports[curve].engine = "preview";
-  result.total = total_of(result.reports);
-  return result;
-}
-
-SmoothingResult CurveSmoother::drag(std::size_t curve, const SurfaceCurve& moved,
-                                    const SmoothingOptions& options) {
-  const auto require = [](bool good, const char* message) {
-    if (!good) throw Error(ErrorCode::kBadUsage, message);
-  };
-  options.validate();
-  require(is_set(), "No curve is set.");
-  require(curve_options_.method == Method::kCorridor, "drag() needs the corridor.");
-  require(curve < drawing_.drawn().size(), "drag() is asked for a curve that is not set.");
-  const SurfaceCurve own = moved;  // NOLINT: may be our own drawing, which changes
-  check_drawn(mesh_->surface(), own);
-  try {
-    const Asker asked(options.progress, "straighten");
-    return drag_now(curve, own, options);
-  } catch (const Cancelled&) {
-    SmoothingResult result = cancelled_result(options);
-    result.curves[curve] = own;
-    return result;
-  }
-}
-
-SmoothingResult CurveSmoother::drag_now(std::size_t curve, const SurfaceCurve& own,
-                                        const SmoothingOptions& options) {
-  if (unrolled_ || !refined_.empty()) return drag_whole(curve, own, options);
-  SmoothingResult result = result_for(options);
-  const Stopwatch watch;
-  const DrawingChange change = change_between(drawing_.drawn()[curve], own);
-  if (!change.is_none())
-    result.curves[curve] = dragged(change, curve, result.curves[curve], options);
-
-  SmoothingReport& report = result.reports[curve];
-  SmoothingReport fresh = report_on_curve(mesh_->mesh(), own, measure_curve(mesh_->surface(), own),
-                                          result.curves[curve]);
-  fresh.potential = report.potential;
-  fresh.engine = "preview";
-  fresh.tau = report.tau;
-  fresh.slack = report.slack;
-  fresh.edge_length_near = report.edge_length_near;
-  fresh.termination = report.termination;
-  report_deviation(fresh, measure_for(options), *deviation_meter_, mesh_->mesh(), own,
-                   result.curves[curve], nullptr, options.progress);
-  warn_if_far(fresh, kFarInEdges * fresh.edge_length_near,
-              options.deviation == DeviationMeasure::kAutomatic);
-  fresh.time_ms.polish = fresh.time_ms.total = watch.ms();
-  fresh.peak_memory_mib = report.peak_memory_mib;
-  report = std::move(fresh);
-  result.total = total_of(result.reports);
-  return result;
+  set_stretch(0, change.after.points.size());
+  Smoothed whole = stretch_.method->smooth_in_own_valleys(setting.options, progress);
+  return stretch_.drawing.in_drawn_direction(0, std::move(whole.curves.front().curve));
 }
 
 }  // namespace talweg

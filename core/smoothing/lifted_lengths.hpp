@@ -1,8 +1,10 @@
-// Lengths in the lifted surface.
+// A lifted length is that of an edge in the surface that a potential lifts.
 #pragma once
 
 #include <cmath>
 #include <span>
+
+#include "talweg/intrinsic/surface/ids.hpp"
 
 namespace talweg {
 
@@ -19,6 +21,11 @@ inline double lifted_length(double length, std::span<const double> at_p,
 
 inline double lifted_length(double length, double at_p, double at_q) {
   return std::sqrt(length * length + (at_p - at_q) * (at_p - at_q));
+}
+
+/// The metric where nothing is lifted, computed as the others are.
+inline double unlifted_length(VertexId /*p*/, VertexId /*q*/, double length) {
+  return lifted_length(length, 0.0, 0.0);
 }
 
 }  // namespace talweg

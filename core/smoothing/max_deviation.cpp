@@ -44,10 +44,11 @@ double both_ways(const SmoothingResult& result) {
 
 class Search {
  public:
-  Search(CurveSmoother& smoother, double bound, SmoothingOptions options)
+  Search(CurveSmoother& smoother, double bound, SmoothingOptions options, Progress progress)
       : smoother_(smoother),
         bound_(bound),
         options_(std::move(options)),
+        progress_(std::move(progress)),
         own_pins_(smoother.pins().begin(), smoother.pins().end()) {
     options_.deviation = DeviationMeasure::kAlongSurface;
     for (const SurfaceCurve& drawn : smoother_.drawn()) {
@@ -103,7 +104,7 @@ class Search {
 
   void begin_with(double slack) {
     options_.slack = slack;
-    if (!smoother_.set_pins(own_pins_, options_.progress)) throw Cancelled();
+    if (!smoother_.set_pins(own_pins_, progress_)) throw Cancelled();
     pinned_ = 0;
   }
 
@@ -164,7 +165,7 @@ class Search {
     if (!to_result_) to_result_.emplace(smoother_.opened().surface());
     SurfaceCurve result = last_.curves[c];
     if (orders_[c].reversed) std::reverse(result.points.begin(), result.points.end());
-    Asker asker(options_.progress, "measure");
+    Asker asker(progress_, "measure");
     const AskedDuring asked(*to_result_, asker);
     to_result_->set(std::span(&result, 1));
     std::vector<double> distances;
@@ -191,8 +192,8 @@ class Search {
   double measured(double tau, Measure measure) {
     if (cancelled_) return HUGE_VAL;
     options_.tau = tau;
-    last_ = smoother_.smooth(options_);
-    cancelled_ = last_.total.termination == to_string(Termination::kCancelled);
+    last_ = smoother_.smooth(options_, progress_);
+    cancelled_ = last_.total.termination == Outcome::kCancelled;
     if (!cancelled_) keep_better();
     return measure(last_);
   }
@@ -227,7 +228,7 @@ class Search {
       const std::size_t before = pins.size();
       add_lost_corners(pins);
       if (pins.size() == before || to_drawn(last_) > bound_) tau *= 1.25;
-      if (!smoother_.set_pins(pins, options_.progress)) throw Cancelled();
+      if (!smoother_.set_pins(pins, progress_)) throw Cancelled();
       pinned_ = pins.size() - own_pins_.size();
       if (measured(tau, both_ways) <= bound_) return;
     }
@@ -268,8 +269,8 @@ class Search {
   void keep_better() {
     const auto worse = [this](const SmoothingResult& a, const SmoothingResult& b) {
       const double over_a = std::max(both_ways(a), bound_), over_b = std::max(both_ways(b), bound_);
-      const bool proper_a = a.total.termination == to_string(Termination::kConverged);
-      const bool proper_b = b.total.termination == to_string(Termination::kConverged);
+      const bool proper_a = a.total.termination == Outcome::kConverged;
+      const bool proper_b = b.total.termination == Outcome::kConverged;
       if (proper_a != proper_b) return proper_b;
       return over_a != over_b ? over_a > over_b : curvature(a) > curvature(b);
     };
@@ -284,7 +285,7 @@ class Search {
       report.pins_added = best_pinned_;
       const double apart = std::max(report.deviation_to_drawn_max, report.deviation_from_drawn_max);
       if (!(apart <= bound_)) {
-        report.termination = "deviation";
+        report.termination = Outcome::kDeviation;
         report.warnings.push_back("No curve within " + std::to_string(bound_) +
                                   " of the drawing was found; this one deviates by " +
                                   std::to_string(apart) + ".");
@@ -297,6 +298,7 @@ class Search {
   CurveSmoother& smoother_;
   double bound_;
   SmoothingOptions options_;
+  Progress progress_;
   std::vector<SurfacePoint> own_pins_;
   // The drawing, in the order in which the smoother goes through it too.
   std::vector<CurveOrder> orders_;
@@ -310,7 +312,7 @@ class Search {
 }  // namespace
 
 SmoothingResult smooth_within(CurveSmoother& smoother, double max_deviation,
-                              const SmoothingOptions& options) {
+                              const SmoothingOptions& options, const Progress& progress) {
   if (!(max_deviation > 0 && std::isfinite(max_deviation))) {
     throw Error(ErrorCode::kBadUsage, "max_deviation must be finite and > 0.");
   }
@@ -319,11 +321,9 @@ SmoothingResult smooth_within(CurveSmoother& smoother, double max_deviation,
     throw Error(ErrorCode::kBadUsage, "smooth_within() needs the corridor.");
   }
   try {
-    return Search(smoother, max_deviation, options).run();
+    return Search(smoother, max_deviation, options, progress).run();
   } catch (const Cancelled&) {  // between two runs
-    SmoothingOptions none = options;
-    none.progress = [](const char*, double) { return false; };
-    return smoother.smooth(none);
+    return smoother.smooth(options, [](const char*, double) { return false; });
   }
 }
 

@@ -23,6 +23,6 @@ namespace talweg {
 /// Throws Error(kBadUsage) when the bound is not > 0, no curve is set, or the curve was set with
 /// another method than the corridor.
 SmoothingResult smooth_within(CurveSmoother& smoother, double max_deviation,
-                              const SmoothingOptions& options = {});
+                              const SmoothingOptions& options = {}, const Progress& progress = {});
 
 }  // namespace talweg

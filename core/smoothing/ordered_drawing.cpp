@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "talweg/core/drawing/curve_embedding.hpp"
+#include "talweg/core/drawing/drawn_curves.hpp"
 #include "talweg/core/measure/edge_length_near.hpp"
 #include "talweg/core/smoothing/corridor.hpp"
 #include "talweg/intrinsic/error.hpp"
@@ -76,16 +78,33 @@ SmoothingOptions OrderedDrawing::ordered(SmoothingOptions options) const {
   return options;
 }
 
+SurfaceCurve OrderedDrawing::in_drawn_direction(std::size_t ordered, SurfaceCurve curve) const {
+  if (orders_[ordered].reversed) std::reverse(curve.points.begin(), curve.points.end());
+  return curve;
+}
+
 SmoothingResult OrderedDrawing::as_drawn(SmoothingResult result) const {
   for (std::size_t c = 0; c < result.curves.size(); ++c) {
-    std::vector<SurfacePoint>& points = result.curves[c].points;
-    if (orders_[c].reversed) std::reverse(points.begin(), points.end());
+    result.curves[c] = in_drawn_direction(c, std::move(result.curves[c]));
   }
   if (std::is_sorted(numbers_.begin(), numbers_.end())) return result;
   result.curves = in_drawn_order(result.curves);
   result.reports = in_drawn_order(result.reports);
   result.total = total_of(result.reports);
   return result;
+}
+
+OrderedDrawing checked_drawing(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves,
+                               const CurveOptions& options, const Progress& progress) {
+  if (curves.empty()) throw Error(ErrorCode::kBadUsage, "There is no curve to smooth.");
+  options.validate();
+  Asker asker(progress, "embed");
+  for (const SurfaceCurve& curve : curves) {
+    asker.did(kOfPoint * curve.points.size());
+    check_drawn(mesh.surface(), curve);
+  }
+  check_pins(curves, options.pins);
+  return {mesh, curves, asker};
 }
 
 }  // namespace talweg

@@ -1,4 +1,4 @@
-// A set of drawn curves, in the order in which they are worked on.
+// An ordered drawing has its curves and their points in the order in which they are worked on.
 #pragma once
 
 #include <cstddef>
@@ -45,6 +45,8 @@ class OrderedDrawing {
   /// Options whose slack_at is along the drawn curves, with it along the ordered ones. Throws
   /// Error(kBadUsage) where there are not as many values as points.
   [[nodiscard]] SmoothingOptions ordered(SmoothingOptions options) const;
+  /// One of the ordered curves, or a result of it, in the direction in which it was drawn.
+  [[nodiscard]] SurfaceCurve in_drawn_direction(std::size_t ordered, SurfaceCurve curve) const;
   /// A result of the ordered curves, of those as they were drawn.
   [[nodiscard]] SmoothingResult as_drawn(SmoothingResult result) const;
 
@@ -55,5 +57,9 @@ class OrderedDrawing {
   std::vector<CurveMeasures> measures_;
   std::vector<double> edges_near_;
 };
+
+/// Checks curves and options and puts the curves in order. Throws as CurveSmoother::set_curves().
+OrderedDrawing checked_drawing(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves,
+                               const CurveOptions& options, const Progress& progress);
 
 }  // namespace talweg

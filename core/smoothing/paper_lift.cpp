@@ -49,9 +49,9 @@ void PaperLift::solve(std::span<const SurfaceCurve> curves, const CurveOptions& 
   open_ms_ = watch.lap();
   std::vector<double> solved =
       heat->solve(sources_of(surface, curves), DistanceOptions{}, progress);
-  if (options.bump_radius > 0) {
+  if (options.bump_radius) {
     BumpOptions bump;
-    bump.radius = options.bump_radius;
+    bump.radius = *options.bump_radius;
     distance_ = convolve_with_bump(surface, solved, bump, progress);
     at_inserted_ = curves_->at_inserted(distance_, 1);
   } else {

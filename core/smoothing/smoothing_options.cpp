@@ -18,8 +18,8 @@ namespace {
 void CurveOptions::validate() const {
   if (threads < 1) out_of_range("threads must be >= 1.");
   if (!(heat_time >= 1e-3 && heat_time <= 1e6)) out_of_range("heat_time must be in [1e-3, 1e6].");
-  if (!(bump_radius >= 0 && std::isfinite(bump_radius))) {
-    out_of_range("bump_radius must be finite and >= 0.");
+  if (bump_radius && !(*bump_radius > 0 && std::isfinite(*bump_radius))) {
+    out_of_range("bump_radius must be finite and > 0.");
   }
 }
 

@@ -1,13 +1,12 @@
-// What can be asked of a smoother.
+// Options of a drawing and of its smoothing, with their units, ranges and defaults.
 #pragma once
 
 #include <cstddef>
 #include <optional>
 #include <vector>
 
-#include "talweg/core/measure/surface_deviation.hpp"
+#include "talweg/core/measure/deviation_measure.hpp"
 #include "talweg/core/smoothing/potential.hpp"
-#include "talweg/intrinsic/progress.hpp"
 #include "talweg/intrinsic/surface/surface_point.hpp"
 
 namespace talweg {
@@ -25,13 +24,17 @@ struct CurveOptions {
   /// Whether the paper's distance, which is what setting a curve costs, is there when it is set;
   /// else it is computed when something first needs it, and at tau = 0 nothing does.
   bool distance_at_once = true;
-  double bump_radius = 0;   ///< mesh units; > 0 smooths the distance once more by equation 3
+  /// Mesh units, > 0: the distance is smoothed once more by equation 3, within this radius.
+  std::optional<double> bump_radius;
   bool cap_corners = true;  ///< as the paper does; only curves that run along mesh edges
   unsigned threads = 2;  ///< at most, for the factors of the heat distance; >= 1; changes no result
   std::vector<SurfacePoint> pins;  ///< points of the drawing that the result must pass through
 
   void validate() const;  ///< throws Error(kBadUsage) naming the field and its bound
 };
+
+/// From this tau on a result keeps near its drawing; below it may lead anywhere.
+constexpr double kLeastHeldTau = 1.0 / 8;
 
 /// What a new tau depends on.
 struct SmoothingOptions {
@@ -44,15 +47,19 @@ struct SmoothingOptions {
   int phase_turns = 3;   ///< of the corridor's phase around a loop, at most points / 8; [0, 64]
   bool polish = true;    ///< the corridor's result
   int relax_rounds = 0;  ///< of the paper's relaxation; its authors use 5
-  std::size_t max_iterations = 0;  ///< of FlipOut; 0: FlipOut's own bound
+  std::optional<std::size_t> max_iterations;  ///< of FlipOut; by default its own bound
   double min_relative_length = 0;  ///< stop at this fraction of the lifted length; [0, 1)
   /// Mesh units; by default 3 mean edges of the drawn loop, at most half of its length.
   std::optional<double> length_floor;
   /// Between result and drawing, for the report.
   DeviationMeasure deviation = DeviationMeasure::kAutomatic;
   bool prepare_whole_mesh = false;  ///< lay out everything first; slower, same result
-  Progress progress;                ///< may cancel; asked about once in a millisecond of work
 
+  /// What `deviation` means for this tau.
+  [[nodiscard]] DeviationMeasure deviation_measure() const {
+    const bool near = deviation == DeviationMeasure::kAutomatic && tau >= kLeastHeldTau;
+    return near ? DeviationMeasure::kAlongSurface : deviation;
+  }
   void validate() const;  ///< throws Error(kBadUsage) naming the field and its bound
 };
 

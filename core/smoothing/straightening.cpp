@@ -24,11 +24,12 @@ void Straightening::clear() {
   embedded_ = {};
 }
 
-Straightened Straightening::run(SignpostTriangulation::Metric metric, Options options) {
+Straightened Straightening::run(SignpostTriangulation::Metric metric, Options options,
+                                const Progress& progress) {
   triangulation_.set_metric(std::move(metric));
   options.flip_out.pinned = embedded_.pinned;
   try {
-    Straightened result = straightened(options);
+    Straightened result = straightened(options, progress);
     triangulation_.set_metric({});
     return result;
   } catch (...) {  // cancelled, most likely, and anywhere
@@ -38,23 +39,24 @@ Straightened Straightening::run(SignpostTriangulation::Metric metric, Options op
   }
 }
 
-Straightened Straightening::straightened(const Options& options) {
+Straightened Straightening::straightened(const Options& options, const Progress& progress) {
   Stopwatch watch;
   Straightened result;
   if (options.prepare_whole_mesh) triangulation_.prepare_all();
-  result.flip_out = flip_out_.run(embedded_.paths, options.flip_out);
+  const FlipOutResult straight = flip_out_.run(embedded_.paths, options.flip_out, progress);
   result.time_ms.straighten = watch.lap();
 
   std::vector<EdgePath> paths;
-  for (const FlipOutResult::Path& path : result.flip_out.paths) {
+  for (const FlipOutResult::Path& path : straight.paths) {
     if (path.termination == Termination::kCancelled) throw Cancelled();
     paths.push_back(path.path);
+    result.paths.push_back({path.length_before, path.length_after, path.termination});
   }
-  TraceResult traced = tracer_.trace_and_undo(paths, options.flip_out.progress);
+  TraceResult traced = tracer_.trace_and_undo(paths, progress);
   result.time_ms.trace = watch.ms();
   result.curves = std::move(traced.curves);
-  result.clamped = traced.clamped;
-  result.faces_touched = count_touched_faces(triangulation_);
+  result.counts = {straight.flips, straight.iterations, straight.blocked, traced.clamped,
+                   count_touched_faces(triangulation_)};
   const auto touched = triangulation_.touched();
   result.touched.assign(touched.begin(), touched.end());
   return result;

@@ -1,4 +1,4 @@
-// Drawn curves, straightened in any metric and traced back onto the surface.
+// Straightening makes drawn curves geodesic in any metric and traces them back onto the surface.
 #pragma once
 
 #include <cstddef>
@@ -13,12 +13,27 @@
 
 namespace talweg {
 
+/// How the straightening of one curve went.
+struct StraightenedPath {
+  double length_before = 0;  ///< in the metric
+  double length_after = 0;   ///< in the metric
+  Termination termination = Termination::kConverged;
+};
+
+/// How much a straightening did, of all curves together.
+struct StraighteningCounts {
+  std::size_t flips = 0;
+  std::size_t iterations = 0;
+  std::size_t blocked = 0;  ///< joints that stay bent because another path is in their wedge
+  std::size_t clamped = 0;  ///< crossings that the tracing put at the end of their edge
+  std::size_t faces_touched = 0;
+};
+
 /// Geodesics in the lifted surface, back on the mesh.
 struct Straightened {
   std::vector<SurfaceCurve> curves;
-  FlipOutResult flip_out;
-  std::size_t clamped = 0;  ///< crossings that the tracing put at the end of their edge
-  std::size_t faces_touched = 0;
+  std::vector<StraightenedPath> paths;  ///< one for each curve
+  StraighteningCounts counts;
   std::vector<VertexId> touched;  ///< vertices whose directions were laid out
   StageTimes time_ms;             ///< straighten, trace
 };
@@ -46,7 +61,7 @@ class Straightening {
   };
   /// Straightens the curves in a metric on the edges, which may go away afterwards. Throws
   /// Cancelled.
-  Straightened run(SignpostTriangulation::Metric metric, Options options);
+  Straightened run(SignpostTriangulation::Metric metric, Options options, const Progress& progress);
 
   /// Per-vertex values (k a row) at the inserted vertices, linear in each face.
   [[nodiscard]] std::vector<double> at_inserted(std::span<const double> values,
@@ -60,7 +75,7 @@ class Straightening {
   [[nodiscard]] const SignpostTriangulation& triangulation() const { return triangulation_; }
 
  private:
-  Straightened straightened(const Options& options);
+  Straightened straightened(const Options& options, const Progress& progress);
 
   SignpostTriangulation triangulation_;
   FlipOut flip_out_;

@@ -42,20 +42,19 @@ int run(int argc, char** argv) {
 
   talweg::SmoothingOptions options;
   options.tau = argc > 4 ? std::atof(argv[4]) : 1;
-  options.progress = progress;
-  const talweg::SmoothingResult result = smoother.smooth(options);
+  const talweg::SmoothingResult result = smoother.smooth(options, progress);
   std::fprintf(stderr, "\n");
 
   for (std::size_t i = 0; i < result.reports.size(); ++i) {
     const talweg::SmoothingReport& r = result.reports[i];
     std::printf("curve %zu: %s, length %g -> %g, curvature %g -> %g rad, off by %g at most\n", i,
-                r.termination.c_str(), r.length_before, r.length_after, r.curvature_before,
+                to_string(r.termination), r.length_before, r.length_after, r.curvature_before,
                 r.curvature_after, r.deviation_from_drawn_max);
     for (const std::string& warning : r.warnings) std::printf("  %s\n", warning.c_str());
   }
-  if (result.report().termination == "cancelled") return 4;
+  if (result.report().termination == talweg::Outcome::kCancelled) return 4;
   talweg::write_curves(argv[3], opened->mesh(), result.curves);
-  return result.report().termination == "converged" ? 0 : 3;
+  return result.report().termination == talweg::Outcome::kConverged ? 0 : 3;
 }
 
 }  // namespace

@@ -240,7 +240,8 @@ bool FlipOut::process(const Candidate& candidate) {
   return clear_wedge(wedge);
 }
 
-FlipOutResult FlipOut::run(std::span<const EdgePath> paths, const FlipOutOptions& options) {
+FlipOutResult FlipOut::run(std::span<const EdgePath> paths, const FlipOutOptions& options,
+                           const Progress& progress) {
   options.validate();
   options_ = options;
   network_.clear();
@@ -259,10 +260,9 @@ FlipOutResult FlipOut::run(std::span<const EdgePath> paths, const FlipOutOptions
   }
   const std::size_t flips = triangulation_->flip_count();
   const std::size_t segments = network_.segment_count();
-  const std::size_t limit =
-      options.max_iterations > 0 ? options.max_iterations : 1'000'000 + 1'000 * segments;
+  const std::size_t limit = options.max_iterations.value_or(1'000'000 + 1'000 * segments);
   const std::size_t most_flips =
-      options.max_flips > 0 ? options.max_flips : 4'000'000 + 16 * triangulation_->edge_count();
+      options.max_flips.value_or(4'000'000 + 16 * triangulation_->edge_count());
   for (std::size_t s = 0; s < segments; ++s) {
     const auto id = static_cast<SegmentId>(s);
     if (std::binary_search(options.pinned.begin(), options.pinned.end(),
@@ -273,7 +273,7 @@ FlipOutResult FlipOut::run(std::span<const EdgePath> paths, const FlipOutOptions
   constexpr std::size_t kPoll = 64;
   Termination stop = Termination::kConverged;
   for (std::size_t s = 0; s < segments && stop == Termination::kConverged; ++s) {
-    if (s % (16 * kPoll) == 0 && !go_on(options.progress, "straighten", 0)) {
+    if (s % (16 * kPoll) == 0 && !go_on(progress, "straighten", 0)) {
       stop = Termination::kCancelled;
     }
     push(static_cast<SegmentId>(s));
@@ -284,7 +284,7 @@ FlipOutResult FlipOut::run(std::span<const EdgePath> paths, const FlipOutOptions
     if (steps++ % kPoll == 0) {
       const double share = static_cast<double>(result.iterations) /
                            static_cast<double>(result.iterations + heap_.size());
-      if (!go_on(options.progress, "straighten", share)) {
+      if (!go_on(progress, "straighten", share)) {
         stop = Termination::kCancelled;
         break;
       }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -15,19 +16,18 @@ namespace talweg {
 struct FlipOutOptions {
   /// A side angle below pi - angle_tolerance is not straight yet. Radians, in (0, 1).
   double angle_tolerance = 1e-5;
-  /// Cleared wedges in all; 0 means 1,000,000 + 1,000 per segment, which no sane input reaches.
-  std::size_t max_iterations = 0;
-  /// Flips in all, which are kept to be undone (40 bytes each); 0 means 4,000,000 + 16 per edge,
+  /// Cleared wedges in all; by default 1,000,000 + 1,000 per segment, which no sane input reaches.
+  std::optional<std::size_t> max_iterations;
+  /// Flips in all, which are kept to be undone (40 bytes each); by default 4,000,000 + 16 per edge,
   /// which only paths with thousands of points in one face reach: their flips grow with the points'
   /// square.
-  std::size_t max_flips = 0;
+  std::optional<std::size_t> max_flips;
   /// Stop when the paths' total length has fallen to this fraction of the initial one. In [0, 1).
   double min_relative_length = 0;
   /// A closed path shorter than this counts as collapsed. Units of length, >= 0.
   double length_floor = 0;
   /// Vertices that the paths must keep, where they pass one as they are given. Sorted.
   std::vector<VertexId> pinned;
-  Progress progress;
 
   /// Throws Error(kBadUsage) naming the field and its bound.
   void validate() const;
@@ -68,7 +68,8 @@ class FlipOut {
       : triangulation_(&triangulation), network_(triangulation) {}
 
   /// Throws Error(kBadUsage) for options out of range.
-  FlipOutResult run(std::span<const EdgePath> paths, const FlipOutOptions& options);
+  FlipOutResult run(std::span<const EdgePath> paths, const FlipOutOptions& options,
+                    const Progress& progress = {});
 
  private:
   using SegmentId = PathNetwork::SegmentId;

@@ -215,13 +215,12 @@ int run_labels(const LabelsOptions& o, const GlobalOptions& global) {
   const auto mesh = OpenedMesh::open(std::move(read.lists));
   const ReadLabels file = read_labels(o.labels, mesh->surface(), read.map.get(), o.property);
   LabelNetworkOptions options = o.network;
-  options.progress = progress_bar(global.quiet);
   options.free_junctions = o.junctions == "free";
   options.sliding_ends = o.ends == "slide";
   const Stopwatch watch;
   LabelNetwork network;
   try {
-    network = smooth_labels(mesh, file.labels, options);
+    network = smooth_labels(mesh, file.labels, options, progress_bar(global.quiet));
   } catch (const Error& error) {
     if (error.code() != ErrorCode::kBadCurve) throw;
     throw Error(ErrorCode::kBadFile, o.labels + ": " + error.what() + weld_hint(mesh->mesh()));

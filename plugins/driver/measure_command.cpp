@@ -15,6 +15,7 @@
 #include "output_file.hpp"
 #include "progress_bar.hpp"
 #include "repaired_mesh.hpp"
+#include "talweg/core/measure/measures.hpp"
 #include "talweg/core/measure/self_contacts.hpp"
 #include "talweg/core/measure/surface_deviation.hpp"
 

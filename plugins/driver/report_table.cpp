@@ -18,7 +18,7 @@ std::string table_of(const SmoothingReport& r) {
   line("lifted length", number(r.lifted_length_before), number(r.lifted_length_after), "");
   line("total curvature", number(r.curvature_before), number(r.curvature_after), "rad");
   line("largest turn", number(r.curvature_max_before), number(r.curvature_max_after), "rad");
-  const bool through_space = r.deviation == "euclidean";
+  const bool through_space = r.deviation == DeviationMeasure::kEuclidean;
   fmt::format_to(std::back_inserter(out), "{:<22}{:>14}{:>14}{}\n", "deviation", "max", "mean",
                  through_space ? "  through space" : "");
   line("  smoothed to drawn", number(r.deviation_to_drawn_max), number(r.deviation_to_drawn_mean),
@@ -31,8 +31,8 @@ std::string table_of(const SmoothingReport& r) {
       std::back_inserter(out),
       "tau {:g}, slack {:.6g}, potential {}, engine {}: {} after {} iterations, {} flips, "
       "{} of {} faces touched\n",
-      r.tau, r.slack, r.potential, r.engine, r.termination, r.iterations, r.flips, r.faces_touched,
-      r.faces);
+      r.tau, r.slack, to_string(r.potential), to_string(r.engine), to_string(r.termination),
+      r.iterations, r.flips, r.faces_touched, r.faces);
   const StageTimes& t = r.time_ms;
   fmt::format_to(std::back_inserter(out),
                  "ms: load {:.1f}, open {:.1f}, solve {:.1f}, straighten {:.2f}, trace {:.2f}, "

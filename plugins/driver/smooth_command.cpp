@@ -36,12 +36,13 @@ int finish(const SmoothOptions& options, const GlobalOptions& global, const RunO
   write_run(options, outcome);
   const bool table = global.verbose || (options.outputs.empty() && options.report.empty());
   if (table && !global.quiet) std::fputs(table_of(total).c_str(), text_stream());
-  if (total.termination == to_string(Termination::kConverged)) return kDone;
+  if (total.termination == Outcome::kConverged) return kDone;
   if (!global.quiet) {
-    const bool far = total.termination == "deviation";
+    const bool far = total.termination == Outcome::kDeviation;
     std::fprintf(stderr, "talweg: %s; the best result was written all the same.\n",
                  far ? "no curve within --max-deviation was found"
-                     : ("the result did not converge (" + total.termination + ")").c_str());
+                     : fmt::format("the result did not converge ({})", to_string(total.termination))
+                           .c_str());
   }
   return kNotConverged;
 }

@@ -75,7 +75,7 @@ struct RunRecord {
     if (failure) return failure->code;
     int worst = kDone;
     for (const SmoothingReport& report : reports) {
-      if (report.termination != "converged") worst = kNotConverged;
+      if (report.termination != Outcome::kConverged) worst = kNotConverged;
     }
     for (const CurveFailure& curve : failed_curves) {
       if (worst != kInternal) worst = curve.why.code;

@@ -157,9 +157,7 @@ void finish_reports(SmoothedCurves& result, const std::vector<std::vector<StageT
   result.total = total_of(result.reports);
 }
 
-bool is_cancelled(const SmoothingReport& total) {
-  return total.termination == to_string(Termination::kCancelled);
-}
+bool is_cancelled(const SmoothingReport& total) { return total.termination == Outcome::kCancelled; }
 
 /// Once, from the drawing on.
 SmoothingResult smooth_once(CurveSmoother& smoother, const Prepared& run,
@@ -168,12 +166,13 @@ SmoothingResult smooth_once(CurveSmoother& smoother, const Prepared& run,
   options.pins = run.pins;
   if (!plugins::set_curves(smoother, run.curves, parameters, options, run.progress)) {
     SmoothingResult cancelled;
-    cancelled.total.termination = to_string(Termination::kCancelled);
+    cancelled.total.termination = Outcome::kCancelled;
     return cancelled;
   }
-  return plugins::smooth_by(parameters, smoother,
-                            plugins::smoothing_options_of(parameters, smoother.opened().surface(),
-                                                          smoother.drawn(), run.progress));
+  return plugins::smooth_by(
+      parameters, smoother,
+      plugins::smoothing_options_of(parameters, smoother.opened().surface(), smoother.drawn()),
+      run.progress);
 }
 
 SmoothedCurves placed(const SurfaceMesh& mesh, SmoothingResult result) {
@@ -233,7 +232,7 @@ RunOutcome smooth_each(std::vector<std::unique_ptr<CurveSmoother>>& smoothers,
   std::vector<std::optional<CurveFailure>> failed(count);
   share_work(count, smoothers.size(), [&](std::size_t worker, std::size_t i) {
     if (!go_on(run.progress, "curves", static_cast<double>(i) / static_cast<double>(count))) {
-      results[i].total.termination = to_string(Termination::kCancelled);
+      results[i].total.termination = Outcome::kCancelled;
       return;
     }
     try {
@@ -276,7 +275,7 @@ RunOutcome Workspace::smooth(const SmoothOptions& options, const Progress& progr
   try {
     run = prepare(mesh_, reader_, options, progress);
   } catch (const Cancelled&) {
-    outcome.result.total.termination = to_string(Termination::kCancelled);
+    outcome.result.total.termination = Outcome::kCancelled;
     return outcome;
   }
   if (options.independent) {

@@ -62,7 +62,7 @@ SummaryTable::SummaryTable() : text_("line,mesh,curve,number,status,message") {
 }
 
 void SummaryTable::add(const Place& place, std::size_t number, const SmoothingReport& report) {
-  text_ += start_of(place) + std::to_string(number) + "," + report.termination + ",";
+  text_ += start_of(place) + std::to_string(number) + "," + to_string(report.termination) + ",";
   for (const auto& [name, cell] : cells_of(report)) text_ += "," + cell;
   text_ += "\n";
 }

@@ -1,7 +1,7 @@
 // The parameter that chooses how a report measures deviation.
 #pragma once
 
-#include "talweg/core/measure/surface_deviation.hpp"
+#include "talweg/core/measure/deviation_measure.hpp"
 #include "talweg/plugin/talweg_plugin.hpp"
 
 namespace talweg::plugins {

@@ -40,7 +40,6 @@ SmoothingReport MethodWorkspace::report_on(const Method& method, std::size_t cur
   const MethodCurve& made = method.curves[curve];
   SmoothingReport report =
       report_on_result(mesh(), meter, drawing().curves[curve], made.curve, measure);
-  report.engine = method.engine;
   report.termination = made.termination;
   report.iterations = made.iterations;
   report.warnings.insert(report.warnings.begin(), made.warnings.begin(), made.warnings.end());
@@ -70,6 +69,17 @@ std::vector<SmoothingReport> MethodWorkspace::reports_on(const Method& method,
   return reports;
 }
 
+namespace {
+
+/// Reports name the method, which is no engine of ours.
+void name_engine(std::vector<ReportEntry>& entries, const char* engine) {
+  for (ReportEntry& entry : entries) {
+    if (entry.key == "engine") entry.value = std::string(engine);
+  }
+}
+
+}  // namespace
+
 void MethodWorkspace::run(const plugin::Parameters& parameters, const plugin::Outputs& outputs) {
   const Method method = smooth(parameters);
   std::vector<SurfaceCurve> curves;
@@ -91,6 +101,7 @@ void MethodWorkspace::run(const plugin::Parameters& parameters, const plugin::Ou
   const auto entries = [&](std::int64_t curve) {
     const auto c = static_cast<std::size_t>(std::max<std::int64_t>(curve, 0));
     std::vector<ReportEntry> all = entries_of(curve < 0 ? total : reports[c]);
+    name_engine(all, method.engine);
     if (curve < 0 && curves.size() > 1) return all;
     const std::vector<ReportEntry>& own = method.curves[c].entries;
     all.insert(all.end(), own.begin(), own.end());

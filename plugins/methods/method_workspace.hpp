@@ -17,9 +17,9 @@ namespace talweg::plugins {
 /// What a method made of one drawn curve.
 struct MethodCurve {
   SurfaceCurve curve;
-  std::string termination = "converged";  ///< as in SmoothingReport
-  std::size_t iterations = 0;             ///< rounds, of whatever kind the method has
-  std::vector<std::string> warnings;      ///< sentences for the user
+  Outcome termination = Outcome::kConverged;
+  std::size_t iterations = 0;         ///< rounds, of whatever kind the method has
+  std::vector<std::string> warnings;  ///< sentences for the user
   std::vector<ReportEntry>
       entries;  ///< what only this method reports; of one curve also in the total
 };

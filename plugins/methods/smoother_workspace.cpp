@@ -10,7 +10,7 @@ CurveSmoother& SmootherWorkspace::smoother() {
 }
 
 void SmootherWorkspace::check(const SmoothingResult& result) {
-  if (result.total.termination == to_string(Termination::kCancelled)) {
+  if (result.total.termination == Outcome::kCancelled) {
     throw plugin::Services::cancelled();
   }
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "dragged_point.hpp"
+#include "talweg/core/measure/surface_deviation.hpp"
 #include "talweg/core/smoothing/curve_smoother.hpp"
 
 namespace talweg::benchmarks {

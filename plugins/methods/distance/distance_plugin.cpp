@@ -9,7 +9,7 @@
 #include "methods/results.hpp"
 #include "methods/smoother_workspace.hpp"
 #include "talweg/core/smoothing/corridor.hpp"
-#include "talweg/core/smoothing/corridor_scale.hpp"
+#include "talweg/core/smoothing/corridor_width.hpp"
 #include "talweg/core/smoothing/curve_smoother.hpp"
 #include "talweg/core/smoothing/potential.hpp"
 #include "talweg/intrinsic/exact_distance/polyline_distance.hpp"

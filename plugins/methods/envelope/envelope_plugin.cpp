@@ -63,9 +63,9 @@ class Envelope : public MethodWorkspace {
       made.entries = {{"envelope", options.envelope},
                       {"splits", std::uint64_t{result.splits}},
                       {"merges", std::uint64_t{result.merges}}};
-      if (!result.converged) made.termination = "limit";
+      if (!result.converged) made.termination = Outcome::kLimit;
       if (result.collapsed[c] == 0) continue;
-      made.termination = "collapsed";
+      made.termination = Outcome::kCollapsed;
       made.warnings.emplace_back(
           "The loop shrinks to a point within the envelope; it was kept as it was when it fell "
           "below three mesh edges.");

@@ -90,8 +90,7 @@ class Geodesic : public SmootherWorkspace {
     options.tau = 0;
     options.deviation = DeviationMeasure::kNone;
     options.length_floor = parameters.optional("length_floor");
-    options.progress = progress();
-    const SmoothingResult result = smoother().smooth(options);
+    const SmoothingResult result = smoother().smooth(options, progress());
     check(result);
     const auto fields = [&](std::size_t c) -> std::vector<PointField> {
       return {curvature_field(mesh(), result.curves[c])};

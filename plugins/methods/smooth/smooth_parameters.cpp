@@ -175,7 +175,8 @@ CurveOptions curve_options_of(const Parameters& p) {
   CurveOptions options;
   options.method = p.choice("potential") == "corridor" ? Method::kCorridor : Method::kPaper;
   if (const auto heat_time = p.optional("heat_time")) options.heat_time = *heat_time;
-  options.bump_radius = p.number("bump_radius");
+  const double bump = p.number("bump_radius");
+  if (bump > 0) options.bump_radius = bump;
   options.cap_corners = p.flag("cap_corners");
   options.threads = static_cast<unsigned>(p.number("threads"));
   options.distance_at_once = false;  // only run() knows whether it is needed
@@ -191,10 +192,8 @@ bool set_curves(CurveSmoother& smoother, std::span<const SurfaceCurve> curves, c
 }
 
 SmoothingOptions smoothing_options_of(const Parameters& p, const Surface& surface,
-                                      std::span<const SurfaceCurve> drawn,
-                                      const Progress& progress) {
+                                      std::span<const SurfaceCurve> drawn) {
   SmoothingOptions options;
-  options.progress = progress;
   if (const std::vector<double>& slack = p.field("slack_field"); !slack.empty()) {
     for (const SurfaceCurve& curve : drawn) {
       options.slack_at.push_back(slack_along(surface, curve, slack));
@@ -206,7 +205,8 @@ SmoothingOptions smoothing_options_of(const Parameters& p, const Surface& surfac
   options.phase_turns = static_cast<int>(p.number("phase_turns"));
   options.polish = p.flag("polish");
   options.relax_rounds = static_cast<int>(p.number("relax"));
-  options.max_iterations = static_cast<std::size_t>(p.number("max_iterations"));
+  const double most = p.number("max_iterations");
+  if (most > 0) options.max_iterations = static_cast<std::size_t>(most);
   options.min_relative_length = p.number("min_relative_length");
   options.length_floor = p.optional("length_floor");
   options.deviation = deviation_of(p);
@@ -214,9 +214,10 @@ SmoothingOptions smoothing_options_of(const Parameters& p, const Surface& surfac
 }
 
 SmoothingResult smooth_by(const Parameters& p, CurveSmoother& smoother,
-                          const SmoothingOptions& options) {
+                          const SmoothingOptions& options, const Progress& progress) {
   const std::optional<double> bound = p.optional("max_deviation");
-  return bound ? smooth_within(smoother, *bound, options) : smoother.smooth(options);
+  return bound ? smooth_within(smoother, *bound, options, progress)
+               : smoother.smooth(options, progress);
 }
 
 }  // namespace talweg::plugins

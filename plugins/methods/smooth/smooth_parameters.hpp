@@ -30,11 +30,10 @@ bool set_curves(CurveSmoother& smoother, std::span<const SurfaceCurve> curves,
 
 /// For curves that are set on a surface.
 SmoothingOptions smoothing_options_of(const plugin::Parameters& parameters, const Surface& surface,
-                                      std::span<const SurfaceCurve> drawn,
-                                      const Progress& progress);
+                                      std::span<const SurfaceCurve> drawn);
 
 /// Within the bound, where there is one. Throws as smooth_within() and CurveSmoother::smooth() do.
 SmoothingResult smooth_by(const plugin::Parameters& parameters, CurveSmoother& smoother,
-                          const SmoothingOptions& options);
+                          const SmoothingOptions& options, const Progress& progress);
 
 }  // namespace talweg::plugins

@@ -48,7 +48,7 @@ class Smooth : public SmootherWorkspace {
     const std::optional<std::size_t> dragged = dragged_curve(parameters);
     if (!dragged) solve(parameters, curve_options);
     const SmoothingOptions options =
-        smoothing_options_of(parameters, mesh().surface(), smoother().drawn(), progress());
+        smoothing_options_of(parameters, mesh().surface(), smoother().drawn());
     SmoothingResult result =
         dragged ? drag(*dragged, parameters, options) : smooth(parameters, options);
     check(result);
@@ -58,7 +58,7 @@ class Smooth : public SmootherWorkspace {
 
  private:
   SmoothingResult smooth(const plugin::Parameters& parameters, const SmoothingOptions& options) {
-    SmoothingResult result = smooth_by(parameters, smoother(), options);
+    SmoothingResult result = smooth_by(parameters, smoother(), options, progress());
     found_tau_ = result.total.tau;
     found_slack_ = result.total.slack;
     return result;
@@ -71,7 +71,7 @@ class Smooth : public SmootherWorkspace {
       options.tau = found_tau_;
       options.slack = found_slack_;
     }
-    return smoother().drag(curve, drawing().curves[curve], options);
+    return smoother().drag(curve, drawing().curves[curve], options, progress());
   }
 
   /// The one curve that is not as it was in the last run without preview; none where that says

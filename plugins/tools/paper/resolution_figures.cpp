@@ -108,12 +108,12 @@ std::string report_on(Experiment& experiment, const std::vector<double>& taus,
     const Timed timed = experiment.smooth(tau);
     const SmoothingReport& report = timed.result.report();
     for (const Part& part : parts) {
-      text +=
-          fmt::format("| {} | {} | {:.4f} | {} → {} | {:.1f} → {:.1f} | {:.1f} → {:.1f} | {} |\n",
-                      tau, part.name, mean_edge(mesh, part.low, part.high), report.points_before,
-                      report.points_after, report.curvature_before, report.curvature_after,
-                      bending(mesh, experiment.drawn(), part.low, part.high),
-                      bending(mesh, timed.result.curve(), part.low, part.high), report.termination);
+      text += fmt::format(
+          "| {} | {} | {:.4f} | {} → {} | {:.1f} → {:.1f} | {:.1f} → {:.1f} | {} |\n", tau,
+          part.name, mean_edge(mesh, part.low, part.high), report.points_before,
+          report.points_after, report.curvature_before, report.curvature_after,
+          bending(mesh, experiment.drawn(), part.low, part.high),
+          bending(mesh, timed.result.curve(), part.low, part.high), to_string(report.termination));
     }
     picture::Panel panel;
     panel.caption = fmt::format("tau = {}", tau);

@@ -92,7 +92,7 @@ std::string measures_of(const Row& row, const SmoothingReport& report, double h)
       double(row.points_after) / double(row.points_before), report.curvature_before,
       report.curvature_after, 100 * (report.curvature_after / report.curvature_before - 1),
       report.length_before, report.length_after, report.deviation_to_drawn_max / h, report.flips,
-      report.termination);
+      to_string(report.termination));
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "talweg/core/measure/measures.hpp"
 #include "talweg/core/smoothing/max_deviation.hpp"
 #include "tools/quality/statistics.hpp"
 

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "talweg/core/measure/edge_length_near.hpp"
+#include "talweg/core/measure/measures.hpp"
 #include "tools/quality/runs.hpp"
 
 namespace talweg::quality {

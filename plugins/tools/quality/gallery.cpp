@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "talweg/core/measure/measures.hpp"
 #include "tools/picture/image.hpp"
 #include "tools/picture/render.hpp"
 

@@ -45,7 +45,7 @@ void of_runs(std::span<const Run> runs, std::vector<Goal>& goals) {
   for (const Run& run : runs) {
     every_ratio.push_back(run.ratio());
     if (jagged(run)) ratios.push_back(run.ratio());
-    if (run.termination == "collapsed") ++collapsed;
+    if (run.termination == Outcome::kCollapsed) ++collapsed;
     if (run.tau < 2) continue;
     to.push_back(run.to_drawn);
     both.push_back(std::max(run.to_drawn, run.from_drawn));

@@ -31,7 +31,7 @@ struct Run {
   double to_drawn = 0, from_drawn = 0, slack = 0;  ///< h₀
   double length_ratio = 0;                         ///< after / before
   double solve_ms = 0, smooth_ms = 0;              ///< the distance; all that a new τ repeats
-  std::string termination;
+  Outcome termination = Outcome::kConverged;
   bool warned = false;
 
   /// Total curvature after / before, both less what no closed curve here can do without.

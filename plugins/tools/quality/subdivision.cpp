@@ -4,7 +4,7 @@
 
 #include "talweg/core/measure/deviation.hpp"
 #include "talweg/core/measure/edge_length_near.hpp"
-#include "talweg/core/smoothing/corridor_scale.hpp"
+#include "talweg/core/smoothing/corridor_width.hpp"
 #include "tools/paper/refinement.hpp"
 #include "tools/quality/runs.hpp"
 

@@ -24,7 +24,7 @@ std::string row(const std::string& name, std::span<const Run> runs) {
     from.push_back(run.from_drawn);
     both.push_back(std::max(run.to_drawn, run.from_drawn));
     if (run.closed) shrunk.push_back(run.length_ratio);
-    if (run.termination == "collapsed") ++collapsed;
+    if (run.termination == Outcome::kCollapsed) ++collapsed;
   }
   return fmt::format(
       "| {} | {} | {} | {:.2f} | {:.2f} | {:.0f} % | {} | {} |\n", name, runs.size(),
@@ -77,7 +77,7 @@ std::string csv(std::span<const Run> runs) {
         "{:.4f},{:.2f},{:.2f},{},{}\n",
         r.mesh, r.drawing, int{r.closed}, r.edge, r.tau, r.curvature_before, r.curvature_after,
         r.least_curvature, r.ratio(), r.to_drawn, r.from_drawn, r.slack, r.length_ratio, r.solve_ms,
-        r.smooth_ms, r.termination, int{r.warned});
+        r.smooth_ms, to_string(r.termination), int{r.warned});
   }
   return text;
 }

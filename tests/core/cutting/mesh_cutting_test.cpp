@@ -18,6 +18,7 @@
 #include "talweg/core/cutting/seam_opening.hpp"
 #include "talweg/core/drawing/straight_lines.hpp"
 #include "talweg/core/io/mesh_reader.hpp"
+#include "talweg/core/measure/measures.hpp"
 #include "talweg/core/mesh/closest_point.hpp"
 #include "talweg/core/repair/mesh_repair.hpp"
 #include "talweg/intrinsic/error.hpp"

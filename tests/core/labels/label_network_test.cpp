@@ -215,9 +215,9 @@ TEST(LabelNetwork, RefusesWhatItCannotDo) {
 TEST(LabelNetwork, CanBeCancelled) {
   const auto mesh = OpenedMesh::open(test::grid(12, 8));
   LabelNetworkOptions options;
-  options.progress = [](const char*, double) { return false; };
+  const Progress progress = [](const char*, double) { return false; };
   const LabelNetwork network =
-      smooth_labels(mesh, test::voronoi_labels(mesh->mesh(), 4, 1), options);
+      smooth_labels(mesh, test::voronoi_labels(mesh->mesh(), 4, 1), options, progress);
   EXPECT_TRUE(network.cancelled);
   EXPECT_TRUE(network.borders.empty());
 }

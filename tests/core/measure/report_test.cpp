@@ -10,6 +10,7 @@
 #include "core/small_meshes.hpp"
 #include "talweg/core/drawing/drawing.hpp"
 #include "talweg/core/measure/result_report.hpp"
+#include "talweg/core/measure/surface_deviation.hpp"
 #include "talweg/core/smoothing/curve_smoother.hpp"
 
 namespace talweg {
@@ -21,10 +22,10 @@ constexpr double kForever = std::numeric_limits<double>::infinity();
 SmoothingReport numbered(double start) {
   SmoothingReport r;
   r.version = "1.2.3";
-  r.potential = "paper";
-  r.engine = "full";
-  r.termination = "converged";
-  r.deviation = "surface";
+  r.potential = PotentialKind::kPaper;
+  r.engine = Engine::kFull;
+  r.termination = Outcome::kConverged;
+  r.deviation = DeviationMeasure::kAlongSurface;
   double next = start;
   for (double SmoothingReport::*field :
        {&SmoothingReport::tau, &SmoothingReport::slack, &SmoothingReport::length_before,
@@ -170,7 +171,7 @@ TEST(Report, TotalsAreSumsMaximaAndMeansByLength) {
   b.deviation_to_drawn_mean = 5;
   a.warnings = {"x", "y"};
   b.warnings = {"y", "z"};
-  b.termination = "collapsed";
+  b.termination = Outcome::kCollapsed;
   const SmoothingReport total = total_of({a, b});
   EXPECT_FALSE(total.closed);
   EXPECT_EQ(total.points_before, a.points_before + b.points_before);
@@ -185,10 +186,10 @@ TEST(Report, TotalsAreSumsMaximaAndMeansByLength) {
   EXPECT_EQ(total.deviation_at, b.deviation_at);
   EXPECT_EQ(total.flips, a.flips);  // of the whole run, the same in all of them
   EXPECT_EQ(total.warnings, (std::vector<std::string>{"x", "y", "z"}));
-  EXPECT_EQ(total.termination, "collapsed");
-  b.termination = "cancelled";
-  EXPECT_EQ(total_of({b, a}).termination, "cancelled");
-  EXPECT_EQ(total_of({a, b}).termination, "cancelled");
+  EXPECT_EQ(total.termination, Outcome::kCollapsed);
+  b.termination = Outcome::kCancelled;
+  EXPECT_EQ(total_of({b, a}).termination, Outcome::kCancelled);
+  EXPECT_EQ(total_of({a, b}).termination, Outcome::kCancelled);
   EXPECT_EQ(total_of({}).points_after, 0U);
   EXPECT_EQ(to_json(total_of({a})), to_json(a));
 }
@@ -206,11 +207,11 @@ TEST(Report, TotalsOfWhatIsInfiniteAreInfinite) {
 
 TEST(Report, TotalsSayWhereADistanceIsOneThroughSpace) {
   SmoothingReport a = numbered(1), b = numbered(2);
-  a.deviation = "surface";
-  b.deviation = "euclidean";
-  EXPECT_EQ(total_of({a, b}).deviation, "euclidean");
-  EXPECT_EQ(total_of({b, a}).deviation, "euclidean");
-  EXPECT_EQ(total_of({a, a}).deviation, "surface");
+  a.deviation = DeviationMeasure::kAlongSurface;
+  b.deviation = DeviationMeasure::kEuclidean;
+  EXPECT_EQ(total_of({a, b}).deviation, DeviationMeasure::kEuclidean);
+  EXPECT_EQ(total_of({b, a}).deviation, DeviationMeasure::kEuclidean);
+  EXPECT_EQ(total_of({a, a}).deviation, DeviationMeasure::kAlongSurface);
 }
 
 TEST(Report, TheMeasureOfDeviationIsAChoice) {
@@ -226,9 +227,9 @@ TEST(Report, TheMeasureOfDeviationIsAChoice) {
   const SmoothingReport euclidean = smoother.smooth(options).report();
   options.deviation = DeviationMeasure::kNone;
   const SmoothingReport none = smoother.smooth(options).report();
-  EXPECT_EQ(surface.deviation, "surface");
-  EXPECT_EQ(euclidean.deviation, "euclidean");
-  EXPECT_EQ(none.deviation, "none");
+  EXPECT_EQ(surface.deviation, DeviationMeasure::kAlongSurface);
+  EXPECT_EQ(euclidean.deviation, DeviationMeasure::kEuclidean);
+  EXPECT_EQ(none.deviation, DeviationMeasure::kNone);
   EXPECT_GT(euclidean.deviation_from_drawn_max, 0.01);
   const double slop = 2e-3 * opened->mesh().mean_edge_length();
   EXPECT_GE(surface.deviation_to_drawn_max, euclidean.deviation_to_drawn_max - slop);
@@ -245,9 +246,10 @@ TEST(Report, CurvesOnPartsThatAreNotConnectedGetAWarning) {
       SurfaceMesh::open(test::together(test::grid(4, 4), test::grid(4, 4), 100));
   DeviationMeter meter(mesh);
   SmoothingReport report = numbered(1);
-  report_deviation(report, DeviationMeasure::kAlongSurface, meter, mesh,
-                   test::vertex_curve(mesh.surface(), test::ids({6, 7, 8}), false),
-                   test::vertex_curve(mesh.surface(), test::ids({31, 32}), false));
+  report_deviation(
+      report, measure_deviation(DeviationMeasure::kAlongSurface, 1, meter, mesh,
+                                test::vertex_curve(mesh.surface(), test::ids({6, 7, 8}), false),
+                                test::vertex_curve(mesh.surface(), test::ids({31, 32}), false)));
   EXPECT_EQ(report.deviation_to_drawn_max, kForever);
   EXPECT_TRUE(report.deviation_at.allFinite());
   ASSERT_EQ(report.warnings.size(), 1U);

@@ -14,6 +14,7 @@
 #include "talweg/core/drawing/straight_lines.hpp"
 #include "talweg/core/measure/deviation.hpp"
 #include "talweg/intrinsic/error.hpp"
+#include "talweg/intrinsic/exact_distance/polyline_distance.hpp"
 
 namespace talweg {
 namespace {

@@ -82,14 +82,14 @@ TEST_F(Anchors, ACancelledCallLeavesNothingBehind) {
     asked.set_curve(drawn);
     int left = polls;
     SmoothingOptions options = {.tau = 1.5};
-    options.progress = [&](const char*, double) { return left-- > 0; };
-    const SmoothingResult result = asked.smooth(options);
-    if (result.report().termination != "cancelled") {
+    const Progress progress = [&](const char*, double) { return left-- > 0; };
+    const SmoothingResult result = asked.smooth(options, progress);
+    if (result.report().termination != Outcome::kCancelled) {
       EXPECT_GT(polls, 0);  // it was done before
       EXPECT_EQ(result.curve().points, expected);
     }
     EXPECT_EQ(asked.smooth(1.5).curve().points, expected) << polls;
-    EXPECT_EQ(asked.smooth(1.5).report().termination, "converged");
+    EXPECT_EQ(asked.smooth(1.5).report().termination, Outcome::kConverged);
   }
 }
 

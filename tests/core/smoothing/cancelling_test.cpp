@@ -19,6 +19,7 @@
 #include "talweg/core/smoothing/curve_smoother.hpp"
 #include "talweg/core/smoothing/max_deviation.hpp"
 #include "talweg/intrinsic/error.hpp"
+#include "talweg/intrinsic/exact_distance/polyline_distance.hpp"
 
 namespace talweg {
 namespace {
@@ -91,8 +92,7 @@ TEST(Asking, EveryStageOfTheDefaultPathAsks) {
   EXPECT_GE(setting.of("embed"), 32 * drawn.points.size() / Asker::kEvery);
   EXPECT_GE(setting.of("solve"), 1U);
   SmoothingOptions options;
-  options.progress = smoothing.progress();
-  smoother.smooth(options);
+  smoother.smooth(options, smoothing.progress());
   for (const char* stage : {"straighten", "trace", "polish", "measure"}) {
     EXPECT_GE(smoothing.of(stage), 1U) << stage;
   }
@@ -100,8 +100,7 @@ TEST(Asking, EveryStageOfTheDefaultPathAsks) {
   EXPECT_GE(smoothing.of("polish"), 4 * 4 * drawn.points.size() / Asker::kEvery);
   // With the anchors kept there is a polish still, and the deviation.
   options.tau = 1.01;
-  options.progress = again.progress();
-  smoother.smooth(options);
+  smoother.smooth(options, again.progress());
   EXPECT_EQ(again.of("trace"), 0U);
   EXPECT_GE(again.of("polish"), 4 * drawn.points.size() / Asker::kEvery);
   EXPECT_GE(again.of("measure"), 1U);
@@ -117,8 +116,7 @@ TEST(Asking, FarDistancesAreAskedAbout) {
   SmoothingOptions options;
   options.tau = 0.05;
   options.deviation = DeviationMeasure::kAlongSurface;
-  options.progress = answers.progress();
-  const SmoothingReport report = smoother.smooth(options).report();
+  const SmoothingReport report = smoother.smooth(options, answers.progress()).report();
   PolylineDistance distance(opened->surface());
   distance.set(std::span(&drawn, 1));
   distance.reach(0.9 * report.deviation_to_drawn_max);
@@ -240,8 +238,7 @@ TEST(Cancelling, SmoothingAtAnyMomentGivesTheDrawingAndChangesNothing) {
       fresh.set_curves(job.drawn, job.options);
       Answers answers;
       options.tau = e.tau;
-      options.progress = answers.progress();
-      e.points = points_of(fresh.smooth(options).curves);
+      e.points = points_of(fresh.smooth(options, answers.progress()).curves);
       e.asked = answers.asked();
       ASSERT_GT(e.asked, 1U);
     }
@@ -251,9 +248,8 @@ TEST(Cancelling, SmoothingAtAnyMomentGivesTheDrawingAndChangesNothing) {
       const Expected& e = all[moment(random, all.size())];
       Answers answers(moment(random, e.asked));
       options.tau = e.tau;
-      options.progress = answers.progress();
-      const SmoothingResult result = smoother.smooth(options);
-      const bool cancelled = result.report().termination == "cancelled";
+      const SmoothingResult result = smoother.smooth(options, answers.progress());
+      const bool cancelled = result.report().termination == Outcome::kCancelled;
       ASSERT_EQ(cancelled, answers.said_no());
       EXPECT_EQ(points_of(result.curves), cancelled ? points_of(job.drawn) : e.points);
       if (k % 4 == 0) {
@@ -281,15 +277,15 @@ TEST(Cancelling, WhatACallbackThrowsComesOutAndChangesNothing) {
       std::size_t left = moment(random, 60);
       SmoothingOptions options;
       options.tau = k % 2 == 0 ? 1.5 : 0.05;
-      options.progress = [&](const char*, double) {
+      const Progress progress = [&](const char*, double) {
         if (left-- == 0) throw Thrown();
         return true;
       };
       try {
         if (within && k % 3 == 0) {
-          smooth_within(smoother, 0.5, options);
+          smooth_within(smoother, 0.5, options, progress);
         } else {
-          smoother.smooth(options);
+          smoother.smooth(options, progress);
         }
       } catch (const Thrown&) {
       }
@@ -338,14 +334,12 @@ TEST(Cancelling, DraggingAtAnyMomentGivesWhatIsDragged) {
     fresh.set_curves(job.drawn, job.options);
     smoother.set_curves(job.drawn, job.options);
     SmoothingOptions options;
-    options.progress = whole.progress();
-    const auto expected = points_of(fresh.drag(0, moved, options).curves);
+    const auto expected = points_of(fresh.drag(0, moved, options, whole.progress()).curves);
     for (int k = 0; k < 12; ++k) {
       Answers answers(moment(random, whole.asked()));
-      options.progress = answers.progress();
-      const SmoothingResult result = smoother.drag(0, moved, options);
+      const SmoothingResult result = smoother.drag(0, moved, options, answers.progress());
       if (!answers.said_no()) continue;  // the last result is there already
-      EXPECT_EQ(result.report().termination, "cancelled");
+      EXPECT_EQ(result.report().termination, Outcome::kCancelled);
       EXPECT_EQ(result.curve().points, moved.points);
     }
     EXPECT_EQ(points_of(smoother.drag(0, moved).curves), expected);
@@ -362,13 +356,11 @@ TEST(Cancelling, ASearchWithinABoundAtAnyMomentLeavesPinsAndResults) {
   fresh.set_curves(job.drawn, curve_options);
   smoother.set_curves(job.drawn, curve_options);
   SmoothingOptions options;
-  options.progress = whole.progress();
-  const auto expected = points_of(smooth_within(fresh, 0.9, options).curves);
+  const auto expected = points_of(smooth_within(fresh, 0.9, options, whole.progress()).curves);
   for (int k = 0; k < 12; ++k) {
     Answers answers(moment(random, whole.asked()));
-    options.progress = answers.progress();
-    const SmoothingResult result = smooth_within(smoother, 0.9, options);
-    ASSERT_EQ(result.report().termination == "cancelled", answers.said_no());
+    const SmoothingResult result = smooth_within(smoother, 0.9, options, answers.progress());
+    ASSERT_EQ(result.report().termination == Outcome::kCancelled, answers.said_no());
     if (answers.said_no()) {
       EXPECT_EQ(points_of(result.curves), points_of(job.drawn));
     }
@@ -385,12 +377,10 @@ TEST(Cancelling, LabelsAtAnyMomentGiveNothing) {
   options.max_deviation = 0.8;
   options.free_junctions = true;
   Answers whole;
-  options.progress = whole.progress();
-  ASSERT_FALSE(smooth_labels(mesh, labels, options).cancelled);
+  ASSERT_FALSE(smooth_labels(mesh, labels, options, whole.progress()).cancelled);
   for (int k = 0; k < 20; ++k) {
     Answers answers(moment(random, whole.asked()));
-    options.progress = answers.progress();
-    const LabelNetwork network = smooth_labels(mesh, labels, options);
+    const LabelNetwork network = smooth_labels(mesh, labels, options, answers.progress());
     ASSERT_TRUE(network.cancelled);
     EXPECT_TRUE(network.borders.empty());
   }

@@ -21,7 +21,7 @@ constexpr double kTaus[] = {0.25, 0.5, 1, 4};
 
 /// `smooth_length`: of the loop without its zigzag.
 void expect_held(const SmoothingReport& report, double smooth_length) {
-  EXPECT_EQ(report.termination, "converged");
+  EXPECT_EQ(report.termination, Outcome::kConverged);
   EXPECT_GE(report.length_after, smooth_length / 2);
   EXPECT_LE(report.length_after, report.length_before * (1 + 1e-9));
   EXPECT_TRUE(std::isfinite(report.curvature_after));

@@ -8,9 +8,11 @@
 #include "core/small_meshes.hpp"
 #include "talweg/core/drawing/crossings.hpp"
 #include "talweg/core/drawing/drawing.hpp"
+#include "talweg/core/measure/measures.hpp"
 #include "talweg/core/smoothing/curve_smoother.hpp"
 #include "talweg/core/smoothing/polish.hpp"
 #include "talweg/intrinsic/error.hpp"
+#include "talweg/intrinsic/exact_distance/polyline_distance.hpp"
 
 namespace talweg {
 namespace {
@@ -268,7 +270,7 @@ TEST(Corridor, LoopsOnADiscHoldAndAreRound) {
     const SurfaceCurve drawn = jagged_circle(opened->mesh(), 60, radius);
     for (const double tau : {0.25, 0.5, 1.0, 2.0, 4.0}) {
       const SmoothingReport report = in_corridor(opened, drawn, {.tau = tau}).report();
-      EXPECT_EQ(report.termination, "converged") << radius << " " << tau;
+      EXPECT_EQ(report.termination, Outcome::kConverged) << radius << " " << tau;
       // The zigzag itself makes up a quarter of the drawn length.
       EXPECT_GE(report.length_after, 0.4 * report.length_before) << radius << " " << tau;
       EXPECT_GE(report.curvature_after, 2 * std::numbers::pi * (1 - 1e-9));  // Gauss and Bonnet

@@ -12,6 +12,7 @@
 #include "talweg/core/drawing/crossings.hpp"
 #include "talweg/core/drawing/snapping.hpp"
 #include "talweg/core/drawing/straight_lines.hpp"
+#include "talweg/core/measure/measures.hpp"
 #include "talweg/core/smoothing/curve_smoother.hpp"
 #include "talweg/core/smoothing/unrolled_mesh.hpp"
 
@@ -53,7 +54,7 @@ TEST(CrossingCurves, AFigureEightKeepsItsCrossing) {
     const SmoothingReport& report = result.report();
     EXPECT_EQ(report.crossings_before, 1U);
     EXPECT_EQ(report.crossings_after, 1U);
-    EXPECT_EQ(report.termination, "converged");
+    EXPECT_EQ(report.termination, Outcome::kConverged);
     EXPECT_LT(report.curvature_after, report.curvature_before / 4) << tau;
     EXPECT_LT(apart(opened->mesh(), drawn, result.curve()), tau < 1 ? 5 : 3) << tau;
   }
@@ -204,7 +205,7 @@ TEST(CrossingCurves, DraggedAndHeldByPins) {
 
   const SurfaceCurve moved = through(opened->mesh(), eight(Point(21, 20, 0), 14, 60), true);
   const SmoothingResult preview = smoother.drag(0, moved);
-  EXPECT_EQ(preview.report().engine, "preview");
+  EXPECT_EQ(preview.report().engine, Engine::kPreview);
   EXPECT_EQ(preview.report().crossings_after, 1U);
 }
 

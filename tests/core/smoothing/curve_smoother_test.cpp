@@ -15,6 +15,7 @@
 #include "talweg/core/drawing/snapping.hpp"
 #include "talweg/core/drawing/straight_lines.hpp"
 #include "talweg/core/io/mesh_reader.hpp"
+#include "talweg/core/measure/measures.hpp"
 #include "talweg/core/repair/mesh_repair.hpp"
 #include "talweg/intrinsic/error.hpp"
 
@@ -67,7 +68,7 @@ TEST(CurveSmoother, TauZeroGivesTheStraightLineOnAPlane) {
     EXPECT_NEAR((x - p).cross(q - p).norm() / (q - p).norm(), 0, 1e-10);
   }
   EXPECT_LT(result.report().curvature_after, 1e-9);
-  EXPECT_EQ(result.report().termination, "converged");
+  EXPECT_EQ(result.report().termination, Outcome::kConverged);
 }
 
 TEST(CurveSmoother, MoreTauStaysCloser) {
@@ -202,7 +203,7 @@ TEST(CurveSmoother, ALoopOnADiscEndsAsCollapsed) {
       opened->surface(), ids({10 + 41 * 10, 30 + 41 * 11, 29 + 41 * 30, 11 + 41 * 29}), true);
   const SmoothingResult result =
       smooth_curve(opened, test::vertex_curve(opened->surface(), path, true), {.tau = 0});
-  EXPECT_EQ(result.report().termination, "collapsed");
+  EXPECT_EQ(result.report().termination, Outcome::kCollapsed);
   EXPECT_GE(result.curve().points.size(), 3U);
   EXPECT_GT(result.report().length_after, 0);
   EXPECT_FALSE(result.report().warnings.empty());
@@ -276,7 +277,7 @@ TEST(CurveSmoother, TakesADistanceAndAPotentialOfTheCallers) {
               1e-12 * by_distance.report().lifted_length_before);
   EXPECT_NEAR(by_potential.report().lifted_length_after, by_distance.report().lifted_length_after,
               1e-10 * by_distance.report().lifted_length_after);
-  EXPECT_EQ(by_potential.report().potential, "custom");
+  EXPECT_EQ(by_potential.report().potential, PotentialKind::kCustom);
   potential.pop_back();
   EXPECT_THROW(smoother.smooth({}, potential, 2), Error);
   distance.pop_back();
@@ -316,13 +317,12 @@ TEST(CurveSmoother, CancelsAtAnyMoment) {
     if (!smoother.set_curve(drawn, {}, progress)) continue;
     SmoothingOptions options;
     options.tau = 0;
-    options.progress = progress;
-    const SmoothingResult result = smoother.smooth(options);
+    const SmoothingResult result = smoother.smooth(options, progress);
     expect_on_mesh(opened->surface(), result.curve());
     EXPECT_LE(result.report().lifted_length_after, result.report().lifted_length_before);
   }
   ASSERT_TRUE(smoother.set_curve(drawn));
-  EXPECT_EQ(smoother.smooth(1.0).report().termination, "converged");
+  EXPECT_EQ(smoother.smooth(1.0).report().termination, Outcome::kConverged);
 }
 
 // ---- the same drawing in other clothes ----
@@ -437,7 +437,7 @@ TEST_P(Reference, LiftedLengthsWithTheReferenceDistanceAgree) {
   const double before = expected["lifted_length_before"], after = expected["lifted_length_after"];
   EXPECT_NEAR(report.lifted_length_before, before, 1e-8 * before);
   EXPECT_LE(report.lifted_length_after, after * (1 + 1e-6));
-  EXPECT_EQ(report.termination, "converged");
+  EXPECT_EQ(report.termination, Outcome::kConverged);
   EXPECT_EQ(report.trace_fallbacks, 0U);
 }
 
@@ -465,10 +465,11 @@ TEST_P(OwnDistance, SmoothsTheReferenceCurves) {
     EXPECT_TRUE(std::isfinite(report.curvature_after));
     EXPECT_EQ(report.trace_fallbacks, 0U);
     if (drawn.closed) {
-      EXPECT_TRUE(report.termination == "converged" || report.termination == "collapsed");
+      EXPECT_TRUE(report.termination == Outcome::kConverged ||
+                  report.termination == Outcome::kCollapsed);
       EXPECT_GE(result.curve().points.size(), 3U);
     } else {
-      EXPECT_EQ(report.termination, "converged");
+      EXPECT_EQ(report.termination, Outcome::kConverged);
       EXPECT_EQ(result.curve().points.front(), drawn.points.front());
       EXPECT_EQ(result.curve().points.back(), drawn.points.back());
     }
@@ -489,7 +490,7 @@ TEST(RealBuildings, ADrawingAlongLongEdgesAmongNeedles) {
   smoother.set_curve(drawn);
   const SmoothingResult result = smoother.smooth(1.0);
   expect_on_mesh(opened->surface(), result.curve());
-  EXPECT_EQ(result.report().termination, "converged");
+  EXPECT_EQ(result.report().termination, Outcome::kConverged);
   EXPECT_LT(result.report().curvature_after, result.report().curvature_before);
   EXPECT_LT(result.report().deviation_from_drawn_max, result.report().edge_length_near);
 }

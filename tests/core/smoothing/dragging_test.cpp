@@ -81,7 +81,7 @@ TEST_F(Dragging, GivesAboutWhatTheChangedDrawingGives) {
     const SurfaceCurve before = smoother.smooth(tau).curve();
     const SurfaceCurve moved = wave(9, 6);
     const SmoothingResult dragged = smoother.drag(0, moved, {.tau = tau});
-    EXPECT_EQ(dragged.report().engine, "preview");
+    EXPECT_EQ(dragged.report().engine, Engine::kPreview);
     EXPECT_GT(apart(dragged.curve(), before), 2 * edge);
     EXPECT_LT(apart(dragged.curve(), in_full(moved, {.tau = tau})), kSame * edge);
     EXPECT_LT(dragged.report().deviation_to_drawn_max, 3 * edge);
@@ -152,8 +152,8 @@ TEST_F(Dragging, OfOneCurveOfASetLeavesTheOthers) {
   ASSERT_EQ(dragged.curves.size(), 3U);
   EXPECT_EQ(dragged.curves[0].points, before.curves[0].points);
   EXPECT_EQ(dragged.curves[2].points, before.curves[2].points);
-  EXPECT_EQ(dragged.reports[1].engine, "preview");
-  EXPECT_EQ(dragged.reports[0].engine, "local");
+  EXPECT_EQ(dragged.reports[1].engine, Engine::kPreview);
+  EXPECT_EQ(dragged.reports[0].engine, Engine::kLocal);
   CurveSmoother full(hills());
   full.set_curves(std::vector<SurfaceCurve>{drawn[0], moved, drawn[2]});
   EXPECT_LT(apart(dragged.curves[1], full.smooth({.slack = smoother.slack()[1]}).curves[1]),

@@ -59,7 +59,7 @@ TEST_F(MaxDeviation, IsKeptInBothDirectionsAndCurvatureFallsAsItGrows) {
   for (const double bound : {3.0, 1.0, 0.5, 0.1}) {
     SCOPED_TRACE(testing::Message() << "bound " << bound);
     const SmoothingResult result = smooth_within(smoother, bound);
-    EXPECT_EQ(result.report().termination, "converged");
+    EXPECT_EQ(result.report().termination, Outcome::kConverged);
     EXPECT_EQ(result.report().max_deviation, bound);
     EXPECT_LE(test::apart(opened->mesh(), result.curve(), drawn), with_meter(bound));
     EXPECT_LE(result.report().curvature_after, result.report().curvature_before);
@@ -115,7 +115,7 @@ TEST_F(MaxDeviation, OnHillsItIsKept) {
   smoother.set_curve(wave);
   for (const double bound : {2.0, 0.7, 0.3}) {
     const SmoothingResult result = smooth_within(smoother, bound);
-    EXPECT_EQ(result.report().termination, "converged") << bound;
+    EXPECT_EQ(result.report().termination, Outcome::kConverged) << bound;
     EXPECT_LE(test::apart(hills->mesh(), result.curve(), wave), with_meter(bound)) << bound;
   }
 }
@@ -128,7 +128,7 @@ TEST_F(MaxDeviation, ALoopKeepsItToo) {
   for (const double bound : {3.0, 1.0, 0.5}) {
     SCOPED_TRACE(testing::Message() << "bound " << bound);
     const SmoothingResult result = smooth_within(smoother, bound);
-    EXPECT_EQ(result.report().termination, "converged");
+    EXPECT_EQ(result.report().termination, Outcome::kConverged);
     EXPECT_TRUE(result.curve().closed);
     EXPECT_LE(test::apart(opened->mesh(), result.curve(), loop), with_meter(bound));
     EXPECT_GE(result.report().curvature_after, 2 * std::numbers::pi * (1 - 1e-9));
@@ -149,7 +149,7 @@ TEST_F(MaxDeviation, TwoCurvesKeepItAgainstTheirOwnDrawings) {
   for (const double bound : {1.0, 0.5}) {
     const SmoothingResult result = smooth_within(smoother, bound);
     ASSERT_EQ(result.curves.size(), 2U);
-    EXPECT_EQ(result.report().termination, "converged");
+    EXPECT_EQ(result.report().termination, Outcome::kConverged);
     for (std::size_t c = 0; c < 2; ++c) {
       EXPECT_LE(test::apart(opened->mesh(), result.curves[c], both[c]), with_meter(bound));
       EXPECT_EQ(result.reports[c].max_deviation, bound);
@@ -163,7 +163,7 @@ TEST_F(MaxDeviation, ATinyOneGivesTheDrawing) {
   CurveSmoother smoother(opened);
   smoother.set_curve(drawn);
   const SmoothingResult result = smooth_within(smoother, 1e-7);
-  EXPECT_EQ(result.report().termination, "converged");
+  EXPECT_EQ(result.report().termination, Outcome::kConverged);
   EXPECT_LE(test::apart(opened->mesh(), result.curve(), drawn), 1e-7);
 }
 
@@ -185,7 +185,7 @@ TEST_F(MaxDeviation, OneThatCannotBeKeptIsTold) {
   const SmoothingResult result = smooth_within(smoother, bound, options);
   const double apart = test::apart(sheet->mesh(), result.curve(), quarter);
   ASSERT_GT(apart, with_meter(bound));
-  EXPECT_EQ(result.report().termination, "deviation");
+  EXPECT_EQ(result.report().termination, Outcome::kDeviation);
   ASSERT_FALSE(result.report().warnings.empty());
   EXPECT_NE(result.report().warnings.back().find("of the drawing was found"), std::string::npos);
   // The nearest that was found, so far nearer than what there is without pins.
@@ -231,9 +231,9 @@ TEST_F(MaxDeviation, ACancelledSearchEndsAndLeavesThePins) {
     smoother.set_curve(drawn, {.pins = {drawn.points[10]}});
     int left = polls;
     SmoothingOptions options;
-    options.progress = [&](const char*, double) { return left-- > 0; };
-    const SmoothingResult result = smooth_within(smoother, 0.5, options);
-    EXPECT_EQ(result.report().termination == "cancelled", left < 0) << polls;
+    const Progress progress = [&](const char*, double) { return left-- > 0; };
+    const SmoothingResult result = smooth_within(smoother, 0.5, options, progress);
+    EXPECT_EQ(result.report().termination == Outcome::kCancelled, left < 0) << polls;
     ASSERT_EQ(smoother.pins().size(), 1U);
     EXPECT_EQ(smoother.pins()[0], drawn.points[10]);
   }
@@ -277,7 +277,7 @@ TEST_F(MaxDeviation, OnRealMeshes) {
     for (const double edges : {2.0, 0.7}) {
       const double bound = edges * real->mesh().mean_edge_length();
       const SmoothingResult result = smooth_within(smoother, bound);
-      EXPECT_EQ(result.report().termination, "converged") << name << " " << edges;
+      EXPECT_EQ(result.report().termination, Outcome::kConverged) << name << " " << edges;
       EXPECT_LE(test::apart(real->mesh(), result.curve(), path), bound * 1.002) << name;
       EXPECT_LT(result.report().curvature_after, result.report().curvature_before / 2) << name;
     }

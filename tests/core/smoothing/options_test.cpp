@@ -49,7 +49,7 @@ TEST(Options, OfACurve) {
       {"heat_time", [](auto& o) { o.heat_time = 0; }},
       {"heat_time", [](auto& o) { o.heat_time = 1e7; }},
       {"heat_time", [](auto& o) { o.heat_time = kNaN; }},
-      {"bump_radius", [](auto& o) { o.bump_radius = -1; }},
+      {"bump_radius", [](auto& o) { o.bump_radius = 0; }},
       {"bump_radius", [](auto& o) { o.bump_radius = kInf; }},
   });
 }

@@ -15,9 +15,12 @@
 #include "talweg/core/drawing/crossings.hpp"
 #include "talweg/core/drawing/snapping.hpp"
 #include "talweg/core/drawing/straight_lines.hpp"
+#include "talweg/core/measure/measures.hpp"
+#include "talweg/core/measure/surface_deviation.hpp"
 #include "talweg/core/smoothing/curve_smoother.hpp"
 #include "talweg/core/smoothing/max_deviation.hpp"
 #include "talweg/intrinsic/error.hpp"
+#include "talweg/intrinsic/exact_distance/polyline_distance.hpp"
 
 namespace talweg {
 namespace {
@@ -140,7 +143,7 @@ TEST(RefinedMesh, IsNotForCurvesAlongEdges) {
   EXPECT_TRUE(too_large_faces(opened->mesh(), drawn, 1e-9).empty());
   CurveSmoother smoother(opened);
   smoother.set_curve(drawn);
-  EXPECT_EQ(smoother.smooth(1.0).report().engine, "local");
+  EXPECT_EQ(smoother.smooth(1.0).report().engine, Engine::kLocal);
 }
 
 TEST(FineDrawings, GiveTheSameOnMeshesOfAnyResolution) {
@@ -155,7 +158,7 @@ TEST(FineDrawings, GiveTheSameOnMeshesOfAnyResolution) {
       smoother.set_curve(drawn);
       const double slack = smoother.slack().front();
       const SmoothingResult result = smoother.smooth(1.0);
-      EXPECT_EQ(result.report().engine, "refined") << count;
+      EXPECT_EQ(result.report().engine, Engine::kRefined) << count;
       EXPECT_LT(result.report().deviation_to_drawn_max, 2 * slack) << count;
       EXPECT_LT(result.report().deviation_from_drawn_max, 2.5 * slack) << count;
       EXPECT_LT(result.report().curvature_after, closed ? 8 : 7.5) << count;
@@ -269,7 +272,7 @@ TEST(FineDrawings, StayWithinABound) {
   CurveSmoother smoother(opened);
   smoother.set_curve(drawn);
   const SmoothingResult result = smooth_within(smoother, 0.1);
-  EXPECT_EQ(result.report().termination, "converged");
+  EXPECT_EQ(result.report().termination, Outcome::kConverged);
   EXPECT_LE(result.report().deviation_to_drawn_max, 0.1);
   EXPECT_LE(result.report().deviation_from_drawn_max, 0.1);
   EXPECT_LE(result.report().curvature_after, result.report().curvature_before);
@@ -320,8 +323,8 @@ TEST(FineDrawings, CostWhatTheyComeToWhateverTheMesh) {
     std::size_t asked = 0;
     SmoothingOptions options;
     options.tau = 0.05;
-    options.progress = [&](const char*, double) { return ++asked > 0; };
-    EXPECT_EQ(smoother.smooth(options).report().engine, "refined");
+    const Progress progress = [&](const char*, double) { return ++asked > 0; };
+    EXPECT_EQ(smoother.smooth(options, progress).report().engine, Engine::kRefined);
     return asked;
   };
   const std::size_t few = asked_on(40), many = asked_on(600);
@@ -347,12 +350,12 @@ TEST(FineDrawings, ThatLeadFarAreFollowed) {
   std::size_t dividing = 0;
   SmoothingOptions options;
   options.tau = 0;
-  options.progress = [&](const char* stage, double) {
+  const Progress progress = [&](const char* stage, double) {
     if (std::string(stage) == "solve") ++dividing;
     return true;
   };
-  const SmoothingResult result = smoother.smooth(options);
-  ASSERT_EQ(result.report().engine, "refined");
+  const SmoothingResult result = smoother.smooth(options, progress);
+  ASSERT_EQ(result.report().engine, Engine::kRefined);
   EXPECT_GT(dividing, 0U);
   EXPECT_NEAR(result.report().length_after, 200, 1e-9);
   EXPECT_LT(result.report().curvature_after, 1e-6);
@@ -367,7 +370,7 @@ TEST(FineDrawings, CanBeDragged) {
   CurveSmoother smoother(opened);
   smoother.set_curve(drawn);
   const SmoothingResult preview = smoother.drag(0, moved);
-  EXPECT_EQ(preview.report().engine, "preview");
+  EXPECT_EQ(preview.report().engine, Engine::kPreview);
   EXPECT_LT(apart(opened->mesh(), preview.curve(), smooth_curve(opened, moved).curve()), 1e-9);
 }
 
@@ -378,7 +381,7 @@ TEST(FineDrawings, TakeAPotentialOfTheCaller) {
   smoother.set_curve(drawn);
   const std::vector<double> flat(opened->surface().vertex_count(), 3.0);
   const SmoothingResult result = smoother.smooth({}, flat, 1);
-  EXPECT_EQ(result.report().potential, "custom");
+  EXPECT_EQ(result.report().potential, PotentialKind::kCustom);
   EXPECT_LT(result.report().curvature_after, 1e-6);  // a constant potential gives geodesics
 }
 

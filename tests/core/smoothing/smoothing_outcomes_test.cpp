@@ -25,9 +25,10 @@ TEST(SmoothingOutcomes, ACancelledCallGivesTheDrawingBack) {
   const auto opened = OpenedMesh::open(grid(10, 10));
   const SurfaceCurve drawn = curve_through(opened->surface(), ids({24, 25, 37, 38, 50, 51}));
   SmoothingOptions options;
-  options.progress = [](const char*, double) { return false; };
-  const SmoothingResult result = smooth_curve(opened, drawn, options, {.method = Method::kPaper});
-  EXPECT_EQ(result.report().termination, "cancelled");
+  const Progress progress = [](const char*, double) { return false; };
+  const SmoothingResult result =
+      smooth_curve(opened, drawn, options, {.method = Method::kPaper}, progress);
+  EXPECT_EQ(result.report().termination, Outcome::kCancelled);
   EXPECT_EQ(result.curve().points, drawn.points);
 }
 
@@ -142,7 +143,7 @@ TEST(SmoothingOutcomes, ABumpOverAConstantSlopeChangesNothingButTheValley) {
     EXPECT_NEAR(smoothed.distance()[v], plain.distance()[v], 0.02) << j;
   }
   EXPECT_GT(smoothed.distance()[20 * 41 + 20], plain.distance()[20 * 41 + 20] + 0.2);
-  EXPECT_EQ(smoothed.smooth(1.0).report().termination, "converged");
+  EXPECT_EQ(smoothed.smooth(1.0).report().termination, Outcome::kConverged);
 }
 
 }  // namespace

@@ -10,11 +10,13 @@
 #include "core/jagged_curves.hpp"
 #include "core/small_meshes.hpp"
 #include "talweg/core/measure/deviation.hpp"
+#include "talweg/core/measure/surface_deviation.hpp"
 #include "talweg/core/smoothing/corridor.hpp"
-#include "talweg/core/smoothing/corridor_scale.hpp"
+#include "talweg/core/smoothing/corridor_width.hpp"
 #include "talweg/core/smoothing/curve_smoother.hpp"
 #include "talweg/core/smoothing/lifted_lengths.hpp"
 #include "talweg/core/smoothing/touched_edges.hpp"
+#include "talweg/intrinsic/exact_distance/polyline_distance.hpp"
 
 namespace talweg {
 namespace {
@@ -43,7 +45,7 @@ Outcome outcome_of(const std::shared_ptr<const OpenedMesh>& opened, const Surfac
   Outcome outcome;
   SmoothingOptions options;
   options.tau = tau;
-  options.progress = [&](const char* stage, double) {
+  const Progress progress = [&](const char* stage, double) {
     ++outcome.asked;
     const std::string name = stage;
     if (name == "laplacian" || name == "order" || name == "factor" || name == "solve") {
@@ -52,10 +54,10 @@ Outcome outcome_of(const std::shared_ptr<const OpenedMesh>& opened, const Surfac
     return true;
   };
   CurveSmoother smoother(opened);
-  smoother.set_curve(drawn, curve_options, options.progress);
+  smoother.set_curve(drawn, curve_options, progress);
   if (curve_options.method == Method::kCorridor) outcome.asked_of_distance = 0;
   outcome.asked = 0;
-  outcome.result = smoother.smooth(options);
+  outcome.result = smoother.smooth(options, progress);
   return outcome;
 }
 
@@ -143,7 +145,7 @@ TEST(StraightResults, AreMeasuredThroughSpaceWhereTheyAreFar) {
   smoother.set_curve(drawn);
   for (const double tau : {0.0, 0.1}) {
     const SmoothingResult far = smoother.smooth(tau);
-    EXPECT_EQ(far.report().deviation, "euclidean");
+    EXPECT_EQ(far.report().deviation, DeviationMeasure::kEuclidean);
     const Deviation apart = deviation(positions_of(opened->mesh(), far.curve()), false,
                                       positions_of(opened->mesh(), drawn), false);
     EXPECT_EQ(far.report().deviation_to_drawn_max, apart.to_drawn.max);
@@ -156,9 +158,9 @@ TEST(StraightResults, AreMeasuredThroughSpaceWhereTheyAreFar) {
   options.tau = 0;
   options.deviation = DeviationMeasure::kAlongSurface;
   const SmoothingReport exact = smoother.smooth(options).report();
-  EXPECT_EQ(exact.deviation, "surface");
+  EXPECT_EQ(exact.deviation, DeviationMeasure::kAlongSurface);
   EXPECT_GT(exact.deviation_from_drawn_max, 4 * exact.edge_length_near);
-  EXPECT_EQ(smoother.smooth(1.0).report().deviation, "surface");
+  EXPECT_EQ(smoother.smooth(1.0).report().deviation, DeviationMeasure::kAlongSurface);
 }
 
 TEST(StraightResults, AreMeasuredAlongTheSurfaceWhereTheyAreNear) {
@@ -169,7 +171,7 @@ TEST(StraightResults, AreMeasuredAlongTheSurfaceWhereTheyAreNear) {
   CurveSmoother smoother(opened);
   smoother.set_curve(drawn);
   const SmoothingResult near = smoother.smooth(0.0);
-  EXPECT_EQ(near.report().deviation, "surface");
+  EXPECT_EQ(near.report().deviation, DeviationMeasure::kAlongSurface);
   const SurfaceDeviation apart =
       DeviationMeter(opened->mesh()).measure(std::span(&near.curves[0], 1), std::span(&drawn, 1));
   EXPECT_EQ(near.report().deviation_to_drawn_max, apart.to_drawn.max);

@@ -136,12 +136,12 @@ TEST(FlipOutOptions, LimitsAndCancelLeaveAUsableState) {
   for (int polls = 1; polls < 6; ++polls) {
     FlipOutOptions options;
     int left = polls;
-    options.progress = [&](const char*, double share) {
+    const Progress progress = [&](const char*, double share) {
       EXPECT_GE(share, 0);
       EXPECT_LE(share, 1);
       return --left > 0;
     };
-    const FlipOutResult result = straighten_with(t, path, options);
+    const FlipOutResult result = FlipOut(t).run(std::span(&path, 1), options, progress);
     EXPECT_EQ(result.paths[0].termination, Termination::kCancelled);
     Tracer(t).trace_and_undo(std::array{result.paths[0].path});
     EXPECT_EQ(snapshot(t), before);

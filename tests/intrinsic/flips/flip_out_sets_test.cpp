@@ -355,8 +355,8 @@ TEST(FlipOutSets, CancelAtAnyMoment) {
     }
     FlipOutOptions options;
     std::size_t polls = 1 + random.below(12);
-    options.progress = [&](const char*, double) { return --polls > 0; };
-    const FlipOutResult result = FlipOut(t).run(paths, options);
+    const Progress progress = [&](const char*, double) { return --polls > 0; };
+    const FlipOutResult result = FlipOut(t).run(paths, options, progress);
     std::vector<EdgePath> ends;
     for (const auto& p : result.paths) ends.push_back(p.path);
     const TraceResult traced = Tracer(t).trace_and_undo(ends);

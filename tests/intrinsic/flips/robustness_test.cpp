@@ -186,7 +186,7 @@ TEST(Robustness, OneWorkspaceServesManyRuns) {
     std::vector<EdgePath> paths;
     for (std::size_t p = 0; p <= random.below(3); ++p) paths.push_back(random_path(t, random, 40));
     FlipOutOptions options;
-    options.max_iterations = k % 4 == 0 ? 1 + random.below(30) : 0;
+    if (k % 4 == 0) options.max_iterations = 1 + random.below(30);
     const FlipOutResult used = flip_out.run(paths, options);
     std::vector<EdgePath> ends;
     for (const auto& p : used.paths) ends.push_back(p.path);

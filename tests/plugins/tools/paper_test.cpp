@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "talweg/core/drawing/curve_embedding.hpp"
 #include "talweg/core/mesh/surface_mesh.hpp"
 #include "talweg/core/smoothing/curve_smoother.hpp"
 #include "tools/paper/ball.hpp"

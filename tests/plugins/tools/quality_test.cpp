@@ -10,6 +10,7 @@
 #include <sys/wait.h>
 
 #include "core/temporary_folder.hpp"
+#include "talweg/core/drawing/curve_embedding.hpp"
 #include "tools/paper/ball.hpp"
 #include "tools/paper/refinement.hpp"
 #include "tools/quality/bounded_runs.hpp"
@@ -177,7 +178,7 @@ Run run_of(const char* mesh, double tau, double before, double after, double lea
   run.least_curvature = least;
   run.closed = least > 0;
   run.length_ratio = 0.5;
-  run.termination = "converged";
+  run.termination = Outcome::kConverged;
   return run;
 }
 
@@ -207,7 +208,7 @@ TEST(Goals, OfCurvatureTellJaggedDrawingsFromAll) {
   EXPECT_TRUE(goal(reached, "collapse").met);
   runs[1].curvature_after = 7;
   runs[2].curvature_after = 25;
-  runs[0].termination = "collapsed";
+  runs[0].termination = Outcome::kCollapsed;
   reached = goals(runs, {}, {});
   EXPECT_FALSE(goal(reached, "median, drawings").met);
   EXPECT_TRUE(goal(reached, "worst, drawings").met);
@@ -257,7 +258,7 @@ TEST(Tables, HaveARowPerTauKindAndMesh) {
   std::vector<quality::Run> runs{run_of("a", 1, 100, 2), run_of("a", 2, 100, 4),
                                  run_of("b", 2, 56, 16, 6)};
   runs[2].to_drawn = 4;
-  runs[2].termination = "collapsed";
+  runs[2].termination = Outcome::kCollapsed;
   const std::string text = tables(runs);
   const auto has = [&](const char* row) {
     EXPECT_NE(text.find(row), std::string::npos) << row << "\nis not in\n" << text;

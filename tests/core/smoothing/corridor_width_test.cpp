@@ -1,4 +1,4 @@
-#include "talweg/core/smoothing/corridor_scale.hpp"
+#include "talweg/core/smoothing/corridor_width.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,0 +1,89 @@
+#include "talweg/core/smoothing/corridor_method.hpp"
+
+#include <optional>
+#include <utility>
+
+#include "talweg/core/smoothing/corridor_hold.hpp"
+#include "talweg/core/smoothing/corridor_valleys.hpp"
+#include "talweg/core/smoothing/relaxation.hpp"
+#include "talweg/intrinsic/exact_distance/polyline_distance.hpp"
+#include "talweg/intrinsic/stopwatch.hpp"
+
+namespace talweg {
+namespace {
+
+/// Without an anchor.
+Smoothed smooth_for_itself(CorridorHold& hold, const SmoothingOptions& options,
+                           const Progress& progress) {
+  const std::optional<Straightened> flat = hold.unlifted(options, progress);
+  Straightened straight =
+      flat ? *flat : hold.straighten(options, CorridorHold::Walls::kExact, progress);
+  Stopwatch watch;
+  relax(hold.drawing().mesh(), straight.curves, {options.relax_rounds}, progress);
+  straight.time_ms.relax = watch.lap();
+  if (options.polish && !flat) hold.polish(options.tau, straight.curves, progress);
+  straight.time_ms.polish = watch.ms();
+  return smoothed_from(std::move(straight));
+}
+
+}  // namespace
+
+void CorridorMethod::set(std::span<const SurfaceCurve> near, std::vector<Corridor::Valley> valleys,
+                         const Progress& progress) {
+  valleys_ = std::move(valleys);
+  Asker asker(progress, "solve");
+  const AskedDuring asked(memory_->distance(), asker);
+  memory_->distance().set(near);
+}
+
+void CorridorMethod::solve(const Progress& progress) {
+  const OrderedDrawing& drawing = drawing_->drawing();
+  set(drawing.curves(), {}, progress);
+  valleys_ = valleys_of(drawing_->mesh(), drawing, progress);
+  if (has_doubtful_loop(valleys_, drawing_->mesh(), drawing)) hold_doubtful_loops(progress);
+}
+
+/// Without pins, which may be taken away later.
+void CorridorMethod::hold_doubtful_loops(const Progress& progress) {
+  const std::vector<SurfacePoint> pins = drawing_->pins();
+  if (!pins.empty()) drawing_->set_pins({}, progress);
+  hold_loops(valleys_, drawing_->mesh(), drawing_->drawing(),
+             [&](const SmoothingOptions& options) { return smooth(options, progress); });
+  if (!pins.empty()) drawing_->set_pins(pins, progress);
+}
+
+Smoothed CorridorMethod::smooth(const SmoothingOptions& options, const Progress& progress) {
+  return smooth_in(with_options(valleys_, drawing_->drawing(), options), options, progress);
+}
+
+Smoothed CorridorMethod::smooth_in_own_valleys(const SmoothingOptions& options,
+                                               const Progress& progress) {
+  return smooth_in(valleys_, options, progress);
+}
+
+Smoothed CorridorMethod::smooth_in(const std::vector<Corridor::Valley>& valleys,
+                                   const SmoothingOptions& options, const Progress& progress) {
+  CorridorHold hold(*drawing_, memory_->distance(), valleys);
+  Smoothed result = CorridorAnchors::anchor_of(options)
+                        ? anchors_.smooth(hold, options, progress)
+                        : smooth_for_itself(hold, options, progress);
+  result.potential = PotentialKind::kCorridor;
+  result.engine = Engine::kLocal;
+  for (std::size_t c = 0; c < result.curves.size(); ++c) {
+    result.curves[c].slack = largest_slack(valleys[c]);
+  }
+  return result;
+}
+
+std::vector<SurfaceCurve> CorridorMethod::rough(const SmoothingOptions& options,
+                                                const Progress& progress) {
+  CorridorHold hold(*drawing_, memory_->distance(), valleys_);
+  return anchors_.rough(hold, options, progress);
+}
+
+void CorridorMethod::polish(double tau, std::vector<SurfaceCurve>& curves,
+                            const Progress& progress) {
+  CorridorHold(*drawing_, memory_->distance(), valleys_).polish(tau, curves, progress);
+}
+
+}  // namespace talweg

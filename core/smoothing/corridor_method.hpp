@@ -1,0 +1,53 @@
+// The corridor's method: the exact distance near the drawing, valleys, continuation and polish.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "talweg/core/smoothing/corridor.hpp"
+#include "talweg/core/smoothing/corridor_anchors.hpp"
+#include "talweg/core/smoothing/embedded_drawing.hpp"
+#include "talweg/core/smoothing/smoothed.hpp"
+#include "talweg/core/smoothing/smoothing_memory.hpp"
+#include "talweg/core/smoothing/smoothing_options.hpp"
+#include "talweg/intrinsic/progress.hpp"
+
+namespace talweg {
+
+/// Refers to the memory, whose distance it uses, and the drawing. Everything throws Cancelled.
+class CorridorMethod {
+ public:
+  CorridorMethod(SmoothingMemory& memory, EmbeddedDrawing& drawing)
+      : memory_(&memory), drawing_(&drawing) {}
+
+  /// Measures from the drawing and finds its valleys.
+  void solve(const Progress& progress);
+  /// Measures from these curves instead, with their valleys: for a stretch of a drawing.
+  void set(std::span<const SurfaceCurve> near, std::vector<Corridor::Valley> valleys,
+           const Progress& progress);
+  /// The drawing has other pins.
+  void pins_changed() { anchors_.clear(); }
+
+  /// Per curve, as they are where nothing else is asked for.
+  [[nodiscard]] const std::vector<Corridor::Valley>& valleys() const { return valleys_; }
+
+  Smoothed smooth(const SmoothingOptions& options, const Progress& progress);
+  /// The same without the options' slack and turns: the valleys as they are.
+  Smoothed smooth_in_own_valleys(const SmoothingOptions& options, const Progress& progress);
+  /// Curves in the valleys as they are, from where the polish for these options would start.
+  std::vector<SurfaceCurve> rough(const SmoothingOptions& options, const Progress& progress);
+  /// Polishes curves in the valleys as they are.
+  void polish(double tau, std::vector<SurfaceCurve>& curves, const Progress& progress);
+
+ private:
+  Smoothed smooth_in(const std::vector<Corridor::Valley>& valleys, const SmoothingOptions& options,
+                     const Progress& progress);
+  void hold_doubtful_loops(const Progress& progress);
+
+  SmoothingMemory* memory_;
+  EmbeddedDrawing* drawing_;
+  std::vector<Corridor::Valley> valleys_;
+  CorridorAnchors anchors_;
+};
+
+}  // namespace talweg

@@ -1,0 +1,115 @@
+#include "talweg/core/smoothing/corridor_valleys.hpp"
+
+#include <algorithm>
+#include <cstddef>
+
+#include "talweg/core/measure/measures.hpp"
+#include "talweg/core/smoothing/corridor_width.hpp"
+#include "talweg/core/smoothing/curve_gaps.hpp"
+
+namespace talweg {
+namespace {
+
+/// Where the slacks of two curves met nothing would keep the curves apart.
+void keep_apart(std::vector<Corridor::Valley>& valleys, const SurfaceMesh& mesh,
+                const OrderedDrawing& drawing, const Progress& progress) {
+  constexpr double kOfGap = 0.45;
+  double most = 0;
+  for (const Corridor::Valley& valley : valleys) most = std::max(most, valley.slack);
+  const std::vector<double> gaps = gaps_to_others(mesh, drawing.curves(), most / kOfGap, progress);
+  for (std::size_t c = 0; c < gaps.size(); ++c) {
+    valleys[c].slack = std::min(valleys[c].slack, kOfGap * gaps[c]);
+  }
+}
+
+/// For a loop that no slack holds: a strip of width w and length l that closed up would save about
+/// 2 l and has to climb to (a tau w / 2)^2 / L on both sides.
+void steepen(Corridor::Valley& valley, const SurfaceMesh& mesh, const SurfaceCurve& drawn) {
+  const double width = 4 * width_of_loop(mesh, drawn);
+  const double length = curve_length(mesh.surface(), drawn);
+  if (!(width > 0)) return;
+  valley.slack = width / 8;
+  valley.length = std::min(valley.length, width * width / length);
+}
+
+std::vector<bool> doubtful_loops(const std::vector<Corridor::Valley>& valleys,
+                                 const SurfaceMesh& mesh, const OrderedDrawing& drawing) {
+  std::vector<bool> doubtful;
+  for (std::size_t c = 0; c < valleys.size(); ++c) {
+    doubtful.push_back(valleys[c].closed &&
+                       valleys[c].slack > width_of_loop(mesh, drawing.curves()[c]));
+  }
+  return doubtful;
+}
+
+bool any(const std::vector<bool>& flags) {
+  return std::find(flags.begin(), flags.end(), true) != flags.end();
+}
+
+}  // namespace
+
+std::vector<Corridor::Valley> valleys_of(const SurfaceMesh& mesh, const OrderedDrawing& drawing,
+                                         const Progress& progress) {
+  constexpr std::size_t kOfPoint = 16;  // units of work
+  Asker asker(progress, "solve");
+  std::vector<Corridor::Valley> valleys;
+  for (const SurfaceCurve& curve : drawing.curves()) {
+    asker.did(kOfPoint * curve.points.size());
+    Corridor::Valley& valley = valleys.emplace_back();
+    valley.closed = curve.closed;
+    valley.slack = default_slack(mesh.surface(), curve);
+    valley.length = corridor_length(mesh, curve);
+  }
+  if (valleys.size() > 1) keep_apart(valleys, mesh, drawing, progress);
+  return valleys;
+}
+
+bool has_doubtful_loop(const std::vector<Corridor::Valley>& valleys, const SurfaceMesh& mesh,
+                       const OrderedDrawing& drawing) {
+  return any(doubtful_loops(valleys, mesh, drawing));
+}
+
+void hold_loops(std::vector<Corridor::Valley>& valleys, const SurfaceMesh& mesh,
+                const OrderedDrawing& drawing,
+                const std::function<Smoothed(const SmoothingOptions&)>& smooth) {
+  constexpr double kLeastTau = 0.25;
+  constexpr int kHalvings = 8;
+  std::vector<bool> doubtful = doubtful_loops(valleys, mesh, drawing);
+  SmoothingOptions options;
+  options.tau = kLeastTau;
+  options.polish = false;
+  for (int k = 0; k < kHalvings && any(doubtful); ++k) {
+    const Smoothed tried = smooth(options);
+    for (std::size_t c = 0; c < valleys.size(); ++c) {
+      const SmoothedCurve& result = tried.curves[c];
+      doubtful[c] = doubtful[c] && (result.path.termination != Termination::kConverged ||
+                                    measure_curve(mesh.surface(), result.curve).length <
+                                        drawing.measures()[c].length / 2);
+      if (doubtful[c]) valleys[c].slack /= 2;
+    }
+  }
+  for (std::size_t c = 0; c < valleys.size(); ++c) {
+    if (doubtful[c]) steepen(valleys[c], mesh, drawing.curves()[c]);
+  }
+}
+
+std::vector<Corridor::Valley> with_options(std::vector<Corridor::Valley> valleys,
+                                           const OrderedDrawing& drawing,
+                                           const SmoothingOptions& options) {
+  for (std::size_t c = 0; c < valleys.size(); ++c) {
+    Corridor::Valley& valley = valleys[c];
+    if (options.slack) valley.slack = *options.slack;
+    if (!options.slack_at.empty()) valley.slack_at = options.slack_at[c];
+    // With fewer points to a turn the phase could not follow the loop.
+    const std::size_t most = std::max<std::size_t>(drawing.curves()[c].points.size() / 8, 1);
+    valley.turns = std::min(options.phase_turns, static_cast<int>(most));
+  }
+  return valleys;
+}
+
+double largest_slack(const Corridor::Valley& valley) {
+  const std::vector<double>& field = valley.slack_at;
+  return field.empty() ? valley.slack : *std::max_element(field.begin(), field.end());
+}
+
+}  // namespace talweg

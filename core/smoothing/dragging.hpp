@@ -1,0 +1,58 @@
+// Dragging smooths a drawing anew only along the stretch that a hand moves.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "talweg/core/smoothing/corridor_method.hpp"
+#include "talweg/core/smoothing/drag_stretch.hpp"
+#include "talweg/core/smoothing/drawing_change.hpp"
+#include "talweg/core/smoothing/embedded_drawing.hpp"
+#include "talweg/core/smoothing/ordered_drawing.hpp"
+#include "talweg/core/smoothing/smoothing_memory.hpp"
+#include "talweg/core/smoothing/smoothing_options.hpp"
+#include "talweg/intrinsic/progress.hpp"
+#include "talweg/intrinsic/surface/surface_point.hpp"
+
+namespace talweg {
+
+/// Has memory of its own for the stretches.
+class Dragging {
+ public:
+  /// O(mesh).
+  explicit Dragging(std::shared_ptr<const OpenedMesh> mesh) : memory_(std::move(mesh)) {}
+
+  /// The drawing as it is set, how it is held there, and what is asked for.
+  struct Setting {
+    const OrderedDrawing& drawing;
+    const CurveOptions& curve_options;
+    const std::vector<Corridor::Valley>& valleys;  ///< of the drawing's curves, in their order
+    const SmoothingOptions& options;
+  };
+  /// About the result that curve number `curve`, as drawn, has after the change: `last`, its result
+  /// before, with the changed stretch smoothed anew. All of it where no stretch can be joined to
+  /// that. Throws Cancelled.
+  SurfaceCurve dragged(const Setting& setting, std::size_t curve, const DrawingChange& change,
+                       const SurfaceCurve& last, const Progress& progress);
+
+ private:
+  struct Range;
+  /// A stretch, ready to be smoothed.
+  struct Stretch {
+    OrderedDrawing drawing;
+    std::optional<EmbeddedDrawing> embedded;
+    std::optional<CorridorMethod> method;
+  };
+  void set(const DragStretch& stretch, const CurveOptions& options, const Progress& progress);
+  [[nodiscard]] std::optional<Range> range_around(const DrawingChange& change, double margin) const;
+  std::optional<SurfaceCurve> joined(const Range& range, const DrawingChange& change, double margin,
+                                     const SurfaceCurve& last, const SmoothingOptions& options,
+                                     const Progress& progress);
+
+  SmoothingMemory memory_;
+  Stretch stretch_;
+};
+
+}  // namespace talweg

@@ -1,0 +1,74 @@
+#include "talweg/core/smoothing/embedded_drawing.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "talweg/core/drawing/drawn_curves.hpp"
+#include "talweg/core/measure/measures.hpp"
+
+namespace talweg {
+
+std::vector<SurfaceCurve> capped_curves(const Surface& surface,
+                                        std::span<const SurfaceCurve> curves,
+                                        const CurveOptions& options) {
+  std::vector<SurfaceCurve> capped(curves.begin(), curves.end());
+  if (!options.cap_corners) return capped;
+  for (SurfaceCurve& curve : capped) curve = capped_curve(surface, curve, options.pins);
+  return capped;
+}
+
+EmbeddedDrawing::EmbeddedDrawing(SmoothingMemory& memory, const OrderedDrawing& drawing,
+                                 CurveOptions options, Ground ground, const Progress& progress)
+    : memory_(&memory), drawing_(&drawing), options_(std::move(options)), ground_(ground) {
+  embed(progress);
+}
+
+void EmbeddedDrawing::set_pins(std::vector<SurfacePoint> pins, const Progress& progress) {
+  options_.pins = std::move(pins);
+  embed(progress);
+}
+
+void EmbeddedDrawing::embed(const Progress& progress) {
+  capped_ = capped_curves(surface(), drawing_->curves(), options_);
+  memory_->straightening().embed(capped_, pins(), ground_.loops, drawing_->numbers(), progress);
+}
+
+double EmbeddedDrawing::drawn_length() const {
+  double length = 0;
+  for (const CurveMeasures& m : drawing_->measures()) length += m.length;
+  return length;
+}
+
+/// A loop of this length is a handful of edges around a vertex: three mean edges of the drawing,
+/// but less than half a loop that is drawn so small.
+double EmbeddedDrawing::length_floor(const SmoothingOptions& options) const {
+  if (options.length_floor) return *options.length_floor;
+  double floor = HUGE_VAL;
+  for (const SurfaceCurve& curve : capped_) {
+    if (!curve.closed) continue;
+    const double length = curve_length(surface(), curve);
+    const double mean = length / static_cast<double>(curve.points.size());
+    floor = std::min({floor, 3 * mean, length / 2});
+  }
+  return std::isfinite(floor) ? floor : 0;
+}
+
+Straightened EmbeddedDrawing::straighten(const SmoothingOptions& options,
+                                         SignpostTriangulation::Metric metric,
+                                         const Progress& progress) {
+  Straightening::Options own;
+  own.flip_out.max_iterations = options.max_iterations;
+  own.flip_out.min_relative_length = options.min_relative_length;
+  own.flip_out.length_floor = length_floor(options);
+  own.prepare_whole_mesh = options.prepare_whole_mesh;
+  Straightened result = memory_->straightening().run(std::move(metric), std::move(own), progress);
+  if (ground_.fence == nullptr) return result;
+  const std::vector<bool>& fence = *ground_.fence;
+  at_fence_ = at_fence_ ||
+              std::any_of(result.touched.begin(), result.touched.end(),
+                          [&](VertexId v) { return v.index() < fence.size() && fence[v.index()]; });
+  return result;
+}
+
+}  // namespace talweg

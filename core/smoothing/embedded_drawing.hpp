@@ -1,0 +1,71 @@
+// An embedded drawing lies in the triangulation of a mesh, ready to be straightened there.
+#pragma once
+
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "talweg/core/mesh/surface_mesh.hpp"
+#include "talweg/core/smoothing/ordered_drawing.hpp"
+#include "talweg/core/smoothing/smoothing_memory.hpp"
+#include "talweg/core/smoothing/smoothing_options.hpp"
+#include "talweg/core/smoothing/straightening.hpp"
+#include "talweg/intrinsic/progress.hpp"
+#include "talweg/intrinsic/surface/surface_point.hpp"
+
+namespace talweg {
+
+/// The curves with their corners capped, if the options say so.
+std::vector<SurfaceCurve> capped_curves(const Surface& surface,
+                                        std::span<const SurfaceCurve> curves,
+                                        const CurveOptions& options);
+
+/// What every way of holding a curve works on. Refers to the memory and the drawing that it is made
+/// from.
+class EmbeddedDrawing {
+ public:
+  struct Ground {
+    Loops loops = Loops::kKeep;  ///< what becomes of loops; on strips they go
+    /// Per vertex whether the surface was cut off there, of a part of a mesh; null: nowhere.
+    const std::vector<bool>* fence = nullptr;
+  };
+  /// Caps the corners and embeds the curves. Throws as embed_curves() does, and Cancelled.
+  EmbeddedDrawing(SmoothingMemory& memory, const OrderedDrawing& drawing, CurveOptions options,
+                  Ground ground, const Progress& progress);
+
+  /// Embeds the curves once more, with these pins. Throws Cancelled.
+  void set_pins(std::vector<SurfacePoint> pins, const Progress& progress);
+
+  [[nodiscard]] const SurfaceMesh& mesh() const { return memory_->mesh(); }
+  [[nodiscard]] const Surface& surface() const { return memory_->surface(); }
+  [[nodiscard]] const Straightening& straightening() const {
+    return std::as_const(*memory_).straightening();
+  }
+  [[nodiscard]] const OrderedDrawing& drawing() const { return *drawing_; }
+  [[nodiscard]] const CurveOptions& options() const { return options_; }
+  [[nodiscard]] const std::vector<SurfacePoint>& pins() const { return options_.pins; }
+  /// The curves, corners capped.
+  [[nodiscard]] const std::vector<SurfaceCurve>& capped() const { return capped_; }
+  /// Of all curves as they were drawn, mesh units.
+  [[nodiscard]] double drawn_length() const;
+  /// Below which a loop counts as collapsed, mesh units: as asked for, or a handful of edges.
+  [[nodiscard]] double length_floor(const SmoothingOptions& options) const;
+
+  /// Straightens the curves in a metric. Throws Cancelled.
+  Straightened straighten(const SmoothingOptions& options, SignpostTriangulation::Metric metric,
+                          const Progress& progress);
+  /// Whether a straightening has touched the fence since this was asked for last.
+  bool came_to_fence() { return std::exchange(at_fence_, false); }
+
+ private:
+  void embed(const Progress& progress);
+
+  SmoothingMemory* memory_;
+  const OrderedDrawing* drawing_;
+  CurveOptions options_;
+  Ground ground_;
+  std::vector<SurfaceCurve> capped_;
+  bool at_fence_ = false;
+};
+
+}  // namespace talweg

@@ -1,0 +1,47 @@
+// The paper's method straightens curves over a potential on the mesh's vertices, and relaxes them.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "talweg/core/smoothing/embedded_drawing.hpp"
+#include "talweg/core/smoothing/paper_lift.hpp"
+#include "talweg/core/smoothing/smoothed.hpp"
+#include "talweg/core/smoothing/smoothing_options.hpp"
+#include "talweg/intrinsic/progress.hpp"
+
+namespace talweg {
+
+/// A potential of the caller's: row by row `components` values per mesh vertex, mesh units.
+struct GivenPotential {
+  std::span<const double> values;
+  std::size_t components = 1;
+};
+
+/// Straightens in that potential and relaxes. Throws Cancelled.
+Smoothed smooth_in(EmbeddedDrawing& drawing, const GivenPotential& potential,
+                   const SmoothingOptions& options, const Progress& progress);
+
+/// Pawellek, Rössl & Lawonn, sections 3.3 and 4, with the distance by heat or a given one. Refers
+/// to what it is made from.
+class PaperMethod {
+ public:
+  PaperMethod(const OpenedMesh& mesh, EmbeddedDrawing& drawing)
+      : drawing_(&drawing), lift_(mesh, drawing.straightening()) {}
+
+  /// The distance, if it is not known yet. Throws Cancelled.
+  void need_distance(const Progress& progress);
+  /// One that was checked: see PaperLift::check().
+  void set_distance(std::vector<double> distance);
+  [[nodiscard]] const PaperLift& lift() const { return lift_; }
+
+  /// At tau = 0 without a distance. Throws Cancelled.
+  Smoothed smooth(const SmoothingOptions& options, const Progress& progress);
+
+ private:
+  EmbeddedDrawing* drawing_;
+  PaperLift lift_;
+};
+
+}  // namespace talweg

@@ -1,0 +1,190 @@
+#include "talweg/core/smoothing/refined_sheet.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "talweg/core/measure/measures.hpp"
+#include "talweg/core/smoothing/corridor_width.hpp"
+#include "talweg/intrinsic/stopwatch.hpp"
+
+namespace talweg {
+namespace {
+
+/// Twice the slack, about what edges are on meshes along whose edges one draws; but enough of them
+/// for a curve to look smooth, unless the slack has room for none of its bends.
+double longest_edge(const Surface& surface, const SurfaceCurve& drawn) {
+  constexpr double kEdges = 200;
+  const double slack = default_slack(surface, drawn);
+  return std::max(std::min(2 * slack, curve_length(surface, drawn) / kEdges), slack / 4);
+}
+
+/// Per-vertex values (k a row) of a mesh at the vertices of its refined part, linear in each face.
+std::vector<double> values_on(const RefinedMesh& mesh, const Surface& original,
+                              const GivenPotential& given) {
+  const std::size_t components = given.components;
+  std::vector<double> result(mesh.lists.points.size() * components);
+  for (std::size_t f = 0; f < mesh.face_of.size(); ++f) {
+    const auto corners = original.corners(mesh.face_of[f]);
+    for (std::size_t j = 0; j < 3; ++j) {
+      double* row = result.data() + mesh.lists.triangles[f][j] * components;
+      std::fill_n(row, components, 0.0);
+      for (std::size_t i = 0; i < 3 * components; ++i) {
+        row[i % components] +=
+            mesh.corners_of[f][j][i / components] *
+            given.values[corners[i / components].index() * components + i % components];
+      }
+    }
+  }
+  return result;
+}
+
+/// Whether a result might have gone on beyond what was taken along.
+bool is_at_cut(const RefinedMesh& mesh, const Surface& fine, const Smoothed& result) {
+  const auto cut = [&](VertexId v) { return mesh.at_cut[v.index()]; };
+  const auto touches = [&](const SurfacePoint& point) {
+    const auto corners = fine.corners(any_face(fine, point));
+    return std::any_of(corners.begin(), corners.end(), cut);
+  };
+  return result.at_fence ||
+         std::any_of(result.curves.begin(), result.curves.end(), [&](const SmoothedCurve& c) {
+           return std::any_of(c.curve.points.begin(), c.curve.points.end(), touches);
+         });
+}
+
+}  // namespace
+
+std::vector<FaceId> faces_to_divide(const SurfaceMesh& mesh, const OrderedDrawing& drawing) {
+  std::vector<FaceId> faces;
+  for (const SurfaceCurve& curve : drawing.curves()) {
+    const double slack = default_slack(mesh.surface(), curve);
+    const std::vector<FaceId> own = too_large_faces(mesh, curve, slack);
+    faces.insert(faces.end(), own.begin(), own.end());
+  }
+  return faces;
+}
+
+RefinedSheet::RefinedSheet(const SurfaceMesh& mesh, const OrderedDrawing& drawing,
+                           CurveOptions options, const Progress& progress)
+    : mesh_(&mesh), drawing_(&drawing), options_(std::move(options)) {
+  parts_.push_back(part_within(reach(), progress));
+}
+
+/// As far around the drawing as a result comes at tau = 1/8 and more.
+double RefinedSheet::reach() const {
+  double reach = 0;
+  for (std::size_t c = 0; c < drawing_->curves().size(); ++c) {
+    reach =
+        std::max(reach, corridor_reach(*mesh_, drawing_->curves()[c], drawing_->edges_near()[c]));
+  }
+  return reach;
+}
+
+std::unique_ptr<RefinedSheet::Part> RefinedSheet::part_within(double reach,
+                                                              const Progress& progress) {
+  const Stopwatch watch;
+  std::vector<double> longest;
+  for (const SurfaceCurve& curve : drawing_->curves())
+    longest.push_back(longest_edge(mesh_->surface(), curve));
+  auto part = std::make_unique<Part>();
+  part->mesh = refine_along(*mesh_, drawing_->curves(), faces_to_divide(*mesh_, *drawing_), longest,
+                            reach, progress);
+  part->memory = std::make_unique<SmoothingMemory>(OpenedMesh::open(part->mesh.lists));
+  const std::vector<SurfaceCurve> curves =
+      part->mesh.refined(part->memory->surface(), drawing_->curves());
+  CurveOptions options = options_;
+  options.pins = pins_on(part->mesh, curves);
+  part->drawing = checked_drawing(part->memory->mesh(), curves, options, progress);
+  SheetSetup setup;
+  setup.may_divide = false;
+  setup.fence = &part->mesh.at_cut;
+  part->sheet = sheet_for(*part->memory, part->drawing, options, setup, progress);
+  solve_ms_ += watch.ms();
+  return part;
+}
+
+std::vector<SurfacePoint> RefinedSheet::pins_on(const RefinedMesh& mesh,
+                                                std::span<const SurfaceCurve> curves) const {
+  const std::vector<SurfacePoint>& pins = options_.pins;
+  std::vector<SurfacePoint> result;
+  for (std::size_t c = 0; c < curves.size(); ++c) {
+    for (std::size_t i = 0; i < curves[c].points.size(); ++i) {
+      const RefinedMesh::Place& place = mesh.curves[c][i];
+      if (place.part > 0) continue;
+      const SurfacePoint& drawn = drawing_->curves()[c].points[place.drawn];
+      if (std::find(pins.begin(), pins.end(), drawn) == pins.end()) continue;
+      result.push_back(curves[c].points[i]);
+    }
+  }
+  return result;
+}
+
+void RefinedSheet::set_pins(std::span<const SurfacePoint> pins, const Progress& progress) {
+  options_.pins.assign(pins.begin(), pins.end());
+  for (const std::unique_ptr<Part>& part : parts_) {
+    part->sheet->set_pins(pins_on(part->mesh, part->drawing.drawn()), progress);
+  }
+}
+
+std::vector<double> RefinedSheet::slack() const {
+  return parts_.front()->drawing.in_drawn_order(parts_.front()->sheet->slack());
+}
+
+Smoothed RefinedSheet::smooth(const SmoothingOptions& options, const GivenPotential* given,
+                              const Progress& progress) {
+  if (given == nullptr && options.tau >= kLeastHeldTau)
+    return coarse(*parts_.front(), smooth_on(*parts_.front(), options, given, progress));
+  SmoothingOptions lazy = options;
+  lazy.prepare_whole_mesh = false;  // what is touched decides
+  double reach = this->reach();
+  for (std::size_t k = 0;; ++k, reach *= 2) {
+    if (k == parts_.size()) parts_.push_back(part_within(reach, progress));
+    const Part& part = *parts_[k];
+    Smoothed result = smooth_on(part, lazy, given, progress);
+    if (is_at_cut(part.mesh, part.memory->surface(), result)) continue;
+    if (options.prepare_whole_mesh) result = smooth_on(part, options, given, progress);
+    return coarse(part, std::move(result));
+  }
+}
+
+/// In the order of the drawing, still on the part.
+Smoothed RefinedSheet::smooth_on(const Part& part, const SmoothingOptions& options,
+                                 const GivenPotential* given, const Progress& progress) {
+  SmoothingOptions own = options;
+  for (std::size_t c = 0; c < options.slack_at.size(); ++c) {
+    own.slack_at[c] = slack_on(part, c, options.slack_at[c]);
+  }
+  if (given == nullptr) {
+    return as_drawn(part.drawing,
+                    part.sheet->smooth(part.drawing.ordered(std::move(own)), nullptr, progress));
+  }
+  const std::vector<double> values = values_on(part.mesh, mesh_->surface(), *given);
+  const GivenPotential there{values, given->components};
+  return as_drawn(part.drawing, part.sheet->smooth(own, &there, progress));
+}
+
+/// Linear between the points of the drawing.
+std::vector<double> RefinedSheet::slack_on(const Part& part, std::size_t curve,
+                                           const std::vector<double>& drawn) const {
+  const std::size_t n = drawing_->curves()[curve].points.size();
+  std::vector<double> result;
+  for (std::size_t i = 0; i < part.drawing.drawn()[curve].points.size(); ++i) {
+    const RefinedMesh::Place& place = part.mesh.curves[curve][i];
+    const double from = drawn[place.drawn], to = drawn[(place.drawn + 1) % n];
+    result.push_back(place.part > 0 ? from + place.part * (to - from) : from);
+  }
+  return result;
+}
+
+/// Back on the mesh.
+Smoothed RefinedSheet::coarse(const Part& part, Smoothed smoothed) const {
+  const Surface& fine = part.memory->surface();
+  for (SmoothedCurve& curve : smoothed.curves) {
+    curve.curve = part.mesh.coarse(fine, mesh_->surface(), curve.curve);
+  }
+  smoothed.engine = Engine::kRefined;
+  smoothed.time_ms.open = 0;
+  smoothed.time_ms.solve = solve_ms_;
+  return smoothed;
+}
+
+}  // namespace talweg

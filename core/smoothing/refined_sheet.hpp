@@ -1,0 +1,55 @@
+// The refined sheet is the part of a mesh around a drawing, with faces as fine as the drawing is.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "talweg/core/smoothing/refined_mesh.hpp"
+#include "talweg/core/smoothing/sheet.hpp"
+
+namespace talweg {
+
+/// The faces that are too large for one of the curves.
+std::vector<FaceId> faces_to_divide(const SurfaceMesh& mesh, const OrderedDrawing& drawing);
+
+/// Below tau = 1/8 a result may lead anywhere. It is looked for in larger and larger parts of the
+/// mesh, always from the first on, until it does not come to where its part was cut off: that costs
+/// what it touches, and is what the whole mesh would give.
+class RefinedSheet final : public Sheet {
+ public:
+  /// Divides the faces and embeds the drawing there.
+  RefinedSheet(const SurfaceMesh& mesh, const OrderedDrawing& drawing, CurveOptions options,
+               const Progress& progress);
+
+  Smoothed smooth(const SmoothingOptions& options, const GivenPotential* given,
+                  const Progress& progress) override;
+  void set_pins(std::span<const SurfacePoint> pins, const Progress& progress) override;
+  [[nodiscard]] std::vector<double> slack() const override;
+
+ private:
+  /// A part of the mesh, divided, and the drawing there.
+  struct Part {
+    RefinedMesh mesh;
+    std::unique_ptr<SmoothingMemory> memory;
+    OrderedDrawing drawing;
+    std::unique_ptr<Sheet> sheet;
+  };
+  [[nodiscard]] double reach() const;
+  std::unique_ptr<Part> part_within(double reach, const Progress& progress);
+  [[nodiscard]] std::vector<SurfacePoint> pins_on(const RefinedMesh& mesh,
+                                                  std::span<const SurfaceCurve> curves) const;
+  [[nodiscard]] std::vector<double> slack_on(const Part& part, std::size_t curve,
+                                             const std::vector<double>& drawn) const;
+  Smoothed smooth_on(const Part& part, const SmoothingOptions& options, const GivenPotential* given,
+                     const Progress& progress);
+  [[nodiscard]] Smoothed coarse(const Part& part, Smoothed smoothed) const;
+
+  const SurfaceMesh* mesh_;
+  const OrderedDrawing* drawing_;
+  CurveOptions options_;
+  std::vector<std::unique_ptr<Part>> parts_;  // each with twice the reach of the one before
+  double solve_ms_ = 0;
+};
+
+}  // namespace talweg

@@ -1,0 +1,38 @@
+#include "talweg/core/smoothing/sheet.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "talweg/core/drawing/crossings.hpp"
+#include "talweg/core/smoothing/refined_sheet.hpp"
+#include "talweg/core/smoothing/unrolled_sheet.hpp"
+#include "talweg/core/smoothing/whole_sheet.hpp"
+
+namespace talweg {
+
+std::unique_ptr<Sheet> sheet_for(SmoothingMemory& memory, const OrderedDrawing& drawing,
+                                 const CurveOptions& options, SheetSetup setup,
+                                 const Progress& progress) {
+  // The paper's method has the mesh's vertices, and no others.
+  if (setup.may_divide && options.method == Method::kCorridor) {
+    if (const auto faces = faces_to_divide(memory.mesh(), drawing); !faces.empty())
+      return std::make_unique<RefinedSheet>(memory.mesh(), drawing, options, progress);
+  }
+  auto whole = std::make_unique<WholeSheet>(
+      memory, drawing, options, EmbeddedDrawing::Ground{Loops::kKeep, setup.fence}, progress);
+  const Straightening& straightening = memory.straightening();
+  const PathContacts contacts = path_contacts(straightening.triangulation(), straightening.paths());
+  const auto& tangled = contacts.tangled;
+  if (std::find(tangled.begin(), tangled.end(), true) != tangled.end()) {
+    return std::make_unique<UnrolledSheet>(memory, drawing, options, contacts.tangled,
+                                           std::move(setup.distance), progress);
+  }
+  if (setup.distance) {
+    whole->set_distance(*std::move(setup.distance));
+  } else {
+    whole->solve(progress);
+  }
+  return whole;
+}
+
+}  // namespace talweg

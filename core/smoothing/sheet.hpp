@@ -1,0 +1,64 @@
+// A sheet is the surface on which a drawing is smoothed: the mesh, or one made for the drawing.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "talweg/core/smoothing/corridor.hpp"
+#include "talweg/core/smoothing/ordered_drawing.hpp"
+#include "talweg/core/smoothing/paper_method.hpp"
+#include "talweg/core/smoothing/smoothed.hpp"
+#include "talweg/core/smoothing/smoothing_memory.hpp"
+#include "talweg/core/smoothing/smoothing_options.hpp"
+#include "talweg/intrinsic/progress.hpp"
+#include "talweg/intrinsic/surface/surface_point.hpp"
+
+namespace talweg {
+
+/// Takes a drawing that lies on a mesh to where it is smoothed, and results back. Curves, pins and
+/// values that go in and out are on the mesh, in the drawing's order. Everything but what is const
+/// throws Cancelled; then set_pins() is to be called again.
+class Sheet {
+ public:
+  Sheet() = default;
+  virtual ~Sheet() = default;
+  Sheet(const Sheet&) = delete;
+  Sheet& operator=(const Sheet&) = delete;
+
+  /// `given`: a potential on the mesh instead of the method's; null: none.
+  virtual Smoothed smooth(const SmoothingOptions& options, const GivenPotential* given,
+                          const Progress& progress) = 0;
+  virtual void set_pins(std::span<const SurfacePoint> pins, const Progress& progress) = 0;
+  /// Per curve the corridor's slack where no other is asked for; empty for the paper's method.
+  [[nodiscard]] virtual std::vector<double> slack() const = 0;
+  /// Per curve what holds it in the corridor; null where it is not smoothed on the mesh itself.
+  [[nodiscard]] virtual const std::vector<Corridor::Valley>* valleys() const { return nullptr; }
+  /// Of the paper's method, per mesh vertex; empty as long as it is not known.
+  [[nodiscard]] virtual std::span<const double> distance() const { return {}; }
+  virtual void need_distance(const Progress& /*progress*/) {}
+};
+
+/// The options with their slack in the drawing's order, which only the corridor looks at.
+inline SmoothingOptions ordered_for(Method method, const OrderedDrawing& drawing,
+                                    const SmoothingOptions& options) {
+  return method == Method::kCorridor ? drawing.ordered(options) : options;
+}
+
+/// Which sheets there can be, and what is known of the mesh.
+struct SheetSetup {
+  bool may_divide = true;  ///< faces that are too large for the drawing
+  /// Of a part of a mesh: see EmbeddedDrawing.
+  const std::vector<bool>* fence = nullptr;
+  /// Per mesh vertex, of the paper's method, used as it is.
+  std::optional<std::vector<double>> distance;
+};
+/// Divides faces where the drawing is finer than they are, unrolls curves that cross themselves or
+/// each other, and takes the mesh as it is otherwise. Refers to the memory and the drawing. Throws
+/// as embed_curves() does, and Cancelled.
+std::unique_ptr<Sheet> sheet_for(SmoothingMemory& memory, const OrderedDrawing& drawing,
+                                 const CurveOptions& options, SheetSetup setup,
+                                 const Progress& progress);
+
+}  // namespace talweg

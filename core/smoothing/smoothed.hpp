@@ -1,0 +1,60 @@
+// Smoothed curves carry what a report says of them and only their smoothing knows.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "talweg/core/measure/report.hpp"
+#include "talweg/core/measure/result_report.hpp"
+#include "talweg/core/smoothing/ordered_drawing.hpp"
+#include "talweg/core/smoothing/straightening.hpp"
+#include "talweg/intrinsic/surface/surface_point.hpp"
+
+namespace talweg {
+
+struct SmoothedCurve {
+  SurfaceCurve curve;
+  StraightenedPath path;
+  double slack = 0;                                       ///< mesh units; 0 without a corridor
+  MeasuredDeviation deviation;                            ///< on the surface where it was smoothed
+  std::size_t crossings_before = 0, crossings_after = 0;  ///< with itself and later curves
+};
+
+struct Smoothed {
+  std::vector<SmoothedCurve> curves;  ///< one for each curve of the drawing, in their order
+  PotentialKind potential = PotentialKind::kPaper;
+  Engine engine = Engine::kFull;
+  StraighteningCounts counts;
+  double mollification = 0;           ///< mesh units
+  std::vector<std::string> warnings;  ///< sentences for the user
+  StageTimes time_ms;                 ///< `open`: beyond opening the mesh; no total
+  /// Whether it came to where its part of the surface was cut off: see EmbeddedDrawing.
+  bool at_fence = false;
+};
+
+/// What straightening gave.
+inline Smoothed smoothed_from(Straightened straight) {
+  Smoothed smoothed;
+  for (std::size_t c = 0; c < straight.curves.size(); ++c) {
+    SmoothedCurve& curve = smoothed.curves.emplace_back();
+    curve.curve = std::move(straight.curves[c]);
+    curve.path = straight.paths[c];
+  }
+  smoothed.counts = straight.counts;
+  smoothed.time_ms = straight.time_ms;
+  return smoothed;
+}
+
+/// Smoothed curves in the order and direction in which the drawing had them.
+inline Smoothed as_drawn(const OrderedDrawing& drawing, Smoothed smoothed) {
+  for (std::size_t c = 0; c < smoothed.curves.size(); ++c) {
+    SurfaceCurve& curve = smoothed.curves[c].curve;
+    curve = drawing.in_drawn_direction(c, std::move(curve));
+  }
+  smoothed.curves = drawing.in_drawn_order(smoothed.curves);
+  return smoothed;
+}
+
+}  // namespace talweg

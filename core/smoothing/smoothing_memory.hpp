@@ -1,0 +1,45 @@
+// Smoothing on a mesh works in memory of the mesh's size, which is made once and used by every run.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "talweg/core/measure/surface_deviation.hpp"
+#include "talweg/core/mesh/opened_mesh.hpp"
+#include "talweg/core/smoothing/straightening.hpp"
+#include "talweg/intrinsic/exact_distance/polyline_distance.hpp"
+
+namespace talweg {
+
+/// One thread at a time.
+class SmoothingMemory {
+ public:
+  /// O(mesh).
+  explicit SmoothingMemory(std::shared_ptr<const OpenedMesh> mesh)
+      : mesh_(std::move(mesh)), straightening_(mesh_->surface()) {}
+
+  [[nodiscard]] const OpenedMesh& opened() const { return *mesh_; }
+  [[nodiscard]] const std::shared_ptr<const OpenedMesh>& shared() const { return mesh_; }
+  [[nodiscard]] const SurfaceMesh& mesh() const { return mesh_->mesh(); }
+  [[nodiscard]] const Surface& surface() const { return mesh_->surface(); }
+  [[nodiscard]] Straightening& straightening() { return straightening_; }
+  [[nodiscard]] const Straightening& straightening() const { return straightening_; }
+  /// Made when first asked for, as the next one is. O(mesh).
+  PolylineDistance& distance() {
+    if (!distance_) distance_.emplace(surface());
+    return *distance_;
+  }
+  DeviationMeter& meter() {
+    if (!meter_) meter_.emplace(mesh());
+    return *meter_;
+  }
+
+ private:
+  std::shared_ptr<const OpenedMesh> mesh_;
+  Straightening straightening_;
+  std::optional<PolylineDistance> distance_;
+  std::optional<DeviationMeter> meter_;
+};
+
+}  // namespace talweg

@@ -1,0 +1,152 @@
+#include "talweg/core/smoothing/smoothing_report.hpp"
+
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "talweg/core/measure/measures.hpp"
+#include "talweg/core/measure/result_report.hpp"
+#include "talweg/core/measure/surface_deviation.hpp"
+#include "talweg/core/smoothing/corridor_width.hpp"
+
+namespace talweg {
+namespace {
+
+Outcome outcome_of(Termination termination) {
+  switch (termination) {
+    case Termination::kConverged:
+      return Outcome::kConverged;
+    case Termination::kCollapsed:
+      return Outcome::kCollapsed;
+    case Termination::kLimit:
+      return Outcome::kLimit;
+    case Termination::kCancelled:
+      break;
+  }
+  return Outcome::kCancelled;
+}
+
+void warn_of_straightening(SmoothingReport& report, const SmoothingOptions& options,
+                           const Smoothed& smoothed) {
+  if (report.termination == Outcome::kLimit && !options.max_iterations &&
+      options.min_relative_length == 0) {
+    report.warnings.emplace_back(
+        "Straightening was given up before the curve was straight: the drawing has too many "
+        "points for so few faces.");
+  }
+  if (report.termination == Outcome::kCollapsed) {
+    report.warnings.emplace_back(
+        "The loop shrinks to a point; it is returned as it was when it fell below the floor.");
+  }
+  if (smoothed.counts.blocked > 0) {
+    report.warnings.push_back(
+        fmt::format("The curve stays bent at {} points where another part of the drawing is in "
+                    "the way.",
+                    smoothed.counts.blocked));
+  }
+}
+
+void warn_of_crossings(SmoothingReport& report) {
+  if (report.crossings_after == report.crossings_before) return;
+  report.warnings.push_back(
+      fmt::format("The drawing crosses itself and others {} times, the result {} times.",
+                  report.crossings_before, report.crossings_after));
+}
+
+/// A deviation that is worth a warning, mesh units. Edges of the mesh mean nothing to a drawing
+/// that is finer than they are.
+double far_from(const SurfaceMesh& mesh, const SurfaceCurve& drawn, double edge, Engine engine) {
+  constexpr double kFarInSlacks = 4;
+  return engine == Engine::kRefined ? kFarInSlacks * default_slack(mesh.surface(), drawn)
+                                    : kFarInEdges * edge;
+}
+
+void add_run(SmoothingReport& report, const Smoothed& smoothed) {
+  report.potential = smoothed.potential;
+  report.engine = smoothed.engine;
+  report.flips = smoothed.counts.flips;
+  report.iterations = smoothed.counts.iterations;
+  report.faces_touched = smoothed.counts.faces_touched;
+  report.trace_fallbacks = smoothed.counts.clamped;
+  report.mollification = smoothed.mollification;
+  report.time_ms = smoothed.time_ms;
+  report.peak_memory_mib = peak_memory_mib();
+}
+
+void add_curve(SmoothingReport& report, const SmoothedCurve& curve) {
+  report.slack = curve.slack;
+  report.lifted_length_before = curve.path.length_before;
+  report.lifted_length_after = curve.path.length_after;
+  report.termination = outcome_of(curve.path.termination);
+  report.crossings_before = curve.crossings_before;
+  report.crossings_after = curve.crossings_after;
+  report_deviation(report, curve.deviation);
+}
+
+}  // namespace
+
+SmoothingResult reported(const OpenedMesh& mesh, const OrderedDrawing& drawing,
+                         const SmoothingOptions& options, Smoothed smoothed) {
+  StageTimes& t = smoothed.time_ms;
+  t.open += mesh.open_ms();
+  t.total = t.open + t.solve + t.straighten + t.trace + t.relax + t.polish;
+  SmoothingResult result;
+  for (std::size_t c = 0; c < smoothed.curves.size(); ++c) {
+    const SurfaceCurve& drawn = drawing.curves()[c];
+    const double edge = drawing.edges_near()[c];
+    SmoothingReport& report = result.reports.emplace_back(
+        report_on_curve(mesh.mesh(), drawn, drawing.measures()[c], smoothed.curves[c].curve));
+    report.tau = options.tau;
+    report.edge_length_near = edge;
+    add_run(report, smoothed);
+    add_curve(report, smoothed.curves[c]);
+    warn_if_far(report, far_from(mesh.mesh(), drawn, edge, smoothed.engine),
+                options.deviation == DeviationMeasure::kAutomatic);
+    warn_of_straightening(report, options, smoothed);
+    report.warnings.insert(report.warnings.end(), smoothed.warnings.begin(),
+                           smoothed.warnings.end());
+    warn_of_crossings(report);
+  }
+  for (SmoothedCurve& curve : smoothed.curves) result.curves.push_back(std::move(curve.curve));
+  return result;
+}
+
+SmoothingResult cancelled_result(const SurfaceMesh& mesh, const OrderedDrawing& drawing,
+                                 double tau) {
+  SmoothingResult result;
+  result.curves = drawing.drawn();
+  for (std::size_t c = 0; c < result.curves.size(); ++c) {
+    const std::size_t place = drawing.place_of(c);
+    SmoothingReport& report = result.reports.emplace_back(
+        report_on_nothing(mesh, result.curves[c], drawing.measures()[place]));
+    report.potential = PotentialKind::kPaper;
+    report.engine = Engine::kFull;
+    report.tau = tau;
+    report.edge_length_near = drawing.edges_near()[place];
+    report.termination = Outcome::kCancelled;
+  }
+  result.total = total_of(result.reports);
+  return result;
+}
+
+SmoothingReport preview_report(const SurfaceMesh& mesh, DeviationMeter& meter,
+                               const SurfaceCurve& drawn, const SurfaceCurve& result,
+                               const SmoothingOptions& options, const SmoothingReport& before,
+                               const Progress& progress) {
+  SmoothingReport report =
+      report_on_curve(mesh, drawn, measure_curve(mesh.surface(), drawn), result);
+  report.potential = before.potential;
+  report.engine = Engine::kPreview;
+  report.tau = before.tau;
+  report.slack = before.slack;
+  report.edge_length_near = before.edge_length_near;
+  report.termination = before.termination;
+  report_deviation(report, measure_deviation(options.deviation_measure(), report.edge_length_near,
+                                             meter, mesh, drawn, result, nullptr, progress));
+  warn_if_far(report, kFarInEdges * report.edge_length_near,
+              options.deviation == DeviationMeasure::kAutomatic);
+  report.peak_memory_mib = before.peak_memory_mib;
+  return report;
+}
+
+}  // namespace talweg

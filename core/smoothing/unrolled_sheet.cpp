@@ -1,0 +1,171 @@
+#include "talweg/core/smoothing/unrolled_sheet.hpp"
+
+#include <algorithm>
+#include <utility>
+#include <variant>
+
+#include <fmt/format.h>
+
+#include "talweg/core/drawing/crossings.hpp"
+#include "talweg/core/measure/measures.hpp"
+#include "talweg/core/smoothing/corridor_width.hpp"
+#include "talweg/intrinsic/stopwatch.hpp"
+
+namespace talweg {
+
+UnrolledSheet::UnrolledSheet(SmoothingMemory& memory, const OrderedDrawing& drawing,
+                             CurveOptions options, const std::vector<bool>& alone,
+                             std::optional<std::vector<double>> distance, const Progress& progress)
+    : memory_(&memory),
+      drawing_(&drawing),
+      options_(std::move(options)),
+      lift_(memory.opened(), memory.straightening()) {
+  const Stopwatch watch;
+  // Each curve's with itself and those that were drawn after it.
+  Straightening& straightening = memory.straightening();
+  const std::vector<EdgePath> paths = drawing.in_drawn_order(straightening.paths());
+  crossings_ = path_contacts(straightening.triangulation(), paths).crossings;
+  const bool paper = options_.method == Method::kPaper;
+  if (distance) lift_.set(*std::move(distance), drawing.curves().size() > 1);
+  straightening.clear();
+  if (paper && !lift_.is_known()) {
+    lift_.solve(capped_curves(memory.surface(), drawing.curves(), options_), options_, progress);
+  }
+  mesh_ = unroll(memory.mesh(), drawing.curves(), alone, reach(alone), progress);
+  strips_ = std::make_unique<SmoothingMemory>(OpenedMesh::open(mesh_.lists));
+  const std::vector<SurfaceCurve> curves =
+      mesh_.unrolled(memory.mesh(), strips_->surface(), drawing.curves());
+  CurveOptions own = options_;
+  own.pins = pins_on(curves);
+  on_strips_ = checked_drawing(strips_->mesh(), curves, own, progress);
+  sheet_ = std::make_unique<WholeSheet>(*strips_, on_strips_, own,
+                                        EmbeddedDrawing::Ground{Loops::kErase, nullptr}, progress);
+  if (paper) {
+    sheet_->set_distance(copies_of({lift_.distance(), 1}));
+  } else {
+    sheet_->solve(progress);
+  }
+  solve_ms_ = watch.ms() - lift_.open_ms();
+}
+
+double UnrolledSheet::reach(const std::vector<bool>& alone) const {
+  double reach = 0;
+  for (std::size_t c = 0; c < drawing_->curves().size(); ++c) {
+    if (!alone[c]) continue;
+    reach = std::max(
+        reach, corridor_reach(memory_->mesh(), drawing_->curves()[c], drawing_->edges_near()[c]));
+  }
+  return reach;
+}
+
+std::vector<double> UnrolledSheet::copies_of(const GivenPotential& given) const {
+  std::vector<double> copies;
+  for (const VertexId v : mesh_.vertex_of) {
+    const auto values = given.values.subspan(v.index() * given.components, given.components);
+    copies.insert(copies.end(), values.begin(), values.end());
+  }
+  return copies;
+}
+
+/// Each copy of them.
+std::vector<SurfacePoint> UnrolledSheet::pins_on(std::span<const SurfaceCurve> curves) const {
+  const std::vector<SurfacePoint>& pins = options_.pins;
+  std::vector<SurfacePoint> result;
+  for (std::size_t c = 0; c < drawing_->curves().size(); ++c) {
+    const std::vector<SurfacePoint>& points = drawing_->curves()[c].points;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      if (std::find(pins.begin(), pins.end(), points[i]) == pins.end()) continue;
+      result.push_back(curves[c].points[i]);
+    }
+  }
+  return result;
+}
+
+void UnrolledSheet::set_pins(std::span<const SurfacePoint> pins, const Progress& progress) {
+  options_.pins.assign(pins.begin(), pins.end());
+  sheet_->set_pins(pins_on(on_strips_.drawn()), progress);
+}
+
+std::vector<double> UnrolledSheet::slack() const {
+  const std::vector<double> slack = sheet_->slack();
+  return slack.empty() ? slack : on_strips_.in_drawn_order(slack);
+}
+
+Smoothed UnrolledSheet::smooth(const SmoothingOptions& options, const GivenPotential* given,
+                               const Progress& progress) {
+  if (given != nullptr) {
+    const std::vector<double> values = copies_of(*given);
+    const GivenPotential there{values, given->components};
+    return folded(as_drawn(on_strips_, sheet_->smooth(options, &there, progress)), progress);
+  }
+  const SmoothingOptions own = options_.method == Method::kPaper ? with_length_of_mesh(options)
+                                                                 : on_strips_.ordered(options);
+  return folded(as_drawn(on_strips_, sheet_->smooth(own, nullptr, progress)), progress);
+}
+
+/// L is that of the whole mesh.
+SmoothingOptions UnrolledSheet::with_length_of_mesh(const SmoothingOptions& options) const {
+  double drawn_length = 0;
+  for (const CurveMeasures& m : drawing_->measures()) drawn_length += m.length;
+  double length = 0;
+  for (const SurfaceCurve& curve : drawing_->curves()) {
+    const FaceId face = any_face(memory_->surface(), curve.points.front());
+    const VertexId corner = memory_->surface().corners(face).front();
+    length = std::max(length, lift_.characteristic_length(options.potential, drawn_length, corner));
+  }
+  SmoothingOptions own = options;
+  own.potential.length = PotentialOptions::Length::kGiven;
+  own.potential.given_length = length;
+  return own;
+}
+
+/// Pins that no result passes, on spikes and curls that go: one sentence for each.
+std::vector<std::string> UnrolledSheet::lost_pins(const Smoothed& smoothed) const {
+  const Surface& surface = memory_->surface();
+  std::vector<std::string> sentences;
+  for (const SurfacePoint& pin : options_.pins) {
+    const auto passes = [&](const SurfacePoint& p) {
+      const FaceId face = common_face(surface, pin, p);
+      return face.valid() && distance_in_face(surface, coordinates_in(surface, pin, face),
+                                              coordinates_in(surface, p, face)) <=
+                                 1e-9 * drawing_->edges_near().front();
+    };
+    if (std::any_of(smoothed.curves.begin(), smoothed.curves.end(), [&](const SmoothedCurve& c) {
+          return std::any_of(c.curve.points.begin(), c.curve.points.end(), passes);
+        })) {
+      continue;
+    }
+    const Point at = memory_->mesh().position(pin);
+    const auto* v = std::get_if<AtVertex>(&pin.where());
+    sentences.push_back(
+        fmt::format("The pin {}at ({:.6g}, {:.6g}, {:.6g}) is lost: it lies on a spike or a curl "
+                    "of the drawing that goes.",
+                    v != nullptr ? fmt::format("(vertex {}) ", v->vertex.index()) : "", at.x(),
+                    at.y(), at.z()));
+  }
+  return sentences;
+}
+
+/// Back from the strips.
+Smoothed UnrolledSheet::folded(Smoothed smoothed, const Progress& progress) {
+  std::vector<SurfaceCurve> curves;
+  for (SmoothedCurve& curve : smoothed.curves) {
+    curve.curve = mesh_.folded(strips_->surface(), memory_->surface(), curve.curve);
+    curves.push_back(curve.curve);
+  }
+  const std::vector<std::size_t> after =
+      memory_->straightening().crossings_of(drawing_->in_drawn_order(curves), progress);
+  for (std::size_t c = 0; c < curves.size(); ++c) {
+    smoothed.curves[c].crossings_before = crossings_[drawing_->numbers()[c]];
+    smoothed.curves[c].crossings_after = after[drawing_->numbers()[c]];
+  }
+  smoothed.mollification = lift_.mollification();
+  smoothed.warnings = lift_.warnings();
+  const std::vector<std::string> lost = lost_pins(smoothed);
+  smoothed.warnings.insert(smoothed.warnings.end(), lost.begin(), lost.end());
+  smoothed.time_ms.open = lift_.open_ms();
+  smoothed.time_ms.solve = solve_ms_;
+  return smoothed;
+}
+
+}  // namespace talweg

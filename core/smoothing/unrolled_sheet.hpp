@@ -1,0 +1,53 @@
+// The unrolled sheet has strips of surface for curves that cross, on which they do not.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "talweg/core/smoothing/paper_lift.hpp"
+#include "talweg/core/smoothing/sheet.hpp"
+#include "talweg/core/smoothing/unrolled_mesh.hpp"
+#include "talweg/core/smoothing/whole_sheet.hpp"
+
+namespace talweg {
+
+/// Each curve is smoothed for itself; the corridor's distance is to its own part there, the paper's
+/// that on the mesh.
+class UnrolledSheet final : public Sheet {
+ public:
+  /// The drawing is embedded in the memory's triangulation, and is taken out. `alone`: per curve
+  /// whether it needs a strip of its own. `distance`: given, of the paper's method.
+  UnrolledSheet(SmoothingMemory& memory, const OrderedDrawing& drawing, CurveOptions options,
+                const std::vector<bool>& alone, std::optional<std::vector<double>> distance,
+                const Progress& progress);
+
+  Smoothed smooth(const SmoothingOptions& options, const GivenPotential* given,
+                  const Progress& progress) override;
+  void set_pins(std::span<const SurfacePoint> pins, const Progress& progress) override;
+  [[nodiscard]] std::vector<double> slack() const override;
+  [[nodiscard]] std::span<const double> distance() const override { return lift_.distance(); }
+
+ private:
+  [[nodiscard]] double reach(const std::vector<bool>& alone) const;
+  [[nodiscard]] std::vector<double> copies_of(const GivenPotential& given) const;
+  [[nodiscard]] std::vector<SurfacePoint> pins_on(std::span<const SurfaceCurve> curves) const;
+  [[nodiscard]] SmoothingOptions with_length_of_mesh(const SmoothingOptions& options) const;
+  [[nodiscard]] std::vector<std::string> lost_pins(const Smoothed& smoothed) const;
+  Smoothed folded(Smoothed smoothed, const Progress& progress);
+
+  SmoothingMemory* memory_;
+  const OrderedDrawing* drawing_;
+  CurveOptions options_;
+  PaperLift lift_;
+  std::vector<std::size_t> crossings_;  // of the drawing, per drawn curve
+  UnrolledMesh mesh_;
+  std::unique_ptr<SmoothingMemory> strips_;
+  OrderedDrawing on_strips_;
+  std::unique_ptr<WholeSheet> sheet_;
+  double solve_ms_ = 0;
+};
+
+}  // namespace talweg

@@ -1,0 +1,46 @@
+// The whole sheet is the mesh as it is.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "talweg/core/smoothing/corridor_method.hpp"
+#include "talweg/core/smoothing/embedded_drawing.hpp"
+#include "talweg/core/smoothing/paper_method.hpp"
+#include "talweg/core/smoothing/sheet.hpp"
+
+namespace talweg {
+
+class WholeSheet final : public Sheet {
+ public:
+  /// Embeds the drawing; solve() or set_distance() is to be called next.
+  WholeSheet(SmoothingMemory& memory, const OrderedDrawing& drawing, const CurveOptions& options,
+             EmbeddedDrawing::Ground ground, const Progress& progress);
+
+  /// What the method needs at once: the corridor's distance and valleys, the paper's distance.
+  void solve(const Progress& progress);
+  /// Of the paper's method, one that was checked.
+  void set_distance(std::vector<double> distance);
+
+  Smoothed smooth(const SmoothingOptions& options, const GivenPotential* given,
+                  const Progress& progress) override;
+  void set_pins(std::span<const SurfacePoint> pins, const Progress& progress) override;
+  [[nodiscard]] std::vector<double> slack() const override;
+  [[nodiscard]] std::span<const double> distance() const override;
+  void need_distance(const Progress& progress) override;
+  [[nodiscard]] const std::vector<Corridor::Valley>* valleys() const override {
+    return corridor_ ? &corridor_->valleys() : nullptr;
+  }
+
+ private:
+  void measure(const SmoothingOptions& options, Smoothed& smoothed, const Progress& progress);
+
+  SmoothingMemory* memory_;
+  EmbeddedDrawing drawing_;
+  std::optional<CorridorMethod> corridor_;  // one of these two
+  std::optional<PaperMethod> paper_;
+  double solve_ms_ = 0;
+};
+
+}  // namespace talweg
