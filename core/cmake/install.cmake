@@ -1,4 +1,18 @@
-# What is installed beside the libraries and their headers: the CMake package and talweg.pc.
+# What is installed beside the libraries: their headers, the CMake package and talweg.pc.
+include(${CMAKE_CURRENT_LIST_DIR}/front_headers.cmake)
+front_headers(${PROJECT_SOURCE_DIR} headers)
+foreach(header IN LISTS headers)
+  set(folder talweg)
+  if(NOT header MATCHES "^core/front/")
+    cmake_path(GET header PARENT_PATH folder)
+    set(folder talweg/${folder})
+  endif()
+  install(FILES ${PROJECT_SOURCE_DIR}/${header} COMPONENT development
+          DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/${folder})
+  # A header that is changed to include others is installed with them.
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${header})
+endforeach()
+
 include(CMakePackageConfigHelpers)
 set(talweg_cmake_dir ${CMAKE_INSTALL_LIBDIR}/cmake/talweg)
 

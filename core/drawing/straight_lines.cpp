@@ -4,8 +4,12 @@
 
 #include <fmt/format.h>
 
+#include "talweg/core/drawing/edge_dijkstra.hpp"
 #include "talweg/intrinsic/error.hpp"
+#include "talweg/intrinsic/flips/flip_out.hpp"
 #include "talweg/intrinsic/flips/point_insertion.hpp"
+#include "talweg/intrinsic/flips/signpost_triangulation.hpp"
+#include "talweg/intrinsic/flips/trace.hpp"
 
 namespace talweg {
 
@@ -13,15 +17,24 @@ std::string gap_warning(const JoinedGaps& gaps) {
   if (gaps.count == 0) return "";
   return fmt::format(
       "{} {} of the drawing, over four times as long as its median segment, {} joined straight "
-      "over "
-      "the surface, the longest over {:.3g} mesh units.",
+      "over the surface, the longest over {:.3g} mesh units.",
       gaps.count, gaps.count == 1 ? "gap" : "gaps", gaps.count == 1 ? "was" : "were", gaps.longest);
 }
 
-StraightLines::StraightLines(const Surface& surface) : surface_(&surface) {}
+struct StraightLines::Workshop {
+  explicit Workshop(const Surface& surface)
+      : triangulation(surface), flip_out(triangulation), tracer(triangulation), dijkstra(surface) {}
 
-StraightLines::Workshop::Workshop(const Surface& surface)
-    : triangulation(surface), flip_out(triangulation), tracer(triangulation), dijkstra(surface) {}
+  SignpostTriangulation triangulation;
+  FlipOut flip_out;
+  Tracer tracer;
+  EdgeDijkstra dijkstra;
+};
+
+StraightLines::StraightLines(const Surface& surface) : surface_(&surface) {}
+StraightLines::StraightLines(StraightLines&&) noexcept = default;
+StraightLines& StraightLines::operator=(StraightLines&&) noexcept = default;
+StraightLines::~StraightLines() = default;
 
 VertexId StraightLines::nearest_corner(const SurfacePoint& point) const {
   if (const auto* v = std::get_if<AtVertex>(&point.where())) return v->vertex;

@@ -1,4 +1,4 @@
-// Drawing straight over the surface from point to point.
+// Straight lines join the points of a drawing over the surface.
 #pragma once
 
 #include <algorithm>
@@ -8,10 +8,6 @@
 #include <string>
 #include <vector>
 
-#include "talweg/core/drawing/drawing.hpp"
-#include "talweg/intrinsic/flips/flip_out.hpp"
-#include "talweg/intrinsic/flips/signpost_triangulation.hpp"
-#include "talweg/intrinsic/flips/trace.hpp"
 #include "talweg/intrinsic/progress.hpp"
 #include "talweg/intrinsic/surface/surface_point.hpp"
 
@@ -39,6 +35,9 @@ std::string gap_warning(const JoinedGaps& gaps);
 class StraightLines {
  public:
   explicit StraightLines(const Surface& surface);
+  StraightLines(StraightLines&&) noexcept;
+  StraightLines& operator=(StraightLines&&) noexcept;
+  ~StraightLines();
 
   /// A curve through the points, in order. Two points of a common face are joined inside it; others
   /// by the geodesic that FlipOut finds from a shortest edge path between them, which is locally,
@@ -58,13 +57,7 @@ class StraightLines {
   [[nodiscard]] VertexId nearest_corner(const SurfacePoint& point) const;
 
   /// O(mesh), and needed only where two points share no face.
-  struct Workshop {
-    explicit Workshop(const Surface& surface);
-    SignpostTriangulation triangulation;
-    FlipOut flip_out;
-    Tracer tracer;
-    EdgeDijkstra dijkstra;
-  };
+  struct Workshop;
 
   const Surface* surface_;
   void find_gaps();

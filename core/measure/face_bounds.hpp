@@ -7,20 +7,20 @@
 #include <cstddef>
 #include <limits>
 
-#include "talweg/core/measure/curve_stretch.hpp"
+#include "talweg/core/measure/curve_segments.hpp"
 #include "talweg/intrinsic/exact_distance/polyline_distance.hpp"
 #include "talweg/intrinsic/exact_distance/polyline_pieces.hpp"
 
 namespace talweg {
 
-/// A place on a stretch and the distance there.
-struct StretchSample {
+/// A place on a segment and the distance there.
+struct SegmentSample {
   double t = 0;         ///< in [0, 1]
   double distance = 0;  ///< mesh units
 };
 
 /// What the distance between two samples is at most, beyond what its slope of 1 says. Every bound
-/// is a convex function along the stretch, so its values at the two samples bound it between them.
+/// is a convex function along the segment, so its values at the two samples bound it between them.
 class FaceBounds {
  public:
   /// `pieces` are those of the curves that `to` is set to.
@@ -28,8 +28,8 @@ class FaceBounds {
       : surface_(&surface), to_(&to), pieces_(&pieces) {}
 
   /// By way of the pieces of the other curves in the same face.
-  [[nodiscard]] double by_pieces(const Stretch& s, const StretchSample& a,
-                                 const StretchSample& b) const {
+  [[nodiscard]] double by_pieces(const CurveSegment& s, const SegmentSample& a,
+                                 const SegmentSample& b) const {
     const SideFrame frame = side_frame(*surface_, s.face, 0);
     const PlanePoint p = frame.at(s.at(a.t), 0), q = frame.at(s.at(b.t), 0);
     double best = std::numeric_limits<double>::infinity();
@@ -40,10 +40,10 @@ class FaceBounds {
     return best;
   }
 
-  /// By way of a point on a side of the face, one on each side of the stretch, where the shortest
-  /// way is likely to come from: it meets the stretch at an angle that the slope tells. Whether
+  /// By way of a point on a side of the face, one on each side of the segment, where the shortest
+  /// way is likely to come from: it meets the segment at an angle that the slope tells. Whether
   /// that is less than `enough`; sides of large faces may be far away, and nothing is asked beyond.
-  bool less_by_sides(const Stretch& s, const StretchSample& a, const StretchSample& b,
+  bool less_by_sides(const CurveSegment& s, const SegmentSample& a, const SegmentSample& b,
                      double enough) {
     if (less_by_sides_in(s, a, b, enough)) return true;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -53,18 +53,18 @@ class FaceBounds {
   }
 
  private:
-  /// The stretch runs along the side opposite to corner k, which has another face.
-  bool less_by_other_face(const Stretch& s, std::size_t k, const StretchSample& a,
-                          const StretchSample& b, double enough) {
+  /// The segment runs along the side opposite to corner k, which has another face.
+  bool less_by_other_face(const CurveSegment& s, std::size_t k, const SegmentSample& a,
+                          const SegmentSample& b, double enough) {
     const HalfedgeId side = side_frame(*surface_, s.face, (k + 1) % 3).side;
     if (!surface_->has_face(twin(side))) return false;
     const FaceId face = surface_->face(twin(side));
     return less_by_sides_in(
-        stretch_between(*surface_, s.point(*surface_, 0), s.point(*surface_, 1), face), a, b,
+        segment_between(*surface_, s.point(*surface_, 0), s.point(*surface_, 1), face), a, b,
         enough);
   }
 
-  bool less_by_sides_in(const Stretch& s, const StretchSample& a, const StretchSample& b,
+  bool less_by_sides_in(const CurveSegment& s, const SegmentSample& a, const SegmentSample& b,
                         double enough) {
     const SideFrame frame = side_frame(*surface_, s.face, 0);
     if (!(frame.length > 0 && frame.apex.y > 0)) return false;

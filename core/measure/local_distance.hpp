@@ -11,7 +11,7 @@
 
 #include <Eigen/Geometry>
 
-#include "talweg/core/measure/curve_stretch.hpp"
+#include "talweg/core/measure/curve_segments.hpp"
 #include "talweg/core/mesh/surface_mesh.hpp"
 #include "talweg/core/space/nearest_segment.hpp"
 #include "talweg/intrinsic/exact_distance/polyline_distance.hpp"
@@ -68,7 +68,7 @@ class NearParts {
   std::optional<NearestSegment> tree_;
 };
 
-/// Sets a distance to what of the curves can be nearest to some stretches.
+/// Sets a distance to what of the curves can be nearest to some segments.
 class LocalDistance {
  public:
   /// Nobody will ask for distances of `limit` or more.
@@ -76,43 +76,45 @@ class LocalDistance {
                 PolylineDistance& distance, double limit = HUGE_VAL)
       : mesh_(&mesh), curves_(curves), parts_(mesh, curves), distance_(&distance), limit_(limit) {}
 
-  /// What the distance on a stretch is at most, by those in space: a guess, to be proved.
-  [[nodiscard]] double guess(const Stretch& s) const {
+  /// What the distance on a segment is at most, by those in space: a guess, to be proved.
+  [[nodiscard]] double guess(const CurveSegment& s) const {
     return kMore *
            bound(s, [&](const SurfacePoint& p) { return parts_.distance(mesh_->position(p)); });
   }
 
   /// `reach` has the guesses. Returns what it is set to.
-  std::vector<SurfaceCurve> set_near(std::span<const Stretch> stretches, std::span<double> reach) {
-    std::vector<SurfaceCurve> near = set(stretches, reach);
+  std::vector<SurfaceCurve> set_near(std::span<const CurveSegment> segments,
+                                     std::span<double> reach) {
+    std::vector<SurfaceCurve> near = set(segments, reach);
     bool proved = true;
-    for (std::size_t i = 0; i < stretches.size(); ++i) {
-      const double most = bound(stretches[i], [&](const SurfacePoint& p) {
+    for (std::size_t i = 0; i < segments.size(); ++i) {
+      const double most = bound(segments[i], [&](const SurfacePoint& p) {
         return std::isfinite(limit_) ? distance_->below(limit_, p) : distance_->at(p).distance;
       });
       proved = proved && most <= reach[i];
       reach[i] = std::max(reach[i], most);
     }
-    return proved ? near : set(stretches, reach);
+    return proved ? near : set(segments, reach);
   }
 
  private:
   static constexpr double kMore = 1.05;
 
   template <class Distance>
-  [[nodiscard]] double bound(const Stretch& s, Distance distance) const {
+  [[nodiscard]] double bound(const CurveSegment& s, Distance distance) const {
     const Surface& surface = mesh_->surface();
     return (distance(s.point(surface, 0)) + distance(s.point(surface, 1)) + s.length) / 2;
   }
 
-  std::vector<SurfaceCurve> set(std::span<const Stretch> stretches, std::span<const double> reach) {
+  std::vector<SurfaceCurve> set(std::span<const CurveSegment> segments,
+                                std::span<const double> reach) {
     std::vector<Eigen::AlignedBox3d> boxes;
     bool everything = false;
-    for (std::size_t i = 0; i < stretches.size(); ++i) {
+    for (std::size_t i = 0; i < segments.size(); ++i) {
       everything = everything || !std::isfinite(reach[i]);
       const Surface& surface = mesh_->surface();
-      Eigen::AlignedBox3d box(mesh_->position(stretches[i].point(surface, 0)));
-      box.extend(mesh_->position(stretches[i].point(surface, 1)));
+      Eigen::AlignedBox3d box(mesh_->position(segments[i].point(surface, 0)));
+      box.extend(mesh_->position(segments[i].point(surface, 1)));
       const Point margin = Point::Constant(reach[i]);
       boxes.emplace_back(box.min() - margin, box.max() + margin);
     }

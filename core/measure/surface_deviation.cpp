@@ -4,10 +4,11 @@
 #include <cmath>
 #include <string>
 
-#include "talweg/core/measure/curve_stretch.hpp"
+#include "talweg/core/measure/curve_segments.hpp"
 #include "talweg/core/measure/face_bounds.hpp"
 #include "talweg/core/measure/local_distance.hpp"
 #include "talweg/intrinsic/error.hpp"
+#include "talweg/intrinsic/exact_distance/polyline_distance.hpp"
 #include "talweg/intrinsic/exact_distance/polyline_pieces.hpp"
 
 namespace talweg {
@@ -38,30 +39,30 @@ class Measurement {
 
   /// What is added comes in parts; between them `to` and `pieces` may be set to others.
 
-  void add(std::span<const Stretch> stretches) {
+  void add(std::span<const CurveSegment> segments) {
     struct Sampled {
-      StretchSample a, middle, b;
+      SegmentSample a, middle, b;
     };
     std::vector<Sampled> sampled;
     double length = 0, integral = 0;
-    for (const Stretch& s : stretches) {
+    for (const CurveSegment& s : segments) {
       if (std::isfinite(limit_) && !std::isfinite(max_)) return;
-      const StretchSample a = sample(s, 0), middle = sample(s, 0.5), b = sample(s, 1);
+      const SegmentSample a = sample(s, 0), middle = sample(s, 0.5), b = sample(s, 1);
       sampled.push_back({a, middle, b});
       length += s.length;
       integral += s.length * simpson(a, middle, b);
     }
     if (!std::isfinite(max_)) return;
     const double missed = std::max(tolerance_, kTolerance * integral / length);
-    for (std::size_t i = 0; i < stretches.size(); ++i) {
+    for (std::size_t i = 0; i < segments.size(); ++i) {
       const Sampled& s = sampled[i];
-      integral_ += stretches[i].length * mean(stretches[i], s.a, s.middle, s.b, missed);
+      integral_ += segments[i].length * mean(segments[i], s.a, s.middle, s.b, missed);
     }
     length_ += length;
-    for (std::size_t i = 0; i < stretches.size(); ++i) {
+    for (std::size_t i = 0; i < segments.size(); ++i) {
       samples_left_ = kMostSamples;
-      search(stretches[i], sampled[i].a, sampled[i].middle);
-      search(stretches[i], sampled[i].middle, sampled[i].b);
+      search(segments[i], sampled[i].a, sampled[i].middle);
+      search(segments[i], sampled[i].middle, sampled[i].b);
     }
   }
 
@@ -85,19 +86,19 @@ class Measurement {
   }
 
  private:
-  StretchSample sample(const Stretch& s, double t) { return {t, see(s.point(*surface_, t))}; }
+  SegmentSample sample(const CurveSegment& s, double t) { return {t, see(s.point(*surface_, t))}; }
 
-  static double simpson(const StretchSample& a, const StretchSample& middle,
-                        const StretchSample& b) {
+  static double simpson(const SegmentSample& a, const SegmentSample& middle,
+                        const SegmentSample& b) {
     return (a.distance + 4 * middle.distance + b.distance) / 6;
   }
 
   /// The mean between a and b; compared with the trapezoids, which miss kinks as much.
-  double mean(const Stretch& s, const StretchSample& a, const StretchSample& middle,
-              const StretchSample& b, double missed, int halvings = 0) {
+  double mean(const CurveSegment& s, const SegmentSample& a, const SegmentSample& middle,
+              const SegmentSample& b, double missed, int halvings = 0) {
     const double bend = std::abs(a.distance - 2 * middle.distance + b.distance) / 12;
     if (bend <= missed || halvings >= kMeanHalvings) return simpson(a, middle, b);
-    const StretchSample first = sample(s, (a.t + middle.t) / 2),
+    const SegmentSample first = sample(s, (a.t + middle.t) / 2),
                         second = sample(s, (middle.t + b.t) / 2);
     return (mean(s, a, first, middle, missed, halvings + 1) +
             mean(s, middle, second, b, missed, halvings + 1)) /
@@ -105,7 +106,8 @@ class Measurement {
   }
 
   /// Looks between two samples for what is larger than all that was seen.
-  void search(const Stretch& s, const StretchSample& a, const StretchSample& b, int halvings = 0) {
+  void search(const CurveSegment& s, const SegmentSample& a, const SegmentSample& b,
+              int halvings = 0) {
     const double enough = max_ + std::max(tolerance_, kTolerance * max_);
     const double length = (b.t - a.t) * s.length;
     const double middle_value = (a.distance + b.distance) / 2;
@@ -114,7 +116,7 @@ class Measurement {
     if (bounds_.by_pieces(s, a, b) <= enough) return;
     // Costs two distances, so only where halving would go on for long.
     if (middle_value + length / 8 > enough && bounds_.less_by_sides(s, a, b, enough)) return;
-    const StretchSample middle = sample(s, (a.t + b.t) / 2);
+    const SegmentSample middle = sample(s, (a.t + b.t) / 2);
     search(s, a, middle, halvings + 1);
     search(s, middle, b, halvings + 1);
   }
@@ -141,26 +143,26 @@ void refuse_nothing(std::span<const SurfaceCurve> curves) {
 }
 
 /// A thousandth of the mean segment of all the curves.
-double tolerance_for(std::span<const Stretch> stretches, std::span<const SurfaceCurve> others,
+double tolerance_for(std::span<const CurveSegment> segments, std::span<const SurfaceCurve> others,
                      const std::vector<double>& other_lengths) {
   double length = 0;
-  std::size_t segments = stretches.size();
-  for (const Stretch& s : stretches) length += s.length;
+  std::size_t count = segments.size();
+  for (const CurveSegment& s : segments) length += s.length;
   for (std::size_t c = 0; c < others.size(); ++c) {
     length += other_lengths[c];
-    segments += others[c].points.size() - (others[c].closed ? 0 : 1);
+    count += others[c].points.size() - (others[c].closed ? 0 : 1);
   }
-  return segments > 0 ? kTolerance * length / static_cast<double>(segments) : 0;
+  return count > 0 ? kTolerance * length / static_cast<double>(count) : 0;
 }
 
 /// Parts are long compared with their distances, so that little is marched twice.
-std::size_t end_of_part(std::span<const Stretch> stretches, std::span<const double> reach,
+std::size_t end_of_part(std::span<const CurveSegment> segments, std::span<const double> reach,
                         std::size_t begin) {
   constexpr double kLong = 4;
   double length = 0, farthest = 0;
   std::size_t end = begin;
-  while (end < stretches.size() && (end < begin + 8 || length < kLong * farthest)) {
-    length += stretches[end].length;
+  while (end < segments.size() && (end < begin + 8 || length < kLong * farthest)) {
+    length += segments[end].length;
     farthest = std::max(farthest, reach[end]);
     ++end;
   }
@@ -171,12 +173,12 @@ OneSidedSurfaceDeviation at_once(const Surface& surface, std::span<const Surface
                                  PolylineDistance& to, std::span<const SurfaceCurve> to_curves,
                                  double limit, Asker& asker) {
   const AskedDuring asked(to, asker);
-  const std::vector<Stretch> stretches = stretches_of(surface, from);
+  const std::vector<CurveSegment> segments = segments_of(surface, from);
   const PolylinePieces pieces = pieces_of(surface, to_curves);
-  Measurement measurement(surface, to, pieces, tolerance_for(stretches, to_curves, pieces.lengths),
+  Measurement measurement(surface, to, pieces, tolerance_for(segments, to_curves, pieces.lengths),
                           limit, asker);
   for (const SurfaceCurve& curve : from) measurement.see(curve.points.front());
-  measurement.add(stretches);
+  measurement.add(segments);
   return measurement.result();
 }
 
@@ -190,33 +192,33 @@ OneSidedSurfaceDeviation deviation_by_parts(const SurfaceMesh& mesh,
                                             Asker& asker) {
   const AskedDuring asked(distance, asker);
   const Surface& surface = mesh.surface();
-  const std::vector<Stretch> stretches = stretches_of(surface, from);
+  const std::vector<CurveSegment> segments = segments_of(surface, from);
   PolylinePieces pieces = pieces_of(surface, others);
   const bool has_point = std::any_of(
       from.begin(), from.end(), [](const SurfaceCurve& curve) { return curve.points.size() == 1; });
-  if (stretches.empty() || has_point) {
+  if (segments.empty() || has_point) {
     distance.set(others);
     return at_once(surface, from, distance, others, limit, asker);
   }
   Measurement measurement(surface, distance, pieces,
-                          tolerance_for(stretches, others, pieces.lengths), limit, asker);
+                          tolerance_for(segments, others, pieces.lengths), limit, asker);
   LocalDistance local(mesh, others, distance, limit);
   std::vector<double> reach;
-  reach.reserve(stretches.size());
-  for (const Stretch& stretch : stretches) {
-    reach.push_back(local.guess(stretch));
+  reach.reserve(segments.size());
+  for (const CurveSegment& segment : segments) {
+    reach.push_back(local.guess(segment));
     asker.did(kOfGuess);
   }
   std::size_t windows = 0;
-  for (std::size_t i = 0, end = 0; i < stretches.size() && measurement.is_finite(); i = end) {
+  for (std::size_t i = 0, end = 0; i < segments.size() && measurement.is_finite(); i = end) {
     if (windows > kMostWindows * surface.edge_count()) {
       pieces = pieces_of(surface, others);
       distance.set(others);
-      measurement.add(std::span(stretches).subspan(i));
+      measurement.add(std::span(segments).subspan(i));
       break;
     }
-    end = end_of_part(stretches, reach, i);
-    const auto part = std::span(stretches).subspan(i, end - i);
+    end = end_of_part(segments, reach, i);
+    const auto part = std::span(segments).subspan(i, end - i);
     asker.did(others.front().points.size());
     pieces = pieces_of(surface, local.set_near(part, std::span(reach).subspan(i, end - i)));
     measurement.add(part);
@@ -238,6 +240,9 @@ OneSidedSurfaceDeviation one_sided_deviation(const Surface& surface,
   return at_once(surface, from, to, to_curves, kNoLimit, asker);
 }
 
+DeviationMeter::DeviationMeter(const SurfaceMesh& mesh) : mesh_(&mesh) {}
+DeviationMeter::~DeviationMeter() = default;
+
 SurfaceDeviation DeviationMeter::measure(std::span<const SurfaceCurve> result,
                                          std::span<const SurfaceCurve> drawn,
                                          const Progress& progress) {
@@ -249,7 +254,7 @@ SurfaceDeviation DeviationMeter::measure(std::span<const SurfaceCurve> result,
                                          PolylineDistance& to_drawn, const Progress& progress) {
   refuse_nothing(result);
   refuse_nothing(drawn);
-  if (!distance_) distance_.emplace(mesh_->surface());
+  if (!distance_) distance_ = std::make_unique<PolylineDistance>(mesh_->surface());
   Asker asker(progress, kStage);
   return {at_once(mesh_->surface(), result, to_drawn, drawn, kNoLimit, asker),
           deviation_by_parts(*mesh_, drawn, result, *distance_, kNoLimit, asker)};
@@ -261,7 +266,7 @@ std::optional<SurfaceDeviation> DeviationMeter::measure_below(double limit,
                                                               const Progress& progress) {
   refuse_nothing(result);
   refuse_nothing(drawn);
-  if (!distance_) distance_.emplace(mesh_->surface());
+  if (!distance_) distance_ = std::make_unique<PolylineDistance>(mesh_->surface());
   Asker asker(progress, kStage);
   const auto is_beyond = [&](const OneSidedSurfaceDeviation& side) {
     return std::isfinite(limit) && !std::isfinite(side.max);

@@ -1,17 +1,19 @@
 // How far apart curves lie, measured along the surface.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
 
 #include "talweg/core/mesh/surface_mesh.hpp"
-#include "talweg/intrinsic/exact_distance/polyline_distance.hpp"
 #include "talweg/intrinsic/progress.hpp"
 #include "talweg/intrinsic/surface/surface.hpp"
 #include "talweg/intrinsic/surface/surface_point.hpp"
 
 namespace talweg {
+
+class PolylineDistance;
 
 /// Distance of all points of some curves to others.
 struct OneSidedSurfaceDeviation {
@@ -52,7 +54,8 @@ OneSidedSurfaceDeviation one_sided_deviation(const Surface& surface,
 /// is made when first needed. One thread at a time; the mesh must outlive the object.
 class DeviationMeter {
  public:
-  explicit DeviationMeter(const SurfaceMesh& mesh) : mesh_(&mesh) {}
+  explicit DeviationMeter(const SurfaceMesh& mesh);
+  ~DeviationMeter();
 
   /// All of `result` against all of `drawn`. Goes along the curves part by part, so each part costs
   /// what lies within its own distance. Throws as one_sided_deviation() does.
@@ -71,7 +74,7 @@ class DeviationMeter {
 
  private:
   const SurfaceMesh* mesh_;
-  std::optional<PolylineDistance> distance_;
+  std::unique_ptr<PolylineDistance> distance_;
 };
 
 }  // namespace talweg

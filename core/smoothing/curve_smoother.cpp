@@ -299,38 +299,4 @@ SmoothingResult smooth_curve(std::shared_ptr<const OpenedMesh> mesh, const Surfa
   return smoother.smooth(options, progress);
 }
 
-std::vector<double> slack_along(const Surface& surface, const SurfaceCurve& drawn,
-                                std::span<const double> per_vertex) {
-  if (per_vertex.size() != surface.vertex_count()) {
-    bad_usage("There are " + std::to_string(per_vertex.size()) + " slacks for " +
-              std::to_string(surface.vertex_count()) + " vertices.");
-  }
-  std::vector<double> along;
-  for (const SurfacePoint& point : drawn.points) {
-    const FaceCoordinates at = coordinates_in(surface, point, any_face(surface, point));
-    const auto corners = surface.corners(at.face);
-    double value = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-      if (at.barycentric[k] == 0) continue;
-      const double here = per_vertex[corners[k].index()];
-      if (!(here >= 0 && std::isfinite(here))) {
-        bad_usage("The slack of vertex " + std::to_string(corners[k].index()) +
-                  " must be finite and >= 0.");
-      }
-      value += at.barycentric[k] * here;
-    }
-    along.push_back(value);
-  }
-  return along;
-}
-
-SurfaceCurve curve_through(const Surface& surface, std::span<const VertexId> vertices) {
-  SurfaceCurve curve;
-  curve.closed = vertices.size() > 1 && vertices.front() == vertices.back();
-  if (curve.closed) vertices = vertices.first(vertices.size() - 1);
-  for (const VertexId v : vertices) curve.points.push_back(SurfacePoint::at_vertex(surface, v));
-  check_drawn(surface, curve);
-  return curve;
-}
-
 }  // namespace talweg

@@ -125,14 +125,4 @@ SmoothingResult smooth_curve(std::shared_ptr<const OpenedMesh> mesh, const Surfa
                              const SmoothingOptions& options = {},
                              const CurveOptions& curve_options = {}, const Progress& progress = {});
 
-/// A field on the mesh vertices as one along a drawing, for SmoothingOptions::slack_at: linear in
-/// each face, at the drawing's points. Throws Error(kBadUsage) when there is not one value per
-/// vertex, or one that is used is not finite and >= 0.
-std::vector<double> slack_along(const Surface& surface, const SurfaceCurve& drawn,
-                                std::span<const double> per_vertex);
-
-/// A curve along mesh edges through these vertices; a list that ends with its first vertex is
-/// closed. Throws Error(kBadCurve) as check_drawn does.
-SurfaceCurve curve_through(const Surface& surface, std::span<const VertexId> vertices);
-
 }  // namespace talweg

@@ -6,6 +6,7 @@
 
 #include "talweg/core/drawing/drawn_curves.hpp"
 #include "talweg/core/measure/measures.hpp"
+#include "talweg/intrinsic/flips/signpost_triangulation.hpp"
 
 namespace talweg {
 

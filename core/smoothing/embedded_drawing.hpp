@@ -10,6 +10,7 @@
 #include "talweg/core/smoothing/smoothing_memory.hpp"
 #include "talweg/core/smoothing/smoothing_options.hpp"
 #include "talweg/core/smoothing/straightening.hpp"
+#include "talweg/intrinsic/flips/signpost_triangulation.hpp"
 #include "talweg/intrinsic/progress.hpp"
 #include "talweg/intrinsic/surface/surface_point.hpp"
 

@@ -10,6 +10,7 @@
 #include "talweg/core/smoothing/bump_convolution.hpp"
 #include "talweg/core/smoothing/lifted_lengths.hpp"
 #include "talweg/intrinsic/error.hpp"
+#include "talweg/intrinsic/flips/signpost_triangulation.hpp"
 #include "talweg/intrinsic/stopwatch.hpp"
 
 namespace talweg {

@@ -11,6 +11,7 @@
 #include "talweg/core/smoothing/potential.hpp"
 #include "talweg/core/smoothing/smoothing_options.hpp"
 #include "talweg/core/smoothing/straightening.hpp"
+#include "talweg/intrinsic/flips/signpost_triangulation.hpp"
 #include "talweg/intrinsic/progress.hpp"
 
 namespace talweg {

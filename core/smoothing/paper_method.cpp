@@ -4,6 +4,7 @@
 
 #include "talweg/core/smoothing/lifted_lengths.hpp"
 #include "talweg/core/smoothing/relaxation.hpp"
+#include "talweg/intrinsic/flips/signpost_triangulation.hpp"
 #include "talweg/intrinsic/stopwatch.hpp"
 
 namespace talweg {

@@ -69,6 +69,7 @@ void add_run(SmoothingReport& report, const Smoothed& smoothed) {
   report.faces_touched = smoothed.counts.faces_touched;
   report.trace_fallbacks = smoothed.counts.clamped;
   report.mollification = smoothed.mollification;
+  report.warnings = smoothed.warnings;
   report.time_ms = smoothed.time_ms;
   report.peak_memory_mib = peak_memory_mib();
 }
@@ -103,8 +104,6 @@ SmoothingResult reported(const OpenedMesh& mesh, const OrderedDrawing& drawing,
     warn_if_far(report, far_from(mesh.mesh(), drawn, edge, smoothed.engine),
                 options.deviation == DeviationMeasure::kAutomatic);
     warn_of_straightening(report, options, smoothed);
-    report.warnings.insert(report.warnings.end(), smoothed.warnings.begin(),
-                           smoothed.warnings.end());
     warn_of_crossings(report);
   }
   for (SmoothedCurve& curve : smoothed.curves) result.curves.push_back(std::move(curve.curve));

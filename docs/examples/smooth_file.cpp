@@ -6,12 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include <talweg/core/drawing/snapping.hpp>
-#include <talweg/core/drawing/straight_lines.hpp>
-#include <talweg/core/io/curve_file.hpp>
-#include <talweg/core/io/mesh_reader.hpp>
-#include <talweg/core/smoothing/curve_smoother.hpp>
-#include <talweg/intrinsic/error.hpp>
+#include <talweg/talweg.hpp>
 
 namespace {
 

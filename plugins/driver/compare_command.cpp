@@ -89,7 +89,7 @@ int run_compare(const CompareCommandOptions& o, const GlobalOptions& global) {
   check_files(o, options.methods);
   const ReadMesh read = read_and_repair(o.mesh, o.repair);
   const SurfaceMesh mesh = SurfaceMesh::open(read.lists);
-  const Drawing drawing = DrawingReader(mesh, read.map.get()).read(o.curves, unit);
+  const SnappedDrawing drawing = DrawingReader(mesh, read.map.get()).read(o.curves, unit);
   lead_with_far_move(drawing, global.quiet);
   Comparison comparison;
   try {

@@ -71,7 +71,7 @@ class Cutting {
   Cutting(const CutCommandOptions& options, Progress progress);
   void write();
   [[nodiscard]] std::string summary() const;
-  [[nodiscard]] const Drawing& drawing() const { return drawing_; }
+  [[nodiscard]] const SnappedDrawing& drawing() const { return drawing_; }
 
  private:
   void take_apart();
@@ -87,7 +87,7 @@ class Cutting {
   MeshAttributes attributes_;  // of the file's mesh, then of the cut one
   ReadMesh read_;
   SurfaceMesh mesh_;
-  Drawing drawing_;
+  SnappedDrawing drawing_;
   CutMesh cut_;
   std::size_t pieces_ = 1;
   std::size_t between_ = 0;  // of those, on the left of one curve and the right of another

@@ -9,7 +9,7 @@
 #include "output_file.hpp"
 #include "progress_bar.hpp"
 #include "repaired_mesh.hpp"
-#include "talweg/core/drawing/drawing.hpp"
+#include "talweg/core/drawing/edge_dijkstra.hpp"
 #include "talweg/core/drawing/length_unit.hpp"
 #include "talweg/core/drawing/placed_curve.hpp"
 #include "talweg/core/drawing/straight_lines.hpp"

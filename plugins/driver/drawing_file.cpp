@@ -1,6 +1,5 @@
 #include "drawing_file.hpp"
 
-#include <algorithm>
 #include <cstdint>
 #include <cstdio>
 #include <utility>
@@ -15,9 +14,9 @@
 
 namespace talweg::driver {
 
-Drawing DrawingReader::read(std::span<const std::string> paths, const LengthUnit& unit,
-                            const Progress& progress) {
-  Drawing drawing;
+SnappedDrawing DrawingReader::read(std::span<const std::string> paths, const LengthUnit& unit,
+                                   const Progress& progress) {
+  SnappedDrawing drawing;
   if (!lines_) lines_.emplace(mesh_->surface());
   for (const std::string& path : paths) {
     std::vector<CurveInput> inputs = read_curves(path, unit);
@@ -32,12 +31,10 @@ Drawing DrawingReader::read(std::span<const std::string> paths, const LengthUnit
       throw Error(error.code(), error.what() + *weld_hint_);
     }
   }
-  drawing.moved = snap_warning(drawing.largest_snap_distance, *mesh_);
-  drawing.far = moved_far(drawing.largest_snap_distance, *mesh_);
   return drawing;
 }
 
-void DrawingReader::add(const std::vector<CurveInput>& inputs, Drawing& drawing,
+void DrawingReader::add(const std::vector<CurveInput>& inputs, SnappedDrawing& drawing,
                         const Progress& progress) {
   std::vector<SnappedCurve> all = snap(*mesh_, inputs, closest_, {}, progress);
   for (std::size_t i = 0; i < all.size(); ++i) {
@@ -45,16 +42,12 @@ void DrawingReader::add(const std::vector<CurveInput>& inputs, Drawing& drawing,
     if (map_ != nullptr && std::holds_alternative<std::vector<Point>>(inputs[i].points)) {
       snapped.points = map_->on_one_sheet(snapped.points, snapped.closed, mesh_->surface());
     }
-    for (const std::size_t pin : snapped.pins) drawing.pins.push_back(snapped.points[pin]);
-    drawing.curves.push_back(lines_->join(snapped.points, snapped.closed, progress));
-    drawing.gaps.add(lines_->gaps());
-    drawing.largest_snap_distance =
-        std::max(drawing.largest_snap_distance, snapped.largest_snap_distance);
   }
+  drawing.add(*mesh_, all, *lines_, progress);
 }
 
-Drawing read_drawing(const std::string& path, const SurfaceMesh& mesh, const RepairMap* map,
-                     const LengthUnit& unit) {
+SnappedDrawing read_drawing(const std::string& path, const SurfaceMesh& mesh, const RepairMap* map,
+                            const LengthUnit& unit) {
   return DrawingReader(mesh, map).read(std::span(&path, 1), unit);
 }
 
@@ -85,9 +78,10 @@ ReadLabels read_labels(const std::string& path, const Surface& surface, const Re
   return read;
 }
 
-Drawing drawing_of_labels(const std::string& path, const Surface& surface, const RepairMap* map) {
+SnappedDrawing drawing_of_labels(const std::string& path, const Surface& surface,
+                                 const RepairMap* map) {
   const std::vector<std::int64_t> labels = read_labels(path, surface, map).labels;
-  Drawing drawing;
+  SnappedDrawing drawing;
   try {
     for (LabelBorder& border : label_borders(surface, labels)) {
       drawing.pins.insert(drawing.pins.end(), border.fixed.begin(), border.fixed.end());
@@ -99,10 +93,8 @@ Drawing drawing_of_labels(const std::string& path, const Surface& surface, const
   return drawing;
 }
 
-std::vector<std::string> reading_warnings(const Drawing& drawing, std::size_t polygons) {
-  std::vector<std::string> warnings;
-  if (!drawing.moved.empty()) warnings.push_back(drawing.moved);
-  if (drawing.gaps.count > 0) warnings.push_back(gap_warning(drawing.gaps));
+std::vector<std::string> reading_warnings(const SnappedDrawing& drawing, std::size_t polygons) {
+  std::vector<std::string> warnings = drawing.warnings();
   if (polygons > 0) {
     warnings.push_back(std::to_string(polygons) +
                        " polygons of the mesh were split into triangles.");
@@ -110,12 +102,7 @@ std::vector<std::string> reading_warnings(const Drawing& drawing, std::size_t po
   return warnings;
 }
 
-void add_warnings(const Drawing& drawing, const std::vector<std::string>& warnings,
-                  std::vector<std::string>& all) {
-  all.insert(drawing.far ? all.begin() : all.end(), warnings.begin(), warnings.end());
-}
-
-void lead_with_far_move(const Drawing& drawing, bool quiet) {
+void lead_with_far_move(const SnappedDrawing& drawing, bool quiet) {
   if (drawing.far && !quiet) std::fprintf(stderr, "talweg: warning: %s\n", drawing.moved.c_str());
 }
 

@@ -1,4 +1,4 @@
-// The curves of files, put on a mesh.
+// A drawing file holds curves, which are read, put on a mesh and joined there.
 #pragma once
 
 #include <cstdint>
@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "talweg/core/drawing/length_unit.hpp"
+#include "talweg/core/drawing/snapped_drawing.hpp"
 #include "talweg/core/drawing/straight_lines.hpp"
 #include "talweg/core/io/label_file.hpp"
 #include "talweg/core/mesh/closest_point.hpp"
@@ -17,15 +18,6 @@
 #include "talweg/intrinsic/surface/surface_point.hpp"
 
 namespace talweg::driver {
-
-struct Drawing {
-  std::vector<SurfaceCurve> curves;
-  std::vector<SurfacePoint> pins;
-  double largest_snap_distance = 0;  ///< by which a position was moved onto the mesh, mesh units
-  std::string moved;                 ///< a sentence on that, if any was
-  bool far = false;                  ///< so far that the sentence comes before everything else
-  JoinedGaps gaps;
-};
 
 /// Reads curves, snaps them to a mesh and joins their points straight over the surface. What
 /// searches the mesh is made once. The mesh and the map must outlive the reader.
@@ -37,11 +29,12 @@ class DrawingReader {
   /// The curves of all files, in their order; `unit` is that of the mesh.
   /// Throws Error as read_curves(), snap() and StraightLines::join() do, with what welding would
   /// give where that may help, and Cancelled.
-  Drawing read(std::span<const std::string> paths, const LengthUnit& unit = {},
-               const Progress& progress = {});
+  SnappedDrawing read(std::span<const std::string> paths, const LengthUnit& unit = {},
+                      const Progress& progress = {});
 
  private:
-  void add(const std::vector<CurveInput>& inputs, Drawing& drawing, const Progress& progress);
+  void add(const std::vector<CurveInput>& inputs, SnappedDrawing& drawing,
+           const Progress& progress);
 
   const SurfaceMesh* mesh_;
   const RepairMap* map_;
@@ -51,8 +44,8 @@ class DrawingReader {
 };
 
 /// The same for one file.
-Drawing read_drawing(const std::string& path, const SurfaceMesh& mesh,
-                     const RepairMap* map = nullptr, const LengthUnit& unit = {});
+SnappedDrawing read_drawing(const std::string& path, const SurfaceMesh& mesh,
+                            const RepairMap* map = nullptr, const LengthUnit& unit = {});
 
 /// Labels on the repaired mesh where there was a map.
 struct ReadLabels : LabelFile {
@@ -66,17 +59,13 @@ ReadLabels read_labels(const std::string& path, const Surface& surface, const Re
 
 /// The borders between labels that a file holds, see read_label_file(). Throws Error as that and
 /// label_borders() do.
-Drawing drawing_of_labels(const std::string& path, const Surface& surface,
-                          const RepairMap* map = nullptr);
+SnappedDrawing drawing_of_labels(const std::string& path, const Surface& surface,
+                                 const RepairMap* map = nullptr);
 
 /// What a user should know of how curves and a mesh were read.
-std::vector<std::string> reading_warnings(const Drawing& drawing, std::size_t polygons);
-
-/// Adds warnings to others: in front where a drawing was moved far.
-void add_warnings(const Drawing& drawing, const std::vector<std::string>& warnings,
-                  std::vector<std::string>& all);
+std::vector<std::string> reading_warnings(const SnappedDrawing& drawing, std::size_t polygons);
 
 /// Says it on the standard error, before anything else, that a drawing was moved far.
-void lead_with_far_move(const Drawing& drawing, bool quiet);
+void lead_with_far_move(const SnappedDrawing& drawing, bool quiet);
 
 }  // namespace talweg::driver

@@ -118,7 +118,7 @@ Measurement measure(const MeasureOptions& options, const Progress& progress, boo
   ReadMesh read = read_and_repair(options.mesh, options.repair);
   const std::size_t polygons = read.lists.polygon_count;
   const SurfaceMesh mesh = SurfaceMesh::open(std::move(read.lists));
-  Drawing drawing = read_drawing(options.curve, mesh, read.map.get(), unit);
+  SnappedDrawing drawing = read_drawing(options.curve, mesh, read.map.get(), unit);
   lead_with_far_move(drawing, quiet);
   Measurement m{mesh.surface().face_count(),
                 mesh.surface().vertex_count(),
@@ -128,7 +128,7 @@ Measurement measure(const MeasureOptions& options, const Progress& progress, boo
                 {},
                 {}};
   if (!options.other.empty()) {
-    const Drawing other = read_drawing(options.other, mesh, read.map.get(), unit);
+    const SnappedDrawing other = read_drawing(options.other, mesh, read.map.get(), unit);
     lead_with_far_move(other, quiet);
     if (other.largest_snap_distance > drawing.largest_snap_distance) {
       drawing.largest_snap_distance = other.largest_snap_distance;
@@ -140,7 +140,7 @@ Measurement measure(const MeasureOptions& options, const Progress& progress, boo
   }
   drawing.gaps = {};  // what is measured is the joined curve
   const std::vector<std::string> reading = reading_warnings(drawing, polygons);
-  add_warnings(drawing, reading, m.warnings);
+  drawing.add_to(m.warnings, reading);
   m.warnings.insert(m.warnings.end(), read.changes.begin(), read.changes.end());
   return m;
 }

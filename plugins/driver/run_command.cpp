@@ -192,7 +192,7 @@ bool writes_nothing(const Files& files) {
 }
 
 /// The plugin's warning that the drawing was moved far comes before everything else.
-void lead_with_far_move(const host::Results& results) {
+void lead_with_far_results(const host::Results& results) {
   for (const host::ReportEntry& entry : results.report) {
     if (entry.curve >= 0 || entry.key != "warnings") continue;
     for (const std::string& warning : entry.texts) {
@@ -234,7 +234,7 @@ int run_plugin(const talweg_plugin& plugin, const Files& files, const PluginOpti
     return kCancelled;
   }
   clear_progress_bar();
-  if (!global.quiet) lead_with_far_move(results);
+  if (!global.quiet) lead_with_far_results(results);
   write_results(files, plugin, results, mesh.map.get());
   for (const std::string& change : mesh.changes) {
     if (!global.quiet) fmt::print(text_stream(), "{}\n", change);

@@ -42,7 +42,7 @@ struct Prepared {
   const SmoothOptions* options = nullptr;
   Progress progress;
   std::vector<std::string> warnings;
-  Drawing moved;  ///< without its curves
+  SnappedDrawing moved;  ///< without its curves
   double load_ms = 0;
 };
 
@@ -74,7 +74,7 @@ std::vector<double> field_on(const MeshFromFile& mesh, const std::string& path) 
 Prepared prepare(const MeshFromFile& mesh, DrawingReader& reader, const SmoothOptions& options,
                  const Progress& progress) {
   const Surface& surface = mesh.mesh().surface();
-  Drawing drawing =
+  SnappedDrawing drawing =
       options.labels.empty()
           ? reader.read(options.curves, LengthUnit::named(options.mesh_units), progress)
           : drawing_of_labels(options.labels, surface, mesh.map.get());
@@ -152,7 +152,7 @@ void finish_reports(SmoothedCurves& result, const std::vector<std::vector<StageT
     report.time_ms.open = times[c].front().open;  // the factors are made in the first run
     report.time_ms.load = run.load_ms;
     report.time_ms.total += run.load_ms;
-    add_warnings(run.moved, run.warnings, report.warnings);
+    run.moved.add_to(report.warnings, run.warnings);
   }
   result.total = total_of(result.reports);
 }

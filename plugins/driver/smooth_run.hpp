@@ -49,7 +49,7 @@ struct RunOutcome {
   SmoothedCurves result;
   std::vector<std::size_t> numbers;  ///< of result.curves among the run's curves
   std::vector<CurveFailure> failures;
-  Drawing moved;  ///< without its curves: how far they were moved onto the mesh
+  SnappedDrawing moved;  ///< without its curves: how far they were moved onto the mesh
 
   [[nodiscard]] bool cancelled() const;
 };

@@ -43,7 +43,7 @@ SmoothingReport MethodWorkspace::report_on(const Method& method, std::size_t cur
   report.termination = made.termination;
   report.iterations = made.iterations;
   report.warnings.insert(report.warnings.begin(), made.warnings.begin(), made.warnings.end());
-  add_drawing_warnings(drawing(), report.warnings);
+  drawing().add_to(report.warnings, drawing().warnings());
   StageTimes& t = report.time_ms = method.times;
   t.open = opened_mesh()->open_ms();
   t.total = t.load + t.open + t.solve + t.straighten + t.trace + t.relax + t.polish;

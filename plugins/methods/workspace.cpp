@@ -83,7 +83,7 @@ StraightLines& Workspace::lines() {
 }
 
 void Workspace::draw(std::span<const talweg_curve* const> curves, const SnapOptions& options) {
-  Drawing drawing = drawing_of(mesh(), lines(), curves, options);
+  SnappedDrawing drawing = drawing_of(mesh(), lines(), curves, options);
   if (!same(drawing.curves, drawing_.curves)) ++drawings_;
   drawing_ = std::move(drawing);
 }

@@ -6,7 +6,7 @@
 #include <optional>
 #include <span>
 
-#include "drawing.hpp"
+#include "host_curves.hpp"
 #include "talweg/core/drawing/straight_lines.hpp"
 #include "talweg/core/mesh/opened_mesh.hpp"
 #include "talweg/intrinsic/progress.hpp"
@@ -43,7 +43,7 @@ class Workspace {
   [[nodiscard]] const SurfaceMesh& mesh() const { return mesh_->mesh(); }
   [[nodiscard]] const std::shared_ptr<const OpenedMesh>& opened_mesh() const { return mesh_; }
   [[nodiscard]] StraightLines& lines();
-  [[nodiscard]] const Drawing& drawing() const { return drawing_; }
+  [[nodiscard]] const SnappedDrawing& drawing() const { return drawing_; }
   /// Counts the drawings and meshes that were set; a change of the drawing's pins alone does not.
   [[nodiscard]] std::uint64_t drawings() const { return drawings_; }
   [[nodiscard]] const plugin::Services& services() const { return *services_; }
@@ -65,7 +65,7 @@ class Workspace {
   const plugin::Services* services_;
   std::shared_ptr<const OpenedMesh> mesh_;
   std::optional<StraightLines> lines_;  // made when first needed
-  Drawing drawing_;
+  SnappedDrawing drawing_;
   std::uint64_t drawings_ = 0;
 };
 

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "talweg/core/drawing/drawing.hpp"
+#include "talweg/core/drawing/edge_dijkstra.hpp"
 #include "talweg/core/mesh/surface_mesh.hpp"
 
 namespace talweg::benchmarks {

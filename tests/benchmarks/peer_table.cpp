@@ -15,6 +15,7 @@
 #include "cgal_heat.hpp"
 #include "dragged_point.hpp"
 #include "measured_apart.hpp"
+#include "talweg/core/drawing/edge_dijkstra.hpp"
 #include "talweg/core/io/mesh_reader.hpp"
 #include "talweg/core/smoothing/curve_smoother.hpp"
 #include "talweg/heat/curve_sources.hpp"

@@ -16,6 +16,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "talweg/core/drawing/curve_through.hpp"
 #include "talweg/core/io/mesh_reader.hpp"
 #include "talweg/core/io/mesh_writer.hpp"
 #include "talweg/core/smoothing/curve_smoother.hpp"

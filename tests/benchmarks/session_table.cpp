@@ -10,6 +10,7 @@
 
 #include "dragged_point.hpp"
 #include "measured_apart.hpp"
+#include "talweg/core/drawing/edge_dijkstra.hpp"
 #include "talweg/core/drawing/snapping.hpp"
 #include "talweg/core/io/curve_file.hpp"
 #include "talweg/core/io/mesh_reader.hpp"

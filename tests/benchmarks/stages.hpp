@@ -7,8 +7,11 @@
 #include <vector>
 
 #include "dragged_point.hpp"
+#include "talweg/core/drawing/edge_dijkstra.hpp"
 #include "talweg/core/measure/surface_deviation.hpp"
 #include "talweg/core/smoothing/curve_smoother.hpp"
+#include "talweg/intrinsic/flips/flip_out.hpp"
+#include "talweg/intrinsic/flips/signpost_triangulation.hpp"
 
 namespace talweg::benchmarks {
 

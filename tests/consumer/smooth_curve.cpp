@@ -6,8 +6,7 @@
 
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 
-#include "talweg/core/openmesh/openmesh_adaptor.hpp"
-#include "talweg/core/smoothing/curve_smoother.hpp"
+#include "talweg/openmesh.hpp"
 
 constexpr int kCells = 8;
 

@@ -10,8 +10,7 @@
 
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 
-#include "talweg/core/openmesh/openmesh_adaptor.hpp"
-#include "talweg/core/smoothing/curve_smoother.hpp"
+#include "talweg/openmesh.hpp"
 
 namespace docs {
 

@@ -6,7 +6,8 @@
 #include <numbers>
 #include <vector>
 
-#include "talweg/core/drawing/drawing.hpp"
+#include "talweg/core/drawing/curve_through.hpp"
+#include "talweg/core/drawing/edge_dijkstra.hpp"
 #include "talweg/core/io/curve_file.hpp"
 #include "talweg/core/io/mesh_writer.hpp"
 #include "talweg/core/smoothing/curve_smoother.hpp"

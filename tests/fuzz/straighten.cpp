@@ -9,6 +9,7 @@
 #include "talweg/intrinsic/error.hpp"
 #include "talweg/intrinsic/flips/edge_path.hpp"
 #include "talweg/intrinsic/flips/flip_out.hpp"
+#include "talweg/intrinsic/flips/signpost_triangulation.hpp"
 #include "talweg/intrinsic/flips/trace.hpp"
 #include "talweg/intrinsic/surface/surface.hpp"
 

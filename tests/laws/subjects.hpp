@@ -13,7 +13,7 @@
 #include "core/generated_meshes.hpp"
 #include "core/reference_data.hpp"
 #include "core/small_meshes.hpp"
-#include "talweg/core/drawing/drawing.hpp"
+#include "talweg/core/drawing/edge_dijkstra.hpp"
 #include "talweg/core/io/mesh_reader.hpp"
 #include "talweg/core/measure/deviation.hpp"
 #include "talweg/core/smoothing/curve_smoother.hpp"

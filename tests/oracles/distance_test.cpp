@@ -10,7 +10,7 @@
 #include "core/reference_data.hpp"
 #include "core/small_meshes.hpp"
 #include "exact_distance.hpp"
-#include "talweg/core/drawing/drawing.hpp"
+#include "talweg/core/drawing/edge_dijkstra.hpp"
 #include "talweg/core/io/mesh_reader.hpp"
 #include "talweg/heat/heat_distance.hpp"
 #include "talweg/intrinsic/exact_distance/polyline_distance.hpp"

@@ -12,7 +12,7 @@
 #include "core/small_meshes.hpp"
 #include "exact_distance.hpp"
 #include "stress/random.hpp"
-#include "talweg/core/drawing/drawing.hpp"
+#include "talweg/core/drawing/edge_dijkstra.hpp"
 #include "talweg/core/io/mesh_reader.hpp"
 #include "talweg/core/measure/measures.hpp"
 #include "talweg/core/smoothing/curve_smoother.hpp"

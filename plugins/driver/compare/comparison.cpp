@@ -88,7 +88,7 @@ void measure_deviation(const SurfaceMesh& mesh, std::span<const SurfaceCurve> re
 /// One method on one drawing, with as many values of its parameter as are asked for.
 class MethodRuns {
  public:
-  MethodRuns(const ReadMesh& read, const Drawing& drawing, const SurfaceMesh& mesh,
+  MethodRuns(const ReadMesh& read, const SnappedDrawing& drawing, const SurfaceMesh& mesh,
              const Comparison& comparison, const CompareOptions& options)
       : read_(read), drawing_(drawing), mesh_(mesh), comparison_(comparison), options_(options) {
     for (const SurfaceCurve& curve : drawing.curves) {
@@ -190,7 +190,7 @@ class MethodRuns {
   }
 
   const ReadMesh& read_;
-  const Drawing& drawing_;
+  const SnappedDrawing& drawing_;
   const SurfaceMesh& mesh_;
   const Comparison& comparison_;
   const CompareOptions& options_;
@@ -210,8 +210,8 @@ void drop_repeated(std::vector<Method>& methods) {
 
 }  // namespace
 
-Comparison compare_methods(const ReadMesh& read, const Drawing& drawing, const SurfaceMesh& mesh,
-                           const CompareOptions& options) {
+Comparison compare_methods(const ReadMesh& read, const SnappedDrawing& drawing,
+                           const SurfaceMesh& mesh, const CompareOptions& options) {
   Comparison comparison;
   comparison.faces = mesh.surface().face_count();
   comparison.methods = options.methods;

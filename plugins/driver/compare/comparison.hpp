@@ -63,7 +63,7 @@ struct CompareOptions {
 
 /// In a sweep, where others beat the default in the steps of its own parameter, it is asked to stay
 /// within exactly their deviation (bounded_method()). What a method refuses is in its run.
-Comparison compare_methods(const ReadMesh& mesh, const Drawing& drawing, const SurfaceMesh& surface,
-                           const CompareOptions& options);
+Comparison compare_methods(const ReadMesh& mesh, const SnappedDrawing& drawing,
+                           const SurfaceMesh& surface, const CompareOptions& options);
 
 }  // namespace talweg::driver

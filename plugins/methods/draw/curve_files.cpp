@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "methods/drawing.hpp"
+#include "methods/host_curves.hpp"
 #include "methods/workspace.hpp"
 #include "talweg/core/io/curve_file.hpp"
 #include "talweg/plugin/talweg_arrays.hpp"

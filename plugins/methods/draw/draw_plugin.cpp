@@ -9,7 +9,7 @@
 #include "curve_files.hpp"
 #include "methods/results.hpp"
 #include "methods/workspace.hpp"
-#include "talweg/core/drawing/drawing.hpp"
+#include "talweg/core/drawing/edge_dijkstra.hpp"
 #include "talweg/core/measure/measures.hpp"
 #include "talweg/intrinsic/error.hpp"
 

@@ -7,6 +7,7 @@
 
 #include "methods/deviation_choice.hpp"
 #include "talweg/core/smoothing/max_deviation.hpp"
+#include "talweg/core/smoothing/slack_field.hpp"
 
 namespace talweg::plugins {
 namespace {

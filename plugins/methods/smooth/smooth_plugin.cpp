@@ -127,8 +127,9 @@ class Smooth : public SmootherWorkspace {
   }
 
   void add_warnings(SmoothingResult& result) const {
-    for (SmoothingReport& report : result.reports) add_drawing_warnings(drawing(), report.warnings);
-    add_drawing_warnings(drawing(), result.total.warnings);
+    for (SmoothingReport& report : result.reports)
+      drawing().add_to(report.warnings, drawing().warnings());
+    drawing().add_to(result.total.warnings, drawing().warnings());
     for (const std::string& warning : result.total.warnings) {
       services().log(TALWEG_LOG_WARNING, warning);
     }

@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "talweg/core/drawing/drawing.hpp"
+#include "talweg/core/drawing/curve_through.hpp"
+#include "talweg/core/drawing/edge_dijkstra.hpp"
 #include "talweg/core/smoothing/curve_smoother.hpp"
 #include "talweg/intrinsic/error.hpp"
 #include "tools/scenes/random.hpp"

@@ -17,7 +17,7 @@ constexpr double kTau = 2;
 
 double larger(const Run& run) { return std::max(run.to_drawn, run.from_drawn); }
 
-BoundedRun bounded(const Subject& subject, const Drawing& drawing, Run run,
+BoundedRun bounded(const Subject& subject, const NamedPath& drawing, Run run,
                    const CurveOptions& curve_options) {
   const Surface& surface = subject.mesh->surface();
   const SurfaceCurve drawn = drawing.curve(surface);

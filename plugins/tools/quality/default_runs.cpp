@@ -15,7 +15,7 @@ std::vector<Run> default_runs(const Subject& subject, const CurveOptions& curve_
   SmoothingOptions options;
   options.relax_rounds = relax_rounds;
   std::vector<Run> runs;
-  for (const Drawing& drawing : subject.drawings) {
+  for (const NamedPath& drawing : subject.drawings) {
     const SurfaceCurve drawn = drawing.curve(surface);
     smoother.set_curve(drawn, curve_options);
     Run run;

@@ -7,7 +7,7 @@
 #include <optional>
 #include <variant>
 
-#include "talweg/core/drawing/drawing.hpp"
+#include "talweg/core/drawing/edge_dijkstra.hpp"
 #include "talweg/core/io/curve_file.hpp"
 #include "talweg/intrinsic/error.hpp"
 #include "tools/quality/level_sets.hpp"
@@ -35,7 +35,7 @@ class Hand {
       : mesh_(mesh.mesh()), surface_(mesh.surface()), dijkstra_(surface_), random_(seed) {}
 
   /// A trembling copy of at most `points` vertices from the middle of a shortest path.
-  std::optional<Drawing> open(std::size_t points) {
+  std::optional<NamedPath> open(std::size_t points) {
     for (int attempt = 0; attempt < 20; ++attempt) {
       const std::optional<std::vector<VertexId>> path = straight();
       if (!path || path->size() < std::min<std::size_t>(points, 24) / 2) continue;
@@ -48,7 +48,7 @@ class Hand {
   }
 
   /// A loop of about so many edges around a random vertex.
-  std::optional<Drawing> loop(std::size_t points) {
+  std::optional<NamedPath> loop(std::size_t points) {
     for (int attempt = 0; attempt < 20; ++attempt) {
       const VertexId centre = any_vertex();
       const std::vector<HalfedgeId> out = spokes(surface_, centre);
@@ -65,7 +65,7 @@ class Hand {
   }
 
   /// A plane section through a random vertex.
-  std::optional<Drawing> section() {
+  std::optional<NamedPath> section() {
     for (int attempt = 0; attempt < 20; ++attempt) {
       const Point p = mesh_.point(any_vertex());
       const Point normal = Point(random_.in(-1, 1), random_.in(-1, 1), random_.in(-1, 1));
@@ -76,7 +76,7 @@ class Hand {
   }
 
  private:
-  static Drawing named(const char* kind, std::vector<VertexId> path, bool closed) {
+  static NamedPath named(const char* kind, std::vector<VertexId> path, bool closed) {
     std::string name = kind;
     name += ' ';
     name += std::to_string(path.size());
@@ -132,16 +132,16 @@ class Hand {
 
 }  // namespace
 
-SurfaceCurve Drawing::curve(const Surface& surface) const {
+SurfaceCurve NamedPath::curve(const Surface& surface) const {
   SurfaceCurve result{closed, {}};
   for (const VertexId v : path) result.points.push_back(SurfacePoint::at_vertex(surface, v));
   return result;
 }
 
-std::vector<Drawing> generated_drawings(const OpenedMesh& mesh, std::uint64_t seed) {
+std::vector<NamedPath> generated_drawings(const OpenedMesh& mesh, std::uint64_t seed) {
   Hand hand(mesh, seed);
-  std::vector<Drawing> drawings;
-  const auto add = [&](std::optional<Drawing> drawing) {
+  std::vector<NamedPath> drawings;
+  const auto add = [&](std::optional<NamedPath> drawing) {
     if (drawing) drawings.push_back(std::move(*drawing));
   };
   for (const std::size_t points : {24, 48, 96, 200, 2000}) add(hand.open(points));
@@ -150,7 +150,8 @@ std::vector<Drawing> generated_drawings(const OpenedMesh& mesh, std::uint64_t se
   return drawings;
 }
 
-std::vector<Drawing> stored_drawings(const std::filesystem::path& folder, const std::string& mesh) {
+std::vector<NamedPath> stored_drawings(const std::filesystem::path& folder,
+                                       const std::string& mesh) {
   std::vector<std::filesystem::path> files;
   if (std::filesystem::is_directory(folder)) {
     for (const auto& entry : std::filesystem::directory_iterator(folder)) {
@@ -160,7 +161,7 @@ std::vector<Drawing> stored_drawings(const std::filesystem::path& folder, const 
     }
   }
   std::sort(files.begin(), files.end());
-  std::vector<Drawing> drawings;
+  std::vector<NamedPath> drawings;
   for (const auto& file : files) {
     for (const CurveInput& input : read_curves(file)) {
       const auto* path = std::get_if<std::vector<VertexId>>(&input.points);

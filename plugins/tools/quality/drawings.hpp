@@ -11,7 +11,7 @@
 
 namespace talweg::quality {
 
-struct Drawing {
+struct NamedPath {
   std::string name;  ///< "open 48", "loop 12", "section 80": kind and number of points
   std::vector<VertexId> path;
   bool closed = false;
@@ -22,9 +22,10 @@ struct Drawing {
 /// Five open and five closed drawings along mesh edges, as far as the mesh has room for them:
 /// shortest edge paths through way-points that a hand missed by up to a third of their distance.
 /// Closed ones are loops about a vertex (12 to 150 edges) and plane sections. Deterministic.
-std::vector<Drawing> generated_drawings(const OpenedMesh& mesh, std::uint64_t seed);
+std::vector<NamedPath> generated_drawings(const OpenedMesh& mesh, std::uint64_t seed);
 
 /// The drawings MESH.txt and MESH_*.txt of a folder.
-std::vector<Drawing> stored_drawings(const std::filesystem::path& folder, const std::string& mesh);
+std::vector<NamedPath> stored_drawings(const std::filesystem::path& folder,
+                                       const std::string& mesh);
 
 }  // namespace talweg::quality

@@ -22,11 +22,11 @@ constexpr picture::Color kDrawn{0.78, 0.16, 0.12}, kPaper{0.45, 0.12, 0.55},
 constexpr double kShownTau = 1;
 constexpr int kPaperRelaxes = 5;  // rounds, as its authors do
 
-const Drawing& chosen(const Subject& subject) {
-  const Drawing& first = subject.drawings.front();
+const NamedPath& chosen(const Subject& subject) {
+  const NamedPath& first = subject.drawings.front();
   if (first.name.starts_with("stored")) return first;
-  const Drawing* longest = &first;
-  for (const Drawing& drawing : subject.drawings) {
+  const NamedPath* longest = &first;
+  for (const NamedPath& drawing : subject.drawings) {
     if (!drawing.closed && drawing.path.size() > longest->path.size()) longest = &drawing;
   }
   return *longest;

@@ -53,7 +53,7 @@ Subject subject_of(std::string name, MeshLists lists, const Options& options) {
   Subject subject{std::move(name), std::move(lists), nullptr, {}};
   subject.mesh = OpenedMesh::open(subject.lists);
   subject.drawings = stored_drawings(options.curves, subject.name);
-  for (Drawing& drawing : generated_drawings(*subject.mesh, options.seed)) {
+  for (NamedPath& drawing : generated_drawings(*subject.mesh, options.seed)) {
     subject.drawings.push_back(std::move(drawing));
   }
   return subject;
@@ -64,11 +64,11 @@ bool wants(const Options& options, const char* part) {
 }
 
 /// The longest open and the longest closed drawing.
-std::vector<Drawing> longest_of_each(const Subject& subject) {
-  std::vector<Drawing> result;
+std::vector<NamedPath> longest_of_each(const Subject& subject) {
+  std::vector<NamedPath> result;
   for (const bool closed : {false, true}) {
-    const Drawing* longest = nullptr;
-    for (const Drawing& drawing : subject.drawings) {
+    const NamedPath* longest = nullptr;
+    for (const NamedPath& drawing : subject.drawings) {
       if (drawing.closed != closed) continue;
       if (longest == nullptr || drawing.path.size() > longest->path.size()) longest = &drawing;
     }
@@ -113,7 +113,7 @@ void measure(const Subject& subject, const Options& options, Measured& measured)
   std::fflush(stdout);
   if (subject.drawings.empty()) return;
   if (wants(options, "runs")) measure_runs(subject, options, measured);
-  for (const Drawing& drawing : longest_of_each(subject)) {
+  for (const NamedPath& drawing : longest_of_each(subject)) {
     if (wants(options, "sweep"))
       measured.sweeps.push_back(sweep(subject, drawing, options.curve_options));
     if (wants(options, "subdivision") && subject.lists.triangles.size() < kSubdivided) {

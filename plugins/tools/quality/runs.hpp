@@ -17,7 +17,7 @@ struct Subject {
   std::string name;
   MeshLists lists;
   std::shared_ptr<const OpenedMesh> mesh;
-  std::vector<Drawing> drawings;
+  std::vector<NamedPath> drawings;
 };
 
 /// One drawing at one τ. Lengths in h₀, the mean edge near the drawing; angles in radians.
@@ -52,7 +52,7 @@ struct Sweep {
   std::size_t moves = 0;  ///< steps in which the curve moves by more than 0.2 h₀
   double largest_move = 0, largest_rise = 0;  ///< h₀
 };
-Sweep sweep(const Subject& subject, const Drawing& drawing, const CurveOptions& curve_options);
+Sweep sweep(const Subject& subject, const NamedPath& drawing, const CurveOptions& curve_options);
 
 /// The drawing on the mesh as it is and with every face divided in four once and twice; slack and
 /// characteristic length as on the coarsest.
@@ -61,7 +61,7 @@ struct Subdivision {
   double curvature[3] = {};  ///< by level
   double apart[3] = {};      ///< Hausdorff distance to the coarsest's result, h₀ of the coarsest
 };
-Subdivision subdivision(const Subject& subject, const Drawing& drawing, double tau,
+Subdivision subdivision(const Subject& subject, const NamedPath& drawing, double tau,
                         const CurveOptions& curve_options);
 
 }  // namespace talweg::quality

@@ -13,7 +13,7 @@ namespace {
 
 /// The drawing with the vertices in the middle of its edges, which `finer` has and `mesh` has not.
 std::vector<VertexId> with_midpoints(const SurfaceMesh& finer, std::size_t vertices,
-                                     const Drawing& drawing) {
+                                     const NamedPath& drawing) {
   const Surface& surface = finer.surface();
   const std::size_t n = drawing.path.size();
   std::vector<VertexId> path;
@@ -44,7 +44,7 @@ std::vector<VertexId> with_midpoints(const SurfaceMesh& finer, std::size_t verti
 
 }  // namespace
 
-Subdivision subdivision(const Subject& subject, const Drawing& drawing, double tau,
+Subdivision subdivision(const Subject& subject, const NamedPath& drawing, double tau,
                         const CurveOptions& curve_options) {
   Subdivision result{subject.name, drawing.name, {}, {}};
   const Surface& coarse = subject.mesh->surface();
@@ -53,7 +53,7 @@ Subdivision subdivision(const Subject& subject, const Drawing& drawing, double t
   options.tau = tau;
   options.slack = default_slack(coarse, drawing.curve(coarse));
   MeshLists lists = subject.lists;
-  Drawing now = drawing;
+  NamedPath now = drawing;
   std::vector<Point> coarsest;
   for (std::size_t level = 0; level < 3; ++level) {
     std::shared_ptr<const OpenedMesh> mesh = subject.mesh;

@@ -8,7 +8,7 @@
 
 namespace talweg::quality {
 
-Sweep sweep(const Subject& subject, const Drawing& drawing, const CurveOptions& curve_options) {
+Sweep sweep(const Subject& subject, const NamedPath& drawing, const CurveOptions& curve_options) {
   const SurfaceMesh& mesh = subject.mesh->mesh();
   CurveSmoother smoother(subject.mesh);
   smoother.set_curve(drawing.curve(mesh.surface()), curve_options);

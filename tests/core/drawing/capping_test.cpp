@@ -6,7 +6,7 @@
 
 #include "core/reference_data.hpp"
 #include "core/small_meshes.hpp"
-#include "talweg/core/drawing/drawing.hpp"
+#include "talweg/core/drawing/edge_dijkstra.hpp"
 #include "talweg/intrinsic/error.hpp"
 
 namespace talweg {

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "core/small_meshes.hpp"
+#include "talweg/intrinsic/flips/signpost_triangulation.hpp"
 
 namespace talweg {
 namespace {

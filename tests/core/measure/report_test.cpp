@@ -8,7 +8,7 @@
 
 #include "core/generated_meshes.hpp"
 #include "core/small_meshes.hpp"
-#include "talweg/core/drawing/drawing.hpp"
+#include "talweg/core/drawing/edge_dijkstra.hpp"
 #include "talweg/core/measure/result_report.hpp"
 #include "talweg/core/measure/surface_deviation.hpp"
 #include "talweg/core/smoothing/curve_smoother.hpp"

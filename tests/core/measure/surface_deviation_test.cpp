@@ -9,7 +9,7 @@
 #include "core/generated_meshes.hpp"
 #include "core/reference_data.hpp"
 #include "core/small_meshes.hpp"
-#include "talweg/core/drawing/drawing.hpp"
+#include "talweg/core/drawing/edge_dijkstra.hpp"
 #include "talweg/core/drawing/snapping.hpp"
 #include "talweg/core/drawing/straight_lines.hpp"
 #include "talweg/core/measure/deviation.hpp"

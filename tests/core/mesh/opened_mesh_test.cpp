@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "core/small_meshes.hpp"
+#include "talweg/core/drawing/curve_through.hpp"
 #include "talweg/core/smoothing/curve_smoother.hpp"
 
 namespace talweg {

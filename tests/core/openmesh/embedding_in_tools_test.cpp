@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "core/small_meshes.hpp"
-#include "talweg/core/drawing/drawing.hpp"
+#include "talweg/core/drawing/edge_dijkstra.hpp"
 #include "talweg/core/openmesh/openmesh_adaptor.hpp"
 #include "talweg/core/smoothing/curve_smoother.hpp"
 

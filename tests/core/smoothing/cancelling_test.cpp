@@ -13,6 +13,7 @@
 #include "core/jagged_curves.hpp"
 #include "core/small_meshes.hpp"
 #include "core/voronoi_labels.hpp"
+#include "talweg/core/drawing/edge_dijkstra.hpp"
 #include "talweg/core/drawing/snapping.hpp"
 #include "talweg/core/drawing/straight_lines.hpp"
 #include "talweg/core/labels/label_network.hpp"

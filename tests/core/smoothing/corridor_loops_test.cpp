@@ -9,6 +9,8 @@
 #include "core/jagged_curves.hpp"
 #include "core/reference_data.hpp"
 #include "talweg/core/drawing/crossings.hpp"
+#include "talweg/core/drawing/curve_through.hpp"
+#include "talweg/core/drawing/edge_dijkstra.hpp"
 #include "talweg/core/measure/measures.hpp"
 #include "talweg/core/measure/self_contacts.hpp"
 

@@ -8,11 +8,12 @@
 
 #include "core/generated_meshes.hpp"
 #include "core/small_meshes.hpp"
-#include "talweg/core/drawing/drawing.hpp"
+#include "talweg/core/drawing/edge_dijkstra.hpp"
 #include "talweg/core/drawing/snapping.hpp"
 #include "talweg/core/drawing/straight_lines.hpp"
 #include "talweg/core/measure/measures.hpp"
 #include "talweg/core/smoothing/curve_smoother.hpp"
+#include "talweg/core/smoothing/slack_field.hpp"
 #include "talweg/intrinsic/error.hpp"
 
 namespace talweg {

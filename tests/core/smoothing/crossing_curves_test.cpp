@@ -15,6 +15,7 @@
 #include "talweg/core/measure/measures.hpp"
 #include "talweg/core/smoothing/curve_smoother.hpp"
 #include "talweg/core/smoothing/unrolled_mesh.hpp"
+#include "talweg/intrinsic/flips/signpost_triangulation.hpp"
 
 namespace talweg {
 namespace {

@@ -11,7 +11,8 @@
 
 #include "core/reference_data.hpp"
 #include "core/small_meshes.hpp"
-#include "talweg/core/drawing/drawing.hpp"
+#include "talweg/core/drawing/curve_through.hpp"
+#include "talweg/core/drawing/edge_dijkstra.hpp"
 #include "talweg/core/drawing/snapping.hpp"
 #include "talweg/core/drawing/straight_lines.hpp"
 #include "talweg/core/io/mesh_reader.hpp"

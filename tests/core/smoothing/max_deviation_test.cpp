@@ -8,6 +8,7 @@
 
 #include "core/jagged_curves.hpp"
 #include "core/reference_data.hpp"
+#include "talweg/core/drawing/edge_dijkstra.hpp"
 #include "talweg/intrinsic/error.hpp"
 
 namespace talweg {

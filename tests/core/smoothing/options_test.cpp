@@ -11,6 +11,7 @@
 #include "talweg/core/smoothing/curve_smoother.hpp"
 #include "talweg/core/smoothing/polish.hpp"
 #include "talweg/core/smoothing/relaxation.hpp"
+#include "talweg/intrinsic/flips/flip_out.hpp"
 
 namespace talweg {
 namespace {

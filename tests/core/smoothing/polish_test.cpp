@@ -9,7 +9,7 @@
 
 #include "core/generated_meshes.hpp"
 #include "core/small_meshes.hpp"
-#include "talweg/core/drawing/drawing.hpp"
+#include "talweg/core/drawing/edge_dijkstra.hpp"
 #include "talweg/core/drawing/straight_lines.hpp"
 #include "talweg/core/measure/measures.hpp"
 #include "talweg/intrinsic/error.hpp"

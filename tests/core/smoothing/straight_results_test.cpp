@@ -9,6 +9,7 @@
 
 #include "core/jagged_curves.hpp"
 #include "core/small_meshes.hpp"
+#include "talweg/core/drawing/edge_dijkstra.hpp"
 #include "talweg/core/measure/deviation.hpp"
 #include "talweg/core/measure/surface_deviation.hpp"
 #include "talweg/core/smoothing/corridor.hpp"

@@ -11,6 +11,7 @@
 
 #include "core/generated_meshes.hpp"
 #include "plugins/plugin_runs.hpp"
+#include "talweg/core/drawing/edge_dijkstra.hpp"
 #include "talweg/core/measure/measures.hpp"
 #include "talweg/core/measure/report.hpp"
 #include "talweg/core/version.hpp"

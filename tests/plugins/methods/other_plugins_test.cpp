@@ -9,7 +9,7 @@
 
 #include "core/generated_meshes.hpp"
 #include "plugins/plugin_runs.hpp"
-#include "talweg/core/drawing/drawing.hpp"
+#include "talweg/core/drawing/edge_dijkstra.hpp"
 #include "talweg/core/smoothing/corridor_width.hpp"
 
 namespace talweg {

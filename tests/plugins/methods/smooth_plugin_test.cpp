@@ -7,9 +7,11 @@
 
 #include "core/generated_meshes.hpp"
 #include "plugins/plugin_runs.hpp"
+#include "talweg/core/drawing/edge_dijkstra.hpp"
 #include "talweg/core/measure/measures.hpp"
 #include "talweg/core/measure/report.hpp"
 #include "talweg/core/smoothing/max_deviation.hpp"
+#include "talweg/core/smoothing/slack_field.hpp"
 
 namespace talweg {
 namespace {

@@ -99,9 +99,9 @@ TEST(LevelSets, ThatEndAtTheBoundaryAreLeftOut) {
 
 TEST(Drawings, AreValidAndOfEveryKind) {
   const auto mesh = OpenedMesh::open(paper::bumpy_ball(40, 2));
-  const std::vector<Drawing> drawings = generated_drawings(*mesh, 1);
+  const std::vector<NamedPath> drawings = generated_drawings(*mesh, 1);
   std::set<std::string> kinds;
-  for (const Drawing& drawing : drawings) {
+  for (const NamedPath& drawing : drawings) {
     const std::size_t space = drawing.name.find(' ');
     kinds.insert(drawing.name.substr(0, space));
     EXPECT_EQ(drawing.name.substr(space + 1), std::to_string(drawing.path.size()));
@@ -117,7 +117,7 @@ TEST(Drawings, DependOnTheSeedAlone) {
   const auto mesh = OpenedMesh::open(paper::bumpy_ball(20, 2));
   const auto paths = [&](std::uint64_t seed) {
     Loops result;
-    for (const Drawing& drawing : generated_drawings(*mesh, seed)) result.push_back(drawing.path);
+    for (const NamedPath& drawing : generated_drawings(*mesh, seed)) result.push_back(drawing.path);
     return result;
   };
   EXPECT_EQ(paths(1), paths(1));
@@ -126,7 +126,7 @@ TEST(Drawings, DependOnTheSeedAlone) {
 
 TEST(Drawings, AreAsManyAsThereIsRoomFor) {
   const auto tiny = OpenedMesh::open(paper::sphere(1));
-  for (const Drawing& drawing : generated_drawings(*tiny, 1)) {
+  for (const NamedPath& drawing : generated_drawings(*tiny, 1)) {
     EXPECT_NO_THROW(check_drawn(tiny->surface(), drawing.curve(tiny->surface())));
   }
 }
@@ -141,7 +141,7 @@ TEST_F(StoredDrawings, AreThoseOfTheMesh) {
   store("ball_ring.txt", "4\n5\n6\n7\n4\n");
   store("balloon.txt", "1\n2\n");
   store("ball.json", "{}");
-  const std::vector<Drawing> drawings = stored_drawings(file(""), "ball");
+  const std::vector<NamedPath> drawings = stored_drawings(file(""), "ball");
   ASSERT_EQ(drawings.size(), 2U);
   EXPECT_EQ(drawings[0].path, (std::vector{VertexId{1U}, VertexId{2U}, VertexId{3U}}));
   EXPECT_FALSE(drawings[0].closed);

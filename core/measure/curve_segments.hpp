@@ -14,7 +14,7 @@
 namespace talweg {
 
 /// A curve's segment in a face that contains it.
-struct Stretch {
+struct CurveSegment {
   FaceId face;                   ///< that contains it
   std::array<double, 3> from{};  ///< barycentrics of one end
   std::array<double, 3> to{};    ///< and of the other
@@ -32,17 +32,17 @@ struct Stretch {
 };
 
 /// Two points of a face. Throws Error(kBadCurve) where it does not contain them.
-inline Stretch stretch_between(const Surface& surface, const SurfacePoint& p, const SurfacePoint& q,
-                               FaceId face) {
+inline CurveSegment segment_between(const Surface& surface, const SurfacePoint& p,
+                                    const SurfacePoint& q, FaceId face) {
   const FaceCoordinates a = coordinates_in(surface, p, face), b = coordinates_in(surface, q, face);
   return {face, a.barycentric, b.barycentric, distance_in_face(surface, a, b)};
 }
 
 /// The segments of all curves, those without length left out. Throws Error(kBadCurve) naming the
 /// first point that shares no face with the next.
-inline std::vector<Stretch> stretches_of(const Surface& surface,
-                                         std::span<const SurfaceCurve> curves) {
-  std::vector<Stretch> stretches;
+inline std::vector<CurveSegment> segments_of(const Surface& surface,
+                                             std::span<const SurfaceCurve> curves) {
+  std::vector<CurveSegment> segments;
   for (std::size_t c = 0; c < curves.size(); ++c) {
     const auto& points = curves[c].points;
     for (std::size_t i = 0; i + (curves[c].closed ? 0 : 1) < points.size(); ++i) {
@@ -53,10 +53,10 @@ inline std::vector<Stretch> stretches_of(const Surface& surface,
         throw Error(ErrorCode::kBadCurve, "Point " + std::to_string(i) + " of curve " +
                                               std::to_string(c) + " and the next share no face.");
       }
-      stretches.push_back(stretch_between(surface, p, q, face));
+      segments.push_back(segment_between(surface, p, q, face));
     }
   }
-  return stretches;
+  return segments;
 }
 
 }  // namespace talweg

@@ -1,6 +1,5 @@
-#include "drawing.hpp"
+#include "host_curves.hpp"
 
-#include <algorithm>
 #include <utility>
 
 #include <fmt/format.h>
@@ -54,28 +53,13 @@ CurveInput input_of(const talweg_curve& curve) {
   return result;
 }
 
-Drawing drawing_of(const SurfaceMesh& mesh, StraightLines& lines,
-                   std::span<const talweg_curve* const> curves, const SnapOptions& options) {
+SnappedDrawing drawing_of(const SurfaceMesh& mesh, StraightLines& lines,
+                          std::span<const talweg_curve* const> curves, const SnapOptions& options) {
   std::vector<CurveInput> inputs;
   for (const talweg_curve* curve : curves) inputs.push_back(input_of(*curve));
-  Drawing drawing;
-  for (const SnappedCurve& snapped : snap(mesh, inputs, options)) {
-    for (const std::size_t pin : snapped.pins) drawing.pins.push_back(snapped.points[pin]);
-    drawing.curves.push_back(lines.join(snapped.points, snapped.closed));
-    drawing.gaps.add(lines.gaps());
-    drawing.largest_snap_distance =
-        std::max(drawing.largest_snap_distance, snapped.largest_snap_distance);
-  }
-  drawing.moved = snap_warning(drawing.largest_snap_distance, mesh);
-  drawing.far = moved_far(drawing.largest_snap_distance, mesh);
+  SnappedDrawing drawing;
+  drawing.add(mesh, snap(mesh, inputs, options), lines);
   return drawing;
-}
-
-void add_drawing_warnings(const Drawing& drawing, std::vector<std::string>& warnings) {
-  std::vector<std::string> more;
-  if (!drawing.moved.empty()) more.push_back(drawing.moved);
-  if (drawing.gaps.count > 0) more.push_back(gap_warning(drawing.gaps));
-  warnings.insert(drawing.far ? warnings.begin() : warnings.end(), more.begin(), more.end());
 }
 
 }  // namespace talweg::plugins

@@ -1,4 +1,4 @@
-#include "talweg/core/drawing/drawing.hpp"
+#include "talweg/core/drawing/edge_dijkstra.hpp"
 
 #include <algorithm>
 #include <string>

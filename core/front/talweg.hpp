@@ -1,0 +1,52 @@
+// The front door: what programs include that use the library.
+//
+// The names behind each header are what users call; docs/api.md says what for. What else the
+// headers have is there to make these work.
+#pragma once
+
+// A mesh, opened once.
+#include "talweg/core/io/mesh_reader.hpp"        // read_mesh
+#include "talweg/core/io/mesh_writer.hpp"        // write_mesh
+#include "talweg/core/mesh/closest_point.hpp"    // ClosestPoint
+#include "talweg/core/mesh/mesh_inspection.hpp"  // inspect
+#include "talweg/core/mesh/mesh_lists.hpp"       // MeshLists
+#include "talweg/core/mesh/opened_mesh.hpp"      // OpenedMesh
+#include "talweg/core/mesh/surface_mesh.hpp"     // SurfaceMesh
+#include "talweg/core/repair/mesh_repair.hpp"    // repair
+#include "talweg/intrinsic/surface/surface.hpp"  // Surface
+
+// A curve, drawn on it.
+#include "talweg/core/drawing/curve_through.hpp"       // curve_through
+#include "talweg/core/drawing/edge_dijkstra.hpp"       // draw_edge_path, EdgeDijkstra
+#include "talweg/core/drawing/placed_curve.hpp"        // place
+#include "talweg/core/drawing/snapping.hpp"            // snap
+#include "talweg/core/drawing/straight_lines.hpp"      // StraightLines
+#include "talweg/core/io/curve_file.hpp"               // read_curves, write_curves
+#include "talweg/intrinsic/surface/surface_point.hpp"  // SurfaceCurve, SurfacePoint
+
+// Smoothed, for one tau after another.
+#include "talweg/core/smoothing/curve_smoother.hpp"     // CurveSmoother, smooth_curve
+#include "talweg/core/smoothing/max_deviation.hpp"      // smooth_within
+#include "talweg/core/smoothing/slack_field.hpp"        // slack_along
+#include "talweg/core/smoothing/smoothing_options.hpp"  // CurveOptions, SmoothingOptions
+#include "talweg/core/smoothing/smoothing_result.hpp"   // SmoothingResult
+
+// Measured.
+#include "talweg/core/measure/measures.hpp"           // curve_length, measure_curve
+#include "talweg/core/measure/report.hpp"             // SmoothingReport, Outcome, to_json
+#include "talweg/core/measure/surface_deviation.hpp"  // DeviationMeter
+#include "talweg/heat/curve_sources.hpp"              // curve_sources
+#include "talweg/heat/heat_distance.hpp"              // HeatDistance
+
+// And used: the mesh cut along it.
+#include "talweg/core/cutting/loop_filling.hpp"  // add_lids
+#include "talweg/core/cutting/mesh_cutting.hpp"  // cut_along
+#include "talweg/core/cutting/seam_opening.hpp"  // open_seams, piece_of
+
+// The borders of a segmentation.
+#include "talweg/core/io/border_file.hpp"        // write_borders
+#include "talweg/core/io/label_file.hpp"         // read_label_file
+#include "talweg/core/labels/label_network.hpp"  // smooth_labels
+#include "talweg/core/version.hpp"               // version
+#include "talweg/intrinsic/error.hpp"            // Error
+#include "talweg/intrinsic/progress.hpp"         // Progress

@@ -1,0 +1,18 @@
+// A slack field on a mesh gives the corridor another width along each part of a drawing.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "talweg/intrinsic/surface/surface.hpp"
+#include "talweg/intrinsic/surface/surface_point.hpp"
+
+namespace talweg {
+
+/// A field on the mesh vertices as one along a drawing, for SmoothingOptions::slack_at: linear in
+/// each face, at the drawing's points. Throws Error(kBadUsage) when there is not one value per
+/// vertex, or one that is used is not finite and >= 0.
+std::vector<double> slack_along(const Surface& surface, const SurfaceCurve& drawn,
+                                std::span<const double> per_vertex);
+
+}  // namespace talweg
