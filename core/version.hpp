@@ -1,3 +1,4 @@
+// The version is that of the library.
 #pragma once
 
 namespace talweg {

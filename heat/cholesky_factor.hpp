@@ -1,4 +1,4 @@
-// Sparse Cholesky factorization: order and analyse once, factor, solve many.
+// A Cholesky factor of a sparse matrix is ordered and analysed once, then solves many times.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// The cotan Laplacian and lumped masses of triangles known by their side lengths.
+// The cotan Laplacian and the lumped masses are made of triangles known by their side lengths.
 #pragma once
 
 #include <array>

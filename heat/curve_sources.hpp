@@ -1,4 +1,4 @@
-// Where heat starts: weighted vertices, and the weights of a curve.
+// Curve sources are where heat starts: vertices with the weights of a curve.
 #pragma once
 
 #include <vector>

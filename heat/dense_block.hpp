@@ -1,4 +1,4 @@
-// What a sparse Cholesky factor does with its dense blocks.
+// A dense block is a part of a sparse Cholesky factor that is worked on as a dense matrix.
 #pragma once
 
 #include <cstddef>

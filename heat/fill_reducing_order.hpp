@@ -1,4 +1,4 @@
-// In which order to eliminate the unknowns of a sparse symmetric matrix.
+// A fill-reducing order tells in which order to eliminate the unknowns of a sparse matrix.
 #pragma once
 
 #include <cstdint>

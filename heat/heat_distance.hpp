@@ -1,4 +1,4 @@
-// The smoothed geodesic distance to a curve or any other weighted set of vertices.
+// The heat distance is a smoothed geodesic distance to a curve or any other weighted vertices.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// The heat after one implicit step, however far from its source.
+// The heat flow is the heat after one implicit step, however far from its source.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// The matrices of the heat method, all of one pattern.
+// The heat systems are the matrices of the heat method, all of one pattern.
 #pragma once
 
 #include <vector>

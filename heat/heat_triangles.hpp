@@ -1,4 +1,4 @@
-// What a distance solve needs of each triangle, laid out once.
+// The heat triangles are what a distance solve needs of each triangle, laid out once.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// Numbers in memory that is cheap to walk through.
+// A large array holds numbers in memory that is cheap to walk through.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// Lengths that keep every triangle away from degenerate, for the Laplacian only.
+// Mollification keeps every triangle away from degenerate, for the Laplacian only.
 #pragma once
 
 #include <vector>

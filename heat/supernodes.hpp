@@ -1,4 +1,4 @@
-// The shape of a sparse Cholesky factor: columns of equal structure together.
+// Supernodes are columns of equal structure of a sparse Cholesky factor.
 #pragma once
 
 #include <cstddef>

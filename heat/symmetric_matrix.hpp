@@ -1,4 +1,4 @@
-// A sparse symmetric matrix as plain arrays.
+// A symmetric matrix is sparse, and stands in plain arrays.
 #pragma once
 
 #include <cstddef>

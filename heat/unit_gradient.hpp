@@ -1,4 +1,4 @@
-// The divergence of the normalised gradient of the heat.
+// The unit gradient of the heat is what the distance's gradient has to be.
 #pragma once
 
 #include <span>

@@ -1,4 +1,4 @@
-// The error that bad input raises.
+// An error is what bad input raises.
 #pragma once
 
 #include <stdexcept>

@@ -1,4 +1,4 @@
-// Progress and cancellation, handed down by the caller.
+// Progress is a callback of the caller's, which hears how far a call is and may cancel it.
 #pragma once
 
 #include <cstddef>

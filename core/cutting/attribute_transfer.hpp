@@ -1,4 +1,4 @@
-// Attributes of a mesh, of the meshes that are made from it.
+// An attribute transfer gives the meshes that are made from a mesh the values that its file has.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// What kind of pieces curves divide a surface into.
+// Cut topology tells into what kind of pieces curves divide a surface.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// One triangle cut up along points and segments in it.
+// A face triangulation cuts one triangle up along points and segments in it.
 #pragma once
 
 #include <array>

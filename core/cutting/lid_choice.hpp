@@ -1,4 +1,4 @@
-// Which lid closes a rim without meeting what is there.
+// The choice of a lid finds one that closes a rim and meets nothing that is there.
 #pragma once
 
 #include <cstddef>

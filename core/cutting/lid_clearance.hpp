@@ -1,4 +1,4 @@
-// What a lid must keep clear of: the piece that it closes, other lids, and itself.
+// A lid keeps clear of the piece that it closes, of other lids, and of itself.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Lids that go around what is in their way, by points inside them.
+// A sunk lid goes around what is in its way, by points inside it.
 #pragma once
 
 #include <cstdint>

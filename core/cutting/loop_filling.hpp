@@ -1,4 +1,4 @@
-// Lids for the holes that a cut leaves.
+// Lids close the holes that a cut leaves.
 #pragma once
 
 #include <algorithm>

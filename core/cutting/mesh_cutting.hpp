@@ -1,4 +1,4 @@
-// Curves become edges of the mesh.
+// Cutting makes curves edges of the mesh.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// Polygons in a plane, with holes, as triangles.
+// Plane filling divides a polygon in a plane, with holes, into triangles.
 #pragma once
 
 #include <cstddef>

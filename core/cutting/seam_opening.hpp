@@ -1,4 +1,4 @@
-// Meshes taken apart along chains of their edges.
+// Opening seams takes a mesh apart along chains of its edges.
 #pragma once
 
 #include <cstddef>

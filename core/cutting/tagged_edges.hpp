@@ -1,4 +1,4 @@
-// The edges of a mesh that curves run along.
+// Tagged edges are those of a mesh that curves run along.
 #pragma once
 
 #include <cstdint>

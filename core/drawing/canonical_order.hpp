@@ -1,4 +1,4 @@
-// A curve drawn the other way, or begun elsewhere, is the same curve.
+// The canonical order makes one curve of those that are drawn the other way or begun elsewhere.
 #pragma once
 
 #include <cstddef>

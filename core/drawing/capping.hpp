@@ -1,4 +1,4 @@
-// Capping the corners of an edge path.
+// Capping takes the corners off an edge path, as the paper does.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// Do curves cross?
+// Crossings are where curves pass through themselves or each other.
 #pragma once
 
 #include <cstddef>

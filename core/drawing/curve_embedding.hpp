@@ -1,4 +1,4 @@
-// Drawn curves become edge paths of a triangulation.
+// Embedding makes drawn curves edge paths of a triangulation.
 #pragma once
 
 #include <span>

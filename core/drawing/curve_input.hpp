@@ -1,4 +1,4 @@
-// A curve as a file or a host gives it.
+// A curve input is a curve as a file or a host gives it.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// What is done to drawn curves before they are smoothed.
+// Drawn curves are capped, their pins checked, and made sources of heat before they are smoothed.
 #pragma once
 
 #include <span>

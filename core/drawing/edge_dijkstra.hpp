@@ -1,4 +1,4 @@
-// Drawing on a mesh: shortest edge paths through given vertices.
+// Dijkstra's algorithm draws shortest paths along the edges of a mesh through given vertices.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// Units of length, by their codes.
+// A length unit has a code, as files name it, and a size in metres.
 #pragma once
 
 #include <string>

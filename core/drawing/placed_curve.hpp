@@ -1,4 +1,4 @@
-// A curve as other programs take it: faces, barycentrics, positions.
+// A placed curve is one as other programs take it: faces, barycentrics, positions.
 #pragma once
 
 #include <vector>

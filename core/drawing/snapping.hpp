@@ -1,4 +1,4 @@
-// From what a curve file holds to points on a mesh.
+// Snapping puts what a curve file holds onto a mesh.
 #pragma once
 
 #include <cstddef>

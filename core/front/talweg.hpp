@@ -1,7 +1,6 @@
-// The front door: what programs include that use the library.
-//
-// The names behind each header are what users call; docs/api.md says what for. What else the
-// headers have is there to make these work.
+// The front door is what programs include that use the library. The names behind each header are
+// what users call; docs/api.md says what for. What else the headers have is there to make these
+// work.
 #pragma once
 
 // A mesh, opened once.

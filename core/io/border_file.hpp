@@ -1,4 +1,4 @@
-// Curve files with the labels beside each curve.
+// A border file is a curve file with the labels beside each curve.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// Reading numbers from binary files.
+// A byte cursor reads numbers from a binary file, one after the other.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Curve files: what they hold, reading and writing them by extension.
+// Curve files are read and written by their extension.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// The single formats behind curve_file.hpp: bytes to curves and back.
+// Each curve format has its own two functions behind curve_file.hpp: bytes to curves and back.
 #pragma once
 
 #include <filesystem>

@@ -3,7 +3,8 @@
 
 #include "talweg/core/io/curve_formats.hpp"
 #include "talweg/core/io/json_place.hpp"
-#include "talweg/core/io/text_scanner.hpp"
+#include "talweg/core/io/text_words.hpp"
+#include "talweg/core/io/word_scanner.hpp"
 
 namespace talweg::formats {
 namespace {
@@ -35,7 +36,7 @@ std::vector<CurveInput> read_json(const Source& source) {
   if (root.has("markups")) return read_slicer(root, source.mesh_unit);
   const JsonPlace format = root.member("format");
   if (format.string() != "talweg-curves") {
-    format.fail("expected \"talweg-curves\", found \"" + shown(format.string()) + "\"");
+    format.fail("expected \"talweg-curves\", found \"" + printable(format.string()) + "\"");
   }
   const JsonPlace version = root.member("version");
   if (version.index() != kVersion) {

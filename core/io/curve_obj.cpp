@@ -6,7 +6,7 @@
 #include "talweg/core/io/curve_formats.hpp"
 #include "talweg/core/io/file_bytes.hpp"
 #include "talweg/core/io/polylines.hpp"
-#include "talweg/core/io/text_scanner.hpp"
+#include "talweg/core/io/word_scanner.hpp"
 
 namespace talweg::formats {
 namespace {
@@ -19,14 +19,14 @@ struct ObjLine {
   std::size_t line = 0;
 };
 
-Point read_vertex(TextScanner& scanner) {
+Point read_vertex(WordScanner& scanner) {
   Point p;
   for (int k = 0; k < 3; ++k) p[k] = scanner.number(scanner.word_on_line(), "a coordinate");
   return p;
 }
 
 /// Points may come later in the file, so only the range of the ids is checked here.
-ObjLine read_line(TextScanner& scanner, std::size_t point_count) {
+ObjLine read_line(WordScanner& scanner, std::size_t point_count) {
   ObjLine result{{}, scanner.line()};
   for (;;) {
     const std::string_view word = scanner.word_on_line();
@@ -44,7 +44,7 @@ ObjLine read_line(TextScanner& scanner, std::size_t point_count) {
 }  // namespace
 
 std::vector<CurveInput> read_obj(const Source& source) {
-  TextScanner scanner(source.path, source.bytes);
+  WordScanner scanner(source.path, source.bytes);
   std::vector<Point> points;
   std::vector<ObjLine> found;
   do {

@@ -9,7 +9,8 @@
 #include "talweg/core/io/file_bytes.hpp"
 #include "talweg/core/io/ply_header.hpp"
 #include "talweg/core/io/polylines.hpp"
-#include "talweg/core/io/text_scanner.hpp"
+#include "talweg/core/io/text_words.hpp"
+#include "talweg/core/io/word_scanner.hpp"
 
 namespace talweg::formats {
 namespace {
@@ -65,7 +66,7 @@ class PlyReader {
     }
     if (smallest > 0 && element.count > (scanner_.remaining() + 1) / smallest) {
       fail(fmt::format("the header says {} elements '{}', the file ends before", element.count,
-                       shown(element.name)));
+                       printable(element.name)));
     }
   }
 
@@ -162,7 +163,7 @@ class PlyReader {
 
   const Source& source_;
   PlyHeader header_;
-  TextScanner scanner_;
+  WordScanner scanner_;
   bool ascii_;
   bool swap_;
   std::size_t row_ = 0;

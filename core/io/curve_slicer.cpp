@@ -4,7 +4,8 @@
 #include "talweg/core/drawing/length_unit.hpp"
 #include "talweg/core/io/curve_formats.hpp"
 #include "talweg/core/io/json_place.hpp"
-#include "talweg/core/io/text_scanner.hpp"
+#include "talweg/core/io/text_words.hpp"
+#include "talweg/core/io/word_scanner.hpp"
 #include "talweg/intrinsic/error.hpp"
 
 namespace talweg::formats {
@@ -16,7 +17,7 @@ bool is_flipped(const JsonPlace& markup) {
   const JsonPlace system = markup.member("coordinateSystem");
   const std::string name = system.string();
   if (name != "LPS" && name != "RAS") {
-    system.fail("expected \"LPS\" or \"RAS\", found \"" + shown(name) + "\"");
+    system.fail("expected \"LPS\" or \"RAS\", found \"" + printable(name) + "\"");
   }
   return name == "RAS";
 }
@@ -30,7 +31,7 @@ LengthUnit unit_of(const JsonPlace& markup) {
     if (code.size() < 2) code.fail("expected a code and its coding scheme");
     const JsonPlace scheme = code.element(1);
     if (scheme.string() != "UCUM") {
-      scheme.fail("expected \"UCUM\", found \"" + shown(scheme.string()) + "\"");
+      scheme.fail("expected \"UCUM\", found \"" + printable(scheme.string()) + "\"");
     }
     code = code.element(0);
   }
@@ -39,7 +40,7 @@ LengthUnit unit_of(const JsonPlace& markup) {
   } catch (const Error& error) {
     if (error.code() != ErrorCode::kBadUsage) throw;
     code.fail("expected a unit of length such as \"mm\", \"cm\" or \"um\", found \"" +
-              shown(code.string()) + "\"");
+              printable(code.string()) + "\"");
   }
 }
 
@@ -81,7 +82,7 @@ std::vector<CurveInput> read_slicer(const JsonPlace& root, const LengthUnit& mes
     if (type == "Curve" || type == "ClosedCurve") {
       curves.push_back(read_markup(markup, type == "ClosedCurve", mesh_unit));
     } else if (other.empty()) {
-      other = " (the first is a " + shown(type) + ")";
+      other = " (the first is a " + printable(type) + ")";
     }
   }
   if (curves.empty()) markups.fail("expected a Curve or ClosedCurve among the markups" + other);

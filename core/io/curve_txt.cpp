@@ -3,7 +3,7 @@
 
 #include "talweg/core/io/curve_formats.hpp"
 #include "talweg/core/io/file_bytes.hpp"
-#include "talweg/core/io/text_scanner.hpp"
+#include "talweg/core/io/word_scanner.hpp"
 
 namespace talweg::formats {
 namespace {
@@ -19,7 +19,7 @@ void finish(std::vector<VertexId>& ids, std::vector<CurveInput>& curves) {
   ids.clear();
 }
 
-void read_ids(const TextScanner& scanner, std::string_view line, std::vector<VertexId>& ids) {
+void read_ids(const WordScanner& scanner, std::string_view line, std::vector<VertexId>& ids) {
   constexpr std::string_view kSeparators = " \t\r\v\f,";
   for (;;) {
     const std::size_t start = line.find_first_not_of(kSeparators);
@@ -35,7 +35,7 @@ void read_ids(const TextScanner& scanner, std::string_view line, std::vector<Ver
 }  // namespace
 
 std::vector<CurveInput> read_txt(const Source& source) {
-  TextScanner scanner(source.path, source.bytes);
+  WordScanner scanner(source.path, source.bytes);
   std::vector<CurveInput> curves;
   std::vector<VertexId> ids;
   do {

@@ -1,4 +1,4 @@
-// Whole files in and out.
+// A file's bytes are read and written whole.
 #pragma once
 
 #include <filesystem>

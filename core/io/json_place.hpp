@@ -1,4 +1,4 @@
-// A value in a JSON file together with its place, so that errors can say where.
+// A JSON place is a value in a file together with where it stands, for errors to say.
 #pragma once
 
 #include <cstddef>

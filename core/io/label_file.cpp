@@ -8,7 +8,8 @@
 #include "talweg/core/io/file_bytes.hpp"
 #include "talweg/core/io/label_formats.hpp"
 #include "talweg/core/io/mesh_file.hpp"
-#include "talweg/core/io/text_scanner.hpp"
+#include "talweg/core/io/text_words.hpp"
+#include "talweg/core/io/word_scanner.hpp"
 
 namespace talweg {
 namespace formats {
@@ -18,7 +19,7 @@ constexpr std::array<std::string_view, 6> kUsual = {"label",  "labels", "segment
                                                     "region", "class",  "scalar_label"};
 
 LabelFile read_text_labels(const Source& source) {
-  TextScanner words(source.path, source.bytes);
+  WordScanner words(source.path, source.bytes);
   LabelFile file;
   for (std::string_view word = words.word(); !word.empty(); word = words.word()) {
     file.labels.push_back(words.integer(word, "a label (a whole number)"));
@@ -47,12 +48,12 @@ const NamedNumbers& chosen(const Source& source, const std::vector<NamedNumbers>
   }
   std::string names;
   for (const NamedNumbers& numbers : all) {
-    if (names.size() < 100) names += (names.empty() ? "" : ", ") + shown(numbers.name);
+    if (names.size() < 100) names += (names.empty() ? "" : ", ") + printable(numbers.name);
   }
   cannot_read(source.path,
               fmt::format("it has no labels called {}, but {}",
                           property.empty() ? "label, labels, segment, region, class or scalar_label"
-                                           : shown(property),
+                                           : printable(property),
                           names.empty() ? "nothing of one number per face or vertex" : names));
 }
 
@@ -64,7 +65,7 @@ std::vector<std::int64_t> whole_numbers(const Source& source, const NamedNumbers
     if (!(std::abs(x) <= kMost) || x != std::floor(x)) {
       cannot_read(source.path, fmt::format("{} {}: expected a whole number as {}, found {:.17g}",
                                            numbers.of_faces ? "face" : "vertex", labels.size(),
-                                           shown(numbers.name), x));
+                                           printable(numbers.name), x));
     }
     labels.push_back(static_cast<std::int64_t>(x));
   }

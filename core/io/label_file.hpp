@@ -1,4 +1,4 @@
-// Label files: what they hold, read by extension.
+// Label files hold a number for each vertex or face, and are read by their extension.
 #pragma once
 
 #include <cstddef>

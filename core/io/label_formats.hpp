@@ -1,4 +1,4 @@
-// The single formats behind label_file.hpp: bytes to labels.
+// Each label format has its own function behind label_file.hpp: bytes to labels.
 #pragma once
 
 #include <cstdint>

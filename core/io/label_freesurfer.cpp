@@ -7,7 +7,7 @@
 #include "talweg/core/io/byte_cursor.hpp"
 #include "talweg/core/io/file_bytes.hpp"
 #include "talweg/core/io/label_formats.hpp"
-#include "talweg/core/io/text_scanner.hpp"
+#include "talweg/core/io/text_words.hpp"
 
 namespace talweg::formats {
 namespace {
@@ -101,7 +101,7 @@ class AnnotReader {
       fail(
           fmt::format("{} has {} characters, but {} bytes are left", what, length, cursor_.left()));
     const std::string_view all(at, static_cast<std::size_t>(length));
-    return shown(all.substr(0, all.find('\0')));
+    return printable(all.substr(0, all.find('\0')));
   }
 
   [[noreturn]] void fail(const std::string& what) const { cannot_read(source_.path, what); }
@@ -117,7 +117,7 @@ class AnnotReader {
 LabelFile read_annot_labels(const Source& source) { return AnnotReader(source).read(); }
 
 LabelFile read_freesurfer_label(const Source& source, std::size_t vertex_count) {
-  TextScanner text(source.path, source.bytes);
+  WordScanner text(source.path, source.bytes);
   if (text.rest_of_line().substr(0, 1) != "#") {
     text.fail("expected a first line that begins with #");
   }

@@ -9,8 +9,6 @@
 namespace talweg {
 namespace {
 
-bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f'; }
-
 void skip_blanks(std::string_view& text) {
   std::size_t n = 0;
   while (n < text.size() && is_blank(text[n])) ++n;
@@ -20,10 +18,8 @@ void skip_blanks(std::string_view& text) {
 }  // namespace
 
 std::string quoted(std::string_view word) {
-  std::string shown(word.substr(0, 24));
-  std::replace_if(
-      shown.begin(), shown.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
-  return "'" + shown + (word.size() > 24 ? "...'" : "'");
+  constexpr std::size_t kLongest = 24;
+  return "'" + printable(word, kLongest) + "'";
 }
 
 void LineScanner::take_line() {
@@ -60,24 +56,6 @@ std::string_view LineScanner::word() {
   const std::string_view result = rest_.substr(0, n);
   rest_.remove_prefix(n);
   return result;
-}
-
-bool LineScanner::parse(std::string_view word, double& value) {
-  if (word.size() > 1 && word[0] == '+') word.remove_prefix(1);
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-  if (end != word.data() + word.size() || word.empty()) return false;
-  if (error == std::errc::result_out_of_range) {
-    const bool tiny = word.find("e-") != word.npos || word.find("E-") != word.npos;
-    value = tiny ? 0 : std::numeric_limits<double>::infinity();
-    return true;
-  }
-  return error == std::errc();
-}
-
-bool LineScanner::parse(std::string_view word, std::int64_t& value) {
-  if (word.size() > 1 && word[0] == '+') word.remove_prefix(1);
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-  return error == std::errc() && end == word.data() + word.size() && !word.empty();
 }
 
 template <class Value>

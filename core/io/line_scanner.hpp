@@ -1,4 +1,5 @@
-// Reading text line by line, token by token.
+// A line scanner walks over the lines of a mesh file, word by word; it is made for millions of
+// them.
 #pragma once
 
 #include <cstddef>
@@ -7,6 +8,7 @@
 #include <string_view>
 
 #include "talweg/core/io/mesh_file.hpp"
+#include "talweg/core/io/text_words.hpp"
 
 namespace talweg {
 
@@ -39,10 +41,6 @@ class LineScanner {
   /// The byte after the line.
   [[nodiscard]] std::size_t offset() const { return next_; }
   [[noreturn]] void fail(const std::string& what) const { bad_line(file_->path, line_, what); }
-
-  /// Parse a whole word; false where it is none. `value` of a number may be infinite or NaN.
-  static bool parse(std::string_view word, double& value);
-  static bool parse(std::string_view word, std::int64_t& value);
 
  private:
   void take_line();

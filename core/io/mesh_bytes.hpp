@@ -1,4 +1,4 @@
-// Meshes as the bytes of files.
+// Each mesh format has its own function behind mesh_writer.hpp: a mesh to the bytes of a file.
 #pragma once
 
 #include <algorithm>

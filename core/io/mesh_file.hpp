@@ -1,4 +1,4 @@
-// What the readers of mesh formats share: the file's bytes, its errors, its polygons.
+// The readers of mesh formats share a file's bytes, its errors and its polygons.
 #pragma once
 
 #include <cstdint>

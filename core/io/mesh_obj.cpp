@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "talweg/core/io/line_scanner.hpp"
-#include "talweg/core/io/text_scanner.hpp"
+#include "talweg/core/io/word_scanner.hpp"
 
 namespace talweg {
 namespace {
@@ -21,12 +21,12 @@ constexpr const char* kCoordinate = "a coordinate";
 std::uint32_t corner_of(const LineScanner& lines, std::string_view word, std::size_t vertices) {
   std::int64_t index = 0;
   const std::string_view number = word.substr(0, word.find('/'));
-  if (!LineScanner::parse(number, index) || index == 0) {
+  if (!parse(number, index) || index == 0) {
     lines.fail("expected the number of a vertex, counted from 1, found " + quoted(number) + ".");
   }
   if (index < 0) index += static_cast<std::int64_t>(vertices) + 1;
   if (index < 1 || index > 0xFFFFFFFFLL) {
-    lines.fail("a corner refers to vertex " + formats::shown(number) + ", but there are " +
+    lines.fail("a corner refers to vertex " + printable(number) + ", but there are " +
                std::to_string(vertices) + " vertices so far.");
   }
   return static_cast<std::uint32_t>(index - 1);
@@ -81,7 +81,7 @@ void ObjAttributes::vertex(LineScanner& lines, std::size_t vertices) {
   std::vector<double> more;
   for (std::string_view word = lines.word(); !word.empty(); word = lines.word()) {
     double value = 0;
-    if (!LineScanner::parse(word, value)) {
+    if (!parse(word, value)) {
       lines.fail("expected a number after the coordinates, found " + quoted(word) + ".");
     }
     more.push_back(value);
@@ -102,13 +102,13 @@ std::uint32_t ObjAttributes::number(const LineScanner& lines, std::string_view w
                                     const CornerAttribute& of, const char* what) {
   if (word.empty()) return CornerAttribute::kNone;
   std::int64_t index = 0;
-  if (!LineScanner::parse(word, index) || index == 0) {
+  if (!parse(word, index) || index == 0) {
     lines.fail("expected the number of a " + std::string(what) + ", found " + quoted(word) + ".");
   }
   const std::size_t so_far = of.dimension == 0 ? 0 : of.values.size() / of.dimension;
   if (index < 0) index += static_cast<std::int64_t>(so_far) + 1;
   if (index < 1 || index >= std::int64_t{CornerAttribute::kNone}) {
-    lines.fail("a corner refers to " + std::string(what) + " " + formats::shown(word) +
+    lines.fail("a corner refers to " + std::string(what) + " " + printable(word) +
                ", but there are " + std::to_string(so_far) + " so far.");
   }
   return static_cast<std::uint32_t>(index - 1);
@@ -163,7 +163,7 @@ void ObjAttributes::statement(std::string_view keyword, LineScanner& lines) {
     if (keyword == "vt") {  // the second one may be missing
       const std::string_view word = lines.word();
       double value = 0;
-      if (!word.empty() && !LineScanner::parse(word, value)) {
+      if (!word.empty() && !parse(word, value)) {
         lines.fail("expected a texture coordinate, found " + quoted(word) + ".");
       }
       to.values.push_back(value);
@@ -175,7 +175,7 @@ void ObjAttributes::statement(std::string_view keyword, LineScanner& lines) {
   } else if (keyword == "mtllib") {
     into_.references.push_back(fmt::format("mtllib {}", words(lines)));
   } else {
-    leave_out(fmt::format("statement '{}'", formats::shown(keyword)));
+    leave_out(fmt::format("statement '{}'", printable(keyword)));
   }
 }
 

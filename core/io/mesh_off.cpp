@@ -26,7 +26,7 @@ Counts read_header(LineScanner& lines) {
     word = lines.word();
   }
   std::int64_t vertices = 0;
-  if (!LineScanner::parse(word, vertices)) lines.fail("expected the number of vertices.");
+  if (!parse(word, vertices)) lines.fail("expected the number of vertices.");
   const std::int64_t faces = lines.integer("the number of faces");
   if (vertices < 0 || faces < 0) lines.fail("a number of elements is negative.");
   return {static_cast<std::size_t>(vertices), static_cast<std::size_t>(faces)};

@@ -247,7 +247,7 @@ class TextBody {
     const std::string_view word = lines_.word();
     double value = 0;
     if (word.empty()) lines_.fail("the line ends before '" + property.name + "'.");
-    if (!LineScanner::parse(word, value)) {
+    if (!parse(word, value)) {
       lines_.fail("expected a number for '" + property.name + "', found " + quoted(word) + ".");
     }
     return value;

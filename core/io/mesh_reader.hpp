@@ -1,4 +1,4 @@
-// Reading meshes from files as they are.
+// The mesh reader reads meshes from files as they are.
 #pragma once
 
 #include <filesystem>

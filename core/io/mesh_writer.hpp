@@ -1,4 +1,4 @@
-// Writing meshes to files.
+// The mesh writer writes meshes to files.
 #pragma once
 
 #include <cstdint>

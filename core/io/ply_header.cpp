@@ -3,7 +3,7 @@
 #include <map>
 
 #include "talweg/core/io/line_scanner.hpp"
-#include "talweg/core/io/text_scanner.hpp"
+#include "talweg/core/io/word_scanner.hpp"
 
 namespace talweg {
 namespace {
@@ -44,7 +44,7 @@ PlyProperty read_property(LineScanner& lines) {
     }
   }
   property.type = read_type(lines);
-  property.name = formats::shown(lines.word());
+  property.name = printable(lines.word());
   return property;
 }
 
@@ -67,7 +67,7 @@ PlyHeader read_ply_header(const MeshFile& file) {
       has_format = true;
     } else if (keyword == "element") {
       PlyElement element;
-      element.name = formats::shown(lines.word());  // errors name it
+      element.name = printable(lines.word());  // errors name it
       const std::int64_t count = lines.integer("the number of elements");
       if (count < 0) lines.fail("the number of elements is negative.");
       element.count = static_cast<std::size_t>(count);
@@ -77,7 +77,7 @@ PlyHeader read_ply_header(const MeshFile& file) {
       header.elements.back().properties.push_back(read_property(lines));
     } else if (keyword == "comment") {
       if (lines.word() == "TextureFile") {
-        header.textures.push_back("comment TextureFile " + formats::shown(lines.word()));
+        header.textures.push_back("comment TextureFile " + printable(lines.word()));
       }
     } else if (keyword != "obj_info") {
       lines.fail(quoted(keyword) + " is no word of a PLY header.");

@@ -1,4 +1,4 @@
-// The header of a PLY file.
+// A PLY header names the elements of a file and the types of their properties.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// Lines between numbered points, joined into curves.
+// Polylines are made of lines between numbered points, joined end to end.
 #pragma once
 
 #include <cmath>

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "talweg/core/io/file_bytes.hpp"
-#include "talweg/core/io/text_scanner.hpp"
+#include "talweg/core/io/word_scanner.hpp"
 
 namespace talweg::formats {
 

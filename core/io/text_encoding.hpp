@@ -1,4 +1,4 @@
-// Text that is not what the readers of text take it for.
+// A text's encoding is checked, since the readers of text take it for UTF-8.
 #pragma once
 
 #include <filesystem>

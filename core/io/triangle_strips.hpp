@@ -1,4 +1,4 @@
-// Triangle strips, as PLY files of the Stanford archive have them.
+// Triangle strips are how PLY files of the Stanford archive hold their faces.
 #pragma once
 
 #include <array>

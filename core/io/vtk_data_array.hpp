@@ -1,4 +1,4 @@
-// The numbers in VTK's XML data arrays, in every encoding.
+// A data array of VTK's XML files holds numbers, in one of several encodings.
 #pragma once
 
 #include <cstddef>

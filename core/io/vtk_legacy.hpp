@@ -1,4 +1,4 @@
-// VTK's legacy files: the words, numbers and arrays of their sections.
+// VTK's legacy files consist of sections with words, numbers and arrays.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 #include "talweg/core/io/byte_cursor.hpp"
 #include "talweg/core/io/curve_formats.hpp"
-#include "talweg/core/io/text_scanner.hpp"
+#include "talweg/core/io/word_scanner.hpp"
 
 namespace talweg::formats {
 
@@ -50,7 +50,7 @@ class VtkLegacy {
 
  private:
   const Source& source_;
-  TextScanner scanner_;
+  WordScanner scanner_;
   bool ascii_ = true;
   bool split_cells_ = false;
 };

@@ -8,7 +8,8 @@
 #include <fmt/format.h>
 
 #include "talweg/core/io/file_bytes.hpp"
-#include "talweg/core/io/text_scanner.hpp"
+#include "talweg/core/io/text_words.hpp"
+#include "talweg/core/io/word_scanner.hpp"
 
 namespace talweg::formats {
 namespace {
@@ -71,7 +72,7 @@ void VtkXml::read_encoding(const pugi::xml_node& root) {
     fail(root, "expected the header_type UInt32 or UInt64");
   }
   if (!compressor.empty() && compressor != "vtkZLibDataCompressor") {
-    fail(root, "only vtkZLibDataCompressor is read, not '" + shown(compressor) +
+    fail(root, "only vtkZLibDataCompressor is read, not '" + printable(compressor) +
                    "': save the file with zlib or no compression");
   }
   encoding_.swap = (order == "BigEndian") != (std::endian::native == std::endian::big);
@@ -108,14 +109,14 @@ std::vector<double> VtkXml::read_array(const pugi::xml_node& array) const {
 }
 
 std::vector<double> VtkXml::read_ascii(const pugi::xml_node& array) const {
-  TextScanner scanner(source_.path, array.child_value());
+  WordScanner scanner(source_.path, array.child_value());
   std::vector<double> numbers;
   for (std::string_view word = scanner.word(); !word.empty(); word = scanner.word()) {
     double value = 0;
     const char* end = word.data() + word.size();
     const auto parsed = std::from_chars(word.data(), end, value);
     if (parsed.ec == std::errc::invalid_argument || parsed.ptr != end) {
-      fail(array, "expected a number, found '" + shown(word) + "'");
+      fail(array, "expected a number, found '" + printable(word) + "'");
     }
     numbers.push_back(parsed.ec == std::errc{} ? value : scanner.number(word, "a number"));
   }
@@ -126,7 +127,7 @@ void VtkXml::fail(const pugi::xml_node& node, const std::string& what) const {
   const std::ptrdiff_t offset = node ? node.offset_debug() : 0;
   const std::size_t at = offset > 0 ? static_cast<std::size_t>(offset) : 0;
   cannot_read(source_.path,
-              fmt::format("line {}, <{}>: {}", line_of(xml_, at), shown(node.name()), what));
+              fmt::format("line {}, <{}>: {}", line_of(xml_, at), printable(node.name()), what));
 }
 
 }  // namespace talweg::formats

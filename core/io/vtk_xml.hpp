@@ -1,4 +1,4 @@
-// VTK's XML files: well-formed, with an encoding, and data arrays in it.
+// VTK's XML files have data arrays in a tree; they are read if they are well-formed.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// The borders of a segmentation as curves.
+// Label borders are the curves between the labels of a segmentation.
 #pragma once
 
 #include <array>

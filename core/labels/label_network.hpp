@@ -1,4 +1,5 @@
-// All borders of a segmentation, smoothed together; every region stays, in one piece.
+// A label network is all borders of a segmentation, smoothed together; every region stays, in one
+// piece.
 #pragma once
 
 #include <cstddef>

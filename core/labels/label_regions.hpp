@@ -1,4 +1,4 @@
-// The regions that a network of borders divides a mesh into, as drawn and after it was smoothed.
+// Label regions are what a network of borders divides a mesh into, as drawn and after smoothing.
 #pragma once
 
 #include <array>

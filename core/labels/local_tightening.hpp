@@ -1,4 +1,5 @@
-// Where a smoothed curve lies too far from its drawing, the drawing gets less slack; there only.
+// Local tightening gives a drawing less slack where its smoothed curve lies too far away, and only
+// there.
 #pragma once
 
 #include <span>

@@ -1,4 +1,4 @@
-// The points where borders of a network end, and their way to where the borders balance.
+// Network nodes are the points where borders end; they may move to where the borders balance.
 #pragma once
 
 #include <cstddef>

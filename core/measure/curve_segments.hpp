@@ -1,4 +1,4 @@
-// The segments of curves, each in a face that contains it.
+// Curve segments are the parts of a curve between two points, each in a face that contains it.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// How far two curves in space lie apart.
+// The deviation of two curves tells how far apart they lie in space.
 #pragma once
 
 #include <span>

@@ -1,4 +1,4 @@
-// How fine a mesh is where something is drawn on it.
+// The edge length near a drawing tells how fine the mesh is there.
 #pragma once
 
 #include "talweg/intrinsic/surface/surface.hpp"

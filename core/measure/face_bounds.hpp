@@ -1,4 +1,4 @@
-// How far a piece of a curve can be from other curves, judged within its face.
+// Face bounds tell how far a piece of a curve can be from other curves, judged within its face.
 #pragma once
 
 #include <algorithm>

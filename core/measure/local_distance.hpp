@@ -1,4 +1,5 @@
-// The distance to what of some curves can be nearest to a piece of another.
+// A local distance is measured from those parts of curves that can be nearest to a piece of
+// another.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// What a curve on a surface measures: length and geodesic curvature.
+// The measures of a curve on a surface are its length and its geodesic curvature.
 #pragma once
 
 #include <cstddef>

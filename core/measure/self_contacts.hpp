@@ -1,4 +1,4 @@
-// Where curves touch or cross themselves or each other.
+// Self-contacts are where curves touch or cross themselves or each other.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// How far apart curves lie, measured along the surface.
+// The surface deviation tells how far apart curves lie, measured along the surface.
 #pragma once
 
 #include <memory>

@@ -1,4 +1,4 @@
-// The point of a mesh that is nearest to a position in space.
+// The closest point of a mesh is the one nearest to a position in space.
 #pragma once
 
 #include <array>

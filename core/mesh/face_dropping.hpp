@@ -1,4 +1,4 @@
-// Faces of raw lists that a surface does without.
+// Faces are dropped from raw lists where a surface does without them.
 #pragma once
 
 #include <cstdint>

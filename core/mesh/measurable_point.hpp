@@ -1,4 +1,4 @@
-// Which coordinates and lengths can be worked with.
+// A measurable point has coordinates that can be worked with.
 #pragma once
 
 #include "talweg/core/mesh/mesh_lists.hpp"

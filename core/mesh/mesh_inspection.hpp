@@ -1,4 +1,4 @@
-// What a mesh is and what is wrong with it, found on the raw lists.
+// An inspection tells what a mesh is and what is wrong with it, from its raw lists.
 #pragma once
 
 #include <array>

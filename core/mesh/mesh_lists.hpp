@@ -1,4 +1,4 @@
-// A mesh as a file or a caller gives it: raw lists, nothing checked, nothing dropped.
+// Mesh lists are a mesh as a file or a caller gives it: nothing is checked, nothing dropped.
 #pragma once
 
 #include <cstddef>

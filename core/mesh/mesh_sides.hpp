@@ -1,4 +1,4 @@
-// The sides of the faces in raw lists, put together to edges whatever their number.
+// Mesh sides are the sides of the faces in raw lists, put together to edges whatever their number.
 #pragma once
 
 #include <algorithm>

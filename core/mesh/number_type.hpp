@@ -1,4 +1,4 @@
-// As which a number is stored.
+// A number type says how a number is stored.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// A mesh made ready for curves: everything that depends on the mesh alone.
+// An opened mesh has everything that curves need and that depends on the mesh alone.
 #pragma once
 
 #include <memory>

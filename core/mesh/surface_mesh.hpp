@@ -1,4 +1,4 @@
-// The opened mesh: connectivity, edge lengths and positions.
+// A surface mesh is a checked mesh: connectivity, edge lengths and positions.
 #pragma once
 
 #include <span>

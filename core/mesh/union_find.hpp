@@ -1,4 +1,4 @@
-// Disjoint sets of numbered elements.
+// Union-find joins numbered elements to disjoint sets.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// From OpenMesh to our own types.
+// The OpenMesh adaptor makes our types from OpenMesh's.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// Faces of raw lists that run against their neighbours.
+// Face turning makes the faces of raw lists run the same way as their neighbours.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// Repair that keeps the geometry: raw lists are made a surface, and every change is told.
+// Repair makes a surface of raw lists, keeps the geometry, and tells every change.
 #pragma once
 
 #include <cstddef>

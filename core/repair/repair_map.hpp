@@ -1,4 +1,5 @@
-// From the numbers of a file's vertices and faces to those of the repaired mesh, and back.
+// A repair map leads from the numbers of a file's vertices and faces to the repaired mesh's, and
+// back.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// Sheets of a surface that are joined where it is no manifold.
+// Sheet splitting takes sheets of a surface apart where it is no manifold.
 #pragma once
 
 #include <cstdint>

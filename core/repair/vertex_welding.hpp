@@ -1,4 +1,4 @@
-// Which vertices of raw lists are one and the same.
+// Welding finds which vertices of raw lists are one and the same.
 #pragma once
 
 #include <cstdint>

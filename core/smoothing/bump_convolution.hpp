@@ -1,4 +1,4 @@
-// A distance smoothed by convolution with a bump function (equation 3 of the paper).
+// A bump convolution smooths a distance with a bump function (equation 3 of the paper).
 #pragma once
 
 #include <span>

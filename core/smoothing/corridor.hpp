@@ -1,4 +1,4 @@
-// The corridor potential: flat as wide as the drawing is uncertain, steep beyond.
+// The corridor is a potential that is flat as wide as the drawing is uncertain, and steep beyond.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// The corridor's hold on curves: they are straightened in its potential, then polished in it.
+// The corridor holds curves: they are straightened in its potential, then polished in it.
 #pragma once
 
 #include <optional>

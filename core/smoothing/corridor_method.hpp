@@ -1,4 +1,4 @@
-// The corridor's method: the exact distance near the drawing, valleys, continuation and polish.
+// The corridor's method smooths curves by the exact distance near the drawing, in valleys.
 #pragma once
 
 #include <span>

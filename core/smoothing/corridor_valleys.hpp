@@ -1,4 +1,4 @@
-// Valleys are what holds each curve of a drawing in the corridor: how wide, how long, which turns.
+// Valleys hold each curve of a drawing in the corridor: how wide, how long, with which turns.
 #pragma once
 
 #include <functional>

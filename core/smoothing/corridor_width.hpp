@@ -1,4 +1,4 @@
-// What the corridor takes from the drawing: how exact it is, and how large.
+// The corridor's width follows from how exact a drawing is, and its length from how large it is.
 #pragma once
 
 #include "talweg/core/mesh/surface_mesh.hpp"

@@ -1,4 +1,4 @@
-// How far apart the curves of a set are.
+// Curve gaps tell how far apart the curves of a set are.
 #pragma once
 
 #include <span>

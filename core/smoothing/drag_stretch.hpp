@@ -1,4 +1,4 @@
-// The part of a changed drawing that is smoothed anew, and what holds it.
+// A drag stretch is the part of a changed drawing that is smoothed anew, with what holds it.
 #pragma once
 
 #include <cstddef>

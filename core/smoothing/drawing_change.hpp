@@ -1,4 +1,4 @@
-// What a hand that drags a part of a drawing leaves as it was.
+// A drawing change tells which points of a curve stay when a part of it is redrawn.
 #pragma once
 
 #include <cstddef>

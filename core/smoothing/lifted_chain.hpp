@@ -1,4 +1,4 @@
-// A lifted curve as a chain of points on edges, and Newton's method on it.
+// A lifted chain is a lifted curve as points on edges, which Newton's method moves.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// The parameter that a user understands: no farther from the drawing than this.
+// A bound on the deviation is the parameter that users understand: no farther than this.
 #pragma once
 
 #include "talweg/core/smoothing/curve_smoother.hpp"

@@ -1,4 +1,4 @@
-// How the paper's method holds curves: by a potential of the distance to them, over the whole mesh.
+// The paper's lift raises the surface by a potential of the distance to the drawing, everywhere.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// The last kinks out of a straightened curve.
+// The polish takes the last kinks out of a straightened curve.
 #pragma once
 
 #include <cstddef>

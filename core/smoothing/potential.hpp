@@ -1,4 +1,4 @@
-// The paper's family of penalty potentials.
+// Penalty potentials, the paper's family of them, grow with the distance.
 #pragma once
 
 namespace talweg {

@@ -1,4 +1,4 @@
-// The faces along a drawing that is finer than the mesh, divided until they are as fine as it.
+// A refined mesh has faces along a drawing divided until they are as fine as it is.
 #pragma once
 
 #include <algorithm>

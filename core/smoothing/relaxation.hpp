@@ -1,4 +1,4 @@
-// Relaxation of a curve along the edges that carry it.
+// Relaxation moves the points of a curve along the edges that carry them.
 #pragma once
 
 #include <span>

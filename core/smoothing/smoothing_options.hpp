@@ -1,4 +1,4 @@
-// Options of a drawing and of its smoothing, with their units, ranges and defaults.
+// The options of a drawing and of its smoothing have units, ranges and defaults.
 #pragma once
 
 #include <cstddef>

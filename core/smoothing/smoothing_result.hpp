@@ -1,4 +1,4 @@
-// What smoothing gives.
+// A smoothing result is the smoothed curves and a report on each.
 #pragma once
 
 #include <utility>

@@ -1,4 +1,4 @@
-// What is known, without a distance, of the edges that a straightening has looked at.
+// Touched edges are those that a straightening has looked at; they bound how far it went.
 #pragma once
 
 #include <span>

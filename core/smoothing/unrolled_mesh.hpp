@@ -1,4 +1,4 @@
-// A curve that crosses itself, laid out on a strip of surface of its own, where it does not.
+// An unrolled mesh has a strip of surface for a curve that crosses itself, where it does not.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-// Which of many things in space are nearest, or overlap?
+// A box tree tells which of many things in space are nearest, or overlap.
 #pragma once
 
 #include <algorithm>

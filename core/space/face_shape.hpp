@@ -1,4 +1,4 @@
-// How thin a face is.
+// A face's shape tells how thin it is.
 #pragma once
 
 #include <algorithm>

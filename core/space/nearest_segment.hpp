@@ -1,4 +1,4 @@
-// The nearest of many segments in space.
+// The nearest segment of many in space is found by a tree of boxes.
 #pragma once
 
 #include <cstddef>

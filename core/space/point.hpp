@@ -1,4 +1,4 @@
-// A place in space.
+// A point is a place in space.
 #pragma once
 
 #include <Eigen/Core>

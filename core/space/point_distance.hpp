@@ -1,4 +1,4 @@
-// The distance of two points, in tiny and huge units as well.
+// The distance of two points is right in tiny and huge units as well.
 #pragma once
 
 #include <cmath>

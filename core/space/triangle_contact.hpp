@@ -1,4 +1,4 @@
-// Do two triangles in space meet?
+// Triangle contacts are where two triangles in space meet.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// Distance along the surface to drawn curves, exact, and only as far out as somebody asks.
+// The distance to polylines along the surface is exact, and known only as far out as somebody asks.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Curves cut up by the faces they run through.
+// Polyline pieces are curves cut up by the faces they run through.
 #pragma once
 
 #include <array>

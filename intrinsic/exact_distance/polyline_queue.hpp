@@ -1,4 +1,4 @@
-// A queue by distance, in steps of one width.
+// The queue of windows is ordered by distance, in steps of one width.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Where on an edge the shortest way to a curve comes from, and how long it is.
+// A window tells where on an edge the shortest way to a curve comes from, and how long it is.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// The windows of all edges, by edge.
+// The window lists hold the windows of all edges, by edge.
 #pragma once
 
 #include <algorithm>

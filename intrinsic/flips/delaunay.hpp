@@ -1,4 +1,4 @@
-// Intrinsic Delaunay flips.
+// Flips make a triangulation intrinsic Delaunay.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// A path along edges of a triangulation.
+// An edge path runs along edges of a triangulation, tip to tail.
 #pragma once
 
 #include <span>

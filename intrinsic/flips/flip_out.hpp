@@ -1,4 +1,4 @@
-// FlipOut: straightening edge paths into geodesics by flips.
+// FlipOut straightens edge paths into geodesics by flips.
 #pragma once
 
 #include <cstddef>

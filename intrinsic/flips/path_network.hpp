@@ -1,4 +1,4 @@
-// Paths that share one triangulation without crossing: who runs where, side by side.
+// A path network holds paths that share one triangulation without crossing, side by side.
 #pragma once
 
 #include <cstdint>

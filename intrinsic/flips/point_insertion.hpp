@@ -1,4 +1,5 @@
-// Making vertices of points on edges and in faces, and edges of the straight segments between them.
+// Point insertion makes vertices of points on edges and in faces, and edges of the segments
+// between.
 #pragma once
 
 #include <array>

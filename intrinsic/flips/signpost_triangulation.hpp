@@ -1,4 +1,5 @@
-// The triangulation that flips: intrinsic edges with lengths and signposts, and an undo log.
+// A signpost triangulation can be flipped: it has intrinsic edges with lengths and signposts, and
+// an undo log.
 #pragma once
 
 #include <cstddef>

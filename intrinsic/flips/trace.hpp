@@ -1,4 +1,4 @@
-// From intrinsic edges back to points on the surface.
+// Tracing leads from intrinsic edges back to points on the surface.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// Strong indices of mesh elements.
+// Ids of mesh elements are numbers of different types, which do not mix.
 #pragma once
 
 #include <compare>

@@ -1,4 +1,4 @@
-// The surface seen from inside: triangle connectivity and one length per edge.
+// A surface is seen from inside: it has triangle connectivity and one length per edge.
 #pragma once
 
 #include <array>

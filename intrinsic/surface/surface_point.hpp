@@ -1,4 +1,4 @@
-// Points on a surface, given without positions.
+// A surface point lies at a vertex, on an edge or in a face, and needs no position.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
-// A triangle from its side lengths: angles, area, layout. Clamped, so that lengths which miss the
-// triangle inequality by rounding give flat triangles and never NaN.
+// A triangle is known by its side lengths: angles, area, layout. Formulas are clamped, so that
+// lengths that miss the triangle inequality by rounding give flat triangles and never NaN.
 #pragma once
 
 #include <algorithm>

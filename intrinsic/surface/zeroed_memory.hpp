@@ -1,4 +1,4 @@
-// Large arrays that begin as zeros and are rarely touched.
+// Zeroed memory is a large array that begins as zeros and is rarely touched.
 #pragma once
 
 #include <cstddef>

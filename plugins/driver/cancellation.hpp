@@ -1,4 +1,4 @@
-// Ctrl-C ends the work in order: nothing half-written, exit code 4.
+// Cancellation by Ctrl-C ends the work in order: nothing half-written, exit code 4.
 #pragma once
 
 namespace talweg::driver {

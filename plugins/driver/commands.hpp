@@ -1,4 +1,5 @@
-// The driver's commands. Each adds itself to the command line and returns an exit code when run.
+// Each of the driver's commands adds itself to the command line and returns an exit code when run.
+// Each adds itself to the command line and returns an exit code when run.
 #pragma once
 
 #include <functional>

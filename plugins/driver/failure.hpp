@@ -1,4 +1,4 @@
-// What an exception means to the user: an exit code and a sentence.
+// A failure is what an exception means to the user: an exit code and a sentence.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// Files of one number per vertex.
+// A field file holds one number per vertex.
 #pragma once
 
 #include <string>

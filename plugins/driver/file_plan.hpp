@@ -1,4 +1,4 @@
-// Which files a command reads and writes, checked before any work is done.
+// A file plan knows which files a command reads and writes, and checks them before any work.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// What `talweg info` says about a mesh.
+// The info text is what `talweg info` says about a mesh.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-// What `talweg measure` tells: as a table and as JSON.
+// The measure text is what `talweg measure` tells, as a table or as JSON.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// Outputs as the driver writes them: files, the standard output, pipes.
+// An output of the driver is a file, the standard output or a pipe.
 #pragma once
 
 #include <cstdio>

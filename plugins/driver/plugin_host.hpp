@@ -1,4 +1,4 @@
-// The driver as a host of plugins: finding them, their errors and results in the library's types.
+// The driver is a host of plugins: it finds them and has their errors and results in our types.
 #pragma once
 
 #include <cstdint>

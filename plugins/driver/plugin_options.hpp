@@ -1,4 +1,4 @@
-// A plugin's parameters as options of a command line, made from their descriptions.
+// Plugin options are a plugin's parameters on the command line, made from their descriptions.
 #pragma once
 
 #include <map>

@@ -1,4 +1,4 @@
-// A progress bar on a terminal, nothing when piped.
+// A progress bar is shown on a terminal, and not when piped.
 #pragma once
 
 #include <chrono>

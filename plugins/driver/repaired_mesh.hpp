@@ -1,4 +1,4 @@
-// The mesh of a file, repaired where that was asked for.
+// A repaired mesh is that of a file, repaired where that was asked for.
 #pragma once
 
 #include <memory>

@@ -1,4 +1,4 @@
-// The report as a table for people.
+// The report table is the report for people.
 #pragma once
 
 #include <string>

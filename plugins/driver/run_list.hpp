@@ -1,4 +1,4 @@
-// A list of many runs: a table with one run a line, and names of outputs made from it.
+// A run list is a table with one run a line, and names of outputs made from it.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// Many pieces of work, shared out among threads.
+// Shared work is many pieces of work that several threads take one after the other.
 #pragma once
 
 #include <atomic>

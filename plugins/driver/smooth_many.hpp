@@ -1,4 +1,4 @@
-// Many runs of `talweg smooth`, several at a time.
+// `talweg smooth` does many runs, several at a time.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// What `talweg smooth` can be told, for one run or for one line of a list.
+// The options of `talweg smooth` are for one run or for one line of a list.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// One run of `talweg smooth`: the curves of one mesh, read, smoothed and written.
+// A run of `talweg smooth` reads the curves of one mesh, smooths them and writes them.
 #pragma once
 
 #include <cstddef>

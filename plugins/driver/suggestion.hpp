@@ -1,4 +1,4 @@
-// What a misspelt word was meant to be.
+// A suggestion is what a misspelt word was meant to be.
 #pragma once
 
 #include <span>

@@ -1,4 +1,4 @@
-// The reports of many curves as one table.
+// The summary table has the reports of many curves, one a line.
 #pragma once
 
 #include <cstddef>

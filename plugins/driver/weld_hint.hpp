@@ -1,4 +1,4 @@
-// What welding would give a mesh whose vertices lie at one place.
+// A weld hint tells what welding would give a mesh whose vertices lie at one place.
 #pragma once
 
 #include <string>

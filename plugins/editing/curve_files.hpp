@@ -1,4 +1,4 @@
-// Curve files in the library's formats.
+// Curve files in the library's formats are read and written for hosts.
 #pragma once
 
 #include <string>

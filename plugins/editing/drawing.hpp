@@ -1,4 +1,5 @@
-// What a person draws on a mesh: points, pins, curves, and how they shall be smoothed. A value.
+// A drawing is what a person draws on a mesh, as a value: points, pins, curves, and how to smooth
+// them. A value.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// The edits that a person can make to a drawing.
+// The editor does the edits that a person can make to a drawing.
 #pragma once
 
 #include <cstddef>

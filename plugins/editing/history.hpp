@@ -1,4 +1,4 @@
-// The states of a drawing, one after another: undo and redo.
+// The history holds the states of a drawing, one after another, for undo and redo.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// A mesh as arrays: what a host copies once, before work begins elsewhere.
+// Mesh arrays are a mesh as a host copies it once, before work begins elsewhere.
 #pragma once
 
 #include <array>

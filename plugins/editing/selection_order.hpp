@@ -1,4 +1,4 @@
-// Selected vertices in the order in which they lie along the mesh.
+// The selection order is that in which selected vertices lie along the mesh.
 #pragma once
 
 #include <array>

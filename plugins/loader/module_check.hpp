@@ -1,4 +1,4 @@
-// Whether a loaded library is a plugin that this host can use.
+// The module check tells whether a loaded library is a plugin that this host can use.
 #pragma once
 
 #include <string>

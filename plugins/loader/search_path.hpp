@@ -1,4 +1,4 @@
-// Where plugins are looked for (talweg_loader.h).
+// The search path is where plugins are looked for (talweg_loader.h).
 #pragma once
 
 #include <string>

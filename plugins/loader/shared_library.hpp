@@ -1,4 +1,4 @@
-// One shared library, loaded as long as the object lives.
+// A shared library is loaded as long as its object lives.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// Points of a curve by their arc length.
+// The arc length tells where on a curve a point is.
 #pragma once
 
 #include <vector>

@@ -1,4 +1,4 @@
-// The parameter that chooses how a report measures deviation.
+// The deviation choice is the parameter for how a report measures deviation.
 #pragma once
 
 #include "talweg/core/measure/deviation_measure.hpp"

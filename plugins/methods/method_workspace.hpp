@@ -1,5 +1,5 @@
-// What the plugins of other methods have in common: a drawing goes in; curves and the same report
-// as talweg.smooth's come out, so that methods can be compared.
+// A method workspace is what the plugins of other methods have in common: a drawing goes in; curves
+// and the same report as talweg.smooth's come out, so that methods can be compared.
 #pragma once
 
 #include <cstddef>

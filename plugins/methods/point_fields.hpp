@@ -1,4 +1,4 @@
-// Values along a curve and over a mesh that hosts show as colours.
+// Point fields are values along a curve and over a mesh that hosts show as colours.
 #pragma once
 
 #include <span>

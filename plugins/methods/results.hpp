@@ -1,4 +1,4 @@
-// Results of the library, given to a host's sink.
+// Results of the library are given to a host's sink.
 #pragma once
 
 #include <cstdint>

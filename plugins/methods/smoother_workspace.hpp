@@ -1,4 +1,4 @@
-// What the plugins that work by a smoother have in common.
+// A smoother workspace is what the plugins that work by a smoother have in common.
 #pragma once
 
 #include <functional>

@@ -1,4 +1,4 @@
-// What every plugin on curves begins with: a mesh, opened, and a drawing on it.
+// A workspace is what every plugin on curves begins with: a mesh, opened, and a drawing on it.
 #pragma once
 
 #include <exception>

@@ -1,4 +1,4 @@
-// CGAL's heat method, as a peer to compare with.
+// CGAL's heat method is a peer to compare with.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// A hand that drags one way-point of a drawing.
+// A dragged point is one way-point of a drawing that a hand moves.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// Measurements in processes of their own, so that each has its own peak of memory.
+// Measurements run in processes of their own, so that each has its own peak of memory.
 #pragma once
 
 #include <functional>

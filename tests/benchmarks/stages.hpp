@@ -1,4 +1,4 @@
-// The stages of the method one by one, as benchmarks call them.
+// The stages of the method are called one by one by benchmarks.
 #pragma once
 
 #include <filesystem>

@@ -1,4 +1,4 @@
-// Curve files made for one test and gone after it.
+// A curve file is made for one test and gone after it.
 #pragma once
 
 #include <filesystem>

@@ -1,4 +1,4 @@
-// Meshes of known topology, and each defect that a mesh can have, planted into one.
+// Generated meshes have a known topology, and any defect that a mesh can have.
 #pragma once
 
 #include <cmath>

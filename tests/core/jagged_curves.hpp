@@ -1,4 +1,4 @@
-// Jagged drawings, and what is measured on their results without the report.
+// Jagged curves are drawings, measured here without the report.
 #pragma once
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// What must not change when a mesh is cut.
+// Mesh numbers are what must not change when a mesh is cut.
 #pragma once
 
 #include <cstdint>

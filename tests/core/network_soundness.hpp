@@ -1,4 +1,4 @@
-// What holds of every smoothed network of borders.
+// A sound network is what every smoothed network of borders must be.
 #pragma once
 
 #include <algorithm>

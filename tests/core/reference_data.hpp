@@ -1,4 +1,4 @@
-// The reference curves on real meshes: absent where the meshes are, see TALWEG_MESHES.
+// The reference curves are on real meshes, and absent where those are: see TALWEG_MESHES.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Small meshes with known geometry, and curves on them.
+// Small meshes have a known geometry, and curves on them.
 #pragma once
 
 #include <cmath>

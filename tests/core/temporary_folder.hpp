@@ -1,4 +1,4 @@
-// A folder that lives as long as a test.
+// A temporary folder lives as long as a test.
 #pragma once
 
 #include <filesystem>

@@ -1,4 +1,4 @@
-// Random partitions of a mesh into connected regions.
+// Voronoi labels divide a mesh at random into connected regions.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// What the C++ blocks of the docs find around them.
+// The harness is what the C++ blocks of the docs find around them.
 #pragma once
 
 #undef NDEBUG  // their assertions count in every build

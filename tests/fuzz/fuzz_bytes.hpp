@@ -1,4 +1,4 @@
-// Values out of the bytes of a fuzzer, and what must hold whatever they are.
+// Fuzz bytes become values, and what must hold whatever they are is checked here.
 #pragma once
 
 #include <cstdint>

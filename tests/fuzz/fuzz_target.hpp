@@ -1,5 +1,5 @@
-// What bytes are given to. A target returns for good and for bad input alike; it aborts where a
-// promise is broken, and the sanitizers where memory is.
+// A fuzz target is what bytes are given to. A target returns for good and for bad input alike; it
+// aborts where a promise is broken, and the sanitizers where memory is.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// Small meshes out of bytes: sheets, tubes, closed surfaces, soups, with damage.
+// Small meshes are made of bytes: sheets, tubes, closed surfaces, soups, with damage.
 #pragma once
 
 #include "fuzz_bytes.hpp"

@@ -1,4 +1,4 @@
-// Sparse matrices for the tests of the factor.
+// Test matrices are sparse, and are for the tests of the factor.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// Small surfaces with known geometry, made of positions that only the tests know.
+// Test surfaces are small, and made of positions that only the tests know.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
-// Paths, measures that owe nothing to signposts, and random flips for the tests of the intrinsic
-// layer.
+// Test paths come with measures that owe nothing to signposts, and random flips, for the tests of
+// the intrinsic layer.
 #pragma once
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// Small surfaces for the tests of the intrinsic layer. Lengths come from positions here; the
-// library never sees them.
+// Test surfaces are small surfaces for the tests of the intrinsic layer. Lengths come from
+// positions here; the library never sees them.
 #pragma once
 
 #include <algorithm>

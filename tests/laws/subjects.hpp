@@ -1,4 +1,5 @@
-// What the laws are tried on: generated surfaces of every kind, and real meshes where present.
+// Subjects are what the laws are tried on: generated surfaces of every kind, and real meshes where
+// present.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,5 @@
-// CGAL's exact geodesics (Chen & Han, with the filter of Xin & Wang) behind our own types.
+// CGAL's exact geodesics (Chen & Han, with the filter of Xin & Wang) stand behind our own types
+// here.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// Raw lists as CGAL's Polygon_mesh_processing takes them.
+// A polygon soup is raw lists as CGAL's Polygon_mesh_processing takes them.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// Runs the driver in a folder of its own, as a user would.
+// A driver run is made in a folder of its own, as a user would.
 #pragma once
 
 #include <algorithm>

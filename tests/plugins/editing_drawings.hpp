@@ -1,4 +1,4 @@
-// Drawings as a hand makes them: by random edits.
+// Editing drawings are made as a hand makes them: by random edits.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Plugins as a host in C++ uses them, on meshes and drawings of the library.
+// A plugin run is made as a host in C++ does it, on meshes and drawings of the library.
 #pragma once
 
 #include <memory>

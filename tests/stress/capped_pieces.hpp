@@ -1,4 +1,4 @@
-// Meshes cut along random results, and the pieces closed.
+// Capped pieces are meshes cut along random results, and the pieces closed.
 #pragma once
 
 #include <span>

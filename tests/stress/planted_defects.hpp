@@ -1,4 +1,4 @@
-// Clean meshes of every kind, and every defect that a mesh can have, planted at random places.
+// Planted defects are every one that a mesh can have, at random places of clean meshes.
 #pragma once
 
 #include <span>

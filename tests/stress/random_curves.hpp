@@ -1,4 +1,4 @@
-// Curves of every kind, as a file or a host gives them.
+// Random curves are of every kind, as a file or a host gives them.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// One random run from mesh to result, with everything that must hold whatever comes in.
+// A random run goes from mesh to result, and checks everything that must hold whatever comes in.
 #pragma once
 
 #include <cstdint>
@@ -9,9 +9,9 @@ namespace talweg::stress {
 struct RunOutcome {
   enum class End { kSmoothed, kMeshRefused, kCurveRefused };
   End end = End::kSmoothed;
-  std::string what;         ///< mesh, defects, curves and options in short
-  std::string refusal;      ///< the sentence, where something was refused
-  std::string broken;       ///< what did not hold; empty where everything did
+  std::string what;     ///< mesh, defects, curves and options in short
+  std::string refusal;  ///< the sentence, where something was refused
+  std::string broken;   ///< what did not hold; empty where everything did
   /// What there was to do: faces of the mesh and faces, flips and points that smoothing met, summed
   /// over the smoothings. A search within a bound counts as kSearch of them.
   double work = 0;

@@ -1,4 +1,4 @@
-// The same curves as somebody else would draw them.
+// Redrawn curves are the same curves as somebody else would draw them.
 #pragma once
 
 #include <string>

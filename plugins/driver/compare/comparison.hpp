@@ -1,4 +1,4 @@
-// Methods run on one drawing, all measured in the same way.
+// A comparison runs several methods on one drawing and measures all in the same way.
 #pragma once
 
 #include <algorithm>

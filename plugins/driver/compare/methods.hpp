@@ -1,5 +1,4 @@
-// What talweg compare knows of the methods: which plugin each is, and which parameter is its own
-// choice between smooth and close.
+// The compared methods are plugins, each with one parameter that chooses between smooth and close.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// All methods' curves in one picture.
+// The picture of a comparison shows all methods' curves.
 #pragma once
 
 #include <string>

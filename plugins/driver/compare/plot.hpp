@@ -1,4 +1,4 @@
-// The trade-off between smooth and close as a plot.
+// The plot of a comparison shows the trade-off between smooth and close.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// A comparison as a table for people, as JSON, and as comma-separated values.
+// The table of a comparison is for people, as JSON, or as comma-separated values.
 #pragma once
 
 #include <string>

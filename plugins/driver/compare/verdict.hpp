@@ -1,4 +1,4 @@
-// Who is smoother at no more deviation.
+// The verdict of a comparison says who is smoother at no more deviation.
 #pragma once
 
 #include <cstddef>

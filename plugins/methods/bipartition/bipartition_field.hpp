@@ -1,4 +1,4 @@
-// The function whose zero set is the relaxed border of a bipartition.
+// The bipartition field is a function whose zero set is the relaxed border of a bipartition.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// Unit vectors on faces: from the heat of the sources, and smoothed.
+// The direction field has a unit vector on each face, from the heat of the sources, smoothed.
 #pragma once
 
 #include <vector>

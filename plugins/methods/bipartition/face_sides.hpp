@@ -1,4 +1,4 @@
-// On which side of drawn curves each face of a mesh lies.
+// Face sides tell on which side of drawn curves each face of a mesh lies.
 #pragma once
 
 #include <span>

@@ -1,4 +1,4 @@
-// The zero set of a function on the vertices, as curves.
+// A level set is the zero set of a function on the vertices, as curves.
 #pragma once
 
 #include <vector>

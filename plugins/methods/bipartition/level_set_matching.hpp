@@ -1,4 +1,4 @@
-// Which curve of a level set belongs to which drawn curve.
+// Matching tells which curve of a level set belongs to which drawn curve.
 #pragma once
 
 #include <cstddef>

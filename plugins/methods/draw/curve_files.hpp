@@ -1,4 +1,4 @@
-// The library's curve files for hosts (talweg_curve_files.h).
+// The library's curve files are offered to hosts here (talweg_curve_files.h).
 #pragma once
 
 #include "talweg/plugin/talweg_curve_files.h"

@@ -1,4 +1,4 @@
-// Laplacian smoothing of curves along the edges of a mesh, inside a distance envelope.
+// Envelope smoothing is Laplacian smoothing along the edges of a mesh, inside a distance envelope.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// Curves as chains of nodes on the edges and vertices of a mesh, changed one node at a time.
+// Strands are curves as chains of nodes on edges and vertices, changed one node at a time.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// What a curve leaves on either side where it passes a vertex of the mesh.
+// A vertex passage is what a curve leaves on either side where it passes a vertex of the mesh.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// Subdivision of a curve on a surface by geodesic midpoints.
+// Curve subdivision refines a curve on a surface by geodesic midpoints.
 #pragma once
 
 #include <vector>

@@ -1,4 +1,4 @@
-// The parameters of talweg.smooth, and what they mean to the library.
+// The parameters of talweg.smooth are described here, with what they mean to the library.
 #pragma once
 
 #include <span>

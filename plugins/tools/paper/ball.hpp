@@ -1,4 +1,4 @@
-// Bumpy balls of any size.
+// A bumpy ball is a mesh of any size.
 #pragma once
 
 #include <cstdint>

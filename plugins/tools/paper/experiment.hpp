@@ -1,4 +1,4 @@
-// One curve on one mesh, smoothed as the paper does and timed.
+// An experiment smooths one curve on one mesh as the paper does, and times it.
 #pragma once
 
 #include <cstddef>

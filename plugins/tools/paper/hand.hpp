@@ -1,4 +1,4 @@
-// Curves as an unsteady hand paints them.
+// An unsteady hand paints curves.
 #pragma once
 
 #include <cstddef>

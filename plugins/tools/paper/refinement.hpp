@@ -1,4 +1,4 @@
-// Refining parts of a mesh, and a disc to do it on.
+// Refinement divides parts of a mesh, and makes a disc to do it on.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// Soft shadows in valleys, from the z-buffer alone.
+// Ambient occlusion puts soft shadows into valleys, from the z-buffer alone.
 #pragma once
 
 #include <cstddef>

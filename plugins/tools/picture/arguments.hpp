@@ -1,4 +1,4 @@
-// The renderer's command-line arguments that have a form of their own.
+// Some of the renderer's command-line arguments have a form of their own.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-// Orthographic cameras.
+// A camera is orthographic.
 #pragma once
 
 #include <vector>

@@ -1,4 +1,4 @@
-// Short texts in pictures.
+// A caption is a short text in a picture.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// Several pictures in one.
+// A contact sheet is several pictures in one.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// Normals for smooth shading.
+// Corner normals make shading smooth.
 #pragma once
 
 #include <vector>

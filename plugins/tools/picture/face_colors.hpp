@@ -1,4 +1,4 @@
-// Colours that tell labels and pieces apart.
+// Face colours tell labels and pieces apart.
 #pragma once
 
 #include <cstdint>

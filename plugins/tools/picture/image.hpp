@@ -1,4 +1,4 @@
-// A picture in memory and its way to a file.
+// An image is a picture in memory, with its way to a file.
 #pragma once
 
 #include <cstddef>

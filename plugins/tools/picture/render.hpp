@@ -1,4 +1,4 @@
-// Pictures of curves on a shaded mesh, without a display.
+// The renderer makes pictures of curves on a shaded mesh, without a display.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// The z-buffer.
+// The sample buffer is the z-buffer.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// What a scene must have to be drawn.
+// The scene check tells what a scene lacks to be drawn.
 #pragma once
 
 #include "tools/picture/render.hpp"

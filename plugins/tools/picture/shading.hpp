@@ -1,4 +1,4 @@
-// Light, material and colour.
+// Shading gives a surface light, material and colour.
 #pragma once
 
 #include <Eigen/Core>

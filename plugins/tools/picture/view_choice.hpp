@@ -1,4 +1,4 @@
-// Where to look from, and at what.
+// The choice of a view tells where to look from, and at what.
 #pragma once
 
 #include <vector>

@@ -1,4 +1,4 @@
-// Where the default strays far from the drawing: does a bound on the deviation cure it?
+// Bounded runs tell whether a bound cures drawings that the default strays far from.
 #pragma once
 
 #include <span>

@@ -1,4 +1,4 @@
-// Curves as unsteady hands draw them, open and closed, small and large, on any mesh.
+// Drawings are curves as unsteady hands draw them, open and closed, small and large, on any mesh.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// Pictures for docs/quality.md: the drawing, the paper's potential and the default, side by side.
+// The gallery shows the drawing, the paper's potential and the default, side by side.
 #pragma once
 
 #include <filesystem>

@@ -1,4 +1,4 @@
-// What was asked for beside what was reached.
+// The goals are what was asked for, shown beside what was reached.
 #pragma once
 
 #include <span>

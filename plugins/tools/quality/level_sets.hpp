@@ -1,4 +1,4 @@
-// Loops for drawings: where a function on the vertices changes its sign.
+// Level sets are loops for drawings, where a function on the vertices changes its sign.
 #pragma once
 
 #include <functional>

@@ -1,4 +1,4 @@
-// What is measured: smoothing at the default settings, τ swept, and the same shape on finer meshes.
+// The runs are what is measured: the default settings, τ swept, and the same shape on finer meshes.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// Ranks and shares of what was measured.
+// Statistics are ranks and shares of what was measured.
 #pragma once
 
 #include <span>

@@ -1,4 +1,4 @@
-// What was measured, as tables.
+// The tables show what was measured.
 #pragma once
 
 #include <span>

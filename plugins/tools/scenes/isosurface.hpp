@@ -1,4 +1,4 @@
-// Meshes of implicit solids.
+// An isosurface is the mesh of an implicit solid.
 #pragma once
 
 #include "tools/scenes/solids.hpp"

@@ -1,4 +1,4 @@
-// Smooth random functions of space.
+// Noise is a smooth random function of space.
 #pragma once
 
 #include <cstdint>

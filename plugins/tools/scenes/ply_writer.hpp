@@ -1,4 +1,4 @@
-// Meshes to files.
+// The PLY writer writes meshes to files.
 #pragma once
 
 #include <filesystem>

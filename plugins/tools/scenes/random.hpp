@@ -1,4 +1,4 @@
-// A small random generator whose numbers are the same everywhere.
+// The random generator is small, and its numbers are the same everywhere.
 #pragma once
 
 #include <cstdint>

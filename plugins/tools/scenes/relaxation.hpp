@@ -1,4 +1,4 @@
-// Better shaped triangles.
+// Relaxation gives triangles a better shape.
 #pragma once
 
 #include "tools/scenes/solids.hpp"

@@ -1,4 +1,4 @@
-// Realistic meshes with a jagged curve on each, made from nothing.
+// Scenes are realistic meshes with a jagged curve on each, made from nothing.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// Implicit solids: functions that are negative inside and grow like a distance.
+// Solids are implicit: functions that are negative inside and grow like a distance.
 #pragma once
 
 #include <functional>

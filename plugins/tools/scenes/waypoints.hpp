@@ -1,4 +1,4 @@
-// Vertices that a hand might click on.
+// Way-points are vertices that a hand might click on.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// Single pieces of meshes that were taken apart.
+// Seam pieces are the single pieces of meshes that were taken apart.
 #pragma once
 
 #include <cstddef>

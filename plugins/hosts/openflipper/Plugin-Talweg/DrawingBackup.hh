@@ -1,4 +1,4 @@
-// A state of a drawing on the host's list of undo and redo.
+// A drawing backup is a state of a drawing on the host's list of undo and redo.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,5 @@
-// Between the host's meshes and lines and the arrays of talweg::editing. Copies, and no geometry.
+// The host's meshes and lines are copied to and from the arrays of talweg::editing, without
+// geometry. Copies, and no geometry.
 #pragma once
 
 #include <QString>

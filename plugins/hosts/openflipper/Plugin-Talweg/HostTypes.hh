@@ -1,4 +1,4 @@
-// The host's headers of meshes and lines; they need this order.
+// The host's headers of meshes and lines need this order.
 #pragma once
 
 // clang-format off

@@ -1,4 +1,4 @@
-// The one place that knows which OpenFlipper this is: 4.x with Qt 5, 5.x with Qt 6.
+// This is the one place that knows which OpenFlipper this is: 4.x with Qt 5, 5.x with Qt 6.
 #pragma once
 
 #include <QMouseEvent>

@@ -1,4 +1,5 @@
-// The drawing on one mesh of the host: its editor, its thread, and the objects that show it.
+// A session is the drawing on one mesh of the host: its editor, its thread, and the objects that
+// show it.
 #pragma once
 
 #include <QString>

@@ -1,4 +1,5 @@
-// The toolbox: buttons, sliders, report. Knows the drawing only through its signals and show().
+// The panel is the toolbox: buttons, sliders, report. It knows the drawing only through its signals
+// and show().
 #pragma once
 
 #include <QCheckBox>

@@ -1,4 +1,4 @@
-// The plugin as OpenFlipper sees it.
+// This is the plugin as OpenFlipper sees it.
 #pragma once
 
 #include <QObject>

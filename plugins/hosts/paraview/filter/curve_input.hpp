@@ -1,4 +1,4 @@
-// Drawings as ParaView's users make them: lines, points, lists of vertex numbers.
+// A curve input is a drawing as ParaView's users make it: lines, points, lists of vertex numbers.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// A ParaView data set as a mesh of triangles.
+// A mesh input is a ParaView data set as a mesh of triangles.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// Results of the plugin as ParaView's data.
+// The results of a plugin become ParaView's data.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
-// What a filter keeps between its runs: an instance of talweg.smooth, and what it was last given,
-// so that only what has changed is given again.
+// A session is what a filter keeps between its runs: an instance of talweg.smooth, and what it was
+// last given, so that only what has changed is given again.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// Talweg's plugins, as the filter finds them.
+// The filter finds Talweg's plugins here.
 #pragma once
 
 #include "talweg/plugin/talweg_plugin.h"

@@ -1,4 +1,4 @@
-// ParaView's property panel for talweg.smooth, made from the plugin's own description.
+// ParaView's property panel for talweg.smooth is made from the plugin's own description.
 #pragma once
 
 #include <string>

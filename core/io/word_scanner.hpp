@@ -1,4 +1,4 @@
-// Words and numbers of a text file, with the line they stand on.
+// A word scanner goes from word to word of a text, whatever lines they stand on.
 #pragma once
 
 #include <cstddef>
@@ -9,18 +9,15 @@
 
 namespace talweg::formats {
 
-/// A piece of a file as it may be shown in a message: short and printable.
-std::string shown(std::string_view found);
-
 /// The line, from 1, that a byte of a text is on.
 std::size_t line_of(std::string_view text, std::size_t position);
 
 /// Reads words one after the other. Numbers do not depend on the locale. All errors are
 /// Error(kBadFile) and name the file, the line of the last word, what was expected and found.
-class TextScanner {
+class WordScanner {
  public:
   /// Begins at a byte that is on the given line; a byte order mark at the start is skipped.
-  TextScanner(const std::filesystem::path& path, std::string_view text, std::size_t position = 0,
+  WordScanner(const std::filesystem::path& path, std::string_view text, std::size_t position = 0,
               std::size_t line = 1);
 
   /// The next word on any line; empty at the end of the file.

@@ -1,46 +1,30 @@
-#include "talweg/core/io/text_scanner.hpp"
+#include "talweg/core/io/word_scanner.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
-#include <system_error>
 
 #include "talweg/core/io/file_bytes.hpp"
+#include "talweg/core/io/text_words.hpp"
 
 namespace talweg::formats {
 namespace {
 
-bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f'; }
 bool is_space(char c) { return is_blank(c) || c == '\n'; }
 
-std::string_view without_plus(std::string_view word) {
-  if (word.size() > 1 && word[0] == '+' && word[1] != '-') word.remove_prefix(1);
-  return word;
-}
-
 }  // namespace
-
-std::string shown(std::string_view found) {
-  constexpr std::size_t kLongest = 40;
-  std::string result(found.substr(0, kLongest));
-  for (char& c : result) {
-    if (c < 0x20 || c > 0x7e) c = '?';
-  }
-  return found.size() > kLongest ? result + "..." : result;
-}
 
 std::size_t line_of(std::string_view text, std::size_t position) {
   const std::string_view before = text.substr(0, position);
   return 1 + static_cast<std::size_t>(std::count(before.begin(), before.end(), '\n'));
 }
 
-TextScanner::TextScanner(const std::filesystem::path& path, std::string_view text,
+WordScanner::WordScanner(const std::filesystem::path& path, std::string_view text,
                          std::size_t position, std::size_t line)
     : path_(path), text_(text), position_(position), line_(line) {
   if (position_ == 0 && text_.substr(0, 3) == "\xEF\xBB\xBF") position_ = 3;
 }
 
-std::string_view TextScanner::word() {
+std::string_view WordScanner::word() {
   while (position_ < text_.size() && is_space(text_[position_])) {
     if (text_[position_++] == '\n') ++line_;
   }
@@ -49,7 +33,7 @@ std::string_view TextScanner::word() {
   return text_.substr(start, position_ - start);
 }
 
-std::string_view TextScanner::word_on_line() {
+std::string_view WordScanner::word_on_line() {
   for (;;) {
     while (position_ < text_.size() && is_blank(text_[position_])) ++position_;
     if (position_ == text_.size() || text_[position_] != '\\') break;
@@ -62,7 +46,7 @@ std::string_view TextScanner::word_on_line() {
   return text_.substr(start, position_ - start);
 }
 
-bool TextScanner::next_line() {
+bool WordScanner::next_line() {
   const std::size_t end = text_.find('\n', position_);
   if (end == std::string_view::npos) {
     position_ = text_.size();
@@ -73,56 +57,46 @@ bool TextScanner::next_line() {
   return position_ < text_.size();
 }
 
-std::string_view TextScanner::rest_of_line() const {
+std::string_view WordScanner::rest_of_line() const {
   const std::size_t end = std::min(text_.find('\n', position_), text_.size());
   return text_.substr(position_, end - position_);
 }
 
-std::string_view TextScanner::bytes(std::size_t n) {
+std::string_view WordScanner::bytes(std::size_t n) {
   const std::string_view result = text_.substr(position_, n);
   position_ += result.size();
   return result;
 }
 
-double TextScanner::number(std::string_view word, const char* expected) const {
-  const std::string_view digits = without_plus(word);
+double WordScanner::number(std::string_view word, const char* expected) const {
   double value = 0;
-  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-  if (end != digits.data() + digits.size() || digits.empty()) fail(expected, word);
-  if (error == std::errc::result_out_of_range) {
-    // Too small for a double is zero; too large is no coordinate.
-    if (digits.find("e-") != digits.npos || digits.find("E-") != digits.npos) return 0;
-    fail("a finite number", word);
-  }
-  if (error != std::errc{}) fail(expected, word);
+  if (!parse(word, value)) fail(expected, word);
   if (!std::isfinite(value)) fail("a finite number", word);
   return value;
 }
 
-std::int64_t TextScanner::integer(std::string_view word, const char* expected) const {
-  const std::string_view digits = without_plus(word);
+std::int64_t WordScanner::integer(std::string_view word, const char* expected) const {
   std::int64_t value = 0;
-  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-  if (error != std::errc{} || end != digits.data() + digits.size()) fail(expected, word);
+  if (!parse(word, value)) fail(expected, word);
   return value;
 }
 
-std::uint64_t TextScanner::count(std::string_view word, const char* expected,
+std::uint64_t WordScanner::count(std::string_view word, const char* expected,
                                  std::uint64_t limit) const {
   const std::int64_t value = integer(word, expected);
   if (value < 0 || static_cast<std::uint64_t>(value) >= limit) fail(expected, word);
   return static_cast<std::uint64_t>(value);
 }
 
-void TextScanner::fail(const std::string& expected, std::string_view found) const {
+void WordScanner::fail(const std::string& expected, std::string_view found) const {
   if (found.empty()) {
     fail("expected " + expected + ", found the end of the " +
          (position_ >= text_.size() ? "file" : "line"));
   }
-  fail("expected " + expected + ", found '" + shown(found) + "'");
+  fail("expected " + expected + ", found '" + printable(found) + "'");
 }
 
-void TextScanner::fail(const std::string& what) const {
+void WordScanner::fail(const std::string& what) const {
   cannot_read(path_, "line " + std::to_string(line_) + ": " + what);
 }
 

@@ -1,0 +1,23 @@
+// Words of a text are parsed the same for every format, and independently of the locale.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace talweg {
+
+inline bool is_blank(char c) {
+  return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f';
+}
+
+/// Parse a whole word, which may begin with a plus sign; false where it is none. A number may be
+/// infinite or NaN; one too small for a double is 0, one too large infinite.
+bool parse(std::string_view word, double& value);
+bool parse(std::string_view word, std::int64_t& value);
+
+/// At most so many bytes of a text, made printable, for a message; "..." where it was cut.
+std::string printable(std::string_view text, std::size_t longest = 40);
+
+}  // namespace talweg
