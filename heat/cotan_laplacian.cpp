@@ -11,7 +11,7 @@
 namespace talweg {
 namespace {
 
-/// y + z - x, never less than 0; sorted so that nothing cancels that need not.
+/// y + z - x, never less than 0; sorted to avoid needless cancellation.
 double slack(double x, double y, double z) {
   if (y < z) std::swap(y, z);
   return std::max(x > y ? z - (x - y) : z + (y - x), 0.0);
@@ -22,7 +22,7 @@ struct Entry {
   double weight;
 };
 
-/// Every side of every triangle in the column of its smaller corner, still with duplicates.
+/// Every side of every triangle in the column of its smaller corner, with duplicates.
 struct Sides {
   std::vector<std::int32_t> start;
   std::vector<Entry> entry;
@@ -81,7 +81,7 @@ SymmetricMatrix assemble(std::size_t vertex_count, Sides sides) {
   return matrix;
 }
 
-/// The diagonal as minus the sum of the others, so rows sum to zero up to rounding.
+/// Sets the diagonal to minus the sum of the other entries, so rows sum to zero up to rounding.
 void fill_diagonal(SymmetricMatrix& matrix) {
   for (std::size_t j = 0; j < matrix.size(); ++j) {
     for (std::int32_t k = matrix.column_start[j] + 1; k < matrix.column_start[j + 1]; ++k) {

@@ -17,23 +17,23 @@ struct TriangleShape {
   double area = 0;                    ///< length squared
 };
 
-/// Side k runs from corner k to corner k + 1. From the four factors of Heron's formula in Kahan's
-/// stable form, so needles cost no digits: cotangents have an error of a few ulp of the largest of
-/// them or of 1, the area of a few ulp of itself.
+/// Side k runs from corner k to corner k + 1. Computed from the four factors of Heron's formula in
+/// Kahan's stable form, so needles lose no digits: cotangents have an error of a few ulp of the
+/// largest of them or of 1, the area of a few ulp of itself.
 TriangleShape triangle_shape(const std::array<double, 3>& length);
 
 struct CotanLaplacian {
-  /// n × n, symmetric, positive semidefinite up to rounding, rows sum to zero:
-  /// (S u)_i = Σ_j (cot α_ij + cot β_ij) / 2 · (u_i - u_j). No unit: lengths cancel.
+  /// n × n, symmetric, positive semidefinite up to rounding, rows sum to zero: (S u)_i = Σ_j (cot
+  /// α_ij + cot β_ij) / 2 · (u_i - u_j). Dimensionless, because lengths cancel.
   SymmetricMatrix stiffness;
   /// Diagonal mass, a third of the area of the triangles at each vertex (barycentric); 0 at an
   /// isolated vertex. Length squared. Sums to the area.
   std::vector<double> mass;
 };
 
-/// O(triangles). Triangles without area add nothing but keep their place in the pattern; isolated
-/// vertices have a zero row. Corners must be below `vertex_count`.
-/// Throws Error(kOutOfMemory) when the matrix would have 2^31 entries or more.
+/// O(triangles). Triangles without area add nothing but keep their entries in the pattern; isolated
+/// vertices have a zero row. Corners must be below `vertex_count`. Throws Error(kOutOfMemory) when
+/// the matrix would have 2^31 entries or more.
 CotanLaplacian cotan_laplacian(std::size_t vertex_count, std::span<const MetricTriangle> triangles);
 
 }  // namespace talweg

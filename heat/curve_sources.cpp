@@ -17,7 +17,7 @@ void add(Sources& sources, const Surface& surface, const FaceCoordinates& point,
   }
 }
 
-/// ∫ λ ds over a segment inside one face, where λ is linear: the mean of its ends.
+/// Adds ∫ λ ds over a segment inside one face, where λ is linear, so it is the mean of its ends.
 void add_segment(Sources& sources, const Surface& surface, const SurfaceCurve& curve,
                  std::size_t from, std::size_t to) {
   const SurfacePoint &p = curve.points[from], &q = curve.points[to];

@@ -46,7 +46,7 @@ std::vector<MetricTriangle> triangles_of(const Surface& surface, const Mollifica
   return triangles(thickened);
 }
 
-/// Factors one after the other or two at a time; the factors are the same.
+/// Factors matrices one after the other or two at a time; the factors are the same.
 class Factoring {
  public:
   Factoring(const SymbolicFactor& symbolic, unsigned threads)
@@ -80,10 +80,10 @@ struct HeatDistance::Impl {
   std::optional<CholeskyFactor> neumann, dirichlet, poisson;
   HeatReport report;
 
-  /// The sources, checked, and what they mean for each component.
+  /// The sources, checked, and their consequences for each component.
   struct Start {
     std::vector<double> total;  // weight, by component
-    std::vector<char> inside;   // by component: a source off the boundary
+    std::vector<char> inside;   // by component: whether a source is off the boundary
     std::vector<double> heat;   // by vertex; sums to 1 over each component with a source
     std::vector<char> reached;  // by vertex
   };
@@ -184,7 +184,8 @@ HeatDistance::Impl::Start HeatDistance::Impl::start(std::span<const WeightedVert
 ScaledField HeatDistance::Impl::heat(const Start& start, const Progress& progress) const {
   ScaledField u = heat_flow(*neumann, triangles, time_scale, start.heat, start.reached, progress);
   if (!dirichlet) return u;
-  // Components with a boundary and a source off it; a closed one would just get u again.
+  // Components with a boundary and a source off it; for a closed one the second solution would be
+  // the same.
   std::vector<char> bounded(components.count, 0);
   for (std::size_t v = 0; v < boundary.size(); ++v) {
     if (boundary[v] != 0) bounded[components.of_vertex[v]] = 1;

@@ -13,30 +13,30 @@
 
 namespace talweg {
 
-/// What is fixed when a surface is opened.
+/// Options that are fixed when a surface is opened.
 struct HeatOptions {
   double time_scale = 10;       ///< heat time in units of h², h mean edge length; [1e-3, 1e6]
   double mollification = 1e-5;  ///< least slack of a triangle in units of h; [1e-10, 1e-2]
   bool delaunay = true;         ///< work on the intrinsic Delaunay triangulation
-  unsigned threads = 2;         ///< used while opening; >= 1; no influence on any result
+  unsigned threads = 2;         ///< used while opening; >= 1; no effect on results
 
   /// Throws Error(kBadUsage) naming the field and its bound.
   void validate() const;
 };
 
-/// What may differ from one distance to the next.
+/// Options that may differ from one distance to the next.
 struct DistanceOptions {
   bool zero_on_sources = true;  ///< shift so that the weighted mean over the sources is 0
   bool clamp = true;            ///< negative distances (around the curve) become 0
 };
 
-/// What opening a surface did.
+/// The work done when a surface was opened.
 struct HeatReport {
   std::size_t components = 0;            ///< connected parts of the surface
   std::size_t flips = 0;                 ///< to the intrinsic Delaunay triangulation
-  std::size_t flat_triangles = 0;        ///< without area even after mollification; left out
+  std::size_t flat_triangles = 0;        ///< without area even after mollification; ignored
   std::vector<double> mean_edge_length;  ///< h of each component
-  std::vector<double> mollification;     ///< length added to each edge, by component; 0 if none
+  std::vector<double> mollification;     ///< length added to each edge, per component; 0 if none
   std::size_t factor_entries = 0;        ///< of one triangular factor
   double laplacian_ms = 0;               ///< mollification, flips and matrices
   double order_ms = 0;                   ///< symbolic analysis
@@ -45,11 +45,11 @@ struct HeatReport {
 
 /// The heat method (Crane, Weischedel & Wardetzky 2013) with a larger time step, as the paper uses
 /// it (section 4): heat flows from the sources for the time s h², its gradient is normalised, and
-/// the distance is the potential that fits it best.
+/// the distance is the function whose gradient fits it best.
 ///
-/// Constructed once per surface, which is when everything is factored; then solved as often as
-/// needed. Immutable, so any number of threads may call solve at the same time. Does not refer to
-/// the surface afterwards.
+/// Constructed once per surface, which factors all matrices; then any number of distances can be
+/// solved for. Immutable, so any number of threads may call solve at the same time. Does not refer
+/// to the surface afterwards.
 ///
 /// Where a component has a boundary and a source off it, the heat is the average of the solutions
 /// with free and with cold boundary (as that paper advises); elsewhere the boundary is free. The
@@ -60,7 +60,8 @@ class HeatDistance {
   /// Error(kNumerical) or Error(kOutOfMemory) when the factorization fails.
   explicit HeatDistance(const Surface& surface, const HeatOptions& options = {});
 
-  /// The same with progress (stages "laplacian", "order", "factor"); empty when cancelled.
+  /// Like the constructor, with progress (stages "laplacian", "order", "factor"); empty when
+  /// cancelled.
   static std::optional<HeatDistance> open(const Surface& surface, const HeatOptions& options,
                                           const Progress& progress);
 
@@ -69,10 +70,11 @@ class HeatDistance {
   HeatDistance& operator=(HeatDistance&&) noexcept;
 
   /// One distance per vertex, in length units: +infinity in components without a source, finite
-  /// elsewhere. Without zero_on_sources only differences within a component mean anything.
-  /// Throws Error(kBadCurve) when a source is no vertex of the surface, a weight is negative or
-  /// not finite, or no weight is positive; Error(kNumerical) should a distance not be finite.
-  /// `progress` (stage "solve") is asked between its steps; Cancelled is thrown when it says no.
+  /// elsewhere. Without zero_on_sources only differences within a component are meaningful.
+  /// Throws Error(kBadCurve) when a source is not a vertex of the surface, a weight is negative or
+  /// not finite, or no weight is positive; Error(kNumerical) if a distance is not finite.
+  /// `progress` (stage "solve") is asked between its steps; Cancelled is thrown when it returns
+  /// false.
   [[nodiscard]] std::vector<double> solve(std::span<const WeightedVertex> sources,
                                           const DistanceOptions& options = {},
                                           const Progress& progress = {}) const;
@@ -85,7 +87,7 @@ class HeatDistance {
   std::unique_ptr<const Impl> impl_;
 };
 
-/// The distance to a curve, in one call.
+/// Computes the distance to a curve in one call.
 std::vector<double> heat_distance(const Surface& surface, const SurfaceCurve& curve,
                                   const HeatOptions& options = {});
 

@@ -6,8 +6,8 @@
 namespace talweg {
 namespace {
 
-/// The source that makes the solve continue from the known vertices into the unknown ones, in
-/// units of the next stage. Only sides between the two kinds contribute.
+/// The source that continues the solve from the known vertices into the unknown ones, in units of
+/// the next stage. Only sides between the two kinds contribute.
 std::vector<double> rim_source(std::span<const HeatTriangle> triangles, double time_scale,
                                const ScaledField& u, const std::vector<char>& unknown,
                                const std::vector<char>& reached, std::int32_t stage) {
@@ -68,7 +68,8 @@ ScaledField average(ScaledField a, const ScaledField& b, const std::vector<char>
   for (std::size_t i = 0; i < a.value.size(); ++i) {
     if (where[i] == 0) continue;
     const int later = b.stage[i] - a.stage[i];
-    // A stage ahead is nothing beside a; a stage behind cannot be, but for rounding near 0.
+    // A later stage is negligible beside a; b cannot be at an earlier stage, except by rounding
+    // near 0.
     const double other = later >= 0 ? std::ldexp(b.value[i], -ScaledField::kStageBits * later) : 0;
     a.value[i] = (a.value[i] + other) / 2;
   }

@@ -22,14 +22,14 @@ struct ScaledField {
 /// 2013, step I), with `factor` the factor of that matrix (or of the one with Dirichlet rows).
 ///
 /// u falls by a factor of about exp(-1 / √s) per edge, so doubles underflow after some 2,000 edges.
-/// Where |u| is below 2^-800 the equation is therefore solved again, scaled: with A the vertices
-/// known so far, the rest of u has the source -(s S u_A) beyond A's rim and +(s S u_rest) on it,
-/// and the same matrix. This is u itself, not an approximation, to a few digits less than one
-/// solve; one more solve for each 1,700 edge lengths or so.
+/// Where |u| is below 2^-800 the equation is therefore solved again, scaled. Let A be the vertices
+/// known so far; then the rest of u solves the system with the same matrix and the source -(s S
+/// u_A) beyond A's rim and +(s S u_rest) on it. This is u itself, not an approximation, to a few
+/// digits less than a single solve. It takes one more solve for each 1,700 edge lengths or so.
 ///
-/// `source` has one entry per vertex, of order 1 at most; `reached[i]` tells where u is not 0 by
-/// itself (components with a source, Dirichlet rows excepted). `progress` (stage "solve") is asked
-/// before each solve; Cancelled is thrown when it says no.
+/// `source` has one entry per vertex, of order 1 at most; `reached[i]` tells whether u is not 0 by
+/// definition (it is set in components with a source, except at Dirichlet rows). `progress` (stage
+/// "solve") is asked before each solve; Cancelled is thrown when it returns false.
 ScaledField heat_flow(const CholeskyFactor& factor, std::span<const HeatTriangle> triangles,
                       double time_scale, const std::vector<double>& source,
                       const std::vector<char>& reached, const Progress& progress = {});

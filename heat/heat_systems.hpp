@@ -9,14 +9,15 @@
 
 namespace talweg {
 
-/// M / h² + s S, without unit, positive definite up to rounding; h is the mean edge length of each
+/// M / h² + s S, dimensionless, positive definite up to rounding; h is the mean edge length of each
 /// vertex's component and s the time in units of h². Rows that would be 0 (isolated vertices,
 /// components of no extent) get a unit diagonal.
 SymmetricMatrix neumann_heat_matrix(const CotanLaplacian& laplacian, const Components& components,
                                     const std::vector<double>& mean_edge_length, double time_scale);
 
 /// S with the row and column of each component's first vertex (and of every vertex whose row is 0)
-/// replaced by the identity's: positive definite up to rounding, no unit. `pinned` receives which.
+/// replaced by those of the identity: positive definite up to rounding, dimensionless. `pinned`
+/// receives the replaced vertices.
 SymmetricMatrix pinned_poisson_matrix(const CotanLaplacian& laplacian, const Components& components,
                                       std::vector<char>& pinned);
 

@@ -10,14 +10,14 @@
 
 namespace talweg {
 
-/// Corners ordered so that the longest side runs from corner 0 to corner 1.
+/// A triangle whose corners are ordered so that the longest side runs from corner 0 to corner 1.
 struct HeatTriangle {
   std::array<std::uint32_t, 3> corner{};
   std::array<double, 3> half_cotangent{};  ///< at each corner: the weight of the opposite side
   double longest_side = 0;
 };
 
-/// Triangles without area are left out: nothing flows through them. O(triangles).
+/// Triangles without area are left out because nothing flows through them. O(triangles).
 std::vector<HeatTriangle> heat_triangles(std::span<const MetricTriangle> triangles);
 
 }  // namespace talweg

@@ -8,7 +8,8 @@
 namespace talweg {
 namespace {
 
-/// The triangle's three values, the largest of them of size 1; all 0 where there is no heat.
+/// The triangle's three values, scaled so that the largest has absolute value 1; all 0 where there
+/// is no heat.
 std::array<double, 3> local_values(const HeatTriangle& triangle, const ScaledField& u) {
   std::array<double, 3> value;
   std::array<std::int32_t, 3> stage;
@@ -36,7 +37,8 @@ std::vector<double> unit_gradient_divergence(std::span<const HeatTriangle> trian
   for (const HeatTriangle& triangle : triangles) {
     const std::array<double, 3> value = local_values(triangle, u);
     const auto& weight = triangle.half_cotangent;
-    // |∇u| · longest side: along that side, and across it (height = side / (cot₀ + cot₁)).
+    // ∇u| · longest side, from its components along that side and across it (height = side / (cot₀
+    // + cot₁)).
     const double along = value[1] - value[0];
     const double across = 2 * ((weight[0] + weight[1]) * (value[2] - value[0]) - weight[0] * along);
     const double steepness = std::sqrt(along * along + across * across);

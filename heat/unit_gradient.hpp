@@ -13,9 +13,9 @@ namespace talweg {
 /// (Crane, Weischedel & Wardetzky 2013, steps II and III): b_i = ∫ X · ∇λ_i over the triangles at
 /// i, λ_i the hat function. One number per vertex, in length units; Σ b = 0 up to rounding.
 ///
-/// Only differences along sides are needed: X · e_ij = (u_i - u_j) / |∇u|, and |∇u| comes from
-/// the layout of the triangle on its longest side. Each triangle is scaled by its own largest |u|
-/// first, so the direction survives wherever u is not 0. Triangles where u is constant have no
+/// Only differences along sides are needed: X · e_ij = (u_i - u_j) / |∇u|, and |∇u| follows from
+/// the layout of the triangle on its longest side. Each triangle is first scaled by its own largest
+/// |u|, so the direction is accurate wherever u is not 0. Triangles where u is constant have no
 /// direction and add nothing. O(triangles).
 std::vector<double> unit_gradient_divergence(std::span<const HeatTriangle> triangles,
                                              const ScaledField& u);

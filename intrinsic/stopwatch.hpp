@@ -11,7 +11,7 @@ class Stopwatch {
   [[nodiscard]] double ms() const {
     return std::chrono::duration<double, std::milli>(Clock::now() - start_).count();
   }
-  /// The same, and begins again.
+  /// Like ms(), and starts a new lap.
   double lap() {
     const Clock::time_point now = Clock::now();
     const std::chrono::duration<double, std::milli> passed = now - start_;

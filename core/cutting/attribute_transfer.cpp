@@ -19,7 +19,7 @@ constexpr std::uint32_t kNoValue = CornerAttribute::kNone;
 /// "red", and "diffuse_red".
 bool is_colour(std::string_view name) {
   if (name == "r" || name == "g" || name == "b" || name == "a") return true;
-  name.remove_prefix(name.rfind('_') + 1);  // nothing where there is none
+  name.remove_prefix(name.rfind('_') + 1);  // keeps all if there is no '_'
   return std::find(kColours.begin(), kColours.end(), name) != kColours.end();
 }
 
@@ -27,7 +27,7 @@ bool is_real(NumberType type) {
   return type == NumberType::kFloat32 || type == NumberType::kFloat64;
 }
 
-/// Full, of a colour's component: what white has.
+/// The full value of a colour's component, as white has it.
 double white(NumberType type) {
   switch (type) {
     case NumberType::kInt8:
@@ -68,12 +68,12 @@ template <class Value>
 double interpolated(const Parts& parts, Value value_of_corner) {
   double sum = 0;
   for (std::size_t k = 0; k < 3; ++k) {
-    if (parts[k] > 0) sum += parts[k] * value_of_corner(k);  // others may be no numbers
+    if (parts[k] > 0) sum += parts[k] * value_of_corner(k);  // other values may be NaN
   }
   return sum;
 }
 
-/// Makes three numbers a unit vector where they have a direction.
+/// Makes three numbers a unit vector unless they are zero.
 void normalize(std::array<double*, 3> normal) {
   const double length = std::hypot(*normal[0], *normal[1], *normal[2]);
   if (!(length > 0) || !std::isfinite(length)) return;
@@ -93,7 +93,7 @@ void check_sizes(const MeshAttributes& attributes, std::size_t vertices, std::si
   check(attributes.faces, faces);
 }
 
-/// Interpolates the columns of the vertices that are new.
+/// Interpolates the columns at the new vertices.
 void extend_vertices(const CutMesh& cut, const Surface& old,
                      std::vector<AttributeColumn>& columns) {
   if (columns.empty()) return;
@@ -124,7 +124,7 @@ void extend_vertices(const CutMesh& cut, const Surface& old,
   }
 }
 
-/// Gives the corners of new faces their numbers; two faces share one where the old ones do.
+/// Creates the values at corners of new faces; two faces share a value where the old ones do.
 class CornerCarrier {
  public:
   CornerCarrier(const CutMesh& cut, const Surface& old, const CornerAttribute& from)
@@ -141,7 +141,7 @@ class CornerCarrier {
   }
 
  private:
-  using Key = std::pair<std::uint32_t, Corners>;  // vertex, and what is mixed there
+  using Key = std::pair<std::uint32_t, Corners>;  // a vertex, and the values mixed there
 
   std::uint32_t at(FaceId face, std::uint32_t vertex) {
     const Corners& own = from_.corners[face.index()];
@@ -157,7 +157,7 @@ class CornerCarrier {
       if (parts[k] == 0) key.second[k] = kNoValue;
       if (parts[k] > 0 && own[k] == kNoValue) return kNoValue;
     }
-    std::sort(key.second.begin(), key.second.end());  // neighbours have other orders
+    std::sort(key.second.begin(), key.second.end());  // neighbours have them in another order
     const auto [place, is_new] = known_.try_emplace(key, 0);
     if (is_new) place->second = mix(own, parts);
     return place->second;
@@ -192,7 +192,7 @@ std::vector<Value> of_faces(const std::vector<Value>& values, std::span<const st
   return result;
 }
 
-/// Of the numbers only those that these faces use, in the order of their first use.
+/// Keeps only the values that these faces use, in the order of their first use.
 CornerAttribute of_faces(const CornerAttribute& from, std::span<const std::uint32_t> faces) {
   CornerAttribute to{from.dimension, {}, {}};
   if (from.dimension == 0) return to;
@@ -212,7 +212,7 @@ CornerAttribute of_faces(const CornerAttribute& from, std::span<const std::uint3
   return to;
 }
 
-/// All that belongs to faces, of others.
+/// All attributes of faces, taken from other faces.
 MeshAttributes with_faces(const MeshAttributes& attributes, std::span<const std::uint32_t> faces) {
   MeshAttributes result;
   result.references = attributes.references;

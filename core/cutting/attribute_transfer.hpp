@@ -12,24 +12,24 @@
 
 namespace talweg {
 
-/// The attributes of the cut mesh. Faces have what the old face has that they are part of. Old
-/// vertices keep their numbers; a new one has, of its old face's corners,
-/// - the linear interpolation, of real numbers and of whole ones that are colours (rounded);
-/// - that, made as long as one, of normals (nx, ny, nz);
-/// - what the nearest corner has (in barycentrics; the first of equals), of other whole numbers and
-///   of columns with "label" in their name.
-/// Corners are interpolated in the same way. Throws Error(kBadUsage) where the attributes are not
-/// of as many vertices and faces as the old mesh has.
+/// The attributes of the cut mesh. Faces have those of the old face that they are part of. Old
+/// vertices keep their values. The value of a new vertex follows from the corners of its old face:
+/// - real numbers, and whole numbers that are colours (rounded), are interpolated linearly;
+/// - normals (nx, ny, nz) are interpolated and made as long as one;
+/// - other whole numbers, and columns with "label" in their name, are taken from the nearest corner
+///   (in barycentrics; the first of equals).
+/// Corners are interpolated in the same way. Throws Error(kBadUsage) where the attributes do not
+/// have as many vertices and faces as the old mesh.
 MeshAttributes carried_to(const CutMesh& cut, const Surface& old, const MeshAttributes& attributes);
 
-/// The attributes of a mesh of other vertices and faces of this one, any number of times each.
-/// Faces and vertices from none (kNoFace, kNoVertex), such as those of lids, have 0 in every column
-/// but white in those of colours, and neither texture coordinates nor normals nor names.
+/// The attributes of a mesh whose vertices and faces are picked from this one, each any number of
+/// times. Faces and vertices from none (kNoFace, kNoVertex), such as those of lids, are 0 in every
+/// column and white in those of colours; they have no texture coordinates, normals or names.
 MeshAttributes picked(const MeshAttributes& attributes, std::span<const std::uint32_t> vertices,
                       std::span<const std::uint32_t> faces);
 
-/// The attributes of a repaired mesh. `differing`: how many vertices were welded onto one whose
-/// numbers are others; those are lost.
+/// The attributes of a repaired mesh. `differing`: how many vertices were welded onto one with
+/// other values; their own values are lost.
 MeshAttributes of_repaired(const MeshAttributes& attributes, const RepairMap& map,
                            std::size_t& differing);
 

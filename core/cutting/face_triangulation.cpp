@@ -11,8 +11,8 @@ namespace {
 
 using Place = FaceTriangulation::Place;
 
-/// Twice a signed area, exactly: high times 2^21, and low. Coordinates differ by at most 2^40, so
-/// it has up to 82 bits; parts of 21 bits times 40 fit into 64.
+/// Twice a signed area, exactly: high times 2^21, plus low. Coordinates differ by at most 2^40, so
+/// it has up to 82 bits; products of 21 and 40 bits fit into 64.
 struct Area {
   static constexpr int kShift = 21;
   std::int64_t high;
@@ -142,7 +142,7 @@ std::size_t FaceTriangulation::connect(std::uint32_t a, std::uint32_t b) {
   return segments_.size() - 1;
 }
 
-/// Appends the points after a, up to b.
+/// Appends the points after a, up to and including b.
 void FaceTriangulation::connect_part(std::uint32_t a, std::uint32_t b,
                                      std::vector<std::uint32_t>& way) {
   if (a == b) return;
@@ -155,7 +155,7 @@ void FaceTriangulation::connect_part(std::uint32_t a, std::uint32_t b,
     connect_part(a, c, way);
     connect_part(c, b, way);
   };
-  // The triangle at a that the segment leaves a through, u on the right of it and v on the left.
+  // The segment leaves a through the triangle with u on its right and v on its left.
   std::uint32_t u = a, v = a;
   for (const Corners& c : triangles_) {
     const auto at = std::find(c.begin(), c.end(), a) - c.begin();
@@ -186,8 +186,8 @@ void FaceTriangulation::connect_part(std::uint32_t a, std::uint32_t b,
   }
 }
 
-/// The point where the segment from a to b crosses the edge of another, which is split there; one
-/// of its ends where no other place is left.
+/// Splits an edge of another segment where the segment from a to b crosses it, and returns the new
+/// point; returns one of the edge's ends if the lattice has no other place.
 std::uint32_t FaceTriangulation::cross(std::uint32_t a, std::uint32_t b, std::uint32_t u,
                                        std::uint32_t v) {
   const long double right = area(places_[a], places_[b], places_[u]).value();

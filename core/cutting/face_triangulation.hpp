@@ -12,31 +12,33 @@
 namespace talweg {
 
 /// A triangulation of a triangle in which given segments are chains of edges. Points are integer
-/// barycentrics, so that which side of a line a point lies on is always decided exactly, and no
-/// two faces of a mesh disagree on the points of their common edge.
+/// barycentrics, so the side of a line on which a point lies is always decided exactly, and two
+/// faces of a mesh always agree on the points of their common edge.
 class FaceTriangulation {
  public:
   static constexpr std::int64_t kOne = std::int64_t{1} << 40;
-  /// Each >= 0, with sum kOne. On side k, from corner k to k + 1, number k + 2 is 0.
+  /// Each number is >= 0, and their sum is kOne. On side k, from corner k to k + 1, number k + 2 is
+  /// 0.
   using Place = std::array<std::int64_t, 3>;
   using Corners = std::array<std::uint32_t, 3>;
 
-  /// The corners (numbers 0, 1, 2) in the plane, counterclockwise; only for the shape of triangles.
+  /// The corners (numbers 0, 1, 2) in the plane, counterclockwise; they only affect the shape of
+  /// triangles.
   explicit FaceTriangulation(const std::array<PlanePoint, 3>& corners);
 
-  /// Adds a point; the number of the one that is there already if there is one.
+  /// Adds a point and returns its number, or that of the point that is there already.
   std::uint32_t insert(const Place& place);
-  /// Makes the segment between two points a chain of edges. Where it meets a point it passes it;
-  /// where it crosses another segment a point is added, at the nearest place there is.
+  /// Makes the segment between two points a chain of edges. The chain passes through points that it
+  /// meets. Where it crosses another segment, a point is added at the nearest place on the lattice.
   /// Returns the segment's number. Throws Error(kNumerical) when it cannot (never seen).
   std::size_t connect(std::uint32_t a, std::uint32_t b);
-  /// Flips edges that belong to no segment until the triangulation is Delaunay but for rounding.
+  /// Flips edges that belong to no segment until the triangulation is Delaunay up to rounding.
   void improve();
 
   /// The points along a segment, in order, with its ends.
   [[nodiscard]] std::vector<std::uint32_t> chain(std::size_t segment) const;
   [[nodiscard]] const std::vector<Place>& places() const { return places_; }
-  /// Counterclockwise; none is flat.
+  /// The triangles, counterclockwise; none is flat.
   [[nodiscard]] const std::vector<Corners>& triangles() const { return triangles_; }
 
  private:
@@ -45,7 +47,7 @@ class FaceTriangulation {
   static Key undirected(std::uint32_t a, std::uint32_t b) {
     return a < b ? directed(a, b) : directed(b, a);
   }
-  /// Twice the signed area in the lattice, by sign: 1 where a, b, c turn left.
+  /// The sign of the triangle's area on the lattice: 1 where a, b, c turn left.
   [[nodiscard]] int side(std::uint32_t a, std::uint32_t b, std::uint32_t c) const;
   [[nodiscard]] bool has_edge(std::uint32_t a, std::uint32_t b) const;
   [[nodiscard]] bool is_fixed(std::uint32_t a, std::uint32_t b) const {
@@ -72,7 +74,7 @@ class FaceTriangulation {
     bool is_split = false;
     std::uint32_t at = 0;
   };
-  std::unordered_map<Key, Fixed> fixed_;  // edges of segments, those that were split too
+  std::unordered_map<Key, Fixed> fixed_;  // edges of segments, including those that were split
   std::vector<std::vector<std::uint32_t>> segments_;
 };
 

@@ -16,7 +16,7 @@
 namespace talweg {
 namespace {
 
-/// Up to so many points of a rim all triangulations are looked at, where the first is in the way.
+/// If the first lid does not fit, all triangulations of rims up to this many points are considered.
 constexpr std::size_t kWhole = 640;
 
 double extent_of(const std::vector<Point>& points, const Loop& rim) {
@@ -25,7 +25,7 @@ double extent_of(const std::vector<Point>& points, const Loop& rim) {
   return (box.high - box.low).norm();
 }
 
-/// To the outside of a lid, by the vector area of its rim.
+/// The direction to the outside of a lid, from the vector area of its rim.
 Point direction_of(const std::vector<Point>& points, const Loop& rim) {
   Point sum = Point::Zero();
   for (std::size_t i = 0; i < rim.size(); ++i) {
@@ -42,9 +42,9 @@ Triangle ascending(Triangle t) {
 
 }  // namespace
 
-/// Whether it is the one: it meets nothing. Else it is kept if it is the best so far.
+/// Returns true for a lid that meets nothing. Otherwise the lid is kept if it is the best so far.
 bool LidChooser::offer(Lid lid, std::size_t twin) {
-  contacts_.clear();  // those of another lid name other triangles
+  contacts_.clear();  // those found for another lid refer to its triangles
   if (lid.triangles.empty() || clearance_.repeats_triangle(lid) || !clearance_.taken(lid).empty()) {
     return false;
   }
@@ -62,7 +62,7 @@ bool LidChooser::offer_plane() {
   if (!taken.empty() || clearance_.repeats_triangle(lid)) {
     lid = with_inner_points(clearance_, lid, rims_, taken);
   }
-  // Two plane lids over one seam lie on each other.
+  // Two plane lids over one seam coincide.
   const std::size_t twin = find_twin();
   const bool lie_together = twin != LidClearance::kNoTwin && made_[twin].lid.plane;
   return offer(std::move(lid), lie_together ? twin : LidClearance::kNoTwin);
@@ -75,14 +75,14 @@ std::size_t LidChooser::find_twin() const {
   return LidClearance::kNoTwin;
 }
 
-/// The lid of the other side of the seam, turned around.
+/// Offers the lid of the other side of the seam, with its orientation reversed.
 bool LidChooser::offer_twin() {
   const std::size_t twin = find_twin();
   if (twin == LidClearance::kNoTwin) return false;
   std::map<std::uint32_t, std::uint32_t> here;
   for (const Loop& rim : rims_) {
     for (const std::uint32_t v : rim) {
-      if (!here.emplace(origin_(v), v).second) return false;  // it touches itself
+      if (!here.emplace(origin_(v), v).second) return false;  // the rim touches itself
     }
   }
   Lid lid = made_[twin].lid;
@@ -100,7 +100,8 @@ bool LidChooser::offer_least_area() {
   return offer({fill_loop(points_, rims_[0]), {}});
 }
 
-/// The least one without what the last one met, a few times.
+/// Offers the triangulation of least area without the triangles that met something last, a few
+/// times.
 bool LidChooser::offer_other_triangulations() {
   constexpr double kTolerance = 1e-9;
   const int rounds = rims_[0].size() <= 256 ? 4 : 2;
@@ -146,14 +147,14 @@ bool LidChooser::offer_sunk(const std::vector<Triangle>& triangles, bool in_one_
   return offer(std::move(lid));
 }
 
-/// Over the rim as it looks from its outside, and of least area; with points inside, moved in one
-/// direction, or in that which each place asks for.
+/// Offers lids with points inside, starting from the rim's projection and from the lid of least
+/// area. The points are moved in one direction, or in the direction that each place needs.
 bool LidChooser::offer_sunk() {
   std::vector<std::vector<Triangle>> starts;
   if (auto plane = fill_plane(points_, rims_)) {
     const Best before = best_;
     if (offer({*plane, {}})) return true;
-    best_ = before;  // not if it touches
+    best_ = before;  // do not keep it if it touches
     starts.push_back(std::move(*plane));
   }
   if (!starts_.empty()) starts.push_back(starts_.back());

@@ -15,12 +15,12 @@
 
 namespace talweg {
 
-/// Makes the lids of a piece, one after the other; each keeps clear of those before.
+/// Makes the lids of a piece, one after the other; each keeps clear of the earlier ones.
 class LidChooser {
  public:
-  /// `origin`: by the piece's numbers, those of the cut mesh, which are the chains'; two rims that
-  /// run along the same of them, the two sides of one cut, get the same lid where they are on one
-  /// part.
+  /// `origin` maps the piece's vertex numbers to those of the cut mesh, which the chains use. Two
+  /// rims along the same vertices of the cut mesh, the two sides of one cut, get the same lid if
+  /// they are on one part.
   LidChooser(const std::vector<Point>& points, LidClearance& clearance,
              std::function<std::uint32_t(std::uint32_t)> origin,
              std::span<const CutMesh::Chain> chains, Asker& asker)
@@ -30,7 +30,8 @@ class LidChooser {
         chains_(chains),
         asker_(asker) {}
 
-  /// A lid over one rim, or over a plane one and the holes in it; it is placed. Throws Cancelled.
+  /// Chooses a lid over one rim, or over a plane rim and the holes in it, and places it. Throws
+  /// Cancelled.
   Lid choose(const std::vector<Loop>& rims, LidKind kind);
 
  private:
@@ -61,7 +62,7 @@ class LidChooser {
   Asker& asker_;
   std::vector<Twin> made_;  // in the order of their numbers
 
-  // Of the rims at hand.
+  // For the rims that are being closed.
   std::vector<Loop> rims_;
   std::set<std::uint32_t> parts_;
   std::vector<std::uint32_t> origins_;

@@ -5,7 +5,7 @@
 namespace talweg {
 namespace {
 
-constexpr std::size_t kOfVisit = 32, kOfPair = 12;  // units of work: of the tree, two triangles
+constexpr std::size_t kOfVisit = 32, kOfPair = 12;  // work of a tree search, of two triangles
 
 SpaceBox box_of(const PointTriangle& t) { return SpaceBox::around(t); }
 
@@ -14,7 +14,7 @@ PointTriangle face_at(const MeshLists& piece, std::uint32_t face) {
   return {piece.points[t[0]], piece.points[t[1]], piece.points[t[2]]};
 }
 
-/// A rim's box, larger by its diagonal on all sides: as far as a lid reaches.
+/// A rim's box, enlarged by its diagonal on all sides, which is as far as a lid reaches.
 SpaceBox reach_of(const MeshLists& piece, const Loop& rim) {
   SpaceBox box{piece.points[rim[0]], piece.points[rim[0]]};
   for (const std::uint32_t v : rim) box = box.with({piece.points[v], piece.points[v]});
@@ -136,7 +136,7 @@ std::vector<LidClearance::Contact> LidClearance::contacts(const Lid& lid,
   return found;
 }
 
-/// How much of the piece's faces goes through a triangle, wherever.
+/// The largest length by which a face of the piece goes through a triangle.
 double LidClearance::reach_through(const PointTriangle& t,
                                    const std::set<std::uint32_t>& parts) const {
   double reach = 0;

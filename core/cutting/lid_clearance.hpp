@@ -22,44 +22,46 @@ namespace talweg {
 /// Triangles over one rim, or over an outer one and holes in it.
 struct Lid {
   std::vector<Triangle> triangles;
-  std::vector<Point> inner;  ///< points that are not the piece's; numbered from the piece's size on
+  std::vector<Point> inner;  ///< points that are not the piece's, numbered from the piece's size on
   bool plane = false;
-  double sunk_by = 0;  ///< how far these points have been moved out of the way at most, mesh units
+  double sunk_by = 0;  ///< mesh units: largest distance that these points were moved
 };
 
-/// A side of triangles: an edge without direction.
+/// A side of triangles: an undirected edge.
 using Chord = std::pair<std::uint32_t, std::uint32_t>;
 inline Chord chord(std::uint32_t a, std::uint32_t b) { return {std::min(a, b), std::max(a, b)}; }
 
 /// Faces in boxes around the rims, and the lids that have been placed.
 class LidClearance {
  public:
-  /// `part_of_face`: numbers of what hangs together, per face of the piece. The piece must outlive
-  /// it, and its faces must not change. O(faces), and O(k log k) for the k that are near. What
-  /// looks for contacts asks `asker`, which must outlive it too, and throws Cancelled.
+  /// `part_of_face`: the number of the connected part, per face of the piece. The piece must
+  /// outlive the object, and its faces must not change. O(faces), and O(k log k) for the k faces
+  /// near rims. The searches for contacts ask `asker`, which must outlive it too, and throw
+  /// Cancelled.
   LidClearance(const MeshLists& piece, std::span<const std::uint32_t> part_of_face,
                std::span<const Loop> rims, Asker& asker);
 
   /// The part that a rim is on.
   [[nodiscard]] std::uint32_t part_of(const Loop& rim) const { return part_of_vertex_.at(rim[0]); }
 
-  /// A triangle of a lid, and one that it touches or crosses: a face of the piece, or another one
-  /// of the same or an earlier lid.
+  /// A triangle of a lid, and a triangle that it touches or crosses: a face of the piece, or a
+  /// triangle of the same or an earlier lid.
   struct Contact {
     std::size_t triangle;
     PointTriangle other;
   };
-  /// Touching counts, and whatever is in doubt. Only faces and lids of the parts that the lid
-  /// closes, `parts`; parts may well meet each other, as the two sides of a cut do. `twin`: the
-  /// number of a placed lid that does not count.
+  /// The contacts of a lid; touching counts, and so do doubtful cases. Only faces and lids of the
+  /// parts that the lid closes, `parts`, are tested; other parts may meet them, as the two sides of
+  /// a cut do. `twin`: the number of a placed lid to ignore.
   [[nodiscard]] std::vector<Contact> contacts(const Lid& lid, const std::set<std::uint32_t>& parts,
                                               std::size_t twin = kNoTwin) const;
   static constexpr std::size_t kNoTwin = static_cast<std::size_t>(-1);
-  /// With faces of the piece alone.
+  /// The contacts with faces of the piece only.
   [[nodiscard]] std::vector<Contact> contacts_with_piece(
       const Lid& lid, const std::set<std::uint32_t>& parts) const;
-  /// Of these, how far the deepest goes through; about 0 for contacts that only touch. What goes
-  /// through exactly at a corner or a side is found by moving the triangle by `shift` either way.
+  /// The largest depth by which one of these contacts goes through; about 0 for contacts that only
+  /// touch. Contacts exactly at a corner or a side are found by moving the triangle by `shift`
+  /// either way.
   [[nodiscard]] double depth(const Lid& lid, std::span<const Contact> contacts,
                              const std::set<std::uint32_t>& parts, double shift) const;
 
@@ -71,12 +73,12 @@ class LidClearance {
   [[nodiscard]] bool has_edge(std::uint32_t a, std::uint32_t b) const {
     return edges_.count(chord(a, b)) > 0;
   }
-  /// Sides of a lid's triangles that edges have already, but for those of the rims themselves.
+  /// The sides of a lid's triangles that are already edges, except those of the rims themselves.
   [[nodiscard]] std::vector<Chord> taken(const Lid& lid) const;
-  /// Whether a triangle of the lid has the corners of one that is there.
+  /// Whether a triangle of the lid has the same corners as an existing one.
   [[nodiscard]] bool repeats_triangle(const Lid& lid) const;
 
-  /// From now on the lid is there for the others; lids are numbered in this order.
+  /// Adds the lid to those that later lids keep clear of; lids are numbered in this order.
   void place(const Lid& lid, const std::set<std::uint32_t>& parts);
 
   /// The number of a lid's first inner point.
@@ -98,7 +100,7 @@ class LidClearance {
     std::set<std::uint32_t> parts;
   };
 
-  /// The face of this number among those that are near.
+  /// The face with this number among the near ones.
   [[nodiscard]] PointTriangle near_face(std::uint32_t k) const;
   /// Calls visit(k) for the near faces whose boxes a triangle meets.
   template <class Visit>
@@ -114,12 +116,12 @@ class LidClearance {
 
   const MeshLists& piece_;
   Asker& asker_;
-  std::map<std::uint32_t, std::uint32_t> part_of_vertex_;  // of the rims
+  std::map<std::uint32_t, std::uint32_t> part_of_vertex_;  // vertices of the rims
   std::set<Chord> edges_;                                  // between vertices of rims
   std::set<Chord> rims_;
   std::set<std::array<std::uint32_t, 3>> triangles_;  // between vertices of rims, sorted corners
-  std::vector<std::uint32_t> near_, near_part_;       // faces
-  BoxTree tree_;                                      // over them
+  std::vector<std::uint32_t> near_, near_part_;       // the near faces and their parts
+  BoxTree tree_;                                      // over the near faces
   std::vector<Placed> placed_;
 };
 

@@ -12,7 +12,7 @@
 namespace talweg {
 namespace {
 
-/// Cuts a triangle's sides with inner points off; what is left has none.
+/// Divides a triangle along the inner points of its sides.
 class Divider {
  public:
   Divider(const LidClearance& clearance, const Lid& lid, std::uint32_t first)
@@ -43,7 +43,7 @@ class Divider {
       add({corner(with), m[with], corner(with + 2)});
       add({m[with], corner(with + 1), corner(with + 2)});
     } else if (points == 2) {
-      // The corner between the sides that have a point, and the rest.
+      // Divides off the corner between the two sides that have a point.
       const std::size_t a = without + 2;
       const std::uint32_t before = m[(a + 2) % 3], after = m[a % 3];
       add({corner(a), after, before});
@@ -77,7 +77,7 @@ struct Plumb {
   double x, y, height;
 };
 
-/// The part of a triangle that lies above or below another one, along the heights.
+/// The part of a triangle that lies above or below another one, seen along the heights.
 std::vector<Plumb> part_over(const std::array<Plumb, 3>& below,
                              const std::array<Plumb, 3>& triangle) {
   std::vector<Plumb> part(triangle.begin(), triangle.end());
@@ -159,7 +159,7 @@ class Sinker {
     return changed;
   }
 
-  /// The direction to move a triangle in, for what it meets.
+  /// Chooses the direction in which to move a triangle away from its contacts.
   bool choose_up(Contacts contacts) {
     up_ = direction_.value_or(Point::Zero());
     if (!direction_) {
@@ -183,7 +183,7 @@ class Sinker {
     return {plumb(t[0]), plumb(t[1]), plumb(t[2])};
   }
 
-  /// Lifts a triangle above the part of another one that lies over or under it.
+  /// Lifts a triangle above the part of another triangle that lies over or under it.
   bool leave_behind(const LidClearance::Contact& contact) {
     const Triangle& t = lid_.triangles[contact.triangle];
     std::array<Plumb, 3> own = plumb(clearance_.at(lid_, t));
@@ -194,8 +194,8 @@ class Sinker {
     return changed;
   }
 
-  /// Lifts the inner corners until the triangle passes over the place: together as little as
-  /// possible, by the squares.
+  /// Lifts the inner corners until the triangle passes over the place; the sum of squared moves is
+  /// minimal.
   bool lift(const Triangle& t, std::array<Plumb, 3>& own, const Plumb& place) {
     constexpr double kMargin = 1e-3, kLeast = 1e-9;
     const std::array<double, 3> b = barycentric(own, place);

@@ -15,7 +15,8 @@ namespace {
 
 constexpr std::size_t kMost = 256;
 
-/// Area, and a little for long sides, which decides between triangulations of a plane polygon.
+/// The area, plus a small term for long sides that decides between triangulations of a plane
+/// polygon.
 double cost(const Point& a, const Point& b, const Point& c) {
   constexpr double kShape = 1e-6;
   const double sides = (b - a).squaredNorm() + (c - b).squaredNorm() + (a - c).squaredNorm();
@@ -61,7 +62,7 @@ bool fill_short(const std::vector<Point>& points, const Loop& loop, const LeftOu
   return true;
 }
 
-/// The shorter polygons that a long one is filled by, then the one between them.
+/// Fills the short stretches of a long polygon, then the polygon between them.
 void fill(const std::vector<Point>& points, std::span<const std::uint32_t> loop,
           std::vector<Triangle>& triangles) {
   const std::size_t n = loop.size();
@@ -80,7 +81,7 @@ void fill(const std::vector<Point>& points, std::span<const std::uint32_t> loop,
   fill_short(points, spread, nullptr, triangles);
 }
 
-/// The same without what is left out: stretches are as much shorter as they must be for that.
+/// The same without excluded sides and triangles: stretches are shortened until they can be filled.
 bool fill_without(const std::vector<Point>& points, std::span<const std::uint32_t> loop,
                   const LeftOut& left_out, std::vector<Triangle>& triangles) {
   const std::size_t n = loop.size(), whole = std::max(left_out.whole, kMost);
@@ -91,7 +92,7 @@ bool fill_without(const std::vector<Point>& points, std::span<const std::uint32_
   for (std::size_t from = 0; from < n;) {
     spread.push_back(loop[from]);
     std::size_t to = std::min(n, from + step);
-    for (; to > from + 1; --to) {  // the next point is always one
+    for (; to > from + 1; --to) {  // a side to the next point is always allowed
       if (left_out.chord(loop[from], loop[to % n])) continue;
       Loop stretch;
       for (std::size_t i = from; i <= to; ++i) stretch.push_back(loop[i % n]);
@@ -113,7 +114,7 @@ bool is_slit(const Loop& loop, const Original& original) {
   return false;
 }
 
-/// The rims that a cut has left on a piece: where each goes on, in the order in which a lid turns.
+/// For each vertex on a rim that a cut left on a piece, the next one, in the direction of the lid.
 std::map<std::uint32_t, std::uint32_t> cut_rims(const Piece& piece, const OpenedSeams& opened,
                                                 std::span<const CutMesh::Chain> chains) {
   using Edge = std::pair<std::uint32_t, std::uint32_t>;
@@ -157,11 +158,11 @@ std::optional<std::vector<Triangle>> fill_loop(const std::vector<Point>& points,
 
 namespace {
 
-/// The closed rims of a piece but for slits; counts the others.
+/// The closed rims of a piece without slits; counts the others.
 std::vector<Loop> loops_of(const Piece& piece, const OpenedSeams& opened,
                            std::span<const CutMesh::Chain> chains, std::size_t& left_open) {
   std::map<std::uint32_t, std::uint32_t> next = cut_rims(piece, opened, chains);
-  std::set<std::uint32_t> starts;  // of rims that are no loops
+  std::set<std::uint32_t> starts;  // of open rims
   for (const auto& [from, to] : next) starts.insert(from);
   for (const auto& [from, to] : next) starts.erase(to);
   left_open = starts.size();
@@ -179,7 +180,7 @@ std::vector<Loop> loops_of(const Piece& piece, const OpenedSeams& opened,
       loop.push_back(at->second);
       next.erase(at);
     }
-    loop.pop_back();  // where it began
+    loop.pop_back();  // the first vertex, repeated
     if (is_slit(loop, [&](std::uint32_t v) { return opened.vertex_from[piece.vertices[v]]; })) {
       ++left_open;
     } else {
@@ -207,7 +208,7 @@ std::vector<std::vector<Loop>> groups_of(const std::vector<Point>& points,
         std::vector<Loop> own;
         own.reserve(group.size());
         for (const std::size_t i : group) own.push_back(loops[i]);
-        if (!fill_plane(points, own)) continue;  // they touch: each by itself
+        if (!fill_plane(points, own)) continue;  // they touch, so each gets its own lid
       }
       add(group);
     }
@@ -225,7 +226,7 @@ std::vector<std::uint32_t> parts_of(const Piece& piece, const OpenedSeams& opene
   return parts;
 }
 
-/// Puts a lid's triangles and inner points at the end of the piece.
+/// Appends a lid's triangles and inner points to the piece.
 void append(const Lid& lid, std::uint32_t first_inner, Piece& piece) {
   const auto shift = static_cast<std::uint32_t>(piece.lists.points.size()) - first_inner;
   for (Triangle t : lid.triangles) {

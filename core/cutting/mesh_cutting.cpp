@@ -13,15 +13,15 @@
 namespace talweg {
 namespace {
 
-/// A point of a curve, by the vertex that it becomes.
+/// A point of a curve, with the number of the vertex that it becomes.
 struct Placed {
   SurfacePoint point;
   std::uint32_t vertex = 0;
 };
-/// Which point of which curve.
+/// The numbers of a curve and of a point or segment of it.
 using Where = std::pair<std::size_t, std::size_t>;
 
-/// Moves what is as good as at a vertex or on an edge there.
+/// Moves a point to a vertex or an edge if it lies within `merge` of it.
 SurfacePoint settled(const Surface& surface, const SurfacePoint& point, double merge) {
   if (const auto* e = std::get_if<OnEdge>(&point.where())) {
     const HalfedgeId h = halfedge_of(e->edge);
@@ -53,11 +53,11 @@ class Cutter {
     std::uint32_t vertex = 0;
   };
   struct Segment {
-    FaceId face;  // invalid: along an edge
+    FaceId face;  // invalid if the segment runs along an edge
     std::uint32_t from = 0, to = 0;
     Where where;
   };
-  using Chains = std::map<Where, std::vector<std::uint32_t>>;  // of segments, their inner vertices
+  using Chains = std::map<Where, std::vector<std::uint32_t>>;  // inner vertices of segments
 
   void settle();
   std::uint32_t add(const SurfacePoint& point);
@@ -79,7 +79,7 @@ class Cutter {
   std::map<EdgeId, std::vector<OnOneEdge>> on_edges_;      // by t
   std::map<FaceId, std::vector<std::uint32_t>> in_faces_;  // vertices
   std::map<FaceId, std::vector<Segment>> segments_;        // by face
-  std::map<std::uint32_t, std::vector<Triangle>> parts_;   // of old faces
+  std::map<std::uint32_t, std::vector<Triangle>> parts_;   // of old faces, by their number
   Chains between_;
 };
 
@@ -89,7 +89,7 @@ std::uint32_t Cutter::add(const SurfacePoint& point) {
   return static_cast<std::uint32_t>(cut_.lists.points.size() - 1);
 }
 
-/// Points that lie together become one vertex.
+/// Merges points that lie together into one vertex.
 void Cutter::settle() {
   std::vector<std::pair<OnEdge, Where>> on_edges;
   std::vector<std::pair<InFace, Where>> in_faces;

@@ -14,39 +14,41 @@
 namespace talweg {
 
 struct CutOptions {
-  /// Points within this part of an edge (in barycentrics) of a vertex, of an edge or of each other
-  /// are one: the new edges on an old one are no shorter than that part of it. [1e-11, 1e-2].
+  /// Points that lie within this fraction of an edge (in barycentrics) of a vertex, of an edge or
+  /// of each other are merged, so new edges on an old edge are no shorter than this fraction of it.
+  /// [1e-11, 1e-2].
   double merge = 1e-6;
   void validate() const;  ///< throws Error(kBadUsage)
 };
 
-/// A mesh with curves as chains of edges; its surface is the old one, point by point.
+/// A mesh with curves as chains of edges; its surface is exactly that of the old mesh.
 struct CutMesh {
   MeshLists lists;                        ///< the old vertices keep their numbers, new ones follow
   std::vector<SurfacePoint> vertex_from;  ///< where each vertex lies on the old mesh
   std::vector<std::uint32_t> face_from;   ///< the old face that each face is part of
   struct Chain {
     bool closed = false;
-    std::vector<std::uint32_t> vertices;  ///< each and the next are joined by an edge
+    std::vector<std::uint32_t> vertices;  ///< each is joined to the next by an edge
   };
   std::vector<Chain> chains;  ///< one per curve
   std::size_t new_vertices = 0;
   std::size_t crossings = 0;  ///< vertices that were made where curves cross
   std::size_t merged = 0;     ///< points of the curves that were moved onto a vertex or an edge
-  double largest_move = 0;    ///< by how far at most, mesh units
-  std::size_t cut_faces = 0;  ///< old faces that are not whole any more
+  double largest_move = 0;    ///< largest move of such a point, mesh units
+  std::size_t cut_faces = 0;  ///< old faces that were divided
 };
 
-/// Adds vertices on edges and inside faces where the curves run, and cuts up the faces they run
+/// Adds vertices on edges and inside faces where the curves run, and divides the faces they run
 /// through (constrained Delaunay triangulations, decided exactly in integer barycentrics). No old
 /// vertex moves. Curves may pass vertices, run along edges and the boundary, touch and cross
-/// themselves and each other; points side by side at one place become one.
+/// themselves and each other; successive points at one place become one.
 /// O(vertices + faces + what the curves touch). Throws Error(kBadCurve) naming curve and point
 /// where two neighbours have no common face.
 CutMesh cut_along(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves,
                   const CutOptions& options = {});
 
-/// One value per vertex of the old mesh as one per vertex of the new: linear in each old face.
+/// Converts one value per vertex of the old mesh to one per vertex of the new, linear in each old
+/// face.
 std::vector<double> carried_to(const CutMesh& cut, const Surface& old,
                                std::span<const double> per_vertex);
 

@@ -72,7 +72,7 @@ bool meet(const std::vector<Point>& points, const Loop& a, const Loop& b) {
   });
 }
 
-/// A triangle around the loops, cut up along them.
+/// Triangulates a large triangle around the loops, with the loops as edges.
 class PlaneFiller {
  public:
   PlaneFiller(const std::vector<Point>& points, std::span<const Loop> loops)
@@ -92,7 +92,7 @@ class PlaneFiller {
   }
 
  private:
-  /// In a mixed order, which keeps triangles from becoming thin on the way.
+  /// Inserts the points in a mixed order, which avoids thin triangles on the way.
   bool insert() {
     std::vector<std::uint32_t> all;
     for (const Loop& loop : loops_) all.insert(all.end(), loop.begin(), loop.end());
@@ -109,7 +109,7 @@ class PlaneFiller {
     return local_.size() == all.size();
   }
 
-  /// Inside of the triangle: the loops reach over two fifths of its sides at most.
+  /// The lattice place inside the triangle: the loops cover at most two fifths of its sides.
   [[nodiscard]] FaceTriangulation::Place place(const Point& point) const {
     const PlanePoint at = plane_(point);
     const auto on_lattice = [&](double x) {
@@ -134,7 +134,7 @@ class PlaneFiller {
     return true;
   }
 
-  /// The triangles that are reached from the left of the first loop without crossing any.
+  /// The triangles reached from the left of the first loop without crossing a loop.
   std::vector<Triangle> inside() {
     const auto& all = triangulation_.triangles();
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> left_of;
@@ -170,7 +170,7 @@ class PlaneFiller {
   Plane plane_;
   FaceTriangulation triangulation_;
   std::vector<std::uint32_t> number_;             // by the triangulation's numbers
-  std::map<std::uint32_t, std::uint32_t> local_;  // and back
+  std::map<std::uint32_t, std::uint32_t> local_;  // the reverse
   std::set<std::pair<std::uint32_t, std::uint32_t>> rims_;
 };
 
@@ -202,9 +202,9 @@ std::vector<std::vector<std::size_t>> plane_groups(const std::vector<Point>& poi
   constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
   std::vector<std::size_t> hole_of(loops.size(), kNone);
   for (std::size_t k = 0; k < by_area.size(); ++k) {
-    for (std::size_t j = k; j-- > 0;) {  // the smallest around it
+    for (std::size_t j = k; j-- > 0;) {  // the smallest loop around it
       if (!is_around(by_area[j], by_area[k])) continue;
-      // What lies in a hole is a lid of its own.
+      // A loop inside a hole gets a lid of its own.
       if (hole_of[by_area[j]] == kNone) hole_of[by_area[k]] = by_area[j];
       break;
     }
@@ -228,7 +228,7 @@ std::optional<std::vector<Triangle>> fill_plane(const std::vector<Point>& points
     return PlaneFiller(points, loops).run();
   } catch (const Error& error) {
     if (error.code() != ErrorCode::kNumerical) throw;
-    return std::nullopt;  // a tangle
+    return std::nullopt;  // the loops cannot be filled
   }
 }
 

@@ -22,7 +22,7 @@ Key undirected(std::uint32_t a, std::uint32_t b) {
   return directed(std::min(a, b), std::max(a, b));
 }
 
-/// Knows the faces around the chains' vertices only; that is what is fast.
+/// Stores only the faces around the chains' vertices, which keeps it fast.
 class Opener {
  public:
   Opener(const MeshLists& lists, std::span<const CutMesh::Chain> chains)
@@ -42,8 +42,8 @@ class Opener {
 
   const MeshLists& lists_;
   std::span<const CutMesh::Chain> chains_;
-  std::vector<std::array<std::uint32_t, 2>> faces_at_;  // vertex of a chain, face; sorted
-  std::unordered_map<Key, std::uint32_t> face_of_;      // on the left of directed edges
+  std::vector<std::array<std::uint32_t, 2>> faces_at_;  // vertex of a chain, and face; sorted
+  std::unordered_map<Key, std::uint32_t> face_of_;      // the face on the left of directed edges
   std::unordered_set<Key> seams_;
   OpenedSeams result_;
 };
@@ -52,7 +52,7 @@ void Opener::find_faces() {
   std::vector<bool> on_chain(lists_.points.size(), false);
   for (const CutMesh::Chain& chain : chains_) {
     for (const std::uint32_t v : chain.vertices) {
-      if (v < on_chain.size()) on_chain[v] = true;  // others are refused below
+      if (v < on_chain.size()) on_chain[v] = true;  // others are rejected below
     }
   }
   for (std::uint32_t f = 0; f < lists_.triangles.size(); ++f) {
@@ -85,7 +85,7 @@ void Opener::find_seams() {
     const std::size_t n = vertices.size();
     for (std::size_t i = 0; i + (chains_[c].closed ? 0 : 1) < n; ++i) {
       const std::uint32_t a = vertices[i], b = vertices[(i + 1) % n];
-      if (n == 1) continue;  // a curve that is but a point
+      if (n == 1) continue;  // a curve of a single point
       if (left_of(a, b) == kNone && left_of(b, a) == kNone) {
         throw Error(ErrorCode::kBadCurve,
                     fmt::format("Vertices {} and {} of chain {} are joined by no edge.", a, b, c));
@@ -95,7 +95,7 @@ void Opener::find_seams() {
   }
 }
 
-/// Every sector between seams gets a vertex; that of the first face keeps the old.
+/// Every sector between seams gets a vertex; the sector of the first face keeps the old one.
 void Opener::open_at(std::uint32_t v, std::span<const std::uint32_t> faces) {
   UnionFind sectors(faces.size());
   const auto place = [&](std::uint32_t face) {
@@ -125,14 +125,14 @@ void Opener::open_at(std::uint32_t v, std::span<const std::uint32_t> faces) {
   }
 }
 
-/// Faces that still have a vertex in common hang together.
+/// Faces that still share a vertex belong to one piece.
 void Opener::number_pieces() {
   UnionFind parts(result_.lists.points.size());
   for (const auto& [a, b, c] : result_.lists.triangles) {
     parts.join(a, b);
     parts.join(b, c);
   }
-  std::vector<std::uint32_t> number(result_.lists.points.size(), kNone);  // by a part's root
+  std::vector<std::uint32_t> number(result_.lists.points.size(), kNone);  // by the root of a part
   result_.piece_of_face.reserve(result_.lists.triangles.size());
   for (const Triangle& t : result_.lists.triangles) {
     std::uint32_t& piece = number[parts.find(t[0])];

@@ -18,7 +18,7 @@ using Edge = std::array<std::uint32_t, 2>;
 std::vector<TaggedEdge> tagged_edges(std::span<const Triangle> triangles,
                                      std::span<const std::uint32_t> from,
                                      std::span<const CutMesh::Chain> chains) {
-  std::unordered_map<EdgeKey, std::vector<Edge>> here;  // by the edge in the chains' numbers
+  std::unordered_map<EdgeKey, std::vector<Edge>> here;  // by the edge, in the chains' numbers
   std::uint32_t last = 0;
   for (const CutMesh::Chain& chain : chains) {
     for (const std::uint32_t v : chain.vertices) last = std::max(last, v);

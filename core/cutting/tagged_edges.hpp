@@ -10,8 +10,9 @@
 
 namespace talweg {
 
-/// The edges of the triangles that are those of a chain, by curve, along it; both where a seam has
-/// been opened. `from`: of each vertex of these triangles, its number in the chains. O(triangles).
+/// The edges of the triangles that belong to a chain, by curve and along it; where a seam has been
+/// opened, both edges. `from`: for each vertex of these triangles, its number in the chains.
+/// O(triangles).
 std::vector<TaggedEdge> tagged_edges(std::span<const Triangle> triangles,
                                      std::span<const std::uint32_t> from,
                                      std::span<const CutMesh::Chain> chains);

@@ -14,7 +14,7 @@ namespace {
 using Letter = long long;
 using Sequence = std::vector<Letter>;
 
-/// By size, so that the order of the terms does not matter to a bit.
+/// Sums in ascending order, so that the order of the terms does not change a bit.
 double sum_of(std::vector<double> terms) {
   std::sort(terms.begin(), terms.end());
   return std::accumulate(terms.begin(), terms.end(), 0.0);
@@ -49,10 +49,10 @@ std::size_t least_rotation(const Sequence& s) {
   return std::min(i, j);
 }
 
-/// By how much a sequence must be turned to be itself again.
+/// The smallest rotation that maps a sequence to itself.
 std::size_t period_of(const Sequence& s) {
   const std::size_t n = s.size();
-  std::vector<std::size_t> border(n + 1, 0);  // of the first k letters
+  std::vector<std::size_t> border(n + 1, 0);  // border length of the first k letters
   for (std::size_t i = 1, k = 0; i < n; ++i) {
     while (k > 0 && s[i] != s[k]) k = border[k];
     border[i + 1] = k += s[i] == s[k] ? 1 : 0;
@@ -83,7 +83,7 @@ Sequence ranks_of(const std::vector<Key>& keys) {
 struct Starts {
   std::size_t first = 0, period = 1;
 
-  /// Keeps those from which this sequence is the least, and returns it.
+  /// Keeps the starts from which this sequence is smallest, and returns the sequence from there.
   Sequence choose(const Sequence& letters) {
     const Sequence turned = rotated(letters, first);
     std::vector<Sequence> blocks;
@@ -99,7 +99,8 @@ struct Starts {
   }
 };
 
-/// What curves are compared by, one after the other. Letters at points, or between them.
+/// The sequences by which curves are compared, one level after the other. Letters belong to points
+/// or to segments.
 class Comparison {
  public:
   Comparison(const SurfaceMesh& mesh, const SurfaceCurve& curve)
@@ -107,14 +108,14 @@ class Comparison {
 
   static constexpr int kLevels = 3;
 
-  /// Forward, and gone through from the last point to the first.
+  /// The sequence forwards, and as it is for the reversed curve.
   [[nodiscard]] std::array<Sequence, 2> letters(int level) const {
     Sequence forward = level == 0 ? lengths() : level == 1 ? turns() : positions();
     Sequence backward(forward.rbegin(), forward.rend());
     if (level == 1) {
       for (Letter& turn : backward) turn = -turn;
     }
-    // Backwards the first segment is that before the last point.
+    // In the reversed curve the first segment is the one before the last point.
     if (level == 0 && closed_) std::rotate(backward.begin(), backward.begin() + 1, backward.end());
     return {forward, backward};
   }
@@ -124,7 +125,7 @@ class Comparison {
     return points_[i % points_.size()];
   }
 
-  /// Of segments.
+  /// One letter per segment.
   [[nodiscard]] Sequence lengths() const {
     std::vector<double> own;
     for (std::size_t i = 0; i + (closed_ ? 0 : 1) < points_.size(); ++i) {
@@ -139,8 +140,8 @@ class Comparison {
     return result;
   }
 
-  /// Seen from both sides, so that the other way round it is the negative; 0 where the curve turns
-  /// back, which is neither to the left nor to the right.
+  /// The mean of the turns seen from both directions, so that the reversed curve has the negative
+  /// value; 0 where the curve turns back, which is neither to the left nor to the right.
   [[nodiscard]] Sequence turns() const {
     const std::size_t n = points_.size();
     Sequence result(n, 0);

@@ -9,8 +9,8 @@
 
 namespace talweg {
 
-/// In which order a curve's points are gone through, whoever drew them: point k of the ordered
-/// curve is point start + k of the drawn one, or start - k if reversed.
+/// The order in which a curve's points are processed, independent of who drew it: point k of the
+/// ordered curve is point start + k of the drawn one, or start - k if reversed.
 struct CurveOrder {
   std::size_t start = 0;
   bool reversed = false;
@@ -20,22 +20,23 @@ struct CurveOrder {
   }
 };
 
-/// The order in which the sequence of the segments' lengths (in billionths of the whole, so that
-/// rounding does not decide) is the smallest: of both directions of an open curve, of all starts in
-/// both directions of a closed one. Of orders that are equal in this, that with the least sequence
-/// of turns (nanoradians, to the left), and of those that with the least sequence of positions, so
-/// that also on regular grids only one is left; as drawn where all three are equal. The same for a
-/// curve that is reversed or begun elsewhere, or on a renumbered mesh; moved or scaled too unless
-/// positions decide. O(points), O(points log points) where lengths do not decide. Throws
+/// The order for which the sequence of the segments' lengths (in billionths of the total length, so
+/// that rounding does not decide) is lexicographically smallest. The candidates are both directions
+/// of an open curve, and all starts in both directions of a closed one. Among orders with equal
+/// lengths, the smallest sequence of turns (nanoradians, to the left) decides, and after it the
+/// smallest sequence of positions, so that the order is unique even on regular grids. If all three
+/// are equal, the curve stays as drawn. The result is the same for a curve that is reversed or
+/// begun elsewhere, or on a renumbered mesh; it is also the same for a moved or scaled curve unless
+/// positions decide. O(points), or O(points log points) where lengths do not decide. Throws
 /// Error(kBadCurve) as curve_length() does.
 CurveOrder canonical_order(const SurfaceMesh& mesh, const SurfaceCurve& curve);
 
-/// The curve in this order.
+/// The curve with its points in this order.
 SurfaceCurve in_order(const SurfaceCurve& curve, const CurveOrder& order);
 
-/// In which order the curves of a set are gone through, whoever listed them: open ones first, then
-/// by number of points, share of the set's length (in billionths), and positions. For curves that
-/// are in_order(). O(points + curves log).
+/// The order in which the curves of a set are processed, independent of how they are listed: open
+/// curves first, then by number of points, share of the set's length (in billionths), and
+/// positions. The curves must be in_order(). O(points + curves log).
 std::vector<std::size_t> canonical_set_order(const SurfaceMesh& mesh,
                                              const std::vector<SurfaceCurve>& ordered);
 

@@ -21,7 +21,7 @@ double orient(const std::array<double, 3>& a, const std::array<double, 3>& b,
 }
 
 bool cross(const FaceSegment& p, const FaceSegment& q) {
-  constexpr double kTouch = 1e-12;  // of the face
+  constexpr double kTouch = 1e-12;  // part of the face
   const auto apart = [](double a, double b) {
     return (a > kTouch && b < -kTouch) || (a < -kTouch && b > kTouch);
   };
@@ -50,7 +50,7 @@ std::vector<FaceSegment> segments_by_face(const Surface& surface,
   return segments;
 }
 
-/// One path at a vertex it passes, in its own direction or against it.
+/// One path at a vertex that it passes, followed in its own direction or against it.
 struct Passage {
   std::size_t path = 0, at = 0;  // the vertex before halfedge number `at`
   bool against = false;
@@ -61,8 +61,8 @@ class Paths {
   Paths(const SignpostTriangulation& triangulation, std::span<const EdgePath> paths)
       : triangulation_(triangulation), paths_(paths) {}
 
-  /// The halfedge from the vertex onwards, and that back to where the path comes from; invalid at
-  /// an end.
+  /// The halfedges from the vertex to the next vertex of the path and to the previous one; invalid
+  /// at an end.
   [[nodiscard]] HalfedgeId onward(const Passage& p) const {
     return p.against ? before(p) : after(p);
   }
@@ -81,7 +81,8 @@ class Paths {
     }
     return false;
   }
-  /// Whether the paths, which part behind the vertex, change sides here or where they part again.
+  /// Whether the paths, which come from different vertices, change sides at this vertex or at the
+  /// end of a common stretch.
   [[nodiscard]] bool cross_from(Passage a, Passage b) const {
     if (!back(a).valid() || !back(b).valid() || back(a) == back(b)) return false;
     if (!onward(a).valid() || onward(a) == back(b) || back(a) == onward(b)) return false;
@@ -106,7 +107,7 @@ class Paths {
     if (p.at > 0) return twin(h[p.at - 1]);
     return paths_[p.path].closed() ? twin(h.back()) : HalfedgeId{};
   }
-  /// Counterclockwise; past a boundary the turn goes on at the other end of the fan.
+  /// The next halfedge counterclockwise; at a boundary it is the one at the other end of the fan.
   [[nodiscard]] HalfedgeId turned(HalfedgeId h) const {
     if (triangulation_.has_face(h)) return triangulation_.turn_ccw(h);
     for (HalfedgeId cw = triangulation_.turn_cw(h); cw.valid(); cw = triangulation_.turn_cw(cw)) {
@@ -143,7 +144,7 @@ PathContacts path_contacts(const SignpostTriangulation& triangulation,
       Passage b = passages[k].second;
       if (a.path == b.path) result.tangled[a.path] = true;
       bool crossing = course.cross_from(a, b);
-      b.against = true;  // a common stretch that they pass in opposite directions
+      b.against = true;  // for a common stretch that they pass in opposite directions
       crossing |= course.onward(a) == course.onward(b) && course.cross_from(a, b);
       if (!crossing) continue;
       ++result.crossings[a.path];

@@ -14,19 +14,19 @@ namespace talweg {
 
 /// How paths along the edges of one triangulation meet themselves and each other.
 struct PathContacts {
-  /// Per path: how often it, or a later one, passes from one side of it to the other.
+  /// Per path: how often it crosses itself or a later path.
   std::vector<std::size_t> crossings;
-  /// Per path: it passes a vertex twice, or crosses another path.
+  /// Per path: whether it passes a vertex twice or crosses another path.
   std::vector<bool> tangled;
 };
 
-/// Where two paths run along the same edges for a while, that is one crossing or none; what ends on
-/// another does not cross it. O(passages of a vertex, squared).
+/// Where two paths run along the same edges for a while, that counts as one crossing or none. A
+/// path that ends on another does not cross it. O(passages of a vertex, squared).
 PathContacts path_contacts(const SignpostTriangulation& triangulation,
                            std::span<const EdgePath> paths);
 
 /// The curves (ascending indices) of which two segments, of the same or of different curves, cross
-/// inside a face. Touching does not count. O(segments log segments), more only where many segments
+/// inside a face. Touching does not count. O(segments log segments); more only where many segments
 /// share one face. Throws Error(kBadCurve) when a segment lies in no face.
 std::vector<std::size_t> crossing_curves(const Surface& surface,
                                          std::span<const SurfaceCurve> curves);

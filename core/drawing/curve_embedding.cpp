@@ -25,7 +25,7 @@ std::string name(const SurfacePoint& point) {
   return "a point in face " + std::to_string(std::get<InFace>(point.where()).face.index());
 }
 
-/// Leaves out what lies between two passages of a vertex; of a closed path the shorter part.
+/// Leaves out the part between two passages of a vertex; of a closed path the shorter part.
 void erase_loops(const SignpostTriangulation& t, std::vector<HalfedgeId>& path, bool closed) {
   const auto length_of = [&](const HalfedgeId* from, const HalfedgeId* to) {
     double length = 0;
@@ -33,15 +33,15 @@ void erase_loops(const SignpostTriangulation& t, std::vector<HalfedgeId>& path, 
     return length;
   };
   std::vector<HalfedgeId> kept;
-  std::map<VertexId, std::size_t> passed;  // and how much was kept before
-  for (const HalfedgeId& h : path) {       // where it stands in the path counts
+  std::map<VertexId, std::size_t> passed;  // with the number of halfedges kept before
+  for (const HalfedgeId& h : path) {       // the address gives the place in the path
     passed.emplace(t.tail(h), kept.size());
     kept.push_back(h);
     const auto again = passed.find(t.head(h));
     if (again == passed.end()) continue;
     const std::size_t from = again->second;
     const HalfedgeId* data = kept.data();
-    if (closed && from == 0 && &h == &path.back()) break;  // that is where it began
+    if (closed && from == 0 && &h == &path.back()) break;  // the path closes here
     if (closed && length_of(data + from, data + kept.size()) >
                       length_of(data, data + from) + length_of(&h + 1, path.data() + path.size())) {
       kept.erase(kept.begin(), kept.begin() + static_cast<std::ptrdiff_t>(from));
@@ -88,7 +88,7 @@ EmbeddedCurves embed_curves(SignpostTriangulation& triangulation,
     for (const SurfacePoint& point : curves[c].points) {
       asker.did(kOfPoint);
       const VertexId v = insertion.insert(point);
-      // Between slivers a point put in a second time may become another vertex.
+      // Between slivers, inserting a point a second time may give another vertex.
       if (std::find(pins.begin(), pins.end(), point) != pins.end()) embedded.pinned.push_back(v);
       if (vertices[c].empty() || vertices[c].back() != v) vertices[c].push_back(v);
     }
@@ -96,8 +96,8 @@ EmbeddedCurves embed_curves(SignpostTriangulation& triangulation,
       vertices[c].pop_back();
     }
   }
-  // Joining one pair may split an edge that another pair runs along, so the chains are read off
-  // only when all are joined.
+  // Joining one pair may split an edge that another pair runs along, so the chains are read only
+  // after all pairs are joined.
   struct Joined {
     std::size_t curve, since;
     std::vector<HalfedgeId> way;

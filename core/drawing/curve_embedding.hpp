@@ -11,9 +11,9 @@
 
 namespace talweg {
 
-/// What a drawn curve must be: at least two points (three when closed), each point and the next in
-/// a common face. Throws Error(kBadCurve) naming the first position (counted from
-/// 1) that is not so.
+/// Checks that a drawn curve has at least two points (three when closed), and that each point and
+/// the next lie in a common face. Throws Error(kBadCurve) naming the first position (counted from
+/// 1) where this does not hold.
 void check_drawn(const Surface& surface, const SurfaceCurve& curve);
 
 struct EmbeddedCurves {
@@ -21,15 +21,15 @@ struct EmbeddedCurves {
   std::vector<VertexId> pinned;  ///< the vertices at the pins, sorted
 };
 
-/// What becomes of loops, where a curve comes back to a vertex it has passed.
+/// What to do with loops, where a curve comes back to a vertex that it has passed.
 enum class Loops { kKeep, kErase };
 
 /// The curves as edge paths, after inserting those of their points that are not vertices. Different
 /// curves may touch or share edges. `pins` are points of the curves.
-/// With Loops::kErase a path passes no vertex twice: what lies between is left out, of a closed
-/// curve the shorter part. Throws Error(kBadCurve) when too little is left, with the curve's
-/// number, or that in `names`, and Cancelled when `progress` (stage "embed") says so; points may
-/// have been inserted by then.
+/// With Loops::kErase a path passes no vertex twice: the part between two passages is left out, and
+/// of a closed curve the shorter part. Throws Error(kBadCurve) when too little is left, with the
+/// curve's number or the one in `names`, and Cancelled when `progress` (stage "embed") says so;
+/// points may have been inserted by then.
 EmbeddedCurves embed_curves(SignpostTriangulation& triangulation,
                             std::span<const SurfaceCurve> curves,
                             std::span<const SurfacePoint> pins = {}, Loops loops = Loops::kKeep,

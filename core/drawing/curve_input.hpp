@@ -11,12 +11,12 @@
 
 namespace talweg {
 
-/// Nothing in it is checked against a mesh yet; snap() does that.
+/// It has not been checked against a mesh; snap() does that.
 struct CurveInput {
-  bool closed = false;  ///< the first point is not repeated then
+  bool closed = false;  ///< the first point is then not repeated
   /// Vertices of the mesh, points in its faces, or positions in space.
   std::variant<std::vector<VertexId>, std::vector<FaceCoordinates>, std::vector<Point>> points;
-  std::vector<std::size_t> pins;  ///< indices of points that shall stay, ascending
+  std::vector<std::size_t> pins;  ///< indices of points that must stay, ascending
 };
 
 }  // namespace talweg

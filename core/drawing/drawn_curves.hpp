@@ -10,9 +10,8 @@
 
 namespace talweg {
 
-/// The curve with its corners capped (capping.hpp) if it runs along mesh edges and passes
-/// no vertex twice, else as it is.
-/// Points in `pins` stay.
+/// The curve with its corners capped (capping.hpp) if it runs along mesh edges and passes no vertex
+/// twice; otherwise unchanged. Points in `pins` stay.
 SurfaceCurve capped_curve(const Surface& surface, const SurfaceCurve& curve,
                           std::span<const SurfacePoint> pins);
 

@@ -38,7 +38,7 @@ std::vector<VertexId> EdgeDijkstra::drawn(std::span<const VertexId> through, boo
     asker_.is_at(static_cast<double>(leg) / static_cast<double>(legs));
     const VertexId from = through[leg];
     const VertexId to = through[(leg + 1) % through.size()];
-    // The way back along the only edge so far would close nothing.
+    // A closed path needs a third vertex: the way back must not use the only edge so far.
     const bool not_along_edge = leg + 1 == legs && path.size() == 2 && closed;
     const std::size_t first_new = path.size();
     if (!append_leg(from, to, not_along_edge, path)) no_path(leg + 1, from, to);
@@ -50,7 +50,7 @@ std::vector<VertexId> EdgeDijkstra::drawn(std::span<const VertexId> through, boo
   return path;
 }
 
-/// The legs that meet a moved way-point; an end that does not exist is not valid.
+/// Appends the legs that meet a moved way-point; an end that does not exist is invalid.
 bool EdgeDijkstra::append_redrawn(VertexId from, VertexId over, VertexId to,
                                   std::vector<VertexId>& path) {
   const std::size_t first_new = path.size();
@@ -75,8 +75,8 @@ std::vector<VertexId> EdgeDijkstra::redraw(std::span<const VertexId> path,
   const VertexId before = has_before ? through[(moved + n - 1) % n] : VertexId{};
   const VertexId after = has_after ? through[(moved + 1) % n] : VertexId{};
 
-  // What stays: from the start to the way-point before, and from the one after to the end; of a
-  // closed path all from the one after to the one before.
+  // The parts that stay: of an open path everything up to the way-point before and from the one
+  // after on; of a closed path everything from the one after to the one before.
   std::vector<VertexId> head(path.begin(), path.end()), tail;
   const auto at = [&](VertexId v) { return std::find(head.begin(), head.end(), v); };
   if ((has_before && at(before) == head.end()) || (has_after && at(after) == head.end())) {
@@ -100,7 +100,7 @@ std::vector<VertexId> EdgeDijkstra::redraw(std::span<const VertexId> path,
   if (!append_redrawn(before, through[moved], after, result)) return drawn(through, closed);
   result.insert(result.end(), tail.begin(), tail.end());
   if (!closed) return result;
-  result.pop_back();  // the way-point after, where it began
+  result.pop_back();  // the way-point after, where the result began
   std::rotate(result.begin(), std::find(result.begin(), result.end(), through.front()),
               result.end());
   return result;

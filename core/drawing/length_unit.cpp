@@ -25,7 +25,7 @@ constexpr KnownUnit kUnits[] = {{"pm", "pm", 1e-9},
                                 {"in", "[in_i]", 25.4},
                                 {"[ft_i]", "[ft_i]", 304.8},
                                 {"ft", "[ft_i]", 304.8},
-                                // The micro sign and the letter mu.
+                                // Both the micro sign and the letter mu are accepted.
                                 {"\xC2\xB5m", "um", 1e-3},
                                 {"\xCE\xBCm", "um", 1e-3}};
 

@@ -11,12 +11,12 @@ class LengthUnit {
  public:
   LengthUnit() = default;
 
-  /// By its UCUM code: pm, nm, um, mm, cm, dm, m, km, [in_i] (inch) or [ft_i] (foot); µm, in and ft
-  /// are understood, too. Throws Error(kBadUsage) that names these.
+  /// The unit with this UCUM code: pm, nm, um, mm, cm, dm, m, km, [in_i] (inch) or [ft_i] (foot);
+  /// µm, in and ft are accepted too. Throws Error(kBadUsage) that lists these codes.
   static LengthUnit named(std::string_view code);
 
   [[nodiscard]] const std::string& code() const { return code_; }
-  /// How many of `other` one of this is; exactly 1 for the same unit.
+  /// The size of this unit in units of `other`; exactly 1 for the same unit.
   [[nodiscard]] double in(const LengthUnit& other) const {
     return code_ == other.code_ ? 1.0 : millimetres_ / other.millimetres_;
   }

@@ -7,7 +7,8 @@
 namespace talweg {
 namespace {
 
-/// Barycentrics that SurfacePoint::on_edge gives back bit for bit: 1 - t is taken once.
+/// Barycentrics that SurfacePoint::on_edge converts back bit for bit, because 1 - t is computed
+/// only once.
 FaceCoordinates exact_coordinates(const Surface& surface, const SurfacePoint& point, FaceId face) {
   FaceCoordinates at = coordinates_in(surface, point, face);
   if (const auto* edge = std::get_if<OnEdge>(&point.where())) {

@@ -10,17 +10,17 @@
 
 namespace talweg {
 
-/// Where a curve's points are, on the mesh and in space; one entry per point in each list.
+/// The places of a curve's points on the mesh and in space; one entry per point in each list.
 struct PlacedCurve {
   bool closed = false;             ///< the first point is not repeated
   std::vector<VertexId> vertices;  ///< invalid where the point is at no vertex
-  /// A face that contains the point and the next (the one of smallest id), for an open curve's last
-  /// point the one before; barycentrics in the order of Surface::corners().
+  /// A face that contains the point and the next one (the face of smallest id; for an open curve's
+  /// last point, the point before), with barycentrics in the order of Surface::corners().
   std::vector<FaceCoordinates> faces;
   std::vector<Point> positions;  ///< mesh units
 };
 
-/// Places a curve; from its faces and barycentrics snap() makes the same points again, bit for bit.
+/// Places a curve. From the faces and barycentrics snap() makes the same points again, bit for bit.
 /// Throws Error(kBadCurve) naming the curve by `number` when it has fewer than two points, or a
 /// point and the next lie in no common face.
 PlacedCurve place(const SurfaceMesh& mesh, const SurfaceCurve& curve, std::size_t number = 0);

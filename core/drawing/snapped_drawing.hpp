@@ -16,17 +16,18 @@ namespace talweg {
 struct SnappedDrawing {
   std::vector<SurfaceCurve> curves;
   std::vector<SurfacePoint> pins;
-  double largest_snap_distance = 0;  ///< by which a position was moved onto the mesh, mesh units
-  std::string moved;                 ///< a sentence on that, if any was
-  bool far = false;                  ///< so far that the sentence comes before everything else
+  double largest_snap_distance = 0;  ///< largest move of a position onto the mesh, mesh units
+  std::string moved;                 ///< a sentence about that; empty if nothing was moved
+  bool far = false;  ///< whether it was moved so far that the sentence must come first
   JoinedGaps gaps;
 
-  /// Adds curves, their points joined straight over the surface. Throws as StraightLines::join().
+  /// Adds curves whose points are joined straight over the surface. Throws as
+  /// StraightLines::join().
   void add(const SurfaceMesh& mesh, std::span<const SnappedCurve> snapped, StraightLines& lines,
            const Progress& progress = {});
-  /// What a user should know: that it was moved onto the mesh, and that gaps were joined.
+  /// Warnings for the user: that the drawing was moved onto the mesh, and that gaps were joined.
   [[nodiscard]] std::vector<std::string> warnings() const;
-  /// Adds warnings to others: in front where the drawing was moved far.
+  /// Adds warnings to `all`: at the front if the drawing was moved far, otherwise at the end.
   void add_to(std::vector<std::string>& all, const std::vector<std::string>& warnings) const {
     all.insert(far ? all.begin() : all.end(), warnings.begin(), warnings.end());
   }

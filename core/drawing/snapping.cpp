@@ -14,17 +14,18 @@
 namespace talweg {
 namespace {
 
-/// Parts of a face's longest side.
+/// In units of a face's longest side.
 constexpr double kOnElement = 1e-9;
 constexpr double kMostRounding = 1e-4;
 /// Relative rounding of 32-bit floats, as a bound for all three coordinates together.
 constexpr double kSinglePrecision = 1.2e-7;
 
-/// Positions farther away than both belong to something else: of the diagonal of the mesh's box,
-/// and in mean edges, for meshes of a few faces.
+/// A position farther away than both of these belongs to another mesh: as a part of the diagonal of
+/// the mesh's box, and in mean edges (for meshes of a few faces).
 constexpr double kFarthestOfSize = 0.125;
 constexpr double kFarthestInEdges = 10;
-/// In mean edges. So far is no mesh from its drawing that was only smoothed or made coarser.
+/// In mean edges. A mesh that was only smoothed or made coarser stays nearer to its drawing than
+/// this.
 constexpr double kMovedFarInEdges = 3;
 
 double size_of(const SurfaceMesh& mesh) {
@@ -80,7 +81,7 @@ std::vector<SurfacePoint> snap_vertices(const Surface& surface, const std::vecto
   return points;
 }
 
-/// On an edge the fraction is taken from the file as it stands there, so nothing is lost.
+/// On an edge the fraction is taken from the file unchanged, so nothing is lost.
 SurfacePoint exact_point(const Surface& surface, const FaceCoordinates& at) {
   const auto& b = at.barycentric;
   if (at.face.index() < surface.face_count() && std::count(b.begin(), b.end(), 0.0) == 1) {
@@ -111,7 +112,7 @@ std::vector<SurfacePoint> snap_coordinates(const Surface& surface,
   return points;
 }
 
-/// The nearest point, moved to a vertex or else an edge of its face within `near`.
+/// The nearest point, moved to a vertex or else an edge of its face if that lies within `near`.
 SurfacePoint settled(const SurfaceMesh& mesh, const ClosestPoint::Result& found,
                      const Point& position) {
   const Surface& surface = mesh.surface();
@@ -179,8 +180,8 @@ std::vector<SurfacePoint> snap_positions(const SurfaceMesh& mesh, const ClosestP
   return points;
 }
 
-/// Drops every point that equals the one before (in a closed curve also the last that equals the
-/// first); its pin goes to the point that stays.
+/// Drops every point that equals the one before, and in a closed curve the last point if it equals
+/// the first. The pin of a dropped point goes to the point that stays.
 void merge_equal(std::vector<SurfacePoint> points, const std::vector<std::size_t>& pins,
                  SnappedCurve& curve) {
   std::vector<std::size_t> kept(points.size());

@@ -16,7 +16,7 @@
 namespace talweg {
 
 struct SnapOptions {
-  /// Vertex ids need not be neighbours: the caller connects them.
+  /// If set, successive vertex ids need not be neighbours, because the caller connects them.
   bool connect = false;
 };
 
@@ -25,40 +25,40 @@ struct SnappedCurve {
   bool closed = false;               ///< the first point is not repeated
   std::vector<SurfacePoint> points;  ///< at least two, at least three where closed
   double largest_snap_distance = 0;  ///< of 3D positions, mesh units
-  std::size_t merged = 0;            ///< points that fell together with the one before
+  std::size_t merged = 0;            ///< points dropped because they coincide with the point before
   std::vector<std::size_t> pins;     ///< indices of points, ascending
 };
 
 /// Puts a curve on the mesh.
 ///
-/// Vertex ids must exist and each be the neighbour of the one before (unless `connect`). Points in
-/// faces are taken as they are. Positions go to the nearest point of the mesh, and there to a
-/// vertex or else an edge within 1e-9 of the face's longest side, or within the rounding of
-/// single-precision coordinates (1.2e-7 of the largest one, but no more than 1e-4 of the longest
-/// side): so mesh vertices come back as themselves from files with 9 digits or 32-bit floats.
-/// Points in faces and positions that fall together with the one before are merged.
+/// Vertex ids must exist, and each must be a neighbour of the one before (unless `connect`). Points
+/// in faces are taken as they are. Positions are moved to the nearest point of the mesh. They are
+/// then moved to a vertex, or else an edge, that lies within 1e-9 of the face's longest side or
+/// within the rounding of single-precision coordinates (1.2e-7 of the largest one, but no more than
+/// 1e-4 of the longest side). So mesh vertices are recognised from files with 9 digits or 32-bit
+/// floats. Points in faces and positions that coincide with the one before are merged.
 ///
-/// Throws Error(kBadCurve) naming the position in the curve (from 0) and the ids: an id or face
-/// out of range, neighbours that share no edge, barycentrics out of range, a position without
-/// finite coordinates or farther from the mesh than an eighth of the diagonal of its box and than
-/// ten mean edges, fewer than two points, closed with fewer than three. Throws Cancelled when
+/// Throws Error(kBadCurve) naming the position in the curve (from 0) and the ids: for an id or face
+/// out of range, neighbours that share no edge, barycentrics out of range, a position that is not
+/// finite or lies farther from the mesh than both an eighth of the diagonal of its box and ten mean
+/// edges, fewer than two points, or a closed curve with fewer than three. Throws Cancelled when
 /// `progress` (stage "snap") says so.
 SnappedCurve snap(const SurfaceMesh& mesh, const CurveInput& curve, const SnapOptions& options = {},
                   const Progress& progress = {});
 
-/// The same for several curves; what searches the mesh is built once. Errors name the curve too.
+/// The same for several curves; the search structure is built once. Errors name the curve too.
 std::vector<SnappedCurve> snap(const SurfaceMesh& mesh, std::span<const CurveInput> curves,
                                const SnapOptions& options = {}, const Progress& progress = {});
 
-/// The same with what searches the mesh kept by the caller: made here when positions first need it.
+/// The same with a search structure that the caller keeps; it is made when positions first need it.
 std::vector<SnappedCurve> snap(const SurfaceMesh& mesh, std::span<const CurveInput> curves,
                                std::optional<ClosestPoint>& closest,
                                const SnapOptions& options = {}, const Progress& progress = {});
 
-/// How the sentence of snap_warning() begins where the drawing was moved far.
+/// The beginning of snap_warning()'s sentence where the drawing was moved far.
 constexpr std::string_view kFarFromMesh = "The drawing lies far from the mesh";
 
-/// Whether a drawing that was moved by so much may belong to another mesh, place or unit: by more
+/// Whether a drawing that was moved this far may belong to another mesh, place or unit: farther
 /// than three mean edges.
 bool moved_far(double largest_snap_distance, const SurfaceMesh& mesh);
 

@@ -66,7 +66,7 @@ void StraightLines::append_leg(const SurfacePoint& from, const SurfacePoint& to,
   triangulation.remove_inserted();
 }
 
-/// What lies between two points that share no face; leaves points inserted.
+/// Appends the points between two points that share no face; leaves points inserted.
 void StraightLines::append_line(const SurfacePoint& from, const SurfacePoint& to,
                                 std::vector<SurfacePoint>& points, const Progress& progress) {
   SignpostTriangulation& triangulation = workshop_->triangulation;
@@ -78,7 +78,7 @@ void StraightLines::append_line(const SurfacePoint& from, const SurfacePoint& to
   }
   PointInsertion insertion(triangulation);
   const VertexId start = insertion.insert(from), end = insertion.insert(to);
-  if (start == end) {  // both as near to it as rounding, in different faces there
+  if (start == end) {  // both lie within rounding of one vertex, in different faces
     points.push_back(triangulation.location(start));
     return;
   }
@@ -99,8 +99,8 @@ void StraightLines::append_line(const SurfacePoint& from, const SurfacePoint& to
   const std::array<EdgePath, 1> result = {straight.paths.front().path};
   const TraceResult traced = workshop_->tracer.trace_and_undo(result, progress);
   const std::vector<SurfacePoint>& line = traced.curves.front().points;
-  // A point as near to a vertex or an edge as rounding was inserted there, and the line may go on
-  // through another face than its own.
+  // A point within rounding of a vertex or an edge was inserted there, and the line may then go on
+  // through a face that does not contain the point.
   const auto meets = [&](const SurfacePoint& p, const SurfacePoint& q) {
     return common_face(*surface_, p, q).valid();
   };

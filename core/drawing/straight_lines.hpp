@@ -13,9 +13,9 @@
 
 namespace talweg {
 
-/// Consecutive points of a drawing that share no face and lie more than four times as far apart as
-/// its points do in the median: something is missing there. Points that were clicked are all far
-/// apart, and have none.
+/// Gaps in a drawing: consecutive points that share no face and lie more than four times as far
+/// apart as the median of its points, which suggests that something is missing there. Clicked
+/// points are all far apart, so they have no gaps.
 struct JoinedGaps {
   std::size_t count = 0;
   double longest = 0;  ///< mesh units
@@ -26,12 +26,12 @@ struct JoinedGaps {
   }
 };
 
-/// The sentence that tells of them; empty where there are none.
+/// A sentence that reports the gaps; empty where there are none.
 std::string gap_warning(const JoinedGaps& gaps);
 
-/// Joins surface points by straight lines (geodesics). Memory is made once per object, when points
-/// that share no face first ask for it; a call costs what its lines touch. The surface must outlive
-/// the object. One thread at a time.
+/// Joins surface points by straight lines (geodesics). The memory is allocated once per object,
+/// when it is first given points that share no face; a call costs what its lines touch. The surface
+/// must outlive the object. One thread at a time.
 class StraightLines {
  public:
   explicit StraightLines(const Surface& surface);
@@ -41,12 +41,12 @@ class StraightLines {
 
   /// A curve through the points, in order. Two points of a common face are joined inside it; others
   /// by the geodesic that FlipOut finds from a shortest edge path between them, which is locally,
-  /// not always globally, shortest. Points that fall together are taken once.
-  /// Throws Error(kBadCurve) when two points lie on different components, or fewer than two (three
-  /// if closed) different ones are left; Cancelled when `progress` (stage "draw") says so.
+  /// not always globally, shortest. Successive points that coincide count as one. Throws
+  /// Error(kBadCurve) when two points lie on different components, or fewer than two (three if
+  /// closed) different ones are left; Cancelled when `progress` (stage "draw") says so.
   SurfaceCurve join(std::span<const SurfacePoint> points, bool closed,
                     const Progress& progress = {});
-  /// Those of the last join().
+  /// The gaps found by the last join().
   [[nodiscard]] const JoinedGaps& gaps() const { return gaps_; }
 
  private:
@@ -56,7 +56,7 @@ class StraightLines {
                    std::vector<SurfacePoint>& points, const Progress& progress);
   [[nodiscard]] VertexId nearest_corner(const SurfacePoint& point) const;
 
-  /// O(mesh), and needed only where two points share no face.
+  /// Takes O(mesh) memory; needed only where two points share no face.
   struct Workshop;
 
   const Surface* surface_;
@@ -64,7 +64,7 @@ class StraightLines {
 
   JoinedGaps gaps_;
   std::vector<double> legs_;    // lengths, mesh units, of the last join()
-  std::vector<double> joined_;  // of them those through several faces
+  std::vector<double> joined_;  // lengths of the legs through several faces
   std::unique_ptr<Workshop> workshop_;
 };
 

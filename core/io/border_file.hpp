@@ -11,19 +11,19 @@
 
 namespace talweg {
 
-/// What lies beside a curve.
+/// The labels on the two sides of a curve.
 struct CurveSides {
   std::int64_t left = 0, right = 0;
 };
 
-/// write_curves(), with what lies beside each where the format has a place for it: `.vtp` and
-/// `.vtk` as cell data `left` and `right`, `.json` as `left` and `right` of each curve, `.obj` as a
-/// group `left_right`. Others without. Throws as write_curves() does, and Error(kBadUsage) when
-/// there are not as many sides as curves.
+/// Like write_curves(), with the labels beside each curve where the format has a place for them:
+/// `.vtp` and `.vtk` as cell data `left` and `right`, `.json` as `left` and `right` of each curve,
+/// `.obj` as a group `left_right`. Other formats leave them out. Throws as write_curves() does, and
+/// Error(kBadUsage) when the number of sides is not that of the curves.
 void write_borders(const std::filesystem::path& path, std::span<const PlacedCurve> curves,
                    std::span<const CurveSides> sides, const LengthUnit& mesh_unit = {});
 
-/// What write_borders() would write to a file of this name. Throws as it does.
+/// The bytes that write_borders() would write to a file of this name. Throws as it does.
 std::string border_bytes(const std::filesystem::path& name, std::span<const PlacedCurve> curves,
                          std::span<const CurveSides> sides, const LengthUnit& mesh_unit = {});
 

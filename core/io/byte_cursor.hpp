@@ -13,7 +13,7 @@
 
 namespace talweg {
 
-/// One value at `at`, which need not be aligned; its bytes are reversed first where `swap` says.
+/// One value at `at`, which need not be aligned; its bytes are reversed first if `swap` is set.
 template <class T>
 T load(const char* at, bool swap) {
   std::array<char, sizeof(T)> bytes;
@@ -22,7 +22,8 @@ T load(const char* at, bool swap) {
   return std::bit_cast<T>(bytes);
 }
 
-/// A value of any type, converted. Integers beyond 2^53 are rounded; no index is that large.
+/// A number of any type, converted to double. Integers beyond 2^53 are rounded; no index is that
+/// large.
 inline double load_number(NumberType type, const char* at, bool swap) {
   switch (type) {
     case NumberType::kInt8:
@@ -49,7 +50,7 @@ inline double load_number(NumberType type, const char* at, bool swap) {
   return 0;
 }
 
-/// A whole number of at most 32 bits; 0 for the other types, which callers refuse before.
+/// A whole number of at most 32 bits; 0 for other types, which callers must reject before.
 inline std::int64_t load_integer(NumberType type, const char* at, bool swap) {
   switch (type) {
     case NumberType::kInt8:
@@ -69,13 +70,13 @@ inline std::int64_t load_integer(NumberType type, const char* at, bool swap) {
   }
 }
 
-/// The part of a file that is not read yet.
+/// The unread part of a file.
 class ByteCursor {
  public:
   explicit ByteCursor(std::string_view bytes) : bytes_(bytes) {}
   [[nodiscard]] std::size_t left() const { return bytes_.size(); }
   [[nodiscard]] std::string_view rest() const { return bytes_; }
-  /// The next n bytes; nullptr, and nothing taken, where there are fewer.
+  /// The next n bytes; nullptr if there are fewer, and then nothing is taken.
   const char* take(std::size_t n) {
     if (n > bytes_.size()) return nullptr;
     const char* at = bytes_.data();

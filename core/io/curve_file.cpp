@@ -38,7 +38,7 @@ CurveReader curve_reader_of(const std::filesystem::path& path) {
 
 std::vector<CurveInput> read_curves(const std::filesystem::path& path,
                                     const LengthUnit& mesh_unit) {
-  static_cast<void>(curve_reader_of(path));  // no file is read that has an unknown extension
+  static_cast<void>(curve_reader_of(path));  // checks the extension before the file is read
   return read_curves(path, read_file(path), mesh_unit);
 }
 
@@ -60,7 +60,7 @@ namespace {
 
 using Writer = std::string (*)(std::span<const PlacedCurve>, formats::Sides);
 
-/// Of the formats that hold positions of points and name no unit, else null.
+/// The writer of a format that holds only positions of points and no unit, otherwise null.
 Writer writer_of(const std::string& extension) {
   if (extension == ".obj") return formats::write_obj;
   if (extension == ".ply") return formats::write_ply;

@@ -18,13 +18,14 @@
 
 namespace talweg {
 
-/// Reads every curve of a file, in the file's order. By extension, in either case:
+/// Reads every curve of a file, in the file's order. The format follows from the extension, in
+/// upper or lower case:
 ///
 /// - `.obj`: `v` and `l`. `.ply`: vertices and edges (`vertex1 vertex2`), ascii or binary.
 ///   `.vtp`, `.vtk`: the lines of polydata (ascii, base64, raw, zlib; legacy ascii and binary).
-///   Lines that meet end to end, two and no more at a point, are joined into one curve, which keeps
-///   the direction of its first line. A line is closed when it ends at its first point, or
-///   (four points or more) at a copy of it with the same coordinates.
+///   Lines that meet end to end, exactly two at a point, are joined into one curve, which keeps
+///   the direction of its first line. A line is closed when it ends at its first point, or (with
+///   four points or more) at a copy of that point with the same coordinates.
 /// - `.mrk.json`: the Curve and ClosedCurve markups of 3D Slicer (schema 1.0.x), by their control
 ///   points; a locked control point is a pin, one without a defined position is left out. The mesh
 ///   is taken to be in LPS, as Slicer itself writes meshes; positions of a markup in RAS get x and
@@ -35,18 +36,18 @@ namespace talweg {
 ///   a blank line separates curves; a list that repeats its first id at its end is closed.
 /// - `.json`: ours (below). A `.json` that holds Slicer's markups is read as such.
 ///
-/// Throws Error(kBadFile) with one sentence that names the file, the place (line, or byte in
-/// binary data) and what was expected. Every index is in range of the file's own points and every
-/// coordinate finite in what is returned; at least one curve is.
+/// Throws Error(kBadFile) with one sentence that names the file, the place (line, or byte in binary
+/// data) and what was expected. The result has at least one curve, every index in it is in range of
+/// the file's own points, and every coordinate is finite.
 std::vector<CurveInput> read_curves(const std::filesystem::path& path,
                                     const LengthUnit& mesh_unit = {});
 
-/// The same from a file's bytes in memory; the path gives the extension and the name in errors.
+/// Reads from a file's bytes in memory; the path gives the extension and the name in errors.
 std::vector<CurveInput> read_curves(const std::filesystem::path& path, std::string_view bytes,
                                     const LengthUnit& mesh_unit = {});
 
 /// Writes curves by extension, in the formats of read_curves. Coordinates and barycentrics have 17
-/// digits (doubles in binary); nothing else goes in, so equal curves are equal files.
+/// digits (doubles in binary). Nothing else is written, so equal curves give equal files.
 ///
 /// Our JSON: {"format": "talweg-curves", "version": 1, "curves": [{"closed": false, "points":
 /// [{"face": 12, "barycentric": [a, b, c], "xyz": [x, y, z]}, ...]}]}. `face` is a face that
@@ -60,14 +61,14 @@ std::vector<CurveInput> read_curves(const std::filesystem::path& path, std::stri
 /// curve, a curve has no points, or a point and the next lie in no common face.
 void write_curves(const std::filesystem::path& path, const SurfaceMesh& mesh,
                   std::span<const SurfaceCurve> curves, const LengthUnit& mesh_unit = {});
-/// The same for curves that are placed already, as place() does it.
+/// The same for curves that place() has placed already.
 void write_curves(const std::filesystem::path& path, std::span<const PlacedCurve> curves,
                   const LengthUnit& mesh_unit = {});
 
-/// What write_curves() would write to a file of this name. Throws as it does.
+/// The bytes that write_curves() would write to a file of this name. Throws as it does.
 std::string curve_bytes(const std::filesystem::path& name, std::span<const PlacedCurve> curves,
                         const LengthUnit& mesh_unit = {});
-/// Throws what write_curves() would for a name whose extension is none of a curve format.
+/// Throws as write_curves() does if the name's extension is not that of a curve format.
 void check_curve_name(const std::filesystem::path& name);
 
 }  // namespace talweg

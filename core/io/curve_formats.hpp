@@ -12,7 +12,7 @@
 
 namespace talweg::formats {
 
-/// What a reader gets: the bytes, and the path for its messages.
+/// The input of a reader: the bytes, and the path for its messages.
 struct Source {
   const std::filesystem::path& path;
   std::string_view bytes;
@@ -24,17 +24,17 @@ std::vector<CurveInput> read_ply(const Source& source);
 std::vector<CurveInput> read_vtp(const Source& source);
 std::vector<CurveInput> read_vtk(const Source& source);
 std::vector<CurveInput> read_txt(const Source& source);
-/// Ours, or Slicer's where the file has `markups`.
+/// Reads our own JSON, or Slicer's if the file has `markups`.
 std::vector<CurveInput> read_json(const Source& source);
 
-/// Of each curve, or none; formats without a place for them leave them out.
+/// The labels beside each curve, or none; formats without a place for them leave them out.
 using Sides = std::span<const CurveSides>;
 
 std::string write_obj(std::span<const PlacedCurve> curves, Sides sides = {});
 std::string write_ply(std::span<const PlacedCurve> curves, Sides sides = {});
 std::string write_vtp(std::span<const PlacedCurve> curves, Sides sides = {});
 std::string write_vtk(std::span<const PlacedCurve> curves, Sides sides = {});
-/// Throws Error(kBadFile) where a point is no vertex.
+/// Throws Error(kBadFile) if a point is not a vertex.
 std::string write_txt(const std::filesystem::path& path, std::span<const PlacedCurve> curves);
 std::string write_json(std::span<const PlacedCurve> curves, Sides sides = {});
 std::string write_slicer(std::span<const PlacedCurve> curves, const LengthUnit& unit);

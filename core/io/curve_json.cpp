@@ -20,7 +20,7 @@ CurveInput read_curve(const JsonPlace& curve) {
     const JsonPlace point = points.element(k);
     coordinates.push_back(
         {FaceId{point.member("face").index()}, point.member("barycentric").triple()});
-    // The position follows from face and barycentrics; it must only be one.
+    // The position follows from face and barycentrics, so it only has to be valid.
     if (point.has("xyz")) static_cast<void>(point.member("xyz").triple());
   }
   if (coordinates.empty()) points.fail("expected at least one point");

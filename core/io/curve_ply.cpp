@@ -58,7 +58,7 @@ class PlyReader {
                                           count == 0 ? "no" : "more than one", name));
   }
 
-  /// The header's counts are only believed as far as there are bytes.
+  /// The header's counts are checked against the size of the file.
   void check_size(const PlyElement& element) {
     std::size_t smallest = 0;
     for (const PlyProperty& property : element.properties) {
@@ -102,7 +102,7 @@ class PlyReader {
   double read_value(NumberType type) {
     if (ascii_) {
       const std::string_view word = scanner_.word();
-      // A value that nobody wants may be nan.
+      // A value that is not used may be nan.
       if (word == "nan" || word == "-nan" || word == "inf" || word == "-inf") {
         return std::numeric_limits<double>::quiet_NaN();
       }

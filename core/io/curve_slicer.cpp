@@ -11,7 +11,7 @@
 namespace talweg::formats {
 namespace {
 
-/// True where x and y change their sign: Slicer writes meshes in LPS, and so is ours taken to be.
+/// True if x and y change their sign: our mesh is taken to be in LPS, as Slicer writes meshes.
 bool is_flipped(const JsonPlace& markup) {
   if (!markup.has("coordinateSystem")) return false;
   const JsonPlace system = markup.member("coordinateSystem");
@@ -22,7 +22,7 @@ bool is_flipped(const JsonPlace& markup) {
   return name == "RAS";
 }
 
-/// A code like "mm", or a coded entry: code, coding scheme, meaning. Millimetres where there is
+/// Reads a code like "mm", or a coded entry: code, coding scheme, meaning. Millimetres if there is
 /// none.
 LengthUnit unit_of(const JsonPlace& markup) {
   if (!markup.has("coordinateUnits")) return {};

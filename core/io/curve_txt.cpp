@@ -8,7 +8,7 @@
 namespace talweg::formats {
 namespace {
 
-/// A list that is complete: a curve, closed where it repeats its first id at its end.
+/// Completes a list: it becomes a curve, closed if it repeats its first id at its end.
 void finish(std::vector<VertexId>& ids, std::vector<CurveInput>& curves) {
   if (ids.empty()) return;
   CurveInput curve;

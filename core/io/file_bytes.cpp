@@ -32,14 +32,14 @@ struct stat status_of(std::FILE& file) {
   return status;
 }
 
-/// Whoever writes a file while it is being read would have half of the old and half of the new one
-/// taken for a mesh.
+/// Detects that a file was written while it was read, since a mixture of the old and the new file
+/// would be taken for a mesh.
 bool changed(const struct stat& before, const struct stat& now) {
   return before.st_size != now.st_size || before.st_mtim.tv_sec != now.st_mtim.tv_sec ||
          before.st_mtim.tv_nsec != now.st_mtim.tv_nsec;
 }
 
-/// Empty on success, else the reason.
+/// Returns the reason of a failure; empty on success.
 std::string put(File file, std::string_view bytes) {
   errno = 0;
   const bool written = std::fwrite(bytes.data(), 1, bytes.size(), file.get()) == bytes.size();
@@ -49,15 +49,15 @@ std::string put(File file, std::string_view bytes) {
   return std::strerror(written ? errno : write_errno);
 }
 
-/// What is renamed over: the file that a link leads to.
+/// The file to replace: the one that a link leads to.
 fs::path target_of(const fs::path& path) {
   std::error_code failed;
   fs::path target = fs::canonical(path, failed);
   return failed ? path : target;
 }
 
-/// A new file beside the target that nobody else uses. Its name has the process in it: what killed
-/// processes left behind takes no names away.
+/// A new file beside the target that nobody else uses. Its name contains the process id, so that
+/// files left behind by killed processes do not block names.
 File open_beside(const fs::path& target, fs::path& temporary) {
   for (int k = 0; k < kTemporaryNames; ++k) {
     temporary = target;
@@ -84,7 +84,7 @@ std::string read_file(const fs::path& path) {
   const File file(std::fopen(path.c_str(), "rb"));
   if (!file) cannot_read(path, std::strerror(errno));
   std::string bytes;
-  // No copies while it grows, where the size is known; a pipe has none.
+  // Reserves memory if the size is known, to avoid copies; a pipe has no size.
   const struct stat before = status_of(*file);
   const auto size = static_cast<std::size_t>(before.st_size);
   if (size > kLargestFile) cannot_read(path, kTooLarge);

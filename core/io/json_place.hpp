@@ -11,10 +11,11 @@
 
 namespace talweg::formats {
 
-/// Throws Error(kBadFile) naming line and column where the file is no JSON or nests deeper than 64.
+/// Throws Error(kBadFile) naming line and column where the file is not JSON or nests deeper than
+/// 64.
 nlohmann::json parsed_json(const Source& source);
 
-/// All accessors throw Error(kBadFile) naming the file and the place, as in curves[2].points[0].
+/// All accessors throw Error(kBadFile) naming the file and a place such as curves[2].points[0].
 class JsonPlace {
  public:
   JsonPlace(const std::filesystem::path& path, const nlohmann::json& value, std::string name)
@@ -24,7 +25,7 @@ class JsonPlace {
     return value_->is_object() && value_->contains(key);
   }
   [[nodiscard]] bool is_array() const { return value_->is_array(); }
-  /// A member that must be there.
+  /// A required member.
   [[nodiscard]] JsonPlace member(const char* key) const;
   /// An element of an array; k must be below size().
   [[nodiscard]] JsonPlace element(std::size_t k) const;

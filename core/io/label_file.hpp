@@ -11,38 +11,37 @@
 
 namespace talweg {
 
-/// Labels as a file gives them, one per face or per vertex of the mesh that they are for.
+/// Labels from a file, one per face or per vertex of a mesh.
 struct LabelFile {
   std::vector<std::int64_t> labels;
-  std::map<std::int64_t, std::string> names;  ///< printable; of labels that have one
+  std::map<std::int64_t, std::string> names;  ///< names of labels, if they have one; printable
 };
 
 struct LabelFileOptions {
-  /// Of a PLY or VTK file the property or array; empty: the first of label, labels, segment,
-  /// region, class, scalar_label that is there, of faces before of vertices.
+  /// The property of a PLY file or the array of a VTK file. If empty, it is the first of label,
+  /// labels, segment, region, class, scalar_label that exists, for faces before vertices.
   std::string property;
-  std::size_t vertex_count = 0;  ///< of the mesh: FreeSurfer's .label lists vertices only
+  std::size_t vertex_count = 0;  ///< of the mesh; FreeSurfer's .label lists vertices only
 };
 
-/// Reads labels, by extension, in either case:
+/// Reads labels. The format follows from the extension, in upper or lower case:
 ///
-/// - `.annot` of FreeSurfer, one label per vertex: the number of the color table's entry whose
-///   color the vertex has, -1 where it has none (0), with the table's names (version 1 and 2). A
-///   file without a table gives the colors' numbers themselves.
+/// - `.annot` of FreeSurfer, one label per vertex: the number of the color table's entry that has
+///   the vertex's color, -1 for vertices without color (0), with the table's names (version 1 and
+///   2). If there is no table, the labels are the colors' numbers.
 /// - `.label` of FreeSurfer: 1 for the vertices that are listed, 0 for the others.
-/// - `.ply`: a property of the faces or vertices, text or binary; polygons have theirs once for
-/// each
-///   triangle of their fan.
-/// - `.vtk` (legacy, ascii and binary), `.vtp`: an array of one component per cell or point; as
-/// many
-///   cells as the mesh has faces are expected.
+/// - `.ply`: a property of the faces or vertices, text or binary; a polygon's value is repeated for
+///   each triangle of its fan.
+/// - `.vtk` (legacy, ascii and binary), `.vtp`: an array of one component per cell or point; the
+///   file must have as many cells as the mesh has faces.
 /// - Others: whole numbers separated by blanks or ends of lines.
 ///
-/// How many there are is not checked here. Sources of FreeSurfer's formats: "LabelsClutsAnnotation-
-/// Files" in FreeSurfer's wiki; nibabel.freesurfer.io reads and writes the same. Throws
-/// Error(kBadFile) with one sentence that names the file, the place and what was expected.
+/// The number of labels is not checked here. Sources of FreeSurfer's formats:
+/// "LabelsClutsAnnotationFiles" in FreeSurfer's wiki; nibabel.freesurfer.io reads and writes the
+/// same. Throws Error(kBadFile) with one sentence that names the file, the place and what was
+/// expected.
 LabelFile read_label_file(const std::filesystem::path& path, const LabelFileOptions& options);
-/// The same from a file's bytes in memory; the path gives the extension and the name in errors.
+/// Reads from a file's bytes in memory; the path gives the extension and the name in errors.
 LabelFile read_label_file(const std::filesystem::path& path, std::string_view bytes,
                           const LabelFileOptions& options);
 

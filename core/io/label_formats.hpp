@@ -17,10 +17,11 @@ struct NamedNumbers {
   std::vector<double> numbers;
 };
 
-/// Those of faces come first. Throws Error(kBadFile) that lists what there is where none fits.
+/// Picks the property or array to read; those of faces come first. Throws Error(kBadFile) with a
+/// list of those in the file if none fits.
 const NamedNumbers& chosen(const Source& source, const std::vector<NamedNumbers>& all,
                            const std::string& property);
-/// Throws Error(kBadFile) naming the first that is no whole number.
+/// Throws Error(kBadFile) naming the first number that is not whole.
 std::vector<std::int64_t> whole_numbers(const Source& source, const NamedNumbers& numbers);
 
 LabelFile read_annot_labels(const Source& source);

@@ -8,6 +8,7 @@
 #include "talweg/core/io/file_bytes.hpp"
 #include "talweg/core/io/label_formats.hpp"
 #include "talweg/core/io/text_words.hpp"
+#include "talweg/core/io/word_scanner.hpp"
 
 namespace talweg::formats {
 namespace {
@@ -61,7 +62,7 @@ class AnnotReader {
   void read_entry(std::int32_t index) {
     if (index < 0) fail(fmt::format("an entry of the color table has the number {}", index));
     std::string name = string("a name");
-    std::int64_t color = 0;  // red + 256 green + 65536 blue; the last of four is transparency
+    std::int64_t color = 0;  // red + 256 green + 65536 blue; the fourth number is transparency
     for (int k = 0; k < 4; ++k) {
       const std::int64_t part = number("a color");
       if (k < 3) color += part << (8 * k);
@@ -69,10 +70,10 @@ class AnnotReader {
     if (!file_.names.emplace(index, std::move(name)).second) {
       fail(fmt::format("entry {} of the color table comes twice", index));
     }
-    entry_of_.emplace(color, index);  // of equal colors the first
+    entry_of_.emplace(color, index);  // the first of equal colors wins
   }
 
-  /// Numbers of entries instead of colors.
+  /// Replaces colors by the numbers of their entries.
   void name_colors() {
     for (std::size_t v = 0; v < file_.labels.size(); ++v) {
       std::int64_t& label = file_.labels[v];

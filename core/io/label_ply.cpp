@@ -18,10 +18,10 @@ bool is_corners(const PlyProperty& property) {
   return property.is_list && (property.name == "vertex_indices" || property.name == "vertex_index");
 }
 
-/// The numbers of one property of an element.
+/// Collects the numbers of one property of an element.
 class Column {
  public:
-  /// Throws Error(kBadFile) where the file has no such property.
+  /// Throws Error(kBadFile) if the file has no such property.
   Column(const Source& source, const PlyHeader& header, const std::string& name) {
     std::vector<NamedNumbers> all;
     std::vector<std::pair<std::size_t, std::size_t>> places;
@@ -41,7 +41,7 @@ class Column {
   void put(std::size_t element, std::size_t property, double value) {
     if (element == element_ && property == property_) values_.numbers.push_back(value);
   }
-  /// A polygon has its value once for each triangle of its fan.
+  /// A polygon's value is repeated for each triangle of its fan.
   void end_row(std::size_t element, std::size_t corners) {
     if (element != element_ || corners == 3) return;
     const double value = values_.numbers.back();

@@ -12,10 +12,10 @@
 
 namespace talweg {
 
-/// Walks over the lines of a file that have something on them. Independent of the locale.
+/// Walks over the lines of a file that are not blank. Independent of the locale.
 class LineScanner {
  public:
-  /// What follows `comment` on a line is skipped; '\0' for none. Line 1 starts at byte `from`; a
+  /// The text after `comment` on a line is skipped; '\0' for none. Line 1 starts at byte `from`; a
   /// byte order mark (UTF-8) at the start of the file is skipped.
   explicit LineScanner(const MeshFile& file, char comment = '\0', std::size_t from = 0,
                        std::size_t lines_before = 0)
@@ -25,7 +25,7 @@ class LineScanner {
 
   /// Goes to the next line that is not blank; false at the end of the file.
   bool next_line();
-  /// The same, where the file must go on: `expected` says with what.
+  /// Like next_line(), but throws at the end of the file; `expected` names the missing part.
   void need_line(const std::string& expected);
 
   /// The next word of the line; empty at its end.
@@ -35,7 +35,7 @@ class LineScanner {
   /// The next word as a whole number. Throws Error(kBadFile).
   std::int64_t integer(const char* what);
 
-  /// Continues the line with the following one (a backslash at its end says so).
+  /// Continues the line with the following one, because a backslash ends it.
   void join_next();
   [[nodiscard]] std::size_t line() const { return line_; }
   /// The byte after the line.
@@ -44,10 +44,10 @@ class LineScanner {
 
  private:
   void take_line();
-  /// The next word, where it is a plain number: parsed as it is found. Nothing is taken otherwise.
+  /// Parses the next word while finding it, if it is a plain number; otherwise takes nothing.
   template <class Value>
   bool take(Value& value);
-  /// With a plus sign, out of range, or wrong.
+  /// Parses a number with a plus sign or out of range; throws for other words.
   double unusual_number(const char* what);
 
   const MeshFile* file_;
@@ -57,7 +57,7 @@ class LineScanner {
   std::string_view rest_;
 };
 
-/// A word in quotes, cut and made printable, for error messages.
+/// A word in quotes, shortened and made printable, for error messages.
 std::string quoted(std::string_view word);
 
 }  // namespace talweg

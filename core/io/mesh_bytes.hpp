@@ -13,7 +13,7 @@
 
 namespace talweg::formats {
 
-/// What a writer is given, and what it says that its format cannot hold.
+/// The input of a writer, and its descriptions of what its format cannot hold.
 struct MeshContent {
   const MeshLists& lists;
   const MeshAttributes& attributes;
@@ -26,7 +26,7 @@ std::string off_bytes(MeshContent& content);
 std::string ply_bytes(MeshContent& content);
 std::string stl_bytes(MeshContent& content);
 
-/// Appends a number's bytes, little end first.
+/// Appends a number's bytes in little-endian order.
 template <class T>
 void put(std::string& bytes, T value) {
   std::array<char, sizeof(T)> raw{};

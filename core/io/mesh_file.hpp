@@ -24,13 +24,13 @@ struct MeshFile {
 [[noreturn]] void bad_line(const std::filesystem::path& path, std::size_t line,
                            const std::string& what);
 
-/// ".ply" of "A.PLY".
+/// The extension in lower case: ".ply" for "A.PLY".
 std::string lower_extension(const std::filesystem::path& path);
 
-/// Appends the fan of a polygon with at least three corners.
+/// Appends the fan of triangles of a polygon with at least three corners.
 void add_polygon(MeshLists& lists, std::span<const std::uint32_t> corners);
 
-/// Each also reads what else the file holds, where that is asked for.
+/// Each reader also reads the file's attributes if `attributes` is not null.
 MeshLists read_obj(const MeshFile& file, MeshAttributes* attributes = nullptr);
 MeshLists read_off(const MeshFile& file, MeshAttributes* attributes = nullptr);
 MeshLists read_ply(const MeshFile& file, MeshAttributes* attributes = nullptr);

@@ -16,7 +16,7 @@ namespace {
 
 constexpr const char* kCoordinate = "a coordinate";
 
-/// "7", "7/1", "7//3", "7/1/3"; negative numbers count back from the newest vertex.
+/// Parses "7", "7/1", "7//3", "7/1/3"; negative numbers count back from the newest vertex.
 /// Vertices may follow the faces that use them, so the upper bound is checked at the end.
 std::uint32_t corner_of(const LineScanner& lines, std::string_view word, std::size_t vertices) {
   std::int64_t index = 0;
@@ -32,7 +32,7 @@ std::uint32_t corner_of(const LineScanner& lines, std::string_view word, std::si
   return static_cast<std::uint32_t>(index - 1);
 }
 
-/// The rest of a line, with one blank between words.
+/// The rest of a line, with single blanks between words.
 std::string words(LineScanner& lines) {
   std::string all;
   for (std::string_view word = lines.word(); !word.empty(); word = lines.word()) {
@@ -42,17 +42,17 @@ std::string words(LineScanner& lines) {
   return all;
 }
 
-/// What stands in a file beside vertices and corners.
+/// Collects everything in a file besides vertices and corners.
 class ObjAttributes {
  public:
   ObjAttributes(const MeshFile& file, MeshAttributes& into) : file_(file), into_(into) {}
 
-  /// What follows the three coordinates of a vertex: nothing, a weight, or a colour.
+  /// Reads what follows a vertex's three coordinates: nothing, a weight, or a colour.
   void vertex(LineScanner& lines, std::size_t vertices);
-  /// One number of a texture coordinate or normal.
+  /// Reads one number of a texture coordinate or normal.
   void corner(const LineScanner& lines, std::string_view word);
   void face(std::size_t triangles);
-  /// A statement that is neither vertex nor face.
+  /// Reads a statement that is neither a vertex nor a face.
   void statement(std::string_view keyword, LineScanner& lines);
   void end(std::size_t vertices, std::size_t triangles);
 
@@ -66,7 +66,7 @@ class ObjAttributes {
 
   const MeshFile& file_;
   MeshAttributes& into_;
-  std::vector<Wedge> wedges_;  // of the face that is read
+  std::vector<Wedge> wedges_;  // of the current face
   std::size_t triangles_ = 0;
 };
 
@@ -115,7 +115,7 @@ std::uint32_t ObjAttributes::number(const LineScanner& lines, std::string_view w
 }
 
 void ObjAttributes::corner(const LineScanner& lines, std::string_view word) {
-  const auto part = [&word] {  // up to the next slash
+  const auto part = [&word] {  // the text up to the next slash
     const std::size_t slash = word.find('/');
     const std::string_view found = word.substr(0, slash);
     word.remove_prefix(slash == word.npos ? word.size() : slash + 1);
@@ -160,7 +160,7 @@ void ObjAttributes::statement(std::string_view keyword, LineScanner& lines) {
     to.dimension = keyword == "vt" ? 2 : 3;
     const char* what = keyword == "vt" ? "a texture coordinate" : "a normal";
     to.values.push_back(lines.number(what));
-    if (keyword == "vt") {  // the second one may be missing
+    if (keyword == "vt") {  // the second number may be missing
       const std::string_view word = lines.word();
       double value = 0;
       if (!word.empty() && !parse(word, value)) {
@@ -197,7 +197,7 @@ void ObjAttributes::end(std::size_t vertices, std::size_t triangles) {
   for (CornerAttribute* attribute : {&into_.texture, &into_.normals}) {
     check(*attribute, attribute == &into_.texture ? "texture coordinate" : "normal");
     if (attribute->corners.empty()) {
-      *attribute = {};  // none that a face uses
+      *attribute = {};  // no face uses it
     } else {
       attribute->corners.resize(triangles, {kNone, kNone, kNone});
     }
@@ -238,7 +238,7 @@ MeshLists read_obj(const MeshFile& file, MeshAttributes* attributes) {
   if (attributes != nullptr) more.emplace(file, *attributes);
   ObjAttributes* const beside = more ? &*more : nullptr;
   std::vector<std::uint32_t> corners;
-  // The largest vertex that any face names, and on which line.
+  // The largest vertex that any face names, and its line.
   std::uint32_t largest = 0;
   std::size_t largest_line = 0;
   LineScanner lines(file, '#');

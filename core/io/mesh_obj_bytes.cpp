@@ -14,7 +14,7 @@ namespace {
 
 using Columns = std::vector<const AttributeColumn*>;
 
-/// Full, of a colour's component.
+/// The full value of a colour's component.
 double full(NumberType type) {
   if (type == NumberType::kUint8) return 255;
   return type == NumberType::kUint16 ? 65535 : 1;
@@ -57,7 +57,7 @@ class ObjWriter {
   }
 
  private:
-  /// The columns of these names; none where one is missing.
+  /// The columns with these names; none if one is missing.
   [[nodiscard]] Columns columns(std::initializer_list<std::string_view> names) const {
     Columns found;
     for (const std::string_view name : names) {
@@ -98,7 +98,7 @@ class ObjWriter {
     for (std::size_t v = 0; v < lists_.points.size(); ++v) {
       text_ += keyword;
       for (const AttributeColumn* c : of) {
-        // Digits of the type: 0.1, not 0.10000000149.
+        // Writes the digits of the type: 0.1, not 0.10000000149.
         if (c->type == NumberType::kFloat32) {
           fmt::format_to(out, " {}", static_cast<float>(c->values[v]));
         } else {
@@ -109,7 +109,7 @@ class ObjWriter {
     }
   }
 
-  /// "o", "g", "usemtl" and "s" where they change.
+  /// Writes "o", "g", "usemtl" and "s" where they change.
   void names(std::size_t f) {
     for (const FaceNames& names : attributes_.names) {
       const std::uint32_t now = names.of_face[f];
@@ -120,7 +120,7 @@ class ObjWriter {
         text_ += "g default\n";
       } else if (names.keyword == "s") {
         text_ += "s off\n";
-      }  // there is no way back to no object and no material
+      }  // the format cannot return to no object or no material
     }
   }
 
@@ -128,7 +128,7 @@ class ObjWriter {
     names(f);
     constexpr std::uint64_t kNone = CornerAttribute::kNone;
     const auto out = std::back_inserter(text_);
-    // Either all corners of a face have one, or none has.
+    // Either all corners of a face have the attribute, or none has.
     const auto of_face = [&](const CornerAttribute& of_corners, const Columns& of) {
       std::array<std::uint64_t, 3> found{kNone, kNone, kNone};
       if (!of.empty()) {

@@ -43,7 +43,7 @@ MeshLists read_off(const MeshFile& file, MeshAttributes* attributes) {
   bool more_of_vertices = false, more_of_faces = false;
   const Counts counts = read_header(lines);
   MeshLists lists;
-  // A line has six bytes or more: no more is set aside than the file can fill.
+  // A line has at least six bytes, so no more memory is reserved than the file can fill.
   lists.points.reserve(std::min(counts.vertices, file.bytes.size() / 6));
   lists.triangles.reserve(std::min(counts.faces, file.bytes.size() / 6));
   for (std::size_t v = 0; v < counts.vertices; ++v) {

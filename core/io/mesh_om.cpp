@@ -13,7 +13,7 @@ namespace {
 enum Entity : unsigned { kVertex = 0, kMesh = 1, kFace = 2, kEdge = 4, kHalfedge = 6, kEnd = 7 };
 enum Content : unsigned { kPosition = 0, kStatus = 3, kCustom = 6, kTopology = 7 };
 
-/// A chunk begins with 16 bits that say what it holds.
+/// A chunk begins with 16 bits that describe its content.
 struct Chunk {
   explicit Chunk(unsigned bits)
       : named((bits >> 1U) & 1U),
@@ -43,7 +43,7 @@ class OmReader {
       read_chunk(chunk);
     }
     if (!complete()) bad_file(file_.path, "the file ends before all its vertices and faces.");
-    has_more_ |= cursor_.left() > 2;  // than the chunk that ends it
+    has_more_ |= cursor_.left() > 2;  // more than the chunk that ends the file
     if (major_ >= 2) faces_from_halfedges();
     return std::move(lists_);
   }
@@ -56,13 +56,13 @@ class OmReader {
     if (at == nullptr) bad_file(file_.path, "the file ends in " + std::string(what) + ".");
     return load<T>(at, std::endian::native == std::endian::big);
   }
-  /// No memory is taken for elements before their bytes are known to be there.
+  /// Memory is only allocated for elements whose bytes exist.
   void need(std::size_t count, std::size_t size, const char* what) const {
     if (count * size > cursor_.left()) {
       bad_file(file_.path, "the file ends in " + std::string(what) + ".");
     }
   }
-  /// An index of 1, 2 or 4 bytes; the largest value stands for none.
+  /// An index of 1, 2 or 4 bytes; the largest value means none.
   std::uint32_t index(const Chunk& chunk, const char* what) {
     if (chunk.size_code == 0) return widen(number<std::uint8_t>(what));
     if (chunk.size_code == 1) return widen(number<std::uint16_t>(what));
@@ -87,7 +87,7 @@ class OmReader {
     vertices_ = number<std::uint32_t>("the header");
     faces_ = number<std::uint32_t>("the header");
     edges_ = number<std::uint32_t>("the header");
-    // Every element takes bytes, so a file cannot announce more of them than it has.
+    // Every element takes bytes, so a file cannot have more elements than bytes.
     if (std::max({vertices_, faces_, edges_}) > file_.bytes.size()) {
       bad_file(file_.path, "its header announces " + std::to_string(vertices_) + " vertices and " +
                                std::to_string(faces_) + " faces, but it has only " +
@@ -150,7 +150,7 @@ class OmReader {
     for (Halfedge& h : halfedges_) {
       h.next = index(chunk, "the halfedges");
       h.head = index(chunk, "the halfedges");
-      index(chunk, "the halfedges");  // its face, which the face's own chunk tells
+      index(chunk, "the halfedges");  // skips its face, which is read from the face's own chunk
     }
     has_halfedges_ = true;
   }
@@ -181,7 +181,8 @@ class OmReader {
     std::vector<std::uint32_t> corners;
     for (std::size_t f = 0; f < faces_; ++f) {
       corners.clear();
-      // A face starts at the head of its halfedge: the first vertex that OpenMesh was given.
+      // A face starts at the head of its halfedge, which is the first vertex that OpenMesh was
+      // given.
       std::uint32_t h = first_[f];
       do {
         // A halfedge belongs to one face, so all faces together have no more corners.
@@ -227,7 +228,7 @@ class OmReader {
   bool has_points_ = false;
   bool has_halfedges_ = false;
   bool has_first_ = false;
-  bool has_more_ = false;  // than positions and faces
+  bool has_more_ = false;  // more than positions and faces
   std::vector<Halfedge> halfedges_;
   std::vector<std::uint32_t> first_;
 };

@@ -26,16 +26,16 @@ std::string numbered(const PlyElement& element, std::size_t index) {
   return element.name + " " + std::to_string(index) + " of " + std::to_string(element.count);
 }
 
-/// Where the numbers of an element go that are no coordinates and no corners.
+/// Where to store an element's numbers that are neither coordinates nor corners.
 struct Columns {
-  std::vector<std::size_t> of_property;  ///< kAbsent: nowhere
+  std::vector<std::size_t> of_property;  ///< per property its column; kAbsent: not stored
   std::vector<AttributeColumn>* into = nullptr;
   [[nodiscard]] std::size_t at(std::size_t property) const {
     return of_property.empty() ? kAbsent : of_property[property];
   }
 };
 
-/// What to do with the elements that matter.
+/// How to read the elements that are needed.
 struct Plan {
   PlyHeader header;
   std::size_t vertices = 0;
@@ -95,8 +95,8 @@ Plan make_plan(const MeshFile& file) {
   return plan;
 }
 
-/// Columns for the numbers of an element. No more than 64: a face of many corners has its numbers
-/// for each triangle of its fan, and a short file must not fill the memory with that.
+/// Columns for the numbers of an element, at most 64. A face with many corners has its numbers once
+/// for each triangle of its fan, so without a limit a short file could fill the memory.
 Columns make_columns(const PlyElement& element, std::span<const std::size_t> taken,
                      std::vector<AttributeColumn>& into, std::vector<std::string>& left_out) {
   constexpr std::size_t kMost = 64;
@@ -138,7 +138,7 @@ void plan_attributes(MeshAttributes& attributes, Plan& plan) {
   }
 }
 
-/// Gathers the numbers of one face, and gives them to the triangles it becomes.
+/// Collects the numbers of one face and repeats them for each of its triangles.
 class FaceNumbers {
  public:
   FaceNumbers(const Plan& plan, const MeshLists& lists)
@@ -159,7 +159,7 @@ class FaceNumbers {
     CornerAttribute& to = plan_.attributes->texture;
     to.dimension = 2;
     const std::size_t first = to.values.size() / 2, triangles = now - to.corners.size();
-    // Other numbers of coordinates are none: empty lists are what some writers leave.
+    // Lists of another length are ignored: some writers leave empty lists.
     const bool fits = texture_.size() == 2 * (triangles + 2);
     if (fits) to.values.insert(to.values.end(), texture_.begin(), texture_.end());
     for (std::size_t k = 0; k < triangles; ++k) {
@@ -445,7 +445,7 @@ class BinaryBody {
 };
 
 void set_aside(const MeshFile& file, const Plan& plan, MeshLists& lists) {
-  // No more than the file can fill: the header may promise anything.
+  // Reserves no more than the file can fill, whatever the header promises.
   for (const PlyElement& element : plan.header.elements) {
     if (element.name == "vertex") {
       lists.points.reserve(std::min(element.count, file.bytes.size() / 3));

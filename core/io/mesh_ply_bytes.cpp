@@ -51,7 +51,7 @@ void put_number(std::string& bytes, NumberType type, double value) {
   }
 }
 
-/// Normals of corners as three columns of vertices; none where a vertex has several.
+/// Normals of corners as three columns of vertices; none if a vertex has several normals.
 std::vector<AttributeColumn> normals_of_vertices(const MeshLists& lists,
                                                  const CornerAttribute& normals) {
   constexpr std::uint32_t kNone = CornerAttribute::kNone;
@@ -127,7 +127,7 @@ class PlyWriter {
                     lists_.points.size());
     for (const AttributeColumn* column : vertices_) property(*column);
     bytes_ += fmt::format("element face {}\nproperty list uchar {} vertex_indices\n",
-                          lists_.triangles.size(), index);  // not every reader knows uint
+                          lists_.triangles.size(), index);  // some readers do not know uint
     if (attributes_.texture.dimension > 0) bytes_ += "property list uchar float texcoord\n";
     for (const AttributeColumn& column : attributes_.faces) property(column);
     if (!content_.edges.empty()) {

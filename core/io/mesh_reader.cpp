@@ -45,7 +45,7 @@ MeshLists read_bytes(const std::filesystem::path& path, std::string_view bytes,
 }  // namespace
 
 MeshLists read_mesh(const std::filesystem::path& path) {
-  static_cast<void>(format_reader_of(path));  // no file is read that has an unknown extension
+  static_cast<void>(format_reader_of(path));  // checks the extension before the file is read
   return read_mesh(path, read_file(path));
 }
 

@@ -14,10 +14,10 @@ namespace {
 constexpr std::size_t kHeader = 84;    // 80 bytes of text and the number of triangles
 constexpr std::size_t kTriangle = 50;  // normal, three corners, two bytes of attributes
 
-/// Numbers positions by first appearance: open addressing on their bits.
+/// Numbers positions by first appearance, in a hash table with open addressing on their bits.
 class CornerWelder {
  public:
-  /// A closed surface has half as many vertices as triangles; more is no mistake.
+  /// A closed surface has half as many vertices as triangles; more are allowed.
   CornerWelder(std::vector<Point>& points, std::size_t triangles)
       : points_(points), slots_(std::bit_ceil(triangles + 1024), kEmpty) {}
 
@@ -133,7 +133,7 @@ MeshLists read_stl(const MeshFile& file, MeshAttributes* attributes) {
   if (size >= kHeader) {
     announced =
         load<std::uint32_t>(file.bytes.data() + 80, std::endian::native == std::endian::big);
-    // Some binary files begin with the word solid, too: the size decides.
+    // Some binary files also begin with the word solid, so the size decides.
     if (size == kHeader + kTriangle * announced) return read_binary(file, announced, attributes);
   }
   const std::string_view head = file.bytes.substr(0, 1024);

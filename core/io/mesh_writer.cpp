@@ -78,7 +78,7 @@ void check_attributes(const MeshLists& lists, const MeshAttributes& attributes) 
   }
 }
 
-/// What formats without any attribute do not hold.
+/// Descriptions of everything that a format without attributes does not hold.
 std::vector<std::string> all_of(const MeshAttributes& attributes, bool has_edges) {
   std::vector<std::string> all;
   for (const AttributeColumn& c : attributes.vertices)
@@ -96,7 +96,7 @@ std::vector<std::string> all_of(const MeshAttributes& attributes, bool has_edges
 
 using Bytes = std::string (*)(formats::MeshContent&);
 
-/// Null where no format has the extension.
+/// Null if no format has the extension.
 Bytes bytes_of(const std::filesystem::path& name) {
   const std::string extension = lower_extension(name);
   if (extension == ".obj") return &formats::obj_bytes;

@@ -12,25 +12,25 @@
 
 namespace talweg {
 
-/// An edge that a file is to name: that of a curve.
+/// A curve's edge that is written to a file.
 struct TaggedEdge {
   std::uint32_t from = 0, to = 0;  ///< vertices
   std::uint32_t curve = 0;
 };
 
 /// Writes OBJ, OFF (text, shortest digits that read back exactly), PLY (binary, little-endian,
-/// `double`) or STL (binary, `float`: no ids, and coordinates are rounded), by the extension.
-/// The file is as it was or complete: it is written beside and renamed.
+/// `double`) or STL (binary, `float`: no ids, and coordinates are rounded), by the extension. The
+/// file is either unchanged or complete: a new file is written beside it and renamed.
 /// Throws Error(kBadFile) naming path and reason; Error(kBadMesh) when a face refers to a vertex
 /// that does not exist.
 void write_mesh(const std::filesystem::path& path, const MeshLists& lists);
 
-/// The same with attributes and edges. PLY holds all columns of vertices and faces in their types,
-/// texture coordinates of corners (list texcoord), normals of corners where those of a vertex are
-/// one, and edges (element edge: vertex1, vertex2, curve). OBJ holds the colours, normals and
-/// texture coordinates of vertices, all of corners, names of faces, and edges (l). OFF and STL hold
-/// none of these. Returns what the file does not hold, in words.
-/// Throws Error(kBadUsage) where there are more or fewer attributes than elements.
+/// Writes attributes and edges too. PLY holds all columns of vertices and faces in their types,
+/// texture coordinates of corners (list texcoord), normals of corners if each vertex has only one,
+/// and edges (element edge: vertex1, vertex2, curve). OBJ holds the colours, normals and texture
+/// coordinates of vertices, all attributes of corners, names of faces, and edges (l). OFF and STL
+/// hold none of these. Returns descriptions of what the file does not hold.
+/// Throws Error(kBadUsage) where the number of attributes is not that of the elements.
 std::vector<std::string> write_mesh(const std::filesystem::path& path, const MeshLists& lists,
                                     const MeshAttributes& attributes,
                                     std::span<const TaggedEdge> edges = {});
@@ -38,13 +38,12 @@ std::vector<std::string> write_mesh(const std::filesystem::path& path, const Mes
 /// A file in memory.
 struct MeshBytes {
   std::string bytes;
-  std::vector<std::string> left_out;  ///< what it does not hold, in words
+  std::vector<std::string> left_out;  ///< descriptions of what the format does not hold
 };
-/// What write_mesh() would write to a file of this name. Throws as it does.
+/// The bytes that write_mesh() would write to a file of this name. Throws as it does.
 MeshBytes mesh_bytes(const std::filesystem::path& name, const MeshLists& lists,
                      const MeshAttributes& attributes = {}, std::span<const TaggedEdge> edges = {});
-/// Throws what write_mesh() would for a name whose extension is none of a mesh format that it
-/// writes.
+/// Throws as write_mesh() does if the name's extension is not that of a mesh format it writes.
 void check_mesh_name(const std::filesystem::path& name);
 
 }  // namespace talweg

@@ -67,7 +67,7 @@ PlyHeader read_ply_header(const MeshFile& file) {
       has_format = true;
     } else if (keyword == "element") {
       PlyElement element;
-      element.name = printable(lines.word());  // errors name it
+      element.name = printable(lines.word());  // printable, because errors name it
       const std::int64_t count = lines.integer("the number of elements");
       if (count < 0) lines.fail("the number of elements is negative.");
       element.count = static_cast<std::size_t>(count);

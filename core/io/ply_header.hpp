@@ -13,7 +13,7 @@ struct PlyProperty {
   std::string name;
   NumberType type{};
   bool is_list = false;
-  NumberType count_type{};  ///< of a list
+  NumberType count_type{};  ///< for a list, the type of its length
 };
 
 struct PlyElement {
@@ -28,11 +28,11 @@ struct PlyHeader {
   PlyEncoding encoding{};
   std::vector<PlyElement> elements;
   std::size_t body = 0;               ///< the byte where the data begins
-  std::size_t lines = 0;              ///< how many lines come before it
-  std::vector<std::string> textures;  ///< comments that name texture files, as they stand
+  std::size_t lines = 0;              ///< number of lines before the data
+  std::vector<std::string> textures;  ///< comments that name texture files, unchanged
 };
 
-/// Throws Error(kBadFile) with the line that cannot be understood.
+/// Throws Error(kBadFile) naming a line that cannot be understood.
 PlyHeader read_ply_header(const MeshFile& file);
 
 }  // namespace talweg

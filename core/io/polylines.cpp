@@ -61,7 +61,7 @@ class Joiner {
  private:
   static bool is_loop(const Line& line) { return line.size() > 1 && line.front() == line.back(); }
 
-  /// Walks on from a line's end as long as exactly one other line goes on there.
+  /// Extends a curve from a line's end as long as exactly one other line continues there.
   void extend(Line& curve, LineEnd end) {
     for (;;) {
       const auto first = std::lower_bound(ends_.begin(), ends_.end(), LineEnd{end.point, 0, false});

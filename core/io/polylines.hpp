@@ -15,7 +15,7 @@ namespace talweg::formats {
 /// Indices into a list of points.
 using Line = std::vector<std::uint32_t>;
 
-/// The value as an index below `count`; nothing where it is none.
+/// The value as an index below `count`; nothing if it is not one.
 inline std::optional<std::uint32_t> index_below(double value, std::size_t count) {
   constexpr double kLimit = 4294967295.0;  // the largest 32-bit number marks an invalid index
   if (!(value >= 0 && value < kLimit && value < static_cast<double>(count))) return std::nullopt;
@@ -24,12 +24,12 @@ inline std::optional<std::uint32_t> index_below(double value, std::size_t count)
 }
 
 /// Joins lines that meet end to end where exactly two line ends meet; junctions stay ends. A curve
-/// has the direction of its first line and comes in that line's place. Of two-point lines that
-/// repeat an earlier one (either way round) only the first is kept. O(n log n).
+/// has the direction and the position in the list of its first line. Of two-point lines that repeat
+/// an earlier one (in either direction) only the first is kept. O(n log n).
 std::vector<Line> joined(std::vector<Line> lines);
 
-/// The joined lines as curves. Closed is what ends where it began: at the same index, or with at
-/// least four points at the same coordinates. All indices must be in range.
+/// The joined lines as curves. A curve is closed if it ends where it began: at the same index, or
+/// with at least four points at the same coordinates. All indices must be in range.
 std::vector<CurveInput> curves_of(std::span<const Point> points, std::vector<Line> lines);
 
 }  // namespace talweg::formats

@@ -9,11 +9,11 @@ namespace talweg::formats {
 /// Throws Error(kBadFile) for text in UTF-16 or UTF-32 (it begins with their byte order mark).
 void check_encoding(const std::filesystem::path& path, std::string_view bytes);
 
-/// For formats of lines that have no binary part: throws Error(kBadFile) naming the line of a NUL
-/// byte. Readers pass over lines that they do not know, so it could hide a vertex.
+/// For line-based formats without a binary part: throws Error(kBadFile) naming the line of a NUL
+/// byte. Readers skip lines that they do not know, so a NUL byte could hide a vertex.
 void check_no_nul(const std::filesystem::path& path, std::string_view bytes);
 
-/// For formats of lines: throws Error(kBadFile) for a file whose lines end in carriage returns
+/// For line-based formats: throws Error(kBadFile) for a file whose lines end in carriage returns
 /// alone, because it would be read as one line.
 void check_line_ends(const std::filesystem::path& path, std::string_view bytes);
 

@@ -12,12 +12,12 @@ inline bool is_blank(char c) {
   return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f';
 }
 
-/// Parse a whole word, which may begin with a plus sign; false where it is none. A number may be
-/// infinite or NaN; one too small for a double is 0, one too large infinite.
+/// Parses a whole word, which may begin with a plus sign; false if it is not a number. A number may
+/// be infinite or NaN; one too small for a double becomes 0, one too large infinite.
 bool parse(std::string_view word, double& value);
 bool parse(std::string_view word, std::int64_t& value);
 
-/// At most so many bytes of a text, made printable, for a message; "..." where it was cut.
+/// At most `longest` bytes of a text, made printable, for a message; ends in "..." if it was cut.
 std::string printable(std::string_view text, std::size_t longest = 40);
 
 }  // namespace talweg

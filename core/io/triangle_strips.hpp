@@ -10,15 +10,15 @@
 
 namespace talweg {
 
-/// Adds the triangles of strips: every index after two makes one with the two before it, each
-/// second one turned; −1 ends a strip. Where indices repeat, the strip is led on, and there is no
-/// face.
+/// Adds the triangles of strips: every index after the first two makes a triangle with the two
+/// before it, with every second triangle turned; −1 ends a strip. Repeated indices only continue
+/// the strip and make no face.
 class TriangleStrips {
  public:
   TriangleStrips(const MeshFile& file, std::size_t vertices, MeshLists& lists)
       : file_(file), vertices_(static_cast<std::int64_t>(vertices)), lists_(lists) {}
 
-  /// Throws Error(kBadFile) for an index that is neither −1 nor that of a vertex.
+  /// Throws Error(kBadFile) for an index that is neither −1 nor a vertex.
   void add(std::int64_t index) {
     if (index == -1) {
       end();
@@ -42,7 +42,7 @@ class TriangleStrips {
   const MeshFile& file_;
   std::int64_t vertices_;
   MeshLists& lists_;
-  std::size_t count_ = 0;  // of the strip, so far
+  std::size_t count_ = 0;  // length of the current strip
   std::array<std::uint32_t, 2> last_{};
 };
 

@@ -18,13 +18,13 @@ int base64_digit(char c) {
   return -1;
 }
 
-/// Takes bytes from the front, out of raw or base64 text. Base64 goes on after padding, because
-/// writers encode a block's header and its data one by one.
+/// Takes bytes from the front of raw or base64 data. Base64 data may continue after padding,
+/// because writers encode a block's header and its data separately.
 class ByteStream {
  public:
   ByteStream(std::string_view stored, bool base64) : stored_(stored), base64_(base64) {}
 
-  /// At most so many bytes are left.
+  /// An upper bound on the number of bytes left.
   [[nodiscard]] std::size_t at_most() const {
     return base64_ ? pending_.size() + (stored_.size() - at_) / 4 * 3 : stored_.size() - at_;
   }
@@ -83,7 +83,7 @@ std::uint64_t size_word(ByteStream& stream, const VtkEncoding& encoding) {
 
 std::string inflated(const std::string& packed, std::uint64_t size) {
   std::string result;
-  // Deflate cannot pack better than about 1032 : 1.
+  // Deflate cannot compress better than about 1032 : 1.
   if (size / 1040 > packed.size() + 1 || size > result.max_size()) {
     throw std::runtime_error("a block's size is impossible");
   }
@@ -112,7 +112,7 @@ std::string decoded_block(const VtkEncoding& encoding, std::string_view stored, 
   for (std::size_t k = 0; k < packed_size.size(); ++k) {
     const bool partial = k + 1 == packed_size.size() && last > 0;
     const std::uint64_t size = partial ? last : block;
-    // A small file may unpack to a thousandfold.
+    // A small file may expand a thousandfold.
     if (size > kLargestArray - result.size()) {
       throw std::runtime_error("the data unpacks to more than 2 GiB");
     }

@@ -13,18 +13,19 @@ namespace talweg::formats {
 
 /// How a file stores its arrays; the same for all of them.
 struct VtkEncoding {
-  bool swap = false;             ///< bytes come in the other order than this machine's
+  bool swap = false;             ///< bytes are in the other order than this machine's
   bool wide_header = false;      ///< sizes are 64 bits
   bool compressed = false;       ///< by zlib, in blocks
-  bool appended_base64 = false;  ///< else the appended data is raw
-  std::string_view appended;     ///< after the underscore
+  bool appended_base64 = false;  ///< otherwise the appended data is raw
+  std::string_view appended;     ///< the data after the underscore
 };
 
-/// The bytes of a block that starts at the beginning of `stored`. What a header claims is only
-/// believed as far as there is data. Throws std::runtime_error saying what is wrong.
+/// The bytes of a block that starts at the beginning of `stored`. Sizes in a header
+/// are checked against the data. Throws std::runtime_error saying what is wrong.
 std::string decoded_block(const VtkEncoding& encoding, std::string_view stored, bool base64);
 
-/// Numbers of one type from bytes. Throws std::runtime_error when the bytes do not divide.
+/// Converts bytes to numbers of one type. Throws std::runtime_error when the bytes do not divide
+/// evenly.
 std::vector<double> numbers_of(std::string_view bytes, NumberType type, bool swap);
 
 }  // namespace talweg::formats

@@ -12,22 +12,22 @@
 
 namespace talweg::formats {
 
-/// Reads the header on construction, then what is asked for, ascii or binary, versions 1 to 5. All
-/// errors are Error(kBadFile) with the line, or the byte.
+/// Reads the header on construction, then the parts that are requested; ascii or binary, versions 1
+/// to 5. All errors are Error(kBadFile) with the line, or the byte.
 class VtkLegacy {
  public:
   static constexpr std::uint64_t kMostItems = std::numeric_limits<std::uint32_t>::max();
 
   explicit VtkLegacy(const Source& source);
 
-  /// The next word on any line, or on this one; empty at the end.
+  /// word() gives the next word on any line, word_on_line() on this line; empty at the end.
   std::string_view word() { return scanner_.word(); }
   std::string_view word_on_line() { return scanner_.word_on_line(); }
   std::uint64_t read_count();
   NumberType read_type();
-  /// So many numbers, from the next line on.
+  /// Reads n numbers, from the next line on.
   std::vector<double> read_numbers(std::uint64_t n, NumberType type);
-  /// The same after a line with the name of the part and a type.
+  /// Reads n numbers after a line with the name of the part and a type.
   std::vector<double> read_part(std::string_view name, std::uint64_t n);
   /// One array of a field: its name, components and numbers.
   struct Array {
@@ -35,13 +35,13 @@ class VtkLegacy {
     std::uint64_t components = 0;
     std::vector<double> numbers;
   };
-  /// The arrays of a field, after the word FIELD.
+  /// Reads the arrays of a field, after the word FIELD.
   std::vector<Array> read_fields();
-  /// Up to the next blank line.
+  /// Skips to the next blank line.
   void skip_metadata();
 
   [[nodiscard]] bool is_ascii() const { return ascii_; }
-  /// Offsets and connectivity of cells stand apart, since version 5.
+  /// Whether cells have separate offsets and connectivity, as since version 5.
   [[nodiscard]] bool splits_cells() const { return split_cells_; }
   [[noreturn]] void fail(const std::string& what) const;
   [[noreturn]] void fail(const std::string& expected, std::string_view found) const {

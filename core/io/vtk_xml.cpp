@@ -34,7 +34,7 @@ VtkXml::VtkXml(const Source& source) : source_(source) {
   read_encoding(root);
 }
 
-/// Raw appended data is no XML, so it is cut out before.
+/// Raw appended data is not XML, so it is cut out first.
 void VtkXml::parse() {
   xml_ = source_.bytes;
   const std::size_t tag = xml_.find("<AppendedData");

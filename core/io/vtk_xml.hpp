@@ -19,9 +19,9 @@ class VtkXml {
   [[nodiscard]] pugi::xml_object_range<pugi::xml_named_node_iterator> pieces() const {
     return document_.child("VTKFile").child("PolyData").children("Piece");
   }
-  /// The data array of that name.
+  /// The data array with this name.
   [[nodiscard]] pugi::xml_node named(const pugi::xml_node& among, const char* name) const;
-  /// Its numbers, of any type and encoding.
+  /// An array's numbers, of any type and encoding.
   [[nodiscard]] std::vector<double> read_array(const pugi::xml_node& array) const;
   [[noreturn]] void fail(const pugi::xml_node& node, const std::string& what) const;
 

@@ -9,14 +9,15 @@
 
 namespace talweg::formats {
 
-/// The line, from 1, that a byte of a text is on.
+/// The line, counted from 1, that contains a byte of a text.
 std::size_t line_of(std::string_view text, std::size_t position);
 
 /// Reads words one after the other. Numbers do not depend on the locale. All errors are
-/// Error(kBadFile) and name the file, the line of the last word, what was expected and found.
+/// Error(kBadFile) and name the file, the line of the last word, what was expected and what was
+/// found.
 class WordScanner {
  public:
-  /// Begins at a byte that is on the given line; a byte order mark at the start is skipped.
+  /// Begins at a byte on the given line; a byte order mark at the start is skipped.
   WordScanner(const std::filesystem::path& path, std::string_view text, std::size_t position = 0,
               std::size_t line = 1);
 
@@ -26,7 +27,7 @@ class WordScanner {
   std::string_view word_on_line();
   /// Goes to the start of the next line; false at the end of the file.
   bool next_line();
-  /// The rest of this line, without its end; does not go on.
+  /// The rest of this line, without its end; does not advance.
   [[nodiscard]] std::string_view rest_of_line() const;
 
   /// A finite number.
@@ -38,7 +39,7 @@ class WordScanner {
   [[nodiscard]] std::size_t line() const { return line_; }
   [[nodiscard]] std::size_t position() const { return position_; }
   [[nodiscard]] std::size_t remaining() const { return text_.size() - position_; }
-  /// The next bytes as they are; there must be as many. Lines are not counted in them.
+  /// The next n bytes, unchanged; throws if there are fewer. Lines in them are not counted.
   std::string_view bytes(std::size_t n);
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
 

@@ -14,13 +14,13 @@ namespace {
 
 using Label = std::int64_t;
 
-/// A piece of border between two points that have no other between them, smaller label left.
+/// A piece of border between two successive points; the smaller label is on its left.
 struct Link {
   std::uint32_t from, to;
   std::array<Label, 2> labels;
 };
 
-/// Points and links; chains of links with one way on are put together.
+/// Points and links. Links are joined to chains through points with only one way on.
 class BorderGraph {
  public:
   /// The number of a point. Equal keys are equal points.
@@ -68,8 +68,8 @@ class BorderGraph {
     std::vector<std::uint32_t> fill(first_.begin(), first_.end() - 1);
     for (std::uint32_t l = 0; l < links_.size(); ++l) out_[fill[links_[l].from]++] = l;
   }
-  /// Whether borders end there. Where one goes on, it enters once and leaves once, with the same
-  /// labels on both sides.
+  /// Whether borders end at the point. Where a border goes on, exactly one link enters and one
+  /// leaves, with the same labels on both sides.
   [[nodiscard]] bool is_end(std::uint32_t p) const {
     return ends_[p] || entering_[p] != 1 || first_[p + 1] - first_[p] != 1;
   }
@@ -139,7 +139,8 @@ std::vector<LabelBorder> borders_of_vertices(const Surface& surface,
                                              std::span<const Label> labels) {
   BorderGraph graph;
   const auto label = [&](VertexId v) { return labels[v.index()]; };
-  // Keys: an edge's midpoint by the edge, a face's centroid by the face behind all edges.
+  // Keys: edges' midpoints have the edges' numbers; faces' centroids have the faces' numbers after
+  // these.
   const auto midpoint = [&](HalfedgeId h) {
     return graph.point(edge_of(h).index(), surface.on_boundary(edge_of(h)));
   };
@@ -154,10 +155,10 @@ std::vector<LabelBorder> borders_of_vertices(const Surface& surface,
       if (!mixed(h)) continue;
       const Label tail = label(surface.tail(h)), head = label(surface.head(h));
       if (three) {
-        // Into the face, over its side h, the side's tail lies on the left.
+        // Going into the face over its side h, the side's tail lies on the left.
         const std::uint32_t from = midpoint(h);
         graph.link(from, graph.point(surface.edge_count() + f, true), tail, head);
-      } else if (mixed(surface.prev(h))) {  // from h around their common corner, h's tail
+      } else if (mixed(surface.prev(h))) {  // from h around the tail of h, the common corner
         const std::uint32_t from = midpoint(h);
         graph.link(from, midpoint(surface.prev(h)), tail, head);
       }

@@ -16,22 +16,22 @@ namespace talweg {
 struct LabelBorder {
   std::array<std::int64_t, 2> labels{};  ///< left and right of the curve; the smaller one is left
   SurfaceCurve curve;
-  std::vector<SurfacePoint> fixed;  ///< the junction that a closed curve hangs on
+  std::vector<SurfacePoint> fixed;  ///< the junction at which a closed curve begins and ends
 };
 
-/// The borders between labels, one per face or one per vertex. Of faces they run along the edges
-/// between faces of different labels; of vertices through the midpoints of edges between different
-/// labels, and where three labels meet in a face through its centroid. A border ends where three or
-/// more meet, where the same two labels meet again at a point, and at the mesh's boundary, so
-/// borders have at most their ends in common. Always in the same order, first those with ends, then
-/// loops. O(faces).
+/// The borders between labels, which are given one per face or one per vertex. With labels of
+/// faces, borders run along the edges between faces of different labels. With labels of vertices,
+/// they run through the midpoints of edges between different labels, and through the centroid of a
+/// face where three labels meet in it. A border ends where three or more borders meet, where the
+/// same two labels meet again at a point, and at the mesh's boundary, so borders have at most their
+/// ends in common. The order is always the same: first borders with ends, then loops. O(faces).
 ///
-/// Throws Error(kBadCurve) when there are as many labels as neither faces nor vertices, or when no
-/// two neighbours differ.
+/// Throws Error(kBadCurve) when the number of labels is neither that of the faces nor that of the
+/// vertices, or when no two neighbours differ.
 std::vector<LabelBorder> label_borders(const Surface& surface,
                                        std::span<const std::int64_t> labels);
 
-/// How many points there are where borders end, away from the mesh's boundary.
+/// The number of points away from the mesh's boundary where borders end.
 std::size_t count_junctions(const Surface& surface, std::span<const LabelBorder> borders);
 
 }  // namespace talweg

@@ -18,12 +18,12 @@
 namespace talweg {
 namespace {
 
-constexpr int kRungs = 4;  // of smoothing; above them there is the drawing
+constexpr int kRungs = 4;  // levels of smoothing; above them the border stays as drawn
 constexpr double kSteeper = 4, kNarrower = 0.5;
-// How often a border beyond D gets less slack where it is, and from when on it is pinned there.
+// How often a border beyond D gets less slack there, and from which time on it is pinned there.
 constexpr int kTightenings = 10, kPinnedFrom = 4;
-constexpr int kSteps = 6;    // of the nodes towards balance
-constexpr int kRetries = 3;  // with nodes held whose borders are not well
+constexpr int kSteps = 6;    // of the nodes towards balance, at most
+constexpr int kRetries = 3;  // with nodes held whose borders failed the checks
 
 class Network {
  public:
@@ -47,7 +47,7 @@ class Network {
     while (!todo.empty()) {
       if (!smooth(todo)) return cancelled();
       note_held(collapsed(todo));
-      todo = tighten(too_far(todo));  // before the mesh is cut for nothing
+      todo = tighten(too_far(todo));  // before the mesh is cut in vain
       if (!todo.empty()) continue;
       cut();
       note_held(regions_.wrong);
@@ -58,7 +58,7 @@ class Network {
   }
 
  private:
-  /// What is known to be sound.
+  /// A state that passed all checks.
   struct State {
     std::vector<SmoothedBorder> result;
     CutMesh cut;
@@ -73,7 +73,7 @@ class Network {
     return result;
   }
 
-  /// Smooths these borders as a set for each of their rungs. False when cancelled.
+  /// Smooths these borders, as one set per rung. False when cancelled.
   bool smooth(const std::vector<std::size_t>& todo) {
     std::map<int, std::vector<std::size_t>> by_rung;
     for (const std::size_t c : todo) by_rung[rung_[c]].push_back(c);
@@ -87,7 +87,7 @@ class Network {
     return true;
   }
 
-  /// What a border is drawn as, with its ends where the nodes are now.
+  /// The drawing of a border, with its ends where the nodes are now.
   NetworkNodes::Redrawing drawing(std::size_t c) {
     if (nodes_ && nodes_->is_moved(c)) return nodes_->redrawn(c);
     NetworkNodes::Redrawing same{drawn_[c], {}};
@@ -114,7 +114,7 @@ class Network {
     give_slack(members);
     SmoothingOptions options;
     if (options_.max_deviation) options.deviation = DeviationMeasure::kAlongSurface;
-    if (nodes_) options.deviation = DeviationMeasure::kNone;  // not that to these drawings
+    if (nodes_) options.deviation = DeviationMeasure::kNone;  // measured later, to the drawing
     options.tau = options_.tau * std::pow(kSteeper, rung);
     if (rung > 0 && options.tau == 0) options.tau = std::pow(kSteeper, rung - 1);
     for (std::size_t i = 0; i < members.size(); ++i) {
@@ -131,7 +131,7 @@ class Network {
     return true;
   }
 
-  /// To those that have none yet.
+  /// Gives a slack to the borders that have none yet.
   void give_slack(const std::vector<std::size_t>& members) {
     const std::vector<double> own = smoother_.slack();
     for (std::size_t i = 0; i < members.size(); ++i) {
@@ -171,7 +171,7 @@ class Network {
     return gone;
   }
 
-  /// Those that have collapsed or lie beyond D.
+  /// The borders that have collapsed or lie beyond D.
   [[nodiscard]] std::vector<std::size_t> too_far(const std::vector<std::size_t>& among) const {
     std::vector<std::size_t> far;
     for (const std::size_t c : among) {
@@ -184,7 +184,8 @@ class Network {
     return far;
   }
 
-  /// Those beyond D get less slack where they are, others the next rung.
+  /// Borders beyond D get less slack where they are too far; other borders go to the next rung.
+  /// Returns the borders to smooth.
   std::vector<std::size_t> tighten(const std::vector<std::size_t>& borders) {
     std::vector<std::size_t> moved, rest;
     for (const std::size_t c : borders) {
@@ -206,7 +207,7 @@ class Network {
     return moved;
   }
 
-  /// The next rung for these; those that have one.
+  /// Moves these borders to the next rung; returns those that have one.
   std::vector<std::size_t> climb(const std::vector<std::size_t>& borders) {
     std::vector<std::size_t> moved;
     for (const std::size_t c : borders) {
@@ -224,7 +225,7 @@ class Network {
     return curves;
   }
 
-  /// Throws Cancelled.
+  /// Cuts the mesh along the borders and follows the regions. Throws Cancelled.
   void cut() {
     const auto ask = [&](double fraction) {
       if (!go_on(progress_, "cut", fraction)) throw Cancelled();
@@ -237,8 +238,8 @@ class Network {
     regions_ = regions_of_cut(cut_, parts_, borders);
   }
 
-  /// Nodes walk to where their borders balance, and the borders are smoothed anew; where one is not
-  /// well then its nodes go home. False when cancelled.
+  /// Moves the nodes to where their borders balance and smooths the borders anew. The nodes of a
+  /// border that then fails a check go home. False when cancelled.
   bool balance() {
     const State settled{result_, cut_, regions_};
     std::vector<double> tolerance;
@@ -254,7 +255,7 @@ class Network {
     Walk outcome = Walk::kUnsound;
     try {
       outcome = walk(settled);
-    } catch (const Error& error) {  // a border whose nodes came too near is no curve any more
+    } catch (const Error& error) {  // a border whose nodes came too near each other
       if (error.code() != ErrorCode::kBadCurve) throw;
     }
     if (outcome == Walk::kUnsound) {
@@ -286,7 +287,7 @@ class Network {
     return Walk::kUnsound;
   }
 
-  /// Borders that have no moved node any more are what they were.
+  /// Borders without moved nodes get their settled result back; the others are smoothed.
   bool smooth_from(const State& settled, const std::vector<std::size_t>& borders) {
     std::vector<std::size_t> todo;
     for (const std::size_t c : borders) {
@@ -299,7 +300,7 @@ class Network {
     return smooth(todo);
   }
 
-  /// Reports on borders whose nodes have moved; those of them that are not well.
+  /// Updates the reports on borders whose nodes have moved; returns those that fail a check.
   std::vector<std::size_t> measure_moved() {
     if (!meter_) meter_.emplace(mesh_->mesh());
     std::vector<std::size_t> moved;
@@ -323,7 +324,8 @@ class Network {
     return too_far(moved);
   }
 
-  /// Of the two parts beside a border that is wrong the smaller one: it is what would be lost.
+  /// Marks the smaller of the two parts beside each wrong border, which is the one that would be
+  /// lost.
   void note_held(const std::vector<std::size_t>& wrong) {
     held_.resize(parts_.parts.size(), false);
     for (const std::size_t c : wrong) {
@@ -380,14 +382,14 @@ class Network {
   RegionParts parts_;
   // Of each border:
   std::vector<int> rung_, tightenings_;
-  std::vector<std::vector<SurfacePoint>> pins_;  // of the drawing, where less slack did not help
+  std::vector<std::vector<SurfacePoint>> pins_;  // of drawings, where less slack did not help
   std::vector<std::vector<double>> slack_;       // per point of the drawing
   std::vector<SmoothedBorder> result_;
   CurveSmoother smoother_;
-  std::optional<LocalTightening> tightening_;  // once a border lies beyond D
-  std::optional<NetworkNodes> nodes_;          // while they are where they may not have been drawn
-  std::optional<DeviationMeter> meter_;        // then
-  double imbalance_ = 0;                       // of the nodes as drawn
+  std::optional<LocalTightening> tightening_;  // made once a border lies beyond D
+  std::optional<NetworkNodes> nodes_;    // set while nodes may be away from where they were drawn
+  std::optional<DeviationMeter> meter_;  // used with nodes_
+  double imbalance_ = 0;                 // with the nodes as drawn
   CutMesh cut_;
   CutRegions regions_;
   std::vector<bool> held_;  // per part

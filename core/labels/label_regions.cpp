@@ -37,7 +37,7 @@ void number_parts(UnionFind& sets, std::span<const std::int64_t> labels, RegionP
   }
 }
 
-/// A vertex's share of a face whose labels are divided at midpoints and centroid.
+/// A vertex's share of the area of a face whose labels are divided at midpoints and centroid.
 double share(const std::array<std::uint32_t, 3>& parts, std::size_t corner) {
   const std::uint32_t own = parts[corner];
   const std::uint32_t p = parts[(corner + 1) % 3], q = parts[(corner + 2) % 3];
@@ -107,11 +107,11 @@ RegionParts parts_by_vertex(const SurfaceMesh& mesh, std::span<const std::int64_
   return result;
 }
 
-/// A face or a link of a chain at one of its edges.
+/// A face at an edge, or a link of a chain along it.
 struct AtEdge {
   std::uint32_t high;         // the end with the larger number
-  std::uint32_t face, chain;  // kNoIndex for the other kind
-  bool rising;                // it runs from the smaller number to the larger one
+  std::uint32_t face, chain;  // kNoIndex for the one that it is not
+  bool rising;                // whether it runs from the smaller to the larger number
 };
 
 /// The edges of a mesh by their smaller end, with the links of chains among them.
@@ -126,7 +126,7 @@ class EdgeLists {
       entries_[at[std::min(p, q)]++] = {std::max(p, q), face, chain, p < q};
     });
   }
-  /// Calls visit(its smaller end, what is at it) for each edge.
+  /// Calls visit(smaller end, items) for each edge.
   template <class Visit>
   void each_edge(const Visit& visit) {
     for (std::uint32_t v = 0; v + 1 < first_.size(); ++v) {
@@ -161,7 +161,7 @@ class EdgeLists {
 
 /// A link of a chain seen from one side.
 struct LinkSide {
-  std::uint32_t chain, part, face;  // the part that was on this side, the face that is
+  std::uint32_t chain, part, face;  // the part on this side as drawn, the face there now
   double length;
 };
 
@@ -191,7 +191,7 @@ class Follower {
   }
 
  private:
-  /// Heaps of faces, and the sides of all chains.
+  /// Joins faces to heaps, and collects the sides of all chains.
   void gather() {
     EdgeLists edges(cut_);
     edges.each_edge([&](std::uint32_t low, std::span<const AtEdge> here) {
@@ -209,7 +209,7 @@ class Follower {
       for (const AtEdge& at : here) {
         if (at.face != kNoIndex) continue;
         const auto& [left, right] = drawn_.beside[at.chain];
-        if (chains > 1) wrong_.push_back(at.chain);  // two lie on each other
+        if (chains > 1) wrong_.push_back(at.chain);  // two chains lie on each other
         const std::uint32_t on_left = at.rising ? rising : falling;
         const std::uint32_t on_right = at.rising ? falling : rising;
         if (on_left != kNoIndex) sides_.push_back({at.chain, left, on_left, length});
@@ -219,7 +219,7 @@ class Follower {
     for (LinkSide& side : sides_) side.face = heaps_.find(side.face);
   }
 
-  /// Each heap gets the part that the longest stretch around it names.
+  /// Each heap gets the part that is named along the greatest length around it.
   void name_heaps() {
     owner_.assign(cut_.lists.triangles.size(), kNoIndex);
     std::sort(sides_.begin(), sides_.end(), [](const LinkSide& a, const LinkSide& b) {
@@ -251,7 +251,7 @@ class Follower {
     }
   }
 
-  /// The part that a face was in where no border is near.
+  /// The part that a face was in; only for faces away from all borders.
   [[nodiscard]] std::uint32_t part_before(std::uint32_t face) const {
     if (drawn_.by_face) return drawn_.of_element[cut_.face_from[face]];
     for (const std::uint32_t v : cut_.lists.triangles[face]) {
@@ -266,7 +266,7 @@ class Follower {
         wrong_.push_back(side.chain);
       }
     }
-    // A part without a side of its own has all its borders on the mesh's boundary.
+    // A part without any heap has all its borders on the mesh's boundary.
     for (std::size_t c = 0; c < borders_.size(); ++c) {
       for (const std::uint32_t part : drawn_.beside[c]) {
         if (main_[part] == kNoIndex) wrong_.push_back(c);
@@ -281,7 +281,7 @@ class Follower {
     return !fixed.empty() && cut_.vertex_from[vertices[i]] == fixed.front();
   }
 
-  /// Chains meet at their ends only.
+  /// Finds chains that meet other than at their ends.
   void check_meetings() {
     struct Visit {
       std::uint32_t vertex;
@@ -311,8 +311,8 @@ class Follower {
   const RegionParts& drawn_;
   std::span<const LabelBorder> borders_;
   UnionFind heaps_;
-  std::vector<LinkSide> sides_;       // `face` stands for its heap
-  std::vector<std::uint32_t> owner_;  // the part, per face that stands for a heap
+  std::vector<LinkSide> sides_;       // `face` represents its heap
+  std::vector<std::uint32_t> owner_;  // the part, for each face that represents a heap
   std::vector<std::uint32_t> main_;   // the heap, per part
   std::vector<std::size_t> wrong_;
 };

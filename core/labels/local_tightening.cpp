@@ -7,12 +7,11 @@
 namespace talweg {
 namespace {
 
-constexpr double kHalved = 4,
-                 kAllOfIt = 8;    // bounds away along the drawing: 1/2 up to, 1 from there
-constexpr double kAlmost = 0.97;  // of the bound: between points it may be more
+constexpr double kHalved = 4, kAllOfIt = 8;  // in bounds: end of halving, end of any narrowing
+constexpr double kAlmost = 0.97;             // of the bound, because between points it may be more
 
-/// How far away along the drawing the nearest of some places (ascending) is; `length` is that of a
-/// loop, infinite for others.
+/// The distance along the drawing to the nearest of some places (ascending). `length` is that of a
+/// loop, infinite for open curves.
 double nearest_of(const std::vector<double>& places, double arc, double length) {
   const auto behind = std::lower_bound(places.begin(), places.end(), arc);
   const double after = behind != places.end() ? *behind - arc : places.front() + length - arc;
@@ -21,11 +20,11 @@ double nearest_of(const std::vector<double>& places, double arc, double length) 
   return std::min(after, before);
 }
 
-/// Of each stretch of points beyond the bound the farthest.
+/// The farthest point of each stretch of points beyond the bound.
 std::vector<SurfacePoint> farthest_points(const SurfaceCurve& drawn,
                                           const std::vector<double>& apart, double bound) {
   std::vector<SurfacePoint> farthest;
-  double most = 0;  // of the stretch; 0 outside
+  double most = 0;  // of the current stretch; 0 outside
   for (std::size_t i = 0; i < apart.size(); ++i) {
     if (!(apart[i] > bound)) {
       most = 0;

@@ -19,12 +19,13 @@ class LocalTightening {
   explicit LocalTightening(const Surface& surface) : distance_(surface) {}
 
   /// Halves the slack (per point of the drawing, mesh units) along every stretch of the drawing
-  /// that lies beyond `bound` (mesh units, > 0) of the result or has a part of the result beyond it
-  /// beside it, and for four times the bound on either side; from there to twice as far the factor
-  /// rises to 1. Where nothing is beyond the bound it is the farthest stretch.
-  /// Returns of each stretch of points beyond the bound the one that is farthest from the result:
-  /// to be pinned where less slack does not help. Distances are along the surface, exact. Throws
-  /// Cancelled when `progress` (stage "measure") says so; the slack is as it was then.
+  /// that lies farther than `bound` (mesh units, > 0) from the result, or beside which a part of
+  /// the result lies farther from the drawing, and for four times the bound on either side. From
+  /// there to twice that distance the factor rises to 1. If nothing is beyond the bound, the
+  /// farthest stretch is tightened.
+  /// Returns, for each stretch of points beyond the bound, the one that is farthest from the
+  /// result, to be pinned where less slack does not help. Distances are exact, along the surface.
+  /// Throws Cancelled when `progress` (stage "measure") says so; the slack is then unchanged.
   std::vector<SurfacePoint> tighten(const SurfaceCurve& drawn, const SurfaceCurve& result,
                                     double bound, std::span<double> slack,
                                     const Progress& progress = {});

@@ -10,12 +10,12 @@
 namespace talweg {
 namespace {
 
-constexpr double kOfGap = 0.25;        // how far nodes may move, of the way to the next one
-constexpr double kNear = 0.05;         // of the reach: what lies nearer has no direction
-constexpr double kBent = 0.15;         // radians
-constexpr double kBalanced = 0.01;     // of a unit tangent, per border
-constexpr double kStandsStill = 0.01;  // of the reach
-constexpr double kSurroundings = 1.5;  // of a node's move, around its home
+constexpr double kOfGap = 0.25;  // how far nodes may move, as part of the distance to the next one
+constexpr double kNear = 0.05;   // of the reach; nearer points give no direction
+constexpr double kBent = 0.15;   // radians
+constexpr double kBalanced = 0.01;  // of a unit tangent, per border: smaller sums count as balanced
+constexpr double kStandsStill = 0.01;  // of the reach; smaller moves count as none
+constexpr double kSurroundings = 1.5;  // radius around a node's home, in lengths of its move
 
 bool is_on_boundary(const Surface& surface, const SurfacePoint& p) {
   if (const auto* v = std::get_if<AtVertex>(&p.where())) return surface.on_boundary(v->vertex);
@@ -23,7 +23,7 @@ bool is_on_boundary(const Surface& surface, const SurfacePoint& p) {
   return false;
 }
 
-/// The same for equal points where borders end: these are at vertices, midpoints, centroids.
+/// A key that equal ends of borders share; they lie at vertices, midpoints or centroids.
 std::pair<std::size_t, std::size_t> key_of(const SurfacePoint& p) {
   if (const auto* v = std::get_if<AtVertex>(&p.where())) return {0, v->vertex.index()};
   if (const auto* e = std::get_if<OnEdge>(&p.where())) return {1, e->edge.index()};
@@ -86,7 +86,7 @@ void NetworkNodes::collect() {
   }
 }
 
-/// Two nodes that both move must not meet, and a loop that hangs on one stays around something.
+/// Limits moves: two moving nodes must not meet, and a loop at a node must keep something inside.
 void NetworkNodes::limit_reach() {
   std::vector<Point> at;
   for (const Node& node : nodes_) at.push_back(mesh_->position(node.home));
@@ -149,7 +149,7 @@ NetworkNodes::Pull NetworkNodes::pull_at(const Node& node,
   return pull;
 }
 
-/// The part of a pull that leads along the boundary, at a vertex the one of its two ways.
+/// The component of a pull along the boundary; at a vertex, along one of its two boundary edges.
 Point NetworkNodes::along_boundary(const SurfacePoint& at, const Point& pull) const {
   const Surface& surface = mesh_->surface();
   const auto part = [&](HalfedgeId h) -> Point {
@@ -168,15 +168,15 @@ Point NetworkNodes::along_boundary(const SurfacePoint& at, const Point& pull) co
   return best;
 }
 
-/// As far along the boundary as the step is long, the way it points.
+/// The point reached by sliding along the boundary, in the step's direction, by the step's length.
 SurfacePoint NetworkNodes::slid(const SurfacePoint& at, const Point& step) const {
   const Surface& surface = mesh_->surface();
   double left = step.norm();
   const auto towards = [&](HalfedgeId h) {
     return step.dot(mesh_->point(surface.head(h)) - mesh_->point(surface.tail(h)));
   };
-  HalfedgeId h;     // it goes along this one
-  double done = 0;  // of its length
+  HalfedgeId h;     // the boundary edge to follow
+  double done = 0;  // fraction of h passed
   if (const auto* e = std::get_if<OnEdge>(&at.where())) {
     h = halfedge_of(e->edge);
     done = e->t;
@@ -232,7 +232,7 @@ std::vector<std::size_t> NetworkNodes::step(std::span<const SurfaceCurve> result
     const Pull pull = pull_at(node, results);
     if (pull.sum.norm() < kBalanced * static_cast<double>(node.ends.size())) continue;
     double factor = pull.step;
-    if (node.step) {  // Barzilai and Borwein's, near the one for straight borders
+    if (node.step) {  // Barzilai and Borwein's step, near that for straight borders
       const double fall = node.step->dot(*node.pull - pull.sum);
       if (fall > 0) factor = std::clamp(node.step->squaredNorm() / fall, factor / 4, factor * 4);
     }

@@ -14,46 +14,46 @@
 namespace talweg {
 
 /// Junctions, and ends on the mesh's boundary. The sum of the unit tangents of the borders that
-/// leave a node is minus the gradient of their lengths by its place: where it is zero three borders
-/// meet at 120 degrees. A node on the boundary moves along it, and only the part of the sum along
-/// the boundary counts: one border then ends at a right angle.
+/// leave a node is minus the gradient of their lengths by its place; where it is zero, three
+/// borders meet at 120 degrees. A node on the boundary moves along it, and only the component of
+/// the sum along the boundary counts, so a single border ends at a right angle.
 class NetworkNodes {
  public:
   struct Rules {
-    bool junctions = true;  ///< whether those away from the boundary may move
-    bool ends = true;       ///< whether those on the boundary may
+    bool junctions = true;  ///< whether nodes away from the boundary may move
+    bool ends = true;       ///< whether nodes on the boundary may move
   };
-  /// `tolerance`: for each border how far from home its nodes may move, mesh units, >= 0. No node
-  /// moves farther than a fraction of the way to the next one. O(faces).
+  /// `tolerance`: for each border how far from home its nodes may move, mesh units, >= 0. A node
+  /// also moves at most a fraction of the distance to the next one. O(faces).
   NetworkNodes(const SurfaceMesh& mesh, std::span<const LabelBorder> drawn,
                std::span<const double> tolerance, const Rules& rules);
 
-  /// Moves each node that is free one step towards balance. `results` are the borders as they were
-  /// smoothed last, ending where the nodes are. Returns the borders (ascending) whose ends moved.
+  /// Moves each free node one step towards balance. `results` are the borders as last smoothed;
+  /// they end at the nodes. Returns the borders (ascending) whose ends moved.
   std::vector<std::size_t> step(std::span<const SurfaceCurve> results);
-  /// Sends the nodes of these borders home for good. Returns all borders that end there,
-  /// ascending; none when these nodes were held already.
+  /// Moves the nodes of these borders home and keeps them there. Returns all borders that end
+  /// there, ascending; none if these nodes were held already.
   std::vector<std::size_t> hold(std::span<const std::size_t> borders);
 
   /// Whether an end of the border is not where it was drawn.
   [[nodiscard]] bool is_moved(std::size_t border) const;
   /// The number of nodes that are not where they were drawn.
   [[nodiscard]] std::size_t moved_count() const;
-  /// Mean over the nodes that may move of the size of the sum of unit tangents; 0 without any.
+  /// The mean length of the sum of unit tangents over the nodes that may move; 0 without any.
   [[nodiscard]] double imbalance(std::span<const SurfaceCurve> results) const;
 
-  /// A drawing whose ends have moved: where it has left the surroundings of a node it is as it was,
-  /// and from there a straight line leads to the node's place.
+  /// A drawing whose ends have moved: outside the surroundings of a node it is unchanged; from
+  /// there a straight line leads to the node's place.
   struct Redrawing {
     LabelBorder border;
-    std::vector<std::size_t> from;  ///< per point the point of the drawing whose slack it has
+    std::vector<std::size_t> from;  ///< per point, the point of the drawing whose slack applies
   };
   Redrawing redrawn(std::size_t border);
 
  private:
   struct End {
     std::size_t border;
-    bool front;  // or the back; of a loop that hangs on the node the way it leaves
+    bool front;  // at the front or the back; for a loop at the node, its direction
   };
   struct Node {
     SurfacePoint home, at;
@@ -65,7 +65,7 @@ class NetworkNodes {
     std::optional<Point> step, pull;
   };
   /// The sum of unit tangents, in the surface or along the boundary, and the length of the step
-  /// that would end it if the borders were straight as far as they seem to be.
+  /// that would balance the node if the borders were straight as far as they appear to be.
   struct Pull {
     Point sum = Point::Zero();
     double step = 0;
@@ -85,7 +85,7 @@ class NetworkNodes {
   std::span<const LabelBorder> drawn_;
   std::vector<Node> nodes_;
   static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
-  std::vector<std::array<std::size_t, 2>> node_of_;  // per border, of front and back; kNone: a loop
+  std::vector<std::array<std::size_t, 2>> node_of_;  // per border, front and back; kNone: a loop
   ClosestPoint closest_;
   StraightLines lines_;
 };

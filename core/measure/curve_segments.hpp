@@ -15,12 +15,12 @@ namespace talweg {
 
 /// A curve's segment in a face that contains it.
 struct CurveSegment {
-  FaceId face;                   ///< that contains it
+  FaceId face;                   ///< a face that contains the segment
   std::array<double, 3> from{};  ///< barycentrics of one end
-  std::array<double, 3> to{};    ///< and of the other
+  std::array<double, 3> to{};    ///< barycentrics of the other end
   double length = 0;             ///< mesh units
 
-  /// t in [0, 1] from one end to the other.
+  /// The point at t in [0, 1] from one end to the other.
   [[nodiscard]] std::array<double, 3> at(double t) const {
     std::array<double, 3> b{};
     for (std::size_t k = 0; k < 3; ++k) b[k] = (1 - t) * from[k] + t * to[k];
@@ -31,15 +31,16 @@ struct CurveSegment {
   }
 };
 
-/// Two points of a face. Throws Error(kBadCurve) where it does not contain them.
+/// The segment between two points of a face. Throws Error(kBadCurve) where it does not contain
+/// them.
 inline CurveSegment segment_between(const Surface& surface, const SurfacePoint& p,
                                     const SurfacePoint& q, FaceId face) {
   const FaceCoordinates a = coordinates_in(surface, p, face), b = coordinates_in(surface, q, face);
   return {face, a.barycentric, b.barycentric, distance_in_face(surface, a, b)};
 }
 
-/// The segments of all curves, those without length left out. Throws Error(kBadCurve) naming the
-/// first point that shares no face with the next.
+/// The segments of all curves; those without length are left out. Throws Error(kBadCurve) naming
+/// the first point that shares no face with the next.
 inline std::vector<CurveSegment> segments_of(const Surface& surface,
                                              std::span<const SurfaceCurve> curves) {
   std::vector<CurveSegment> segments;

@@ -16,22 +16,22 @@ struct OneSidedDeviation {
   Point at = Point::Zero();  ///< the point of the first curve where the distance is largest
 };
 
-/// Both directions: a result that cuts a corner stays near the drawing, but the drawing's corner
-/// lies far from the result.
+/// Both directions are needed: a result that cuts a corner stays near the drawing, but the
+/// drawing's corner lies far from the result.
 struct Deviation {
   OneSidedDeviation to_drawn;    ///< of the result's points to the drawing
   OneSidedDeviation from_drawn;  ///< of the drawing's points to the result
-  Point at = Point::Zero();      ///< where the larger of both is, on its curve
+  Point at = Point::Zero();      ///< the point with the larger of both maxima, on its curve
 };
 
 /// Distance of every point of the segments `from`, not only of their ends, to the nearest point of
 /// `to`. Distances are Euclidean, so never more than those along the surface.
 ///
-/// `max` is at most the true maximum and at least that divided by 1 + 1e-6 (but for a few ulp of
-/// the coordinates): along a segment the distance to each single segment of `to` is convex, hence
-/// bounded by its values at the two ends; intervals are halved until that bound rules them out.
-/// `mean` is integrated by adaptive Simpson's rule to about 1e-4 relative.
-/// O((m + n) log n) for curves that are not all ties.
+/// `max` is at most the true maximum, and at least the true maximum divided by 1 + 1e-6 (apart from
+/// a few ulp of the coordinates). Along a segment the distance to each single segment of `to` is
+/// convex, hence bounded by its values at the two ends; intervals are halved until that bound rules
+/// them out. `mean` is integrated by adaptive Simpson's rule to about 1e-4 relative.
+/// O((m + n) log n) unless most distances are ties.
 /// Throws Error(kBadCurve) when `from` is empty or has a coordinate that is not finite; Cancelled
 /// when `progress` (stage "measure") says so.
 OneSidedDeviation one_sided_deviation(std::span<const Segment> from, const NearestSegment& to,

@@ -5,12 +5,13 @@ namespace talweg {
 
 /// Which distance between result and drawing a report has.
 enum class DeviationMeasure {
-  /// kAlongSurface; but below tau = 1/8, where results leave their drawings, only where they lie
-  /// within four mean edges of each other, and through space where they do not.
+  /// kAlongSurface, except below tau = 1/8, where results may leave their drawings: there it is
+  /// used only if result and drawing lie within four mean edges of each other, and kEuclidean
+  /// otherwise.
   kAutomatic,
   kAlongSurface,  ///< exact, along the surface; its cost grows with the deviation
-  kEuclidean,     ///< through space: never more, and cheaper
-  kNone,          ///< none: the report's deviations are infinite, null in JSON
+  kEuclidean,     ///< through space: never more than kAlongSurface, and cheaper
+  kNone,          ///< not measured: the report's deviations are infinite, null in JSON
 };
 
 }  // namespace talweg

@@ -13,7 +13,7 @@ void make_unique(std::vector<Id>& ids) {
   ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
 }
 
-/// The halfedges with their tail at v.
+/// Visits the halfedges with their tail at v.
 template <typename Visit>
 void for_spokes(const Surface& surface, VertexId v, const Visit& visit) {
   const HalfedgeId first = surface.halfedge(v);
@@ -61,7 +61,7 @@ double edge_length_near(const Surface& surface, const SurfaceCurve& curve) {
     near.insert(near.end(), ring.begin(), ring.end());
     std::inplace_merge(near.begin(), near.begin() + middle, near.end());
   }
-  // Only from the last ring an edge can lead out.
+  // Only vertices of the last ring have edges that lead out.
   const auto is_in = [](const std::vector<VertexId>& all, VertexId v) {
     return std::binary_search(all.begin(), all.end(), v);
   };
@@ -73,7 +73,7 @@ double edge_length_near(const Surface& surface, const SurfaceCurve& curve) {
     if (last) ++next_of_ring;
     for_spokes(surface, v, [&](HalfedgeId h) {
       const VertexId w = surface.head(h);
-      if (w < v) return;  // counted from the other end
+      if (w < v) return;  // counted at its other end
       if (last && !is_in(near, w)) return;
       sum += surface.length(edge_of(h));
       ++count;

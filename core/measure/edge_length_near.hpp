@@ -6,8 +6,8 @@
 
 namespace talweg {
 
-/// h₀: the mean length of the mesh edges within two rings of the curve (of the corners of the edges
-/// and faces that its points lie in), mesh units. O(points · degree²).
+/// h₀: the mean length of the mesh edges within two rings of the curve (rings around the corners of
+/// the edges and faces that its points lie in), mesh units. O(points · degree²).
 double edge_length_near(const Surface& surface, const SurfaceCurve& curve);
 
 }  // namespace talweg

@@ -19,15 +19,16 @@ struct SegmentSample {
   double distance = 0;  ///< mesh units
 };
 
-/// What the distance between two samples is at most, beyond what its slope of 1 says. Every bound
-/// is a convex function along the segment, so its values at the two samples bound it between them.
+/// Upper bounds for the distance between two samples that are tighter than those from its slope of
+/// at most 1. Every bound is a convex function along the segment, so its values at the two samples
+/// bound it between them.
 class FaceBounds {
  public:
   /// `pieces` are those of the curves that `to` is set to.
   FaceBounds(const Surface& surface, PolylineDistance& to, const PolylinePieces& pieces)
       : surface_(&surface), to_(&to), pieces_(&pieces) {}
 
-  /// By way of the pieces of the other curves in the same face.
+  /// The bound by way of the pieces of the other curves in the same face.
   [[nodiscard]] double by_pieces(const CurveSegment& s, const SegmentSample& a,
                                  const SegmentSample& b) const {
     const SideFrame frame = side_frame(*surface_, s.face, 0);
@@ -40,9 +41,10 @@ class FaceBounds {
     return best;
   }
 
-  /// By way of a point on a side of the face, one on each side of the segment, where the shortest
-  /// way is likely to come from: it meets the segment at an angle that the slope tells. Whether
-  /// that is less than `enough`; sides of large faces may be far away, and nothing is asked beyond.
+  /// Whether the bound is less than `enough` by way of a point on a side of the face, one point on
+  /// each side of the segment. The points are those through which the shortest way probably comes:
+  /// it meets the segment at an angle that the slope tells. Sides of large faces may be far away;
+  /// distances beyond `enough` are not computed.
   bool less_by_sides(const CurveSegment& s, const SegmentSample& a, const SegmentSample& b,
                      double enough) {
     if (less_by_sides_in(s, a, b, enough)) return true;
@@ -53,7 +55,8 @@ class FaceBounds {
   }
 
  private:
-  /// The segment runs along the side opposite to corner k, which has another face.
+  /// Like less_by_sides() for a segment along the side opposite to corner k, beyond which there is
+  /// another face.
   bool less_by_other_face(const CurveSegment& s, std::size_t k, const SegmentSample& a,
                           const SegmentSample& b, double enough) {
     const HalfedgeId side = side_frame(*surface_, s.face, (k + 1) % 3).side;
@@ -77,7 +80,7 @@ class FaceBounds {
     for (const double side : {-across, across}) {
       const PlanePoint back{-slope * ex - side * ey, -slope * ey + side * ex};
       std::array<double, 3> c = s.at((a.t + b.t) / 2);
-      // A point that is near compared with the interval tells no more than its ends do.
+      // A point that is near compared with the interval gives no better bound than the ends do.
       if (!(walk_to_side(frame, back, c) > length / 4)) continue;
       const PlanePoint corner = frame.at(c, 0);
       const double limit = enough - std::max(distance_of(p, corner), distance_of(q, corner));
@@ -88,7 +91,7 @@ class FaceBounds {
     return false;
   }
 
-  /// Moves c in a direction as far as the face goes; returns how far that is.
+  /// Moves c in a direction up to the boundary of the face; returns the distance moved.
   static double walk_to_side(const SideFrame& frame, PlanePoint direction,
                              std::array<double, 3>& c) {
     const double up = direction.y / frame.apex.y;

@@ -19,8 +19,8 @@
 
 namespace talweg {
 
-/// Some curves, of which only what lies near in space is wanted. Ways along the surface are not
-/// shorter than through space, so the rest cannot be nearest.
+/// Selects the parts of some curves that lie near in space. Ways along the surface are never
+/// shorter than through space, so the other parts cannot be nearest.
 class NearParts {
  public:
   NearParts(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves) : curves_(curves) {
@@ -34,10 +34,10 @@ class NearParts {
     tree_.emplace(std::move(segments));
   }
 
-  /// Through space.
+  /// Distance through space.
   [[nodiscard]] double distance(const Point& p) const { return tree_->to(p).distance; }
 
-  /// The segments whose boxes meet one of these, as curves.
+  /// The segments whose boxes meet one of these boxes, as curves.
   [[nodiscard]] std::vector<SurfaceCurve> meeting(
       std::span<const Eigen::AlignedBox3d> boxes) const {
     Eigen::AlignedBox3d all;
@@ -64,26 +64,27 @@ class NearParts {
 
  private:
   std::span<const SurfaceCurve> curves_;
-  std::vector<std::size_t> counts_;  // of segments
+  std::vector<std::size_t> counts_;  // number of segments of each curve
   std::vector<Eigen::AlignedBox3d> boxes_;
   std::optional<NearestSegment> tree_;
 };
 
-/// Sets a distance to what of the curves can be nearest to some segments.
+/// Sets a distance to the parts of the curves that can be nearest to some segments.
 class LocalDistance {
  public:
-  /// Nobody will ask for distances of `limit` or more.
+  /// Distances of `limit` or more will not be needed.
   LocalDistance(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves,
                 PolylineDistance& distance, double limit = HUGE_VAL)
       : mesh_(&mesh), curves_(curves), parts_(mesh, curves), distance_(&distance), limit_(limit) {}
 
-  /// What the distance on a segment is at most, by those in space: a guess, to be proved.
+  /// A guess, from distances in space, of the largest distance on a segment; it may turn out too
+  /// small.
   [[nodiscard]] double guess(const CurveSegment& s) const {
     return kMore *
            bound(s, [&](const SurfacePoint& p) { return parts_.distance(mesh_->position(p)); });
   }
 
-  /// `reach` has the guesses. Returns what it is set to.
+  /// `reach` holds the guesses. Returns the curves that the distance is set to.
   std::vector<SurfaceCurve> set_near(std::span<const CurveSegment> segments,
                                      std::span<double> reach) {
     std::vector<SurfaceCurve> near = set(segments, reach);

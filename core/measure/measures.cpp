@@ -75,7 +75,7 @@ Direction direction_at(const Surface& surface, EdgeId e, const SurfacePoint& p,
   return {left || open ? angle : angle + kPi, 2 * kPi, open};
 }
 
-/// From p to q, both in face f.
+/// The direction from p to q, both in face f.
 Direction direction_to(const Surface& surface, const SurfacePoint& p, const SurfacePoint& q,
                        FaceId f) {
   if (const auto* v = std::get_if<AtVertex>(&p.where())) {
@@ -115,12 +115,12 @@ struct Turn {
   double toward_left = 0;  ///< signed_turning()
 };
 
-/// `face_before`, `face_after`: of the two segments.
+/// `face_before` and `face_after` are the faces of the two segments.
 Turn turn_at(const Surface& surface, const SurfacePoint& before, FaceId face_before,
              const SurfacePoint& at, FaceId face_after, const SurfacePoint& after) {
   const Direction in = direction_to(surface, at, before, face_before);
   const Direction out = direction_to(surface, at, after, face_after);
-  const double swept = in.angle - out.angle;  // counterclockwise from the way on to the way back
+  const double swept = in.angle - out.angle;  // counterclockwise from `out` to `in`
   if (in.open) {
     const double turn = kPi - std::abs(swept);
     return {std::clamp(turn, 0.0, kPi), swept > 0 ? turn : -turn};

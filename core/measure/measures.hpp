@@ -15,23 +15,23 @@ struct CurveMeasures {
   double signed_curvature =
       0;                     ///< radians: left turns less right turns; on a loop Gauss and Bonnet's
   double max_curvature = 0;  ///< radians: the largest turning angle
-  std::size_t max_at = 0;    ///< index of the point that turns most, the first one of equals
+  std::size_t max_at = 0;    ///< index of the point that turns most; the first if several do
 };
 
 /// The turning angle at a point of a curve, in [0, pi] radians: pi minus the smaller of the two
-/// side angles, which are swept along the surface between the directions to the neighbours, and 0
-/// where both are at least pi (a curve through a saddle vertex can be straight without being
+/// side angles, which are measured along the surface between the directions to the neighbours. It
+/// is 0 where both are at least pi (a curve through a saddle vertex can be straight without being
 /// straight on either side; Polthier & Schmies 1998). Inside an edge or a face the side angles sum
 /// to 2 pi, and this is the angle between the segments with the two faces unfolded into one plane.
-/// On the boundary only the side inside the surface counts; the other is taken as infinite.
-/// Needles and zero-area triangles give some angle in that range, never NaN. O(degree).
-/// Throws Error(kBadCurve) when a neighbour shares no face with the point.
+/// On the boundary only the side inside the surface counts; the other is taken as infinite. Needles
+/// and zero-area triangles give some angle in that range, never NaN. O(degree). Throws
+/// Error(kBadCurve) when a neighbour shares no face with the point.
 double turning_angle(const Surface& surface, const SurfacePoint& before, const SurfacePoint& at,
                      const SurfacePoint& after);
 
-/// Half of the right side angle less the left one, radians: positive where the curve turns left.
-/// Inside an edge or a face its size is the turning angle. On the boundary: pi minus the angle on
-/// the inner side, with its sign. Throws as turning_angle() does.
+/// Half the difference between the right and the left side angle, radians: positive where the curve
+/// turns left. Inside an edge or a face its absolute value is the turning angle. On the boundary it
+/// is pi minus the angle on the inner side, with its sign. Throws as turning_angle() does.
 double signed_turning(const Surface& surface, const SurfacePoint& before, const SurfacePoint& at,
                       const SurfacePoint& after);
 

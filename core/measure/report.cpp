@@ -16,7 +16,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// As a JSON value; what is not finite becomes null.
+/// Converts a value to JSON; numbers that are not finite become null.
 struct AsJson {
   Json operator()(double value) const { return std::isfinite(value) ? Json(value) : Json(nullptr); }
   Json operator()(const std::vector<double>& list) const {
@@ -30,7 +30,7 @@ struct AsJson {
   }
 };
 
-/// A sentence may name a file whose name is no UTF-8, and JSON must be.
+/// A message may contain a file name that is not UTF-8, but JSON must be UTF-8.
 std::string text_of(const Json& json) {
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
@@ -49,7 +49,7 @@ Json object_of(const std::vector<ReportEntry>& entries) {
   return object;
 }
 
-/// Every field of a report under its name, in their order; `Report` is const or not.
+/// Visits every field of a report with its name, in order; `Report` may be const.
 template <class Report, class Visit>
 void for_each_field(Report& r, Visit visit) {
   visit("version", r.version);
@@ -125,7 +125,7 @@ const char* to_string(DeviationMeasure measure) {
 SmoothingReport total_of(const std::vector<SmoothingReport>& reports) {
   if (reports.empty()) return {};
   SmoothingReport total = reports.front();
-  // Infinite even where the length is 0.
+  // A mean that is infinite stays so even where the length is 0.
   const auto weighted = [](double mean, double length) {
     return std::isfinite(mean) ? mean * length : mean;
   };

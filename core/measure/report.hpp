@@ -13,16 +13,16 @@
 
 namespace talweg {
 
-/// Milliseconds. `open` depends on the mesh only, `solve` on the drawing; the rest is what a new
-/// tau repeats.
+/// Milliseconds. `open` depends on the mesh only, `solve` on the drawing; the others recur for each
+/// new tau.
 struct StageTimes {
   double load = 0;        ///< reading files; 0 where there are none
   double open = 0;        ///< checks, connectivity, factors
   double solve = 0;       ///< embedding and distance
-  double straighten = 0;  ///< lift and FlipOut
-  double trace = 0;       ///< back to points on the mesh
+  double straighten = 0;  ///< lifting and FlipOut
+  double trace = 0;       ///< tracing back to points on the mesh
   double relax = 0;       ///< the paper's relaxation
-  double polish = 0;      ///< the corridor's
+  double polish = 0;      ///< the corridor's polish
   double total = 0;       ///< the sum of the above
 };
 
@@ -31,46 +31,46 @@ enum class PotentialKind {
   kPaper,     ///< equations 4 to 6 of the paper
   kCorridor,  ///< flat within the slack
   kCustom,    ///< given by the caller
-  kNone,      ///< none: some other method made the curve
+  kNone,      ///< another method made the curve
 };
 
 /// Where a curve was smoothed.
 enum class Engine {
   kFull,     ///< on the mesh, by a distance over all of it
-  kLocal,    ///< on the mesh, by a distance near the drawing
-  kRefined,  ///< on faces along the drawing that were divided
-  kPreview,  ///< as kLocal, while a part of the drawing is being dragged
-  kNone,     ///< elsewhere, by some other method
+  kLocal,    ///< on the mesh, by a distance near the drawing only
+  kRefined,  ///< on faces that were divided along the drawing
+  kPreview,  ///< like kLocal, while a part of the drawing is being dragged
+  kNone,     ///< another method made the curve
 };
 
-/// How the smoothing of a curve ended; worse ones last.
+/// How the smoothing of a curve ended, from best to worst.
 enum class Outcome {
   kConverged,
   kDeviation,  ///< no curve within the bound was found
-  kCollapsed,  ///< the loop shrank below the floor; it is returned as it was when it first did
+  kCollapsed,  ///< the loop shrank below the floor; it is returned as it was at that moment
   kLimit,      ///< a bound on the work was reached
-  kCancelled,  ///< by the caller
+  kCancelled,  ///< the caller cancelled it
 };
 
-/// The names that reports have for them; DeviationMeasure's are "surface", "euclidean" and "none".
+/// The names used in reports; those of DeviationMeasure are "surface", "euclidean" and "none".
 const char* to_string(PotentialKind potential);
 const char* to_string(Engine engine);
 const char* to_string(Outcome outcome);
 const char* to_string(DeviationMeasure measure);
 
-/// The report on one curve, or the totals of a set: there counts, lengths and total curvatures are
-/// sums, maxima are maxima, means are weighted by length, `termination` is the worst, and
-/// `deviation` is kEuclidean where one of them is.
-/// Lengths in mesh units, angles in radians; deviations that were not measured, or between curves
-/// on parts of the mesh that are not connected, are infinite. "Before" and "drawn" mean the curve
-/// as it was given, before corners were capped.
+/// The report on one curve, or the totals of a set. In totals, counts, lengths and total curvatures
+/// are sums, maxima are maxima, means are weighted by length, `termination` is the worst, and
+/// `deviation` is kEuclidean if any curve's is. Lengths are in mesh units, angles in radians.
+/// Deviations are infinite if they were not measured, or if the curves lie on parts of the mesh
+/// that are not connected. "Before" and "drawn" mean the curve as it was given, before corners were
+/// capped.
 struct SmoothingReport {
   std::string version;              ///< of the library
   std::size_t faces = 0;            ///< of the mesh
   std::size_t vertices = 0;         ///< of the mesh
-  double tau = 0;                   ///< as asked for
+  double tau = 0;                   ///< as requested
   double slack = 0;                 ///< mesh units; 0 for the paper's method
-  double max_deviation = HUGE_VAL;  ///< mesh units, as asked of smooth_within(), or none
+  double max_deviation = HUGE_VAL;  ///< mesh units: the bound of smooth_within(), if any
   std::size_t pins_added = 0;       ///< by smooth_within()
   double edge_length_near = 0;      ///< mesh units: mean edge within two rings of the drawing
   PotentialKind potential = PotentialKind::kNone;
@@ -91,13 +91,13 @@ struct SmoothingReport {
   double deviation_to_drawn_mean = 0;    ///< mesh units
   double deviation_from_drawn_max = 0;   ///< mesh units: of the drawing to the result
   double deviation_from_drawn_mean = 0;  ///< mesh units
-  Point deviation_at = Point::Zero();    ///< where the larger of both is
-  double moved = HUGE_VAL;  ///< mesh units: against the last result, if its tau differs by <= 5 %
-  std::size_t flips = 0;    ///< of the whole run
-  std::size_t iterations = 0;        ///< cleared wedges of the whole run
-  std::size_t faces_touched = 0;     ///< of the mesh, by the whole run
-  std::size_t trace_fallbacks = 0;   ///< crossings put at the end of their edge
-  double mollification = 0;          ///< mesh units: most that an edge was lengthened for the heat
+  Point deviation_at = Point::Zero();    ///< the point with the larger of both maxima
+  double moved = HUGE_VAL;     ///< mesh units: from the last result, if its tau differs by <= 5 %
+  std::size_t flips = 0;       ///< of the whole run
+  std::size_t iterations = 0;  ///< cleared wedges, of the whole run
+  std::size_t faces_touched = 0;    ///< mesh faces that the whole run touched
+  std::size_t trace_fallbacks = 0;  ///< crossings that the tracing put at the end of their edge
+  double mollification = 0;  ///< mesh units: largest lengthening of an edge for the heat distance
   std::size_t crossings_before = 0;  ///< of the drawing with itself and later curves of the set
   std::size_t crossings_after = 0;   ///< of the result, counted likewise
   Outcome termination = Outcome::kConverged;
@@ -116,19 +116,20 @@ struct ReportEntry {
                std::vector<std::string>>
       value;
 };
-/// All of a report, under the field names above and in their order.
+/// All fields of a report, under the names above and in their order.
 std::vector<ReportEntry> entries_of(const SmoothingReport& report);
 
 /// JSON with the field names above; non-finite numbers become null.
 std::string to_json(const SmoothingReport& report);
-/// One curve: its report. Several: the totals, and an array `curves` of the single reports.
+/// For one curve its report; for several the totals, with an array `curves` of the single reports.
 std::string to_json(const SmoothingReport& total, const std::vector<SmoothingReport>& curves);
 
-/// The same from entries, of this library or of a plugin: `curves` is left out for fewer than two.
+/// The same from the entries of this library or of a plugin; `curves` is left out for fewer than
+/// two.
 std::string to_json(const std::vector<ReportEntry>& total,
                     const std::vector<std::vector<ReportEntry>>& curves);
 
-/// The most memory the process has used so far; 0 where the system does not tell.
+/// The largest amount of memory the process has used so far; 0 where the system does not tell.
 double peak_memory_mib();
 
 }  // namespace talweg

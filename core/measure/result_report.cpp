@@ -17,7 +17,7 @@
 namespace talweg {
 namespace {
 
-constexpr double kJump = 0.2;       // mesh edges
+constexpr double kJump = 0.2;       // mesh edges: a larger move counts as a jump
 constexpr double kAutomaticTo = 4;  // mesh edges: farther apart, kAutomatic measures through space
 
 }  // namespace
@@ -119,7 +119,7 @@ MeasuredDeviation measure_deviation(DeviationMeasure measure, double edge_length
       return through_space(in_space());
     case DeviationMeasure::kAutomatic: {
       const double limit = kAutomaticTo * edge_length_near;
-      const Deviation apart = in_space();  // never more, and far cheaper
+      const Deviation apart = in_space();  // never more than along the surface, and far cheaper
       std::optional<SurfaceDeviation> along;
       if (std::max(apart.to_drawn.max, apart.from_drawn.max) < limit) {
         along = meter.measure_below(limit, results, drawings, progress);

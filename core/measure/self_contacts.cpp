@@ -24,7 +24,7 @@ struct Item {
   double length = 0;
 };
 
-/// What two passages have in common; `arc` on each of them, in the order of the first.
+/// What two passages have in common; `arc` is given on each of them, in the order of the first.
 struct Meeting {
   struct Passage {
     std::uint32_t curve = 0;
@@ -32,7 +32,7 @@ struct Meeting {
   };
   std::array<Passage, 2> passages;
   bool stretch = false;
-  double same = 0;  ///< what counts as one place, mesh units
+  double same = 0;  ///< distance below which points count as one place, mesh units
   SurfacePoint at;
 };
 
@@ -47,13 +47,14 @@ PlanePoint at_length(const Item& item, double s) {
   return {item.a.x + t * (item.b.x - item.a.x), item.a.y + t * (item.b.y - item.a.y)};
 }
 
-/// How far to the left of the line of an item.
+/// How far a point lies to the left of an item's line.
 double aside(const Item& item, PlanePoint x) {
   const double ux = (item.b.x - item.a.x) / item.length, uy = (item.b.y - item.a.y) / item.length;
   return ux * (x.y - item.a.y) - uy * (x.x - item.a.x);
 }
 
-/// Where two items meet, as lengths along both: none, one place, or the two ends of a stretch.
+/// Where two items meet, as lengths along both: nowhere, at one place, or between the two ends of a
+/// stretch.
 struct Common {
   int count = 0;
   std::array<std::array<double, 2>, 2> at{};
@@ -83,7 +84,7 @@ Common common_of(const Item& p, const Item& q, double same) {
     if (std::hypot(x.x - y.x, x.y - y.y) <= same) common.add(on_p, s, same);
   }
   if (common.count > 0 || !(p.length > 0) || !(q.length > 0)) return common;
-  // No end of one is on the other: they cross, or they do not meet.
+  // No end of one item lies on the other, so they cross or do not meet.
   const double a = aside(p, q.a), b = aside(p, q.b), c = aside(q, p.a), d = aside(q, p.b);
   const auto apart = [&](double x, double y) {
     return std::min(x, y) < -same / 2 && std::max(x, y) > same / 2;
@@ -108,7 +109,7 @@ class Finder {
     std::vector<const PolylinePiece*> pieces;
     for (const PolylinePiece& piece : pieces_.segments) pieces.push_back(&piece);
     for (const PolylinePiece& piece : pieces_.points) {
-      // What is inside a face has its segments there.
+      // A point inside a face is already covered by the segments there.
       const bool on_side = std::count(piece.from.begin(), piece.from.end(), 0.0) > 0;
       if (piece.face.valid() && on_side) pieces.push_back(&piece);
     }
@@ -150,7 +151,7 @@ class Finder {
       passages[0].arc[k] = arc(p, common.at[k * last][0]);
       passages[1].arc[k] = arc(q, common.at[k * last][1]);
     }
-    // A curve is always where it is itself.
+    // A curve does not touch itself where both passages are the same.
     if (!is_far(passages, 0, loop) && !is_far(passages, 1, loop)) return;
     if (passages[0].arc[0] > passages[0].arc[1]) {
       for (auto& passage : passages) std::swap(passage.arc[0], passage.arc[1]);
@@ -230,7 +231,7 @@ class Finder {
     return all;
   }
 
-  /// Meetings that share a piece of a curve are one place.
+  /// Joins meetings that share a piece of a curve into one place.
   std::vector<SelfContact> joined() {
     UnionFind sets(meetings_.size());
     const std::vector<Interval> all = intervals();

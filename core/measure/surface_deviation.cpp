@@ -16,11 +16,11 @@ namespace {
 
 constexpr double kTolerance = 1e-3;
 constexpr int kMaxHalvings = 40;
-// Looked at between two samples at most. Where rounding, in slivers, makes bounds that never come
-// together, what has been seen by then stands.
+// The limit of samples between two points. In slivers, rounding may keep the bounds from ever
+// meeting; the maximum found by then is used.
 constexpr int kMostSamples = 2000;
 constexpr int kMeanHalvings = 10;
-constexpr std::size_t kMostWindows = 2;  // of all parts together, for each edge of the mesh
+constexpr std::size_t kMostWindows = 2;  // of all parts together, per edge of the mesh
 constexpr double kNoLimit = HUGE_VAL;
 constexpr const char* kStage = "measure";
 constexpr std::size_t kOfGuess = 32;  // units of work
@@ -37,7 +37,7 @@ class Measurement {
         limit_(limit),
         asker_(&asker) {}
 
-  /// What is added comes in parts; between them `to` and `pieces` may be set to others.
+  /// Segments are added in parts; between them `to` and `pieces` may be set to other curves.
 
   void add(std::span<const CurveSegment> segments) {
     struct Sampled {
@@ -93,7 +93,8 @@ class Measurement {
     return (a.distance + 4 * middle.distance + b.distance) / 6;
   }
 
-  /// The mean between a and b; compared with the trapezoids, which miss kinks as much.
+  /// The mean between a and b; the error estimate compares with trapezoids, which miss kinks as
+  /// much.
   double mean(const CurveSegment& s, const SegmentSample& a, const SegmentSample& middle,
               const SegmentSample& b, double missed, int halvings = 0) {
     const double bend = std::abs(a.distance - 2 * middle.distance + b.distance) / 12;
@@ -105,7 +106,7 @@ class Measurement {
            2;
   }
 
-  /// Looks between two samples for what is larger than all that was seen.
+  /// Searches between two samples for a larger distance than any seen so far.
   void search(const CurveSegment& s, const SegmentSample& a, const SegmentSample& b,
               int halvings = 0) {
     const double enough = max_ + std::max(tolerance_, kTolerance * max_);
@@ -114,7 +115,7 @@ class Measurement {
     if (halvings > kMaxHalvings || middle_value + length / 2 <= enough) return;
     if (samples_left_-- <= 0) return;
     if (bounds_.by_pieces(s, a, b) <= enough) return;
-    // Costs two distances, so only where halving would go on for long.
+    // This costs two distances, so it is tried only where halving would go on for long.
     if (middle_value + length / 8 > enough && bounds_.less_by_sides(s, a, b, enough)) return;
     const SegmentSample middle = sample(s, (a.t + b.t) / 2);
     search(s, a, middle, halvings + 1);
@@ -155,7 +156,8 @@ double tolerance_for(std::span<const CurveSegment> segments, std::span<const Sur
   return count > 0 ? kTolerance * length / static_cast<double>(count) : 0;
 }
 
-/// Parts are long compared with their distances, so that little is marched twice.
+/// The end of a part. Parts are long compared with their distances, so that few faces are covered
+/// twice.
 std::size_t end_of_part(std::span<const CurveSegment> segments, std::span<const double> reach,
                         std::size_t begin) {
   constexpr double kLong = 4;
@@ -182,9 +184,10 @@ OneSidedSurfaceDeviation at_once(const Surface& surface, std::span<const Surface
   return measurement.result();
 }
 
-/// Part by part, each with the distance to what of the others is near it, so that one far corner
-/// does not cost a wide band along all of the curves. Where parts march over the same faces again
-/// and again, as those of a drawing that winds far from its result do, what is left is one part.
+/// Measures part by part, each with the distance to the nearby parts of the other curves, so that
+/// one far corner does not cost a wide band along all of the curves. If the parts cover the same
+/// faces again and again, as with a drawing that winds far from its result, the rest is measured as
+/// one part.
 OneSidedSurfaceDeviation deviation_by_parts(const SurfaceMesh& mesh,
                                             std::span<const SurfaceCurve> from,
                                             std::span<const SurfaceCurve> others,

@@ -17,31 +17,31 @@ class PolylineDistance;
 
 /// Distance of all points of some curves to others.
 struct OneSidedSurfaceDeviation {
-  double max = 0;   ///< mesh units; infinite where none of the others can be reached
+  double max = 0;   ///< mesh units; infinite where no other curve can be reached
   double mean = 0;  ///< mesh units: over the length of the curves
   SurfacePoint at;  ///< the point of the curves where the distance is largest
 };
 
-/// Both directions: a result that cuts a corner stays near the drawing, but the drawing's corner
-/// lies far from the result.
+/// Both directions are needed: a result that cuts a corner stays near the drawing, but the
+/// drawing's corner lies far from the result.
 struct SurfaceDeviation {
   OneSidedSurfaceDeviation to_drawn;    ///< of the result's points to the drawing
   OneSidedSurfaceDeviation from_drawn;  ///< of the drawing's points to the result
 
-  /// The one whose maximum is larger.
+  /// The direction with the larger maximum.
   [[nodiscard]] const OneSidedSurfaceDeviation& larger() const {
     return to_drawn.max >= from_drawn.max ? to_drawn : from_drawn;
   }
 };
 
 /// Exact distances along the surface of every point of the segments of `from`, not only of their
-/// ends, to the curves that `to` is set to; the same as `to_curves`.
+/// ends, to the curves that `to` is set to, which must be `to_curves`.
 ///
-/// `max` is the distance at a point of the curve, and the true maximum is larger by at most 1e-3
-/// of it or of the curves' mean segment, whichever is more: distances change no faster than the
-/// point moves, and within a face are at most those by way of any point or segment in it;
-/// intervals are halved until these bounds rule them out. `mean` is integrated by adaptive
-/// Simpson's rule to about that accuracy.
+/// `max` is the distance at a point of the curve. The true maximum is larger by at most 1e-3 of it
+/// or of the curves' mean segment, whichever is more. The bounds used are that a distance changes
+/// no faster than the point moves, and that within a face it is at most the distance by way of any
+/// point or segment in the face; intervals are halved until these bounds rule them out. `mean` is
+/// integrated by adaptive Simpson's rule to about that accuracy.
 /// Throws Error(kBadCurve) when there is no curve, one has no points, or two neighbours share no
 /// face; Cancelled when `progress` (stage "measure") says so.
 OneSidedSurfaceDeviation one_sided_deviation(const Surface& surface,
@@ -50,24 +50,24 @@ OneSidedSurfaceDeviation one_sided_deviation(const Surface& surface,
                                              std::span<const SurfaceCurve> to_curves,
                                              const Progress& progress = {});
 
-/// Measures both directions again and again on one mesh. Holds the working memory, O(mesh), which
-/// is made when first needed. One thread at a time; the mesh must outlive the object.
+/// Measures both directions any number of times on one mesh. Holds the working memory, O(mesh),
+/// which is allocated when first needed. One thread at a time; the mesh must outlive the object.
 class DeviationMeter {
  public:
   explicit DeviationMeter(const SurfaceMesh& mesh);
   ~DeviationMeter();
 
-  /// All of `result` against all of `drawn`. Goes along the curves part by part, so each part costs
-  /// what lies within its own distance. Throws as one_sided_deviation() does.
+  /// Measures all of `result` against all of `drawn`. It goes along the curves part by part, and
+  /// each part costs what lies within its own distance. Throws as one_sided_deviation() does.
   SurfaceDeviation measure(std::span<const SurfaceCurve> result,
                            std::span<const SurfaceCurve> drawn, const Progress& progress = {});
-  /// The same with a distance of the caller's that is set to `drawn` already, and used as a whole:
-  /// cheaper where its band is there.
+  /// The same with a distance of the caller's that is already set to `drawn`. It is used as a
+  /// whole, which is cheaper where its band has been computed.
   SurfaceDeviation measure(std::span<const SurfaceCurve> result,
                            std::span<const SurfaceCurve> drawn, PolylineDistance& to_drawn,
                            const Progress& progress = {});
-  /// The same as the first, or nothing where it is `limit` (mesh units) or more, either way: costs
-  /// what lies nearer than that.
+  /// Like the first measure(), but nothing if a deviation in either direction is `limit` (mesh
+  /// units) or more. It costs only what lies nearer than that.
   std::optional<SurfaceDeviation> measure_below(double limit, std::span<const SurfaceCurve> result,
                                                 std::span<const SurfaceCurve> drawn,
                                                 const Progress& progress = {});

@@ -25,7 +25,7 @@ OnTriangle nearest_on_side(const std::array<Point, 3>& corner, std::size_t k, co
   OnTriangle result;
   result.barycentric[k] = 1 - t;
   result.barycentric[next] = t;
-  // From the nearer end, so that an end itself is met without rounding.
+  // Computed from the nearer end, so that an end itself is hit without rounding.
   const Point at = t <= 0.5 ? Point(corner[k] + t * side) : Point(corner[next] - (1 - t) * side);
   result.squared_distance = (p - at).squaredNorm();
   return result;
@@ -51,7 +51,7 @@ OnTriangle nearest_inside(const std::array<Point, 3>& corner, const Point& p) {
   return result;
 }
 
-/// All four candidates, so that a needle's noisy normal cannot give a wrong answer.
+/// Compares all four candidates, so that a needle's noisy normal cannot give a wrong answer.
 OnTriangle nearest_on_triangle(const std::array<Point, 3>& corner, const Point& p) {
   OnTriangle best = nearest_on_side(corner, 0, p);
   for (const OnTriangle& other :
@@ -69,9 +69,11 @@ std::array<Point, 3> corner_points(const SurfaceMesh& mesh, std::size_t face) {
 }  // namespace
 
 ClosestPoint::ClosestPoint(const SurfaceMesh& mesh)
-    : mesh_(&mesh), tree_(mesh.surface().face_count(), [&](std::uint32_t face) {
-        return SpaceBox::around(corner_points(mesh, face));
-      }) {
+    : mesh_(&mesh),
+      tree_(
+          mesh.surface().face_count(),
+          [&](std::uint32_t face) { return SpaceBox::around(corner_points(mesh, face)); },
+          BoxTree::Halving::kFast) {
   if (mesh.surface().face_count() == 0) {
     throw Error(ErrorCode::kBadMesh, "The mesh has no face to snap to.");
   }

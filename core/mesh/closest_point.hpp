@@ -8,21 +8,21 @@
 
 namespace talweg {
 
-/// Building is O(faces) with about 25 bytes per face; a query is O(log faces) for positions near
-/// the mesh. Immutable, so many threads may ask. The mesh must outlive it.
+/// Building takes O(faces) time and about 25 bytes per face; a query is O(log faces) for positions
+/// near the mesh. It is immutable, so many threads may use it. The mesh must outlive it.
 class ClosestPoint {
  public:
   /// Throws Error(kBadMesh) when the mesh has no face.
   explicit ClosestPoint(const SurfaceMesh& mesh);
 
   struct Result {
-    SurfacePoint point;  ///< on a vertex or an edge where it is there to rounding
+    SurfacePoint point;  ///< on a vertex or an edge if it lies there up to rounding
     FaceId face;         ///< a face that contains it; the smallest of equally near ones
     std::array<double, 3> barycentric{};  ///< in that face, all >= 0, sum 1 up to rounding
     double distance = 0;                  ///< mesh units
   };
 
-  /// The nearest point. Zero-area triangles count as the segments they are.
+  /// The nearest point. Zero-area triangles count as segments.
   /// Throws Error(kBadCurve) when the position is not finite, or too far away to square distances.
   [[nodiscard]] Result nearest(const Point& position) const;
 

@@ -19,7 +19,7 @@ bool is_flat(const MeshLists& lists, std::uint32_t face) {
   return shape_of({lists.points[t[0]], lists.points[t[1]], lists.points[t[2]]}).flat;
 }
 
-/// Takes faces of zero area away as long as that leaves no gap.
+/// Drops faces of zero area where that leaves no gap.
 class FlatFaces {
  public:
   FlatFaces(const MeshLists& lists, std::vector<bool>& kept)
@@ -49,7 +49,7 @@ class FlatFaces {
  private:
   struct Edge {
     std::span<const FaceSide> sides;
-    std::size_t faces;  ///< that are still there
+    std::size_t faces;  ///< that have not been dropped
   };
 
   void join() {
@@ -73,7 +73,7 @@ class FlatFaces {
     return shared == 0 || (shared == 1 && boundary == 2);
   }
 
-  /// One face less at an edge; its flat faces may be free to go now.
+  /// An edge has one face less, so its flat faces may now be droppable.
   void leave(std::uint32_t edge) {
     --edges_[edge].faces;
     for (const FaceSide& s : edges_[edge].sides) {

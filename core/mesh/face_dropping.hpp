@@ -10,18 +10,18 @@
 namespace talweg {
 
 struct DroppedFaces {
-  std::vector<std::uint32_t> collapsed;  ///< a vertex twice; ascending
-  std::vector<RepeatPlace> duplicates;   ///< of an earlier face; ascending
+  std::vector<std::uint32_t> collapsed;  ///< faces that name a vertex twice; ascending
+  std::vector<RepeatPlace> duplicates;   ///< faces that repeat an earlier one; ascending
   std::vector<std::uint32_t> zero_area;  ///< ascending
   std::vector<bool> kept;                ///< per face
 };
 
 /// Finds faces that name a vertex twice, repeat the vertices of an earlier one, or have zero area
-/// and can go without a gap: none of their edges has just one other face, or they hang on the
-/// boundary by one edge alone. Every index must be in range.
+/// and leave no gap when dropped: none of their edges has just one other face, or only one edge
+/// joins them to the rest at the boundary. Every index must be in range.
 DroppedFaces faces_to_drop(const MeshLists& lists);
 
-/// Faces with the same three vertices as an earlier one; faces that are not `proper` are left out.
+/// Faces with the same three vertices as an earlier one; faces that are not `proper` are skipped.
 /// Ascending.
 std::vector<RepeatPlace> duplicate_faces(const MeshLists& lists, const std::vector<bool>& proper);
 

@@ -38,7 +38,7 @@ std::vector<bool> proper_faces(const MeshLists& lists, MeshInspection& found) {
   return proper;
 }
 
-/// Joins everything that the edges join.
+/// Joins the elements that edges connect.
 class Topology {
  public:
   Topology(const MeshLists& lists, std::vector<bool> proper, MeshInspection& found)
@@ -123,7 +123,7 @@ class Topology {
       if (fans[v] > 0) ++in_topology;
       if (fans[v] > 1) found_.non_manifold_vertices.add(v);
     }
-    // Every set of boundary edges is found at its smallest vertex, which starts one of them.
+    // Every connected set of boundary edges is counted at its smallest vertex.
     std::sort(on_boundary_.begin(), on_boundary_.end());
     on_boundary_.erase(std::unique(on_boundary_.begin(), on_boundary_.end()), on_boundary_.end());
     for (const std::uint32_t v : on_boundary_) {

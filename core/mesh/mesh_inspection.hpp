@@ -12,7 +12,7 @@
 
 namespace talweg {
 
-/// How often a defect occurs and the first few places, by ascending id.
+/// How often a defect occurs, and its first few places by ascending id.
 template <class Place>
 struct Defect {
   static constexpr std::size_t kPlaces = 5;
@@ -46,12 +46,12 @@ struct RepeatPlace {
 
 enum class MeshVerdict { kUsable, kRepairable, kUnusable };
 
-/// Ids are those of the lists. Lengths in mesh units, angles in radians.
-/// Faces with an index out of range or a repeated vertex take no part in the topology; faces with a
-/// non-finite corner none in the measures.
+/// Ids are those of the lists. Lengths are in mesh units, angles in radians. Faces with an index
+/// out of range or a repeated vertex are ignored in the topology; faces with a non-finite corner
+/// are ignored in the measures.
 struct MeshInspection {
   // What it is.
-  std::size_t vertices = 0;  ///< also those in no face
+  std::size_t vertices = 0;  ///< includes those in no face
   std::size_t faces = 0;     ///< triangles, polygons counted as their fans
   std::size_t polygons = 0;  ///< faces of the file that had more than three corners
   std::size_t edges = 0;
@@ -59,13 +59,13 @@ struct MeshInspection {
   std::size_t boundary_edges = 0;         ///< edges with one face
   std::size_t boundary_loops = 0;         ///< connected sets of boundary edges
   std::int64_t euler_characteristic = 0;  ///< used vertices - edges + faces
-  std::optional<std::int64_t> genus;      ///< of all components together, where manifold
+  std::optional<std::int64_t> genus;      ///< of all components together, if manifold
   bool orientable = true;         ///< turning faces around would make the orientation consistent
   bool single_precision = false;  ///< the file stores 32-bit floats
 
   // Defects that keep a mesh from being opened.
   Defect<FaceIndexPlace> indices_out_of_range;  ///< counted once per face
-  Defect<std::uint32_t> non_finite_vertices;    ///< or beyond kLargestCoordinate
+  Defect<std::uint32_t> non_finite_vertices;    ///< or coordinates beyond kLargestCoordinate
   Defect<std::uint32_t> repeated_vertex_faces;  ///< faces that name a vertex twice
   Defect<RepeatPlace> duplicate_faces;          ///< same three vertices, in any order
   Defect<EdgePlace> non_manifold_edges;         ///< more than two faces
@@ -74,39 +74,40 @@ struct MeshInspection {
 
   // Oddities that are handled.
   Defect<std::uint32_t> isolated_vertices;  ///< in no face
-  Defect<RepeatPlace> duplicate_positions;  ///< vertices exactly where an earlier one is
+  Defect<RepeatPlace> duplicate_positions;  ///< vertices at exactly the position of an earlier one
   Defect<std::uint32_t> zero_area_faces;    ///< flat up to the rounding of their coordinates
-  Defect<std::uint32_t> needle_faces;       ///< smallest angle < 1 degree; zero-area faces too
+  Defect<std::uint32_t> needle_faces;       ///< smallest angle < 1 degree; includes zero-area faces
 
   // Measures.
   std::array<double, 3> box_min{};
   std::array<double, 3> box_max{};
-  double coordinate_max = 0;     ///< the largest, without its sign, that is a number
+  double coordinate_max = 0;     ///< the largest absolute value of a finite coordinate
   double edge_length_min = 0;    ///< mesh units
   double edge_length_mean = 0;   ///< mesh units
   double edge_length_max = 0;    ///< mesh units
-  double edge_length_least = 0;  ///< of the edges that are not of length 0; 0 where all are
-  double smallest_angle = 0;     ///< of the faces that are not of zero area
+  double edge_length_least = 0;  ///< of the edges longer than 0; 0 if there are none
+  double smallest_angle = 0;     ///< of the faces whose area is not zero
   double offset = 0;             ///< distance of the box's centre from the origin
   double size = 0;               ///< the box's diagonal
 
-  MeshVerdict verdict = MeshVerdict::kUnusable;  ///< what judge() says
+  MeshVerdict verdict = MeshVerdict::kUnusable;  ///< set by judge()
   std::string reason;                            ///< the verdict in one sentence
-  std::string steps;  ///< kRepairable: of repair_steps(), those that are needed: "drop,split"
+  std::string steps;  ///< if kRepairable: the needed steps for repair_steps(), "drop,split"
 };
 
-/// Looks at everything. O(faces log degree); never throws on bad lists.
+/// Inspects everything. O(faces log degree); never throws on bad lists.
 MeshInspection inspect(const MeshLists& lists);
 
-/// The first reason not to open the mesh as one sentence, with how many there are and where the
-/// first is: "33 edges have more than two faces (first: ...)."; empty where there is none.
+/// The first reason not to open the mesh as one sentence, with the number of offenders and the
+/// place of the first: "33 edges have more than two faces (first: ...)."; empty if there is none.
 std::string obstacle(const MeshInspection& inspection);
 
-/// Which coordinate or length is out of the range that can be worked with (measurable_point.hpp),
-/// as obstacle() says it; empty where none is. O(faces), without an inspection where none is.
+/// A sentence like obstacle()'s that names a coordinate or length outside the supported range
+/// (measurable_point.hpp); empty if there is none. O(faces); without an inspection if there is
+/// none.
 std::string out_of_range(const MeshLists& lists);
 
-/// Sets verdict, reason and steps from everything else. A one-sided surface (Moebius strip) is not
+/// Sets verdict, reason and steps from the other fields. A one-sided surface (Moebius strip) is not
 /// usable.
 void judge(MeshInspection& inspection);
 

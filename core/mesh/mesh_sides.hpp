@@ -21,7 +21,7 @@ struct FaceSide {
   [[nodiscard]] std::uint32_t face() const { return side / 3; }
 };
 
-/// Where the side begins, in its face's direction.
+/// The vertex where the side begins, in its face's direction.
 inline std::uint32_t tail(const MeshLists& lists, const FaceSide& s) {
   return lists.triangles[s.side / 3][s.side % 3];
 }
@@ -30,7 +30,7 @@ inline std::uint32_t corner_at(const MeshLists& lists, const FaceSide& s, std::u
   return tail(lists, s) == vertex ? s.side : 3 * s.face() + (s.side % 3 + 1) % 3;
 }
 
-/// Stable sort of items by a key in [0, keys), then of equal keys by `less`.
+/// Stable sort of items by a key in [0, keys), and among equal keys by `less`.
 template <class Item, class Key, class Less>
 std::vector<Item> bucket_sort(const std::vector<Item>& items, std::size_t keys, Key key,
                               Less less) {
@@ -46,8 +46,8 @@ std::vector<Item> bucket_sort(const std::vector<Item>& items, std::size_t keys, 
   return sorted;
 }
 
-/// The sides of the faces that are `proper` (three different vertices that exist), those of an edge
-/// together and by ascending face.
+/// The sides of the faces that are `proper` (three different vertices that exist), grouped by edge
+/// and within an edge by ascending face.
 inline std::vector<FaceSide> sorted_sides(const MeshLists& lists, const std::vector<bool>& proper) {
   std::vector<FaceSide> sides;
   sides.reserve(3 * lists.triangles.size());
@@ -80,7 +80,7 @@ void for_each_edge(std::span<const FaceSide> sides, Visit visit) {
   }
 }
 
-/// The edge that these sides are.
+/// The edge formed by these sides.
 inline EdgePlace place_of(std::span<const FaceSide> edge) {
   EdgePlace place{{edge[0].low, edge[0].high}, {}};
   for (const FaceSide& s : edge.first(std::min(edge.size(), EdgePlace::kFaces))) {

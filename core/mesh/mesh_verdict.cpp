@@ -28,7 +28,7 @@ std::string counted(std::size_t n, const char* one, const char* several) {
   return text(n) + (n == 1 ? one : several);
 }
 
-/// Closes "1 edge has more than two faces" with its place, or with the first of many.
+/// Completes "1 edge has more than two faces" with its place, or with that of the first of many.
 std::string placed(std::string sentence, std::size_t count, const std::string& place) {
   return std::move(sentence) + (count == 1 ? " (" : " (first: ") + place + ").";
 }
@@ -46,7 +46,7 @@ std::string element_sentence(const Defect<std::uint32_t>& defect, const char* ki
                 std::string(kind) + " " + text(defect.first.front()));
 }
 
-/// Whose lengths are so small that their products are no longer numbers.
+/// A sentence if lengths are so small that their products underflow.
 std::string too_small(const MeshInspection& m) {
   if (m.size > 0 && m.size < kSmallestSize) {
     return fmt::format(
@@ -75,7 +75,7 @@ std::string beyond_range(const MeshInspection& m) {
                 "vertex " + text(all.first.front()) + largest);
 }
 
-/// What no repair can mend.
+/// A defect that no repair can fix.
 std::string fatal(const MeshInspection& m) {
   if (m.vertices == 0) return "The mesh has no vertices.";
   if (m.faces == 0) return "The mesh has vertices but no faces.";
@@ -118,7 +118,7 @@ std::string mendable(const MeshInspection& m) {
   return "";
 }
 
-/// The steps that mend it. Faces that go can leave two of the same direction at an edge.
+/// The steps that fix the mesh. Dropping faces can leave two of the same direction at an edge.
 std::string needed_steps(const MeshInspection& m) {
   const bool drop = m.repeated_vertex_faces.found() || m.duplicate_faces.found();
   const bool crowded = m.non_manifold_edges.found();

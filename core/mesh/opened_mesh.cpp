@@ -32,7 +32,7 @@ std::shared_ptr<const HeatDistance> OpenedMesh::heat(double time_scale, const Pr
                                                      unsigned threads) const {
   constexpr std::size_t kKept = 2;
   std::unique_lock lock(mutex_, std::try_to_lock);
-  while (!lock.owns_lock()) {  // somebody factors
+  while (!lock.owns_lock()) {  // another thread is factoring
     if (!go_on(progress, "factor", 0)) return nullptr;
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
     lock.try_lock();
@@ -46,7 +46,7 @@ std::shared_ptr<const HeatDistance> OpenedMesh::heat(double time_scale, const Pr
   HeatOptions options;
   options.time_scale = time_scale;
   options.threads = threads;
-  if (heat_.size() == kKept) heat_.pop_back();  // first, so that there never are three
+  if (heat_.size() == kKept) heat_.pop_back();  // first, so that there are never three
   std::optional<HeatDistance> made = HeatDistance::open(surface(), options, progress);
   if (!made) return nullptr;
   auto heat = std::make_shared<const HeatDistance>(std::move(*made));

@@ -12,8 +12,8 @@
 
 namespace talweg {
 
-/// The first stage. Shared by any number of smoothers and threads; only the heat factors, which
-/// take most of the time of opening, are made when somebody first asks for them.
+/// The first stage, shared by any number of smoothers and threads. Only the heat factors, which
+/// take most of the time of opening, are made later, when they are first needed.
 class OpenedMesh {
  public:
   /// Throws Error(kBadMesh) as SurfaceMesh::open does.
@@ -27,10 +27,10 @@ class OpenedMesh {
   [[nodiscard]] double open_ms() const { return open_ms_; }
 
   /// The heat solver for this time scale (in units of h²), factored on first use; safe to call from
-  /// any thread. The two that were asked for last are kept, so a slider of the time scale costs the
-  /// memory of two; others go when nobody holds them any more. nullptr when cancelled, also while
-  /// another thread factors. Throws as HeatDistance does.
-  /// `threads` at most are used; their number changes no result.
+  /// any thread. The two most recently used solvers are kept, so a slider of the time scale costs
+  /// the memory of two; others are freed when nobody holds them any more. nullptr when cancelled,
+  /// also while another thread is factoring. Throws as HeatDistance does. At most `threads` threads
+  /// are used; their number does not change the result.
   [[nodiscard]] std::shared_ptr<const HeatDistance> heat(double time_scale,
                                                          const Progress& progress = {},
                                                          unsigned threads = 2) const;
@@ -42,7 +42,7 @@ class OpenedMesh {
   double open_ms_ = 0;
   using Heat = std::pair<double, std::shared_ptr<const HeatDistance>>;
   mutable std::mutex mutex_;
-  mutable std::vector<Heat> heat_;  // by time scale, the one asked for last in front
+  mutable std::vector<Heat> heat_;  // by time scale, the most recently used one first
 };
 
 }  // namespace talweg

@@ -12,7 +12,7 @@
 namespace talweg {
 namespace {
 
-/// What `inspect` calls an obstacle and Surface::from_triangles does not find.
+/// Checks for the obstacles of inspect() that Surface::from_triangles does not find.
 bool acceptable(const MeshLists& lists) {
   if (lists.points.empty() || lists.triangles.empty()) return false;
   return std::all_of(lists.points.begin(), lists.points.end(), can_be_measured);
@@ -31,7 +31,7 @@ Surface connect(const MeshLists& lists) {
   }
 }
 
-/// Two faces back to back glue to a closed pillow, which connectivity alone would allow.
+/// Two faces glued back to back form a closed pillow, which connectivity alone would allow.
 bool has_pillow(const Surface& surface) {
   for (std::size_t f = 0; f < surface.face_count(); ++f) {
     const HalfedgeId h = surface.halfedge(FaceId{f});
@@ -56,8 +56,8 @@ Surface checked_surface(const MeshLists& lists) {
   return surface;
 }
 
-/// An edge of no length gets this much of its faces' longest side. Beside a face with a side of
-/// length 0 no edge can be flipped, and a path over a row of them would stay as bent as it is.
+/// An edge of no length gets this fraction of its faces' longest side. Beside a face with a side of
+/// length 0 no edge can be flipped, so a path over a row of such faces would stay bent.
 constexpr double kNoLength = 1e-12;
 
 double instead_of_zero(const Surface& surface, const std::vector<double>& lengths, EdgeId e) {
@@ -83,7 +83,7 @@ bool large_enough(const MeshLists& lists) {
   const double size = (high - low).stableNorm();
   if (size > 0 && size < kSmallestSize) return false;
   if (size == 0) return true;
-  // The same edges and lengths as inspect() measures.
+  // Tests the same edges and lengths as inspect().
   return std::all_of(lists.triangles.begin(), lists.triangles.end(), [&](const Triangle& t) {
     const std::size_t n = lists.points.size();
     if (t[0] >= n || t[1] >= n || t[2] >= n) return true;
@@ -115,7 +115,7 @@ SurfaceMesh SurfaceMesh::open(MeshLists&& lists) {
   return mesh;
 }
 
-/// Edge lengths and their mean.
+/// Computes the edge lengths and their mean.
 void SurfaceMesh::measure() {
   std::vector<double> lengths(surface_.edge_count());
   double total = 0;
@@ -139,7 +139,7 @@ Point SurfaceMesh::position(const SurfacePoint& point) const {
   }
   const auto& inside = std::get<InFace>(point.where());
   const std::array<VertexId, 3> corner = surface_.corners(inside.face);
-  // Relative to a corner, so that far from the origin no digits of the sum are lost.
+  // Relative to a corner, so that no digits are lost far from the origin.
   const Point& base = this->point(corner[0]);
   return base + inside.barycentric[1] * (this->point(corner[1]) - base) +
          inside.barycentric[2] * (this->point(corner[2]) - base);

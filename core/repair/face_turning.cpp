@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::uint32_t kNoSide = std::numeric_limits<std::uint32_t>::max();
 
-/// The faces of a part, and how each is seen from its first one.
+/// Collects the faces of a part, and whether each is turned relative to its first face.
 class Flood {
  public:
   Flood(const MeshLists& lists, const std::vector<bool>& proper)

@@ -29,7 +29,7 @@ bool mendable(const MeshLists& lists) {
          large_enough(lists);
 }
 
-/// A dropped face, the one that it repeats, and which corner of that each of its corners is.
+/// A dropped face, the face that it repeats, and for each of its corners the matching corner there.
 struct Double {
   RepeatPlace place;
   std::array<std::uint8_t, 3> corner;
@@ -44,7 +44,7 @@ std::array<std::uint8_t, 3> corners_in(const Triangle& t, const Triangle& other)
   return corner;
 }
 
-/// The lists on their way: all faces of the file in their places until the end.
+/// The lists during the repair; all faces of the file stay in place until the end.
 class Repair {
  public:
   explicit Repair(const MeshLists& file)
@@ -102,7 +102,7 @@ class Repair {
     }
   }
 
-  /// The corner of the file that a corner of the lists is.
+  /// The corner in the file that corresponds to a corner of the lists.
   [[nodiscard]] std::uint32_t file_corner(std::uint32_t f, std::uint32_t k) const {
     return turned_[f] && k > 0 ? 3 - k : k;
   }
@@ -111,8 +111,8 @@ class Repair {
     const std::vector<bool> joined = proper();
     const Sheets sheets = split_sheets(lists_, joined);
     for (const std::vector<FaceSide>& edge : sheets.crowded) count_crowded(edge);
-    // Of every fan: the smallest vertex of the file in it that no other fan has taken yet, so that
-    // what was welded in vain is as it was; a copy where there is none.
+    // Each fan gets the smallest vertex of the file in it that no other fan has taken, so that
+    // vertices welded without need are separate again; a fan without such a vertex gets a copy.
     std::vector<Image> wishes;  // fan, vertex of the file
     for (std::uint32_t f = 0; f < joined.size(); ++f) {
       for (std::uint32_t k = 0; joined[f] && k < 3; ++k) {
@@ -128,7 +128,7 @@ class Repair {
     }
   }
 
-  /// An edge of the file; one that only welding would have made is none.
+  /// Counts edges of the file only, not those that welding created.
   void count_crowded(const std::vector<FaceSide>& edge) {
     std::vector<std::pair<std::array<std::uint32_t, 2>, std::uint32_t>> sides;
     for (const FaceSide& s : edge) {
@@ -173,7 +173,8 @@ class Repair {
     return static_cast<std::uint32_t>(lists_.points.size() - 1);
   }
 
-  /// What every vertex of the file became, sorted; one in no face that is left stays itself.
+  /// For every vertex of the file the vertices that it became, sorted; a vertex in no remaining
+  /// face maps to itself.
   [[nodiscard]] std::vector<Image> vertex_images() const {
     std::vector<Image> images;
     std::vector<bool> used(file_.points.size(), false);
@@ -184,7 +185,7 @@ class Repair {
         used[v] = true;
       }
     }
-    // A double's corners are those of the face that stays, whatever else became of its vertices.
+    // A repeated face's corners are those of the face that stays, whatever became of its vertices.
     for (const Double& d : doubles_) {
       const std::uint32_t f = d.place.earlier;
       for (std::uint32_t k = 0; kept_[f] && k < 3; ++k) {
@@ -193,7 +194,7 @@ class Repair {
         used[v] = true;
       }
     }
-    std::vector<Image> left;  // those of dropped faces went with the vertex they were welded onto
+    std::vector<Image> left;  // vertices of dropped faces follow the one they were welded onto
     for (std::uint32_t f = 0; f < kept_.size(); ++f) {
       for (std::uint32_t k = 0; !kept_[f] && k < 3; ++k) {
         const std::uint32_t v = file_.triangles[f][k];
@@ -224,7 +225,7 @@ class Repair {
     }
   }
 
-  /// Where a face went that stays: its corners in the file's order.
+  /// The image of a face that stays, with its corners in the file's order.
   [[nodiscard]] RepairMap::FaceImage image_of(std::uint32_t f, std::uint32_t number) const {
     RepairMap::FaceImage image{number, {0, 1, 2}};
     if (turned_[f]) std::swap(image.corner[1], image.corner[2]);

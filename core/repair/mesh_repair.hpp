@@ -17,27 +17,27 @@ namespace talweg {
 /// What repair() may do, in the order it is done.
 struct RepairSteps {
   bool weld = true;    ///< vertices at one position become one (vertex_welding.hpp)
-  bool drop = true;    ///< faces without area or there twice are left out
+  bool drop = true;    ///< faces without area and repeated faces are dropped
   bool orient = true;  ///< faces are turned to agree with their neighbours
   bool split = true;   ///< crowded edges and bow-ties are cut into sheets (sheet_splitting.hpp)
 };
 
-/// From names separated by commas: weld, drop, orient, split, or all.
-/// Throws Error(kBadUsage) naming a word that is none of them, and for an empty list.
+/// Parses names separated by commas: weld, drop, orient, split, or all. Throws Error(kBadUsage)
+/// naming an unknown word, and for an empty list.
 RepairSteps repair_steps(std::string_view list);
 
-/// What was done. Numbers are those of the lists before the repair.
+/// What a repair did. Numbers are those of the lists before the repair.
 struct MeshChanges {
-  double weld_tolerance = 0;              ///< mesh units; 0 where nothing was to be welded
+  double weld_tolerance = 0;              ///< mesh units; 0 where there was nothing to weld
   double weld_distance = 0;               ///< mesh units: the farthest that a corner was moved
-  Defect<RepeatPlace> welded_vertices;    ///< and the vertex that replaces each
-  Defect<std::uint32_t> collapsed_faces;  ///< dropped: a vertex twice, in the file or by welding
+  Defect<RepeatPlace> welded_vertices;    ///< each with the vertex that replaces it
+  Defect<std::uint32_t> collapsed_faces;  ///< dropped: a vertex twice, in the file or after welding
   Defect<RepeatPlace> duplicate_faces;    ///< dropped: the same three vertices as an earlier one
-  Defect<std::uint32_t> zero_area_faces;  ///< dropped: of zero area, and no gap is left by them
+  Defect<std::uint32_t> zero_area_faces;  ///< dropped: zero area, and dropping leaves no gap
   Defect<std::uint32_t> turned_faces;     ///< their corners 1 and 2 exchanged
   Defect<EdgePlace> split_edges;          ///< that had more than two faces
-  Defect<std::uint32_t> split_vertices;   ///< that became several
-  std::size_t vertex_copies = 0;          ///< vertices added by that
+  Defect<std::uint32_t> split_vertices;   ///< vertices that became several
+  std::size_t vertex_copies = 0;          ///< vertices added by splitting
 
   [[nodiscard]] bool any() const;
 };
@@ -51,37 +51,37 @@ struct RepairedMesh {
   MeshChanges changes;
 };
 
-/// Does the steps, each where it is needed. No position changes but by welding, and no face but
-/// those that are dropped goes missing.
+/// Does the steps, each where it is needed. Only welding changes positions, and only the faces
+/// reported as dropped are missing afterwards.
 ///
-/// Weld: as weld_vertices(); a vertex that splitting would part again keeps its own number.
-/// Drop: of faces with the same vertices the first stays; a face of zero area goes only where its
-/// neighbours keep theirs, or where it is a flap on the boundary.
-/// Orient: of each part joined over edges with two faces the fewer faces are turned, the part's
-/// first face is kept in doubt; a one-sided part stays as it is.
-/// What is left undone, inspect() tells; a usable mesh with nothing to weld or drop is unchanged.
+/// Weld: as weld_vertices(); a vertex that splitting would separate again keeps its own number.
+/// Drop: of faces with the same vertices the first stays; a face of zero area is dropped only where
+/// its neighbours keep theirs, or where it is a flap on the boundary.
+/// Orient: in each part joined over edges with two faces the smaller set of faces is turned; if
+/// both are equally large, the part's first face is kept. A one-sided part stays as it is.
+/// inspect() tells what was left undone; a usable mesh with nothing to weld or drop is unchanged.
 /// O(faces log faces).
 ///
-/// Throws Error(kBadMesh) for what no repair can mend: no vertices, no faces, an index out of
-/// range, a coordinate that is not finite or beyond 1e40, a mesh or edges that are too small.
+/// Throws Error(kBadMesh) for what no repair can fix: no vertices, no faces, an index out of range,
+/// a coordinate that is not finite or beyond 1e40, a mesh or edges that are too small.
 RepairedMesh repair(const MeshLists& lists, const RepairSteps& steps = {});
 
-/// Tries the steps that a kRepairable verdict on the lists names, because what faces do to each
-/// other is seen only then: without those that go, the rest may turn out one-sided. Where they do
-/// not help, the verdict becomes kUnusable and the reason says why. Other verdicts stay.
-/// Time and memory as of repair().
+/// Tries the steps that a kRepairable verdict on the lists names, because only a trial shows how
+/// they affect each other: after faces are dropped, the rest may turn out one-sided. If the steps
+/// do not help, the verdict becomes kUnusable and the reason says why. Other verdicts stay. Time
+/// and memory are those of repair().
 void try_repair(const MeshLists& lists, MeshInspection& inspection);
 
-/// A usable mesh whose vertices at one place have become one.
+/// A usable mesh in which vertices at the same place have been welded.
 struct WeldedMesh {
-  std::string steps;         ///< of repair_steps(): "weld", and what has to follow on it
-  std::size_t vertices = 0;  ///< that were welded onto others
+  std::string steps;         ///< for repair_steps(): "weld", and the steps that must follow it
+  std::size_t vertices = 0;  ///< number of vertices that were welded onto others
   MeshInspection after;
 };
 
-/// What welding would give where vertices lie at one place, as in a soup of single triangles.
-/// Nothing where that joins no parts and closes no boundary, or the mesh is not usable before or
-/// after. Time and memory as of repair().
+/// The result of welding where vertices lie at the same place, as in a soup of single triangles.
+/// Nothing if welding joins no parts and closes no boundary, or if the mesh is not usable before or
+/// after. Time and memory are those of repair().
 std::optional<WeldedMesh> try_weld(const MeshLists& lists, const MeshInspection& before);
 
 }  // namespace talweg

@@ -18,7 +18,8 @@ namespace {
 using Choices = std::vector<std::span<const std::uint32_t>>;
 
 /// Picks one vertex of each choice so that as few steps as possible leave the surface's part, and
-/// then as few as possible lead to a vertex that is no neighbour. The first of equals.
+/// among these so that as few as possible lead to a vertex that is no neighbour. The first of
+/// equals wins.
 class Picker {
  public:
   Picker(const Surface& surface, const Choices& choices)

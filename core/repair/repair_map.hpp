@@ -15,22 +15,22 @@
 
 namespace talweg {
 
-/// Made by repair(). Vertices of the file keep their numbers, also where no face uses them any
-/// more; copies follow after the last. Faces that stay follow each other in the file's order.
+/// Made by repair(). Vertices of the file keep their numbers, even if no face uses them any more;
+/// copies are numbered after the last one. The remaining faces keep the file's order.
 class RepairMap {
  public:
   static constexpr std::uint32_t kDropped = std::numeric_limits<std::uint32_t>::max();
 
-  /// Where a face of the file went.
+  /// The face that a face of the file became.
   struct FaceImage {
-    std::uint32_t face = kDropped;                ///< of the repaired mesh; that of its double too
-    std::array<std::uint8_t, 3> corner{0, 1, 2};  ///< there, of each corner here
+    std::uint32_t face = kDropped;  ///< of the repaired mesh; for a repeated face the first one
+    std::array<std::uint8_t, 3> corner{0, 1, 2};  ///< its corner for each corner here
   };
 
   RepairMap() = default;
-  /// `vertex_to_file`: of every vertex of the repaired mesh. `face_to_file`: of every face.
-  /// `images`: of every face of the file. `pairs`: (vertex of the file, vertex it became), sorted;
-  /// every vertex of the file at least once.
+  /// `vertex_to_file`: for every vertex of the repaired mesh. `face_to_file`: for every face of it.
+  /// `images`: for every face of the file. `pairs`: (vertex of the file, vertex it became), sorted,
+  /// with every vertex of the file at least once.
   RepairMap(std::vector<std::uint32_t> vertex_to_file, std::vector<std::uint32_t> face_to_file,
             std::vector<FaceImage> images,
             const std::vector<std::pair<std::uint32_t, std::uint32_t>>& pairs);
@@ -44,11 +44,11 @@ class RepairMap {
   [[nodiscard]] const FaceImage& image(FaceId file_face) const {
     return images_[file_face.index()];
   }
-  /// What a vertex of the file became: itself, the one it was welded onto, several where it was
-  /// split.
+  /// The vertices that a vertex of the file became: itself, the one it was welded onto, or several
+  /// where it was split.
   [[nodiscard]] std::span<const std::uint32_t> images(VertexId file_vertex) const;
 
-  /// Values of the file's vertices or faces, one for each of the repaired mesh's.
+  /// Values at the file's vertices or faces, converted to those of the repaired mesh.
   template <class Value>
   [[nodiscard]] std::vector<Value> of_vertices(const std::vector<Value>& values) const {
     return picked(values, to_file_);
@@ -58,17 +58,16 @@ class RepairMap {
     return picked(values, face_to_file_);
   }
 
-  /// A curve in the file's numbers, in those of the repaired mesh. Of a vertex that was split that
-  /// copy is taken which is the neighbour of the points before and after, or else on the same part
-  /// of the surface. Positions stay as they are.
-  /// Throws Error(kBadCurve) naming the position in the curve where there is no such vertex or
-  /// face, or the face was dropped.
+  /// Converts a curve from the file's numbers to those of the repaired mesh. For a vertex that was
+  /// split, the copy is chosen that is a neighbour of the points before and after, or else lies on
+  /// the same part of the surface. Positions stay as they are. Throws Error(kBadCurve) naming the
+  /// position in the curve where there is no such vertex or face, or the face was dropped.
   [[nodiscard]] CurveInput to_repaired(const CurveInput& curve, const Surface& repaired) const;
-  /// Points on the repaired mesh, found by their positions: those at a vertex that was split are
-  /// put on the copy that suits the points before and after, as above.
+  /// Corrects points on the repaired mesh that were found by their positions: points at a vertex
+  /// that was split are moved to the copy that suits the points before and after, as above.
   [[nodiscard]] std::vector<SurfacePoint> on_one_sheet(std::vector<SurfacePoint> points,
                                                        bool closed, const Surface& repaired) const;
-  /// A curve on the repaired mesh in the file's numbers.
+  /// Converts a curve on the repaired mesh to the file's numbers.
   [[nodiscard]] PlacedCurve to_file(PlacedCurve curve) const;
 
  private:
@@ -87,7 +86,7 @@ class RepairMap {
   std::vector<std::uint32_t> to_file_;
   std::vector<std::uint32_t> face_to_file_;
   std::vector<FaceImage> images_;
-  std::vector<std::uint32_t> first_{0};  ///< of each vertex of the file, in became_
+  std::vector<std::uint32_t> first_{0};  ///< index in became_ for each vertex of the file
   std::vector<std::uint32_t> became_;
 };
 

@@ -27,7 +27,7 @@ Point into_face(const MeshLists& lists, const FaceSide& s) {
   return (up - along.dot(up) * along).stableNormalized();
 }
 
-/// Which faces stay joined: the flattest first, each in one pair.
+/// The pairs of faces that stay joined: the flattest first, each face in one pair.
 std::vector<Pair> flattest_pairs(const MeshLists& lists, std::span<const FaceSide> edge) {
   if (edge.size() > kMostPaired) return {};
   std::vector<Point> into;
@@ -93,8 +93,8 @@ class Splitter {
     return fans;
   }
 
-  /// Whether more than two of the faces have both ends in the same fans: they would still share one
-  /// edge.
+  /// Whether more than two of the faces have both ends in the same fans, so that they would still
+  /// share one edge.
   bool still_crowded(UnionFind& fans, std::span<const FaceSide> edge) const {
     std::vector<Pair> ends;
     for (const FaceSide& s : edge) {
@@ -108,8 +108,8 @@ class Splitter {
     return false;
   }
 
-  /// Fans that end at every crowded edge have at most two faces on each, so cutting all of them
-  /// always ends it.
+  /// Cuts edges that are still crowded. Once all crowded edges are cut, at most two faces share
+  /// each, so the rounds end.
   bool cut_what_is_left(UnionFind& fans, int round) {
     bool any = false;
     for (Crowded& crowded : crowded_) {

@@ -63,7 +63,7 @@ class Welder {
     tolerance_ = kUnitsInTheLastPlace * unit * largest;
   }
 
-  /// Equal positions become one; their shortest edge is that of all.
+  /// Joins equal positions; a group's shortest edge is the shortest of all its vertices.
   void join_equal() {
     for (std::uint32_t v = 0; v < used_.size(); ++v) {
       if (used_[v]) places_.push_back(v);
@@ -96,7 +96,7 @@ class Welder {
     return cell;
   }
 
-  /// Different positions, by a grid whose cells are twice as wide as the tolerance.
+  /// Joins different positions, with a grid whose cells are twice as wide as the tolerance.
   void join_close() {
     grid_.reserve(places_.size());
     for (const std::uint32_t v : places_) grid_.push_back({cell_of(lists_.points[v]), v});
@@ -115,7 +115,7 @@ class Welder {
   }
 
   void join_in(const Cell& cell, std::uint32_t v) {
-    // Pairs are looked at once, by the larger vertex.
+    // Each pair is visited once, at its larger vertex.
     for (auto other = std::lower_bound(grid_.begin(), grid_.end(), Placed{cell, 0});
          other != grid_.end() && other->cell == cell && other->vertex < v; ++other) {
       const std::uint32_t w = other->vertex;
@@ -126,7 +126,7 @@ class Welder {
 
   const MeshLists& lists_;
   UnionFind groups_;
-  std::vector<double> shortest_;  ///< edge of positive length at each vertex
+  std::vector<double> shortest_;  ///< length of the shortest edge of positive length at each vertex
   std::vector<bool> used_;
   std::vector<std::uint32_t> places_;  ///< one vertex per position
   std::vector<Placed> grid_;

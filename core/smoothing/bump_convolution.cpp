@@ -17,8 +17,9 @@ namespace {
   throw Error(ErrorCode::kBadUsage, message);
 }
 
-// A straight ray can turn around a tip of almost no angle for long without getting ahead; and where
-// the radius is many times the surface's size, it winds about it without learning anything.
+// Limits a straight ray's length. It can turn around a tip of almost no angle for long without
+// getting ahead, and it winds around a surface that is much smaller than the radius without gaining
+// information.
 std::size_t most_triangles(const Surface& surface) {
   return std::min(std::size_t{1} << 16U, 1000 + 8 * surface.face_count());
 }
@@ -45,7 +46,7 @@ Legendre legendre(int n, double x) {
   return {value, n * (x * value - previous) / (x * x - 1)};
 }
 
-/// Gauss-Legendre nodes on [0, R] (Newton's method from Chebyshev's), from the inside out.
+/// Gauss-Legendre nodes on [0, R], by Newton's method from Chebyshev's nodes, in ascending order.
 std::vector<Ring> rings_of(double radius, int count) {
   std::vector<Ring> rings;
   for (int k = count; k >= 1; --k) {
@@ -59,7 +60,7 @@ std::vector<Ring> rings_of(double radius, int count) {
   return rings;
 }
 
-/// The triangles about a vertex with the angle up to which each of them reaches.
+/// A triangle at a vertex, with the angle up to which it reaches.
 struct Corner {
   HalfedgeId halfedge;
   double angle;
@@ -98,7 +99,7 @@ class Ray {
     find_exit();
   }
 
-  /// Adds the rings that the ray reaches; `sum` is of weight · value.
+  /// Adds the rings that the ray reaches; `sum` is the sum of weight · value.
   void add(std::span<const Ring> rings, double& sum, double& weight) {
     const std::size_t most = most_triangles(surface_);
     std::size_t k = 0;

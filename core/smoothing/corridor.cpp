@@ -13,7 +13,7 @@ namespace talweg {
 namespace {
 
 constexpr double kGain = 10;    // a, as in the paper
-constexpr double kCut = 1e100;  // of φ; its square is still a number
+constexpr double kCut = 1e100;  // limit of φ; its square is still finite
 
 }  // namespace
 
@@ -93,8 +93,9 @@ std::array<double, 2> Corridor::at(const SurfacePoint& point) const {
   return lifted(distance_->at(point));
 }
 
-/// Of a single open curve with one slack φ is a function of δ, which grows no faster than ways do;
-/// else the nearest point may jump between the ends of an edge, and φ to anything.
+/// For a single open curve with one slack φ is a function of δ, and δ grows no faster than the way.
+/// Otherwise the nearest point may jump between the ends of an edge, and φ may change by any
+/// amount.
 double Corridor::largest_lengthening(double distance, double length) const {
   const bool by_distance_alone = profiles_.size() == 1 && profiles_.front().arcs.empty() &&
                                  profiles_.front().phase_per_arc == 0;

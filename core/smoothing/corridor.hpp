@@ -13,55 +13,56 @@
 namespace talweg {
 
 /// φ = L (a τ max(0, δ − ε) / L)², a = 10, with the exact distance δ to the drawing. For closed
-/// curves a vector, φ (cos θ, sin θ), where θ runs from 0 to 2πk along the drawn loop and is taken
-/// from its nearest point: a loop that slides along a level set of δ has to walk around a circle
-/// of radius φ, so it does not slide inwards for nothing. ε may vary along the drawing; then that
-/// of the nearest point of the drawing counts.
+/// curves the potential is the vector φ (cos θ, sin θ). θ runs from 0 to 2πk along the drawn loop
+/// and is taken at the nearest point of the loop. A loop that slides along a level set of δ then
+/// has to walk around a circle of radius φ, so sliding inwards gains it nothing. ε may vary along
+/// the drawing; the value at the nearest point of the drawing counts.
 class Corridor {
  public:
-  /// What holds one of the curves.
+  /// The corridor's parameters for one of the curves.
   struct Valley {
     bool closed = false;
     double slack = 0;   ///< ε, mesh units, >= 0
     double length = 1;  ///< L, mesh units, > 0
     int turns = 1;      ///< k, >= 0; 0 switches the phase of a closed curve off
-    /// Of an open curve that is part of a loop: the loop's length (mesh units; 0: no part of one)
-    /// and where on the loop the part begins.
+    /// For an open curve that is part of a loop: the loop's length (mesh units; 0 if it is not part
+    /// of one) and where on the loop the part begins.
     double loop_length = 0, arc_start = 0;
-    /// Unless empty, ε instead of `slack`: one value per point of the curve, mesh units, >= 0;
-    /// linear in the arc length between points, also from the last to the first of a closed curve.
+    /// Unless empty, it replaces `slack`: ε at each point of the curve, mesh units, >= 0, linear in
+    /// the arc length between points, also from the last to the first point of a closed curve.
     std::vector<double> slack_at;
 
     friend bool operator==(const Valley&, const Valley&) = default;
   };
-  /// `distance` has the curves set; one valley for each. tau in [0, infinity).
-  /// Throws Error(kBadUsage) naming the curve and the point when slack_at does not fit its curve or
-  /// has a value that is negative or not finite.
+  /// `distance` has its curves set; there is one valley per curve. tau is in [0, infinity). Throws
+  /// Error(kBadUsage) naming the curve and the point when slack_at does not fit its curve or has a
+  /// value that is negative or not finite.
   Corridor(PolylineDistance& distance, double tau, const std::vector<Valley>& valleys);
 
-  /// Throws as above for the slack along a curve of so many points.
+  /// Throws as the constructor does for slack values along a curve with this number of points.
   static void check_slack(const std::vector<double>& values, std::size_t curve, std::size_t points);
 
   std::array<double, 2> at(const SurfacePoint& point) const;
   std::array<double, 2> at_vertex(VertexId v) const;
-  /// The same where δ is at most `exact`; farther out not less, as if δ were the length of a way
-  /// along edges. Spares a wide band, for walls that nothing climbs.
+  /// Like at_vertex() where δ is at most `exact`. Farther out the value is not less, as if δ were
+  /// the length of a way along edges. This avoids a wide band of exact distances around walls that
+  /// no curve climbs.
   std::array<double, 2> at_vertex_roughly(VertexId v, double exact) const;
-  /// By what part of itself an edge of this length or more, with its ends no farther from the
-  /// drawing than `distance`, can be lengthened at most. O(curves), asks no distance.
+  /// An upper bound on the relative lengthening of any edge of at least this length whose ends are
+  /// no farther from the drawing than `distance`. O(curves); asks for no distance.
   [[nodiscard]] double largest_lengthening(double distance, double length) const;
   PotentialOnEdge on_edge(EdgeId e, double t) const;
   PotentialInFace in_face(FaceId face, const ExactPotential::Barycentric& b,
                           const std::array<ExactPotential::Barycentric, 2>& d) const;
 
  private:
-  /// One curve's valley, ready for use.
+  /// One curve's valley, with its constants computed.
   struct Profile {
     double slack = 0;
     double steepness = 0;              // (a τ)² / L
     double phase_per_arc = 0;          // 2πk / length of a closed curve
     double phase = 0;                  // θ where the curve begins
-    std::vector<double> arcs, slacks;  // of a field, else empty
+    std::vector<double> arcs, slacks;  // if slack_at is given, else empty
   };
   /// A value and its derivative by arc length.
   struct Varying {

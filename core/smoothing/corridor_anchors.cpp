@@ -8,11 +8,11 @@
 namespace talweg {
 namespace {
 
-// Below this tau each is straightened for itself, and may lead far from the drawing.
+// Below this tau each result is straightened on its own, and may lead far from the drawing.
 constexpr double kLeastAnchor = kLeastHeldTau;
-constexpr double kOrigin = 4;  // of the chain of anchors below it
+constexpr double kOrigin = 4;  // of the chain of anchors that leads down
 constexpr double kMostAnchor = 64;
-// Anchors that only lead on to lower ones.
+// For anchors that only lead on to lower ones.
 const PolishOptions kRough{.max_rounds = 3, .newton_steps = 4, .tolerance = 1e-5};
 
 }  // namespace

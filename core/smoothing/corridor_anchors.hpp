@@ -14,32 +14,33 @@
 
 namespace talweg {
 
-/// Continuation in τ. A drawing is straightened once, at the origin; from there the polish alone
-/// goes down, from one power of two, an anchor, to the next. So the result follows tau without
-/// jumping from one of several nearly equal geodesics to another, and is the same whatever was
-/// asked before. Upwards the polish would not find its way back over the ridges between two strands
-/// of the drawing: each anchor above the origin is straightened for itself. What leads on is
-/// polished a little only; where curves start from an anchor it is polished in full, apart from
-/// that.
+/// Continuation in τ. A drawing is straightened once, at tau = 4 (the origin). From there the
+/// curves are only polished, going down from one power of two (an anchor) to the next. The result
+/// therefore follows tau without jumping between several nearly equal geodesics, and it does not
+/// depend on what was asked for before. Upwards, the polish would not find its way back over the
+/// ridges between two strands of the drawing, so each anchor above the origin is straightened on
+/// its own. The curves that lead on to the next anchor are polished only a little; the curves from
+/// which a result starts are polished in full, as a separate copy.
 class CorridorAnchors {
  public:
-  /// From which anchor the result is polished: the power of two below its tau; none where it is
-  /// straightened for itself.
+  /// The anchor from which the result is polished: the power of two below its tau; none where the
+  /// result is straightened on its own.
   static std::optional<double> anchor_of(const SmoothingOptions& options);
 
   void clear() { anchors_.clear(); }
-  /// The result for options with an anchor. Keeps anchors as long as valleys and floor are the
-  /// same. Throws Cancelled.
+  /// The result for options that have an anchor. Keeps the anchors as long as valleys and floor
+  /// stay the same. Throws Cancelled.
   Smoothed smooth(CorridorHold& hold, const SmoothingOptions& options, const Progress& progress);
-  /// From where the anchor's polish in full would start. Keeps none. Throws Cancelled.
+  /// The curves from which the full polish of the anchor would start. Keeps no anchors. Throws
+  /// Cancelled.
   std::vector<SurfaceCurve> rough(CorridorHold& hold, const SmoothingOptions& options,
                                   const Progress& progress);
 
  private:
   struct Anchor {
-    Straightened straight;               // of the anchor that it comes from
+    Straightened straight;               // at the origin, or at the anchor itself above it
     std::vector<SurfaceCurve> rough;     // polished a little, for the next anchor below
-    std::vector<SurfaceCurve> polished;  // once asked for
+    std::vector<SurfaceCurve> polished;  // polished in full; empty until a result needs them
   };
   Anchor& at(double tau, CorridorHold& hold, const SmoothingOptions& options, StageTimes& times,
              const Progress& progress);

@@ -13,19 +13,19 @@
 namespace talweg {
 namespace {
 
-// Where the lift lengthens no edge by more than this part of it, it is not felt: the polish does
-// not look for gains that are smaller (PolishOptions::tolerance).
+// A lift counts as none if it lengthens no edge by more than this part of the edge's length: the
+// polish ignores smaller gains too (PolishOptions::tolerance).
 constexpr double kUnfelt = 1e-7;
 
 }  // namespace
 
-/// How far out δ must be exact where the valley is narrow: faces that the curve passes through lie
-/// within the slack and an edge.
+/// How far out δ must be exact where the valley is narrow: the faces that the curve passes through
+/// lie within the slack plus one edge.
 double CorridorHold::exact_for_walls() const {
   const std::vector<double>& near = drawing_->drawing().edges_near();
   double exact = 0;
   for (std::size_t c = 0; c < valleys_->size(); ++c) {
-    // While dragging there are valleys of curves that are only near.
+    // While dragging, there are also valleys of curves that are only near the dragged one.
     exact = std::max(exact, largest_slack((*valleys_)[c]) + near[std::min(c, near.size() - 1)]);
   }
   return exact;
@@ -52,8 +52,8 @@ Straightened CorridorHold::straighten_flat(const SmoothingOptions& options,
   return drawing_->straighten(options, unlifted_length, progress);
 }
 
-/// Whether the lift would have changed one of the lengths that were looked at. Ways along their
-/// edges from the drawing say how far away they are at most.
+/// Whether the lift would have changed one of the lengths that the straightening used. The ways
+/// from the drawing along those edges bound their distance.
 bool CorridorHold::is_felt(const Corridor& corridor, const Straightened& flat,
                            const Progress& progress) const {
   const TouchedEdges edges =
@@ -64,8 +64,8 @@ bool CorridorHold::is_felt(const Corridor& corridor, const Straightened& flat,
 std::optional<Straightened> CorridorHold::unlifted(const SmoothingOptions& options,
                                                    const Progress& progress) {
   if (options.tau == 0) return straighten_flat(options, progress);
-  // A try is worth its time only if it would not be felt a sixteenth of the drawing's radius beyond
-  // the slack.
+  // Straightening without the lift is worth trying only if the lift would not be felt a sixteenth
+  // of the drawing's radius beyond the slack.
   const Corridor corridor = this->corridor(options.tau);
   double beyond = HUGE_VAL, slack = 0;
   for (const Corridor::Valley& valley : *valleys_) {
@@ -74,7 +74,7 @@ std::optional<Straightened> CorridorHold::unlifted(const SmoothingOptions& optio
   }
   if (corridor.largest_lengthening(slack + beyond, beyond) > kUnfelt) return std::nullopt;
   SmoothingOptions lazy = options;
-  lazy.prepare_whole_mesh = false;  // what it touches decides
+  lazy.prepare_whole_mesh = false;  // only the lengths it touches decide
   Straightened flat = straighten_flat(lazy, progress);
   if (is_felt(corridor, flat, progress)) return std::nullopt;
   return options.prepare_whole_mesh ? straighten_flat(options, progress) : std::move(flat);
@@ -84,7 +84,7 @@ void CorridorHold::hold_thin_loops(Straightened& straight) const {
   for (std::size_t c = 0; c < drawing_->capped().size(); ++c) {
     StraightenedPath& path = straight.paths[c];
     if (!drawing_->capped()[c].closed || path.termination != Termination::kCollapsed) continue;
-    straight.curves[c] = drawing_->drawing().curves()[c];  // capped corners may cut through it
+    straight.curves[c] = drawing_->drawing().curves()[c];  // capping can cut through it
     path.length_after = path.length_before;
     path.termination = Termination::kConverged;
   }
@@ -105,7 +105,7 @@ void CorridorHold::polish(double tau, std::vector<SurfaceCurve>& curves, const P
   for (SurfaceCurve& curve : curves) {
     talweg::polish(mesh, curve, exact, drawing_->pins(), options, progress);
   }
-  // Each curve is polished for itself; where that made them cross they stay as they were.
+  // Each curve is polished separately; those that cross afterwards get their old points back.
   for (auto crossing = crossing_curves(mesh.surface(), curves); !crossing.empty();
        crossing = crossing_curves(mesh.surface(), curves)) {
     const bool again = std::all_of(crossing.begin(), crossing.end(), [&](std::size_t c) {

@@ -14,8 +14,9 @@
 
 namespace talweg {
 
-/// A drawing in its valleys: one step at a time, for one tau. Refers to what it is made from; the
-/// distance is set to what the valleys are of. Everything throws Cancelled.
+/// Holds a drawing in its valleys and runs one step of the method at a time, for one tau. Refers to
+/// the objects it is made from; the distance is set to the curves of the valleys. All functions
+/// throw Cancelled.
 class CorridorHold {
  public:
   CorridorHold(EmbeddedDrawing& drawing, PolylineDistance& distance,
@@ -25,17 +26,18 @@ class CorridorHold {
   [[nodiscard]] const EmbeddedDrawing& drawing() const { return *drawing_; }
   [[nodiscard]] const std::vector<Corridor::Valley>& valleys() const { return *valleys_; }
 
-  /// Whether the distance must be exact everywhere, or only where valleys are narrow: farther out
-  /// a wall that nothing climbs may be rough.
+  /// Whether the distance must be exact everywhere, or only where valleys are narrow: a wall
+  /// farther out that no curve climbs may be approximate.
   enum class Walls { kExact, kRough };
   Straightened straighten(const SmoothingOptions& options, Walls walls, const Progress& progress);
-  /// The curves where nothing lifts them, which takes no distance; none where the lift is felt.
+  /// The curves straightened without a lift, which needs no distance; none if the lift would change
+  /// them.
   std::optional<Straightened> unlifted(const SmoothingOptions& options, const Progress& progress);
-  /// Loops that collapsed because no vertex lies inside them are their drawing again. FlipOut sees
-  /// the potential at the mesh's vertices, so those collapse whatever tau is; the polish, which
-  /// looks closer, starts from there instead.
+  /// Resets loops that collapsed because no vertex lies inside them to their drawing. FlipOut sees
+  /// the potential at the mesh's vertices only, so it collapses these loops whatever tau is. The
+  /// polish, which evaluates the potential on edges too, starts from the drawing instead.
   void hold_thin_loops(Straightened& straight) const;
-  /// Polishes each curve for itself; those that this makes cross stay as they were.
+  /// Polishes each curve separately; curves that cross afterwards are restored.
   void polish(double tau, std::vector<SurfaceCurve>& curves, const Progress& progress,
               const PolishOptions& options = {});
 

@@ -12,7 +12,7 @@
 namespace talweg {
 namespace {
 
-/// Without an anchor.
+/// Smooths without starting from an anchor.
 Smoothed smooth_for_itself(CorridorHold& hold, const SmoothingOptions& options,
                            const Progress& progress) {
   const std::optional<Straightened> flat = hold.unlifted(options, progress);
@@ -43,7 +43,7 @@ void CorridorMethod::solve(const Progress& progress) {
   if (has_doubtful_loop(valleys_, drawing_->mesh(), drawing)) hold_doubtful_loops(progress);
 }
 
-/// Without pins, which may be taken away later.
+/// Ignores the pins, because they may be taken away later.
 void CorridorMethod::hold_doubtful_loops(const Progress& progress) {
   const std::vector<SurfacePoint> pins = drawing_->pins();
   if (!pins.empty()) drawing_->set_pins({}, progress);

@@ -14,7 +14,7 @@
 
 namespace talweg {
 
-/// Refers to the memory, whose distance it uses, and the drawing. Everything throws Cancelled.
+/// Refers to the memory, whose distance it uses, and to the drawing. All functions throw Cancelled.
 class CorridorMethod {
  public:
   CorridorMethod(SmoothingMemory& memory, EmbeddedDrawing& drawing)
@@ -22,19 +22,19 @@ class CorridorMethod {
 
   /// Measures from the drawing and finds its valleys.
   void solve(const Progress& progress);
-  /// Measures from these curves instead, with their valleys: for a stretch of a drawing.
+  /// Measures from these curves, with their valleys, instead; used for a stretch of a drawing.
   void set(std::span<const SurfaceCurve> near, std::vector<Corridor::Valley> valleys,
            const Progress& progress);
-  /// The drawing has other pins.
+  /// To be called after the drawing's pins have changed.
   void pins_changed() { anchors_.clear(); }
 
-  /// Per curve, as they are where nothing else is asked for.
+  /// Per curve, before options change them.
   [[nodiscard]] const std::vector<Corridor::Valley>& valleys() const { return valleys_; }
 
   Smoothed smooth(const SmoothingOptions& options, const Progress& progress);
-  /// The same without the options' slack and turns: the valleys as they are.
+  /// Like smooth(), but in the valleys as they are, without the options' slack and turns.
   Smoothed smooth_in_own_valleys(const SmoothingOptions& options, const Progress& progress);
-  /// Curves in the valleys as they are, from where the polish for these options would start.
+  /// The curves from which the polish for these options would start, in the valleys as they are.
   std::vector<SurfaceCurve> rough(const SmoothingOptions& options, const Progress& progress);
   /// Polishes curves in the valleys as they are.
   void polish(double tau, std::vector<SurfaceCurve>& curves, const Progress& progress);

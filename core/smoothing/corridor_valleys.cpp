@@ -10,7 +10,7 @@
 namespace talweg {
 namespace {
 
-/// Where the slacks of two curves met nothing would keep the curves apart.
+/// Where the slacks of two curves meet, nothing would keep the curves apart.
 void keep_apart(std::vector<Corridor::Valley>& valleys, const SurfaceMesh& mesh,
                 const OrderedDrawing& drawing, const Progress& progress) {
   constexpr double kOfGap = 0.45;
@@ -22,8 +22,8 @@ void keep_apart(std::vector<Corridor::Valley>& valleys, const SurfaceMesh& mesh,
   }
 }
 
-/// For a loop that no slack holds: a strip of width w and length l that closed up would save about
-/// 2 l and has to climb to (a tau w / 2)^2 / L on both sides.
+/// For a loop that no slack holds. A strip of width w and length l that closed up would save about
+/// 2 l, and has to climb to (a tau w / 2)^2 / L on both sides.
 void steepen(Corridor::Valley& valley, const SurfaceMesh& mesh, const SurfaceCurve& drawn) {
   const double width = 4 * width_of_loop(mesh, drawn);
   const double length = curve_length(mesh.surface(), drawn);
@@ -100,7 +100,7 @@ std::vector<Corridor::Valley> with_options(std::vector<Corridor::Valley> valleys
     Corridor::Valley& valley = valleys[c];
     if (options.slack) valley.slack = *options.slack;
     if (!options.slack_at.empty()) valley.slack_at = options.slack_at[c];
-    // With fewer points to a turn the phase could not follow the loop.
+    // With fewer points per turn the phase could not follow the loop.
     const std::size_t most = std::max<std::size_t>(drawing.curves()[c].points.size() / 8, 1);
     valley.turns = std::min(options.phase_turns, static_cast<int>(most));
   }

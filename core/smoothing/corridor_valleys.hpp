@@ -13,23 +13,23 @@
 
 namespace talweg {
 
-/// As the drawing asks for: default_slack(), but narrow enough to keep each curve from the others.
-/// Throws Cancelled (stage "solve").
+/// The valleys that follow from the drawing: default_slack(), narrowed where needed to keep each
+/// curve apart from the others. Throws Cancelled (stage "solve").
 std::vector<Corridor::Valley> valleys_of(const SurfaceMesh& mesh, const OrderedDrawing& drawing,
                                          const Progress& progress);
 
-/// Narrows the valleys of loops that collapse within their own corridor: those that are thin, or
-/// small against their slack. Whether one does is tried, at tau = 1/4, the smallest at which it
-/// must not: `smooth` smooths in these valleys. Where no slack holds a loop its valley is steeper,
-/// too.
+/// Narrows the valleys of loops that collapse within their own corridor because they are thin, or
+/// small compared with their slack. Whether a loop collapses is found out by a trial run of
+/// `smooth` in these valleys at tau = 1/4, the smallest tau at which it must not collapse. Where no
+/// slack holds a loop, its valley is made steeper too.
 void hold_loops(std::vector<Corridor::Valley>& valleys, const SurfaceMesh& mesh,
                 const OrderedDrawing& drawing,
                 const std::function<Smoothed(const SmoothingOptions&)>& smooth);
-/// Whether one of them is in doubt, so that hold_loops() would try.
+/// Whether any loop might collapse, so that hold_loops() would make a trial run.
 bool has_doubtful_loop(const std::vector<Corridor::Valley>& valleys, const SurfaceMesh& mesh,
                        const OrderedDrawing& drawing);
 
-/// With the slack and the turns that are asked for.
+/// The valleys with the slack and the turns that the options ask for.
 std::vector<Corridor::Valley> with_options(std::vector<Corridor::Valley> valleys,
                                            const OrderedDrawing& drawing,
                                            const SmoothingOptions& options);

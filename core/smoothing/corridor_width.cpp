@@ -13,8 +13,9 @@ constexpr double kStraight = 0.1;            // rad
 constexpr double kZigzag = 0.2, kRound = 1;  // rad
 constexpr double kOfSegment = 0.7, kOfCurve = 1.0 / 24, kOfRadius = 0.25;
 
-/// Lengths between successive points where the curve has turned, at one of them or little by little
-/// since the last; the less it turned the less they count, since so much narrower is the zigzag.
+/// Lengths between successive points where the curve has turned, either at one point or gradually
+/// since the last. A segment that ends in a smaller turn counts less, because the zigzag is that
+/// much narrower.
 std::vector<double> segment_lengths(const Surface& surface, const SurfaceCurve& curve) {
   const std::size_t n = curve.points.size();
   const auto point = [&](std::size_t i) -> const SurfacePoint& { return curve.points[i % n]; };
@@ -23,7 +24,7 @@ std::vector<double> segment_lengths(const Surface& surface, const SurfaceCurve& 
     const double left = signed_turning(surface, point(i + n - 1), point(i), point(i + 1));
     return left < 0 ? -angle : angle;
   };
-  std::size_t first = 0;  // of a closed curve a point where it turns, if there is one
+  std::size_t first = 0;  // for a closed curve, a point where it turns, if there is one
   while (curve.closed && first + 1 < n && std::abs(turn(first)) <= kStraight) ++first;
   if (first + 1 == n) first = 0;
   std::vector<double> lengths{0};

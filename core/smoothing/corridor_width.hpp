@@ -6,25 +6,26 @@
 
 namespace talweg {
 
-/// How exact the drawing is: seven tenths of the median length of its segments, those merged that
-/// turn by less than 0.1 rad in all, and at most 1/24 of its length. Segments count less that end
-/// in a turn below 0.2 rad, or have turned little by little. Follows the drawing, not the mesh.
-/// Mesh units. Throws Error(kBadCurve) as turning_angle() does.
+/// How exact the drawing is: seven tenths of the median length of its segments, and at most 1/24 of
+/// its length. Segments that together turn by less than 0.1 rad are merged first. Segments that end
+/// in a turn below 0.2 rad, or have turned little by little, count less. Depends on the drawing,
+/// not on the mesh. Mesh units. Throws Error(kBadCurve) as turning_angle() does.
 double default_slack(const Surface& surface, const SurfaceCurve& drawn);
 
 /// The corridor's characteristic length L: a quarter of the largest distance of the drawing's
-/// points from their centre of mass (along the curve), so that tau means the same for a small loop
+/// points from their centre of mass (along the curve). With it, tau means the same for a small loop
 /// as for a large one. Mesh units.
 double corridor_length(const SurfaceMesh& mesh, const SurfaceCurve& drawn);
 
-/// How far from the drawing a result can be, so that faces farther away need not be there: what the
-/// corridor lets it reach at tau = 1/8 (φ over a way of 2 L costs more than the drawing is long),
-/// and some edges of this length. Mesh units.
+/// How far from the drawing a result can be, so that faces farther away are not needed: the
+/// distance that the corridor allows at tau = 1/8 (φ over a way of 2 L costs more than the length
+/// of the drawing), plus a few edges of length `edge`. Mesh units.
 double corridor_reach(const SurfaceMesh& mesh, const SurfaceCurve& drawn, double edge);
 
-/// Half the inradius of a strip with the area and length of a closed curve, about 1/24 of a
-/// circle's length: with less slack than this a loop cannot collapse within its own corridor. Mesh
-/// units; an estimate by the area vector, so too small for loops that are far from plane.
+/// Half the inradius of a strip with the area and length of a closed curve; about 1/24 of the
+/// length of a circle. With less slack than this a loop cannot collapse within its own corridor.
+/// Mesh units. This is an estimate by the area vector, so it is too small for loops that are far
+/// from planar.
 double width_of_loop(const SurfaceMesh& mesh, const SurfaceCurve& drawn);
 
 }  // namespace talweg

@@ -23,8 +23,8 @@ PieceBox box_of(std::span<const Point> points, double margin) {
   return {box.min() - out, box.max() + out};
 }
 
-/// From the points of one curve to the other, where that is below `limit`. The points that are
-/// nearest through space come first, so the distance is needed only as far as the least so far.
+/// The gap from the points of one curve to the other, if it is below `limit`. The points that are
+/// nearest in space come first, so the distance is needed only up to the smallest gap found so far.
 double gap(const SurfaceMesh& mesh, const SurfaceCurve& from, const SurfaceCurve& to, double limit,
            std::optional<PolylineDistance>& distance, Asker& asker) {
   constexpr std::size_t kOfPoint = 16;  // units of work

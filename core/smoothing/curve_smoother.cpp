@@ -23,7 +23,7 @@ namespace {
   throw Error(ErrorCode::kBadUsage, message);
 }
 
-/// Throws Error(kBadUsage) unless there is a number for every component of every vertex.
+/// Throws Error(kBadUsage) unless every component of every vertex has a value of at most 1e150.
 void check_potential(std::size_t vertices, const GivenPotential& given) {
   const std::size_t expected = vertices * given.components;
   if (given.components == 0 || given.values.size() != expected) {
@@ -44,7 +44,7 @@ bool same_result(const SmoothingOptions& a, const SmoothingOptions& b) {
          a.min_relative_length == b.min_relative_length && a.length_floor == b.length_floor;
 }
 
-/// Whether tau has moved a small step, as a slider moves it, and nothing else has.
+/// Whether only tau has changed, by a step as small as a slider makes.
 bool is_small_step(const SmoothingOptions& last, const SmoothingOptions& options) {
   constexpr double kSmallStep = 1.05;
   const double least = std::min(last.tau, options.tau), most = std::max(last.tau, options.tau);
@@ -95,12 +95,11 @@ bool CurveSmoother::set_curves(std::span<const SurfaceCurve> curves, std::vector
 bool CurveSmoother::set(std::span<const SurfaceCurve> curves, const CurveOptions& options,
                         std::optional<std::vector<double>> distance, const Progress& progress) {
   const std::vector<SurfaceCurve> own(curves.begin(), curves.end());  // may be our own drawing
-  const CurveOptions own_options = options;                           // and its options
   forget();
   if (distance) PaperLift::check(memory_->surface(), *distance);
   try {
-    *drawing_ = checked_drawing(memory_->mesh(), own, own_options, progress);
-    curve_options_ = own_options;
+    *drawing_ = checked_drawing(memory_->mesh(), own, options, progress);
+    curve_options_ = options;
     SheetSetup setup;
     setup.distance = std::move(distance);
     sheet_ = sheet_for(*memory_, *drawing_, curve_options_, std::move(setup), progress);
@@ -118,7 +117,7 @@ bool CurveSmoother::set_pins(std::span<const SurfacePoint> pins, const Progress&
   if (!sheet_) bad_usage("No curve is set.");
   if (curve_options_.method != Method::kCorridor) bad_usage("set_pins() needs the corridor.");
   check_pins(drawing_->drawn(), pins);
-  const std::vector<SurfacePoint> own(pins.begin(), pins.end());  // may be our own
+  const std::vector<SurfacePoint> own(pins.begin(), pins.end());  // may be our own pins
   try {
     sheet_->set_pins(own, progress);
   } catch (const Cancelled&) {
@@ -191,7 +190,7 @@ SmoothingResult CurveSmoother::smooth(const SmoothingOptions& options, const Giv
   }
 }
 
-/// All in the drawing's order.
+/// Takes options and gives results in the drawing's order.
 SmoothingResult CurveSmoother::smooth_ordered(const SmoothingOptions& options,
                                               const GivenPotential* given,
                                               const Progress& progress) {
@@ -203,7 +202,7 @@ SmoothingResult CurveSmoother::smooth_ordered(const SmoothingOptions& options,
   return result;
 }
 
-/// A slider moves tau in small steps; the result should follow in small ones.
+/// A slider moves tau in small steps, so the result should move in small steps too.
 void CurveSmoother::report_moves(const SmoothingOptions& options, SmoothingResult& result,
                                  const Progress& progress) const {
   if (!last_ || options.deviation == DeviationMeasure::kNone) return;
@@ -232,7 +231,7 @@ SmoothingResult CurveSmoother::drag(std::size_t curve, const SurfaceCurve& moved
   }
 }
 
-/// The last result if it is what these options ask for.
+/// The last result, recomputed if these options ask for another one.
 SmoothingResult CurveSmoother::last_for(const SmoothingOptions& options, const Progress& progress) {
   SmoothingOptions plain = drawing_->ordered(options);
   if (!last_ || !same_result(last_->options, plain)) {
@@ -261,7 +260,7 @@ SmoothingResult CurveSmoother::drag_now(std::size_t curve, const SurfaceCurve& m
   return result;
 }
 
-/// A stretch is not enough where strips meet or faces are divided: all is smoothed anew.
+/// Smooths everything anew, where a stretch is not enough: strips meet, or faces are divided.
 SmoothingResult CurveSmoother::drag_whole(std::size_t curve, const SurfaceCurve& moved,
                                           const SmoothingOptions& options,
                                           const Progress& progress) {

@@ -21,8 +21,8 @@ class Sheet;
 class SmoothingMemory;
 struct GivenPotential;
 
-/// Smooths curves on one opened mesh. Holds the working memory, which is made once; one thread at a
-/// time per smoother, any number of smoothers per opened mesh.
+/// Smooths curves on one opened mesh. Holds the working memory, which is allocated once. One thread
+/// at a time may use a smoother; any number of smoothers may share an opened mesh.
 ///
 ///   CurveSmoother smoother(OpenedMesh::open(lists));
 ///   smoother.set_curve(curve);
@@ -39,57 +39,60 @@ class CurveSmoother {
   /// is not on it.
   bool set_curve(const SurfaceCurve& curve, const CurveOptions& options = {},
                  const Progress& progress = {});
-  /// A set of curves: the distance is to their union, and none crosses another by straightening.
-  /// Curves that are drawn across themselves or each other are smoothed each for itself, on a strip
-  /// of surface of its own (unroll()); the distance is to the curve's own part there.
+  /// Sets several curves: the distance is to their union, and straightening makes none cross
+  /// another. If curves are drawn across themselves or each other, each is smoothed separately, on
+  /// a strip of surface of its own (unroll()), and the distance is to the curve's own part there.
   bool set_curves(std::span<const SurfaceCurve> curves, const CurveOptions& options = {},
                   const Progress& progress = {});
-  /// The same with a distance of the caller's, one value per mesh vertex, used as it is; it may be
-  /// negative, and +infinity in components without a curve. Always Method::kPaper.
+  /// Like set_curves() above, with a distance given by the caller, one value per mesh vertex, used
+  /// as it is. It may be negative, and +infinity in components without a curve. The method is
+  /// always Method::kPaper.
   bool set_curves(std::span<const SurfaceCurve> curves, std::vector<double> distance,
                   const CurveOptions& options = {}, const Progress& progress = {});
 
-  /// The paper's distance, if it has not been computed yet. False when cancelled.
-  /// Throws Error(kBadUsage) when no curve is set.
+  /// Computes the paper's distance if it has not been computed yet. False when cancelled. Throws
+  /// Error(kBadUsage) when no curve is set.
   bool need_distance(const Progress& progress = {});
 
-  /// Other pins for the curves that are set; the distance stays as it is. With the corridor only.
-  /// False when cancelled; the pins are what they were then.
-  /// Throws Error(kBadUsage) for a pin that is not a point of the drawing, or another method.
+  /// Changes the pins of the curves that are set; the distance stays as it is. Only for the
+  /// corridor. False when cancelled; the pins are then unchanged. Throws Error(kBadUsage) for a pin
+  /// that is not a point of the drawing, or for another method.
   bool set_pins(std::span<const SurfacePoint> pins, const Progress& progress = {});
 
-  /// The smoothed curves. Costs what the curves touch, whatever the size of the mesh; where nothing
-  /// is lifted (tau = 0, or so small that it lengthens no edge by 1e-7 of it) no distance either.
-  /// When cancelled the curves are those drawn, `termination` says so, and the smoother is as if it
-  /// had not been asked.
-  /// Throws Error(kBadUsage) when no curve is set or an option is out of range.
+  /// The smoothed curves. The cost depends on what the curves touch, not on the size of the mesh.
+  /// Where nothing is lifted (tau is 0, or so small that it lengthens no edge by 1e-7 of its
+  /// length), no distance is computed either. When cancelled, the curves are those drawn,
+  /// `termination` says so, and the smoother is in the state it had before the call. Throws
+  /// Error(kBadUsage) when no curve is set or an option is out of range.
   SmoothingResult smooth(double tau = 1);
   SmoothingResult smooth(const SmoothingOptions& options, const Progress& progress = {});
-  /// With a potential of the caller's, row by row k values per mesh vertex (n x k, mesh units).
-  /// Throws Error(kBadUsage) when the size is not n x k or a value at the curve is not finite.
+  /// Smooths with a potential given by the caller: row by row k values per mesh vertex (n x k, mesh
+  /// units). Throws Error(kBadUsage) when the size is not n x k or a value at the curve is not
+  /// finite.
   SmoothingResult smooth(const SmoothingOptions& options, std::span<const double> potential,
                          std::size_t components, const Progress& progress = {});
 
-  /// While a part of a drawing is being dragged: about the result that the drawing would have if
-  /// curve number `curve` were changed to `moved`, in the time that the part takes. Only the
-  /// stretch that differs from the drawing that is set is smoothed anew, and joined to the last
-  /// result; slack and L stay those of that drawing, and the curve is not kept from crossing
-  /// others. `engine` of its report is "preview". The drawing that is set stays: set_curve(moved)
-  /// gives what counts. The same arguments give the same curve, whatever was dragged before. With
-  /// the corridor only; where tau is 0 or the result is relaxed everything is smoothed anew. Throws
-  /// Error(kBadCurve) as set_curve() does, Error(kBadUsage) for a curve that is not there or
-  /// another method. When cancelled as smooth() is, with `moved` as that curve.
+  /// A preview while a part of a drawing is being dragged: approximately the result that the
+  /// drawing would have if curve number `curve` were changed to `moved`, in time proportional to
+  /// the changed part. Only the stretch that differs from the drawing that is set is smoothed anew
+  /// and joined to the last result. Slack and L stay those of the drawing that is set, and the
+  /// curve is not kept from crossing others. `engine` of its report is "preview". The drawing that
+  /// is set does not change: set_curve(moved) gives the final result. The same arguments give the
+  /// same curve, whatever was dragged before. Only for the corridor; where tau is 0 or the result
+  /// is relaxed, everything is smoothed anew. Throws Error(kBadCurve) as set_curve() does,
+  /// Error(kBadUsage) for a curve that does not exist or another method. When cancelled, the result
+  /// is as for smooth(), with `moved` as that curve.
   SmoothingResult drag(std::size_t curve, const SurfaceCurve& moved,
                        const SmoothingOptions& options = {}, const Progress& progress = {});
 
   [[nodiscard]] const OpenedMesh& opened() const;
-  /// The distance per mesh vertex that was given, or computed so far: see need_distance().
+  /// The distance per mesh vertex that was given or has been computed so far: see need_distance().
   [[nodiscard]] std::span<const double> distance() const;
   /// The curves as they were set.
   [[nodiscard]] std::span<const SurfaceCurve> drawn() const;
-  /// The points of them that stay.
+  /// The points of the drawing that every result passes through.
   [[nodiscard]] std::span<const SurfacePoint> pins() const { return curve_options_.pins; }
-  /// The corridor's slack for each curve where no other is asked for, mesh units: default_slack(),
+  /// The corridor's slack for each curve where the options give none, mesh units: default_slack(),
   /// less for loops that would collapse at tau = 1/4. Empty for the paper's method.
   [[nodiscard]] std::vector<double> slack() const;
 
@@ -115,12 +118,12 @@ class CurveSmoother {
   std::unique_ptr<OrderedDrawing> drawing_;
   CurveOptions curve_options_;
   std::unique_ptr<Sheet> sheet_;              // null where no curve is set
-  std::unique_ptr<Last> last_;                // of smooth(), on the ordered curves
-  std::unique_ptr<Dragging> dragging_;        // made when first needed, as is the next
-  std::unique_ptr<CurveSmoother> previewer_;  // where a stretch is not enough
+  std::unique_ptr<Last> last_;                // the last result of smooth(), on the ordered curves
+  std::unique_ptr<Dragging> dragging_;        // made when first needed, as is previewer_
+  std::unique_ptr<CurveSmoother> previewer_;  // for drag() where a stretch is not enough
 };
 
-/// One curve in one call: CurveSmoother for it alone.
+/// Smooths one curve in one call, with a CurveSmoother for it alone.
 SmoothingResult smooth_curve(std::shared_ptr<const OpenedMesh> mesh, const SurfaceCurve& curve,
                              const SmoothingOptions& options = {},
                              const CurveOptions& curve_options = {}, const Progress& progress = {});

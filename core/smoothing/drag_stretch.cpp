@@ -11,7 +11,7 @@ namespace {
 
 using StretchBox = Eigen::AlignedBox3d;
 
-/// The runs of one curve that come near; a run has the points just outside as well.
+/// The runs of one curve inside the box; each run also has the points just outside the box.
 class Runs {
  public:
   Runs(const SurfaceMesh& mesh, const SurfaceCurve& curve, const Corridor::Valley& valley,

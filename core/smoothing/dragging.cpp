@@ -17,20 +17,20 @@ constexpr double kSameWay = 0.5;      // edges that two curves may lie apart whe
 
 using Points = std::vector<SurfacePoint>;
 
-/// Elements that two curves can meet on: edges, and vertices after them.
+/// Numbers the elements on which two curves can meet: edges, and vertices after them.
 std::size_t element_of(const SurfacePoint& point) {
   if (const auto* e = std::get_if<OnEdge>(&point.where())) return 2 * e->edge.index();
   if (const auto* v = std::get_if<AtVertex>(&point.where())) return 2 * v->vertex.index() + 1;
   return SIZE_MAX;
 }
 
-/// Where two curves go on as one.
+/// Indices of the point where a stretch and the last result are joined.
 struct Joint {
   std::size_t in_stretch = 0, in_last = 0;
 };
 
-/// The points of a stretch, [first, last), where the last result passes the same edge, or vertex,
-/// the nearest to it; none where it passes none of them.
+/// The joint for a stretch's points [first, last): the pair of points on the same edge or vertex
+/// that lie nearest to each other; none where the last result passes none of these elements.
 std::optional<Joint> joint(const Surface& surface, const Points& stretch, std::size_t first,
                            std::size_t last, const Points& result) {
   std::vector<std::pair<std::size_t, std::size_t>> elements;  // and the point of the stretch
@@ -56,7 +56,8 @@ std::optional<Joint> joint(const Surface& surface, const Points& stretch, std::s
   return best;
 }
 
-/// How many points, from `from` on in steps of `step`, lie within `length` along the curve.
+/// The number of points, at most `most`, from `from` on in steps of `step`, that lie within
+/// `length` along the curve.
 std::size_t points_within(const SurfaceMesh& mesh, const Points& points, std::size_t from, int step,
                           std::size_t most, double length) {
   std::size_t count = 0;
@@ -70,7 +71,8 @@ std::size_t points_within(const SurfaceMesh& mesh, const Points& points, std::si
   return count;
 }
 
-/// The values at points that are kept; linear at those between them.
+/// The values for the changed curve: those of the points that are kept, linear for those in
+/// between.
 std::vector<double> carried_over(const std::vector<double>& drawn, const SurfaceCurve& before,
                                  const DrawingChange& change) {
   std::vector<double> own = drawn;
@@ -93,7 +95,8 @@ std::vector<double> carried_over(const std::vector<double>& drawn, const Surface
   return result;
 }
 
-/// As for the drawing that is set, whose slack and L stay; in the order as drawn.
+/// The valleys of the changed drawing, in the order as drawn. Slack and L are those of the drawing
+/// that is set.
 std::vector<Corridor::Valley> dragged_valleys(const Dragging::Setting& setting, std::size_t curve,
                                               const DrawingChange& change) {
   const OrderedDrawing& drawing = setting.drawing;
@@ -124,13 +127,13 @@ void Dragging::set(const DragStretch& stretch, const CurveOptions& options,
   stretch_.method->set(stretch.near, stretch.valleys, progress);
 }
 
-/// Which points of the changed drawing are smoothed anew, [first, last].
+/// The points of the changed drawing that are smoothed anew, [first, last].
 struct Dragging::Range {
   std::size_t first = 0, last = 0;
-  double before = 0, after = 0;  // how far that is beyond the change, mesh units
+  double before = 0, after = 0;  // how far the range extends beyond the change, mesh units
 };
 
-/// With so much on either side of the change; none where all of the curve would be.
+/// The range with this margin on either side of the change; none if it would be the whole curve.
 std::optional<Dragging::Range> Dragging::range_around(const DrawingChange& change,
                                                       double margin) const {
   const SurfaceMesh& mesh = memory_.mesh();
@@ -145,8 +148,8 @@ std::optional<Dragging::Range> Dragging::range_around(const DrawingChange& chang
   return range;
 }
 
-/// Smooths these points of the drawing and puts them between what stays of the last result; none
-/// where they do not meet it.
+/// Smooths the range of the drawing and puts it between what stays of the last result; none where
+/// the two do not meet.
 std::optional<SurfaceCurve> Dragging::joined(const Range& range, const DrawingChange& change,
                                              double margin, const SurfaceCurve& last,
                                              const SmoothingOptions& options,

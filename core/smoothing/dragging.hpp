@@ -18,22 +18,22 @@
 
 namespace talweg {
 
-/// Has memory of its own for the stretches.
+/// Has working memory of its own for the stretches.
 class Dragging {
  public:
   /// O(mesh).
   explicit Dragging(std::shared_ptr<const OpenedMesh> mesh) : memory_(std::move(mesh)) {}
 
-  /// The drawing as it is set, how it is held there, and what is asked for.
+  /// The drawing that is set, with its options and valleys.
   struct Setting {
     const OrderedDrawing& drawing;
     const CurveOptions& curve_options;
     const std::vector<Corridor::Valley>& valleys;  ///< of the drawing's curves, in their order
     const SmoothingOptions& options;
   };
-  /// About the result that curve number `curve`, as drawn, has after the change: `last`, its result
-  /// before, with the changed stretch smoothed anew. All of it where no stretch can be joined to
-  /// that. Throws Cancelled.
+  /// Approximates the result that curve number `curve`, as drawn, has after the change: this is
+  /// `last`, its result before the change, with the changed stretch smoothed anew. If no stretch
+  /// can be joined to `last`, the whole curve is smoothed anew. Throws Cancelled.
   SurfaceCurve dragged(const Setting& setting, std::size_t curve, const DrawingChange& change,
                        const SurfaceCurve& last, const Progress& progress);
 

@@ -42,7 +42,7 @@ double EmbeddedDrawing::drawn_length() const {
 }
 
 /// A loop of this length is a handful of edges around a vertex: three mean edges of the drawing,
-/// but less than half a loop that is drawn so small.
+/// but less than half of the drawn loop if that is small itself.
 double EmbeddedDrawing::length_floor(const SmoothingOptions& options) const {
   if (options.length_floor) return *options.length_floor;
   double floor = HUGE_VAL;

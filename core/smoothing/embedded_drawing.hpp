@@ -21,13 +21,12 @@ std::vector<SurfaceCurve> capped_curves(const Surface& surface,
                                         std::span<const SurfaceCurve> curves,
                                         const CurveOptions& options);
 
-/// What every way of holding a curve works on. Refers to the memory and the drawing that it is made
-/// from.
+/// The part that all smoothing methods share. Refers to the memory and the drawing it is made from.
 class EmbeddedDrawing {
  public:
   struct Ground {
-    Loops loops = Loops::kKeep;  ///< what becomes of loops; on strips they go
-    /// Per vertex whether the surface was cut off there, of a part of a mesh; null: nowhere.
+    Loops loops = Loops::kKeep;  ///< what becomes of loops; on strips they are removed
+    /// For a part of a mesh: per vertex, whether the surface was cut off there. Null means nowhere.
     const std::vector<bool>* fence = nullptr;
   };
   /// Caps the corners and embeds the curves. Throws as embed_curves() does, and Cancelled.
@@ -45,17 +44,18 @@ class EmbeddedDrawing {
   [[nodiscard]] const OrderedDrawing& drawing() const { return *drawing_; }
   [[nodiscard]] const CurveOptions& options() const { return options_; }
   [[nodiscard]] const std::vector<SurfacePoint>& pins() const { return options_.pins; }
-  /// The curves, corners capped.
+  /// The curves with their corners capped.
   [[nodiscard]] const std::vector<SurfaceCurve>& capped() const { return capped_; }
-  /// Of all curves as they were drawn, mesh units.
+  /// Total length of all curves as they were drawn, mesh units.
   [[nodiscard]] double drawn_length() const;
-  /// Below which a loop counts as collapsed, mesh units: as asked for, or a handful of edges.
+  /// The length below which a loop counts as collapsed, mesh units: the option, or a handful of
+  /// edges.
   [[nodiscard]] double length_floor(const SmoothingOptions& options) const;
 
   /// Straightens the curves in a metric. Throws Cancelled.
   Straightened straighten(const SmoothingOptions& options, SignpostTriangulation::Metric metric,
                           const Progress& progress);
-  /// Whether a straightening has touched the fence since this was asked for last.
+  /// Whether a straightening has touched the fence since the last call.
   bool came_to_fence() { return std::exchange(at_fence_, false); }
 
  private:

@@ -8,12 +8,12 @@ namespace {
 
 constexpr double kBarelyBent = 1e-4;  // rad
 constexpr double kFromEnds = 1e-7;    // points stay this far (in t) from the ends of their edges
-constexpr double kNearer = 0.8;       // of the way to a vertex, at most, in one step
-constexpr std::size_t kOfNode = 4;    // units of work, each time that it is looked at
+constexpr double kNearer = 0.8;       // largest part of the way to a vertex in one step
+constexpr std::size_t kOfNode = 4;    // units of work each time a node is evaluated
 
 }  // namespace
 
-/// A node has been looked at.
+/// Counts the work for one node.
 void LiftedChain::tell_work() const {
   if (asker_ != nullptr) asker_->did(kOfNode);
 }
@@ -90,7 +90,7 @@ LiftedChain::Link LiftedChain::link_between(const ChainNode& a, const ChainNode&
   return link;
 }
 
-/// The potential halfway between two nodes and its derivatives by where they are.
+/// The potential halfway between two nodes, with derivatives by the nodes' parameters.
 PotentialInFace LiftedChain::halfway(const Link& link, const LiftedPlace& a,
                                      const LiftedPlace& b) const {
   const double clear = std::max(a.clear, b.clear);
@@ -101,7 +101,7 @@ PotentialInFace LiftedChain::halfway(const Link& link, const LiftedPlace& a,
   return potential_.in_face(link.face, at, link.along);
 }
 
-/// Rounded off at zero, so that points that run together do no harm.
+/// The length is rounded off at zero, so that coinciding points do no harm.
 double LiftedChain::segment(const LiftedPlace& a, const PotentialInFace& middle,
                             const LiftedPlace& b) const {
   const Eigen::Vector2d phi(middle.value[0], middle.value[1]);
@@ -122,8 +122,8 @@ SurfacePoint LiftedChain::place(const ChainNode& node) const {
   return node.fixed ? node.point : SurfacePoint::on_edge(mesh_.surface(), node.edge, node.t);
 }
 
-/// Adds what the segment has to the length's derivatives: two halves, alike in space, from a to the
-/// middle and from there to b.
+/// Adds the segment's terms to the length's derivatives: two halves with equal extent in space,
+/// from a to the middle and from there to b.
 void LiftedChain::add_segment(const ChainNode& a, const PotentialInFace& at, const ChainNode& b,
                               Row& row, Row& next) const {
   using Eigen::Vector2d;
@@ -151,7 +151,8 @@ void LiftedChain::add_segment(const ChainNode& a, const PotentialInFace& at, con
   add(b.y.tail<2>() - middle, -by_a, b.dphi - by_b, -by_aa, -by_ab, b.ddphi - by_bb);
 }
 
-/// Gradient and second derivatives of the length. False when the curve is straight already.
+/// Computes gradient and second derivatives of the length. False when the curve is straight
+/// already.
 bool LiftedChain::assemble(std::span<const ChainNode> nodes) {
   const std::size_t n = nodes.size();
   rows_.assign(n, Row{});
@@ -173,7 +174,7 @@ bool LiftedChain::assemble(std::span<const ChainNode> nodes) {
   return force >= kBarelyBent;
 }
 
-/// Thomas' algorithm; held points are rows of the identity.
+/// Thomas' algorithm; fixed points are rows of the identity.
 bool LiftedChain::solve(std::span<const ChainNode> nodes) {
   for (std::size_t i = 1; i + 1 < nodes.size(); ++i) {
     Row& row = rows_[i];
@@ -191,9 +192,9 @@ bool LiftedChain::solve(std::span<const ChainNode> nodes) {
   return true;
 }
 
-/// Goes along the Newton step, each point by at most `most` of it, half its edge, and not all the
-/// way to a vertex (a point that should only have come closer would not come back), as far as it
-/// shortens the curve. False when it does not.
+/// Goes along the Newton step as far as it shortens the curve. Each point moves by at most `most`
+/// of its step, at most half its edge, and never all the way to a vertex (a point that should only
+/// have come closer would not come back). False when nothing shortens the curve.
 bool LiftedChain::go_along(std::span<ChainNode> nodes, double most, double& total) {
   for (double scale = most; scale > 1e-3 * most; scale /= 2) {
     double shorter = 0;
@@ -227,7 +228,7 @@ bool LiftedChain::newton_step(std::span<ChainNode> nodes, double& total) {
   if (!assemble(nodes) || !solve(nodes)) return false;
   trials_.assign(nodes.begin(), nodes.end());
   const double before = total;
-  // Points that lie close together, around a vertex, must keep their proportions.
+  // Points that lie close together around a vertex must keep their proportions.
   double most = 1;
   for (std::size_t i = 1; i + 1 < nodes.size(); ++i) {
     const double step = rows_[i].step, room = step < 0 ? nodes[i].t : 1 - nodes[i].t;

@@ -14,15 +14,15 @@
 
 namespace talweg {
 
-/// A potential along an edge with its derivatives by t, exact instead of linear in each face.
-/// Two components; for an open curve the second is 0.
+/// A potential along an edge with its derivatives by t: exact, not linear in each face. It has two
+/// components; for an open curve the second is 0.
 struct PotentialOnEdge {
   std::array<double, 2> value{};
   std::array<double, 2> first{};
   std::array<double, 2> second{};
-  double clear = 0;  ///< the potential is 0 as far around as this, mesh units
+  double clear = 0;  ///< the potential is 0 within this distance, mesh units
 };
-/// The same inside a face, by two parameters.
+/// The same inside a face, parametrised by s and t.
 struct PotentialInFace {
   std::array<double, 2> value{};
   std::array<std::array<double, 2>, 2> first{};   ///< by s, by t
@@ -37,7 +37,7 @@ struct ExactPotential {
       in_face;
 };
 
-/// Where a node of the chain is, or would be.
+/// The place of a node of the chain, or a trial place.
 struct LiftedPlace {
   using Lifted = Eigen::Matrix<double, 5, 1>;  // position and potential
 
@@ -45,7 +45,7 @@ struct LiftedPlace {
   Lifted y = Lifted::Zero();
   Eigen::Vector2d dphi = Eigen::Vector2d::Zero();   ///< derivatives of the potential by t
   Eigen::Vector2d ddphi = Eigen::Vector2d::Zero();  ///< second ones
-  double clear = 0;  ///< the potential is 0 as far around as this, mesh units
+  double clear = 0;  ///< the potential is 0 within this distance, mesh units
 };
 
 /// A point of the chain: free on an edge, or fixed.
@@ -57,20 +57,20 @@ struct ChainNode : LiftedPlace {
   EdgeId edge;
   Point origin = Point::Zero();  ///< the edge's tail
   Point along = Point::Zero();   ///< from there to its head: derivative of the position by t
-  bool awake = true;             ///< it, or something near, still gains by moving
-  int changed = 0;               ///< the last round in which it moved or came
+  bool awake = true;             ///< it, or a node near it, still gains by moving
+  int changed = 0;               ///< the last round in which it moved or was inserted
 };
 
-/// Minimises the lifted length of chains whose end points stay. Between two nodes the potential is
-/// looked at once more, halfway: with the nodes alone, which are as far apart as the mesh has them,
-/// a chain could go through walls that it does not see, and more so on coarser meshes.
+/// Minimises the lifted length of chains whose end points stay. The potential is also evaluated
+/// halfway between two nodes. With the nodes alone, which are as far apart as the mesh has them, a
+/// chain could pass through walls without noticing, the more so the coarser the mesh.
 class LiftedChain {
  public:
   using Nodes = std::vector<ChainNode>;
 
-  /// `tolerance`: relative gain in length below which a Newton step counts as none.
-  /// `scale`: about the length of a segment; what is 1e-6 of it counts as nothing. The asker, if
-  /// there is one, may throw Cancelled while nodes are settled.
+  /// `tolerance`: relative gain in length below which a Newton step counts as none. `scale`: about
+  /// the length of a segment; lengths below 1e-6 of it count as zero. The asker, if there is one,
+  /// may throw Cancelled while nodes are settled.
   LiftedChain(const SurfaceMesh& mesh, const ExactPotential& potential, double tolerance,
               double scale, Asker* asker = nullptr)
       : mesh_(mesh),
@@ -79,7 +79,7 @@ class LiftedChain {
         smallest_(1e-6 * scale),
         asker_(asker) {}
 
-  /// What `changed` of nodes that move from now on will be.
+  /// Sets the round that is stored as `changed` in nodes that move from now on.
   void begin_round(int round) { round_ = round; }
   /// A node at the point; free if it lies on an edge and `keep` is false.
   [[nodiscard]] ChainNode node_at(const SurfacePoint& point, bool keep) const;
@@ -88,12 +88,12 @@ class LiftedChain {
   [[nodiscard]] double length(const ChainNode& a, const ChainNode& b) const {
     return segment(a, halfway(link_between(a, b), a, b), b);
   }
-  /// At most so many damped Newton steps (the matrix is tridiagonal) between any two fixed nodes;
-  /// returns the length, which never grows.
+  /// Makes at most `steps` damped Newton steps (the matrix is tridiagonal) between any two fixed
+  /// nodes. Returns the length, which never grows.
   double settle(std::span<ChainNode> nodes, int steps);
-  /// The same on short overlapping parts: a crease of the potential at one point would make all
-  /// others take its small steps. Nodes of parts that still gain are awake afterwards, the others
-  /// are not.
+  /// Settles short overlapping parts instead: otherwise a crease of the potential at one point
+  /// would force all other nodes to take its small steps. Afterwards the nodes of parts that still
+  /// gain are awake, and the others are not.
   void settle_by_parts(std::span<ChainNode> nodes);
 
  private:
@@ -108,7 +108,8 @@ class LiftedChain {
 
   [[nodiscard]] LiftedPlace place_at(const ChainNode& node, double t) const;
   [[nodiscard]] FaceId face_between(const ChainNode& a, const ChainNode& b) const;
-  /// Where the middle of two nodes lies: in the face at base + t_a along[0] + t_b along[1].
+  /// Describes where the middle of two nodes lies: in the face at base + t_a along[0] + t_b
+  /// along[1].
   struct Link {
     FaceId face;
     ExactPotential::Barycentric base{};

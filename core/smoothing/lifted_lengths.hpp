@@ -23,7 +23,7 @@ inline double lifted_length(double length, double at_p, double at_q) {
   return std::sqrt(length * length + (at_p - at_q) * (at_p - at_q));
 }
 
-/// The metric where nothing is lifted, computed as the others are.
+/// The metric where nothing is lifted; rounded as lifted lengths are.
 inline double unlifted_length(VertexId /*p*/, VertexId /*q*/, double length) {
   return lifted_length(length, 0.0, 0.0);
 }

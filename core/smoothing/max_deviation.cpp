@@ -18,10 +18,11 @@ namespace talweg {
 namespace {
 
 constexpr double kLeastTau = 1.0 / 8, kMostTau = 64;
-constexpr double kWideTau = 4;      // with a wide slack: its walls are steep
-constexpr double kFineness = 1.05;  // of tau and slack
+constexpr double kWideTau = 4;      // for a wide slack; gives steep walls
+constexpr double kFineness = 1.05;  // factor in tau and slack at which a search ends
 constexpr int kPinRounds = 8;
-/// How the slack is narrowed near a lost corner: how far along the drawing, by how much in a round.
+/// How the slack is narrowed near a cut-off corner: how far along the drawing, and by how much per
+/// round.
 struct Narrowing {
   double reach;  // D
   double factor;
@@ -30,7 +31,7 @@ struct Narrowing {
 constexpr Narrowing kGently = {1, 0.85, 20}, kFirmly = {2, 0.6, 12};
 
 double to_drawn(const SmoothingResult& result) { return result.total.deviation_to_drawn_max; }
-/// Of all curves, whatever their order.
+/// The total curvature of all curves; does not depend on their order.
 double curvature(const SmoothingResult& result) {
   std::vector<double> each;
   each.reserve(result.reports.size());
@@ -56,7 +57,7 @@ class Search {
       ordered_.push_back(in_order(drawn, orders_.back()));
     }
   }
-  /// The smoother has its own pins again afterwards, also when something throws.
+  /// Restores the smoother's own pins at the end, also when something throws.
   SmoothingResult run() {
     try {
       SmoothingResult result = search();
@@ -71,7 +72,7 @@ class Search {
  private:
   SmoothingResult search() {
     const auto closed = [](const SurfaceCurve& curve) { return curve.closed; };
-    // A geodesic within the bound cannot be beaten; loops would collapse.
+    // No curve is smoother than a geodesic within the bound. Loops would collapse at tau = 0.
     if (std::none_of(ordered_.begin(), ordered_.end(), closed) &&
         measured(0, both_ways) <= bound_) {
       finish();
@@ -80,7 +81,7 @@ class Search {
     const bool own_slack = !options_.slack && options_.slack_at.empty();
     for (const double slack : slacks()) {
       begin_with(slack);
-      // By tau alone, and by less of it with corners pinned.
+      // First by tau alone; then, if a lower tau may do with corners pinned, with pins.
       const double loose = least_tau(to_drawn);
       const double tight = least_tau(both_ways);
       if (cancelled_) break;
@@ -120,8 +121,8 @@ class Search {
     for (const Narrowing& way : {kGently, kFirmly}) narrow_at_corners(loose, way);
   }
 
-  /// Lets the valley be narrow where the result cuts off a corner of the drawing, and wide
-  /// elsewhere: no kink, as at a pin.
+  /// Narrows the valley where the result cuts off a corner of the drawing and leaves it wide
+  /// elsewhere; unlike a pin, this makes no kink.
   void narrow_at_corners(double slack, const Narrowing& way) {
     begin_with(slack);
     for (const SurfaceCurve& drawn : ordered_) {
@@ -134,13 +135,13 @@ class Search {
     options_.slack_at.clear();
   }
 
-  /// The slack of the points within D, along the drawing, of those that lie too far from the
-  /// result.
+  /// Narrows the slack at the points that lie too far from the last result, and at those within D
+  /// of them along the drawing.
   void narrow(std::size_t c, const Narrowing& way) {
     const SurfaceCurve& drawn = ordered_[c];
     const std::size_t n = drawn.points.size(), around = drawn.closed ? n : 0;
     const std::vector<double> far = distances_to_result(c);
-    std::vector<double> along{0};  // where each point is; all of a loop twice
+    std::vector<double> along{0};  // arc length at each point; a loop goes around twice
     for (std::size_t k = 1; k < n + around; ++k) {
       const SurfaceCurve leg{false, {drawn.points[(k - 1) % n], drawn.points[k % n]}};
       along.push_back(along.back() + curve_length(smoother_.opened().surface(), leg));
@@ -160,7 +161,7 @@ class Search {
     }
   }
 
-  /// Of the drawing's points, in their order, to the last result. Throws Cancelled.
+  /// The distances of the drawing's points, in their order, to the last result. Throws Cancelled.
   std::vector<double> distances_to_result(std::size_t c) {
     if (!to_result_) to_result_.emplace(smoother_.opened().surface());
     SurfaceCurve result = last_.curves[c];
@@ -175,7 +176,7 @@ class Search {
     return distances;
   }
 
-  /// The widest slack within the bound, from `own` on, as far as the deviation grows with it.
+  /// The widest slack within the bound, from `own` upwards, if the deviation grows with the slack.
   double widest_slack(double own, Measure measure) {
     const auto within = [&](double slack) {
       begin_with(slack);
@@ -198,7 +199,8 @@ class Search {
     return measure(last_);
   }
 
-  /// The smallest tau within the bound, as far as it falls monotonically; the largest if none is.
+  /// The smallest tau within the bound, if the deviation falls monotonically; the largest tau if
+  /// none is.
   double least_tau(Measure measure) {
     double low = 1, high = 1;
     if (measured(1, measure) <= bound_) {
@@ -234,13 +236,13 @@ class Search {
     }
   }
 
-  /// Of each stretch of the drawing that lies too far from the last result the farthest point.
+  /// Adds the farthest point of each stretch of the drawing that lies too far from the last result.
   void add_lost_corners(std::vector<SurfacePoint>& pins) {
     for (std::size_t c = 0; c < ordered_.size(); ++c) {
       const SurfaceCurve& drawn = ordered_[c];
       const std::vector<double> far = distances_to_result(c);
       const std::size_t n = far.size();
-      // A loop is gone around from where no stretch is.
+      // On a loop, start at a point that lies within the bound.
       std::size_t first = 0;
       while (drawn.closed && first < n && far[first] > bound_) ++first;
       const SurfacePoint* farthest = nullptr;
@@ -265,7 +267,7 @@ class Search {
     }
   }
 
-  /// Within the bound the smoothest, before that the nearest.
+  /// Keeps the smoothest result within the bound or, while there is none, the nearest one.
   void keep_better() {
     const auto worse = [this](const SmoothingResult& a, const SmoothingResult& b) {
       const double over_a = std::max(both_ways(a), bound_), over_b = std::max(both_ways(b), bound_);
@@ -300,7 +302,7 @@ class Search {
   SmoothingOptions options_;
   Progress progress_;
   std::vector<SurfacePoint> own_pins_;
-  // The drawing, in the order in which the smoother goes through it too.
+  // The drawing in canonical order, which the smoother uses too.
   std::vector<CurveOrder> orders_;
   std::vector<SurfaceCurve> ordered_;
   std::optional<PolylineDistance> to_result_;

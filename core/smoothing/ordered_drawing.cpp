@@ -14,7 +14,7 @@
 namespace talweg {
 namespace {
 
-constexpr std::size_t kOfPoint = 8;  // units of work, to measure or to check it
+constexpr std::size_t kOfPoint = 8;  // units of work to measure or to check a point
 
 [[noreturn]] void refuse_point(const SurfaceMesh& mesh, const SurfaceCurve& curve,
                                std::size_t number) {

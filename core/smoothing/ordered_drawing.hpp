@@ -14,24 +14,25 @@
 
 namespace talweg {
 
-/// Who draws a curve from its other end, begins a loop elsewhere, or lists the curves otherwise,
-/// means the same. So all that is measured and decided is so on curves in their canonical order,
-/// and what callers give and get is in theirs: a reversed drawing has the same result to the last
-/// bit.
+/// The result must not depend on the end from which a curve is drawn, on where a loop begins, or on
+/// the order in which the curves are listed. So everything is measured and decided on the curves in
+/// canonical order, while the caller's curves and results are in the caller's order: a reversed
+/// drawing has the same result to the last bit.
 class OrderedDrawing {
  public:
   OrderedDrawing() = default;
-  /// Of curves that check_drawn() takes. Throws Error(kBadCurve) for one without length, Cancelled.
+  /// The curves must pass check_drawn(). Throws Error(kBadCurve) for a curve without length,
+  /// Cancelled.
   OrderedDrawing(const SurfaceMesh& mesh, std::span<const SurfaceCurve> drawn, Asker& asker);
 
-  /// As they were drawn.
+  /// The curves as they were drawn.
   [[nodiscard]] const std::vector<SurfaceCurve>& drawn() const { return drawn_; }
-  /// The same in canonical order, points and curves; all that follows is by their numbers.
+  /// The curves and their points in canonical order; the numbers below refer to this order.
   [[nodiscard]] const std::vector<SurfaceCurve>& curves() const { return ordered_; }
   [[nodiscard]] const std::vector<CurveMeasures>& measures() const { return measures_; }
-  /// How long the mesh's edges are near each curve.
+  /// The length of the mesh's edges near each curve, mesh units.
   [[nodiscard]] const std::vector<double>& edges_near() const { return edges_near_; }
-  /// Which drawn curve each is, and where each drawn curve is.
+  /// For each ordered curve the number of the drawn one, and (place_of()) the reverse.
   [[nodiscard]] const std::vector<std::size_t>& numbers() const { return numbers_; }
   [[nodiscard]] std::size_t place_of(std::size_t drawn) const { return places_[drawn]; }
 
@@ -42,18 +43,18 @@ class OrderedDrawing {
     for (const std::size_t place : places_) result.push_back(ordered[place]);
     return result;
   }
-  /// Options whose slack_at is along the drawn curves, with it along the ordered ones. Throws
+  /// Options whose slack_at follows the drawn curves, converted to the ordered ones. Throws
   /// Error(kBadUsage) where there are not as many values as points.
   [[nodiscard]] SmoothingOptions ordered(SmoothingOptions options) const;
-  /// One of the ordered curves, or a result of it, in the direction in which it was drawn.
+  /// One of the ordered curves, or its result, in the direction in which it was drawn.
   [[nodiscard]] SurfaceCurve in_drawn_direction(std::size_t ordered, SurfaceCurve curve) const;
-  /// A result of the ordered curves, of those as they were drawn.
+  /// A result for the ordered curves, converted to the curves as they were drawn.
   [[nodiscard]] SmoothingResult as_drawn(SmoothingResult result) const;
 
  private:
   std::vector<SurfaceCurve> drawn_, ordered_;
   std::vector<std::size_t> numbers_, places_;
-  std::vector<CurveOrder> orders_;  // in which the points of the ordered curves are gone through
+  std::vector<CurveOrder> orders_;  // from drawn to ordered points
   std::vector<CurveMeasures> measures_;
   std::vector<double> edges_near_;
 };

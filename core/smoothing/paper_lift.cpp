@@ -57,7 +57,8 @@ void PaperLift::solve(std::span<const SurfaceCurve> curves, const CurveOptions& 
     at_inserted_ = curves_->at_inserted(distance_, 1);
   } else {
     distance_ = std::move(solved);
-    // Inserted vertices lie on the drawing, where the distance is 0 whatever the mesh can resolve.
+    // Inserted vertices lie on the drawing, so their distance is 0 even if the mesh cannot resolve
+    // that.
     at_inserted_.assign(curves_->triangulation().inserted_count(), 0.0);
   }
   find_largest(curves.size() > 1);
@@ -72,8 +73,8 @@ void PaperLift::solve(std::span<const SurfaceCurve> curves, const CurveOptions& 
   solve_ms_ = watch.ms();
 }
 
-/// The largest distance in each component, so that L follows the curve's own component only. With
-/// a single curve no other component has a distance to speak of, and all count as one.
+/// Finds the largest distance in each component, so that L depends on the curve's own component
+/// only. With a single curve the other components have no finite distance, and all count as one.
 void PaperLift::find_largest(bool several) {
   if (several && !components_) components_ = components_of(mesh_->surface());
   largest_.assign(several ? components_->count : 1, 0.0);
@@ -97,7 +98,7 @@ double PaperLift::length_of(const PotentialOptions& options, double drawn_length
   if (options.length == PotentialOptions::Length::kGiven) return options.given_length;
   if (options.length == PotentialOptions::Length::kCurveLength) return drawn_length;
   const double largest = largest_[component];
-  return largest > 0 ? largest : drawn_length;  // a curve over every vertex leaves no distance
+  return largest > 0 ? largest : drawn_length;  // 0 if a curve passes every vertex
 }
 
 double PaperLift::characteristic_length(const PotentialOptions& options, double drawn_length,

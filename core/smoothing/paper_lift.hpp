@@ -20,33 +20,33 @@ namespace talweg {
 /// it (Pawellek, Rössl & Lawonn, section 3.3 and equations 4 to 6).
 class PaperLift {
  public:
-  /// Both must outlive it; the curves are those that are embedded there when it is used.
+  /// Both must outlive it; the curves are those embedded there when a function is called.
   PaperLift(const OpenedMesh& mesh, const Straightening& curves) : mesh_(&mesh), curves_(&curves) {}
 
   void clear();
   [[nodiscard]] bool is_known() const { return !distance_.empty(); }
-  /// Per mesh vertex.
+  /// One value per mesh vertex.
   [[nodiscard]] std::span<const double> distance() const { return distance_; }
 
   /// Throws Error(kBadUsage) when there is not one distance per vertex, or one is NaN or -infinity.
   static void check(const Surface& surface, std::span<const double> distance);
-  /// A distance that was checked, used as it is. `several`: curves.
+  /// Sets a distance that was checked. `several`: whether there is more than one curve.
   void set(std::vector<double> distance, bool several);
-  /// The distance to the curves by heat. Throws Cancelled; nothing has changed then.
+  /// Computes the distance to the curves by heat. Throws Cancelled; nothing has changed then.
   void solve(std::span<const SurfaceCurve> curves, const CurveOptions& options,
              const Progress& progress);
 
-  /// Lengths in the lifted surface; it refers to this object. `drawn_length`: of all curves.
+  /// Lengths in the lifted surface; it refers to this object. `drawn_length`: total of all curves.
   [[nodiscard]] SignpostTriangulation::Metric metric(const PotentialOptions& options, double tau,
                                                      double drawn_length) const;
-  /// The L of the component that a vertex is on.
+  /// The characteristic length L of the component that a vertex is on.
   [[nodiscard]] double characteristic_length(const PotentialOptions& options, double drawn_length,
                                              VertexId vertex) const;
 
-  /// By how much edges were lengthened for the distance, mesh units, and a sentence on that.
+  /// By how much edges were lengthened to compute the distance, mesh units, and a warning about it.
   [[nodiscard]] double mollification() const { return mollification_; }
   [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
-  /// How long the factors of the mesh and the solve took.
+  /// The times for factorising the mesh's matrices and for the solve, ms.
   [[nodiscard]] double open_ms() const { return open_ms_; }
   [[nodiscard]] double solve_ms() const { return solve_ms_; }
 
@@ -60,8 +60,8 @@ class PaperLift {
   const Straightening* curves_;
   std::vector<double> distance_;          // per mesh vertex
   std::vector<double> at_inserted_;       // per inserted vertex
-  std::optional<Components> components_;  // made when a set first asks
-  std::vector<double> largest_;           // per component, or one for all
+  std::optional<Components> components_;  // made when first needed
+  std::vector<double> largest_;           // the largest distance per component, or one for all
   double mollification_ = 0, open_ms_ = 0, solve_ms_ = 0;
   std::vector<std::string> warnings_;
 };

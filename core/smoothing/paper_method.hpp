@@ -13,7 +13,7 @@
 
 namespace talweg {
 
-/// A potential of the caller's: row by row `components` values per mesh vertex, mesh units.
+/// A potential given by the caller: row by row `components` values per mesh vertex, mesh units.
 struct GivenPotential {
   std::span<const double> values;
   std::size_t components = 1;
@@ -23,20 +23,20 @@ struct GivenPotential {
 Smoothed smooth_in(EmbeddedDrawing& drawing, const GivenPotential& potential,
                    const SmoothingOptions& options, const Progress& progress);
 
-/// Pawellek, Rössl & Lawonn, sections 3.3 and 4, with the distance by heat or a given one. Refers
-/// to what it is made from.
+/// The method of Pawellek, Rössl & Lawonn, sections 3.3 and 4, with the distance computed by heat
+/// or given. Refers to the objects it is made from.
 class PaperMethod {
  public:
   PaperMethod(const OpenedMesh& mesh, EmbeddedDrawing& drawing)
       : drawing_(&drawing), lift_(mesh, drawing.straightening()) {}
 
-  /// The distance, if it is not known yet. Throws Cancelled.
+  /// Computes the distance if it is not known yet. Throws Cancelled.
   void need_distance(const Progress& progress);
-  /// One that was checked: see PaperLift::check().
+  /// Sets a distance that was checked with PaperLift::check().
   void set_distance(std::vector<double> distance);
   [[nodiscard]] const PaperLift& lift() const { return lift_; }
 
-  /// At tau = 0 without a distance. Throws Cancelled.
+  /// Needs no distance at tau = 0. Throws Cancelled.
   Smoothed smooth(const SmoothingOptions& options, const Progress& progress);
 
  private:

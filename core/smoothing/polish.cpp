@@ -13,7 +13,7 @@
 namespace talweg {
 namespace {
 
-constexpr std::size_t kOfPolishNode = 8;  // units of work, each time that it is looked at
+constexpr std::size_t kOfPolishNode = 8;  // units of work each time a node is visited
 
 /// How far from the origin the line from radius p at angle 0 to radius q at angle `end` crosses the
 /// ray at `angle`; 0 where it goes around the other side.
@@ -68,15 +68,15 @@ class Polisher {
   LiftedChain chain_;
   std::span<const SurfacePoint> pinned_;
   PolishOptions options_;
-  double tiny_;  // lengths below count as none
+  double tiny_;  // shorter lengths count as none
   bool closed_ = false;
   LiftedChain::Nodes nodes_;
-  LiftedChain::Nodes done_;  // while nodes_ are gone through: those that are behind
+  LiftedChain::Nodes done_;  // the nodes already visited while nodes_ is traversed
   std::vector<HalfedgeId> spokes_;
-  bool whole_ = false;  // the spokes lead all around
+  bool whole_ = false;  // whether the spokes go all around the vertex
   struct Crossed {
     HalfedgeId spoke;
-    double angle = 0;  // from where the way begins
+    double angle = 0;  // between the start of the way and this spoke
   };
   std::vector<Crossed> crossed_;
   LiftedChain::Nodes trial_, best_;
@@ -153,7 +153,8 @@ int Polisher::slot(const SurfacePoint& p, VertexId v) const {
   return -1;
 }
 
-/// The k-th node not gone through yet, and the k-th of those behind; around a loop over its seam.
+/// The k-th node not visited yet, and the k-th of those visited last; on a loop both continue over
+/// the seam.
 ChainNode& Polisher::ahead(std::size_t next, std::size_t k) {
   const std::size_t left = nodes_.size() - next;
   return k < left ? nodes_[next + k] : done_[k - left];
@@ -163,8 +164,8 @@ ChainNode& Polisher::behind(std::size_t k) {
   return k < n ? done_[n - 1 - k] : nodes_[nodes_.size() - 1 - (k - n)];
 }
 
-/// Appends the nodes of one way around v, or of that through it, from a node in slot `from` to one
-/// in `to`. False where there is none.
+/// Appends the nodes of one way around v (way = +1 or -1), or of that through v (way = 0), from a
+/// node in slot `from` to one in `to`. False where there is no such way.
 bool Polisher::way_around(const ChainNode& from, const ChainNode& to, int way, VertexId v,
                           LiftedChain::Nodes& trial) {
   if (way == 0) {
@@ -205,7 +206,8 @@ bool Polisher::way_around(const ChainNode& from, const ChainNode& to, int way, V
   return true;
 }
 
-/// Whether the way in trial_, after so many nodes, is the one that the curve goes already.
+/// Whether the way in trial_, after its first `before` nodes, is the one that the curve takes
+/// already.
 bool Polisher::is_present(std::size_t first, std::size_t count, std::size_t before) const {
   if (trial_.size() != before + count) return false;
   for (std::size_t k = 0; k < count; ++k) {
@@ -215,8 +217,8 @@ bool Polisher::is_present(std::size_t first, std::size_t count, std::size_t befo
   return true;
 }
 
-/// Settles trial_ and returns its length; gives up when that is not going to be less than `goal`,
-/// since Newton's steps gain less and less.
+/// Settles trial_ and returns its length. Stops early when the length is not going to fall below
+/// `goal`, because each Newton step gains less than the one before.
 double Polisher::settled_below(double goal) {
   const double early = chain_.settle(trial_, 2);
   const double late = chain_.settle(trial_, 1);
@@ -232,7 +234,7 @@ bool Polisher::is_clear_of(VertexId v, std::size_t before, std::size_t after) co
 }
 
 /// Tries the ways around v for the nodes [first, first + count): on either side, or through it.
-/// What comes instead of them is put behind.
+/// Appends the nodes that replace them to done_.
 bool Polisher::pass_vertex(std::size_t first, std::size_t count, VertexId v) {
   constexpr std::size_t kReach = 4;  // nodes on either side that may move along
   const std::size_t next = first + count;
@@ -261,7 +263,7 @@ bool Polisher::pass_vertex(std::size_t first, std::size_t count, VertexId v) {
   double best = chain_.length(trial_) * (1 - 1e-9);
   bool found = false;
   for (const int way : {+1, -1, 0}) {
-    // What has settled clear of the vertex would gain nothing by touching it.
+    // A way that passes clear of the vertex would gain nothing by touching it.
     if (way == 0 && found && is_clear_of(v, before, after)) break;
     begin();
     if (!way_around(from, to, way, v, trial_) || is_present(first, count, before)) continue;
@@ -276,7 +278,7 @@ bool Polisher::pass_vertex(std::size_t first, std::size_t count, VertexId v) {
   ++passed_;
   for (ChainNode& node : best_) {
     node.awake = true;
-    node.changed = round_ + 1;  // what it is driven to now is tried in the next round
+    node.changed = round_ + 1;  // so that vertices it is driven to are tried in the next round
   }
   for (std::size_t k = 0; k < before; ++k) behind(k) = best_[before - 1 - k];
   for (std::size_t k = 0; k < after; ++k) ahead(next, k) = best_[best_.size() - after + k];
@@ -285,9 +287,10 @@ bool Polisher::pass_vertex(std::size_t first, std::size_t count, VertexId v) {
   return true;
 }
 
-/// Takes out points that the curve can do without: one whose neighbours share a face (the curve
-/// only touches its edge), and two in a row on one edge (it turns back there, or runs along it).
-/// Without them it may come nearer to a wall than it was, and then they stay.
+/// Removes points that the curve does not need: a point whose neighbours share a face (the curve
+/// only touches its edge), and two successive points on one edge (the curve turns back there, or
+/// runs along it). Points stay if the curve would become longer without them, because it comes
+/// nearer to a wall.
 void Polisher::untangle() {
   const auto in_one_face = [&](const ChainNode& a, const ChainNode& b) {
     return common_face(surface_, chain_.place(a), chain_.place(b)).valid();
@@ -323,7 +326,7 @@ void Polisher::untangle() {
   nodes_.swap(done_);
 }
 
-/// Whether these nodes or their neighbours are not as they were when they were last tried.
+/// Whether these nodes or their neighbours have changed since they were last tried.
 bool Polisher::has_changed(std::size_t first, std::size_t count) const {
   const auto changed = [&](const ChainNode& node) { return node.changed >= round_; };
   if (!done_.empty() && changed(done_.back())) return true;
@@ -357,8 +360,8 @@ bool Polisher::pass_vertices() {
   return changed;
 }
 
-/// The nodes to settle together because of node i, [first, second): those near it that still gain
-/// and a few neighbours; or all between two fixed ones.
+/// The range [first, second) of nodes to settle together with node i: the nodes near it that still
+/// gain, plus a few neighbours, or all nodes between two fixed ones.
 std::pair<std::size_t, std::size_t> Polisher::run_at(std::size_t i, bool whole) const {
   constexpr std::size_t kMargin = 4;
   const std::size_t n = nodes_.size();
@@ -374,7 +377,7 @@ std::pair<std::size_t, std::size_t> Polisher::run_at(std::size_t i, bool whole) 
   return {begin, std::min(n, last + 1 + kMargin)};
 }
 
-/// Settles what still gains, and nothing else.
+/// Settles only the nodes that still gain.
 void Polisher::settle_awake(bool whole) {
   const bool front = nodes_.front().awake;
   if (closed_) nodes_.push_back(nodes_.front());
@@ -391,10 +394,10 @@ void Polisher::settle_awake(bool whole) {
   }
   if (!closed_) return;
   nodes_.pop_back();
-  nodes_.front().awake = front;  // the seam was held
+  nodes_.front().awake = front;  // the seam was fixed and not settled
 }
 
-/// Moves the seam of a loop, so that every point gets its turn.
+/// Moves the seam of a loop, because the seam's point does not move.
 void Polisher::turn() {
   if (!closed_) return;
   const auto third = static_cast<std::ptrdiff_t>(nodes_.size() / 3);
@@ -406,8 +409,8 @@ double Polisher::length() const {
   return chain_.length(nodes_) + chain_.length(std::array{nodes_.back(), nodes_.front()});
 }
 
-/// Points side by side around a vertex, as close to it as nothing, are that vertex: what they turn
-/// there, this way and that, is rounding.
+/// Replaces neighbouring points that are numerically at a vertex by that vertex, because the turns
+/// between such points are only rounding.
 void Polisher::store(SurfaceCurve& curve) const {
   const auto vertex_at = [&](const ChainNode& node) {
     const VertexId v = node.fixed ? VertexId{} : driven_to(node);
@@ -429,7 +432,7 @@ PolishResult Polisher::run(SurfaceCurve& curve) {
   PolishResult result;
   if (nodes_.size() < 3) return result;
   result.length_before = result.length_after = length();
-  bool whole = true;  // first all together; then what is left to do here and there; and again
+  bool whole = true;  // first all nodes together, then only those that still gain, and so on
   for (round_ = 0; round_ < options_.max_rounds; ++round_) {
     asker_.is_at(static_cast<double>(round_) / options_.max_rounds);
     turn();

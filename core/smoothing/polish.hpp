@@ -21,17 +21,17 @@ struct PolishOptions {
 };
 
 struct PolishResult {
-  double length_before = 0;  ///< lifted, with the exact potential at the points and halfway
-  double length_after = 0;   ///< never more
+  double length_before = 0;  ///< lifted, with the exact potential at the points and halfway between
+  double length_after = 0;   ///< never more than length_before
   std::size_t passed_vertices = 0;
 };
 
-/// Minimises the lifted length Σ √(|p−q|² + |Φp−Φq|²) of a curve over the places of its points on
-/// their edges by a tridiagonal Newton method, with the potential evaluated exactly, at the points
+/// Minimises the lifted length Σ √(|p−q|² + |Φp−Φq|²) of a curve over the positions of its points
+/// on their edges by a tridiagonal Newton method. The potential is evaluated exactly, at the points
 /// and halfway between any two. FlipOut's result bends where the piecewise linear potential has its
-/// creases, that is at mesh edges; this one does not know the mesh, but for where its points are. A
-/// point that is driven to the end of
-/// its edge goes around the vertex there, or stays at it, whichever is shorter.
+/// creases, that is, at mesh edges. The polished curve does not show the mesh, except that its
+/// points lie on edges. A point that is driven to the end of its edge goes around the vertex there,
+/// or stays at it, whichever is shorter.
 ///
 /// The ends of an open curve and the points in `pinned` stay. Points inside faces are dropped where
 /// their neighbours share the face, since the curve is straight there. Throws Cancelled when

@@ -40,7 +40,7 @@ double Potential::operator()(double distance) const {
   } else {
     f = options_.exponent == 2 ? x * x : std::pow(x, options_.exponent);
   }
-  constexpr double kCut = 1e100;  // its square is still a number
+  constexpr double kCut = 1e100;  // its square is still finite
   return length_ * std::min(f, kCut);
 }
 

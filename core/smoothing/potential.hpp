@@ -33,8 +33,9 @@ class Potential {
   /// Throws Error(kBadUsage) naming what is out of range.
   Potential(const PotentialOptions& options, double tau, double characteristic_length);
 
-  /// Mesh units. Even in the distance; 0 at 0; always finite (a value beyond 1e100 L is cut off
-  /// there), and 0 where the distance is infinite, so that components without a curve stay flat.
+  /// Mesh units. Even in the distance; 0 at 0. Always finite: values beyond 1e100 L are cut off
+  /// there, and the value is 0 where the distance is infinite, so that components without a curve
+  /// stay flat.
   double operator()(double distance) const;
   [[nodiscard]] double characteristic_length() const { return length_; }
 

@@ -17,10 +17,11 @@ namespace {
 using Barycentric = std::array<double, 3>;
 
 constexpr std::uint32_t kNothing = 0xFFFFFFFFU;
-constexpr std::size_t kMostSegments = 64;  // of a drawing in one face
+constexpr std::size_t kMostSegments = 64;  // most segments of a drawing in one face
 constexpr std::size_t kOfFace = 8;         // units of work
-// In slacks: what a curve that is straight in a face may miss there; in faces with longer edges
-// than kWide it comes to lie farther from the drawing than that, so a bend of kBentAt is enough.
+// In slacks: the distance by which a curve that is straight in a face may miss the drawing there.
+// In faces with edges longer than kWide the curve would lie still farther off, so a deviation of
+// kBentAt suffices.
 constexpr double kAside = 4, kWide = 8, kBentAt = 0.5;
 
 double distance_to_chord(const Point& p, const Point& a, const Point& b) {
@@ -50,15 +51,15 @@ class Bisection {
   struct Piece {  // a triangle
     std::array<Index, 3> corners;
     std::array<Index, 3> across;  // the side from corner k to the next one
-    std::array<bool, 3> cut;      // the mesh goes on beyond it
+    std::array<bool, 3> cut;      // whether the mesh goes on beyond this side
     FaceId face;
     RefinedMesh::Corners in_face;
-    bool divided = false;         // until it is small enough
+    bool divided = false;         // whether it must be bisected until small enough
     std::vector<Index> segments;  // in the order of their curve
   };
   struct Segment {
     Index piece;
-    Barycentric from, to;   // there
+    Barycentric from, to;   // barycentrics in the piece
     Index next = kNothing;  // along the curve
     Index curve = 0;
     Index drawn = 0;  // the segment of the drawing that it is a part of
@@ -79,15 +80,15 @@ class Bisection {
   Asker& asker_;
   std::vector<Point> points_;
   std::vector<Piece> pieces_;
-  ZeroedVector<Index> of_face_;  // plus 1
+  ZeroedVector<Index> of_face_;  // number of the piece, plus 1
   std::vector<Segment> segments_;
-  std::vector<Index> first_;  // per curve
+  std::vector<Index> first_;  // first segment of each curve
 };
 
 Bisection::Bisection(const SurfaceMesh& mesh, std::span<const FaceId> faces, Asker& asker)
     : mesh_(mesh), asker_(asker), of_face_(mesh.surface().face_count()) {
   const Surface& surface = mesh.surface();
-  ZeroedVector<Index> known(surface.vertex_count());  // plus 1
+  ZeroedVector<Index> known(surface.vertex_count());  // number of the vertex, plus 1
   for (const FaceId face : faces) {
     asker_.did(kOfFace);
     Piece piece{{}, {}, {}, face, {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, false, {}};
@@ -133,7 +134,7 @@ void Bisection::add(std::size_t curve, const SurfaceCurve& drawn) {
   }
 }
 
-/// Of equally long ones that which both of its triangles choose.
+/// Among equally long sides, both adjacent triangles choose the same one.
 std::size_t Bisection::longest_side(Index piece) const {
   const auto& corners = pieces_[piece].corners;
   const auto order = [&](std::size_t k) {
@@ -154,7 +155,7 @@ std::size_t Bisection::side_towards(Index piece, Index from, Index to) const {
   return side;
 }
 
-/// Bisects a triangle at its longest side, those beyond it first that have a longer one.
+/// Bisects a triangle at its longest side, after any neighbours beyond it that have a longer side.
 void Bisection::bisect(Index piece) {
   std::vector<Index> stack{piece};
   while (!stack.empty()) {
@@ -185,7 +186,8 @@ void Bisection::bisect(Index piece) {
   }
 }
 
-/// The side from a to b, with c opposite: (a, middle, c) stays, (middle, b, c) is new.
+/// Splits the triangle at the side from a to b, with c opposite: (a, middle, c) stays, (middle, b,
+/// c) is new.
 Bisection::Index Bisection::split(Index piece, std::size_t side, Index middle) {
   const auto fresh = static_cast<Index>(pieces_.size());
   pieces_.push_back(pieces_[piece]);
@@ -205,8 +207,9 @@ Bisection::Index Bisection::split(Index piece, std::size_t side, Index middle) {
   return fresh;
 }
 
-/// The line from the middle of a side to the corner opposite is where the barycentrics of the
-/// side's ends are equal; on either side of it those of the halves follow without a division.
+/// Distributes a triangle's segments to its halves. On the line from the middle of the side to the
+/// opposite corner the barycentrics of the side's ends are equal; the barycentrics in the halves
+/// follow without a division.
 void Bisection::share_segments(Index piece, Index other, std::size_t side) {
   const std::size_t ia = side, ib = (side + 1) % 3;
   const std::vector<Index> segments = std::exchange(pieces_[piece].segments, {});
@@ -252,7 +255,7 @@ bool Bisection::is_too_large(const Piece& piece, std::span<const double> longest
     size = std::max(size, points_[piece.corners[k]].cwiseAbs().maxCoeff());
   }
   for (const Index s : piece.segments) most = std::min(most, longest[segments_[s].curve]);
-  if (!(edge > std::ldexp(size, -36))) return false;  // positions must tell the corners apart
+  if (!(edge > std::ldexp(size, -36))) return false;  // positions must tell corners apart
   return edge > most || (piece.segments.size() > kMostSegments && edge > most / 16);
 }
 
@@ -299,11 +302,11 @@ RefinedMesh Bisection::result(std::size_t curves) && {
   return result;
 }
 
-/// The faces along the curves and those around them, in order.
+/// The faces along the curves and those within `reach` of them, in ascending order.
 std::vector<FaceId> faces_around(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves,
                                  double reach, Asker& asker) {
   const Surface& surface = mesh.surface();
-  ZeroedVector<double> nearness(surface.vertex_count());  // 1 / (1 + way); 0: not reached
+  ZeroedVector<double> nearness(surface.vertex_count());  // 1 / (1 + way); 0 where not reached
   using Item = std::pair<double, std::size_t>;
   std::priority_queue<Item, std::vector<Item>, std::greater<>> queue;
   const auto offer = [&](VertexId v, double way) {

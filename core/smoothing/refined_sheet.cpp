@@ -10,8 +10,9 @@
 namespace talweg {
 namespace {
 
-/// Twice the slack, about what edges are on meshes along whose edges one draws; but enough of them
-/// for a curve to look smooth, unless the slack has room for none of its bends.
+/// The longest allowed edge: twice the slack, which is about the edge length of meshes on whose
+/// edges people draw. It is shorter if a curve would have too few edges to look smooth, unless the
+/// slack is wider than all of its bends.
 double longest_edge(const Surface& surface, const SurfaceCurve& drawn) {
   constexpr double kEdges = 200;
   const double slack = default_slack(surface, drawn);
@@ -38,7 +39,7 @@ std::vector<double> values_on(const RefinedMesh& mesh, const Surface& original,
   return result;
 }
 
-/// Whether a result might have gone on beyond what was taken along.
+/// Whether a result might have gone beyond the boundary of the part.
 bool is_at_cut(const RefinedMesh& mesh, const Surface& fine, const Smoothed& result) {
   const auto cut = [&](VertexId v) { return mesh.at_cut[v.index()]; };
   const auto touches = [&](const SurfacePoint& point) {
@@ -69,7 +70,7 @@ RefinedSheet::RefinedSheet(const SurfaceMesh& mesh, const OrderedDrawing& drawin
   parts_.push_back(part_within(reach(), progress));
 }
 
-/// As far around the drawing as a result comes at tau = 1/8 and more.
+/// How far around the drawing a result can come at tau = 1/8 and more.
 double RefinedSheet::reach() const {
   double reach = 0;
   for (std::size_t c = 0; c < drawing_->curves().size(); ++c) {
@@ -134,7 +135,7 @@ Smoothed RefinedSheet::smooth(const SmoothingOptions& options, const GivenPotent
   if (given == nullptr && options.tau >= kLeastHeldTau)
     return coarse(*parts_.front(), smooth_on(*parts_.front(), options, given, progress));
   SmoothingOptions lazy = options;
-  lazy.prepare_whole_mesh = false;  // what is touched decides
+  lazy.prepare_whole_mesh = false;  // only what is touched decides
   double reach = this->reach();
   for (std::size_t k = 0;; ++k, reach *= 2) {
     if (k == parts_.size()) parts_.push_back(part_within(reach, progress));
@@ -146,7 +147,7 @@ Smoothed RefinedSheet::smooth(const SmoothingOptions& options, const GivenPotent
   }
 }
 
-/// In the order of the drawing, still on the part.
+/// The result in the order of the drawing, still on the part.
 Smoothed RefinedSheet::smooth_on(const Part& part, const SmoothingOptions& options,
                                  const GivenPotential* given, const Progress& progress) {
   SmoothingOptions own = options;
@@ -162,7 +163,7 @@ Smoothed RefinedSheet::smooth_on(const Part& part, const SmoothingOptions& optio
   return as_drawn(part.drawing, part.sheet->smooth(own, &there, progress));
 }
 
-/// Linear between the points of the drawing.
+/// The slack along the curve on the part, linear between the points of the drawing.
 std::vector<double> RefinedSheet::slack_on(const Part& part, std::size_t curve,
                                            const std::vector<double>& drawn) const {
   const std::size_t n = drawing_->curves()[curve].points.size();
@@ -175,7 +176,7 @@ std::vector<double> RefinedSheet::slack_on(const Part& part, std::size_t curve,
   return result;
 }
 
-/// Back on the mesh.
+/// The result moved back to the mesh.
 Smoothed RefinedSheet::coarse(const Part& part, Smoothed smoothed) const {
   const Surface& fine = part.memory->surface();
   for (SmoothedCurve& curve : smoothed.curves) {

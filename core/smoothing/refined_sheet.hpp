@@ -13,9 +13,9 @@ namespace talweg {
 /// The faces that are too large for one of the curves.
 std::vector<FaceId> faces_to_divide(const SurfaceMesh& mesh, const OrderedDrawing& drawing);
 
-/// Below tau = 1/8 a result may lead anywhere. It is looked for in larger and larger parts of the
-/// mesh, always from the first on, until it does not come to where its part was cut off: that costs
-/// what it touches, and is what the whole mesh would give.
+/// Below tau = 1/8 a result may lead anywhere. So it is computed on larger and larger parts of the
+/// mesh, always starting with the first, until it does not touch the boundary where its part was
+/// cut off. That costs only what the result touches, and gives the same result as the whole mesh.
 class RefinedSheet final : public Sheet {
  public:
   /// Divides the faces and embeds the drawing there.
@@ -28,7 +28,7 @@ class RefinedSheet final : public Sheet {
   [[nodiscard]] std::vector<double> slack() const override;
 
  private:
-  /// A part of the mesh, divided, and the drawing there.
+  /// A divided part of the mesh, and the drawing on it.
   struct Part {
     RefinedMesh mesh;
     std::unique_ptr<SmoothingMemory> memory;

@@ -11,7 +11,7 @@ namespace talweg {
 namespace {
 
 constexpr double kStep = 2.0 / 3;    // damps all short waves by 1/3 or better
-constexpr double kEndMargin = 1e-6;  // of the edge: between a point and an end or another point
+constexpr double kEndMargin = 1e-6;  // smallest gap to an end or another point, in edge lengths
 
 /// A point that slides along the edge origin + t · along.
 struct Slider {
@@ -68,7 +68,7 @@ class Sliders {
   std::vector<SlidingPoint> places_;
 };
 
-/// Two points of one edge may each use half of the gap between them.
+/// Limits each move: two points on one edge may each use half of the gap between them.
 void Sliders::limit() {
   for (SlidingPoint& place : places_) {
     if (place.slider == nullptr) continue;
@@ -86,12 +86,12 @@ void Sliders::limit() {
   }
 }
 
-/// A step towards the best place between two neighbours.
+/// The slider's parameter after a step towards the best place between its two neighbours.
 double moved(const Slider& s, const Point& at, const Point& before, const Point& after) {
   const double squared = s.along.squaredNorm();
   const double first = (before - at).norm();
   const double second = (after - at).norm();
-  // Where a neighbour coincides, nothing pulls (and the weight would be infinite).
+  // A neighbour that coincides does not pull, and its weight would be infinite.
   if (!(squared > 0) || !(first > 0) || !(second > 0)) return s.t;
   // Both weights times first · second.
   const double pull = second * (before - at).dot(s.along) + first * (after - at).dot(s.along);

@@ -21,18 +21,18 @@ struct RelaxationOptions {
 /// or merging of points. Points at vertices and inside faces and the ends of an open curve stay.
 ///
 /// In each round every other point p moves two thirds of the way to the place on its edge that
-/// minimises |p - a|²/|a - p0| + |p - b|²/|b - p0|, with neighbours a, b and present place p0: the
-/// weighted mean of the neighbours, projected to the edge. The weights are the inverse segment
-/// lengths, because then, and not with equal weights, a straight line (also across a bent edge)
-/// stays as it is; equal weights can even raise length and curvature. All points move at once
-/// (Jacobi), so that the direction of the curve does not matter; the shortened step damps zigzags
-/// instead of turning them over.
+/// minimises |p - a|²/|a - p0| + |p - b|²/|b - p0|, where a and b are its neighbours and p0 is its
+/// present place. This place is the weighted mean of the neighbours, projected to the edge. With
+/// inverse segment lengths as weights a straight line (also across a bent edge) stays as it is;
+/// equal weights can even raise length and curvature. All points move at once (Jacobi), so that the
+/// direction of the curve does not matter; the shortened step damps zigzags instead of inverting
+/// them.
 ///
-/// The curve's length never grows (but by rounding): the sum of the terms above bounds the length
+/// The curve's length never grows, except by rounding: the sum of the terms above bounds the length
 /// (Weiszfeld), and a Jacobi step, whole or in part, never raises it. Points stay strictly inside
-/// their edges, and several points of one edge, of one curve or of several, keep their order, so
-/// curves without points inside faces that do not cross do not do so afterwards. They come no
-/// nearer to the edge's ends or to each other than 1e-6 of the edge, unless they were.
+/// their edges, and the points on one edge, of one curve or several, keep their order. So curves
+/// that do not cross, and have no points inside faces, do not cross afterwards. Points do not come
+/// nearer to the edge's ends or to each other than 1e-6 of the edge, unless they already were.
 ///
 /// O(rounds · points + points log points). Independent of scale and position but for rounding.
 /// Throws Cancelled when `progress` (stage "relax") says so; the curves are as they were then.

@@ -13,7 +13,7 @@ namespace talweg {
 std::unique_ptr<Sheet> sheet_for(SmoothingMemory& memory, const OrderedDrawing& drawing,
                                  const CurveOptions& options, SheetSetup setup,
                                  const Progress& progress) {
-  // The paper's method has the mesh's vertices, and no others.
+  // The paper's method works on the mesh's own vertices only.
   if (setup.may_divide && options.method == Method::kCorridor) {
     if (const auto faces = faces_to_divide(memory.mesh(), drawing); !faces.empty())
       return std::make_unique<RefinedSheet>(memory.mesh(), drawing, options, progress);

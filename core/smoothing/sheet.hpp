@@ -17,9 +17,9 @@
 
 namespace talweg {
 
-/// Takes a drawing that lies on a mesh to where it is smoothed, and results back. Curves, pins and
-/// values that go in and out are on the mesh, in the drawing's order. Everything but what is const
-/// throws Cancelled; then set_pins() is to be called again.
+/// Moves a drawing from its mesh to the surface where it is smoothed, and results back. Curves,
+/// pins and values that go in and out are on the mesh, in the drawing's order. Every non-const
+/// function throws Cancelled; set_pins() must then be called again.
 class Sheet {
  public:
   Sheet() = default;
@@ -27,31 +27,31 @@ class Sheet {
   Sheet(const Sheet&) = delete;
   Sheet& operator=(const Sheet&) = delete;
 
-  /// `given`: a potential on the mesh instead of the method's; null: none.
+  /// `given`: a potential on the mesh that replaces the method's own; null for none.
   virtual Smoothed smooth(const SmoothingOptions& options, const GivenPotential* given,
                           const Progress& progress) = 0;
   virtual void set_pins(std::span<const SurfacePoint> pins, const Progress& progress) = 0;
-  /// Per curve the corridor's slack where no other is asked for; empty for the paper's method.
+  /// Per curve the corridor's slack where the options give none; empty for the paper's method.
   [[nodiscard]] virtual std::vector<double> slack() const = 0;
-  /// Per curve what holds it in the corridor; null where it is not smoothed on the mesh itself.
+  /// Per curve its valley in the corridor; null where it is not smoothed on the mesh itself.
   [[nodiscard]] virtual const std::vector<Corridor::Valley>* valleys() const { return nullptr; }
-  /// Of the paper's method, per mesh vertex; empty as long as it is not known.
+  /// The paper's distance per mesh vertex; empty until it is known.
   [[nodiscard]] virtual std::span<const double> distance() const { return {}; }
   virtual void need_distance(const Progress& /*progress*/) {}
 };
 
-/// The options with their slack in the drawing's order, which only the corridor looks at.
+/// Puts the options' slack, which only the corridor uses, into the drawing's order.
 inline SmoothingOptions ordered_for(Method method, const OrderedDrawing& drawing,
                                     const SmoothingOptions& options) {
   return method == Method::kCorridor ? drawing.ordered(options) : options;
 }
 
-/// Which sheets there can be, and what is known of the mesh.
+/// Which kinds of sheet are allowed, and what is known of the mesh.
 struct SheetSetup {
-  bool may_divide = true;  ///< faces that are too large for the drawing
-  /// Of a part of a mesh: see EmbeddedDrawing.
+  bool may_divide = true;  ///< whether too large faces may be divided
+  /// For a part of a mesh: see EmbeddedDrawing::Ground.
   const std::vector<bool>* fence = nullptr;
-  /// Per mesh vertex, of the paper's method, used as it is.
+  /// The paper's distance per mesh vertex, used as it is.
   std::optional<std::vector<double>> distance;
 };
 /// Divides faces where the drawing is finer than they are, unrolls curves that cross themselves or

@@ -9,9 +9,9 @@
 
 namespace talweg {
 
-/// A field on the mesh vertices as one along a drawing, for SmoothingOptions::slack_at: linear in
-/// each face, at the drawing's points. Throws Error(kBadUsage) when there is not one value per
-/// vertex, or one that is used is not finite and >= 0.
+/// Samples a field on the mesh vertices, linear in each face, at the drawing's points, for
+/// SmoothingOptions::slack_at. Throws Error(kBadUsage) when there is not one value per vertex, or a
+/// value that is used is not finite and >= 0.
 std::vector<double> slack_along(const Surface& surface, const SurfaceCurve& drawn,
                                 std::span<const double> per_vertex);
 

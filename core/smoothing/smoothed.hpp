@@ -29,12 +29,13 @@ struct Smoothed {
   StraighteningCounts counts;
   double mollification = 0;           ///< mesh units
   std::vector<std::string> warnings;  ///< sentences for the user
-  StageTimes time_ms;                 ///< `open`: beyond opening the mesh; no total
-  /// Whether it came to where its part of the surface was cut off: see EmbeddedDrawing.
+  StageTimes time_ms;  ///< `open`: the time beyond opening the mesh; the total is not set
+  /// Whether a result touched the boundary where its part of the surface was cut off: see
+  /// EmbeddedDrawing::Ground.
   bool at_fence = false;
 };
 
-/// What straightening gave.
+/// The result of a straightening.
 inline Smoothed smoothed_from(Straightened straight) {
   Smoothed smoothed;
   for (std::size_t c = 0; c < straight.curves.size(); ++c) {

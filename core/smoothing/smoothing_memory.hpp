@@ -25,7 +25,7 @@ class SmoothingMemory {
   [[nodiscard]] const Surface& surface() const { return mesh_->surface(); }
   [[nodiscard]] Straightening& straightening() { return straightening_; }
   [[nodiscard]] const Straightening& straightening() const { return straightening_; }
-  /// Made when first asked for, as the next one is. O(mesh).
+  /// distance() and what follows are made when first needed. O(mesh).
   PolylineDistance& distance() {
     if (!distance_) distance_.emplace(surface());
     return *distance_;

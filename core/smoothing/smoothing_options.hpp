@@ -11,23 +11,23 @@
 
 namespace talweg {
 
-/// Which potential holds the curve, and with it which distance is measured.
+/// Which potential holds the curve, and which distance it is a function of.
 enum class Method {
   kPaper,     ///< equations 4 to 6 over the heat method's distance on the whole mesh
   kCorridor,  ///< flat within the slack, exact distance in a band, phase for loops, polished
 };
 
-/// What setting a curve depends on.
+/// The options that apply when a curve is set.
 struct CurveOptions {
-  Method method = Method::kCorridor;  ///< and with it the distance
+  Method method = Method::kCorridor;  ///< also decides which distance is measured
   double heat_time = 10;              ///< of the distance's heat flow, in units of h²; [1e-3, 1e6]
-  /// Whether the paper's distance, which is what setting a curve costs, is there when it is set;
-  /// else it is computed when something first needs it, and at tau = 0 nothing does.
+  /// Whether the paper's distance, which dominates the cost of setting a curve, is computed when
+  /// the curve is set. Otherwise it is computed when first needed; at tau = 0 it is never needed.
   bool distance_at_once = true;
-  /// Mesh units, > 0: the distance is smoothed once more by equation 3, within this radius.
+  /// Mesh units, > 0: the distance is also smoothed by equation 3, within this radius.
   std::optional<double> bump_radius;
-  bool cap_corners = true;  ///< as the paper does; only curves that run along mesh edges
-  unsigned threads = 2;  ///< at most, for the factors of the heat distance; >= 1; changes no result
+  bool cap_corners = true;  ///< as the paper does; affects only curves along mesh edges
+  unsigned threads = 2;  ///< at most, for factorising the heat matrices; >= 1; no effect on results
   std::vector<SurfacePoint> pins;  ///< points of the drawing that the result must pass through
 
   void validate() const;  ///< throws Error(kBadUsage) naming the field and its bound
@@ -36,22 +36,23 @@ struct CurveOptions {
 /// From this tau on a result keeps near its drawing; below it may lead anywhere.
 constexpr double kLeastHeldTau = 1.0 / 8;
 
-/// What a new tau depends on.
+/// The options that may change from one smooth() to the next.
 struct SmoothingOptions {
   double tau = 1;  ///< [0, infinity): 0 gives geodesics, more keeps closer to the drawing
-  PotentialOptions potential;   ///< of the paper's method
-  std::optional<double> slack;  ///< of the corridor, mesh units, >= 0; see CurveSmoother::slack()
-  /// Unless empty, the corridor's slack along the drawing instead: per drawn curve one value per
-  /// point, mesh units, >= 0, linear in between. See slack_along().
+  PotentialOptions potential;   ///< for the paper's method
+  std::optional<double> slack;  ///< for the corridor, mesh units, >= 0; see CurveSmoother::slack()
+  /// Unless empty, it replaces `slack`: per drawn curve one value per point, mesh units, >= 0,
+  /// linear in between. See slack_along().
   std::vector<std::vector<double>> slack_at;
   int phase_turns = 3;   ///< of the corridor's phase around a loop, at most points / 8; [0, 64]
-  bool polish = true;    ///< the corridor's result
-  int relax_rounds = 0;  ///< of the paper's relaxation; its authors use 5
+  bool polish = true;    ///< whether the corridor's result is polished
+  int relax_rounds = 0;  ///< rounds of the paper's relaxation; its authors use 5
   std::optional<std::size_t> max_iterations;  ///< of FlipOut; by default its own bound
   double min_relative_length = 0;  ///< stop at this fraction of the lifted length; [0, 1)
-  /// Mesh units; by default 3 mean edges of the drawn loop, at most half of its length.
+  /// A loop shorter than this counts as collapsed. Mesh units; by default 3 mean edges of the drawn
+  /// loop, at most half of its length.
   std::optional<double> length_floor;
-  /// Between result and drawing, for the report.
+  /// How the deviation between result and drawing is measured for the report.
   DeviationMeasure deviation = DeviationMeasure::kAutomatic;
   bool prepare_whole_mesh = false;  ///< lay out everything first; slower, same result
 

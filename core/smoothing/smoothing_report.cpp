@@ -53,8 +53,8 @@ void warn_of_crossings(SmoothingReport& report) {
                   report.crossings_before, report.crossings_after));
 }
 
-/// A deviation that is worth a warning, mesh units. Edges of the mesh mean nothing to a drawing
-/// that is finer than they are.
+/// The deviation that deserves a warning, mesh units. A drawing that is finer than the mesh's edges
+/// cannot be judged by their length.
 double far_from(const SurfaceMesh& mesh, const SurfaceCurve& drawn, double edge, Engine engine) {
   constexpr double kFarInSlacks = 4;
   return engine == Engine::kRefined ? kFarInSlacks * default_slack(mesh.surface(), drawn)

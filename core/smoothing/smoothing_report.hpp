@@ -10,17 +10,17 @@
 
 namespace talweg {
 
-/// The smoothed curves, which are on the mesh, with a report on each; all in the drawing's order.
-/// The totals are for the caller to make.
+/// The smoothed curves, which are on the mesh, with a report on each, in the drawing's order. The
+/// total is left to the caller.
 SmoothingResult reported(const OpenedMesh& mesh, const OrderedDrawing& drawing,
                          const SmoothingOptions& options, Smoothed smoothed);
 
-/// The drawing as it was drawn, with reports that say that nothing was done.
+/// The drawing as it was drawn, with reports that say that it was not smoothed.
 SmoothingResult cancelled_result(const SurfaceMesh& mesh, const OrderedDrawing& drawing,
                                  double tau);
 
-/// The report on a curve of which a part is being dragged: measured anew, otherwise as `before`.
-/// Throws Cancelled.
+/// The report on a curve of which a part is being dragged: its measures are new, the rest is as in
+/// `before`. Throws Cancelled.
 SmoothingReport preview_report(const SurfaceMesh& mesh, DeviationMeter& meter,
                                const SurfaceCurve& drawn, const SurfaceCurve& result,
                                const SmoothingOptions& options, const SmoothingReport& before,

@@ -32,7 +32,7 @@ Straightened Straightening::run(SignpostTriangulation::Metric metric, Options op
     Straightened result = straightened(options, progress);
     triangulation_.set_metric({});
     return result;
-  } catch (...) {  // cancelled, most likely, and anywhere
+  } catch (...) {  // usually Cancelled, at any point
     while (triangulation_.flip_count() > 0) triangulation_.undo_flip();
     triangulation_.set_metric({});
     throw;
@@ -88,7 +88,7 @@ std::vector<std::size_t> Straightening::crossings_of(std::span<const SurfaceCurv
     const EmbeddedCurves embedded =
         embed_curves(triangulation_, curves, {}, Loops::kKeep, {}, progress);
     crossings = path_contacts(triangulation_, embedded.paths).crossings;
-  } catch (const Error&) {  // a loop of less than three edges, which crosses nothing
+  } catch (const Error&) {  // a loop of less than three edges; it crosses nothing
   } catch (...) {
     triangulation_.remove_inserted();
     throw;

@@ -20,7 +20,7 @@ struct StraightenedPath {
   Termination termination = Termination::kConverged;
 };
 
-/// How much a straightening did, of all curves together.
+/// What a straightening did, summed over all curves.
 struct StraighteningCounts {
   std::size_t flips = 0;
   std::size_t iterations = 0;
@@ -29,7 +29,7 @@ struct StraighteningCounts {
   std::size_t faces_touched = 0;
 };
 
-/// Geodesics in the lifted surface, back on the mesh.
+/// Geodesics in the lifted surface, traced back onto the mesh.
 struct Straightened {
   std::vector<SurfaceCurve> curves;
   std::vector<StraightenedPath> paths;  ///< one for each curve
@@ -38,15 +38,15 @@ struct Straightened {
   StageTimes time_ms;             ///< straighten, trace
 };
 
-/// The triangulation of a surface, the curves that are embedded in it, and what straightens them
-/// there. Memory is made once; a run costs what it touches, and leaves the triangulation as it was.
+/// The triangulation of a surface with the curves that are embedded in it. The memory is allocated
+/// once; a run costs what it touches, and leaves the triangulation unchanged.
 class Straightening {
  public:
   /// O(surface). The surface must outlive it.
   explicit Straightening(const Surface& surface);
 
-  /// Embeds these curves instead of those before; the arguments are those of embed_curves(), which
-  /// says what is thrown. None are embedded then.
+  /// Embeds these curves in place of the present ones. The arguments and what is thrown are those
+  /// of embed_curves(); when it throws, no curves are embedded.
   void embed(std::span<const SurfaceCurve> curves, std::span<const SurfacePoint> pins, Loops loops,
              std::span<const std::size_t> names, const Progress& progress);
   void clear();
@@ -54,21 +54,21 @@ class Straightening {
   /// The curves that are embedded.
   [[nodiscard]] const std::vector<EdgePath>& paths() const { return embedded_.paths; }
 
-  /// How far FlipOut goes; `pinned` is put in.
+  /// Limits of FlipOut; `pinned` is filled in by run().
   struct Options {
     FlipOutOptions flip_out;
     bool prepare_whole_mesh = false;  ///< lay out everything first; slower, same result
   };
-  /// Straightens the curves in a metric on the edges, which may go away afterwards. Throws
+  /// Straightens the curves in a metric on the edges; the metric is not needed afterwards. Throws
   /// Cancelled.
   Straightened run(SignpostTriangulation::Metric metric, Options options, const Progress& progress);
 
-  /// Per-vertex values (k a row) at the inserted vertices, linear in each face.
+  /// Interpolates per-vertex values (k per row) at the inserted vertices, linearly in each face.
   [[nodiscard]] std::vector<double> at_inserted(std::span<const double> values,
                                                 std::size_t k) const;
 
-  /// Crossings of each curve, of others than the embedded ones, with itself and those that come
-  /// after it. While none are embedded. Throws Cancelled.
+  /// For each of these curves (not the embedded ones) the number of crossings with itself and with
+  /// the curves after it. No curves may be embedded. Throws Cancelled.
   std::vector<std::size_t> crossings_of(std::span<const SurfaceCurve> curves,
                                         const Progress& progress);
 

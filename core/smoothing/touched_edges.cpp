@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t kOfVertex = 16;  // units of work
 
-/// visit(halfedge from v) for all that leave it.
+/// Calls visit(h) for every halfedge h that leaves v.
 template <class Visit>
 void for_each_spoke(const Surface& surface, VertexId v, const Visit& visit) {
   const HalfedgeId first = surface.halfedge(v);
@@ -24,7 +24,7 @@ void for_each_spoke(const Surface& surface, VertexId v, const Visit& visit) {
   }
 }
 
-/// The touched vertices and their neighbours, in order, and how far each is along edges.
+/// The touched vertices and their neighbours, in order, and the way along edges to each.
 class Ways {
  public:
   Ways(const Surface& surface, std::span<const VertexId> touched, Asker& asker)
@@ -49,7 +49,7 @@ class Ways {
     queue_.emplace(way, i);
   }
 
-  /// All of them, once the sources have been offered.
+  /// The largest way, once all sources have been offered; infinite if a vertex is not reached.
   double farthest() {
     std::size_t settled = 0;
     double last = 0;

@@ -10,14 +10,14 @@
 namespace talweg {
 
 struct TouchedEdges {
-  double farthest = 0;  ///< mesh units: no end of one is farther from the curves than this
-  double shortest = 0;  ///< mesh units: the length of the shortest one
+  double farthest = 0;  ///< mesh units: no end of an edge is farther from the curves than this
+  double shortest = 0;  ///< mesh units: the length of the shortest edge
 };
 
-/// Of all edges of the faces around the vertices `touched`; those that are not the surface's, which
-/// were inserted on the curves, are passed over. By Dijkstra's algorithm from the curves over these
-/// edges alone: ways along them are at least as long as the distance. `farthest` is infinite where
-/// they are not connected with the curves. O(touched, log). Throws Cancelled when `progress` (stage
+/// Covers all edges of the faces around the vertices `touched`; inserted vertices, which lie on the
+/// curves, are skipped. Uses Dijkstra's algorithm from the curves over these edges alone: ways
+/// along them are at least as long as the distance. `farthest` is infinite where the edges are not
+/// connected with the curves. O(touched, log). Throws Cancelled when `progress` (stage
 /// "straighten") says so.
 TouchedEdges touched_edges(const Surface& surface, std::span<const VertexId> touched,
                            std::span<const SurfaceCurve> curves, const Progress& progress = {});

@@ -13,18 +13,19 @@ namespace {
 constexpr std::uint32_t kOpen = 0xFFFFFFFFU;
 constexpr std::size_t kOfUnrolledFace = 8;  // units of work
 
-/// Copies of faces. Side 3 c + k of copy c runs from its corner k to corner k + 1; corner 3 c + k.
+/// A strip of copies of faces. Corner 3 c + k is corner k of copy c; side 3 c + k runs from there
+/// to the next corner of the copy.
 class Strip {
  public:
   Strip(const Surface& surface, Asker& asker) : surface_(surface), asker_(asker) {}
 
-  /// False where a closed curve's strip does not come back to where it began, wherever that is.
+  /// False where a closed curve's strip does not come back to its first copy, wherever it starts.
   bool lay_along(const SurfaceCurve& curve);
   void grow(double reach);
 
   [[nodiscard]] std::span<const FaceId> faces() const { return faces_; }
   [[nodiscard]] std::span<const std::uint32_t> across() const { return across_; }
-  /// Per segment of the curve the copy it lies in.
+  /// For each segment of the curve the copy that it lies in.
   [[nodiscard]] std::span<const std::uint32_t> copies_along() const { return along_; }
 
  private:
@@ -48,7 +49,7 @@ class Strip {
     across_[b] = a;
   }
   [[nodiscard]] std::size_t degree(VertexId v) const;
-  /// The copies around one corner; the sides where they end, unless they go all around.
+  /// The copies around one corner, and the open sides at which they end unless they go all around.
   struct Fan {
     std::size_t count = 0;
     Index clockwise = kOpen;  // an outgoing side
@@ -109,8 +110,8 @@ Strip::Fan Strip::fan_at(Index corner) const {
   return fan;
 }
 
-/// Whether two open sides of one edge can become one without turning around an end of it more than
-/// the mesh does.
+/// Whether two open sides of one edge can be joined without turning around an end of the edge
+/// farther than the mesh does.
 bool Strip::may_join(Index a, Index b) const {
   const auto fits = [&](Index p, Index q) {  // corners at the same vertex
     const Fan one = fan_at(p), other = fan_at(q);
@@ -121,7 +122,7 @@ bool Strip::may_join(Index a, Index b) const {
   return fits(a, next(b)) && fits(next(a), b);
 }
 
-/// Joins a side with the other end of the fan around its tail or head where they are one edge.
+/// Joins a side with the other end of the fan around its tail or head if both are the same edge.
 bool Strip::close_at(Index side, bool at_tail) {
   const Fan fan = fan_at(at_tail ? side : next(side));
   const Index other = at_tail ? fan.counter : fan.clockwise;
@@ -131,7 +132,7 @@ bool Strip::close_at(Index side, bool at_tail) {
   return true;
 }
 
-/// The side that this one is joined with; a new copy where there is none yet.
+/// The side beyond this one; adds a copy of the face there if none is joined yet.
 Strip::Index Strip::cross(Index side, bool at_tail, bool at_head) {
   if (across_[side] != kOpen) return across_[side];
   const HalfedgeId h = twin(halfedge(side));
@@ -142,8 +143,8 @@ Strip::Index Strip::cross(Index side, bool at_tail, bool at_head) {
   return across_[side];
 }
 
-/// From a copy to one of face `to`, turning around a point that both contain, the shorter way; to
-/// the copy `last` unless that is open.
+/// Goes from `copy` to a copy of face `to`, turning the shorter way around a point that both
+/// contain. Must arrive at the copy `last` unless that is open.
 bool Strip::walk(const SurfacePoint& around, Index& copy, FaceId to, Index last) {
   const auto arrive = [&](Index side, bool at_tail) {  // over the last side
     const HalfedgeId h = twin(halfedge(side));
@@ -167,7 +168,7 @@ bool Strip::walk(const SurfacePoint& around, Index& copy, FaceId to, Index last)
   if (v == nullptr) return false;
   Index corner = 3 * copy;
   while (surface_.tail(halfedge(corner)) != v->vertex) ++corner;
-  // How many faces away it is in either direction.
+  // How many faces away `to` is in either direction.
   const auto steps = [&](bool counter) {
     std::size_t count = 0;
     HalfedgeId h = halfedge(corner);
@@ -196,7 +197,7 @@ bool Strip::walk(const SurfacePoint& around, Index& copy, FaceId to, Index last)
   return false;
 }
 
-/// Of each segment.
+/// The face that each segment lies in.
 std::vector<FaceId> Strip::faces_along(const SurfaceCurve& curve) const {
   const std::size_t n = curve.points.size(), segments = n - (curve.closed ? 0 : 1);
   std::vector<FaceId> faces;
@@ -214,8 +215,9 @@ std::vector<FaceId> Strip::faces_along(const SurfaceCurve& curve) const {
   return faces;
 }
 
-/// Where a closed strip may be closed: where it goes from one face to another. Where the curve only
-/// dips into a face and comes back that does not succeed, so there are several, far apart.
+/// The segments at which a closed strip may be closed: those where the curve enters another face.
+/// Closing does not succeed where the curve only dips into a face and comes back, so several
+/// segments, far apart, are returned.
 std::vector<std::size_t> Strip::starts_of(const SurfaceCurve& curve,
                                           std::span<const FaceId> faces) {
   if (!curve.closed) return {0};
@@ -252,7 +254,7 @@ bool Strip::lay_along(const SurfaceCurve& curve) {
     return false;
   }
   const std::size_t n = curve.points.size(), segments = faces.size();
-  // All around the curve's own vertices first, each for itself.
+  // First add all faces around the curve's own vertices, one vertex at a time.
   for (std::size_t i = 0; i < segments; ++i) {
     for (const std::size_t end : {i, (i + 1) % n}) {
       const auto* v = std::get_if<AtVertex>(&curve.points[end].where());
@@ -280,9 +282,10 @@ void Strip::complete_around(Index corner) {
 }
 
 void Strip::grow(double reach) {
-  // Around handles and holes a covering grows without end; nearer faces come first.
+  // Around handles and holes a covering grows without end, hence the limit; nearer faces come
+  // first.
   const std::size_t most = 2 * surface_.face_count() + 32 * faces_.size();
-  std::vector<double> distance(3 * faces_.size(), 0.0);  // per corner
+  std::vector<double> distance(3 * faces_.size(), 0.0);  // per corner of a copy
   using Item = std::pair<double, Index>;
   std::priority_queue<Item, std::vector<Item>, std::greater<>> queue;
   const auto push = [&](Index side) {
@@ -301,7 +304,7 @@ void Strip::grow(double reach) {
     const HalfedgeId h = halfedge(side);
     if (fan_at(side).count >= degree(surface_.tail(h)) ||
         fan_at(next(side)).count >= degree(surface_.head(h))) {
-      continue;  // that would turn around the vertex once more
+      continue;  // joining here would turn around the vertex once more
     }
     const Index there = cross(side, false, false);
     distance.resize(3 * faces_.size());
@@ -316,7 +319,7 @@ void Strip::grow(double reach) {
   }
 }
 
-/// Whether two faces run along an edge the same way.
+/// Whether two triangles have the same side in the same direction.
 bool has_repeated_side(std::span<const Triangle> triangles) {
   std::vector<std::array<std::uint32_t, 2>> sides;
   for (const Triangle& t : triangles) {
@@ -326,8 +329,9 @@ bool has_repeated_side(std::span<const Triangle> triangles) {
   return std::adjacent_find(sides.begin(), sides.end()) != sides.end();
 }
 
-/// Adds the copies of a strip, a vertex for each fan. False, and nothing is added, where they are
-/// no mesh: a strip that turns around two neighbours more than once has several edges between them.
+/// Adds the copies of a strip, with one vertex for each fan. False, and nothing is added, if they
+/// are no valid mesh: a strip that turns around two neighbouring vertices more than once has
+/// several edges between them.
 bool append(const SurfaceMesh& mesh, const Strip& strip, UnrolledMesh& result) {
   const std::size_t vertices = result.vertex_of.size(), faces = result.face_of.size();
   const auto across = strip.across();
@@ -382,8 +386,8 @@ void append_whole(const SurfaceMesh& mesh, UnrolledMesh& result) {
   }
 }
 
-/// The point of one face as that of another with the same corners; `from` and `to` are the faces'
-/// first halfedges.
+/// Converts a point of one face to the same point of another face with the same corners; `from` and
+/// `to` are the faces' first halfedges.
 SurfacePoint moved(const Surface& from_surface, FaceId from_face, const SurfacePoint& point,
                    const Surface& to_surface, FaceId to_face) {
   if (const auto* inside = std::get_if<InFace>(&point.where())) {

@@ -11,7 +11,7 @@
 
 namespace talweg {
 
-/// A mesh made of copies of another one's faces, and curves on it.
+/// A mesh made of copies of another mesh's faces, and curves on it.
 struct UnrolledMesh {
   MeshLists lists;
   std::vector<FaceId> face_of;      ///< per face of `lists`: the face it is a copy of
@@ -22,22 +22,23 @@ struct UnrolledMesh {
   };
   std::vector<std::vector<Place>> curves;  ///< per curve its points, one for each
 
-  /// The curves on the mesh that was opened from `lists`; their order of points is kept.
+  /// The curves moved to the mesh that was opened from `lists`; their order of points is kept.
   [[nodiscard]] std::vector<SurfaceCurve> unrolled(const SurfaceMesh& from, const Surface& copies,
                                                    std::span<const SurfaceCurve> curves) const;
-  /// The way back. Every point lies on the copy of what it is given on.
+  /// Moves a curve back. Every point of it lies on a copy of the face, edge or vertex it came from.
   [[nodiscard]] SurfaceCurve folded(const Surface& copies, const Surface& original,
                                     const SurfaceCurve& curve) const;
 };
 
-/// Gives each curve with `alone` set a strip of surface of its own: the faces along the curve, one
-/// after the other, and around them as many as lie within `reach` (mesh units, along edges). Where
-/// the curve comes back to where it was it meets other copies of the faces there; only faces around
-/// one vertex of the strip are joined as they are on the mesh. So the strip is a covering of the
-/// curve's neighbourhood, on which loops of more than a few edges are apart from each other. What
-/// turns around a vertex more than once is left open there. Curves without `alone` share one whole
-/// copy of the mesh, and so do a closed curve of so few faces that its strip does not close and one
-/// whose strip turns around two neighbouring vertices more than once.
+/// Gives each curve with `alone` set a strip of surface of its own: copies of the faces along the
+/// curve, one after the other, and of as many faces around them as lie within `reach` (mesh units,
+/// along edges). Where the curve comes back to a place on the mesh, it meets other copies of the
+/// faces there. Only faces around one vertex of the strip are joined as they are on the mesh. So
+/// the strip is a covering of the curve's neighbourhood, on which loops of more than a few edges
+/// are apart from each other. A strip that turns around a vertex more than once is left open there.
+/// Curves without `alone` share one whole copy of the mesh. So do a closed curve of so few faces
+/// that its strip does not close, and a curve whose strip turns around two neighbouring vertices
+/// more than once.
 /// O(faces of the strips, log). Throws Cancelled when `progress` (stage "solve") says so.
 UnrolledMesh unroll(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves,
                     const std::vector<bool>& alone, double reach, const Progress& progress = {});

@@ -21,7 +21,7 @@ UnrolledSheet::UnrolledSheet(SmoothingMemory& memory, const OrderedDrawing& draw
       options_(std::move(options)),
       lift_(memory.opened(), memory.straightening()) {
   const Stopwatch watch;
-  // Each curve's with itself and those that were drawn after it.
+  // Crossings of each curve with itself and with those drawn after it.
   Straightening& straightening = memory.straightening();
   const std::vector<EdgePath> paths = drawing.in_drawn_order(straightening.paths());
   crossings_ = path_contacts(straightening.triangulation(), paths).crossings;
@@ -67,7 +67,7 @@ std::vector<double> UnrolledSheet::copies_of(const GivenPotential& given) const 
   return copies;
 }
 
-/// Each copy of them.
+/// The pins' copies on the strips.
 std::vector<SurfacePoint> UnrolledSheet::pins_on(std::span<const SurfaceCurve> curves) const {
   const std::vector<SurfacePoint>& pins = options_.pins;
   std::vector<SurfacePoint> result;
@@ -103,7 +103,7 @@ Smoothed UnrolledSheet::smooth(const SmoothingOptions& options, const GivenPoten
   return folded(as_drawn(on_strips_, sheet_->smooth(own, nullptr, progress)), progress);
 }
 
-/// L is that of the whole mesh.
+/// Sets L to its value on the whole mesh.
 SmoothingOptions UnrolledSheet::with_length_of_mesh(const SmoothingOptions& options) const {
   double drawn_length = 0;
   for (const CurveMeasures& m : drawing_->measures()) drawn_length += m.length;
@@ -119,7 +119,8 @@ SmoothingOptions UnrolledSheet::with_length_of_mesh(const SmoothingOptions& opti
   return own;
 }
 
-/// Pins that no result passes, on spikes and curls that go: one sentence for each.
+/// One sentence for each pin that no result passes because it lies on a spike or a curl that was
+/// removed.
 std::vector<std::string> UnrolledSheet::lost_pins(const Smoothed& smoothed) const {
   const Surface& surface = memory_->surface();
   std::vector<std::string> sentences;
@@ -146,7 +147,7 @@ std::vector<std::string> UnrolledSheet::lost_pins(const Smoothed& smoothed) cons
   return sentences;
 }
 
-/// Back from the strips.
+/// Moves results from the strips back to the mesh.
 Smoothed UnrolledSheet::folded(Smoothed smoothed, const Progress& progress) {
   std::vector<SurfaceCurve> curves;
   for (SmoothedCurve& curve : smoothed.curves) {

@@ -14,12 +14,12 @@
 
 namespace talweg {
 
-/// Each curve is smoothed for itself; the corridor's distance is to its own part there, the paper's
-/// that on the mesh.
+/// Each curve is smoothed separately. The corridor's distance is to the curve's own part on its
+/// strip; the paper's distance is that on the mesh.
 class UnrolledSheet final : public Sheet {
  public:
-  /// The drawing is embedded in the memory's triangulation, and is taken out. `alone`: per curve
-  /// whether it needs a strip of its own. `distance`: given, of the paper's method.
+  /// Takes a drawing that is embedded in the memory's triangulation out of it. `alone`: per curve
+  /// whether it needs a strip of its own. `distance`: for the paper's method, if it was given.
   UnrolledSheet(SmoothingMemory& memory, const OrderedDrawing& drawing, CurveOptions options,
                 const std::vector<bool>& alone, std::optional<std::vector<double>> distance,
                 const Progress& progress);

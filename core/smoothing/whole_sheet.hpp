@@ -14,13 +14,14 @@ namespace talweg {
 
 class WholeSheet final : public Sheet {
  public:
-  /// Embeds the drawing; solve() or set_distance() is to be called next.
+  /// Embeds the drawing; solve() or set_distance() must be called next.
   WholeSheet(SmoothingMemory& memory, const OrderedDrawing& drawing, const CurveOptions& options,
              EmbeddedDrawing::Ground ground, const Progress& progress);
 
-  /// What the method needs at once: the corridor's distance and valleys, the paper's distance.
+  /// Computes what the method needs at once: the corridor's distance and valleys, or the paper's
+  /// distance.
   void solve(const Progress& progress);
-  /// Of the paper's method, one that was checked.
+  /// Sets a distance for the paper's method; it must have been checked.
   void set_distance(std::vector<double> distance);
 
   Smoothed smooth(const SmoothingOptions& options, const GivenPotential* given,
@@ -38,7 +39,7 @@ class WholeSheet final : public Sheet {
 
   SmoothingMemory* memory_;
   EmbeddedDrawing drawing_;
-  std::optional<CorridorMethod> corridor_;  // one of these two
+  std::optional<CorridorMethod> corridor_;  // either this or the paper's method
   std::optional<PaperMethod> paper_;
   double solve_ms_ = 0;
 };

@@ -63,10 +63,10 @@ std::vector<std::uint32_t> order_of(std::size_t count, const BoxTree::BoxOf& box
 
 }  // namespace
 
-BoxTree::BoxTree(std::size_t count, const BoxOf& box_of) {
+BoxTree::BoxTree(std::size_t count, const BoxOf& box_of, Halving halving) {
   if (count == 0) return;
   const auto size = static_cast<std::uint32_t>(count);
-  if (count > kFew) {
+  if (halving == Halving::kFast && count > kFew) {
     order_ = order_of(count, box_of);
     build_in_order(0, size, box_of);
     return;

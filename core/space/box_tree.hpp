@@ -72,15 +72,20 @@ class BoxesAtTriangle {
 
 /// Boxes around neighbouring things, around pairs of those, and so on. It knows things by their
 /// numbers, and asks for the box of one where it needs it. Immutable, so many threads may ask.
-/// About 25 bytes for a thing; O(n log n) to build for a few thousand, which are halved by their
-/// middles, and O(n) for more, which are sorted along a space-filling curve (G. M. Morton 1966) and
-/// halved there. A query is O(log n) as a rule, and what it meets.
+/// About 25 bytes for a thing. A query is O(log n) as a rule, and what it meets.
 class BoxTree {
  public:
   using BoxOf = std::function<SpaceBox(std::uint32_t)>;
 
+  /// How the things are halved, again and again.
+  enum class Halving {
+    kByMiddles,  ///< by their boxes' middles: the better tree, O(n log n) to build
+    /// More than a few thousand along a space-filling curve (G. M. Morton 1966), O(n) to build. For
+    /// queries whose answer does not depend on the order in which things are visited.
+    kFast,
+  };
   /// Of the things 0 to count - 1; all boxes are finite.
-  BoxTree(std::size_t count, const BoxOf& box_of);
+  BoxTree(std::size_t count, const BoxOf& box_of, Halving halving = Halving::kByMiddles);
 
   /// Calls visit(i) for everything whose box place.overlaps(), always in the same order; it must
   /// say so of a box around one that it overlaps, too. For example a SpaceBox.

@@ -54,9 +54,13 @@ std::vector<Segment> checked(std::vector<Segment> segments) {
 }  // namespace
 
 NearestSegment::NearestSegment(std::vector<Segment> segments)
-    : segments_(checked(std::move(segments))), tree_(segments_.size(), [this](std::uint32_t i) {
-        return SpaceBox{segments_[i].a, segments_[i].a}.with({segments_[i].b, segments_[i].b});
-      }) {}
+    : segments_(checked(std::move(segments))),
+      tree_(
+          segments_.size(),
+          [this](std::uint32_t i) {
+            return SpaceBox{segments_[i].a, segments_[i].a}.with({segments_[i].b, segments_[i].b});
+          },
+          BoxTree::Halving::kFast) {}
 
 NearestSegment::Result NearestSegment::to(const Point& point) const {
   const BoxTree::Nearest best = tree_.nearest(

@@ -11,7 +11,7 @@ using Nearest = PolylineDistance::Nearest;
 
 constexpr double kNoWay = std::numeric_limits<double>::infinity();
 
-/// visit(edge to it, neighbour) for every neighbour of v.
+/// Calls visit(edge to it, neighbour) for every neighbour of v.
 template <class Visit>
 void for_each_neighbour(const Surface& surface, VertexId v, Visit visit) {
   const HalfedgeId first = surface.halfedge(v);
@@ -49,7 +49,8 @@ Nearest PolylineDistance::at_vertex_roughly(VertexId v, double exact) {
     for (Reached& r : reached_) {
       if (!r.settled && (next == nullptr || r.way < next->way)) next = &r;
     }
-    // From here on every way passes an edge, whose farther end is nearer by its length at most.
+    // Every remaining way leads through a vertex that lies at least next->way from v and farther
+    // than `exact` from the curves.
     if (next == nullptr || !(next->way + exact < best.distance)) return finish(best);
     next->settled = true;
     const double way = next->way;
@@ -66,9 +67,9 @@ Nearest PolylineDistance::at_vertex_roughly(VertexId v, double exact) {
   return finish(along_edges(v, exact));
 }
 
-/// The same from the other end, by Dijkstra's algorithm from all that is exact, which goes on where
-/// the last question left it. Exact distances would cost far more: where faces are needles their
-/// windows are as many as the square of the edges.
+/// Searches from the other end, by Dijkstra's algorithm from all exact distances, continuing where
+/// the last query stopped. Exact distances would cost far more: where faces are needles, the number
+/// of windows grows with the square of the number of edges.
 Nearest PolylineDistance::along_edges(VertexId v, double exact) {
   constexpr std::size_t kOfVertex = 8;  // units of work
   const auto is_later = [](const EdgeWay& a, const EdgeWay& b) {

@@ -13,7 +13,7 @@ using Nearest = PolylineDistance::Nearest;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 }  // namespace
 
-/// Along the edge from one of its ends.
+/// The way along the edge from one of its ends.
 PolylineDistance::EdgeHit PolylineDistance::hit_along(const Nearest& tail, const Nearest& head,
                                                       double length, double x) {
   EdgeHit hit{farther(tail, x), nullptr, 0};
@@ -28,7 +28,7 @@ void PolylineDistance::offer(EdgeHit& hit, const EdgeWindow& window, double x) {
   const double distance = window.value(bend) + std::abs(x - bend);
   if (distance > hit.nearest.distance) return;
   const Nearest nearest{distance, window.curve, window.arc_at(bend)};
-  // A window's own derivatives are better than those along the edge.
+  // A window's derivatives are preferred to those along the edge.
   if (is_nearer(nearest, hit.nearest) ||
       (hit.window == nullptr && nearest.distance == hit.nearest.distance)) {
     hit = {nearest, &window, bend};
@@ -75,14 +75,14 @@ Nearest PolylineDistance::finish(Nearest nearest) const {
   return nearest;
 }
 
-/// Whether a vertex that is not reached yet never will be. Components are told apart only after so
-/// many windows that this costs little in comparison.
+/// Whether a vertex that has not been reached will never be reached. Components are computed only
+/// after so many windows that this costs little in comparison.
 bool PolylineDistance::marches_in_vain(VertexId v) {
   if (std::isfinite(vertex_[v.index()].distance)) return false;
   if (with_curve_.empty()) {
     if (windows_.size() < surface_->vertex_count() / 8) return false;
     if (component_.empty()) component_ = components_of(*surface_).of_vertex;
-    // All that is touched so far is connected to a curve.
+    // Everything touched so far is connected to a curve.
     for (const VertexId touched : touched_vertices_) {
       with_curve_.push_back(component_[touched.index()]);
     }
@@ -107,8 +107,8 @@ PolylineDistance::EdgeHit PolylineDistance::final_hit(EdgeId edge, double x) {
   }
 }
 
-/// A copy of the edge that is final for the answer at t; made again only where the front has come
-/// on since.
+/// A copy of the edge that is final for the answer at t; renewed only if the front has advanced
+/// since.
 const PolylineDistance::EdgeCopy& PolylineDistance::final_copy(EdgeId edge, double t,
                                                                EdgeHit& hit) {
   if (copy_of_[edge.index()] == kNone) copy_edge(edge);
@@ -134,7 +134,7 @@ PolylineDistance::EdgeValue PolylineDistance::at_edge(EdgeId edge, double t) {
   const Nearest nearest = finish(hit.nearest);
   EdgeValue result{nearest.distance, 0, 0, nearest.curve, nearest.arc_length, 0};
   if (std::isinf(nearest.distance)) return result;
-  // Narrow gaps between windows are rounding.
+  // Narrow gaps between windows come from rounding.
   if (hit.window != nullptr && std::abs(t * length - hit.bend) <= 1e-9 * length) {
     const EdgeWindow::Derivatives d = hit.window->derivatives(hit.bend);
     result.first = d.slope * length;

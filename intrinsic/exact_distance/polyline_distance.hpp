@@ -18,44 +18,46 @@
 
 namespace talweg {
 
-/// The length of the shortest way along the surface to the nearest of a set of curves; exact (but
-/// for rounding) on the polyhedral surface and for the curves' straight segments. How it is done,
-/// and what else was tried: docs/distance.md.
+/// The length of the shortest way along the surface to the nearest of a set of curves. It is exact
+/// (up to rounding) on the polyhedral surface and for the curves' straight segments. The method,
+/// and alternatives that were tried: docs/distance.md.
 ///
-/// Windows (see EdgeWindow) spread from the curve in the order of their distance; a query lets
-/// them spread until its answer is final. What is asked, and in what order, changes no answer, not
-/// by a bit. Memory is made once per object; set() and queries cost what they touch.
+/// Windows (see EdgeWindow) spread from the curve in the order of their distance; a query lets them
+/// spread until its answer is final. Answers do not depend on which queries were made before, not
+/// even in the last bit. Memory is allocated once per object; set() and queries cost what they
+/// touch.
 /// One thread at a time. The surface must outlive the object.
 class PolylineDistance {
  public:
   /// O(vertices + edges), memory only.
   explicit PolylineDistance(const Surface& surface);
 
-  /// Measures from these curves now. O(points of the curves + what the last ones had touched).
-  /// A curve of one point is a point. Throws Error(kBadCurve) naming the curve and the point when
-  /// a curve has no points or two neighbours have no common face; nothing is set then.
+  /// Sets the curves to measure from. O(points of the curves + what the last ones had touched). A
+  /// curve of one point is a point. Throws Error(kBadCurve) naming the curve and the point when a
+  /// curve has no points or two neighbours have no common face; then no curves are set.
   void set(std::span<const SurfaceCurve> curves);
 
-  /// Who is asked from now on while windows spread; null: nobody. Then set() and every query may
-  /// throw Cancelled: set() leaves nothing set, and after a query that was cut short all goes on
-  /// as if it had not been asked. See AskedDuring.
+  /// Sets the asker that is asked while windows spread; null for none. With an asker, set() and
+  /// every query may throw Cancelled. Then set() leaves no curves set, and an interrupted query
+  /// leaves the object as if it had not been made. See AskedDuring.
   void ask(Asker* asker) { asker_ = asker; }
 
   struct Nearest {
     double distance = 0;      ///< mesh units; infinite where no curve can be reached
-    std::uint32_t curve = 0;  ///< the curve with the nearest point; of several the first
-    double arc_length = 0;    ///< where on that curve, in [0, its length]
+    std::uint32_t curve = 0;  ///< the curve with the nearest point; the first of several
+    double arc_length = 0;    ///< the place on that curve, in [0, its length]
   };
   Nearest at_vertex(VertexId v);
-  /// The same where the distance is at most `exact` (mesh units, >= 0). Beyond, the shortest way
-  /// along edges to vertices that are so near: longer, but nothing need be known farther out.
+  /// Like at_vertex() where the distance is at most `exact` (mesh units, >= 0). Farther out it is
+  /// the shortest way along edges to vertices within that distance, which is longer but needs no
+  /// exact distances beyond `exact`.
   Nearest at_vertex_roughly(VertexId v, double exact);
   Nearest at(const SurfacePoint& point);
   /// t in [0, 1] from the tail to the head of halfedge_of(edge).
   Nearest on_edge(EdgeId edge, double t);
 
-  /// The distance along an edge and its derivatives by t. Where two ways are equally short, those
-  /// of one of them.
+  /// The distance along an edge and its derivatives by t. Where two ways are equally short, the
+  /// derivatives are those of one of them.
   struct EdgeValue {
     double value = 0;
     double first = 0;
@@ -64,7 +66,8 @@ class PolylineDistance {
     double arc_length = 0;    ///< as in Nearest
     double arc_first = 0;     ///< its derivative by t; the second one is 0
   };
-  /// The same answer as on_edge(). O(ways that reach the edge) once the edge has been reached.
+  /// Gives the same answer as on_edge(). O(ways that reach the edge) once the edge has been
+  /// reached.
   EdgeValue at_edge(EdgeId edge, double t);
 
   /// The distance inside a face at b + s d₀ + t d₁ (barycentrics, in the order of
@@ -80,35 +83,36 @@ class PolylineDistance {
   using Barycentric = std::array<double, 3>;
   FaceValue at_face(FaceId face, const Barycentric& b, const std::array<Barycentric, 2>& d);
 
-  /// The distance where it is less than `limit`, infinite elsewhere; costs what lies nearer.
+  /// The distance if it is less than `limit`, otherwise infinite; computes no distances beyond
+  /// `limit`.
   double below(double limit, const SurfacePoint& point);
 
-  /// Makes all distances below `distance` known, as queries do by themselves.
+  /// Computes all distances below `distance`; queries do this by themselves.
   void reach(double distance) {
     while (!is_final(distance)) march();
   }
 
-  /// Mesh units; of a closed curve with its last segment.
+  /// Mesh units; for a closed curve including its last segment.
   [[nodiscard]] double curve_length(std::size_t curve) const { return pieces_.lengths[curve]; }
   /// Arc length at every point of the curve as it was set, not decreasing.
   [[nodiscard]] std::span<const double> point_arcs(std::size_t curve) const {
     return pieces_.arcs[curve];
   }
-  /// All distances below this are known already.
+  /// All distances below this are already known.
   [[nodiscard]] double front() const { return queue_.front(); }
-  /// Windows made since set(): what the last curves cost.
+  /// The number of windows made since set(), which measures the cost.
   [[nodiscard]] std::size_t window_count() const { return windows_.size(); }
 
  private:
   static constexpr std::uint32_t kNone = 0xFFFFFFFFU;
-  // Distances below this, relative to the edges at hand, are rounding: on the curve they are 0.
+  // Distances below this, relative to the edges nearby, are rounding: on the curve they are 0.
   static constexpr double kRounding = 1e-14;
   enum ItemKind : std::uint32_t { kWindowItem, kVertexItem };
 
   // polyline_sources.cpp
   void forget();
   void send_pieces();
-  /// Only where everything is as it is between two steps.
+  /// To be called only between two complete steps.
   void tell_work() {
     if (asker_ != nullptr) asker_->did(work_);
     work_ = 0;
@@ -138,7 +142,7 @@ class PolylineDistance {
   void lower(VertexId v, double distance, std::uint32_t curve, double arc);
   bool bends_at(VertexId v);
 
-  // What is known so far; the front may still change it.
+  // The best known values, which later windows may still improve.
   static bool is_nearer(const Nearest& a, const Nearest& b) {
     if (a.distance != b.distance) return a.distance < b.distance;
     return a.curve != b.curve ? a.curve < b.curve : a.arc_length < b.arc_length;
@@ -148,7 +152,7 @@ class PolylineDistance {
   }
   struct EdgeHit {
     Nearest nearest;
-    const EdgeWindow* window = nullptr;  // none: along the edge from one end
+    const EdgeWindow* window = nullptr;  // null: along the edge from one end
     double bend = 0;                     // where on the edge the way arrives
   };
   struct EdgeCopy;  // see below
@@ -157,7 +161,7 @@ class PolylineDistance {
   static void offer(EdgeHit& hit, const EdgeWindow& window, double x);
   [[nodiscard]] EdgeHit hit_on_edge(EdgeId edge, double x) const;
   [[nodiscard]] EdgeHit hit_in(const EdgeCopy& copy, double x) const;
-  /// Puts values where the copy has its room; made anew, it gets twice the room that it needs.
+  /// Stores values in the copy's room, or allocates twice the room that they need.
   template <class Copy, class Value>
   static void store(Copy& copy, std::vector<Value>& all, const std::vector<Value>& values) {
     copy.count = static_cast<std::uint32_t>(values.size());
@@ -187,9 +191,9 @@ class PolylineDistance {
   struct LedIn;  // see below
   struct FaceHit {
     Nearest nearest;
-    std::size_t side = 0;  // in whose frame the way arrives
+    std::size_t side = 0;  // the side in whose frame the way arrives
     const LedIn* window = nullptr;
-    const PolylinePiece* piece = nullptr;  // neither: from the corner of that side
+    const PolylinePiece* piece = nullptr;  // if both are null: from the corner of that side
   };
   struct FaceCopy;                            // see below
   using Corners = std::array<PlanePoint, 3>;  // one point in the frames of the three sides
@@ -214,8 +218,8 @@ class PolylineDistance {
   std::vector<std::uint32_t> with_curve_;  // components, in order; made when first needed
   std::vector<Nearest> vertex_;
 
-  // What at_edge() asks again and again, side by side: edges as they were when they were copied.
-  // What was final then still is.
+  // Copies of edges for at_edge(), with everything that it reads stored side by side. An edge is
+  // copied as it is known then; what was final then stays final.
   struct EdgeCopy {
     EdgeId edge;
     std::uint32_t first = 0, count = 0, room = 0;  // in copied_
@@ -227,12 +231,12 @@ class PolylineDistance {
   std::vector<EdgeCopy> copies_;
   std::vector<EdgeWindow> copied_, of_one_edge_;
 
-  // The same for at_face(): frames, corners and the windows that lead in.
+  // The same for at_face(): frames, corners and the windows that lead into the face.
   struct FaceCopy {
     FaceId face;
     std::uint32_t first = 0, count = 0, room = 0;  // in led_in_
     double front = 0;                              // of the queue
-    double longest = 0;                            // side
+    double longest = 0;                            // longest side
     std::span<const PolylinePiece> pieces;
     std::array<SideFrame, 3> frames;
     std::array<Nearest, 3> corners;
@@ -241,14 +245,14 @@ class PolylineDistance {
     EdgeWindow window;
     double lowest = 0;
     std::uint32_t side = 0;
-    bool own = true;  // the window's x runs along the side, not against it
+    bool own = true;  // whether the window's x runs along the side rather than against it
   };
   std::vector<std::uint32_t> face_copy_of_;  // per face, in face_copies_
   std::vector<FaceCopy> face_copies_;
   std::vector<LedIn> led_in_, into_one_face_;
 
-  std::vector<Reached> reached_;  // by the last search along edges
-  // The one from all that is exact: up to where, what comes next, what is settled.
+  std::vector<Reached> reached_;  // reached by the last search along edges
+  // The search along edges from all exact distances: its limit, queue and settled vertices.
   double edge_ways_from_ = -1;
   std::vector<EdgeWay> edge_ways_;
   std::unordered_map<VertexId, Nearest> by_edges_;
@@ -258,10 +262,10 @@ class PolylineDistance {
   PolylinePieces pieces_;
   std::vector<VertexId> touched_vertices_;
   Asker* asker_ = nullptr;
-  std::size_t work_ = 0;  // since it was told of it
+  std::size_t work_ = 0;  // work since the asker was last told
 };
 
-/// Has a distance ask during a scope.
+/// Sets a distance's asker during a scope.
 class AskedDuring {
  public:
   AskedDuring(PolylineDistance& distance, Asker& asker) : distance_(distance) {

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kUnreached = std::numeric_limits<double>::infinity();
 
-/// How far along the segment from p to q the point nearest to x is, in [0, 1].
+/// The fraction of the segment from p to q at its point nearest to x, in [0, 1].
 double nearest_part(PlanePoint x, PlanePoint p, PlanePoint q) {
   const double dx = q.x - p.x, dy = q.y - p.y, length = std::hypot(dx, dy);
   if (!(length > 0)) return 0;
@@ -19,8 +19,8 @@ double nearest_part(PlanePoint x, PlanePoint p, PlanePoint q) {
 
 /// How a shortest way arrives at a point in the plane.
 struct Arrival {
-  PlanePoint direction;      // of the way there, of length 1; 0 at the source
-  double bend = 0;           // 1 / distance to the point that it comes from; 0: from a segment
+  PlanePoint direction;      // unit direction of the way there; 0 at the source
+  double bend = 0;           // 1 / distance to the source point; 0 for a segment
   PlanePoint arc_direction;  // gradient of the arc length
 };
 
@@ -30,7 +30,7 @@ Arrival from_point(double dx, double dy) {
   return {{dx / r, dy / r}, 1 / r, {}};
 }
 
-/// In the frame of the window's edge turned so that the face is above.
+/// Uses the frame of the window's edge, turned so that the face is above.
 Arrival from_window(const EdgeWindow& w, double x, double rise, bool own) {
   const double turn = own ? 1 : -1;
   double bend = 0;
@@ -55,7 +55,8 @@ double dot(PlanePoint a, PlanePoint b) { return a.x * b.x + a.y * b.y; }
 
 }  // namespace
 
-/// Through the windows of the sides, whose ways are at least as long as to where they start.
+/// Offers ways through the windows of the sides, which are at least as long as at the windows'
+/// lowest point.
 void PolylineDistance::offer_windows(const FaceCopy& copy, const Corners& at, FaceHit& best) const {
   const LedIn* const first = led_in_.data() + copy.first;
   for (const LedIn& in : std::span(first, copy.count)) {
@@ -69,7 +70,7 @@ void PolylineDistance::offer_windows(const FaceCopy& copy, const Corners& at, Fa
   }
 }
 
-/// From the curves' segments in the face itself, in the frame of side 0.
+/// Offers ways from the curves' segments in the face itself, in the frame of side 0.
 void PolylineDistance::offer_pieces(const FaceCopy& copy, PlanePoint at, FaceHit& best) const {
   const SideFrame& frame = copy.frames[0];
   for (const PolylinePiece& piece : copy.pieces) {

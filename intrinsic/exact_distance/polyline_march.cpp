@@ -10,21 +10,22 @@
 namespace talweg {
 namespace {
 
-// Ways that differ by less than this, relative to what they are made of, are equally short.
+// Ways count as equally short if they differ by less than this, relative to the lengths they are
+// computed from.
 constexpr double kSame = 1e-13;
-// Borders of windows are this exact, relative to the edge or to the distance of the source, which
-// can be far shorter than the edge while its ways lead everywhere; neighbours overlap by a few
-// times that, and what is narrower than kNarrow times that is no window.
+// Accuracy of the windows' borders, relative to the edge or to the distance of the source; the
+// latter can be far shorter than the edge although its ways lead everywhere. Neighbouring windows
+// overlap by a few times that, and windows narrower than kNarrow times that are dropped.
 constexpr double kBorder = 1e-10;
 constexpr double kNarrow = 8;
 
-/// The shorter of the edge and the source's distance from the window.
+/// The smaller of the edge's length and the source's distance from the window.
 double size_of(const EdgeWindow& w, double length) {
   if (!w.from_point() || w.py == 0) return length;
   return std::min(length, std::abs(w.py) + std::max({w.begin - w.px, w.px - w.end, 0.0}));
 }
 
-/// The way from a source below the side (0, 0) - (length, 0) through its point b.
+/// The direction from a source below the side (0, 0) - (length, 0) through the side's point b.
 PlanePoint direction(const EdgeWindow& w, double b) {
   return w.from_point() ? PlanePoint{b - w.px, -w.py} : PlanePoint{w.px, w.py};
 }
@@ -52,7 +53,7 @@ PlanePoint unit(double x, double y, double length) {
 /// a / (a + b) for a, b >= 0.
 double part(double a, double b) { return a > 0 ? a / (a + b) : 0.0; }
 
-/// Disjoint parts of an edge. When there are too many, gaps are closed, which costs time only.
+/// Disjoint parts of an edge. When there are too many, gaps are closed, which only costs time.
 struct Parts {
   std::size_t count = 0;
   std::array<std::array<double, 2>, 12> at;
@@ -72,8 +73,8 @@ struct Parts {
   }
 };
 
-/// Keeps the parts where `window` is below `other`, or `other` is not; cuts off from `other` what
-/// lies below it at its ends. Narrow parts are left out. `length` is that of the edge, `size` the
+/// Keeps the parts where `window` is below `other` or outside it; cuts off the ends of `other` that
+/// lie above `window`. Narrow parts are dropped. `length` is that of the edge, `size` is the
 /// window's size_of().
 void keep_below(Parts& parts, const EdgeWindow& window, EdgeWindow& other, double same,
                 double length, double size) {
@@ -90,7 +91,7 @@ void keep_below(Parts& parts, const EdgeWindow& window, EdgeWindow& other, doubl
     }
     const double border = kBorder * std::min(size, size_of(other, length));
     const Stretches won = where_below(window, other, low, high, same, border);
-    // Where the window has won up to the end of the overlap, it goes on behind it.
+    // If the window has won up to the end of the overlap, it continues beyond it.
     double open = begin < low ? begin : high;
     double until = begin < low ? low : high;
     bool any = begin < low;
@@ -124,7 +125,7 @@ void keep_below(Parts& parts, const EdgeWindow& window, EdgeWindow& other, doubl
 
 }  // namespace
 
-/// Asks the memory for what the next items need: windows and edges lie anywhere.
+/// Prefetches memory for the next items, whose windows and edges lie anywhere.
 void PolylineDistance::fetch_ahead() const {
   if (const auto* item = queue_.ahead(5); item != nullptr && item->kind == kWindowItem) {
     windows_.fetch(item->id);
@@ -142,7 +143,7 @@ void PolylineDistance::fetch_ahead() const {
   }
 }
 
-/// All items of one step of the queue.
+/// Processes all items of one step of the queue.
 void PolylineDistance::march() {
   constexpr std::size_t kOfItem = 4;  // units of work
   StepQueue::Item item{};
@@ -157,7 +158,7 @@ void PolylineDistance::march() {
     const EdgeWindow window = windows_[item.id];
     if (window.end < window.begin) continue;
     if (const double lowest = window.lowest(); queue_.is_later(lowest)) {
-      queue_.push({lowest, item.id, kWindowItem});  // it was cut since
+      queue_.push({lowest, item.id, kWindowItem});  // it has been cut since it was pushed
     } else {
       propagate(window);
     }
@@ -176,7 +177,8 @@ PolylineDistance::Beyond PolylineDistance::beyond(HalfedgeId into) const {
   return face;
 }
 
-/// The window's source as seen through the other sides of the face, all of them.
+/// The window's source as seen through the face's right (or left) side, with the whole side as
+/// extent.
 EdgeWindow PolylineDistance::through_right(const EdgeWindow& window, const Beyond& face) {
   const PlanePoint a = face.top;
   EdgeWindow seen = seen_from(window, a, unit(face.length - a.x, -a.y, face.right_length));
@@ -225,9 +227,9 @@ void PolylineDistance::add(const EdgeWindow& window) {
   insert(window.into == halfedge_of(edge) ? window : window.turned(surface_->length(edge)));
 }
 
-/// A point source on the very side that its window is on, as happens in faces without area, sends
-/// all its ways through that one point, however little of the side is nearest to it. They go on at
-/// once, through a stack of such faces if need be.
+/// In faces without area, a point source may lie on the side of its own window. Then all its ways
+/// pass through that one point, even if only a small part of the side is nearest to it. These ways
+/// are continued at once, through a stack of such faces if necessary.
 void PolylineDistance::pass_on(const EdgeWindow& window, int most) {
   const HalfedgeId h = window.into;
   const bool through = window.px > 0 && window.px < surface_->length(edge_of(h));
@@ -239,9 +241,9 @@ void PolylineDistance::pass_on(const EdgeWindow& window, int most) {
   }
 }
 
-/// Along the edges a way leads from every vertex to its neighbours: seldom the shortest, but it
-/// bounds all distances whatever the triangles are like. Across the faces ways start only at
-/// vertices at which the shortest can bend.
+/// A way leads along the edges from every vertex to its neighbours. It is seldom the shortest one,
+/// but it bounds all distances whatever the triangles are like. Ways across faces start only at
+/// vertices where a shortest way can bend.
 void PolylineDistance::spread_from(VertexId v) {
   const Nearest from = vertex_[v.index()];
   const HalfedgeId first = surface_->halfedge(v);
@@ -261,7 +263,7 @@ void PolylineDistance::spread_from(VertexId v) {
     const double length = surface_->length(edge_of(opposite));
     const double near = surface_->length(edge_of(surface_->prev(opposite)));
     const double far = surface_->length(edge_of(last));
-    // As in insert(), before anything is laid out.
+    // As in insert(), but before anything is laid out.
     const double same = kSame * (length + from.distance + near);
     const double at_near = vertex_[surface_->tail(opposite).index()].distance;
     const double at_far = vertex_[surface_->tail(last).index()].distance;
@@ -293,10 +295,10 @@ void PolylineDistance::lower(VertexId v, double distance, std::uint32_t curve, d
   }
 }
 
-/// Whether a shortest way can bend at the vertex: more than a full turn around it (more than half
-/// a turn at the boundary), or an edge of no length.
+/// Whether a shortest way can bend at the vertex: its total angle exceeds a full turn (half a turn
+/// at the boundary), or it has an edge of length 0.
 bool PolylineDistance::bends_at(VertexId v) {
-  constexpr double kSlack = 1e-7;  // radians; the ways left out are longer by less than its square
+  constexpr double kSlack = 1e-7;  // radians; ways left out are longer by less than its square
   std::uint8_t& known = bends_[v.index()];
   if (known != 0) return known == 2;
   double sum = surface_->on_boundary(v) ? std::numbers::pi : 0.0;
@@ -316,8 +318,8 @@ bool PolylineDistance::bends_at(VertexId v) {
   return known == 2;
 }
 
-/// Keeps of a new window what is shorter than all that is known on its edge, and takes from the
-/// others what it makes superfluous.
+/// Keeps the parts of a new window that are shorter than everything known on its edge, and removes
+/// the parts of other windows that it makes superfluous.
 void PolylineDistance::insert(const EdgeWindow& window) {
   const EdgeId edge = edge_of(window.into);
   const double length = surface_->length(edge);
@@ -325,7 +327,7 @@ void PolylineDistance::insert(const EdgeWindow& window) {
   const VertexId head = surface_->head(halfedge_of(edge));
   const double at_begin = window.value(window.begin), at_end = window.value(window.end);
   const double same = kSame * (length + at_begin);
-  // Everywhere longer than along the edge from one of its ends.
+  // It is longer everywhere than the way along the edge from one of its ends.
   if (vertex_[tail.index()].distance + window.end + same < at_end) return;
   if (vertex_[head.index()].distance + (length - window.begin) + same < at_begin) return;
   const double to_tail = at_begin + window.begin, to_head = at_end + (length - window.end);

@@ -23,7 +23,7 @@ bool exists(const Surface& surface, const SurfacePoint& point) {
   return std::get<InFace>(point.where()).face.index() < surface.face_count();
 }
 
-/// The edge that two neighbours run along; invalid where they run through a face.
+/// The edge along which two neighbouring points lie; invalid if they run through a face.
 EdgeId edge_along(const Surface& surface, const SurfacePoint& p, const SurfacePoint& q) {
   const auto* vp = std::get_if<AtVertex>(&p.where());
   const auto* vq = std::get_if<AtVertex>(&q.where());
@@ -91,7 +91,7 @@ class Cutter {
     }
   }
 
-  /// Returns its length.
+  /// Returns the segment's length.
   double add_segment(const SurfacePoint& p, const SurfacePoint& q, std::uint32_t curve,
                      std::size_t index, double arc) {
     if (p == q) return 0;

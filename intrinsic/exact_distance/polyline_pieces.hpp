@@ -12,7 +12,7 @@
 
 namespace talweg {
 
-/// A face with side k on the x axis, corner k at (0, 0), the face above.
+/// A face laid out with side k on the x axis, corner k at (0, 0) and the face above.
 struct SideFrame {
   HalfedgeId side;
   double length = 0;
@@ -35,21 +35,21 @@ struct PolylinePiece {
   std::array<double, 3> from{};  ///< barycentrics
   std::array<double, 3> to{};
   double arc = 0;   ///< arc length at `from`
-  VertexId vertex;  ///< of a point at a vertex
+  VertexId vertex;  ///< for a point at a vertex
 };
 
 struct PolylinePieces {
-  std::vector<PolylinePiece> segments;    ///< by face; one along an edge is in both faces
-  std::vector<PolylinePiece> points;      ///< in the order of the curves; vertices once
+  std::vector<PolylinePiece> segments;    ///< by face; a segment along an edge is in both faces
+  std::vector<PolylinePiece> points;      ///< in the order of the curves; each vertex once
   std::vector<double> lengths;            ///< of the curves
   std::vector<std::vector<double>> arcs;  ///< arc length at every point of every curve
 
   [[nodiscard]] std::span<const PolylinePiece> segments_in(FaceId face) const;
 };
 
-/// O(points). A point on an edge is in `points` once for each of the edge's faces.
-/// Throws Error(kBadCurve) naming curve and point when a curve has no points, a point is not on
-/// the surface, or two neighbours have no common face.
+/// Splits curves into pieces. O(points). A point on an edge is in `points` once for each of the
+/// edge's faces. Throws Error(kBadCurve) naming curve and point when a curve has no points, a point
+/// is not on the surface, or two neighbours have no common face.
 PolylinePieces pieces_of(const Surface& surface, std::span<const SurfaceCurve> curves);
 
 }  // namespace talweg

@@ -10,8 +10,8 @@
 
 namespace talweg {
 
-/// Items leave in order of floor(key / step), and in the order in which they came within one step.
-/// Keys far ahead wait in a list of their own. Amortised O(1) for items within kRing steps.
+/// Items leave in order of floor(key / step), and within one step in the order in which they were
+/// pushed. Keys far ahead wait in a separate list. Amortised O(1) for items within kRing steps.
 class StepQueue {
  public:
   struct Item {
@@ -32,12 +32,12 @@ class StepQueue {
 
   [[nodiscard]] bool empty() const { return size_ == 0; }
   [[nodiscard]] double step() const { return step_; }
-  /// Every item that is still in the queue has at least this key; infinite when it is empty.
+  /// Every item in the queue has at least this key; infinite when the queue is empty.
   [[nodiscard]] double front() const {
     return empty() ? std::numeric_limits<double>::infinity()
                    : static_cast<double>(current_) * step_;
   }
-  /// Whether an item of this key would come out after all of the current step.
+  /// Whether an item with this key would leave after the current step.
   [[nodiscard]] bool is_later(double key) const { return number_of(key) > current_; }
 
   /// A key below front() counts as front().
@@ -52,13 +52,15 @@ class StepQueue {
     }
   }
 
-  /// What pop() gives after `count` others, if that is in the current step; else nothing.
+  /// The item that pop() returns after `count` others, if it is in the current step; otherwise
+  /// null.
   [[nodiscard]] const Item* ahead(std::size_t count) const {
     const auto& items = ring_[current_ % kRing];
     return taken_ + count < items.size() ? &items[taken_ + count] : nullptr;
   }
 
-  /// Takes the first item of the current step; false, and on to the next step, if there is none.
+  /// Takes the first item of the current step. If there is none, moves to the next step and returns
+  /// false.
   bool pop(Item& item) {
     auto& items = ring_[current_ % kRing];
     if (taken_ < items.size()) {

@@ -52,7 +52,7 @@ void PolylineDistance::set(std::span<const SurfaceCurve> curves) {
 }
 
 void PolylineDistance::send_pieces() {
-  // Most of what points send is hidden behind what segments send, so these go first.
+  // Segments go first, because they hide most of the windows that points would send.
   constexpr std::size_t kOfPiece = 8;  // units of work
   const auto begin_piece = [&] {
     tell_work();
@@ -72,8 +72,8 @@ void PolylineDistance::send_pieces() {
   }
 }
 
-/// The step only decides how much is done in vain, not what comes out: an eighth of the mean side
-/// of the curves' faces.
+/// An eighth of the mean side of the curves' faces. The step affects only the amount of superfluous
+/// work, not the result.
 double PolylineDistance::step_width() const {
   double sum = 0;
   std::size_t count = 0;
@@ -130,15 +130,15 @@ void PolylineDistance::send_segment(const PolylinePiece& piece) {
     const PlanePoint p = frame.at(piece.from, k), q = frame.at(piece.to, k);
     const double length = std::hypot(q.x - p.x, q.y - p.y);
     const double tx = (q.x - p.x) / length, ty = (q.y - p.y) / length;
-    // A segment perpendicular to the side reaches it with its ends only, and one that is so up to
-    // an angle of kUpright is nearer than these by less than rounding.
+    // A segment perpendicular to the side reaches it only from its ends. If it is perpendicular up
+    // to kUpright, it is nearer than its ends by less than rounding.
     if (!(std::abs(tx) > kUpright)) continue;
     const double first = p.x + p.y * ty / tx, last = q.x + q.y * ty / tx;
     EdgeWindow window;
     window.begin = std::max(0.0, std::min(first, last));
     window.end = std::min(frame.length, std::max(first, last));
     if (!(window.begin <= window.end)) continue;
-    // Out of the face, that is downwards.
+    // The direction out of the face, which is downwards.
     window.px = tx > 0 ? ty : -ty;
     window.py = -std::abs(tx);
     window.sense = tx > 0 ? -1 : 1;

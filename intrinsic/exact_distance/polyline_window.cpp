@@ -69,7 +69,7 @@ EdgeWindow EdgeWindow::turned(double length) const {
 
 namespace {
 
-/// Where the slopes of both functions agree; NaN where they agree nowhere.
+/// The place where both functions have equal slopes; NaN if there is none.
 double critical_point(const EdgeWindow& a, const EdgeWindow& b) {
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   if (a.from_point() && b.from_point()) {
@@ -86,15 +86,15 @@ double critical_point(const EdgeWindow& a, const EdgeWindow& b) {
 struct Rise {
   double value, slope;
 };
-/// value() and slope() with one root.
+/// Computes value() and slope() with a single square root.
 Rise rise(const EdgeWindow& w, double x) {
   if (!w.from_point()) return {w.offset + w.px * x, w.px};
   const double r = std::sqrt((x - w.px) * (x - w.px) + w.py * w.py);
   return {w.offset + r, r > 0 ? (x - w.px) / r : 0.0};
 }
 
-/// A zero of a - b + shift between low and high, where it has different signs, to within
-/// `precision` in value or in x: Newton's method, kept between the two.
+/// A zero of a - b + shift between low and high, where the signs differ, to within `precision` in
+/// value or in x: Newton's method, kept inside the interval.
 double crossing(const EdgeWindow& a, const EdgeWindow& b, double shift, double low, double f_low,
                 double high, double f_high, double precision) {
   double x = low + (high - low) * (f_low / (f_low - f_high));

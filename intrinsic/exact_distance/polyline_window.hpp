@@ -9,22 +9,22 @@
 
 namespace talweg {
 
-/// A stretch of an edge whose points are reached straight from one source, laid out in the plane.
+/// A stretch of an edge whose points are reached straight from one source, in a planar layout.
 ///
 /// The edge lies on the x axis, halfedge_of(edge) running from (0, 0) to (length, 0) with its face
 /// above. The source is a point (a curve's point, or a vertex around which the way bends), or the
-/// inside of one of the curve's segments, which sends parallel ways in one direction.
+/// interior of one of the curve's segments, from which parallel ways lead in one direction.
 /// (J. Mitchell, D. Mount, C. Papadimitriou, "The discrete geodesic problem", 1987; for polygonal
 /// sources D. Bommes, L. Kobbelt, "Accurate computation of geodesic distance fields for polygonal
 /// curves on triangle meshes", 2007.)
 struct EdgeWindow {
   double begin = 0;  ///< along the edge; the window is empty where end < begin
   double end = 0;
-  double px = 0;  ///< the source point; of a segment the unit direction of its ways
+  double px = 0;  ///< the source point; for a segment the unit direction of its ways
   double py = 0;
-  double offset = 0;  ///< distance at the source; of a segment at (0, 0), extrapolated
-  double arc = 0;     ///< arc length at the source; of a segment at (0, 0), extrapolated
-  HalfedgeId into;    ///< the ways go on into the face of this halfedge
+  double offset = 0;  ///< distance at the source; for a segment at (0, 0), extrapolated
+  double arc = 0;     ///< arc length at the source; for a segment at (0, 0), extrapolated
+  HalfedgeId into;    ///< the ways continue into the face of this halfedge
   std::uint32_t curve = 0;
   std::int32_t sense = 0;  ///< 0: point; +-1: segment whose arc length grows along +-(py, -px)
   std::uint32_t next = 0;  ///< the next window in the list of the edge
@@ -37,26 +37,26 @@ struct EdgeWindow {
   struct Derivatives {
     double slope = 0, curvature = 0;
   };
-  /// Of value(); 0 at the source itself.
+  /// The derivatives of value(); 0 at the source itself.
   [[nodiscard]] Derivatives derivatives(double x) const;
   [[nodiscard]] double arc_at(double x) const { return from_point() ? arc : arc + sense * py * x; }
   [[nodiscard]] double arc_slope() const { return from_point() ? 0.0 : sense * py; }
   [[nodiscard]] bool is_empty() const { return end < begin; }
-  /// Takes away what lies in [from, to], but for `overlap`, if that reaches within `narrow` of an
-  /// end of the window.
+  /// Removes the part in [from, to], except for an overlap of `overlap`, if this part reaches
+  /// within `narrow` of an end of the window.
   void cut(double from, double to, double overlap, double narrow);
   /// The smallest distance in the window.
   [[nodiscard]] double lowest() const;
 
-  /// The distance at a point (x, y) off the edge, on the side that the ways lead to (y > 0 if
-  /// `into` is the edge's own halfedge), on the best way through the window; where the straight
-  /// way misses the window, it bends at the window's end.
+  /// The distance at a point (x, y) off the edge on the best way through the window. The point lies
+  /// on the side to which the ways lead (y > 0 if `into` is the edge's own halfedge). Where the
+  /// straight way misses the window, the way bends at the window's end.
   [[nodiscard]] double value_beyond(double x, double y, double& arc_length) const;
 
-  /// Whether that way bends, and then at which end of the window; `rise` is |y|.
+  /// Whether that way bends, and at which end of the window; `rise` is |y|.
   [[nodiscard]] bool bends_towards(double x, double rise, double& at) const;
 
-  /// The same window with the edge turned by half a turn about its middle.
+  /// The same window after a half turn of the edge about its middle.
   [[nodiscard]] EdgeWindow turned(double length) const;
 };
 
@@ -66,9 +66,10 @@ struct Stretches {
   std::array<std::array<double, 2>, 2> at{};
 };
 
-/// Where in [low, high] window `a` is below window `b` by more than `tolerance`; borders are found
-/// to within `resolution`, and lie within it outside the exact ones. The difference of two distance
-/// functions on a line has one critical point at most, so there are two such parts at most.
+/// The parts of [low, high] where window `a` is below window `b` by more than `tolerance`. Their
+/// borders are found to within `resolution` and lie outside the exact ones, within that distance.
+/// The difference of two distance functions on a line has at most one critical point, so there are
+/// at most two such parts.
 Stretches where_below(const EdgeWindow& a, const EdgeWindow& b, double low, double high,
                       double tolerance, double resolution);
 

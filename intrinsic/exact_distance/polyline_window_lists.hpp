@@ -12,9 +12,10 @@
 
 namespace talweg {
 
-/// Nearly every edge has a few windows: a list through EdgeWindow::next. The long sides of needles
-/// can have thousands, of which a new one meets two or three: their extents lie side by side, so
-/// that looking for these does not fetch all the others from memory.
+/// Nearly every edge has only a few windows, which form a list through EdgeWindow::next. The long
+/// sides of needles can have thousands, of which a new window meets two or three. For such edges
+/// the windows' extents are stored side by side, so that a search does not fetch all windows from
+/// memory.
 class WindowLists {
  public:
   using Id = std::uint32_t;
@@ -29,9 +30,9 @@ class WindowLists {
     windows_.clear();
   }
 
-  /// All that were ever added since clear(); an id is at most this.
+  /// The number of windows added since clear(); an id is at most this.
   [[nodiscard]] std::size_t size() const { return windows_.size(); }
-  /// Also of windows that were taken out.
+  /// Also valid for windows that were removed.
   [[nodiscard]] const EdgeWindow& operator[](Id id) const { return windows_[id]; }
 
   Id add(EdgeId edge, const EdgeWindow& window) {
@@ -47,7 +48,7 @@ class WindowLists {
     return id;
   }
 
-  /// use(const EdgeWindow&) for all of an edge, the newest first.
+  /// Calls use(const EdgeWindow&) for all windows of an edge, the newest first.
   template <class Use>
   void each(EdgeId edge, Use use) const {
     const Id first = first_[edge.index()];
@@ -59,14 +60,14 @@ class WindowLists {
     }
   }
 
-  /// Along an edge; empty where end < begin.
+  /// A range along an edge; empty where end < begin.
   struct Range {
     double begin = 1, end = 0;
     [[nodiscard]] bool is_empty() const { return end < begin; }
     [[nodiscard]] bool meets(double from, double to) const { return from <= end && begin <= to; }
   };
-  /// The same for those that meet a range. use(EdgeWindow&) returns the range to go on with, and
-  /// may cut the window, which is taken out when it is empty.
+  /// Calls use(EdgeWindow&) for the windows that meet a range. It returns the range to continue
+  /// with, and may cut the window, which is removed when it is empty.
   template <class Use>
   void each_meeting(Range range, EdgeId edge, Use use) {
     const Id first = first_[edge.index()];
@@ -77,23 +78,23 @@ class WindowLists {
     }
   }
 
-  /// Asks the memory for what the next call for this edge needs.
+  /// Prefetches the memory that the next call for this edge needs.
   void fetch(EdgeId edge) const { __builtin_prefetch(&first_[edge.index()]); }
   void fetch(Id window) const { __builtin_prefetch(&windows_[window]); }
 
  private:
   static constexpr Id kNone = 0xFFFFFFFFU;
-  static constexpr Id kCrowd = 0x80000000U;  // the rest is which
+  static constexpr Id kCrowd = 0x80000000U;  // the other bits are the index of the crowd
   static constexpr std::size_t kMany = 32;
   struct Extent {
     double begin, end;
     Id id;
   };
-  using Crowd = std::vector<Extent>;  // the newest last
+  using Crowd = std::vector<Extent>;  // the newest is last
 
   static bool is_crowd(Id first) { return first != kNone && (first & kCrowd) != 0; }
 
-  /// Returns how many it has gone through.
+  /// Returns the number of windows visited.
   template <class Use>
   std::size_t each_in(Id* link, Range range, Use& use) {
     std::size_t count = 0;

@@ -26,7 +26,7 @@ bool wants_flip(SignpostTriangulation& triangulation, EdgeId e) {
     size[k] = a * a + b * b + c * c;
     area[k++] = triangle_area(a, b, c);
   }
-  // Where four points lie on a circle the sum is rounding; such edges stay as they are.
+  // If the four points lie on a circle, the sum is rounding only; such edges stay as they are.
   const double rounding = 1e-12 * (size[0] * area[1] + size[1] * area[0]);
   return numerator[0] * area[1] + numerator[1] * area[0] < -rounding;
 }
@@ -42,7 +42,8 @@ std::size_t flip_to_delaunay(SignpostTriangulation& triangulation) {
   std::vector<EdgeId> stack;
   std::vector<char> waiting(edges, 0);
   for (std::size_t e = edges; e-- > 0;) push(stack, waiting, EdgeId{e});
-  // Each flip lowers the Dirichlet energy, so this ends; the bound only guards against rounding.
+  // Each flip lowers the Dirichlet energy, so the loop ends; the limit only guards against
+  // rounding.
   const std::size_t limit = 100 * edges;
   std::size_t flips = 0;
   while (!stack.empty() && flips < limit) {
@@ -85,7 +86,7 @@ std::vector<MetricTriangle> delaunay_triangles(const Surface& surface, std::size
   triangles.reserve(surface.face_count());
   for (std::size_t i = 0; i < surface.halfedge_count(); ++i) {
     HalfedgeId h{i};
-    // Each face once, from its smallest halfedge.
+    // Visits each face once, from its smallest halfedge.
     if (!triangulation.has_face(h) || triangulation.next(h) < h || triangulation.prev(h) < h) {
       continue;
     }

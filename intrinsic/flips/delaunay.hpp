@@ -16,13 +16,13 @@ struct MetricTriangle {
   std::array<double, 3> length;
 };
 
-/// The triangles of a surface as they are.
+/// The triangles of a surface, unchanged.
 std::vector<MetricTriangle> metric_triangles(const Surface& surface);
 
 /// The triangles of the intrinsic Delaunay triangulation of the surface: same vertices, same
 /// metric, cotan weights of all inner edges >= 0 up to rounding (Bobenko & Springborn 2007).
 /// `flips`, if given, receives the number of flips. Edges that no flip can improve (in zero-area
-/// diamonds) stay as they are, so this always ends.
+/// diamonds) stay as they are, so the algorithm always ends.
 std::vector<MetricTriangle> delaunay_triangles(const Surface& surface,
                                                std::size_t* flips = nullptr);
 

@@ -9,8 +9,8 @@
 
 namespace talweg {
 
-/// At least one halfedge, tip to tail; a closed path's last one ends where its first one starts.
-/// One-edge loops and repeated edges are legal.
+/// At least one halfedge, each ending where the next one starts; a closed path's last one ends
+/// where its first one starts. One-edge loops and repeated edges are allowed.
 class EdgePath {
  public:
   /// Throws Error(kBadCurve) naming the first position where the chain is empty or broken.

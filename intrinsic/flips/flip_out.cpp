@@ -11,8 +11,9 @@
 namespace talweg {
 namespace {
 
-/// Wedges that differ by rounding are equally narrow: on regular grids many are, and then the one
-/// that comes first on its path is cleared first, whatever the numbers of the vertices.
+/// Rounds an angle so that wedges that differ only by rounding count as equally narrow. On regular
+/// grids there are many; the one that comes first on its path is then cleared first, independent of
+/// the numbers of the vertices.
 double without_rounding(double angle) {
   constexpr double kPerRadian = 1e9;
   return std::round(angle * kPerRadian) / kPerRadian;
@@ -62,7 +63,7 @@ void FlipOut::push(SegmentId before, Side side) {
   std::push_heap(heap_.begin(), heap_.end(), std::greater<>{});
 }
 
-/// Joints that were blocked may be free now that something moved away from this vertex.
+/// Queues the blocked joints around this vertex again, because something has moved away from it.
 void FlipOut::push_around(HalfedgeId around) {
   if (network_.blocked_count() == 0) return;
   std::vector<SegmentId> again;
@@ -88,7 +89,7 @@ void FlipOut::flip_inside(HalfedgeId out, HalfedgeId back) {
   SignpostTriangulation& t = *triangulation_;
   std::size_t degree = 0;
   for (HalfedgeId h = out; h != back; h = t.turn_ccw(h)) ++degree;
-  // In a disc each flip lowers the degree; where the fan meets itself that need not be so.
+  // In a disc each flip lowers the degree, but not necessarily where the fan meets itself.
   std::size_t flips_left = 4 * degree;
   HalfedgeId h = t.turn_ccw(out);
   while (h != back) {
@@ -112,7 +113,7 @@ void FlipOut::accept(const Wedge& wedge, std::span<const HalfedgeId> arc) {
   network_.replace(wedge, arc, fresh_);
   const bool prev_remains = prev != PathNetwork::kNone && prev != last_of_path &&
                             prev != wedge.before && network_.segment(prev).alive;
-  if (prev_remains) {  // its joint is another one now
+  if (prev_remains) {  // the joint at its end has changed
     network_.set_blocked(prev, false);
     push(prev);
   }
@@ -147,8 +148,8 @@ bool FlipOut::clear_wedge(const Wedge& wedge) {
   return true;
 }
 
-/// True when the loop would become an edge out and back. It is contractible then, and what it is
-/// now is the last proper loop.
+/// True if the loop would become an edge out and back. Then it is contractible, and its present
+/// state is the last proper loop.
 bool FlipOut::only_a_spike_remains(const Wedge& wedge) const {
   const SegmentId rest = network_.segment(wedge.after).next;
   switch (network_.path(network_.segment(wedge.before).path).size) {
@@ -163,7 +164,7 @@ bool FlipOut::only_a_spike_remains(const Wedge& wedge) const {
 
 bool FlipOut::remove_spike(const Wedge& wedge) {
   const PathNetwork::Segment& before = network_.segment(wedge.before);
-  if (network_.path(before.path).size == 2) {  // out and back is all that is left
+  if (network_.path(before.path).size == 2) {  // only an edge out and back is left
     terminations_[before.path] = Termination::kCollapsed;
     return false;
   }
@@ -171,16 +172,16 @@ bool FlipOut::remove_spike(const Wedge& wedge) {
   return true;
 }
 
-/// A loop of one edge has its own face at both ends of its wedge. The face's other two sides take
-/// its place, and then wedges are cleared until the loop is shorter than it was; by Gauss-Bonnet
-/// this happens as long as wedges on the inner side of the flat annulus in between are cleared. If
-/// rounding prevents it, everything is taken back.
+/// At a loop of one edge the wedge has the same face at both ends. The loop is replaced by the
+/// face's other two sides, and then wedges are cleared until the loop is shorter than before. By
+/// Gauss-Bonnet this succeeds if the wedges on the inner side of the flat annulus in between are
+/// cleared. If rounding prevents it, all steps are undone.
 bool FlipOut::open_single_edge_loop(const Wedge& wedge) {
   SignpostTriangulation& t = *triangulation_;
   const std::size_t path = network_.segment(wedge.before).path;
   const HalfedgeId loop = wedge.out;
   const std::array<HalfedgeId, 2> around = {t.next(loop), t.prev(loop)};
-  if (around[0] == twin(around[1])) {  // around a single vertex: nothing is left to become
+  if (around[0] == twin(around[1])) {  // around a single vertex: the loop would vanish
     terminations_[path] = Termination::kCollapsed;
     return false;
   }
@@ -193,7 +194,7 @@ bool FlipOut::open_single_edge_loop(const Wedge& wedge) {
   }
   while (t.flip_count() > flips) t.undo_flip();
   network_.restart(path, wedge.side == Side::kLeft ? loop : twin(loop), loop);
-  // Its other side may still give way; after both have failed the loop stays.
+  // The loop's other side may still succeed; after both have failed the loop stays.
   if (++failed_openings_[path] == 1) {
     push(network_.path(path).first, wedge.side == Side::kLeft ? Side::kRight : Side::kLeft);
   }

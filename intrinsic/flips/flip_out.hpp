@@ -14,19 +14,20 @@
 namespace talweg {
 
 struct FlipOutOptions {
-  /// A side angle below pi - angle_tolerance is not straight yet. Radians, in (0, 1).
+  /// A joint with a side angle below pi - angle_tolerance is not straight yet. Radians, in (0, 1).
   double angle_tolerance = 1e-5;
-  /// Cleared wedges in all; by default 1,000,000 + 1,000 per segment, which no sane input reaches.
+  /// Limit of cleared wedges; by default 1,000,000 + 1,000 per segment, which no reasonable input
+  /// reaches.
   std::optional<std::size_t> max_iterations;
-  /// Flips in all, which are kept to be undone (40 bytes each); by default 4,000,000 + 16 per edge,
-  /// which only paths with thousands of points in one face reach: their flips grow with the points'
-  /// square.
+  /// Limit of flips, which are logged to be undone (40 bytes each); by default 4,000,000 + 16 per
+  /// edge. Only paths with thousands of points in one face reach it, because their flips grow with
+  /// the square of the number of points.
   std::optional<std::size_t> max_flips;
   /// Stop when the paths' total length has fallen to this fraction of the initial one. In [0, 1).
   double min_relative_length = 0;
   /// A closed path shorter than this counts as collapsed. Units of length, >= 0.
   double length_floor = 0;
-  /// Vertices that the paths must keep, where they pass one as they are given. Sorted.
+  /// Vertices that a path must keep passing if it passes them as given. Sorted.
   std::vector<VertexId> pinned;
 
   /// Throws Error(kBadUsage) naming the field and its bound.
@@ -34,10 +35,10 @@ struct FlipOutOptions {
 };
 
 enum class Termination {
-  kConverged,  ///< straight wherever no other path is in the way
-  kCollapsed,  ///< a loop shrank below the floor; returned as it was when it first did
+  kConverged,  ///< straight except where another path blocks it
+  kCollapsed,  ///< a loop shrank below the floor; returned as it was at that moment
   kLimit,      ///< max_iterations, max_flips or min_relative_length reached
-  kCancelled,  ///< by the caller; the path so far is returned
+  kCancelled,  ///< cancelled by the caller; the path so far is returned
 };
 const char* to_string(Termination termination);
 
@@ -58,10 +59,10 @@ struct FlipOutResult {
 ///
 /// The joint with the smallest side angle is cleared first: edges of its wedge are flipped until
 /// the wedge's outer boundary is straight or bends away, and that boundary replaces the joint.
-/// Every accepted step shortens the path, so paths never grow and never cross. Flips stay pending
-/// in the triangulation: trace the result (trace.hpp), which also undoes them.
+/// Every accepted step shortens the path, so paths never grow, and they never cross. The flips stay
+/// pending in the triangulation until the result is traced (trace.hpp), which also undoes them.
 ///
-/// Memory for the edges is made once per object. Not thread safe.
+/// Memory for the edges is allocated once per object. Not thread safe.
 class FlipOut {
  public:
   explicit FlipOut(SignpostTriangulation& triangulation)

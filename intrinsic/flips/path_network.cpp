@@ -107,7 +107,7 @@ bool PathNetwork::outermost(SegmentId s, HalfedgeId along, Side side) const {
   return neighbour(s, along, side) == kNone;
 }
 
-/// Steps counterclockwise from one outgoing halfedge to another; past a boundary the count goes on
+/// Steps counterclockwise from one outgoing halfedge to another; at a boundary the count continues
 /// at the other end of the fan.
 std::size_t PathNetwork::turn_order(HalfedgeId from, HalfedgeId to) const {
   const SignpostTriangulation& t = *triangulation_;
@@ -128,7 +128,7 @@ bool PathNetwork::runs_left_of(SegmentId s, SegmentId other) const {
   const bool same = segments_[s].halfedge == segments_[other].halfedge;
   const auto back = [&](SegmentId k) { return same ? segments_[k].prev : segments_[k].next; };
   const auto ahead = [&](SegmentId k) { return same ? segments_[k].next : segments_[k].prev; };
-  const auto course = [&](SegmentId k) {  // of the other path, in the direction of this one
+  const auto course = [&](SegmentId k) {  // the other path, in the direction of this one
     return same ? segments_[k].halfedge : twin(segments_[k].halfedge);
   };
   const std::size_t limit = segments_.size();
@@ -160,7 +160,7 @@ void PathNetwork::place_among(SegmentId s) {
   const HalfedgeId h = segments_[s].halfedge;
   SegmentId left_neighbour = kNone;
   for (SegmentId k = first_on(edge_of(h)); k != kNone; k = segments_[k].right) {
-    // Seen along the edge, s is right of k when it is left of it seen the other way.
+    // Seen along the edge, s is right of k if it is left of k seen the other way.
     if (runs_left_of(s, k) == along_edge(h)) break;
     left_neighbour = k;
   }
@@ -178,7 +178,7 @@ PathNetwork::Wedge PathNetwork::wedge(SegmentId before, Side side) const {
 
 double PathNetwork::angle(const Wedge& w) const {
   if (w.out != w.back) return triangulation_->angle_ccw(w.out, w.back);
-  // A spike: nothing on the inner side, everything on the other.
+  // At a spike, nothing is on the inner side and everything is on the other.
   const SegmentId out_segment = w.side == Side::kLeft ? w.after : w.before;
   const SegmentId back_segment = w.side == Side::kLeft ? w.before : w.after;
   for (SegmentId k = neighbour(out_segment, w.out, Side::kLeft); k != kNone;
@@ -195,7 +195,8 @@ bool PathNetwork::is_free(const Wedge& w) const {
   if (!outermost(out_segment, w.out, Side::kLeft)) return false;
   if (!outermost(back_segment, w.back, Side::kRight)) return false;
   const SignpostTriangulation& t = *triangulation_;
-  // Lengths that are no triangle's make directions that put `back` before the boundary's gap.
+  // Lengths that violate the triangle inequality give directions that place `back` before the
+  // boundary's gap.
   for (HalfedgeId h = w.out; t.has_face(h);) {
     h = t.turn_ccw(h);
     if (h == w.back) return true;

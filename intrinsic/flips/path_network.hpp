@@ -15,11 +15,11 @@ namespace talweg {
 /// A side of a path at a joint.
 enum class Side : std::uint8_t { kLeft, kRight };
 
-/// The bookkeeping of FlipOut. A path is a chain of segments, each along one halfedge; an edge
-/// keeps its segments ordered from left to right (seen along halfedge_of(edge)), so that paths
-/// which share edges keep their sides and never cross.
+/// The data structure of FlipOut. A path is a chain of segments, each along one halfedge. An edge
+/// keeps its segments ordered from left to right (seen along halfedge_of(edge)), so that paths that
+/// share edges keep their sides and never cross.
 ///
-/// One array over the edges is made once; everything else costs what the paths touch.
+/// One array over the edges is allocated once; everything else costs what the paths touch.
 class PathNetwork {
  public:
   using SegmentId = std::uint32_t;
@@ -31,8 +31,8 @@ class PathNetwork {
     SegmentId left = kNone, right = kNone;  // across the edge, seen along halfedge_of(edge)
     std::uint32_t path = 0;
     bool alive = true;
-    bool blocked = false;  // a wedge behind it could not be cleared because another path was in it
-    bool pinned = false;   // the joint behind it must stay
+    bool blocked = false;  // a wedge at its end could not be cleared because another path was in it
+    bool pinned = false;   // the joint at its end must stay
   };
 
   struct Path {
@@ -52,8 +52,8 @@ class PathNetwork {
 
   explicit PathNetwork(SignpostTriangulation& triangulation) : triangulation_(&triangulation) {}
 
-  /// Adds a path; where it shares edges with earlier ones (or with itself) it runs on the side it
-  /// comes from, so that it crosses them only where its course forces it to.
+  /// Adds a path. Where it shares edges with earlier paths (or with itself), it runs on the side
+  /// from which it comes, so that it crosses them only where this cannot be avoided.
   void add(const EdgePath& path);
   void clear();
 
@@ -65,9 +65,10 @@ class PathNetwork {
 
   [[nodiscard]] bool occupied(EdgeId e) const { return first_on(e) != kNone; }
   [[nodiscard]] Wedge wedge(SegmentId before, Side side) const;
-  /// The wedge's angle; +infinity where it is not on the surface or is the outside of a spike.
+  /// The wedge's angle; +infinity if the wedge is not on the surface or is the outside of a spike.
   double angle(const Wedge& wedge) const;
-  /// No other segment runs inside the wedge or between it and its own two segments. O(degree).
+  /// Whether no other segment runs inside the wedge or between it and its own two segments.
+  /// O(degree).
   [[nodiscard]] bool is_free(const Wedge& wedge) const;
   void set_blocked(SegmentId s, bool blocked);
   void pin(SegmentId s) { segments_[s].pinned = true; }
@@ -76,14 +77,15 @@ class PathNetwork {
   template <class Visit>
   void for_each_joint(HalfedgeId around, Visit visit) const;
 
-  /// Replaces the wedge's two segments (or its one, for a one-edge loop) by a path with the same
-  /// ends, given so that the wedge lies on the left of each halfedge and in counterclockwise order
-  /// from the head of `out` to the head of `back`. New segments are nearest to the wedge's vertex.
-  /// The wedge's own joint must not be pinned; the one behind it stays so if it was.
+  /// Replaces the wedge's two segments (or its only one, for a one-edge loop) by a path with the
+  /// same ends. The path is given in counterclockwise order from the head of `out` to the head of
+  /// `back`, with the wedge on the left of each halfedge. New segments are the nearest ones to the
+  /// wedge's vertex. The wedge's own joint must not be pinned; the joint after it stays pinned if
+  /// it was.
   /// `ids` receives the new segments in the order of the path.
   void replace(const Wedge& wedge, std::span<const HalfedgeId> arc, std::vector<SegmentId>& ids);
 
-  /// Makes a closed path one edge again, outermost on the left of `inward`.
+  /// Replaces a closed path by a single edge, outermost on the left of `inward`.
   void restart(std::size_t path, HalfedgeId loop, HalfedgeId inward);
 
  private:

@@ -14,7 +14,7 @@
 namespace talweg {
 namespace {
 
-constexpr double kOnSide = 1e-10;  // of a piece's extent
+constexpr double kOnSide = 1e-10;  // relative to a piece's extent
 
 using Weights = std::array<double, 3>;
 
@@ -62,7 +62,7 @@ PointInsertion::Place PointInsertion::locate(FaceId face, const Weights& point) 
   return best;
 }
 
-/// For a face that is in slivers all over.
+/// Used if every piece of the face is a sliver.
 VertexId PointInsertion::nearest_vertex(FaceId face, const Weights& point) {
   const SignpostTriangulation& t = *triangulation_;
   VertexId best;
@@ -130,8 +130,8 @@ VertexId PointInsertion::insert(const SurfacePoint& point) {
   return triangulation_->split_face(side[0], lengths, point);
 }
 
-/// Only the edge's own pieces are looked at. In slivers of its faces a point inside one of them may
-/// be as near, but that is not in the other face, where the curve may go on.
+/// Considers only the pieces at the edge. In slivers of its faces a vertex inside one of them may
+/// be as near, but it is not in the other face, where the curve may continue.
 VertexId PointInsertion::insert_on_edge(const SurfacePoint& point) {
   const OnEdge& at = std::get<OnEdge>(point.where());
   const HalfedgeId whole = halfedge_of(at.edge);
@@ -160,7 +160,7 @@ VertexId PointInsertion::insert_on_side(HalfedgeId side, double t, const Surface
   const Surface& surface = triangulation_->surface();
   const HalfedgeId other = twin(side);
   const FaceId left = triangulation_->surface_face(side);
-  // On the side to the last bit, so that a point of a mesh edge is known to both faces there.
+  // The point lies exactly on the side, so that both faces of a mesh edge know it.
   const bool inner = triangulation_->has_face(other) && triangulation_->surface_face(other) == left;
   const bool keep = exact != nullptr && (inner || std::holds_alternative<OnEdge>(exact->where()));
   const SurfacePoint location =
@@ -185,7 +185,7 @@ VertexId PointInsertion::insert_on_side(HalfedgeId side, double t, const Surface
     split.to_right = distance(triangulation_->tail(right_prev), right,
                               coordinates_in(surface, location, right).barycentric);
   }
-  // Before the split the old faces are still known by any of their sides.
+  // Before the split the old faces can still be found by any of their sides.
   const std::array<HalfedgeId, 2> fresh_left = {left_prev, left_next};
   replace_pieces(left, side, fresh_left);
   if (right.valid()) {
@@ -198,7 +198,7 @@ VertexId PointInsertion::insert_on_side(HalfedgeId side, double t, const Surface
   return middle;
 }
 
-/// The halfedge from `from` towards `to` inside the face; inserts its end where need be.
+/// The halfedge from `from` towards `to` inside the face; inserts its end if necessary.
 HalfedgeId PointInsertion::step(VertexId from, VertexId to, FaceId face) {
   SignpostTriangulation& t = *triangulation_;
   const Weights p = barycentric(from, face), q = barycentric(to, face);
@@ -213,7 +213,7 @@ HalfedgeId PointInsertion::step(VertexId from, VertexId to, FaceId face) {
       const Weights c = barycentric(t.head(t.next(h)), face);
       const double right_of = orient(p, b, q), left_of = orient(p, q, c);
       const double size = orient(p, b, c);
-      // Ahead, between the two sides of this piece.
+      // The piece whose two sides at `from` enclose the direction to `to`.
       if (right_of >= -kOnSide * size && left_of >= -kOnSide * size && right_of + left_of > 0 &&
           orient(b, c, q) <= kOnSide * size) {
         if (right_of <= kOnSide * (right_of + left_of)) return h;
@@ -241,7 +241,7 @@ void PointInsertion::connect(VertexId from, VertexId to, std::vector<HalfedgeId>
     throw Error(ErrorCode::kBadCurve,
                 "Two consecutive points of the curve do not lie in a common face.");
   }
-  // A straight segment meets each piece of the face once.
+  // A straight segment meets each piece of the face at most once.
   for (std::size_t left = pieces(face).size() + 2; from != to && left > 0; --left) {
     const HalfedgeId h = step(from, to, face);
     if (!h.valid()) break;
@@ -251,7 +251,7 @@ void PointInsertion::connect(VertexId from, VertexId to, std::vector<HalfedgeId>
   if (from != to) go_along_edges(from, to, face, path);
 }
 
-/// Always finds a way: the pieces of a face are a disc.
+/// Always succeeds, because the pieces of a face form a disc.
 void PointInsertion::go_along_edges(VertexId from, VertexId to, FaceId face,
                                     std::vector<HalfedgeId>& path) {
   const SignpostTriangulation& t = *triangulation_;

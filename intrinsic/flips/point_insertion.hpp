@@ -14,26 +14,26 @@ namespace talweg {
 
 /// Inserts points of the surface into a triangulation without pending flips. New lengths are
 /// measured in the surface's own metric, inside one face each, so insertion never accumulates
-/// errors. Points closer than 1e-10 of a face to a vertex or edge fall on it.
+/// errors. Points closer than 1e-10 of a face to a vertex or edge are moved onto it.
 class PointInsertion {
  public:
   /// The triangulation must outlive this object and have no inserted vertices yet.
   explicit PointInsertion(SignpostTriangulation& triangulation) : triangulation_(&triangulation) {}
 
-  /// The vertex at the point; inserts it if there is none. It lies in every face that the point
-  /// lies in. O(pieces of the face).
+  /// The vertex at the point; inserts one if there is none. The vertex lies in every face that
+  /// contains the point. O(pieces of the face).
   VertexId insert(const SurfacePoint& point);
 
-  /// Appends to `path` the halfedges of the straight segment between two vertices which lie in a
-  /// common face of the surface; where it crosses an edge inside the face, a vertex is inserted.
-  /// Where rounding leaves no such way (in slivers among many points) it is the shortest one along
-  /// the edges inside the face. Throws Error(kBadCurve) when the vertices have no face in common.
+  /// Appends to `path` the halfedges of the straight segment between two vertices that lie in a
+  /// common face of the surface; where it crosses an edge inside the face, a vertex is inserted. If
+  /// rounding leaves no such way (in slivers among many points), the shortest way along the edges
+  /// inside the face is used. Throws Error(kBadCurve) when the vertices have no face in common.
   void connect(VertexId from, VertexId to, std::vector<HalfedgeId>& path);
 
-  /// Edges that have been split so far.
+  /// The number of edges split so far.
   [[nodiscard]] std::size_t split_count() const { return split_count_; }
-  /// What has become of a path that was connected when split_count() was `since`: an edge that was
-  /// split after that is replaced by its two halves.
+  /// Updates a path that was connected when split_count() was `since`: every edge that was split
+  /// after that is replaced by its two halves.
   [[nodiscard]] std::vector<HalfedgeId> now(std::span<const HalfedgeId> path,
                                             std::size_t since) const;
 
@@ -60,8 +60,8 @@ class PointInsertion {
     std::size_t number = 0;
     HalfedgeId first, second;
   };
-  // All are looked up only, never iterated. A piece is known by one of its sides, and that side's
-  // place in the list of its face.
+  // These maps are only looked up, never iterated. A piece is identified by one of its sides, and
+  // by that side's place in the list of its face.
   std::unordered_map<FaceId, std::vector<HalfedgeId>> pieces_;
   std::unordered_map<HalfedgeId, std::size_t> slot_;
   std::unordered_map<EdgeId, std::vector<Split>> splits_;

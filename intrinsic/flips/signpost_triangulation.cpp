@@ -12,8 +12,8 @@ namespace talweg {
 
 namespace {
 
-/// Room for what a drawing inserts, so that arrays of the mesh's size are not moved for it. Memory
-/// that is not written costs nothing.
+/// Reserves room for the points that a drawing inserts, so that arrays of the mesh's size need not
+/// be moved. Memory that is not written costs nothing.
 constexpr std::size_t with_room(std::size_t count) { return count + count / 4 + 1024; }
 
 template <class T>
@@ -130,7 +130,7 @@ double SignpostTriangulation::angle_ccw(HalfedgeId from, HalfedgeId to) {
   touch(v);
   const double cone = cone_[v.index()];
   const double difference = direction_[to.index()] - direction_[from.index()];
-  // Close to 0 or to the full cone rounding decides the sign: there the corners are summed up.
+  // Close to 0 or to the full cone the sign depends on rounding, so the corners are summed up.
   const double unsure = 1e-6;
   if (std::abs(difference) < unsure || std::abs(difference) > cone - unsure) return swept(from, to);
   if (difference > 0) return difference;
@@ -171,7 +171,7 @@ bool SignpostTriangulation::flip(EdgeId e) {
   const HalfedgeId h1 = next(h), h2 = next(h1), t1 = next(t), t2 = next(t1);
   if (h1 == t || h2 == t) return false;  // one face on both sides
 
-  // The diamond in the plane: h from (0, 0) to (base, 0), one face above, the other below.
+  // Lays the diamond out in the plane: h from (0, 0) to (base, 0), one face above, the other below.
   const double base = length(e);
   const PlanePoint above = apex(base, length(h2), length(h1));
   const PlanePoint below = apex(base, length(t1), length(t2));
@@ -184,7 +184,7 @@ bool SignpostTriangulation::flip(EdgeId e) {
     for (const HalfedgeId corner : {h, h1, h2, t2}) touch(tail(corner));
     const VertexId c = tail(h), d = tail(t);
     Flip flip{e, base, {direction_[h.index()], direction_[t.index()]}, {false, false}};
-    // A boundary vertex's own halfedge has no face behind it, so it is never flipped away.
+    // A boundary vertex's own halfedge has no face on its other side, so it is never flipped away.
     if (vertex_halfedge_[c.index()] == h) {
       flip.represented[0] = true;
       vertex_halfedge_[c.index()] = t1;
@@ -229,7 +229,7 @@ HalfedgeId SignpostTriangulation::new_edge(VertexId tail, VertexId head, double 
 
 VertexId SignpostTriangulation::new_vertex(const SurfacePoint& location) {
   assert(log_.empty());
-  forget();  // what was laid out around the place
+  forget();  // drops what was laid out around the place
   vertex_halfedge_.emplace_back();
   vertex_epoch_.push_back(0);
   cone_.push_back(0);

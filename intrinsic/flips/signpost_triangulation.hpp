@@ -16,13 +16,13 @@
 namespace talweg {
 
 /// An intrinsic triangulation of a surface (Sharp, Soliman & Crane 2019): a Δ-complex on the
-/// surface's vertices (and inserted ones), each edge with a length, each halfedge with a direction
-/// at its tail.
+/// surface's vertices and inserted ones, in which each edge has a length and each halfedge a
+/// direction at its tail.
 ///
-/// Arrays are made once, in O(mesh); after that nothing costs more than what it touches. A length
-/// is asked of the metric, and the directions around a vertex are laid out, when first looked at;
-/// before a flip those of all four corners of its diamond are, so a run that touches lazily and a
-/// run that has prepared everything agree bit for bit. Flips are logged and can be undone.
+/// Arrays are allocated once, in O(mesh); after that every operation costs only what it touches.
+/// Lengths are taken from the metric, and directions around a vertex are laid out, when first
+/// needed. Before a flip this is done for all four corners of its diamond, so a lazy run and a run
+/// that has prepared everything agree bit for bit. Flips are logged and can be undone.
 ///
 /// Not thread safe: one triangulation per thread. The surface must outlive it.
 class SignpostTriangulation {
@@ -31,10 +31,10 @@ class SignpostTriangulation {
 
   /// The length of an edge between two vertices, from its length on the surface.
   using Metric = std::function<double(VertexId tail, VertexId head, double surface_length)>;
-  /// Forgets all lengths and signposts and measures by `metric` from now on (by the surface's own
-  /// lengths where it is empty). O(1). No flip may be pending.
+  /// Forgets all lengths and signposts and uses `metric` from now on (the surface's own lengths if
+  /// it is empty). O(1). No flip may be pending.
   void set_metric(Metric metric);
-  /// Lays out everything now; results are the same with and without. O(mesh).
+  /// Lays out everything now; this does not change results. O(mesh).
   void prepare_all();
 
   [[nodiscard]] const Surface& surface() const { return *surface_; }
@@ -56,7 +56,7 @@ class SignpostTriangulation {
   [[nodiscard]] HalfedgeId halfedge(VertexId v) const { return vertex_halfedge_[v.index()]; }
   [[nodiscard]] HalfedgeId turn_ccw(HalfedgeId h) const { return twin(prev(h)); }
   [[nodiscard]] HalfedgeId turn_cw(HalfedgeId h) const { return next(twin(h)); }
-  /// A halfedge from a to b; invalid where there is none. O(degree of a).
+  /// A halfedge from a to b; invalid if there is none. O(degree of a).
   [[nodiscard]] HalfedgeId find_halfedge(VertexId a, VertexId b) const;
 
   double length(EdgeId e);
@@ -64,25 +64,25 @@ class SignpostTriangulation {
   /// The angle at the tail of h inside the face of h (h must have one).
   double corner_angle(HalfedgeId h);
   /// The angle swept counterclockwise about the common tail from one outgoing halfedge to another,
-  /// in [0, cone angle]; +infinity where the sweep would leave the surface. 0 if they are the same.
+  /// in [0, cone angle]; +infinity if the sweep would leave the surface; 0 if they are the same.
   double angle_ccw(HalfedgeId from, HalfedgeId to);
   /// The sum of the corner angles at a vertex.
   double cone_angle(VertexId v);
 
-  /// Replaces the edge by the other diagonal of its two faces. False, and nothing changed, where
-  /// there are no two different faces or their diamond is not strictly convex.
-  /// The new length has a relative error of a few ulp of the diamond's perimeter.
+  /// Replaces the edge by the other diagonal of its two faces. Returns false and changes nothing if
+  /// there are no two different faces or their diamond is not strictly convex. The new length has a
+  /// relative error of a few ulp of the diamond's perimeter.
   bool flip(EdgeId e);
   [[nodiscard]] std::size_t flip_count() const { return log_.size(); }
-  /// The edge of the newest flip that is not undone.
+  /// The edge of the newest flip that has not been undone.
   [[nodiscard]] EdgeId last_flipped() const { return log_.back().edge; }
   /// Restores connectivity, length and directions, bit for bit.
   void undo_flip();
-  /// Switches signposts and log off, for flips that nobody undoes or walks along.
+  /// Switches signposts and log off, for flips that are neither undone nor traced.
   void flip_without_trace() { keep_trace_ = false; }
 
-  // Inserted vertices (point_insertion.hpp places them). No flip may be pending; lengths and
-  // directions that were looked at are forgotten.
+  // Inserted vertices (point_insertion.hpp places them). No flip may be pending. Lengths and
+  // directions computed so far are forgotten.
   /// Splits the edge of h (which must have a face) at distance `from_tail` from its tail; `to_left`
   /// and `to_right` are the distances to the opposite corners. Returns the new vertex; h then ends
   /// at it.
@@ -93,16 +93,16 @@ class SignpostTriangulation {
   /// Splits the face of h; the distances go to the tails of h, next(h) and prev(h).
   VertexId split_face(HalfedgeId h, const std::array<double, 3>& lengths,
                       const SurfacePoint& location);
-  /// Removes every inserted vertex; the metric is the surface's own again. O(inserted).
+  /// Removes every inserted vertex; the metric is then the surface's own again. O(inserted).
   void remove_inserted();
   [[nodiscard]] std::size_t inserted_count() const {
     return vertex_count() - surface_->vertex_count();
   }
-  /// Where a vertex lies on the surface.
+  /// The point of the surface where a vertex lies.
   [[nodiscard]] SurfacePoint location(VertexId v) const;
-  /// The face of the surface that a face of the triangulation before its flips lies in.
+  /// The face of the surface that contains a face of the triangulation without flips.
   [[nodiscard]] FaceId surface_face(HalfedgeId h) const { return halfedges_[h.index()].face; }
-  /// The length of an edge of the triangulation before its flips, in the surface's own metric.
+  /// The length of an edge of the triangulation without flips, in the surface's own metric.
   [[nodiscard]] double surface_length(EdgeId e) const { return surface_length_[e.index()]; }
 
   /// Vertices whose directions have been laid out since set_metric.
@@ -113,7 +113,7 @@ class SignpostTriangulation {
     EdgeId edge;
     double length = 0;
     double direction[2] = {0, 0};
-    bool represented[2] = {false, false};  // it was its tail's (head's) own halfedge
+    bool represented[2] = {false, false};  // whether it was its tail's (head's) own halfedge
   };
 
   void forget();
@@ -133,7 +133,7 @@ class SignpostTriangulation {
   std::vector<double> surface_length_;
   Metric metric_;
 
-  std::uint32_t epoch_ = 1;  // an entry is known when its own epoch is this one
+  std::uint32_t epoch_ = 1;  // an entry is valid if its own epoch equals this one
   ZeroedVector<std::uint32_t> edge_epoch_;
   ZeroedVector<std::uint32_t> vertex_epoch_;
   ZeroedVector<double> length_;
@@ -144,7 +144,7 @@ class SignpostTriangulation {
   bool keep_trace_ = true;
   std::vector<Flip> log_;
   std::vector<SurfacePoint> inserted_;
-  std::vector<HalfedgeId> changed_;  // of the surface's halfedges, by insertion
+  std::vector<HalfedgeId> changed_;  // halfedges of the surface that insertion changed
 };
 
 }  // namespace talweg

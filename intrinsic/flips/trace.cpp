@@ -12,8 +12,9 @@ namespace talweg {
 // (h, a → c, c → b) and (twin, b → d, d → a). The restored diagonal runs from c to d, with corner a
 // on its left and corner b on its right.
 
-/// Passages that enter the diamond by `side`, and strands that start in the diamond and leave by
-/// it. `half` is the side's half of the restored diamond, `opposite` the corner across its face.
+/// Collects the passages that enter the diamond by `side`, and the strands that start in the
+/// diamond and leave by it. `half` is the side's half of the restored diamond, `opposite` the
+/// corner across its face.
 void Tracer::collect_entering(HalfedgeId side, Place half, Place opposite, HalfedgeId diagonal,
                               std::vector<Visit>& visits) {
   const SignpostTriangulation& t = *triangulation_;
@@ -86,7 +87,8 @@ void Tracer::undo_one() {
   const HalfedgeId h = halfedge_of(e);
   collect(e, visits_);
   triangulation_->undo_flip();
-  // What crossed or followed the diagonal is linked anew; its old crossings are forgotten.
+  // Passages that crossed or followed the diagonal are linked anew below; its old crossings are
+  // dropped.
   crossings_on_[e.index()] = kNone;
   strands_on_[e.index()] = kNone;
   for (const Visit& visit : visits_) {
@@ -126,13 +128,13 @@ SurfacePoint Tracer::point_on(HalfedgeId h, double t) const {
 namespace {
 
 struct Unfolded {
-  PlanePoint tail, head;  // of a crossed halfedge
+  PlanePoint tail, head;  // ends of a crossed halfedge
 };
 
 double cross(const PlanePoint& a, const PlanePoint& b) { return a.x * b.y - a.y * b.x; }
 PlanePoint minus(const PlanePoint& a, const PlanePoint& b) { return {a.x - b.x, a.y - b.y}; }
 
-/// The corner beyond a crossed edge, on the right of tail → head.
+/// The corner beyond a crossed edge, placed on the right of tail → head.
 PlanePoint beyond(const Unfolded& edge, double base, double from_tail, double from_head) {
   const PlanePoint d = minus(edge.head, edge.tail);
   const double norm = std::hypot(d.x, d.y);
@@ -174,7 +176,7 @@ void Tracer::emit(const Strand& strand, SurfaceCurve& curve, std::size_t& clampe
   for (Index k = strand.first; k != kNone; k = crossings_[k].next, ++i) {
     const double at_tail = cross(minus(edges[i].tail, start), line);
     const double at_head = cross(minus(edges[i].head, start), line);
-    // Tails are on the one side of the line, heads on the other.
+    // The tails lie on one side of the line, the heads on the other.
     double fraction = at_tail / (at_tail - at_head);
     if (!(fraction >= kMargin && fraction <= 1 - kMargin)) {
       ++clamped;
@@ -195,7 +197,7 @@ TraceResult Tracer::trace_and_undo(std::span<const EdgePath> paths, const Progre
   }
 }
 
-/// What is noted at edges.
+/// Clears the lists of crossings at edges.
 void Tracer::forget() {
   for (const Crossing& c : crossings_) crossings_on_[edge_of(c.through).index()] = kNone;
   for (const Strand& s : strands_) {

@@ -15,34 +15,34 @@ namespace talweg {
 
 struct TraceResult {
   std::vector<SurfaceCurve> curves;  ///< one per path, in their order
-  /// Crossings whose straight line missed their edge by rounding and that were put at its end.
+  /// Crossings whose straight line missed their edge by rounding; they were put at the edge's end.
   std::size_t clamped = 0;
 };
 
-/// Traces paths by taking the pending flips back, newest first.
+/// Traces paths by undoing the pending flips, newest first.
 ///
-/// A path starts out running along edges. When the flip of an edge is undone, what ran along the
-/// edge crosses the restored one, and whether a passage through the diamond crosses it follows from
-/// the sides by which it enters and leaves. So the sequence of edges that each path crosses is
-/// found without any arithmetic and cannot go wrong; the flips had to be undone anyway. Positions
-/// come from unfolding the crossed triangles into the plane.
+/// A path starts out running along edges. When the flip of an edge is undone, a passage that ran
+/// along the edge crosses the restored one; for other passages through the diamond the sides by
+/// which they enter and leave tell whether they cross it. So the sequence of edges that each path
+/// crosses is found without arithmetic and cannot be wrong, at little cost, as the flips must be
+/// undone anyway. Positions are computed by unfolding the crossed triangles into the plane.
 ///
-/// Memory for the edges is made once per object; a call costs O(flips + crossings).
+/// Memory for the edges is allocated once per object; a call costs O(flips + crossings).
 class Tracer {
  public:
   explicit Tracer(SignpostTriangulation& triangulation) : triangulation_(&triangulation) {}
 
   /// Undoes every pending flip. Each point of a curve and the next lie in one face of the surface;
-  /// vertices of a path that were inserted keep the point they were inserted for. Throws Cancelled
-  /// when `progress` (stage "trace") says so, and what the metric throws; flips may be pending
-  /// then.
+  /// inserted vertices of a path keep the point they were inserted for. Throws Cancelled when
+  /// `progress` (stage "trace") says so, and anything that the metric throws; flips may then still
+  /// be pending.
   TraceResult trace_and_undo(std::span<const EdgePath> paths, const Progress& progress = {});
 
  private:
   using Index = std::uint32_t;
   static constexpr Index kNone = 0xFFFFFFFFU;
 
-  struct Crossing {  // leaves the face of `through` by it
+  struct Crossing {  // it leaves the face of `through` by that halfedge
     HalfedgeId through;
     Index strand = kNone;
     Index prev = kNone, next = kNone;  // along the strand
@@ -57,7 +57,7 @@ class Tracer {
   enum class Place : std::uint8_t { kA, kB, kC, kD };  // corner or half of a diamond
   struct Visit {
     Index strand;
-    Index before, after;  // crossings by which it enters and leaves; kNone at an end
+    Index before, after;  // the crossings before and after it; kNone at an end
     Place from, to;
   };
 

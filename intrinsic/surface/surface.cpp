@@ -58,7 +58,7 @@ std::string edge_text(std::span<const Triangle> triangles, std::size_t side) {
          text(corner(triangles, side, 1).index());
 }
 
-/// The side that runs the other way, or kNoSide. Throws where the edge is not manifold.
+/// The side that runs the other way, or kNoSide. Throws if the edge is not manifold.
 std::uint32_t opposite(std::span<const Triangle> triangles, const SidesByTail& sorted,
                        std::size_t side) {
   const VertexId a = corner(triangles, side, 0);
@@ -72,7 +72,8 @@ std::uint32_t opposite(std::span<const Triangle> triangles, const SidesByTail& s
     }
     found = candidate;
   };
-  // Sides that start at b or that end at a, whichever are fewer: the hub of a fan has many.
+  // Searches the sides that start at b or those that end at a, whichever are fewer: the hub of a
+  // fan has many.
   const auto degree = [&](VertexId v) {
     return sorted.first[v.index() + 1] - sorted.first[v.index()];
   };

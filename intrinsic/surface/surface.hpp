@@ -13,8 +13,8 @@ namespace talweg {
 /// Three vertex indices of a triangle, counterclockwise.
 using Triangle = std::array<std::uint32_t, 3>;
 
-/// An oriented triangulated 2-manifold, with or without boundary, any genus, any number of
-/// components, isolated vertices allowed. Immutable.
+/// An oriented triangulated 2-manifold, with or without boundary, of any genus and with any number
+/// of components; isolated vertices are allowed. Immutable.
 ///
 /// Halfedges 2e and 2e + 1 are twins. A halfedge on the boundary has no face and no next.
 /// The three halfedges of face f start at halfedge(f), whose tail is the first corner of the face
@@ -29,17 +29,17 @@ class Surface {
   /// faces around a vertex form more than one fan.
   static Surface from_triangles(std::size_t vertex_count, std::span<const Triangle> triangles);
 
-  /// A Δ-complex: corner k of face f is `triangles[f][k]`; side k runs from corner k to corner
-  /// k + 1 and is glued to the side `gluing[3 f + k]` (numbered 3 f' + k'), or is on the boundary
-  /// (kNoSide). Multi-edges, self-edges and faces glued to themselves are legal.
-  /// Throws Error(kBadMesh) when the gluing is no involution, joins different vertices, or glues a
-  /// side to itself.
+  /// Builds a Δ-complex: corner k of face f is `triangles[f][k]`; side k runs from corner k to
+  /// corner k + 1 and is glued to the side `gluing[3 f + k]` (numbered 3 f' + k'), or is on the
+  /// boundary (kNoSide). Multi-edges, self-edges and faces glued to themselves are allowed.
+  /// Throws Error(kBadMesh) when the gluing is not an involution, joins different vertices, or
+  /// glues a side to itself.
   static constexpr std::uint32_t kNoSide = 0xFFFFFFFFU;
   static Surface from_gluing(std::size_t vertex_count, std::span<const Triangle> triangles,
                              std::span<const std::uint32_t> gluing);
 
-  /// One length per edge, finite and >= 0. Throws Error(kBadMesh) naming the first edge that is
-  /// not.
+  /// Sets one length per edge, finite and >= 0. Throws Error(kBadMesh) naming the first edge whose
+  /// length is not.
   void set_lengths(std::vector<double> lengths);
 
   [[nodiscard]] std::size_t vertex_count() const { return vertex_halfedge_.size(); }
@@ -65,8 +65,8 @@ class Surface {
   /// turning counterclockwise from it meets every face. Invalid at an isolated vertex.
   [[nodiscard]] HalfedgeId halfedge(VertexId v) const { return vertex_halfedge_[v.index()]; }
 
-  /// The next outgoing halfedge counterclockwise about the tail of h (h must have a face).
-  /// It has no face when the boundary is reached.
+  /// The next outgoing halfedge counterclockwise about the tail of h (h must have a face). It has
+  /// no face if the boundary is reached.
   [[nodiscard]] HalfedgeId turn_ccw(HalfedgeId h) const { return twin(prev(h)); }
   /// The next outgoing halfedge clockwise about the tail of h; invalid at the boundary.
   [[nodiscard]] HalfedgeId turn_cw(HalfedgeId h) const { return next(twin(h)); }
@@ -74,7 +74,7 @@ class Surface {
   [[nodiscard]] std::array<VertexId, 3> corners(FaceId f) const;
   [[nodiscard]] double length(EdgeId e) const { return lengths_[e.index()]; }
   [[nodiscard]] std::span<const double> lengths() const { return lengths_; }
-  /// A halfedge from a to b; invalid where there is none. O(degree of a).
+  /// A halfedge from a to b; invalid if there is none. O(degree of a).
   [[nodiscard]] HalfedgeId find_halfedge(VertexId a, VertexId b) const;
 
   struct Halfedge {

@@ -66,7 +66,7 @@ bool contains(const Surface& surface, FaceId face, const SurfacePoint& point) {
   return std::get<InFace>(point.where()).face == face;
 }
 
-/// The face of smallest id with these two different corners.
+/// The face of smallest id that contains these two different corners.
 FaceId face_of_both(const Surface& surface, VertexId v, VertexId w) {
   FaceId best;
   const HalfedgeId first = surface.halfedge(v);
@@ -133,7 +133,7 @@ SurfacePoint SurfacePoint::from_barycentric(const Surface& surface, FaceId face,
     const double from = b[(k + 1) % 3];
     const double to = b[(k + 2) % 3];
     const double t = to / (from + to);
-    // A coordinate beyond the tolerance can still round away against the other.
+    // A coordinate above the tolerance can still vanish by rounding against the other.
     if (!(t > 0)) return at_vertex(surface, surface.corners(face)[(k + 1) % 3]);
     if (!(t < 1)) return at_vertex(surface, surface.corners(face)[(k + 2) % 3]);
     return on_side(surface, face, (k + 1) % 3, t);
@@ -181,7 +181,7 @@ FaceId common_face(const Surface& surface, const SurfacePoint& p, const SurfaceP
   if (v != nullptr && w != nullptr && v->vertex != w->vertex) {
     return face_of_both(surface, v->vertex, w->vertex);
   }
-  // Around a vertex there are many faces, around the others two at most.
+  // A vertex has many faces around it, the other points have at most two.
   const SurfacePoint &many = p.is_vertex() ? p : q, &few = p.is_vertex() ? q : p;
   FaceId best;
   for_faces_at(surface, few, [&](FaceId f) {

@@ -16,7 +16,7 @@ struct AtVertex {
   friend bool operator==(const AtVertex&, const AtVertex&) = default;
 };
 
-/// On the inside of an edge: t in (0, 1) from the tail to the head of halfedge_of(edge).
+/// Inside an edge: t in (0, 1) from the tail to the head of halfedge_of(edge).
 struct OnEdge {
   EdgeId edge;
   double t = 0.5;
@@ -25,12 +25,12 @@ struct OnEdge {
 
 /// Inside a face: barycentrics > 0, summing to 1, in the order of Surface::corners(face).
 struct InFace {
-  FaceId face;  ///< that contains the point
+  FaceId face;  ///< the face that contains the point
   std::array<double, 3> barycentric{};
   friend bool operator==(const InFace&, const InFace&) = default;
 };
 
-/// A point at a vertex, inside an edge or inside a face; nothing else can be built.
+/// A point at a vertex, inside an edge or inside a face; no other values can be built.
 class SurfacePoint {
  public:
   /// Throws Error(kBadCurve) when the element does not exist or a coordinate is out of its range.
@@ -39,9 +39,9 @@ class SurfacePoint {
   static SurfacePoint in_face(const Surface& surface, FaceId face,
                               const std::array<double, 3>& barycentric);
 
-  /// The point with these barycentrics of a face, wherever it lies: coordinates of at most
-  /// `tolerance` count as 0, so the result is at a corner, on a side or inside.
-  /// Throws Error(kBadCurve) when a coordinate is below -tolerance or the sum is not 1 within 1e-6.
+  /// The point with these barycentrics of a face: coordinates of at most `tolerance` count as 0, so
+  /// the result is at a corner, on a side or inside. Throws Error(kBadCurve) when a coordinate is
+  /// below -tolerance or the sum is not 1 within 1e-6.
   static SurfacePoint from_barycentric(const Surface& surface, FaceId face,
                                        const std::array<double, 3>& barycentric,
                                        double tolerance = 1e-12);
@@ -62,12 +62,13 @@ struct FaceCoordinates {
   std::array<double, 3> barycentric{};  ///< in the order of Surface::corners(face)
 };
 
-/// Every face that contains the point: all around a vertex, one or two at an edge, one inside.
+/// All faces that contain the point: those around a vertex, one or two at an edge, one inside a
+/// face.
 std::vector<FaceId> faces_at(const Surface& surface, const SurfacePoint& point);
-/// The point's coordinates in `face`; empty barycentrics are never returned: throws
-/// Error(kBadCurve) if the face does not contain the point.
+/// The point's coordinates in `face`. Throws Error(kBadCurve) if the face does not contain the
+/// point.
 FaceCoordinates coordinates_in(const Surface& surface, const SurfacePoint& point, FaceId face);
-/// The face of smallest id that contains both points; invalid where there is none.
+/// The face of smallest id that contains both points; invalid if there is none.
 FaceId common_face(const Surface& surface, const SurfacePoint& p, const SurfacePoint& q);
 /// The face of smallest id that contains the point; invalid for an isolated vertex.
 FaceId any_face(const Surface& surface, const SurfacePoint& point);

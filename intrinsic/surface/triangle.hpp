@@ -10,9 +10,9 @@
 namespace talweg {
 
 /// The angle opposite side c, between sides a and b, in [0, pi]. Kahan, "Miscalculating area and
-/// angles of a needle-like triangle" (2014): relative error of a few ulp also for needles.
-/// A side of length 0 between equal sides gives pi/2 at its ends, and three of them pi/3, so that
-/// angles always sum to pi.
+/// angles of a needle-like triangle" (2014): relative error of a few ulp, also for needles. A side
+/// of length 0 between equal sides gives pi/2 at its ends, and three sides of length 0 give pi/3,
+/// so that angles always sum to pi.
 inline double angle_between(double a, double b, double c) {
   if (a < b) std::swap(a, b);
   if (b <= 0) return a <= 0 && c <= 0 ? std::numbers::pi / 3 : std::numbers::pi / 2;
@@ -23,7 +23,7 @@ inline double angle_between(double a, double b, double c) {
   return 2 * std::atan(std::sqrt(((a - b) + c) * mu / denominator));
 }
 
-/// Heron's formula in Kahan's stable form; 0 where the triangle inequality does not hold.
+/// Heron's formula in Kahan's stable form; 0 if the triangle inequality does not hold.
 inline double triangle_area(double a, double b, double c) {
   if (a < b) std::swap(a, b);
   if (b < c) std::swap(b, c);

@@ -9,10 +9,10 @@
 
 namespace talweg {
 
-/// Takes zeroed memory from the system, which hands out pages only when they are written: an array
-/// over a mesh of which a run touches a thousandth costs that much. Elements that a vector makes
-/// without a value are not written, so they are zero only in fresh memory: give a value to whatever
-/// is appended after elements were removed.
+/// Takes zeroed memory from the system, which provides pages only when they are written: an array
+/// over a mesh of which a run touches a thousandth costs only that much. Elements that a vector
+/// creates without a value are not written, so they are zero only in fresh memory; elements that
+/// are appended after others were removed must be given a value.
 template <class T>
 class ZeroedMemory {
  public:
@@ -24,7 +24,7 @@ class ZeroedMemory {
   explicit ZeroedMemory(const ZeroedMemory<U>& /*other*/) {}
 
   T* allocate(std::size_t n) {
-    void* memory = std::calloc(n, sizeof(T));  // checks the product
+    void* memory = std::calloc(n, sizeof(T));  // calloc checks the product for overflow
     if (memory == nullptr) throw std::bad_alloc();
     return static_cast<T*>(memory);
   }

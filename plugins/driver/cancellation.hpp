@@ -3,8 +3,8 @@
 
 namespace talweg::driver {
 
-/// From now on the first SIGINT or SIGTERM only raises the flag below; another one, half a second
-/// later or more, ends the process at once. SIGXFSZ ends nothing.
+/// After this call the first SIGINT or SIGTERM only raises the flag below; another one, half a
+/// second later or more, ends the process at once. SIGXFSZ is ignored.
 void catch_interrupts();
 bool interrupted();
 

@@ -1,5 +1,4 @@
 // Each of the driver's commands adds itself to the command line and returns an exit code when run.
-// Each adds itself to the command line and returns an exit code when run.
 #pragma once
 
 #include <functional>
@@ -14,7 +13,7 @@ enum ExitCode {
   kDone = 0,
   kBadUsage = 1,
   kBadInput = 2,
-  kNotConverged = 3,  ///< results are written all the same
+  kNotConverged = 3,  ///< results are written nevertheless
   kCancelled = 4,
   kInternal = 5,
 };
@@ -28,12 +27,11 @@ struct GlobalOptions {
 
 using Command = std::function<int()>;
 
-/// Throws Error(kBadUsage) naming the first argument that has no value where one is written (an
-/// unset variable of a shell, mostly): an empty one, `--tau=`, or a list with nothing between two
-/// commas.
+/// Throws Error(kBadUsage) naming the first argument with a missing value (mostly an unset variable
+/// of a shell): an empty argument, `--tau=`, or a list with nothing between two commas.
 void check_values(const CLI::App& app, const std::vector<std::string>& arguments);
 
-/// Throws Error(kBadUsage) for an argument that nobody takes, with what may have been meant.
+/// Throws Error(kBadUsage) for an unknown argument, with a suggestion of what may have been meant.
 [[noreturn]] void refuse_unexpected(const CLI::App& app, const std::string& argument);
 
 Command add_draw(CLI::App& app, const GlobalOptions& global);

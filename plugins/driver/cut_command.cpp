@@ -44,7 +44,7 @@ struct CutCommandOptions {
   std::string mesh_units = "mm";
 };
 
-/// A mesh to be written: where its vertices and faces come from, and what was done.
+/// A mesh to be written, with the origin of its vertices and faces, and a record of what was done.
 struct Part {
   MeshLists lists;
   MeshAttributes attributes;
@@ -60,7 +60,7 @@ LidKind lid_kind(const std::string& name) {
               "--cap must be auto, planar or least-area, not \"" + name + "\".");
 }
 
-/// What comes before the numbers of the pieces.
+/// The part of the outputs' names before the pieces' numbers.
 std::string split_prefix(const CutCommandOptions& o) {
   const std::filesystem::path path(o.output);
   return (path.parent_path() / (path.stem().string() + "-")).string();
@@ -84,16 +84,16 @@ class Cutting {
 
   const CutCommandOptions& o_;
   Progress progress_;
-  MeshAttributes attributes_;  // of the file's mesh, then of the cut one
+  MeshAttributes attributes_;  // of the file's mesh, later of the cut mesh
   ReadMesh read_;
   SurfaceMesh mesh_;
   SnappedDrawing drawing_;
   CutMesh cut_;
   std::size_t pieces_ = 1;
-  std::size_t between_ = 0;  // of those, on the left of one curve and the right of another
+  std::size_t between_ = 0;  // of those, pieces on the left of one curve and the right of another
   std::vector<Part> parts_;
   double cut_ms_ = 0;
-  std::vector<std::string> left_out_;  // sentences, one for each kind of file
+  std::vector<std::string> left_out_;  // sentences, one for each format
 };
 
 Cutting::Cutting(const CutCommandOptions& options, Progress progress)
@@ -136,8 +136,8 @@ void Cutting::take_apart() {
   }
 }
 
-/// The pieces on the side that is asked for: that of every curve along them. So none is on both
-/// sides, whichever way curves lie inside each other.
+/// The pieces on the requested side: a piece must be on that side of every curve along it. So no
+/// piece is on both sides, however curves are nested.
 std::vector<bool> Cutting::kept(const OpenedSeams& seams) {
   if (o_.keep.empty()) return std::vector<bool>(seams.pieces, true);
   std::vector<bool> wanted(seams.pieces, false), other(seams.pieces, false);

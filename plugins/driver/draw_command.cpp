@@ -31,7 +31,7 @@ struct DrawOptions {
   std::string mesh_units = "mm";
 };
 
-/// The vertices to draw through, in the numbers of the mesh.
+/// The way-points, in the numbers of the mesh.
 std::vector<VertexId> through_on(const SurfaceMesh& mesh, const RepairMap* map,
                                  const DrawOptions& options) {
   CurveInput input;

@@ -53,7 +53,7 @@ SnappedDrawing read_drawing(const std::string& path, const SurfaceMesh& mesh, co
 
 namespace {
 
-/// Labels of the repaired mesh from those of its file.
+/// Converts the labels of a file to those of the repaired mesh.
 std::vector<std::int64_t> on_repaired(const RepairMap& map, const std::vector<std::int64_t>& labels,
                                       const std::string& path) {
   if (labels.size() == map.file_face_count()) return map.of_faces(labels);

@@ -19,16 +19,15 @@
 
 namespace talweg::driver {
 
-/// Reads curves, snaps them to a mesh and joins their points straight over the surface. What
-/// searches the mesh is made once. The mesh and the map must outlive the reader.
+/// Reads curves, snaps them to a mesh and joins their points straight over the surface. The search
+/// structure is built once. The mesh and the map must outlive the reader.
 class DrawingReader {
  public:
-  /// With a map curves are in the numbers of the file.
+  /// With a map, curves are in the numbers of the file.
   explicit DrawingReader(const SurfaceMesh& mesh, const RepairMap* map = nullptr)
       : mesh_(&mesh), map_(map) {}
-  /// The curves of all files, in their order; `unit` is that of the mesh.
-  /// Throws Error as read_curves(), snap() and StraightLines::join() do, with what welding would
-  /// give where that may help, and Cancelled.
+  /// The curves of all files, in their order; `unit` is that of the mesh. Throws Cancelled, and
+  /// Error as read_curves(), snap() and StraightLines::join() do, with a hint if welding may help.
   SnappedDrawing read(std::span<const std::string> paths, const LengthUnit& unit = {},
                       const Progress& progress = {});
 
@@ -40,32 +39,32 @@ class DrawingReader {
   const RepairMap* map_;
   std::optional<ClosestPoint> closest_;
   std::optional<StraightLines> lines_;
-  std::optional<std::string> weld_hint_;  ///< made when a curve is first refused
+  std::optional<std::string> weld_hint_;  ///< made when a curve is first rejected
 };
 
 /// The same for one file.
 SnappedDrawing read_drawing(const std::string& path, const SurfaceMesh& mesh,
                             const RepairMap* map = nullptr, const LengthUnit& unit = {});
 
-/// Labels on the repaired mesh where there was a map.
+/// Labels of a file; if there was a map, converted to the repaired mesh.
 struct ReadLabels : LabelFile {
-  std::vector<std::int64_t> of_file;  ///< as the file has them, where there was a map
+  std::vector<std::int64_t> of_file;  ///< as in the file, if there was a map
 };
 
-/// The labels that a file holds; `property` as in LabelFileOptions. Throws Error(kBadFile) as
+/// The labels of a file; `property` as in LabelFileOptions. Throws Error(kBadFile) as
 /// read_label_file() does.
 ReadLabels read_labels(const std::string& path, const Surface& surface, const RepairMap* map,
                        const std::string& property = {});
 
-/// The borders between labels that a file holds, see read_label_file(). Throws Error as that and
-/// label_borders() do.
+/// The borders between the labels of a file, see read_label_file(). Throws Error as that function
+/// and label_borders() do.
 SnappedDrawing drawing_of_labels(const std::string& path, const Surface& surface,
                                  const RepairMap* map = nullptr);
 
-/// What a user should know of how curves and a mesh were read.
+/// Warnings for the user about how curves and a mesh were read.
 std::vector<std::string> reading_warnings(const SnappedDrawing& drawing, std::size_t polygons);
 
-/// Says it on the standard error, before anything else, that a drawing was moved far.
+/// If a drawing was moved far, writes this to the standard error before anything else.
 void lead_with_far_move(const SnappedDrawing& drawing, bool quiet);
 
 }  // namespace talweg::driver

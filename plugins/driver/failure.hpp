@@ -10,7 +10,7 @@ struct Failure {
   std::string message;
 };
 
-/// Of the exception that is being handled; call it in a catch clause.
+/// Describes the exception that is being handled; to be called in a catch clause.
 Failure current_failure();
 
 }  // namespace talweg::driver

@@ -8,9 +8,9 @@ namespace talweg::driver {
 
 /// Numbers separated by blanks or ends of lines. Throws Error(kBadFile).
 std::vector<double> read_field(const std::string& path);
-/// The same, and there must be as many as the mesh has vertices.
+/// The same; throws if the number of values is not `vertices`.
 std::vector<double> read_field(const std::string& path, std::size_t vertices);
-/// One number a line, 17 digits; "inf" for infinite ones.
+/// Writes one number per line with 17 digits; "inf" for infinite ones.
 void write_field(const std::string& path, const std::vector<double>& values);
 
 }  // namespace talweg::driver

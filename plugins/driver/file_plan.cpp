@@ -29,7 +29,7 @@ std::optional<Status> status_of(const fs::path& path) {
   return status;
 }
 
-/// Where a link leads that leads to nothing yet.
+/// The target of a link, even if it does not exist yet.
 fs::path behind_links(fs::path path) {
   constexpr int kMostLinks = 40;
   std::error_code failed;
@@ -42,7 +42,7 @@ fs::path behind_links(fs::path path) {
   return path;
 }
 
-/// The nearest folder above a path that is not there.
+/// The nearest folder above a path that does not exist.
 fs::path folder_above(fs::path path) {
   do {
     path = path.parent_path();
@@ -55,7 +55,7 @@ bool is_digits(std::string_view text) {
          std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
 }
 
-/// FIRST12ENDING.
+/// Whether a name is FIRST followed by a number and ENDING.
 bool is_numbered(std::string_view name, std::string_view first, std::string_view ending) {
   if (name.size() <= first.size() + ending.size()) return false;
   if (!name.starts_with(first) || !name.ends_with(ending)) return false;
@@ -86,7 +86,7 @@ FilePlan::Identity FilePlan::identity_of(const std::string& path, bool& device) 
   std::error_code failed;
   const fs::path full = behind_links(fs::absolute(path, failed));
   if (const auto status = status_of(full)) return of(*status);
-  // Folders that are made on the way may lead back: absent/../mesh.ply.
+  // A folder that will be made may be followed by "..": absent/../mesh.ply.
   fs::path plain = fs::weakly_canonical(full, failed);
   if (failed) plain = full.lexically_normal();
   if (const auto status = status_of(plain)) return of(*status);
@@ -178,7 +178,7 @@ void FilePlan::check_collisions() const {
   }
 }
 
-/// Outputs that are not there yet and would have the name of one with a number.
+/// Finds outputs that do not exist yet and would have the name of a numbered one.
 void FilePlan::check_numbered() const {
   for (const Numbered& numbered : numbered_) {
     bool device = false;
@@ -220,7 +220,7 @@ void FilePlan::check_target(const File& output, TriedNames& tried) const {
       return;
     }
   }
-  // A file is made to try it. Once for each folder is enough, unless a name is longer.
+  // Trying creates a file. Once for each folder is enough, unless a name is longer.
   const fs::path path(output.path);
   const auto status = status_of(path);
   std::size_t& longest = tried[fs::absolute(path, failed).parent_path().string()];

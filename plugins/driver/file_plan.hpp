@@ -9,36 +9,40 @@
 
 namespace talweg::driver {
 
-/// Every command tells what it reads and writes, and has it checked before it reads anything. The
-/// same file is known by any path, link and spelling; one that is not there yet by its folder.
+/// Every command registers the files that it reads and writes, and has them checked before it reads
+/// anything. A file is recognised by any path, link and spelling; a file that does not exist yet is
+/// identified by its folder.
 class FilePlan {
  public:
-  /// Throws for a name with an ending that no format has; check_curve_name() and the like.
+  /// Throws for a name whose extension has no format, as check_curve_name() does.
   using NameCheck = void (*)(const std::filesystem::path&);
 
-  /// From now on files are of this place in a list, such as "line 3"; `list` is the list's name.
+  /// Files registered after this call belong to this place in a list, such as "line 3"; `list` is
+  /// the list's name.
   void at(const std::string& list, const std::string& place);
-  /// Folders of outputs need not be there: they are made.
+  /// Folders of outputs need not exist: the command makes them.
   void makes_folders() { makes_folders_ = true; }
 
-  /// `what` is the option or argument that names the file. An empty path is none.
+  /// `what` is the option or argument that names the file. An empty path means no file.
   void reads(const std::string& what, const std::string& path);
   void reads(const std::string& what, const std::vector<std::string>& paths);
-  /// `-` and `-.ENDING` are the standard output; where the ending chooses the format, the second.
+  /// `-` and `-.ENDING` are the standard output; `-` is only allowed if the format does not depend
+  /// on the ending.
   void writes(const std::string& what, const std::string& path, NameCheck name_check = nullptr);
   void writes(const std::string& what, const std::vector<std::string>& paths, NameCheck name_check);
-  /// Files PREFIX0ENDING, PREFIX1ENDING, ...: nobody knows yet how many.
+  /// Files PREFIX0ENDING, PREFIX1ENDING, ...; their number is not known yet.
   void writes_numbered(const std::string& what, const std::string& prefix,
                        const std::string& ending, NameCheck name_check = nullptr);
 
-  /// Throws Error(kBadUsage) where an output is an input or another output, or the standard output
-  /// without a format; Error(kBadFile) for endings as the checks do, and for what check_writable()
-  /// finds. Text for people leaves the standard output to outputs from here on.
+  /// Throws Error(kBadUsage) if an output is also an input or another output, or is the standard
+  /// output without a format; Error(kBadFile) for endings as the checks do, and for problems found
+  /// by check_writable(). If an output uses the standard output, text for people goes elsewhere
+  /// from here on.
   void check() const;
 
  private:
-  /// A file that is there by its device and number there, another one by the nearest folder that
-  /// is, and the way from it.
+  /// An existing file is identified by its device and inode number; another one by the nearest
+  /// existing folder and the path from there.
   struct Identity {
     std::uint64_t device = 0, number = 0;
     std::string way;
@@ -48,15 +52,15 @@ class FilePlan {
     std::string what, path, list, place;
     NameCheck name_check = nullptr;
     Identity identity;
-    bool device = false;  ///< a terminal, /dev/null: nothing is lost by writing it
+    bool device = false;  ///< a terminal or /dev/null: writing to it destroys no data
   };
-  /// Names in a folder: FIRST0ENDING, FIRST1ENDING, ...
+  /// The names FIRST0ENDING, FIRST1ENDING, ... in a folder.
   struct Numbered {
     std::size_t output;  ///< the first of them, in outputs_
     std::string folder, first, ending;
   };
 
-  /// By folder the length of the longest name that could be written there.
+  /// For each folder the length of the longest name that was tried successfully.
   using TriedNames = std::map<std::string, std::size_t>;
 
   [[nodiscard]] File file(const std::string& what, const std::string& path) const;

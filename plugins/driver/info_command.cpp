@@ -23,7 +23,7 @@ struct InfoOptions {
   std::string repair;
 };
 
-/// What the repair would do; nothing where it was not asked for or there is nothing to mend.
+/// The effect of a repair; nothing if none was requested or nothing needs repair.
 std::optional<InfoRepair> repair_of(const MeshLists& lists, const std::string& list) {
   if (list.empty()) return std::nullopt;
   try {

@@ -9,26 +9,26 @@
 
 namespace talweg::driver {
 
-/// Where the time went, in ms.
+/// The time for each step, in ms.
 struct InfoTimes {
   double load = 0;             ///< reading the file
-  double inspect = 0;          ///< looking for all defects
-  std::optional<double> open;  ///< making it ready for curves, where it can be used
+  double inspect = 0;          ///< finding all defects
+  std::optional<double> open;  ///< opening the mesh, if it is usable
 };
 
-/// What a repair changes, and what the mesh is after it.
+/// The changes of a repair, and the mesh after it.
 struct InfoRepair {
   MeshChanges changes;
   MeshInspection after;
 };
 
-/// Readable lines, the verdict last; only the defects that the mesh has are listed.
+/// Readable lines with the verdict last; only defects that the mesh has are listed.
 std::string info_text(const MeshInspection& inspection, const InfoTimes& times,
                       const std::optional<InfoRepair>& repair = {},
                       const std::optional<WeldedMesh>& welded = {});
 
-/// The same as JSON with stable keys; every defect is there, with its count and first places.
-/// Angles in radians, lengths in mesh units, times in ms.
+/// The same as JSON with stable keys; every kind of defect is included, with its count and first
+/// places. Angles in radians, lengths in mesh units, times in ms.
 std::string info_json(const MeshInspection& inspection, const InfoTimes& times,
                       const std::optional<InfoRepair>& repair = {},
                       const std::optional<WeldedMesh>& welded = {});

@@ -49,7 +49,7 @@ struct LabelsOptions {
 
 using Names = std::map<std::int64_t, std::string>;  // of labels that have one
 
-/// One label a line.
+/// One label per line.
 std::string lines_of(const std::vector<std::int64_t>& labels) {
   std::string text;
   for (const std::int64_t label : labels) {
@@ -58,8 +58,8 @@ std::string lines_of(const std::vector<std::int64_t>& labels) {
   return text;
 }
 
-/// Of the faces of the file. One that the repair dropped has the label that it had; where vertices
-/// have the labels that of its first corner.
+/// Labels for the faces of the file. A face that the repair dropped has its old label; if labels
+/// are per vertex, that of its first corner.
 std::vector<std::int64_t> of_file_faces(const std::vector<std::int64_t>& labels,
                                         const RepairMap* map, const ReadLabels& read,
                                         const std::string& mesh) {
@@ -81,7 +81,7 @@ std::vector<std::int64_t> of_file_faces(const std::vector<std::int64_t>& labels,
   return result;
 }
 
-/// The report of smooth, and `network`, `regions`, and the labels of each border.
+/// The report of `smooth`, with `network`, `regions`, and the labels of each border.
 std::string report_of(const LabelNetwork& network, const std::vector<std::string>& warnings,
                       const Names& names) {
   std::vector<SmoothingReport> reports;
@@ -119,7 +119,7 @@ std::string report_of(const LabelNetwork& network, const std::vector<std::string
                        {"curvature_before", border.report.curvature_before},
                        {"curvature_after", border.report.curvature_after}});
   }
-  // Names of labels are the bytes that their file has.
+  // Names of labels may be any bytes, as their file has them.
   return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
@@ -156,7 +156,7 @@ std::string summary_of(const LabelNetwork& network, double ms) {
   return text + fmt::format("{:.1f} ms\n", ms);
 }
 
-/// With the labels as a property of its faces where the format holds one.
+/// Writes the cut mesh, with the labels as a property of its faces if the format has one.
 void write_cut(const std::string& path, const LabelNetwork& network) {
   MeshAttributes attributes;
   AttributeColumn& column = attributes.faces.emplace_back();
@@ -197,7 +197,7 @@ void write(const LabelsOptions& o, const LabelNetwork& network, const SurfaceMes
 void check_files(const LabelsOptions& o) {
   FilePlan files;
   files.reads("the mesh", o.mesh);
-  // The mesh may be the file of its labels.
+  // The mesh and its labels may be the same file.
   files.reads("LABELS", o.labels);
   files.writes("-o", o.outputs, check_curve_name);
   files.writes("--labels-out", o.labels_out);

@@ -25,7 +25,7 @@ int fail(int code, const std::string& message) {
   return code;
 }
 
-/// What was printed has to be out before the exit code says so.
+/// Flushes the output before the exit code reports success.
 int printed(int code) {
   std::cout.flush();
   if (std::cout.good() && std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return code;
@@ -43,7 +43,7 @@ std::vector<std::string> option_names(const CLI::App* app) {
   return names;
 }
 
-/// The command that was given, or the app itself.
+/// The command on the command line, or the app itself if there is none.
 const CLI::App* given_command(const CLI::App& app) {
   const std::vector<CLI::App*> given = app.get_subcommands();
   return given.empty() ? &app : given.back();
@@ -87,9 +87,9 @@ int run(int argc, char** argv) {
   add(add_info);
   add(add_plugins);
   add(add_run);
-  app.allow_extras();  // they get a sentence of ours
+  app.allow_extras();  // unknown arguments get our own message
   check_values(app, std::vector<std::string>(argv + 1, argv + argc));
-  // A word that nobody knows is named before the one that is missing for it.
+  // An unknown word is reported before the word that is missing because of it.
   const auto check_all_taken = [&app] {
     for (const std::string& extra : app.remaining(!app.got_subcommand("run"))) {  // has its own
       refuse_unexpected(app, extra);
@@ -118,7 +118,7 @@ int run(int argc, char** argv) {
       "talweg --help)");
 }
 
-/// Whether it is the name of an option that takes a list, of any command.
+/// Whether this is the name of an option, of any command, that takes a list.
 bool is_list(const CLI::App& app, const std::string& name) {
   if (!name.starts_with("-")) return false;
   const auto takes_list = [&](const CLI::App* command) {

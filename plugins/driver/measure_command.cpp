@@ -71,7 +71,8 @@ MeasuredFile measure_file(const SurfaceMesh& mesh, const std::string& name,
   return file;
 }
 
-/// The deviation of all from those of the pairs: the largest, and means by length.
+/// Computes the deviation of all curves from those of the pairs: maxima, and means weighted by
+/// length.
 MeasuredDeviation all_of(const Measurement& m) {
   MeasuredDeviation all = m.deviations.front();
   double to = 0, from = 0;
@@ -138,7 +139,7 @@ Measurement measure(const MeasureOptions& options, const Progress& progress, boo
     m.other = measure_file(mesh, options.other, other.curves);
     compare(mesh, drawing.curves, other.curves, progress, m);
   }
-  drawing.gaps = {};  // what is measured is the joined curve
+  drawing.gaps = {};  // the joined curve itself is measured
   const std::vector<std::string> reading = reading_warnings(drawing, polygons);
   drawing.add_to(m.warnings, reading);
   m.warnings.insert(m.warnings.end(), read.changes.begin(), read.changes.end());

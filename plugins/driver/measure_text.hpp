@@ -11,22 +11,22 @@
 
 namespace talweg::driver {
 
-/// One curve, or the totals of several: counts, lengths and curvatures are sums, the largest turn
-/// is the largest, and contacts between the curves count too.
+/// The measures of one curve, or the totals of several: counts, lengths and curvatures are sums,
+/// the largest turn is the maximum, and contacts between curves are included.
 struct MeasuredCurve {
   std::size_t points = 0;
   bool closed = false;
   CurveMeasures measures;
-  Point max_at = Point::Zero();  ///< where the largest turn is
-  std::vector<Point> contacts;   ///< where self-contacts begin
-  std::size_t stretches = 0;     ///< how many of them are more than a point
+  Point max_at = Point::Zero();  ///< the place of the largest turn
+  std::vector<Point> contacts;   ///< the beginnings of self-contacts
+  std::size_t stretches = 0;     ///< number of self-contacts that are more than a point
 };
 
-/// Along the surface, mesh units; infinite between parts that are not connected.
+/// Measured along the surface, mesh units; infinite between parts that are not connected.
 struct MeasuredDeviation {
   double to_max = 0, to_mean = 0;      ///< of the curve's points to the other
   double from_max = 0, from_mean = 0;  ///< of the other's points to the curve
-  Point at = Point::Zero();            ///< where the larger maximum is
+  Point at = Point::Zero();            ///< the point with the larger maximum
 };
 
 struct MeasuredFile {
@@ -39,8 +39,8 @@ struct Measurement {
   std::size_t faces = 0, vertices = 0;  ///< of the mesh
   MeasuredFile file;
   std::optional<MeasuredFile> other;
-  std::vector<MeasuredDeviation> deviations;  ///< of pairs; empty where the counts differ
-  MeasuredDeviation deviation;                ///< of all
+  std::vector<MeasuredDeviation> deviations;  ///< of pairs; empty if the counts differ
+  MeasuredDeviation deviation;                ///< of all curves
   std::vector<std::string> warnings;
 };
 

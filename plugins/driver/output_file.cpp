@@ -16,7 +16,7 @@
 namespace talweg::driver {
 namespace {
 
-constexpr int kPatienceMs = 50;  // between two looks at whether a signal came
+constexpr int kPatienceMs = 50;  // between two checks for a signal
 
 bool g_text_to_error = false;
 
@@ -31,8 +31,8 @@ struct Descriptor {
   cannot_write(is_standard_output(path) ? "the standard output" : path, std::strerror(errno));
 }
 
-/// Opens what is there and no regular file. That of a pipe would wait for a reader and hear no
-/// signal, so it is tried again and again.
+/// Opens an existing file that is not a regular one. Opening a pipe would wait for a reader and
+/// ignore signals, so it is retried without waiting.
 int open_in_place(const std::string& path, bool pipe) {
   for (;;) {
     const int file = open(path.c_str(), O_WRONLY | O_CLOEXEC | (pipe ? O_NONBLOCK : 0));
@@ -43,7 +43,7 @@ int open_in_place(const std::string& path, bool pipe) {
   }
 }
 
-/// No more at once than a ready pipe takes without waiting.
+/// Writes at most as much at once as a ready pipe takes without blocking.
 void put(int file, std::string_view bytes, const std::string& path) {
   struct stat status {};
   fstat(file, &status);

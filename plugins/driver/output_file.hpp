@@ -13,7 +13,7 @@ namespace talweg::driver {
 /// "-" is the standard output; so is "-.vtp", whose ending chooses the format as a file's does.
 bool is_standard_output(std::string_view path);
 
-/// Thrown where a signal came while an output waited for its reader.
+/// Thrown if a signal came while an output waited for its reader.
 struct WaitCancelled {
   std::string path;
 };
@@ -22,10 +22,11 @@ struct WaitCancelled {
 /// Throws Error(kBadFile) naming path and reason, and WaitCancelled.
 void write_output(const std::string& path, std::string_view bytes);
 
-/// Writes several outputs: one that fails does not take the work of a long run from the others.
+/// Writes several outputs; if one fails, the others are still written, so a long run's work is not
+/// lost.
 class OutputAttempts {
  public:
-  /// Keeps the first Error.
+  /// Runs `write` and keeps the first Error.
   template <class Write>
   void make(const Write& write) {
     try {
@@ -34,7 +35,7 @@ class OutputAttempts {
       if (!failure_) failure_ = std::current_exception();
     }
   }
-  /// Throws it.
+  /// Throws the first Error, if any.
   void finish() const {
     if (failure_) std::rethrow_exception(failure_);
   }
@@ -43,7 +44,7 @@ class OutputAttempts {
   std::exception_ptr failure_;
 };
 
-/// Where text for people goes: the standard output, unless that is an output's.
+/// The stream for text for people: the standard output, unless an output uses it.
 std::FILE* text_stream();
 /// From now on text for people goes to the standard error.
 void keep_text_from_standard_output();

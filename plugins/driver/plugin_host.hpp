@@ -13,22 +13,21 @@
 
 namespace talweg::driver {
 
-/// Every plugin there is; loaded when first asked for, there until the program ends.
+/// All plugins that were found; loaded when first needed, and kept until the program ends.
 const talweg_loader* plugin_loader();
-/// Throws Error(kBadFile) that says where it was looked for.
+/// Throws Error(kBadFile) that says where the plugin was looked for.
 const talweg_plugin& plugin_named(const std::string& id);
 
-/// Throws what a plugin's failure means to the driver: an Error, or std::runtime_error for the
-/// plugin's own faults.
+/// Converts a plugin's error: to an Error, or to std::runtime_error for the plugin's own faults.
 [[noreturn]] void rethrow(const host::Error& error);
 
 host::Curve host_curve(const PlacedCurve& curve);
 host::Curve host_curve(const CurveInput& curve);
 PlacedCurve placed_curve(const host::Curve& curve);
-/// The report on one curve, or on all (-1).
+/// The report on one curve, or on all curves (-1).
 std::vector<ReportEntry> entries_of(const host::Results& results, std::int64_t curve);
 
-/// The mesh of a file goes to a plugin; copied once.
+/// Gives the mesh of a file to a plugin, which copies it.
 void set_mesh(host::Instance& instance, std::span<const Point> points,
               std::span<const Triangle> triangles);
 

@@ -71,7 +71,7 @@ void PluginOptions::add(CLI::App& app, Value& value) {
     case TALWEG_FIELD:
       value.option = app.add_option(name, value.text, text);
       break;
-    default:  // of a newer plugin: it keeps its default
+    default:  // a type of a newer plugin: it keeps its default
       return;
   }
   if ((p.flags & TALWEG_ADVANCED) != 0) value.option->group("Advanced");

@@ -19,9 +19,9 @@ class PluginOptions {
   /// app's parsing.
   PluginOptions(CLI::App& app, const talweg_plugin& plugin);
 
-  /// Sets what was given. Throws Error(kBadFile) for files of fields, host::Error.
+  /// Sets the parameters that were given. Throws Error(kBadFile) for files of fields, host::Error.
   void apply(host::Instance& instance) const;
-  /// The options that were given files of fields, and these.
+  /// The options that were given files of fields, with these files.
   [[nodiscard]] std::vector<std::pair<std::string, std::string>> files() const;
 
  private:
@@ -38,9 +38,9 @@ class PluginOptions {
   std::vector<std::unique_ptr<Value>> values_;  // CLI11 keeps their addresses
 };
 
-/// "max_deviation" as "--max-deviation".
+/// The option's name: "--max-deviation" for "max_deviation".
 std::string option_name(const std::string& id);
-/// What help says about a parameter's option.
+/// The help text of a parameter's option.
 std::string option_text(const talweg_parameter& parameter);
 /// Adds an option that takes one of a parameter's choices.
 CLI::Option* add_choice(CLI::App& app, const talweg_parameter& parameter, std::string& value);

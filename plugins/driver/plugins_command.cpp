@@ -1,4 +1,4 @@
-// talweg plugins: what can be loaded, and what was refused.
+// talweg plugins: the plugins that can be loaded, and files that were refused.
 #include <cstdio>
 
 #include "commands.hpp"

@@ -16,12 +16,12 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t kCells = 30;
-constexpr auto kFirst = std::chrono::milliseconds(300);  // short work shows no bar at all
+constexpr auto kFirst = std::chrono::milliseconds(300);  // shorter work shows no bar
 constexpr auto kEvery = std::chrono::milliseconds(50);
 
-std::size_t g_drawn = 0;  // characters of the line that is on the terminal
+std::size_t g_drawn = 0;  // length of the line on the terminal
 
-/// Replaces the line, and blanks what was longer.
+/// Replaces the line, and blanks the rest of a longer one.
 void put_line(const std::string& line) {
   std::fprintf(stderr, "\r%-*s", static_cast<int>(g_drawn), line.c_str());
   std::fflush(stderr);
@@ -33,7 +33,7 @@ std::string bar(double fraction) {
   return fmt::format("[{:#>{}}{:.>{}}] {:3.0f} %", "", filled, "", kCells - filled, 100 * fraction);
 }
 
-/// 1:05, 2:03:09.
+/// Formats a time: 1:05, 2:03:09.
 std::string clock_text(double seconds) {
   const auto s = static_cast<std::int64_t>(std::ceil(seconds));
   return s < 3600 ? fmt::format("{}:{:02}", s / 60, s % 60)

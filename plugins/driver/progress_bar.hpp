@@ -10,16 +10,16 @@
 
 namespace talweg::driver {
 
-/// A callback that draws a bar on stderr where that is a terminal and `quiet` is not set, and that
-/// cancels when the user has pressed Ctrl-C.
+/// A callback that draws a bar on stderr if that is a terminal and `quiet` is not set, and that
+/// cancels after the user has pressed Ctrl-C.
 Progress progress_bar(bool quiet);
-/// A bar that counts work of a known number of pieces: how many are done and have failed, how fast,
-/// and how long the rest takes at that rate. Any thread may call.
+/// A bar that counts pieces of work: how many of the total are done and have failed, the rate, and
+/// the remaining time at that rate. May be called from any thread.
 class CountedBar {
  public:
   CountedBar(std::size_t total, bool quiet);
   void done(bool failed);
-  /// Lets the time go on while nothing is done.
+  /// Updates the displayed time while no piece is finished.
   void tick();
 
  private:
@@ -34,10 +34,10 @@ class CountedBar {
   std::chrono::steady_clock::time_point next_;
 };
 
-/// What it says, without the bar itself: "12/500 (1 failed), 3.1/s, 2:37 left".
+/// The text of the bar: "12/500 (1 failed), 3.1/s, 2:37 left".
 std::string count_text(std::size_t done, std::size_t failed, std::size_t total, double seconds);
 
-/// Takes the bar off the terminal.
+/// Removes the bar from the terminal.
 void clear_progress_bar();
 
 }  // namespace talweg::driver

@@ -30,7 +30,7 @@ void check_repair(const std::string& list) {
 
 namespace {
 
-/// Names the file; the library says the same without it.
+/// Adds the file's name, which the library's message does not have.
 void check_range(const std::string& path, const MeshLists& lists) {
   const std::string reason = out_of_range(lists);
   if (!reason.empty()) throw Error(ErrorCode::kBadMesh, path + ": " + reason);

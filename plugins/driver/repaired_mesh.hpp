@@ -14,7 +14,7 @@ namespace talweg::driver {
 
 struct ReadMesh {
   MeshLists lists;
-  std::shared_ptr<const RepairMap> map;  ///< to the file's numbers; none where nothing was repaired
+  std::shared_ptr<const RepairMap> map;  ///< to the file's numbers; null if nothing was repaired
   std::vector<std::string> changes;      ///< sentences
 };
 
@@ -25,17 +25,17 @@ void add_repair_option(CLI::App& app, std::string& list);
 void add_unit_option(CLI::App& app, std::string& unit);
 
 /// Reads a mesh, and repairs it unless `list` is empty. Throws Error as read_mesh(), repair_steps()
-/// and repair() do, and Error(kBadMesh) where the repaired mesh cannot be used.
+/// and repair() do, and Error(kBadMesh) if the repaired mesh cannot be used.
 ReadMesh read_and_repair(const std::string& path, const std::string& list);
-/// The same with the attributes of the mesh, repaired or not. A sentence of the changes tells how
-/// many vertices lost theirs by welding.
+/// Also reads the attributes, and converts them to the repaired mesh. A sentence in the changes
+/// says how many vertices lost theirs by welding.
 ReadMesh read_and_repair(const std::string& path, const std::string& list,
                          MeshAttributes& attributes);
 
-/// Checks the list alone.
+/// Only checks the list of steps.
 void check_repair(const std::string& list);
 
-/// A curve on the mesh in the numbers of its file.
+/// Converts a curve on the mesh to the numbers of its file.
 PlacedCurve in_file_numbers(const RepairMap* map, PlacedCurve curve);
 
 }  // namespace talweg::driver

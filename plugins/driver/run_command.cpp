@@ -26,7 +26,7 @@
 namespace talweg::driver {
 namespace {
 
-/// What goes in and out besides the parameters.
+/// The input and output files.
 struct Files {
   std::string mesh;
   std::vector<std::string> curves;
@@ -34,7 +34,7 @@ struct Files {
   std::string report;
   std::string meshes;
   std::map<std::string, std::string> fields;  ///< by name
-  std::string repair;                         ///< steps; empty: none
+  std::string repair;                         ///< steps; empty for none
   std::string mesh_units = "mm";
 };
 
@@ -92,7 +92,7 @@ std::string list_text(const host::ReportEntry& entry) {
   return fmt::format("{:.6g}", fmt::join(entry.numbers, " "));
 }
 
-/// The curves of the files, in the numbers of the mesh.
+/// Reads the curves of the files, converted to the numbers of the mesh.
 std::vector<host::Curve> curves_on(const ReadMesh& mesh, const Files& files) {
   const LengthUnit unit = LengthUnit::named(files.mesh_units);
   Surface surface;
@@ -109,7 +109,7 @@ std::vector<host::Curve> curves_on(const ReadMesh& mesh, const Files& files) {
   return curves;
 }
 
-/// One number per vertex of the file; of a vertex that was split that of the first copy.
+/// One number per vertex of the file; a vertex that was split has that of its first copy.
 std::vector<double> per_file_vertex(const RepairMap* map, const std::vector<double>& values) {
   if (map == nullptr || values.size() != map->vertex_count()) return values;
   std::vector<double> result;
@@ -181,7 +181,7 @@ bool writes_nothing(const Files& files) {
   return files.outputs.empty() && files.report.empty() && files.meshes.empty();
 }
 
-/// What a plugin refused; the mesh, which is no longer there, is read again for the hint.
+/// Rethrows a plugin's error; reads the mesh again for the hint, because it is no longer in memory.
 [[noreturn]] void rethrow_with_hint(const host::Error& error, const Files& files) {
   try {
     rethrow(error);
@@ -191,7 +191,7 @@ bool writes_nothing(const Files& files) {
   }
 }
 
-/// The plugin's warning that the drawing was moved far comes before everything else.
+/// Writes the plugin's warning that the drawing was moved far before everything else.
 void lead_with_far_results(const host::Results& results) {
   for (const host::ReportEntry& entry : results.report) {
     if (entry.curve >= 0 || entry.key != "warnings") continue;
@@ -248,7 +248,7 @@ int run_plugin(const talweg_plugin& plugin, const Files& files, const PluginOpti
   return termination.empty() || termination == "converged" ? kDone : kNotConverged;
 }
 
-/// Parses what follows `run PLUGIN` by the plugin's own options.
+/// Parses the arguments after `run PLUGIN` by the plugin's own options.
 int parse_and_run(std::vector<std::string> arguments, const GlobalOptions& given) {
   GlobalOptions global = given;
   const talweg_plugin& plugin = plugin_named(arguments.front());
@@ -260,9 +260,9 @@ int parse_and_run(std::vector<std::string> arguments, const GlobalOptions& given
   app.add_flag("-q,--quiet", global.quiet, "Print nothing but errors");
   app.add_flag("-v,--verbose", global.verbose, "Print the report and what the plugin logs");
   arguments.erase(arguments.begin());
-  app.allow_extras();  // they get a sentence of ours
+  app.allow_extras();  // unknown arguments get our own message
   check_values(app, arguments);
-  std::reverse(arguments.begin(), arguments.end());  // as CLI11 wants them
+  std::reverse(arguments.begin(), arguments.end());  // the order that CLI11 expects
   try {
     app.parse(arguments);
   } catch (const CLI::Success& asked) {

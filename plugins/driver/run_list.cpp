@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
   throw Error(ErrorCode::kBadFile, fmt::format("{}, line {}: {}", path, line, what));
 }
 
-/// One line of the table while its run is made of it.
+/// A line of the table while its run is being built.
 struct Line {
   const std::string& path;
   std::size_t number;
@@ -53,7 +53,7 @@ std::string option_of(std::string column) {
   return "--" + column;
 }
 
-/// The base with the line's cells in place of its values.
+/// The base options, overridden by the line's cells.
 SmoothOptions with_cells(const SmoothOptions& base, const Line& line) {
   SmoothOptions run = base;
   CLI::App app;
@@ -108,7 +108,7 @@ std::string filled(const std::string& pattern, const Line& line, const SmoothOpt
   }
 }
 
-/// Columns that mean nothing are misspelt, or meant for something else: both should be known.
+/// Columns without a use are misspelt or meant for something else; either is an error.
 void check_columns(const std::string& path, const TableLine& header, const SmoothOptions& base) {
   SmoothOptions unused;
   CLI::App app;

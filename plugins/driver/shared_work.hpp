@@ -11,8 +11,8 @@
 namespace talweg::driver {
 
 /// Calls work(worker, i) once for every i in [0, count), in this order as workers become free;
-/// `worker` in [0, workers) tells which of them calls. The first worker is the calling thread. What
-/// `work` throws ends the sharing and is thrown here.
+/// `worker` in [0, workers) is the calling worker's number. The first worker is the calling thread.
+/// An exception from `work` stops all workers and is rethrown here.
 template <class Work>
 void share_work(std::size_t count, std::size_t workers, const Work& work) {
   std::atomic<std::size_t> next = 0;
@@ -32,7 +32,7 @@ void share_work(std::size_t count, std::size_t workers, const Work& work) {
     threads.emplace_back(go, worker);
   }
   go(0);
-  threads.clear();  // joins
+  threads.clear();  // joins the threads
   if (thrown) std::rethrow_exception(thrown);
 }
 

@@ -29,11 +29,11 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kFailuresShown = 10;
 
-/// A mesh that one run or several are on. It is opened by the first and let go by the last.
+/// A mesh of one or more runs. The first run opens it and the last one releases it.
 class SharedMesh {
  public:
   void add_run() { ++left_; }
-  /// Throws what went wrong at the first attempt, too.
+  /// Rethrows the error of the first attempt, too.
   MeshFromFile take(const SmoothOptions& options) {
     const std::lock_guard lock(mutex_);
     if (failure_) std::rethrow_exception(failure_);
@@ -58,17 +58,17 @@ class SharedMesh {
   std::size_t left_ = 0;
 };
 
-/// What runs on the same mesh have in common.
+/// A key that runs on the same mesh share.
 std::string mesh_of(const SmoothOptions& options) { return options.mesh + '\n' + options.repair; }
 
-/// What became of a run; its curves are in its files.
+/// The outcome of a run; its curves are in its files.
 struct RunRecord {
-  bool cancelled = true;  ///< until it has been done
+  bool cancelled = true;  ///< until the run is done
   std::optional<Failure> failure;
   std::vector<SmoothingReport> reports;
   std::vector<std::size_t> numbers;
   std::vector<CurveFailure> failed_curves;
-  std::string moved;  ///< a sentence, where the drawing was moved far
+  std::string moved;  ///< a sentence if the drawing was moved far
 
   [[nodiscard]] int code() const {
     if (cancelled) return kCancelled;
@@ -84,7 +84,7 @@ struct RunRecord {
   }
 };
 
-/// Where that fails, the writing that follows says so.
+/// Ignores errors, because the writing that follows reports them.
 void make_folder_of(const std::string& output) {
   std::error_code ignored;
   fs::create_directories(fs::path(output).parent_path(), ignored);
@@ -97,14 +97,14 @@ class ManyRuns {
         options_(options),
         records_(runs_.size()),
         bar_(runs_.size(), global.quiet) {
-    std::map<std::string, std::size_t> first;  // run on each mesh
+    std::map<std::string, std::size_t> first;  // first run on each mesh
     for (std::size_t i = 0; i < runs_.size(); ++i) {
       const auto [at, is_new] = first.emplace(mesh_of(runs_[i].options), i);
       meshes_[mesh_of(runs_[i].options)].add_run();
       order_.emplace_back(at->second, i);
       runs_[i].options.threads = std::max(1U, global.threads / static_cast<unsigned>(options.jobs));
     }
-    // Runs on one mesh follow each other, so that no more meshes are open than there are jobs.
+    // Runs on one mesh are consecutive, so that no more meshes are open than there are jobs.
     std::sort(order_.begin(), order_.end());
   }
 
@@ -122,7 +122,7 @@ class ManyRuns {
   [[nodiscard]] const std::vector<ListedRun>& runs() const { return runs_; }
 
  private:
-  /// What a worker has in its hands.
+  /// A worker's present mesh and workspace.
   struct Desk {
     std::string mesh;
     std::optional<Workspace> workspace;
@@ -135,7 +135,7 @@ class ManyRuns {
       if (desk.mesh != mesh_of(options) || !desk.workspace) {
         desk.workspace.reset();  // before the next mesh is opened
         desk.mesh = mesh_of(options);
-        // A single run has the threads for its curves.
+        // A single run uses the threads for its curves.
         const std::size_t threads = runs_.size() == 1 ? options_.jobs : 1;
         desk.workspace.emplace(meshes_.at(desk.mesh).take(options), threads);
       }
@@ -203,7 +203,7 @@ std::string place_of(const ListedRun& run, const ManyOptions& options) {
                       : run.options.mesh;
 }
 
-/// Drawings that were moved far, on stderr and before everything else, up to a bound.
+/// Reports drawings that were moved far on stderr, before everything else, up to a limit.
 void tell_moved(const ManyRuns& many, const ManyOptions& options) {
   std::size_t told = 0, moved = 0;
   for (std::size_t i = 0; i < many.runs().size(); ++i) {
@@ -219,8 +219,8 @@ void tell_moved(const ManyRuns& many, const ManyOptions& options) {
   }
 }
 
-/// One line on stderr for each failure, up to a bound; returns how many runs failed in part or
-/// whole.
+/// Writes one line to stderr for each failure, up to a limit; returns the number of runs that
+/// failed completely or in part.
 std::size_t tell_failures(const ManyRuns& many, const ManyOptions& options) {
   std::size_t failed = 0, shown = 0, lines = 0;
   const auto tell = [&](const ListedRun& run, const std::string& what, const std::string& why) {
@@ -259,7 +259,7 @@ int smooth_many(std::vector<ListedRun> runs, const ManyOptions& options,
     write_output(options.summary, summary_of(many));
   }
   const std::size_t failed = tell_failures(many, options);
-  // From the mildest to the worst.
+  // From the mildest to the worst outcome.
   constexpr std::array<int, 6> kSeverity = {kDone,     kNotConverged, kBadUsage,
                                             kBadInput, kInternal,     kCancelled};
   const auto severity = [&](int code) {

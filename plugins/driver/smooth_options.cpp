@@ -8,7 +8,7 @@
 namespace talweg::driver {
 namespace {
 
-/// A parameter of talweg.smooth, with the name and the text that it has there.
+/// Adds an option for a parameter of talweg.smooth, with its name and help text.
 template <class Value>
 CLI::Option* add(CLI::App& app, const char* id, Value& value) {
   return app.add_option(option_name(id), value, option_text(plugins::smooth_parameter(id)));

@@ -15,11 +15,11 @@ namespace talweg::driver {
 
 struct SmoothOptions {
   std::string mesh;
-  std::string repair;               ///< steps; empty: none
+  std::string repair;               ///< steps; empty for none
   std::vector<std::string> curves;  ///< files
   std::string labels;               ///< a file of labels whose borders are the curves
-  std::string mesh_units = "mm";    ///< for files that name theirs
-  bool independent = false;         ///< each curve by itself instead of all as one set
+  std::string mesh_units = "mm";    ///< the unit of the mesh, for files that name theirs
+  bool independent = false;         ///< smooth each curve separately instead of all as one set
   std::vector<std::string> outputs;
   std::string report;
   std::string potential = plugins::smooth_parameter("potential").default_choice;
@@ -36,13 +36,13 @@ struct SmoothOptions {
   unsigned threads = 2;
 };
 
-/// All but the mesh. `options` must outlive the app; its values are the defaults.
+/// Adds all options but the mesh. `options` must outlive the app; its values are the defaults.
 void add_smooth_options(CLI::App& app, SmoothOptions& options);
 
-/// Adds what a run reads and writes.
+/// Registers the files that a run reads and writes.
 void plan_files(const SmoothOptions& options, FilePlan& files);
 
-/// Throws Error(kBadUsage) where options contradict each other.
+/// Throws Error(kBadUsage) if options contradict each other.
 void check_method(const SmoothOptions& options);
 
 }  // namespace talweg::driver

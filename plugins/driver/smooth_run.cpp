@@ -33,12 +33,12 @@ StageTimes median_times(const std::vector<StageTimes>& runs) {
   return times;
 }
 
-/// What is smoothed, and how: the options with all their files read.
+/// The input of a smoothing: the options with all their files read.
 struct Prepared {
   std::vector<SurfaceCurve> curves;
   std::vector<SurfacePoint> pins;   ///< points of the curves
   std::vector<double> distance;     ///< per vertex; empty unless given
-  std::vector<double> slack_field;  ///< the same
+  std::vector<double> slack_field;  ///< per vertex; empty unless given
   const SmoothOptions* options = nullptr;
   Progress progress;
   std::vector<std::string> warnings;
@@ -46,7 +46,7 @@ struct Prepared {
   double load_ms = 0;
 };
 
-/// A vertex of the file on the mesh; of several that it was split into the one on a curve.
+/// The point of a vertex of the file on the mesh; if the vertex was split, the copy on a curve.
 SurfacePoint pin_on(const std::vector<SurfaceCurve>& curves, const MeshFromFile& mesh,
                     VertexId pin) {
   const Surface& surface = mesh.mesh().surface();
@@ -65,7 +65,7 @@ SurfacePoint pin_on(const std::vector<SurfaceCurve>& curves, const MeshFromFile&
   return SurfacePoint::at_vertex(surface, VertexId{images.front()});
 }
 
-/// One number per vertex of the mesh, from one per vertex of its file.
+/// Converts one number per vertex of the file to one per vertex of the mesh.
 std::vector<double> field_on(const MeshFromFile& mesh, const std::string& path) {
   if (mesh.map == nullptr) return read_field(path, mesh.mesh().surface().vertex_count());
   return mesh.map->of_vertices(read_field(path, mesh.map->file_vertex_count()));
@@ -100,7 +100,7 @@ Prepared prepare(const MeshFromFile& mesh, DrawingReader& reader, const SmoothOp
   return run;
 }
 
-/// The run of a single curve of it.
+/// The input with only one of its curves.
 Prepared alone(const Prepared& run, std::size_t curve) {
   Prepared one;
   one.curves = {run.curves[curve]};
@@ -124,7 +124,7 @@ void set_field(plugin::Parameters& parameters, const char* id, const std::vector
   parameters.set_array(id, &array);
 }
 
-/// What the options say in the parameters of talweg.smooth. Throws plugin::Failure.
+/// Converts the options to parameters of talweg.smooth. Throws plugin::Failure.
 plugin::Parameters parameters_of(const Prepared& run) {
   plugin::Parameters parameters(plugins::smooth_parameters());
   const SmoothOptions& o = *run.options;
@@ -159,7 +159,7 @@ void finish_reports(SmoothedCurves& result, const std::vector<std::vector<StageT
 
 bool is_cancelled(const SmoothingReport& total) { return total.termination == Outcome::kCancelled; }
 
-/// Once, from the drawing on.
+/// Smooths once, starting from the drawing.
 SmoothingResult smooth_once(CurveSmoother& smoother, const Prepared& run,
                             const plugin::Parameters& parameters) {
   CurveOptions options = plugins::curve_options_of(parameters);
@@ -206,7 +206,7 @@ SmoothedCurves smooth_set(CurveSmoother& smoother, const Prepared& run) {
   return result;
 }
 
-/// What each curve came to, put together in their order.
+/// Combines the results of independent curves in their order.
 RunOutcome gathered(std::vector<SmoothedCurves> results, std::vector<CurveFailure> failures) {
   RunOutcome outcome;
   outcome.failures = std::move(failures);

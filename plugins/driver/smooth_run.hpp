@@ -21,9 +21,9 @@ namespace talweg::driver {
 struct MeshFromFile {
   std::shared_ptr<const OpenedMesh> opened;
   double load_ms = 0;
-  std::size_t polygons = 0;              ///< that were split into triangles
-  std::shared_ptr<const RepairMap> map;  ///< to the file's numbers; none without a repair
-  std::vector<std::string> changes;      ///< by the repair, in sentences
+  std::size_t polygons = 0;              ///< number of polygons that were split into triangles
+  std::shared_ptr<const RepairMap> map;  ///< to the file's numbers; null without a repair
+  std::vector<std::string> changes;      ///< made by the repair, as sentences
 
   [[nodiscard]] const SurfaceMesh& mesh() const { return opened->mesh(); }
 };
@@ -37,19 +37,19 @@ struct CurveFailure {
   Failure why;
 };
 
-/// What smoothing gives: SmoothingResult, ready to be written.
+/// The result of smoothing, ready to be written.
 struct SmoothedCurves {
   std::vector<PlacedCurve> curves;
   std::vector<SmoothingReport> reports;
   SmoothingReport total;
 };
 
-/// `result.curves` lacks the curves that failed; only independent curves fail one by one.
+/// `result.curves` lacks curves that failed; only independent curves can fail separately.
 struct RunOutcome {
   SmoothedCurves result;
-  std::vector<std::size_t> numbers;  ///< of result.curves among the run's curves
+  std::vector<std::size_t> numbers;  ///< numbers of result.curves among the run's curves
   std::vector<CurveFailure> failures;
-  SnappedDrawing moved;  ///< without its curves: how far they were moved onto the mesh
+  SnappedDrawing moved;  ///< how far the curves were moved onto the mesh; has no curves
 
   [[nodiscard]] bool cancelled() const;
 };
@@ -57,12 +57,12 @@ struct RunOutcome {
 /// A mesh and the memory to work on it, kept from run to run. One thread at a time.
 class Workspace {
  public:
-  /// Independent curves are shared out among `threads`; that changes no result.
+  /// Independent curves are distributed among `threads`, which does not change results.
   Workspace(MeshFromFile mesh, std::size_t threads);
 
-  /// Reads the curves and smooths them, as one set or each by itself. `options` are after
-  /// check_method(). Throws Error for what concerns all curves. `progress` is called from several
-  /// threads where there are several.
+  /// Reads the curves and smooths them, as one set or separately. `options` must have passed
+  /// check_method(). Throws Error for failures that concern all curves. If there are several
+  /// threads, `progress` is called from them.
   RunOutcome smooth(const SmoothOptions& options, const Progress& progress);
 
  private:
@@ -71,7 +71,7 @@ class Workspace {
   std::vector<std::unique_ptr<CurveSmoother>> smoothers_;  ///< one per thread, made when needed
 };
 
-/// Writes the outputs and the report. Nothing where the run was cancelled or no curve is left.
+/// Writes the outputs and the report. Writes nothing if the run was cancelled or all curves failed.
 void write_run(const SmoothOptions& options, const RunOutcome& outcome);
 
 }  // namespace talweg::driver

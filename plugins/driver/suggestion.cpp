@@ -7,7 +7,7 @@
 namespace talweg::driver {
 namespace {
 
-/// Letters to replace, insert, remove or exchange with their neighbour.
+/// The number of letters to replace, insert, remove or exchange with their neighbour.
 std::size_t edits_between(std::string_view a, std::string_view b) {
   std::vector<std::vector<std::size_t>> edits(a.size() + 1,
                                               std::vector<std::size_t>(b.size() + 1, 0));
@@ -36,11 +36,11 @@ std::string_view letters_of(std::string_view word) {
 }  // namespace
 
 std::string suggestion(std::string_view written, std::span<const std::string> known) {
-  constexpr std::size_t kLongest = 40;  // as no word of ours
+  constexpr std::size_t kLongest = 40;  // longer than any of our words
   const std::string_view letters = letters_of(written);
   if (letters.size() < 2 || letters.size() > kLongest) return "";
   const std::string* best = nullptr;
-  std::size_t least = letters.size() < 5 ? 2 : 3;  // what is found must be below
+  std::size_t least = letters.size() < 5 ? 2 : 3;  // a suggestion must have fewer edits
   for (const std::string& word : known) {
     const std::string_view other = letters_of(word);
     const std::size_t edits =

@@ -7,8 +7,8 @@
 
 namespace talweg::driver {
 
-/// "; did you mean WORD?" for the known word that is nearest: it begins with what was written, or
-/// one or two letters are wrong, missing, too many or exchanged. Empty where there is none.
+/// "; did you mean WORD?" for the nearest known word: it begins with the written one, or one or two
+/// letters are wrong, missing, superfluous or exchanged. Empty if there is none.
 std::string suggestion(std::string_view written, std::span<const std::string> known);
 
 }  // namespace talweg::driver

@@ -27,7 +27,7 @@ std::string cell_of(const ordered_json& value) {
   return value.dump();
 }
 
-/// Names and cells of a report, in its own order.
+/// The names and cells of a report, in its order.
 std::vector<std::pair<std::string, std::string>> cells_of(const SmoothingReport& report) {
   std::vector<std::pair<std::string, std::string>> cells;
   const ordered_json object = ordered_json::parse(to_json(report));

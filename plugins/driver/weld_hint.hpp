@@ -13,12 +13,13 @@ namespace talweg::driver {
 /// and no boundary instead of 960 boundary loops."
 std::string weld_sentence(const MeshInspection& before, const WeldedMesh& welded);
 
-/// That sentence after a blank, where welding helps: parts that only lie beside each other are not
-/// connected. Else empty. Time as of inspect(), and of repair() where vertices lie at one place.
+/// That sentence after a blank, if welding helps: parts that only lie beside each other are not
+/// connected. Otherwise empty. Takes the time of inspect(), and of repair() if vertices lie at one
+/// place.
 std::string weld_hint(const MeshLists& mesh);
 std::string weld_hint(const SurfaceMesh& mesh);
 
-/// Throws the error again, with the hint where a curve was refused.
+/// Rethrows the error, with the hint if a curve was rejected.
 [[noreturn]] void rethrow_with_weld_hint(const Error& error, const MeshLists& mesh);
 
 }  // namespace talweg::driver

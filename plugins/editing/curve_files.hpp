@@ -9,12 +9,12 @@
 
 namespace talweg::editing {
 
-/// Writes curves with faces, barycentrics and positions, as results have them, by extension (.json,
-/// .vtp, .obj, ...). Throws host::Error; the file is then as it was.
+/// Writes result curves with their faces, barycentrics and positions, by extension (.json, .vtp,
+/// .obj, ...). Throws host::Error; the file is then unchanged.
 void write_curves(const Plugins& plugins, const std::string& path,
                   const std::vector<host::Curve>& curves);
 
-/// Every curve of a file, as input for set_curves(). Throws host::Error.
+/// All curves of a file, as input for set_curves(). Throws host::Error.
 std::vector<host::Curve> read_curves(const Plugins& plugins, const std::string& path);
 
 /// A drawing's own points, for a file from which the drawing can be read again. Throws Error.

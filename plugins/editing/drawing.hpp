@@ -33,13 +33,13 @@ struct Point {
   }
 };
 
-/// The point of a picked position: coordinates that rounding has put a little outside of the
-/// triangle come to its rim. Throws Error when they are not finite, or all of them are 0 or less.
+/// The point of a picked position. Coordinates that rounding has put slightly outside the triangle
+/// are moved to its rim. Throws Error when they are not finite, or all of them are 0 or less.
 Point picked(std::uint32_t face, const std::array<double, 3>& barycentric);
 
 struct Curve {
   std::vector<Point> points;
-  bool closed = false;  ///< from the last point back to the first, which is not repeated
+  bool closed = false;  ///< joined from the last point back to the first, which is not repeated
 
   bool operator==(const Curve&) const = default;
 };
@@ -47,28 +47,28 @@ struct Curve {
 /// Parameters of talweg.smooth that belong to the drawing.
 struct Settings {
   double tau = 1;                       ///< >= 0
-  std::optional<double> slack;          ///< mesh units, >= 0; none: the plugin's own
+  std::optional<double> slack;          ///< mesh units, >= 0; none: the plugin's default
   std::optional<double> max_deviation;  ///< mesh units, > 0; chooses tau and slack
 
   bool operator==(const Settings&) const = default;
 };
 
-/// Everything that undo brings back. Copies share the curves, which never change.
+/// The state that undo restores. Copies share the curves, which never change.
 struct Drawing {
   std::vector<std::shared_ptr<const Curve>> curves;
   bool unfinished = false;  ///< the last curve is still being drawn
   Settings settings;
 
-  /// By what it holds, not by what it shares.
+  /// Compares contents, not shared pointers.
   bool operator==(const Drawing& other) const;
 };
 
-/// What has to be done again when one drawing follows another; as the interface's stages.
+/// The interface's stages that must be repeated when one drawing replaces another.
 enum class Stage { kNothing, kRun, kCurves };
 Stage stage_between(const Drawing& before, const Drawing& after);
 
-/// The curves that can be smoothed: of an unfinished one that is still a single point, none. They
-/// are the first ones of the drawing, in its order.
+/// The curves that can be smoothed; an unfinished curve of a single point is left out. They are the
+/// first curves of the drawing, in its order.
 std::vector<host::Curve> host_curves(const Drawing& drawing);
 
 /// Sets the settings' parameters of an instance of talweg.smooth. Throws host::Error.

@@ -16,7 +16,8 @@ void require_points(const Curve& curve) {
                            : "A curve needs two points in different places.");
 }
 
-/// Points in the place of the one before go; so does a closed curve's last in that of its first.
+/// Removes points at the same place as the one before, and a closed curve's last point if it is at
+/// the place of the first.
 void merge(Curve& curve) {
   std::vector<Point> points;
   for (const Point& point : curve.points) {

@@ -10,8 +10,8 @@
 
 namespace talweg::editing {
 
-/// A drawing on one mesh and everything that can be done to it. Every edit can be undone. An edit
-/// that cannot be done throws Error and changes nothing. One thread at a time.
+/// A drawing on one mesh, and all edits of it. Every edit can be undone. An edit that cannot be
+/// done throws Error and changes nothing. One thread at a time.
 class Editor {
  public:
   [[nodiscard]] const Drawing& drawing() const { return history_.now(); }
@@ -21,34 +21,34 @@ class Editor {
 
   // ---- A curve while it is drawn.
 
-  /// Adds a point to the curve that is being drawn, and begins one where none is. A point at the
-  /// place of the last one is left out.
+  /// Adds a point to the curve that is being drawn, or begins a curve if there is none. A point at
+  /// the place of the last one is ignored.
   void add_point(const Point& point);
-  /// Backspace: takes the last point back, and the curve with its only one.
+  /// Backspace: removes the last point; with its only point the curve is removed too.
   void take_back_point();
-  /// Enter: the curve is done, and open. Needs two points.
+  /// Enter: finishes the curve as an open one. Needs two points.
   void finish_curve();
-  /// A click on the first point: done, and closed. Needs three points.
+  /// A click on the first point: finishes the curve as a closed one. Needs three points.
   void close_curve();
-  /// Esc: the curve is gone.
+  /// Esc: removes the curve.
   void drop_curve();
 
-  // ---- Whole curves; not while one is drawn.
+  // ---- Whole curves; not while a curve is being drawn.
 
-  /// Adds a curve that comes from elsewhere: selected vertices, another object, a script. Needs two
-  /// points, three when closed; of points in one place the first counts.
+  /// Adds a curve from another source: selected vertices, another object, a script. Needs two
+  /// points, three when closed; of successive points at one place only the first counts.
   void add_curve(Curve curve);
   void remove_curve(std::size_t curve);
   void set_closed(std::size_t curve, bool closed);
   void reverse_curve(std::size_t curve);
-  /// All curves; the settings stay.
+  /// Removes all curves; the settings stay.
   void clear();
 
   // ---- Points of any curve.
 
   void move_point(std::size_t curve, std::size_t point, const Point& to);  ///< keeps its pin
   void insert_point(std::size_t curve, std::size_t before, const Point& point);
-  /// The curve goes with the point that it cannot do without.
+  /// Removes the whole curve if it would have too few points left.
   void remove_point(std::size_t curve, std::size_t point);
   void set_pinned(std::size_t curve, std::size_t point, bool pinned);
 

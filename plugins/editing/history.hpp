@@ -10,21 +10,21 @@
 
 namespace talweg::editing {
 
-/// Keeps every state, so that going back is exact. What is alike in two states is there once.
+/// Keeps every state, so that undo is exact. Equal parts of successive states are stored once.
 class History {
  public:
-  /// `most`: so many steps can be undone; the oldest are forgotten.
+  /// `most`: the number of steps that can be undone; older ones are forgotten.
   explicit History(std::size_t most = 2000);
 
   [[nodiscard]] const Drawing& now() const { return steps_[at_].drawing; }
-  /// Of the state that is there now; another number for every state there ever was.
+  /// Identifies the current state; every state ever created has another number.
   [[nodiscard]] std::uint64_t number() const { return steps_[at_].number; }
 
-  /// A new state behind this one; what was undone is forgotten. Nothing happens when it is equal.
-  /// Within a gesture the states become one step, which has the gesture's name.
+  /// Adds a new state after this one and forgets undone states. Does nothing if the state is equal.
+  /// Within a gesture all states become one step with the gesture's name.
   void add(const std::string& name, Drawing next);
 
-  /// A movement of the hand that is one step however many edits it makes. They do not nest.
+  /// Begins a mouse gesture, which is one step however many edits it makes. Gestures do not nest.
   void begin_gesture(const std::string& name);
   void end_gesture() { gesture_ = Gesture::kNone; }
   [[nodiscard]] bool in_gesture() const { return gesture_ != Gesture::kNone; }
@@ -36,12 +36,13 @@ class History {
   [[nodiscard]] std::string redo_name() const { return can_redo() ? steps_[at_ + 1].name : ""; }
   bool undo();  ///< ends a gesture; false where there is nothing to undo
   bool redo();
-  /// To the state with that number; false when it is forgotten. For hosts that lead the list.
+  /// Goes to the state with that number; false if it is forgotten. For hosts that keep the list of
+  /// steps.
   bool go_to(std::uint64_t number);
 
  private:
   struct Step {
-    std::string name;  // of what led here
+    std::string name;  // of the step that led to this state
     Drawing drawing;
     std::uint64_t number;
   };

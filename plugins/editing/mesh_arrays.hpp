@@ -16,11 +16,12 @@ struct MeshArrays {
   bool operator==(const MeshArrays&) const = default;
 };
 
-/// Where a point of a drawing is in space, mesh units. Throws Error for a face that is not there.
+/// The place of a drawing's point in space, mesh units. Throws Error for a face that does not
+/// exist.
 std::array<double, 3> position_of(const MeshArrays& mesh, const Point& point);
 
-/// The point at a vertex, in the first triangle that has it. Throws Error when none has.
-/// O(triangles); `points_at` takes many at once.
+/// The points at some vertices, each in the first triangle that has the vertex. Throws Error if a
+/// vertex has no triangle. O(triangles), for any number of vertices.
 std::vector<Point> points_at(const MeshArrays& mesh, const std::vector<std::uint32_t>& vertices);
 
 /// Sets the mesh of an instance, which copies it. Throws host::Error.

@@ -12,7 +12,7 @@ namespace talweg::editing {
 namespace {
 
 using Vertex = std::uint32_t;
-using Neighbours = std::map<Vertex, std::set<Vertex>>;  // ordered: the same result every time
+using Neighbours = std::map<Vertex, std::set<Vertex>>;  // ordered, so that results are reproducible
 
 constexpr Vertex kNone = UINT32_MAX;
 
@@ -25,7 +25,7 @@ void require_no_branch(const Neighbours& neighbours) {
   }
 }
 
-/// From `start` on to where it ends, or comes back.
+/// Walks from `start` to the end of the chain, or around the ring.
 OrderedVertices walk(const Neighbours& neighbours, Vertex start) {
   OrderedVertices chain;
   Vertex before = kNone, at = start;
@@ -45,7 +45,7 @@ OrderedVertices walk(const Neighbours& neighbours, Vertex start) {
   }
 }
 
-/// Chains and rings of what branches nowhere; each vertex in one of them.
+/// Chains and rings of a graph without branches; each vertex belongs to exactly one.
 std::vector<OrderedVertices> chains_of(const Neighbours& neighbours) {
   require_no_branch(neighbours);
   std::vector<OrderedVertices> result;
@@ -64,14 +64,14 @@ std::vector<OrderedVertices> chains_of(const Neighbours& neighbours) {
   return result;
 }
 
-/// A way between two selected vertices that meets no third: so many edges.
+/// A way between two selected vertices that meets no third, and its number of edges.
 struct Joint {
   std::uint32_t edges;
   Vertex a, b;
   auto operator<=>(const Joint&) const = default;
 };
 
-/// Triangles around each vertex, one list behind the other.
+/// Triangles around each vertex, in one list after the other.
 struct Stars {
   std::vector<std::size_t> begin;
   std::vector<std::uint32_t> faces;
@@ -93,8 +93,8 @@ Stars stars_of(const MeshArrays& mesh) {
   return stars;
 }
 
-/// Which selected vertex is the nearest to each vertex, and how many edges away: breadth first from
-/// all of them at once. Where the fronts of two meet is a joint.
+/// Finds the nearest selected vertex of each vertex, and its distance in edges, by breadth-first
+/// search from all of them at once. A joint is where the fronts of two of them meet.
 std::vector<Joint> joints_between(const MeshArrays& mesh, const std::vector<Vertex>& selected) {
   const Stars stars = stars_of(mesh);
   std::vector<Vertex> nearest(mesh.positions.size(), kNone);
@@ -151,8 +151,9 @@ class Groups {
 
 using Lengths = std::map<std::pair<Vertex, Vertex>, std::uint32_t>;
 
-/// Where a curve turns sharply, the vertices before and behind the corner are neighbours too, and
-/// the tree may have joined these: then the corner hangs beside the chain. It goes in between.
+/// Where a curve turns sharply, the vertices before and after the corner are neighbours too, and
+/// the tree may have joined these. The corner is then a leaf beside the chain, and is moved in
+/// between.
 bool take_in_a_leaf(Neighbours& neighbours, const Lengths& lengths) {
   for (const auto& [leaf, others] : neighbours) {
     if (others.size() != 1) continue;
@@ -172,7 +173,7 @@ bool take_in_a_leaf(Neighbours& neighbours, const Lengths& lengths) {
   return false;
 }
 
-/// Joins neighbours to chains; the shortest joints are those of neighbours.
+/// Joins neighbours into chains; the shortest joints are those of neighbours.
 void join_neighbours(const std::vector<Joint>& joints, const std::vector<Vertex>& selected,
                      const Lengths& lengths, Neighbours& neighbours) {
   Groups groups(selected);
@@ -186,8 +187,8 @@ void join_neighbours(const std::vector<Joint>& joints, const std::vector<Vertex>
   require_no_branch(neighbours);
 }
 
-/// Adds the joint from end to end of chains of three and more where it is no longer than those in
-/// between.
+/// Closes chains of three or more vertices if the joint between the ends is no longer than the
+/// joints inside the chain.
 void close_rings(const Lengths& lengths, Neighbours& neighbours) {
   for (const OrderedVertices& chain : chains_of(neighbours)) {
     const std::vector<Vertex>& v = chain.vertices;
@@ -203,13 +204,13 @@ void close_rings(const Lengths& lengths, Neighbours& neighbours) {
   }
 }
 
-/// Joins chains and single vertices at their ends, shortest joints first; none to a ring, and none
-/// by a joint much longer than those that it has.
+/// Joins chains and single vertices at their ends, shortest joints first. Rings are not joined, and
+/// no joint is used that is much longer than those inside the chain.
 void join_ends(const std::vector<Joint>& joints, const std::vector<Vertex>& selected,
                Neighbours& neighbours) {
   constexpr std::uint32_t kMuchLonger = 4;
   Groups groups(selected);
-  std::map<Vertex, std::uint32_t> longest;  // by group; 0: a single vertex
+  std::map<Vertex, std::uint32_t> longest;  // by group; 0 for a single vertex
   for (const auto& [vertex, others] : neighbours) {
     for (const Vertex other : others) groups.join(vertex, other);
   }

@@ -16,19 +16,19 @@ struct OrderedVertices {
   bool operator==(const OrderedVertices&) const = default;
 };
 
-/// Orders vertices into curves. Neighbours on the mesh follow each other. Chains of them and single
-/// vertices are then joined at their ends where the fewest edges lie between, shortest joints
-/// first, but none by more than four times the longest joint that it has. A chain whose ends are as
-/// near as its members is closed, from three vertices on, and nothing is joined to it. Single
-/// vertices that are left make no curve. An open curve begins at its end of smaller number, a
-/// closed one at its smallest vertex.
+/// Orders vertices into curves. Neighbours on the mesh follow each other. Chains of neighbours and
+/// single vertices are then joined at their ends where the fewest edges lie between them, shortest
+/// joints first, but never by a joint more than four times as long as the longest one in the chain.
+/// A chain of at least three vertices whose ends are as near to each other as its other members is
+/// closed, and nothing is joined to it. Remaining single vertices make no curve. An open curve
+/// begins at its end with the smaller number, a closed one at its smallest vertex.
 ///
-/// Throws Error where neighbours branch or lie in a heap, so that they have no order, naming a
-/// vertex; and for one that the mesh does not have. O(mesh).
+/// Throws Error naming a vertex where neighbours branch or form a cluster, so that they have no
+/// order, and for a vertex that the mesh does not have. O(mesh).
 std::vector<OrderedVertices> order_along_mesh(const MeshArrays& mesh,
                                               const std::vector<std::uint32_t>& vertices);
 
-/// The same for edges, given by their two vertices: only these edges join.
+/// The same for edges, given by their two vertices: only these edges join vertices.
 /// Throws Error where three of them meet.
 std::vector<OrderedVertices> order_along_edges(
     const std::vector<std::array<std::uint32_t, 2>>& edges);

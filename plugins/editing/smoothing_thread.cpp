@@ -20,7 +20,7 @@ bool has_parameter(const talweg_plugin& plugin, std::string_view id) {
                      [&](const talweg_parameter* parameter) { return parameter->id == id; });
 }
 
-/// The points that were given, out of a drawn curve that has others in between.
+/// The points that were given, out of a drawn curve that has other points in between.
 Curve given_points(const host::Curve& drawn) {
   const auto given = std::find_if(drawn.fields.begin(), drawn.fields.end(),
                                   [](const host::Field& field) { return field.name == "given"; });
@@ -56,7 +56,7 @@ struct SmoothingThread::Request {
   Hand hand = Hand::kRests;
 };
 
-/// What the thread has to itself: instances of the plugins, each made and opened when first needed.
+/// The thread's own data: instances of the plugins, each made and opened when first needed.
 struct SmoothingThread::Workplace {
   Workplace(SmoothingThread& owner)
       : plugins(owner.plugins_),
@@ -156,9 +156,9 @@ struct SmoothingThread::Workplace {
   const Plugins& plugins;
   const MeshArrays& mesh;
   std::vector<std::string> notes;
-  host::Services services;  // outlives the instances
+  host::Services services;  // must outlive the instances
   std::unique_ptr<host::Instance> smooth, draw, distance;
-  std::optional<Drawing> known;  // what `smooth` has as its curves
+  std::optional<Drawing> known;  // the drawing whose curves `smooth` has
 };
 
 SmoothingThread::SmoothingThread(const Plugins& plugins, std::shared_ptr<const MeshArrays> mesh,
@@ -234,7 +234,7 @@ void SmoothingThread::cancel() {
   waiting_.clear();
   if (began_ms_ > 0) {
     cancelled_ = true;
-  } else {  // the worker has not taken what was asked, and now never will
+  } else {  // the worker has not taken the request and never will
     progress_.busy = false;
     done_.notify_all();
   }
@@ -252,7 +252,7 @@ bool SmoothingThread::on_progress(const char* stage, double fraction) {
   return !cancelled_;
 }
 
-/// Waits for a request; null: no more will come.
+/// Waits for a request; null if no more will come.
 std::unique_ptr<SmoothingThread::Request> SmoothingThread::next() {
   std::unique_lock lock(mutex_);
   progress_.busy = !waiting_.empty();

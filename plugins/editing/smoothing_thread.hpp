@@ -18,12 +18,12 @@
 
 namespace talweg::editing {
 
-/// The plugins that were found (talweg_loader.h). Outlives what works with them.
+/// The plugins that were found (talweg_loader.h). Must outlive everything that uses them.
 class Plugins {
  public:
-  /// `folders`, separated by ':'; empty: the loader's own.
+  /// `folders` are separated by ':'; if empty, the loader's own.
   explicit Plugins(const std::string& folders = "");
-  /// Throws Error that tells where it was looked for.
+  /// Throws Error that says where the plugin was looked for.
   [[nodiscard]] const talweg_plugin& find(const char* id) const;
 
  private:
@@ -34,67 +34,67 @@ class Plugins {
 };
 
 enum class Task {
-  kOpen,      ///< the mesh; always the first
-  kSmooth,    ///< a drawing: curves and report
-  kPlace,     ///< positions in space: points of a drawing
+  kOpen,      ///< opens the mesh; always the first task
+  kSmooth,    ///< smooths a drawing: curves and report
+  kPlace,     ///< puts positions in space onto the mesh: points of a drawing
   kDistance,  ///< distance and potential at every vertex
   kDraw,      ///< the drawn curves as they lie on the mesh
 };
 
-/// What a hand does meanwhile.
+/// What the user is doing during a request.
 enum class Hand {
-  kRests,   ///< the result counts
-  kSlides,  ///< moves a slider: the curve counts, but no deviation is measured
-  kDrags,   ///< moves a point: the same, and smoothed only near the change where the plugin can
+  kRests,   ///< nothing: the result is final
+  kSlides,  ///< moves a slider: the curve is needed, but no deviation is measured
+  kDrags,   ///< moves a point: as kSlides, and smoothed only near the change if the plugin can
 };
 
-/// What a task has come to.
+/// The outcome of a task.
 struct Outcome {
   Task task = Task::kOpen;
   std::uint64_t ticket = 0;
   talweg_status status = TALWEG_OK;
-  std::string sentence;            ///< why, where the status is not TALWEG_OK
+  std::string sentence;            ///< the reason, if the status is not TALWEG_OK
   host::Results results;           ///< kSmooth, kDistance, kDraw
   std::vector<Curve> placed;       ///< kPlace
   std::vector<std::string> notes;  ///< warnings of the plugins
-  double milliseconds = 0;         ///< by the clock on the wall
+  double milliseconds = 0;         ///< wall-clock time
 };
 
-/// How far the task is that runs.
+/// The progress of the running task.
 struct Progress {
-  bool busy = false;  ///< something runs or waits
+  bool busy = false;  ///< whether a task runs or waits
   Task task = Task::kOpen;
-  std::string stage;  ///< the plugin's name for what it does
+  std::string stage;  ///< the plugin's name for the current stage
   double fraction = 0;
 };
 
-/// Of smoothing only the newest request counts: one that waits gives way to it, and one that runs
-/// is left to its end if it began less than `patience` ago (so that the curve follows the hand) and
-/// is cancelled otherwise. Everything else is done in the order in which it was asked for. All
-/// methods are called from one thread, and `wake` is called on another.
+/// Of smoothing requests only the newest counts: a waiting one is replaced, and a running one is
+/// completed if it began less than `patience` ago (so that the curve follows the mouse) and
+/// cancelled otherwise. Other requests are done in the order in which they were made. All methods
+/// must be called from one thread; `wake` is called on another.
 class SmoothingThread {
  public:
   /// Opens the mesh at once. `wake` is called whenever take() has something new; it must only
-  /// notify. `plugins` outlives the object.
+  /// notify. `plugins` must outlive the object.
   SmoothingThread(const Plugins& plugins, std::shared_ptr<const MeshArrays> mesh,
                   std::function<void()> wake = {}, double patience_ms = 400);
-  /// Cancels what runs and waits for its end.
+  /// Cancels the running task and waits for its end.
   ~SmoothingThread();
   SmoothingThread(const SmoothingThread&) = delete;
   SmoothingThread& operator=(const SmoothingThread&) = delete;
 
-  /// Each gives the ticket of its outcome. A request that gave way has none.
+  /// These return the ticket of the request's outcome. A request that was replaced has no outcome.
   std::uint64_t smooth(const Drawing& drawing, const host::Wanted& wanted = {},
                        Hand hand = Hand::kRests);
-  /// Curves given by `positions`; each point goes to the nearest one of the mesh.
+  /// Places curves given by `positions`; each point goes to the nearest point of the mesh.
   std::uint64_t place(std::vector<host::Curve> curves);
   std::uint64_t distance(const Drawing& drawing);
   std::uint64_t draw(const Drawing& drawing);
 
-  /// What is done, in order; nothing: none.
+  /// Returns the next outcome, in order; nothing if there is none.
   std::optional<Outcome> take();
   [[nodiscard]] Progress progress() const;
-  /// What runs ends soon, as cancelled; what waits goes.
+  /// Ends the running task soon, as cancelled, and drops waiting requests.
   void cancel();
   /// Waits until nothing runs or waits any more. For scripts and tests.
   void wait();
@@ -113,7 +113,7 @@ class SmoothingThread {
   std::function<void()> wake_;
   double patience_ms_;
 
-  mutable std::mutex mutex_;  // for all below
+  mutable std::mutex mutex_;  // protects all members below
   std::condition_variable asked_, done_;
   std::deque<std::unique_ptr<Request>> waiting_;
   std::deque<Outcome> outcomes_;
@@ -123,7 +123,7 @@ class SmoothingThread {
   bool cancelled_ = false;
   bool closing_ = false;
 
-  std::thread thread_;  // last: everything is there when it begins
+  std::thread thread_;  // last, so that everything exists when it begins
 };
 
 }  // namespace talweg::editing

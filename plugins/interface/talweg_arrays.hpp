@@ -73,7 +73,7 @@ void convert(const talweg_array& array, const std::string& what, Target* out) {
   }
   for (std::uint64_t row = 0; row < array.rows; ++row) {
     for (std::uint32_t column = 0; column < array.columns; ++column) {
-      Source value;  // the array may lie at any address
+      Source value;  // the array may be unaligned
       std::memcpy(&value, bytes + row * stride + column * sizeof(Source), sizeof value);
       if constexpr (std::is_floating_point_v<Target>) {
         *out++ = static_cast<Target>(value);
@@ -86,8 +86,8 @@ void convert(const talweg_array& array, const std::string& what, Target* out) {
 
 }  // namespace detail
 
-/// Throws Failure(TALWEG_BAD_USAGE) unless the array can be read: of that many columns and a known
-/// type, not too many rows, with data, and a stride that is no shorter than a row. `what` is its
+/// Throws Failure(TALWEG_BAD_USAGE) unless the array can be read: it must have this many columns, a
+/// known type, not too many rows, data, and a stride that is no shorter than a row. `what` is its
 /// name in the sentence.
 inline void check_array(const talweg_array& array, std::uint32_t columns, const std::string& what) {
   if (array.rows == 0) return;
@@ -112,7 +112,8 @@ inline void check_array(const talweg_array& array, std::uint32_t columns, const 
   }
 }
 
-/// How many numbers an array of as many columns has. For a checked array it fits into memory.
+/// The number of values in an array with this many columns. For a checked array it fits into
+/// memory.
 inline std::size_t count_of(const talweg_array& array, std::uint32_t columns) {
   return static_cast<std::size_t>(array.rows) * columns;
 }
@@ -138,8 +139,8 @@ inline void copy_numbers(const talweg_array& array, std::uint32_t columns, const
   }
 }
 
-/// The same for indices. Throws Failure(TALWEG_BAD_USAGE) also for real numbers, and for the first
-/// one that is negative or at least 2^32 - 1.
+/// The same for indices. Also throws Failure(TALWEG_BAD_USAGE) for real numbers, and for the first
+/// index that is negative or at least 2^32 - 1.
 inline void copy_indices(const talweg_array& array, std::uint32_t columns, const std::string& what,
                          std::uint32_t* out) {
   check_array(array, columns, what);
@@ -183,7 +184,7 @@ inline talweg_array view(const std::uint32_t* data, std::uint64_t rows, std::uin
 }
 inline constexpr talweg_array kNoArray = {nullptr, 0, 0, 1, TALWEG_FLOAT64};
 
-/// Throws Failure(TALWEG_BAD_USAGE) for null and for a struct that is smaller than this version's.
+/// Throws Failure(TALWEG_BAD_USAGE) for null and for a struct that is smaller than in this version.
 template <class Struct>
 const Struct& checked(const Struct* pointer, const char* what) {
   if (pointer == nullptr) throw Failure(TALWEG_BAD_USAGE, std::string(what) + " is null.");

@@ -39,9 +39,9 @@ class Error : public std::runtime_error {
   talweg_status status_;
 };
 
-/// What the host offers to plugins. Stays where it is, and outlives the instances made with it. The
-/// functions are called on the thread of the call that they serve; what they throw counts as
-/// cancelling (progress) or is dropped (log).
+/// The host's services for plugins. It must not move, and must outlive the instances made with it.
+/// The functions are called on the thread of the call that they serve. An exception from the
+/// progress function counts as cancelling; one from the log function is ignored.
 class Services {
  public:
   using Log = std::function<void(std::uint32_t severity, const char* message)>;
@@ -85,7 +85,7 @@ class Services {
                      const char* message) noexcept {
     try {
       own(host).log_(severity, message);
-    } catch (...) {  // the work is worth more than the message
+    } catch (...) {  // a failed log message must not end the work
       return;
     }
   }
@@ -101,10 +101,10 @@ struct Field {
   std::vector<double> values;
 };
 
-/// As input: `vertices`, or `faces` and `barycentrics`, or `positions`. As output: all of them.
+/// Input has `vertices`, or `faces` and `barycentrics`, or `positions`. Output has all of them.
 struct Curve {
   bool closed = false;
-  std::vector<std::uint32_t> vertices;  ///< out: TALWEG_NO_VERTEX where the point is at none
+  std::vector<std::uint32_t> vertices;  ///< out: TALWEG_NO_VERTEX if the point is not at a vertex
   std::vector<std::uint32_t> faces;
   std::vector<std::array<double, 3>> barycentrics;
   std::vector<std::array<double, 3>> positions;
@@ -133,14 +133,14 @@ struct Results {
   std::vector<ReportEntry> report;
   std::vector<Mesh> meshes;
 
-  /// Null where there is no such entry. `curve` -1: the one for all.
+  /// Null if there is no such entry. `curve` -1: the entry for all curves.
   [[nodiscard]] const ReportEntry* find(std::string_view key, std::int64_t curve = -1) const {
     for (const ReportEntry& entry : report) {
       if (entry.curve == curve && entry.key == key) return &entry;
     }
     return nullptr;
   }
-  /// The entry's only value, or the default where there is none.
+  /// The entry's only value, or the default if there is none.
   [[nodiscard]] double number(std::string_view key, std::int64_t curve = -1,
                               double otherwise = 0) const {
     const ReportEntry* entry = find(key, curve);
@@ -152,7 +152,7 @@ struct Results {
   }
 };
 
-/// What run() shall compute besides the curves and the report.
+/// The results that run() computes besides the curves and the report.
 struct Wanted {
   bool point_fields = false;
   bool vertex_fields = false;
@@ -199,7 +199,7 @@ inline std::vector<Field> copy(const talweg_field* const* fields, std::uint32_t 
   return result;
 }
 
-/// TALWEG_NO_VERTEX passes here.
+/// Accepts TALWEG_NO_VERTEX as an index.
 inline std::vector<std::uint32_t> vertices_of(const talweg_array& array) {
   plugin::check_array(array, 1, "The vertices");
   const auto* values = static_cast<const std::uint32_t*>(array.data);
@@ -241,7 +241,7 @@ inline ReportEntry copy(const talweg_report_entry& entry) {
   return result;
 }
 
-/// Copies a result into the list; without memory the run ends with TALWEG_HOST_FAILED.
+/// Copies a result into the list; if memory runs out, the run ends with TALWEG_HOST_FAILED.
 template <class List, class View>
 talweg_status append(List& list, const View& view) noexcept {
   try {
@@ -254,7 +254,8 @@ talweg_status append(List& list, const View& view) noexcept {
 
 }  // namespace detail
 
-/// One workspace of a plugin. Every method but cancel() on one thread at a time; they throw Error.
+/// One workspace of a plugin. All methods except cancel() may be used by one thread at a time; they
+/// throw Error.
 class Instance {
  public:
   Instance(const talweg_plugin& plugin, const Services& services) : plugin_(&plugin) {
@@ -269,7 +270,7 @@ class Instance {
 
   [[nodiscard]] const talweg_plugin& plugin() const { return *plugin_; }
 
-  /// Rows of 3 each; see view() and talweg_array.
+  /// Both have rows of 3; see view() and talweg_array.
   void set_mesh(const talweg_array& positions, const talweg_array& triangles) {
     const talweg_mesh mesh = {sizeof mesh, 0, positions, triangles, nullptr};
     check(plugin_->set_mesh(instance_, &mesh));
@@ -308,7 +309,7 @@ class Instance {
     check(plugin_->run(instance_, &sink));
     return results;
   }
-  /// From any thread: a call that runs ends soon, with Error of TALWEG_CANCELLED.
+  /// May be called from any thread: a running call ends soon, with Error of TALWEG_CANCELLED.
   void cancel() { plugin_->cancel(instance_); }
 
  private:

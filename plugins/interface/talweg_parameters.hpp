@@ -14,7 +14,7 @@
 
 namespace talweg::plugin {
 
-/// Range of a number; the soft one is what a slider should offer.
+/// Range of a number; a slider should offer the soft range.
 struct Range {
   double minimum = -HUGE_VAL;
   double maximum = HUGE_VAL;
@@ -59,7 +59,7 @@ inline talweg_parameter boolean(const char* id, const char* label, bool value, c
   return result;
 }
 
-/// `ids` and `labels` are arrays that stay.
+/// `ids` and `labels` are arrays that must stay valid.
 template <std::size_t n>
 talweg_parameter choice(const char* id, const char* label, const char* value,
                         const char* const (&ids)[n], const char* const (&labels)[n],
@@ -74,7 +74,7 @@ talweg_parameter choice(const char* id, const char* label, const char* value,
   return result;
 }
 
-/// Of type TALWEG_VERTICES or TALWEG_FIELD.
+/// A parameter of type TALWEG_VERTICES or TALWEG_FIELD.
 inline talweg_parameter array(std::uint32_t type, const char* id, const char* label,
                               const char* unit, const char* doc,
                               std::uint32_t stage = TALWEG_STAGE_RUN, std::uint32_t flags = 0) {
@@ -94,7 +94,7 @@ class Parameters {
     }
   }
 
-  // What a plugin asks for; the id must be one of its own.
+  // For the plugin; the id must be one of its own.
   [[nodiscard]] double number(const char* id) const { return at(id).number.value_or(0); }
   [[nodiscard]] std::optional<double> optional(const char* id) const { return at(id).number; }
   [[nodiscard]] bool flag(const char* id) const { return number(id) != 0; }
@@ -102,11 +102,11 @@ class Parameters {
   [[nodiscard]] const std::vector<std::uint32_t>& vertices(const char* id) const {
     return at(id).vertices;
   }
-  /// Empty: none was given.
+  /// Empty if none was given.
   [[nodiscard]] const std::vector<double>& field(const char* id) const { return at(id).field; }
-  /// How often the parameter has been given another value.
+  /// How often the parameter's value has changed.
   [[nodiscard]] std::uint64_t changes(const char* id) const { return at(id).changes; }
-  /// The same for all parameters of a stage together.
+  /// How often any parameter of a stage has changed.
   [[nodiscard]] std::uint64_t changes_of(std::uint32_t stage) const {
     std::uint64_t sum = 0;
     for (const Value& value : values_) {
@@ -115,7 +115,7 @@ class Parameters {
     return sum;
   }
 
-  // What the host does. They throw Failure(TALWEG_BAD_USAGE) and change nothing then.
+  // For the host. These functions throw Failure(TALWEG_BAD_USAGE), and then change nothing.
   void set_number(const char* id, double value) {
     Value& parameter = find(id);
     check_number(*parameter.description, value);
@@ -174,7 +174,7 @@ class Parameters {
   [[noreturn]] static void bad(const std::string& message) {
     throw Failure(TALWEG_BAD_USAGE, message);
   }
-  /// "Largest deviation (max_deviation)"
+  /// The label and id: "Largest deviation (max_deviation)".
   static std::string name_of(const talweg_parameter& p) {
     return std::string(p.label) + " (" + p.id + ")";
   }

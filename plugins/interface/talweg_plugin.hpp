@@ -32,7 +32,7 @@
 
 namespace talweg::plugin {
 
-/// The host's services; without a host, or one that does not offer them, nothing happens.
+/// The host's services. If there is no host, or it does not offer a service, the call does nothing.
 class Services {
  public:
   Services(const talweg_host* host, const std::atomic<bool>& cancelled)
@@ -44,7 +44,7 @@ class Services {
   void log(std::uint32_t severity, const std::string& message) const {
     if (log_ != nullptr && log_->log != nullptr) log_->log(host_, severity, message.c_str());
   }
-  /// False when the host wants the call to end; then throw cancelled().
+  /// False when the host wants the call to end; the plugin must then throw cancelled().
   [[nodiscard]] bool go_on(const char* stage, double fraction) const {
     if (cancelled_->load(std::memory_order_relaxed)) return false;
     if (progress_ == nullptr || progress_->progress == nullptr) return true;
@@ -53,7 +53,7 @@ class Services {
   static Failure cancelled() { return {TALWEG_CANCELLED, "Cancelled."}; }
 
  private:
-  /// Null where the host does not offer it, or offers a struct that is too small.
+  /// Null if the host does not offer the extension, or offers a struct that is too small.
   template <class Extension>
   const Extension* extension(const char* id) const {
     if (host_ == nullptr || host_->get_extension == nullptr) return nullptr;
@@ -67,7 +67,7 @@ class Services {
   const talweg_host_progress* progress_;
 };
 
-/// The sink, checked. What a function of the host's refuses ends the run.
+/// The host's sink for results. When one of its functions fails, the run ends.
 class Outputs {
  public:
   explicit Outputs(const talweg_sink& sink) : sink_(sink) {}
@@ -122,7 +122,7 @@ class Adapter {
   static const talweg_plugin* plugin() { return &table().plugin; }
 
  private:
-  /// Descriptions with addresses that stay.
+  /// Descriptions, at addresses that stay valid.
   struct Table {
     std::vector<talweg_parameter> parameters = T::parameters();
     std::vector<talweg_output> outputs = T::outputs();
@@ -156,7 +156,7 @@ class Adapter {
     explicit Instance(const talweg_host* host)
         : services(host, cancelled), parameters(table().parameters), worker(services) {}
 
-    const Table* kind = &table();  // tells instances of another plugin apart
+    const Table* kind = &table();  // distinguishes instances of different plugins
     std::atomic<bool> cancelled = false;
     std::atomic<bool> busy = false;
     std::string error;
@@ -181,7 +181,7 @@ class Adapter {
   static const void* no_extension(const char* /*id*/) { return nullptr; }
   [[noreturn]] static void bad(const char* message) { throw Failure(TALWEG_BAD_USAGE, message); }
 
-  /// Runs one call: alone on its instance, exceptions turned into a status.
+  /// Runs one call: locks its instance, and turns exceptions into a status.
   template <class Body>
   static talweg_status call(talweg_instance* instance, Body body) noexcept {
     Instance* self = own(instance);
@@ -307,7 +307,7 @@ class Adapter {
   }
 };
 
-/// What talweg_plugin_entry() answers.
+/// The module that talweg_plugin_entry() returns.
 template <class... Plugins>
 const talweg_module* module_of() noexcept {
   try {
@@ -323,7 +323,7 @@ const talweg_module* module_of() noexcept {
 
 }  // namespace talweg::plugin
 
-/// The module's entry: one line in one source file, with all plugin classes of the library.
+/// The module's entry point: one line in one source file, with all plugin classes of the library.
 #define TALWEG_PLUGIN_MODULE(...)                                           \
   extern "C" TALWEG_PLUGIN_EXPORT const talweg_module* talweg_plugin_entry( \
       std::uint32_t host_major, std::uint32_t /*host_minor*/) {             \

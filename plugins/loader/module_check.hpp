@@ -7,8 +7,8 @@
 
 namespace talweg::loader {
 
-/// Empty when a host of this interface version can use the module and everything that it describes
-/// is there; else one sentence that says what is wrong. `module` may be null.
+/// Empty if a host of this interface version can use the module and everything that it describes is
+/// present; otherwise one sentence that says what is wrong. `module` may be null.
 std::string objection(const talweg_module* module, std::uint32_t host_major,
                       std::uint32_t host_minor);
 

@@ -6,10 +6,11 @@
 
 namespace talweg::loader {
 
-/// "a:b" as its folders; empty ones are left out.
+/// Splits "a:b" into its folders; empty ones are left out.
 std::vector<std::string> split(const std::string& folders);
 
-/// The environment's folders, those seen from the program, the installed one; each once.
+/// The folders from the environment, those relative to the program, and the installed one, without
+/// duplicates.
 std::vector<std::string> standard_folders();
 
 }  // namespace talweg::loader

@@ -15,8 +15,8 @@ namespace {
 
 [[noreturn]] void refuse(const std::string& why) { throw std::runtime_error(why); }
 
-/// dlopen() maps a file as its headers say, and a file that ends before that ends the program. So
-/// this is looked at first.
+/// dlopen() maps a file as its headers say, and crashes the program if the file is shorter. So the
+/// file's length is checked first.
 void check_complete(const std::string& path) {
   struct stat status = {};
   if (stat(path.c_str(), &status) != 0) refuse("It cannot be opened.");
@@ -29,7 +29,7 @@ void check_complete(const std::string& path) {
       std::memcmp(header.e_ident, ELFMAG, SELFMAG) != 0) {
     refuse("It is not a shared library.");
   }
-  if (header.e_ident[EI_CLASS] != ELFCLASS64) return;  // dlopen() tells what it expects
+  if (header.e_ident[EI_CLASS] != ELFCLASS64) return;  // dlopen() reports the mismatch
   const std::uint64_t table = std::uint64_t{header.e_phnum} * sizeof(Elf64_Phdr);
   bool complete = header.e_phentsize == sizeof(Elf64_Phdr) && header.e_phoff <= size &&
                   table <= size - header.e_phoff;
@@ -44,8 +44,8 @@ void check_complete(const std::string& path) {
   if (!complete) refuse("The library is not complete: the file ends too early.");
 }
 
-/// dlopen() and dlclose() order threads among themselves, but the thread sanitizer does not see
-/// how: what a library makes when it comes and takes away when it goes.
+/// dlopen() and dlclose() synchronise threads, but the thread sanitizer does not see it for what a
+/// library creates when it is loaded and destroys when it is unloaded.
 std::mutex& loading() {
   static std::mutex mutex;
   return mutex;

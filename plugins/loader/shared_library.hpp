@@ -7,8 +7,8 @@ namespace talweg::loader {
 
 class SharedLibrary {
  public:
-  /// Throws std::runtime_error with one sentence that says why the file cannot be loaded: no
-  /// library, of another kind of machine, cut off, needs what is not there.
+  /// Throws std::runtime_error with one sentence that says why the file cannot be loaded: it is not
+  /// a library, is for another kind of machine, is truncated, or needs something that is missing.
   explicit SharedLibrary(const std::string& path);
   ~SharedLibrary();
   SharedLibrary(SharedLibrary&& other) noexcept : handle_(other.handle_) {
@@ -16,7 +16,7 @@ class SharedLibrary {
   }
   SharedLibrary& operator=(SharedLibrary&&) = delete;
 
-  /// Null where there is no such symbol.
+  /// Null if there is no such symbol.
   [[nodiscard]] void* symbol(const char* name) const;
 
  private:

@@ -13,7 +13,7 @@
 #include "search_path.hpp"
 #include "shared_library.hpp"
 
-/// What a search has found.
+/// The result of a search.
 struct talweg_loader {
   struct Plugin {
     const talweg_plugin* plugin;
@@ -59,7 +59,7 @@ void talweg_loader::look_at(const std::string& path) {
     return;
   }
   talweg_plugin_entry_function entry = nullptr;
-  std::memcpy(&entry, &symbol, sizeof entry);  // a data pointer, as POSIX has it
+  std::memcpy(&entry, &symbol, sizeof entry);  // POSIX gives a data pointer
   const talweg_module* module = entry(TALWEG_INTERFACE_MAJOR, TALWEG_INTERFACE_MINOR);
   const std::string why =
       talweg::loader::objection(module, TALWEG_INTERFACE_MAJOR, TALWEG_INTERFACE_MINOR);

@@ -8,7 +8,7 @@
 
 namespace talweg::plugins {
 
-/// A curve measured once, for points anywhere on it. Surface and curve must outlive the object.
+/// A curve measured once, for access to any point on it. Surface and curve must outlive the object.
 class ArcLength {
  public:
   /// Throws Error(kBadCurve) where two neighbours share no face.
@@ -25,7 +25,7 @@ class ArcLength {
 
   const Surface* surface_;
   const SurfaceCurve* curve_;
-  std::vector<double> arcs_;  // at each point; of a closed curve once more at the first
+  std::vector<double> arcs_;  // at each point; for a closed curve once more at its first point
 };
 
 }  // namespace talweg::plugins

@@ -8,9 +8,9 @@ namespace talweg::plugins {
 
 /// The description of the parameter "deviation".
 talweg_parameter deviation_choice();
-/// The same with kAutomatic, which is the default then.
+/// The same with kAutomatic as an additional choice, and as the default.
 talweg_parameter deviation_choice_by_tau();
-/// The value of either.
+/// The value of either parameter.
 DeviationMeasure deviation_of(const plugin::Parameters& parameters);
 
 }  // namespace talweg::plugins

@@ -13,9 +13,9 @@
 
 namespace talweg::plugins {
 
-/// Reads what a host gives, into memory of our own; nothing is checked against a mesh.
-/// Throws plugin::Failure(TALWEG_BAD_USAGE) for an array that cannot be read, or when there are not
-/// as many barycentrics as faces, and TALWEG_BAD_CURVE when there are no points.
+/// Copies the host's arrays into our own memory; nothing is checked against a mesh. Throws
+/// plugin::Failure(TALWEG_BAD_USAGE) for an array that cannot be read, or when the numbers of faces
+/// and barycentrics differ, and TALWEG_BAD_CURVE when there are no points.
 CurveInput input_of(const talweg_curve& curve);
 
 /// Snaps the curves to the mesh and joins their points straight over the surface.

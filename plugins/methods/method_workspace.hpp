@@ -14,21 +14,21 @@
 
 namespace talweg::plugins {
 
-/// What a method made of one drawn curve.
+/// A method's result for one drawn curve.
 struct MethodCurve {
   SurfaceCurve curve;
   Outcome termination = Outcome::kConverged;
-  std::size_t iterations = 0;         ///< rounds, of whatever kind the method has
+  std::size_t iterations = 0;         ///< rounds of whatever kind the method has
   std::vector<std::string> warnings;  ///< sentences for the user
   std::vector<ReportEntry>
-      entries;  ///< what only this method reports; of one curve also in the total
+      entries;  ///< entries that only this method reports; with one curve also in the total
 };
 
 class MethodWorkspace : public Workspace {
  public:
   using Workspace::Workspace;
 
-  /// What every method gives.
+  /// The outputs that every method has.
   static std::vector<talweg_output> outputs();
 
   void run(const plugin::Parameters& parameters, const plugin::Outputs& outputs);
@@ -39,7 +39,7 @@ class MethodWorkspace : public Workspace {
   struct Method {
     const char* engine;               ///< name in the report
     std::vector<MethodCurve> curves;  ///< one per drawn curve, in their order
-    StageTimes times;                 ///< but open and total
+    StageTimes times;                 ///< open and total are not set
   };
   /// Smooths drawing(). Throws plugin::Services::cancelled().
   virtual Method smooth(const plugin::Parameters& parameters) = 0;

@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::size_t kOfValue = 4;  // units of work
 
-/// Does work with a distance that asks the host whether to go on.
+/// Does work with a distance while asking the host whether to go on.
 template <class Work>
 void asked(PolylineDistance& distance, const plugin::Services& services, const Work& work) {
   try {

@@ -10,9 +10,9 @@
 
 namespace talweg::plugins {
 
-/// Distance along the surface of each point of the result to the drawing, mesh units; infinite
-/// where it cannot be reached. O(mesh) memory, and what lies within the largest deviation. Throws
-/// plugin::Services::cancelled().
+/// Distance along the surface of each point of the result to the drawing, mesh units; infinite if
+/// the drawing cannot be reached. Takes O(mesh) memory, and time for what lies within the largest
+/// deviation. Throws plugin::Services::cancelled().
 PointField deviation_field(const SurfaceMesh& mesh, const SurfaceCurve& drawn,
                            const SurfaceCurve& result, const plugin::Services& services);
 
@@ -20,7 +20,7 @@ PointField deviation_field(const SurfaceMesh& mesh, const SurfaceCurve& drawn,
 PointField curvature_field(const SurfaceMesh& mesh, const SurfaceCurve& curve);
 
 /// Exact distance along the surface of each vertex to the nearest of the curves, mesh units;
-/// infinite where none can be reached. Throws plugin::Services::cancelled().
+/// infinite if none can be reached. Throws plugin::Services::cancelled().
 std::vector<double> exact_distance_field(const Surface& surface,
                                          std::span<const SurfaceCurve> curves,
                                          const plugin::Services& services);

@@ -8,7 +8,7 @@ namespace {
 
 using plugin::view;
 
-/// The C entry for one value; `numbers` and `texts` hold what it points to.
+/// Makes the C entry for one value; `numbers` and `texts` are the arrays it points to.
 struct AsEntry {
   talweg_report_entry& entry;
   std::vector<double>& numbers;

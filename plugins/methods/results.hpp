@@ -23,7 +23,7 @@ struct PointField {
 
 void give(const plugin::Outputs& outputs, const PlacedCurve& curve,
           const std::vector<PointField>& fields = {});
-/// `curve`: its number, or -1 for all together.
+/// `curve`: its number, or -1 for all curves together.
 void give(const plugin::Outputs& outputs, std::int64_t curve,
           const std::vector<ReportEntry>& entries);
 /// One value per vertex.
@@ -31,10 +31,10 @@ void give(const plugin::Outputs& outputs, const char* name, const char* unit,
           const std::vector<double>& values);
 
 using FieldsOf = std::function<std::vector<PointField>(std::size_t curve)>;
-/// `curve`: its number, or -1 for all together.
+/// `curve`: its number, or -1 for all curves together.
 using EntriesOf = std::function<std::vector<ReportEntry>(std::int64_t curve)>;
-/// The report on all, then each curve and the report on it. All curves and fields are computed
-/// before anything is given, and what is not wanted is not computed.
+/// Gives the report on all curves, then each curve and its report. All curves and fields are
+/// computed before anything is given, and results that are not wanted are not computed.
 void give_curves(const plugin::Outputs& outputs, const SurfaceMesh& mesh,
                  std::span<const SurfaceCurve> curves, const FieldsOf& fields_of,
                  const EntriesOf& entries_of);

@@ -16,16 +16,16 @@ class SmootherWorkspace : public Workspace {
   using Workspace::Workspace;
 
  protected:
-  /// One for each mesh, made when first needed.
+  /// The smoother of the present mesh, made when first needed.
   [[nodiscard]] CurveSmoother& smoother();
   [[nodiscard]] bool has_smoother() const { return smoother_ != nullptr; }
   void forget() override { smoother_.reset(); }
 
-  /// Throws plugin::Services::cancelled() for a run that was.
+  /// Throws plugin::Services::cancelled() if the run was cancelled.
   static void check(const SmoothingResult& result);
 
   using ReportEntriesOf = std::function<std::vector<ReportEntry>(const SmoothingReport& report)>;
-  /// As the function of that name in results.hpp.
+  /// Like the function with this name in results.hpp.
   void give_curves(const plugin::Outputs& outputs, const SmoothingResult& result,
                    const FieldsOf& fields_of, const ReportEntriesOf& entries_of) const;
 

@@ -14,8 +14,8 @@
 
 namespace talweg::plugins {
 
-/// Copies the host's arrays, once, and opens them. Throws plugin::Failure(TALWEG_BAD_MESH) for
-/// arrays that cannot be read, Error(kBadMesh) as OpenedMesh::open() does.
+/// Copies the host's arrays and opens them. Throws plugin::Failure(TALWEG_BAD_MESH) for arrays that
+/// cannot be read, Error(kBadMesh) as OpenedMesh::open() does.
 std::shared_ptr<const OpenedMesh> opened(const talweg_mesh& mesh);
 
 /// The description of a plugin on curves; its strings must be constants.
@@ -35,7 +35,7 @@ class Workspace {
  protected:
   ~Workspace() = default;
 
-  /// Called with a new mesh: what was made of the last one goes.
+  /// Called when a new mesh is set, to drop results for the last one.
   virtual void forget() {}
 
   void draw(std::span<const talweg_curve* const> curves, const SnapOptions& options);
@@ -44,12 +44,13 @@ class Workspace {
   [[nodiscard]] const std::shared_ptr<const OpenedMesh>& opened_mesh() const { return mesh_; }
   [[nodiscard]] StraightLines& lines();
   [[nodiscard]] const SnappedDrawing& drawing() const { return drawing_; }
-  /// Counts the drawings and meshes that were set; a change of the drawing's pins alone does not.
+  /// Counts the drawings and meshes that were set; a change of pins alone does not count.
   [[nodiscard]] std::uint64_t drawings() const { return drawings_; }
   [[nodiscard]] const plugin::Services& services() const { return *services_; }
-  /// For the library's calls; refers to the services.
+  /// The Progress for calls of the library; refers to the services.
   [[nodiscard]] Progress progress() const;
-  /// Does work of the library that throws Cancelled. Throws plugin::Services::cancelled() instead.
+  /// Does work of the library that throws Cancelled, and throws plugin::Services::cancelled()
+  /// instead.
   template <class Work>
   static auto cancellable(const Work& work) {
     try {

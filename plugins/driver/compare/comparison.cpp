@@ -43,7 +43,7 @@ bool ends_moved(const SurfaceMesh& mesh, const SurfaceCurve& a, const SurfaceCur
          (mesh.position(a.points.back()) - mesh.position(b.points.back())).norm() > bound;
 }
 
-/// A sentence's end where the result is of another kind than the drawing.
+/// The end of a sentence if the result's topology differs from the drawing's.
 std::string change_of_kind(const SurfaceMesh& mesh, std::span<const SurfaceCurve> drawn,
                            const CurveNumbers& before, std::span<const SurfaceCurve> result,
                            const CurveNumbers& after) {
@@ -73,7 +73,7 @@ void add_deviation(DeviationMeter& meter, std::span<const SurfaceCurve> result,
   run.from_drawn_mean += d.from_drawn.mean * drawn_share;
 }
 
-/// Each curve from its own drawing where there are as many, else all from all.
+/// Measures each curve to its own drawing if there are as many curves, otherwise all curves to all.
 void measure_deviation(const SurfaceMesh& mesh, std::span<const SurfaceCurve> result,
                        std::span<const SurfaceCurve> drawn, double drawn_length, ComparedRun& run) {
   DeviationMeter meter(mesh);
@@ -85,7 +85,7 @@ void measure_deviation(const SurfaceMesh& mesh, std::span<const SurfaceCurve> re
   }
 }
 
-/// One method on one drawing, with as many values of its parameter as are asked for.
+/// Runs one method on one drawing, with all requested values of its parameter.
 class MethodRuns {
  public:
   MethodRuns(const ReadMesh& read, const SnappedDrawing& drawing, const SurfaceMesh& mesh,
@@ -96,7 +96,7 @@ class MethodRuns {
     }
   }
 
-  /// Refusals become runs. Throws Cancelled.
+  /// Refusals are stored as runs. Throws Cancelled.
   std::vector<ComparedRun> of(std::size_t method) const {
     std::vector<std::optional<double>> values{std::nullopt};
     const Method& m = comparison_.methods[method];
@@ -107,7 +107,7 @@ class MethodRuns {
     return of(method, values);
   }
 
-  /// With these values of its parameter, in its own units.
+  /// Runs a method with these values of its parameter, in its own units.
   std::vector<ComparedRun> of(std::size_t method,
                               std::span<const std::optional<double>> values) const {
     const Method& m = comparison_.methods[method];
@@ -197,7 +197,7 @@ class MethodRuns {
   std::vector<host::Curve> curves_;
 };
 
-/// Without a sweep methods that differ in the swept parameter only are one.
+/// Without a sweep, methods that differ only in the swept parameter are the same.
 void drop_repeated(std::vector<Method>& methods) {
   for (std::size_t m = methods.size(); m-- > 1;) {
     const auto end = methods.begin() + static_cast<std::ptrdiff_t>(m);

@@ -18,27 +18,27 @@
 
 namespace talweg::driver {
 
-/// What curves measure. Angles in radians, lengths in mesh units.
+/// The measures of curves. Angles in radians, lengths in mesh units.
 struct CurveNumbers {
   std::size_t curves = 0, points = 0;
   double length = 0;
   double curvature = 0, largest_turn = 0;
-  std::size_t contacts = 0;                ///< places where they touch or cross
-  std::vector<std::int64_t> pieces, bare;  ///< pieces_along(), as they are and without spikes
+  std::size_t contacts = 0;                ///< places where the curves touch or cross
+  std::vector<std::int64_t> pieces, bare;  ///< from pieces_along(), with and without spikes
 };
 
 /// A method with one value of its parameter.
 struct ComparedRun {
   std::size_t method = 0;       ///< index
-  std::optional<double> value;  ///< of the swept parameter; none: the method's default
-  std::string refusal;          ///< the method's sentence; then there is nothing else
+  std::optional<double> value;  ///< of the swept parameter; none for the method's default
+  std::string refusal;          ///< the method's error message; then nothing else is set
   std::vector<PlacedCurve> curves;
   CurveNumbers numbers;
   double to_drawn = 0, to_drawn_mean = 0;      ///< mesh units, along the surface
   double from_drawn = 0, from_drawn_mean = 0;  ///< mesh units
   double first_ms = 0;                         ///< from the mesh's lists to the result
   std::optional<double> again_ms;              ///< the same run once more; not in a sweep
-  std::string changed;                         ///< how the curve's kind changed; empty: kept
+  std::string changed;  ///< how the curve's topology changed; empty if it did not
 
   [[nodiscard]] bool ok() const { return refusal.empty() && changed.empty(); }
   /// The larger of both ways, mesh units.
@@ -61,8 +61,9 @@ struct CompareOptions {
   Progress progress;
 };
 
-/// In a sweep, where others beat the default in the steps of its own parameter, it is asked to stay
-/// within exactly their deviation (bounded_method()). What a method refuses is in its run.
+/// In a sweep, if other methods beat the default in the steps of its own parameter, the default is
+/// also run with exactly their deviation as a bound (bounded_method()). A method's refusal is
+/// stored in its run.
 Comparison compare_methods(const ReadMesh& mesh, const SnappedDrawing& drawing,
                            const SurfaceMesh& surface, const CompareOptions& options);
 

@@ -12,7 +12,7 @@
 namespace talweg::driver {
 namespace {
 
-/// count values from `first` to `last` in equal ratios.
+/// `count` values from `first` to `last` with equal ratios.
 std::vector<double> geometric(double first, double last, int count) {
   std::vector<double> values;
   values.reserve(static_cast<std::size_t>(count));

@@ -15,7 +15,7 @@
 namespace talweg::driver {
 namespace {
 
-constexpr double kEdges = 1.5;       // a deviation at which methods are shown beside each other
+constexpr double kEdges = 1.5;       // the deviation at which methods are compared
 constexpr std::size_t kColumns = 5;  // of panels
 
 picture::Color color_of(const std::string& rrggbb) {
@@ -34,8 +34,8 @@ std::vector<std::size_t> add(picture::Scene& scene, const std::vector<PlacedCurv
   return numbers;
 }
 
-/// The run that stands for a method: of a sweep the one whose deviation is nearest to `edges`; null
-/// where it refused.
+/// The run shown for a method: in a sweep the one whose deviation is nearest to `edges`; null if
+/// the method refused.
 const ComparedRun* run_of(const Comparison& c, std::size_t method, double edges) {
   const ComparedRun* best = nullptr;
   const auto off = [&](const ComparedRun& run) {
@@ -48,7 +48,7 @@ const ComparedRun* run_of(const Comparison& c, std::size_t method, double edges)
   return best;
 }
 
-/// One below the other; what is left of a short row is as its first pixel, the background.
+/// Stacks the rows vertically; short rows are filled with their first pixel, the background.
 picture::Image stacked(const std::vector<picture::Image>& rows) {
   picture::Image all{rows.front().width, 0, {}};
   for (const picture::Image& row : rows) {

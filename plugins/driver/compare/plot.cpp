@@ -11,7 +11,7 @@ namespace {
 constexpr double kWidth = 640, kHeight = 420;
 constexpr double kLeft = 62, kRight = 150, kTop = 34, kBottom = 46;
 
-/// A logarithmic axis from decade fraction `low` to `high` onto pixels.
+/// A logarithmic axis from `low` to `high` (logarithms) to pixels.
 struct Axis {
   double low = 0, high = 1, first = 0, last = 1;
   [[nodiscard]] double at(double value) const {
@@ -23,7 +23,7 @@ struct Axis {
   }
 };
 
-/// Below this nothing is told apart: 1e-3 edges, 1e-2 rad.
+/// Smaller values are not distinguished: 1e-3 edges, 1e-2 rad.
 double edges_of(const Comparison& c, const ComparedRun& run) {
   return std::max(run.deviation() / c.edge, 1e-3);
 }
@@ -66,7 +66,7 @@ std::string grid_line(bool upright, double at) {
       kWidth - kRight);
 }
 
-/// Lines at 1, 2 and 5 times the powers of ten.
+/// Grid lines at 1, 2 and 5 times the powers of ten.
 std::string grid(const Axis& axis, bool upright) {
   std::string svg;
   for (int decade = -4; decade < 8; ++decade) {

@@ -7,9 +7,9 @@
 
 namespace talweg::driver {
 
-/// An SVG: total curvature (rad, logarithmic) against the larger deviation (mean edges near the
-/// drawing, logarithmic), a line per method through the runs that keep the curve's kind; those that
-/// do not are hollow. Further left and down is better.
+/// An SVG of total curvature (rad, logarithmic) against the larger deviation (mean edges near the
+/// drawing, logarithmic), with a line per method through the runs that keep the curve's topology;
+/// other runs are hollow. Farther left and down is better.
 std::string comparison_plot(const Comparison& comparison, const std::string& title);
 
 }  // namespace talweg::driver

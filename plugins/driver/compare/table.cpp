@@ -84,7 +84,8 @@ bool swept(const Comparison& c) {
 
 constexpr std::array<double, 6> kBounds = {0.5, 1, 2, 4, 8, 16};  // mean edges
 
-/// The least curvature among a method's runs within so many edges, of those that kept the kind.
+/// The least curvature among a method's runs that deviate by at most this many edges and kept the
+/// topology.
 std::string least_within(const Comparison& c, const Method& method, double edges) {
   double least = HUGE_VAL;
   for (const ComparedRun& run : c.runs) {
@@ -94,7 +95,7 @@ std::string least_within(const Comparison& c, const Method& method, double edges
   return std::isfinite(least) ? fmt::format("{:.2f}", least) : "";
 }
 
-/// What the sweep comes to: for bounds on the deviation how smooth each method gets.
+/// The result of the sweep: how smooth each method gets within bounds on the deviation.
 std::string within_table(const Comparison& c) {
   std::string head = fmt::format("| {:<13} ", "rad, within"), line = "|" + std::string(15, '-');
   for (const double edges : kBounds) {

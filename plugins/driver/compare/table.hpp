@@ -7,9 +7,9 @@
 
 namespace talweg::driver {
 
-/// Markdown that lines up: one row per run.
+/// Aligned Markdown with one row per run.
 std::string comparison_table(const Comparison& comparison);
-/// What is to be said below the table: refusals, and with a sweep where the first method is beaten.
+/// Remarks below the table: refusals and, for a sweep, where the first method is beaten.
 std::string comparison_remarks(const Comparison& comparison);
 std::string comparison_json(const Comparison& comparison);
 std::string comparison_csv(const Comparison& comparison);

@@ -22,13 +22,13 @@ struct Entry {
 
 struct Border {
   std::vector<char> at_vertex;  // per vertex
-  std::vector<char> whole;      // per face: all three vertices
-  std::vector<char> reached;    // per vertex: some border is connected with it
+  std::vector<char> whole;      // per face: whether all three vertices are sources
+  std::vector<char> reached;    // per vertex: whether it is connected with a border
 };
 
 Border border_of(const Surface& surface, const std::vector<char>& side,
                  const Components& components) {
-  std::vector<char> seen(surface.vertex_count(), 0);  // bit per side
+  std::vector<char> seen(surface.vertex_count(), 0);  // one bit per side
   for (std::size_t f = 0; f < side.size(); ++f) {
     for (const VertexId v : surface.corners(FaceId{f})) {
       seen[v.index()] = static_cast<char>(seen[v.index()] | (1 << side[f]));
@@ -51,7 +51,7 @@ Border border_of(const Surface& surface, const std::vector<char>& side,
   return border;
 }
 
-/// (M / h² + s S) u = 0 with u = 1 on the border.
+/// The solution of (M / h² + s S) u = 0 with u = 1 on the border.
 ScaledField heat_of(const CotanLaplacian& laplacian, const std::vector<MetricTriangle>& triangles,
                     const Components& components, const std::vector<double>& mean_edges,
                     const Border& border, double time) {
@@ -86,7 +86,7 @@ SymmetricMatrix squared(const SymmetricMatrix& matrix, const std::vector<double>
   SymmetricMatrix result;
   result.column_start = {0};
   std::vector<double> sum(matrix.size(), 0.0);
-  std::vector<std::size_t> last(matrix.size(), matrix.size());  // column that the row was met in
+  std::vector<std::size_t> last(matrix.size(), matrix.size());  // column in which a row was met
   std::vector<std::int32_t> rows;
   for (std::size_t j = 0; j < matrix.size(); ++j) {
     rows = {static_cast<std::int32_t>(j)};

@@ -8,7 +8,7 @@
 namespace talweg::plugins {
 namespace {
 
-/// The face's values, the largest of size 1.
+/// The function's values on the face, scaled so that the largest has absolute value 1.
 std::array<double, 3> values_of(const Surface& surface, FaceId f, const ScaledField& u) {
   const auto corners = surface.corners(f);
   std::int32_t stage = u.stage[corners[0].index()];
@@ -26,10 +26,10 @@ std::array<double, 3> values_of(const Surface& surface, FaceId f, const ScaledFi
   return values;
 }
 
-/// The linear functions on a face.
+/// The gradients of a face's hat functions.
 struct FaceGradients {
-  std::array<Point, 3> hat;  ///< of each corner's hat function, 1 / mesh units
-  double area = 0;           ///< 0: no gradients
+  std::array<Point, 3> hat;  ///< of each corner's hat function, in 1 / mesh units
+  double area = 0;           ///< 0 if there are no gradients
 };
 
 FaceGradients gradients_of(const SurfaceMesh& mesh, FaceId f) {
@@ -69,7 +69,7 @@ DirectionField gradient_directions(const SurfaceMesh& mesh, const ScaledField& u
     if (skipped[f] != 0) continue;
     const std::array<double, 3> value = values_of(mesh.surface(), FaceId{f}, u);
     const FaceGradients g = gradients_of(mesh, FaceId{f});
-    // Differences, so that what is constant has no direction.
+    // Uses differences, so that a constant function has no direction.
     const Point gradient =
         unit((value[1] - value[0]) * g.hat[1] + (value[2] - value[0]) * g.hat[2]);
     field[f] = side[f] != 0 ? Point(-gradient) : gradient;

@@ -10,14 +10,14 @@
 namespace talweg::plugins {
 
 struct FaceSides {
-  std::vector<char> side;  ///< per face, 0 or 1: on which it has more of its area
-  bool exact = true;       ///< no face has some of its area on either side
+  std::vector<char> side;  ///< per face, 0 or 1: the side with more of its area
+  bool exact = true;       ///< whether no face has area on both sides
 };
 
-/// The two sides of the curves together: whoever crosses one of them changes sides. On parts of the
-/// mesh without a curve all is side 0.
-/// Throws Error(kBadCurve) where there are no two such sides (a curve that ends inside the mesh, or
-/// runs around a handle alone), saying where, or where no face lies mostly on one of them.
+/// The two sides that all curves together separate: crossing any curve changes the side. Parts of
+/// the mesh without a curve are on side 0.
+/// Throws Error(kBadCurve) if there are no two such sides (a curve ends inside the mesh, or runs
+/// around a handle alone), saying where, or if no face lies mostly on one of them.
 FaceSides sides_of(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves);
 
 }  // namespace talweg::plugins

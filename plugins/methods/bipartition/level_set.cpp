@@ -17,7 +17,7 @@ class ZeroSet {
 
  private:
   [[nodiscard]] bool is_positive(VertexId v) const { return value_[v.index()] >= 0; }
-  /// From the positive side to the other: the curve enters the face of h there.
+  /// Whether the curve enters the face of h: the function goes from positive to negative along h.
   [[nodiscard]] bool enters(HalfedgeId h) const {
     return known_[surface_.tail(h).index()] != 0 && is_positive(surface_.tail(h)) &&
            !is_positive(surface_.head(h));

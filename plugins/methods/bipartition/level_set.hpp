@@ -10,9 +10,9 @@ namespace talweg::plugins {
 
 /// The curves where the function, linear on each face, is 0, with its positive side on the left:
 /// first those from boundary to boundary, then loops, each in the order of edge numbers. A vertex
-/// where it is 0 counts as positive, and points keep off the ends of their edges, so that curves
-/// are simple, disjoint and meet no vertex. `value` and `known` have one entry per vertex; faces
-/// with a corner that is not known have no curve. O(faces).
+/// where the function is 0 counts as positive, and points stay away from the ends of their edges,
+/// so that curves are simple, disjoint and meet no vertex. `value` and `known` have one entry per
+/// vertex; faces with an unknown corner have no curve. O(faces).
 std::vector<SurfaceCurve> zero_set(const Surface& surface, const std::vector<double>& value,
                                    const std::vector<char>& known);
 

@@ -35,7 +35,7 @@ std::vector<Pair> pairs_of(const SurfaceMesh& mesh, std::span<const SurfaceCurve
   return pairs;
 }
 
-/// Runs as the drawn curve does and, if closed, begins where that begins.
+/// The curve with the drawn curve's direction and, if closed, its start.
 SurfaceCurve aligned(const Surface& surface, const SurfaceCurve& drawn, SurfaceCurve curve) {
   PolylineDistance distance(surface);
   distance.set(std::span(&drawn, 1));

@@ -11,12 +11,12 @@
 namespace talweg::plugins {
 
 struct MatchedCurves {
-  std::vector<SurfaceCurve> curves;  ///< one per drawn curve, running and beginning as it does
-  std::vector<SurfaceCurve> others;  ///< that belong to none
+  std::vector<SurfaceCurve> curves;  ///< one per drawn curve, with its direction and start
+  std::vector<SurfaceCurve> others;  ///< curves that match no drawn curve
 };
 
-/// Gives every drawn curve the curve of the set, closed as it is, that its points are nearest to in
-/// the mean (through space); the nearest pairs first.
+/// Assigns to every drawn curve the curve of the set, closed if it is closed, to which its points
+/// are nearest on average (through space); the nearest pairs are assigned first.
 /// Throws Error(kNumerical) naming a drawn curve for which none is left.
 MatchedCurves match(const SurfaceMesh& mesh, std::span<const SurfaceCurve> drawn,
                     std::vector<SurfaceCurve> set);

@@ -93,7 +93,7 @@ class Distance : public SmootherWorkspace {
     return parameters.choice("potential") == "corridor";
   }
 
-  /// The distance, by the smoother itself, so that it is the one that smoothing uses.
+  /// Computes the distance with the smoother itself, so that it is the one that smoothing uses.
   void solve(const plugin::Parameters& parameters) {
     const std::uint64_t changes = parameters.changes_of(TALWEG_STAGE_CURVES);
     if (has_smoother() && drawings() == drawings_ && changes == changes_ && !distance_.empty())
@@ -128,7 +128,7 @@ class Distance : public SmootherWorkspace {
     return values;
   }
 
-  /// The height of the lift, whichever way its phase points.
+  /// The height of the lift; the direction of its phase does not matter.
   [[nodiscard]] std::vector<double> corridor_potential(const plugin::Parameters& parameters) const {
     std::vector<Corridor::Valley> valleys;
     for (std::size_t c = 0; c < drawing().curves.size(); ++c) {

@@ -86,7 +86,7 @@ talweg_status write_in(const char* path, const char* mesh_unit, const talweg_cur
   });
 }
 
-/// A curve of a file, as views of lists that live as long as this.
+/// A curve of a file, as views of lists that this object owns.
 class Input {
  public:
   explicit Input(const CurveInput& curve) {

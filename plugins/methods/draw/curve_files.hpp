@@ -5,7 +5,7 @@
 
 namespace talweg::plugins {
 
-/// Constant, and there as long as the module.
+/// A constant that stays valid as long as the module.
 const talweg_curve_files* curve_files();
 const talweg_curve_files_2* curve_files_2();
 

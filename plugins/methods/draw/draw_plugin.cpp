@@ -94,7 +94,7 @@ class Draw : public Workspace {
   }
 
  private:
-  /// Vertices as they are, in whatever order and however often they come; other points snapped.
+  /// Vertices are used as they are, in any order and any number of times; other points are snapped.
   SnappedCurve points_of(const CurveInput& input) {
     const auto* ids = std::get_if<std::vector<VertexId>>(&input.points);
     if (ids == nullptr) return snap(mesh(), input);
@@ -112,7 +112,7 @@ class Draw : public Workspace {
     return result;
   }
 
-  /// A drawing along edges, and what it was drawn through.
+  /// A drawing along edges, and the way-points it was drawn through.
   struct DrawnPath {
     bool closed = false;
     std::vector<VertexId> through, vertices;
@@ -132,7 +132,7 @@ class Draw : public Workspace {
     return through;
   }
 
-  /// `last`: the path to keep what can be kept of, or null.
+  /// `last` is the path of which as much as possible is kept, or null.
   SurfaceCurve along_edges(const SnappedCurve& points, const DrawnPath* last, DrawnPath& path) {
     path.closed = points.closed;
     path.through = way_points(points);
@@ -149,7 +149,7 @@ class Draw : public Workspace {
     return curve;
   }
 
-  /// The given points come in their order, as they are.
+  /// Marks the given points, which appear in the drawn curve unchanged and in order.
   static PointField given_field(const SnappedCurve& given, const SurfaceCurve& drawn) {
     PointField field{"given", "", {}};
     std::size_t next = 0;
@@ -161,7 +161,7 @@ class Draw : public Workspace {
     return field;
   }
 
-  /// The one way-point that is not the same in both.
+  /// The only way-point that differs between the two; none if they differ otherwise.
   static std::optional<std::size_t> only_change(const DrawnPath& a, const DrawnPath& b) {
     if (a.closed != b.closed || a.through.size() != b.through.size()) return std::nullopt;
     const auto first = std::mismatch(a.through.begin(), a.through.end(), b.through.begin());
@@ -178,7 +178,7 @@ class Draw : public Workspace {
 
   std::vector<SnappedCurve> snapped_;
   std::optional<EdgeDijkstra> dijkstra_;  // made when first needed
-  std::vector<DrawnPath> paths_;          // of the last run along edges without preview
+  std::vector<DrawnPath> paths_;          // of the last run along edges that was not a preview
 };
 
 }  // namespace

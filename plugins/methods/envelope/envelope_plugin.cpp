@@ -74,7 +74,7 @@ class Envelope : public MethodWorkspace {
     return method;
   }
 
-  /// Of all curves together, mesh units.
+  /// The mean segment of all curves together, mesh units.
   [[nodiscard]] double mean_segment() const {
     double length = 0;
     std::size_t segments = 0;

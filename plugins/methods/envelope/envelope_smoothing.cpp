@@ -18,11 +18,11 @@ namespace talweg::plugins {
 namespace {
 
 constexpr std::uint32_t kNone = StrandNode::kNone;
-constexpr double kStraight = 1e-6;  // radians: what turns by less is not split
-constexpr double kFloor = 3;        // mesh edges: a loop that is shorter has collapsed
+constexpr double kStraight = 1e-6;  // radians: a smaller turn is not split
+constexpr double kFloor = 3;        // mesh edges: a shorter loop has collapsed
 constexpr int kHalvings = 30;
 constexpr double kMargin = 1e-6;  // of an edge
-constexpr double kNear = 0.1;     // of an edge: who is so near to a vertex may go over to it
+constexpr double kNear = 0.1;     // of an edge: nodes this near to a vertex may pass over it
 
 class EnvelopeSmoothing {
  public:
@@ -72,7 +72,7 @@ class EnvelopeSmoothing {
   EnvelopeResult result_;
 };
 
-/// The parameter on the node's edge, not limited to it.
+/// The best parameter on the node's edge, not limited to [0, 1].
 double EnvelopeSmoothing::best_place(std::uint32_t node) const {
   const StrandNode& n = strands_[node];
   const OnEdge& here = std::get<OnEdge>(n.at.where());
@@ -81,7 +81,7 @@ double EnvelopeSmoothing::best_place(std::uint32_t node) const {
   const Point before = strands_[n.before].position - n.position;
   const Point after = strands_[n.after].position - n.position;
   const double first = before.norm(), second = after.norm(), squared = along.squaredNorm();
-  // Where a neighbour coincides, nothing pulls (and the weight would be infinite).
+  // A neighbour that coincides does not pull, and its weight would be infinite.
   if (!(squared > 0) || !(first > 0) || !(second > 0)) return here.t;
   const double pull = second * before.dot(along) + first * after.dot(along);
   return here.t + pull / ((first + second) * squared);
@@ -111,8 +111,8 @@ void EnvelopeSmoothing::slide(std::uint32_t node) {
   if (t != here.t) strands_.move(node, at(t));
 }
 
-/// Every other node first. Neighbours never move at once (but where a closed curve's number of
-/// nodes is odd, and there one after the other), so that each step shortens the curve.
+/// Moves every other node first. Neighbours never move at the same time, so each step shortens the
+/// curve. On a closed curve with an odd number of nodes two neighbours move one after the other.
 void EnvelopeSmoothing::slide_all() {
   std::array<std::vector<std::uint32_t>, 2> turns;
   for (std::uint32_t c = 0; c < drawn_.size(); ++c) {
@@ -128,7 +128,7 @@ void EnvelopeSmoothing::slide_all() {
   }
 }
 
-/// Leaves the node out where it is none of its own.
+/// Removes the node if the curve does not need it.
 bool EnvelopeSmoothing::merge(std::uint32_t node) {
   const StrandNode& n = strands_[node];
   if (!is_free(node) || strands_.count(n.curve) <= 3) return false;
@@ -149,7 +149,7 @@ bool EnvelopeSmoothing::merge(std::uint32_t node) {
   return true;
 }
 
-/// The edge from v that the node slides on; invalid if it does not.
+/// The edge from v on which the node slides; invalid if it is on another one.
 HalfedgeId EnvelopeSmoothing::spoke_of(std::uint32_t node, VertexId v) const {
   if (node == kNone || !is_free(node)) return {};
   const auto* e = std::get_if<OnEdge>(&strands_[node].at.where());
@@ -166,8 +166,8 @@ bool EnvelopeSmoothing::pass_over(std::uint32_t node) {
   return pass_over(node, e->t <= kNear ? h : twin(h));
 }
 
-/// Nodes that run around a vertex where the curve turns away from it would shrink towards it for
-/// ever, none reaching it before the others. All together they go over it at once.
+/// Where the curve turns away from a vertex, nodes that run around the vertex would approach it
+/// forever without any reaching it first. So all of them pass over it at once.
 bool EnvelopeSmoothing::pass_over(std::uint32_t node, HalfedgeId spoke) {
   const Surface& surface = mesh_.surface();
   const VertexId v = surface.tail(spoke);
@@ -197,7 +197,7 @@ bool EnvelopeSmoothing::pass_over(std::uint32_t node, HalfedgeId spoke) {
   return true;
 }
 
-/// Goes over to the side of the vertex where the curve is shorter.
+/// Moves the curve to the side of the vertex where it is shorter.
 bool EnvelopeSmoothing::split(std::uint32_t node) {
   const StrandNode& n = strands_[node];
   const auto* v = std::get_if<AtVertex>(&n.at.where());
@@ -209,9 +209,9 @@ bool EnvelopeSmoothing::split(std::uint32_t node) {
   return split_to(node, side);
 }
 
-/// The nodes lie on a line parallel to the chord from neighbour to neighbour: on the chord itself
-/// unless that leaves an edge, the envelope, or meets another curve. The nearer to the chord, the
-/// shorter is the curve.
+/// Places the nodes on a line parallel to the chord from neighbour to neighbour: on the chord
+/// itself unless that leaves an edge or the envelope, or meets another curve. The nearer the line
+/// is to the chord, the shorter the curve.
 bool EnvelopeSmoothing::split_to(std::uint32_t node, const PassageSide& side) {
   const Surface& surface = mesh_.surface();
   const StrandNode& n = strands_[node];

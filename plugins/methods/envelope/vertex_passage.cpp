@@ -15,7 +15,7 @@ namespace {
 struct Fan {
   std::vector<HalfedgeId> spokes;
   std::vector<double> angles;  // of the spokes
-  double cone = 0;             // all angles about the vertex
+  double cone = 0;             // total angle about the vertex
   bool open = false;
 };
 
@@ -60,7 +60,7 @@ double distance_along(const Surface& surface, HalfedgeId spoke, const SurfacePoi
   return length_of(surface, spoke) * (spoke == halfedge_of(on->edge) ? on->t : 1 - on->t);
 }
 
-/// By how much the point lies counterclockwise of the spoke, in the face at its left.
+/// The angle of the point counterclockwise from the spoke, in the face on the spoke's left.
 Direction inside(const Surface& surface, HalfedgeId spoke, const SurfacePoint& p) {
   const FaceId f = surface.face(spoke);
   const auto at = coordinates_in(surface, p, f).barycentric;
@@ -93,7 +93,7 @@ Direction direction_to(const Surface& surface, const Fan& fan, const SurfacePoin
   return {};
 }
 
-/// From `from` counterclockwise to `to`.
+/// The side that is swept counterclockwise from `from` to `to`.
 PassageSide side_between(const Fan& fan, const Direction& from, const Direction& to) {
   PassageSide side;
   const bool ahead = from.slot < to.slot || (from.slot == to.slot && from.angle <= to.angle);

@@ -11,16 +11,16 @@ namespace talweg::plugins {
 
 /// One side of a passage a, v, b: the edges between a and b there.
 struct PassageSide {
-  double angle = 0;  ///< radians, between the directions to a and to b; infinite across a boundary
+  double angle = 0;  ///< radians, between the directions to a and to b; infinite beyond a boundary
   struct Spoke {
-    HalfedgeId halfedge;  ///< from v
-    double chord = 0;     ///< mesh units from v: where the straight line from a to b crosses
+    HalfedgeId halfedge;  ///< leaves v
+    double chord = 0;     ///< distance from v to the straight line from a to b, mesh units
   };
   std::vector<Spoke> spokes;  ///< in the order from a to b; chords only where angle < pi
 };
 
-/// Both sides of v between a and b, points of faces at v other than v, with the faces about v
-/// unfolded. O(degree).
+/// Both sides of v between a and b, which are points other than v in faces at v. The faces about v
+/// are unfolded. O(degree).
 std::array<PassageSide, 2> passage_at(const Surface& surface, VertexId v, const SurfacePoint& a,
                                       const SurfacePoint& b);
 

@@ -11,7 +11,7 @@
 namespace talweg::plugins {
 namespace {
 
-/// What of the smoother's report says something about a geodesic.
+/// The keys of the smoother's report that are meaningful for a geodesic.
 constexpr const char* kKeys[] = {
     "version",      "faces",         "vertices",           "closed",          "points_before",
     "points_after", "length_before", "length_after",       "curvature_after", "flips",

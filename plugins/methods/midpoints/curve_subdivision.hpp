@@ -15,16 +15,17 @@ struct ControlPolygon {
   std::vector<SurfacePoint> points;
 };
 
-/// Points of the curve at equal arc lengths, about `spacing` (mesh units, > 0) apart; of an open
-/// curve its ends are among them, of a closed one there are at least four. Throws Error(kBadUsage)
-/// where so many, doubled `levels` times, would be more than 20,000.
+/// Points of the curve at equal arc lengths, about `spacing` (mesh units, > 0) apart. For an open
+/// curve they include its ends; for a closed one there are at least four. Throws Error(kBadUsage)
+/// if the points, doubled `levels` times, would be more than 20,000.
 ControlPolygon control_polygon(const Surface& surface, const SurfaceCurve& curve, double spacing,
                                int levels);
 
-/// One round of the scheme of Lane & Riesenfeld (1980) with geodesics for straight lines: a
-/// midpoint goes between each point and the next, then `degree` - 1 times (1 <= degree) every point
-/// is replaced by the midpoint of itself and the next. In the plane the rounds tend to the uniform
-/// B-spline of that degree. An open polygon keeps its ends. `lines` belongs to `surface`.
+/// One round of the scheme of Lane & Riesenfeld (1980) with geodesics instead of straight lines: a
+/// midpoint is inserted between each point and the next, then `degree` - 1 times (1 <= degree)
+/// every point is replaced by the midpoint of itself and the next. In the plane the rounds converge
+/// to the uniform B-spline of that degree. An open polygon keeps its ends. `lines` must belong to
+/// `surface`.
 /// Throws Error(kBadCurve) where two points cannot be joined.
 ControlPolygon subdivided(const Surface& surface, StraightLines& lines,
                           const ControlPolygon& polygon, int degree);

@@ -13,7 +13,7 @@
 namespace talweg::plugins {
 namespace {
 
-constexpr double kSegments = 8;  // of the drawing, between control points
+constexpr double kSegments = 8;  // drawn segments between control points
 
 class Midpoints : public MethodWorkspace {
  public:

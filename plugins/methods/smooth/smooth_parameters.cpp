@@ -180,7 +180,7 @@ CurveOptions curve_options_of(const Parameters& p) {
   if (bump > 0) options.bump_radius = bump;
   options.cap_corners = p.flag("cap_corners");
   options.threads = static_cast<unsigned>(p.number("threads"));
-  options.distance_at_once = false;  // only run() knows whether it is needed
+  options.distance_at_once = false;  // only run() knows whether the distance is needed
   return options;
 }
 

@@ -12,27 +12,28 @@
 namespace talweg::plugins {
 
 const std::vector<talweg_parameter>& smooth_parameters();
-/// The one of this id; it must be there.
+/// The parameter with this id; it must exist.
 const talweg_parameter& smooth_parameter(std::string_view id);
 
-/// The potential that a parameter is of; empty where it is of both.
+/// The potential to which a parameter belongs; empty if it belongs to both.
 std::string potential_of(std::string_view id);
 
-/// Pins are not in it. Throws plugin::Failure(TALWEG_BAD_USAGE) for parameters that do not go
-/// together.
+/// The options without pins. Throws plugin::Failure(TALWEG_BAD_USAGE) for parameters that
+/// contradict each other.
 CurveOptions curve_options_of(const plugin::Parameters& parameters);
 
-/// Sets the curves, with a distance where one is given. False when that was cancelled. Throws as
+/// Sets the curves, with the distance if one is given. False when cancelled. Throws as
 /// CurveSmoother::set_curves() does.
 bool set_curves(CurveSmoother& smoother, std::span<const SurfaceCurve> curves,
                 const plugin::Parameters& parameters, const CurveOptions& options,
                 const Progress& progress);
 
-/// For curves that are set on a surface.
+/// The options for curves that are set on a surface.
 SmoothingOptions smoothing_options_of(const plugin::Parameters& parameters, const Surface& surface,
                                       std::span<const SurfaceCurve> drawn);
 
-/// Within the bound, where there is one. Throws as smooth_within() and CurveSmoother::smooth() do.
+/// Smooths, within the largest deviation if one is set. Throws as smooth_within() and
+/// CurveSmoother::smooth() do.
 SmoothingResult smooth_by(const plugin::Parameters& parameters, CurveSmoother& smoother,
                           const SmoothingOptions& options, const Progress& progress);
 

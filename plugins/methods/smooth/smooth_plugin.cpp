@@ -64,7 +64,7 @@ class Smooth : public SmootherWorkspace {
     return result;
   }
 
-  /// With tau and slack as they were found for the bound, if there is one.
+  /// Uses the tau and slack that were found for the largest deviation, if one is set.
   SmoothingResult drag(std::size_t curve, const plugin::Parameters& parameters,
                        SmoothingOptions options) {
     if (parameters.optional("max_deviation")) {
@@ -74,8 +74,8 @@ class Smooth : public SmootherWorkspace {
     return smoother().drag(curve, drawing().curves[curve], options, progress());
   }
 
-  /// The one curve that is not as it was in the last run without preview; none where that says
-  /// nothing about this run.
+  /// The only curve that differs from the last run that was not a preview, or 0 if none differs;
+  /// nothing if anything else has changed.
   std::optional<std::size_t> dragged_curve(const plugin::Parameters& parameters) {
     if (!parameters.flag("preview") || parameters.choice("potential") != "corridor") return {};
     if (!has_smoother() || !solved_ || changes_of(parameters) != changes_) return {};
@@ -104,7 +104,7 @@ class Smooth : public SmootherWorkspace {
     return parameters.changes_of(TALWEG_STAGE_CURVES) - parameters.changes("pin");
   }
 
-  /// Sets the curves where anything that they depend on has changed.
+  /// Sets the curves if anything that they depend on has changed.
   void solve(const plugin::Parameters& parameters, CurveOptions options) {
     options.pins = pins(parameters);
     const std::uint64_t changes = changes_of(parameters);
@@ -155,7 +155,7 @@ class Smooth : public SmootherWorkspace {
   }
 
   bool solved_ = false;
-  double found_tau_ = 0, found_slack_ = 0;  // in the last run without preview
+  double found_tau_ = 0, found_slack_ = 0;  // by the last run that was not a preview
   std::uint64_t drawings_ = 0;
   std::uint64_t changes_ = 0;
   std::vector<SurfacePoint> pins_;
