@@ -2,7 +2,7 @@
 function(check_lines page problems_var)
   set(wrong ${${problems_var}})
   file(READ ${page} text)
-  string(REGEX REPLACE "[][;]" "x" text "${text}")  # what CMake's lists take for their own
+  string(REGEX REPLACE "[][;\\]" "x" text "${text}")  # what CMake's lists take for their own
   # Bytes beyond ASCII, of which a character has up to four.
   string(REGEX REPLACE "[^\t\n -~][^\t\n -~]?[^\t\n -~]?[^\t\n -~]?" "x" text "${text}")
   string(REGEX MATCHALL "[^\n]+" lines "${text}")
