@@ -224,6 +224,7 @@ TEST_F(MeshReader, ObjErrorsNameTheLine) {
   EXPECT_EQ(refusal("a.obj", "v 0 1e999 0\n"),
             ", line 1: a coordinate is '1e999', which is not a finite number.");
   EXPECT_EQ(refusal("a.obj", "v 0 1,5 0\n"), ", line 1: expected a coordinate, found '1,5'.");
+  EXPECT_EQ(refusal("a.obj", "v 0 +-5 0\n"), ", line 1: expected a coordinate, found '+-5'.");
   EXPECT_EQ(refusal("a.obj", "v 0 1\n"),
             ", line 1: expected a coordinate, found the end of the line.");
   EXPECT_EQ(refusal("a.obj", "hello\n"), ": the file contains no vertices.");
