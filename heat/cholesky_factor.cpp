@@ -1,20 +1,99 @@
 #include "talweg/heat/cholesky_factor.hpp"
 
-#include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <mutex>
 #include <new>
-#include <span>
 #include <string>
 #include <utility>
 
-#include "talweg/heat/dense_block.hpp"
-#include "talweg/heat/fill_reducing_order.hpp"
-#include "talweg/heat/large_array.hpp"
-#include "talweg/heat/supernodes.hpp"
+#include <cholmod.h>
+
+#include "talweg/heat/blas.hpp"
 #include "talweg/intrinsic/error.hpp"
 
 namespace talweg {
 namespace {
+
+/// CHOLMOD's settings and workspace, silent, on one thread. One per call, so that calls share
+/// nothing.
+class Workspace {
+ public:
+  Workspace() {
+    cholmod_start(&common_);
+    common_.print = 0;
+    common_.error_handler = nullptr;
+    common_.nmethods = 1;
+    common_.supernodal = CHOLMOD_SIMPLICIAL;
+    common_.final_ll = 1;  // L Lᵀ in any case: L D Lᵀ would accept an indefinite matrix
+  }
+  ~Workspace() { cholmod_finish(&common_); }
+  Workspace(const Workspace&) = delete;
+  Workspace& operator=(const Workspace&) = delete;
+
+  cholmod_common* get() { return &common_; }
+  cholmod_common* operator->() { return &common_; }
+
+  [[nodiscard]] bool full() const {
+    return common_.status == CHOLMOD_OUT_OF_MEMORY || common_.status == CHOLMOD_TOO_LARGE;
+  }
+  /// An error in words where the last call failed.
+  void check(const char* what) const {
+    if (common_.status >= CHOLMOD_OK) return;
+    const std::string failed = std::string(what) + " failed: ";
+    if (common_.status == CHOLMOD_OUT_OF_MEMORY) {
+      throw Error(ErrorCode::kOutOfMemory, failed + "out of memory.");
+    }
+    if (common_.status == CHOLMOD_TOO_LARGE) {
+      throw Error(ErrorCode::kOutOfMemory,
+                  failed + "the factor has too many entries for 32-bit indices.");
+    }
+    throw Error(ErrorCode::kNumerical,
+                failed + "CHOLMOD status " + std::to_string(common_.status) + ".");
+  }
+
+ private:
+  OneBlasThread one_thread_;
+  cholmod_common common_{};
+};
+
+struct Free {
+  void operator()(cholmod_factor* factor) const {
+    Workspace work;
+    cholmod_free_factor(&factor, work.get());
+  }
+  void operator()(cholmod_dense* dense) const {
+    Workspace work;
+    cholmod_free_dense(&dense, work.get());
+  }
+};
+
+/// Views of our arrays. CHOLMOD never writes to a matrix or a right-hand side.
+cholmod_sparse view(const SymmetricMatrix& matrix, int values) {
+  cholmod_sparse sparse{};
+  sparse.nrow = sparse.ncol = matrix.size();
+  sparse.nzmax = matrix.row.size();
+  sparse.p = const_cast<std::int32_t*>(matrix.column_start.data());
+  sparse.i = const_cast<std::int32_t*>(matrix.row.data());
+  if (values == CHOLMOD_REAL) sparse.x = const_cast<double*>(matrix.value.data());
+  sparse.stype = -1;  // the lower triangle
+  sparse.itype = CHOLMOD_INT;
+  sparse.xtype = values;
+  sparse.dtype = CHOLMOD_DOUBLE;
+  sparse.sorted = 1;
+  sparse.packed = 1;
+  return sparse;
+}
+
+cholmod_dense view(const std::vector<double>& vector) {
+  cholmod_dense dense{};
+  dense.nrow = dense.d = dense.nzmax = vector.size();
+  dense.ncol = 1;
+  dense.x = const_cast<double*>(vector.data());
+  dense.xtype = CHOLMOD_REAL;
+  dense.dtype = CHOLMOD_DOUBLE;
+  return dense;
+}
 
 void check_pattern(const SymmetricMatrix& matrix) {
   const std::size_t n = matrix.size();
@@ -44,223 +123,112 @@ void check_values(const SymmetricMatrix& matrix) {
   }
 }
 
-/// What `task` returns, with an error of ours when memory runs out.
-template <class Task>
-auto in_memory(const char* name, Task&& task) {
-  try {
-    return task();
-  } catch (const std::bad_alloc&) {
-    throw Error(ErrorCode::kOutOfMemory, std::string(name) + " failed: out of memory.");
-  }
+int cholmod_kind(FactorKind kind) {
+#ifdef TALWEG_NO_SUPERNODAL
+  (void)kind;
+  return CHOLMOD_SIMPLICIAL;
+#else
+  return kind == FactorKind::kSupernodal ? CHOLMOD_SUPERNODAL : CHOLMOD_SIMPLICIAL;
+#endif
 }
 
-/// The multifrontal method (Duff & Reid 1983; Liu 1992): supernode by supernode in postorder. The
-/// front of a supernode is its block and, for the rows below, a square of what its ancestors are
-/// to receive. Squares wait on a stack, those of a supernode's children on top when its turn comes.
-class Multifrontal {
- public:
-  Multifrontal(const Supernodes& shape, const PermutedEntries& entries,
-               const SymmetricMatrix& matrix, double* values)
-      : shape_(shape),
-        entries_(entries),
-        matrix_(matrix),
-        values_(values),
-        place_(shape.size(), 0) {}
-
-  void run() {
-    for (std::size_t s = 0; s < shape_.count(); ++s) {
-      assemble(s);
-      const std::size_t width = shape_.width(s), height = shape_.height(s);
-      double* block = values_ + shape_.block_start[s];
-      const std::size_t done = factor_block(block, height, width, scratch_);
-      if (done < width) {
-        throw Error(ErrorCode::kNumerical,
-                    "Factoring failed: the matrix is not positive definite (column " +
-                        std::to_string(shape_.old_of_new[shape_.first[s] + done]) + ").");
-      }
-      const std::size_t below = height - width;
-      subtract_outer(square_.data(), below, below, below, block + width, height, width, scratch_);
-      push(s, below);
-    }
-  }
-
- private:
-  struct Waiting {
-    std::size_t supernode;
-    std::size_t start;  // of its square's lower triangle on the stack
-  };
-
-  void assemble(std::size_t s) {
-    const std::int32_t first = shape_.first[s], end = shape_.first[s + 1];
-    const std::size_t width = shape_.width(s), height = shape_.height(s);
-    for (std::int32_t j = first; j < end; ++j) place_[j] = j - first;
-    auto place = static_cast<std::int32_t>(width);
-    for (const std::int32_t row : shape_.rows_below(s)) place_[row] = place++;
-    double* block = values_ + shape_.block_start[s];
-    for (std::int32_t j = first; j < end; ++j) {
-      double* column = block + static_cast<std::size_t>(j - first) * height;
-      for (std::int32_t k = entries_.start[j]; k < entries_.start[j + 1]; ++k) {
-        const auto [row, entry] = entries_.entries[k];
-        column[place_[row]] = matrix_.value[entry];
-      }
-    }
-    const std::size_t below = height - width;
-    square_.assign(below * below, 0.0);
-    while (!waiting_.empty() &&
-           shape_.parent[waiting_.back().supernode] == static_cast<std::int32_t>(s)) {
-      add(waiting_.back(), block, width, height);
-      stack_.resize(waiting_.back().start);
-      waiting_.pop_back();
-    }
-  }
-
-  /// Adds a child's square to the front.
-  void add(const Waiting& child, double* block, std::size_t width, std::size_t height) {
-    const auto rows = shape_.rows_below(child.supernode);
-    to_.resize(rows.size());
-    for (std::size_t i = 0; i < rows.size(); ++i) to_[i] = place_[rows[i]];
-    const double* from = stack_.data() + child.start;
-    const std::size_t below = height - width;
-    for (std::size_t j = 0; j < rows.size(); ++j) {
-      const auto column = static_cast<std::size_t>(to_[j]);
-      double* into = column < width ? block + column * height
-                                    : square_.data() + (column - width) * below - width;
-      for (std::size_t i = j; i < rows.size(); ++i) into[to_[i]] += *from++;
-    }
-  }
-
-  void push(std::size_t s, std::size_t below) {
-    if (below == 0) return;
-    waiting_.push_back({s, stack_.size()});
-    for (std::size_t j = 0; j < below; ++j) {
-      const auto column = square_.begin() + static_cast<std::ptrdiff_t>(j * below);
-      stack_.insert(stack_.end(), column + static_cast<std::ptrdiff_t>(j),
-                    column + static_cast<std::ptrdiff_t>(below));
-    }
-  }
-
-  const Supernodes& shape_;
-  const PermutedEntries& entries_;
-  const SymmetricMatrix& matrix_;
-  double* values_;
-  std::vector<std::int32_t> place_;  // of a row in the current front
-  std::vector<std::int32_t> to_;
-  std::vector<double> square_;  // of the current front, by columns
-  std::vector<double> stack_;   // lower triangles of squares
-  std::vector<Waiting> waiting_;
-  DenseScratch scratch_;
-};
+cholmod_factor* analyze(cholmod_sparse& matrix, int ordering, Workspace& work) {
+  static std::mutex one_at_a_time;  // METIS uses rand()
+  const std::lock_guard<std::mutex> lock(one_at_a_time);
+  work->method[0].ordering = ordering;
+  return cholmod_analyze(&matrix, work.get());
+}
 
 }  // namespace
 
 struct SymbolicFactor::Impl {
-  std::shared_ptr<const Supernodes> shape;
-  PermutedEntries entries;
-  std::size_t factor_entries = 0;
+  explicit Impl(cholmod_factor* analysed) : factor(analysed, Free()) {}
+  std::shared_ptr<cholmod_factor> factor;  // without values
+  std::size_t entries = 0;
 };
 
-SymbolicFactor::SymbolicFactor(const SymmetricMatrix& pattern) {
+SymbolicFactor::SymbolicFactor(const SymmetricMatrix& pattern, FactorKind kind) {
   check_pattern(pattern);
-  impl_ = in_memory("Ordering the matrix", [&] {
-    FillReducingOrder order = fill_reducing_order(pattern);
-    auto impl = std::make_shared<Impl>();
-    impl->entries = permuted_entries(pattern, order.old_of_new);
-    impl->shape = std::make_shared<const Supernodes>(
-        supernodes_of(impl->entries, std::move(order.old_of_new), order.column_count));
-    impl->factor_entries = impl->shape->block_start.back();
-    return impl;
-  });
+  Workspace work;
+  work->supernodal = cholmod_kind(kind);
+  cholmod_sparse matrix = view(pattern, CHOLMOD_PATTERN);
+  auto* factor = analyze(matrix, CHOLMOD_METIS, work);
+  if (factor == nullptr && !work.full()) factor = analyze(matrix, CHOLMOD_AMD, work);
+  auto impl = std::make_shared<Impl>(factor);
+  work.check("Ordering the matrix");
+  impl->entries = factor->is_super != 0 ? factor->xsize : static_cast<std::size_t>(work->lnz);
+  impl_ = std::move(impl);
 }
 
-std::size_t SymbolicFactor::size() const { return impl_->shape->size(); }
-std::size_t SymbolicFactor::factor_entries() const { return impl_->factor_entries; }
+std::size_t SymbolicFactor::size() const { return impl_->factor->n; }
+FactorKind SymbolicFactor::kind() const {
+  return impl_->factor->is_super != 0 ? FactorKind::kSupernodal : FactorKind::kSimplicial;
+}
+std::size_t SymbolicFactor::factor_entries() const { return impl_->entries; }
 
 struct CholeskyFactor::Impl {
-  std::shared_ptr<const Supernodes> shape;
-  LargeArray values;
-
-  [[nodiscard]] std::vector<char> reached_from(const double* x) const;
-  void forward(double* x) const;
-  void backward(double* x) const;
+  explicit Impl(cholmod_factor* copied) : factor(copied, Free()) {}
+  std::shared_ptr<cholmod_factor> factor;
 };
 
-CholeskyFactor::CholeskyFactor(const SymbolicFactor& symbolic, const SymmetricMatrix& matrix)
-    : impl_(std::make_unique<Impl>()) {
+CholeskyFactor::CholeskyFactor(const SymbolicFactor& symbolic, const SymmetricMatrix& matrix) {
   if (matrix.size() != symbolic.size() || matrix.value.size() != matrix.row.size()) {
     throw Error(ErrorCode::kNumerical, "Factoring failed: the matrix is not the analysed one.");
   }
   check_values(matrix);
-  impl_->shape = symbolic.impl_->shape;
-  in_memory("Factoring", [&] {
-    impl_->values = LargeArray(symbolic.factor_entries() + kSpare);
-    Multifrontal(*impl_->shape, symbolic.impl_->entries, matrix, impl_->values.data()).run();
-  });
+  Workspace work;
+  impl_ = std::make_unique<Impl>(cholmod_copy_factor(symbolic.impl_->factor.get(), work.get()));
+  work.check("Factoring");
+  cholmod_sparse values = view(matrix, CHOLMOD_REAL);
+  cholmod_factor* factor = impl_->factor.get();
+  cholmod_factorize(&values, factor, work.get());
+  work.check("Factoring");
+  if (factor->minor < factor->n) {
+    const auto* order = static_cast<const std::int32_t*>(factor->Perm);
+    throw Error(ErrorCode::kNumerical,
+                "Factoring failed: the matrix is not positive definite (column " +
+                    std::to_string(order[factor->minor]) + ").");
+  }
 }
 
 CholeskyFactor::~CholeskyFactor() = default;
 CholeskyFactor::CholeskyFactor(CholeskyFactor&&) noexcept = default;
 CholeskyFactor& CholeskyFactor::operator=(CholeskyFactor&&) noexcept = default;
 
-std::size_t CholeskyFactor::size() const { return impl_->shape->size(); }
-
-/// Supernodes with an entry of x that is not 0, and their ancestors: where L⁻¹ x is not 0.
-std::vector<char> CholeskyFactor::Impl::reached_from(const double* x) const {
-  std::vector<char> reached(shape->count(), 0);
-  for (std::size_t s = 0; s < reached.size(); ++s) {
-    for (std::int32_t j = shape->first[s]; reached[s] == 0 && j < shape->first[s + 1]; ++j) {
-      if (x[j] != 0) reached[s] = 1;
-    }
-    if (reached[s] != 0 && shape->parent[s] >= 0) reached[shape->parent[s]] = 1;
-  }
-  return reached;
-}
-
-void CholeskyFactor::Impl::forward(double* x) const {
-  const std::vector<char> reached = reached_from(x);
-  std::vector<double> local;
-  for (std::size_t s = 0; s < shape->count(); ++s) {
-    if (reached[s] == 0) continue;
-    const std::size_t width = shape->width(s), height = shape->height(s);
-    const auto rows = shape->rows_below(s);
-    double* own = x + shape->first[s];
-    local.assign(height + kSpare, 0.0);
-    std::copy_n(own, width, local.begin());
-    solve_forward(values.data() + shape->block_start[s], height, width, local.data());
-    std::copy_n(local.begin(), width, own);
-    for (std::size_t i = 0; i < rows.size(); ++i) x[rows[i]] += local[width + i];
-  }
-}
-
-void CholeskyFactor::Impl::backward(double* x) const {
-  std::vector<double> local;
-  for (std::size_t s = shape->count(); s-- > 0;) {
-    const std::size_t width = shape->width(s), height = shape->height(s);
-    const auto rows = shape->rows_below(s);
-    double* own = x + shape->first[s];
-    local.resize(height + kSpare);
-    std::copy_n(own, width, local.begin());
-    for (std::size_t i = 0; i < rows.size(); ++i) local[width + i] = x[rows[i]];
-    std::fill_n(local.begin() + static_cast<std::ptrdiff_t>(height), kSpare, 0.0);
-    solve_backward(values.data() + shape->block_start[s], height, width, local.data());
-    std::copy_n(local.begin(), width, own);
-  }
-}
+std::size_t CholeskyFactor::size() const { return impl_->factor->n; }
 
 std::vector<double> CholeskyFactor::solve(const std::vector<double>& b) const {
   if (b.size() != size()) {
     throw Error(ErrorCode::kBadUsage, "The right-hand side has " + std::to_string(b.size()) +
                                           " entries instead of " + std::to_string(size()) + ".");
   }
-  return in_memory("Solving", [&] {
-    const std::vector<std::int32_t>& old_of_new = impl_->shape->old_of_new;
-    LargeArray x(size());
-    for (std::size_t k = 0; k < b.size(); ++k) x.data()[k] = b[old_of_new[k]];
-    impl_->forward(x.data());
-    impl_->backward(x.data());
-    std::vector<double> result(b.size());
-    for (std::size_t k = 0; k < b.size(); ++k) result[old_of_new[k]] = x.data()[k];
-    return result;
-  });
+  Workspace work;
+  cholmod_dense right = view(b);
+  // Not Bset: it would turn the factor, which other threads use, into a simplicial one.
+  cholmod_dense *solution = nullptr, *permuted = nullptr, *gathered = nullptr;
+  cholmod_solve2(CHOLMOD_A, impl_->factor.get(), &right, nullptr, &solution, nullptr, &permuted,
+                 &gathered, work.get());
+  const std::unique_ptr<cholmod_dense, Free> owned[] = {
+      std::unique_ptr<cholmod_dense, Free>(solution),
+      std::unique_ptr<cholmod_dense, Free>(permuted),
+      std::unique_ptr<cholmod_dense, Free>(gathered)};
+  work.check("Solving");
+  try {
+    const auto* x = static_cast<const double*>(solution->x);
+    return {x, x + b.size()};
+  } catch (const std::bad_alloc&) {
+    throw Error(ErrorCode::kOutOfMemory, "Solving failed: out of memory.");
+  }
+}
+
+std::string factor_libraries() {
+  int version[3] = {};
+  cholmod_version(version);
+  const SymbolicFactor symbolic({{0, 1}, {0}, {1.0}});
+  const bool supernodal = symbolic.kind() == FactorKind::kSupernodal;
+  return "CHOLMOD " + std::to_string(version[0]) + "." + std::to_string(version[1]) + "." +
+         std::to_string(version[2]) + ", " +
+         (supernodal ? "supernodal, with " + blas_library() : "simplicial");
 }
 
 }  // namespace talweg

@@ -3,24 +3,37 @@
 
 #include <cstddef>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "talweg/heat/symmetric_matrix.hpp"
 
 namespace talweg {
 
+/// How CHOLMOD stores a factor. Supernodes (dense blocks of columns with equal structure) are
+/// worked on by the BLAS; that module of CHOLMOD is under the GPL. Without it (TALWEG_SUPERNODAL
+/// off, or a CHOLMOD that was built without it) every factor is simplicial, column by column, which
+/// takes about four times as long to factor.
+enum class FactorKind { kSupernodal, kSimplicial };
+
 /// The fill-reducing ordering and the shape of the factor of every matrix with one pattern.
 /// Immutable and cheap to copy (shared); any number of threads may factor from it.
-/// The same pattern gives the same ordering, with the reserve of fill_reducing_order().
+///
+/// The order is nested dissection (METIS) where CHOLMOD has it, else minimum degree (AMD). METIS
+/// draws from the process's random numbers, which it seeds itself; analyses therefore run one at a
+/// time, and the same pattern gives the same order unless other code calls rand() meanwhile.
 class SymbolicFactor {
  public:
-  /// Only the pattern is looked at. Throws Error(kOutOfMemory) when memory runs out,
-  /// Error(kNumerical) when the pattern is not as SymmetricMatrix demands.
-  explicit SymbolicFactor(const SymmetricMatrix& pattern);
+  /// Only the pattern is looked at. Throws Error(kOutOfMemory) when memory runs out or the factor
+  /// would have 2^31 entries or more, Error(kNumerical) when the pattern is not as SymmetricMatrix
+  /// demands.
+  explicit SymbolicFactor(const SymmetricMatrix& pattern,
+                          FactorKind kind = FactorKind::kSupernodal);
 
   [[nodiscard]] std::size_t size() const;
-  /// Numbers stored for the factor, 8 bytes each: its entries and the zeros between them that make
-  /// its blocks regular.
+  [[nodiscard]] FactorKind kind() const;
+  /// Numbers stored for the factor, 8 bytes each: its entries and, in supernodes, zeros that make
+  /// the blocks regular.
   [[nodiscard]] std::size_t factor_entries() const;
 
  private:
@@ -29,8 +42,9 @@ class SymbolicFactor {
   std::shared_ptr<const Impl> impl_;
 };
 
-/// The factor L of P A Pᵀ = L Lᵀ, A symmetric positive definite, in dense blocks of columns with
-/// equal structure. One thread, every sum in a fixed order: the same bytes on every run.
+/// CHOLMOD's factor L of P A Pᵀ = L Lᵀ, A symmetric positive definite (Chen, Davis, Hager &
+/// Rajamanickam 2008, "Algorithm 887: CHOLMOD"). One thread (OneBlasThread): the same bytes on
+/// every run with the same libraries on the same machine.
 class CholeskyFactor {
  public:
   /// `matrix` must have the pattern that was analysed. Throws Error(kNumerical) when an entry is
@@ -42,8 +56,7 @@ class CholeskyFactor {
   CholeskyFactor& operator=(CholeskyFactor&&) noexcept;
 
   [[nodiscard]] std::size_t size() const;
-  /// The x with A x = b; b has size() entries. O(factor entries); where b is 0 nearly everywhere,
-  /// half of that, since blocks that no entry reaches are skipped. Any number of threads may solve
+  /// The x with A x = b; b has size() entries. O(factor entries). Any number of threads may solve
   /// with one factor at the same time: each call has its own workspace.
   /// Throws Error(kBadUsage) for a b of another size, Error(kOutOfMemory) when memory runs out.
   [[nodiscard]] std::vector<double> solve(const std::vector<double>& b) const;
@@ -52,5 +65,8 @@ class CholeskyFactor {
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };
+
+/// The libraries that factor and solve, with their versions, in one line.
+std::string factor_libraries();
 
 }  // namespace talweg

@@ -49,7 +49,7 @@ if(NOT TALWEG_IS_SHARED)
     endif()
     string(APPEND talweg_pc_libs " -lcholmod")
   endif()
-  string(APPEND talweg_pc_libs " -pthread")
+  string(APPEND talweg_pc_libs " -pthread -ldl")
 endif()
 # Relative to the file, so that an installed tree can be moved.
 file(RELATIVE_PATH talweg_pc_up ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig ${CMAKE_INSTALL_PREFIX})

@@ -14,6 +14,7 @@
 #include "progress_bar.hpp"
 #include "suggestion.hpp"
 #include "talweg/core/version.hpp"
+#include "talweg/heat/cholesky_factor.hpp"
 #include "talweg/intrinsic/error.hpp"
 
 namespace talweg::driver {
@@ -51,7 +52,9 @@ const CLI::App* given_command(const CLI::App& app) {
 
 int run(int argc, char** argv) {
   CLI::App app("Curves on triangle meshes: draw, smooth while staying close, measure.", "talweg");
-  app.set_version_flag("--version", std::string("talweg ") + version());
+  app.set_version_flag(
+      "--version", [] { return fmt::format("talweg {}\n{}", version(), factor_libraries()); },
+      "Print the version, and the libraries that solve linear systems");
   app.fallthrough();
   app.footer(
       "Exit codes: 0 done, 1 bad usage, 2 bad input, 3 not converged or a limit was reached (the "

@@ -82,21 +82,6 @@ TEST(CholeskyFactor, GridsOfManySizes) {
   }
 }
 
-TEST(CholeskyFactor, ZerosOfTheRightHandSideAreSkippedWithoutATrace) {
-  // With one entry not 0 most blocks are skipped; with a tiny one everywhere none is.
-  const SymmetricMatrix matrix = test::grid_matrix(60, 5);
-  const CholeskyFactor factor(SymbolicFactor(matrix), matrix);
-  for (const std::size_t at : {std::size_t{0}, std::size_t{1777}, matrix.size() - 1}) {
-    std::vector<double> sparse(matrix.size(), 0.0), full(matrix.size(), 1e-300);
-    sparse[at] = full[at] = 1;
-    EXPECT_EQ(factor.solve(sparse)[at], factor.solve(full)[at]);
-    const std::vector<double> x = factor.solve(sparse), y = factor.solve(full);
-    for (std::size_t j = 0; j < x.size(); ++j) EXPECT_NEAR(x[j], y[j], 1e-17) << at;
-  }
-  EXPECT_EQ(factor.solve(std::vector<double>(matrix.size(), 0.0)),
-            std::vector<double>(matrix.size(), 0.0));
-}
-
 TEST(CholeskyFactor, SameBytesEveryTime) {
   const SymmetricMatrix matrix = test::grid_matrix(80, 4.1);
   std::vector<double> b(matrix.size());

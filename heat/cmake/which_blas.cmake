@@ -1,0 +1,17 @@
+# note_a_slow_blas(): says so when CHOLMOD's BLAS is the reference one, which is written to be read.
+# Its file is libblas.so.3.MINOR; other BLASes stand in for libblas.so.3 under names of their own.
+function(note_a_slow_blas)
+  if(NOT CHOLMOD_LIBRARY)
+    return()
+  endif()
+  cmake_path(GET CHOLMOD_LIBRARY PARENT_PATH folder)
+  find_file(blas libblas.so.3 HINTS ${folder} NO_CACHE)
+  if(NOT blas)
+    return()
+  endif()
+  file(REAL_PATH ${blas} blas)
+  if(blas MATCHES "/libblas\\.so\\.3\\.[0-9.]+$")
+    message(STATUS "Talweg: ${blas} is the reference BLAS. With OpenBLAS the paper's method opens a mesh "
+                   "in two thirds of the time (Debian: libopenblas0-serial)")
+  endif()
+endfunction()
