@@ -4,10 +4,13 @@
 #include <cmath>
 #include <utility>
 
+#include "talweg/core/drawing/curve_embedding.hpp"
 #include "talweg/core/io/mesh_reader.hpp"
 #include "talweg/core/measure/deviation.hpp"
 #include "talweg/core/measure/measures.hpp"
+#include "talweg/core/smoothing/embedded_drawing.hpp"
 #include "talweg/core/smoothing/lifted_lengths.hpp"
+#include "talweg/core/smoothing/potential.hpp"
 #include "talweg/heat/curve_sources.hpp"
 #include "tools/paper/ball.hpp"
 #include "tools/paper/hand.hpp"
@@ -45,7 +48,8 @@ Stages::Stages(std::filesystem::path mesh_file)
   triangulation_.emplace(opened_->surface());
   flip_out_.emplace(*triangulation_);
   tracer_.emplace(*triangulation_);
-  paths_ = embed_curves(*triangulation_, smoother_.capped()).paths;
+  capped_ = capped_curves(opened_->surface(), std::span(&drawn_, 1), paper_method());
+  paths_ = embed_curves(*triangulation_, capped_).paths;
   straighten();
   trace();
   corridor();
@@ -63,8 +67,7 @@ void Stages::factor() {
 }
 
 void Stages::solve() {
-  distance_ =
-      opened_->heat(10)->solve(curve_sources(opened_->surface(), smoother_.capped().front()));
+  distance_ = opened_->heat(10)->solve(curve_sources(opened_->surface(), capped_.front()));
 }
 
 void Stages::set_curve() { smoother_.set_curve(drawn_, paper_method()); }

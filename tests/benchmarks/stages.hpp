@@ -12,6 +12,7 @@
 #include "talweg/core/smoothing/curve_smoother.hpp"
 #include "talweg/intrinsic/flips/flip_out.hpp"
 #include "talweg/intrinsic/flips/signpost_triangulation.hpp"
+#include "talweg/intrinsic/flips/trace.hpp"
 
 namespace talweg::benchmarks {
 
@@ -44,6 +45,7 @@ class Stages {
   MeshLists lists_;
   std::shared_ptr<const OpenedMesh> opened_;
   SurfaceCurve drawn_;
+  std::vector<SurfaceCurve> capped_;
   std::vector<double> distance_;
   CurveSmoother smoother_;
   CurveSmoother in_corridor_;
