@@ -29,9 +29,10 @@ SymmetricMatrix chain(std::size_t n, double diagonal) {
   return matrix;
 }
 
-std::string message_of(const SymmetricMatrix& matrix, ErrorCode expected) {
+std::string message_of(const SymmetricMatrix& matrix, ErrorCode expected,
+                       FactorKind kind = FactorKind::kSupernodal) {
   try {
-    const SymbolicFactor symbolic(matrix);
+    const SymbolicFactor symbolic(matrix, kind);
     const CholeskyFactor factor(symbolic, matrix);
   } catch (const Error& error) {
     EXPECT_EQ(error.code(), expected);
@@ -40,11 +41,25 @@ std::string message_of(const SymmetricMatrix& matrix, ErrorCode expected) {
   return "";
 }
 
-TEST(CholeskyFactor, SolvesTheDiscreteParabola) {
+class CholeskyFactorOfKind : public ::testing::TestWithParam<FactorKind> {};
+INSTANTIATE_TEST_SUITE_P(Both, CholeskyFactorOfKind,
+                         ::testing::Values(FactorKind::kSupernodal, FactorKind::kSimplicial),
+                         [](const auto& test) {
+                           return test.param == FactorKind::kSupernodal ? "Supernodal"
+                                                                        : "Simplicial";
+                         });
+
+TEST_P(CholeskyFactorOfKind, IsWhatWasAskedForWhereTheLibraryHasIt) {
+  const bool supernodes = factor_libraries().find("supernodal") != std::string::npos;
+  EXPECT_EQ(SymbolicFactor(chain(5, 2), GetParam()).kind(),
+            supernodes ? GetParam() : FactorKind::kSimplicial);
+}
+
+TEST_P(CholeskyFactorOfKind, SolvesTheDiscreteParabola) {
   // -x'' = 1 with x = 0 outside: x_j = (j + 1)(n - j) / 2 exactly.
   const std::size_t n = 100;
   const SymmetricMatrix matrix = chain(n, 2);
-  const SymbolicFactor symbolic(matrix);
+  const SymbolicFactor symbolic(matrix, GetParam());
   const CholeskyFactor factor(symbolic, matrix);
   const std::vector<double> x = factor.solve(std::vector<double>(n, 1.0));
   for (std::size_t j = 0; j < n; ++j) {
@@ -55,8 +70,8 @@ TEST(CholeskyFactor, SolvesTheDiscreteParabola) {
   for (const double b : back) EXPECT_NEAR(b, 1, 1e-11);
 }
 
-TEST(CholeskyFactor, SeveralMatricesShareOneAnalysis) {
-  const SymbolicFactor symbolic(chain(50, 2));
+TEST_P(CholeskyFactorOfKind, SeveralMatricesShareOneAnalysis) {
+  const SymbolicFactor symbolic(chain(50, 2), GetParam());
   EXPECT_EQ(symbolic.size(), 50u);
   EXPECT_GE(symbolic.factor_entries(), 99u);  // at least the entries of the matrix
   for (const double diagonal : {2.0, 3.0, 1e6}) {
@@ -69,10 +84,10 @@ TEST(CholeskyFactor, SeveralMatricesShareOneAnalysis) {
   }
 }
 
-TEST(CholeskyFactor, GridsOfManySizes) {
+TEST_P(CholeskyFactorOfKind, GridsOfManySizes) {
   for (const std::size_t side : {1, 2, 5, 17, 40, 130}) {
     const SymmetricMatrix matrix = test::grid_matrix(side, 4);
-    const CholeskyFactor factor(SymbolicFactor(matrix), matrix);
+    const CholeskyFactor factor(SymbolicFactor(matrix, GetParam()), matrix);
     std::vector<double> x(matrix.size());
     for (std::size_t j = 0; j < x.size(); ++j) x[j] = std::sin(static_cast<double>(j));
     const std::vector<double> solved = factor.solve(multiply(matrix, x));
@@ -82,20 +97,22 @@ TEST(CholeskyFactor, GridsOfManySizes) {
   }
 }
 
-TEST(CholeskyFactor, SameBytesEveryTime) {
+TEST_P(CholeskyFactorOfKind, SameBytesEveryTime) {
   const SymmetricMatrix matrix = test::grid_matrix(80, 4.1);
   std::vector<double> b(matrix.size());
   for (std::size_t j = 0; j < b.size(); ++j) b[j] = std::cos(static_cast<double>(j));
-  const auto solve = [&] { return CholeskyFactor(SymbolicFactor(matrix), matrix).solve(b); };
+  const auto solve = [&] {
+    return CholeskyFactor(SymbolicFactor(matrix, GetParam()), matrix).solve(b);
+  };
   const std::vector<double> first = solve();
   const std::vector<char> shift(100001);  // other addresses for what comes next
   EXPECT_EQ(solve(), first);
 }
 
-TEST(CholeskyFactor, IndefiniteMatrixIsAnErrorInWordsWithItsColumn) {
+TEST_P(CholeskyFactorOfKind, IndefiniteMatrixIsAnErrorInWordsWithItsColumn) {
   SymmetricMatrix matrix = chain(5, 2);
   matrix.diagonal(3) = -7;
-  const std::string message = message_of(matrix, ErrorCode::kNumerical);
+  const std::string message = message_of(matrix, ErrorCode::kNumerical, GetParam());
   EXPECT_NE(message.find("not positive definite"), std::string::npos) << message;
   EXPECT_NE(message.find("column"), std::string::npos) << message;
   // Without neighbours only its own column can be the one that fails.
@@ -103,7 +120,8 @@ TEST(CholeskyFactor, IndefiniteMatrixIsAnErrorInWordsWithItsColumn) {
   diagonal.column_start = {0, 1, 2, 3, 4};
   diagonal.row = {0, 1, 2, 3};
   diagonal.value = {1, 1, -1, 1};
-  EXPECT_NE(message_of(diagonal, ErrorCode::kNumerical).find("column 2"), std::string::npos);
+  EXPECT_NE(message_of(diagonal, ErrorCode::kNumerical, GetParam()).find("column 2"),
+            std::string::npos);
 }
 
 TEST(CholeskyFactor, NonFiniteEntryAndBadPatternAreErrors) {
@@ -123,9 +141,9 @@ TEST(CholeskyFactor, RightHandSideOfAnotherSizeIsAnError) {
   EXPECT_THROW((void)factor.solve({1, 2}), Error);
 }
 
-TEST(CholeskyFactor, ThreadsMaySolveTogether) {
+TEST_P(CholeskyFactorOfKind, ThreadsMaySolveTogether) {
   const SymmetricMatrix matrix = chain(2000, 2.5);
-  const SymbolicFactor symbolic(matrix);
+  const SymbolicFactor symbolic(matrix, GetParam());
   const CholeskyFactor factor(symbolic, matrix);
   std::vector<double> b(2000);
   for (std::size_t j = 0; j < b.size(); ++j) b[j] = std::cos(static_cast<double>(j));
