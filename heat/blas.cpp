@@ -1,11 +1,17 @@
 #include "talweg/heat/blas.hpp"
 
+#include <condition_variable>
+#include <cstddef>
 #include <filesystem>
 #include <mutex>
+#include <new>
 #include <system_error>
 
 #if __has_include(<dlfcn.h>)
 #include <dlfcn.h>
+#endif
+#if __has_include(<sys/mman.h>)
+#include <sys/mman.h>
 #endif
 
 namespace talweg {
@@ -47,18 +53,77 @@ std::string name_of_blas() { return ""; }
 
 #endif
 
-/// OpenBLAS has one number of threads for the whole process, unless it is built on OpenMP.
-struct OpenBlas {
-  int (*threads)() = find<int()>("openblas_get_num_threads");
-  void (*set_threads)(int) = find<void(int)>("openblas_set_num_threads");
-  int (*parallel)() = find<int()>("openblas_get_parallel");
+/// Whether the system would give so many addresses, which is no promise of memory.
+bool has_addresses(std::size_t bytes) {
+#if __has_include(<sys/mman.h>)
+  void* place = mmap(nullptr, bytes, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+  if (place == MAP_FAILED) return false;
+  munmap(place, bytes);
+#else
+  (void)bytes;
+#endif
+  return true;
+}
 
-  [[nodiscard]] bool has_own_threads() const {
-    constexpr int kOwnThreads = 1;
-    return threads != nullptr && set_threads != nullptr && parallel != nullptr &&
-           parallel() == kOwnThreads;
+/// OpenBLAS as this process has it, if it has one; keeps count of the OneBlasThreads that live.
+class OpenBlas {
+ public:
+  /// Waits for a place. Throws std::bad_alloc when there is no memory for the first one.
+  void hold() {
+    if (threads_ == nullptr || set_threads_ == nullptr || parallel_ == nullptr) return;
+    std::unique_lock<std::mutex> lock(mutex_);
+    if (holders_ == places_ && !add_place() && places_ == 0) throw std::bad_alloc();
+    place_free_.wait(lock, [&] { return holders_ < places_; });
+    if (holders_++ > 0 || parallel_() != kOwnThreads) return;
+    before_ = threads_();
+    if (before_ != 1) set_threads_(1);
   }
+  void release() {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (holders_ == 0) return;
+    place_free_.notify_one();
+    if (--holders_ > 0 || before_ == 1) return;
+    if (threads_() == 1) set_threads_(before_);
+    before_ = 1;
+  }
+
+ private:
+  /// What openblas_get_parallel() tells. With threads of its own it has one number of them for the
+  /// whole process. Without threads, as Debian builds it, it must not be called by two at once.
+  static constexpr int kNoThreads = 0, kOwnThreads = 1;
+
+  /// OpenBLAS waits forever for a work area that the system does not give. So as many as may be in
+  /// use at once are made here, where that can be told; OpenBLAS keeps them.
+  bool add_place() {
+    constexpr std::size_t kBytes = std::size_t{160} << 20;  // 128 MiB, and room to live
+    constexpr int kMost = 16;
+    const int places = places_ + 1;
+    if (places > 1 && parallel_() == kNoThreads) return false;
+    if (new_area_ != nullptr && free_area_ != nullptr && places <= kMost) {
+      if (!has_addresses(static_cast<std::size_t>(places) * kBytes)) return false;
+      void* areas[kMost] = {};
+      for (int k = 0; k < places; ++k) areas[k] = new_area_(0);
+      for (int k = 0; k < places; ++k) free_area_(areas[k]);
+    }
+    places_ = places;
+    return true;
+  }
+
+  int (*threads_)() = find<int()>("openblas_get_num_threads");
+  void (*set_threads_)(int) = find<void(int)>("openblas_set_num_threads");
+  int (*parallel_)() = find<int()>("openblas_get_parallel");
+  void* (*new_area_)(int) = find<void*(int)>("blas_memory_alloc");
+  void (*free_area_)(void*) = find<void(void*)>("blas_memory_free");
+  std::mutex mutex_;
+  std::condition_variable place_free_;
+  int holders_ = 0, places_ = 0;
+  int before_ = 1;  // threads, before the first holder
 };
+
+OpenBlas& open_blas() {
+  static OpenBlas found;
+  return found;
+}
 
 /// OpenMP has its numbers for each thread of the process. CHOLMOD's loops ask for four threads by
 /// themselves, so no parallel level is allowed; OpenBLAS splits its work by the number of threads.
@@ -79,35 +144,6 @@ const OpenMp& open_mp() {
   return found;
 }
 
-/// How many OneBlasThreads live, and OpenBLAS' number before the first of them.
-class OpenBlasThreads {
- public:
-  void hold() {
-    if (!counted_) return;
-    const std::lock_guard<std::mutex> lock(mutex_);
-    if (holders_++ > 0) return;
-    before_ = blas_.threads();
-    if (before_ != 1) blas_.set_threads(1);
-  }
-  void release() {
-    if (!counted_) return;
-    const std::lock_guard<std::mutex> lock(mutex_);
-    if (--holders_ > 0) return;
-    if (before_ != 1 && blas_.threads() == 1) blas_.set_threads(before_);
-  }
-
- private:
-  OpenBlas blas_;
-  bool counted_ = blas_.has_own_threads();
-  std::mutex mutex_;
-  int holders_ = 0, before_ = 1;
-};
-
-OpenBlasThreads& open_blas_threads() {
-  static OpenBlasThreads threads;
-  return threads;
-}
-
 }  // namespace
 
 std::string blas_library() {
@@ -116,7 +152,7 @@ std::string blas_library() {
 }
 
 OneBlasThread::OneBlasThread() {
-  open_blas_threads().hold();
+  open_blas().hold();
   const OpenMp& omp = open_mp();
   if (!omp.found()) return;
   openmp_threads_ = omp.threads();
@@ -129,7 +165,7 @@ OneBlasThread::~OneBlasThread() {
   const OpenMp& omp = open_mp();
   if (openmp_threads_ != 1) omp.set_threads(openmp_threads_);
   if (openmp_levels_ != 0) omp.set_levels(openmp_levels_);
-  open_blas_threads().release();
+  open_blas().release();
 }
 
 }  // namespace talweg

@@ -12,9 +12,11 @@ std::string blas_library();
 /// sums do not depend on the number of cores, and threads are the caller's to choose. The last one
 /// puts the process's numbers back, unless somebody else has changed them meanwhile. Other threads'
 /// calls of the same OpenBLAS are slower as long, and nothing else. Other libraries (MKL, BLIS)
-/// keep their threads.
+/// keep their threads. A thread must not make a second one while it has one.
 class OneBlasThread {
  public:
+  /// Waits for others to go where OpenBLAS was built without threads, which only one thread may
+  /// call at a time, or has no memory for one more. Throws std::bad_alloc when it has none at all.
   OneBlasThread();
   ~OneBlasThread();
   OneBlasThread(const OneBlasThread&) = delete;

@@ -15,8 +15,7 @@
 namespace talweg {
 namespace {
 
-/// CHOLMOD's settings and workspace, silent, on one thread. One per call, so that calls share
-/// nothing.
+/// CHOLMOD's settings and workspace, silent. One per call, so that calls share nothing.
 class Workspace {
  public:
   Workspace() {
@@ -53,7 +52,6 @@ class Workspace {
   }
 
  private:
-  OneBlasThread one_thread_;
   cholmod_common common_{};
 };
 
@@ -67,6 +65,8 @@ struct Free {
     cholmod_free_dense(&dense, work.get());
   }
 };
+
+using DensePtr = std::unique_ptr<cholmod_dense, Free>;
 
 /// Views of our arrays. CHOLMOD never writes to a matrix or a right-hand side.
 cholmod_sparse view(const SymmetricMatrix& matrix, int values) {
@@ -120,6 +120,17 @@ void check_values(const SymmetricMatrix& matrix) {
       throw Error(ErrorCode::kNumerical, "Factoring failed: the matrix has an entry in column " +
                                              std::to_string(j) + " that is not finite.");
     }
+  }
+}
+
+/// What `task` returns, on one thread, with an error of ours when memory runs out.
+template <class Task>
+auto on_one_thread(const char* what, Task&& task) {
+  try {
+    const OneBlasThread one_thread;
+    return task();
+  } catch (const std::bad_alloc&) {
+    throw Error(ErrorCode::kOutOfMemory, std::string(what) + " failed: out of memory.");
   }
 }
 
@@ -181,7 +192,7 @@ CholeskyFactor::CholeskyFactor(const SymbolicFactor& symbolic, const SymmetricMa
   work.check("Factoring");
   cholmod_sparse values = view(matrix, CHOLMOD_REAL);
   cholmod_factor* factor = impl_->factor.get();
-  cholmod_factorize(&values, factor, work.get());
+  on_one_thread("Factoring", [&] { return cholmod_factorize(&values, factor, work.get()); });
   work.check("Factoring");
   if (factor->minor < factor->n) {
     const auto* order = static_cast<const std::int32_t*>(factor->Perm);
@@ -204,21 +215,16 @@ std::vector<double> CholeskyFactor::solve(const std::vector<double>& b) const {
   }
   Workspace work;
   cholmod_dense right = view(b);
-  // Not Bset: it would turn the factor, which other threads use, into a simplicial one.
-  cholmod_dense *solution = nullptr, *permuted = nullptr, *gathered = nullptr;
-  cholmod_solve2(CHOLMOD_A, impl_->factor.get(), &right, nullptr, &solution, nullptr, &permuted,
-                 &gathered, work.get());
-  const std::unique_ptr<cholmod_dense, Free> owned[] = {
-      std::unique_ptr<cholmod_dense, Free>(solution),
-      std::unique_ptr<cholmod_dense, Free>(permuted),
-      std::unique_ptr<cholmod_dense, Free>(gathered)};
-  work.check("Solving");
-  try {
+  return on_one_thread("Solving", [&] {
+    // Not Bset: it would turn the factor, which other threads use, into a simplicial one.
+    cholmod_dense *solution = nullptr, *permuted = nullptr, *gathered = nullptr;
+    cholmod_solve2(CHOLMOD_A, impl_->factor.get(), &right, nullptr, &solution, nullptr, &permuted,
+                   &gathered, work.get());
+    const DensePtr owned[] = {DensePtr(solution), DensePtr(permuted), DensePtr(gathered)};
+    work.check("Solving");
     const auto* x = static_cast<const double*>(solution->x);
-    return {x, x + b.size()};
-  } catch (const std::bad_alloc&) {
-    throw Error(ErrorCode::kOutOfMemory, "Solving failed: out of memory.");
-  }
+    return std::vector<double>(x, x + b.size());
+  });
 }
 
 std::string factor_libraries() {

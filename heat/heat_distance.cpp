@@ -5,6 +5,7 @@
 #include <future>
 #include <limits>
 #include <string>
+#include <system_error>
 #include <utility>
 
 #include "talweg/heat/cholesky_factor.hpp"
@@ -50,17 +51,25 @@ std::vector<MetricTriangle> triangles_of(const Surface& surface, const Mollifica
 class Factoring {
  public:
   Factoring(const SymbolicFactor& symbolic, unsigned threads)
-      : symbolic_(symbolic),
-        policy_(threads > 1 ? std::launch::async | std::launch::deferred : std::launch::deferred) {}
+      : symbolic_(symbolic), beside_(threads > 1) {}
+
   std::future<CholeskyFactor> start(SymmetricMatrix matrix) {
-    return std::async(policy_, [symbolic = symbolic_, matrix = std::move(matrix)] {
-      return CholeskyFactor(symbolic, matrix);
-    });
+    const auto job = [symbolic = symbolic_,
+                      kept = std::make_shared<const SymmetricMatrix>(std::move(matrix))] {
+      return CholeskyFactor(symbolic, *kept);
+    };
+    // Not both policies at once: libstdc++ falls back with what it has moved away.
+    try {
+      if (beside_) return std::async(std::launch::async, job);
+    } catch (const std::system_error&) {
+      beside_ = false;  // there are no more threads
+    }
+    return std::async(std::launch::deferred, job);
   }
 
  private:
   SymbolicFactor symbolic_;
-  std::launch policy_;
+  bool beside_;
 };
 
 }  // namespace

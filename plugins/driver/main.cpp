@@ -1,6 +1,7 @@
 // talweg: curves on surface meshes from the command line.
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 #include <iostream>
 #include <string>
 #include <utility>
@@ -184,6 +185,9 @@ int main(int argc, char** argv) {
     return run(argc, argv);
   } catch (...) {
     const Failure failure = current_failure();
-    return fail(failure.code, failure.message);
+    const int code = fail(failure.code, failure.message);
+    // Without memory OpenBLAS' threads never end, and leaving the usual way would wait for them.
+    if (code == kInternal && std::fflush(nullptr) == 0) std::_Exit(code);
+    return code;
   }
 }

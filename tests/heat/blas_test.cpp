@@ -58,7 +58,6 @@ TEST(OneBlasThread, OpenMpsNumbersAreOneMeanwhileAndThenAsBefore) {
     const OneBlasThread one;
     EXPECT_EQ(threads.now(), 1);
     EXPECT_EQ(levels.now(), 0);
-    const OneBlasThread inner;
   }
   EXPECT_EQ(threads.now(), Number::kOurs);
   EXPECT_EQ(levels.now(), Number::kOurs);

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <future>
 #include <limits>
 #include <thread>
 
@@ -156,6 +157,17 @@ TEST_P(CholeskyFactorOfKind, ThreadsMaySolveTogether) {
   other.join();
   EXPECT_EQ(first, alone);
   EXPECT_EQ(second, alone);
+}
+
+TEST_P(CholeskyFactorOfKind, ThreadsMayFactorTogether) {
+  const SymmetricMatrix matrix = test::grid_matrix(120, 4.1);
+  const SymbolicFactor symbolic(matrix, GetParam());
+  const std::vector<double> b(matrix.size(), 1.0);
+  const auto solve = [&] { return CholeskyFactor(symbolic, matrix).solve(b); };
+  const std::vector<double> alone = solve();
+  std::vector<std::future<std::vector<double>>> solutions;
+  for (int i = 0; i < 12; ++i) solutions.push_back(std::async(std::launch::async, solve));
+  for (auto& solution : solutions) EXPECT_EQ(solution.get(), alone);
 }
 
 TEST(SymmetricMatrix, ReplacingByTheIdentityKeepsThePattern) {

@@ -6,6 +6,7 @@
 #include <thread>
 
 #include <gtest/gtest.h>
+#include <pthread.h>
 
 #include "heat/test_surfaces.hpp"
 #include "talweg/intrinsic/error.hpp"
@@ -284,6 +285,23 @@ TEST(HeatDistance, LongStripWithBoundary) {
     }
   }
 }
+
+#ifdef __GLIBC__
+TEST(HeatDistance, WithoutAnotherThreadFactorsOneAfterTheOther) {
+  // No thread can have such a stack.
+  pthread_attr_t usual, huge;
+  pthread_getattr_default_np(&usual);
+  pthread_attr_init(&huge);
+  pthread_attr_setstacksize(&huge, std::size_t{1} << 46);
+  ASSERT_EQ(pthread_setattr_default_np(&huge), 0);
+  const Surface surface = grid(12, 9).surface();
+  HeatOptions options;
+  options.threads = 2;
+  const std::vector<double> distance = HeatDistance(surface, options).solve(sources_at({0}));
+  pthread_setattr_default_np(&usual);
+  EXPECT_EQ(distance, HeatDistance(surface, options).solve(sources_at({0})));
+}
+#endif
 
 TEST(HeatDistance, SameBytesEveryTimeAndFromEveryThread) {
   const Surface surface = test::jittered(grid(40, 40), 0.3).surface();
