@@ -2,12 +2,20 @@
 
 #include <cmath>
 #include <cstddef>
+#include <fstream>
 #include <future>
 #include <limits>
+#include <new>
 #include <thread>
 
 #include <gtest/gtest.h>
+#ifdef __GLIBC__
+#include <malloc.h>
+#include <sys/resource.h>
+#include <unistd.h>
+#endif
 
+#include "memory_limits.hpp"
 #include "talweg/intrinsic/error.hpp"
 #include "test_matrices.hpp"
 
@@ -134,6 +142,60 @@ TEST(CholeskyFactor, NonFiniteEntryAndBadPatternAreErrors) {
   EXPECT_NE(message_of(matrix, ErrorCode::kNumerical).find("column 0"), std::string::npos);
   EXPECT_NE(message_of({}, ErrorCode::kNumerical).find("empty"), std::string::npos);
 }
+
+TEST(CholeskyFactor, MoreEntriesThanAnIntCountsIsAnErrorInWords) {
+  const SymmetricMatrix matrix = test::expander_matrix(150'000);
+  if (SymbolicFactor(chain(5, 2)).kind() == FactorKind::kSimplicial) {
+    GTEST_SKIP() << "skipped: needs CHOLMOD's supernodal module";
+  }
+  EXPECT_NE(message_of(matrix, ErrorCode::kOutOfMemory).find("too many entries"),
+            std::string::npos);
+}
+
+#ifdef __GLIBC__
+/// What the process has mapped, in bytes, without what was freed.
+std::size_t addresses_in_use() {
+  malloc_trim(0);
+  std::size_t pages = 0;
+  std::ifstream("/proc/self/statm") >> pages;
+  return pages * static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+}
+
+TEST_P(CholeskyFactorOfKind, WithLittleMemoryIsRightOrAnErrorInWords) {
+  if (!test::kMemoryCanBeLimited) GTEST_SKIP() << "skipped: the sanitizer maps all memory there is";
+  const SymmetricMatrix matrix = test::grid_matrix(200, 4.1);
+  const std::vector<double> b(matrix.size(), 1.0);
+  const auto solve = [&] {
+    return CholeskyFactor(SymbolicFactor(matrix, GetParam()), matrix).solve(b);
+  };
+  const std::vector<double> expected = solve();
+  rlimit before{};
+  getrlimit(RLIMIT_AS, &before);
+  int refused = 0;
+  for (const std::size_t megabytes : {0, 1, 2, 4, 8, 12, 16, 24, 32, 48, 64}) {
+    rlimit limit = before;
+    limit.rlim_cur = addresses_in_use() + (megabytes << 20U);
+    setrlimit(RLIMIT_AS, &limit);
+    std::vector<double> x;
+    std::string message;
+    try {
+      x = solve();
+    } catch (const Error& error) {
+      message = error.what();
+    } catch (const std::bad_alloc&) {
+      message = "out of memory";
+    }
+    setrlimit(RLIMIT_AS, &before);
+    if (message.empty()) {
+      EXPECT_EQ(x, expected);
+    } else {
+      EXPECT_NE(message.find("out of memory"), std::string::npos) << message;
+      ++refused;
+    }
+  }
+  EXPECT_GT(refused, 2);
+}
+#endif
 
 TEST(CholeskyFactor, RightHandSideOfAnotherSizeIsAnError) {
   const SymmetricMatrix matrix = chain(5, 2);

@@ -1,8 +1,10 @@
 // Test matrices are sparse, and are for the tests of the factor.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 #include "talweg/heat/symmetric_matrix.hpp"
 
@@ -21,6 +23,31 @@ inline SymmetricMatrix grid_matrix(std::size_t side, double diagonal) {
     add(j, diagonal);
     if ((j + 1) % side != 0) add(j + 1, -1);
     if (j + side < side * side) add(j + side, -1);
+    matrix.column_start.push_back(static_cast<std::int32_t>(matrix.row.size()));
+  }
+  return matrix;
+}
+
+/// An expander: each of n points is joined with three random ones, so every order of elimination
+/// fills the factor. Definite.
+inline SymmetricMatrix expander_matrix(std::int32_t n) {
+  std::vector<std::vector<std::int32_t>> below(static_cast<std::size_t>(n));
+  std::uint64_t random = 1;
+  for (std::int32_t j = 0; j < 3 * n; ++j) {
+    random = random * 6364136223846793005U + 1442695040888963407U;
+    const auto other = static_cast<std::int32_t>((random >> 33U) % static_cast<std::uint64_t>(n));
+    if (other != j % n) below[std::min(j % n, other)].push_back(std::max(j % n, other));
+  }
+  SymmetricMatrix matrix{{0}, {}, {}};
+  for (std::int32_t j = 0; j < n; ++j) {
+    std::vector<std::int32_t>& rows = below[static_cast<std::size_t>(j)];
+    rows.push_back(j);
+    std::sort(rows.begin(), rows.end());
+    rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
+    for (const std::int32_t row : rows) {
+      matrix.row.push_back(row);
+      matrix.value.push_back(row == j ? n : -1);
+    }
     matrix.column_start.push_back(static_cast<std::int32_t>(matrix.row.size()));
   }
   return matrix;

@@ -17,7 +17,7 @@
 #include <unistd.h>
 
 #include "core/generated_meshes.hpp"
-#include "core/memory_limits.hpp"
+#include "memory_limits.hpp"
 #include "plugins/driver_runs.hpp"
 #include "talweg/core/io/curve_file.hpp"
 #include "talweg/core/io/file_bytes.hpp"
