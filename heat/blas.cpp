@@ -68,6 +68,12 @@ bool has_addresses(std::size_t bytes) {
 /// OpenBLAS as this process has it, if it has one; keeps count of the OneBlasThreads that live.
 class OpenBlas {
  public:
+  /// What a factor must hold, too: Debian 12's OpenBLAS without threads (0.3.21) has locks, and yet
+  /// triangular solves of small blocks by two threads at once go wrong (dtrsm; dtrsv does not).
+  std::unique_lock<std::mutex> hold_alone() {
+    const bool alone = parallel_ != nullptr && parallel_() == kNoThreads;
+    return alone ? std::unique_lock(alone_) : std::unique_lock<std::mutex>();
+  }
   /// Waits for a place. Throws std::bad_alloc when there is no memory for the first one.
   void hold() {
     if (threads_ == nullptr || set_threads_ == nullptr || parallel_ == nullptr) return;
@@ -89,7 +95,7 @@ class OpenBlas {
 
  private:
   /// What openblas_get_parallel() tells. With threads of its own it has one number of them for the
-  /// whole process. Without threads, as Debian builds it, it must not be called by two at once.
+  /// whole process.
   static constexpr int kNoThreads = 0, kOwnThreads = 1;
 
   /// OpenBLAS waits forever for a work area that the system does not give. So as many as may be in
@@ -98,7 +104,6 @@ class OpenBlas {
     constexpr std::size_t kBytes = std::size_t{160} << 20;  // 128 MiB, and room to live
     constexpr int kMost = 16;
     const int places = places_ + 1;
-    if (places > 1 && parallel_() == kNoThreads) return false;
     if (new_area_ != nullptr && free_area_ != nullptr && places <= kMost) {
       if (!has_addresses(static_cast<std::size_t>(places) * kBytes)) return false;
       void* areas[kMost] = {};
@@ -114,7 +119,7 @@ class OpenBlas {
   int (*parallel_)() = find<int()>("openblas_get_parallel");
   void* (*new_area_)(int) = find<void*(int)>("blas_memory_alloc");
   void (*free_area_)(void*) = find<void(void*)>("blas_memory_free");
-  std::mutex mutex_;
+  std::mutex alone_, mutex_;
   std::condition_variable place_free_;
   int holders_ = 0, places_ = 0;
   int before_ = 1;  // threads, before the first holder
@@ -151,7 +156,8 @@ std::string blas_library() {
   return name.empty() ? "a BLAS that does not tell its name" : name;
 }
 
-OneBlasThread::OneBlasThread() {
+OneBlasThread::OneBlasThread(BlasWork work) {
+  if (work == BlasWork::kFactor) alone_ = open_blas().hold_alone();
   open_blas().hold();
   const OpenMp& omp = open_mp();
   if (!omp.found()) return;

@@ -125,9 +125,9 @@ void check_values(const SymmetricMatrix& matrix) {
 
 /// What `task` returns, on one thread, with an error of ours when memory runs out.
 template <class Task>
-auto on_one_thread(const char* what, Task&& task) {
+auto on_one_thread(BlasWork work, const char* what, Task&& task) {
   try {
-    const OneBlasThread one_thread;
+    const OneBlasThread one_thread(work);
     return task();
   } catch (const std::bad_alloc&) {
     throw Error(ErrorCode::kOutOfMemory, std::string(what) + " failed: out of memory.");
@@ -192,7 +192,8 @@ CholeskyFactor::CholeskyFactor(const SymbolicFactor& symbolic, const SymmetricMa
   work.check("Factoring");
   cholmod_sparse values = view(matrix, CHOLMOD_REAL);
   cholmod_factor* factor = impl_->factor.get();
-  on_one_thread("Factoring", [&] { return cholmod_factorize(&values, factor, work.get()); });
+  on_one_thread(BlasWork::kFactor, "Factoring",
+                [&] { return cholmod_factorize(&values, factor, work.get()); });
   work.check("Factoring");
   if (factor->minor < factor->n) {
     const auto* order = static_cast<const std::int32_t*>(factor->Perm);
@@ -215,7 +216,7 @@ std::vector<double> CholeskyFactor::solve(const std::vector<double>& b) const {
   }
   Workspace work;
   cholmod_dense right = view(b);
-  return on_one_thread("Solving", [&] {
+  return on_one_thread(BlasWork::kSolve, "Solving", [&] {
     // Not Bset: it would turn the factor, which other threads use, into a simplicial one.
     cholmod_dense *solution = nullptr, *permuted = nullptr, *gathered = nullptr;
     cholmod_solve2(CHOLMOD_A, impl_->factor.get(), &right, nullptr, &solution, nullptr, &permuted,

@@ -12,6 +12,6 @@ function(note_a_slow_blas)
   file(REAL_PATH ${blas} blas)
   if(blas MATCHES "/libblas\\.so\\.3\\.[0-9.]+$")
     message(STATUS "Talweg: ${blas} is the reference BLAS. With OpenBLAS the paper's method opens a mesh "
-                   "in two thirds of the time (Debian: libopenblas0-pthread)")
+                   "in two thirds of the time (Debian: libopenblas0-serial)")
   endif()
 endfunction()

@@ -55,7 +55,7 @@ TEST(OneBlasThread, OpenMpsNumbersAreOneMeanwhileAndThenAsBefore) {
   Number levels("omp_get_max_active_levels", "omp_set_max_active_levels");
   if (!threads.there()) GTEST_SKIP() << "skipped: needs CHOLMOD with OpenMP";
   {
-    const OneBlasThread one;
+    const OneBlasThread one(BlasWork::kSolve);
     EXPECT_EQ(threads.now(), 1);
     EXPECT_EQ(levels.now(), 0);
   }
@@ -66,9 +66,9 @@ TEST(OneBlasThread, OpenMpsNumbersAreOneMeanwhileAndThenAsBefore) {
 TEST(OneBlasThread, OpenBlasHasOneThreadUntilTheLastOneGoes) {
   if (!openblas_has_threads()) GTEST_SKIP() << kNoThreads;
   Number number("openblas_get_num_threads", "openblas_set_num_threads");
-  std::optional<OneBlasThread> first(std::in_place), second;
+  std::optional<OneBlasThread> first(BlasWork::kFactor), second;
   EXPECT_EQ(number.now(), 1);
-  std::thread([&] { second.emplace(); }).join();
+  std::thread([&] { second.emplace(BlasWork::kSolve); }).join();
   first.reset();
   EXPECT_EQ(number.now(), 1);
   second.reset();
@@ -79,7 +79,7 @@ TEST(OneBlasThread, ANumberThatSomebodyElseSetsMeanwhileStays) {
   if (!openblas_has_threads()) GTEST_SKIP() << kNoThreads;
   Number number("openblas_get_num_threads", "openblas_set_num_threads");
   {
-    const OneBlasThread one;
+    const OneBlasThread one(BlasWork::kSolve);
     number.set(2);
   }
   EXPECT_EQ(number.now(), 2);
