@@ -53,9 +53,8 @@ class Factoring {
   Factoring(const SymbolicFactor& symbolic, unsigned threads)
       : symbolic_(symbolic), beside_(threads > 1) {}
 
-  std::future<CholeskyFactor> start(SymmetricMatrix matrix) {
-    const auto job = [symbolic = symbolic_,
-                      kept = std::make_shared<const SymmetricMatrix>(std::move(matrix))] {
+  std::future<CholeskyFactor> start(std::shared_ptr<const SymmetricMatrix> matrix) {
+    const auto job = [symbolic = symbolic_, kept = std::move(matrix)] {
       return CholeskyFactor(symbolic, *kept);
     };
     // Not both policies at once: libstdc++ falls back with what it has moved away.
@@ -98,7 +97,7 @@ struct HeatDistance::Impl {
   };
 
   bool prepare(const Surface& surface, const HeatOptions& options, const Progress& progress);
-  bool factor(const CotanLaplacian& laplacian, unsigned threads, const Progress& progress);
+  bool factor(CotanLaplacian laplacian, unsigned threads, const Progress& progress);
   Start start(std::span<const WeightedVertex> sources) const;
   ScaledField heat(const Start& start, const Progress& progress) const;
   void finish(std::vector<double>& distance, std::span<const WeightedVertex> sources,
@@ -132,10 +131,10 @@ bool HeatDistance::Impl::prepare(const Surface& surface, const HeatOptions& opti
     report.flat_triangles = metric.size() - triangles.size();
   }
   report.laplacian_ms = watch.lap();
-  return factor(laplacian, options.threads, progress);
+  return factor(std::move(laplacian), options.threads, progress);
 }
 
-bool HeatDistance::Impl::factor(const CotanLaplacian& laplacian, unsigned threads,
+bool HeatDistance::Impl::factor(CotanLaplacian laplacian, unsigned threads,
                                 const Progress& progress) {
   if (!go_on(progress, "order", 0.1)) return false;
   Stopwatch watch;
@@ -144,16 +143,18 @@ bool HeatDistance::Impl::factor(const CotanLaplacian& laplacian, unsigned thread
   report.order_ms = watch.lap();
   if (!go_on(progress, "factor", 0.6)) return false;
 
+  // No matrix lives longer than its factor needs it: here the process takes most memory.
   Factoring factoring(symbolic, threads);
-  auto poisson_job = factoring.start(pinned_poisson_matrix(laplacian, components, pinned));
-  SymmetricMatrix heat =
-      neumann_heat_matrix(laplacian, components, report.mean_edge_length, time_scale);
+  auto poisson_job = factoring.start(std::make_shared<const SymmetricMatrix>(
+      pinned_poisson_matrix(laplacian, components, pinned)));
+  const auto heat = std::make_shared<SymmetricMatrix>(
+      neumann_heat_matrix(std::move(laplacian), components, report.mean_edge_length, time_scale));
   neumann = factoring.start(heat).get();
   poisson = poisson_job.get();
   if (std::find(boundary.begin(), boundary.end(), 1) != boundary.end()) {
     if (!go_on(progress, "factor", 0.8)) return false;
-    replace_by_identity(heat, boundary);
-    dirichlet = CholeskyFactor(symbolic, heat);
+    replace_by_identity(*heat, boundary);
+    dirichlet = CholeskyFactor(symbolic, *heat);
   }
   report.factor_ms = watch.lap();
   return go_on(progress, "factor", 1);

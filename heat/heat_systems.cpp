@@ -1,13 +1,14 @@
 #include "talweg/heat/heat_systems.hpp"
 
 #include <cstddef>
+#include <utility>
 
 namespace talweg {
 
-SymmetricMatrix neumann_heat_matrix(const CotanLaplacian& laplacian, const Components& components,
+SymmetricMatrix neumann_heat_matrix(CotanLaplacian laplacian, const Components& components,
                                     const std::vector<double>& mean_edge_length,
                                     double time_scale) {
-  SymmetricMatrix matrix = laplacian.stiffness;
+  SymmetricMatrix matrix = std::move(laplacian.stiffness);
   for (double& value : matrix.value) value *= time_scale;
   for (std::size_t v = 0; v < matrix.size(); ++v) {
     const double h = mean_edge_length[components.of_vertex[v]];

@@ -12,7 +12,7 @@ namespace talweg {
 /// M / h² + s S, dimensionless, positive definite up to rounding; h is the mean edge length of each
 /// vertex's component and s the time in units of h². Rows that would be 0 (isolated vertices,
 /// components of no extent) get a unit diagonal.
-SymmetricMatrix neumann_heat_matrix(const CotanLaplacian& laplacian, const Components& components,
+SymmetricMatrix neumann_heat_matrix(CotanLaplacian laplacian, const Components& components,
                                     const std::vector<double>& mean_edge_length, double time_scale);
 
 /// S with the row and column of each component's first vertex (and of every vertex whose row is 0)
