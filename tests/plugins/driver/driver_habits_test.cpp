@@ -11,6 +11,8 @@
 #include "core/generated_meshes.hpp"
 #include "plugins/driver_runs.hpp"
 #include "talweg/core/io/mesh_writer.hpp"
+#include "talweg/core/version.hpp"
+#include "talweg/heat/cholesky_factor.hpp"
 
 namespace talweg {
 namespace {
@@ -100,6 +102,12 @@ TEST_F(DriverHabits, TellsWhatAMisspeltWordWasMeantToBe) {
     EXPECT_NE(outcome.err.find("was not expected"), std::string::npos) << outcome.err;
     EXPECT_EQ(outcome.err.find("did you mean"), std::string::npos) << outcome.err;
   }
+}
+
+TEST_F(DriverHabits, TheVersionIsTheFirstLineAndTheLibrariesOfTheFactorTheSecond) {
+  const Outcome outcome = run("--version");
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_EQ(outcome.out, std::string("talweg ") + version() + "\n" + factor_libraries() + "\n");
 }
 
 TEST_F(DriverHabits, WhatCannotBePrintedIsAnError) {
