@@ -34,6 +34,7 @@ stages=$("$program" --stages)
 
 if [[ $mode == --store ]]; then
   { echo "# Instructions per stage on the generated mesh of 50,000 faces (./run bench --store)."
+    echo "# factor, solve and set_curve depend on the BLAS, too, and OpenBLAS on the processor."
     echo "# compiler: $compiler"
     cat "$folder/instructions.txt"; } >"$stored"
   cat "$stored"
