@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <mutex>
 #include <new>
+#include <optional>
 #include <system_error>
 
 #if __has_include(<dlfcn.h>)
@@ -13,6 +14,8 @@
 #if __has_include(<sys/mman.h>)
 #include <sys/mman.h>
 #endif
+
+#include "talweg/heat/module_turn.hpp"
 
 namespace talweg {
 namespace {
@@ -80,7 +83,9 @@ class OpenBlas {
     std::unique_lock<std::mutex> lock(mutex_);
     if (holders_ == places_ && !add_place() && places_ == 0) throw std::bad_alloc();
     place_free_.wait(lock, [&] { return holders_ < places_; });
-    if (holders_++ > 0 || parallel_() != kOwnThreads) return;
+    if (holders_++ > 0) return;
+    turn_.emplace(ModuleTurn::Resource::kOpenBlas);
+    if (parallel_() != kOwnThreads) return;
     before_ = threads_();
     if (before_ != 1) set_threads_(1);
   }
@@ -88,9 +93,10 @@ class OpenBlas {
     const std::lock_guard<std::mutex> lock(mutex_);
     if (holders_ == 0) return;
     place_free_.notify_one();
-    if (--holders_ > 0 || before_ == 1) return;
-    if (threads_() == 1) set_threads_(before_);
+    if (--holders_ > 0) return;
+    if (before_ != 1 && threads_() == 1) set_threads_(before_);
     before_ = 1;
+    turn_.reset();
   }
 
  private:
@@ -120,6 +126,7 @@ class OpenBlas {
   void* (*new_area_)(int) = find<void*(int)>("blas_memory_alloc");
   void (*free_area_)(void*) = find<void(void*)>("blas_memory_free");
   std::mutex alone_, mutex_;
+  std::optional<ModuleTurn> turn_;
   std::condition_variable place_free_;
   int holders_ = 0, places_ = 0;
   int before_ = 1;  // threads, before the first holder

@@ -10,6 +10,7 @@
 #include <cholmod.h>
 
 #include "talweg/heat/blas.hpp"
+#include "talweg/heat/module_turn.hpp"
 #include "talweg/intrinsic/error.hpp"
 
 namespace talweg {
@@ -146,6 +147,7 @@ int cholmod_kind(FactorKind kind) {
 cholmod_factor* analyze(cholmod_sparse& matrix, int ordering, Workspace& work) {
   static std::mutex one_at_a_time;  // METIS uses rand()
   const std::lock_guard<std::mutex> lock(one_at_a_time);
+  const ModuleTurn turn(ModuleTurn::Resource::kRandomNumbers);
   work->method[0].ordering = ordering;
   return cholmod_analyze(&matrix, work.get());
 }

@@ -9,7 +9,8 @@ from pathlib import Path
 
 import support
 
-FOLDERS = list(Path("/usr/lib").glob("*/openblas-pthread"))
+FOLDERS = {name: folder for name in ("serial", "pthread", "openmp")
+           for folder in Path("/usr/lib").glob(f"*/openblas-{name}")}
 
 
 def distances():
@@ -27,16 +28,58 @@ def distances():
     print(before, after, hashlib.sha256(result.tobytes()).hexdigest())
 
 
+def two_plugins_at_once():
+    """Prints how many results of two plugins on two threads are not those of one at a time."""
+    import threading
+    import numpy as np
+    import talweg
+
+    vertices, faces = support.torus(80)
+    drawn = support.ring(80)
+
+    def smooth():
+        return talweg.smooth(vertices, faces, drawn, closed=True, potential="paper").curve.positions
+
+    def distance():
+        return talweg.distance(vertices, faces, drawn, closed=True, potential="paper").distance
+
+    wrong = []
+
+    def work(job, expected):
+        for _ in range(8):
+            try:
+                if not np.array_equal(job(), expected):
+                    wrong.append("other bytes")
+            except talweg.Error as error:
+                wrong.append(str(error))
+
+    threads = [threading.Thread(target=work, args=(job, job())) for job in (smooth, distance)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    print(len(wrong), *wrong[:2])
+
+
+def run(name, openblas, threads):
+    """What a function of this file prints in a process of its own."""
+    return subprocess.run(
+        [sys.executable, __file__, name], check=True, capture_output=True, text=True,
+        env=os.environ | {"LD_LIBRARY_PATH": str(FOLDERS[openblas]),
+                          "OPENBLAS_NUM_THREADS": str(threads)}).stdout
+
+
 class Blas(unittest.TestCase):
-    @unittest.skipUnless(FOLDERS, "needs OpenBLAS with threads (libopenblas0-pthread)")
+    @unittest.skipUnless(len(FOLDERS) == 3, "needs every OpenBLAS (libopenblas0-serial, -pthread, -openmp)")
+    def test_two_plugins_at_once(self):
+        for openblas in FOLDERS:
+            self.assertEqual(run("two_plugins_at_once", openblas, 2), "0\n", openblas)
+
+    @unittest.skipUnless("pthread" in FOLDERS, "needs OpenBLAS with threads (libopenblas0-pthread)")
     def test_threads_are_put_back_and_change_nothing(self):
         results = set()
         for threads in (1, 2, 8):
-            done = subprocess.run(
-                [sys.executable, __file__, "distances"], check=True, capture_output=True, text=True,
-                env=os.environ | {"LD_LIBRARY_PATH": str(FOLDERS[0]),
-                                  "OPENBLAS_NUM_THREADS": str(threads)})
-            before, after, result = done.stdout.split()
+            before, after, result = run("distances", "pthread", threads).split()
             self.assertEqual(before, after)
             results.add(result)
             if threads <= os.cpu_count():
@@ -45,4 +88,5 @@ class Blas(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    distances() if sys.argv[1:] == ["distances"] else unittest.main()
+    {"distances": distances, "two_plugins_at_once": two_plugins_at_once}.get(
+        "".join(sys.argv[1:]), unittest.main)()
