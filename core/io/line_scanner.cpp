@@ -6,6 +6,8 @@
 #include <limits>
 #include <system_error>
 
+#include <fmt/format.h>
+
 namespace talweg {
 namespace {
 
@@ -19,7 +21,7 @@ void skip_blanks(std::string_view& text) {
 
 std::string quoted(std::string_view word) {
   constexpr std::size_t kLongest = 24;
-  return "'" + printable(word, kLongest) + "'";
+  return fmt::format("'{}'", printable(word, kLongest));
 }
 
 void LineScanner::take_line() {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "talweg/core/measure/turning_windows.hpp"
 #include "talweg/intrinsic/error.hpp"
 #include "talweg/intrinsic/surface/triangle.hpp"
 
@@ -135,6 +136,36 @@ Turn turn_at(const Surface& surface, const SurfacePoint& before, const SurfacePo
                  shared_face(surface, at, after), after);
 }
 
+/// Measures the curve and lists its turns.
+CurveMeasures measure(const Surface& surface, const SurfaceCurve& curve, CurveTurns& turns) {
+  CurveMeasures measures;
+  const std::size_t n = curve.points.size();
+  std::vector<FaceId> faces;
+  std::vector<double> at{0};  // of the points, along the curve
+  for (std::size_t i = 0; i < segment_count(curve); ++i) {
+    faces.push_back(face_of(surface, curve, i));
+    at.push_back(at.back() + segment_length(surface, curve, i, faces.back()));
+  }
+  measures.length = at.back();
+  turns.length = at.back();
+  turns.closed = curve.closed;
+  if (n < 2) return measures;
+  for (std::size_t i = curve.closed ? 0 : 1; i < (curve.closed ? n : n - 1); ++i) {
+    const std::size_t last = (i + n - 1) % n;
+    const Turn turn = turn_at(surface, curve.points[last], faces[last], curve.points[i], faces[i],
+                              curve.points[(i + 1) % n]);
+    measures.total_curvature += turn.angle;
+    measures.signed_curvature += turn.toward_left;
+    turns.at.push_back(at[i]);
+    turns.angle.push_back(turn.toward_left);
+    if (turn.angle > measures.max_curvature) {
+      measures.max_curvature = turn.angle;
+      measures.max_at = i;
+    }
+  }
+  return measures;
+}
+
 }  // namespace
 
 double turning_angle(const Surface& surface, const SurfacePoint& before, const SurfacePoint& at,
@@ -156,25 +187,16 @@ double curve_length(const Surface& surface, const SurfaceCurve& curve) {
 }
 
 CurveMeasures measure_curve(const Surface& surface, const SurfaceCurve& curve) {
-  CurveMeasures measures;
-  const std::size_t n = curve.points.size();
-  std::vector<FaceId> faces;
-  for (std::size_t i = 0; i < segment_count(curve); ++i) {
-    faces.push_back(face_of(surface, curve, i));
-    measures.length += segment_length(surface, curve, i, faces.back());
-  }
-  if (n < 2) return measures;
-  for (std::size_t i = curve.closed ? 0 : 1; i < (curve.closed ? n : n - 1); ++i) {
-    const std::size_t last = (i + n - 1) % n;
-    const Turn turn = turn_at(surface, curve.points[last], faces[last], curve.points[i], faces[i],
-                              curve.points[(i + 1) % n]);
-    measures.total_curvature += turn.angle;
-    measures.signed_curvature += turn.toward_left;
-    if (turn.angle > measures.max_curvature) {
-      measures.max_curvature = turn.angle;
-      measures.max_at = i;
-    }
-  }
+  CurveTurns turns;
+  return measure(surface, curve, turns);
+}
+
+CurveMeasures measure_curve(const Surface& surface, const SurfaceCurve& curve, double edge) {
+  CurveTurns turns;
+  CurveMeasures measures = measure(surface, curve, turns);
+  measures.bending = bending(turns, edge);
+  measures.window_turning = window_turning(turns, edge);
+  measures.window_turning_2 = window_turning(turns, 2 * edge);
   return measures;
 }
 

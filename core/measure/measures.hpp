@@ -1,4 +1,5 @@
-// The measures of a curve on a surface are its length and its geodesic curvature.
+// The measures of a curve on a surface are its length, its geodesic curvature, and how that is
+// spread.
 #pragma once
 
 #include <cstddef>
@@ -9,6 +10,7 @@
 namespace talweg {
 
 /// Length and discrete geodesic curvature of a piecewise straight curve, from edge lengths only.
+/// The last three need an edge length h to compare with: see turning_windows.hpp.
 struct CurveMeasures {
   double length = 0;           ///< mesh units
   double total_curvature = 0;  ///< radians: sum of the turning angles
@@ -16,6 +18,9 @@ struct CurveMeasures {
       0;                     ///< radians: left turns less right turns; on a loop Gauss and Bonnet's
   double max_curvature = 0;  ///< radians: the largest turning angle
   std::size_t max_at = 0;    ///< index of the point that turns most; the first if several do
+  double bending = 0;        ///< without unit: h times the integral of the squared curvature
+  double window_turning = 0;    ///< radians: the largest net turning in a window of length h
+  double window_turning_2 = 0;  ///< radians: the same in one of 2 h
 };
 
 /// The turning angle at a point of a curve, in [0, pi] radians: pi minus the smaller of the two
@@ -40,7 +45,12 @@ double signed_turning(const Surface& surface, const SurfacePoint& before, const 
 double curve_length(const Surface& surface, const SurfaceCurve& curve);
 
 /// Length and turning angles of a curve. The ends of an open curve do not turn; a closed one turns
-/// at every point. O(points · degree). Throws Error(kBadCurve) as curve_length() does.
+/// at every point. Bending and windows stay 0. O(points · degree). Throws Error(kBadCurve) as
+/// curve_length() does.
 CurveMeasures measure_curve(const Surface& surface, const SurfaceCurve& curve);
+
+/// All measures. `edge` > 0, mesh units: the length that windows are compared with, for a result
+/// and its drawing the same edge_length_near() the drawing.
+CurveMeasures measure_curve(const Surface& surface, const SurfaceCurve& curve, double edge);
 
 }  // namespace talweg

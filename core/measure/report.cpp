@@ -73,6 +73,12 @@ void for_each_field(Report& r, Visit visit) {
   visit("curvature_after", r.curvature_after);
   visit("curvature_max_before", r.curvature_max_before);
   visit("curvature_max_after", r.curvature_max_after);
+  visit("bending_before", r.bending_before);
+  visit("bending_after", r.bending_after);
+  visit("window_turning_before", r.window_turning_before);
+  visit("window_turning_after", r.window_turning_after);
+  visit("window_turning_2_before", r.window_turning_2_before);
+  visit("window_turning_2_after", r.window_turning_2_after);
   visit("deviation", r.deviation);
   visit("deviation_to_drawn_max", r.deviation_to_drawn_max);
   visit("deviation_to_drawn_mean", r.deviation_to_drawn_mean);
@@ -95,7 +101,7 @@ void for_each_field(Report& r, Visit visit) {
   visit("time_ms.straighten", r.time_ms.straighten);
   visit("time_ms.trace", r.time_ms.trace);
   visit("time_ms.relax", r.time_ms.relax);
-  visit("time_ms.polish", r.time_ms.polish);
+  visit("time_ms.fair", r.time_ms.fair);
   visit("time_ms.total", r.time_ms.total);
   visit("peak_memory_mib", r.peak_memory_mib);
 }
@@ -145,6 +151,13 @@ SmoothingReport total_of(const std::vector<SmoothingReport>& reports) {
     total.curvature_after += r.curvature_after;
     total.curvature_max_before = std::max(total.curvature_max_before, r.curvature_max_before);
     total.curvature_max_after = std::max(total.curvature_max_after, r.curvature_max_after);
+    total.bending_before += r.bending_before;
+    total.bending_after += r.bending_after;
+    total.window_turning_before = std::max(total.window_turning_before, r.window_turning_before);
+    total.window_turning_after = std::max(total.window_turning_after, r.window_turning_after);
+    total.window_turning_2_before =
+        std::max(total.window_turning_2_before, r.window_turning_2_before);
+    total.window_turning_2_after = std::max(total.window_turning_2_after, r.window_turning_2_after);
     if (r.deviation == DeviationMeasure::kEuclidean) total.deviation = r.deviation;
     total.deviation_to_drawn_max = std::max(total.deviation_to_drawn_max, r.deviation_to_drawn_max);
     total.deviation_from_drawn_max =

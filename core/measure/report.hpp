@@ -22,7 +22,7 @@ struct StageTimes {
   double straighten = 0;  ///< lifting and FlipOut
   double trace = 0;       ///< tracing back to points on the mesh
   double relax = 0;       ///< the paper's relaxation
-  double polish = 0;      ///< the corridor's polish
+  double fair = 0;        ///< fairing
   double total = 0;       ///< the sum of the above
 };
 
@@ -58,12 +58,12 @@ const char* to_string(Engine engine);
 const char* to_string(Outcome outcome);
 const char* to_string(DeviationMeasure measure);
 
-/// The report on one curve, or the totals of a set. In totals, counts, lengths and total curvatures
-/// are sums, maxima are maxima, means are weighted by length, `termination` is the worst, and
-/// `deviation` is kEuclidean if any curve's is. Lengths are in mesh units, angles in radians.
-/// Deviations are infinite if they were not measured, or if the curves lie on parts of the mesh
-/// that are not connected. "Before" and "drawn" mean the curve as it was given, before corners were
-/// capped.
+/// The report on one curve, or the totals of a set. In totals, counts, lengths, total curvatures
+/// and bendings are sums, maxima are maxima, means are weighted by length, `termination` is the
+/// worst, and `deviation` is kEuclidean if any curve's is. Lengths are in mesh units, angles in
+/// radians. Deviations are infinite if they were not measured, or if the curves lie on parts of the
+/// mesh that are not connected. "Before" and "drawn" mean the curve as it was given, before corners
+/// were capped.
 struct SmoothingReport {
   std::string version;              ///< of the library
   std::size_t faces = 0;            ///< of the mesh
@@ -75,17 +75,23 @@ struct SmoothingReport {
   double edge_length_near = 0;      ///< mesh units: mean edge within two rings of the drawing
   PotentialKind potential = PotentialKind::kNone;
   Engine engine = Engine::kNone;
-  bool closed = false;              ///< the first point is not repeated, and counts once
-  std::size_t points_before = 0;    ///< as drawn
-  std::size_t points_after = 0;     ///< of the result
-  double length_before = 0;         ///< mesh units
-  double length_after = 0;          ///< mesh units
-  double lifted_length_before = 0;  ///< after capping, before straightening
-  double lifted_length_after = 0;   ///< after straightening, before relaxation
-  double curvature_before = 0;      ///< radians: sum of the turning angles
-  double curvature_after = 0;       ///< radians
-  double curvature_max_before = 0;  ///< radians: the largest turn at one point
-  double curvature_max_after = 0;   ///< radians
+  bool closed = false;                 ///< the first point is not repeated, and counts once
+  std::size_t points_before = 0;       ///< as drawn
+  std::size_t points_after = 0;        ///< of the result
+  double length_before = 0;            ///< mesh units
+  double length_after = 0;             ///< mesh units
+  double lifted_length_before = 0;     ///< after capping, before straightening
+  double lifted_length_after = 0;      ///< after straightening, before relaxation
+  double curvature_before = 0;         ///< radians: sum of the turning angles
+  double curvature_after = 0;          ///< radians
+  double curvature_max_before = 0;     ///< radians: the largest turn at one point
+  double curvature_max_after = 0;      ///< radians
+  double bending_before = 0;           ///< edge_length_near times the integral of squared curvature
+  double bending_after = 0;            ///< by the same edge length, that near the drawing
+  double window_turning_before = 0;    ///< radians: largest net turning in one edge length
+  double window_turning_after = 0;     ///< radians
+  double window_turning_2_before = 0;  ///< radians: in two edge lengths
+  double window_turning_2_after = 0;   ///< radians
   DeviationMeasure deviation = DeviationMeasure::kNone;  ///< which distance is below
   double deviation_to_drawn_max = 0;     ///< mesh units: of the result to the drawing
   double deviation_to_drawn_mean = 0;    ///< mesh units

@@ -50,13 +50,14 @@ std::size_t count_touched_faces(const SignpostTriangulation& triangulation) {
 
 namespace {
 
-SmoothingReport report_between(const SurfaceMesh& mesh, const SurfaceCurve& drawn,
+SmoothingReport report_between(const SurfaceMesh& mesh, const SurfaceCurve& drawn, double edge,
                                const CurveMeasures& before, const SurfaceCurve& result,
                                const CurveMeasures& after) {
   SmoothingReport report;
   report.version = version();
   report.faces = mesh.surface().face_count();
   report.vertices = mesh.surface().vertex_count();
+  report.edge_length_near = edge;
   report.closed = drawn.closed;
   report.points_before = drawn.points.size();
   report.points_after = result.points.size();
@@ -66,19 +67,31 @@ SmoothingReport report_between(const SurfaceMesh& mesh, const SurfaceCurve& draw
   report.curvature_after = after.total_curvature;
   report.curvature_max_before = before.max_curvature;
   report.curvature_max_after = after.max_curvature;
+  report.bending_before = before.bending;
+  report.bending_after = after.bending;
+  report.window_turning_before = before.window_turning;
+  report.window_turning_after = after.window_turning;
+  report.window_turning_2_before = before.window_turning_2;
+  report.window_turning_2_after = after.window_turning_2;
   return report;
 }
 
 }  // namespace
 
-SmoothingReport report_on_curve(const SurfaceMesh& mesh, const SurfaceCurve& drawn,
+SmoothingReport report_on_curve(const SurfaceMesh& mesh, const SurfaceCurve& drawn, double edge,
                                 const CurveMeasures& before, const SurfaceCurve& result) {
-  return report_between(mesh, drawn, before, result, measure_curve(mesh.surface(), result));
+  return report_between(mesh, drawn, edge, before, result,
+                        measure_curve(mesh.surface(), result, edge));
 }
 
-SmoothingReport report_on_nothing(const SurfaceMesh& mesh, const SurfaceCurve& drawn,
+SmoothingReport report_on_curve(const SurfaceMesh& mesh, const SurfaceCurve& drawn, double edge,
+                                const SurfaceCurve& result) {
+  return report_on_curve(mesh, drawn, edge, measure_curve(mesh.surface(), drawn, edge), result);
+}
+
+SmoothingReport report_on_nothing(const SurfaceMesh& mesh, const SurfaceCurve& drawn, double edge,
                                   const CurveMeasures& measures) {
-  SmoothingReport report = report_between(mesh, drawn, measures, drawn, measures);
+  SmoothingReport report = report_between(mesh, drawn, edge, measures, drawn, measures);
   report_deviation(report, {});
   return report;
 }
@@ -150,9 +163,8 @@ SmoothingReport report_on_result(const SurfaceMesh& mesh, DeviationMeter& meter,
                                  const SurfaceCurve& drawn, const SurfaceCurve& result,
                                  DeviationMeasure measure) {
   SmoothingReport report =
-      report_on_curve(mesh, drawn, measure_curve(mesh.surface(), drawn), result);
+      report_on_curve(mesh, drawn, edge_length_near(mesh.surface(), drawn), result);
   report.termination = Outcome::kConverged;
-  report.edge_length_near = edge_length_near(mesh.surface(), drawn);
   report_deviation(report,
                    measure_deviation(measure, report.edge_length_near, meter, mesh, drawn, result));
   warn_if_far(report, kFarInEdges * report.edge_length_near);

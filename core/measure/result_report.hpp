@@ -14,13 +14,17 @@
 
 namespace talweg {
 
-/// Reports points, lengths and curvatures before and after, but no deviation yet. `before` has the
-/// measures of the drawing. O(points · degree).
-SmoothingReport report_on_curve(const SurfaceMesh& mesh, const SurfaceCurve& drawn,
+/// Reports points, lengths, curvatures and their spread before and after, but no deviation yet.
+/// `edge` is edge_length_near() the drawing and `before` what measure_curve() gives for both.
+/// O(points · degree).
+SmoothingReport report_on_curve(const SurfaceMesh& mesh, const SurfaceCurve& drawn, double edge,
                                 const CurveMeasures& before, const SurfaceCurve& result);
+/// The same where the drawing is not measured yet.
+SmoothingReport report_on_curve(const SurfaceMesh& mesh, const SurfaceCurve& drawn, double edge,
+                                const SurfaceCurve& result);
 
 /// The report where there is no result: it has the drawing's values, both as before and as after.
-SmoothingReport report_on_nothing(const SurfaceMesh& mesh, const SurfaceCurve& drawn,
+SmoothingReport report_on_nothing(const SurfaceMesh& mesh, const SurfaceCurve& drawn, double edge,
                                   const CurveMeasures& measures);
 
 /// How far a result and its drawing lie apart; mesh units.
@@ -47,8 +51,8 @@ MeasuredDeviation measure_deviation(DeviationMeasure measure, double edge_length
 void report_deviation(SmoothingReport& report, const MeasuredDeviation& measured);
 
 /// The report on a curve that another method made of a drawing. It is measured as our results are:
-/// points, lengths, curvatures, the mesh's fineness near the drawing and the deviation. `potential`
-/// and `engine` are "none", times are 0, and crossings are not counted.
+/// points, lengths, curvatures and their spread, the mesh's fineness near the drawing and the
+/// deviation. `potential` and `engine` are "none", times are 0, and crossings are not counted.
 /// Throws Error(kBadCurve) where two neighbours of a curve share no face.
 SmoothingReport report_on_result(const SurfaceMesh& mesh, DeviationMeter& meter,
                                  const SurfaceCurve& drawn, const SurfaceCurve& result,

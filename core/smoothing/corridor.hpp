@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <vector>
 
-#include "talweg/core/smoothing/lifted_chain.hpp"
 #include "talweg/intrinsic/exact_distance/polyline_distance.hpp"
 #include "talweg/intrinsic/surface/surface_point.hpp"
 
@@ -28,6 +27,7 @@ class Corridor {
     /// For an open curve that is part of a loop: the loop's length (mesh units; 0 if it is not part
     /// of one) and where on the loop the part begins.
     double loop_length = 0, arc_start = 0;
+    double apart = HUGE_VAL;  ///< half of the gap to the nearest other curve, mesh units
     /// Unless empty, it replaces `slack`: ε at each point of the curve, mesh units, >= 0, linear in
     /// the arc length between points, also from the last to the first point of a closed curve.
     std::vector<double> slack_at;
@@ -51,9 +51,6 @@ class Corridor {
   /// An upper bound on the relative lengthening of any edge of at least this length whose ends are
   /// no farther from the drawing than `distance`. O(curves); asks for no distance.
   [[nodiscard]] double largest_lengthening(double distance, double length) const;
-  PotentialOnEdge on_edge(EdgeId e, double t) const;
-  PotentialInFace in_face(FaceId face, const ExactPotential::Barycentric& b,
-                          const std::array<ExactPotential::Barycentric, 2>& d) const;
 
  private:
   /// One curve's valley, with its constants computed.

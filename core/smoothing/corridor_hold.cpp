@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "talweg/core/drawing/crossings.hpp"
+#include "talweg/core/fairing/curve_fairing.hpp"
+#include "talweg/core/measure/measures.hpp"
 #include "talweg/core/smoothing/corridor_valleys.hpp"
 #include "talweg/core/smoothing/lifted_lengths.hpp"
 #include "talweg/core/smoothing/touched_edges.hpp"
@@ -13,9 +16,46 @@
 namespace talweg {
 namespace {
 
-// A lift counts as none if it lengthens no edge by more than this part of the edge's length: the
-// polish ignores smaller gains too (PolishOptions::tolerance).
+// A lift counts as none if it lengthens no edge by more than this part of the edge's length.
 constexpr double kUnfelt = 1e-7;
+
+/// How far from the drawing the walls are that a fair curve keeps to, in slacks.
+double walls_of(double tau) { return 1.25 * (1 + 0.2 / tau); }
+
+constexpr double kNoTurn = 1e-6;         // rad
+constexpr double kLeastSlack = 1.0 / 8;  // edges
+constexpr int kHalvings = 8;
+constexpr double kBands[] = {1, 0.7, 0.4};  // of tries that start from the drawing
+constexpr std::size_t kTries = 1 + std::size(kBands);
+constexpr const char* kLeftTaut =
+    "The curve could not be made fair within its walls; it is left taut, with kinks.";
+
+/// Whether a point is at the boundary, or as near as rounding tells.
+bool is_at_boundary(const Surface& surface, const SurfacePoint& point) {
+  constexpr double kAtIt = 1e-6;  // of the face's height
+  for (const FaceId face : faces_at(surface, point)) {
+    const auto b = coordinates_in(surface, point, face).barycentric;
+    HalfedgeId side = surface.halfedge(face);  // from corner 0 to corner 1
+    for (std::size_t k = 0; k < 3; ++k, side = surface.next(side)) {
+      if (surface.on_boundary(edge_of(side)) && b[(k + 2) % 3] <= kAtIt) return true;
+    }
+  }
+  return false;
+}
+
+/// How many of a curve's points are at the boundary.
+std::size_t boundary_points(const Surface& surface, const SurfaceCurve& curve) {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(curve.points, [&](const SurfacePoint& point) {
+        return is_at_boundary(surface, point);
+      }));
+}
+
+/// Whether a curve lies along the boundary where the taut one at most ends there.
+bool is_pressed(const Surface& surface, const SurfaceCurve& curve, const SurfaceCurve& taut) {
+  const std::size_t by_itself = boundary_points(surface, taut);
+  return by_itself <= 2 && boundary_points(surface, curve) > by_itself;
+}
 
 }  // namespace
 
@@ -90,30 +130,167 @@ void CorridorHold::hold_thin_loops(Straightened& straight) const {
   }
 }
 
-void CorridorHold::polish(double tau, std::vector<SurfaceCurve>& curves, const Progress& progress,
-                          const PolishOptions& options) {
-  const SurfaceMesh& mesh = drawing_->mesh();
-  const Corridor corridor = this->corridor(tau);
-  Asker asker(progress, "polish");
+/// Calls use() with the fairing of one curve.
+void CorridorHold::with_fairing(double tau, double narrower, std::size_t curve, Asker& asker,
+                                const std::function<void(CurveFairing&)>& use) {
   const AskedDuring asked(*distance_, asker);
-  const ExactPotential exact = {
-      [&](EdgeId e, double t) { return corridor.on_edge(e, t); },
-      [&](const SurfacePoint& p) { return corridor.at(p); },
-      [&](FaceId f, const auto& b, const auto& d) { return corridor.in_face(f, b, d); },
-  };
-  const std::vector<SurfaceCurve> before = curves;
-  for (SurfaceCurve& curve : curves) {
-    talweg::polish(mesh, curve, exact, drawing_->pins(), options, progress);
-  }
-  // Each curve is polished separately; those that cross afterwards get their old points back.
-  for (auto crossing = crossing_curves(mesh.surface(), curves); !crossing.empty();
-       crossing = crossing_curves(mesh.surface(), curves)) {
-    const bool again = std::all_of(crossing.begin(), crossing.end(), [&](std::size_t c) {
-      return curves[c].points == before[c].points;
+  const Corridor::Valley& valley = (*valleys_)[curve];
+  const double edge = drawing_->drawing().edges_near()[curve];
+  const DrawnBand band(
+      *distance_, drawing_->surface(), curve,
+      {valley.slack, valley.slack_at, kLeastSlack * edge, narrower * walls_of(tau), valley.apart});
+  FairOptions options;
+  options.middle *= std::min(1.0, std::pow(tau, 4));
+  CurveFairing fairing(drawing_->surface(), band, edge, options);
+  use(fairing);
+}
+
+FairChains CorridorHold::fair_from(double tau, std::span<const SurfaceCurve> curves,
+                                   const Progress& progress) {
+  Asker asker(progress, "fair");
+  FairChains chains(curves.size());
+  for (std::size_t c = 0; c < curves.size(); ++c) {
+    with_fairing(tau, 1, c, asker, [&](CurveFairing& fairing) {
+      const auto from = [&](const SurfaceCurve& curve) {
+        return fairing.from_curve(trace_of(drawing_->surface(), curve, drawing_->pins()), asker);
+      };
+      chains[c] = from(curves[c]);
+      // What straightening has cut off may lie beyond walls that no step leads back through.
+      if (chains[c] && fairing.keeps_within(*chains[c])) return;
+      std::optional<SampleChain> again = from(drawing_->drawing().curves()[c]);
+      if (again) chains[c] = std::move(again);
     });
-    if (again) break;
-    for (const std::size_t c : crossing) curves[c] = before[c];
   }
+  return chains;
+}
+
+FairChains CorridorHold::fair_from(double tau, const FairChains& chains,
+                                   std::vector<SampleTrail>& trails, const Progress& progress) {
+  Asker asker(progress, "fair");
+  FairChains result = chains;
+  trails.resize(chains.size());
+  for (std::size_t c = 0; c < chains.size(); ++c) {
+    if (!chains[c]) continue;
+    with_fairing(tau, 1, c, asker, [&](CurveFairing& fairing) {
+      result[c] = fairing.from_chain(*chains[c], trails[c], asker);
+    });
+  }
+  return result;
+}
+
+std::optional<SampleChain> CorridorHold::between(std::size_t curve, const AtTau& from,
+                                                 const AtTau& to, const SampleTrail& trail,
+                                                 double tau, const Progress& progress) {
+  Asker asker(progress, "fair");
+  std::optional<SampleChain> result;
+  with_fairing(tau, 1, curve, asker, [&](CurveFairing& fairing) {
+    // The walls' distance is linear in 1 / tau.
+    const double part = (1 / tau - 1 / from.tau) / (1 / to.tau - 1 / from.tau);
+    const double nearer = to.tau > from.tau ? 1 : 0;
+    ChainMaker maker(drawing_->surface());
+    const auto at = [&](double p) { return maker.between(from.chain, to.chain, trail, p); };
+    result = at(part);
+    if (!result || fairing.keeps_within(*result)) return;
+    double out = part, in = nearer;
+    for (int halving = 0; halving < kHalvings; ++halving) {
+      const double middle = (out + in) / 2;
+      auto chain = at(middle);
+      if (!chain) return;
+      if (fairing.keeps_within(*chain)) {
+        in = middle;
+        result = std::move(chain);
+      } else {
+        out = middle;
+      }
+    }
+  });
+  return result;
+}
+
+std::optional<SurfaceCurve> CorridorHold::fair(double tau, const SurfaceCurve& curve,
+                                               std::span<const SurfacePoint> fixed,
+                                               const Progress& progress) {
+  Asker asker(progress, "fair");
+  std::optional<SurfaceCurve> result;
+  with_fairing(tau, 1, 0, asker, [&](CurveFairing& fairing) {
+    const auto chain = fairing.from_curve(trace_of(drawing_->surface(), curve, fixed), asker);
+    if (!chain) return;
+    if (auto faired = fairing.curve_of(*chain, asker)) result = std::move(faired->curve);
+  });
+  return result;
+}
+
+/// The fair curve of one try: from the chain, then from the drawing in ever narrower bands. None if
+/// it is beyond its walls, bends more than the taut one, or touches the boundary where that keeps
+/// off it.
+std::optional<SurfaceCurve> CorridorHold::tried(std::size_t number, double tau, std::size_t curve,
+                                                const std::optional<SampleChain>& chain,
+                                                const SurfaceCurve& taut, Asker& asker) {
+  const Surface& surface = drawing_->surface();
+  std::optional<SurfaceCurve> result;
+  with_fairing(tau, number == 0 ? 1 : kBands[number - 1], curve, asker, [&](CurveFairing& fairing) {
+    const auto own =
+        number == 0
+            ? chain
+            : fairing.from_curve(
+                  trace_of(surface, drawing_->drawing().curves()[curve], drawing_->pins()), asker);
+    if (!own) return;
+    auto faired = fairing.curve_of(*own, asker);
+    if (faired && faired->farthest <= 1) result = std::move(faired->curve);
+  });
+  const double edge = drawing_->drawing().edges_near()[curve];
+  const auto bending = [&](const SurfaceCurve& c) {
+    return measure_curve(surface, c, edge).bending;
+  };
+  const bool worse =
+      result && (bending(*result) > bending(taut) || is_pressed(surface, *result, taut));
+  return worse ? std::nullopt : result;
+}
+
+void CorridorHold::finish(double tau, const FairChains& chains, std::vector<SmoothedCurve>& curves,
+                          const Progress& progress) {
+  Asker asker(progress, "fair");
+  const auto turning = [&](const SurfaceCurve& curve) {
+    return measure_curve(drawing_->surface(), curve).total_curvature;
+  };
+  std::vector<SurfaceCurve> taut, now;
+  std::vector<std::size_t> tries(curves.size(), 0);
+  const auto make_fair = [&](std::size_t c) {
+    std::optional<SurfaceCurve> fair;
+    while (!fair && tries[c] < kTries) {
+      fair = tried(tries[c]++, tau, c, chains[c], taut[c], asker);
+    }
+    if (!fair) {
+      curves[c].warnings.emplace_back(kLeftTaut);
+      tries[c] = kTries + 1;
+    }
+    now[c] = fair ? *std::move(fair) : taut[c];
+  };
+  for (std::size_t c = 0; c < curves.size(); ++c) {
+    const SurfaceCurve& drawn = drawing_->drawing().curves()[c];
+    taut.push_back(curves[c].curve);
+    now.push_back(curves[c].curve);
+    if (is_narrow(c)) {
+      if (turning(taut[c]) > turning(drawn)) now[c] = drawn;
+    } else if (turning(taut[c]) >= kNoTurn) {  // what is straight is fair
+      make_fair(c);
+    }
+  }
+  // Each curve is faired separately, so that curves near each other, or strands of one, may cross.
+  for (bool again = !curves.empty(); again;) {
+    again = false;
+    for (const std::size_t c : crossing_curves(drawing_->surface(), now)) {
+      if (tries[c] == 0 || tries[c] > kTries) continue;
+      make_fair(c);
+      again = true;
+    }
+  }
+  for (std::size_t c = 0; c < curves.size(); ++c) curves[c].curve = std::move(now[c]);
+}
+
+/// A band much narrower than the mesh's edges has no room for more than straight lines.
+bool CorridorHold::is_narrow(std::size_t curve) const {
+  return largest_slack((*valleys_)[curve]) < kLeastSlack * drawing_->drawing().edges_near()[curve];
 }
 
 }  // namespace talweg

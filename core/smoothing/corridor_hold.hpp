@@ -1,18 +1,25 @@
-// The corridor holds curves: they are straightened in its potential, then polished in it.
+// The corridor holds curves: they are straightened in its potential, then faired between its walls.
 #pragma once
 
+#include <functional>
 #include <optional>
+#include <span>
 #include <vector>
 
+#include "talweg/core/fairing/curve_fairing.hpp"
+#include "talweg/core/fairing/sample_chain.hpp"
 #include "talweg/core/smoothing/corridor.hpp"
 #include "talweg/core/smoothing/embedded_drawing.hpp"
-#include "talweg/core/smoothing/polish.hpp"
+#include "talweg/core/smoothing/smoothed.hpp"
 #include "talweg/core/smoothing/smoothing_options.hpp"
 #include "talweg/core/smoothing/straightening.hpp"
 #include "talweg/intrinsic/exact_distance/polyline_distance.hpp"
 #include "talweg/intrinsic/progress.hpp"
 
 namespace talweg {
+
+/// Fair curves as samples; none for a curve whose samples could not be joined.
+using FairChains = std::vector<std::optional<SampleChain>>;
 
 /// Holds a drawing in its valleys and runs one step of the method at a time, for one tau. Refers to
 /// the objects it is made from; the distance is set to the curves of the valleys. All functions
@@ -34,16 +41,44 @@ class CorridorHold {
   /// them.
   std::optional<Straightened> unlifted(const SmoothingOptions& options, const Progress& progress);
   /// Resets loops that collapsed because no vertex lies inside them to their drawing. FlipOut sees
-  /// the potential at the mesh's vertices only, so it collapses these loops whatever tau is. The
-  /// polish, which evaluates the potential on edges too, starts from the drawing instead.
+  /// the potential at the mesh's vertices only, so it collapses these loops whatever tau is.
+  /// Fairing measures the distance everywhere, so it starts from the drawing instead.
   void hold_thin_loops(Straightened& straight) const;
-  /// Polishes each curve separately; curves that cross afterwards are restored.
-  void polish(double tau, std::vector<SurfaceCurve>& curves, const Progress& progress,
-              const PolishOptions& options = {});
+  /// Fair chains that start from these curves.
+  FairChains fair_from(double tau, std::span<const SurfaceCurve> curves, const Progress& progress);
+  /// Fair chains that start from those of another tau, and the ways of their samples.
+  FairChains fair_from(double tau, const FairChains& chains, std::vector<SampleTrail>& trails,
+                       const Progress& progress);
+  /// A chain for one tau that leads to one for another.
+  struct AtTau {
+    double tau = 0;
+    const SampleChain& chain;
+  };
+  /// The chain of a curve for a tau between those of two chains: its samples lie on the ways
+  /// between theirs, as far as the walls are between theirs, and farther towards the nearer walls
+  /// where the band would be left otherwise.
+  std::optional<SampleChain> between(std::size_t curve, const AtTau& from, const AtTau& to,
+                                     const SampleTrail& trail, double tau,
+                                     const Progress& progress);
+  /// Replaces straightened curves by those of their chains. Where that would leave the walls, or
+  /// cross what the drawing does not cross, curves start from the drawing, in a narrower band; if
+  /// nothing helps they stay straightened, with a warning.
+  void finish(double tau, const FairChains& chains, std::vector<SmoothedCurve>& curves,
+              const Progress& progress);
+  /// A fair curve near the first drawn one; these points of it and its ends stay. None where
+  /// samples cannot be joined.
+  std::optional<SurfaceCurve> fair(double tau, const SurfaceCurve& curve,
+                                   std::span<const SurfacePoint> fixed, const Progress& progress);
 
  private:
   [[nodiscard]] Corridor corridor(double tau) const { return {*distance_, tau, *valleys_}; }
   [[nodiscard]] double exact_for_walls() const;
+  void with_fairing(double tau, double narrower, std::size_t curve, Asker& asker,
+                    const std::function<void(CurveFairing&)>& use);
+  [[nodiscard]] bool is_narrow(std::size_t curve) const;
+  std::optional<SurfaceCurve> tried(std::size_t number, double tau, std::size_t curve,
+                                    const std::optional<SampleChain>& chain,
+                                    const SurfaceCurve& taut, Asker& asker);
   Straightened straighten_flat(const SmoothingOptions& options, const Progress& progress);
   [[nodiscard]] bool is_felt(const Corridor& corridor, const Straightened& flat,
                              const Progress& progress) const;

@@ -12,18 +12,24 @@
 namespace talweg {
 namespace {
 
-/// Smooths without starting from an anchor.
+/// Smooths without the ladder.
 Smoothed smooth_for_itself(CorridorHold& hold, const SmoothingOptions& options,
                            const Progress& progress) {
   const std::optional<Straightened> flat = hold.unlifted(options, progress);
+  // A curve that is not held, or is not faired, may climb walls anywhere.
   Straightened straight =
       flat ? *flat : hold.straighten(options, CorridorHold::Walls::kExact, progress);
   Stopwatch watch;
   relax(hold.drawing().mesh(), straight.curves, {options.relax_rounds}, progress);
   straight.time_ms.relax = watch.lap();
-  if (options.polish && !flat) hold.polish(options.tau, straight.curves, progress);
-  straight.time_ms.polish = watch.ms();
-  return smoothed_from(std::move(straight));
+  // What no wall holds is straight already.
+  if (flat || options.finish == Finish::kTaut) return smoothed_from(std::move(straight));
+  hold.hold_thin_loops(straight);
+  const FairChains chains = hold.fair_from(options.tau, straight.curves, progress);
+  Smoothed result = smoothed_from(std::move(straight));
+  hold.finish(options.tau, chains, result.curves, progress);
+  result.time_ms.fair = watch.ms();
+  return result;
 }
 
 }  // namespace
@@ -64,9 +70,8 @@ Smoothed CorridorMethod::smooth_in_own_valleys(const SmoothingOptions& options,
 Smoothed CorridorMethod::smooth_in(const std::vector<Corridor::Valley>& valleys,
                                    const SmoothingOptions& options, const Progress& progress) {
   CorridorHold hold(*drawing_, memory_->distance(), valleys);
-  Smoothed result = CorridorAnchors::anchor_of(options)
-                        ? anchors_.smooth(hold, options, progress)
-                        : smooth_for_itself(hold, options, progress);
+  Smoothed result = FairLadder::rung_of(options) ? ladder_.smooth(hold, options, progress)
+                                                 : smooth_for_itself(hold, options, progress);
   result.potential = PotentialKind::kCorridor;
   result.engine = Engine::kLocal;
   for (std::size_t c = 0; c < result.curves.size(); ++c) {
@@ -75,15 +80,16 @@ Smoothed CorridorMethod::smooth_in(const std::vector<Corridor::Valley>& valleys,
   return result;
 }
 
-std::vector<SurfaceCurve> CorridorMethod::rough(const SmoothingOptions& options,
-                                                const Progress& progress) {
+std::vector<SurfaceCurve> CorridorMethod::taut(const SmoothingOptions& options,
+                                               const Progress& progress) {
   CorridorHold hold(*drawing_, memory_->distance(), valleys_);
-  return anchors_.rough(hold, options, progress);
+  return FairLadder::straightened(hold, options, progress).curves;
 }
 
-void CorridorMethod::polish(double tau, std::vector<SurfaceCurve>& curves,
-                            const Progress& progress) {
-  CorridorHold(*drawing_, memory_->distance(), valleys_).polish(tau, curves, progress);
+std::optional<SurfaceCurve> CorridorMethod::fair(double tau, const SurfaceCurve& curve,
+                                                 std::span<const SurfacePoint> fixed,
+                                                 const Progress& progress) {
+  return CorridorHold(*drawing_, memory_->distance(), valleys_).fair(tau, curve, fixed, progress);
 }
 
 }  // namespace talweg

@@ -1,12 +1,13 @@
 // The corridor's method smooths curves by the exact distance near the drawing, in valleys.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "talweg/core/smoothing/corridor.hpp"
-#include "talweg/core/smoothing/corridor_anchors.hpp"
 #include "talweg/core/smoothing/embedded_drawing.hpp"
+#include "talweg/core/smoothing/fair_ladder.hpp"
 #include "talweg/core/smoothing/smoothed.hpp"
 #include "talweg/core/smoothing/smoothing_memory.hpp"
 #include "talweg/core/smoothing/smoothing_options.hpp"
@@ -26,7 +27,7 @@ class CorridorMethod {
   void set(std::span<const SurfaceCurve> near, std::vector<Corridor::Valley> valleys,
            const Progress& progress);
   /// To be called after the drawing's pins have changed.
-  void pins_changed() { anchors_.clear(); }
+  void pins_changed() { ladder_.clear(); }
 
   /// Per curve, before options change them.
   [[nodiscard]] const std::vector<Corridor::Valley>& valleys() const { return valleys_; }
@@ -34,10 +35,13 @@ class CorridorMethod {
   Smoothed smooth(const SmoothingOptions& options, const Progress& progress);
   /// Like smooth(), but in the valleys as they are, without the options' slack and turns.
   Smoothed smooth_in_own_valleys(const SmoothingOptions& options, const Progress& progress);
-  /// The curves from which the polish for these options would start, in the valleys as they are.
-  std::vector<SurfaceCurve> rough(const SmoothingOptions& options, const Progress& progress);
-  /// Polishes curves in the valleys as they are.
-  void polish(double tau, std::vector<SurfaceCurve>& curves, const Progress& progress);
+  /// The straightened curves from which fair ones for these options start, in the valleys as they
+  /// are.
+  std::vector<SurfaceCurve> taut(const SmoothingOptions& options, const Progress& progress);
+  /// A fair curve near the first drawn one, in its valley as it is; these points of it and its ends
+  /// stay. None where samples cannot be joined.
+  std::optional<SurfaceCurve> fair(double tau, const SurfaceCurve& curve,
+                                   std::span<const SurfacePoint> fixed, const Progress& progress);
 
  private:
   Smoothed smooth_in(const std::vector<Corridor::Valley>& valleys, const SmoothingOptions& options,
@@ -47,7 +51,7 @@ class CorridorMethod {
   SmoothingMemory* memory_;
   EmbeddedDrawing* drawing_;
   std::vector<Corridor::Valley> valleys_;
-  CorridorAnchors anchors_;
+  FairLadder ladder_;
 };
 
 }  // namespace talweg

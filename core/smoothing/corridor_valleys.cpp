@@ -19,6 +19,7 @@ void keep_apart(std::vector<Corridor::Valley>& valleys, const SurfaceMesh& mesh,
   const std::vector<double> gaps = gaps_to_others(mesh, drawing.curves(), most / kOfGap, progress);
   for (std::size_t c = 0; c < gaps.size(); ++c) {
     valleys[c].slack = std::min(valleys[c].slack, kOfGap * gaps[c]);
+    valleys[c].apart = gaps[c] / 2;
   }
 }
 
@@ -77,14 +78,14 @@ void hold_loops(std::vector<Corridor::Valley>& valleys, const SurfaceMesh& mesh,
   std::vector<bool> doubtful = doubtful_loops(valleys, mesh, drawing);
   SmoothingOptions options;
   options.tau = kLeastTau;
-  options.polish = false;
   for (int k = 0; k < kHalvings && any(doubtful); ++k) {
     const Smoothed tried = smooth(options);
     for (std::size_t c = 0; c < valleys.size(); ++c) {
       const SmoothedCurve& result = tried.curves[c];
-      doubtful[c] = doubtful[c] && (result.path.termination != Termination::kConverged ||
-                                    measure_curve(mesh.surface(), result.curve).length <
-                                        drawing.measures()[c].length / 2);
+      doubtful[c] =
+          doubtful[c] &&
+          (result.path.termination != Termination::kConverged || !result.warnings.empty() ||
+           measure_curve(mesh.surface(), result.curve).length < drawing.measures()[c].length / 2);
       if (doubtful[c]) valleys[c].slack /= 2;
     }
   }

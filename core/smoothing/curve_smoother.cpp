@@ -39,7 +39,7 @@ void check_potential(std::size_t vertices, const GivenPotential& given) {
 
 bool same_result(const SmoothingOptions& a, const SmoothingOptions& b) {
   return a.tau == b.tau && a.slack == b.slack && a.slack_at == b.slack_at &&
-         a.phase_turns == b.phase_turns && a.polish == b.polish &&
+         a.phase_turns == b.phase_turns && a.finish == b.finish &&
          a.relax_rounds == b.relax_rounds && a.max_iterations == b.max_iterations &&
          a.min_relative_length == b.min_relative_length && a.length_floor == b.length_floor;
 }
@@ -50,7 +50,7 @@ bool is_small_step(const SmoothingOptions& last, const SmoothingOptions& options
   const double least = std::min(last.tau, options.tau), most = std::max(last.tau, options.tau);
   return least > 0 && most <= kSmallStep * least && last.slack == options.slack &&
          last.slack_at == options.slack_at && last.phase_turns == options.phase_turns &&
-         last.polish == options.polish && last.relax_rounds == options.relax_rounds;
+         last.finish == options.finish && last.relax_rounds == options.relax_rounds;
 }
 
 }  // namespace
@@ -255,7 +255,7 @@ SmoothingResult CurveSmoother::drag_now(std::size_t curve, const SurfaceCurve& m
   SmoothingReport& report = result.reports[curve];
   report = preview_report(memory_->mesh(), memory_->meter(), moved, result.curves[curve], options,
                           report, progress);
-  report.time_ms.polish = report.time_ms.total = watch.ms();
+  report.time_ms.fair = report.time_ms.total = watch.ms();
   result.total = total_of(result.reports);
   return result;
 }

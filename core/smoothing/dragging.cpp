@@ -12,8 +12,8 @@ namespace {
 
 constexpr double kMargin = 24;  // segments of the drawing, on either side, at first
 constexpr double kReach = 6;    // slacks, plus as many edges: what lies farther does not matter
-constexpr std::size_t kSettling = 8;  // points of the last result, on either side, that may move
-constexpr double kSameWay = 0.5;      // edges that two curves may lie apart where they are joined
+constexpr std::size_t kSettling = 16;  // points of the last result, on either side, that may move
+constexpr double kSameWay = 0.5;       // edges that two curves may lie apart where they are joined
 
 using Points = std::vector<SurfacePoint>;
 
@@ -156,7 +156,7 @@ std::optional<SurfaceCurve> Dragging::joined(const Range& range, const DrawingCh
                                              const Progress& progress) {
   const SurfaceMesh& mesh = memory_.mesh();
   const Points stretch =
-      stretch_.drawing.in_drawn_direction(0, stretch_.method->rough(options, progress)[0]).points;
+      stretch_.drawing.in_drawn_direction(0, stretch_.method->taut(options, progress)[0]).points;
   const std::size_t m = stretch.size(), open_end = m - 1;
   const auto within = [&](std::size_t from, int step, double length) {
     return points_within(mesh, stretch, from, step, m - 1, length);
@@ -187,16 +187,21 @@ std::optional<SurfaceCurve> Dragging::joined(const Range& range, const DrawingCh
   const auto at = [](const Points& points, std::size_t i) {
     return points.begin() + static_cast<std::ptrdiff_t>(i);
   };
-  std::vector<SurfaceCurve> chain(1);
-  Points& points = chain.front().points;
-  points.assign(at(kept, from), at(kept, head->in_last));
-  points.insert(points.end(), at(stretch, head->in_stretch), at(stretch, tail->in_stretch + 1));
-  points.insert(points.end(), at(kept, tail->in_last + 1), at(kept, to + 1));
-  stretch_.method->polish(options.tau, chain, progress);
-  points.insert(points.begin(), kept.cbegin(), at(std::as_const(kept), from));
-  points.insert(points.end(), at(std::as_const(kept), to + 1), kept.cend());
-  chain.front().closed = last.closed;
-  return std::move(chain.front());
+  SurfaceCurve between;
+  between.points.assign(at(kept, from), at(kept, head->in_last));
+  between.points.insert(between.points.end(), at(stretch, head->in_stretch),
+                        at(stretch, tail->in_stretch + 1));
+  between.points.insert(between.points.end(), at(kept, tail->in_last + 1), at(kept, to + 1));
+  // The direction in which it leaves what is kept stays too.
+  std::vector<SurfacePoint> fixed = stretch_.embedded->pins();
+  if (from < head->in_last) fixed.push_back(between.points[1]);
+  if (tail->in_last < to) fixed.push_back(between.points[between.points.size() - 2]);
+  std::optional<SurfaceCurve> faired = stretch_.method->fair(options.tau, between, fixed, progress);
+  if (!faired) return std::nullopt;
+  faired->points.insert(faired->points.begin(), kept.cbegin(), at(std::as_const(kept), from));
+  faired->points.insert(faired->points.end(), at(std::as_const(kept), to + 1), kept.cend());
+  faired->closed = last.closed;
+  return faired;
 }
 
 SurfaceCurve Dragging::dragged(const Setting& setting, std::size_t curve,
@@ -216,7 +221,7 @@ SurfaceCurve Dragging::dragged(const Setting& setting, std::size_t curve,
     set(stretch_of(memory_.mesh(), curves, valleys, curve, first, last_point, reach),
         setting.curve_options, progress);
   };
-  if (CorridorAnchors::anchor_of(setting.options)) {
+  if (FairLadder::rung_of(setting.options)) {
     for (double margin = kMargin * segment;; margin *= 2) {
       const std::optional<Range> range = range_around(change, margin);
       if (!range) break;

@@ -49,10 +49,10 @@ OrderedDrawing::OrderedDrawing(const SurfaceMesh& mesh, std::span<const SurfaceC
     const SurfaceCurve& curve = ordered_.emplace_back(std::move(ordered[c]));
     const auto next = [&] { asker.did(kOfPoint * curve.points.size()); };
     next();
-    measures_.push_back(measure_curve(surface, curve));
-    if (!(measures_.back().length > 0)) refuse_point(mesh, curve, c);
-    next();
     edges_near_.push_back(edge_length_near(surface, curve));
+    next();
+    measures_.push_back(measure_curve(surface, curve, edges_near_.back()));
+    if (!(measures_.back().length > 0)) refuse_point(mesh, curve, c);
   }
 }
 

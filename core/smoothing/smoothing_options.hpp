@@ -14,7 +14,7 @@ namespace talweg {
 /// Which potential holds the curve, and which distance it is a function of.
 enum class Method {
   kPaper,     ///< equations 4 to 6 over the heat method's distance on the whole mesh
-  kCorridor,  ///< flat within the slack, exact distance in a band, phase for loops, polished
+  kCorridor,  ///< flat within the slack, exact distance in a band, phase for loops
 };
 
 /// The options that apply when a curve is set.
@@ -33,6 +33,12 @@ struct CurveOptions {
   void validate() const;  ///< throws Error(kBadUsage) naming the field and its bound
 };
 
+/// What becomes of the corridor's straightened curves.
+enum class Finish {
+  kTaut,  ///< they stay as FlipOut leaves them
+  kFair,  ///< they bend as little as they can within the corridor
+};
+
 /// From this tau on a result keeps near its drawing; below it may lead anywhere.
 constexpr double kLeastHeldTau = 1.0 / 8;
 
@@ -44,9 +50,9 @@ struct SmoothingOptions {
   /// Unless empty, it replaces `slack`: per drawn curve one value per point, mesh units, >= 0,
   /// linear in between. See slack_along().
   std::vector<std::vector<double>> slack_at;
-  int phase_turns = 3;   ///< of the corridor's phase around a loop, at most points / 8; [0, 64]
-  bool polish = true;    ///< whether the corridor's result is polished
-  int relax_rounds = 0;  ///< rounds of the paper's relaxation; its authors use 5
+  int phase_turns = 3;  ///< of the corridor's phase around a loop, at most points / 8; [0, 64]
+  Finish finish = Finish::kFair;  ///< of the corridor's curves; those of tau = 0 are taut
+  int relax_rounds = 0;           ///< rounds of the paper's relaxation; its authors use 5
   std::optional<std::size_t> max_iterations;  ///< of FlipOut; by default its own bound
   double min_relative_length = 0;  ///< stop at this fraction of the lifted length; [0, 1)
   /// A loop shorter than this counts as collapsed. Mesh units; by default 3 mean edges of the drawn

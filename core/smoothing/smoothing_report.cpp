@@ -76,6 +76,7 @@ void add_run(SmoothingReport& report, const Smoothed& smoothed) {
 
 void add_curve(SmoothingReport& report, const SmoothedCurve& curve) {
   report.slack = curve.slack;
+  report.warnings.insert(report.warnings.end(), curve.warnings.begin(), curve.warnings.end());
   report.lifted_length_before = curve.path.length_before;
   report.lifted_length_after = curve.path.length_after;
   report.termination = outcome_of(curve.path.termination);
@@ -90,15 +91,14 @@ SmoothingResult reported(const OpenedMesh& mesh, const OrderedDrawing& drawing,
                          const SmoothingOptions& options, Smoothed smoothed) {
   StageTimes& t = smoothed.time_ms;
   t.open += mesh.open_ms();
-  t.total = t.open + t.solve + t.straighten + t.trace + t.relax + t.polish;
+  t.total = t.open + t.solve + t.straighten + t.trace + t.relax + t.fair;
   SmoothingResult result;
   for (std::size_t c = 0; c < smoothed.curves.size(); ++c) {
     const SurfaceCurve& drawn = drawing.curves()[c];
     const double edge = drawing.edges_near()[c];
     SmoothingReport& report = result.reports.emplace_back(
-        report_on_curve(mesh.mesh(), drawn, drawing.measures()[c], smoothed.curves[c].curve));
+        report_on_curve(mesh.mesh(), drawn, edge, drawing.measures()[c], smoothed.curves[c].curve));
     report.tau = options.tau;
-    report.edge_length_near = edge;
     add_run(report, smoothed);
     add_curve(report, smoothed.curves[c]);
     warn_if_far(report, far_from(mesh.mesh(), drawn, edge, smoothed.engine),
@@ -116,12 +116,11 @@ SmoothingResult cancelled_result(const SurfaceMesh& mesh, const OrderedDrawing& 
   result.curves = drawing.drawn();
   for (std::size_t c = 0; c < result.curves.size(); ++c) {
     const std::size_t place = drawing.place_of(c);
-    SmoothingReport& report = result.reports.emplace_back(
-        report_on_nothing(mesh, result.curves[c], drawing.measures()[place]));
+    SmoothingReport& report = result.reports.emplace_back(report_on_nothing(
+        mesh, result.curves[c], drawing.edges_near()[place], drawing.measures()[place]));
     report.potential = PotentialKind::kPaper;
     report.engine = Engine::kFull;
     report.tau = tau;
-    report.edge_length_near = drawing.edges_near()[place];
     report.termination = Outcome::kCancelled;
   }
   result.total = total_of(result.reports);
@@ -132,13 +131,11 @@ SmoothingReport preview_report(const SurfaceMesh& mesh, DeviationMeter& meter,
                                const SurfaceCurve& drawn, const SurfaceCurve& result,
                                const SmoothingOptions& options, const SmoothingReport& before,
                                const Progress& progress) {
-  SmoothingReport report =
-      report_on_curve(mesh, drawn, measure_curve(mesh.surface(), drawn), result);
+  SmoothingReport report = report_on_curve(mesh, drawn, before.edge_length_near, result);
   report.potential = before.potential;
   report.engine = Engine::kPreview;
   report.tau = before.tau;
   report.slack = before.slack;
-  report.edge_length_near = before.edge_length_near;
   report.termination = before.termination;
   report_deviation(report, measure_deviation(options.deviation_measure(), report.edge_length_near,
                                              meter, mesh, drawn, result, nullptr, progress));

@@ -13,60 +13,24 @@ using Nearest = PolylineDistance::Nearest;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 }  // namespace
 
-/// The way along the edge from one of its ends.
-PolylineDistance::EdgeHit PolylineDistance::hit_along(const Nearest& tail, const Nearest& head,
-                                                      double length, double x) {
-  EdgeHit hit{farther(tail, x), nullptr, 0};
-  if (const Nearest other = farther(head, length - x); is_nearer(other, hit.nearest)) {
-    hit = {other, nullptr, length};
-  }
-  return hit;
+/// The nearer of the ways along the edge from its ends.
+Nearest PolylineDistance::along_edge(const Nearest& tail, const Nearest& head, double length,
+                                     double x) {
+  const Nearest from_tail = farther(tail, x), from_head = farther(head, length - x);
+  return is_nearer(from_head, from_tail) ? from_head : from_tail;
 }
 
-void PolylineDistance::offer(EdgeHit& hit, const EdgeWindow& window, double x) {
-  const double bend = std::clamp(x, window.begin, window.end);
-  const double distance = window.value(bend) + std::abs(x - bend);
-  if (distance > hit.nearest.distance) return;
-  const Nearest nearest{distance, window.curve, window.arc_at(bend)};
-  // A window's derivatives are preferred to those along the edge.
-  if (is_nearer(nearest, hit.nearest) ||
-      (hit.window == nullptr && nearest.distance == hit.nearest.distance)) {
-    hit = {nearest, &window, bend};
-  }
-}
-
-PolylineDistance::EdgeHit PolylineDistance::hit_on_edge(EdgeId edge, double x) const {
+Nearest PolylineDistance::known_on_edge(EdgeId edge, double x) const {
   const double length = surface_->length(edge);
-  EdgeHit hit = hit_along(vertex_[surface_->tail(halfedge_of(edge)).index()],
-                          vertex_[surface_->head(halfedge_of(edge)).index()], length, x);
-  windows_.each(edge, [&](const EdgeWindow& window) { offer(hit, window, x); });
-  if (hit.nearest.distance <= kRounding * length) hit.nearest.distance = 0;
-  return hit;
-}
-
-PolylineDistance::EdgeHit PolylineDistance::hit_in(const EdgeCopy& copy, double x) const {
-  EdgeHit hit = hit_along(copy.tail, copy.head, copy.length, x);
-  const EdgeWindow* const first = copied_.data() + copy.first;
-  for (std::uint32_t i = 0; i < copy.count; ++i) offer(hit, first[i], x);
-  if (hit.nearest.distance <= kRounding * copy.length) hit.nearest.distance = 0;
-  return hit;
-}
-
-void PolylineDistance::copy_edge(EdgeId edge) {
-  std::uint32_t& id = copy_of_[edge.index()];
-  if (id == kNone) {
-    id = static_cast<std::uint32_t>(copies_.size());
-    copies_.emplace_back();
-  }
-  EdgeCopy& copy = copies_[id];
-  copy.edge = edge;
-  copy.length = surface_->length(edge);
-  copy.front = queue_.front();
-  copy.tail = vertex_[surface_->tail(halfedge_of(edge)).index()];
-  copy.head = vertex_[surface_->head(halfedge_of(edge)).index()];
-  of_one_edge_.clear();
-  windows_.each(edge, [&](const EdgeWindow& window) { of_one_edge_.push_back(window); });
-  store(copy, copied_, of_one_edge_);
+  Nearest best = along_edge(vertex_[surface_->tail(halfedge_of(edge)).index()],
+                            vertex_[surface_->head(halfedge_of(edge)).index()], length, x);
+  windows_.each(edge, [&](const EdgeWindow& window) {
+    const double bend = std::clamp(x, window.begin, window.end);
+    const Nearest other{window.value(bend) + std::abs(x - bend), window.curve, window.arc_at(bend)};
+    if (is_nearer(other, best)) best = other;
+  });
+  if (best.distance <= kRounding * length) best.distance = 0;
+  return best;
 }
 
 Nearest PolylineDistance::finish(Nearest nearest) const {
@@ -98,52 +62,13 @@ Nearest PolylineDistance::at_vertex(VertexId v) {
   return finish(known);
 }
 
-PolylineDistance::EdgeHit PolylineDistance::final_hit(EdgeId edge, double x) {
+Nearest PolylineDistance::on_edge(EdgeId edge, double t) {
   const VertexId tail = surface_->tail(halfedge_of(edge));
   for (;;) {
-    const EdgeHit hit = hit_on_edge(edge, x);
-    if (is_final(hit.nearest.distance) || marches_in_vain(tail)) return hit;
+    const Nearest known = known_on_edge(edge, t * surface_->length(edge));
+    if (is_final(known.distance) || marches_in_vain(tail)) return finish(known);
     march();
   }
-}
-
-/// A copy of the edge that is final for the answer at t; renewed only if the front has advanced
-/// since.
-const PolylineDistance::EdgeCopy& PolylineDistance::final_copy(EdgeId edge, double t,
-                                                               EdgeHit& hit) {
-  if (copy_of_[edge.index()] == kNone) copy_edge(edge);
-  for (;;) {
-    const EdgeCopy& copy = copies_[copy_of_[edge.index()]];
-    hit = hit_in(copy, t * copy.length);
-    if (hit.nearest.distance + queue_.step() / 64 < copy.front) return copy;
-    if (copy.front == queue_.front()) {
-      if (queue_.empty() || marches_in_vain(surface_->tail(halfedge_of(edge)))) return copy;
-      march();
-    }
-    copy_edge(edge);
-  }
-}
-
-Nearest PolylineDistance::on_edge(EdgeId edge, double t) {
-  return finish(final_hit(edge, t * surface_->length(edge)).nearest);
-}
-
-PolylineDistance::EdgeValue PolylineDistance::at_edge(EdgeId edge, double t) {
-  EdgeHit hit;
-  const double length = final_copy(edge, t, hit).length;
-  const Nearest nearest = finish(hit.nearest);
-  EdgeValue result{nearest.distance, 0, 0, nearest.curve, nearest.arc_length, 0};
-  if (std::isinf(nearest.distance)) return result;
-  // Narrow gaps between windows come from rounding.
-  if (hit.window != nullptr && std::abs(t * length - hit.bend) <= 1e-9 * length) {
-    const EdgeWindow::Derivatives d = hit.window->derivatives(hit.bend);
-    result.first = d.slope * length;
-    result.second = d.curvature * length * length;
-    result.arc_first = hit.window->arc_slope() * length;
-  } else {
-    result.first = t * length < hit.bend ? -length : length;
-  }
-  return result;
 }
 
 Nearest PolylineDistance::at(const SurfacePoint& point) {
@@ -167,7 +92,7 @@ double PolylineDistance::known_at(const SurfacePoint& point) {
     return vertex_[v->vertex.index()].distance;
   }
   if (const auto* e = std::get_if<OnEdge>(&point.where())) {
-    return hit_on_edge(e->edge, e->t * surface_->length(e->edge)).nearest.distance;
+    return known_on_edge(e->edge, e->t * surface_->length(e->edge)).distance;
   }
   const auto& inside = std::get<InFace>(point.where());
   return hit_in(fresh_copy(inside.face), inside.barycentric).nearest.distance;

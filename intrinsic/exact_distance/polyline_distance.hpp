@@ -56,20 +56,6 @@ class PolylineDistance {
   /// t in [0, 1] from the tail to the head of halfedge_of(edge).
   Nearest on_edge(EdgeId edge, double t);
 
-  /// The distance along an edge and its derivatives by t. Where two ways are equally short, the
-  /// derivatives are those of one of them.
-  struct EdgeValue {
-    double value = 0;
-    double first = 0;
-    double second = 0;
-    std::uint32_t curve = 0;  ///< as in Nearest
-    double arc_length = 0;    ///< as in Nearest
-    double arc_first = 0;     ///< its derivative by t; the second one is 0
-  };
-  /// Gives the same answer as on_edge(). O(ways that reach the edge) once the edge has been
-  /// reached.
-  EdgeValue at_edge(EdgeId edge, double t);
-
   /// The distance inside a face at b + s d₀ + t d₁ (barycentrics, in the order of
   /// Surface::corners(); those of each d sum to 0) and its derivatives by s and t at s = t = 0.
   struct FaceValue {
@@ -150,17 +136,9 @@ class PolylineDistance {
   static Nearest farther(const Nearest& from, double way) {
     return {from.distance + way, from.curve, from.arc_length};
   }
-  struct EdgeHit {
-    Nearest nearest;
-    const EdgeWindow* window = nullptr;  // null: along the edge from one end
-    double bend = 0;                     // where on the edge the way arrives
-  };
-  struct EdgeCopy;  // see below
-  [[nodiscard]] static EdgeHit hit_along(const Nearest& tail, const Nearest& head, double length,
-                                         double x);
-  static void offer(EdgeHit& hit, const EdgeWindow& window, double x);
-  [[nodiscard]] EdgeHit hit_on_edge(EdgeId edge, double x) const;
-  [[nodiscard]] EdgeHit hit_in(const EdgeCopy& copy, double x) const;
+  [[nodiscard]] static Nearest along_edge(const Nearest& tail, const Nearest& head, double length,
+                                          double x);
+  [[nodiscard]] Nearest known_on_edge(EdgeId edge, double x) const;
   /// Stores values in the copy's room, or allocates twice the room that they need.
   template <class Copy, class Value>
   static void store(Copy& copy, std::vector<Value>& all, const std::vector<Value>& values) {
@@ -172,9 +150,6 @@ class PolylineDistance {
     }
     std::copy(values.begin(), values.end(), all.begin() + copy.first);
   }
-  void copy_edge(EdgeId edge);
-  EdgeHit final_hit(EdgeId edge, double x);
-  const EdgeCopy& final_copy(EdgeId edge, double t, EdgeHit& hit);
   // polyline_along_edges.cpp
   struct EdgeWay {
     Nearest nearest;
@@ -218,20 +193,9 @@ class PolylineDistance {
   std::vector<std::uint32_t> with_curve_;  // components, in order; made when first needed
   std::vector<Nearest> vertex_;
 
-  // Copies of edges for at_edge(), with everything that it reads stored side by side. An edge is
-  // copied as it is known then; what was final then stays final.
-  struct EdgeCopy {
-    EdgeId edge;
-    std::uint32_t first = 0, count = 0, room = 0;  // in copied_
-    double length = 0;
-    double front = 0;  // of the queue
-    Nearest tail, head;
-  };
-  std::vector<std::uint32_t> copy_of_;  // per edge, in copies_
-  std::vector<EdgeCopy> copies_;
-  std::vector<EdgeWindow> copied_, of_one_edge_;
-
-  // The same for at_face(): frames, corners and the windows that lead into the face.
+  // Copies of faces for at_face(), with everything that it reads stored side by side: frames,
+  // corners and the windows that lead into the face. A face is copied as it is known then; what was
+  // final then stays final.
   struct FaceCopy {
     FaceId face;
     std::uint32_t first = 0, count = 0, room = 0;  // in led_in_

@@ -51,8 +51,6 @@ Arrival from_piece(PlanePoint x, PlanePoint p, PlanePoint q) {
   return arrival;
 }
 
-double dot(PlanePoint a, PlanePoint b) { return a.x * b.x + a.y * b.y; }
-
 }  // namespace
 
 /// Offers ways through the windows of the sides, which are at least as long as at the windows'

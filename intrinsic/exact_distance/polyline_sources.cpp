@@ -16,7 +16,6 @@ PolylineDistance::PolylineDistance(const Surface& surface)
     : surface_(&surface),
       bends_(surface.vertex_count(), 0),
       vertex_(surface.vertex_count(), Nearest{std::numeric_limits<double>::infinity(), 0, 0}),
-      copy_of_(surface.edge_count(), kNone),
       face_copy_of_(surface.face_count(), kNone),
       windows_(surface.edge_count()) {}
 
@@ -24,10 +23,7 @@ void PolylineDistance::forget() {
   for (const VertexId v : touched_vertices_) {
     vertex_[v.index()].distance = std::numeric_limits<double>::infinity();
   }
-  for (const EdgeCopy& copy : copies_) copy_of_[copy.edge.index()] = kNone;
   for (const FaceCopy& copy : face_copies_) face_copy_of_[copy.face.index()] = kNone;
-  copies_.clear();
-  copied_.clear();
   face_copies_.clear();
   led_in_.clear();
   touched_vertices_.clear();

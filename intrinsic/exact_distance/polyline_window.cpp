@@ -5,14 +5,6 @@
 
 namespace talweg {
 
-EdgeWindow::Derivatives EdgeWindow::derivatives(double x) const {
-  if (!from_point()) return {px, 0};
-  const double squared = (x - px) * (x - px) + py * py;
-  if (!(squared > 0)) return {};
-  const double r = std::sqrt(squared);
-  return {(x - px) / r, py * py / (squared * r)};
-}
-
 double EdgeWindow::lowest() const {
   if (from_point()) return value(std::clamp(px, begin, end));
   return value(px > 0 ? begin : end);

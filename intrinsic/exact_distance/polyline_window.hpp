@@ -34,13 +34,7 @@ struct EdgeWindow {
   [[nodiscard]] double value(double x) const {
     return from_point() ? offset + std::sqrt((x - px) * (x - px) + py * py) : offset + px * x;
   }
-  struct Derivatives {
-    double slope = 0, curvature = 0;
-  };
-  /// The derivatives of value(); 0 at the source itself.
-  [[nodiscard]] Derivatives derivatives(double x) const;
   [[nodiscard]] double arc_at(double x) const { return from_point() ? arc : arc + sense * py * x; }
-  [[nodiscard]] double arc_slope() const { return from_point() ? 0.0 : sense * py; }
   [[nodiscard]] bool is_empty() const { return end < begin; }
   /// Removes the part in [from, to], except for an overlap of `overlap`, if this part reaches
   /// within `narrow` of an end of the window.

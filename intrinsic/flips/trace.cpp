@@ -131,7 +131,6 @@ struct Unfolded {
   PlanePoint tail, head;  // ends of a crossed halfedge
 };
 
-double cross(const PlanePoint& a, const PlanePoint& b) { return a.x * b.y - a.y * b.x; }
 PlanePoint minus(const PlanePoint& a, const PlanePoint& b) { return {a.x - b.x, a.y - b.y}; }
 
 /// The corner beyond a crossed edge, placed on the right of tail → head.

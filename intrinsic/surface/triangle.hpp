@@ -7,6 +7,8 @@
 #include <numbers>
 #include <utility>
 
+#include "talweg/intrinsic/surface/plane_point.hpp"
+
 namespace talweg {
 
 /// The angle opposite side c, between sides a and b, in [0, pi]. Kahan, "Miscalculating area and
@@ -31,11 +33,6 @@ inline double triangle_area(double a, double b, double c) {
   const double product = (a + (b + c)) * (c - (a - b)) * (c + (a - b)) * (a + (b - c));
   return product > 0 ? std::sqrt(product) / 4 : 0.0;
 }
-
-struct PlanePoint {
-  double x = 0;
-  double y = 0;
-};
 
 /// The apex of a triangle whose base runs from (0, 0) to (base, 0); y >= 0.
 /// `left` and `right` are the distances of the apex from the two ends.

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdio>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -15,9 +16,11 @@
 #include "output_file.hpp"
 #include "progress_bar.hpp"
 #include "repaired_mesh.hpp"
+#include "talweg/core/measure/edge_length_near.hpp"
 #include "talweg/core/measure/measures.hpp"
 #include "talweg/core/measure/self_contacts.hpp"
 #include "talweg/core/measure/surface_deviation.hpp"
+#include "talweg/intrinsic/error.hpp"
 
 namespace talweg::driver {
 namespace {
@@ -29,6 +32,7 @@ struct MeasureOptions {
   std::string report;
   std::string repair;
   std::string mesh_units = "mm";
+  std::optional<double> edge;
 };
 
 void count_contacts(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves,
@@ -39,18 +43,22 @@ void count_contacts(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curve
   }
 }
 
-MeasuredCurve measure_one(const SurfaceMesh& mesh, const SurfaceCurve& curve) {
-  MeasuredCurve measured{curve.points.size(), curve.closed, measure_curve(mesh.surface(), curve),
-                         Point::Zero(),       {},           0};
+MeasuredCurve measure_one(const SurfaceMesh& mesh, const SurfaceCurve& curve,
+                          std::optional<double> edge) {
+  MeasuredCurve measured;
+  measured.points = curve.points.size();
+  measured.closed = curve.closed;
+  measured.edge = edge ? *edge : edge_length_near(mesh.surface(), curve);
+  measured.measures = measure_curve(mesh.surface(), curve, measured.edge);
   measured.max_at = mesh.position(curve.points[measured.measures.max_at]);
   count_contacts(mesh, std::span(&curve, 1), measured);
   return measured;
 }
 
 MeasuredFile measure_file(const SurfaceMesh& mesh, const std::string& name,
-                          const std::vector<SurfaceCurve>& curves) {
+                          const std::vector<SurfaceCurve>& curves, std::optional<double> edge) {
   MeasuredFile file{name, {}, {}};
-  for (const SurfaceCurve& curve : curves) file.curves.push_back(measure_one(mesh, curve));
+  for (const SurfaceCurve& curve : curves) file.curves.push_back(measure_one(mesh, curve, edge));
   file.total = file.curves.front();
   if (curves.size() == 1) return file;
   file.total.contacts.clear();
@@ -63,11 +71,18 @@ MeasuredFile measure_file(const SurfaceMesh& mesh, const std::string& name,
     total.measures.length += c.measures.length;
     total.measures.total_curvature += c.measures.total_curvature;
     total.measures.signed_curvature += c.measures.signed_curvature;
+    total.measures.bending += c.measures.bending;
+    total.measures.window_turning =
+        std::max(total.measures.window_turning, c.measures.window_turning);
+    total.measures.window_turning_2 =
+        std::max(total.measures.window_turning_2, c.measures.window_turning_2);
+    total.edge += c.edge;
     if (c.measures.max_curvature > total.measures.max_curvature) {
       total.measures.max_curvature = c.measures.max_curvature;
       total.max_at = c.max_at;
     }
   }
+  file.total.edge /= static_cast<double>(curves.size());
   return file;
 }
 
@@ -116,6 +131,9 @@ void compare(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves,
 
 Measurement measure(const MeasureOptions& options, const Progress& progress, bool quiet) {
   const LengthUnit unit = LengthUnit::named(options.mesh_units);
+  if (options.edge && !(*options.edge > 0 && std::isfinite(*options.edge))) {
+    throw Error(ErrorCode::kBadUsage, "--edge is a length: a finite number above 0.");
+  }
   ReadMesh read = read_and_repair(options.mesh, options.repair);
   const std::size_t polygons = read.lists.polygon_count;
   const SurfaceMesh mesh = SurfaceMesh::open(std::move(read.lists));
@@ -123,7 +141,7 @@ Measurement measure(const MeasureOptions& options, const Progress& progress, boo
   lead_with_far_move(drawing, quiet);
   Measurement m{mesh.surface().face_count(),
                 mesh.surface().vertex_count(),
-                measure_file(mesh, options.curve, drawing.curves),
+                measure_file(mesh, options.curve, drawing.curves, options.edge),
                 {},
                 {},
                 {},
@@ -136,7 +154,7 @@ Measurement measure(const MeasureOptions& options, const Progress& progress, boo
       drawing.moved = other.moved;
       drawing.far = other.far;
     }
-    m.other = measure_file(mesh, options.other, other.curves);
+    m.other = measure_file(mesh, options.other, other.curves, options.edge);
     compare(mesh, drawing.curves, other.curves, progress, m);
   }
   drawing.gaps = {};  // the joined curve itself is measured
@@ -150,10 +168,10 @@ Measurement measure(const MeasureOptions& options, const Progress& progress, boo
 
 Command add_measure(CLI::App& app, const GlobalOptions& global) {
   auto o = std::make_shared<MeasureOptions>();
-  CLI::App* command = app.add_subcommand(
-      "measure",
-      "Length, geodesic curvature and self-contacts of curves; with a second file also how far "
-      "apart they lie along the surface, both ways");
+  CLI::App* command = app.add_subcommand("measure",
+                                         "Length, geodesic curvature, bending and self-contacts of "
+                                         "curves; with a second file also how far "
+                                         "apart they lie along the surface, both ways");
   command->add_option("mesh", o->mesh, "Mesh: OBJ, OFF, PLY, STL or OM")->required();
   command
       ->add_option("curve", o->curve,
@@ -162,6 +180,10 @@ Command add_measure(CLI::App& app, const GlobalOptions& global) {
   command->add_option("other", o->other,
                       "Curves to compare with: as many are compared one by one in their order, "
                       "more or fewer all together");
+  command->add_option(
+      "--edge", o->edge,
+      "Length of the windows in which turning is measured, mesh units; by default the "
+      "mean edge near each curve. To compare curves give all the same");
   command->add_option("--report", o->report, "What was measured, as JSON");
   add_repair_option(*command, o->repair);
   add_unit_option(*command, o->mesh_units);

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <iterator>
+#include <numbers>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -15,20 +16,26 @@ using nlohmann::ordered_json;
 
 std::string place(const Point& p) { return fmt::format("{:.6g} {:.6g} {:.6g}", p[0], p[1], p[2]); }
 
+double degrees(double angle) { return angle * 180 / std::numbers::pi; }
+
 std::string row(const std::string& name, const MeasuredCurve& c) {
   const CurveMeasures& m = c.measures;
   std::string contacts = std::to_string(c.contacts.size());
   if (c.stretches > 0) contacts += fmt::format(" ({} stretches)", c.stretches);
-  return fmt::format("{:<8}{:>8}{:>8}{:>14.6g}{:>12.6g}{:>12.6g}{:>12.6g}  {:<16}{}\n", name,
-                     c.points, c.closed ? "yes" : "no", m.length, m.total_curvature,
-                     m.signed_curvature, m.max_curvature, contacts,
-                     m.max_curvature > 0 ? place(c.max_at) : "");
+  return fmt::format(
+      "{:<8}{:>8}{:>8}{:>14.6g}{:>12.6g}{:>12.6g}{:>10.4g}{:>10.4g}{:>10.4g}{:>10.4g}  "
+      "{:<16}{}\n",
+      name, c.points, c.closed ? "yes" : "no", m.length, m.total_curvature, m.signed_curvature,
+      m.bending, degrees(m.window_turning), degrees(m.window_turning_2), degrees(m.max_curvature),
+      contacts, m.max_curvature > 0 ? place(c.max_at) : "");
 }
 
 std::string block(const MeasuredFile& file) {
-  std::string text = fmt::format("{}\n{:<8}{:>8}{:>8}{:>14}{:>12}{:>12}{:>12}  {:<16}{}\n",
-                                 file.name, "curve", "points", "closed", "length", "curvature",
-                                 "signed", "max turn", "self-contacts", "max turn at");
+  std::string text = fmt::format(
+      "{}\n{:<8}{:>8}{:>8}{:>14}{:>12}{:>12}{:>10}{:>10}{:>10}{:>10}  "
+      "{:<16}{}\n",
+      file.name, "curve", "points", "closed", "length", "curvature", "signed", "bending", "in 1 h",
+      "in 2 h", "max turn", "self-contacts", "max turn at");
   for (std::size_t i = 0; i < file.curves.size(); ++i) {
     text += row(std::to_string(i), file.curves[i]);
   }
@@ -59,6 +66,10 @@ ordered_json object_of(const MeasuredCurve& c) {
           {"curvature_signed", number(c.measures.signed_curvature)},
           {"curvature_max", number(c.measures.max_curvature)},
           {"curvature_max_at", numbers(c.max_at)},
+          {"bending", number(c.measures.bending)},
+          {"window_turning", number(c.measures.window_turning)},
+          {"window_turning_2", number(c.measures.window_turning_2)},
+          {"edge_length_near", number(c.edge)},
           {"self_contacts", c.contacts.size()},
           {"self_contact_stretches", c.stretches},
           {"self_contacts_at", contacts}};
@@ -95,7 +106,9 @@ std::string measure_table(const Measurement& m) {
     }
     text += deviation_lines("all", m.deviation);
   }
-  text += "Lengths in mesh units, angles in radians.\n";
+  text +=
+      "Lengths in mesh units, curvatures in radians, turns (in windows of one and two mean edges "
+      "near the curve, and at one point) in degrees.\n";
   for (const std::string& warning : m.warnings) text += fmt::format("warning: {}\n", warning);
   return text;
 }

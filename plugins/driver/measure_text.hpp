@@ -11,12 +11,14 @@
 
 namespace talweg::driver {
 
-/// The measures of one curve, or the totals of several: counts, lengths and curvatures are sums,
-/// the largest turn is the maximum, and contacts between curves are included.
+/// The measures of one curve, or the totals of several: counts, lengths, curvatures and
+/// bendings are sums, turns are maxima, the edge length is the mean, and contacts between curves
+/// are included.
 struct MeasuredCurve {
   std::size_t points = 0;
   bool closed = false;
   CurveMeasures measures;
+  double edge = 0;               ///< mesh units: what its windows are compared with
   Point max_at = Point::Zero();  ///< the place of the largest turn
   std::vector<Point> contacts;   ///< the beginnings of self-contacts
   std::size_t stretches = 0;     ///< number of self-contacts that are more than a point

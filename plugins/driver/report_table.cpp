@@ -1,6 +1,7 @@
 #include "report_table.hpp"
 
 #include <iterator>
+#include <numbers>
 
 #include <fmt/format.h>
 
@@ -12,12 +13,20 @@ std::string table_of(const SmoothingReport& r) {
     fmt::format_to(std::back_inserter(out), "{:<22}{:>14}{:>14}  {}\n", name, before, after, unit);
   };
   const auto number = [](double value) { return fmt::format("{:.6g}", value); };
+  const auto degrees = [](double angle) {
+    return fmt::format("{:.4g}", angle * 180 / std::numbers::pi);
+  };
   fmt::format_to(std::back_inserter(out), "{:<22}{:>14}{:>14}\n", "", "drawn", "smoothed");
   line("points", r.points_before, r.points_after, "");
   line("length", number(r.length_before), number(r.length_after), "mesh units");
   line("lifted length", number(r.lifted_length_before), number(r.lifted_length_after), "");
   line("total curvature", number(r.curvature_before), number(r.curvature_after), "rad");
-  line("largest turn", number(r.curvature_max_before), number(r.curvature_max_after), "rad");
+  line("bending", number(r.bending_before), number(r.bending_after), "");
+  line("turn in one edge", degrees(r.window_turning_before), degrees(r.window_turning_after),
+       "degrees");
+  line("turn in two edges", degrees(r.window_turning_2_before), degrees(r.window_turning_2_after),
+       "degrees");
+  line("largest turn", degrees(r.curvature_max_before), degrees(r.curvature_max_after), "degrees");
   const bool through_space = r.deviation == DeviationMeasure::kEuclidean;
   fmt::format_to(std::back_inserter(out), "{:<22}{:>14}{:>14}{}\n", "deviation", "max", "mean",
                  through_space ? "  through space" : "");
@@ -36,8 +45,8 @@ std::string table_of(const SmoothingReport& r) {
   const StageTimes& t = r.time_ms;
   fmt::format_to(std::back_inserter(out),
                  "ms: load {:.1f}, open {:.1f}, solve {:.1f}, straighten {:.2f}, trace {:.2f}, "
-                 "relax {:.2f}, polish {:.2f}; memory {:.0f} MiB\n",
-                 t.load, t.open, t.solve, t.straighten, t.trace, t.relax, t.polish,
+                 "relax {:.2f}, fair {:.2f}; memory {:.0f} MiB\n",
+                 t.load, t.open, t.solve, t.straighten, t.trace, t.relax, t.fair,
                  r.peak_memory_mib);
   if (r.pins_added > 0) {
     fmt::format_to(std::back_inserter(out), "{} points of the drawing were pinned\n", r.pins_added);

@@ -45,6 +45,7 @@ void add_closeness(CLI::App& app, SmoothOptions& o) {
 
 void add_method(CLI::App& app, SmoothOptions& o) {
   add_choice(app, plugins::smooth_parameter("potential"), o.potential);
+  add_choice(app, plugins::smooth_parameter("finish"), o.finish);
   add_choice(app, plugins::smooth_parameter("engine"), o.engine);
   add(app, "heat_time", o.heat_time)->default_str("10");
   add(app, "distance", o.distance);
@@ -80,6 +81,7 @@ void check_method(const SmoothOptions& options) {
   const auto fail = [](const std::string& text) { throw Error(ErrorCode::kBadUsage, text); };
   if (corridor && options.engine == "full") fail("The corridor needs --engine local.");
   if (!corridor && options.engine == "local") fail("The paper's potential needs --engine full.");
+  if (!corridor && options.finish != "fair") fail("--finish needs --potential corridor.");
   const auto check_potential = [&](const char* id, bool given) {
     const std::string its_own = plugins::potential_of(id);
     if (given && its_own != options.potential) {

@@ -32,6 +32,7 @@ struct SmoothOptions {
   std::size_t repeat = 1;
   double tau = plugins::smooth_parameter("tau").default_number;
   std::optional<double> slack;
+  std::string finish = "fair";
   int relax = 0;
   unsigned threads = 2;
 };

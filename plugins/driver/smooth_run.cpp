@@ -23,7 +23,7 @@ StageTimes median_times(const std::vector<StageTimes>& runs) {
   StageTimes times;
   for (double StageTimes::*stage :
        {&StageTimes::load, &StageTimes::open, &StageTimes::solve, &StageTimes::straighten,
-        &StageTimes::trace, &StageTimes::relax, &StageTimes::polish, &StageTimes::total}) {
+        &StageTimes::trace, &StageTimes::relax, &StageTimes::fair, &StageTimes::total}) {
     std::vector<double> values;
     values.reserve(runs.size());
     for (const StageTimes& run : runs) values.push_back(run.*stage);
@@ -133,6 +133,7 @@ plugin::Parameters parameters_of(const Prepared& run) {
   };
   parameters.set_number("tau", o.tau);
   parameters.set_choice("potential", o.potential.c_str());
+  parameters.set_choice("finish", o.finish.c_str());
   parameters.set_choice("engine", o.engine.c_str());
   parameters.set_number("relax", o.relax);
   parameters.set_number("threads", o.threads);

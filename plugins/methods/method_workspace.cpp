@@ -46,7 +46,7 @@ SmoothingReport MethodWorkspace::report_on(const Method& method, std::size_t cur
   drawing().add_to(report.warnings, drawing().warnings());
   StageTimes& t = report.time_ms = method.times;
   t.open = opened_mesh()->open_ms();
-  t.total = t.load + t.open + t.solve + t.straighten + t.trace + t.relax + t.polish;
+  t.total = t.load + t.open + t.solve + t.straighten + t.trace + t.relax + t.fair;
   return report;
 }
 

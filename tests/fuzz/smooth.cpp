@@ -80,7 +80,7 @@ void smooth(const Target& /*target*/, const std::uint8_t* data, std::size_t size
   const std::uint8_t kind = bytes.take<std::uint8_t>();
   how.method = kind % 4 == 0 ? Method::kPaper : Method::kCorridor;
   how.threads = 1;
-  options.polish = kind % 8 != 7;
+  options.finish = kind % 8 != 7 ? Finish::kFair : Finish::kTaut;
   options.tau = kind % 16 == 5 ? 0 : std::ldexp(1.0 + kind / 128.0, bytes.take<std::int8_t>() / 8);
   if (kind % 32 == 9) {
     options.slack = mesh->mesh().mean_edge_length() * bytes.take<std::uint8_t>() / 32;

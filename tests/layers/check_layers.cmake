@@ -6,8 +6,8 @@ set(intrinsic_may intrinsic)
 set(heat_may heat intrinsic)
 set(core_may core heat intrinsic)
 set(plugins_may plugin loader editing core heat intrinsic)
-set(intrinsic_rooms surface flips exact_distance)
-set(core_rooms space mesh measure drawing smoothing repair io cutting labels openmesh front)
+set(intrinsic_rooms surface lines flips exact_distance)
+set(core_rooms space mesh measure drawing fairing smoothing repair io cutting labels openmesh front)
 # Outside headers that have one home: a regular expression and the files that may include it.
 set(homes "cholmod\\.h@^heat/cholesky_factor\\.cpp$" "^OpenMesh/@^core/openmesh/")
 

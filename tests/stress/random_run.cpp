@@ -154,15 +154,15 @@ SmoothingOptions random_options(const SurfaceMesh& mesh, Random& random, std::st
   if (random.one_in(4)) options.slack = random.scale(1e-6, 30) * mesh.mean_edge_length();
   if (random.one_in(20)) options.slack = 0;
   if (random.one_in(6)) options.phase_turns = static_cast<int>(random.below(65));
-  options.polish = !random.one_in(8);
+  if (random.one_in(8)) options.finish = Finish::kTaut;
   if (random.one_in(6)) options.relax_rounds = static_cast<int>(1 + random.below(8));
   if (random.one_in(12)) options.max_iterations = 1 + random.below(50);
   if (random.one_in(12)) options.min_relative_length = random.unit();
   if (random.one_in(12)) options.length_floor = random.scale(1e-3, 100) * mesh.mean_edge_length();
   if (random.one_in(4)) options.deviation = DeviationMeasure::kNone;
-  what += fmt::format("tau {:.3g} slack {:.3g} turns {} polish {} relax {}", options.tau,
-                      options.slack.value_or(-1), options.phase_turns, options.polish,
-                      options.relax_rounds);
+  what += fmt::format("tau {:.3g} slack {:.3g} turns {} taut {} relax {}", options.tau,
+                      options.slack.value_or(-1), options.phase_turns,
+                      options.finish == Finish::kTaut, options.relax_rounds);
   return options;
 }
 

@@ -20,15 +20,18 @@
 namespace talweg::driver {
 namespace {
 
-CurveNumbers numbers_of(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves) {
+CurveNumbers numbers_of(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves,
+                        double edge) {
   CurveNumbers numbers;
   numbers.curves = curves.size();
   for (const SurfaceCurve& curve : curves) {
-    const CurveMeasures m = measure_curve(mesh.surface(), curve);
+    const CurveMeasures m = measure_curve(mesh.surface(), curve, edge);
     numbers.points += curve.points.size();
     numbers.length += m.length;
     numbers.curvature += m.total_curvature;
     numbers.largest_turn = std::max(numbers.largest_turn, m.max_curvature);
+    numbers.bending += m.bending;
+    numbers.window_turning = std::max(numbers.window_turning, m.window_turning);
   }
   numbers.contacts = self_contacts(mesh.surface(), curves).size();
   numbers.pieces = pieces_along(mesh, curves, false);
@@ -179,7 +182,7 @@ class MethodRuns {
       run.refusal = "No curve is left.";
       return;
     }
-    run.numbers = numbers_of(mesh_, curves);
+    run.numbers = numbers_of(mesh_, curves, comparison_.edge);
     measure_deviation(mesh_, curves, drawing_.curves, comparison_.drawn.length, run);
     run.changed = change_of_kind(mesh_, drawing_.curves, comparison_.drawn, curves, run.numbers);
     const std::string termination = results.text("termination");
@@ -215,12 +218,12 @@ Comparison compare_methods(const ReadMesh& read, const SnappedDrawing& drawing,
   Comparison comparison;
   comparison.faces = mesh.surface().face_count();
   comparison.methods = options.methods;
-  comparison.drawn = numbers_of(mesh, drawing.curves);
   for (const SurfaceCurve& curve : drawing.curves) {
     comparison.edge += edge_length_near(mesh.surface(), curve);
     comparison.drawing.push_back(in_file_numbers(read.map.get(), place(mesh, curve)));
   }
   comparison.edge /= static_cast<double>(drawing.curves.size());
+  comparison.drawn = numbers_of(mesh, drawing.curves, comparison.edge);
   const MethodRuns runs(read, drawing, mesh, comparison, options);
   const auto add = [&](std::vector<ComparedRun> more) {
     std::move(more.begin(), more.end(), std::back_inserter(comparison.runs));

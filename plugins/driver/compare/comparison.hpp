@@ -22,7 +22,8 @@ namespace talweg::driver {
 struct CurveNumbers {
   std::size_t curves = 0, points = 0;
   double length = 0;
-  double curvature = 0, largest_turn = 0;
+  double curvature = 0, largest_turn = 0;  ///< radians
+  double bending = 0, window_turning = 0;  ///< with the mean edge near the drawing
   std::size_t contacts = 0;                ///< places where the curves touch or cross
   std::vector<std::int64_t> pieces, bare;  ///< from pieces_along(), with and without spikes
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 #include <fmt/format.h>
@@ -15,11 +16,21 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr std::size_t kMeasures = 8;
+constexpr std::size_t kMeasures = 10;
 using TableRow = std::array<std::string, kMeasures>;
 
-const TableRow kHead = {"method",         "parameter", "curvature, rad",   "to drawing, edges",
-                        "from it, edges", "length, x", "first, again, ms", "kind"};
+const TableRow kHead = {"method",           "parameter",
+                        "curvature, rad",   "bending",
+                        "in one edge, deg", "to drawing, edges",
+                        "from it, edges",   "length, x",
+                        "first, again, ms", "kind"};
+
+/// Curvature, bending and turning in one edge.
+void add_turns(const CurveNumbers& n, TableRow& row) {
+  row[2] = fmt::format("{:.3f}", n.curvature);
+  row[3] = fmt::format("{:.3f}", n.bending);
+  row[4] = fmt::format("{:.0f}", n.window_turning * 180 / std::numbers::pi);
+}
 
 std::string parameter_of(const Comparison& c, const ComparedRun& run) {
   if (!run.value) return "default";
@@ -27,7 +38,9 @@ std::string parameter_of(const Comparison& c, const ComparedRun& run) {
 }
 
 TableRow drawing_row(const Comparison& c) {
-  return {"(drawing)", "", fmt::format("{:.3f}", c.drawn.curvature), "", "", "", "", ""};
+  TableRow row{"(drawing)"};
+  add_turns(c.drawn, row);
+  return row;
 }
 
 TableRow row_of(const Comparison& c, const ComparedRun& run) {
@@ -35,16 +48,16 @@ TableRow row_of(const Comparison& c, const ComparedRun& run) {
   row[0] = c.methods[run.method].name;
   row[1] = parameter_of(c, run);
   if (!run.refusal.empty()) {
-    row[7] = "refused";
+    row[9] = "refused";
     return row;
   }
-  row[2] = fmt::format("{:.3f}", run.numbers.curvature);
-  row[3] = fmt::format("{:.2f} ({:.2f})", run.to_drawn / c.edge, run.to_drawn_mean / c.edge);
-  row[4] = fmt::format("{:.2f} ({:.2f})", run.from_drawn / c.edge, run.from_drawn_mean / c.edge);
-  row[5] = fmt::format("{:.4f}", run.numbers.length / c.drawn.length);
-  row[6] = fmt::format("{:.0f}", run.first_ms);
-  if (run.again_ms) row[6] += fmt::format(", {:.0f}", *run.again_ms);
-  row[7] = run.changed.empty() ? "kept" : run.changed;
+  add_turns(run.numbers, row);
+  row[5] = fmt::format("{:.2f} ({:.2f})", run.to_drawn / c.edge, run.to_drawn_mean / c.edge);
+  row[6] = fmt::format("{:.2f} ({:.2f})", run.from_drawn / c.edge, run.from_drawn_mean / c.edge);
+  row[7] = fmt::format("{:.4f}", run.numbers.length / c.drawn.length);
+  row[8] = fmt::format("{:.0f}", run.first_ms);
+  if (run.again_ms) row[8] += fmt::format(", {:.0f}", *run.again_ms);
+  row[9] = run.changed.empty() ? "kept" : run.changed;
   return row;
 }
 
@@ -54,6 +67,8 @@ ordered_json json_of(const CurveNumbers& n) {
           {"length", n.length},
           {"curvature", n.curvature},
           {"curvature_max", n.largest_turn},
+          {"bending", n.bending},
+          {"window_turning", n.window_turning},
           {"contacts", n.contacts}};
 }
 
@@ -186,7 +201,8 @@ std::string comparison_json(const Comparison& c) {
 
 std::string comparison_csv(const Comparison& c) {
   std::string text =
-      "method,plugin,parameter,value,curvature,curvature_before,deviation_to_drawn_max,"
+      "method,plugin,parameter,value,curvature,curvature_before,bending,bending_before,"
+      "window_turning,window_turning_before,deviation_to_drawn_max,"
       "deviation_to_drawn_mean,deviation_from_drawn_max,deviation_from_drawn_mean,edge_length_near,"
       "length,length_before,contacts,first_ms,again_ms,kind\n";
   for (const ComparedRun& run : c.runs) {
@@ -194,14 +210,15 @@ std::string comparison_csv(const Comparison& c) {
     text += fmt::format("{},{},{},{}", m.name, m.plugin, run.value ? m.swept : "",
                         run.value ? fmt::format("{}", *run.value) : "");
     if (!run.refusal.empty()) {
-      text += ",,,,,,,,,,,,,refused\n";
+      text += ",,,,,,,,,,,,,,,,,refused\n";
       continue;
     }
-    text += fmt::format(",{},{},{},{},{},{},{},{},{},{},{:.3f},{},{}\n", run.numbers.curvature,
-                        c.drawn.curvature, run.to_drawn, run.to_drawn_mean, run.from_drawn,
-                        run.from_drawn_mean, c.edge, run.numbers.length, c.drawn.length,
-                        run.numbers.contacts, run.first_ms,
-                        run.again_ms ? fmt::format("{:.3f}", *run.again_ms) : "",
+    text += fmt::format(",{},{},{},{},{},{},{},{},{},{},{},{},{},{},{:.3f},{},{}\n",
+                        run.numbers.curvature, c.drawn.curvature, run.numbers.bending,
+                        c.drawn.bending, run.numbers.window_turning, c.drawn.window_turning,
+                        run.to_drawn, run.to_drawn_mean, run.from_drawn, run.from_drawn_mean,
+                        c.edge, run.numbers.length, c.drawn.length, run.numbers.contacts,
+                        run.first_ms, run.again_ms ? fmt::format("{:.3f}", *run.again_ms) : "",
                         run.changed.empty() ? "kept" : run.changed);
   }
   return text;

@@ -17,6 +17,8 @@ using plugin::Parameters;
 constexpr const char* kPotentials[] = {"corridor", "paper"};
 constexpr const char* kPotentialLabels[] = {"Corridor: flat within the slack",
                                             "The paper's, equations 4 to 6"};
+constexpr const char* kFinishes[] = {"fair", "taut"};
+constexpr const char* kFinishLabels[] = {"Fair: turns evenly", "Taut: straight, with kinks"};
 constexpr const char* kEngines[] = {"auto", "full", "local"};
 constexpr const char* kEngineLabels[] = {"Automatic", "Distance over the whole mesh (paper)",
                                          "Distance near the drawing (corridor)"};
@@ -72,6 +74,10 @@ std::vector<talweg_parameter> main_parameters() {
           kRun, kOptional | TALWEG_OPEN_MINIMUM),
       choice("potential", "Potential", "corridor", kPotentials, kPotentialLabels,
              "paper: equations 4 to 6; corridor: flat within the slack, exact distance.", kCurves),
+      choice("finish", "Finish", "fair", kFinishes, kFinishLabels,
+             "fair: turns evenly, between walls near the drawing; taut: straight with kinks, as "
+             "short as it gets (corridor).",
+             kRun),
       array(TALWEG_FIELD, "slack_field", "Slack field", "mesh units",
             "The slack near each mesh vertex, instead of slack (corridor)."),
       array(TALWEG_VERTICES, "pin", "Pins", "",
@@ -119,7 +125,6 @@ std::vector<talweg_parameter> further_parameters() {
       integer("phase_turns", "Turns of the phase", 3, {0, 64, 0, 8},
               "How often the corridor's phase runs around a loop, at most points / 8.", kRun,
               kAdvanced),
-      boolean("polish", "Polish", true, "Polish the corridor's result.", kRun, kAdvanced),
       integer("max_iterations", "Most iterations", 0, {0, 1e9, 0, 1e6},
               "Of the straightening; 0: its own bound.", kRun, kAdvanced),
       number("min_relative_length", "Least relative length", "", 0, {0, 1, 0, 1},
@@ -204,7 +209,7 @@ SmoothingOptions smoothing_options_of(const Parameters& p, const Surface& surfac
   options.potential = potential_options_of(p);
   options.slack = p.optional("slack");
   options.phase_turns = static_cast<int>(p.number("phase_turns"));
-  options.polish = p.flag("polish");
+  options.finish = p.choice("finish") == "fair" ? Finish::kFair : Finish::kTaut;
   options.relax_rounds = static_cast<int>(p.number("relax"));
   const double most = p.number("max_iterations");
   if (most > 0) options.max_iterations = static_cast<std::size_t>(most);

@@ -30,6 +30,10 @@ std::vector<Run> default_runs(const Subject& subject, const CurveOptions& curve_
       const SmoothingResult result = smoother.smooth(options);
       const SmoothingReport& report = result.report();
       run.tau = tau;
+      run.bending_before = report.bending_before;
+      run.bending_after = report.bending_after;
+      run.window_turning = report.window_turning_after;
+      run.largest_turn = report.curvature_max_after;
       run.curvature_after = report.curvature_after;
       if (drawing.closed) {
         // What the curve turns in all is given by the curvature that it encloses.
@@ -42,7 +46,7 @@ std::vector<Run> default_runs(const Subject& subject, const CurveOptions& curve_
       run.length_ratio = report.length_after / report.length_before;
       const StageTimes& times = report.time_ms;
       run.solve_ms = times.solve;
-      run.smooth_ms = times.straighten + times.trace + times.relax + times.polish;
+      run.smooth_ms = times.straighten + times.trace + times.relax + times.fair;
       run.termination = report.termination;
       run.warned = !report.warnings.empty();
       runs.push_back(run);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <numbers>
 #include <utility>
 
 #include <fmt/format.h>
@@ -13,10 +14,13 @@
 namespace talweg::quality {
 namespace {
 
-constexpr double kMedianRatio = 0.06, kWorstRatio = 0.25;
-constexpr double kClose = 1.5, kFar = 3, kNotFar = 0.95;  // h₀, h₀, part of the runs
-constexpr double kRises = 0.02, kMoves = 0.05;            // parts of the steps
-constexpr double kApart = 0.5, kRougher = 1.1;            // h₀, times
+constexpr double kMedianBent = 0.008, kWorstBent = 0.03;               // after / before
+constexpr double kMedianWindow = 18, kWorstWindow = 30, kLargest = 5;  // degrees
+constexpr double kMedianRatio = 0.058, kWorstRatio = 0.25;
+constexpr double kClose = 1, kFar = 3, kNotFar = 0.97;              // h₀, h₀, part of the runs
+constexpr double kRises = 0.02, kMoves = 0.01, kMovesOfOne = 0.03;  // parts of the steps
+constexpr double kMedianApart = 0.1, kWorstApart = 0.3;             // h₀
+constexpr double kOther = 1.1;                                      // times, or once over that
 
 double percent(double part) { return 100 * part; }
 
@@ -38,6 +42,36 @@ void of_ratios(const char* which, const std::vector<double>& ratios, std::vector
       kWorstRatio));
 }
 
+/// A goal for the median and one for the worst of these values.
+void of_values(const char* what, const char* unit, const std::vector<double>& values,
+               double median_bound, double worst_bound, std::vector<Goal>& goals) {
+  if (values.empty()) return;
+  const double median = quantile(values, 0.5), worst = quantile(values, 1);
+  goals.push_back(at_most(fmt::format("{}, median", what),
+                          fmt::format("≤ {}{}", median_bound, unit),
+                          fmt::format("{:.3g}{}", median, unit), median, median_bound));
+  goals.push_back(at_most(fmt::format("{}, worst", what), fmt::format("≤ {}{}", worst_bound, unit),
+                          fmt::format("{:.3g}{}; within in {:.0f} %", worst, unit,
+                                      percent(share_within(values, worst_bound))),
+                          worst, worst_bound));
+}
+
+/// How the turning is spread at τ = 1.
+void of_spread(std::span<const Run> runs, std::vector<Goal>& goals) {
+  constexpr double kDegrees = 180 / std::numbers::pi;
+  std::vector<double> bent, windows, turns;
+  for (const Run& run : runs) {
+    if (run.tau != 1) continue;
+    if (jagged(run)) bent.push_back(run.bending_after / run.bending_before);
+    windows.push_back(kDegrees * run.window_turning);
+    turns.push_back(kDegrees * run.largest_turn);
+  }
+  of_values("τ = 1: bending after / before, drawings of 25 rad and more", "", bent, kMedianBent,
+            kWorstBent, goals);
+  of_values("τ = 1: turn in one h₀", "°", windows, kMedianWindow, kWorstWindow, goals);
+  of_values("τ = 1: largest turn at one point", "°", turns, kLargest, kLargest, goals);
+}
+
 void of_runs(std::span<const Run> runs, std::vector<Goal>& goals) {
   if (runs.empty()) return;
   std::vector<double> ratios, every_ratio, to, both;
@@ -46,7 +80,7 @@ void of_runs(std::span<const Run> runs, std::vector<Goal>& goals) {
     every_ratio.push_back(run.ratio());
     if (jagged(run)) ratios.push_back(run.ratio());
     if (run.termination == Outcome::kCollapsed) ++collapsed;
-    if (run.tau < 2) continue;
+    if (run.tau != 1) continue;
     to.push_back(run.to_drawn);
     both.push_back(std::max(run.to_drawn, run.from_drawn));
   }
@@ -54,9 +88,9 @@ void of_runs(std::span<const Run> runs, std::vector<Goal>& goals) {
   of_ratios("all drawings", every_ratio, goals);
   if (!to.empty()) {
     const double median = quantile(to, 0.5), near = share_within(both, kFar);
-    goals.push_back(at_most("τ ≥ 2: result to drawing, median", fmt::format("≤ {} h₀", kClose),
+    goals.push_back(at_most("τ = 1: result to drawing, median", fmt::format("≤ {} h₀", kClose),
                             fmt::format("{:.2f} h₀", median), median, kClose));
-    goals.push_back({fmt::format("τ ≥ 2: both directions within {} h₀", kFar),
+    goals.push_back({fmt::format("τ = 1: both directions within {} h₀", kFar),
                      fmt::format("≥ {:.0f} % of the runs", percent(kNotFar)),
                      fmt::format("{:.1f} %", percent(near)), near >= kNotFar});
   }
@@ -78,28 +112,31 @@ void of_sweeps(std::span<const Sweep> sweeps, std::vector<Goal>& goals) {
   };
   add("τ swept: deviation rises by > 0.1 h₀", rises, kRises);
   add("τ swept: curve moves by > 0.2 h₀", moves, kMoves);
+  double worst = 0;
+  for (const Sweep& s : sweeps) {
+    if (s.steps == 0) continue;
+    worst = std::max(worst, static_cast<double>(s.moves) / static_cast<double>(s.steps));
+  }
+  goals.push_back(at_most("τ swept: the same, of the worst drawing",
+                          fmt::format("≤ {:.0f} %", percent(kMovesOfOne)),
+                          fmt::format("{:.1f} %", percent(worst)), worst, kMovesOfOne));
 }
 
 void of_subdivisions(std::span<const Subdivision> subdivisions, std::vector<Goal>& goals) {
-  if (subdivisions.empty()) return;
-  std::vector<double> apart, rougher;
+  std::vector<double> apart, other;
   for (const Subdivision& s : subdivisions) {
     apart.push_back(std::max(s.apart[1], s.apart[2]));
-    rougher.push_back(std::max(s.curvature[1], s.curvature[2]) / s.curvature[0]);
+    double most = 1;
+    for (const std::size_t level : {1, 2}) {
+      const double ratio = s.bending[level] / s.bending[0];
+      most = std::max({most, ratio, 1 / ratio});
+    }
+    other.push_back(most);
   }
-  const auto add = [&](const char* what, const std::string& asked, const char* unit,
-                       const std::vector<double>& values, double bound) {
-    const double worst = quantile(values, 1);
-    goals.push_back(at_most(
-        what, asked,
-        fmt::format("median {:.2f}, worst {:.2f}{}; within in {:.0f} %", quantile(values, 0.5),
-                    worst, unit, percent(share_within(values, bound))),
-        worst, bound));
-  };
-  add("finer mesh: result apart from the coarse mesh's", fmt::format("≤ {} h₀", kApart), " h₀",
-      apart, kApart);
-  add("finer mesh: curvature over the coarse mesh's", fmt::format("≤ {}", kRougher), "", rougher,
-      kRougher);
+  of_values("finer mesh: result apart from the coarse mesh's", " h₀", apart, kMedianApart,
+            kWorstApart, goals);
+  of_values("finer mesh: bending over the coarse mesh's, or under", "", other, kOther, kOther,
+            goals);
 }
 
 }  // namespace
@@ -107,6 +144,7 @@ void of_subdivisions(std::span<const Subdivision> subdivisions, std::vector<Goal
 std::vector<Goal> goals(std::span<const Run> runs, std::span<const Sweep> sweeps,
                         std::span<const Subdivision> subdivisions) {
   std::vector<Goal> result;
+  of_spread(runs, result);
   of_runs(runs, result);
   of_sweeps(sweeps, result);
   of_subdivisions(subdivisions, result);

@@ -26,6 +26,8 @@ struct Run {
   bool closed = false;
   double edge = 0;  ///< h₀, mesh units
   double tau = 0;
+  double bending_before = 0, bending_after = 0;  ///< with h₀
+  double window_turning = 0, largest_turn = 0;   ///< of the result: in one h₀, and at one point
   double curvature_before = 0, curvature_after = 0;
   double least_curvature = 0;                      ///< of closed curves, by Gauss and Bonnet
   double to_drawn = 0, from_drawn = 0, slack = 0;  ///< h₀
@@ -59,6 +61,7 @@ Sweep sweep(const Subject& subject, const NamedPath& drawing, const CurveOptions
 struct Subdivision {
   std::string mesh, drawing;
   double curvature[3] = {};  ///< by level
+  double bending[3] = {};    ///< by level, with h₀ of the coarsest
   double apart[3] = {};      ///< Hausdorff distance to the coarsest's result, h₀ of the coarsest
 };
 Subdivision subdivision(const Subject& subject, const NamedPath& drawing, double tau,

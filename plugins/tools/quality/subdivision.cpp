@@ -4,6 +4,7 @@
 
 #include "talweg/core/measure/deviation.hpp"
 #include "talweg/core/measure/edge_length_near.hpp"
+#include "talweg/core/measure/measures.hpp"
 #include "talweg/core/smoothing/corridor_width.hpp"
 #include "tools/paper/refinement.hpp"
 #include "tools/quality/runs.hpp"
@@ -46,7 +47,7 @@ std::vector<VertexId> with_midpoints(const SurfaceMesh& finer, std::size_t verti
 
 Subdivision subdivision(const Subject& subject, const NamedPath& drawing, double tau,
                         const CurveOptions& curve_options) {
-  Subdivision result{subject.name, drawing.name, {}, {}};
+  Subdivision result{subject.name, drawing.name, {}, {}, {}};
   const Surface& coarse = subject.mesh->surface();
   const double edge = edge_length_near(coarse, drawing.curve(coarse));
   SmoothingOptions options;
@@ -69,6 +70,7 @@ Subdivision subdivision(const Subject& subject, const NamedPath& drawing, double
     if (level == 0) coarsest = points;
     const Deviation apart = deviation(points, now.closed, coarsest, now.closed);
     result.curvature[level] = smoothed.report().curvature_after;
+    result.bending[level] = measure_curve(mesh->surface(), smoothed.curve(), edge).bending;
     result.apart[level] = std::max(apart.to_drawn.max, apart.from_drawn.max) / edge;
   }
   return result;

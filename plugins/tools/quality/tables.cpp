@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 #include <iterator>
+#include <numbers>
 #include <vector>
 
 #include <fmt/format.h>
@@ -15,11 +16,18 @@ namespace {
 
 constexpr double kJagged = 25;  // rad; drawings that turn less are smooth already
 
+double degrees(double angle) { return angle * 180 / std::numbers::pi; }
+
 std::string row(const std::string& name, std::span<const Run> runs) {
-  std::vector<double> ratios, to, from, both, shrunk;
+  std::vector<double> bent, windows, turns, ratios, to, from, both, shrunk;
   std::size_t collapsed = 0;
   for (const Run& run : runs) {
-    if (jagged(run)) ratios.push_back(run.ratio());
+    if (jagged(run)) {
+      bent.push_back(run.bending_after / run.bending_before);
+      ratios.push_back(run.ratio());
+    }
+    windows.push_back(degrees(run.window_turning));
+    turns.push_back(degrees(run.largest_turn));
     to.push_back(run.to_drawn);
     from.push_back(run.from_drawn);
     both.push_back(std::max(run.to_drawn, run.from_drawn));
@@ -27,7 +35,10 @@ std::string row(const std::string& name, std::span<const Run> runs) {
     if (run.termination == Outcome::kCollapsed) ++collapsed;
   }
   return fmt::format(
-      "| {} | {} | {} | {:.2f} | {:.2f} | {:.0f} % | {} | {} |\n", name, runs.size(),
+      "| {} | {} | {} | {:.0f} | {:.0f} | {:.0f} | {} | {:.2f} | {:.2f} | {:.0f} % | {} | {} |\n",
+      name, runs.size(),
+      bent.empty() ? " | " : fmt::format("{:.3f} | {:.3f}", quantile(bent, 0.5), quantile(bent, 1)),
+      quantile(windows, 0.5), quantile(windows, 1), quantile(turns, 1),
       ratios.empty() ? " | "
                      : fmt::format("{:.3f} | {:.3f}", quantile(ratios, 0.5), quantile(ratios, 1)),
       quantile(to, 0.5), quantile(from, 0.5), 100 * share_within(both, 3),
@@ -35,9 +46,11 @@ std::string row(const std::string& name, std::span<const Run> runs) {
 }
 
 constexpr const char* kHead =
-    "| | runs | curvature after / before, median | worst | result to drawing, median [h₀] | "
+    "| | runs | bending after / before, median | worst | turn in one h₀, median [°] | worst | "
+    "largest turn [°] | curvature after / before, median | worst | result to drawing, median [h₀] "
+    "| "
     "drawing to result, median [h₀] | both within 3 h₀ | shortest loop after / before | collapsed "
-    "|\n|---|--:|--:|--:|--:|--:|--:|--:|--:|\n";
+    "|\n|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|\n";
 
 std::vector<Run> picked(std::span<const Run> runs, const std::function<bool(const Run&)>& pick) {
   std::vector<Run> result;
@@ -68,16 +81,19 @@ bool jagged(const Run& run) { return run.curvature_before >= kJagged; }
 
 std::string csv(std::span<const Run> runs) {
   std::string text =
-      "mesh,drawing,closed,edge,tau,curvature_before,curvature_after,least_curvature,ratio,to_"
+      "mesh,drawing,closed,edge,tau,bending_before,bending_after,window_turning,largest_turn,"
+      "curvature_before,curvature_after,least_curvature,ratio,to_"
       "drawn,"
       "from_drawn,slack,length_ratio,solve_ms,smooth_ms,termination,warned\n";
   for (const Run& r : runs) {
     text += fmt::format(
-        "{},{},{},{:.6g},{},{:.3f},{:.3f},{:.3f},{:.4f},{:.3f},{:.3f},{:.3f},"
+        "{},{},{},{:.6g},{},{:.4f},{:.4f},{:.4f},{:.4f},{:.3f},{:.3f},{:.3f},{:.4f},{:.3f},{:.3f},{"
+        ":.3f},"
         "{:.4f},{:.2f},{:.2f},{},{}\n",
-        r.mesh, r.drawing, int{r.closed}, r.edge, r.tau, r.curvature_before, r.curvature_after,
-        r.least_curvature, r.ratio(), r.to_drawn, r.from_drawn, r.slack, r.length_ratio, r.solve_ms,
-        r.smooth_ms, to_string(r.termination), int{r.warned});
+        r.mesh, r.drawing, int{r.closed}, r.edge, r.tau, r.bending_before, r.bending_after,
+        r.window_turning, r.largest_turn, r.curvature_before, r.curvature_after, r.least_curvature,
+        r.ratio(), r.to_drawn, r.from_drawn, r.slack, r.length_ratio, r.solve_ms, r.smooth_ms,
+        to_string(r.termination), int{r.warned});
   }
   return text;
 }
@@ -157,12 +173,16 @@ std::string tables(std::span<const Sweep> sweeps) {
 
 std::string tables(std::span<const Subdivision> subdivisions) {
   std::string text =
-      "| mesh | drawing | curvature on the mesh [rad] | divided once | twice | apart, once [h₀] | "
-      "twice [h₀] |\n|---|---|--:|--:|--:|--:|--:|\n";
+      "| mesh | drawing | bending on the mesh | divided once | twice | curvature on the mesh [rad] "
+      "| "
+      "divided once | twice | apart, once [h₀] | twice [h₀] |\n"
+      "|---|---|--:|--:|--:|--:|--:|--:|--:|--:|\n";
   for (const Subdivision& s : subdivisions) {
-    text +=
-        fmt::format("| {} | {} | {:.2f} | {:.2f} | {:.2f} | {:.2f} | {:.2f} |\n", s.mesh, s.drawing,
-                    s.curvature[0], s.curvature[1], s.curvature[2], s.apart[1], s.apart[2]);
+    text += fmt::format(
+        "| {} | {} | {:.2f} | {:.2f} | {:.2f} | {:.2f} | {:.2f} | {:.2f} | {:.2f} | "
+        "{:.2f} |\n",
+        s.mesh, s.drawing, s.bending[0], s.bending[1], s.bending[2], s.curvature[0], s.curvature[1],
+        s.curvature[2], s.apart[1], s.apart[2]);
   }
   return text;
 }

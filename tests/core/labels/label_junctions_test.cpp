@@ -83,8 +83,8 @@ TEST(LabelJunctions, OfThreeRegionsOnASheetEndAt120Degrees) {
     return most;
   };
   EXPECT_GT(worst(fixed), 9 * kDegree);
-  EXPECT_LT(worst(free), 2 * kDegree);
-  EXPECT_LT(free.imbalance_after, 0.03);
+  EXPECT_LT(worst(free), 4 * kDegree);
+  EXPECT_LT(free.imbalance_after, 0.06);
   EXPECT_LT(free.total.length_after, fixed.total.length_after);
 }
 

@@ -27,15 +27,28 @@ SmoothingReport numbered(double start) {
   r.termination = Outcome::kConverged;
   r.deviation = DeviationMeasure::kAlongSurface;
   double next = start;
-  for (double SmoothingReport::*field :
-       {&SmoothingReport::tau, &SmoothingReport::slack, &SmoothingReport::length_before,
-        &SmoothingReport::length_after, &SmoothingReport::lifted_length_before,
-        &SmoothingReport::lifted_length_after, &SmoothingReport::curvature_before,
-        &SmoothingReport::curvature_after, &SmoothingReport::curvature_max_before,
-        &SmoothingReport::curvature_max_after, &SmoothingReport::deviation_to_drawn_max,
-        &SmoothingReport::deviation_to_drawn_mean, &SmoothingReport::deviation_from_drawn_max,
-        &SmoothingReport::deviation_from_drawn_mean, &SmoothingReport::mollification,
-        &SmoothingReport::peak_memory_mib}) {
+  for (double SmoothingReport::*field : {&SmoothingReport::tau,
+                                         &SmoothingReport::slack,
+                                         &SmoothingReport::length_before,
+                                         &SmoothingReport::length_after,
+                                         &SmoothingReport::lifted_length_before,
+                                         &SmoothingReport::lifted_length_after,
+                                         &SmoothingReport::curvature_before,
+                                         &SmoothingReport::curvature_after,
+                                         &SmoothingReport::curvature_max_before,
+                                         &SmoothingReport::curvature_max_after,
+                                         &SmoothingReport::bending_before,
+                                         &SmoothingReport::bending_after,
+                                         &SmoothingReport::window_turning_before,
+                                         &SmoothingReport::window_turning_after,
+                                         &SmoothingReport::window_turning_2_before,
+                                         &SmoothingReport::window_turning_2_after,
+                                         &SmoothingReport::deviation_to_drawn_max,
+                                         &SmoothingReport::deviation_to_drawn_mean,
+                                         &SmoothingReport::deviation_from_drawn_max,
+                                         &SmoothingReport::deviation_from_drawn_mean,
+                                         &SmoothingReport::mollification,
+                                         &SmoothingReport::peak_memory_mib}) {
     r.*field = next++;
   }
   for (std::size_t SmoothingReport::*field :
@@ -47,7 +60,7 @@ SmoothingReport numbered(double start) {
   }
   for (double StageTimes::*field :
        {&StageTimes::load, &StageTimes::open, &StageTimes::solve, &StageTimes::straighten,
-        &StageTimes::trace, &StageTimes::relax, &StageTimes::polish, &StageTimes::total}) {
+        &StageTimes::trace, &StageTimes::relax, &StageTimes::fair, &StageTimes::total}) {
     r.time_ms.*field = next++;
   }
   r.deviation_at = Point(next, next + 1, next + 2);
@@ -76,6 +89,12 @@ TEST(Report, HasItsStableNames) {
                            "curvature_after",
                            "curvature_max_before",
                            "curvature_max_after",
+                           "bending_before",
+                           "bending_after",
+                           "window_turning_before",
+                           "window_turning_after",
+                           "window_turning_2_before",
+                           "window_turning_2_after",
                            "deviation",
                            "deviation_to_drawn_max",
                            "deviation_to_drawn_mean",
@@ -119,6 +138,12 @@ TEST(Report, HasEachNumberUnderItsName) {
   EXPECT_EQ(j["curvature_after"], r.curvature_after);
   EXPECT_EQ(j["curvature_max_before"], r.curvature_max_before);
   EXPECT_EQ(j["curvature_max_after"], r.curvature_max_after);
+  EXPECT_EQ(j["bending_before"], r.bending_before);
+  EXPECT_EQ(j["bending_after"], r.bending_after);
+  EXPECT_EQ(j["window_turning_before"], r.window_turning_before);
+  EXPECT_EQ(j["window_turning_after"], r.window_turning_after);
+  EXPECT_EQ(j["window_turning_2_before"], r.window_turning_2_before);
+  EXPECT_EQ(j["window_turning_2_after"], r.window_turning_2_after);
   EXPECT_EQ(j["deviation"], "surface");
   EXPECT_EQ(j["deviation_to_drawn_max"], r.deviation_to_drawn_max);
   EXPECT_EQ(j["deviation_to_drawn_mean"], r.deviation_to_drawn_mean);
@@ -133,7 +158,7 @@ TEST(Report, HasEachNumberUnderItsName) {
   EXPECT_EQ(j["mollification"], r.mollification);
   EXPECT_EQ(j["warnings"], nlohmann::json(r.warnings));
   EXPECT_EQ(j["time_ms"]["load"], r.time_ms.load);
-  EXPECT_EQ(j["time_ms"]["polish"], r.time_ms.polish);
+  EXPECT_EQ(j["time_ms"]["fair"], r.time_ms.fair);
   EXPECT_EQ(j["time_ms"]["total"], r.time_ms.total);
   EXPECT_EQ(j["peak_memory_mib"], r.peak_memory_mib);
 }

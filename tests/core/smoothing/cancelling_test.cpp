@@ -94,16 +94,16 @@ TEST(Asking, EveryStageOfTheDefaultPathAsks) {
   EXPECT_GE(setting.of("solve"), 1U);
   SmoothingOptions options;
   smoother.smooth(options, smoothing.progress());
-  for (const char* stage : {"straighten", "trace", "polish", "measure"}) {
+  for (const char* stage : {"straighten", "trace", "fair", "measure"}) {
     EXPECT_GE(smoothing.of(stage), 1U) << stage;
   }
-  // The polish looks at every point in at least two rounds of an anchor and of the result.
-  EXPECT_GE(smoothing.of("polish"), 4 * 4 * drawn.points.size() / Asker::kEvery);
-  // With the anchors kept there is a polish still, and the deviation.
+  // Fairing moves every sample in at least two rounds on either level.
+  EXPECT_GE(smoothing.of("fair"), 4 * drawn.points.size() / Asker::kEvery);
+  // With its rung kept there is another rung to be found, and the deviation.
   options.tau = 1.01;
   smoother.smooth(options, again.progress());
   EXPECT_EQ(again.of("trace"), 0U);
-  EXPECT_GE(again.of("polish"), 4 * drawn.points.size() / Asker::kEvery);
+  EXPECT_GE(again.of("fair"), 4 * drawn.points.size() / Asker::kEvery);
   EXPECT_GE(again.of("measure"), 1U);
 }
 
@@ -121,7 +121,7 @@ TEST(Asking, FarDistancesAreAskedAbout) {
   PolylineDistance distance(opened->surface());
   distance.set(std::span(&drawn, 1));
   distance.reach(0.9 * report.deviation_to_drawn_max);
-  EXPECT_GE(answers.of("straighten") + answers.of("polish") + answers.of("measure"),
+  EXPECT_GE(answers.of("straighten") + answers.of("fair") + answers.of("measure"),
             3 * distance.window_count() / Asker::kEvery);
 }
 

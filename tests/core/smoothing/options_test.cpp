@@ -9,8 +9,8 @@
 #include "core/small_meshes.hpp"
 #include "talweg/core/smoothing/bump_convolution.hpp"
 #include "talweg/core/smoothing/curve_smoother.hpp"
-#include "talweg/core/smoothing/polish.hpp"
 #include "talweg/core/smoothing/relaxation.hpp"
+#include "talweg/intrinsic/error.hpp"
 #include "talweg/intrinsic/flips/flip_out.hpp"
 
 namespace talweg {
@@ -69,15 +69,6 @@ TEST(Options, OfSmoothing) {
       {"min_relative_length", [](auto& o) { o.min_relative_length = kNaN; }},
       {"length_floor", [](auto& o) { o.length_floor = -1; }},
       {"length_floor", [](auto& o) { o.length_floor = kInf; }},
-  });
-}
-
-TEST(Options, OfThePolish) {
-  expect_refused<PolishOptions>({
-      {"max_rounds", [](auto& o) { o.max_rounds = -1; }},
-      {"newton_steps", [](auto& o) { o.newton_steps = 0; }},
-      {"tolerance", [](auto& o) { o.tolerance = 0; }},
-      {"tolerance", [](auto& o) { o.tolerance = kNaN; }},
   });
 }
 

@@ -66,8 +66,8 @@ class SameCurve(Case):
         ({}, ()),
         ({"Tau": 3.7}, ("--tau", "3.7")),
         ({"Potential": "paper", "Relax": 5}, ("--potential", "paper", "--relax", "5")),
-        ({"Polish": 0, "CapCorners": 0, "PhaseTurns": 1, "Threads": 1},
-         ("--no-polish", "--no-cap-corners", "--phase-turns", "1")),
+        ({"Finish": "taut", "CapCorners": 0, "PhaseTurns": 1, "Threads": 1},
+         ("--finish", "taut", "--no-cap-corners", "--phase-turns", "1")),
     )
 
     def check_ids(self, mesh_file, reader, ids, parameters=PARAMETERS):
@@ -76,7 +76,7 @@ class SameCurve(Case):
             with self.subTest(**properties):
                 filter = pv.TalwegSmoothVertices(Input=reader, PointIds=" ".join(map(str, ids)),
                                                **properties)
-                run = self.run_plugin if "--no-polish" in options else self.smoothed
+                run = self.run_plugin if "--no-cap-corners" in options else self.smoothed
                 self.check(filter, run(mesh_file, drawn, *options))
 
     def run_plugin(self, mesh, curve, *options):
@@ -100,7 +100,7 @@ class SameCurve(Case):
             with self.subTest(**properties):
                 filter = pv.TalwegSmoothVertices(Input=source(data),
                                                PointIds=" ".join(map(str, ids)), **properties)
-                run = self.run_plugin if "--no-polish" in options else self.smoothed
+                run = self.run_plugin if "--no-cap-corners" in options else self.smoothed
                 self.check(filter, run(mesh, drawn, *options))
 
     def test_positions_of_two_curves(self):

@@ -77,7 +77,7 @@ class Interface(unittest.TestCase):
         self.assertIsNone(parameters["slack"].default)
         self.assertEqual(parameters["slack"].unit, "mesh units")
         self.assertEqual(parameters["potential"].choices, ("corridor", "paper"))
-        self.assertIs(parameters["polish"].default, True)
+        self.assertEqual(parameters["finish"].default, "fair")
         text = talweg.help_text()
         for name in parameters:
             self.assertIn("\n" + name, text)

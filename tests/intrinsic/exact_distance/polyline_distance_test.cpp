@@ -438,33 +438,6 @@ TEST(PolylineDistance, DependsOnTheSurfaceAndNotOnItsTriangles) {
   }
 }
 
-TEST(PolylineDistance, EdgeValuesCarryTheirDerivatives) {
-  const Surface surface = test::surface_of(test::torus(24, 12, 3, 1));
-  Random random(4);
-  const SurfaceCurve curve = random_walk(random, surface, 12);
-  PolylineDistance distance(surface);
-  distance.set({&curve, 1});
-  int smooth = 0;
-  for (std::size_t e = 0; e < surface.edge_count(); ++e) {
-    const double t = random.uniform(0.1, 0.9), step = 1e-4;
-    const auto low = distance.at_edge(EdgeId{e}, t - step),
-               high = distance.at_edge(EdgeId{e}, t + step);
-    const auto at = distance.at_edge(EdgeId{e}, t);
-    const auto nearest = distance.on_edge(EdgeId{e}, t);
-    EXPECT_EQ(at.value, nearest.distance);
-    EXPECT_EQ(at.curve, nearest.curve);
-    EXPECT_EQ(at.arc_length, nearest.arc_length);
-    // Where the nearest feature changes in between, the derivatives jump.
-    const double change = (low.second + high.second) / 2 * 2 * step;
-    if (std::abs(high.first - low.first - change) > 1e-6) continue;
-    ++smooth;
-    EXPECT_NEAR((high.value - low.value) / (2 * step), at.first, 1e-5);
-    EXPECT_NEAR((high.first - low.first) / (2 * step), at.second, 1e-1);
-    EXPECT_NEAR((high.arc_length - low.arc_length) / (2 * step), at.arc_first, 1e-6);
-  }
-  EXPECT_GT(smooth, static_cast<int>(surface.edge_count() * 9 / 10));
-}
-
 TEST(PolylineDistance, FaceValuesCarryTheirDerivatives) {
   const Surface surface = test::surface_of(test::torus(24, 12, 3, 1));
   Random random(5);
@@ -548,32 +521,6 @@ TEST(PolylineDistance, AnswersDoNotDependOnTheOrderOfQuestions) {
     EXPECT_EQ(again.distance, answers[i].distance);
     EXPECT_EQ(again.curve, answers[i].curve);
     EXPECT_EQ(again.arc_length, answers[i].arc_length);
-  }
-}
-
-TEST(PolylineDistance, EdgeValuesDoNotDependOnTheOrderOfQuestions) {
-  const Surface surface = test::surface_of(test::torus(30, 14, 3, 1));
-  Random random(12);
-  const SurfaceCurve curve = random_walk(random, surface, 12);
-  PolylineDistance outwards(surface), known(surface);
-  outwards.set({&curve, 1});
-  known.set({&curve, 1});
-  known.reach(100);
-  std::vector<std::size_t> edges(surface.edge_count());
-  std::iota(edges.begin(), edges.end(), 0U);
-  std::sort(edges.begin(), edges.end(), [&](std::size_t a, std::size_t b) {
-    return known.on_edge(EdgeId{a}, 0.5).distance < known.on_edge(EdgeId{b}, 0.5).distance;
-  });
-  for (const int round : {0, 1}) {  // each edge early, and again when the front is far beyond it
-    for (const std::size_t e : edges) {
-      const double t = random.uniform(0, 1);
-      const auto a = outwards.at_edge(EdgeId{e}, t), b = known.at_edge(EdgeId{e}, t);
-      EXPECT_EQ(a.value, b.value) << round;
-      EXPECT_EQ(a.first, b.first);
-      EXPECT_EQ(a.second, b.second);
-      EXPECT_EQ(a.arc_length, b.arc_length);
-      EXPECT_EQ(a.arc_first, b.arc_first);
-    }
   }
 }
 

@@ -83,7 +83,7 @@ TEST_F(Driver, ReportsWithStableNames) {
     EXPECT_TRUE(report.contains(name)) << name;
   }
   for (const char* name :
-       {"load", "open", "solve", "straighten", "trace", "relax", "polish", "total"}) {
+       {"load", "open", "solve", "straighten", "trace", "relax", "fair", "total"}) {
     EXPECT_TRUE(report["time_ms"].contains(name)) << name;
   }
   EXPECT_EQ(report["faces"], 1200);
@@ -91,6 +91,20 @@ TEST_F(Driver, ReportsWithStableNames) {
   EXPECT_EQ(report["tau"], 2);
   EXPECT_EQ(report["termination"], "converged");
   EXPECT_EQ(report["deviation_at"].size(), 3U);
+}
+
+TEST_F(Driver, FinishIsFairOrTaut) {
+  ASSERT_EQ(run("draw mesh.ply --through 64,400,590 -o drawn.json").code, 0);
+  const auto bending = [&](const std::string& options) {
+    EXPECT_EQ(run("smooth mesh.ply --curve drawn.json " + options + " --report r.json").code, 0);
+    return nlohmann::json::parse(bytes_of(file("r.json")))["bending_after"].get<double>();
+  };
+  const double fair = bending("--finish fair");
+  EXPECT_EQ(fair, bending(""));
+  EXPECT_LT(fair, bending("--finish taut"));
+  const Outcome paper = run("smooth mesh.ply --curve drawn.json --potential paper --finish taut");
+  EXPECT_EQ(paper.code, 1);
+  EXPECT_NE(paper.err.find("--finish needs --potential corridor."), std::string::npos) << paper.err;
 }
 
 TEST_F(Driver, PrintsATableWithoutOutputs) {
@@ -288,7 +302,7 @@ TEST_F(Driver, ListsItsPlugins) {
 
 TEST_F(Driver, RunsAnyPluginByItsDescription) {
   ASSERT_EQ(run("draw mesh.ply --through 64,400,590 -o drawn.json").code, 0);
-  ASSERT_EQ(run("run talweg.smooth mesh.ply --curve drawn.json --tau 2 --no-polish -o a.json "
+  ASSERT_EQ(run("run talweg.smooth mesh.ply --curve drawn.json --tau 2 --finish taut -o a.json "
                 "--report r.json")
                 .code,
             0);

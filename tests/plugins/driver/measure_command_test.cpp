@@ -72,6 +72,9 @@ TEST_F(MeasureCommand, MeasuresACornerAndASquare) {
   EXPECT_NEAR(corner["curvature_signed"], kPi / 2, 1e-12);
   EXPECT_NEAR(corner["curvature_max"], kPi / 2, 1e-12);
   EXPECT_EQ(corner["curvature_max_at"], nlohmann::json({2.0, 0.0, 0.0}));
+  EXPECT_NEAR(corner["bending"], 2 * kPi / 2 * kPi / 2, 1e-9);  // one kink alone
+  EXPECT_NEAR(corner["window_turning"], kPi / 2, 1e-12);
+  EXPECT_NEAR(corner["window_turning_2"], kPi / 2, 1e-12);
   EXPECT_EQ(corner["self_contacts"], 0);
   EXPECT_TRUE(corner["self_contacts_at"].empty());
   EXPECT_TRUE(corner["warnings"].empty());
@@ -86,6 +89,25 @@ TEST_F(MeasureCommand, MeasuresACornerAndASquare) {
   EXPECT_NEAR(square["length"], 4, 1e-12);
   EXPECT_NEAR(square["curvature"], 2 * kPi, 1e-12);
   EXPECT_NEAR(square["curvature_signed"], -2 * kPi, 1e-12);
+  // The edges near it have lengths of 1 and √2: one window holds two corners, two hold three.
+  EXPECT_GT(square["edge_length_near"], 1.0);
+  EXPECT_LT(square["edge_length_near"], 1.5);
+  EXPECT_NEAR(square["window_turning"], kPi, 1e-12);
+  EXPECT_NEAR(square["window_turning_2"], 1.5 * kPi, 1e-12);
+}
+
+TEST_F(MeasureCommand, WindowsHaveTheGivenLength) {
+  write("square.txt", "64\n95\n96\n65\n64\n");
+  const auto square = report("mesh.ply square.txt --edge 0.5");
+  EXPECT_EQ(square["edge_length_near"], 0.5);
+  EXPECT_NEAR(square["window_turning"], kPi / 2, 1e-12);
+  EXPECT_NEAR(square["window_turning_2"], kPi, 1e-12);
+  EXPECT_NEAR(square["bending"], 4 * 2 * kPi / 2 * kPi / 2, 1e-9);  // four kinks, each alone
+  for (const std::string bad : {"0", "-1", "nan", "inf"}) {
+    const Outcome refused = run("measure mesh.ply square.txt --edge " + bad);
+    EXPECT_EQ(refused.code, 1) << bad;
+    EXPECT_NE(refused.err.find("--edge"), std::string::npos) << refused.err;
+  }
 }
 
 TEST_F(MeasureCommand, CountsSelfContacts) {
@@ -174,9 +196,12 @@ TEST_F(MeasureCommand, AgreesWithTheReportOfSmooth) {
   EXPECT_EQ(r["points"], smooth["points_after"]);
   // A sum along the file's order here, along the drawing's canonical order there.
   const auto number = [](const nlohmann::json& value) { return value.get<double>(); };
-  EXPECT_DOUBLE_EQ(number(r["length"]), number(smooth["length_after"]));
-  EXPECT_DOUBLE_EQ(number(r["curvature"]), number(smooth["curvature_after"]));
-  EXPECT_DOUBLE_EQ(number(r["other"]["curvature"]), number(smooth["curvature_before"]));
+  const auto same_sum = [&](const nlohmann::json& a, const nlohmann::json& b) {
+    EXPECT_NEAR(number(a), number(b), 1e-12 * number(b));
+  };
+  same_sum(r["length"], smooth["length_after"]);
+  same_sum(r["curvature"], smooth["curvature_after"]);
+  same_sum(r["other"]["curvature"], smooth["curvature_before"]);
   const double most = smooth["deviation_from_drawn_max"];
   EXPECT_NEAR(r["deviation_to_other_max"], smooth["deviation_to_drawn_max"], 2e-3 * most + 2e-3);
   EXPECT_NEAR(r["deviation_from_other_max"], most, 2e-3 * most + 2e-3);

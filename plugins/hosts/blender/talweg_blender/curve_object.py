@@ -22,6 +22,8 @@ def _report_of(result):
     r = result.total
     return {"tau": r.tau, "slack": r.slack, "length_after": r.length_after,
             "curvature_before": r.curvature_before, "curvature_after": r.curvature_after,
+            "bending_before": r.bending_before, "bending_after": r.bending_after,
+            "window_turning_after": r.window_turning_after,
             "deviation_to_drawn_max": r.deviation_to_drawn_max, "termination": r.termination}
 
 

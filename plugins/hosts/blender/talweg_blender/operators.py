@@ -1,5 +1,7 @@
 """Smooth selected edges, or annotations, on a mesh; with a redo panel."""
 
+import math
+
 import bmesh
 import bpy
 
@@ -87,7 +89,9 @@ class _Smoothing:
 
 def _sentence(result):
     r = result.total
-    return (f"Curvature {r.curvature_before:.3g} to {r.curvature_after:.3g} rad, no farther than "
+    return (f"Curvature {r.curvature_before:.3g} to {r.curvature_after:.3g} rad, "
+            f"bending {r.bending_before:.3g} to {r.bending_after:.3g}, "
+            f"{math.degrees(r.window_turning_after):.0f} degrees in one edge, no farther than "
             f"{r.deviation_to_drawn_max:.3g} from the drawing.")
 
 

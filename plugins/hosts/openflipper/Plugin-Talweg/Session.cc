@@ -425,6 +425,8 @@ void Session::object_deleted(int object_id) {
 
 namespace {
 
+double degrees(double radians) { return radians * 180 / M_PI; }
+
 QString number(double value) {
   return std::isfinite(value) ? QString::number(value, 'g', 6) : QString("no bound");
 }
@@ -445,6 +447,12 @@ QString short_report(const Session& session) {
   lines << QString("curvature %1 -> %2")
                .arg(number(r.number("curvature_before")))
                .arg(number(r.number("curvature_after")));
+  lines << QString("bending %1 -> %2")
+               .arg(number(r.number("bending_before")))
+               .arg(number(r.number("bending_after")));
+  lines << QString("turn in one edge %1 -> %2 degrees")
+               .arg(degrees(r.number("window_turning_before")), 0, 'f', 0)
+               .arg(degrees(r.number("window_turning_after")), 0, 'f', 0);
   if (r.text("deviation") == "none") {
     lines << "deviation: when the hand rests";
   } else {

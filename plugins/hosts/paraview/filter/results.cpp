@@ -1,6 +1,7 @@
 #include "results.hpp"
 
 #include <cstdio>
+#include <numbers>
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
@@ -117,12 +118,22 @@ void give(const host::Results& results, vtkPolyData& out) {
   add_total_report(results, out);
 }
 
+namespace {
+
+double degrees(double radians) { return radians * 180 / std::numbers::pi; }
+
+}  // namespace
+
 std::string summary(const host::Results& results) {
-  char text[320];
+  char text[400];
   std::snprintf(text, sizeof text,
-                "length %.6g to %.6g, curvature %.3g to %.3g rad, largest deviation %.3g: %s",
+                "length %.6g to %.6g, curvature %.3g to %.3g rad, bending %.3g to %.3g, "
+                "turn in one edge %.0f to %.0f degrees, largest deviation %.3g: %s",
                 results.number("length_before"), results.number("length_after"),
                 results.number("curvature_before"), results.number("curvature_after"),
+                results.number("bending_before"), results.number("bending_after"),
+                degrees(results.number("window_turning_before")),
+                degrees(results.number("window_turning_after")),
                 results.number("deviation_to_drawn_max"), results.text("termination").c_str());
   return text;
 }

@@ -43,6 +43,12 @@ class Report:
     curvature_after: Optional[float] = None
     curvature_max_before: Optional[float] = None
     curvature_max_after: Optional[float] = None
+    bending_before: Optional[float] = None  #: edge_length_near times the integral of squared curvature
+    bending_after: Optional[float] = None
+    window_turning_before: Optional[float] = None  #: largest net turning in one edge_length_near, radians
+    window_turning_after: Optional[float] = None
+    window_turning_2_before: Optional[float] = None  #: in two
+    window_turning_2_after: Optional[float] = None
     deviation: Optional[str] = None  #: which distance the next ones are: "surface", "euclidean", "none"
     deviation_to_drawn_max: Optional[float] = None
     deviation_to_drawn_mean: Optional[float] = None

@@ -14,7 +14,7 @@
 namespace talweg {
 namespace {
 
-class Anchors : public testing::Test {
+class FairLadderTest : public testing::Test {
  protected:
   /// From a smoother that was asked nothing else.
   [[nodiscard]] std::vector<SurfacePoint> fresh(const SmoothingOptions& options) const {
@@ -25,7 +25,7 @@ class Anchors : public testing::Test {
   const SurfaceCurve drawn = test::wave_on_hills(opened->mesh());
 };
 
-TEST_F(Anchors, WhatWasAskedBeforeChangesNothing) {
+TEST_F(FairLadderTest, WhatWasAskedBeforeChangesNothing) {
   const double taus[] = {0.3, 1, 7};
   std::vector<std::vector<SurfacePoint>> expected;
   for (const double tau : taus) expected.push_back(fresh({.tau = tau}));
@@ -39,12 +39,12 @@ TEST_F(Anchors, WhatWasAskedBeforeChangesNothing) {
   } while (std::next_permutation(order.begin(), order.end()));
 }
 
-TEST_F(Anchors, OtherSlacksAndOptionsInBetweenChangeNothing) {
+TEST_F(FairLadderTest, OtherSlacksAndOptionsInBetweenChangeNothing) {
   const SmoothingOptions wide = {.tau = 0.6, .slack = 2};
   const SmoothingOptions between[] = {
       wide,
       {.tau = 1.5, .slack_at = {std::vector<double>(drawn.points.size(), 0.4)}},
-      {.tau = 1.5, .polish = false},
+      {.tau = 1.5, .finish = Finish::kTaut},
       {.tau = 1.5, .relax_rounds = 2},
       {.tau = 1.5, .max_iterations = 3},
       {.tau = 1.5, .length_floor = 4},
@@ -63,7 +63,7 @@ TEST_F(Anchors, OtherSlacksAndOptionsInBetweenChangeNothing) {
   }
 }
 
-TEST_F(Anchors, AnotherDrawingInBetweenChangesNothing) {
+TEST_F(FairLadderTest, AnotherDrawingInBetweenChangesNothing) {
   SurfaceCurve other = drawn;
   other.points.erase(other.points.begin() + 20, other.points.end());
   CurveSmoother asked(opened);
@@ -75,7 +75,7 @@ TEST_F(Anchors, AnotherDrawingInBetweenChangesNothing) {
   EXPECT_EQ(asked.smooth(1.5).curve().points, fresh({.tau = 1.5}));
 }
 
-TEST_F(Anchors, ACancelledCallLeavesNothingBehind) {
+TEST_F(FairLadderTest, ACancelledCallLeavesNothingBehind) {
   const auto expected = fresh({.tau = 1.5});
   for (const int polls : {0, 1, 2, 5, 20}) {
     CurveSmoother asked(opened);
@@ -111,8 +111,7 @@ Sweep sweep(const std::shared_ptr<const OpenedMesh>& opened, const SurfaceCurve&
   return result;
 }
 
-// It may jump where one of several nearly equal geodesics becomes longer than another.
-TEST_F(Anchors, TheResultFollowsTauButForFewSteps) {
+TEST_F(FairLadderTest, TheResultFollowsTau) {
   std::mt19937 random(5);
   Sweep all = sweep(opened, drawn);
   for (int curve = 0; curve < 3; ++curve) {
@@ -125,10 +124,10 @@ TEST_F(Anchors, TheResultFollowsTauButForFewSteps) {
     all.jumps += one.jumps;
   }
   EXPECT_GT(all.steps, 500);
-  EXPECT_LE(all.jumps, all.steps / 20);
+  EXPECT_EQ(all.jumps, 0);
 }
 
-TEST_F(Anchors, PinsAreMetAndTakenBack) {
+TEST_F(FairLadderTest, PinsAreMetAndTakenBack) {
   CurveSmoother asked(opened);
   asked.set_curve(drawn);
   const auto expected = asked.smooth(1.5).curve().points;
@@ -150,7 +149,7 @@ TEST_F(Anchors, PinsAreMetAndTakenBack) {
   EXPECT_EQ(asked.smooth(1.5).curve().points, expected);
 }
 
-TEST_F(Anchors, PinsOfALoop) {
+TEST_F(FairLadderTest, PinsOfALoop) {
   const SurfaceCurve loop =
       test::drawn_near(opened->mesh(), test::circle({20, 20, 0}, {11, 0, 0}, {0, 9, 0}, 8), true);
   CurveSmoother asked(opened);
@@ -163,7 +162,7 @@ TEST_F(Anchors, PinsOfALoop) {
   EXPECT_EQ(asked.smooth(1).curve().points, expected);
 }
 
-TEST_F(Anchors, RefusesPinsThatAreNotOnTheDrawing) {
+TEST_F(FairLadderTest, RefusesPinsThatAreNotOnTheDrawing) {
   CurveSmoother asked(opened);
   const auto code = [&](const SurfacePoint& pin) -> std::optional<ErrorCode> {
     try {
@@ -184,7 +183,7 @@ TEST_F(Anchors, RefusesPinsThatAreNotOnTheDrawing) {
   EXPECT_EQ(code(drawn.points[3]), ErrorCode::kBadUsage);
 }
 
-TEST(AnchorsOfLoops, TheSlackOfAThinLoopDoesNotDependOnPins) {
+TEST(FairLadderOfLoops, TheSlackOfAThinLoopDoesNotDependOnPins) {
   const auto plane = OpenedMesh::open(test::grid(30, 30));
   std::vector<VertexId> corners;
   for (const std::uint32_t v : {5U * 31 + 5, 5U * 31 + 25, 7U * 31 + 25, 7U * 31 + 5}) {

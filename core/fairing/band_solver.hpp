@@ -1,0 +1,39 @@
+// The band solver solves the small systems of samples along a curve.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+namespace talweg {
+
+/// A symmetric positive definite system of n unknowns in a row or in a ring, in which each is
+/// coupled with the two before and after it. A ring of 5 or more is folded (0, n - 1, 1, n - 2, …),
+/// so that it is a band too. Smaller rings are full.
+class BandSystem {
+ public:
+  BandSystem(std::size_t n, bool ring);
+
+  [[nodiscard]] std::size_t size() const { return n_; }
+  void clear();
+  /// Adds to the entry of two unknowns that are at most 2 apart, and to its mirror image.
+  void add(std::size_t i, std::size_t j, double value);
+  [[nodiscard]] double& right(std::size_t i) { return right_[place(i)]; }
+  /// Makes an unknown 0.
+  void hold(std::size_t i);
+  /// By LDLᵀ. The system itself stays as it is. False where it is not positive definite.
+  bool solve(std::vector<double>& solution);
+
+ private:
+  [[nodiscard]] std::size_t place(std::size_t i) const {
+    return !ring_ ? i : 2 * i < n_ ? 2 * i : 2 * (n_ - 1 - i) + 1;
+  }
+  [[nodiscard]] double& entry(std::size_t row, std::size_t back) {
+    return entries_[row * (width_ + 1) + back];
+  }
+
+  std::size_t n_, width_;
+  bool ring_;
+  std::vector<double> entries_, right_, factor_;
+};
+
+}  // namespace talweg

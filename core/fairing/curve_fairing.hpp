@@ -1,0 +1,53 @@
+// Fairing spreads the turning of a curve evenly, between the walls of its drawing.
+#pragma once
+
+#include <optional>
+
+#include "talweg/core/fairing/curve_trace.hpp"
+#include "talweg/core/fairing/drawn_band.hpp"
+#include "talweg/core/fairing/fair_chain.hpp"
+#include "talweg/core/fairing/sample_chain.hpp"
+#include "talweg/intrinsic/progress.hpp"
+#include "talweg/intrinsic/surface/surface_point.hpp"
+
+namespace talweg {
+
+struct FairedCurve {
+  SurfaceCurve curve;
+  double farthest = 0;  ///< largest distance to the drawing, in distances of the wall there
+};
+
+/// Fairs a curve in the band of its drawing. Samples are a slack apart at first, then half of it,
+/// but never nearer than an eighth of an edge, nor more than 100,000. All functions throw
+/// Cancelled.
+class CurveFairing {
+ public:
+  /// `edge`: mean edge near the curve, mesh units.
+  CurveFairing(const Surface& surface, const DrawnBand& band, double edge, FairOptions options)
+      : surface_(&surface), maker_(surface), band_(&band), edge_(edge), options_(options) {}
+
+  /// A fair chain that starts from a curve; none where samples cannot be joined.
+  std::optional<SampleChain> from_curve(const CurveTrace& start, Asker& asker);
+  /// A fair chain that starts from one of another band. The ways of its samples are added to the
+  /// trail; it is empty afterwards where the curve had to be sampled anew.
+  SampleChain from_chain(SampleChain chain, SampleTrail& trail, Asker& asker);
+  /// Whether no sample lies beyond a wall.
+  [[nodiscard]] bool keeps_within(const SampleChain& chain) const;
+  /// The curve of a chain that is fair or nearly so; the chain is faired on where that is beyond a
+  /// wall. None where samples cannot be joined.
+  std::optional<FairedCurve> curve_of(SampleChain chain, Asker& asker);
+
+ private:
+  [[nodiscard]] static bool is_even(const SampleChain& chain);
+  [[nodiscard]] double spacing(double length, int level) const;
+  [[nodiscard]] double farthest(const SurfaceCurve& curve) const;
+  void keep_within(FairChain& fair, SampleChain& chain, SampleTrail* trail, Asker& asker);
+
+  const Surface* surface_;
+  ChainMaker maker_;
+  const DrawnBand* band_;
+  double edge_;
+  FairOptions options_;
+};
+
+}  // namespace talweg

@@ -1,0 +1,104 @@
+#include "talweg/core/fairing/curve_trace.hpp"
+
+#include <algorithm>
+#include <variant>
+
+#include <fmt/format.h>
+
+#include "talweg/intrinsic/error.hpp"
+
+namespace talweg {
+namespace {
+
+/// The halfedge of the face whose tail is the vertex.
+HalfedgeId outgoing(const Surface& surface, FaceId face, VertexId v) {
+  HalfedgeId h = surface.halfedge(face);
+  while (surface.tail(h) != v) h = surface.next(h);
+  return h;
+}
+
+/// Around a vertex from one face to another; empty where the boundary is in the way.
+FaceStrip around(const Surface& surface, FaceId from, FaceId to, VertexId v, bool left) {
+  FaceStrip strip;
+  HalfedgeId h = outgoing(surface, from, v);
+  if (left) h = surface.prev(h);
+  for (FaceId face = from; face != to;) {
+    if (!surface.has_face(twin(h))) return {};
+    strip.push_back(h);
+    face = surface.face(twin(h));
+    h = left ? surface.prev(twin(h)) : surface.next(twin(h));
+  }
+  return strip;
+}
+
+}  // namespace
+
+void cross_at(const Surface& surface, const SurfacePoint& point, FaceId from, FaceId to,
+              FaceStrip& crossed) {
+  if (from == to) return;
+  if (const auto* on_edge = std::get_if<OnEdge>(&point.where())) {
+    const HalfedgeId h = halfedge_of(on_edge->edge);
+    crossed.push_back(surface.face(h) == from ? h : twin(h));
+    return;
+  }
+  const VertexId v = std::get<AtVertex>(point.where()).vertex;
+  const FaceStrip left = around(surface, from, to, v, true);
+  const FaceStrip right = around(surface, from, to, v, false);
+  const bool go_left = right.empty() || (!left.empty() && left.size() < right.size());
+  const FaceStrip& way = go_left ? left : right;
+  crossed.insert(crossed.end(), way.begin(), way.end());
+}
+
+void CurveTrace::add(const CurveSegment& segment) {
+  pieces.push_back({segment, length, static_cast<std::uint32_t>(crossed.size())});
+  length += segment.length;
+}
+
+std::size_t CurveTrace::piece_at(double arc) const {
+  const auto after = std::upper_bound(pieces.begin(), pieces.end(), arc,
+                                      [](double a, const TracePiece& p) { return a < p.arc; });
+  return after == pieces.begin() ? 0 : static_cast<std::size_t>(after - pieces.begin()) - 1;
+}
+
+FaceCoordinates CurveTrace::point(std::size_t piece, double arc) const {
+  const TracePiece& p = pieces[piece];
+  // The curve's end is exactly that, whatever rounding says of its arc.
+  const double part = arc >= length && piece + 1 == pieces.size() ? 1
+                      : p.length > 0 ? std::clamp((arc - p.arc) / p.length, 0.0, 1.0)
+                                     : 0;
+  return {p.face, p.at(part)};
+}
+
+CurveTrace trace_of(const Surface& surface, const SurfaceCurve& curve,
+                    std::span<const SurfacePoint> fixed) {
+  CurveTrace trace;
+  trace.closed = curve.closed;
+  const std::size_t n = curve.points.size();
+  const std::size_t count = n < 2 ? 0 : curve.closed ? n : n - 1;
+  if (count > 0 && !curve.closed) trace.fixed_points.push_back(curve.points.front());
+  for (std::size_t i = 0; i < count; ++i) {
+    const SurfacePoint &p = curve.points[i], &q = curve.points[(i + 1) % n];
+    const FaceId face = common_face(surface, p, q);
+    if (!face.valid()) {
+      throw Error(
+          ErrorCode::kBadCurve,
+          fmt::format("Points {} and {} of the curve lie in no common face.", i, (i + 1) % n));
+    }
+    if ((i > 0 || curve.closed) && std::find(fixed.begin(), fixed.end(), p) != fixed.end()) {
+      trace.fixed.push_back(i);
+      trace.fixed_points.push_back(p);
+    }
+    trace.add(segment_between(surface, p, q, face));
+  }
+  if (count > 0 && !curve.closed) trace.fixed_points.push_back(curve.points.back());
+  for (std::size_t i = 0; i < count; ++i) {
+    trace.pieces[i].crossed = static_cast<std::uint32_t>(trace.crossed.size());
+    if (i + 1 == count && !curve.closed) break;
+    const std::size_t j = (i + 1) % count;
+    cross_at(surface, curve.points[(i + 1) % n], trace.pieces[i].face, trace.pieces[j].face,
+             trace.crossed);
+  }
+  return trace;
+}
+
+}  // namespace talweg

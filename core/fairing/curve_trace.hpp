@@ -1,0 +1,46 @@
+// A curve trace is a curve as straight pieces of faces, and the halfedges crossed between them.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "talweg/core/measure/curve_segments.hpp"
+#include "talweg/intrinsic/lines/strip_line.hpp"
+#include "talweg/intrinsic/surface/surface.hpp"
+#include "talweg/intrinsic/surface/surface_point.hpp"
+
+namespace talweg {
+
+struct TracePiece : CurveSegment {
+  double arc = 0;             ///< mesh units along the curve, where the piece begins
+  std::uint32_t crossed = 0;  ///< where its crossings begin: those between it and the next piece
+};
+
+struct CurveTrace {
+  bool closed = false;
+  double length = 0;  ///< mesh units
+  std::vector<TracePiece> pieces;
+  FaceStrip crossed;
+  std::vector<std::size_t> fixed;  ///< pieces, ascending, that begin at points that must stay
+  std::vector<SurfacePoint> fixed_points;  ///< these points; the first and the last are the ends
+
+  /// Appends a piece, with no crossings before it since the last.
+  void add(const CurveSegment& segment);
+  /// The number of the piece at this arc length.
+  [[nodiscard]] std::size_t piece_at(double arc) const;
+  [[nodiscard]] FaceCoordinates point(std::size_t piece, double arc) const;
+};
+
+/// At a vertex the curve passes over the fewer edges. Points of `fixed` that it passes must stay;
+/// ends of open curves do anyway. Throws Error(kBadCurve) where two neighbours have no common face.
+/// O(points).
+CurveTrace trace_of(const Surface& surface, const SurfaceCurve& curve,
+                    std::span<const SurfacePoint> fixed = {});
+
+/// Appends what is crossed on the way from one face to another at a point that both contain.
+void cross_at(const Surface& surface, const SurfacePoint& point, FaceId from, FaceId to,
+              FaceStrip& crossed);
+
+}  // namespace talweg

@@ -1,0 +1,239 @@
+#include "talweg/core/fairing/fair_chain.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+namespace talweg {
+namespace {
+
+constexpr int kWallRounds = 8, kTrials = 6;
+constexpr double kJump = 0.02;  // rad
+constexpr double kMostOfSpacing = 0.7;
+
+double fourth(double x) { return x * x * x * x; }
+
+void append(const SampleTrail& more, SampleTrail& trail) {
+  trail.resize(more.size());
+  for (std::size_t i = 0; i < more.size(); ++i) {
+    for (const HalfedgeId h : more[i]) add_crossing(trail[i], h);
+  }
+}
+
+}  // namespace
+
+/// Loops keep their size: what counts is how far their curvature is from its mean. A loop that
+/// bends little would grow until it meets its outer wall.
+double FairChain::mean_curvature(const SampleChain& chain) {
+  if (!chain.closed) return 0;
+  return std::accumulate(chain.turns.begin(), chain.turns.end(), 0.0) / chain.length();
+}
+
+void FairChain::measure(const SampleChain& chain, std::vector<BandPlace>& places) const {
+  places.assign(chain.size(), {});
+  for (std::size_t i = 0; i < chain.size(); ++i) {
+    if (chain.fixed[i]) continue;
+    places[i] = band_->at(chain.samples[i], turned_left(chain.tangent(i)));
+  }
+}
+
+void FairChain::energies(const SampleChain& chain, const std::vector<BandPlace>& places,
+                         std::vector<double>& energies) const {
+  energies.assign(chain.size(), 0);
+  const double mean = mean_curvature(chain);
+  for (std::size_t i = 0; i < chain.size(); ++i) {
+    if (chain.is_end(i)) continue;
+    const double weight = (chain.join_before(i).length + chain.join_after(i).length) / 2;
+    const double turn = chain.turns[i] - mean * weight;
+    energies[i] = turn * turn / weight;
+    if (chain.fixed[i]) continue;
+    const BandPlace& place = places[i];
+    const double beyond = std::max(0.0, place.distance - options_.felt * place.wall);
+    energies[i] +=
+        weight / fourth(place.slack) *
+        (options_.middle * place.distance * place.distance + stiffness_[i] * beyond * beyond);
+  }
+}
+
+void FairChain::set_rows(const SampleChain& chain) {
+  rows_.assign(chain.size(), {});
+  const double mean = mean_curvature(chain);
+  for (std::size_t i = 0; i < chain.size(); ++i) {
+    if (chain.is_end(i)) continue;
+    const ChainJoin &in = chain.join_before(i), &out = chain.join_after(i);
+    Row& row = rows_[i];
+    row.weight = (in.length + out.length) / 2;
+    const double curvature = chain.turns[i] / row.weight;
+    row.rest = curvature - mean;
+    const double before = 1 / (row.weight * in.last_leg), after = 1 / (row.weight * out.first_leg);
+    // A line that bends at a vertex turns about it: the samples beyond have no part in it.
+    row.before = in.bends ? 0 : before;
+    row.after = out.bends ? 0 : after;
+    row.here = -before - after + curvature * (curvature + mean) / 2;
+  }
+}
+
+void FairChain::assemble(const SampleChain& chain, BandSystem& system) const {
+  system.clear();
+  for (std::size_t i = 0; i < chain.size(); ++i) {
+    if (chain.is_end(i)) continue;
+    const Row& row = rows_[i];
+    const std::size_t at[3] = {chain.before(i), i, chain.after(i)};
+    const double value[3] = {row.before, row.here, row.after};
+    for (std::size_t a = 0; a < 3; ++a) {
+      for (std::size_t b = 0; b <= a; ++b)
+        system.add(at[a], at[b], row.weight * value[a] * value[b]);
+      system.right(at[a]) -= row.weight * value[a] * row.rest;
+    }
+    if (chain.fixed[i]) continue;
+    const BandPlace& place = places_[i];
+    const double per = row.weight / fourth(place.slack), s = place.slope;
+    system.add(i, i, per * (options_.middle * s * s + damping_));
+    system.right(i) -= per * options_.middle * s * place.distance;
+    if (active_[i] != 0) {
+      const double slope = s - options_.felt * place.wall_slope;
+      const double beyond = place.distance - options_.felt * place.wall;
+      system.add(i, i, per * stiffness_[i] * slope * slope);
+      system.right(i) -= per * stiffness_[i] * slope * beyond;
+    }
+  }
+  for (std::size_t i = 0; i < chain.size(); ++i) {
+    if (held_[i] != 0) system.hold(i);
+  }
+}
+
+/// Which walls are felt follows from the step, and the step from them.
+bool FairChain::solve(const SampleChain& chain, BandSystem& system, std::vector<double>& left) {
+  const auto beyond = [&](std::size_t i, double step) {
+    const BandPlace& place = places_[i];
+    return place.distance + place.slope * step -
+           options_.felt * (place.wall + place.wall_slope * step);
+  };
+  active_.assign(chain.size(), 0);
+  for (std::size_t i = 0; i < chain.size(); ++i) {
+    active_[i] = !chain.fixed[i] && beyond(i, 0) > 0 ? 1 : 0;
+  }
+  for (int round = 0; round < kWallRounds; ++round) {
+    assemble(chain, system);
+    if (!system.solve(left)) return false;
+    bool same = true;
+    for (std::size_t i = 0; i < chain.size(); ++i) {
+      const int active = !chain.fixed[i] && beyond(i, left[i]) > 0 ? 1 : 0;
+      same = same && active == active_[i];
+      active_[i] = active;
+    }
+    if (same) break;
+  }
+  return true;
+}
+
+void FairChain::limit(const SampleChain& chain, std::vector<double>& left) const {
+  double part = 1;
+  for (std::size_t i = 0; i < chain.size(); ++i) {
+    if (chain.fixed[i]) continue;
+    part = std::min(part, places_[i].slack / std::abs(left[i]));
+  }
+  for (std::size_t i = 0; i < chain.joins.size(); ++i) {
+    const double apart = std::abs(left[chain.after(i)] - left[i]);
+    part = std::min(part, kMostOfSpacing * chain.joins[i].length / apart);
+  }
+  for (double& d : left) d *= part;
+}
+
+/// A line that passes over a vertex turns by what the surface is curved there, which the rows do
+/// not know. Holds the samples where that makes the step worse; tells whether there are any.
+bool FairChain::hold_at_jumps(const SampleChain& chain, const SampleChain& moved,
+                              const std::vector<double>& left, const std::vector<double>& now) {
+  const std::size_t n = chain.size();
+  std::vector<double> jumps(n, 0);
+  const double mean = mean_curvature(chain);
+  for (std::size_t i = 0; i < n; ++i) {
+    if (chain.is_end(i)) continue;
+    const Row& row = rows_[i];
+    const double expected = row.rest + row.before * left[chain.before(i)] + row.here * left[i] +
+                            row.after * left[chain.after(i)];
+    jumps[i] = std::abs(moved.turns[i] - row.weight * (mean + expected));
+  }
+  bool any = false;
+  for (std::size_t i = 0; i < n; ++i) {
+    if (!(jumps[i] > kJump && now[i] > energies_[i])) continue;
+    for (const std::size_t k : {chain.before(i), i, chain.after(i)}) {
+      if (held_[k] != 0 || !(k == i || jumps[k] > kJump)) continue;
+      held_[k] = 1;
+      any = true;
+    }
+  }
+  return any;
+}
+
+/// One step that lowers the energy; false if none is found.
+bool FairChain::step(SampleChain& chain, SampleTrail* trail) {
+  set_rows(chain);
+  BandSystem system(chain.size(), chain.closed);
+  held_.assign(chain.fixed.begin(), chain.fixed.end());
+  std::vector<double> left, now;
+  SampleTrail ways;
+  std::vector<BandPlace> places;
+  double part = 1;
+  for (int trial = 0; trial < kTrials; ++trial) {
+    if (!solve(chain, system, left)) return false;
+    limit(chain, left);
+    for (double& d : left) d *= part;
+    ways.clear();
+    auto moved = maker_->moved_left(chain, left, trail != nullptr ? &ways : nullptr);
+    if (moved) {
+      measure(*moved, places);
+      energies(*moved, places, now);
+      const double sum = std::accumulate(now.begin(), now.end(), 0.0);
+      if (sum < energy_) {
+        chain = std::move(*moved);
+        places_ = places;
+        energies_ = now;
+        energy_ = sum;
+        if (trail != nullptr) append(ways, *trail);
+        return true;
+      }
+    }
+    if (!moved || !hold_at_jumps(chain, *moved, left, now)) part /= 2;
+  }
+  return false;
+}
+
+bool FairChain::stiffen(const SampleChain& chain) {
+  constexpr double kAlmost = 0.98, kStiffer = 10;
+  std::vector<bool> beyond(chain.size(), false);
+  bool any = false;
+  for (std::size_t i = 0; i < chain.size(); ++i) {
+    if (chain.fixed[i] || places_[i].distance <= kAlmost * places_[i].wall) continue;
+    any = true;
+    beyond[chain.before(i)] = beyond[i] = beyond[chain.after(i)] = true;
+  }
+  for (std::size_t i = 0; i < chain.size(); ++i) {
+    if (beyond[i]) stiffness_[i] *= kStiffer;
+  }
+  return any;
+}
+
+void FairChain::run(SampleChain& chain, SampleTrail* trail, Asker& asker) {
+  stiffness_.resize(chain.size(), options_.stiffness);
+  damping_ = 1e-2;
+  measure(chain, places_);
+  energies(chain, places_, energies_);
+  energy_ = std::accumulate(energies_.begin(), energies_.end(), 0.0);
+  int failed = 0;
+  for (int iteration = 0; iteration < options_.max_iterations && failed < 3; ++iteration) {
+    asker.did(chain.size());
+    const double last = energy_;
+    if (step(chain, trail)) {
+      failed = 0;
+      damping_ *= 0.3;
+      if (last - energy_ < options_.tolerance * last) return;
+    } else {
+      ++failed;
+      damping_ *= 30;
+    }
+  }
+}
+
+}  // namespace talweg

@@ -1,0 +1,68 @@
+// A fair chain bends as little as it can between the walls of its drawing.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "talweg/core/fairing/band_solver.hpp"
+#include "talweg/core/fairing/drawn_band.hpp"
+#include "talweg/core/fairing/sample_chain.hpp"
+#include "talweg/intrinsic/progress.hpp"
+
+namespace talweg {
+
+struct FairOptions {
+  double middle = 1e-3;     ///< β
+  double stiffness = 10;    ///< ρ, of the walls
+  double felt = 0.8;        ///< the walls that are felt, as part of the band's
+  double tolerance = 3e-3;  ///< relative gain in energy below which it ends
+  int max_iterations = 60;
+};
+
+/// Minimises E = Σ wᵢ (θᵢ / wᵢ − κ₀)² + β Σ wᵢ δᵢ² / εᵢ⁴ + ρ Σ wᵢ max(0, δᵢ − Wᵢ)² / εᵢ⁴ over the
+/// samples of a chain by Gauss and Newton's method; W is the distance of the walls that are felt,
+/// κ₀ the mean curvature of a loop, 0 for an open chain. docs/algorithm.md has all of it.
+class FairChain {
+ public:
+  FairChain(ChainMaker& maker, const DrawnBand& band, const FairOptions& options)
+      : maker_(&maker), band_(&band), options_(options) {}
+
+  /// The chain keeps its number of samples; their ways are added to the trail, unless it is null.
+  /// Throws Cancelled.
+  void run(SampleChain& chain, SampleTrail* trail, Asker& asker);
+  /// Makes the walls stiffer where samples of the chain that run() left are beyond the band's, or
+  /// almost; tells whether there are any.
+  bool stiffen(const SampleChain& chain);
+
+ private:
+  struct Row {
+    double before = 0, here = 0, after = 0, rest = 0;  ///< of the curvature, linear in the steps
+    double weight = 0;                                 ///< wᵢ
+  };
+  [[nodiscard]] static double mean_curvature(const SampleChain& chain);
+  void measure(const SampleChain& chain, std::vector<BandPlace>& places) const;
+  /// Per sample.
+  void energies(const SampleChain& chain, const std::vector<BandPlace>& places,
+                std::vector<double>& energies) const;
+  void set_rows(const SampleChain& chain);
+  void assemble(const SampleChain& chain, BandSystem& system) const;
+  bool solve(const SampleChain& chain, BandSystem& system, std::vector<double>& left);
+  void limit(const SampleChain& chain, std::vector<double>& left) const;
+  bool hold_at_jumps(const SampleChain& chain, const SampleChain& moved,
+                     const std::vector<double>& left, const std::vector<double>& now);
+  bool step(SampleChain& chain, SampleTrail* trail);
+
+  ChainMaker* maker_;
+  const DrawnBand* band_;
+  FairOptions options_;
+  double damping_ = 1e-2;
+  std::vector<BandPlace> places_;
+  double energy_ = 0;             // 1 / mesh units
+  std::vector<double> energies_;  // per sample
+  std::vector<Row> rows_;
+  std::vector<double> stiffness_;   // per sample
+  std::vector<int> active_, held_;  // per sample: whether its wall is felt, whether it stays
+};
+
+}  // namespace talweg

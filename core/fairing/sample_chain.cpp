@@ -1,0 +1,373 @@
+#include "talweg/core/fairing/sample_chain.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "talweg/core/measure/measures.hpp"
+#include "talweg/intrinsic/lines/straight_walk.hpp"
+
+namespace talweg {
+namespace {
+
+constexpr double kOff = 0.05;  // of a join: how far samples keep off the boundary
+
+void add_reversed(FaceStrip& strip, std::span<const HalfedgeId> crossed) {
+  for (std::size_t k = crossed.size(); k > 0; --k) add_crossing(strip, twin(crossed[k - 1]));
+}
+
+void add_all(FaceStrip& strip, std::span<const HalfedgeId> crossed) {
+  for (const HalfedgeId h : crossed) add_crossing(strip, h);
+}
+
+}  // namespace
+
+double SampleChain::length() const {
+  double sum = 0;
+  for (const ChainJoin& join : joins) sum += join.length;
+  return sum;
+}
+
+PlanePoint SampleChain::tangent(std::size_t i) const {
+  const PlanePoint in = join_before(i).end, sum = in + join_after(i).start;
+  const double length = norm(sum);
+  return length > 1e-3 ? (1 / length) * sum : turned_left(in);
+}
+
+/// Joins by the strip that is in strip_.
+bool ChainMaker::add_join(SampleChain& chain, const FaceCoordinates& from,
+                          const FaceCoordinates& to) {
+  const StripLine line = lines_.join(from, to, strip_);
+  ChainJoin join{line.from, line.to, line.start, line.end, line.length};
+  join.first = static_cast<std::uint32_t>(chain.crossed.size());
+  join.count = static_cast<std::uint32_t>(strip_.size());
+  join.bends = !line.bends.empty();
+  join.first_leg = line.first_leg;
+  join.last_leg = line.last_leg;
+  chain.crossed.insert(chain.crossed.end(), strip_.begin(), strip_.end());
+  chain.joins.push_back(join);
+  return line.found;
+}
+
+namespace {
+
+/// A point a little before the end of a join, or behind its start.
+SurfacePoint beside(const Surface& surface, const FaceCoordinates& at, PlanePoint back,
+                    double length) {
+  constexpr double kLittle = 1e-3;
+  const FaceFrame frame(surface, at.face);
+  FaceFrame::Barycentric rates = frame.rates(back);
+  double step = kLittle * length;
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (rates[k] < 0 && at.barycentric[k] > 0) {
+      step = std::min(step, at.barycentric[k] / -rates[k] / 2);
+    }
+  }
+  FaceCoordinates there = at;
+  double sum = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    sum += there.barycentric[k] = std::max(0.0, at.barycentric[k] + step * rates[k]);
+  }
+  for (double& b : there.barycentric) b /= sum;
+  return SurfacePoint::from_barycentric(surface, there.face, there.barycentric, 0);
+}
+
+}  // namespace
+
+/// At a sample on an edge or at a vertex its joins may lie in different faces.
+double ChainMaker::turn_between(const ChainJoin& in, const ChainJoin& out) const {
+  if (in.to.face == out.from.face) {
+    return std::atan2(cross(in.end, out.start), dot(in.end, out.start));
+  }
+  const SurfacePoint at = SurfacePoint::from_barycentric(*surface_, in.to.face, in.to.barycentric);
+  return signed_turning(*surface_, beside(*surface_, in.to, -1 * in.end, in.length), at,
+                        beside(*surface_, out.from, out.start, out.length));
+}
+
+void ChainMaker::set_turns(SampleChain& chain) const {
+  chain.turns.assign(chain.size(), 0);
+  for (std::size_t i = 0; i < chain.size(); ++i) {
+    if (!chain.is_end(i)) {
+      chain.turns[i] = turn_between(chain.join_before(i), chain.join_after(i));
+    }
+  }
+}
+
+namespace {
+
+/// Where samples are to lie on a trace.
+struct Place {
+  std::size_t piece = 0;
+  double arc = 0;
+  bool fixed = false;
+};
+
+std::vector<Place> places_on(const CurveTrace& trace, double spacing) {
+  std::vector<Place> fixed;
+  if (!trace.closed) fixed.push_back({0, 0, true});
+  for (const std::size_t piece : trace.fixed)
+    fixed.push_back({piece, trace.pieces[piece].arc, true});
+  if (!trace.closed) fixed.push_back({trace.pieces.size() - 1, trace.length, true});
+  const bool free = fixed.empty();  // a loop without fixed points
+  if (free) fixed.push_back({0, 0, false});
+  if (trace.closed) {
+    fixed.push_back({fixed.front().piece, fixed.front().arc + trace.length, fixed.front().fixed});
+  }
+  const double least = trace.closed ? 8 : 2;
+  const double most = std::min(spacing, trace.length / least);
+  std::vector<Place> places;
+  for (std::size_t k = 0; k + 1 < fixed.size(); ++k) {
+    const double from = fixed[k].arc, to = fixed[k + 1].arc;
+    const double joins = std::max(1.0, std::ceil((to - from) / most * (1 - 1e-9)));
+    places.push_back(fixed[k]);
+    for (double i = 1; i < joins; ++i) {
+      double arc = from + (to - from) * i / joins;
+      if (arc >= trace.length) arc -= trace.length;
+      places.push_back({trace.piece_at(arc), arc, false});
+    }
+  }
+  if (!trace.closed) places.push_back(fixed.back());
+  // A loop begins where its arc does.
+  std::stable_sort(places.begin(), places.end(), [](const Place& a, const Place& b) {
+    return a.piece != b.piece ? a.piece < b.piece : a.arc < b.arc;
+  });
+  return places;
+}
+
+}  // namespace
+
+std::optional<SampleChain> ChainMaker::sampled(const CurveTrace& trace, double spacing) {
+  SampleChain chain;
+  chain.closed = trace.closed;
+  chain.fixed_points = trace.fixed_points;
+  if (trace.pieces.empty() || !(trace.length > 0) || !(spacing > 0)) return std::nullopt;
+  const std::vector<Place> places = places_on(trace, spacing);
+  for (const Place& place : places) {
+    const FaceCoordinates at = trace.point(place.piece, place.arc);
+    chain.samples.push_back(place.fixed ? at : moved_inside(at));
+    chain.fixed.push_back(place.fixed);
+  }
+  const std::size_t joins = places.size() - (trace.closed ? 0 : 1);
+  const auto crossed_after = [&](std::size_t piece) {
+    const std::size_t stop =
+        piece + 1 < trace.pieces.size() ? trace.pieces[piece + 1].crossed : trace.crossed.size();
+    return std::span(trace.crossed)
+        .subspan(trace.pieces[piece].crossed, stop - trace.pieces[piece].crossed);
+  };
+  for (std::size_t i = 0; i < joins; ++i) {
+    const std::size_t j = chain.after(i);
+    strip_.clear();
+    const std::size_t stop = places[j].piece + (trace.closed && j == 0 ? trace.pieces.size() : 0);
+    for (std::size_t p = places[i].piece; p < stop; ++p) {
+      add_all(strip_, crossed_after(p % trace.pieces.size()));
+    }
+    if (!add_join(chain, chain.samples[i], chain.samples[j])) return std::nullopt;
+  }
+  set_turns(chain);
+  return chain;
+}
+
+/// A walk that the boundary would stop ends a little before it.
+WalkEnd ChainMaker::walk_off_boundary(const FaceCoordinates& from, const SampleStep& step,
+                                      double off, FaceStrip& crossed) const {
+  const std::size_t known = crossed.size();
+  const WalkEnd end = walk_straight(*surface_, from, step.direction, step.distance, crossed);
+  if (end.walked < 0 || end.walked >= step.distance) return end;
+  crossed.resize(known);
+  return walk_straight(*surface_, from, step.direction, std::max(0.0, end.walked - off), crossed);
+}
+
+std::optional<SampleChain> ChainMaker::moved_left(const SampleChain& chain,
+                                                  std::span<const double> left,
+                                                  SampleTrail* trail) {
+  std::vector<SampleStep> steps(chain.size());
+  for (std::size_t i = 0; i < chain.size(); ++i) {
+    if (chain.fixed[i]) continue;
+    const PlanePoint side = turned_left(chain.tangent(i));
+    steps[i] = {left[i] < 0 ? -1 * side : side, std::abs(left[i])};
+  }
+  return moved(chain, steps, trail);
+}
+
+std::optional<SampleChain> ChainMaker::moved(const SampleChain& chain,
+                                             std::span<const SampleStep> steps,
+                                             SampleTrail* trail) {
+  const std::size_t n = chain.size();
+  SampleChain result;
+  result.closed = chain.closed;
+  result.fixed_points = chain.fixed_points;
+  result.samples = chain.samples;
+  result.fixed = chain.fixed;
+  FaceStrip walks;
+  std::vector<std::uint32_t> first{0};
+  for (std::size_t i = 0; i < n; ++i) {
+    if (!chain.fixed[i] && steps[i].distance > 0) {
+      const WalkEnd end =
+          walk_off_boundary(chain.samples[i], steps[i], kOff * chain.join_before(i).length, walks);
+      if (end.walked < 0) return std::nullopt;
+      result.samples[i] = end.at;
+    }
+    first.push_back(static_cast<std::uint32_t>(walks.size()));
+  }
+  const auto walk = [&](std::size_t i) {
+    return std::span(walks).subspan(first[i], first[i + 1] - first[i]);
+  };
+  for (std::size_t i = 0; i < chain.joins.size(); ++i) {
+    const std::size_t j = chain.after(i);
+    const ChainJoin& old = chain.joins[i];
+    strip_.clear();
+    add_reversed(strip_, walk(i));
+    add_all(strip_, chain.strip(old));
+    add_all(strip_, walk(j));
+    if (!add_join(result, chain.fixed[i] ? old.from : result.samples[i],
+                  chain.fixed[j] ? old.to : result.samples[j])) {
+      return std::nullopt;
+    }
+  }
+  set_turns(result);
+  if (trail != nullptr) {
+    trail->resize(n);
+    for (std::size_t i = 0; i < n; ++i) add_all((*trail)[i], walk(i));
+  }
+  return result;
+}
+
+std::optional<SampleChain> ChainMaker::between(const SampleChain& from, const SampleChain& to,
+                                               const SampleTrail& trail, double part) {
+  if (trail.size() != from.size()) return part < 0.5 ? from : to;
+  std::vector<SampleStep> steps(from.size());
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    if (from.fixed[i]) continue;
+    strip_ = trail[i];
+    const StripLine line = lines_.join(from.samples[i], to.samples[i], strip_);
+    if (!line.found) return std::nullopt;
+    steps[i] = {line.start, part * (line.bends.empty() ? line.length : line.first_leg)};
+  }
+  return moved(from, steps, nullptr);
+}
+
+std::optional<SampleChain> ChainMaker::divided(const SampleChain& chain, int parts) {
+  SampleChain result;
+  result.closed = chain.closed;
+  result.fixed_points = chain.fixed_points;
+  for (std::size_t i = 0; i < chain.joins.size(); ++i) {
+    result.samples.push_back(chain.samples[i]);
+    result.fixed.push_back(chain.fixed[i]);
+    if (!divide(chain, i, parts, result)) return std::nullopt;
+  }
+  if (!chain.closed) {
+    result.samples.push_back(chain.samples.back());
+    result.fixed.push_back(true);
+  }
+  set_turns(result);
+  return result;
+}
+
+/// Appends samples beside a straight leg, on the cubic that has these slopes at its ends. Each
+/// keeps its way from where the leg begins.
+bool ChainMaker::insert_beside(const Leg& leg, int parts, std::vector<Inserted>& inserted) {
+  WalkEnd on{leg.from, leg.direction, 0};
+  FaceStrip along;
+  for (int k = 1; k < parts; ++k) {
+    const double u = static_cast<double>(k) / parts;
+    const double y =
+        leg.length * (leg.start_slope * u * (1 - u) * (1 - u) - leg.end_slope * u * u * (1 - u));
+    on = walk_straight(*surface_, on.at, on.direction, leg.length / parts, along);
+    if (on.walked < 0) return false;
+    const PlanePoint side = turned_left(on.direction);
+    side_.clear();
+    const WalkEnd end =
+        walk_straight(*surface_, on.at, y < 0 ? -1 * side : side, std::abs(y), side_);
+    if (end.walked < 0) return false;
+    inserted.push_back({end.at, along, leg.backwards});
+    add_all(inserted.back().way, side_);
+  }
+  return true;
+}
+
+bool ChainMaker::divide(const SampleChain& chain, std::size_t i, int parts, SampleChain& result) {
+  const ChainJoin& join = chain.joins[i];
+  const std::size_t j = chain.after(i);
+  // The part of a sample's turn on this side of its tangent; ends have none of their own.
+  const auto slope = [&](std::size_t sample, double sign) {
+    const double both = chain.join_before(sample).length + chain.join_after(sample).length;
+    return std::tan(std::clamp(sign * chain.turns[sample] * join.length / both, -0.7, 0.7));
+  };
+  const bool free = chain.is_end(i), stop = chain.is_end(j);
+  const double m0 = free ? 0 : slope(i, -1), m1 = stop ? 0 : slope(j, 1);
+  std::vector<Inserted> inserted;
+  if (!join.bends) {
+    const Leg leg{join.from, join.start, join.length, free ? -m1 / 2 : m0, stop ? -m0 / 2 : m1};
+    if (!insert_beside(leg, parts, inserted)) return false;
+  } else {  // it turns about a vertex, freely
+    const Leg first{join.from, join.start, join.first_leg, m0, -m0 / 2};
+    const Leg last{join.to, -1 * join.end, join.last_leg, m1, -m1 / 2, true};
+    if (!insert_beside(first, parts, inserted)) return false;
+    const std::size_t n = inserted.size();
+    if (!insert_beside(last, parts, inserted)) return false;
+    std::reverse(inserted.begin() + static_cast<std::ptrdiff_t>(n), inserted.end());
+  }
+  const Inserted end{join.to, {}, true};
+  const Inserted* before = nullptr;
+  const auto add = [&](const Inserted& next) {
+    strip_.clear();
+    if (before != nullptr) add_reversed(strip_, before->way);
+    if (next.from_end != (before != nullptr && before->from_end)) {
+      add_all(strip_, chain.strip(join));
+    }
+    add_all(strip_, next.way);
+    const FaceCoordinates from = before != nullptr ? before->at : join.from;
+    before = &next;
+    return add_join(result, from, next.at);
+  };
+  for (const Inserted& next : inserted) {
+    if (!add(next)) return false;
+    result.samples.push_back(next.at);
+    result.fixed.push_back(false);
+  }
+  return add(end);
+}
+
+CurveTrace ChainMaker::trace_of(const SampleChain& chain) {
+  CurveTrace trace;
+  trace.closed = chain.closed;
+  trace.fixed_points = chain.fixed_points;
+  const auto add = [&](const FaceCoordinates& from, const std::array<double, 3>& to) {
+    trace.add(
+        {from.face, from.barycentric, to, distance_in_face(*surface_, from, {from.face, to})});
+  };
+  for (std::size_t i = 0; i < chain.joins.size(); ++i) {
+    const ChainJoin& join = chain.joins[i];
+    if (chain.fixed[i] && !chain.is_end(i)) trace.fixed.push_back(trace.pieces.size());
+    const auto strip = chain.strip(join);
+    strip_.assign(strip.begin(), strip.end());
+    lines_.trace(join.from, join.to, strip_);
+    FaceCoordinates at = join.from;
+    for (std::size_t k = 0; k < strip.size(); ++k) {
+      const HalfedgeId h = strip[k];
+      const double part = lines_.parts()[k];
+      const FaceFrame here(*surface_, at.face);
+      std::array<double, 3> to{};
+      to[here.side_of(h)] = 1 - part;
+      to[(here.side_of(h) + 1) % 3] = part;
+      add(at, to);
+      trace.crossed.push_back(h);
+      at.face = surface_->face(twin(h));
+      const FaceFrame there(*surface_, at.face);
+      at.barycentric = {};
+      at.barycentric[there.side_of(twin(h))] = part;
+      at.barycentric[(there.side_of(twin(h)) + 1) % 3] = 1 - part;
+    }
+    add(at, join.to.barycentric);
+    // A sample at a vertex or on an edge may have other faces before and after it.
+    if (i + 1 == chain.joins.size() && !chain.closed) break;
+    const ChainJoin& next = chain.joins[i + 1 == chain.joins.size() ? 0 : i + 1];
+    if (next.from.face == join.to.face) continue;
+    const SurfacePoint point =
+        SurfacePoint::from_barycentric(*surface_, join.to.face, join.to.barycentric);
+    cross_at(*surface_, point, join.to.face, next.from.face, trace.crossed);
+  }
+  return trace;
+}
+
+}  // namespace talweg

@@ -1,0 +1,115 @@
+// A sample chain is a curve as samples that lie anywhere on the surface, joined by straight lines.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "talweg/core/fairing/curve_trace.hpp"
+#include "talweg/intrinsic/lines/straight_walk.hpp"
+#include "talweg/intrinsic/lines/strip_line.hpp"
+#include "talweg/intrinsic/surface/surface.hpp"
+#include "talweg/intrinsic/surface/surface_point.hpp"
+
+namespace talweg {
+
+/// The line from a sample to the next.
+struct ChainJoin {
+  FaceCoordinates from, to;            ///< the samples; in other faces where they lie on edges
+  PlanePoint start, end;               ///< unit directions in the frames of these faces
+  double length = 0;                   ///< mesh units
+  std::uint32_t first = 0, count = 0;  ///< its strip in SampleChain::crossed
+  bool bends = false;                  ///< at a vertex
+  double first_leg = 0, last_leg = 0;  ///< to the first bend, and from the last; else the length
+};
+
+/// The ends of an open chain are fixed, as other samples may be; free samples lie inside faces.
+struct SampleChain {
+  bool closed = false;
+  std::vector<FaceCoordinates> samples;
+  std::vector<bool> fixed;
+  std::vector<SurfacePoint> fixed_points;  ///< where these are, in their order
+  std::vector<double> turns;               ///< radians, to the left positive; 0 at ends
+  std::vector<ChainJoin> joins;            ///< as many as samples if closed, else one less
+  FaceStrip crossed;
+
+  [[nodiscard]] std::size_t size() const { return samples.size(); }
+  [[nodiscard]] bool is_end(std::size_t i) const {
+    return !closed && (i == 0 || i + 1 == samples.size());
+  }
+  [[nodiscard]] std::size_t before(std::size_t i) const { return i == 0 ? size() - 1 : i - 1; }
+  [[nodiscard]] std::size_t after(std::size_t i) const { return i + 1 == size() ? 0 : i + 1; }
+  /// Not of an end.
+  [[nodiscard]] const ChainJoin& join_before(std::size_t i) const {
+    return joins[i == 0 ? joins.size() - 1 : i - 1];
+  }
+  [[nodiscard]] const ChainJoin& join_after(std::size_t i) const { return joins[i]; }
+  [[nodiscard]] std::span<const HalfedgeId> strip(const ChainJoin& join) const {
+    return std::span(crossed).subspan(join.first, join.count);
+  }
+  [[nodiscard]] double length() const;
+  /// At a free sample: unit direction halfway between those of both joins.
+  [[nodiscard]] PlanePoint tangent(std::size_t i) const;
+};
+
+/// How a sample is moved: straight over the faces.
+struct SampleStep {
+  PlanePoint direction;  ///< unit, in the frame of the sample's face
+  double distance = 0;   ///< mesh units, >= 0
+};
+
+/// Where the samples of a chain have come from: the way of each over the faces.
+using SampleTrail = std::vector<FaceStrip>;
+
+/// Makes chains. Each function gives none where two samples cannot be joined; `Error` is not
+/// thrown.
+class ChainMaker {
+ public:
+  explicit ChainMaker(const Surface& surface) : surface_(&surface), lines_(surface) {}
+
+  /// Samples at equal arc lengths between points that are fixed, at most `spacing` (mesh units)
+  /// apart; at least 8 joins if closed, else 2.
+  std::optional<SampleChain> sampled(const CurveTrace& trace, double spacing);
+  /// The ways of the samples are added to the trail, unless it is null.
+  std::optional<SampleChain> moved(const SampleChain& chain, std::span<const SampleStep> steps,
+                                   SampleTrail* trail);
+  /// Each free sample moved by so much to the left.
+  std::optional<SampleChain> moved_left(const SampleChain& chain, std::span<const double> left,
+                                        SampleTrail* trail);
+  /// The chain whose samples lie at this part of the way from one chain to another; the nearer one
+  /// where there is no trail.
+  std::optional<SampleChain> between(const SampleChain& from, const SampleChain& to,
+                                     const SampleTrail& trail, double part);
+  /// With so many joins for each, on a cubic that has the chain's samples and tangents.
+  std::optional<SampleChain> divided(const SampleChain& chain, int parts);
+  /// The lines of the chain.
+  CurveTrace trace_of(const SampleChain& chain);
+
+ private:
+  void set_turns(SampleChain& chain) const;
+  [[nodiscard]] double turn_between(const ChainJoin& in, const ChainJoin& out) const;
+  bool add_join(SampleChain& chain, const FaceCoordinates& from, const FaceCoordinates& to);
+  /// A straight piece of a join, from one of its ends.
+  struct Leg {
+    FaceCoordinates from;
+    PlanePoint direction;
+    double length = 0, start_slope = 0, end_slope = 0;
+    bool backwards = false;
+  };
+  struct Inserted {
+    FaceCoordinates at;
+    FaceStrip way;  ///< from the start of the join, or from its end
+    bool from_end = false;
+  };
+  WalkEnd walk_off_boundary(const FaceCoordinates& from, const SampleStep& step, double off,
+                            FaceStrip& crossed) const;
+  bool insert_beside(const Leg& leg, int parts, std::vector<Inserted>& inserted);
+  bool divide(const SampleChain& chain, std::size_t join, int parts, SampleChain& result);
+
+  const Surface* surface_;
+  StripLines lines_;
+  FaceStrip strip_, side_;
+};
+
+}  // namespace talweg

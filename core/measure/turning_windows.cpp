@@ -1,0 +1,65 @@
+#include "talweg/core/measure/turning_windows.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace talweg {
+namespace {
+
+constexpr double kRounding = 1e-9;  // relative
+
+/// Slides a window along the curve and visits each stretch in which it holds the same turns:
+/// visit(from, to, sum), `from` and `to` being places of the window's end. On a closed curve the
+/// end runs around once, otherwise until the window has left the curve. Of two turns one window
+/// apart the second enters before the first leaves.
+template <class Visit>
+void slide(const CurveTurns& turns, double window, const Visit& visit) {
+  const std::size_t n = turns.at.size();
+  const double stop = turns.closed ? turns.length : turns.length + window;
+  // Turn k leaves as number n + k; on a closed curve it may be in the window at the start, and
+  // leaves as number k then.
+  const auto leaves_at = [&](std::size_t number) {
+    return turns.at[number % n] + window - (number < n ? turns.length : 0);
+  };
+  std::size_t enter = 0, leave = turns.closed ? 0 : n;
+  while (leave < n && leaves_at(leave) <= 0) ++leave;
+  double sum = 0, end = 0;
+  for (std::size_t k = leave; k < n; ++k) sum += turns.angle[k];
+  for (;;) {
+    const bool enters = enter < n && turns.at[enter] <= leaves_at(leave);
+    const double at = enters ? turns.at[enter] : leave < 2 * n ? leaves_at(leave) : stop;
+    visit(end, std::min(at, stop), sum);
+    if (at >= stop && !enters) return;
+    end = at;
+    sum += enters ? turns.angle[enter++] : -turns.angle[leave++ % n];
+  }
+}
+
+/// A window that reached all around a loop would count a turn twice.
+double fitted(const CurveTurns& turns, double window) {
+  return turns.closed ? std::min(window, (1 - kRounding) * turns.length) : window;
+}
+
+}  // namespace
+
+double bending(const CurveTurns& turns, double edge) {
+  const double window = fitted(turns, edge / 2);
+  if (turns.at.empty() || !(window > 0)) return 0;
+  double integral = 0;
+  slide(turns, window, [&](double from, double to, double sum) {
+    integral += (to - from) * (sum / window) * (sum / window);
+  });
+  return edge * integral;
+}
+
+double window_turning(const CurveTurns& turns, double window) {
+  // Turns that lie exactly one window apart count together, whichever way rounding goes.
+  if (turns.at.empty() || !(window > 0)) return 0;
+  double largest = 0;
+  slide(turns, fitted(turns, (1 + kRounding) * window),
+        [&](double, double, double sum) { largest = std::max(largest, std::abs(sum)); });
+  return largest;
+}
+
+}  // namespace talweg

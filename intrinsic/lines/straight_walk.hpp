@@ -1,0 +1,28 @@
+// A straight walk leads from a point over the faces, in a direction, for a distance.
+#pragma once
+
+#include <vector>
+
+#include "talweg/intrinsic/lines/face_frame.hpp"
+#include "talweg/intrinsic/surface/surface.hpp"
+#include "talweg/intrinsic/surface/surface_point.hpp"
+
+namespace talweg {
+
+struct WalkEnd {
+  FaceCoordinates at;
+  PlanePoint direction;  ///< unit, in the frame of the last face
+  double walked = 0;     ///< mesh units; less than asked for where the boundary is in the way
+};
+
+/// Walks from a point of a face in a unit direction of its frame. Appends the halfedges that are
+/// crossed, each in the face that is left, to `crossed`. The walk ends inside a face: barycentrics
+/// are at least 1e-9, also where it stops at the boundary. `walked` is -1 where no straight way is
+/// found (faces without area, or more than 10,000 faces). O(faces crossed).
+WalkEnd walk_straight(const Surface& surface, const FaceCoordinates& from, PlanePoint direction,
+                      double distance, std::vector<HalfedgeId>& crossed);
+
+/// The same point or one close to it with barycentrics of at least 1e-9.
+FaceCoordinates moved_inside(FaceCoordinates at);
+
+}  // namespace talweg

@@ -1,0 +1,288 @@
+#include "talweg/intrinsic/lines/strip_line.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace talweg {
+namespace {
+
+constexpr std::size_t kMostWork = 200'000;  // portals that one join looks at
+constexpr double kShorter = 1e-12;          // relative
+
+PlanePoint rotated(PlanePoint by, PlanePoint p) {
+  return {by.x * p.x - by.y * p.y, by.x * p.y + by.y * p.x};
+}
+
+PlanePoint unit(PlanePoint p) {
+  const double length = norm(p);
+  return length > 0 ? (1 / length) * p : PlanePoint{1, 0};
+}
+
+/// The same point in the face beyond the side on which it lies.
+FaceCoordinates beyond(const Surface& surface, const FaceCoordinates& at, HalfedgeId side) {
+  const FaceFrame frame(surface, at.face);
+  const FaceFrame next(surface, surface.face(twin(side)));
+  const std::size_t i = frame.side_of(side), j = next.side_of(twin(side));
+  FaceCoordinates result{surface.face(twin(side)), {}};
+  result.barycentric[j] = at.barycentric[(i + 1) % 3];
+  result.barycentric[(j + 1) % 3] = at.barycentric[i];
+  return result;
+}
+
+bool lies_on(const Surface& surface, const FaceCoordinates& at, HalfedgeId side) {
+  const std::size_t i = FaceFrame(surface, at.face).side_of(side);
+  return at.barycentric[(i + 2) % 3] == 0;
+}
+
+// A halfedge with the vertex at its head goes around it counterclockwise (it passes it on its
+// left), one with the vertex at its tail clockwise.
+
+/// The other halfedge of the face that goes around the same vertex, the other way.
+HalfedgeId beside(const Surface& surface, HalfedgeId h, bool left) {
+  return left ? surface.next(h) : surface.prev(h);
+}
+
+/// The number of faces around the vertex that a halfedge passes; 0 on the boundary.
+std::size_t closed_degree(const Surface& surface, HalfedgeId around, bool left) {
+  std::size_t degree = 0;
+  HalfedgeId h = around;
+  do {
+    if (!surface.has_face(twin(h))) return 0;
+    h = left ? surface.prev(twin(h)) : surface.next(twin(h));
+    ++degree;
+  } while (h != around);
+  return degree;
+}
+
+}  // namespace
+
+void add_crossing(FaceStrip& strip, HalfedgeId crossed, std::size_t first) {
+  if (strip.size() > first && strip.back() == twin(crossed)) {
+    strip.pop_back();
+  } else {
+    strip.push_back(crossed);
+  }
+}
+
+void StripLines::trim(FaceCoordinates& from, FaceCoordinates& to, FaceStrip& strip) const {
+  std::size_t first = 0;
+  while (first < strip.size() && lies_on(*surface_, from, strip[first])) {
+    from = beyond(*surface_, from, strip[first++]);
+  }
+  while (strip.size() > first && lies_on(*surface_, to, twin(strip.back()))) {
+    to = beyond(*surface_, to, twin(strip.back()));
+    strip.pop_back();
+  }
+  strip.erase(strip.begin(), strip.begin() + static_cast<std::ptrdiff_t>(first));
+}
+
+void StripLines::unfold(const FaceCoordinates& from, const FaceCoordinates& to,
+                        const FaceStrip& strip) {
+  portals_.clear();
+  FaceFrame frame(*surface_, from.face);
+  from_ = frame.at(from.barycentric);
+  PlanePoint origin{0, 0};
+  turn_ = {1, 0};
+  for (const HalfedgeId h : strip) {
+    const std::size_t side = frame.side_of(h);
+    const PlanePoint tail = origin + rotated(turn_, frame.corners[side]);
+    const PlanePoint head = origin + rotated(turn_, frame.corners[(side + 1) % 3]);
+    portals_.push_back({head, tail, surface_->head(h), surface_->tail(h)});
+    frame = FaceFrame(*surface_, surface_->face(twin(h)));
+    const std::size_t entry = frame.side_of(twin(h));
+    const PlanePoint along = frame.along(entry), back = tail - head;
+    turn_ = unit({dot(along, back), cross(along, back)});
+    origin = head - rotated(turn_, frame.corners[entry]);
+  }
+  to_ = origin + rotated(turn_, frame.at(to.barycentric));
+}
+
+bool StripLines::is_straight() const {
+  const PlanePoint way = to_ - from_;
+  double last = 0;
+  for (const Portal& portal : portals_) {
+    const double left = cross(way, portal.left - from_), right = cross(way, portal.right - from_);
+    if (!(left > 0 && right < 0)) return false;
+    // Around a vertex by more than half a turn, sides alone do not tell.
+    const PlanePoint at = (1 / (left - right)) * (left * portal.right - right * portal.left);
+    const double along = dot(way, at - from_);
+    if (along < last) return false;
+    last = along * (1 - kShorter);
+  }
+  return last <= dot(way, way);
+}
+
+/// Lee and Preparata, "Euclidean shortest paths in the presence of rectilinear barriers" (1984), as
+/// the funnel of portals from which the apex sees the way on.
+void StripLines::pull_funnel() {
+  bends_.clear();
+  if (is_straight()) return;
+  const std::size_t n = portals_.size();
+  const auto left_of = [&](std::size_t i) { return i < n ? portals_[i].left : to_; };
+  const auto right_of = [&](std::size_t i) { return i < n ? portals_[i].right : to_; };
+  PlanePoint apex = from_;
+  std::size_t left = 0, right = 0, i = 0;
+  PlanePoint left_at = left_of(0), right_at = right_of(0);
+  const auto restart = [&](std::size_t at, bool on_left) {
+    const Portal& portal = portals_[at];
+    bends_.push_back({at, on_left, on_left ? portal.left : portal.right,
+                      on_left ? portal.left_vertex : portal.right_vertex});
+    apex = bends_.back().at;
+    // Portals that end at the same vertex do not narrow the view from there.
+    i = at + 1;
+    const auto ends_here = [&](std::size_t k) {
+      return (on_left ? portals_[k].left_vertex : portals_[k].right_vertex) == bends_.back().vertex;
+    };
+    while (i < n && ends_here(i)) ++i;
+    left = right = i;
+    left_at = left_of(i);
+    right_at = right_of(i);
+  };
+  i = 1;
+  while (i <= n && bends_.size() <= n) {
+    const PlanePoint next_left = left_of(i), next_right = right_of(i);
+    if (cross(right_at - apex, next_right - apex) >= 0) {  // not wider on the right
+      if (cross(left_at - apex, next_right - apex) > 0) {  // over the left side
+        restart(left, true);
+        ++i;
+        continue;
+      }
+      right = i;
+      right_at = next_right;
+    }
+    if (cross(left_at - apex, next_left - apex) <= 0) {
+      if (cross(right_at - apex, next_left - apex) < 0) {
+        restart(right, false);
+        ++i;
+        continue;
+      }
+      left = i;
+      left_at = next_left;
+    }
+    ++i;
+  }
+}
+
+double StripLines::length() const {
+  PlanePoint last = from_;
+  double sum = 0;
+  for (const Bend& bend : bends_) {
+    sum += norm(bend.at - last);
+    last = bend.at;
+  }
+  return sum + norm(to_ - last);
+}
+
+/// The strip that passes the vertex of a bend on its other side; false at the boundary.
+bool StripLines::flip(const FaceStrip& strip, const Bend& bend, FaceStrip& other) const {
+  const auto ends_here = [&](std::size_t k) {
+    return (bend.left ? portals_[k].left_vertex : portals_[k].right_vertex) == bend.vertex;
+  };
+  std::size_t first = bend.portal, last = bend.portal;
+  while (first > 0 && ends_here(first - 1)) --first;
+  while (last + 1 < strip.size() && ends_here(last + 1)) ++last;
+  const std::size_t degree = closed_degree(*surface_, strip[first], bend.left),
+                    run = last + 1 - first;
+  if (degree == 0) return false;
+  other.clear();
+  for (std::size_t k = 0; k < first; ++k) add_crossing(other, strip[k]);
+  // What goes around by more than a whole turn goes around by a turn less.
+  for (std::size_t k = degree; k < run; ++k) add_crossing(other, strip[first + k]);
+  HalfedgeId h = beside(*surface_, strip[first], bend.left);
+  for (std::size_t k = run; k < degree; ++k) {
+    add_crossing(other, h);
+    h = beside(*surface_, twin(h), bend.left);
+  }
+  for (std::size_t k = last + 1; k < strip.size(); ++k) add_crossing(other, strip[k]);
+  return true;
+}
+
+void StripLines::fill(StripLine& line) const {
+  line.length = length();
+  const PlanePoint first = bends_.empty() ? to_ : bends_.front().at;
+  const PlanePoint last = bends_.empty() ? from_ : bends_.back().at;
+  line.start = unit(first - from_);
+  line.first_leg = norm(first - from_);
+  line.last_leg = norm(to_ - last);
+  line.end = rotated({turn_.x, -turn_.y}, unit(to_ - last));
+  line.bends.clear();
+  for (const Bend& bend : bends_) line.bends.push_back(bend.vertex);
+  line.found = std::isfinite(line.length);
+}
+
+StripLine StripLines::join(const FaceCoordinates& from, const FaceCoordinates& to,
+                           FaceStrip& strip) {
+  StripLine line{from, to};
+  trim(line.from, line.to, strip);
+  unfold(line.from, line.to, strip);
+  pull_funnel();
+  std::size_t work = strip.size();
+  while (work < kMostWork) {
+    const double before = length();
+    if (!std::isfinite(before)) return line;
+    bool flipped = false;
+    const std::vector<Bend> bends = bends_;
+    for (std::size_t b = 0; b < bends.size() && !flipped; ++b) {
+      if (!flip(strip, bends[b], other_)) continue;
+      FaceCoordinates start = line.from, stop = line.to;
+      trim(start, stop, other_);
+      const std::vector<Portal> portals = portals_;
+      unfold(start, stop, other_);
+      pull_funnel();
+      work += other_.size();
+      flipped = length() < before * (1 - kShorter);
+      if (flipped) {
+        strip = other_;
+        line.from = start;
+        line.to = stop;
+      } else {
+        portals_ = portals;  // for the next flip
+      }
+    }
+    if (!flipped) {
+      if (!bends.empty()) {
+        unfold(line.from, line.to, strip);
+        pull_funnel();
+      }
+      fill(line);
+      return line;
+    }
+  }
+  return line;
+}
+
+StripLine StripLines::trace(const FaceCoordinates& from, const FaceCoordinates& to,
+                            const FaceStrip& strip) {
+  StripLine line{from, to};
+  unfold(from, to, strip);
+  pull_funnel();
+  fill(line);
+  find_parts();
+  return line;
+}
+
+void StripLines::find_parts() {
+  parts_.clear();
+  std::size_t next = 0;
+  PlanePoint last = from_;
+  const auto bends_at = [&](const Portal& portal, std::size_t bend, bool left) {
+    return bend < bends_.size() && bends_[bend].left == left &&
+           bends_[bend].vertex == (left ? portal.left_vertex : portal.right_vertex);
+  };
+  for (std::size_t i = 0; i < portals_.size(); ++i) {
+    while (next < bends_.size() && bends_[next].portal < i) last = bends_[next++].at;
+    const Portal& portal = portals_[i];
+    if (bends_at(portal, next, true) || (next > 0 && bends_at(portal, next - 1, true))) {
+      parts_.push_back(1);
+    } else if (bends_at(portal, next, false) || (next > 0 && bends_at(portal, next - 1, false))) {
+      parts_.push_back(0);
+    } else {
+      const PlanePoint way = (next < bends_.size() ? bends_[next].at : to_) - last;
+      const double right = -cross(way, portal.right - last), left = cross(way, portal.left - last);
+      parts_.push_back(right + left > 0 ? std::clamp(right / (right + left), 0.0, 1.0) : 0.5);
+    }
+  }
+}
+
+}  // namespace talweg
