@@ -11,12 +11,22 @@
 
 namespace talweg {
 
+/// A point of a curve that is meant exactly, as a click is.
+struct InputWayPoint {
+  std::size_t point = 0;  ///< its index
+  double tolerance = 0;   ///< mesh units, >= 0: how far from it a result may pass
+};
+
 /// It has not been checked against a mesh; snap() does that.
 struct CurveInput {
   bool closed = false;  ///< the first point is then not repeated
   /// Vertices of the mesh, points in its faces, or positions in space.
   std::variant<std::vector<VertexId>, std::vector<FaceCoordinates>, std::vector<Point>> points;
-  std::vector<std::size_t> pins;  ///< indices of points that must stay, ascending
+  std::vector<std::size_t> pins;          ///< indices of points that must stay, ascending
+  std::vector<InputWayPoint> way_points;  ///< ascending
+  /// Indices of points that were painted, ascending. Without way-points all of them were; between
+  /// two way-points, the curve is a stroke only if one of these lies there.
+  std::vector<std::size_t> painted;
 };
 
 }  // namespace talweg

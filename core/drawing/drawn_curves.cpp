@@ -1,7 +1,8 @@
 #include "talweg/core/drawing/drawn_curves.hpp"
 
 #include <algorithm>
-#include <string>
+
+#include <fmt/format.h>
 
 #include "talweg/core/drawing/capping.hpp"
 #include "talweg/intrinsic/error.hpp"
@@ -33,7 +34,8 @@ SurfaceCurve capped_curve(const Surface& surface, const SurfaceCurve& curve,
   return capped;
 }
 
-void check_pins(std::span<const SurfaceCurve> curves, std::span<const SurfacePoint> pins) {
+void check_pins(std::span<const SurfaceCurve> curves, std::span<const SurfacePoint> pins,
+                std::string_view name) {
   for (std::size_t i = 0; i < pins.size(); ++i) {
     const bool passed = std::any_of(curves.begin(), curves.end(), [&](const SurfaceCurve& c) {
       return std::find(c.points.begin(), c.points.end(), pins[i]) != c.points.end();
@@ -41,9 +43,9 @@ void check_pins(std::span<const SurfaceCurve> curves, std::span<const SurfacePoi
     if (passed) continue;
     const auto* v = std::get_if<AtVertex>(&pins[i].where());
     throw Error(ErrorCode::kBadUsage,
-                (v != nullptr ? "The pinned vertex " + std::to_string(v->vertex.index())
-                              : "Pin " + std::to_string(i + 1)) +
-                    " is not a point of the curve.");
+                fmt::format("The {} {} is not a point of the curve.", name,
+                            v != nullptr ? fmt::format("at vertex {}", v->vertex.index())
+                                         : fmt::format("number {}", i + 1)));
   }
 }
 

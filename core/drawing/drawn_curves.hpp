@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "talweg/heat/curve_sources.hpp"
@@ -15,8 +16,10 @@ namespace talweg {
 SurfaceCurve capped_curve(const Surface& surface, const SurfaceCurve& curve,
                           std::span<const SurfacePoint> pins);
 
-/// Throws Error(kBadUsage) naming the first pin that is not a point of one of the curves.
-void check_pins(std::span<const SurfaceCurve> curves, std::span<const SurfacePoint> pins);
+/// Throws Error(kBadUsage) naming the first pin that is not a point of one of the curves. `name` is
+/// what the pins are called in the sentence.
+void check_pins(std::span<const SurfaceCurve> curves, std::span<const SurfacePoint> pins,
+                std::string_view name = "pin");
 
 /// The union of the curves as heat sources; where curves meet their weights add. Sorted by vertex.
 std::vector<WeightedVertex> sources_of(const Surface& surface,

@@ -104,6 +104,10 @@ OrderedDrawing checked_drawing(const SurfaceMesh& mesh, std::span<const SurfaceC
     check_drawn(mesh.surface(), curve);
   }
   check_pins(curves, options.pins);
+  std::vector<SurfacePoint> exact;
+  for (const WayPoint& way_point : options.way_points) exact.push_back(way_point.point);
+  check_pins(curves, exact, "way-point");
+  check_pins(curves, options.painted, "painted point");
   return {mesh, curves, asker};
 }
 

@@ -17,6 +17,12 @@ enum class Method {
   kCorridor,  ///< flat within the slack, exact distance in a band, phase for loops
 };
 
+/// A point of the drawing that is meant exactly, as a click is.
+struct WayPoint {
+  SurfacePoint point;
+  double tolerance = 0;  ///< mesh units, >= 0: how far from it the result may pass
+};
+
 /// The options that apply when a curve is set.
 struct CurveOptions {
   Method method = Method::kCorridor;  ///< also decides which distance is measured
@@ -29,6 +35,13 @@ struct CurveOptions {
   bool cap_corners = true;  ///< as the paper does; affects only curves along mesh edges
   unsigned threads = 2;  ///< at most, for factorising the heat matrices; >= 1; no effect on results
   std::vector<SurfacePoint> pins;  ///< points of the drawing that the result must pass through
+  /// For the corridor. Between two of these that follow each other on a curve, the drawing is no
+  /// stroke: it tells only on which side of holes and handles the curve passes. The result is a
+  /// spline there, and tau its tension.
+  std::vector<WayPoint> way_points;
+  /// Points of the drawing that were painted. Between the two way-points around one of these, the
+  /// drawing is a stroke, as are curves without way-points and the ends before and after these.
+  std::vector<SurfacePoint> painted;
 
   void validate() const;  ///< throws Error(kBadUsage) naming the field and its bound
 };

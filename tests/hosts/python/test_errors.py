@@ -97,7 +97,7 @@ class Errors(unittest.TestCase):
         self.refused(talweg.BadUsage, "2 slacks for 3600", slack_field=[1.0, 2.0])
         self.refused(talweg.BadUsage, "slack needs the potential corridor", slack=1.0,
                      potential="paper")
-        self.refused(talweg.BadUsage, "pinned vertex 0", pin=[0])
+        self.refused(talweg.BadUsage, "pin at vertex 0", pin=[0])
         with self.assertRaisesRegex(TypeError, "tqdm"):
             talweg.smooth(self.vertices, self.faces, self.drawn, progress=3)
 
