@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "talweg/core/fairing/chain_curve.hpp"
@@ -10,53 +11,131 @@
 namespace talweg {
 namespace {
 
-constexpr int kLevels = 2, kResamplingParts = 2, kResultParts = 4, kTightenings = 4;
+constexpr int kLevels = 2, kResamplingParts = 2, kResultParts = 4, kMostParts = 16;
+constexpr int kTightenings = 4;
 constexpr int kSamplings = 3;
+constexpr double kJoinsOfLeg = 6, kMostOnLeg = 2;  // edges
+constexpr double kMostSwing = 0.25;
+constexpr int kSwingRounds = 8;
 constexpr double kEarlier = 0.95, kStiffer = 4;
 constexpr double kUneven = 2, kMostSamples = 1e5;
 
 }  // namespace
 
-double CurveFairing::spacing(double length, int level) const {
-  const double wanted = band_->least_slack() / (level == 0 ? 1 : 2);
-  const double least = edge_ / (level == 0 ? 4 : 8);
-  return std::max({wanted, least, length / kMostSamples});
+std::vector<double> CurveFairing::spacings(const CurveTrace& trace, int level) const {
+  const double finer = level == 0 ? 1 : 2;
+  const double least = std::max(edge_ / (4 * finer), trace.length / kMostSamples);
+  std::vector<double> spacings = trace.stretch_lengths();
+  for (std::size_t k = 0; k < spacings.size(); ++k) {
+    const bool is_leg = k < legs_.is_leg.size() && legs_.is_leg[k];
+    const double wanted =
+        is_leg ? std::min(spacings[k] / kJoinsOfLeg, kMostOnLeg * edge_) : band_->least_slack();
+    spacings[k] = std::max(wanted / finer, least);
+  }
+  return spacings;
+}
+
+FairChain CurveFairing::chain_fairing(const FairOptions& options) {
+  FairChain fair(maker_, band_, options);
+  if (legs_.any()) fair.set_legs(legs_);
+  return fair;
 }
 
 std::optional<SampleChain> CurveFairing::from_curve(const CurveTrace& start, Asker& asker) {
   CurveTrace trace = start;
   std::optional<SampleChain> chain;
   for (int level = 0; level < kLevels; ++level) {
-    chain = maker_.sampled(trace, spacing(trace.length, level));
+    chain = maker_.sampled(trace, spacings(trace, level));
     if (!chain) return chain;
     for (int sampling = 0;; ++sampling) {
-      FairChain fair(maker_, *band_, options_);
+      FairChain fair = chain_fairing(options_);
       fair.run(*chain, nullptr, asker);
+      if (level == 0 && sampling == 0) hold_swings(fair, *chain, start, asker);
       const bool last = level + 1 == kLevels;
       if (last) keep_within(fair, *chain, nullptr, asker);
       const bool enough = is_even(*chain) || sampling == kSamplings;
-      if (last && enough) return chain;
+      if (last && enough) return loosened(*std::move(chain), asker);
       const std::optional<SampleChain> divided = maker_.divided(*chain, kResamplingParts);
       if (!divided) return std::nullopt;
       trace = maker_.trace_of(*divided);
       if (enough) break;
-      chain = maker_.sampled(trace, spacing(trace.length, level));
+      chain = maker_.sampled(trace, spacings(trace, level));
       if (!chain) return chain;
     }
   }
   return chain;
 }
 
+/// A spline swings out of its legs where they turn sharply or differ much in length. Legs from
+/// which it swings too far for their length are drawn tighter, while the others keep their tension.
+void CurveFairing::hold_swings(FairChain& fair, SampleChain& chain, const CurveTrace& legs,
+                               Asker& asker) {
+  if (!legs_.any()) return;
+  const std::vector<double> lengths = legs.stretch_lengths();
+  const std::size_t n = lengths.size();
+  legs_.stronger.assign(n, 1);
+  for (int round = 0; round < kSwingRounds; ++round) {
+    std::vector<double> swings(n, 0);
+    for (std::size_t i = 0; i < chain.size(); ++i) {
+      if (chain.fixed[i]) continue;
+      double& swing = swings[chain.join_before(i).stretch];
+      swing = std::max(swing, std::abs(fair.offsets()[i]));
+    }
+    bool any = false;
+    for (std::size_t k = 0; k < n; ++k) {
+      const double excess = swings[k] / (kMostSwing * lengths[k]);
+      if (!legs_.is_leg[k] || excess <= 1.05) continue;
+      any = true;
+      legs_.stronger[k] *= std::min(excess * excess, 4.0);
+    }
+    if (!any) return;
+    if (!legs_.tension) legs_.tension = fair.tension();
+    fair.run(chain, nullptr, asker);
+  }
+}
+
+/// Lets samples at way-points with a tolerance move as far as that. The chain is as it was if they
+/// do not stay within.
+std::optional<SampleChain> CurveFairing::loosened(SampleChain chain, Asker& asker) {
+  std::vector<bool> loose(chain.size(), false);
+  std::vector<double> reach(chain.size(), 0);
+  std::size_t passed = 0;
+  for (std::size_t i = 0; i < chain.size(); ++i) {
+    if (!chain.fixed[i]) continue;
+    if (passed < legs_.tolerances.size() && !chain.is_end(i)) reach[i] = legs_.tolerances[passed];
+    loose[i] = reach[i] > 0;
+    ++passed;
+  }
+  if (std::find(loose.begin(), loose.end(), true) == loose.end()) return chain;
+  std::optional<SampleChain> free = maker_.loosened(chain, loose);
+  if (!free) return chain;
+  FairChain fair(maker_, band_, options_);
+  fair.set_legs(legs_, reach);
+  fair.run(*free, nullptr, asker);
+  keep_within(fair, *free, nullptr, asker);
+  for (std::size_t i = 0; i < chain.size(); ++i) {
+    if (loose[i] && !(std::abs(fair.offsets()[i]) <= reach[i])) return chain;
+  }
+  return free;
+}
+
 /// Whether no join is so much longer than the others that what lies between its samples is not
 /// seen.
 bool CurveFairing::is_even(const SampleChain& chain) {
-  const double mean = chain.length() / static_cast<double>(chain.joins.size());
-  return std::all_of(chain.joins.begin(), chain.joins.end(),
-                     [&](const ChainJoin& join) { return join.length <= kUneven * mean; });
+  std::vector<double> lengths, counts;
+  for (const ChainJoin& join : chain.joins) {
+    lengths.resize(std::max<std::size_t>(lengths.size(), join.stretch + 1), 0);
+    counts.resize(lengths.size(), 0);
+    lengths[join.stretch] += join.length;
+    ++counts[join.stretch];
+  }
+  return std::all_of(chain.joins.begin(), chain.joins.end(), [&](const ChainJoin& join) {
+    return join.length <= kUneven * lengths[join.stretch] / counts[join.stretch];
+  });
 }
 
 SampleChain CurveFairing::from_chain(SampleChain chain, SampleTrail& trail, Asker& asker) {
-  FairChain fair(maker_, *band_, options_);
+  FairChain fair = chain_fairing(options_);
   fair.run(chain, &trail, asker);
   keep_within(fair, chain, &trail, asker);
   if (is_even(chain)) return chain;
@@ -75,13 +154,29 @@ void CurveFairing::keep_within(FairChain& fair, SampleChain& chain, SampleTrail*
   }
 }
 
+/// Whether a sample is between the walls of a stroke.
+bool CurveFairing::is_held(const SampleChain& chain, std::size_t i) const {
+  return !legs_.is_on_leg(chain.join_before(i)) && !legs_.is_on_leg(chain.join_after(i));
+}
+
 bool CurveFairing::keeps_within(const SampleChain& chain) const {
   for (std::size_t i = 0; i < chain.size(); ++i) {
-    if (chain.fixed[i]) continue;
+    if (chain.fixed[i] || !is_held(chain, i)) continue;
     const BandPlace place = band_->at(chain.samples[i], {1, 0});
     if (!(place.distance <= place.wall)) return false;
   }
   return true;
+}
+
+/// Of the samples on strokes.
+double CurveFairing::farthest(const SampleChain& chain) const {
+  double most = 0;
+  for (std::size_t i = 0; i < chain.size(); ++i) {
+    if (chain.fixed[i] || !is_held(chain, i)) continue;
+    const BandPlace place = band_->at(chain.samples[i], {1, 0});
+    most = std::max(most, place.distance / place.wall);
+  }
+  return most;
 }
 
 double CurveFairing::farthest(const SurfaceCurve& curve) const {
@@ -100,18 +195,26 @@ double CurveFairing::farthest(const SurfaceCurve& curve) const {
   return most;
 }
 
+/// So many joins of the result for each of the chain's that no turn exceeds 4.5 degrees.
+int CurveFairing::result_parts(const SampleChain& chain) {
+  constexpr double kLargest = 4.5 * std::numbers::pi / 180;
+  double most = 0;
+  for (const double turn : chain.turns) most = std::max(most, std::abs(turn));
+  return std::clamp(static_cast<int>(std::ceil(most / kLargest)), kResultParts, kMostParts);
+}
+
 /// What lies between samples may be beyond a wall where they are not: walls are then felt earlier.
 std::optional<FairedCurve> CurveFairing::curve_of(SampleChain chain, Asker& asker) {
   FairOptions options = options_;
   for (int round = 0;; ++round) {
-    const std::optional<SampleChain> dense = maker_.divided(chain, kResultParts);
+    const std::optional<SampleChain> dense = maker_.divided(chain, result_parts(chain));
     if (!dense) return std::nullopt;
     FairedCurve result{talweg::curve_of(*surface_, maker_, *dense, edge_)};
-    result.farthest = farthest(result.curve);
+    result.farthest = legs_.any() ? farthest(*dense) : farthest(result.curve);
     if (result.farthest <= 1 || round == kTightenings) return result;
     options.felt *= kEarlier;
     options.stiffness *= kStiffer;
-    FairChain fair(maker_, *band_, options);
+    FairChain fair = chain_fairing(options);
     fair.run(chain, nullptr, asker);
     keep_within(fair, chain, nullptr, asker);
   }

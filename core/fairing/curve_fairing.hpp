@@ -1,11 +1,15 @@
 // Fairing spreads the turning of a curve evenly, between the walls of its drawing.
 #pragma once
 
+#include <cstddef>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "talweg/core/fairing/curve_trace.hpp"
 #include "talweg/core/fairing/drawn_band.hpp"
 #include "talweg/core/fairing/fair_chain.hpp"
+#include "talweg/core/fairing/leg_tension.hpp"
 #include "talweg/core/fairing/sample_chain.hpp"
 #include "talweg/intrinsic/progress.hpp"
 #include "talweg/intrinsic/surface/surface_point.hpp"
@@ -17,14 +21,21 @@ struct FairedCurve {
   double farthest = 0;  ///< largest distance to the drawing, in distances of the wall there
 };
 
-/// Fairs a curve in the band of its drawing. Samples are a slack apart at first, then half of it,
-/// but never nearer than an eighth of an edge, nor more than 100,000. All functions throw
-/// Cancelled.
+/// Fairs a curve in the band of its drawing, and on legs by their tension. Samples are a slack
+/// apart at first, then half of it (on a leg, a sixth and a twelfth of its length), but never
+/// nearer than an eighth of an edge, nor more than 100,000. All functions throw Cancelled.
 class CurveFairing {
  public:
-  /// `edge`: mean edge near the curve, mesh units.
-  CurveFairing(const Surface& surface, const DrawnBand& band, double edge, FairOptions options)
-      : surface_(&surface), maker_(surface), band_(&band), edge_(edge), options_(options) {}
+  /// `edge`: mean edge near the curve, mesh units. The band may be null where every stretch is a
+  /// leg.
+  CurveFairing(const Surface& surface, const DrawnBand* band, double edge, FairOptions options,
+               LegTension legs = {})
+      : surface_(&surface),
+        maker_(surface),
+        band_(band),
+        edge_(edge),
+        options_(options),
+        legs_(std::move(legs)) {}
 
   /// A fair chain that starts from a curve; none where samples cannot be joined.
   std::optional<SampleChain> from_curve(const CurveTrace& start, Asker& asker);
@@ -39,8 +50,14 @@ class CurveFairing {
 
  private:
   [[nodiscard]] static bool is_even(const SampleChain& chain);
-  [[nodiscard]] double spacing(double length, int level) const;
+  [[nodiscard]] static int result_parts(const SampleChain& chain);
+  [[nodiscard]] std::vector<double> spacings(const CurveTrace& trace, int level) const;
+  [[nodiscard]] FairChain chain_fairing(const FairOptions& options);
+  void hold_swings(FairChain& fair, SampleChain& chain, const CurveTrace& legs, Asker& asker);
+  std::optional<SampleChain> loosened(SampleChain chain, Asker& asker);
+  [[nodiscard]] bool is_held(const SampleChain& chain, std::size_t i) const;
   [[nodiscard]] double farthest(const SurfaceCurve& curve) const;
+  [[nodiscard]] double farthest(const SampleChain& chain) const;
   void keep_within(FairChain& fair, SampleChain& chain, SampleTrail* trail, Asker& asker);
 
   const Surface* surface_;
@@ -48,6 +65,7 @@ class CurveFairing {
   const DrawnBand* band_;
   double edge_;
   FairOptions options_;
+  LegTension legs_;
 };
 
 }  // namespace talweg

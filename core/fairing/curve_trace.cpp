@@ -54,6 +54,18 @@ void CurveTrace::add(const CurveSegment& segment) {
   length += segment.length;
 }
 
+std::vector<double> CurveTrace::stretch_lengths() const {
+  std::vector<double> arcs;
+  if (!closed) arcs.push_back(0);
+  for (const std::size_t piece : fixed) arcs.push_back(pieces[piece].arc);
+  if (!closed) arcs.push_back(length);
+  if (arcs.empty()) return {length};
+  if (closed) arcs.push_back(arcs.front() + length);
+  std::vector<double> lengths;
+  for (std::size_t k = 0; k + 1 < arcs.size(); ++k) lengths.push_back(arcs[k + 1] - arcs[k]);
+  return lengths;
+}
+
 std::size_t CurveTrace::piece_at(double arc) const {
   const auto after = std::upper_bound(pieces.begin(), pieces.end(), arc,
                                       [](double a, const TracePiece& p) { return a < p.arc; });
@@ -71,6 +83,15 @@ FaceCoordinates CurveTrace::point(std::size_t piece, double arc) const {
 
 CurveTrace trace_of(const Surface& surface, const SurfaceCurve& curve,
                     std::span<const SurfacePoint> fixed) {
+  std::vector<std::size_t> places;
+  for (std::size_t i = 0; i < curve.points.size() && !fixed.empty(); ++i) {
+    if (std::find(fixed.begin(), fixed.end(), curve.points[i]) != fixed.end()) places.push_back(i);
+  }
+  return trace_through(surface, curve, places);
+}
+
+CurveTrace trace_through(const Surface& surface, const SurfaceCurve& curve,
+                         std::span<const std::size_t> fixed) {
   CurveTrace trace;
   trace.closed = curve.closed;
   const std::size_t n = curve.points.size();
@@ -84,7 +105,7 @@ CurveTrace trace_of(const Surface& surface, const SurfaceCurve& curve,
           ErrorCode::kBadCurve,
           fmt::format("Points {} and {} of the curve lie in no common face.", i, (i + 1) % n));
     }
-    if ((i > 0 || curve.closed) && std::find(fixed.begin(), fixed.end(), p) != fixed.end()) {
+    if ((i > 0 || curve.closed) && std::binary_search(fixed.begin(), fixed.end(), i)) {
       trace.fixed.push_back(i);
       trace.fixed_points.push_back(p);
     }

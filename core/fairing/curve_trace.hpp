@@ -28,6 +28,9 @@ struct CurveTrace {
 
   /// Appends a piece, with no crossings before it since the last.
   void add(const CurveSegment& segment);
+  /// Of the stretches between points that must stay, mesh units; for a loop the last one leads to
+  /// the first of these. One without such points is one stretch.
+  [[nodiscard]] std::vector<double> stretch_lengths() const;
   /// The number of the piece at this arc length.
   [[nodiscard]] std::size_t piece_at(double arc) const;
   [[nodiscard]] FaceCoordinates point(std::size_t piece, double arc) const;
@@ -38,6 +41,11 @@ struct CurveTrace {
 /// O(points).
 CurveTrace trace_of(const Surface& surface, const SurfaceCurve& curve,
                     std::span<const SurfacePoint> fixed = {});
+
+/// The same for the points with these indices, ascending. The ends of open curves may be among
+/// them.
+CurveTrace trace_through(const Surface& surface, const SurfaceCurve& curve,
+                         std::span<const std::size_t> fixed);
 
 /// Appends what is crossed on the way from one face to another at a point that both contain.
 void cross_at(const Surface& surface, const SurfacePoint& point, FaceId from, FaceId to,

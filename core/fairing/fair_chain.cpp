@@ -5,6 +5,8 @@
 #include <numeric>
 #include <utility>
 
+#include "talweg/core/fairing/strip_curvature.hpp"
+
 namespace talweg {
 namespace {
 
@@ -25,16 +27,67 @@ void append(const SampleTrail& more, SampleTrail& trail) {
 
 /// Loops keep their size: what counts is how far their curvature is from its mean. A loop that
 /// bends little would grow until it meets its outer wall.
-double FairChain::mean_curvature(const SampleChain& chain) {
-  if (!chain.closed) return 0;
+double FairChain::mean_curvature(const SampleChain& chain) const {
+  if (!chain.closed || has_legs()) return 0;
   return std::accumulate(chain.turns.begin(), chain.turns.end(), 0.0) / chain.length();
 }
 
-void FairChain::measure(const SampleChain& chain, std::vector<BandPlace>& places) const {
+bool FairChain::is_on_leg(const SampleChain& chain, std::size_t i) const {
+  return has_legs() && !chain.is_end(i) && legs_->is_on_leg(chain.join_before(i)) &&
+         legs_->is_on_leg(chain.join_after(i));
+}
+
+/// A loose sample has walls around its way-point, others on legs have none.
+BandPlace FairChain::place_of(const SampleChain& chain, std::size_t i, double offset) const {
+  constexpr double kScale = 2;  // of a step, in joins
+  if (is_loose(chain, i) && !reach_.empty()) {
+    const double r = reach_[i];
+    return {std::abs(offset), offset < 0 ? -1.0 : 1.0, r, r, 0};
+  }
+  if (!is_loose(chain, i) && !is_on_leg(chain, i))
+    return band_->at(chain.samples[i], turned_left(chain.tangent(i)));
+  const double scale = kScale / 2 * (chain.join_before(i).length + chain.join_after(i).length);
+  return {0, 0, scale, HUGE_VAL, 0};
+}
+
+void FairChain::measure(const SampleChain& chain, const std::vector<double>& offsets,
+                        std::vector<BandPlace>& places) const {
   places.assign(chain.size(), {});
   for (std::size_t i = 0; i < chain.size(); ++i) {
-    if (chain.fixed[i]) continue;
-    places[i] = band_->at(chain.samples[i], turned_left(chain.tangent(i)));
+    if (!chain.fixed[i]) places[i] = place_of(chain, i, offsets[i]);
+  }
+}
+
+/// A sample's part of the tension's energy.
+double FairChain::pull_at(const SampleChain& chain, std::size_t i) const {
+  if (pull_.empty()) return 0;
+  const std::size_t n = chain.joins.size();
+  double sum = 0;
+  if (chain.closed || i > 0) {
+    sum += pull_[i == 0 ? n - 1 : i - 1] * chain.join_before(i).length;
+  }
+  if (i < n) sum += pull_[i] * chain.joins[i].length;
+  return sum / 2;
+}
+
+/// Sets the tension to c ∫κ² ds / length of the legs as they are. Lower energy at this tension
+/// means a lower product ∫κ² ds · length^c, too.
+void FairChain::balance(const SampleChain& chain) {
+  if (!has_legs()) return;
+  double bending = 0, length = 0;
+  for (std::size_t i = 0; i < chain.size(); ++i) {
+    if (i < chain.joins.size() && legs_->is_on_leg(chain.joins[i])) {
+      length += chain.joins[i].length;
+    }
+    if (!is_on_leg(chain, i)) continue;
+    bending += 2 * chain.turns[i] * chain.turns[i] /
+               (chain.join_before(i).length + chain.join_after(i).length);
+  }
+  common_pull_ = legs_->tension.value_or(legs_->relative * bending / length);
+  pull_.assign(chain.joins.size(), 0);
+  for (std::size_t i = 0; i < pull_.size(); ++i) {
+    const ChainJoin& join = chain.joins[i];
+    if (legs_->is_on_leg(join)) pull_[i] = common_pull_ * legs_->factor(join);
   }
 }
 
@@ -43,10 +96,11 @@ void FairChain::energies(const SampleChain& chain, const std::vector<BandPlace>&
   energies.assign(chain.size(), 0);
   const double mean = mean_curvature(chain);
   for (std::size_t i = 0; i < chain.size(); ++i) {
+    energies[i] = pull_at(chain, i);
     if (chain.is_end(i)) continue;
     const double weight = (chain.join_before(i).length + chain.join_after(i).length) / 2;
     const double turn = chain.turns[i] - mean * weight;
-    energies[i] = turn * turn / weight;
+    energies[i] += turn * turn / weight;
     if (chain.fixed[i]) continue;
     const BandPlace& place = places[i];
     const double beyond = std::max(0.0, place.distance - options_.felt * place.wall);
@@ -58,6 +112,8 @@ void FairChain::energies(const SampleChain& chain, const std::vector<BandPlace>&
 
 void FairChain::set_rows(const SampleChain& chain) {
   rows_.assign(chain.size(), {});
+  std::vector<double> gauss(chain.size(), 0);
+  if (has_legs()) gauss = StripCurvature(maker_->surface()).along(chain);
   const double mean = mean_curvature(chain);
   for (std::size_t i = 0; i < chain.size(); ++i) {
     if (chain.is_end(i)) continue;
@@ -70,7 +126,9 @@ void FairChain::set_rows(const SampleChain& chain) {
     // A line that bends at a vertex turns about it: the samples beyond have no part in it.
     row.before = in.bends ? 0 : before;
     row.after = out.bends ? 0 : after;
-    row.here = -before - after + curvature * (curvature + mean) / 2;
+    const double most = 1 / (row.weight * row.weight);
+    row.here =
+        -before - after + curvature * (curvature + mean) / 2 + std::clamp(gauss[i], -most, most);
   }
 }
 
@@ -98,8 +156,25 @@ void FairChain::assemble(const SampleChain& chain, BandSystem& system) const {
       system.right(i) -= per * stiffness_[i] * slope * beyond;
     }
   }
+  add_pull(chain, system);
   for (std::size_t i = 0; i < chain.size(); ++i) {
     if (held_[i] != 0) system.hold(i);
+  }
+}
+
+/// Half of the gradient and of the Hessian of t · length. A sample that turns by θ and moves by d
+/// to the left makes each of its joins shorter by sin(θ / 2) d.
+void FairChain::add_pull(const SampleChain& chain, BandSystem& system) const {
+  for (std::size_t i = 0; i < pull_.size(); ++i) {
+    if (!(pull_[i] > 0)) continue;
+    const std::size_t j = chain.after(i);
+    const ChainJoin& join = chain.joins[i];
+    const double half = pull_[i] / 2;
+    system.right(i) += half * std::sin(chain.turns[i] / 2);
+    system.right(j) += half * std::sin(chain.turns[j] / 2);
+    system.add(i, i, half / join.first_leg);
+    system.add(j, j, half / join.last_leg);
+    if (!join.bends) system.add(i, j, -half / join.length);
   }
 }
 
@@ -172,9 +247,13 @@ bool FairChain::step(SampleChain& chain, SampleTrail* trail) {
   set_rows(chain);
   BandSystem system(chain.size(), chain.closed);
   held_.assign(chain.fixed.begin(), chain.fixed.end());
+  for (std::size_t i = 0; i < chain.size(); ++i) {
+    if (is_loose(chain, i) && reach_.empty()) held_[i] = 1;
+  }
   std::vector<double> left, now;
   SampleTrail ways;
   std::vector<BandPlace> places;
+  std::vector<double> offsets;
   double part = 1;
   for (int trial = 0; trial < kTrials; ++trial) {
     if (!solve(chain, system, left)) return false;
@@ -183,11 +262,14 @@ bool FairChain::step(SampleChain& chain, SampleTrail* trail) {
     ways.clear();
     auto moved = maker_->moved_left(chain, left, trail != nullptr ? &ways : nullptr);
     if (moved) {
-      measure(*moved, places);
+      offsets = offsets_;
+      for (std::size_t i = 0; i < left.size(); ++i) offsets[i] += left[i];
+      measure(*moved, offsets, places);
       energies(*moved, places, now);
       const double sum = std::accumulate(now.begin(), now.end(), 0.0);
       if (sum < energy_) {
         chain = std::move(*moved);
+        offsets_ = offsets;
         places_ = places;
         energies_ = now;
         energy_ = sum;
@@ -217,18 +299,23 @@ bool FairChain::stiffen(const SampleChain& chain) {
 
 void FairChain::run(SampleChain& chain, SampleTrail* trail, Asker& asker) {
   stiffness_.resize(chain.size(), options_.stiffness);
+  offsets_.resize(chain.size(), 0);
   damping_ = 1e-2;
-  measure(chain, places_);
-  energies(chain, places_, energies_);
-  energy_ = std::accumulate(energies_.begin(), energies_.end(), 0.0);
+  measure(chain, offsets_, places_);
+  const double tolerance = has_legs() ? options_.leg_tolerance : options_.tolerance;
   int failed = 0;
   for (int iteration = 0; iteration < options_.max_iterations && failed < 3; ++iteration) {
     asker.did(chain.size());
+    if (iteration == 0 || has_legs()) {
+      balance(chain);
+      energies(chain, places_, energies_);
+      energy_ = std::accumulate(energies_.begin(), energies_.end(), 0.0);
+    }
     const double last = energy_;
     if (step(chain, trail)) {
       failed = 0;
       damping_ *= 0.3;
-      if (last - energy_ < options_.tolerance * last) return;
+      if (last - energy_ < tolerance * last) return;
     } else {
       ++failed;
       damping_ *= 30;

@@ -2,31 +2,42 @@
 #pragma once
 
 #include <cstddef>
-#include <optional>
+#include <utility>
 #include <vector>
 
 #include "talweg/core/fairing/band_solver.hpp"
 #include "talweg/core/fairing/drawn_band.hpp"
+#include "talweg/core/fairing/leg_tension.hpp"
 #include "talweg/core/fairing/sample_chain.hpp"
 #include "talweg/intrinsic/progress.hpp"
 
 namespace talweg {
 
 struct FairOptions {
-  double middle = 1e-3;     ///< β
-  double stiffness = 10;    ///< ρ, of the walls
-  double felt = 0.8;        ///< the walls that are felt, as part of the band's
-  double tolerance = 3e-3;  ///< relative gain in energy below which it ends
+  double middle = 1e-3;         ///< β
+  double stiffness = 10;        ///< ρ, of the walls
+  double felt = 0.8;            ///< the walls that are felt, as part of the band's
+  double tolerance = 3e-3;      ///< relative gain in energy below which it ends
+  double leg_tolerance = 1e-4;  ///< the same for a chain with legs
   int max_iterations = 60;
 };
 
 /// Minimises E = Σ wᵢ (θᵢ / wᵢ − κ₀)² + β Σ wᵢ δᵢ² / εᵢ⁴ + ρ Σ wᵢ max(0, δᵢ − Wᵢ)² / εᵢ⁴ over the
 /// samples of a chain by Gauss and Newton's method; W is the distance of the walls that are felt,
-/// κ₀ the mean curvature of a loop, 0 for an open chain. docs/algorithm.md has all of it.
+/// κ₀ the mean curvature of a loop, 0 for an open chain. On legs there is no drawing: t · length,
+/// their tension, stands for the terms with δ. docs/algorithm.md has all of it.
 class FairChain {
  public:
-  FairChain(ChainMaker& maker, const DrawnBand& band, const FairOptions& options)
-      : maker_(&maker), band_(&band), options_(options) {}
+  /// The band may be null where every stretch is a leg.
+  FairChain(ChainMaker& maker, const DrawnBand* band, const FairOptions& options)
+      : maker_(&maker), band_(band), options_(options) {}
+
+  /// Refers to the tension. Per sample how far a loose one may move, mesh units; where that is not
+  /// given, loose samples stay.
+  void set_legs(const LegTension& tension, std::vector<double> reach = {}) {
+    legs_ = &tension;
+    reach_ = std::move(reach);
+  }
 
   /// The chain keeps its number of samples; their ways are added to the trail, unless it is null.
   /// Throws Cancelled.
@@ -34,19 +45,33 @@ class FairChain {
   /// Makes the walls stiffer where samples of the chain that run() left are beyond the band's, or
   /// almost; tells whether there are any.
   bool stiffen(const SampleChain& chain);
+  /// Per sample: how far it has moved to the left in all, mesh units.
+  [[nodiscard]] const std::vector<double>& offsets() const { return offsets_; }
+  /// The tension t of the legs whose own is not stronger, 1 / mesh units².
+  [[nodiscard]] double tension() const { return common_pull_; }
 
  private:
   struct Row {
     double before = 0, here = 0, after = 0, rest = 0;  ///< of the curvature, linear in the steps
     double weight = 0;                                 ///< wᵢ
   };
-  [[nodiscard]] static double mean_curvature(const SampleChain& chain);
-  void measure(const SampleChain& chain, std::vector<BandPlace>& places) const;
+  [[nodiscard]] bool has_legs() const { return legs_ != nullptr; }
+  [[nodiscard]] static bool is_loose(const SampleChain& chain, std::size_t i) {
+    return !chain.loose.empty() && chain.loose[i];
+  }
+  [[nodiscard]] bool is_on_leg(const SampleChain& chain, std::size_t i) const;
+  [[nodiscard]] double mean_curvature(const SampleChain& chain) const;
+  [[nodiscard]] BandPlace place_of(const SampleChain& chain, std::size_t i, double offset) const;
+  void measure(const SampleChain& chain, const std::vector<double>& offsets,
+               std::vector<BandPlace>& places) const;
+  [[nodiscard]] double pull_at(const SampleChain& chain, std::size_t i) const;
+  void balance(const SampleChain& chain);
   /// Per sample.
   void energies(const SampleChain& chain, const std::vector<BandPlace>& places,
                 std::vector<double>& energies) const;
   void set_rows(const SampleChain& chain);
   void assemble(const SampleChain& chain, BandSystem& system) const;
+  void add_pull(const SampleChain& chain, BandSystem& system) const;
   bool solve(const SampleChain& chain, BandSystem& system, std::vector<double>& left);
   void limit(const SampleChain& chain, std::vector<double>& left) const;
   bool hold_at_jumps(const SampleChain& chain, const SampleChain& moved,
@@ -56,6 +81,11 @@ class FairChain {
   ChainMaker* maker_;
   const DrawnBand* band_;
   FairOptions options_;
+  const LegTension* legs_ = nullptr;
+  std::vector<double> reach_;
+  std::vector<double> pull_;  // per join: t; empty without legs
+  double common_pull_ = 0;
+  std::vector<double> offsets_;
   double damping_ = 1e-2;
   std::vector<BandPlace> places_;
   double energy_ = 0;             // 1 / mesh units

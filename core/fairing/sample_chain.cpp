@@ -36,7 +36,7 @@ PlanePoint SampleChain::tangent(std::size_t i) const {
 
 /// Joins by the strip that is in strip_.
 bool ChainMaker::add_join(SampleChain& chain, const FaceCoordinates& from,
-                          const FaceCoordinates& to) {
+                          const FaceCoordinates& to, std::uint32_t stretch) {
   const StripLine line = lines_.join(from, to, strip_);
   ChainJoin join{line.from, line.to, line.start, line.end, line.length};
   join.first = static_cast<std::uint32_t>(chain.crossed.size());
@@ -44,6 +44,7 @@ bool ChainMaker::add_join(SampleChain& chain, const FaceCoordinates& from,
   join.bends = !line.bends.empty();
   join.first_leg = line.first_leg;
   join.last_leg = line.last_leg;
+  join.stretch = stretch;
   chain.crossed.insert(chain.crossed.end(), strip_.begin(), strip_.end());
   chain.joins.push_back(join);
   return line.found;
@@ -102,7 +103,7 @@ struct Place {
   bool fixed = false;
 };
 
-std::vector<Place> places_on(const CurveTrace& trace, double spacing) {
+std::vector<Place> places_on(const CurveTrace& trace, std::span<const double> spacings) {
   std::vector<Place> fixed;
   if (!trace.closed) fixed.push_back({0, 0, true});
   for (const std::size_t piece : trace.fixed)
@@ -114,9 +115,9 @@ std::vector<Place> places_on(const CurveTrace& trace, double spacing) {
     fixed.push_back({fixed.front().piece, fixed.front().arc + trace.length, fixed.front().fixed});
   }
   const double least = trace.closed ? 8 : 2;
-  const double most = std::min(spacing, trace.length / least);
   std::vector<Place> places;
   for (std::size_t k = 0; k + 1 < fixed.size(); ++k) {
+    const double most = std::min(spacings[spacings.size() > 1 ? k : 0], trace.length / least);
     const double from = fixed[k].arc, to = fixed[k + 1].arc;
     const double joins = std::max(1.0, std::ceil((to - from) / most * (1 - 1e-9)));
     places.push_back(fixed[k]);
@@ -136,12 +137,14 @@ std::vector<Place> places_on(const CurveTrace& trace, double spacing) {
 
 }  // namespace
 
-std::optional<SampleChain> ChainMaker::sampled(const CurveTrace& trace, double spacing) {
+std::optional<SampleChain> ChainMaker::sampled(const CurveTrace& trace,
+                                               std::span<const double> spacings) {
   SampleChain chain;
   chain.closed = trace.closed;
   chain.fixed_points = trace.fixed_points;
-  if (trace.pieces.empty() || !(trace.length > 0) || !(spacing > 0)) return std::nullopt;
-  const std::vector<Place> places = places_on(trace, spacing);
+  const bool spaced = std::all_of(spacings.begin(), spacings.end(), [](double s) { return s > 0; });
+  if (trace.pieces.empty() || !(trace.length > 0) || !spaced) return std::nullopt;
+  const std::vector<Place> places = places_on(trace, spacings);
   for (const Place& place : places) {
     const FaceCoordinates at = trace.point(place.piece, place.arc);
     chain.samples.push_back(place.fixed ? at : moved_inside(at));
@@ -154,14 +157,18 @@ std::optional<SampleChain> ChainMaker::sampled(const CurveTrace& trace, double s
     return std::span(trace.crossed)
         .subspan(trace.pieces[piece].crossed, stop - trace.pieces[piece].crossed);
   };
+  const auto fixed =
+      static_cast<std::uint32_t>(std::count(chain.fixed.begin(), chain.fixed.end(), true));
+  std::uint32_t stretch = fixed > 0 ? fixed - 1 : 0;  // a loop may begin in its last one
   for (std::size_t i = 0; i < joins; ++i) {
     const std::size_t j = chain.after(i);
+    if (chain.fixed[i]) stretch = stretch + 1 < fixed ? stretch + 1 : 0;
     strip_.clear();
     const std::size_t stop = places[j].piece + (trace.closed && j == 0 ? trace.pieces.size() : 0);
     for (std::size_t p = places[i].piece; p < stop; ++p) {
       add_all(strip_, crossed_after(p % trace.pieces.size()));
     }
-    if (!add_join(chain, chain.samples[i], chain.samples[j])) return std::nullopt;
+    if (!add_join(chain, chain.samples[i], chain.samples[j], stretch)) return std::nullopt;
   }
   set_turns(chain);
   return chain;
@@ -198,6 +205,7 @@ std::optional<SampleChain> ChainMaker::moved(const SampleChain& chain,
   result.fixed_points = chain.fixed_points;
   result.samples = chain.samples;
   result.fixed = chain.fixed;
+  result.loose = chain.loose;
   FaceStrip walks;
   std::vector<std::uint32_t> first{0};
   for (std::size_t i = 0; i < n; ++i) {
@@ -220,7 +228,7 @@ std::optional<SampleChain> ChainMaker::moved(const SampleChain& chain,
     add_all(strip_, chain.strip(old));
     add_all(strip_, walk(j));
     if (!add_join(result, chain.fixed[i] ? old.from : result.samples[i],
-                  chain.fixed[j] ? old.to : result.samples[j])) {
+                  chain.fixed[j] ? old.to : result.samples[j], old.stretch)) {
       return std::nullopt;
     }
   }
@@ -229,6 +237,42 @@ std::optional<SampleChain> ChainMaker::moved(const SampleChain& chain,
     trail->resize(n);
     for (std::size_t i = 0; i < n; ++i) add_all((*trail)[i], walk(i));
   }
+  return result;
+}
+
+/// A fixed sample may have joins in different faces; a free one lies in that of the join after it.
+std::optional<SampleChain> ChainMaker::loosened(const SampleChain& chain,
+                                                const std::vector<bool>& loose) {
+  SampleChain result;
+  result.closed = chain.closed;
+  result.loose = loose;
+  result.fixed = chain.fixed;
+  result.samples = chain.samples;
+  std::size_t passed = 0;
+  for (std::size_t i = 0; i < chain.size(); ++i) {
+    if (chain.fixed[i] && !loose[i]) result.fixed_points.push_back(chain.fixed_points[passed]);
+    if (chain.fixed[i]) ++passed;
+    if (!loose[i]) continue;
+    result.fixed[i] = false;
+    result.samples[i] = moved_inside(chain.join_after(i).from);
+  }
+  for (std::size_t i = 0; i < chain.joins.size(); ++i) {
+    const std::size_t j = chain.after(i);
+    const ChainJoin& old = chain.joins[i];
+    const auto strip = chain.strip(old);
+    strip_.assign(strip.begin(), strip.end());
+    if (loose[j]) {
+      const auto at = SurfacePoint::from_barycentric(*surface_, old.to.face, old.to.barycentric);
+      side_.clear();
+      cross_at(*surface_, at, old.to.face, result.samples[j].face, side_);
+      add_all(strip_, side_);
+    }
+    if (!add_join(result, loose[i] ? result.samples[i] : old.from,
+                  loose[j] ? result.samples[j] : old.to, old.stretch)) {
+      return std::nullopt;
+    }
+  }
+  set_turns(result);
   return result;
 }
 
@@ -318,7 +362,7 @@ bool ChainMaker::divide(const SampleChain& chain, std::size_t i, int parts, Samp
     add_all(strip_, next.way);
     const FaceCoordinates from = before != nullptr ? before->at : join.from;
     before = &next;
-    return add_join(result, from, next.at);
+    return add_join(result, from, next.at, join.stretch);
   };
   for (const Inserted& next : inserted) {
     if (!add(next)) return false;

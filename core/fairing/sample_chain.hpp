@@ -22,6 +22,7 @@ struct ChainJoin {
   std::uint32_t first = 0, count = 0;  ///< its strip in SampleChain::crossed
   bool bends = false;                  ///< at a vertex
   double first_leg = 0, last_leg = 0;  ///< to the first bend, and from the last; else the length
+  std::uint32_t stretch = 0;           ///< counted by the points that were fixed at first
 };
 
 /// The ends of an open chain are fixed, as other samples may be; free samples lie inside faces.
@@ -30,6 +31,7 @@ struct SampleChain {
   std::vector<FaceCoordinates> samples;
   std::vector<bool> fixed;
   std::vector<SurfacePoint> fixed_points;  ///< where these are, in their order
+  std::vector<bool> loose;                 ///< unless empty: samples that were fixed at first
   std::vector<double> turns;               ///< radians, to the left positive; 0 at ends
   std::vector<ChainJoin> joins;            ///< as many as samples if closed, else one less
   FaceStrip crossed;
@@ -68,9 +70,15 @@ class ChainMaker {
  public:
   explicit ChainMaker(const Surface& surface) : surface_(&surface), lines_(surface) {}
 
-  /// Samples at equal arc lengths between points that are fixed, at most `spacing` (mesh units)
-  /// apart; at least 8 joins if closed, else 2.
-  std::optional<SampleChain> sampled(const CurveTrace& trace, double spacing);
+  [[nodiscard]] const Surface& surface() const { return *surface_; }
+
+  /// Samples at equal arc lengths between points that are fixed; at least 8 joins if closed, else
+  /// 2. They are at most so far apart (mesh units): one number for each stretch between such points
+  /// (of a loop, the last one leads to the first of these), or one for all.
+  std::optional<SampleChain> sampled(const CurveTrace& trace, std::span<const double> spacings);
+  std::optional<SampleChain> sampled(const CurveTrace& trace, double spacing) {
+    return sampled(trace, std::span(&spacing, 1));
+  }
   /// The ways of the samples are added to the trail, unless it is null.
   std::optional<SampleChain> moved(const SampleChain& chain, std::span<const SampleStep> steps,
                                    SampleTrail* trail);
@@ -81,6 +89,8 @@ class ChainMaker {
   /// where there is no trail.
   std::optional<SampleChain> between(const SampleChain& from, const SampleChain& to,
                                      const SampleTrail& trail, double part);
+  /// The chain with these samples no longer fixed.
+  std::optional<SampleChain> loosened(const SampleChain& chain, const std::vector<bool>& loose);
   /// With so many joins for each, on a cubic that has the chain's samples and tangents.
   std::optional<SampleChain> divided(const SampleChain& chain, int parts);
   /// The lines of the chain.
@@ -89,7 +99,8 @@ class ChainMaker {
  private:
   void set_turns(SampleChain& chain) const;
   [[nodiscard]] double turn_between(const ChainJoin& in, const ChainJoin& out) const;
-  bool add_join(SampleChain& chain, const FaceCoordinates& from, const FaceCoordinates& to);
+  bool add_join(SampleChain& chain, const FaceCoordinates& from, const FaceCoordinates& to,
+                std::uint32_t stretch);
   /// A straight piece of a join, from one of its ends.
   struct Leg {
     FaceCoordinates from;

@@ -27,6 +27,11 @@ constexpr double kLeastSlack = 1.0 / 8;  // edges
 constexpr int kHalvings = 8;
 constexpr double kBands[] = {1, 0.7, 0.4};  // of tries that start from the drawing
 constexpr std::size_t kTries = 1 + std::size(kBands);
+
+/// c of a spline's legs: see LegTension::relative. Below the least one it would swing out widely
+/// where its legs turn sharply.
+double tension_of(double tau) { return std::max(0.5, 8 * tau); }
+constexpr double kTighter = 8;  // of the tries of splines
 constexpr const char* kLeftTaut =
     "The curve could not be made fair within its walls; it is left taut, with kinks.";
 
@@ -45,10 +50,8 @@ bool is_at_boundary(const Surface& surface, const SurfacePoint& point) {
 
 /// How many of a curve's points are at the boundary.
 std::size_t boundary_points(const Surface& surface, const SurfaceCurve& curve) {
-  return static_cast<std::size_t>(
-      std::ranges::count_if(curve.points, [&](const SurfacePoint& point) {
-        return is_at_boundary(surface, point);
-      }));
+  return static_cast<std::size_t>(std::ranges::count_if(
+      curve.points, [&](const SurfacePoint& point) { return is_at_boundary(surface, point); }));
 }
 
 /// Whether a curve lies along the boundary where the taut one at most ends there.
@@ -73,6 +76,21 @@ double CorridorHold::exact_for_walls() const {
 
 Straightened CorridorHold::straighten(const SmoothingOptions& options, Walls walls,
                                       const Progress& progress) {
+  if (drawing_->all_legs()) return straighten_flat(options, progress);
+  Straightened result = straighten_lifted(options, walls, progress);
+  if (!drawing_->any_legs()) return result;
+  const Straightened flat = straighten_flat(options, progress);
+  for (std::size_t c = 0; c < result.curves.size(); ++c) {
+    const DrawnLegs& legs = drawing_->legs()[c];
+    if (legs.any()) result.curves[c] = with_legs(legs, result.curves[c], flat.curves[c]);
+  }
+  result.time_ms.straighten += flat.time_ms.straighten;
+  result.time_ms.trace += flat.time_ms.trace;
+  return result;
+}
+
+Straightened CorridorHold::straighten_lifted(const SmoothingOptions& options, Walls walls,
+                                             const Progress& progress) {
   const Corridor corridor = this->corridor(options.tau);
   const double exact = walls == Walls::kExact ? HUGE_VAL : exact_for_walls();
   const std::size_t own = drawing_->surface().vertex_count();
@@ -131,17 +149,21 @@ void CorridorHold::hold_thin_loops(Straightened& straight) const {
 }
 
 /// Calls use() with the fairing of one curve.
-void CorridorHold::with_fairing(double tau, double narrower, std::size_t curve, Asker& asker,
+void CorridorHold::with_fairing(double tau, double narrower, std::size_t curve,
+                                const LegTension& legs, Asker& asker,
                                 const std::function<void(CurveFairing&)>& use) {
   const AskedDuring asked(*distance_, asker);
   const Corridor::Valley& valley = (*valleys_)[curve];
   const double edge = drawing_->drawing().edges_near()[curve];
-  const DrawnBand band(
-      *distance_, drawing_->surface(), curve,
-      {valley.slack, valley.slack_at, kLeastSlack * edge, narrower * walls_of(tau), valley.apart});
+  std::optional<DrawnBand> band;
+  if (!drawing_->legs()[curve].all()) {
+    band.emplace(*distance_, drawing_->surface(), curve,
+                 BandWidth{valley.slack, valley.slack_at, kLeastSlack * edge,
+                           narrower * walls_of(tau), valley.apart});
+  }
   FairOptions options;
   options.middle *= std::min(1.0, std::pow(tau, 4));
-  CurveFairing fairing(drawing_->surface(), band, edge, options);
+  CurveFairing fairing(drawing_->surface(), band ? &*band : nullptr, edge, options, legs);
   use(fairing);
 }
 
@@ -150,9 +172,10 @@ FairChains CorridorHold::fair_from(double tau, std::span<const SurfaceCurve> cur
   Asker asker(progress, "fair");
   FairChains chains(curves.size());
   for (std::size_t c = 0; c < curves.size(); ++c) {
-    with_fairing(tau, 1, c, asker, [&](CurveFairing& fairing) {
+    if (has_legs(c)) continue;
+    with_fairing(tau, 1, c, {}, asker, [&](CurveFairing& fairing) {
       const auto from = [&](const SurfaceCurve& curve) {
-        return fairing.from_curve(trace_of(drawing_->surface(), curve, drawing_->pins()), asker);
+        return fairing.from_curve(trace_of(drawing_->surface(), curve, drawing_->fixed()), asker);
       };
       chains[c] = from(curves[c]);
       // What straightening has cut off may lie beyond walls that no step leads back through.
@@ -171,7 +194,7 @@ FairChains CorridorHold::fair_from(double tau, const FairChains& chains,
   trails.resize(chains.size());
   for (std::size_t c = 0; c < chains.size(); ++c) {
     if (!chains[c]) continue;
-    with_fairing(tau, 1, c, asker, [&](CurveFairing& fairing) {
+    with_fairing(tau, 1, c, {}, asker, [&](CurveFairing& fairing) {
       result[c] = fairing.from_chain(*chains[c], trails[c], asker);
     });
   }
@@ -183,7 +206,7 @@ std::optional<SampleChain> CorridorHold::between(std::size_t curve, const AtTau&
                                                  double tau, const Progress& progress) {
   Asker asker(progress, "fair");
   std::optional<SampleChain> result;
-  with_fairing(tau, 1, curve, asker, [&](CurveFairing& fairing) {
+  with_fairing(tau, 1, curve, {}, asker, [&](CurveFairing& fairing) {
     // The walls' distance is linear in 1 / tau.
     const double part = (1 / tau - 1 / from.tau) / (1 / to.tau - 1 / from.tau);
     const double nearer = to.tau > from.tau ? 1 : 0;
@@ -212,7 +235,7 @@ std::optional<SurfaceCurve> CorridorHold::fair(double tau, const SurfaceCurve& c
                                                const Progress& progress) {
   Asker asker(progress, "fair");
   std::optional<SurfaceCurve> result;
-  with_fairing(tau, 1, 0, asker, [&](CurveFairing& fairing) {
+  with_fairing(tau, 1, 0, {}, asker, [&](CurveFairing& fairing) {
     const auto chain = fairing.from_curve(trace_of(drawing_->surface(), curve, fixed), asker);
     if (!chain) return;
     if (auto faired = fairing.curve_of(*chain, asker)) result = std::move(faired->curve);
@@ -220,20 +243,26 @@ std::optional<SurfaceCurve> CorridorHold::fair(double tau, const SurfaceCurve& c
   return result;
 }
 
-/// The fair curve of one try: from the chain, then from the drawing in ever narrower bands. None if
-/// it is beyond its walls, bends more than the taut one, or touches the boundary where that keeps
-/// off it.
+/// The fair curve of one try: from the chain, then from the drawing in ever narrower bands; with
+/// legs from the taut curve, ever tighter. None if it is beyond its walls, bends more than the taut
+/// one, or touches the boundary where that keeps off it.
 std::optional<SurfaceCurve> CorridorHold::tried(std::size_t number, double tau, std::size_t curve,
                                                 const std::optional<SampleChain>& chain,
                                                 const SurfaceCurve& taut, Asker& asker) {
   const Surface& surface = drawing_->surface();
   std::optional<SurfaceCurve> result;
-  with_fairing(tau, number == 0 ? 1 : kBands[number - 1], curve, asker, [&](CurveFairing& fairing) {
-    const auto own =
-        number == 0
-            ? chain
-            : fairing.from_curve(
-                  trace_of(surface, drawing_->drawing().curves()[curve], drawing_->pins()), asker);
+  const DrawnLegs& drawn = drawing_->legs()[curve];
+  std::optional<LegStart> legs = LegStart{};
+  if (drawn.any()) legs = start_on(drawn, taut, tension_of(tau) * std::pow(kTighter, number));
+  if (!legs) return result;
+  const double band = number == 0 ? 1 : kBands[number - 1];
+  with_fairing(tau, band, curve, legs->tension, asker, [&](CurveFairing& fairing) {
+    const auto start = [&] {
+      return drawn.any()
+                 ? trace_through(surface, taut, legs->fixed)
+                 : trace_of(surface, drawing_->drawing().curves()[curve], drawing_->fixed());
+    };
+    const auto own = !drawn.any() && number == 0 ? chain : fairing.from_curve(start(), asker);
     if (!own) return;
     auto faired = fairing.curve_of(*own, asker);
     if (faired && faired->farthest <= 1) result = std::move(faired->curve);
@@ -270,7 +299,7 @@ void CorridorHold::finish(double tau, const FairChains& chains, std::vector<Smoo
     const SurfaceCurve& drawn = drawing_->drawing().curves()[c];
     taut.push_back(curves[c].curve);
     now.push_back(curves[c].curve);
-    if (is_narrow(c)) {
+    if (is_narrow(c) && !has_legs(c)) {
       if (turning(taut[c]) > turning(drawn)) now[c] = drawn;
     } else if (turning(taut[c]) >= kNoTurn) {  // what is straight is fair
       make_fair(c);

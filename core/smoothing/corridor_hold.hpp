@@ -36,6 +36,7 @@ class CorridorHold {
   /// Whether the distance must be exact everywhere, or only where valleys are narrow: a wall
   /// farther out that no curve climbs may be approximate.
   enum class Walls { kExact, kRough };
+  /// Legs are straightened without a lift.
   Straightened straighten(const SmoothingOptions& options, Walls walls, const Progress& progress);
   /// The curves straightened without a lift, which needs no distance; none if the lift would change
   /// them.
@@ -44,7 +45,7 @@ class CorridorHold {
   /// the potential at the mesh's vertices only, so it collapses these loops whatever tau is.
   /// Fairing measures the distance everywhere, so it starts from the drawing instead.
   void hold_thin_loops(Straightened& straight) const;
-  /// Fair chains that start from these curves.
+  /// Fair chains that start from these curves; none for curves with legs, which no rung leads to.
   FairChains fair_from(double tau, std::span<const SurfaceCurve> curves, const Progress& progress);
   /// Fair chains that start from those of another tau, and the ways of their samples.
   FairChains fair_from(double tau, const FairChains& chains, std::vector<SampleTrail>& trails,
@@ -73,8 +74,11 @@ class CorridorHold {
  private:
   [[nodiscard]] Corridor corridor(double tau) const { return {*distance_, tau, *valleys_}; }
   [[nodiscard]] double exact_for_walls() const;
-  void with_fairing(double tau, double narrower, std::size_t curve, Asker& asker,
-                    const std::function<void(CurveFairing&)>& use);
+  Straightened straighten_lifted(const SmoothingOptions& options, Walls walls,
+                                 const Progress& progress);
+  [[nodiscard]] bool has_legs(std::size_t curve) const { return drawing_->legs()[curve].any(); }
+  void with_fairing(double tau, double narrower, std::size_t curve, const LegTension& legs,
+                    Asker& asker, const std::function<void(CurveFairing&)>& use);
   [[nodiscard]] bool is_narrow(std::size_t curve) const;
   std::optional<SurfaceCurve> tried(std::size_t number, double tau, std::size_t curve,
                                     const std::optional<SampleChain>& chain,

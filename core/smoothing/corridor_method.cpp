@@ -15,7 +15,8 @@ namespace {
 /// Smooths without the ladder.
 Smoothed smooth_for_itself(CorridorHold& hold, const SmoothingOptions& options,
                            const Progress& progress) {
-  const std::optional<Straightened> flat = hold.unlifted(options, progress);
+  std::optional<Straightened> flat;
+  if (options.tau == 0 || !hold.drawing().any_legs()) flat = hold.unlifted(options, progress);
   // A curve that is not held, or is not faired, may climb walls anywhere.
   Straightened straight =
       flat ? *flat : hold.straighten(options, CorridorHold::Walls::kExact, progress);
@@ -44,6 +45,10 @@ void CorridorMethod::set(std::span<const SurfaceCurve> near, std::vector<Corrido
 
 void CorridorMethod::solve(const Progress& progress) {
   const OrderedDrawing& drawing = drawing_->drawing();
+  if (drawing_->all_legs()) {  // no stroke to measure from
+    valleys_.assign(drawing.curves().size(), {});
+    return;
+  }
   set(drawing.curves(), {}, progress);
   valleys_ = valleys_of(drawing_->mesh(), drawing, progress);
   if (has_doubtful_loop(valleys_, drawing_->mesh(), drawing)) hold_doubtful_loops(progress);
@@ -70,8 +75,9 @@ Smoothed CorridorMethod::smooth_in_own_valleys(const SmoothingOptions& options,
 Smoothed CorridorMethod::smooth_in(const std::vector<Corridor::Valley>& valleys,
                                    const SmoothingOptions& options, const Progress& progress) {
   CorridorHold hold(*drawing_, memory_->distance(), valleys);
-  Smoothed result = FairLadder::rung_of(options) ? ladder_.smooth(hold, options, progress)
-                                                 : smooth_for_itself(hold, options, progress);
+  const bool laddered = FairLadder::rung_of(options) && !drawing_->all_legs();
+  Smoothed result = laddered ? ladder_.smooth(hold, options, progress)
+                             : smooth_for_itself(hold, options, progress);
   result.potential = PotentialKind::kCorridor;
   result.engine = Engine::kLocal;
   for (std::size_t c = 0; c < result.curves.size(); ++c) {

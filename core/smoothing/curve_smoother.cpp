@@ -222,8 +222,9 @@ SmoothingResult CurveSmoother::drag(std::size_t curve, const SurfaceCurve& moved
   check_drawn(memory_->surface(), own);
   try {
     const Asker asked(progress, "straighten");
-    return sheet_->valleys() != nullptr ? drag_now(curve, own, options, progress)
-                                        : drag_whole(curve, own, options, progress);
+    const bool by_stretch = sheet_->valleys() != nullptr && curve_options_.way_points.empty();
+    return by_stretch ? drag_now(curve, own, options, progress)
+                      : drag_whole(curve, own, options, progress);
   } catch (const Cancelled&) {
     SmoothingResult result = cancelled_result(memory_->mesh(), *drawing_, options.tau);
     result.curves[curve] = own;

@@ -31,8 +31,21 @@ void EmbeddedDrawing::set_pins(std::vector<SurfacePoint> pins, const Progress& p
 }
 
 void EmbeddedDrawing::embed(const Progress& progress) {
-  capped_ = capped_curves(surface(), drawing_->curves(), options_);
-  memory_->straightening().embed(capped_, pins(), ground_.loops, drawing_->numbers(), progress);
+  CurveOptions own = options_;
+  for (const WayPoint& way_point : options_.way_points) own.pins.push_back(way_point.point);
+  legs_.clear();
+  for (const SurfaceCurve& curve : drawing_->curves()) legs_.push_back(legs_of(curve, options_));
+  capped_ = capped_curves(surface(), drawing_->curves(), own);
+  fixed_ = std::move(own.pins);
+  memory_->straightening().embed(capped_, fixed_, ground_.loops, drawing_->numbers(), progress);
+}
+
+bool EmbeddedDrawing::any_legs() const {
+  return std::any_of(legs_.begin(), legs_.end(), [](const DrawnLegs& legs) { return legs.any(); });
+}
+
+bool EmbeddedDrawing::all_legs() const {
+  return std::all_of(legs_.begin(), legs_.end(), [](const DrawnLegs& legs) { return legs.all(); });
 }
 
 double EmbeddedDrawing::drawn_length() const {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "talweg/core/mesh/surface_mesh.hpp"
+#include "talweg/core/smoothing/drawn_legs.hpp"
 #include "talweg/core/smoothing/ordered_drawing.hpp"
 #include "talweg/core/smoothing/smoothing_memory.hpp"
 #include "talweg/core/smoothing/smoothing_options.hpp"
@@ -44,6 +45,13 @@ class EmbeddedDrawing {
   [[nodiscard]] const OrderedDrawing& drawing() const { return *drawing_; }
   [[nodiscard]] const CurveOptions& options() const { return options_; }
   [[nodiscard]] const std::vector<SurfacePoint>& pins() const { return options_.pins; }
+  /// Pins and way-points: what straightening passes through.
+  [[nodiscard]] const std::vector<SurfacePoint>& fixed() const { return fixed_; }
+  /// Per curve.
+  [[nodiscard]] const std::vector<DrawnLegs>& legs() const { return legs_; }
+  /// Whether a curve has legs, and whether every curve is of nothing else.
+  [[nodiscard]] bool any_legs() const;
+  [[nodiscard]] bool all_legs() const;
   /// The curves with their corners capped.
   [[nodiscard]] const std::vector<SurfaceCurve>& capped() const { return capped_; }
   /// Total length of all curves as they were drawn, mesh units.
@@ -66,6 +74,8 @@ class EmbeddedDrawing {
   CurveOptions options_;
   Ground ground_;
   std::vector<SurfaceCurve> capped_;
+  std::vector<SurfacePoint> fixed_;
+  std::vector<DrawnLegs> legs_;
   bool at_fence_ = false;
 };
 

@@ -92,8 +92,9 @@ std::unique_ptr<RefinedSheet::Part> RefinedSheet::part_within(double reach,
   part->memory = std::make_unique<SmoothingMemory>(OpenedMesh::open(part->mesh.lists));
   const std::vector<SurfaceCurve> curves =
       part->mesh.refined(part->memory->surface(), drawing_->curves());
-  CurveOptions options = options_;
-  options.pins = pins_on(part->mesh, curves);
+  const CurveOptions options = options_there(options_, [&](std::span<const SurfacePoint> points) {
+    return copies_on(part->mesh, curves, points);
+  });
   part->drawing = checked_drawing(part->memory->mesh(), curves, options, progress);
   SheetSetup setup;
   setup.may_divide = false;
@@ -103,16 +104,16 @@ std::unique_ptr<RefinedSheet::Part> RefinedSheet::part_within(double reach,
   return part;
 }
 
-std::vector<SurfacePoint> RefinedSheet::pins_on(const RefinedMesh& mesh,
-                                                std::span<const SurfaceCurve> curves) const {
-  const std::vector<SurfacePoint>& pins = options_.pins;
+std::vector<SurfacePoint> RefinedSheet::copies_on(const RefinedMesh& mesh,
+                                                  std::span<const SurfaceCurve> curves,
+                                                  std::span<const SurfacePoint> points) const {
   std::vector<SurfacePoint> result;
   for (std::size_t c = 0; c < curves.size(); ++c) {
     for (std::size_t i = 0; i < curves[c].points.size(); ++i) {
       const RefinedMesh::Place& place = mesh.curves[c][i];
       if (place.part > 0) continue;
       const SurfacePoint& drawn = drawing_->curves()[c].points[place.drawn];
-      if (std::find(pins.begin(), pins.end(), drawn) == pins.end()) continue;
+      if (std::find(points.begin(), points.end(), drawn) == points.end()) continue;
       result.push_back(curves[c].points[i]);
     }
   }
@@ -122,7 +123,7 @@ std::vector<SurfacePoint> RefinedSheet::pins_on(const RefinedMesh& mesh,
 void RefinedSheet::set_pins(std::span<const SurfacePoint> pins, const Progress& progress) {
   options_.pins.assign(pins.begin(), pins.end());
   for (const std::unique_ptr<Part>& part : parts_) {
-    part->sheet->set_pins(pins_on(part->mesh, part->drawing.drawn()), progress);
+    part->sheet->set_pins(copies_on(part->mesh, part->drawing.drawn(), options_.pins), progress);
   }
 }
 

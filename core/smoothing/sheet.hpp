@@ -46,6 +46,21 @@ inline SmoothingOptions ordered_for(Method method, const OrderedDrawing& drawing
   return method == Method::kCorridor ? drawing.ordered(options) : options;
 }
 
+/// The options on another surface: `copies` gives the points that points of the drawing are there.
+template <class Copies>
+CurveOptions options_there(const CurveOptions& options, const Copies& copies) {
+  CurveOptions there = options;
+  there.pins = copies(options.pins);
+  there.painted = copies(options.painted);
+  there.way_points.clear();
+  for (const WayPoint& way_point : options.way_points) {
+    for (const SurfacePoint& point : copies(std::span(&way_point.point, 1))) {
+      there.way_points.push_back({point, way_point.tolerance});
+    }
+  }
+  return there;
+}
+
 /// Which kinds of sheet are allowed, and what is known of the mesh.
 struct SheetSetup {
   bool may_divide = true;  ///< whether too large faces may be divided

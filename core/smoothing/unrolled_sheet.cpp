@@ -35,8 +35,8 @@ UnrolledSheet::UnrolledSheet(SmoothingMemory& memory, const OrderedDrawing& draw
   strips_ = std::make_unique<SmoothingMemory>(OpenedMesh::open(mesh_.lists));
   const std::vector<SurfaceCurve> curves =
       mesh_.unrolled(memory.mesh(), strips_->surface(), drawing.curves());
-  CurveOptions own = options_;
-  own.pins = pins_on(curves);
+  const CurveOptions own = options_there(
+      options_, [&](std::span<const SurfacePoint> points) { return copies_on(curves, points); });
   on_strips_ = checked_drawing(strips_->mesh(), curves, own, progress);
   sheet_ = std::make_unique<WholeSheet>(*strips_, on_strips_, own,
                                         EmbeddedDrawing::Ground{Loops::kErase, nullptr}, progress);
@@ -67,14 +67,14 @@ std::vector<double> UnrolledSheet::copies_of(const GivenPotential& given) const 
   return copies;
 }
 
-/// The pins' copies on the strips.
-std::vector<SurfacePoint> UnrolledSheet::pins_on(std::span<const SurfaceCurve> curves) const {
-  const std::vector<SurfacePoint>& pins = options_.pins;
+/// The copies on the strips of these points of the drawing.
+std::vector<SurfacePoint> UnrolledSheet::copies_on(std::span<const SurfaceCurve> curves,
+                                                   std::span<const SurfacePoint> points) const {
   std::vector<SurfacePoint> result;
   for (std::size_t c = 0; c < drawing_->curves().size(); ++c) {
-    const std::vector<SurfacePoint>& points = drawing_->curves()[c].points;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      if (std::find(pins.begin(), pins.end(), points[i]) == pins.end()) continue;
+    const std::vector<SurfacePoint>& drawn = drawing_->curves()[c].points;
+    for (std::size_t i = 0; i < drawn.size(); ++i) {
+      if (std::find(points.begin(), points.end(), drawn[i]) == points.end()) continue;
       result.push_back(curves[c].points[i]);
     }
   }
@@ -83,7 +83,7 @@ std::vector<SurfacePoint> UnrolledSheet::pins_on(std::span<const SurfaceCurve> c
 
 void UnrolledSheet::set_pins(std::span<const SurfacePoint> pins, const Progress& progress) {
   options_.pins.assign(pins.begin(), pins.end());
-  sheet_->set_pins(pins_on(on_strips_.drawn()), progress);
+  sheet_->set_pins(copies_on(on_strips_.drawn(), options_.pins), progress);
 }
 
 std::vector<double> UnrolledSheet::slack() const {

@@ -33,7 +33,8 @@ class UnrolledSheet final : public Sheet {
  private:
   [[nodiscard]] double reach(const std::vector<bool>& alone) const;
   [[nodiscard]] std::vector<double> copies_of(const GivenPotential& given) const;
-  [[nodiscard]] std::vector<SurfacePoint> pins_on(std::span<const SurfaceCurve> curves) const;
+  [[nodiscard]] std::vector<SurfacePoint> copies_on(std::span<const SurfaceCurve> curves,
+                                                    std::span<const SurfacePoint> points) const;
   [[nodiscard]] SmoothingOptions with_length_of_mesh(const SmoothingOptions& options) const;
   [[nodiscard]] std::vector<std::string> lost_pins(const Smoothed& smoothed) const;
   Smoothed folded(Smoothed smoothed, const Progress& progress);

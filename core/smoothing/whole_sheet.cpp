@@ -69,7 +69,7 @@ void WholeSheet::measure(const SmoothingOptions& options, Smoothed& smoothed,
                          const Progress& progress) {
   const DeviationMeasure measure = options.deviation_measure();
   const OrderedDrawing& drawing = drawing_.drawing();
-  const bool band_is_there = corridor_ && drawing.curves().size() == 1;
+  const bool band_is_there = corridor_ && drawing.curves().size() == 1 && !drawing_.all_legs();
   for (std::size_t c = 0; c < smoothed.curves.size(); ++c) {
     SmoothedCurve& curve = smoothed.curves[c];
     curve.deviation = measure_deviation(measure, drawing.edges_near()[c], memory_->meter(),

@@ -1,0 +1,33 @@
+// The curvature of the surface beside a chain is that of the vertices next to its joins.
+#pragma once
+
+#include <unordered_map>
+#include <vector>
+
+#include "talweg/core/fairing/sample_chain.hpp"
+#include "talweg/intrinsic/surface/ids.hpp"
+#include "talweg/intrinsic/surface/surface.hpp"
+
+namespace talweg {
+
+/// Remembers what it has measured of vertices. Refers to the surface.
+class StripCurvature {
+ public:
+  explicit StripCurvature(const Surface& surface) : surface_(&surface) {}
+
+  /// Per sample: Gaussian curvature, 1 / mesh units², as angle defects over area of the vertices
+  /// around the faces that its joins pass. O(crossings).
+  std::vector<double> along(const SampleChain& chain);
+
+ private:
+  struct Sum {
+    double defect = 0, area = 0;
+  };
+  const Sum& of(VertexId v);
+  Sum of(const SampleChain& chain, const ChainJoin& join);
+
+  const Surface* surface_;
+  std::unordered_map<std::uint32_t, Sum> known_;
+};
+
+}  // namespace talweg
