@@ -27,6 +27,9 @@ struct CurveInput {
   /// Indices of points that were painted, ascending. Without way-points all of them were; between
   /// two way-points, the curve is a stroke only if one of these lies there.
   std::vector<std::size_t> painted;
+  /// Whether the points are those that a program's curve is controlled by. snap() makes them
+  /// way-points if they can have been clicked, see why_no_clicks().
+  bool control_points = false;
 };
 
 }  // namespace talweg

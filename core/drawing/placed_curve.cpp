@@ -28,7 +28,7 @@ PlacedCurve place(const SurfaceMesh& mesh, const SurfaceCurve& curve, std::size_
   const std::string name = "Curve " + std::to_string(number);
   const std::size_t n = curve.points.size();
   if (n < 2) throw Error(ErrorCode::kBadCurve, name + " has fewer than two points.");
-  PlacedCurve result{curve.closed, {}, {}, positions_of(mesh, curve)};
+  PlacedCurve result{curve.closed, {}, {}, positions_of(mesh, curve), {}};
   for (std::size_t k = 0; k < n; ++k) {
     const bool last = k + 1 == n && !curve.closed;
     const SurfacePoint& next = last ? curve.points[k - 1] : curve.points[(k + 1) % n];

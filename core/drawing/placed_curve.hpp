@@ -18,6 +18,8 @@ struct PlacedCurve {
   /// last point, the point before), with barycentrics in the order of Surface::corners().
   std::vector<FaceCoordinates> faces;
   std::vector<Point> positions;  ///< mesh units
+  /// The marks of the points (point_marks.hpp); empty if nothing is said of any.
+  std::vector<double> exact;
 };
 
 /// Places a curve. From the faces and barycentrics snap() makes the same points again, bit for bit.

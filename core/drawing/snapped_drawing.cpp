@@ -3,11 +3,32 @@
 #include <algorithm>
 
 namespace talweg {
+namespace {
+
+/// The points of a curve that are way-points if it is taken exactly.
+std::vector<InputWayPoint> exact_points(const SnappedCurve& curve) {
+  if (!curve.way_points.empty()) return curve.way_points;
+  std::vector<InputWayPoint> all;
+  for (std::size_t k = 0; k < curve.points.size(); ++k) {
+    if (!std::binary_search(curve.painted.begin(), curve.painted.end(), k)) all.push_back({k, 0});
+  }
+  return all;
+}
+
+}  // namespace
 
 void SnappedDrawing::add(const SurfaceMesh& mesh, std::span<const SnappedCurve> snapped,
                          StraightLines& lines, const Progress& progress) {
   for (const SnappedCurve& curve : snapped) {
     for (const std::size_t pin : curve.pins) pins.push_back(curve.points[pin]);
+    for (const InputWayPoint& way : curve.way_points) {
+      way_points.push_back({curve.points[way.point], way.tolerance});
+    }
+    for (const InputWayPoint& way : exact_points(curve)) {
+      all_exact.push_back({curve.points[way.point], way.tolerance});
+    }
+    for (const std::size_t k : curve.painted) painted.push_back(curve.points[k]);
+    if (!curve.why_stroke.empty()) strokes.push_back(curve.why_stroke);
     curves.push_back(lines.join(curve.points, curve.closed, progress));
     gaps.add(lines.gaps());
     largest_snap_distance = std::max(largest_snap_distance, curve.largest_snap_distance);

@@ -8,6 +8,7 @@
 #include "talweg/core/drawing/snapping.hpp"
 #include "talweg/core/drawing/straight_lines.hpp"
 #include "talweg/core/mesh/surface_mesh.hpp"
+#include "talweg/core/smoothing/smoothing_options.hpp"
 #include "talweg/intrinsic/progress.hpp"
 #include "talweg/intrinsic/surface/surface_point.hpp"
 
@@ -16,8 +17,12 @@ namespace talweg {
 struct SnappedDrawing {
   std::vector<SurfaceCurve> curves;
   std::vector<SurfacePoint> pins;
-  double largest_snap_distance = 0;  ///< largest move of a position onto the mesh, mesh units
-  std::string moved;                 ///< a sentence about that; empty if nothing was moved
+  std::vector<WayPoint> way_points;   ///< that the drawing names
+  std::vector<WayPoint> all_exact;    ///< instead, if a curve that names none has all its points
+  std::vector<SurfacePoint> painted;  ///< that the drawing names
+  std::vector<std::string> strokes;   ///< sentences on control points that are no way-points
+  double largest_snap_distance = 0;   ///< largest move of a position onto the mesh, mesh units
+  std::string moved;                  ///< a sentence about that; empty if nothing was moved
   bool far = false;  ///< whether it was moved so far that the sentence must come first
   JoinedGaps gaps;
 

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "talweg/core/drawing/control_points.hpp"
 #include "talweg/core/mesh/closest_point.hpp"
 #include "talweg/intrinsic/error.hpp"
 
@@ -181,9 +182,8 @@ std::vector<SurfacePoint> snap_positions(const SurfaceMesh& mesh, const ClosestP
 }
 
 /// Drops every point that equals the one before, and in a closed curve the last point if it equals
-/// the first. The pin of a dropped point goes to the point that stays.
-void merge_equal(std::vector<SurfacePoint> points, const std::vector<std::size_t>& pins,
-                 SnappedCurve& curve) {
+/// the first. Returns for every given point the one that stays.
+std::vector<std::size_t> merge_equal(const std::vector<SurfacePoint>& points, SnappedCurve& curve) {
   std::vector<std::size_t> kept(points.size());
   for (std::size_t k = 0; k < points.size(); ++k) {
     if (curve.points.empty() || !(curve.points.back() == points[k])) {
@@ -197,15 +197,60 @@ void merge_equal(std::vector<SurfacePoint> points, const std::vector<std::size_t
     std::replace(kept.begin(), kept.end(), last, std::size_t{0});
   }
   curve.merged = points.size() - curve.points.size();
-  for (const std::size_t pin : pins) {
-    if (pin >= kept.size()) {
-      bad_curve("There is no point " + std::to_string(pin) + " to pin; the curve has " +
-                std::to_string(kept.size()));
+  return kept;
+}
+
+std::size_t kept_point(const std::vector<std::size_t>& kept, std::size_t point, const char* what) {
+  if (point < kept.size()) return kept[point];
+  bad_curve(fmt::format("There is no point {} to {}; the curve has {}", point, what, kept.size()));
+}
+
+void sort_and_merge(std::vector<std::size_t>& indices) {
+  std::sort(indices.begin(), indices.end());
+  indices.erase(std::unique(indices.begin(), indices.end()), indices.end());
+}
+
+std::vector<InputWayPoint> kept_way_points(const std::vector<std::size_t>& kept,
+                                           const std::vector<InputWayPoint>& given) {
+  std::vector<InputWayPoint> all;
+  for (const InputWayPoint& way : given) {
+    if (!(way.tolerance >= 0 && std::isfinite(way.tolerance))) {
+      bad_curve(fmt::format("The tolerance of way-point {} must be 0 or more, not {:g}", way.point,
+                            way.tolerance));
     }
-    curve.pins.push_back(kept[pin]);
+    all.push_back({kept_point(kept, way.point, "be a way-point"), way.tolerance});
   }
-  std::sort(curve.pins.begin(), curve.pins.end());
-  curve.pins.erase(std::unique(curve.pins.begin(), curve.pins.end()), curve.pins.end());
+  std::sort(all.begin(), all.end(), [](const InputWayPoint& a, const InputWayPoint& b) {
+    return std::pair(a.point, a.tolerance) < std::pair(b.point, b.tolerance);
+  });
+  const auto same = [](const InputWayPoint& a, const InputWayPoint& b) {
+    return a.point == b.point;
+  };
+  all.erase(std::unique(all.begin(), all.end(), same), all.end());
+  return all;
+}
+
+/// Pins, way-points and painted points of points that were dropped go to those that stay.
+void keep_marks(const CurveInput& input, const std::vector<std::size_t>& kept,
+                SnappedCurve& curve) {
+  for (const std::size_t pin : input.pins) curve.pins.push_back(kept_point(kept, pin, "pin"));
+  sort_and_merge(curve.pins);
+  curve.way_points = kept_way_points(kept, input.way_points);
+  for (const std::size_t k : input.painted) {
+    curve.painted.push_back(kept_point(kept, k, "be painted"));
+  }
+  sort_and_merge(curve.painted);
+  std::erase_if(curve.painted, [&](std::size_t k) {
+    return std::any_of(curve.way_points.begin(), curve.way_points.end(),
+                       [&](const InputWayPoint& way) { return way.point == k; });
+  });
+}
+
+/// Makes all control points way-points, if they can have been clicked.
+void take_control_points(const SurfaceMesh& mesh, SnappedCurve& curve) {
+  curve.why_stroke = why_no_clicks(mesh, curve.points, curve.closed);
+  if (!curve.why_stroke.empty()) return;
+  for (std::size_t k = 0; k < curve.points.size(); ++k) curve.way_points.push_back({k, 0});
 }
 
 SnappedCurve snap_one(const SurfaceMesh& mesh, const ClosestPoint* closest, const CurveInput& curve,
@@ -221,8 +266,10 @@ SnappedCurve snap_one(const SurfaceMesh& mesh, const ClosestPoint* closest, cons
     points = snap_positions(mesh, *closest, std::get<std::vector<Point>>(curve.points),
                             result.largest_snap_distance, asker);
   }
-  merge_equal(std::move(points), curve.pins, result);
+  const std::vector<std::size_t> kept = merge_equal(points, result);
   check_length(result.points.size(), result.closed);
+  keep_marks(curve, kept, result);
+  if (curve.control_points && curve.way_points.empty()) take_control_points(mesh, result);
   return result;
 }
 

@@ -27,6 +27,9 @@ struct SnappedCurve {
   double largest_snap_distance = 0;  ///< of 3D positions, mesh units
   std::size_t merged = 0;            ///< points dropped because they coincide with the point before
   std::vector<std::size_t> pins;     ///< indices of points, ascending
+  std::vector<InputWayPoint> way_points;  ///< ascending; each index once
+  std::vector<std::size_t> painted;       ///< ascending; no way-points
+  std::string why_stroke;  ///< a sentence if control points were not taken for way-points
 };
 
 /// Puts a curve on the mesh.
@@ -36,12 +39,14 @@ struct SnappedCurve {
 /// then moved to a vertex, or else an edge, that lies within 1e-9 of the face's longest side or
 /// within the rounding of single-precision coordinates (1.2e-7 of the largest one, but no more than
 /// 1e-4 of the longest side). So mesh vertices are recognised from files with 9 digits or 32-bit
-/// floats. Points in faces and positions that coincide with the one before are merged.
+/// floats. Points in faces and positions that coincide with the one before are merged; the point
+/// that stays is what any of them was: a way-point with the smallest tolerance, a painted one.
 ///
 /// Throws Error(kBadCurve) naming the position in the curve (from 0) and the ids: for an id or face
 /// out of range, neighbours that share no edge, barycentrics out of range, a position that is not
 /// finite or lies farther from the mesh than both an eighth of the diagonal of its box and ten mean
-/// edges, fewer than two points, or a closed curve with fewer than three. Throws Cancelled when
+/// edges, a pin, way-point or painted point that is no point of the curve, a tolerance below 0,
+/// fewer than two points, or a closed curve with fewer than three. Throws Cancelled when
 /// `progress` (stage "snap") says so.
 SnappedCurve snap(const SurfaceMesh& mesh, const CurveInput& curve, const SnapOptions& options = {},
                   const Progress& progress = {});

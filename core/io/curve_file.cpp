@@ -3,12 +3,34 @@
 #include <algorithm>
 #include <string>
 
+#include "talweg/core/drawing/point_marks.hpp"
 #include "talweg/core/io/curve_formats.hpp"
 #include "talweg/core/io/file_bytes.hpp"
 #include "talweg/core/io/text_encoding.hpp"
 #include "talweg/intrinsic/error.hpp"
 
 namespace talweg {
+namespace formats {
+
+bool has_marks(std::span<const PlacedCurve> curves) {
+  return std::any_of(curves.begin(), curves.end(), [](const PlacedCurve& curve) {
+    return std::any_of(curve.exact.begin(), curve.exact.end(),
+                       [](double mark) { return is_mark(mark) && mark != kNotSaid; });
+  });
+}
+
+std::vector<double> all_marks(std::span<const PlacedCurve> curves) {
+  std::vector<double> marks;
+  for (const PlacedCurve& curve : curves) {
+    for (std::size_t k = 0; k < curve.positions.size(); ++k) {
+      const double mark = curve.exact.empty() ? kNotSaid : curve.exact[k];
+      marks.push_back(is_mark(mark) ? mark : kNotSaid);
+    }
+  }
+  return marks;
+}
+
+}  // namespace formats
 namespace {
 
 constexpr const char* kKnown = "known are .obj .ply .vtp .vtk .mrk.json .txt .json";
@@ -81,6 +103,11 @@ std::string bytes_with(const std::filesystem::path& name, std::span<const Placed
 }
 
 }  // namespace
+
+bool holds_way_points(const std::filesystem::path& name) {
+  const std::string extension = curve_extension(name);
+  return extension == ".json" || extension == ".vtp" || extension == ".vtk";
+}
 
 void check_curve_name(const std::filesystem::path& name) {
   const std::string extension = curve_extension(name);

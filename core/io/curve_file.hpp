@@ -36,6 +36,9 @@ namespace talweg {
 ///   a blank line separates curves; a list that repeats its first id at its end is closed.
 /// - `.json`: ours (below). A `.json` that holds Slicer's markups is read as such.
 ///
+/// Way-points and painted points are read from our JSON, `.vtp` and `.vtk` as write_curves() writes
+/// them. Control points of Slicer become way-points when they are snapped, see CurveInput.
+///
 /// Throws Error(kBadFile) with one sentence that names the file, the place (line, or byte in binary
 /// data) and what was expected. The result has at least one curve, every index in it is in range of
 /// the file's own points, and every coordinate is finite.
@@ -56,6 +59,11 @@ std::vector<CurveInput> read_curves(const std::filesystem::path& path, std::stri
 /// SurfacePoints, bit for bit. `.vtp` and `.vtk` carry `face` and `barycentric` as point data;
 /// `.mrk.json` names the mesh's unit.
 ///
+/// Where something is said of points (PlacedCurve::exact), a point of our JSON has the member
+/// `exact`: true at a way-point, or its tolerance in mesh units if that is more than 0; false at a
+/// painted point. `.vtp` and `.vtk` then have point data `exact`: a tolerance of 0 or more at
+/// way-points, -1 where nothing is said, -2 at painted points. The other formats leave it out.
+///
 /// Throws Error(kBadFile) when the file cannot be written (an old file is then as it was) or the
 /// format cannot hold the curves: `.txt` only vertices. Throws Error(kBadCurve) when there is no
 /// curve, a curve has no points, or a point and the next lie in no common face.
@@ -68,6 +76,8 @@ void write_curves(const std::filesystem::path& path, std::span<const PlacedCurve
 /// The bytes that write_curves() would write to a file of this name. Throws as it does.
 std::string curve_bytes(const std::filesystem::path& name, std::span<const PlacedCurve> curves,
                         const LengthUnit& mesh_unit = {});
+/// Whether the format of this name can say which points are way-points.
+bool holds_way_points(const std::filesystem::path& name);
 /// Throws as write_curves() does if the name's extension is not that of a curve format.
 void check_curve_name(const std::filesystem::path& name);
 

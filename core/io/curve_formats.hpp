@@ -30,6 +30,11 @@ std::vector<CurveInput> read_json(const Source& source);
 /// The labels beside each curve, or none; formats without a place for them leave them out.
 using Sides = std::span<const CurveSides>;
 
+/// Whether anything is said of a point of the curves.
+bool has_marks(std::span<const PlacedCurve> curves);
+/// The marks of all points of all curves (point_marks.hpp).
+std::vector<double> all_marks(std::span<const PlacedCurve> curves);
+
 std::string write_obj(std::span<const PlacedCurve> curves, Sides sides = {});
 std::string write_ply(std::span<const PlacedCurve> curves, Sides sides = {});
 std::string write_vtp(std::span<const PlacedCurve> curves, Sides sides = {});

@@ -1,6 +1,7 @@
 // Our own JSON: faces, barycentrics and positions, without loss.
 #include <fmt/format.h>
 
+#include "talweg/core/drawing/point_marks.hpp"
 #include "talweg/core/io/curve_formats.hpp"
 #include "talweg/core/io/json_place.hpp"
 #include "talweg/core/io/text_words.hpp"
@@ -11,20 +12,39 @@ namespace {
 
 constexpr std::uint32_t kVersion = 1;
 
+/// true, a tolerance, or false: clicked, clicked about there, painted.
+double mark_of(const JsonPlace& exact) {
+  if (exact.is_boolean()) return exact.boolean() ? 0 : kPainted;
+  constexpr const char* kExpected = "expected true, false or a tolerance of 0 or more, mesh units";
+  if (!exact.is_number() || !(exact.number() >= 0)) exact.fail(kExpected);
+  return exact.number();
+}
+
+/// The member `exact` of a point that has a mark.
+std::string exact_member(const PlacedCurve& curve, std::size_t k) {
+  const double mark = curve.exact.empty() ? kNotSaid : curve.exact[k];
+  if (mark == kPainted) return ", \"exact\": false";
+  if (!(mark >= 0)) return {};
+  return mark == 0 ? ", \"exact\": true" : fmt::format(", \"exact\": {:.17g}", mark);
+}
+
 CurveInput read_curve(const JsonPlace& curve) {
   CurveInput result;
   result.closed = curve.member("closed").boolean();
   const JsonPlace points = curve.member("points");
   std::vector<FaceCoordinates> coordinates;
+  std::vector<double> marks;
   for (std::size_t k = 0; k < points.size(); ++k) {
     const JsonPlace point = points.element(k);
     coordinates.push_back(
         {FaceId{point.member("face").index()}, point.member("barycentric").triple()});
     // The position follows from face and barycentrics, so it only has to be valid.
     if (point.has("xyz")) static_cast<void>(point.member("xyz").triple());
+    marks.push_back(point.has("exact") ? mark_of(point.member("exact")) : kNotSaid);
   }
   if (coordinates.empty()) points.fail("expected at least one point");
   result.points = std::move(coordinates);
+  set_marks(result, marks);
   return result;
 }
 
@@ -66,9 +86,9 @@ std::string write_json(std::span<const PlacedCurve> curves, Sides sides) {
       const Point& p = curve.positions[k];
       fmt::format_to(to,
                      "{}\n  {{\"face\": {}, \"barycentric\": [{:.17g}, {:.17g}, {:.17g}], "
-                     "\"xyz\": [{:.17g}, {:.17g}, {:.17g}]}}",
+                     "\"xyz\": [{:.17g}, {:.17g}, {:.17g}]{}}}",
                      k > 0 ? "," : "", curve.faces[k].face.index(), b[0], b[1], b[2], p.x(), p.y(),
-                     p.z());
+                     p.z(), exact_member(curve, k));
     }
     fmt::format_to(to, "\n]}}");
   }

@@ -67,6 +67,7 @@ CurveInput read_markup(const JsonPlace& markup, bool closed, const LengthUnit& m
   }
   if (positions.empty()) controls.fail("expected at least one point with a defined position");
   result.points = std::move(positions);
+  result.control_points = true;
   return result;
 }
 

@@ -16,13 +16,16 @@ class VtkReader {
   explicit VtkReader(const Source& source) : source_(source), file_(source) {}
 
   std::vector<CurveInput> read() {
-    for (std::string_view section = file_.word(); !section.empty(); section = file_.word()) {
+    std::string_view section = file_.word();
+    for (; !section.empty(); section = file_.word()) {
       if (section == "POINT_DATA" || section == "CELL_DATA") break;
       read_section(section);
     }
+    // Other data of a file need not be of a kind that we know.
+    if (source_.bytes.find("exact") != std::string_view::npos) read_data(section);
     if (cells_.empty()) cannot_read(source_.path, "it has no LINES, so it holds no curves");
     check_indices();
-    return curves_of(points_, std::move(cells_));
+    return curves_of(points_, std::move(cells_), marks_);
   }
 
  private:
@@ -42,6 +45,23 @@ class VtkReader {
       file_.skip_metadata();
     } else {
       file_.fail("POINTS or LINES", section);
+    }
+  }
+
+  void read_data(std::string_view section) {
+    bool of_points = false;
+    std::uint64_t count = 0;
+    for (; !section.empty(); section = file_.word()) {
+      if (section == "POINT_DATA" || section == "CELL_DATA") {
+        of_points = section == "POINT_DATA";
+        count = file_.read_count();
+        continue;
+      }
+      for (VtkLegacy::Array& array : file_.read_attribute(section, count)) {
+        if (!of_points || array.name != "exact") continue;
+        marks_ = std::move(array.numbers);
+        check_marks(marks_, points_.size(), [&](const std::string& what) { file_.fail(what); });
+      }
     }
   }
 
@@ -110,6 +130,7 @@ class VtkReader {
   VtkLegacy file_;
   std::vector<Point> points_;
   std::vector<Line> cells_;
+  std::vector<double> marks_;  // one for each point, or none
 };
 
 }  // namespace
@@ -142,7 +163,9 @@ std::string write_vtk(std::span<const PlacedCurve> curves, Sides sides) {
     fmt::format_to(to, "\n");
     first += n;
   }
-  fmt::format_to(to, "POINT_DATA {}\nFIELD FieldData 2\nface 1 {} int\n", points, points);
+  const bool marked = has_marks(curves);
+  fmt::format_to(to, "POINT_DATA {}\nFIELD FieldData {}\nface 1 {} int\n", points, marked ? 3 : 2,
+                 points);
   for (const PlacedCurve& curve : curves) {
     for (const FaceCoordinates& at : curve.faces) fmt::format_to(to, "{}\n", at.face.index());
   }
@@ -152,6 +175,10 @@ std::string write_vtk(std::span<const PlacedCurve> curves, Sides sides) {
       const auto& b = at.barycentric;
       fmt::format_to(to, "{:.17g} {:.17g} {:.17g}\n", b[0], b[1], b[2]);
     }
+  }
+  if (marked) {
+    fmt::format_to(to, "exact 1 {} double\n", points);
+    for (const double mark : all_marks(curves)) fmt::format_to(to, "{:.17g}\n", mark);
   }
   if (!sides.empty()) {
     fmt::format_to(to, "CELL_DATA {0}\nFIELD FieldData 2\nleft 1 {0} long\n", sides.size());

@@ -17,7 +17,7 @@ class VtpReader {
   std::vector<CurveInput> read() {
     for (const pugi::xml_node piece : xml_.pieces()) read_piece(piece);
     if (lines_.empty()) cannot_read(source_.path, "it has no lines, so it holds no curves");
-    return curves_of(points_, std::move(lines_));
+    return curves_of(points_, std::move(lines_), marks_);
   }
 
  private:
@@ -26,6 +26,7 @@ class VtpReader {
     if (!lines || piece.attribute("NumberOfLines").as_ullong(1) == 0) return;
     const std::size_t first = points_.size();
     read_points(piece);
+    read_marks(piece, points_.size() - first);
     const std::vector<double> connectivity = xml_.read_array(xml_.named(lines, "connectivity"));
     const std::vector<double> offsets = xml_.read_array(xml_.named(lines, "offsets"));
     std::uint32_t from = 0;
@@ -66,9 +67,22 @@ class VtpReader {
     for (std::size_t k = 0; k < x.size(); k += 3) points_.emplace_back(x[k], x[k + 1], x[k + 2]);
   }
 
+  /// Point data named exact, which a piece need not have.
+  void read_marks(const pugi::xml_node& piece, std::size_t points) {
+    const pugi::xml_node array =
+        piece.child("PointData").find_child_by_attribute("DataArray", "Name", "exact");
+    std::vector<double> marks(points, kNotSaid);
+    if (array) {
+      marks = xml_.read_array(array);
+      check_marks(marks, points, [&](const std::string& what) { xml_.fail(array, what); });
+    }
+    marks_.insert(marks_.end(), marks.begin(), marks.end());
+  }
+
   const Source& source_;
   VtkXml xml_;
   std::vector<Point> points_;
+  std::vector<double> marks_;  // one for each point
   std::vector<Line> lines_;
 };
 
@@ -106,7 +120,13 @@ std::string write_vtp(std::span<const PlacedCurve> curves, Sides sides) {
   for (const PlacedCurve& curve : curves) {
     for (const FaceCoordinates& at : curve.faces) put_triple(at.barycentric);
   }
-  fmt::format_to(to, "</DataArray>\n</PointData>\n");
+  fmt::format_to(to, "</DataArray>\n");
+  if (has_marks(curves)) {
+    open_array("Float64", "exact", 1);
+    for (const double mark : all_marks(curves)) fmt::format_to(to, "{:.17g}\n", mark);
+    fmt::format_to(to, "</DataArray>\n");
+  }
+  fmt::format_to(to, "</PointData>\n");
   if (!sides.empty()) {
     fmt::format_to(to, "<CellData>\n");
     open_array("Int64", "left", 1);

@@ -25,6 +25,8 @@ class JsonPlace {
     return value_->is_object() && value_->contains(key);
   }
   [[nodiscard]] bool is_array() const { return value_->is_array(); }
+  [[nodiscard]] bool is_boolean() const { return value_->is_boolean(); }
+  [[nodiscard]] bool is_number() const { return value_->is_number(); }
   /// A required member.
   [[nodiscard]] JsonPlace member(const char* key) const;
   /// An element of an array; k must be below size().

@@ -62,56 +62,10 @@ class LegacyLabels {
   }
 
   void read_attribute(std::string_view kind) {
-    if (kind == "FIELD") {
-      for (VtkLegacy::Array& array : file_.read_fields()) {
-        add(std::move(array.name), array.components, std::move(array.numbers));
+    for (VtkLegacy::Array& array : file_.read_attribute(kind, count_)) {
+      if (array.components == 1 && array.numbers.size() == count_) {
+        found_.push_back({std::move(array.name), of_faces_, std::move(array.numbers)});
       }
-    } else if (kind == "METADATA") {
-      file_.skip_metadata();
-    } else if (kind == "SCALARS") {
-      read_scalars();
-    } else if (kind == "LOOKUP_TABLE") {
-      file_.word_on_line();
-      const std::uint64_t n = file_.read_count();
-      file_.read_numbers(4 * n, file_.is_ascii() ? NumberType::kFloat32 : NumberType::kUint8);
-    } else if (kind == "COLOR_SCALARS") {
-      file_.word_on_line();
-      const std::uint64_t n = file_.read_count();
-      file_.read_numbers(n * count_, file_.is_ascii() ? NumberType::kFloat32 : NumberType::kUint8);
-    } else if (kind == "TEXTURE_COORDINATES") {
-      file_.word_on_line();
-      const std::uint64_t n = file_.read_count();
-      const NumberType type = file_.read_type();
-      file_.read_numbers(n * count_, type);
-    } else if (kind == "VECTORS" || kind == "NORMALS" || kind == "TENSORS") {
-      const std::uint64_t each = kind == "TENSORS" ? 9 : 3;
-      file_.word_on_line();
-      const NumberType type = file_.read_type();
-      file_.read_numbers(each * count_, type);
-    } else {
-      file_.fail("SCALARS or FIELD", kind);
-    }
-  }
-
-  void read_scalars() {
-    std::string name(file_.word_on_line());
-    const NumberType type = file_.read_type();
-    std::uint64_t components = 1;
-    const std::string_view given = file_.word_on_line();
-    if (given == "2" || given == "3" || given == "4") {
-      components = static_cast<std::uint64_t>(given[0] - '0');
-    } else if (!given.empty() && given != "1") {
-      file_.fail("1 to 4 components", given);
-    }
-    const std::string_view table = file_.word();
-    if (table != "LOOKUP_TABLE") file_.fail("LOOKUP_TABLE", table);
-    file_.word_on_line();
-    add(std::move(name), components, file_.read_numbers(components * count_, type));
-  }
-
-  void add(std::string name, std::uint64_t components, std::vector<double> numbers) {
-    if (components == 1 && numbers.size() == count_) {
-      found_.push_back({std::move(name), of_faces_, std::move(numbers)});
     }
   }
 

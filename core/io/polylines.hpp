@@ -8,6 +8,9 @@
 #include <span>
 #include <vector>
 
+#include <fmt/format.h>
+
+#include "talweg/core/drawing/point_marks.hpp"
 #include "talweg/core/io/curve_file.hpp"
 
 namespace talweg::formats {
@@ -29,7 +32,26 @@ inline std::optional<std::uint32_t> index_below(double value, std::size_t count)
 std::vector<Line> joined(std::vector<Line> lines);
 
 /// The joined lines as curves. A curve is closed if it ends where it began: at the same index, or
-/// with at least four points at the same coordinates. All indices must be in range.
-std::vector<CurveInput> curves_of(std::span<const Point> points, std::vector<Line> lines);
+/// with at least four points at the same coordinates. All indices must be in range. `marks`, if
+/// any, are those of the points (point_marks.hpp).
+std::vector<CurveInput> curves_of(std::span<const Point> points, std::vector<Line> lines,
+                                  std::span<const double> marks = {});
+
+/// Throws Error(kBadFile) unless there are as many marks as points and all are marks. `fail` throws
+/// it with the file and the place.
+template <class Fail>
+void check_marks(std::span<const double> marks, std::size_t points, const Fail& fail) {
+  if (marks.size() != points) {
+    fail(fmt::format("expected one number exact for each of {} points, found {}", points,
+                     marks.size()));
+  }
+  for (std::size_t k = 0; k < marks.size(); ++k) {
+    if (is_mark(marks[k])) continue;
+    fail(fmt::format(
+        "exact of point {} is {:.17g}; expected a tolerance of 0 or more (a way-point), "
+        "-1 (nothing is said) or -2 (painted)",
+        k, marks[k]));
+  }
+}
 
 }  // namespace talweg::formats

@@ -101,6 +101,52 @@ std::vector<VtkLegacy::Array> VtkLegacy::read_fields() {
   return arrays;
 }
 
+std::vector<VtkLegacy::Array> VtkLegacy::read_attribute(std::string_view kind,
+                                                        std::uint64_t count) {
+  if (kind == "FIELD") return read_fields();
+  if (kind == "SCALARS") return {read_scalars(count)};
+  if (kind == "METADATA") {
+    skip_metadata();
+  } else if (kind == "LOOKUP_TABLE") {
+    word_on_line();
+    const std::uint64_t n = read_count();
+    read_numbers(4 * n, ascii_ ? NumberType::kFloat32 : NumberType::kUint8);
+  } else if (kind == "COLOR_SCALARS") {
+    word_on_line();
+    const std::uint64_t n = read_count();
+    read_numbers(n * count, ascii_ ? NumberType::kFloat32 : NumberType::kUint8);
+  } else if (kind == "TEXTURE_COORDINATES") {
+    word_on_line();
+    const std::uint64_t n = read_count();
+    const NumberType type = read_type();
+    read_numbers(n * count, type);
+  } else if (kind == "VECTORS" || kind == "NORMALS" || kind == "TENSORS") {
+    const std::uint64_t each = kind == "TENSORS" ? 9 : 3;
+    word_on_line();
+    const NumberType type = read_type();
+    read_numbers(each * count, type);
+  } else {
+    fail("SCALARS or FIELD", kind);
+  }
+  return {};
+}
+
+VtkLegacy::Array VtkLegacy::read_scalars(std::uint64_t count) {
+  Array array{std::string(word_on_line()), 1, {}};
+  const NumberType type = read_type();
+  const std::string_view given = word_on_line();
+  if (given == "2" || given == "3" || given == "4") {
+    array.components = static_cast<std::uint64_t>(given[0] - '0');
+  } else if (!given.empty() && given != "1") {
+    fail("1 to 4 components", given);
+  }
+  const std::string_view table = word();
+  if (table != "LOOKUP_TABLE") fail("LOOKUP_TABLE", table);
+  word_on_line();
+  array.numbers = read_numbers(array.components * count, type);
+  return array;
+}
+
 void VtkLegacy::skip_metadata() {
   while (scanner_.next_line() &&
          scanner_.rest_of_line().find_first_not_of("\r \t") != std::string_view::npos) {

@@ -37,6 +37,9 @@ class VtkLegacy {
   };
   /// Reads the arrays of a field, after the word FIELD.
   std::vector<Array> read_fields();
+  /// Reads an attribute of `count` points or cells, after the word for its kind (SCALARS, FIELD,
+  /// ...): the arrays that have a name.
+  std::vector<Array> read_attribute(std::string_view kind, std::uint64_t count);
   /// Skips to the next blank line.
   void skip_metadata();
 
@@ -49,6 +52,7 @@ class VtkLegacy {
   }
 
  private:
+  Array read_scalars(std::uint64_t count);
   const Source& source_;
   WordScanner scanner_;
   bool ascii_ = true;

@@ -12,6 +12,7 @@
 #include "talweg/core/drawing/edge_dijkstra.hpp"
 #include "talweg/core/drawing/length_unit.hpp"
 #include "talweg/core/drawing/placed_curve.hpp"
+#include "talweg/core/drawing/point_marks.hpp"
 #include "talweg/core/drawing/straight_lines.hpp"
 #include "talweg/core/io/curve_file.hpp"
 #include "talweg/core/mesh/surface_mesh.hpp"
@@ -29,6 +30,7 @@ struct DrawOptions {
   std::vector<std::string> outputs;
   std::string repair;
   std::string mesh_units = "mm";
+  std::string points = "exact";
 };
 
 /// The way-points, in the numbers of the mesh.
@@ -43,21 +45,42 @@ std::vector<VertexId> through_on(const SurfaceMesh& mesh, const RepairMap* map,
   return std::get<std::vector<VertexId>>(input.points);
 }
 
-SurfaceCurve drawn(const SurfaceMesh& mesh, const RepairMap* map, const DrawOptions& options,
-                   const Progress& progress) {
+SurfaceCurve along_edges(const Surface& surface, const std::vector<VertexId>& through, bool closed,
+                         const Progress& progress) {
+  SurfaceCurve curve{closed, {}};
+  EdgeDijkstra dijkstra(surface);
+  for (const VertexId v : dijkstra.draw(through, closed, progress)) {
+    curve.points.push_back(SurfacePoint::at_vertex(surface, v));
+  }
+  return curve;
+}
+
+PlacedCurve drawn(const SurfaceMesh& mesh, const RepairMap* map, const DrawOptions& options,
+                  const Progress& progress) {
   const Surface& surface = mesh.surface();
   const std::vector<VertexId> through = through_on(mesh, map, options);
   std::vector<SurfacePoint> points;
   points.reserve(through.size());
   for (const VertexId v : through) points.push_back(SurfacePoint::at_vertex(surface, v));
   if (points.size() < 2) throw Error(ErrorCode::kBadCurve, "A curve needs at least two points.");
-  if (options.straight) return StraightLines(surface).join(points, options.closed, progress);
-  SurfaceCurve curve{options.closed, {}};
-  EdgeDijkstra dijkstra(surface);
-  for (const VertexId v : dijkstra.draw(through, options.closed, progress)) {
-    curve.points.push_back(SurfacePoint::at_vertex(surface, v));
+  const SurfaceCurve curve = options.straight
+                                 ? StraightLines(surface).join(points, options.closed, progress)
+                                 : along_edges(surface, through, options.closed, progress);
+  PlacedCurve placed = place(mesh, curve);
+  if (options.points == "exact") placed.exact = marks_through(curve, points);
+  return placed;
+}
+
+/// Says of which files the points are a stroke, because the format has no way-points.
+void tell_strokes(const DrawOptions& options) {
+  std::string names;
+  for (const std::string& output : options.outputs) {
+    if (!holds_way_points(output)) names += (names.empty() ? "" : ", ") + output;
   }
-  return curve;
+  if (names.empty() || options.points != "exact") return;
+  std::fprintf(text_stream(),
+               "%s: the path, a stroke; .json, .vtp and .vtk hold way-points.\n",
+               names.c_str());
 }
 
 int run(const DrawOptions& options, const GlobalOptions& global) {
@@ -70,8 +93,8 @@ int run(const DrawOptions& options, const GlobalOptions& global) {
   const SurfaceMesh mesh = SurfaceMesh::open(read.lists);
   std::vector<PlacedCurve> curves;
   try {
-    const SurfaceCurve curve = drawn(mesh, read.map.get(), options, progress_bar(global.quiet));
-    curves.push_back(in_file_numbers(read.map.get(), place(mesh, curve)));
+    PlacedCurve curve = drawn(mesh, read.map.get(), options, progress_bar(global.quiet));
+    curves.push_back(in_file_numbers(read.map.get(), std::move(curve)));
   } catch (const Error& error) {
     rethrow_with_weld_hint(error, read.lists);
   }
@@ -79,6 +102,7 @@ int run(const DrawOptions& options, const GlobalOptions& global) {
   for (const std::string& output : options.outputs) {
     write_output(output, curve_bytes(output, curves, unit));
   }
+  if (!global.quiet) tell_strokes(options);
   for (const std::string& change : read.changes) {
     if (!global.quiet) std::fprintf(text_stream(), "%s\n", change.c_str());
   }
@@ -100,6 +124,12 @@ Command add_draw(CLI::App& app, const GlobalOptions& global) {
   command->add_flag("--closed", options->closed, "Go back to the first vertex");
   command->add_flag("--straight", options->straight,
                     "Straight over the faces instead of along edges");
+  command
+      ->add_option("--points", options->points,
+                   "exact: the vertices are way-points, which a result passes; rough: the whole "
+                   "path is a stroke, as of a trembling hand")
+      ->check(CLI::IsMember({"exact", "rough"}))
+      ->capture_default_str();
   command
       ->add_option("-o,--output", options->outputs,
                    "Curve: .obj, .ply, .vtp, .vtk, .mrk.json, .txt (vertex numbers) or .json")

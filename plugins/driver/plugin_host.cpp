@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "suggestion.hpp"
+#include "talweg/core/drawing/point_marks.hpp"
 #include "talweg/intrinsic/progress.hpp"
 
 namespace talweg::driver {
@@ -91,19 +92,21 @@ host::Curve host_curve(const CurveInput& curve) {
   if (const auto* ids = std::get_if<std::vector<VertexId>>(&curve.points)) {
     for (const VertexId v : *ids) result.vertices.push_back(number_of(v.index()));
   } else if (const auto* at = std::get_if<std::vector<FaceCoordinates>>(&curve.points)) {
-    result = host_curve(PlacedCurve{curve.closed, {}, *at, {}});
+    result = host_curve(PlacedCurve{curve.closed, {}, *at, {}, {}});
   } else {
     for (const Point& p : std::get<std::vector<Point>>(curve.points)) {
       result.positions.push_back({p.x(), p.y(), p.z()});
     }
   }
   for (const std::size_t pin : curve.pins) result.pins.push_back(number_of(pin));
+  result.exact = marks_of(curve);
   return result;
 }
 
 PlacedCurve placed_curve(const host::Curve& curve) {
   PlacedCurve result;
   result.closed = curve.closed;
+  result.exact = curve.exact;
   for (std::size_t k = 0; k < curve.faces.size(); ++k) {
     const bool at_vertex = curve.vertices.at(k) != TALWEG_NO_VERTEX;
     result.vertices.push_back(at_vertex ? VertexId{curve.vertices[k]} : VertexId{});

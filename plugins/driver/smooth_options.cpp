@@ -1,5 +1,11 @@
 #include "smooth_options.hpp"
 
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <string_view>
+#include <system_error>
+
 #include "plugin_options.hpp"
 #include "repaired_mesh.hpp"
 #include "talweg/core/io/curve_file.hpp"
@@ -26,6 +32,12 @@ void add_inputs(CLI::App& app, SmoothOptions& o) {
                "Smooth each curve by itself; by default all are one set, in which none crosses "
                "another");
   add(app, "pin", o.pins)->delimiter(',');
+  app.add_option("--points", o.points,
+                 "What the drawing's points are. given: what the files say; exact: way-points, "
+                 "between which the result is free; rough: strokes; exact=12,845: these vertices "
+                 "are the way-points")
+      ->capture_default_str();
+  add(app, "tolerance", o.tolerance)->capture_default_str();
   add_repair_option(app, o.repair);
   add_unit_option(app, o.mesh_units);
 }
@@ -74,13 +86,45 @@ void plan_files(const SmoothOptions& options, FilePlan& files) {
   files.writes("--report", options.report);
 }
 
+PointsChoice points_choice(const SmoothOptions& options) {
+  constexpr std::string_view kList = "exact=";
+  const std::string& points = options.points;
+  const auto fail = [&] {
+    throw Error(ErrorCode::kBadUsage,
+                "--points must be given, exact, rough, or exact= and vertex numbers separated by "
+                "commas, not \"" +
+                    points + "\".");
+  };
+  if (points == "given" || points == "exact" || points == "rough") return {points, {}};
+  if (!points.starts_with(kList)) fail();
+  PointsChoice choice{"given", {}};
+  const char* at = points.data() + kList.size();
+  const char* const end = points.data() + points.size();
+  for (;; ++at) {
+    std::uint32_t vertex = 0;
+    const auto parsed = std::from_chars(at, end, vertex);
+    if (parsed.ec != std::errc{}) fail();
+    choice.exact.push_back(vertex);
+    at = parsed.ptr;
+    if (at == end) return choice;
+    if (*at != ',') fail();
+  }
+}
+
 void check_method(const SmoothOptions& options) {
   check_repair(options.repair);
   LengthUnit::named(options.mesh_units);
+  points_choice(options);
   const bool corridor = options.potential == "corridor";
   const auto fail = [](const std::string& text) { throw Error(ErrorCode::kBadUsage, text); };
   if (corridor && options.engine == "full") fail("The corridor needs --engine local.");
   if (!corridor && options.engine == "local") fail("The paper's potential needs --engine full.");
+  if (!options.labels.empty() && points_choice(options).points == "exact") {
+    fail("--points exact is for curves; the borders of --labels are strokes.");
+  }
+  if (!(options.tolerance >= 0 && std::isfinite(options.tolerance))) {
+    fail("--tolerance must be 0 or more.");
+  }
   if (!corridor && options.finish != "fair") fail("--finish needs --potential corridor.");
   const auto check_potential = [&](const char* id, bool given) {
     const std::string its_own = plugins::potential_of(id);

@@ -29,6 +29,8 @@ struct SmoothOptions {
   std::optional<double> max_deviation;
   std::optional<double> heat_time;
   std::vector<std::size_t> pins;
+  std::string points = "given";  ///< given, exact or rough; or "exact=" and vertices
+  double tolerance = 0;
   std::size_t repeat = 1;
   double tau = plugins::smooth_parameter("tau").default_number;
   std::optional<double> slack;
@@ -42,6 +44,14 @@ void add_smooth_options(CLI::App& app, SmoothOptions& options);
 
 /// Registers the files that a run reads and writes.
 void plan_files(const SmoothOptions& options, FilePlan& files);
+
+/// What `points` says: the choice, and the vertices after "exact=". Throws Error(kBadUsage) for
+/// anything else.
+struct PointsChoice {
+  std::string points;
+  std::vector<std::size_t> exact;
+};
+PointsChoice points_choice(const SmoothOptions& options);
 
 /// Throws Error(kBadUsage) if options contradict each other.
 void check_method(const SmoothOptions& options);

@@ -1,6 +1,7 @@
 #include "smooth_run.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
 #include <utility>
 
@@ -9,6 +10,7 @@
 #include "output_file.hpp"
 #include "shared_work.hpp"
 #include "talweg/core/drawing/drawn_curves.hpp"
+#include "talweg/core/drawing/taken_points.hpp"
 #include "talweg/core/io/curve_file.hpp"
 #include "talweg/intrinsic/error.hpp"
 #include "talweg/intrinsic/flips/flip_out.hpp"
@@ -36,13 +38,15 @@ StageTimes median_times(const std::vector<StageTimes>& runs) {
 /// The input of a smoothing: the options with all their files read.
 struct Prepared {
   std::vector<SurfaceCurve> curves;
-  std::vector<SurfacePoint> pins;   ///< points of the curves
+  std::vector<SurfacePoint> pins;  ///< points of the curves
+  std::vector<WayPoint> way_points;
+  std::vector<SurfacePoint> painted;
   std::vector<double> distance;     ///< per vertex; empty unless given
   std::vector<double> slack_field;  ///< per vertex; empty unless given
   const SmoothOptions* options = nullptr;
   Progress progress;
   std::vector<std::string> warnings;
-  SnappedDrawing moved;  ///< without its curves
+  SnappedDrawing moved;  ///< without its curves and pins
   double load_ms = 0;
 };
 
@@ -71,6 +75,23 @@ std::vector<double> field_on(const MeshFromFile& mesh, const std::string& path) 
   return mesh.map->of_vertices(read_field(path, mesh.map->file_vertex_count()));
 }
 
+/// Finds the way-points and the painted points among those of the drawing.
+void take_points_of(const SnappedDrawing& drawing, const MeshFromFile& mesh,
+                    const SmoothOptions& options, Prepared& run) {
+  const PointsChoice choice = points_choice(options);
+  PointsTaken taken{plugins::point_meaning(choice.points), {}, options.tolerance};
+  for (const std::size_t v : choice.exact) {
+    taken.exact.push_back(pin_on(drawing.curves, mesh, VertexId{v}));
+  }
+  CurveOptions found;
+  take_points(drawing, taken, found);
+  run.way_points = std::move(found.way_points);
+  run.painted = std::move(found.painted);
+  for (std::string& warning : stroke_warnings(drawing, taken)) {
+    run.warnings.push_back(std::move(warning));
+  }
+}
+
 Prepared prepare(const MeshFromFile& mesh, DrawingReader& reader, const SmoothOptions& options,
                  const Progress& progress) {
   const Surface& surface = mesh.mesh().surface();
@@ -88,6 +109,7 @@ Prepared prepare(const MeshFromFile& mesh, DrawingReader& reader, const SmoothOp
     drawing.pins.push_back(pin_on(drawing.curves, mesh, VertexId{pin}));
   }
   check_pins(drawing.curves, drawing.pins);
+  take_points_of(drawing, mesh, options, run);
   run.curves = std::move(drawing.curves);
   run.pins = std::move(drawing.pins);
   if (!options.distance.empty()) {
@@ -104,10 +126,14 @@ Prepared prepare(const MeshFromFile& mesh, DrawingReader& reader, const SmoothOp
 Prepared alone(const Prepared& run, std::size_t curve) {
   Prepared one;
   one.curves = {run.curves[curve]};
-  for (const SurfacePoint& pin : run.pins) {
-    const std::vector<SurfacePoint>& points = one.curves.front().points;
-    if (std::find(points.begin(), points.end(), pin) != points.end()) one.pins.push_back(pin);
-  }
+  const std::vector<SurfacePoint>& points = one.curves.front().points;
+  const auto passed = [&](const SurfacePoint& p) {
+    return std::find(points.begin(), points.end(), p) != points.end();
+  };
+  std::copy_if(run.pins.begin(), run.pins.end(), std::back_inserter(one.pins), passed);
+  std::copy_if(run.way_points.begin(), run.way_points.end(), std::back_inserter(one.way_points),
+               [&](const WayPoint& way) { return passed(way.point); });
+  std::copy_if(run.painted.begin(), run.painted.end(), std::back_inserter(one.painted), passed);
   one.distance = run.distance;
   one.slack_field = run.slack_field;
   one.options = run.options;
@@ -137,6 +163,7 @@ plugin::Parameters parameters_of(const Prepared& run) {
   parameters.set_choice("engine", o.engine.c_str());
   parameters.set_number("relax", o.relax);
   parameters.set_number("threads", o.threads);
+  parameters.set_number("tolerance", o.tolerance);
   set_if("slack", o.slack);
   set_if("max_deviation", o.max_deviation);
   set_if("heat_time", o.heat_time);
@@ -146,25 +173,33 @@ plugin::Parameters parameters_of(const Prepared& run) {
 }
 
 void finish_reports(SmoothedCurves& result, const std::vector<std::vector<StageTimes>>& times,
-                    const Prepared& run) {
+                    const Prepared& run, const std::vector<std::string>& idle) {
+  std::vector<std::string> warnings = run.warnings;
+  warnings.insert(warnings.end(), idle.begin(), idle.end());
   for (std::size_t c = 0; c < result.reports.size(); ++c) {
     SmoothingReport& report = result.reports[c];
     report.time_ms = median_times(times[c]);
     report.time_ms.open = times[c].front().open;  // the factors are made in the first run
     report.time_ms.load = run.load_ms;
     report.time_ms.total += run.load_ms;
-    run.moved.add_to(report.warnings, run.warnings);
+    run.moved.add_to(report.warnings, warnings);
   }
   result.total = total_of(result.reports);
 }
 
 bool is_cancelled(const SmoothingReport& total) { return total.termination == Outcome::kCancelled; }
 
+bool is_free(const Prepared& run) {
+  return only_way_points(run.curves, run.way_points, run.painted);
+}
+
 /// Smooths once, starting from the drawing.
 SmoothingResult smooth_once(CurveSmoother& smoother, const Prepared& run,
                             const plugin::Parameters& parameters) {
   CurveOptions options = plugins::curve_options_of(parameters);
   options.pins = run.pins;
+  options.way_points = run.way_points;
+  options.painted = run.painted;
   if (!plugins::set_curves(smoother, run.curves, parameters, options, run.progress)) {
     SmoothingResult cancelled;
     cancelled.total.termination = Outcome::kCancelled;
@@ -173,7 +208,7 @@ SmoothingResult smooth_once(CurveSmoother& smoother, const Prepared& run,
   return plugins::smooth_by(
       parameters, smoother,
       plugins::smoothing_options_of(parameters, smoother.opened().surface(), smoother.drawn()),
-      run.progress);
+      is_free(run), run.progress);
 }
 
 SmoothedCurves placed(const SurfaceMesh& mesh, SmoothingResult result) {
@@ -188,8 +223,10 @@ SmoothedCurves placed(const SurfaceMesh& mesh, SmoothingResult result) {
 SmoothedCurves smooth_set(CurveSmoother& smoother, const Prepared& run) {
   SmoothedCurves result;
   std::vector<std::vector<StageTimes>> times(run.curves.size());
+  std::vector<std::string> idle;
   try {
     const plugin::Parameters parameters = parameters_of(run);
+    idle = plugins::idle_parameters(parameters, is_free(run));
     for (std::size_t k = 0; k < run.options->repeat; ++k) {
       SmoothingResult smoothed = smooth_once(smoother, run, parameters);
       if (is_cancelled(smoothed.total)) {
@@ -203,7 +240,7 @@ SmoothedCurves smooth_set(CurveSmoother& smoother, const Prepared& run) {
   } catch (const plugin::Failure& failure) {
     throw Error(ErrorCode::kBadUsage, failure.what());
   }
-  finish_reports(result, times, run);
+  finish_reports(result, times, run, idle);
   return result;
 }
 

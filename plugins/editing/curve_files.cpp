@@ -20,14 +20,9 @@ talweg_status append(void* context, const talweg_curve* curve) {
 
 void write_curves(const Plugins& plugins, const std::string& path,
                   const std::vector<host::Curve>& curves) {
-  std::vector<talweg_curve> views;
-  views.reserve(curves.size());
-  for (const host::Curve& curve : curves) views.push_back(host::detail::view_of(curve));
-  std::vector<const talweg_curve*> list;
-  list.reserve(views.size());
-  for (const talweg_curve& view : views) list.push_back(&view);
+  const host::detail::CurveViews views(curves);
   std::string message(1000, 0);
-  const talweg_status status = files_of(plugins).write(path.c_str(), list.data(), list.size(),
+  const talweg_status status = files_of(plugins).write(path.c_str(), views.data(), views.size(),
                                                        message.data(), message.size());
   if (status != TALWEG_OK) throw host::Error(status, message.c_str());
 }

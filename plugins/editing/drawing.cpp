@@ -21,7 +21,7 @@ void apply(const char* id, const std::optional<double>& value, host::Instance& s
 }  // namespace
 
 Point picked(std::uint32_t face, const std::array<double, 3>& barycentric) {
-  Point point{face, barycentric, false};
+  Point point{face, barycentric};
   double sum = 0;
   for (double& b : point.barycentric) {
     if (!std::isfinite(b)) throw Error("The point that was picked has no finite coordinates.");
@@ -46,6 +46,19 @@ Stage stage_between(const Drawing& before, const Drawing& after) {
   return before.settings == after.settings ? Stage::kNothing : Stage::kRun;
 }
 
+namespace {
+
+/// The marks of the points; none if nothing is said of any.
+std::vector<double> marks_of(const Curve& curve) {
+  std::vector<double> marks;
+  for (const Point& point : curve.points) marks.push_back(point.exact);
+  const bool says_nothing =
+      std::all_of(marks.begin(), marks.end(), [](double mark) { return mark == TALWEG_MARK_NONE; });
+  return says_nothing ? std::vector<double>() : marks;
+}
+
+}  // namespace
+
 std::vector<host::Curve> host_curves(const Drawing& drawing) {
   std::vector<host::Curve> result;
   for (const auto& curve : drawing.curves) {
@@ -57,6 +70,7 @@ std::vector<host::Curve> host_curves(const Drawing& drawing) {
       out.barycentrics.push_back(curve->points[k].barycentric);
       if (curve->points[k].pinned) out.pins.push_back(static_cast<std::uint32_t>(k));
     }
+    out.exact = marks_of(*curve);
     result.push_back(std::move(out));
   }
   return result;

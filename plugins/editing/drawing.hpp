@@ -26,6 +26,9 @@ struct Point {
   std::uint32_t face = 0;
   std::array<double, 3> barycentric = {1, 0, 0};  ///< each >= 0, sum 1
   bool pinned = false;                            ///< the smoothed curve passes through it
+  /// 0 or more at a point that was clicked: its tolerance in mesh units. Otherwise a mark of
+  /// talweg_way_points.h.
+  double exact = TALWEG_MARK_NONE;
 
   bool operator==(const Point&) const = default;
   [[nodiscard]] bool same_place(const Point& other) const {

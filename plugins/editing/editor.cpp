@@ -29,6 +29,11 @@ void merge(Curve& curve) {
   curve.points = std::move(points);
 }
 
+bool has_way_points(const Curve& curve) {
+  return std::any_of(curve.points.begin(), curve.points.end(),
+                     [](const Point& point) { return point.exact >= 0; });
+}
+
 void require_bound(double value, bool zero, const char* what) {
   if (std::isfinite(value) && (zero ? value >= 0 : value > 0)) return;
   throw Error(std::string(what) + (zero ? " is 0 or more." : " is more than 0."));
@@ -73,7 +78,11 @@ void Editor::erase(const std::string& name, std::size_t curve) {
   history_.add(name, std::move(next));
 }
 
-void Editor::add_point(const Point& point) {
+void Editor::add_point(const Point& point) { append(point, 0); }
+void Editor::paint_point(const Point& point) { append(point, TALWEG_MARK_PAINTED); }
+
+void Editor::append(Point point, double mark) {
+  if (point.exact == TALWEG_MARK_NONE) point.exact = mark;
   Curve curve = is_drawing() ? unfinished() : Curve{};
   if (!curve.points.empty() && curve.points.back().same_place(point)) return;
   curve.points.push_back(point);
@@ -148,16 +157,18 @@ void Editor::clear() {
 
 void Editor::move_point(std::size_t curve, std::size_t point, const Point& to) {
   Curve changed = curve_at(curve, point);
-  const bool pinned = changed.points[point].pinned;
-  changed.points[point] = to;
-  changed.points[point].pinned = pinned;
+  Point& moved = changed.points[point];
+  moved.face = to.face;
+  moved.barycentric = to.barycentric;
   replace("Move point", curve, std::move(changed), is_drawing());
 }
 
 void Editor::insert_point(std::size_t curve, std::size_t before, const Point& point) {
   Curve changed = curve_at(curve);
   if (before > changed.points.size()) curve_at(curve, before);
-  changed.points.insert(changed.points.begin() + static_cast<std::ptrdiff_t>(before), point);
+  Point inserted = point;
+  if (inserted.exact == TALWEG_MARK_NONE && has_way_points(changed)) inserted.exact = 0;
+  changed.points.insert(changed.points.begin() + static_cast<std::ptrdiff_t>(before), inserted);
   replace("Insert point", curve, std::move(changed), is_drawing());
 }
 

@@ -21,9 +21,11 @@ class Editor {
 
   // ---- A curve while it is drawn.
 
-  /// Adds a point to the curve that is being drawn, or begins a curve if there is none. A point at
-  /// the place of the last one is ignored.
+  /// Adds a point that was clicked, which is meant exactly, to the curve that is being drawn, or
+  /// begins a curve if there is none. A point at the place of the last one is ignored.
   void add_point(const Point& point);
+  /// The same for a point over which the mouse was dragged: it is part of a stroke.
+  void paint_point(const Point& point);
   /// Backspace: removes the last point; with its only point the curve is removed too.
   void take_back_point();
   /// Enter: finishes the curve as an open one. Needs two points.
@@ -46,7 +48,9 @@ class Editor {
 
   // ---- Points of any curve.
 
-  void move_point(std::size_t curve, std::size_t point, const Point& to);  ///< keeps its pin
+  /// Keeps its pin, and whether it was clicked or painted.
+  void move_point(std::size_t curve, std::size_t point, const Point& to);
+  /// A point that is inserted into a curve with way-points is one, too.
   void insert_point(std::size_t curve, std::size_t before, const Point& point);
   /// Removes the whole curve if it would have too few points left.
   void remove_point(std::size_t curve, std::size_t point);
@@ -63,6 +67,7 @@ class Editor {
   const Curve& curve_at(std::size_t curve, std::size_t point) const;
   const Curve& unfinished() const;
   void not_while_drawing() const;
+  void append(Point point, double mark);
   void replace(const std::string& name, std::size_t curve, Curve by, bool unfinished);
   void erase(const std::string& name, std::size_t curve);
   void set(const std::string& name, const Settings& settings);

@@ -28,7 +28,8 @@ Curve given_points(const host::Curve& drawn) {
   curve.closed = drawn.closed;
   for (std::size_t k = 0; k < drawn.faces.size(); ++k) {
     if (given != drawn.fields.end() && given->values[k] == 0) continue;
-    curve.points.push_back({drawn.faces[k], drawn.barycentrics[k], false});
+    const double exact = drawn.exact.empty() ? TALWEG_MARK_NONE : drawn.exact[k];
+    curve.points.push_back({drawn.faces[k], drawn.barycentrics[k], false, exact});
   }
   return curve;
 }
@@ -123,6 +124,10 @@ struct SmoothingThread::Workplace {
     host::Wanted wanted;
     wanted.point_fields = true;
     for (const host::Curve& curve : request.curves) {
+      // A curve that says nothing of its points is a stroke here: nobody has clicked them.
+      if (has_parameter(instance.plugin(), "points")) {
+        instance.set("points", curve.exact.empty() ? "rough" : "exact");
+      }
       instance.set_curves({curve});
       outcome.placed.push_back(given_points(instance.run(wanted).curves.at(0)));
     }

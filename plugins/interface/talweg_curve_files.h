@@ -20,14 +20,15 @@ extern "C" {
 typedef struct talweg_curve_files {
   uint32_t size;
   /* [any thread] Writes curves as plugins give them: each with faces, barycentrics and positions,
-   * and maybe vertices (.txt needs them). The same curves make the same bytes. A file that could
-   * not be written is as it was. `message`, of `message_size` bytes, gets one sentence on a
-   * failure, cut where it is too long, and may be null. */
+   * and maybe vertices (.txt needs them) and the field `exact` (talweg_way_points.h; .json, .vtp and
+   * .vtk hold it). The same curves make the same bytes. A file that could not be written is as it
+   * was. `message`, of `message_size` bytes, gets one sentence on a failure, cut where it is too
+   * long, and may be null. */
   talweg_status (*write)(const char* path, const talweg_curve* const* curves, uint64_t count,
                          char* message, uint64_t message_size);
   /* [any thread] Gives every curve of a file to the sink's `curve`, in order, as input for
-   * set_curves(): vertices, or faces with barycentrics, or positions; and pins. Nothing is checked
-   * against a mesh. */
+   * set_curves(): vertices, or faces with barycentrics, or positions; pins; and the field `exact`
+   * where the file says something of points. Nothing is checked against a mesh. */
   talweg_status (*read)(const char* path, const talweg_sink* sink, char* message,
                         uint64_t message_size);
 } talweg_curve_files;

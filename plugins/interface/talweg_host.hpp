@@ -23,6 +23,7 @@
 
 #include "talweg_arrays.hpp"
 #include "talweg_plugin.h"
+#include "talweg_way_points.h"
 
 namespace talweg::host {
 
@@ -110,6 +111,9 @@ struct Curve {
   std::vector<std::array<double, 3>> positions;
   std::vector<std::uint32_t> pins;  ///< in: indices of points
   std::vector<Field> fields;        ///< out: values per point
+  /// Marks of way-points and painted points, one for each point (talweg_way_points.h); empty if
+  /// nothing is said of any. Out: those of the field with this name.
+  std::vector<double> exact = {};
 };
 
 struct Mesh {
@@ -169,6 +173,7 @@ inline talweg_array view_of(const std::vector<std::uint32_t>& values) {
   return view(values.data(), values.size());
 }
 
+/// Without the marks of the points.
 inline talweg_curve view_of(const Curve& curve) {
   talweg_curve c = {};
   c.size = sizeof c;
@@ -180,6 +185,40 @@ inline talweg_curve view_of(const Curve& curve) {
   c.pins = view_of(curve.pins);
   return c;
 }
+
+/// Views of curves, with the marks of their points. The curves must outlive it.
+class CurveViews {
+ public:
+  explicit CurveViews(const std::vector<Curve>& curves) : fields_(curves.size()) {
+    views_.reserve(curves.size());
+    for (const Curve& curve : curves) add(curve, fields_[views_.size()]);
+    for (const talweg_curve& curve : views_) list_.push_back(&curve);
+  }
+  CurveViews(const CurveViews&) = delete;
+  CurveViews& operator=(const CurveViews&) = delete;
+
+  [[nodiscard]] const talweg_curve* const* data() const { return list_.data(); }
+  [[nodiscard]] std::uint64_t size() const { return list_.size(); }
+
+ private:
+  struct Exact {
+    talweg_field field = {};
+    const talweg_field* list = nullptr;
+  };
+  void add(const Curve& curve, Exact& exact) {
+    views_.push_back(view_of(curve));
+    if (curve.exact.empty()) return;
+    exact.field = {sizeof exact.field, TALWEG_EXACT, "mesh units",
+                   view(curve.exact.data(), curve.exact.size())};
+    exact.list = &exact.field;
+    views_.back().field_count = 1;
+    views_.back().fields = &exact.list;
+  }
+
+  std::vector<Exact> fields_;
+  std::vector<talweg_curve> views_;
+  std::vector<const talweg_curve*> list_;
+};
 
 template <std::size_t n>
 std::vector<std::array<double, n>> rows_of(const talweg_array& array, const char* what) {
@@ -208,13 +247,18 @@ inline std::vector<std::uint32_t> vertices_of(const talweg_array& array) {
 }
 
 inline Curve copy(const talweg_curve& curve) {
-  return {curve.closed != 0,
-          vertices_of(curve.vertices),
-          plugin::indices_of(curve.faces, 1, "The faces"),
-          rows_of<3>(curve.barycentrics, "The barycentrics"),
-          rows_of<3>(curve.positions, "The positions"),
-          plugin::indices_of(curve.pins, 1, "The pins"),
-          copy(curve.fields, curve.field_count)};
+  Curve result{curve.closed != 0,
+               vertices_of(curve.vertices),
+               plugin::indices_of(curve.faces, 1, "The faces"),
+               rows_of<3>(curve.barycentrics, "The barycentrics"),
+               rows_of<3>(curve.positions, "The positions"),
+               plugin::indices_of(curve.pins, 1, "The pins"),
+               copy(curve.fields, curve.field_count),
+               {}};
+  for (const Field& field : result.fields) {
+    if (field.name == TALWEG_EXACT) result.exact = field.values;
+  }
+  return result;
 }
 
 inline Mesh copy(const talweg_mesh& mesh) {
@@ -277,11 +321,8 @@ class Instance {
   }
   void share_mesh(const Instance& other) { check(plugin_->share_mesh(instance_, other.instance_)); }
   void set_curves(const std::vector<Curve>& curves) {
-    std::vector<talweg_curve> views;
-    for (const Curve& curve : curves) views.push_back(detail::view_of(curve));
-    std::vector<const talweg_curve*> list;
-    for (const talweg_curve& curve : views) list.push_back(&curve);
-    check(plugin_->set_curves(instance_, list.data(), list.size()));
+    const detail::CurveViews views(curves);
+    check(plugin_->set_curves(instance_, views.data(), views.size()));
   }
 
   void set(const char* id, double value) { check(plugin_->set_number(instance_, id, value)); }

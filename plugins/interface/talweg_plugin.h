@@ -137,7 +137,7 @@ typedef struct talweg_curve {
   talweg_array barycentrics; /* 3 columns: each row >= 0 with sum 1 */
   talweg_array positions;    /* 3 columns */
   talweg_array pins;         /* in: 1 column, indices of points that shall stay; out: none */
-  uint32_t field_count;      /* out: values per point; in: 0 */
+  uint32_t field_count;      /* out: values per point; in: 0, or see talweg_way_points.h */
   const talweg_field *const *fields;
 } talweg_curve;
 

@@ -1,10 +1,13 @@
 #include "host_curves.hpp"
 
+#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "talweg/core/drawing/point_marks.hpp"
 #include "talweg/plugin/talweg_arrays.hpp"
+#include "talweg/plugin/talweg_way_points.h"
 
 namespace talweg::plugins {
 namespace {
@@ -23,6 +26,32 @@ std::vector<FaceCoordinates> coordinates_of(const talweg_curve& curve) {
     result.push_back({FaceId{faces[k]}, {at[0], at[1], at[2]}});
   }
   return result;
+}
+
+/// The marks of the curve's points, if it has the field.
+void read_marks(const talweg_curve& curve, CurveInput& input) {
+  if (curve.field_count > 0 && curve.fields == nullptr) {
+    throw plugin::Failure(TALWEG_BAD_USAGE, "A curve has fields, but the list of them is null.");
+  }
+  for (std::uint32_t f = 0; f < curve.field_count; ++f) {
+    const talweg_field& field = plugin::checked(curve.fields[f], "A field of a curve");
+    if (field.name == nullptr || std::string_view(field.name) != TALWEG_EXACT) continue;
+    const std::vector<double> marks = plugin::numbers_of(field.values, 1, "The field exact");
+    if (marks.size() != point_count(input)) {
+      throw plugin::Failure(TALWEG_BAD_USAGE,
+                            fmt::format("The field exact has {} values, and the curve {} points.",
+                                        marks.size(), point_count(input)));
+    }
+    for (std::size_t k = 0; k < marks.size(); ++k) {
+      if (is_mark(marks[k]) || marks[k] == kControl) continue;
+      throw plugin::Failure(
+          TALWEG_BAD_USAGE,
+          fmt::format("The field exact has {} at point {}; expected a tolerance of 0 or more, -1 "
+                      "(nothing is said), -2 (painted) or -3 (control point).",
+                      marks[k], k));
+    }
+    set_marks(input, marks);
+  }
 }
 
 }  // namespace
@@ -50,7 +79,13 @@ CurveInput input_of(const talweg_curve& curve) {
   for (const std::uint32_t pin : plugin::indices_of(curve.pins, 1, "The curve's pins")) {
     result.pins.push_back(pin);
   }
+  read_marks(curve, result);
   return result;
+}
+
+const talweg_way_points* way_points_extension() {
+  static constexpr talweg_way_points kWayPoints = {sizeof kWayPoints, 1};
+  return &kWayPoints;
 }
 
 SnappedDrawing drawing_of(const SurfaceMesh& mesh, StraightLines& lines,

@@ -3,6 +3,8 @@
 #include <type_traits>
 #include <variant>
 
+#include "talweg/plugin/talweg_way_points.h"
+
 namespace talweg::plugins {
 namespace {
 
@@ -53,10 +55,14 @@ void give(const plugin::Outputs& outputs, const PlacedCurve& curve,
   }
   std::vector<talweg_field> views;
   std::vector<const talweg_field*> list;
-  views.reserve(fields.size());
-  list.reserve(fields.size());
+  views.reserve(fields.size() + 1);
+  list.reserve(fields.size() + 1);
   for (const PointField& field : fields) {
     views.push_back({sizeof(talweg_field), field.name, field.unit, view(field.values.data(), n)});
+  }
+  if (!curve.exact.empty()) {
+    views.push_back(
+        {sizeof(talweg_field), TALWEG_EXACT, "mesh units", view(curve.exact.data(), n)});
   }
   for (const talweg_field& field : views) list.push_back(&field);
   talweg_curve out = {};

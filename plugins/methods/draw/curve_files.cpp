@@ -8,6 +8,7 @@
 
 #include "methods/host_curves.hpp"
 #include "methods/workspace.hpp"
+#include "talweg/core/drawing/point_marks.hpp"
 #include "talweg/core/io/curve_file.hpp"
 #include "talweg/plugin/talweg_arrays.hpp"
 
@@ -55,6 +56,7 @@ PlacedCurve placed(const talweg_curve* curve) {
   CurveInput input = input_of(without_vertices);
   PlacedCurve result;
   result.closed = input.closed;
+  result.exact = marks_of(input);
   result.faces = std::get<std::vector<FaceCoordinates>>(std::move(input.points));
   const auto numbers = plugin::numbers_of(curve->positions, 3, "The curve's positions");
   for (std::size_t k = 0; k < numbers.size(); k += 3) result.positions.emplace_back(&numbers[k]);
@@ -95,6 +97,7 @@ class Input {
     std::visit([this](const auto& points) { take(points); }, curve.points);
     for (const std::size_t pin : curve.pins) pins_.push_back(static_cast<std::uint32_t>(pin));
     view_.pins = plugin::view(pins_.data(), pins_.size());
+    take_marks(marks_of(curve));
   }
   Input(const Input&) = delete;
   Input& operator=(const Input&) = delete;
@@ -118,9 +121,20 @@ class Input {
     view_.positions = plugin::view(numbers_.data(), points.size(), 3);
   }
 
+  void take_marks(std::vector<double> marks) {
+    if (marks.empty()) return;
+    marks_ = std::move(marks);
+    exact_ = {sizeof exact_, TALWEG_EXACT, "mesh units",
+              plugin::view(marks_.data(), marks_.size())};
+    view_.field_count = 1;
+    view_.fields = &fields_;
+  }
+
   talweg_curve view_ = {};
+  talweg_field exact_ = {};
+  const talweg_field* fields_ = &exact_;
   std::vector<std::uint32_t> indices_, pins_;
-  std::vector<double> numbers_;
+  std::vector<double> numbers_, marks_;
 };
 
 talweg_status read_in(const char* path, const char* mesh_unit, const talweg_sink* sink,

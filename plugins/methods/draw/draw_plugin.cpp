@@ -10,6 +10,7 @@
 #include "methods/results.hpp"
 #include "methods/workspace.hpp"
 #include "talweg/core/drawing/edge_dijkstra.hpp"
+#include "talweg/core/drawing/point_marks.hpp"
 #include "talweg/core/measure/measures.hpp"
 #include "talweg/intrinsic/error.hpp"
 
@@ -32,11 +33,16 @@ class Draw : public Workspace {
   static const void* extension(const char* id) {
     if (id == nullptr) return nullptr;
     if (std::string_view(id) == TALWEG_CURVE_FILES) return curve_files();
-    return std::string_view(id) == TALWEG_CURVE_FILES_2 ? curve_files_2() : nullptr;
+    if (std::string_view(id) == TALWEG_CURVE_FILES_2) return curve_files_2();
+    return std::string_view(id) == TALWEG_WAY_POINTS ? way_points_extension() : nullptr;
   }
   static std::vector<talweg_parameter> parameters() {
     return {plugin::boolean("straight", "Straight", false,
                             "Straight over the faces instead of along edges."),
+            plugin::choice("points", "Points", "exact", kPoints, kPointLabels,
+                           "What the given points are in the drawn curve. exact: way-points, "
+                           "unless the given curve says what they are; rough: a stroke.",
+                           TALWEG_STAGE_RUN),
             plugin::boolean("preview", "Preview", false,
                             "While a point is dragged: of a curve of which one way-point has moved "
                             "since the last run without preview only the legs that meet it are "
@@ -50,18 +56,28 @@ class Draw : public Workspace {
                    "One for each given curve, in their order."),
             output(TALWEG_OUTPUT_POINT_FIELD, "given", "Given points", "",
                    "1 at the points that were given, 0 at those that join them."),
+            output(TALWEG_OUTPUT_POINT_FIELD, TALWEG_EXACT, "Exact", "mesh units",
+                   "At way-points their tolerance, -1 where nothing is said, -2 at painted points; "
+                   "always given with exact points, never with rough ones."),
             output(TALWEG_OUTPUT_REPORT, "report", "Report", "",
                    "Points and length of each curve and in total.")};
   }
 
   void set_curves(std::span<const talweg_curve* const> curves) {
     std::vector<SnappedCurve> snapped;
-    for (const talweg_curve* curve : curves) snapped.push_back(points_of(input_of(*curve)));
+    std::vector<std::vector<double>> marks;
+    for (const talweg_curve* curve : curves) {
+      const CurveInput input = input_of(*curve);
+      snapped.push_back(points_of(input));
+      marks.push_back(marks_on(snapped.back()));
+    }
     snapped_ = std::move(snapped);
+    marks_ = std::move(marks);
   }
 
   void run(const plugin::Parameters& parameters, const plugin::Outputs& outputs) {
     const bool straight = parameters.flag("straight"), preview = parameters.flag("preview");
+    const bool exact = parameters.choice("points") == "exact";
     std::vector<PlacedCurve> placed;
     std::vector<std::vector<PointField>> fields(snapped_.size());
     std::vector<double> lengths;
@@ -78,6 +94,7 @@ class Draw : public Workspace {
                         : along_edges(snapped_[c], last, paths.emplace_back());
       });
       placed.push_back(place(mesh(), curve, c));
+      if (exact) placed.back().exact = marks_through(curve, snapped_[c].points, marks_[c]);
       if (outputs.wants_point_fields()) fields[c] = {given_field(snapped_[c], curve)};
       lengths.push_back(curve_length(mesh().surface(), curve));
       total += lengths.back();
@@ -94,6 +111,19 @@ class Draw : public Workspace {
   }
 
  private:
+  static constexpr const char* kPoints[] = {"exact", "rough"};
+  static constexpr const char* kPointLabels[] = {"Exact: way-points", "Rough: a stroke"};
+
+  /// The marks of the points, or none if nothing is said of them: they are way-points then.
+  static std::vector<double> marks_on(const SnappedCurve& curve) {
+    const bool is_stroke = !curve.why_stroke.empty();
+    if (curve.way_points.empty() && curve.painted.empty() && !is_stroke) return {};
+    std::vector<double> marks(curve.points.size(), kNotSaid);
+    for (const InputWayPoint& way : curve.way_points) marks[way.point] = way.tolerance;
+    for (const std::size_t k : curve.painted) marks[k] = kPainted;
+    return marks;
+  }
+
   /// Vertices are used as they are, in any order and any number of times; other points are snapped.
   SnappedCurve points_of(const CurveInput& input) {
     const auto* ids = std::get_if<std::vector<VertexId>>(&input.points);
@@ -109,6 +139,8 @@ class Draw : public Workspace {
       }
     }
     if (ids->size() < 2) throw Error(ErrorCode::kBadCurve, "A curve needs at least two points.");
+    result.way_points = input.way_points;
+    result.painted = input.painted;
     return result;
   }
 
@@ -177,8 +209,9 @@ class Draw : public Workspace {
   }
 
   std::vector<SnappedCurve> snapped_;
-  std::optional<EdgeDijkstra> dijkstra_;  // made when first needed
-  std::vector<DrawnPath> paths_;          // of the last run along edges that was not a preview
+  std::vector<std::vector<double>> marks_;  // of their points, see marks_on()
+  std::optional<EdgeDijkstra> dijkstra_;    // made when first needed
+  std::vector<DrawnPath> paths_;            // of the last run along edges that was not a preview
 };
 
 }  // namespace

@@ -4,6 +4,10 @@
 #include <cassert>
 #include <cmath>
 #include <optional>
+#include <utility>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "methods/deviation_choice.hpp"
 #include "talweg/core/smoothing/max_deviation.hpp"
@@ -22,6 +26,9 @@ constexpr const char* kFinishLabels[] = {"Fair: turns evenly", "Taut: straight, 
 constexpr const char* kEngines[] = {"auto", "full", "local"};
 constexpr const char* kEngineLabels[] = {"Automatic", "Distance over the whole mesh (paper)",
                                          "Distance near the drawing (corridor)"};
+constexpr const char* kPoints[] = {"given", "exact", "rough"};
+constexpr const char* kPointLabels[] = {"As the drawing says", "Exact: way-points",
+                                        "Rough: a stroke"};
 constexpr const char* kShapes[] = {"power", "exponential"};
 constexpr const char* kShapeLabels[] = {"Power", "Exponential"};
 constexpr const char* kLengths[] = {"max_distance", "curve_length", "given"};
@@ -82,6 +89,16 @@ std::vector<talweg_parameter> main_parameters() {
             "The slack near each mesh vertex, instead of slack (corridor)."),
       array(TALWEG_VERTICES, "pin", "Pins", "",
             "Vertices of the drawing that the result passes through.", kCurves),
+      choice("points", "Points", "given", kPoints, kPointLabels,
+             "given: as the drawing says; exact: way-points, between which the result is free; "
+             "rough: a stroke, which the result keeps near.",
+             kCurves),
+      array(TALWEG_VERTICES, "exact", "Way-points", "",
+            "Vertices of the drawing that are meant exactly; instead of what points says.", kCurves,
+            kAdvanced),
+      number("tolerance", "Tolerance", "mesh units", 0, {0, HUGE_VAL, 0, 10},
+             "How far from a way-point the result may pass, where the drawing does not say it.",
+             kCurves, kAdvanced),
       boolean("preview", "Preview", false,
               "While a curve is dragged: smooths only the stretch that differs from the last run "
               "without preview, and joins it to that result (corridor, one curve changed; else "
@@ -219,9 +236,29 @@ SmoothingOptions smoothing_options_of(const Parameters& p, const Surface& surfac
   return options;
 }
 
+PointMeaning point_meaning(std::string_view choice) {
+  if (choice == "exact") return PointMeaning::kExact;
+  return choice == "rough" ? PointMeaning::kRough : PointMeaning::kGiven;
+}
+
+PointsTaken points_taken(const Parameters& p, std::vector<SurfacePoint> exact) {
+  return {point_meaning(p.choice("points")), std::move(exact), p.number("tolerance")};
+}
+
+std::vector<std::string> idle_parameters(const Parameters& p, bool free) {
+  std::vector<std::string> given;
+  if (p.optional("slack")) given.emplace_back("slack");
+  if (!p.field("slack_field").empty()) given.emplace_back("slack field");
+  if (p.optional("max_deviation")) given.emplace_back("largest deviation");
+  if (!free || given.empty()) return {};
+  return {fmt::format(
+      "The {} {} not apply: the drawing has only way-points, between which the result is free.",
+      fmt::join(given, " and the "), given.size() == 1 ? "does" : "do")};
+}
+
 SmoothingResult smooth_by(const Parameters& p, CurveSmoother& smoother,
-                          const SmoothingOptions& options, const Progress& progress) {
-  const std::optional<double> bound = p.optional("max_deviation");
+                          const SmoothingOptions& options, bool free, const Progress& progress) {
+  const std::optional<double> bound = free ? std::nullopt : p.optional("max_deviation");
   return bound ? smooth_within(smoother, *bound, options, progress)
                : smoother.smooth(options, progress);
 }

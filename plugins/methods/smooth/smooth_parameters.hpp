@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "talweg/core/drawing/taken_points.hpp"
 #include "talweg/core/smoothing/curve_smoother.hpp"
 #include "talweg/plugin/talweg_parameters.hpp"
 
@@ -32,9 +33,18 @@ bool set_curves(CurveSmoother& smoother, std::span<const SurfaceCurve> curves,
 SmoothingOptions smoothing_options_of(const plugin::Parameters& parameters, const Surface& surface,
                                       std::span<const SurfaceCurve> drawn);
 
-/// Smooths, within the largest deviation if one is set. Throws as smooth_within() and
-/// CurveSmoother::smooth() do.
+/// What a choice of the parameter `points` means.
+PointMeaning point_meaning(std::string_view choice);
+/// How the drawing's points are taken; `exact` are the points of the parameter with that name.
+PointsTaken points_taken(const plugin::Parameters& parameters, std::vector<SurfacePoint> exact);
+
+/// A sentence on the parameters that do not apply because the drawing is `free`: it has
+/// only_way_points(). No sentence if they apply or are not set.
+std::vector<std::string> idle_parameters(const plugin::Parameters& parameters, bool free);
+
+/// Smooths, within the largest deviation if one is set and the drawing is not `free`. Throws as
+/// smooth_within() and CurveSmoother::smooth() do.
 SmoothingResult smooth_by(const plugin::Parameters& parameters, CurveSmoother& smoother,
-                          const SmoothingOptions& options, const Progress& progress);
+                          const SmoothingOptions& options, bool free, const Progress& progress);
 
 }  // namespace talweg::plugins

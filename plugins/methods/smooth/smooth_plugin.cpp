@@ -3,6 +3,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -20,11 +21,17 @@ class Smooth : public SmootherWorkspace {
   using SmootherWorkspace::SmootherWorkspace;
 
   static talweg_plugin about() {
-    return about_curves(
+    talweg_plugin about = about_curves(
         "talweg.smooth", "Smooth curves",
         "Smooths drawn curves while they stay close to the drawing. Several curves are smoothed "
         "together and do not cross. Vertices of a drawing must be neighbours; other points are "
         "joined straight over the surface.");
+    about.get_extension = extension;
+    return about;
+  }
+  static const void* extension(const char* id) {
+    const bool known = id != nullptr && std::string_view(id) == TALWEG_WAY_POINTS;
+    return known ? way_points_extension() : nullptr;
   }
   static std::vector<talweg_parameter> parameters() { return smooth_parameters(); }
   static std::vector<talweg_output> outputs() {
@@ -44,7 +51,11 @@ class Smooth : public SmootherWorkspace {
   }
 
   void run(const plugin::Parameters& parameters, const plugin::Outputs& outputs) {
-    const CurveOptions curve_options = curve_options_of(parameters);
+    CurveOptions curve_options = curve_options_of(parameters);
+    const PointsTaken taken = points_taken(parameters, points_at(parameters.vertices("exact")));
+    take_points(drawing(), taken, curve_options);
+    free_ = only_way_points(drawing().curves, curve_options.way_points, curve_options.painted);
+    has_way_points_ = !curve_options.way_points.empty();
     const std::optional<std::size_t> dragged = dragged_curve(parameters);
     if (!dragged) solve(parameters, curve_options);
     const SmoothingOptions options =
@@ -52,13 +63,16 @@ class Smooth : public SmootherWorkspace {
     SmoothingResult result =
         dragged ? drag(*dragged, parameters, options) : smooth(parameters, options);
     check(result);
-    add_warnings(result);
+    std::vector<std::string> warnings = stroke_warnings(drawing(), taken);
+    for (std::string& idle : idle_parameters(parameters, free_))
+      warnings.push_back(std::move(idle));
+    add_warnings(result, warnings);
     give_all(outputs, result);
   }
 
  private:
   SmoothingResult smooth(const plugin::Parameters& parameters, const SmoothingOptions& options) {
-    SmoothingResult result = smooth_by(parameters, smoother(), options, progress());
+    SmoothingResult result = smooth_by(parameters, smoother(), options, free_, progress());
     found_tau_ = result.total.tau;
     found_slack_ = result.total.slack;
     return result;
@@ -67,7 +81,7 @@ class Smooth : public SmootherWorkspace {
   /// Uses the tau and slack that were found for the largest deviation, if one is set.
   SmoothingResult drag(std::size_t curve, const plugin::Parameters& parameters,
                        SmoothingOptions options) {
-    if (parameters.optional("max_deviation")) {
+    if (parameters.optional("max_deviation") && !free_) {
       options.tau = found_tau_;
       options.slack = found_slack_;
     }
@@ -81,7 +95,7 @@ class Smooth : public SmootherWorkspace {
     if (!has_smoother() || !solved_ || changes_of(parameters) != changes_) return {};
     const auto drawn = smoother().drawn();
     const std::vector<SurfaceCurve>& now = drawing().curves;
-    if (now.size() != drawn.size()) return {};
+    if (now.size() != drawn.size() || has_way_points_ || solved_way_points_) return {};
     std::vector<std::size_t> changed;
     for (std::size_t c = 0; c < now.size(); ++c) {
       if (now[c].closed != drawn[c].closed || now[c].points != drawn[c].points) {
@@ -94,10 +108,16 @@ class Smooth : public SmootherWorkspace {
 
   [[nodiscard]] std::vector<SurfacePoint> pins(const plugin::Parameters& parameters) const {
     std::vector<SurfacePoint> pins = drawing().pins;
-    for (const std::uint32_t v : parameters.vertices("pin")) {
-      pins.push_back(SurfacePoint::at_vertex(mesh().surface(), VertexId{v}));
-    }
+    for (const SurfacePoint& pin : points_at(parameters.vertices("pin"))) pins.push_back(pin);
     return pins;
+  }
+
+  [[nodiscard]] std::vector<SurfacePoint> points_at(const std::vector<std::uint32_t>& ids) const {
+    std::vector<SurfacePoint> points;
+    for (const std::uint32_t v : ids) {
+      points.push_back(SurfacePoint::at_vertex(mesh().surface(), VertexId{v}));
+    }
+    return points;
   }
 
   static std::uint64_t changes_of(const plugin::Parameters& parameters) {
@@ -121,15 +141,17 @@ class Smooth : public SmootherWorkspace {
       throw plugin::Services::cancelled();
     }
     solved_ = true;
+    solved_way_points_ = has_way_points_;
     drawings_ = drawings();
     changes_ = changes;
     pins_ = options.pins;
   }
 
-  void add_warnings(SmoothingResult& result) const {
-    for (SmoothingReport& report : result.reports)
-      drawing().add_to(report.warnings, drawing().warnings());
-    drawing().add_to(result.total.warnings, drawing().warnings());
+  void add_warnings(SmoothingResult& result, const std::vector<std::string>& on_points) const {
+    std::vector<std::string> warnings = drawing().warnings();
+    warnings.insert(warnings.end(), on_points.begin(), on_points.end());
+    for (SmoothingReport& report : result.reports) drawing().add_to(report.warnings, warnings);
+    drawing().add_to(result.total.warnings, warnings);
     for (const std::string& warning : result.total.warnings) {
       services().log(TALWEG_LOG_WARNING, warning);
     }
@@ -155,6 +177,9 @@ class Smooth : public SmootherWorkspace {
   }
 
   bool solved_ = false;
+  bool free_ = false;  // the drawing has only way-points
+  bool has_way_points_ = false,
+       solved_way_points_ = false;  // those of a dragged curve move with it, so all is solved again
   double found_tau_ = 0, found_slack_ = 0;  // by the last run that was not a preview
   std::uint64_t drawings_ = 0;
   std::uint64_t changes_ = 0;

@@ -10,13 +10,13 @@ from talweg import _interface
 
 HEADER = re.sub(r"/\*.*?\*/", "", "".join(
     (support.SOURCE / "plugins/interface" / name).read_text()
-    for name in ("talweg_plugin.h", "talweg_curve_files.h")), flags=re.DOTALL)
+    for name in ("talweg_plugin.h", "talweg_curve_files.h", "talweg_way_points.h")), flags=re.DOTALL)
 
 STRUCTS = {"array": "Array", "field": "Field", "mesh": "Mesh", "curve": "Curve",
            "parameter": "Parameter", "output": "Output", "sink": "Sink", "host": "Host",
            "report_entry": "ReportEntry", "host_log": "HostLog", "host_progress": "HostProgress",
            "plugin": "Plugin", "module": "Module", "curve_files": "CurveFiles",
-           "curve_files_2": "CurveFiles2"}
+           "curve_files_2": "CurveFiles2", "way_points": "WayPoints"}
 SCALARS = {"uint32_t": ctypes.c_uint32, "uint64_t": ctypes.c_uint64, "int64_t": ctypes.c_int64,
            "double": ctypes.c_double, "const char *": ctypes.c_char_p}
 

@@ -214,6 +214,9 @@ void Session::add_curves(std::vector<host::Curve> curves) {
         continue;
       }
       for (const std::uint32_t pin : curve.pins) drawn.points.at(pin).pinned = true;
+      for (std::size_t k = 0; k < curve.exact.size(); ++k) {
+        drawn.points.at(k).exact = curve.exact[k];
+      }
       editor.add_curve(std::move(drawn));
     }
   });

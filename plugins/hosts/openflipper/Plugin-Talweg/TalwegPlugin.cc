@@ -494,7 +494,7 @@ void TalwegPlugin::move(const QMouseEvent& event) {
     }
   } else if (painting_) {
     if ((at - last_painted_).manhattanLength() < 6 || !pick(at, session, point)) return;
-    session->edit([&](Editor& e) { e.add_point(point); });
+    session->edit([&](Editor& e) { e.paint_point(point); });
     last_painted_ = at;
   } else {
     hint(at);

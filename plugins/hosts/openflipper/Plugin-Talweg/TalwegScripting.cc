@@ -36,7 +36,9 @@ bool TalwegPlugin::draw(int meshId, IdList vertices, bool closed) {
       if (v < 0) throw editing::Error("Vertices are counted from 0.");
       through.push_back(static_cast<std::uint32_t>(v));
     }
-    e.add_curve({editing::points_at(session->arrays(), through), closed});
+    editing::Curve curve{editing::points_at(session->arrays(), through), closed};
+    for (editing::Point& point : curve.points) point.exact = 0;
+    e.add_curve(std::move(curve));
   });
 }
 

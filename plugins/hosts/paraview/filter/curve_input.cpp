@@ -91,6 +91,7 @@ std::vector<host::Curve> curves_of(vtkDataSet& input, const std::string& vertex_
   const vtkSmartPointer<vtkPolyData> data = polydata_of(input);
   vtkDataArray* vertices = vertex_numbers_of(*data, vertex_array);
   vtkDataArray* pins = data->GetPointData()->GetArray("pin");
+  vtkDataArray* exact = data->GetPointData()->GetArray(TALWEG_EXACT);
   std::vector<host::Curve> curves;
   for (const Line& line : lines_of(*data)) {
     host::Curve curve;
@@ -104,6 +105,7 @@ std::vector<host::Curve> curves_of(vtkDataSet& input, const std::string& vertex_
       if (pins != nullptr && pins->GetComponent(line[k], 0) != 0) {
         curve.pins.push_back(static_cast<std::uint32_t>(k));
       }
+      if (exact != nullptr) curve.exact.push_back(exact->GetComponent(line[k], 0));
     }
     curves.push_back(std::move(curve));
   }

@@ -13,9 +13,9 @@ namespace talweg::paraview {
 
 /// Each line of the data set is a curve, closed if it ends where it begins; segments are joined.
 /// Without lines all points in their order are one open curve. A point array `pin` says by what is
-/// not 0 which points stay. With the name of a point array the curves are of vertices, its values,
-/// instead of positions. Throws std::runtime_error for an array that is not there or holds no
-/// vertex numbers.
+/// not 0 which points stay, and a point array `exact` which are way-points (talweg_way_points.h).
+/// With the name of a point array the curves are of vertices, its values, instead of positions.
+/// Throws std::runtime_error for an array that is not there or holds no vertex numbers.
 std::vector<host::Curve> curves_of(vtkDataSet& input, const std::string& vertex_array);
 
 /// Numbers from 0, separated by spaces or commas. Throws std::runtime_error that quotes what is

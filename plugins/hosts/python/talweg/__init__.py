@@ -45,7 +45,8 @@ def smooth(vertices: Any, faces: ArrayLike, curve: Union[CurveLike, Sequence[Cur
     :param vertex_fields: also ``result.fields``: "distance" to the drawing, (n,), mesh units.
     :param progress: a function (stage, fraction in [0, 1]) that may return False to cancel, or a
         tqdm bar.
-    :param parameters: any of ``talweg.help_text()``: ``slack``, ``max_deviation``, ``pin``, ...
+    :param parameters: any of ``talweg.help_text()``: ``slack``, ``max_deviation``, ``pin``,
+        ``points`` ("given", "exact", "rough"), ``exact`` (vertices that are way-points), ...
     :raises BadMesh, BadCurve, BadUsage: with a sentence that says what is wrong, and where.
     :raises Cancelled, KeyboardInterrupt: there is no result then.
 
@@ -57,16 +58,19 @@ def smooth(vertices: Any, faces: ArrayLike, curve: Union[CurveLike, Sequence[Cur
 
 
 def draw(vertices: Any, faces: ArrayLike, points: CurveLike, *, closed: bool = False,
-         straight: bool = False) -> Curve:
+         straight: bool = False, exact: bool = True) -> Curve:
     """A curve through points in their order: shortest edge paths between vertices.
+
+    The points are its way-points (``Curve.exact``): smooth() is free between them.
 
     :param points: vertices (k,), k >= 2, anywhere; with ``straight`` also positions or a Curve.
     :param closed: back to the first point (also if the vertices repeat it at the end).
     :param straight: straight over the faces instead of along edges.
+    :param exact: False: the curve is a stroke, and smooth() keeps near it.
     :raises BadCurve: if there is no way, or it would cross itself.
     """
     return Mesh(vertices, faces, plugin="talweg.draw").draw(points, closed=closed,
-                                                            straight=straight)
+                                                            straight=straight, exact=exact)
 
 
 def geodesic(vertices: Any, faces: ArrayLike, curve: Union[CurveLike, Sequence[Curve]], *,

@@ -36,6 +36,11 @@ class Curve:
     pins: Sequence[int] = ()  #: indices of points that shall stay where they are
     #: From Talweg, if asked for: (n,) each; "deviation" in mesh units, "curvature" in radians
     fields: Dict[str, np.ndarray] = field(default_factory=dict)
+    #: Which points are meant exactly, as clicks are: True for all, or a tolerance in mesh units for
+    #: all; or (n,) of True and False; or (n,) of tolerances, -1 where nothing is said of a point and
+    #: -2 where it was painted. None: nothing is said, and the curve is a stroke. From Talweg and from
+    #: files (n,) numbers, -3 at control points of another program.
+    exact: Union[None, bool, float, ArrayLike] = None
 
     def __len__(self) -> int:
         for points in (self.vertices, self.faces, self.positions):
@@ -94,6 +99,43 @@ def as_curves(given: Union[CurveLike, Sequence[Curve]], closed: bool = False) ->
     return [as_curve(given, closed)]
 
 
+def marks(curve: Curve) -> Optional[np.ndarray]:
+    """What ``exact`` says, as one number for each point; None where it says nothing.
+
+    :raises BadCurve: if it is no such thing.
+    """
+    if curve.exact is None or curve.exact is False:
+        return None
+    given = np.asarray(curve.exact)
+    if given.ndim == 0 and given.dtype.kind in "biuf":
+        tolerance = 0.0 if given.dtype.kind == "b" else float(given)
+        return np.full(len(curve), tolerance)
+    if given.shape != (len(curve),) or given.dtype.kind not in "biuf":
+        raise BadCurve(f"The curve's exact must be True, a tolerance, or ({len(curve)},) of these, "
+                       f"not {given.dtype} {given.shape}.")
+    if given.dtype.kind == "b":
+        return np.where(given, 0.0, c.MARK_NONE)
+    return given.astype(np.float64)
+
+
+def _keep_marks(curve: c.Curve, given: Curve, kept: List[Any]) -> None:
+    values = marks(given)
+    if values is None:
+        return
+    exact = c.Field(ctypes.sizeof(c.Field), c.EXACT, b"mesh units", _arrays.view(values))
+    fields = (ctypes.POINTER(c.Field) * 1)(ctypes.pointer(exact))
+    kept.extend([values, exact, fields])
+    curve.field_count, curve.fields = 1, fields
+
+
+def _copied_fields(curve: c.Curve) -> Dict[str, np.ndarray]:
+    fields = {}
+    for k in range(curve.field_count):
+        one = curve.fields[k].contents
+        fields[one.name.decode()] = _arrays.copied(one.values)
+    return fields
+
+
 def _keep(curve: c.Curve, name: str, values: Any, columns: int, kept: List[Any]) -> None:
     array = _arrays.readable(values, columns, f"The curve's {name}", BadCurve)
     kept.append(array)
@@ -120,6 +162,7 @@ def views(curves: Sequence[Curve]) -> Tuple[Any, List[Any]]:
             _keep(curve, "positions", given.positions, 3, kept)
         if len(given.pins) > 0:
             _keep(curve, "pins", given.pins, 1, kept)
+        _keep_marks(curve, given, kept)
         kept.append(curve)
         pointers[k] = ctypes.pointer(curve)
     return pointers, kept
@@ -138,6 +181,7 @@ def whole_views(curves: Sequence[Curve]) -> Tuple[Any, List[Any]]:
         for name, columns in (("faces", 1), ("barycentrics", 3), ("positions", 3)):
             if getattr(given, name) is not None:
                 _keep(curve, name, getattr(given, name), columns, kept)
+        _keep_marks(curve, given, kept)
         kept.append(curve)
         pointers[k] = ctypes.pointer(curve)
     return pointers, kept
@@ -150,15 +194,14 @@ def copied_input(curve: c.Curve) -> Curve:
         _arrays.copied_indices(curve.faces) if curve.faces.rows else None,
         _arrays.copied(curve.barycentrics) if curve.barycentrics.rows else None,
         _arrays.copied(curve.positions) if curve.positions.rows else None, bool(curve.closed),
-        tuple(_arrays.copied_indices(curve.pins).tolist()) if curve.pins.rows else ())
+        tuple(_arrays.copied_indices(curve.pins).tolist()) if curve.pins.rows else (),
+        exact=_copied_fields(curve).get(c.EXACT.decode()))
 
 
 def copied(curve: c.Curve) -> Curve:
     """A curve that a plugin gives."""
-    fields = {}
-    for k in range(curve.field_count):
-        one = curve.fields[k].contents
-        fields[one.name.decode()] = _arrays.copied(one.values)
+    fields = _copied_fields(curve)
+    exact = fields.pop(c.EXACT.decode(), None)
     return Curve(_arrays.copied_indices(curve.vertices), _arrays.copied_indices(curve.faces),
                  _arrays.copied(curve.barycentrics), _arrays.copied(curve.positions),
-                 bool(curve.closed), (), fields)
+                 bool(curve.closed), (), fields, exact)

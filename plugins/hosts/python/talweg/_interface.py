@@ -1,4 +1,5 @@
-"""The plugin interface 1.0 (``talweg_plugin.h``, ``talweg_curve_files.h``) in ctypes, nothing else.
+"""The plugin interface 1.0 (``talweg_plugin.h``, ``talweg_curve_files.h``, ``talweg_way_points.h``) in
+ctypes, nothing else.
 
 Function pointers made here release Python's lock while they run, and take it for callbacks.
 ``tests/hosts/python/test_interface.py`` compares the members with the header.
@@ -24,6 +25,9 @@ HOST_LOG = b"talweg.log/1"
 HOST_PROGRESS = b"talweg.progress/1"
 CURVE_FILES = b"talweg.curve_files/1"
 CURVE_FILES_2 = b"talweg.curve_files/2"
+WAY_POINTS = b"talweg.way_points/1"
+EXACT = b"exact"
+MARK_NONE, MARK_PAINTED, MARK_CONTROL = -1.0, -2.0, -3.0
 LOG_DEBUG, LOG_INFO, LOG_WARNING, LOG_ERROR = 1, 2, 3, 4
 
 Status = c_uint32
@@ -47,6 +51,10 @@ class Curve(Structure):
     _fields_ = [("size", c_uint32), ("closed", c_uint32), ("vertices", Array), ("faces", Array),
                 ("barycentrics", Array), ("positions", Array), ("pins", Array),
                 ("field_count", c_uint32), ("fields", POINTER(POINTER(Field)))]
+
+
+class WayPoints(Structure):
+    _fields_ = [("size", c_uint32), ("reads_exact", c_uint32)]
 
 
 class Parameter(Structure):

@@ -90,9 +90,11 @@ class Mesh:
         return work.smooth(tau, point_fields=point_fields, vertex_fields=vertex_fields,
                            progress=progress, **parameters)
 
-    def draw(self, points: CurveLike, *, closed: bool = False, straight: bool = False) -> Curve:
+    def draw(self, points: CurveLike, *, closed: bool = False, straight: bool = False,
+             exact: bool = True) -> Curve:
         """talweg.draw() on this mesh."""
-        work = Workspace(self, as_curve(points, closed), plugin="talweg.draw", straight=straight)
+        work = Workspace(self, as_curve(points, closed), plugin="talweg.draw", straight=straight,
+                         points="exact" if exact else "rough")
         return work.run().curve
 
     def geodesic(self, curve: Union[CurveLike, Sequence[Curve]], *, closed: bool = False,

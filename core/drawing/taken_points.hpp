@@ -1,0 +1,36 @@
+// The points of a drawing are taken as it says, or as somebody says instead.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "talweg/core/drawing/snapped_drawing.hpp"
+#include "talweg/core/smoothing/smoothing_options.hpp"
+#include "talweg/intrinsic/surface/surface_point.hpp"
+
+namespace talweg {
+
+enum class PointMeaning {
+  kGiven,  ///< as the drawing says; what it says nothing of is a stroke
+  kExact,  ///< a curve that names no way-points has all its points for them, but those painted
+  kRough,  ///< everything is a stroke
+};
+
+struct PointsTaken {
+  PointMeaning meaning = PointMeaning::kGiven;
+  std::vector<SurfacePoint> exact;  ///< if there are any, these are the way-points and no others
+  double tolerance = 0;             ///< mesh units: of way-points whose own is 0
+};
+
+/// Sets the way-points and the painted points of `options` to those of the drawing.
+void take_points(const SnappedDrawing& drawing, const PointsTaken& taken, CurveOptions& options);
+/// Sentences on control points that were taken as a stroke.
+std::vector<std::string> stroke_warnings(const SnappedDrawing& drawing, const PointsTaken& taken);
+
+/// Whether the curves are free everywhere: open ones begin and end at way-points, closed ones have
+/// some, and none has painted points.
+bool only_way_points(std::span<const SurfaceCurve> curves, std::span<const WayPoint> way_points,
+                     std::span<const SurfacePoint> painted);
+
+}  // namespace talweg
