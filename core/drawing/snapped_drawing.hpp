@@ -7,8 +7,8 @@
 
 #include "talweg/core/drawing/snapping.hpp"
 #include "talweg/core/drawing/straight_lines.hpp"
+#include "talweg/core/drawing/way_point.hpp"
 #include "talweg/core/mesh/surface_mesh.hpp"
-#include "talweg/core/smoothing/smoothing_options.hpp"
 #include "talweg/intrinsic/progress.hpp"
 #include "talweg/intrinsic/surface/surface_point.hpp"
 

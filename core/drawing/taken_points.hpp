@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "talweg/core/drawing/snapped_drawing.hpp"
-#include "talweg/core/smoothing/smoothing_options.hpp"
+#include "talweg/core/drawing/way_point.hpp"
 #include "talweg/intrinsic/surface/surface_point.hpp"
 
 namespace talweg {
@@ -23,14 +23,16 @@ struct PointsTaken {
   double tolerance = 0;             ///< mesh units: of way-points whose own is 0
 };
 
-/// Sets the way-points and the painted points of `options` to those of the drawing.
-void take_points(const SnappedDrawing& drawing, const PointsTaken& taken, CurveOptions& options);
+/// Points of the drawn curves.
+struct TakenPoints {
+  std::vector<WayPoint> way_points;
+  std::vector<SurfacePoint> painted;
+};
+TakenPoints take_points(const SnappedDrawing& drawing, const PointsTaken& taken);
 /// Sentences on control points that were taken as a stroke.
 std::vector<std::string> stroke_warnings(const SnappedDrawing& drawing, const PointsTaken& taken);
 
-/// Whether the curves are free everywhere: open ones begin and end at way-points, closed ones have
-/// some, and none has painted points.
-bool only_way_points(std::span<const SurfaceCurve> curves, std::span<const WayPoint> way_points,
-                     std::span<const SurfacePoint> painted);
+/// Whether the curves have nothing but legs (DrawnLegs).
+bool only_way_points(std::span<const SurfaceCurve> curves, const TakenPoints& points);
 
 }  // namespace talweg

@@ -10,6 +10,7 @@
 #include "talweg/core/fairing/curve_fairing.hpp"
 #include "talweg/core/measure/measures.hpp"
 #include "talweg/core/smoothing/corridor_valleys.hpp"
+#include "talweg/core/smoothing/leg_start.hpp"
 #include "talweg/core/smoothing/lifted_lengths.hpp"
 #include "talweg/core/smoothing/touched_edges.hpp"
 

@@ -34,7 +34,9 @@ void EmbeddedDrawing::embed(const Progress& progress) {
   CurveOptions own = options_;
   for (const WayPoint& way_point : options_.way_points) own.pins.push_back(way_point.point);
   legs_.clear();
-  for (const SurfaceCurve& curve : drawing_->curves()) legs_.push_back(legs_of(curve, options_));
+  for (const SurfaceCurve& curve : drawing_->curves()) {
+    legs_.push_back(legs_of(curve, options_.pins, options_.way_points, options_.painted));
+  }
   capped_ = capped_curves(surface(), drawing_->curves(), own);
   fixed_ = std::move(own.pins);
   memory_->straightening().embed(capped_, fixed_, ground_.loops, drawing_->numbers(), progress);

@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "talweg/core/drawing/drawn_legs.hpp"
 #include "talweg/core/mesh/surface_mesh.hpp"
-#include "talweg/core/smoothing/drawn_legs.hpp"
 #include "talweg/core/smoothing/ordered_drawing.hpp"
 #include "talweg/core/smoothing/smoothing_memory.hpp"
 #include "talweg/core/smoothing/smoothing_options.hpp"

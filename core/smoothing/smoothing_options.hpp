@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "talweg/core/drawing/way_point.hpp"
 #include "talweg/core/measure/deviation_measure.hpp"
 #include "talweg/core/smoothing/potential.hpp"
 #include "talweg/intrinsic/surface/surface_point.hpp"
@@ -15,12 +16,6 @@ namespace talweg {
 enum class Method {
   kPaper,     ///< equations 4 to 6 over the heat method's distance on the whole mesh
   kCorridor,  ///< flat within the slack, exact distance in a band, phase for loops
-};
-
-/// A point of the drawing that is meant exactly, as a click is.
-struct WayPoint {
-  SurfacePoint point;
-  double tolerance = 0;  ///< mesh units, >= 0: how far from it the result may pass
 };
 
 /// The options that apply when a curve is set.

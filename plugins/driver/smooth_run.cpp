@@ -39,8 +39,7 @@ StageTimes median_times(const std::vector<StageTimes>& runs) {
 struct Prepared {
   std::vector<SurfaceCurve> curves;
   std::vector<SurfacePoint> pins;  ///< points of the curves
-  std::vector<WayPoint> way_points;
-  std::vector<SurfacePoint> painted;
+  TakenPoints points;
   std::vector<double> distance;     ///< per vertex; empty unless given
   std::vector<double> slack_field;  ///< per vertex; empty unless given
   const SmoothOptions* options = nullptr;
@@ -83,10 +82,7 @@ void take_points_of(const SnappedDrawing& drawing, const MeshFromFile& mesh,
   for (const std::size_t v : choice.exact) {
     taken.exact.push_back(pin_on(drawing.curves, mesh, VertexId{v}));
   }
-  CurveOptions found;
-  take_points(drawing, taken, found);
-  run.way_points = std::move(found.way_points);
-  run.painted = std::move(found.painted);
+  run.points = take_points(drawing, taken);
   for (std::string& warning : stroke_warnings(drawing, taken)) {
     run.warnings.push_back(std::move(warning));
   }
@@ -131,9 +127,11 @@ Prepared alone(const Prepared& run, std::size_t curve) {
     return std::find(points.begin(), points.end(), p) != points.end();
   };
   std::copy_if(run.pins.begin(), run.pins.end(), std::back_inserter(one.pins), passed);
-  std::copy_if(run.way_points.begin(), run.way_points.end(), std::back_inserter(one.way_points),
+  std::copy_if(run.points.way_points.begin(), run.points.way_points.end(),
+               std::back_inserter(one.points.way_points),
                [&](const WayPoint& way) { return passed(way.point); });
-  std::copy_if(run.painted.begin(), run.painted.end(), std::back_inserter(one.painted), passed);
+  std::copy_if(run.points.painted.begin(), run.points.painted.end(),
+               std::back_inserter(one.points.painted), passed);
   one.distance = run.distance;
   one.slack_field = run.slack_field;
   one.options = run.options;
@@ -189,17 +187,15 @@ void finish_reports(SmoothedCurves& result, const std::vector<std::vector<StageT
 
 bool is_cancelled(const SmoothingReport& total) { return total.termination == Outcome::kCancelled; }
 
-bool is_free(const Prepared& run) {
-  return only_way_points(run.curves, run.way_points, run.painted);
-}
+bool is_free(const Prepared& run) { return only_way_points(run.curves, run.points); }
 
 /// Smooths once, starting from the drawing.
 SmoothingResult smooth_once(CurveSmoother& smoother, const Prepared& run,
                             const plugin::Parameters& parameters) {
   CurveOptions options = plugins::curve_options_of(parameters);
   options.pins = run.pins;
-  options.way_points = run.way_points;
-  options.painted = run.painted;
+  options.way_points = run.points.way_points;
+  options.painted = run.points.painted;
   if (!plugins::set_curves(smoother, run.curves, parameters, options, run.progress)) {
     SmoothingResult cancelled;
     cancelled.total.termination = Outcome::kCancelled;

@@ -53,9 +53,11 @@ class Smooth : public SmootherWorkspace {
   void run(const plugin::Parameters& parameters, const plugin::Outputs& outputs) {
     CurveOptions curve_options = curve_options_of(parameters);
     const PointsTaken taken = points_taken(parameters, points_at(parameters.vertices("exact")));
-    take_points(drawing(), taken, curve_options);
-    free_ = only_way_points(drawing().curves, curve_options.way_points, curve_options.painted);
-    has_way_points_ = !curve_options.way_points.empty();
+    TakenPoints points = take_points(drawing(), taken);
+    free_ = only_way_points(drawing().curves, points);
+    has_way_points_ = !points.way_points.empty();
+    curve_options.way_points = std::move(points.way_points);
+    curve_options.painted = std::move(points.painted);
     const std::optional<std::size_t> dragged = dragged_curve(parameters);
     if (!dragged) solve(parameters, curve_options);
     const SmoothingOptions options =

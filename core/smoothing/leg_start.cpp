@@ -1,7 +1,6 @@
-#include "talweg/core/smoothing/drawn_legs.hpp"
+#include "talweg/core/smoothing/leg_start.hpp"
 
 #include <algorithm>
-#include <cstddef>
 
 namespace talweg {
 namespace {
@@ -30,78 +29,7 @@ std::vector<std::size_t> places_of(const std::vector<SurfacePoint>& fixed,
   return {};
 }
 
-/// Where the curve passes way-points, with the point's place among its own.
-struct Mark {
-  std::size_t point = 0;
-  bool is_way_point = false;
-  double tolerance = 0;
-};
-
-std::vector<Mark> marks_of(const SurfaceCurve& curve, const CurveOptions& options) {
-  std::vector<Mark> marks;
-  const std::size_t n = curve.points.size();
-  for (std::size_t i = 0; i < n; ++i) {
-    const SurfacePoint& point = curve.points[i];
-    const auto exact = std::find_if(options.way_points.begin(), options.way_points.end(),
-                                    [&](const WayPoint& w) { return w.point == point; });
-    const bool is_way_point = exact != options.way_points.end();
-    const bool is_end = !curve.closed && (i == 0 || i + 1 == n);
-    const auto& pins = options.pins;
-    if (is_way_point || is_end || std::find(pins.begin(), pins.end(), point) != pins.end()) {
-      marks.push_back({i, is_way_point, is_way_point ? exact->tolerance : 0});
-    }
-  }
-  return marks;
-}
-
 }  // namespace
-
-bool DrawnLegs::any() const {
-  return std::find(is_leg.begin(), is_leg.end(), true) != is_leg.end();
-}
-
-bool DrawnLegs::all() const {
-  return !is_leg.empty() && std::find(is_leg.begin(), is_leg.end(), false) == is_leg.end();
-}
-
-DrawnLegs legs_of(const SurfaceCurve& curve, const CurveOptions& options) {
-  DrawnLegs legs;
-  if (options.way_points.empty()) return legs;
-  const std::vector<Mark> marks = marks_of(curve, options);
-  const std::size_t m = marks.size(), n = curve.points.size();
-  const std::size_t stretches = m == 0 ? 0 : curve.closed ? m : m - 1;
-  const auto exact = static_cast<std::size_t>(
-      std::count_if(marks.begin(), marks.end(), [](const Mark& k) { return k.is_way_point; }));
-  const auto is_painted = [&](std::size_t stretch) {
-    const std::size_t to = marks[(stretch + 1) % m].point;
-    for (std::size_t i = (marks[stretch].point + 1) % n; i != to; i = (i + 1) % n) {
-      const auto& painted = options.painted;
-      if (std::find(painted.begin(), painted.end(), curve.points[i]) != painted.end()) return true;
-    }
-    return false;
-  };
-  // The stretches between two way-points, with the pins among them, are legs if none is painted.
-  std::vector<bool> is_leg(stretches, false);
-  const bool may = exact >= (curve.closed ? 3U : 2U);
-  for (std::size_t k = 0; may && k < m; ++k) {
-    if (!marks[k].is_way_point) continue;
-    std::vector<std::size_t> own;
-    bool painted = false, ends = false;
-    for (std::size_t s = k; !ends && own.size() < stretches && s < (curve.closed ? 2 * m : m - 1);
-         ++s) {
-      own.push_back(s % m);
-      painted = painted || is_painted(s % m);
-      ends = marks[(s + 1) % m].is_way_point;
-    }
-    for (const std::size_t s : own) is_leg[s] = ends && !painted;
-  }
-  for (const Mark& mark : marks) {
-    legs.fixed.push_back(curve.points[mark.point]);
-    legs.tolerances.push_back(mark.tolerance);
-  }
-  legs.is_leg = std::move(is_leg);
-  return legs;
-}
 
 SurfaceCurve with_legs(const DrawnLegs& legs, const SurfaceCurve& strokes,
                        const SurfaceCurve& straight) {

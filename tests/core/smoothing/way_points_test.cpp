@@ -1,0 +1,218 @@
+// Through way-points, the result is a spline: it passes them, without a kink, for every tau.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+#include "core/jagged_curves.hpp"
+#include "core/small_meshes.hpp"
+#include "talweg/core/measure/measures.hpp"
+#include "talweg/core/smoothing/curve_smoother.hpp"
+#include "talweg/intrinsic/error.hpp"
+#include "talweg/intrinsic/exact_distance/polyline_distance.hpp"
+
+namespace talweg {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180;
+
+class WayPoints : public testing::Test {
+ protected:
+  explicit WayPoints(const MeshLists& lists) : opened(OpenedMesh::open(lists)) {}
+  WayPoints() : WayPoints(test::grid(60, 60)) {}
+
+  [[nodiscard]] const Surface& surface() const { return opened->mesh().surface(); }
+  [[nodiscard]] SurfacePoint at(std::uint32_t x, std::uint32_t y) const {
+    return SurfacePoint::at_vertex(surface(), VertexId{y * columns + x});
+  }
+  /// A drawing along edges through vertices, all of them way-points.
+  void draw(const std::vector<std::pair<std::uint32_t, std::uint32_t>>& clicks, bool closed) {
+    std::vector<VertexId> ids;
+    options.way_points.clear();
+    for (const auto& [x, y] : clicks) {
+      ids.emplace_back(y * columns + x);
+      options.way_points.push_back({at(x, y)});
+    }
+    drawn = test::vertex_curve(surface(), draw_edge_path(surface(), ids, closed), closed);
+  }
+  [[nodiscard]] SmoothingResult smooth(double tau) const {
+    return smooth_curve(opened, drawn, {.tau = tau}, options);
+  }
+  [[nodiscard]] double farthest_way_point(const SurfaceCurve& curve) const {
+    PolylineDistance distance(surface());
+    distance.set(std::span(&curve, 1));
+    double most = 0;
+    for (const WayPoint& way : options.way_points) {
+      most = std::max(most, distance.at(way.point).distance);
+    }
+    return most;
+  }
+
+  static constexpr std::uint32_t columns = 61;
+  const std::shared_ptr<const OpenedMesh> opened;
+  CurveOptions options;
+  SurfaceCurve drawn;
+};
+
+class WayPointsOnHills : public WayPoints {
+ protected:
+  WayPointsOnHills() : WayPoints(test::hills(60)) {}
+};
+
+const std::vector<std::pair<std::uint32_t, std::uint32_t>> kWave = {
+    {5, 10}, {17, 30}, {30, 12}, {40, 33}, {54, 25}};
+
+TEST_F(WayPointsOnHills, ArePassedForEveryTauWithoutAKink) {
+  draw(kWave, false);
+  double last = 0;
+  for (const double tau : {0.01, 0.3, 1.0, 3.0, 20.0}) {
+    const SmoothingResult result = smooth(tau);
+    for (const WayPoint& way : options.way_points) {
+      const auto& points = result.curve().points;
+      EXPECT_NE(std::find(points.begin(), points.end(), way.point), points.end()) << tau;
+    }
+    const CurveMeasures measures = measure_curve(surface(), result.curve(), 1);
+    EXPECT_LE(measures.max_curvature, 5.5 * kDegree) << tau;
+    EXPECT_TRUE(result.total.warnings.empty()) << tau;
+    if (last > 0) {
+      EXPECT_LT(measures.length, last * 1.001) << tau;
+    }  // tighter
+    last = measures.length;
+  }
+}
+
+TEST_F(WayPoints, TauZeroGivesStraightLegs) {
+  draw(kWave, false);
+  const SurfaceCurve legs = smooth(0).curve();
+  double expected = 0;
+  for (std::size_t k = 1; k < kWave.size(); ++k) {
+    expected += std::hypot(double(kWave[k].first) - double(kWave[k - 1].first),
+                           double(kWave[k].second) - double(kWave[k - 1].second));
+  }
+  EXPECT_NEAR(curve_length(surface(), legs), expected, 1e-9 * expected);
+  EXPECT_GT(measure_curve(surface(), legs).max_curvature, 1);
+}
+
+TEST_F(WayPoints, ARegularPolygonIsRoundedToItsCircle) {
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> clicks;
+  const double radius = 22;
+  for (int k = 0; k < 12; ++k) {
+    const double angle = 2 * std::numbers::pi * k / 12;
+    clicks.emplace_back(std::lround(30 + radius * std::cos(angle)),
+                        std::lround(30 + radius * std::sin(angle)));
+  }
+  draw(clicks, true);
+  const SurfaceCurve result = smooth(1).curve();
+  for (const SurfacePoint& point : result.points) {
+    const Point p = opened->mesh().position(point);
+    EXPECT_NEAR(std::hypot(p.x() - 30, p.y() - 30), radius, 0.8);  // clicks are up to 0.6 off
+  }
+  EXPECT_NEAR(curve_length(surface(), result), 2 * std::numbers::pi * radius, 1.5);
+}
+
+TEST_F(WayPoints, APointThatIsInsertedOnTheResultLeavesItAsItIs) {
+  draw(kWave, false);
+  const SurfaceCurve before = smooth(1).curve();
+  const CurveOptions own = options;
+  for (const double part : {0.2, 0.45, 0.7}) {
+    drawn = before;
+    options = own;
+    const auto i = static_cast<std::size_t>(part * static_cast<double>(before.points.size()));
+    options.way_points.push_back({before.points[i]});
+    EXPECT_LE(test::apart(opened->mesh(), smooth(1).curve(), before), 0.1) << part;
+  }
+}
+
+TEST_F(WayPointsOnHills, ATolerancesIsUsedAndKept) {
+  draw(kWave, false);
+  const double exact = measure_curve(surface(), smooth(1).curve(), 1).bending;
+  for (WayPoint& way : options.way_points) way.tolerance = 1.5;
+  const SurfaceCurve loose = smooth(1).curve();
+  EXPECT_LE(farthest_way_point(loose), 1.5);
+  EXPECT_GT(farthest_way_point(loose), 0.3);
+  EXPECT_LT(measure_curve(surface(), loose, 1).bending, 0.95 * exact);
+  EXPECT_EQ(loose.points.front(), drawn.points.front());
+}
+
+TEST_F(WayPointsOnHills, TheDirectionOfTheDrawingChangesNothing) {
+  for (const bool closed : {false, true}) {
+    draw({{8, 10}, {25, 8}, {50, 14}, {48, 50}, {10, 46}}, closed);
+    SurfaceCurve forward = smooth(1).curve();
+    std::reverse(drawn.points.begin(), drawn.points.end());
+    SurfaceCurve backward = smooth(1).curve();
+    std::reverse(backward.points.begin(), backward.points.end());
+    if (closed) {
+      const auto first =
+          std::find(backward.points.begin(), backward.points.end(), forward.points.front());
+      ASSERT_NE(first, backward.points.end());
+      std::rotate(backward.points.begin(), first, backward.points.end());
+    }
+    EXPECT_EQ(forward.points, backward.points) << closed;
+  }
+}
+
+TEST_F(WayPointsOnHills, APaintedStretchStaysNearItsDrawing) {
+  draw({{5, 10}, {25, 25}, {33, 25}, {55, 40}}, false);
+  const std::vector<SurfacePoint> between(
+      std::find(drawn.points.begin(), drawn.points.end(), at(25, 25)) + 1,
+      std::find(drawn.points.begin(), drawn.points.end(), at(33, 25)));
+  ASSERT_FALSE(between.empty());
+  options.painted = {between.front()};
+  const SmoothingResult result = smooth(1);
+  EXPECT_TRUE(result.total.warnings.empty());
+  PolylineDistance distance(surface());
+  distance.set(std::span(&result.curve(), 1));
+  for (const SurfacePoint& point : between) {
+    EXPECT_LE(distance.at(point).distance, 2 * result.total.slack) << result.total.slack;
+  }
+  EXPECT_LE(farthest_way_point(result.curve()), 1e-12);
+  EXPECT_LE(measure_curve(surface(), result.curve()).max_curvature, 5.5 * kDegree);
+}
+
+TEST_F(WayPoints, StrokesBesideThemStayAsTheyAre) {
+  draw(kWave, false);
+  SurfaceCurve stroke{false, {}};
+  for (std::uint32_t x = 4; x < 56; ++x) stroke.points.push_back(at(x, 50 + x % 3 / 2));
+  CurveSmoother alone(opened), both(opened);
+  alone.set_curve(stroke);
+  both.set_curves(std::vector{drawn, stroke}, options);
+  const SurfaceCurve expected = alone.smooth(1).curve();
+  const SmoothingResult result = both.smooth(1);
+  EXPECT_LE(test::apart(opened->mesh(), result.curves[1], expected), 1e-6);
+  EXPECT_LE(test::apart(opened->mesh(), result.curves[0], smooth(1).curve()), 1e-6);
+}
+
+TEST_F(WayPoints, TwoOnALoopAreItsPins) {
+  draw({{10, 10}, {50, 10}, {50, 50}, {10, 50}}, true);
+  options.way_points = {{at(10, 10)}, {at(50, 50)}};
+  const SmoothingResult result = smooth(1);
+  EXPECT_LE(farthest_way_point(result.curve()), 1e-12);
+  EXPECT_GT(result.total.slack, 0);
+  EXPECT_GT(curve_length(surface(), result.curve()), 120);
+}
+
+TEST_F(WayPoints, WhatIsNotOnTheDrawingIsRefused) {
+  draw(kWave, false);
+  const auto message = [&](const CurveOptions& bad) -> std::string {
+    try {
+      smooth_curve(opened, drawn, {}, bad);
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), ErrorCode::kBadUsage);
+      return error.what();
+    }
+    return {};
+  };
+  CurveOptions off = options;
+  off.way_points.push_back({at(1, 1)});
+  EXPECT_NE(message(off).find("way-point at vertex 62"), std::string::npos) << message(off);
+  CurveOptions painted = options;
+  painted.painted = {at(1, 1)};
+  EXPECT_NE(message(painted).find("painted point at vertex 62"), std::string::npos);
+  CurveOptions negative = options;
+  negative.way_points.front().tolerance = -1;
+  EXPECT_NE(message(negative).find("tolerance"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace talweg
