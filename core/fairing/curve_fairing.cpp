@@ -28,11 +28,20 @@ std::vector<double> CurveFairing::spacings(const CurveTrace& trace, int level) c
   std::vector<double> spacings = trace.stretch_lengths();
   for (std::size_t k = 0; k < spacings.size(); ++k) {
     const bool is_leg = k < legs_.is_leg.size() && legs_.is_leg[k];
-    const double wanted =
-        is_leg ? std::min(spacings[k] / kJoinsOfLeg, kMostOnLeg * edge_) : band_->least_slack();
+    double wanted = band_ != nullptr ? band_->least_slack() : 0;
+    if (is_leg) {
+      wanted = std::min({spacings[k] / kJoinsOfLeg, kMostOnLeg * edge_, reach_of_corner(k)});
+    }
     spacings[k] = std::max(wanted / finer, least);
   }
   return spacings;
+}
+
+/// The length 1/√t over which a spline turns where its leg does, once it is known.
+double CurveFairing::reach_of_corner(std::size_t leg) const {
+  if (!(tension_ > 0)) return HUGE_VAL;
+  const double stronger = leg < legs_.stronger.size() ? legs_.stronger[leg] : 1;
+  return 1 / std::sqrt(tension_ * stronger);
 }
 
 FairChain CurveFairing::chain_fairing(const FairOptions& options) {
@@ -51,6 +60,7 @@ std::optional<SampleChain> CurveFairing::from_curve(const CurveTrace& start, Ask
       FairChain fair = chain_fairing(options_);
       fair.run(*chain, nullptr, asker);
       if (level == 0 && sampling == 0) hold_swings(fair, *chain, start, asker);
+      tension_ = fair.tension();
       const bool last = level + 1 == kLevels;
       if (last) keep_within(fair, *chain, nullptr, asker);
       const bool enough = is_even(*chain) || sampling == kSamplings;
@@ -195,9 +205,10 @@ double CurveFairing::farthest(const SurfaceCurve& curve) const {
   return most;
 }
 
-/// So many joins of the result for each of the chain's that no turn exceeds 4.5 degrees.
+/// So many joins of the result for each of the chain's that turns are of 3 degrees on average:
+/// peaks of the curvature lie between samples.
 int CurveFairing::result_parts(const SampleChain& chain) {
-  constexpr double kLargest = 4.5 * std::numbers::pi / 180;
+  constexpr double kLargest = 3 * std::numbers::pi / 180;
   double most = 0;
   for (const double turn : chain.turns) most = std::max(most, std::abs(turn));
   return std::clamp(static_cast<int>(std::ceil(most / kLargest)), kResultParts, kMostParts);

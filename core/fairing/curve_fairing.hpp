@@ -52,6 +52,7 @@ class CurveFairing {
   [[nodiscard]] static bool is_even(const SampleChain& chain);
   [[nodiscard]] static int result_parts(const SampleChain& chain);
   [[nodiscard]] std::vector<double> spacings(const CurveTrace& trace, int level) const;
+  [[nodiscard]] double reach_of_corner(std::size_t leg) const;
   [[nodiscard]] FairChain chain_fairing(const FairOptions& options);
   void hold_swings(FairChain& fair, SampleChain& chain, const CurveTrace& legs, Asker& asker);
   std::optional<SampleChain> loosened(SampleChain chain, Asker& asker);
@@ -66,6 +67,7 @@ class CurveFairing {
   double edge_;
   FairOptions options_;
   LegTension legs_;
+  double tension_ = 0;  // of the legs at last, 1 / mesh units²
 };
 
 }  // namespace talweg

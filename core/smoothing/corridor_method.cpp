@@ -82,6 +82,7 @@ Smoothed CorridorMethod::smooth_in(const std::vector<Corridor::Valley>& valleys,
   result.engine = Engine::kLocal;
   for (std::size_t c = 0; c < result.curves.size(); ++c) {
     result.curves[c].slack = largest_slack(valleys[c]);
+    result.curves[c].has_legs = drawing_->legs()[c].any();
   }
   return result;
 }

@@ -17,6 +17,7 @@ namespace talweg {
 struct SmoothedCurve {
   SurfaceCurve curve;
   StraightenedPath path;
+  bool has_legs = false;                                  ///< may lead far from its drawing there
   double slack = 0;                                       ///< mesh units; 0 without a corridor
   MeasuredDeviation deviation;                            ///< on the surface where it was smoothed
   std::vector<std::string> warnings;                      ///< sentences about this curve

@@ -101,8 +101,10 @@ SmoothingResult reported(const OpenedMesh& mesh, const OrderedDrawing& drawing,
     report.tau = options.tau;
     add_run(report, smoothed);
     add_curve(report, smoothed.curves[c]);
-    warn_if_far(report, far_from(mesh.mesh(), drawn, edge, smoothed.engine),
-                options.deviation == DeviationMeasure::kAutomatic);
+    if (!smoothed.curves[c].has_legs) {
+      warn_if_far(report, far_from(mesh.mesh(), drawn, edge, smoothed.engine),
+                  options.deviation == DeviationMeasure::kAutomatic);
+    }
     warn_of_straightening(report, options, smoothed);
     warn_of_crossings(report);
   }

@@ -37,7 +37,7 @@ TEST_F(DrawnLegsTest, BetweenTheFirstAndTheLastWayPoint) {
   const DrawnLegs legs = legs_of(row, {}, exact({2, 4}), {});
   EXPECT_EQ(legs.is_leg, (Legs{false, true, false}));
   EXPECT_EQ(legs.fixed, (std::vector{at(0), at(2), at(4), at(6)}));
-  EXPECT_EQ(legs.tolerances, (std::vector{0, 0.02, 0.04, 0}));
+  EXPECT_EQ(legs.tolerances, (std::vector{0.0, 0.02, 0.04, 0.0}));
   EXPECT_TRUE(legs.any());
   EXPECT_FALSE(legs.all());
   EXPECT_TRUE(legs_of(row, {}, exact({0, 6}), {}).all());

