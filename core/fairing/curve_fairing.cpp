@@ -15,10 +15,19 @@ constexpr int kLevels = 2, kResamplingParts = 2, kResultParts = 4, kMostParts = 
 constexpr int kTightenings = 4;
 constexpr int kSamplings = 3;
 constexpr double kJoinsOfLeg = 6, kMostOnLeg = 2;  // edges
-constexpr double kMostSwing = 0.25;
 constexpr int kSwingRounds = 8;
 constexpr double kEarlier = 0.95, kStiffer = 4;
 constexpr double kUneven = 2, kMostSamples = 1e5;
+
+/// For a leg between much shorter ones, half of its own length counts.
+double allowed_swing(const std::vector<double>& lengths, std::size_t leg, bool closed) {
+  constexpr double kMostSwing = 0.25;
+  const std::size_t n = lengths.size();
+  double shortest = lengths[leg];
+  if (closed || leg > 0) shortest = std::min(shortest, lengths[(leg + n - 1) % n]);
+  if (closed || leg + 1 < n) shortest = std::min(shortest, lengths[(leg + 1) % n]);
+  return kMostSwing * std::max(shortest, lengths[leg] / 2);
+}
 
 }  // namespace
 
@@ -93,7 +102,7 @@ void CurveFairing::hold_swings(FairChain& fair, SampleChain& chain, const CurveT
     }
     bool any = false;
     for (std::size_t k = 0; k < n; ++k) {
-      const double excess = swings[k] / (kMostSwing * lengths[k]);
+      const double excess = swings[k] / allowed_swing(lengths, k, legs.closed);
       if (!legs_.is_leg[k] || excess <= 1.05) continue;
       any = true;
       legs_.stronger[k] *= std::min(excess * excess, 4.0);

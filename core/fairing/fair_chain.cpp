@@ -5,7 +5,6 @@
 #include <numeric>
 #include <utility>
 
-#include "talweg/core/fairing/strip_curvature.hpp"
 
 namespace talweg {
 namespace {
@@ -113,7 +112,7 @@ void FairChain::energies(const SampleChain& chain, const std::vector<BandPlace>&
 void FairChain::set_rows(const SampleChain& chain) {
   rows_.assign(chain.size(), {});
   std::vector<double> gauss(chain.size(), 0);
-  if (has_legs()) gauss = StripCurvature(maker_->surface()).along(chain);
+  if (has_legs()) gauss = curvature_.along(chain);
   const double mean = mean_curvature(chain);
   for (std::size_t i = 0; i < chain.size(); ++i) {
     if (chain.is_end(i)) continue;

@@ -9,6 +9,7 @@
 #include "talweg/core/fairing/drawn_band.hpp"
 #include "talweg/core/fairing/leg_tension.hpp"
 #include "talweg/core/fairing/sample_chain.hpp"
+#include "talweg/core/fairing/strip_curvature.hpp"
 #include "talweg/intrinsic/progress.hpp"
 
 namespace talweg {
@@ -30,7 +31,7 @@ class FairChain {
  public:
   /// The band may be null where every stretch is a leg.
   FairChain(ChainMaker& maker, const DrawnBand* band, const FairOptions& options)
-      : maker_(&maker), band_(band), options_(options) {}
+      : maker_(&maker), band_(band), options_(options), curvature_(maker.surface()) {}
 
   /// Refers to the tension. Per sample how far a loose one may move, mesh units; where that is not
   /// given, loose samples stay.
@@ -81,6 +82,7 @@ class FairChain {
   ChainMaker* maker_;
   const DrawnBand* band_;
   FairOptions options_;
+  StripCurvature curvature_;
   const LegTension* legs_ = nullptr;
   std::vector<double> reach_;
   std::vector<double> pull_;  // per join: t; empty without legs

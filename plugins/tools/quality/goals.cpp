@@ -20,7 +20,9 @@ constexpr double kMedianRatio = 0.058, kWorstRatio = 0.25;
 constexpr double kClose = 1, kFar = 3, kNotFar = 0.97;              // h₀, h₀, part of the runs
 constexpr double kRises = 0.02, kMoves = 0.01, kMovesOfOne = 0.03;  // parts of the steps
 constexpr double kMedianApart = 0.1, kWorstApart = 0.3;             // h₀
-constexpr double kOther = 1.1;                                      // times, or once over that
+constexpr double kMissed = 1e-6, kInserted = 0.1;                   // h₀
+constexpr double kClickedBent = 0.15, kSwing = 0.25, kLonger = 1.08;
+constexpr double kOther = 1.1;  // times, or once over that
 
 double percent(double part) { return 100 * part; }
 
@@ -139,15 +141,38 @@ void of_subdivisions(std::span<const Subdivision> subdivisions, std::vector<Goal
             goals);
 }
 
+void of_clicks(std::span<const ClickedRun> clicked, std::vector<Goal>& goals) {
+  std::vector<double> missed, bent, swings, longer, moved, turns;
+  for (const ClickedRun& run : clicked) {
+    missed.push_back(run.missed);
+    bent.push_back(run.bending);
+    swings.push_back(run.swing);
+    longer.push_back(run.longer);
+    moved.push_back(run.inserted);
+    turns.push_back(run.largest_turn * 180 / std::numbers::pi);
+  }
+  of_values("clicks: farthest from the result", " h₀", missed, kMissed, kMissed, goals);
+  of_values("clicks: bending over that of the taut curve", "", bent, kClickedBent, kClickedBent,
+            goals);
+  of_values("clicks: largest turn at one point", "°", turns, kLargest, kLargest, goals);
+  of_values("clicks: farthest from the legs, of the shorter adjacent leg", "", swings, kSwing,
+            kSwing, goals);
+  of_values("clicks: length over that of the legs", "", longer, kLonger, kLonger, goals);
+  of_values("clicks: move when a point of the result becomes one", " h₀", moved, kInserted,
+            kInserted, goals);
+}
+
 }  // namespace
 
 std::vector<Goal> goals(std::span<const Run> runs, std::span<const Sweep> sweeps,
-                        std::span<const Subdivision> subdivisions) {
+                        std::span<const Subdivision> subdivisions,
+                        std::span<const ClickedRun> clicked) {
   std::vector<Goal> result;
   of_spread(runs, result);
   of_runs(runs, result);
   of_sweeps(sweeps, result);
   of_subdivisions(subdivisions, result);
+  of_clicks(clicked, result);
   return result;
 }
 

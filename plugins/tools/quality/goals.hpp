@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "tools/quality/clicked_runs.hpp"
 #include "tools/quality/runs.hpp"
 
 namespace talweg::quality {
@@ -16,7 +17,8 @@ struct Goal {
 
 /// The goals of the default settings. Those of which nothing was measured are left out.
 std::vector<Goal> goals(std::span<const Run> runs, std::span<const Sweep> sweeps,
-                        std::span<const Subdivision> subdivisions);
+                        std::span<const Subdivision> subdivisions,
+                        std::span<const ClickedRun> clicked = {});
 
 /// As Markdown.
 std::string tables(std::span<const Goal> goals);

@@ -13,6 +13,7 @@
 #include "talweg/core/io/mesh_reader.hpp"
 #include "talweg/intrinsic/error.hpp"
 #include "tools/quality/bounded_runs.hpp"
+#include "tools/quality/clicked_runs.hpp"
 #include "tools/quality/gallery.hpp"
 #include "tools/quality/goals.hpp"
 #include "tools/quality/runs.hpp"
@@ -25,7 +26,8 @@ namespace {
 struct Options {
   std::filesystem::path out, meshes, curves;
   std::vector<std::string> names;
-  std::vector<std::string> parts{"runs", "paper", "bound", "sweep", "subdivision", "gallery"};
+  std::vector<std::string> parts{"runs",  "paper",       "bound",  "clicks",
+                                 "sweep", "subdivision", "gallery"};
   std::uint64_t seed = 1;
   CurveOptions curve_options;
 };
@@ -80,6 +82,7 @@ std::vector<NamedPath> longest_of_each(const Subject& subject) {
 struct Measured {
   std::vector<Run> runs, paper, relaxed;
   std::vector<BoundedRun> bounded;
+  std::vector<ClickedRun> clicked;
   std::vector<Sweep> sweeps;
   std::vector<Subdivision> subdivisions;
 };
@@ -113,6 +116,9 @@ void measure(const Subject& subject, const Options& options, Measured& measured)
   std::fflush(stdout);
   if (subject.drawings.empty()) return;
   if (wants(options, "runs")) measure_runs(subject, options, measured);
+  if (wants(options, "clicks") && options.curve_options.method == Method::kCorridor) {
+    append(measured.clicked, clicked_runs(subject));
+  }
   for (const NamedPath& drawing : longest_of_each(subject)) {
     if (wants(options, "sweep"))
       measured.sweeps.push_back(sweep(subject, drawing, options.curve_options));
@@ -134,7 +140,8 @@ std::string text_of(const Options& options, const Measured& measured) {
     text += table;
     text += "\n";
   };
-  const std::vector<Goal> reached = goals(measured.runs, measured.sweeps, measured.subdivisions);
+  const std::vector<Goal> reached =
+      goals(measured.runs, measured.sweeps, measured.subdivisions, measured.clicked);
   if (!reached.empty()) add("Goals", tables(reached));
   if (!measured.runs.empty()) add("Default settings, τ = 0.5, 1, 2, 4", tables(measured.runs));
   if (!measured.paper.empty()) {
@@ -143,6 +150,9 @@ std::string text_of(const Options& options, const Measured& measured) {
   }
   if (wants(options, "bound") && !measured.runs.empty()) {
     add("A bound on the deviation", tables(measured.bounded));
+  }
+  if (!measured.clicked.empty()) {
+    add("Through every 25th vertex, as clicks, τ = 1", tables(measured.clicked));
   }
   if (!measured.sweeps.empty()) {
     add("τ from 0.25 to 4 in steps of 1 %", tables(measured.sweeps));

@@ -271,6 +271,26 @@ TEST(Goals, OfSteadinessCountStepsAndWorstCases) {
   EXPECT_TRUE(goals({}, {}, {}).empty());
 }
 
+TEST(Goals, OfClicksAreThoseOfTheirRuns) {
+  quality::ClickedRun good{"a", "open 90", 4, 20, 0, 0.05, 0.1, 0.05, 0.2, 1.02, 0.03, 5, false};
+  quality::ClickedRun far = good;
+  far.mesh = "b";
+  far.swing = 0.5;
+  far.largest_turn = 0.2;
+  const std::vector<quality::ClickedRun> runs{good, far};
+  const std::vector<Goal> reached = goals({}, {}, {}, runs);
+  EXPECT_EQ(reached.size(), 12U);
+  EXPECT_TRUE(goal(reached, "clicks: farthest from the result, worst").met);
+  EXPECT_EQ(goal(reached, "shorter adjacent leg, median").reached, "0.35");
+  EXPECT_FALSE(goal(reached, "shorter adjacent leg, worst").met);
+  EXPECT_EQ(goal(reached, "clicks: largest turn at one point, worst").reached,
+            "11.5°; within in 50 %");
+  EXPECT_TRUE(goal(reached, "clicks: bending").met);
+  const std::string table = quality::tables(runs);
+  EXPECT_NE(table.find("| b | 1 | 0.050 | 0.05 |"), std::string::npos) << table;
+  EXPECT_NE(table.find("| all | 2 |"), std::string::npos) << table;
+}
+
 TEST(Tables, HaveARowPerTauKindAndMesh) {
   std::vector<quality::Run> runs{run_of("a", 1, 100, 2), run_of("a", 2, 100, 4),
                                  run_of("b", 2, 56, 16, 6)};
