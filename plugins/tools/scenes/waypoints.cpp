@@ -114,7 +114,8 @@ std::string draw_arguments(const Waypoints& through) {
     if (i > 0) text += ',';
     text += std::to_string(through.vertices[i]);
   }
-  return through.closed ? text + " --closed" : text;
+  if (through.closed) text += " --closed";
+  return text + " --points rough";  // scenes are drawn by a trembling hand
 }
 
 Waypoints nearest_vertices(const MeshLists& mesh, const std::vector<Point>& places, bool closed) {

@@ -30,7 +30,8 @@ class Driver : public test::DriverRuns {
 TEST_F(Driver, DrawsAndSmoothsInEveryFormat) {
   for (const char* ending : {"obj", "ply", "vtp", "vtk", "mrk.json", "txt", "json"}) {
     const std::string name = std::string("drawn.") + ending;
-    ASSERT_EQ(run("draw mesh.ply --through 64,400,590 -o " + name).code, 0) << ending;
+    ASSERT_EQ(run("draw mesh.ply --through 64,400,590 --points rough -o " + name).code, 0)
+        << ending;
     const Outcome outcome =
         run("-q smooth mesh.ply --curve " + name + " -o smooth-" + ending + ".json");
     ASSERT_EQ(outcome.code, 0) << ending << outcome.err;
@@ -166,7 +167,7 @@ TEST_F(Driver, UsesAGivenDistance) {
 }
 
 TEST_F(Driver, KeepsWithinTheLargestDeviation) {
-  ASSERT_EQ(run("draw mesh.ply --through 64,400,590 -o drawn.json").code, 0);
+  ASSERT_EQ(run("draw mesh.ply --through 64,400,590 --points rough -o drawn.json").code, 0);
   for (const char* bound : {"2", "0.5", "0.2"}) {
     const Outcome outcome =
         run(std::string("smooth mesh.ply --curve drawn.json -o within.json --report r.json "
@@ -185,7 +186,7 @@ TEST_F(Driver, KeepsWithinTheLargestDeviation) {
 }
 
 TEST_F(Driver, HoldsTheDrawingWhereTheSlackFieldIsSmall) {
-  ASSERT_EQ(run("draw mesh.ply --through 64,400,590 -o drawn.json").code, 0);
+  ASSERT_EQ(run("draw mesh.ply --through 64,400,590 --points rough -o drawn.json").code, 0);
   std::string zeros, wide;
   for (int v = 0; v < 651; ++v) {
     zeros += "0\n";

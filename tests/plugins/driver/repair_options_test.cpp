@@ -52,7 +52,7 @@ TEST_F(RepairOption, EverythingInTheNumbersOfTheFile) {
   lists.triangles.insert(lists.triangles.begin() + 60, lists.triangles[10]);
   write_mesh(file("mesh.ply"), lists);
   expect_failure("draw mesh.ply --through 0,50,116 -o no.json", 2, {"face"});
-  succeed("draw mesh.ply --repair --through 0,50,116 -o drawn.json -o drawn.txt");
+  succeed("draw mesh.ply --repair --through 0,50,116 --points rough -o drawn.json -o drawn.txt");
   expect_on(lists, "drawn.json");
   EXPECT_NE(bytes_of(file("drawn.txt")).find("50"), std::string::npos);
   for (const char* drawn : {"drawn.json", "drawn.txt"}) {
@@ -76,7 +76,7 @@ TEST_F(RepairOption, RunTakesItToo) {
   MeshLists lists = test::with_turned_face(test::with_bow_tie(test::grid(12, 8), 50), 40);
   lists.triangles.insert(lists.triangles.begin() + 3, {7, 7, 8});
   write_mesh(file("mesh.ply"), lists);
-  succeed("draw mesh.ply --repair --through 0,50,116 -o drawn.json -o drawn.txt");
+  succeed("draw mesh.ply --repair --through 0,50,116 --points rough -o drawn.json -o drawn.txt");
   expect_failure("run talweg.smooth mesh.ply --curve drawn.txt -o no.json", 2, {"face"});
   succeed("smooth mesh.ply --repair --curve drawn.txt -o s.json");
   for (const char* drawn : {"drawn.json", "drawn.txt"}) {

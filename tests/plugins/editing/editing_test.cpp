@@ -22,6 +22,7 @@ using editing::Editor;
 using editing::Stage;
 
 editing::Point at(std::uint32_t face) { return {face, {0.25, 0.25, 0.5}, false}; }
+editing::Point clicked(std::uint32_t face) { return {face, {0.25, 0.25, 0.5}, false, 0}; }
 
 template <class Edit>
 std::string refusal(Edit edit) {
@@ -38,18 +39,31 @@ TEST(Editor, DrawsAnOpenCurve) {
   for (const std::uint32_t face : {3U, 4U, 4U, 7U}) editor.add_point(at(face));
   EXPECT_TRUE(editor.is_drawing());
   EXPECT_EQ(editor.drawing().curves.at(0)->points,
-            (std::vector<editing::Point>{at(3), at(4), at(7)}));
+            (std::vector<editing::Point>{clicked(3), clicked(4), clicked(7)}));
   editor.take_back_point();
   editor.finish_curve();
   EXPECT_FALSE(editor.is_drawing());
-  EXPECT_EQ(*editor.drawing().curves.at(0), (Curve{{at(3), at(4)}, false}));
+  EXPECT_EQ(*editor.drawing().curves.at(0), (Curve{{clicked(3), clicked(4)}, false}));
+}
+
+TEST(Editor, TellsClicksFromStrokes) {
+  Editor editor;
+  editor.add_point(at(1));
+  editor.paint_point(at(2));
+  editor.paint_point(at(3));
+  editor.add_point(at(4));
+  editor.finish_curve();
+  EXPECT_EQ(host_curves(editor.drawing()).at(0).exact,
+            (std::vector{0.0, TALWEG_MARK_PAINTED, TALWEG_MARK_PAINTED, 0.0}));
+  editor.move_point(0, 3, at(9));
+  EXPECT_EQ(editor.drawing().curves.at(0)->points.at(3), clicked(9));
 }
 
 TEST(Editor, ClosesACurveOnce) {
   Editor editor;
   for (const std::uint32_t face : {1U, 2U, 3U, 1U}) editor.add_point(at(face));
   editor.close_curve();
-  EXPECT_EQ(*editor.drawing().curves.at(0), (Curve{{at(1), at(2), at(3)}, true}));
+  EXPECT_EQ(*editor.drawing().curves.at(0), (Curve{{clicked(1), clicked(2), clicked(3)}, true}));
 }
 
 TEST(Editor, BackspaceAndEscapeTakeACurveAway) {

@@ -128,8 +128,8 @@ TEST(Scenes, SameBytesEveryTime) {
 }
 
 TEST(Waypoints, ArgumentsOfTheDriver) {
-  EXPECT_EQ(draw_arguments({{3, 1, 2}, false}), "--through 3,1,2");
-  EXPECT_EQ(draw_arguments({{3, 1, 2}, true}), "--through 3,1,2 --closed");
+  EXPECT_EQ(draw_arguments({{3, 1, 2}, false}), "--through 3,1,2 --points rough");
+  EXPECT_EQ(draw_arguments({{3, 1, 2}, true}), "--through 3,1,2 --closed --points rough");
 }
 
 TEST(Waypoints, AcrossStaysOnTheLargestComponent) {
