@@ -41,7 +41,7 @@ class Files(unittest.TestCase):
 
     def test_the_drivers_bytes(self):
         support.write_obj(self.folder / "mesh.obj", self.vertices, self.faces)
-        drawn = talweg.draw(self.vertices, self.faces, [305, 1820, 3055])
+        drawn = talweg.draw(self.vertices, self.faces, [305, 1820, 3055], exact=False)
         talweg.write_curves(self.folder / "drawn.txt", drawn)
         np.testing.assert_array_equal(np.loadtxt(self.folder / "drawn.txt"), drawn.vertices)
         outputs = [f"driver.{name}" for name in FORMATS]
@@ -52,6 +52,26 @@ class Files(unittest.TestCase):
             talweg.write_curves(self.folder / f"ours.{name}", curve)
             self.assertEqual((self.folder / f"ours.{name}").read_bytes(),
                              (self.folder / f"driver.{name}").read_bytes(), name)
+
+    def test_way_points_of_files(self):
+        support.write_obj(self.folder / "mesh.obj", self.vertices, self.faces)
+        drawn = talweg.draw(self.vertices, self.faces, [305, 1820, 3055])
+        np.testing.assert_array_equal(np.flatnonzero(drawn.exact == 0)[[0, -1]],
+                                      [0, len(drawn) - 1])
+        curve = talweg.smooth(self.vertices, self.faces, drawn).curve
+        talweg.write_curves(self.folder / "ours.json", curve)
+        for name in ("json", "vtp", "vtk"):
+            talweg.write_curves(self.folder / f"drawn.{name}", drawn)
+            read, = talweg.read_curves(self.folder / f"drawn.{name}")
+            np.testing.assert_array_equal(read.exact, drawn.exact)
+            support.driver(self.folder, "smooth", "mesh.obj", "--curve", f"drawn.{name}",
+                           "-o", "driver.json")
+            self.assertEqual((self.folder / "ours.json").read_bytes(),
+                             (self.folder / "driver.json").read_bytes(), name)
+        rough = talweg.smooth(self.vertices, self.faces, drawn, points="rough").curve
+        self.assertNotEqual(len(rough.positions), 0)
+        self.assertFalse(np.any(np.all(np.isclose(rough.positions, self.vertices[1820]), axis=1)))
+        self.assertTrue(np.any(np.all(np.isclose(curve.positions, self.vertices[1820]), axis=1)))
 
     def test_round_trips(self):
         mesh = talweg.Mesh(self.vertices, self.faces)
