@@ -73,7 +73,7 @@ class Subject:
         if not self.curves:  # nobody drew here: through four vertices
             count = len(points)
             ways = [count // 7, count // 3, count // 2, 5 * count // 6]
-            self.draw(driver, folder, "drawn.json", ["--through", ",".join(map(str, ways))])
+            self.draw(driver, folder, "drawn.json", ["--through", ",".join(map(str, ways)), "--points", "rough"])
         if not self.curves:
             return
         # A second one through places of the first, so that they meet and cross.
@@ -81,7 +81,8 @@ class Subject:
         ways = [self.nearest(points, first[len(first) * k // 5]["xyz"]) for k in (1, 3, 2, 4)]
         if len(set(ways)) == 4:
             across = folder / "across.json"
-            arguments = ["draw", mesh, "--through", ",".join(map(str, ways)), "--straight", "-o", across, *self.repair]
+            through = ["--through", ",".join(map(str, ways)), "--points", "rough"]
+            arguments = ["draw", mesh, *through, "--straight", "-o", across, *self.repair]
             self.across = across if run(driver, arguments, folder) == 0 else None
         if info["faces"] <= LABELS_FACES and not self.repair:
             seeds = [points[(2 * k + 1) * len(points) // 24] for k in range(12)]

@@ -115,7 +115,7 @@ std::string draw_arguments(const Waypoints& through) {
     text += std::to_string(through.vertices[i]);
   }
   if (through.closed) text += " --closed";
-  return text + " --points rough";  // scenes are drawn by a trembling hand
+  return text + " --points rough";
 }
 
 Waypoints nearest_vertices(const MeshLists& mesh, const std::vector<Point>& places, bool closed) {

@@ -14,8 +14,8 @@ struct Waypoints {
   bool closed = false;
 };
 
-/// The driver's arguments for drawing a stroke through these points: "--through 1,2,3", for a closed
-/// curve " --closed", and " --points rough".
+/// The driver's arguments for drawing through these points: "--through 1,2,3", for a closed curve
+/// " --closed", and " --points rough", because the points imitate a trembling hand.
 std::string draw_arguments(const Waypoints& through);
 
 /// The vertices nearest to these places, without repetitions, ties by index.

@@ -95,7 +95,7 @@ TEST_F(Driver, ReportsWithStableNames) {
 }
 
 TEST_F(Driver, FinishIsFairOrTaut) {
-  ASSERT_EQ(run("draw mesh.ply --through 64,400,590 -o drawn.json").code, 0);
+  ASSERT_EQ(run("draw mesh.ply --through 64,400,590 --points rough -o drawn.json").code, 0);
   const auto bending = [&](const std::string& options) {
     EXPECT_EQ(run("smooth mesh.ply --curve drawn.json " + options + " --report r.json").code, 0);
     return nlohmann::json::parse(bytes_of(file("r.json")))["bending_after"].get<double>();
@@ -135,7 +135,7 @@ TEST_F(Driver, ALoopThatShrinksAwayIsWrittenWithExitCode3) {
 }
 
 TEST_F(Driver, ResultsAreTheSameBytesEveryTime) {
-  ASSERT_EQ(run("draw mesh.ply --through 64,400,590 -o drawn.json").code, 0);
+  ASSERT_EQ(run("draw mesh.ply --through 64,400,590 --points rough -o drawn.json").code, 0);
   ASSERT_EQ(run("smooth mesh.ply --curve drawn.json -o a.json -o a.vtp --threads 1").code, 0);
   ASSERT_EQ(run("smooth mesh.ply --curve drawn.json -o b.json -o b.vtp --threads 2").code, 0);
   EXPECT_EQ(bytes_of(file("a.json")), bytes_of(file("b.json")));
@@ -302,7 +302,7 @@ TEST_F(Driver, ListsItsPlugins) {
 }
 
 TEST_F(Driver, RunsAnyPluginByItsDescription) {
-  ASSERT_EQ(run("draw mesh.ply --through 64,400,590 -o drawn.json").code, 0);
+  ASSERT_EQ(run("draw mesh.ply --through 64,400,590 --points rough -o drawn.json").code, 0);
   ASSERT_EQ(run("run talweg.smooth mesh.ply --curve drawn.json --tau 2 --finish taut -o a.json "
                 "--report r.json")
                 .code,

@@ -34,7 +34,7 @@ struct Command {
 
 const std::vector<Command>& commands() {
   static const std::vector<Command> all = {
-      {"draw {mesh.ply} --through 64,100 -o ok.json", {"mesh.ply"}, {"-o"}},
+      {"draw {mesh.ply} --through 64,100 --points rough -o ok.json", {"mesh.ply"}, {"-o"}},
       {"smooth {mesh.ply} --curve {curve.json} --slack-field {field.txt}",
        {"mesh.ply", "curve.json", "field.txt"},
        {"-o", "--report", "--summary"}},
@@ -76,8 +76,8 @@ class Outputs : public DriverRuns {
     DriverRuns::SetUp();
     const MeshLists mesh = grid(30, 20);
     write_mesh(file("mesh.ply"), mesh);
-    ASSERT_EQ(run("draw mesh.ply --through 64,400,590 -o curve.json").code, 0);
-    ASSERT_EQ(run("draw mesh.ply --through 40,90 -o other.json").code, 0);
+    ASSERT_EQ(run("draw mesh.ply --through 64,400,590 --points rough -o curve.json").code, 0);
+    ASSERT_EQ(run("draw mesh.ply --through 40,90 --points rough -o other.json").code, 0);
     std::string field, labels;
     for (std::size_t v = 0; v < mesh.points.size(); ++v) field += "1\n";
     for (std::size_t f = 0; f < mesh.triangles.size(); ++f) labels += f < 500 ? "1\n" : "2\n";

@@ -118,7 +118,7 @@ TEST_F(RepairOption, SoupOfTriangles) {
   }
   write_mesh(file("soup.obj"), soup);
   expect_failure("draw soup.obj --through 0,900 -o no.txt", 2, {"components"});
-  succeed("draw soup.obj --repair=weld --through 0,900 -o drawn.json");
+  succeed("draw soup.obj --repair=weld --through 0,900 --points rough -o drawn.json");
   succeed("smooth soup.obj --repair=weld --curve drawn.json -o s.json");
   expect_on(soup, "s.json");
 }
@@ -149,7 +149,7 @@ TEST_F(RepairOption, SaysWhatIsWrong) {
 
 TEST_F(RepairOption, InALineOfABatch) {
   write_mesh(file("mesh.ply"), test::with_turned_face(test::sphere(2), 17));
-  succeed("draw mesh.ply --repair --through 0,1 -o d.json");
+  succeed("draw mesh.ply --repair --through 0,1 --points rough -o d.json");
   write("list.csv", "mesh,curve,repair,name\nmesh.ply,d.json,,a\nmesh.ply,d.json,orient,b\n");
   EXPECT_EQ(run("smooth --batch list.csv -o '{name}.json'").code, 2);
   EXPECT_EQ(bytes_of(file("err.log")).find("line 3"), std::string::npos);
