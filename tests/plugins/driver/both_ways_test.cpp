@@ -78,6 +78,26 @@ TEST_F(BothWays, SmoothTheSame) {
   expect_same("--curve open.txt --pin 760");
 }
 
+TEST_F(BothWays, SmoothTheSameThroughWayPoints) {
+  ASSERT_EQ(run("draw hills.ply --through 130,760,1500 -o open.json -o open.txt").code, 0);
+  ASSERT_EQ(run("draw hills.ply --through 400,430,1200,1180 --closed -o closed.vtp").code, 0);
+  write("few.mrk.json", R"({"markups": [{"type": "Curve", "controlPoints": [
+    {"position": [5, 5, 0]}, {"position": [20, 12, 0]}, {"position": [30, 33, 0]}]}]})");
+  for (const char* curve : {"--curve open.json", "--curve closed.vtp", "--curve few.mrk.json",
+                            "--curve open.json --curve closed.vtp"}) {
+    for (const char* options : {"", "--tau 0", "--tau 4", "--slack 0.4", "--max-deviation 1.2",
+                                "--points rough", "--points exact", "--tolerance 0.3"}) {
+      expect_same(std::string(curve) + " " + options);
+    }
+  }
+  expect_same("--curve open.json --pin 760");
+  expect_same("--curve open.txt --points exact");
+  ASSERT_EQ(run("smooth hills.ply --curve open.txt --points exact=130,760,1500 -o a.json").code, 0);
+  ASSERT_EQ(run("run talweg.smooth hills.ply --curve open.txt --exact 130,760,1500 -o b.json").code,
+            0);
+  EXPECT_EQ(bytes_of(file("a.json")), bytes_of(file("b.json")));
+}
+
 TEST_F(BothWays, DrawTheSame) {
   struct Case {
     const char* through;
@@ -89,7 +109,8 @@ TEST_F(BothWays, DrawTheSame) {
        {Case{"130,760,1500", "130 760 1500", "", ""},
         Case{"130,760,1500", "130 760 1500", "--straight", "--straight"},
         Case{"400,430,1200", "400 430 1200 400", "--closed", ""},
-        Case{"400,430,1200", "400 430 1200 400", "--closed --straight", "--straight"}}) {
+        Case{"400,430,1200", "400 430 1200 400", "--closed --straight", "--straight"},
+        Case{"130,760,1500", "130 760 1500", "--points rough", "--points rough"}}) {
     SCOPED_TRACE(one.drawn);
     write("points.txt", one.points);
     ASSERT_EQ(

@@ -1,12 +1,14 @@
-// The driver writes, reads and takes way-points.
+// Way-points from draw to smooth: who makes them, who says otherwise, and what then does not apply.
+#include <algorithm>
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "core/small_meshes.hpp"
+#include "core/jagged_curves.hpp"
 #include "plugins/driver_runs.hpp"
+#include "talweg/core/io/curve_file.hpp"
 #include "talweg/core/io/mesh_writer.hpp"
 
 namespace talweg {
@@ -18,30 +20,49 @@ class DriverWayPoints : public test::DriverRuns {
  protected:
   void SetUp() override {
     DriverRuns::SetUp();
-    write_mesh(file("mesh.ply"), test::grid(30, 20));
+    write_mesh(file("hills.ply"), hills_);
+    succeed("draw hills.ply --through 130,760,1500 -o d.json -o d.vtp -o d.vtk -o d.obj -o d.txt");
+    succeed("draw hills.ply --through 130,760,1500 --points rough -o r.json -o r.vtp -o r.vtk");
   }
-  void draw(const std::string& arguments) const {
-    const Outcome outcome = run("draw mesh.ply --through 64,400,590 " + arguments);
-    ASSERT_EQ(outcome.code, 0) << outcome.err;
+
+  void succeed(const std::string& arguments) const {
+    const Outcome outcome = run("-q " + arguments);
+    EXPECT_EQ(outcome.code, 0) << arguments << "\n" << outcome.err;
+    EXPECT_EQ(outcome.out + outcome.err, "") << arguments;
   }
-  [[nodiscard]] json read(const char* name) const { return json::parse(bytes_of(file(name))); }
-  /// The result of a smoothing, and its report in report.json.
-  std::string smoothed(const std::string& arguments) const {
-    const Outcome outcome =
-        run("-q smooth mesh.ply -o result.json --report report.json " + arguments);
-    EXPECT_EQ(outcome.code, 0) << arguments << outcome.err;
-    return bytes_of(file("result.json"));
+  [[nodiscard]] json read(const std::string& name) const {
+    return json::parse(bytes_of(file(name)));
   }
-  /// Whether the result passes the middle vertex that was given to draw().
-  [[nodiscard]] static bool passes_400(const std::string& result) {
-    return result.find("\"xyz\": [28, 12, 0]") != std::string::npos;
+  /// The bytes of the result.
+  [[nodiscard]] std::string smoothed(const std::string& arguments) const {
+    succeed("smooth hills.ply -o out.json --report report.json --curve " + arguments);
+    return bytes_of(file("out.json"));
   }
+  [[nodiscard]] json warnings() const { return read("report.json").at("warnings"); }
+  /// Whether the last result has a point at the vertex.
+  [[nodiscard]] bool passes(std::size_t vertex) const {
+    const Point& p = hills_.points[vertex];
+    const json points = read("out.json").at("curves").at(0).at("points");
+    return std::any_of(points.begin(), points.end(), [&](const json& point) {
+      return point.at("xyz") == std::vector<double>{p.x(), p.y(), p.z()};
+    });
+  }
+  /// How far the vertex is from the last result.
+  [[nodiscard]] double away(std::size_t vertex) const {
+    double least = 1e9;
+    for (const json& point : read("out.json").at("curves").at(0).at("points")) {
+      const auto xyz = point.at("xyz").get<std::vector<double>>();
+      least = std::min(least, (hills_.points[vertex] - Point(xyz[0], xyz[1], xyz[2])).norm());
+    }
+    return least;
+  }
+
+  const MeshLists hills_ = test::hills(40);
 };
 
-TEST_F(DriverWayPoints, AreWrittenByDraw) {
-  draw("-o drawn.json");
-  const json points = read("drawn.json")["curves"][0]["points"];
+TEST_F(DriverWayPoints, DrawWritesThoseThatAreGiven) {
   std::vector<std::size_t> exact;
+  const json points = read("d.json").at("curves").at(0).at("points");
   for (std::size_t k = 0; k < points.size(); ++k) {
     if (!points[k].contains("exact")) continue;
     EXPECT_EQ(points[k]["exact"], true);
@@ -49,85 +70,214 @@ TEST_F(DriverWayPoints, AreWrittenByDraw) {
   }
   ASSERT_EQ(exact.size(), 3U);
   EXPECT_EQ(exact.front(), 0U);
-  EXPECT_EQ(points[exact[1]]["xyz"], (json{28, 12, 0}));
   EXPECT_EQ(exact.back(), points.size() - 1);
-  draw("--points rough -o rough.json");
-  EXPECT_EQ(bytes_of(file("rough.json")).find("exact"), std::string::npos);
-}
-
-TEST_F(DriverWayPoints, SaysWhereAFormatHasNone) {
-  const Outcome outcome = run("draw mesh.ply --through 64,400,590 -o a.obj -o b.vtp -o c.txt");
-  EXPECT_EQ(outcome.code, 0);
-  EXPECT_NE(outcome.out.find("a.obj, c.txt: the path, a stroke"), std::string::npos) << outcome.out;
-  EXPECT_EQ(run("draw mesh.ply --through 64,400,590 --points rough -o a.obj").out, "");
-}
-
-TEST_F(DriverWayPoints, AreTheSameFromEveryFormatThatHoldsThem) {
-  draw("-o drawn.json -o drawn.vtp -o drawn.vtk -o drawn.obj");
-  const std::string expected = smoothed("--curve drawn.json");
-  EXPECT_TRUE(passes_400(expected));
-  EXPECT_EQ(smoothed("--curve drawn.vtp"), expected);
-  EXPECT_EQ(smoothed("--curve drawn.vtk"), expected);
-  EXPECT_FALSE(passes_400(smoothed("--curve drawn.obj")));
-}
-
-TEST_F(DriverWayPoints, CanBeChosen) {
-  draw("-o drawn.json -o drawn.txt");
-  const std::string exact = smoothed("--curve drawn.json"), rough = smoothed("--curve drawn.txt");
-  EXPECT_EQ(smoothed("--curve drawn.json --points rough"), rough);
-  EXPECT_EQ(smoothed("--curve drawn.txt --points exact=64,400,590"), exact);
-  EXPECT_EQ(smoothed("--curve drawn.json --points exact"), exact);
-  EXPECT_NE(smoothed("--curve drawn.txt --points exact"), exact);  // then every point is one
-  const std::string loose = smoothed("--curve drawn.json --tolerance 1");
-  EXPECT_FALSE(passes_400(loose));
-  EXPECT_NE(loose, rough);
-}
-
-TEST_F(DriverWayPoints, AreTheSameThroughThePlugin) {
-  draw("-o drawn.json");
-  const std::string expected = smoothed("--curve drawn.json");
-  ASSERT_EQ(run("-q run talweg.smooth mesh.ply --curve drawn.json -o plugin.json").code, 0);
-  EXPECT_EQ(bytes_of(file("plugin.json")), expected);
-}
-
-TEST_F(DriverWayPoints, WhatDoesNotApplyIsSaid) {
-  draw("-o drawn.json");
-  const std::string plain = smoothed("--curve drawn.json");
-  EXPECT_TRUE(read("report.json")["warnings"].empty()) << read("report.json")["warnings"];
-  EXPECT_EQ(smoothed("--curve drawn.json --slack 3 --max-deviation 0.1"), plain);
-  const json warnings = read("report.json")["warnings"];
-  ASSERT_EQ(warnings.size(), 1U) << warnings;
-  for (const char* word : {"slack", "largest deviation", "way-points"}) {
-    EXPECT_NE(warnings[0].get<std::string>().find(word), std::string::npos) << warnings;
+  const Point& middle = hills_.points[760];
+  EXPECT_EQ(points[exact[1]]["xyz"], (std::vector<double>{middle.x(), middle.y(), middle.z()}));
+  for (const char* name : {"d.json", "d.vtp", "d.vtk"}) {
+    const std::vector<CurveInput> curves = read_curves(file(name));
+    ASSERT_EQ(curves.at(0).way_points.size(), 3U) << name;
+    EXPECT_EQ(curves[0].way_points[1].point, exact[1]) << name;
+    EXPECT_EQ(curves[0].way_points[1].tolerance, 0) << name;
   }
 }
 
-TEST_F(DriverWayPoints, OfOneCurveStayWithIt) {
-  draw("-o drawn.json");
-  ASSERT_EQ(run("draw mesh.ply --through 0,20 --points rough -o other.json").code, 0);
-  smoothed("--curve drawn.json --curve other.json");
-  const json together = read("result.json");
-  smoothed("--curve drawn.json --curve other.json --independent");
-  EXPECT_EQ(read("result.json")["curves"].size(), 2U);
-  EXPECT_EQ(read("result.json")["curves"][0], together["curves"][0]);
+TEST_F(DriverWayPoints, DrawOfALoopOrStraightMarksEachGivenPointOnce) {
+  for (const char* options : {"--closed", "--straight", "--closed --straight"}) {
+    succeed(std::string("draw hills.ply --through 400,430,1200,1180 -o o.json ") + options);
+    EXPECT_EQ(read_curves(file("o.json")).at(0).way_points.size(), 4U) << options;
+  }
 }
 
-TEST_F(DriverWayPoints, BadOnesAreRefused) {
-  draw("-o drawn.json");
-  expect_failure("draw mesh.ply --through 1,2 --points loose -o a.json", 1, {"--points", "loose"});
-  for (const char* bad : {"loose", "exact=", "exact=1,", "exact=1;2", "exact=-1"}) {
-    expect_failure(std::string("smooth mesh.ply --curve drawn.json --points '") + bad + "'", 1,
-                   {"--points", bad});
+TEST_F(DriverWayPoints, RoughDrawingsAreThePathAlone) {
+  for (const char* name : {"r.json", "r.vtp", "r.vtk"}) {
+    EXPECT_EQ(bytes_of(file(name)).find("exact"), std::string::npos) << name;
   }
-  expect_failure("smooth mesh.ply --curve drawn.json --points exact=3", 1, {"way-point", "3"});
-  expect_failure("smooth mesh.ply --curve drawn.json --tolerance -1", 1, {"tolerance"});
-  std::string text = bytes_of(file("drawn.json"));
-  text.replace(text.find("\"exact\": true"), 13, "\"exact\": -0.5");
-  write("negative.json", text);
-  expect_failure("smooth mesh.ply --curve negative.json", 2, {"negative.json", "exact"});
-  text.replace(text.find("\"exact\": -0.5"), 13, "\"exact\": \"no\"");
-  write("word.json", text);
-  expect_failure("smooth mesh.ply --curve word.json", 2, {"word.json", "exact"});
+  json path = read("d.json");
+  for (json& point : path["curves"][0]["points"]) point.erase("exact");
+  EXPECT_EQ(read("r.json"), path);
+}
+
+TEST_F(DriverWayPoints, DrawTellsWhichFilesAreStrokes) {
+  const std::string draw = "draw hills.ply --through 130,760 ";
+  EXPECT_EQ(run(draw + "-o a.obj -o a.json -o a.txt").out,
+            "a.obj, a.txt: the path, a stroke; .json, .vtp and .vtk hold way-points.\n");
+  EXPECT_EQ(run(draw + "-o a.json -o a.vtp -o a.vtk").out, "");
+  EXPECT_EQ(run(draw + "-o a.obj --points rough").out, "");
+  EXPECT_EQ(run("-q " + draw + "-o a.obj").out, "");
+  const Outcome piped = run(draw + "-o -.obj");
+  EXPECT_EQ(piped.out.substr(0, 2), "v ");
+  EXPECT_EQ(std::count(piped.err.begin(), piped.err.end(), '\n'), 1) << piped.err;
+}
+
+TEST_F(DriverWayPoints, SmoothTakesThemFromEveryFormatThatHoldsThem) {
+  const std::string exact = smoothed("d.json");
+  for (const std::size_t v : {130U, 760U, 1500U}) EXPECT_TRUE(passes(v)) << v;
+  EXPECT_EQ(smoothed("d.vtp"), exact);
+  EXPECT_EQ(smoothed("d.vtk"), exact);
+  const std::string rough = smoothed("d.obj");
+  EXPECT_FALSE(passes(760));
+  for (const char* name : {"d.txt", "r.json", "r.vtp", "d.json --points rough"}) {
+    EXPECT_EQ(smoothed(name), rough) << name;
+  }
+  EXPECT_NE(exact, rough);
+}
+
+TEST_F(DriverWayPoints, SmoothIsToldWhichTheyAreForAnyFile) {
+  const std::string exact = smoothed("d.json");
+  EXPECT_EQ(smoothed("d.json --points given"), exact);
+  EXPECT_EQ(smoothed("d.json --points exact"), exact);  // they stay those that it names
+  for (const char* name : {"d.obj", "d.txt", "r.json", "d.json"}) {
+    EXPECT_EQ(smoothed(std::string(name) + " --points exact=130,760,1500"), exact) << name;
+  }
+  // All points of a drawing that names none.
+  smoothed("r.json --points exact");
+  for (const CurveInput& curve : read_curves(file("d.txt"))) {
+    for (const VertexId v : std::get<std::vector<VertexId>>(curve.points)) {
+      EXPECT_TRUE(passes(v.index())) << v.index();
+    }
+  }
+}
+
+TEST_F(DriverWayPoints, TauZeroGoesStraightFromOneToTheNext) {
+  smoothed("d.json --tau 0");
+  const double legs = read("report.json").at("length_after");
+  double straight = 0;
+  for (const char* through : {"130,760", "760,1500"}) {
+    succeed(std::string("draw hills.ply -o leg.obj --through ") + through);
+    smoothed("leg.obj --tau 0");
+    straight += read("report.json").at("length_after").get<double>();
+  }
+  EXPECT_NEAR(legs, straight, 1e-9 * straight);
+}
+
+TEST_F(DriverWayPoints, ATolerancePutsThemAside) {
+  const std::string exact = smoothed("d.json");
+  EXPECT_EQ(smoothed("d.json --tolerance 0"), exact);
+  EXPECT_NE(smoothed("d.json --tolerance 0.5"), exact);
+  EXPECT_FALSE(passes(760));
+  EXPECT_LE(away(760), 0.5 + 0.25);  // the nearest point of the result, not of its segments
+  EXPECT_TRUE(passes(130));          // ends stay
+  // One in the file counts before it.
+  json drawing = read("d.json");
+  for (json& point : drawing["curves"][0]["points"]) {
+    if (point.contains("exact")) point["exact"] = 0.5;
+  }
+  write("near.json", drawing.dump());
+  EXPECT_EQ(smoothed("near.json"), smoothed("d.json --tolerance 0.5"));
+  EXPECT_EQ(smoothed("near.json --tolerance 0.1"), smoothed("near.json"));
+}
+
+TEST_F(DriverWayPoints, SlackAndDeviationDoNotApplyAndTheReportSaysSo) {
+  const std::string exact = smoothed("d.json");
+  EXPECT_EQ(warnings(), json::array());
+  EXPECT_EQ(smoothed("d.json --max-deviation 0.1"), exact);
+  EXPECT_EQ(warnings(),
+            json({"The largest deviation does not apply: the drawing has only way-points, between "
+                  "which the result is free."}));
+  EXPECT_EQ(smoothed("d.json --slack 0.1"), exact);
+  EXPECT_EQ(warnings(), json({"The slack does not apply: the drawing has only way-points, between "
+                              "which the result is free."}));
+  EXPECT_EQ(smoothed("d.json --slack 0.1 --max-deviation 3"), exact);
+  EXPECT_NE(
+      warnings().at(0).get<std::string>().find("The slack and the largest deviation do not apply"),
+      std::string::npos);
+  smoothed("d.json --points rough --max-deviation 0.5");
+  EXPECT_EQ(warnings(), json::array());
+  EXPECT_LE(read("report.json").at("deviation_to_drawn_max"), 0.5);
+  // They hold for the stroke of a drawing that has both.
+  succeed("draw hills.ply --through 205,240 -o stroke.txt");
+  succeed("smooth hills.ply --curve d.json --curve stroke.txt --slack 0.3 --report report.json");
+  EXPECT_EQ(warnings(), json::array());
+}
+
+TEST_F(DriverWayPoints, SaysWhatIsWrongWithThePoints) {
+  for (const char* points : {"sharp", "exact=", "exact=1,,2", "exact=760,", "exact=a", "exact=-1",
+                             "exact=1.5", "exact=99999999999", "EXACT", "rough=1"}) {
+    expect_failure(std::string("smooth hills.ply --curve d.json --points ") + points, 1,
+                   {"--points must be given, exact, rough, or exact= and vertex numbers", points});
+  }
+  expect_failure("smooth hills.ply --curve d.json --points exact=5", 1, {"vertex 5"});
+  expect_failure("smooth hills.ply --curve d.json --points exact=9999", 2, {"9999", "1681"});
+  expect_failure("smooth hills.ply --curve d.json --points=", 1, {"--points", "empty"});
+  for (const char* tolerance : {"-1", "nan", "inf"}) {
+    expect_failure(std::string("smooth hills.ply --curve d.json --tolerance ") + tolerance, 1,
+                   {"--tolerance must be 0 or more"});
+  }
+  expect_failure("smooth hills.ply --curve d.json --tolerance wide", 1, {"--tolerance", "wide"});
+  expect_failure("draw hills.ply --through 1,2 -o a.json --points sharp", 1, {"--points", "sharp"});
+  write("faces.txt", "1 2 3");
+  expect_failure("smooth hills.ply --labels faces.txt --points exact -o a.json", 1,
+                 {"borders of --labels are strokes"});
+}
+
+TEST_F(DriverWayPoints, CurvesAloneKeepTheirOwn) {
+  succeed("draw hills.ply --through 205,240 -o e.json");
+  smoothed("d.json");
+  const json first = read("out.json").at("curves").at(0);
+  smoothed("e.json");
+  const json second = read("out.json").at("curves").at(0);
+  for (const char* jobs : {"1", "2"}) {
+    smoothed(std::string("d.json --curve e.json --independent --jobs ") + jobs);
+    EXPECT_EQ(read("out.json").at("curves"), json({first, second})) << jobs;
+  }
+}
+
+TEST_F(DriverWayPoints, AListSaysItPerLine) {
+  write("list.csv",
+        "mesh,curve,points,tolerance,name\n"
+        "hills.ply,d.json,,,given\n"
+        "hills.ply,d.json,rough,,rough\n"
+        "hills.ply,d.obj,\"exact=130,760,1500\",,exact\n"
+        "hills.ply,d.json,,0.5,near\n");
+  succeed("smooth --batch list.csv -o 'out/{name}.json'");
+  const auto result = [&](const char* name) {
+    return bytes_of(file(std::string("out/") + name + ".json"));
+  };
+  EXPECT_EQ(result("given"), smoothed("d.json"));
+  EXPECT_EQ(result("exact"), result("given"));
+  EXPECT_EQ(result("rough"), smoothed("d.obj"));
+  EXPECT_EQ(result("near"), smoothed("d.json --tolerance 0.5"));
+  write("list.csv", "mesh,curve,points\nhills.ply,d.json,sharp\n");
+  expect_failure("smooth --batch list.csv -o a.json", 2, {"line 2", "--points", "sharp"});
+}
+
+TEST_F(DriverWayPoints, FollowARepairedMesh) {
+  MeshLists lists = test::with_turned_face(hills_, 300);
+  lists.triangles.insert(lists.triangles.begin() + 3, {7, 7, 8});
+  write_mesh(file("broken.ply"), lists);
+  succeed("draw broken.ply --repair --through 130,760,1500 -o b.json");
+  EXPECT_EQ(read_curves(file("b.json")).at(0).way_points.size(), 3U);
+  for (const char* curve : {"b.json", "d.txt --points exact=130,760,1500"}) {
+    succeed(std::string("smooth broken.ply --repair -o out.json --curve ") + curve);
+    for (const std::size_t v : {130U, 760U, 1500U}) EXPECT_TRUE(passes(v)) << curve << v;
+  }
+}
+
+std::string markups_of(const std::vector<Point>& points) {
+  json controls = json::array();
+  for (const Point& p : points) controls.push_back({{"position", {p.x(), p.y(), p.z()}}});
+  return json{{"markups", {{{"type", "Curve"}, {"controlPoints", controls}}}}}.dump();
+}
+
+TEST_F(DriverWayPoints, FewControlPointsOfSlicerAreWayPointsAndManyAStroke) {
+  std::vector<Point> few, dense;
+  for (const std::size_t v : {130U, 760U, 1500U}) few.push_back(hills_.points[v]);
+  for (const CurveInput& curve : read_curves(file("d.txt"))) {
+    for (const VertexId v : std::get<std::vector<VertexId>>(curve.points)) {
+      dense.push_back(hills_.points[v.index()]);
+    }
+  }
+  write("few.mrk.json", markups_of(few));
+  write("dense.mrk.json", markups_of(dense));
+  smoothed("few.mrk.json");
+  EXPECT_EQ(warnings().dump().find("stroke"), std::string::npos) << warnings();
+  for (const std::size_t v : {130U, 760U, 1500U}) EXPECT_TRUE(passes(v)) << v;
+  EXPECT_EQ(smoothed("dense.mrk.json"), smoothed("d.obj"));
+  smoothed("dense.mrk.json");
+  EXPECT_NE(warnings().dump().find("closer than 2 they are taken as a stroke"), std::string::npos)
+      << warnings();
+  smoothed("dense.mrk.json --points rough");
+  EXPECT_EQ(warnings(), json::array());
 }
 
 }  // namespace

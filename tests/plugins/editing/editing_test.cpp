@@ -21,8 +21,8 @@ using editing::Drawing;
 using editing::Editor;
 using editing::Stage;
 
-editing::Point at(std::uint32_t face) { return {face, {0.25, 0.25, 0.5}, false}; }
-editing::Point clicked(std::uint32_t face) { return {face, {0.25, 0.25, 0.5}, false, 0}; }
+editing::Point at(std::uint32_t face) { return {face, {0.25, 0.25, 0.5}}; }
+editing::Point clicked_at(std::uint32_t face) { return {face, {0.25, 0.25, 0.5}, false, 0}; }
 
 template <class Edit>
 std::string refusal(Edit edit) {
@@ -39,31 +39,72 @@ TEST(Editor, DrawsAnOpenCurve) {
   for (const std::uint32_t face : {3U, 4U, 4U, 7U}) editor.add_point(at(face));
   EXPECT_TRUE(editor.is_drawing());
   EXPECT_EQ(editor.drawing().curves.at(0)->points,
-            (std::vector<editing::Point>{clicked(3), clicked(4), clicked(7)}));
+            (std::vector<editing::Point>{clicked_at(3), clicked_at(4), clicked_at(7)}));
   editor.take_back_point();
   editor.finish_curve();
   EXPECT_FALSE(editor.is_drawing());
-  EXPECT_EQ(*editor.drawing().curves.at(0), (Curve{{clicked(3), clicked(4)}, false}));
+  EXPECT_EQ(*editor.drawing().curves.at(0), (Curve{{clicked_at(3), clicked_at(4)}, false}));
 }
 
-TEST(Editor, TellsClicksFromStrokes) {
+std::vector<double> marks_of(const Editor& editor, std::size_t curve = 0) {
+  std::vector<double> marks;
+  for (const editing::Point& p : editor.drawing().curves.at(curve)->points) {
+    marks.push_back(p.exact);
+  }
+  return marks;
+}
+
+TEST(Editor, ClickedPointsAreWayPointsAndPaintedOnesAStroke) {
   Editor editor;
   editor.add_point(at(1));
   editor.paint_point(at(2));
   editor.paint_point(at(3));
   editor.add_point(at(4));
   editor.finish_curve();
-  EXPECT_EQ(host_curves(editor.drawing()).at(0).exact,
-            (std::vector{0.0, TALWEG_MARK_PAINTED, TALWEG_MARK_PAINTED, 0.0}));
-  editor.move_point(0, 3, at(9));
-  EXPECT_EQ(editor.drawing().curves.at(0)->points.at(3), clicked(9));
+  EXPECT_EQ(marks_of(editor),
+            (std::vector<double>{0, TALWEG_MARK_PAINTED, TALWEG_MARK_PAINTED, 0}));
+  EXPECT_EQ(host_curves(editor.drawing()).at(0).exact, marks_of(editor));
+
+  editor.move_point(0, 1, at(7));  // both stay what they are
+  editor.move_point(0, 3, at(8));
+  EXPECT_EQ(marks_of(editor),
+            (std::vector<double>{0, TALWEG_MARK_PAINTED, TALWEG_MARK_PAINTED, 0}));
+  editor.reverse_curve(0);
+  editor.insert_point(0, 1, at(9));
+  EXPECT_EQ(marks_of(editor),
+            (std::vector<double>{0, 0, TALWEG_MARK_PAINTED, TALWEG_MARK_PAINTED, 0}));
+}
+
+TEST(Editor, PointsOfStrokesSayNothing) {
+  Editor editor;
+  editor.add_curve({{at(1), at(2), at(3)}, false});
+  editor.insert_point(0, 1, at(5));
+  EXPECT_EQ(marks_of(editor), std::vector<double>(4, TALWEG_MARK_NONE));
+  EXPECT_TRUE(host_curves(editor.drawing()).at(0).exact.empty());
+  // A point that says something keeps it.
+  editing::Point near = at(6);
+  near.exact = 0.5;
+  editor.insert_point(0, 4, near);
+  EXPECT_EQ(marks_of(editor).back(), 0.5);
+  EXPECT_EQ(host_curves(editor.drawing()).at(0).exact, marks_of(editor));
+}
+
+TEST(Editor, WhatAPointIsComesBackByUndo) {
+  Editor editor;
+  editor.add_point(at(1));
+  editor.paint_point(at(2));
+  editor.add_point(at(3));
+  editor.take_back_point();
+  EXPECT_TRUE(editor.history().undo());
+  EXPECT_EQ(marks_of(editor), (std::vector<double>{0, TALWEG_MARK_PAINTED, 0}));
 }
 
 TEST(Editor, ClosesACurveOnce) {
   Editor editor;
   for (const std::uint32_t face : {1U, 2U, 3U, 1U}) editor.add_point(at(face));
   editor.close_curve();
-  EXPECT_EQ(*editor.drawing().curves.at(0), (Curve{{clicked(1), clicked(2), clicked(3)}, true}));
+  EXPECT_EQ(*editor.drawing().curves.at(0),
+            (Curve{{clicked_at(1), clicked_at(2), clicked_at(3)}, true}));
 }
 
 TEST(Editor, BackspaceAndEscapeTakeACurveAway) {

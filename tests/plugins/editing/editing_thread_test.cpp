@@ -1,4 +1,5 @@
 // Smoothing in a thread: results of the plugin, the newest request wins, cancelling, closing.
+#include <algorithm>
 #include <atomic>
 #include <filesystem>
 #include <fstream>
@@ -225,6 +226,49 @@ TEST(EditingThread, PutsPositionsOntoTheMesh) {
   }
 }
 
+TEST(EditingThread, PlacedPointsAreWhatTheFileSays) {
+  const auto sheet =
+      std::make_shared<const editing::MeshArrays>(test::arrays_of(test::grid(30, 20)));
+  SmoothingThread thread(plugins(), sheet);
+  host::Curve silent, clicked, controls;
+  silent.positions = {{1.25, 2.5, 0}, {20.5, 11.25, 0}, {25.5, 3.5, 0}};
+  clicked = controls = silent;
+  clicked.exact = {0, TALWEG_MARK_PAINTED, 0.5};
+  controls.exact.assign(3, TALWEG_MARK_CONTROL);
+  thread.place({silent, clicked, controls, silent});
+  const std::vector<Outcome> outcomes = all_of(thread);
+  ASSERT_EQ(outcomes.at(1).status, TALWEG_OK) << outcomes[1].sentence;
+  const auto marks = [&](std::size_t curve) {
+    std::vector<double> result;
+    for (const editing::Point& p : outcomes[1].placed.at(curve).points) result.push_back(p.exact);
+    return result;
+  };
+  EXPECT_EQ(marks(0), std::vector<double>(3, TALWEG_MARK_NONE));
+  EXPECT_EQ(marks(1), clicked.exact);
+  EXPECT_EQ(marks(2), std::vector<double>(3, 0));  // few and far apart
+  EXPECT_EQ(marks(3), marks(0));
+}
+
+TEST(EditingThread, SmoothsThroughClicks) {
+  Hills hills;
+  SmoothingThread thread(plugins(), hills.mesh);
+  editing::Editor editor;
+  const std::vector<editing::Point> clicks = editing::points_at(*hills.mesh, {200, 760, 1500});
+  for (const editing::Point& click : clicks) editor.add_point(click);
+  editor.finish_curve();
+  const auto passed = [&](const editing::Drawing& drawing) {
+    thread.smooth(drawing);
+    const host::Curve result = all_of(thread).back().results.curves.at(0);
+    const auto& v = result.vertices;
+    return std::find(v.begin(), v.end(), 760U) != v.end();
+  };
+  EXPECT_TRUE(passed(editor.drawing()));
+  editing::Editor painted;
+  for (const editing::Point& point : clicks) painted.paint_point(point);
+  painted.finish_curve();
+  EXPECT_FALSE(passed(painted.drawing()));
+}
+
 TEST(EditingThread, MeasuresDistances) {
   const auto sheet =
       std::make_shared<const editing::MeshArrays>(test::arrays_of(test::grid(30, 20)));
@@ -305,6 +349,20 @@ TEST(CurveFiles, ADrawingComesBackPointByPoint) {
   const std::vector<host::Curve> read = editing::read_curves(plugins(), path);
   EXPECT_EQ(read.at(0).faces, (std::vector<std::uint32_t>{3, 700}));
   EXPECT_EQ(read.at(0).barycentrics[1], (std::array<double, 3>{0.1, 0.2, 0.7}));
+  EXPECT_TRUE(read.at(0).exact.empty());
+}
+
+TEST(CurveFiles, ClickedAndPaintedPointsComeBack) {
+  const std::string path = testing::TempDir() + "editing_clicks.json";
+  const editing::MeshArrays sheet = test::arrays_of(test::grid(30, 20));
+  editing::Editor editor;
+  editor.add_point({3, {0.25, 0.5, 0.25}});
+  editor.paint_point({700, {0.1, 0.2, 0.7}});
+  editor.add_point({720, {0.1, 0.2, 0.7}});
+  editor.finish_curve();
+  editing::write_curves(plugins(), path, drawn_curves(sheet, editor.drawing()));
+  EXPECT_EQ(editing::read_curves(plugins(), path).at(0).exact,
+            (std::vector<double>{0, TALWEG_MARK_PAINTED, 0}));
 }
 
 TEST(CurveFiles, SayWhatIsWrong) {

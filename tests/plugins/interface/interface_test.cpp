@@ -291,6 +291,44 @@ struct FailingSink {
   }
 };
 
+TEST_P(Interface, FieldsOfCurvesAreLookedThroughByName) {
+  const talweg_mesh good = mesh();
+  ASSERT_EQ(plugin_.set_mesh(instance_, &good), TALWEG_OK);
+  const float other[] = {1, 2};  // its type and number are nobody's business
+  std::vector<double> marks(vertices_.size(), TALWEG_MARK_NONE);
+  marks.front() = 0;
+  const talweg_field noise = {sizeof noise, "deviation", "", {other, 2, 0, 1, TALWEG_FLOAT32}};
+  talweg_field exact = {sizeof exact, TALWEG_EXACT, "mesh units",
+                        host::view(marks.data(), marks.size())};
+  const talweg_field* fields[] = {&noise, &exact};
+  talweg_curve c = curve();
+  c.field_count = 2;
+  c.fields = fields;
+  const talweg_curve* list[] = {&c};
+  const auto set = [&] { return plugin_.set_curves(instance_, list, 1); };
+  EXPECT_EQ(set(), TALWEG_OK) << plugin_.last_error(instance_);
+
+  marks[1] = -7;
+  expect(TALWEG_BAD_USAGE, set(), "no mark");
+  marks[1] = std::nan("");
+  expect(TALWEG_BAD_USAGE, set(), "a mark that is no number");
+  marks[1] = TALWEG_MARK_PAINTED;
+  --exact.values.rows;
+  expect(TALWEG_BAD_USAGE, set(), "too few marks");
+  exact.values = {marks.data(), marks.size(), 0, 1, 77};
+  expect(TALWEG_BAD_USAGE, set(), "marks of no type");
+  exact.values = host::view(marks.data(), marks.size());
+  EXPECT_EQ(set(), TALWEG_OK);
+  exact.name = nullptr;
+  EXPECT_EQ(set(), TALWEG_OK);  // passed over
+  exact.size = 3;
+  expect(TALWEG_BAD_USAGE, set(), "a field that is too small");
+  fields[1] = nullptr;
+  expect(TALWEG_BAD_USAGE, set(), "a null field");
+  c.fields = nullptr;
+  expect(TALWEG_BAD_USAGE, set(), "no list of fields");
+}
+
 TEST_P(Interface, SinksThatFailEndTheRun) {
   set_up();
   FailingSink all;
