@@ -59,6 +59,14 @@ std::vector<double> marks_of(const Curve& curve) {
 
 }  // namespace
 
+bool all_clicked(const Drawing& drawing) {
+  const auto clicked = [](const Point& point) { return point.exact >= 0; };
+  const auto& curves = drawing.curves;
+  return !curves.empty() && std::all_of(curves.begin(), curves.end(), [&](const auto& curve) {
+    return std::all_of(curve->points.begin(), curve->points.end(), clicked);
+  });
+}
+
 std::vector<host::Curve> host_curves(const Drawing& drawing) {
   std::vector<host::Curve> result;
   for (const auto& curve : drawing.curves) {

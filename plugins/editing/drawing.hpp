@@ -74,6 +74,10 @@ Stage stage_between(const Drawing& before, const Drawing& after);
 /// first curves of the drawing, in its order.
 std::vector<host::Curve> host_curves(const Drawing& drawing);
 
+/// Whether all points were clicked. Slack and largest deviation do not apply then: the curves are
+/// free between their points. False without curves.
+bool all_clicked(const Drawing& drawing);
+
 /// Sets the settings' parameters of an instance of talweg.smooth. Throws host::Error.
 void apply(const Settings& settings, host::Instance& smooth);
 

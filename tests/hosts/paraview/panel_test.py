@@ -30,6 +30,8 @@ def described():
 
 
 def property_name(option):
+    if option == "points":  # a filter has a property Points of its own
+        return "DrawnPoints"
     return "".join(word.capitalize() for word in option.split("-"))
 
 

@@ -150,6 +150,15 @@ class Drawings(Case):
         closed = self.curve_of(sheet(Points=above, Closed=1))
         self.assertEqual(report(closed, "closed"), 1)
 
+    def test_clicked_points_are_passed_unless_they_are_a_stroke(self):
+        clicks = [c for v in LOOP for c in POINTS[v]]
+        through = places(self.curve_of(sheet(Points=clicks)))
+        for v in LOOP:
+            self.assertLess(min(distance(place, POINTS[v]) for place in through), 1e-12)
+        self.assertEqual(through, places(self.curve_of(sheet(Points=clicks, MaxDeviation=0.01))))
+        rough = places(self.curve_of(sheet(Points=clicks, DrawnPoints="rough")))
+        self.assertNotEqual(through, rough)
+
     def test_lines_and_segments_and_points_in_order_are_the_same_drawing(self):
         mesh = source(polydata(POINTS, TRIANGLES))
         drawn = [POINTS[v] for v in ZIGZAG]

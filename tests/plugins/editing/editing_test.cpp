@@ -89,6 +89,22 @@ TEST(Editor, PointsOfStrokesSayNothing) {
   EXPECT_EQ(host_curves(editor.drawing()).at(0).exact, marks_of(editor));
 }
 
+TEST(Editor, KnowsWhetherAllPointsWereClicked) {
+  Editor editor;
+  EXPECT_FALSE(all_clicked(editor.drawing()));
+  editor.add_point(at(1));
+  editor.add_point(at(2));
+  editor.finish_curve();
+  EXPECT_TRUE(all_clicked(editor.drawing()));
+  editor.add_point(at(5));
+  editor.paint_point(at(6));
+  EXPECT_FALSE(all_clicked(editor.drawing()));
+  editor.drop_curve();
+  EXPECT_TRUE(all_clicked(editor.drawing()));
+  editor.add_curve({{at(7), at(8)}, false});
+  EXPECT_FALSE(all_clicked(editor.drawing()));
+}
+
 TEST(Editor, WhatAPointIsComesBackByUndo) {
   Editor editor;
   editor.add_point(at(1));

@@ -11,6 +11,7 @@
 
 #include "core/temporary_folder.hpp"
 #include "talweg/core/drawing/curve_embedding.hpp"
+#include "talweg/intrinsic/error.hpp"
 #include "tools/paper/ball.hpp"
 #include "tools/paper/refinement.hpp"
 #include "tools/quality/bounded_runs.hpp"

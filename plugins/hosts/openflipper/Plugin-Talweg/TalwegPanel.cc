@@ -19,6 +19,7 @@ NumberRow::NumberRow(const QString& name, const QString& label, const QString& t
     : QWidget(parent),
       slider_(new QSlider(Qt::Horizontal, this)),
       box_(new QDoubleSpinBox(this)),
+      tip_(tip),
       largest_(largest) {
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(0, 0, 0, 0);
@@ -77,6 +78,11 @@ void NumberRow::show_value(std::optional<double> value, double largest) {
   box_->setValue(*value);
 }
 
+void NumberRow::show_use(const QString& why_not) {
+  setEnabled(why_not.isEmpty());
+  setToolTip(why_not.isEmpty() ? tip_ : why_not);
+}
+
 QPushButton* TalwegPanel::button(const QString& name, const QString& text, const QString& tip) {
   auto* made = new QPushButton(text, this);
   made->setObjectName("talweg" + name);
@@ -107,8 +113,10 @@ TalwegPanel::TalwegPanel(QWidget* parent) : QWidget(parent) {
   write_drawing_ = button("WriteDrawing", tr("Write drawing"), tr("Writes the drawn points."));
   read_drawing_ = button("ReadDrawing", tr("Read"), tr("Reads curves from a file."));
   cancel_ = button("Cancel", tr("Cancel"), tr("Stops what is being computed."));
-  tau_ = new NumberRow("talwegTau", tr("Tau"),
-                       tr("0: straight lines; more keeps closer to the drawing."), 16, false, this);
+  tau_ = new NumberRow(
+      "talwegTau", tr("Tau"),
+      tr("0: straight lines; more keeps closer to the drawing, and is tighter between clicks."), 16,
+      false, this);
   slack_ = new NumberRow(
       "talwegSlack", tr("Slack"),
       tr("How exact the drawing is, in mesh units; unticked: from its segments."), 1, true, this);
@@ -202,6 +210,11 @@ void TalwegPanel::show_state(const PanelState& state) {
   tau_->show_value(state.settings.tau);
   slack_->show_value(state.settings.slack, state.scale / 4);
   bound_->show_value(state.settings.max_deviation, state.scale / 4);
+  const QString no_stroke =
+      state.all_clicked ? tr("Between clicked points the curve is free; this is for painted ones.")
+                        : QString();
+  slack_->show_use(no_stroke);
+  bound_->show_use(no_stroke);
   colours_->setCurrentIndex(state.coloured_by);
   if (report_->toPlainText() != state.report) report_->setPlainText(state.report);
   hint_->setText(state.hint);

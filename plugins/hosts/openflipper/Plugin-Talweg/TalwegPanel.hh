@@ -25,6 +25,8 @@ class NumberRow : public QWidget {
             bool optional, QWidget* parent);
   /// Without signals. `largest` > 0 sets the slider's range too.
   void show_value(std::optional<double> value, double largest = 0);
+  /// Can be used unless there is a sentence on why not, which is then the tip.
+  void show_use(const QString& why_not);
   [[nodiscard]] QSlider* slider() { return slider_; }
 
  signals:
@@ -40,6 +42,7 @@ class NumberRow : public QWidget {
   QCheckBox* tick_ = nullptr;
   QSlider* slider_;
   QDoubleSpinBox* box_;
+  QString tip_;
   double largest_;
 };
 
@@ -52,6 +55,7 @@ struct PanelState {
   bool can_undo = false, can_redo = false;
   QString undo_name, redo_name;
   int curves = 0;
+  bool all_clicked = false;
   int coloured_by = 0;
   QString report;
   QString hint;

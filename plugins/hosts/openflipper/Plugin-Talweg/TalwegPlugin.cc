@@ -283,6 +283,7 @@ void TalwegPlugin::changed() {
     state.undo_name = QString::fromStdString(history.undo_name());
     state.redo_name = QString::fromStdString(history.redo_name());
     state.curves = static_cast<int>(session->editor().drawing().curves.size());
+    state.all_clicked = editing::all_clicked(session->editor().drawing());
     state.coloured_by = static_cast<int>(session->coloured_by());
     state.report = short_report(*session);
     save_settings(state.settings);

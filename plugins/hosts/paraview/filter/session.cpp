@@ -85,6 +85,7 @@ std::vector<host::Curve> Session::drawn(std::vector<host::Curve> curves) {
     const std::vector<std::uint32_t> pins = places(curve, path);
     curve.vertices = path.vertices;
     curve.pins = pins;
+    if (!curve.exact.empty()) curve.exact = path.exact;
   }
   return curves;
 }

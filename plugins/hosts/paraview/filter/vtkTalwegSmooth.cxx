@@ -73,6 +73,7 @@ struct vtkTalwegSmooth::Internals {
     Curve through;
     through.closed = this->Closed;
     through.positions = this->Points;
+    through.exact.assign(this->Points.size(), 0);  // they were clicked
     return {through};
   }
 

@@ -31,8 +31,9 @@ std::string escaped(std::string_view text) {
   return result;
 }
 
-/// max_deviation: MaxDeviation
+/// max_deviation: MaxDeviation. One filter has points of its own, which are called so.
 std::string property_name(std::string_view id) {
+  if (id == "points") return "DrawnPoints";
   std::string result;
   bool first = true;
   for (const char c : id) {
@@ -167,8 +168,8 @@ constexpr const char* kCurveInput = R"(
   <DataTypeDomain name="input_type"><DataType value="vtkPointSet"/></DataTypeDomain>
   <InputArrayDomain name="arrays" attribute_type="point" number_of_components="1" optional="1"/>
   <Documentation>The drawing: lines, each a curve, segments joined; or points in their order. They
-    are moved to the nearest points of the mesh. A point array named pin says which points stay.
-  </Documentation>
+    are moved to the nearest points of the mesh. A point array named pin says which points stay,
+    and one named exact which are meant exactly: a tolerance of 0 or more there.</Documentation>
 </InputProperty>
 <StringVectorProperty name="CurveIds" command="SetCurveIds" number_of_elements="1"
                       default_values="None" panel_visibility="advanced">
@@ -188,7 +189,9 @@ constexpr const char* kPoints = R"(
                       use_index="1" repeat_command="1" number_of_elements_per_command="3"
                       number_of_elements="6" default_values="0 0 0 1 0 0">
   <Documentation>Points of the drawing in their order: x, y, z of each. They are moved to the
-    nearest points of the mesh and joined straight over the surface.</Documentation>
+    nearest points of the mesh and joined straight over the surface. They are meant exactly: the
+    curve passes through them and is free between them, and slack and largest deviation do not
+    apply, unless DrawnPoints is rough.</Documentation>
 </DoubleVectorProperty>
 <IntVectorProperty name="Closed" command="SetClosed" number_of_elements="1" default_values="0">
   <BooleanDomain name="bool"/>

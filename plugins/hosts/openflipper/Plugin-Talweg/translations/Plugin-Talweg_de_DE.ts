@@ -415,7 +415,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>0: straight lines; more keeps closer to the drawing.</source>
+        <source>0: straight lines; more keeps closer to the drawing, and is tighter between clicks.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Between clicked points the curve is free; this is for painted ones.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
