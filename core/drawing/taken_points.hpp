@@ -27,6 +27,8 @@ struct PointsTaken {
 struct TakenPoints {
   std::vector<WayPoint> way_points;
   std::vector<SurfacePoint> painted;
+
+  bool operator==(const TakenPoints&) const = default;
 };
 TakenPoints take_points(const SnappedDrawing& drawing, const PointsTaken& taken);
 /// Sentences on control points that were taken as a stroke.

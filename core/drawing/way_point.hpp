@@ -8,6 +8,8 @@ namespace talweg {
 struct WayPoint {
   SurfacePoint point;
   double tolerance = 0;  ///< mesh units, >= 0: how far from it the result may pass
+
+  bool operator==(const WayPoint&) const = default;
 };
 
 }  // namespace talweg

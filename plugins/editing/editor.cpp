@@ -85,6 +85,7 @@ void Editor::append(Point point, double mark) {
   if (point.exact == TALWEG_MARK_NONE) point.exact = mark;
   Curve curve = is_drawing() ? unfinished() : Curve{};
   if (!curve.points.empty() && curve.points.back().same_place(point)) return;
+  if (mark == TALWEG_MARK_PAINTED && curve.points.size() == 1) curve.points[0].exact = mark;
   curve.points.push_back(point);
   const std::size_t last = drawing().curves.size() - (is_drawing() ? 1 : 0);
   replace("Add point", last, std::move(curve), true);

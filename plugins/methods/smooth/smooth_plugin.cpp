@@ -53,11 +53,10 @@ class Smooth : public SmootherWorkspace {
   void run(const plugin::Parameters& parameters, const plugin::Outputs& outputs) {
     CurveOptions curve_options = curve_options_of(parameters);
     const PointsTaken taken = points_taken(parameters, points_at(parameters.vertices("exact")));
-    TakenPoints points = take_points(drawing(), taken);
-    free_ = only_way_points(drawing().curves, points);
-    has_way_points_ = !points.way_points.empty();
-    curve_options.way_points = std::move(points.way_points);
-    curve_options.painted = std::move(points.painted);
+    points_ = take_points(drawing(), taken);
+    free_ = only_way_points(drawing().curves, points_);
+    curve_options.way_points = points_.way_points;
+    curve_options.painted = points_.painted;
     const std::optional<std::size_t> dragged = dragged_curve(parameters);
     if (!dragged) solve(parameters, curve_options);
     const SmoothingOptions options =
@@ -97,7 +96,9 @@ class Smooth : public SmootherWorkspace {
     if (!has_smoother() || !solved_ || changes_of(parameters) != changes_) return {};
     const auto drawn = smoother().drawn();
     const std::vector<SurfaceCurve>& now = drawing().curves;
-    if (now.size() != drawn.size() || has_way_points_ || solved_way_points_) return {};
+    if (now.size() != drawn.size()) return {};
+    // Those of a dragged curve move with it, so all is solved again.
+    if (!points_.way_points.empty() || !solved_points_.way_points.empty()) return {};
     std::vector<std::size_t> changed;
     for (std::size_t c = 0; c < now.size(); ++c) {
       if (now[c].closed != drawn[c].closed || now[c].points != drawn[c].points) {
@@ -130,7 +131,9 @@ class Smooth : public SmootherWorkspace {
   void solve(const plugin::Parameters& parameters, CurveOptions options) {
     options.pins = pins(parameters);
     const std::uint64_t changes = changes_of(parameters);
-    if (solved_ && has_smoother() && drawings() == drawings_ && changes == changes_) {
+    const bool same_points = points_ == solved_points_;
+    if (solved_ && has_smoother() && drawings() == drawings_ && changes == changes_ &&
+        same_points) {
       if (options.pins == pins_) return;
       if (options.method == Method::kCorridor) {
         if (!smoother().set_pins(options.pins, progress())) throw plugin::Services::cancelled();
@@ -143,7 +146,7 @@ class Smooth : public SmootherWorkspace {
       throw plugin::Services::cancelled();
     }
     solved_ = true;
-    solved_way_points_ = has_way_points_;
+    solved_points_ = points_;
     drawings_ = drawings();
     changes_ = changes;
     pins_ = options.pins;
@@ -179,9 +182,8 @@ class Smooth : public SmootherWorkspace {
   }
 
   bool solved_ = false;
-  bool free_ = false;  // the drawing has only way-points
-  bool has_way_points_ = false,
-       solved_way_points_ = false;  // those of a dragged curve move with it, so all is solved again
+  bool free_ = false;                       // the drawing has only way-points
+  TakenPoints points_, solved_points_;      // of this run; of the curves as they were set
   double found_tau_ = 0, found_slack_ = 0;  // by the last run that was not a preview
   std::uint64_t drawings_ = 0;
   std::uint64_t changes_ = 0;

@@ -139,8 +139,8 @@ TEST_F(CurveMarks, ThatAreNoneOrTooFewAreRefusedInVtk) {
   };
   refuse("0 -3 0", {"exact of point 1 is -3", "a tolerance of 0 or more (a way-point)"});
   refuse("0 0 -0.5", {"exact of point 2 is -0.5"});
-  refuse("0 nan 0", {"exact of point 1 is nan"});
-  refuse("0 inf 0", {"exact of point 1 is inf"});
+  refuse("0 nan 0", {"line 12", "expected a finite number, found 'nan'"});
+  refuse("0 inf 0", {"line 12", "expected a finite number, found 'inf'"});
   refuse("0 0", {"one number exact for each of 3 points, found 2"});
 }
 

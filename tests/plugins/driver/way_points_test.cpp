@@ -34,7 +34,7 @@ class DriverWayPoints : public test::DriverRuns {
     return json::parse(bytes_of(file(name)));
   }
   /// The bytes of the result.
-  [[nodiscard]] std::string smoothed(const std::string& arguments) const {
+  std::string smoothed(const std::string& arguments) const {
     succeed("smooth hills.ply -o out.json --report report.json --curve " + arguments);
     return bytes_of(file("out.json"));
   }
@@ -49,8 +49,9 @@ class DriverWayPoints : public test::DriverRuns {
   }
   /// How far the vertex is from the last result.
   [[nodiscard]] double away(std::size_t vertex) const {
+    const json points = read("out.json").at("curves").at(0).at("points");
     double least = 1e9;
-    for (const json& point : read("out.json").at("curves").at(0).at("points")) {
+    for (const json& point : points) {
       const auto xyz = point.at("xyz").get<std::vector<double>>();
       least = std::min(least, (hills_.points[vertex] - Point(xyz[0], xyz[1], xyz[2])).norm());
     }

@@ -55,24 +55,32 @@ std::vector<double> marks_of(const Editor& editor, std::size_t curve = 0) {
 }
 
 TEST(Editor, ClickedPointsAreWayPointsAndPaintedOnesAStroke) {
+  constexpr double kPainted = TALWEG_MARK_PAINTED;
   Editor editor;
   editor.add_point(at(1));
-  editor.paint_point(at(2));
+  editor.add_point(at(2));
   editor.paint_point(at(3));
-  editor.add_point(at(4));
+  editor.paint_point(at(4));
+  editor.add_point(at(5));
   editor.finish_curve();
-  EXPECT_EQ(marks_of(editor),
-            (std::vector<double>{0, TALWEG_MARK_PAINTED, TALWEG_MARK_PAINTED, 0}));
+  EXPECT_EQ(marks_of(editor), (std::vector<double>{0, 0, kPainted, kPainted, 0}));
   EXPECT_EQ(host_curves(editor.drawing()).at(0).exact, marks_of(editor));
 
-  editor.move_point(0, 1, at(7));  // both stay what they are
-  editor.move_point(0, 3, at(8));
-  EXPECT_EQ(marks_of(editor),
-            (std::vector<double>{0, TALWEG_MARK_PAINTED, TALWEG_MARK_PAINTED, 0}));
+  editor.move_point(0, 2, at(7));  // both stay what they are
+  editor.move_point(0, 4, at(8));
+  EXPECT_EQ(marks_of(editor), (std::vector<double>{0, 0, kPainted, kPainted, 0}));
   editor.reverse_curve(0);
   editor.insert_point(0, 1, at(9));
-  EXPECT_EQ(marks_of(editor),
-            (std::vector<double>{0, 0, TALWEG_MARK_PAINTED, TALWEG_MARK_PAINTED, 0}));
+  EXPECT_EQ(marks_of(editor), (std::vector<double>{0, 0, kPainted, kPainted, 0, 0}));
+}
+
+TEST(Editor, AStrokeBeginsWhereTheMouseWasPressed) {
+  Editor editor;
+  editor.add_point(at(1));
+  editor.paint_point(at(1));  // it did not move
+  EXPECT_EQ(marks_of(editor), std::vector<double>{0});
+  editor.paint_point(at(2));
+  EXPECT_EQ(marks_of(editor), std::vector<double>(2, TALWEG_MARK_PAINTED));
 }
 
 TEST(Editor, PointsOfStrokesSayNothing) {
@@ -109,10 +117,10 @@ TEST(Editor, WhatAPointIsComesBackByUndo) {
   Editor editor;
   editor.add_point(at(1));
   editor.paint_point(at(2));
-  editor.add_point(at(3));
-  editor.take_back_point();
   EXPECT_TRUE(editor.history().undo());
-  EXPECT_EQ(marks_of(editor), (std::vector<double>{0, TALWEG_MARK_PAINTED, 0}));
+  EXPECT_EQ(marks_of(editor), std::vector<double>{0});
+  EXPECT_TRUE(editor.history().redo());
+  EXPECT_EQ(marks_of(editor), std::vector<double>(2, TALWEG_MARK_PAINTED));
 }
 
 TEST(Editor, ClosesACurveOnce) {

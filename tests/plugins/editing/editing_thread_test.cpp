@@ -357,12 +357,13 @@ TEST(CurveFiles, ClickedAndPaintedPointsComeBack) {
   const editing::MeshArrays sheet = test::arrays_of(test::grid(30, 20));
   editing::Editor editor;
   editor.add_point({3, {0.25, 0.5, 0.25}});
+  editor.add_point({5, {0.25, 0.5, 0.25}});
   editor.paint_point({700, {0.1, 0.2, 0.7}});
   editor.add_point({720, {0.1, 0.2, 0.7}});
   editor.finish_curve();
   editing::write_curves(plugins(), path, drawn_curves(sheet, editor.drawing()));
   EXPECT_EQ(editing::read_curves(plugins(), path).at(0).exact,
-            (std::vector<double>{0, TALWEG_MARK_PAINTED, 0}));
+            (std::vector<double>{0, 0, TALWEG_MARK_PAINTED, 0}));
 }
 
 TEST(CurveFiles, SayWhatIsWrong) {

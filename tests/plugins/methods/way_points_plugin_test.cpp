@@ -141,6 +141,20 @@ TEST_F(WayPointsPlugin, TolerancesArriveFromFieldOrParameter) {
   EXPECT_TRUE(same_bits(smoothed(marked(0.1)), by_library(through_clicks(0.1))));
 }
 
+TEST_F(WayPointsPlugin, AChangeOfMarksAloneIsSeen) {
+  host::Curve silent = drawn_;
+  silent.exact.clear();
+  const PlacedCurve through = by_library(through_clicks()), stroke = by_library({});
+  EXPECT_TRUE(same_bits(smoothed(silent), stroke));
+  EXPECT_TRUE(same_bits(smoothed(drawn_), through));
+  EXPECT_TRUE(same_bits(smoothed(silent), stroke));
+  for (const char* what : {"rough", "given"}) {
+    smooth_.set("points", what);
+    smooth_.set_curves({drawn_});
+    EXPECT_TRUE(same_bits(smooth_.run().curves.at(0), *what == 'r' ? stroke : through)) << what;
+  }
+}
+
 TEST_F(WayPointsPlugin, PaintedPointsMakeAStrokeBetweenWayPoints) {
   host::Curve painted = drawn_;
   CurveOptions options = through_clicks();
