@@ -186,6 +186,12 @@ double curve_length(const Surface& surface, const SurfaceCurve& curve) {
   return length;
 }
 
+CurveTurns turns_of(const Surface& surface, const SurfaceCurve& curve) {
+  CurveTurns turns;
+  measure(surface, curve, turns);
+  return turns;
+}
+
 CurveMeasures measure_curve(const Surface& surface, const SurfaceCurve& curve) {
   CurveTurns turns;
   return measure(surface, curve, turns);

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 
+#include "talweg/core/measure/turning_windows.hpp"
 #include "talweg/intrinsic/surface/surface.hpp"
 #include "talweg/intrinsic/surface/surface_point.hpp"
 
@@ -43,6 +44,10 @@ double signed_turning(const Surface& surface, const SurfacePoint& before, const 
 /// The length of a curve in mesh units, each segment measured in its common face; 0 for fewer than
 /// two points. Throws Error(kBadCurve) naming the first pair of points without a common face.
 double curve_length(const Surface& surface, const SurfaceCurve& curve);
+
+/// The turns of a curve, for turning_windows.hpp. Its ends do not turn where it is open. O(points ·
+/// degree). Throws Error(kBadCurve) as curve_length() does.
+CurveTurns turns_of(const Surface& surface, const SurfaceCurve& curve);
 
 /// Length and turning angles of a curve. The ends of an open curve do not turn; a closed one turns
 /// at every point. Bending and windows stay 0. O(points · degree). Throws Error(kBadCurve) as

@@ -53,6 +53,24 @@ double bending(const CurveTurns& turns, double edge) {
   return edge * integral;
 }
 
+std::vector<CurvatureStep> curvature_along(const CurveTurns& turns, double window) {
+  std::vector<CurvatureStep> steps, behind_start;
+  if (!(turns.length > 0) || !(window > 0)) return steps;
+  window = fitted(turns, window);
+  const auto add = [](std::vector<CurvatureStep>& to, const CurvatureStep& step) {
+    if (step.to > step.from) to.push_back(step);
+  };
+  slide(turns, window, [&](double from, double to, double sum) {
+    const double a = from - window / 2, b = to - window / 2, curvature = sum / window;
+    add(steps, {std::max(a, 0.0), std::min(b, turns.length), curvature});
+    // A loop's first windows lie about places before its start.
+    if (!turns.closed) return;
+    add(behind_start, {a + turns.length, std::min(b, 0.0) + turns.length, curvature});
+  });
+  steps.insert(steps.end(), behind_start.begin(), behind_start.end());
+  return steps;
+}
+
 double window_turning(const CurveTurns& turns, double window) {
   // Turns that lie exactly one window apart count together, whichever way rounding goes.
   if (turns.at.empty() || !(window > 0)) return 0;

@@ -19,6 +19,18 @@ struct CurveTurns {
 /// bends by 2 a². `edge` > 0, mesh units. O(turns).
 double bending(const CurveTurns& turns, double edge);
 
+/// A stretch of a curve with one mean curvature.
+struct CurvatureStep {
+  double from = 0, to = 0;  ///< mesh units along the curve, from < to
+  double curvature = 0;     ///< radians per mesh unit; left positive
+};
+
+/// The signed geodesic curvature along a curve: at each place the sum of the turns in the window of
+/// this length (mesh units, > 0) about it, over the window's length. The steps cover [0, length] in
+/// their order. Windows that reach over an open curve's end find no turns there. Empty for a curve
+/// without length. O(turns).
+std::vector<CurvatureStep> curvature_along(const CurveTurns& turns, double window);
+
 /// The largest absolute sum of the turns in any window of this length (mesh units), radians.
 /// O(turns).
 double window_turning(const CurveTurns& turns, double window);

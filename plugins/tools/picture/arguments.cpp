@@ -80,7 +80,7 @@ Fit fit_argument(const std::string& text) {
 
 PanelArgument panel_argument(const std::string& text) {
   const std::string wanted =
-      "a panel CAPTION[|curves=1,2][|fit=FIT][|zoom=Z][|view=x,y,z][|mesh=FILE]"
+      "a panel CAPTION[|curves=1,2][|fit=FIT][|zoom=Z][|view=x,y,z][|at=x,y,z][|mesh=FILE]"
       "[|labels=FILE][|move=x,y,z]";
   PanelArgument panel;
   const std::vector<std::string> parts = split(text, '|');
@@ -98,6 +98,8 @@ PanelArgument panel_argument(const std::string& text) {
       panel.zoom = number(value, text, wanted);
     } else if (name == "view") {
       panel.view = direction_argument(value);
+    } else if (name == "at") {
+      panel.at = direction_argument(value);
     } else if (name == "mesh") {
       panel.mesh = value;
     } else if (name == "labels") {

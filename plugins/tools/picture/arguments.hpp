@@ -26,10 +26,11 @@ struct PanelArgument : Panel {
   std::string mesh;           ///< a file; empty: that of the picture
   std::string labels;         ///< a file, or "pieces"; empty: no colours
   bool no_curves = false;     ///< curves=none
+  std::optional<Point> at;    ///< shown enlarged, mesh units
   std::optional<Point> move;  ///< by which all pieces but the largest are moved, mesh units
 };
-/// CAPTION[|curves=1,2|none][|fit=FIT][|zoom=Z][|view=x,y,z][|mesh=FILE][|labels=FILE|pieces]
-/// [|move=x,y,z]; curves are counted from 1.
+/// CAPTION[|curves=1,2|none][|fit=FIT][|zoom=Z][|view=x,y,z][|at=x,y,z][|mesh=FILE]
+/// [|labels=FILE|pieces][|move=x,y,z]; curves are counted from 1.
 PanelArgument panel_argument(const std::string& text);
 
 }  // namespace talweg::picture

@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <string_view>
 #include <vector>
+
+#include "tools/picture/strokes.hpp"
 
 namespace talweg::picture {
 namespace {
@@ -91,14 +92,12 @@ constexpr auto kGlyphs = std::to_array<Glyph>({
     {'%', "0248 0808 4242"},
 });
 
-using Corner = std::array<double, 2>;
-
-std::vector<std::vector<Corner>> strokes_of(char letter) {
-  std::vector<std::vector<Corner>> strokes;
+std::vector<std::vector<Spot>> strokes_of(char letter) {
+  std::vector<std::vector<Spot>> strokes;
   const auto glyph = std::find_if(kGlyphs.begin(), kGlyphs.end(),
                                   [&](const Glyph& g) { return g.letter == letter; });
   if (glyph == kGlyphs.end()) return strokes;
-  std::vector<Corner> stroke;
+  std::vector<Spot> stroke;
   const std::string_view text = glyph->strokes;
   for (std::size_t i = 0; i <= text.size();) {
     if (i == text.size() || text[i] == ' ') {
@@ -113,47 +112,24 @@ std::vector<std::vector<Corner>> strokes_of(char letter) {
   return strokes;
 }
 
-void blend(std::uint8_t* rgb, const Light& color, double coverage) {
-  const Light below = to_linear({rgb[0] / 255.0, rgb[1] / 255.0, rgb[2] / 255.0});
-  store((1 - coverage) * below + coverage * color, rgb);
-}
-
-void draw_stroke(Image& image, const Corner& a, const Corner& b, double radius,
-                 const Light& color) {
-  const auto bounded = [](double value, std::size_t size) {
-    return static_cast<std::size_t>(std::clamp(value, 0.0, static_cast<double>(size)));
-  };
-  const double reach = radius + 1;
-  const double dx = b[0] - a[0], dy = b[1] - a[1], square = dx * dx + dy * dy;
-  const std::size_t x_end = bounded(std::max(a[0], b[0]) + reach + 1, image.width);
-  const std::size_t y_end = bounded(std::max(a[1], b[1]) + reach + 1, image.height);
-  for (std::size_t y = bounded(std::min(a[1], b[1]) - reach, image.height); y < y_end; ++y) {
-    for (std::size_t x = bounded(std::min(a[0], b[0]) - reach, image.width); x < x_end; ++x) {
-      const double px = double(x) + 0.5 - a[0], py = double(y) + 0.5 - a[1];
-      const double t = square > 0 ? std::clamp((px * dx + py * dy) / square, 0.0, 1.0) : 0.0;
-      const double distance = std::hypot(px - t * dx, py - t * dy);
-      const double coverage = std::clamp(radius + 0.5 - distance, 0.0, 1.0);
-      if (coverage > 0) blend(image.pixel(x, y), color, coverage);
-    }
-  }
-}
-
 }  // namespace
 
 void draw_caption(Image& image, const std::string& text, double center_x, double baseline,
                   double height, const Light& color) {
   const double unit = height / 6, advance = 5.6 * unit;
-  const double left = center_x - 0.5 * (advance * double(text.size()) - 1.6 * unit);
+  const double left = center_x - 0.5 * caption_width(text, height);
   for (std::size_t i = 0; i < text.size(); ++i) {
-    const auto place = [&](const Corner& c) -> Corner {
-      return {left + advance * double(i) + unit * c[0], baseline - unit * (c[1] - 2)};
-    };
-    for (const std::vector<Corner>& stroke : strokes_of(text[i])) {
-      for (std::size_t k = 0; k + 1 < stroke.size(); ++k) {
-        draw_stroke(image, place(stroke[k]), place(stroke[k + 1]), 0.085 * height, color);
+    for (std::vector<Spot>& stroke : strokes_of(text[i])) {
+      for (Spot& s : stroke) {
+        s = {left + advance * double(i) + unit * s[0], baseline - unit * (s[1] - 2)};
       }
+      draw_stroke(image, stroke, 0.085 * height, color);
     }
   }
+}
+
+double caption_width(const std::string& text, double height) {
+  return (5.6 * double(text.size()) - 1.6) * height / 6;
 }
 
 }  // namespace talweg::picture

@@ -14,4 +14,7 @@ namespace talweg::picture {
 void draw_caption(Image& image, const std::string& text, double center_x, double baseline,
                   double height, const Light& color);
 
+/// How wide that is, pixels.
+double caption_width(const std::string& text, double height);
+
 }  // namespace talweg::picture

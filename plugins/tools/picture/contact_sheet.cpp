@@ -23,4 +23,18 @@ Image contact_sheet(const std::vector<Image>& pictures, std::size_t columns) {
   return sheet;
 }
 
+Image stacked(const Image& top, const Image& bottom) {
+  Image both;
+  both.width = std::max(top.width, bottom.width);
+  both.height = top.height + bottom.height;
+  both.rgb.assign(3 * both.width * both.height, 255);
+  std::size_t row = 0;
+  for (const Image* image : {&top, &bottom}) {
+    for (std::size_t y = 0; y < image->height; ++y, ++row) {
+      std::copy_n(image->pixel(0, y), 3 * image->width, both.pixel(0, row));
+    }
+  }
+  return both;
+}
+
 }  // namespace talweg::picture

@@ -11,4 +11,7 @@ namespace talweg::picture {
 /// Pictures of one size, row by row, `columns` in a row (the last row may be shorter).
 Image contact_sheet(const std::vector<Image>& pictures, std::size_t columns);
 
+/// One picture beneath another; where one is narrower, white is beside it.
+Image stacked(const Image& top, const Image& bottom);
+
 }  // namespace talweg::picture

@@ -1,4 +1,5 @@
 // talweg-picture: curves on a shaded mesh, as a PNG file.
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <string>
@@ -12,6 +13,8 @@
 #include "talweg/intrinsic/error.hpp"
 #include "tools/picture/arguments.hpp"
 #include "tools/picture/contact_sheet.hpp"
+#include "tools/picture/curvature_plot.hpp"
+#include "tools/picture/curve_turning.hpp"
 #include "tools/picture/face_colors.hpp"
 #include "tools/picture/render.hpp"
 
@@ -55,7 +58,7 @@ std::vector<Point> positions(const MeshLists& mesh, const CurveInput& curve) {
 
 struct Arguments {
   std::string mesh, output, fit = "auto", view, up;
-  std::vector<std::string> curves, panels;
+  std::vector<std::string> curves, panels, curvature;
   double zoom = 1;
   RenderOptions options;
   bool no_edges = false;
@@ -105,9 +108,7 @@ Scene own_scene(const Scene& scene, const PanelArgument& panel) {
   return own;
 }
 
-Image picture_of(const Arguments& arguments) {
-  Scene scene;
-  scene.mesh = read_mesh(arguments.mesh);
+Image panels_of(const Arguments& arguments, Scene& scene) {
   const std::vector<std::vector<std::size_t>> curves_of_file = add_curves(arguments, scene);
   Panel single;
   single.fit = fit_argument(arguments.fit);
@@ -120,6 +121,7 @@ Image picture_of(const Arguments& arguments) {
     PanelArgument& panel = panels.emplace_back(panel_argument(text));
     count_curves(panel, text, curves_of_file);
     if (!panel.view) panel.view = single.view;
+    if (panel.at) panel.detail = detail_at(scene, *panel.at);
     apart |= !panel.mesh.empty() || !panel.labels.empty() || panel.move || panel.no_curves;
   }
   if (apart) {
@@ -135,6 +137,41 @@ Image picture_of(const Arguments& arguments) {
   return render(scene, arguments.options);
 }
 
+/// The plot of the curves that have a name; of a file with several curves that of the first.
+Image plot_of(const Arguments& arguments, const Scene& scene, std::size_t width) {
+  std::vector<CurveInput> inputs;
+  CurvaturePlot plot;
+  for (std::size_t k = 0; k < arguments.curves.size(); ++k) {
+    const CurveArgument argument = curve_argument(arguments.curves[k]);
+    if (k >= arguments.curvature.size() || arguments.curvature[k] == "-") continue;
+    inputs.push_back(read_curves(argument.file).front());
+    plot.lines.push_back({arguments.curvature[k], {}, argument.color});
+  }
+  if (inputs.empty()) throw Error(ErrorCode::kBadUsage, "--curvature names no curve");
+  CurveTurning turning = turning_of(scene.mesh, inputs);
+  plot.edge = turning.edge;
+  for (std::size_t k = 0; k < inputs.size(); ++k) plot.lines[k].steps = std::move(turning.steps[k]);
+  plot.lines.front().behind = inputs.size() > 1;
+  const bool shows_detail =
+      std::any_of(scene.panels.begin(), scene.panels.end(),
+                  [](const Panel& panel) { return panel.fit == Fit::kDetail; });
+  if (shows_detail) {
+    const Detail detail = turning_detail(scene);
+    const PictureCurve last{positions(scene.mesh, inputs.back()), inputs.back().closed};
+    plot.shown = stretches_in(last, detail.center, detail.radius);
+  }
+  return draw_curvature(plot, width, arguments.options.panel_height / 2,
+                        arguments.options.background);
+}
+
+Image picture_of(const Arguments& arguments) {
+  Scene scene;
+  scene.mesh = read_mesh(arguments.mesh);
+  Image panels = panels_of(arguments, scene);
+  if (arguments.curvature.empty()) return panels;
+  return stacked(panels, plot_of(arguments, scene, panels.width));
+}
+
 int run(int argc, char** argv) {
   CLI::App app("Draws curves on a shaded mesh and writes a PNG file; needs no display.",
                "talweg-picture");
@@ -142,10 +179,10 @@ int run(int argc, char** argv) {
   app.add_option("MESH", a.mesh, "Mesh file: OBJ, OFF, PLY, STL or OM")->required();
   app.add_option("-o,--output", a.output, "The PNG file to be written")->required();
   app.add_option("--curve", a.curves, "FILE[:rrggbb[:width in pixels]]; may be repeated");
-  app.add_option(
-      "--panel", a.panels,
-      "CAPTION[|curves=1,2][|fit=FIT][|zoom=Z][|view=x,y,z][|mesh=FILE][|labels=FILE|pieces]"
-      "[|move=x,y,z]; several stand side by side, with meshes and colours of their own");
+  app.add_option("--panel", a.panels,
+                 "CAPTION[|curves=1,2][|fit=FIT][|zoom=Z][|view=x,y,z][|at=x,y,z][|mesh=FILE]"
+                 "[|labels=FILE|pieces][|move=x,y,z]; several stand side by side, with meshes and "
+                 "colours of their own");
   app.add_option("--fit", a.fit, "What a picture without panels shows: auto, curve, mesh, detail");
   app.add_option("--zoom", a.zoom, "Enlarges what --fit chose");
   app.add_option("--view", a.view, "x,y,z: direction from the mesh to the viewer");
@@ -153,6 +190,11 @@ int run(int argc, char** argv) {
   app.add_option("--width", a.options.panel_width, "Width of a panel in pixels");
   app.add_option("--height", a.options.panel_height, "Height of a panel in pixels");
   app.add_option("--samples", a.options.supersampling, "Samples per pixel in x and in y");
+  app.add_option(
+         "--curvature", a.curvature,
+         "NAME,NAME: beneath the panels the curvature along the curves, in their order; the "
+         "first is drawn pale. A curve with the name - is left out")
+      ->delimiter(',');
   app.add_flag("--no-edges", a.no_edges, "No lines along the mesh's edges");
   try {
     app.parse(argc, argv);

@@ -21,6 +21,8 @@ namespace {
 
 constexpr std::uint32_t kTube = 0x80000000U;  // a sample's id: a face, or this + 256 curve + facing
 
+constexpr double kDetailEdges = 5;  // the radius of a detail that names none
+
 // Everything that the panels of one picture share.
 struct Studio {
   const Scene& scene;
@@ -60,10 +62,14 @@ Point shared_direction(Studio& studio) {
   return *studio.direction;
 }
 
+Detail turning_detail(Studio& studio, const std::optional<Point>& view) {
+  return most_turning_place(studio.scene, studio.normals, view ? *view : shared_direction(studio),
+                            studio.up);
+}
+
 Camera detail_camera(Studio& studio, const Panel& panel, double width, double height) {
-  const Detail detail = most_turning_place(
-      studio.scene, studio.normals, panel.view ? *panel.view : shared_direction(studio), studio.up);
-  const double radius = detail.radius > 0 ? detail.radius : 5 * studio.mean_edge;
+  const Detail detail = panel.detail ? *panel.detail : turning_detail(studio, panel.view);
+  const double radius = detail.radius > 0 ? detail.radius : kDetailEdges * studio.mean_edge;
   Camera camera;
   camera.axes = axes_for(panel.view.value_or(detail.normal), studio.up);
   camera.center = detail.center;
@@ -85,7 +91,8 @@ Extent with_surroundings(Extent curve, const Extent& mesh) {
 
 Camera camera_for(Studio& studio, const Panel& panel, double width, double height) {
   const Scene& scene = studio.scene;
-  if (panel.fit == Fit::kDetail && !scene.curves.empty() && !scene.curves.front().points.empty()) {
+  const bool turning = !scene.curves.empty() && !scene.curves.front().points.empty();
+  if (panel.detail || (panel.fit == Fit::kDetail && turning)) {
     return detail_camera(studio, panel, width, height);
   }
   const Point direction = panel.view ? *panel.view : shared_direction(studio);
@@ -252,6 +259,16 @@ void draw_panel(Studio& studio, const Panel& panel, std::size_t left, Image& ima
                to_linear({0.2, 0.2, 0.22}));
 }
 
+Studio studio_of(const Scene& scene, const RenderOptions& options) {
+  check_scene(scene);
+  return {scene,
+          options,
+          corner_normals(scene.mesh),
+          upright_of(scene),
+          {},
+          mean_edge_length(scene.mesh)};
+}
+
 // A white line at the right of a panel.
 void draw_separator(const RenderOptions& options, std::size_t right, Image& image) {
   const std::size_t width = std::max<std::size_t>(1, options.panel_width / 160);
@@ -276,13 +293,7 @@ void RenderOptions::validate() const {
 
 Image render(const Scene& scene, const RenderOptions& options) {
   options.validate();
-  check_scene(scene);
-  Studio studio{scene,
-                options,
-                corner_normals(scene.mesh),
-                upright_of(scene),
-                {},
-                mean_edge_length(scene.mesh)};
+  Studio studio = studio_of(scene, options);
   const std::vector<Panel> panels = scene.panels.empty() ? std::vector<Panel>(1) : scene.panels;
   Image image;
   image.width = options.panel_width * panels.size();
@@ -293,6 +304,26 @@ Image render(const Scene& scene, const RenderOptions& options) {
     if (k > 0) draw_separator(options, k * options.panel_width, image);
   }
   return image;
+}
+
+Detail turning_detail(const Scene& scene, const std::optional<Point>& view) {
+  const RenderOptions options;
+  Studio studio = studio_of(scene, options);
+  if (scene.curves.empty() || scene.curves.front().points.empty()) {
+    throw Error(ErrorCode::kBadUsage, "a detail needs a first curve with points");
+  }
+  Detail detail = turning_detail(studio, view);
+  if (!(detail.radius > 0)) detail.radius = kDetailEdges * studio.mean_edge;
+  return detail;
+}
+
+Detail detail_at(const Scene& scene, const Point& center, double radius) {
+  check_scene(scene);
+  if (!(radius > 0)) radius = kDetailEdges * mean_edge_length(scene.mesh);
+  const std::vector<Eigen::Vector3f> normals = corner_normals(scene.mesh);
+  const Point normal = normal_around(scene.mesh, normals, center, radius);
+  return {center, clear_direction(scene, normals, center, radius, normal, upright_of(scene)),
+          radius};
 }
 
 }  // namespace talweg::picture

@@ -31,12 +31,20 @@ enum class Fit {
   kDetail,  ///< the place where the first curve turns most, seen from straight above it
 };
 
+/// A place to show enlarged: what lies within `radius` of its centre.
+struct Detail {
+  Point center = Point::Zero();
+  Point normal = Point::UnitZ();  ///< the direction to look from
+  double radius = 0;              ///< mesh units; 0: five edges
+};
+
 /// One view. Panels stand side by side in the picture.
 struct Panel {
   std::string caption;
   std::vector<std::size_t> curves;  ///< which of the scene's curves are drawn; empty: all
   Fit fit = Fit::kAuto;
-  double zoom = 1;  ///< > 0; enlarges what `fit` chose
+  std::optional<Detail> detail;  ///< shown instead of what `fit` chooses
+  double zoom = 1;               ///< > 0; enlarges what `fit` chose
   /// From the mesh towards the viewer; empty: the direction that sees most of the curves.
   std::optional<Point> view;
 };
@@ -70,5 +78,14 @@ struct RenderOptions {
 /// Error(kBadUsage) for a curve number out of range, an option out of its bounds, or more or fewer
 /// colours than faces.
 Image render(const Scene& scene, const RenderOptions& options = {});
+
+/// What panels with this view show by Fit::kDetail. Needs a first curve with points. Throws as
+/// render() does.
+Detail turning_detail(const Scene& scene, const std::optional<Point>& view = {});
+
+/// What lies within `radius` (mesh units; 0: five edges) of a point, from where the curves near it
+/// are seen best: straight from above, or from aside where something is in the way. O(faces).
+/// Throws as render() does.
+Detail detail_at(const Scene& scene, const Point& center, double radius = 0);
 
 }  // namespace talweg::picture

@@ -35,10 +35,8 @@ struct Thumbnail {
   SampleBuffer buffer;
 };
 
-Thumbnail draw_thumbnail(const MeshLists& mesh, const Point& direction, const Point& up) {
-  const Eigen::Matrix3d axes = axes_for(direction, up);
-  Thumbnail result{framed(axes, mesh_extent(mesh, axes), kThumbnail, kThumbnail, 0.02),
-                   SampleBuffer(std::size_t(kThumbnail), std::size_t(kThumbnail))};
+Thumbnail draw_thumbnail(const MeshLists& mesh, const Camera& camera) {
+  Thumbnail result{camera, SampleBuffer(std::size_t(kThumbnail), std::size_t(kThumbnail))};
   std::vector<Point> projected(mesh.points.size());
   for (std::size_t v = 0; v < projected.size(); ++v) {
     projected[v] = result.camera.project(mesh.points[v]);
@@ -49,6 +47,22 @@ Thumbnail draw_thumbnail(const MeshLists& mesh, const Point& direction, const Po
                                 projected[c]);
   }
   return result;
+}
+
+Thumbnail draw_thumbnail(const MeshLists& mesh, const Point& direction, const Point& up) {
+  const Eigen::Matrix3d axes = axes_for(direction, up);
+  return draw_thumbnail(mesh, framed(axes, mesh_extent(mesh, axes), kThumbnail, kThumbnail, 0.02));
+}
+
+// What lies about a ball, whatever is before or behind it.
+Thumbnail draw_ball(const MeshLists& mesh, const Point& center, double radius,
+                    const Point& direction, const Point& up) {
+  Camera camera;
+  camera.axes = axes_for(direction, up);
+  camera.center = center;
+  camera.width = camera.height = kThumbnail;
+  camera.scale = 0.5 * kThumbnail / radius;
+  return draw_thumbnail(mesh, camera);
 }
 
 // How well a point on the surface can be seen, in [0, 1]: 0 where something is in front of it.
@@ -123,19 +137,6 @@ std::size_t fullest_window(const std::vector<double>& values, std::size_t half) 
     }
   }
   return middle;
-}
-
-// The mean of the normals within a ball.
-Point normal_around(const MeshLists& mesh, const std::vector<Eigen::Vector3f>& normals,
-                    const Point& center, double radius) {
-  Point normal = Point::Zero();
-  for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Point& p = mesh.points[mesh.triangles[f][k]];
-      if ((p - center).norm() < radius) normal += normals[3 * f + k].cast<double>();
-    }
-  }
-  return normal.norm() > 0 ? Point(normal.normalized()) : Point(Point::UnitZ());
 }
 
 }  // namespace
@@ -215,6 +216,43 @@ Detail most_turning_place(const Scene& scene, const std::vector<Eigen::Vector3f>
   }
   if (clear < before) detail.normal = direction;
   return detail;
+}
+
+Point normal_around(const MeshLists& mesh, const std::vector<Eigen::Vector3f>& normals,
+                    const Point& center, double radius) {
+  Point normal = Point::Zero();
+  for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Point& p = mesh.points[mesh.triangles[f][k]];
+      if ((p - center).norm() < radius) normal += normals[3 * f + k].cast<double>();
+    }
+  }
+  return normal.norm() > 0 ? Point(normal.normalized()) : Point(Point::UnitZ());
+}
+
+Point clear_direction(const Scene& scene, const std::vector<Eigen::Vector3f>& normals,
+                      const Point& center, double radius, const Point& normal, const Point& up) {
+  const auto seen_from = [&](const Point& direction) {
+    const Thumbnail view = draw_ball(scene.mesh, center, radius, direction, up);
+    double sum = 0;
+    for (const PictureCurve& curve : scene.curves) {
+      for (const Point& p : curve.points) {
+        if ((p - center).norm() < radius) sum += visibility(normals, view, p, direction);
+      }
+    }
+    return sum;
+  };
+  constexpr double kClearly = 1.15, kAside = 0.4;  // at most 66 degrees from the normal
+  Point best = normal;
+  double most = kClearly * seen_from(normal);
+  for (const Point& direction : candidate_directions(normal)) {
+    if (direction.dot(normal) < kAside) continue;
+    const double seen = seen_from(direction);
+    if (seen <= most) continue;
+    most = seen;
+    best = direction;
+  }
+  return best;
 }
 
 }  // namespace talweg::picture

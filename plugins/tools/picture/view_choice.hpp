@@ -20,18 +20,19 @@ Point upright_of(const Scene& scene);
 Point best_direction(const Scene& scene, const std::vector<Eigen::Vector3f>& normals,
                      const Point& up);
 
-/// A place to show enlarged.
-struct Detail {
-  Point center = Point::Zero();
-  Point normal = Point::UnitZ();
-  double radius = 0;
-};
-
 /// Where the first curve turns most within a window of its length, among the parts of it that can
 /// be seen from `direction`. Its normal is the direction to look from: the surface's, or
 /// `direction` where something is in the way of that. O(faces).
 Detail most_turning_place(const Scene& scene, const std::vector<Eigen::Vector3f>& normals,
                           const Point& direction, const Point& up);
+
+/// The direction from which the parts of the curves within a ball are seen best: `normal`, unless
+/// another shows clearly more of them. O(faces).
+Point clear_direction(const Scene& scene, const std::vector<Eigen::Vector3f>& normals,
+                      const Point& center, double radius, const Point& normal, const Point& up);
+/// The mean of the normals within a ball; z where there are none. O(faces).
+Point normal_around(const MeshLists& mesh, const std::vector<Eigen::Vector3f>& normals,
+                    const Point& center, double radius);
 
 /// The mesh's extent along the axes; vertices without faces do not count.
 Extent mesh_extent(const MeshLists& mesh, const Eigen::Matrix3d& axes);

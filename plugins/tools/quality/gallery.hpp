@@ -1,19 +1,20 @@
-// The gallery shows the drawing, the paper's potential and the default, side by side.
+// The gallery shows the drawing, the taut and the fair curve, and how their turning is spread.
 #pragma once
 
 #include <filesystem>
-#include <string>
+#include <vector>
 
 #include "tools/quality/runs.hpp"
 
 namespace talweg::quality {
 
-/// Whether this mesh is one of the gallery's.
-bool in_gallery(const std::string& mesh);
+/// The subject's stored drawings where there are any, else its longest open one.
+std::vector<NamedPath> gallery_drawings(const Subject& subject);
 
-/// The subject's first stored drawing where there is one, else its longest open one; its place that
-/// turns most, drawn, smoothed with the paper's potential and with the default, all at τ = 1.
-/// Needs a subject with drawings. Throws Error(kBadFile) when the file cannot be written.
-void write_gallery_picture(const Subject& subject, const std::filesystem::path& file);
+/// One of the subject's drawings at the place where the taut curve turns most within an edge
+/// length: drawn, taut and fair, at τ = 1. Beneath it the curvature along all three. Throws
+/// Error(kBadFile) when the file cannot be written.
+void write_gallery_picture(const Subject& subject, const NamedPath& drawing,
+                           const std::filesystem::path& file);
 
 }  // namespace talweg::quality

@@ -110,6 +110,16 @@ void measure_runs(const Subject& subject, const Options& options, Measured& meas
   }
 }
 
+/// A picture of each drawing of the gallery; from the second on their names are numbered.
+void draw_gallery(const Subject& subject, const std::filesystem::path& folder) {
+  std::string name = "quality_" + subject.name;
+  int number = 1;
+  for (const NamedPath& drawing : gallery_drawings(subject)) {
+    write_gallery_picture(subject, drawing, folder / (name + ".png"));
+    name = "quality_" + subject.name + "_" + std::to_string(++number);
+  }
+}
+
 void measure(const Subject& subject, const Options& options, Measured& measured) {
   constexpr std::size_t kSubdivided = 120'000;  // faces; twice divided 16 times as many
   std::printf("%s: %zu drawings\n", subject.name.c_str(), subject.drawings.size());
@@ -126,9 +136,7 @@ void measure(const Subject& subject, const Options& options, Measured& measured)
       measured.subdivisions.push_back(subdivision(subject, drawing, 2, options.curve_options));
     }
   }
-  if (wants(options, "gallery") && in_gallery(subject.name)) {
-    write_gallery_picture(subject, options.out / ("quality_" + subject.name + ".png"));
-  }
+  if (wants(options, "gallery")) draw_gallery(subject, options.out);
 }
 
 std::string text_of(const Options& options, const Measured& measured) {

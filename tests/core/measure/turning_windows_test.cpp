@@ -87,6 +87,30 @@ TEST(TurningWindows, AgreeWithSumsOverEachWindow) {
   }
 }
 
+TEST(TurningWindows, CurvatureAlongACurveIsTheSumInEachWindow) {
+  for (std::uint32_t seed = 1; seed <= 20; ++seed) {
+    for (const bool closed : {false, true}) {
+      const CurveTurns turns = random_turns(seed, closed);
+      const double window = 0.05 * seed;
+      double end = 0, square = 0;
+      for (const CurvatureStep& step : curvature_along(turns, window)) {
+        EXPECT_NEAR(step.from, end, 1e-12);
+        ASSERT_GT(step.to, step.from);
+        end = step.to;
+        const double middle = (step.from + step.to) / 2;
+        EXPECT_NEAR(step.curvature, sum_about(turns, middle, window) / window, 1e-9);
+        square += (step.to - step.from) * step.curvature * step.curvature;
+      }
+      EXPECT_NEAR(end, turns.length, 1e-12);
+      if (closed) {
+        EXPECT_NEAR(2 * window * square, bending(turns, 2 * window), 1e-9);
+      }
+    }
+  }
+  EXPECT_TRUE(curvature_along({}, 1).empty());
+  EXPECT_TRUE(curvature_along({{0.5}, {1}, 1, false}, 0).empty());
+}
+
 TEST(TurningWindows, LoopsShorterThanTheWindowCountEachTurnOnce) {
   const CurveTurns square{{0, 1, 2, 3}, {kPi / 2, kPi / 2, kPi / 2, kPi / 2}, 4, true};
   EXPECT_NEAR(window_turning(square, 100), 2 * kPi, 1e-12);

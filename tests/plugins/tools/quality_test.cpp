@@ -390,6 +390,7 @@ TEST_F(QualityProgram, MeasuresAFolderOfMeshes) {
   std::ofstream(file("meshes/broken.off")) << "OFF\n3 3 0\n0 0 0\n1 0 0\n0 1 0\n"
                                               "3 0 1 2\n3 0 1 2\n3 0 1 2\n";
   ASSERT_EQ(run("out --meshes meshes --parts runs,paper,gallery"), 0) << bytes_of(file("err.log"));
+  EXPECT_EQ(bytes_of(file("out/quality_ball.png")).substr(1, 3), "PNG");
   const std::string text = bytes_of(file("out/results.md"));
   for (const char* part : {"## Goals", "## Default settings", "## Beside the paper's potential",
                            "| ball |", "| loops that collapse | none |"}) {
@@ -416,11 +417,15 @@ TEST_F(QualityProgram, DrawsThePicturesOfTheGallery) {
   Subject subject{"ball", paper::bumpy_ball(20, 2), nullptr, {}};
   subject.mesh = OpenedMesh::open(subject.lists);
   subject.drawings = generated_drawings(*subject.mesh, 1);
-  write_gallery_picture(subject, file("ball.png"));
+  const std::vector<NamedPath> shown = gallery_drawings(subject);
+  ASSERT_EQ(shown.size(), 1U);  // none is stored
+  EXPECT_FALSE(shown[0].closed);
+  write_gallery_picture(subject, shown[0], file("ball.png"));
   EXPECT_EQ(bytes_of(file("ball.png")).substr(1, 3), "PNG");
-  EXPECT_THROW(write_gallery_picture(subject, file("absent/ball.png")), Error);
-  EXPECT_TRUE(in_gallery("skull_100k"));
-  EXPECT_FALSE(in_gallery("ball"));
+  EXPECT_THROW(write_gallery_picture(subject, shown[0], file("absent/ball.png")), Error);
+  subject.drawings.push_back({"stored 3", shown[0].path, false});
+  EXPECT_EQ(gallery_drawings(subject).size(), 1U);
+  EXPECT_EQ(gallery_drawings(subject)[0].name, "stored 3");
 }
 
 }  // namespace
