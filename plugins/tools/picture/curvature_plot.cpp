@@ -172,7 +172,8 @@ std::vector<Stretch> stretches_in(const PictureCurve& curve, const Point& center
   std::vector<Stretch> result;
   double length = 0;
   bool inside = false;
-  const std::size_t n = curve.points.size(), segments = curve.closed ? n : std::max(n, 1UL) - 1;
+  const std::size_t n = curve.points.size(),
+                    segments = curve.closed ? n : std::max<std::size_t>(n, 1) - 1;
   for (std::size_t i = 0; i < segments; ++i) {
     const Point &a = curve.points[i], &b = curve.points[(i + 1) % n];
     const bool in = (0.5 * (a + b) - center).norm() < radius;

@@ -43,10 +43,10 @@ struct Panel {
   std::string caption;
   std::vector<std::size_t> curves;  ///< which of the scene's curves are drawn; empty: all
   Fit fit = Fit::kAuto;
-  std::optional<Detail> detail;  ///< shown instead of what `fit` chooses
-  double zoom = 1;               ///< > 0; enlarges what `fit` chose
+  double zoom = 1;  ///< > 0; enlarges what `fit` chose
   /// From the mesh towards the viewer; empty: the direction that sees most of the curves.
   std::optional<Point> view;
+  std::optional<Detail> detail = std::nullopt;  ///< shown instead of what `fit` chooses
 };
 
 struct Scene {

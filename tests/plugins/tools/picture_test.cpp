@@ -260,6 +260,8 @@ TEST(Arguments, Panels) {
   EXPECT_EQ(panel.zoom, 2);
   ASSERT_TRUE(panel.view.has_value());
   EXPECT_EQ(*panel.view, Point(0, 0, -1));
+  EXPECT_FALSE(panel_argument("A").at.has_value());
+  EXPECT_EQ(panel_argument("A|at=1,-2.5,3").at, Point(1, -2.5, 3));
   const PanelArgument own = panel_argument("A|mesh=b.ply|labels=pieces|move=0,1,2|curves=none");
   EXPECT_EQ(own.mesh, "b.ply");
   EXPECT_EQ(own.labels, "pieces");
