@@ -27,7 +27,7 @@
 #include "talweg/core/smoothing/curve_smoother.hpp"     // CurveSmoother, smooth_curve
 #include "talweg/core/smoothing/max_deviation.hpp"      // smooth_within
 #include "talweg/core/smoothing/slack_field.hpp"        // slack_along
-#include "talweg/core/smoothing/smoothing_options.hpp"  // CurveOptions, SmoothingOptions
+#include "talweg/core/smoothing/smoothing_options.hpp"  // CurveOptions, SmoothingOptions, WayPoint
 #include "talweg/core/smoothing/smoothing_result.hpp"   // SmoothingResult
 
 // Measured.
