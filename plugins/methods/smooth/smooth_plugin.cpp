@@ -117,6 +117,7 @@ class Smooth : public SmootherWorkspace {
 
   [[nodiscard]] std::vector<SurfacePoint> points_at(const std::vector<std::uint32_t>& ids) const {
     std::vector<SurfacePoint> points;
+    points.reserve(ids.size());
     for (const std::uint32_t v : ids) {
       points.push_back(SurfacePoint::at_vertex(mesh().surface(), VertexId{v}));
     }

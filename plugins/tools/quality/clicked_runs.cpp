@@ -81,6 +81,7 @@ double swing(const Surface& surface, const SurfaceCurve& result, const SurfaceCu
   if (legs.size() != own.size()) return HUGE_VAL;
   const std::size_t n = legs.size();
   std::vector<double> lengths;
+  lengths.reserve(n);
   for (const SurfaceCurve& leg : legs) lengths.push_back(curve_length(surface, leg));
   double most = 0;
   for (std::size_t k = 0; k < n; ++k) {
