@@ -78,8 +78,7 @@ void tell_strokes(const DrawOptions& options) {
     if (!holds_way_points(output)) names += (names.empty() ? "" : ", ") + output;
   }
   if (names.empty() || options.points != "exact") return;
-  std::fprintf(text_stream(),
-               "%s: the path, a stroke; .json, .vtp and .vtk hold way-points.\n",
+  std::fprintf(text_stream(), "%s: the path, a stroke; .json, .vtp and .vtk hold way-points.\n",
                names.c_str());
 }
 

@@ -24,8 +24,8 @@ class Editor {
   /// Adds a point that was clicked, which is meant exactly, to the curve that is being drawn, or
   /// begins a curve if there is none. A point at the place of the last one is ignored.
   void add_point(const Point& point);
-  /// The same for a point over which the mouse was dragged: it is part of a stroke. If the curve has
-  /// only one point yet, the stroke began there.
+  /// The same for a point over which the mouse was dragged: it is part of a stroke. If the curve
+  /// has only one point yet, the stroke began there.
   void paint_point(const Point& point);
   /// Backspace: removes the last point; with its only point the curve is removed too.
   void take_back_point();
