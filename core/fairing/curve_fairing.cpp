@@ -16,7 +16,7 @@ constexpr int kTightenings = 4;
 constexpr int kSamplings = 3;
 constexpr double kJoinsOfLeg = 6, kMostOnLeg = 2;  // edges
 constexpr int kSwingRounds = 8;
-constexpr double kEarlier = 0.95, kStiffer = 4;
+constexpr double kEarlier = 0.95, kStiffer = 4, kFarBeyond = 0.25;
 constexpr double kUneven = 2, kMostSamples = 1e5;
 
 /// For a leg between much shorter ones, half of its own length counts.
@@ -71,9 +71,12 @@ std::optional<SampleChain> CurveFairing::from_curve(const CurveTrace& start, Ask
       if (level == 0 && sampling == 0) hold_swings(fair, *chain, start, asker);
       tension_ = fair.tension();
       const bool last = level + 1 == kLevels;
-      if (last) keep_within(fair, *chain, nullptr, asker);
-      const bool enough = is_even(*chain) || sampling == kSamplings;
-      if (last && enough) return loosened(*std::move(chain), asker);
+      bool enough = is_even(*chain) || sampling == kSamplings;
+      if (last && enough) {
+        keep_within(fair, *chain, nullptr, asker);
+        enough = is_even(*chain) || sampling == kSamplings;
+        if (enough) return loosened(*std::move(chain), asker);
+      }
       const std::optional<SampleChain> divided = maker_.divided(*chain, kResamplingParts);
       if (!divided) return std::nullopt;
       trace = maker_.trace_of(*divided);
@@ -224,14 +227,17 @@ int CurveFairing::result_parts(const SampleChain& chain) {
 }
 
 /// What lies between samples may be beyond a wall where they are not: walls are then felt earlier.
+/// That helps where it is half as far beyond after each round.
 std::optional<FairedCurve> CurveFairing::curve_of(SampleChain chain, Asker& asker) {
+  if (band_ != nullptr && !keeps_within(chain)) return std::nullopt;
   FairOptions options = options_;
   for (int round = 0;; ++round) {
     const std::optional<SampleChain> dense = maker_.divided(chain, result_parts(chain));
     if (!dense) return std::nullopt;
     FairedCurve result{talweg::curve_of(*surface_, maker_, *dense, edge_)};
     result.farthest = legs_.any() ? farthest(*dense) : farthest(result.curve);
-    if (result.farthest <= 1 || round == kTightenings) return result;
+    const double beyond = result.farthest - 1, allowed = kFarBeyond * std::exp2(-round);
+    if (beyond <= 0 || beyond > allowed || round == kTightenings) return result;
     options.felt *= kEarlier;
     options.stiffness *= kStiffer;
     FairChain fair = chain_fairing(options);

@@ -10,9 +10,11 @@ namespace {
 
 constexpr double kUnreached = std::numeric_limits<double>::infinity();
 
+double length_of(double dx, double dy) { return std::sqrt(dx * dx + dy * dy); }
+
 /// The fraction of the segment from p to q at its point nearest to x, in [0, 1].
 double nearest_part(PlanePoint x, PlanePoint p, PlanePoint q) {
-  const double dx = q.x - p.x, dy = q.y - p.y, length = std::hypot(dx, dy);
+  const double dx = q.x - p.x, dy = q.y - p.y, length = length_of(dx, dy);
   if (!(length > 0)) return 0;
   return std::clamp(((x.x - p.x) * (dx / length) + (x.y - p.y) * (dy / length)) / length, 0.0, 1.0);
 }
@@ -25,7 +27,7 @@ struct Arrival {
 };
 
 Arrival from_point(double dx, double dy) {
-  const double r = std::hypot(dx, dy);
+  const double r = length_of(dx, dy);
   if (!(r > 0)) return {};
   return {{dx / r, dy / r}, 1 / r, {}};
 }
@@ -44,7 +46,7 @@ Arrival from_piece(PlanePoint x, PlanePoint p, PlanePoint q) {
   const PlanePoint foot{p.x + part * (q.x - p.x), p.y + part * (q.y - p.y)};
   Arrival arrival = from_point(x.x - foot.x, x.y - foot.y);
   if (part > 0 && part < 1) {
-    const double length = std::hypot(q.x - p.x, q.y - p.y);
+    const double length = length_of(q.x - p.x, q.y - p.y);
     arrival.bend = 0;
     arrival.arc_direction = {(q.x - p.x) / length, (q.y - p.y) / length};
   }
@@ -74,8 +76,8 @@ void PolylineDistance::offer_pieces(const FaceCopy& copy, PlanePoint at, FaceHit
   for (const PolylinePiece& piece : copy.pieces) {
     const PlanePoint p = frame.at(piece.from, 0), q = frame.at(piece.to, 0);
     const double part = nearest_part(at, p, q), dx = q.x - p.x, dy = q.y - p.y;
-    const Nearest nearest{std::hypot(at.x - (p.x + part * dx), at.y - (p.y + part * dy)),
-                          piece.curve, piece.arc + part * std::hypot(dx, dy)};
+    const Nearest nearest{length_of(at.x - (p.x + part * dx), at.y - (p.y + part * dy)),
+                          piece.curve, piece.arc + part * length_of(dx, dy)};
     if (is_nearer(nearest, best.nearest)) best = {nearest, 0, nullptr, &piece};
   }
 }

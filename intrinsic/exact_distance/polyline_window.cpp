@@ -40,7 +40,9 @@ double EdgeWindow::value_beyond(double x, double y, double& arc_length) const {
     return value(bend) + std::sqrt((x - bend) * (x - bend) + rise * rise);
   }
   arc_length = from_point() ? arc : arc + sense * (py * x - px * y);
-  return from_point() ? offset + std::hypot(x - px, rise + std::abs(py)) : offset + px * x + py * y;
+  if (!from_point()) return offset + px * x + py * y;
+  const double across = x - px, along = rise + std::abs(py);
+  return offset + std::sqrt(across * across + along * along);
 }
 
 EdgeWindow EdgeWindow::turned(double length) const {
