@@ -44,6 +44,8 @@ class CurveFairing {
   SampleChain from_chain(SampleChain chain, SampleTrail& trail, Asker& asker);
   /// Whether no sample lies beyond a wall.
   [[nodiscard]] bool keeps_within(const SampleChain& chain) const;
+  /// The largest distance of a curve to the drawing, in distances of the wall there.
+  [[nodiscard]] double farthest(const SurfaceCurve& curve) const;
   /// The curve of a chain that is fair or nearly so; the chain is faired on where that is beyond a
   /// wall. None where samples cannot be joined.
   std::optional<FairedCurve> curve_of(SampleChain chain, Asker& asker);
@@ -57,7 +59,6 @@ class CurveFairing {
   void hold_swings(FairChain& fair, SampleChain& chain, const CurveTrace& legs, Asker& asker);
   std::optional<SampleChain> loosened(SampleChain chain, Asker& asker);
   [[nodiscard]] bool is_held(const SampleChain& chain, std::size_t i) const;
-  [[nodiscard]] double farthest(const SurfaceCurve& curve) const;
   [[nodiscard]] double farthest(const SampleChain& chain) const;
   void keep_within(FairChain& fair, SampleChain& chain, SampleTrail* trail, Asker& asker);
 

@@ -131,12 +131,18 @@ class Network {
     return true;
   }
 
-  /// Gives a slack to the borders that have none yet.
+  [[nodiscard]] double mean_segment(std::size_t border) const {
+    const SurfaceCurve& drawn = drawn_[border].curve;
+    return curve_length(mesh_->surface(), drawn) / static_cast<double>(drawn.points.size());
+  }
+
+  /// Gives a slack to the borders that have none yet. Short ones are as jagged as long ones, so
+  /// they get at least a third of their mean segment.
   void give_slack(const std::vector<std::size_t>& members) {
     const std::vector<double> own = smoother_.slack();
     for (std::size_t i = 0; i < members.size(); ++i) {
       if (!slack_[members[i]].empty()) continue;
-      double slack = options_.slack.value_or(own[i]);
+      double slack = options_.slack.value_or(std::max(own[i], mean_segment(members[i]) / 3));
       if (options_.max_deviation) slack = std::min(slack, 0.75 * *options_.max_deviation);
       slack_[members[i]].assign(drawn_[members[i]].curve.points.size(), slack);
     }
@@ -197,8 +203,13 @@ class Network {
         continue;
       }
       if (!tightening_) tightening_.emplace(mesh_->surface());
+      std::vector<double> slack = slack_[c];
       const std::vector<SurfacePoint> farthest = tightening_->tighten(
-          drawn_[c].curve, result_[c].border.curve, *options_.max_deviation, slack_[c], progress_);
+          drawn_[c].curve, result_[c].border.curve, *options_.max_deviation, slack, progress_);
+      const double least = mean_segment(c) / 6;  // with less there is no room to be fair in
+      for (std::size_t i = 0; i < slack.size(); ++i) {
+        slack_[c][i] = std::max(slack[i], std::min(slack_[c][i], least));
+      }
       if (++tightenings_[c] > kPinnedFrom) {
         pins_[c].insert(pins_[c].end(), farthest.begin(), farthest.end());
       }

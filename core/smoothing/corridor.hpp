@@ -31,6 +31,7 @@ class Corridor {
     /// Unless empty, it replaces `slack`: ε at each point of the curve, mesh units, >= 0, linear in
     /// the arc length between points, also from the last to the first point of a closed curve.
     std::vector<double> slack_at;
+    bool given = false;  ///< whether somebody asked for this slack
 
     friend bool operator==(const Valley&, const Valley&) = default;
   };

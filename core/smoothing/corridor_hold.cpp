@@ -25,6 +25,7 @@ double walls_of(double tau) { return 1.25 * (1 + 0.2 / tau); }
 
 constexpr double kNoTurn = 1e-6;         // rad
 constexpr double kLeastSlack = 1.0 / 8;  // edges
+constexpr double kRounding = 1e-9;       // edges
 constexpr int kHalvings = 8;
 constexpr double kBands[] = {1, 0.7, 0.4};  // of tries that start from the drawing
 constexpr std::size_t kTries = 1 + std::size(kBands);
@@ -245,8 +246,8 @@ std::optional<SurfaceCurve> CorridorHold::fair(double tau, const SurfaceCurve& c
 }
 
 /// The fair curve of one try: from the chain, then from the drawing in ever narrower bands; with
-/// legs from the taut curve, ever tighter. None if it is beyond its walls, bends more than the taut
-/// one, or touches the boundary where that keeps off it.
+/// legs from the taut curve, ever tighter. None if it is beyond its walls, bends more than the
+/// curve it started from, or touches the boundary where the taut one keeps off it.
 std::optional<SurfaceCurve> CorridorHold::tried(std::size_t number, double tau, std::size_t curve,
                                                 const std::optional<SampleChain>& chain,
                                                 const SurfaceCurve& taut, Asker& asker) {
@@ -268,13 +269,46 @@ std::optional<SurfaceCurve> CorridorHold::tried(std::size_t number, double tau, 
     auto faired = fairing.curve_of(*own, asker);
     if (faired && faired->farthest <= 1) result = std::move(faired->curve);
   });
+  const bool worse = result && (bends_more(*result, tau, curve, taut, asker) ||
+                                is_pressed(surface, *result, taut));
+  return worse ? std::nullopt : result;
+}
+
+/// Whether a fair curve bends more than the taut one or, where that is beyond the walls, more than
+/// the drawing.
+bool CorridorHold::bends_more(const SurfaceCurve& fair, double tau, std::size_t curve,
+                              const SurfaceCurve& taut, Asker& asker) {
   const double edge = drawing_->drawing().edges_near()[curve];
   const auto bending = [&](const SurfaceCurve& c) {
-    return measure_curve(surface, c, edge).bending;
+    return measure_curve(drawing_->surface(), c, edge).bending;
   };
-  const bool worse =
-      result && (bending(*result) > bending(taut) || is_pressed(surface, *result, taut));
-  return worse ? std::nullopt : result;
+  const double own = bending(fair);
+  if (own <= bending(taut)) return false;
+  if (has_legs(curve)) return true;
+  bool within = false;
+  with_fairing(tau, 1, curve, {}, asker,
+               [&](const CurveFairing& fairing) { within = fairing.farthest(taut) <= 1; });
+  return within || own > bending(drawing_->drawing().curves()[curve]);
+}
+
+/// In a band too narrow to be faired in: the taut curve, or the drawing where that turns less or
+/// the taut one is beyond walls that somebody asked for.
+const SurfaceCurve& CorridorHold::in_narrow_band(double tau, std::size_t curve,
+                                                 const SurfaceCurve& taut, Asker& asker) {
+  const AskedDuring asked(*distance_, asker);
+  const SurfaceCurve& drawn = drawing_->drawing().curves()[curve];
+  const auto turning = [&](const SurfaceCurve& c) {
+    return measure_curve(drawing_->surface(), c).total_curvature;
+  };
+  const Corridor::Valley& valley = (*valleys_)[curve];
+  if (turning(taut) > turning(drawn)) return drawn;
+  if (!valley.given) return taut;
+  const double edge = drawing_->drawing().edges_near()[curve];
+  const DrawnBand band(
+      *distance_, drawing_->surface(), curve,
+      {valley.slack, valley.slack_at, kRounding * edge, walls_of(tau), valley.apart});
+  const CurveFairing fairing(drawing_->surface(), &band, edge, {});
+  return fairing.farthest(taut) <= 1 ? taut : drawn;
 }
 
 void CorridorHold::finish(double tau, const FairChains& chains, std::vector<SmoothedCurve>& curves,
@@ -297,11 +331,10 @@ void CorridorHold::finish(double tau, const FairChains& chains, std::vector<Smoo
     now[c] = fair ? *std::move(fair) : taut[c];
   };
   for (std::size_t c = 0; c < curves.size(); ++c) {
-    const SurfaceCurve& drawn = drawing_->drawing().curves()[c];
     taut.push_back(curves[c].curve);
     now.push_back(curves[c].curve);
     if (is_narrow(c) && !has_legs(c)) {
-      if (turning(taut[c]) > turning(drawn)) now[c] = drawn;
+      now[c] = in_narrow_band(tau, c, taut[c], asker);
     } else if (turning(taut[c]) >= kNoTurn) {  // what is straight is fair
       make_fair(c);
     }

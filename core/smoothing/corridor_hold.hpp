@@ -83,6 +83,10 @@ class CorridorHold {
   std::optional<SurfaceCurve> tried(std::size_t number, double tau, std::size_t curve,
                                     const std::optional<SampleChain>& chain,
                                     const SurfaceCurve& taut, Asker& asker);
+  [[nodiscard]] bool bends_more(const SurfaceCurve& fair, double tau, std::size_t curve,
+                                const SurfaceCurve& taut, Asker& asker);
+  [[nodiscard]] const SurfaceCurve& in_narrow_band(double tau, std::size_t curve,
+                                                   const SurfaceCurve& taut, Asker& asker);
   Straightened straighten_flat(const SmoothingOptions& options, const Progress& progress);
   [[nodiscard]] bool is_felt(const Corridor& corridor, const Straightened& flat,
                              const Progress& progress) const;

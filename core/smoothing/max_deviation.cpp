@@ -18,7 +18,12 @@ namespace talweg {
 namespace {
 
 constexpr double kLeastTau = 1.0 / 8, kMostTau = 64;
-constexpr double kWideTau = 4;      // for a wide slack; gives steep walls
+constexpr double kFairTau = 1;          // where the ladder begins, so that no rung leads there
+constexpr double kSureSlack = 2 / 3.0;  // of the bound: its walls are as far away as that
+constexpr int kSlackHalvings = 6;
+/// Narrowing ends where so many rounds have not brought the result nearer by this factor.
+constexpr int kLostRounds = 4;
+constexpr double kLostPart = 0.98;
 constexpr double kFineness = 1.05;  // factor in tau and slack at which a search ends
 constexpr int kPinRounds = 8;
 /// How the slack is narrowed near a cut-off corner: how far along the drawing, and by how much per
@@ -78,17 +83,11 @@ class Search {
       finish();
       return std::move(best_);
     }
-    const bool own_slack = !options_.slack && options_.slack_at.empty();
-    for (const double slack : slacks()) {
-      begin_with(slack);
-      // First by tau alone; then, if a lower tau may do with corners pinned, with pins.
-      const double loose = least_tau(to_drawn);
-      const double tight = least_tau(both_ways);
-      if (cancelled_) break;
-      if (tight > loose * kFineness * kFineness || both_ways(best_) > bound_) pin_corners(loose);
-      if (cancelled_) break;
+    if (options_.slack || !options_.slack_at.empty()) {
+      try_taus();
+    } else {
+      try_slacks();
     }
-    if (own_slack) try_wider();
     if (cancelled_ || best_.curves.empty()) return std::move(last_);
     finish();
     return std::move(best_);
@@ -96,29 +95,46 @@ class Search {
 
   using Measure = double (*)(const SmoothingResult&);
 
-  [[nodiscard]] std::vector<double> slacks() const {
-    if (options_.slack) return {*options_.slack};
-    const std::vector<double> own = smoother_.slack();
-    const double widest = std::min(*std::max_element(own.begin(), own.end()), 0.75 * bound_);
-    return {widest, widest / 2};
+  /// With the slack that is given: by tau alone; then, if a lower tau may do with corners pinned,
+  /// with pins.
+  void try_taus() {
+    begin_with(options_.slack);
+    const double loose = least_tau(to_drawn);
+    const double tight = least_tau(both_ways);
+    if (cancelled_) return;
+    if (tight > loose * kFineness * kFineness || both_ways(best_) > bound_) pin_corners(loose);
   }
 
-  void begin_with(double slack) {
+  /// The wider the walls, the smoother the curve. Where the widest ones cut off corners, these are
+  /// pinned, or the walls are narrowed at them or everywhere.
+  void try_slacks() {
+    const double loose = widest_slack(kSureSlack * bound_, bound_, to_drawn);
+    if (cancelled_) return;
+    begin_with(loose);
+    if (measured(kFairTau, both_ways) <= bound_) return;
+    narrow_everywhere(loose);
+    if (cancelled_) return;
+    begin_with(loose);
+    pin_corners(kFairTau);
+    for (const Narrowing& way : {kGently, kFirmly}) narrow_at_corners(loose, way);
+  }
+
+  void narrow_everywhere(double slack) {
+    double low = slack, high = slack;
+    for (int halving = 0; halving < kSlackHalvings && !cancelled_; ++halving) {
+      high = low;
+      low /= 2;
+      begin_with(low);
+      if (measured(kFairTau, both_ways) > bound_) continue;
+      widest_slack(low, high, both_ways);
+      return;
+    }
+  }
+
+  void begin_with(std::optional<double> slack) {
     options_.slack = slack;
     if (!smoother_.set_pins(own_pins_, progress_)) throw Cancelled();
     pinned_ = 0;
-  }
-
-  /// Where the bound leaves room, a wider valley makes smoother curves than a lower tau.
-  void try_wider() {
-    const double own = slacks().front();
-    if (cancelled_ || !(own * kFineness < bound_)) return;
-    const double loose = widest_slack(own, to_drawn);
-    const double tight = widest_slack(own, both_ways);
-    if (cancelled_ || !(tight * kFineness * kFineness < loose)) return;
-    begin_with(loose);
-    pin_corners(kWideTau);
-    for (const Narrowing& way : {kGently, kFirmly}) narrow_at_corners(loose, way);
   }
 
   /// Narrows the valley where the result cuts off a corner of the drawing and leaves it wide
@@ -128,8 +144,13 @@ class Search {
     for (const SurfaceCurve& drawn : ordered_) {
       options_.slack_at.emplace_back(drawn.points.size(), slack);
     }
-    for (int round = 0; round < way.rounds && !cancelled_; ++round) {
-      if (measured(kWideTau, both_ways) <= bound_) break;
+    double least = HUGE_VAL;
+    for (int round = 0, lost = 0; round < way.rounds && lost < kLostRounds && !cancelled_;
+         ++round) {
+      const double apart = measured(kFairTau, both_ways);
+      if (apart <= bound_) break;
+      lost = apart < kLostPart * least ? 0 : lost + 1;
+      least = std::min(least, apart);
       for (std::size_t c = 0; c < ordered_.size(); ++c) narrow(c, way);
     }
     options_.slack_at.clear();
@@ -176,16 +197,13 @@ class Search {
     return distances;
   }
 
-  /// The widest slack within the bound, from `own` upwards, if the deviation grows with the slack.
-  double widest_slack(double own, Measure measure) {
-    const auto within = [&](double slack) {
-      begin_with(slack);
-      return measured(kWideTau, measure) <= bound_;
-    };
-    double low = own, high = bound_;
+  /// The widest slack between these with which the result is within the bound, if the deviation
+  /// grows with the slack; it is with the lower one.
+  double widest_slack(double low, double high, Measure measure) {
     while (high > low * kFineness && !cancelled_) {
       const double middle = std::sqrt(low * high);
-      (within(middle) ? low : high) = middle;
+      begin_with(middle);
+      (measured(kFairTau, measure) <= bound_ ? low : high) = middle;
     }
     return low;
   }
