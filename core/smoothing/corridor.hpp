@@ -32,6 +32,7 @@ class Corridor {
     /// the arc length between points, also from the last to the first point of a closed curve.
     std::vector<double> slack_at;
     bool given = false;  ///< whether somebody asked for this slack
+    double detour = 0;   ///< mesh units: a part of the drawing that far away was no trembling
 
     friend bool operator==(const Valley&, const Valley&) = default;
   };

@@ -10,6 +10,7 @@
 #include "talweg/core/fairing/curve_fairing.hpp"
 #include "talweg/core/measure/measures.hpp"
 #include "talweg/core/smoothing/corridor_valleys.hpp"
+#include "talweg/core/smoothing/cut_off_detours.hpp"
 #include "talweg/core/smoothing/leg_start.hpp"
 #include "talweg/core/smoothing/lifted_lengths.hpp"
 #include "talweg/core/smoothing/touched_edges.hpp"
@@ -169,21 +170,26 @@ void CorridorHold::with_fairing(double tau, double narrower, std::size_t curve,
   use(fairing);
 }
 
-FairChains CorridorHold::fair_from(double tau, std::span<const SurfaceCurve> curves,
-                                   const Progress& progress) {
+FairChains CorridorHold::fair_from(double tau, Straightened& straight, const Progress& progress) {
   Asker asker(progress, "fair");
-  FairChains chains(curves.size());
-  for (std::size_t c = 0; c < curves.size(); ++c) {
+  FairChains chains(straight.curves.size());
+  for (std::size_t c = 0; c < straight.curves.size(); ++c) {
     if (has_legs(c)) continue;
+    const SurfaceCurve& drawn = drawing_->drawing().curves()[c];
+    const double far = std::max((*valleys_)[c].detour, drawing_->drawing().edges_near()[c] / 2);
+    const WithDetours start = with_detours(drawing_->mesh(), straight.curves[c], drawn, far);
+    straight.paths[c].redrawn = start.stretches;
     with_fairing(tau, 1, c, {}, asker, [&](CurveFairing& fairing) {
       const auto from = [&](const SurfaceCurve& curve) {
         return fairing.from_curve(trace_of(drawing_->surface(), curve, drawing_->fixed()), asker);
       };
-      chains[c] = from(curves[c]);
+      chains[c] = from(start.curve);
       // What straightening has cut off may lie beyond walls that no step leads back through.
       if (chains[c] && fairing.keeps_within(*chains[c])) return;
-      std::optional<SampleChain> again = from(drawing_->drawing().curves()[c]);
-      if (again) chains[c] = std::move(again);
+      std::optional<SampleChain> again = from(drawn);
+      if (!again) return;
+      chains[c] = std::move(again);
+      straight.paths[c].redrawn = 1;
     });
   }
   return chains;
@@ -250,7 +256,8 @@ std::optional<SurfaceCurve> CorridorHold::fair(double tau, const SurfaceCurve& c
 /// curve it started from, or touches the boundary where the taut one keeps off it.
 std::optional<SurfaceCurve> CorridorHold::tried(std::size_t number, double tau, std::size_t curve,
                                                 const std::optional<SampleChain>& chain,
-                                                const SurfaceCurve& taut, Asker& asker) {
+                                                const SurfaceCurve& taut, bool redrawn,
+                                                Asker& asker) {
   const Surface& surface = drawing_->surface();
   std::optional<SurfaceCurve> result;
   const DrawnLegs& drawn = drawing_->legs()[curve];
@@ -269,26 +276,28 @@ std::optional<SurfaceCurve> CorridorHold::tried(std::size_t number, double tau, 
     auto faired = fairing.curve_of(*own, asker);
     if (faired && faired->farthest <= 1) result = std::move(faired->curve);
   });
-  const bool worse = result && (bends_more(*result, tau, curve, taut, asker) ||
+  const bool worse = result && (bends_more(*result, tau, curve, taut, redrawn, asker) ||
                                 is_pressed(surface, *result, taut));
   return worse ? std::nullopt : result;
 }
 
-/// Whether a fair curve bends more than the taut one or, where that is beyond the walls, more than
-/// the drawing.
+/// Whether a fair curve bends more than what it started from: the taut curve, or the drawing where
+/// the taut one is beyond the walls or has cut off a part of it.
 bool CorridorHold::bends_more(const SurfaceCurve& fair, double tau, std::size_t curve,
-                              const SurfaceCurve& taut, Asker& asker) {
+                              const SurfaceCurve& taut, bool redrawn, Asker& asker) {
   const double edge = drawing_->drawing().edges_near()[curve];
   const auto bending = [&](const SurfaceCurve& c) {
     return measure_curve(drawing_->surface(), c, edge).bending;
   };
   const double own = bending(fair);
   if (own <= bending(taut)) return false;
-  if (has_legs(curve)) return true;
-  bool within = false;
-  with_fairing(tau, 1, curve, {}, asker,
-               [&](const CurveFairing& fairing) { within = fairing.farthest(taut) <= 1; });
-  return within || own > bending(drawing_->drawing().curves()[curve]);
+  if (has_legs(curve) || own > bending(drawing_->drawing().curves()[curve])) return true;
+  bool within = !redrawn;
+  if (within) {
+    with_fairing(tau, 1, curve, {}, asker,
+                 [&](const CurveFairing& fairing) { within = fairing.farthest(taut) <= 1; });
+  }
+  return within;
 }
 
 /// In a band too narrow to be faired in: the taut curve, or the drawing where that turns less or
@@ -322,7 +331,9 @@ void CorridorHold::finish(double tau, const FairChains& chains, std::vector<Smoo
   const auto make_fair = [&](std::size_t c) {
     std::optional<SurfaceCurve> fair;
     while (!fair && tries[c] < kTries) {
-      fair = tried(tries[c]++, tau, c, chains[c], taut[c], asker);
+      std::size_t& redrawn = curves[c].path.redrawn;
+      fair = tried(tries[c], tau, c, chains[c], taut[c], redrawn > 0, asker);
+      if (tries[c]++ > 0 && !has_legs(c)) redrawn = 1;
     }
     if (!fair) {
       curves[c].warnings.emplace_back(kLeftTaut);

@@ -45,8 +45,10 @@ class CorridorHold {
   /// the potential at the mesh's vertices only, so it collapses these loops whatever tau is.
   /// Fairing measures the distance everywhere, so it starts from the drawing instead.
   void hold_thin_loops(Straightened& straight) const;
-  /// Fair chains that start from these curves; none for curves with legs, which no rung leads to.
-  FairChains fair_from(double tau, std::span<const SurfaceCurve> curves, const Progress& progress);
+  /// Fair chains that start from these curves and, where those have cut off what was drawn, from
+  /// stretches of the drawing, which are counted; none for curves with legs, which no rung leads
+  /// to.
+  FairChains fair_from(double tau, Straightened& straight, const Progress& progress);
   /// Fair chains that start from those of another tau, and the ways of their samples.
   FairChains fair_from(double tau, const FairChains& chains, std::vector<SampleTrail>& trails,
                        const Progress& progress);
@@ -82,9 +84,9 @@ class CorridorHold {
   [[nodiscard]] bool is_narrow(std::size_t curve) const;
   std::optional<SurfaceCurve> tried(std::size_t number, double tau, std::size_t curve,
                                     const std::optional<SampleChain>& chain,
-                                    const SurfaceCurve& taut, Asker& asker);
+                                    const SurfaceCurve& taut, bool redrawn, Asker& asker);
   [[nodiscard]] bool bends_more(const SurfaceCurve& fair, double tau, std::size_t curve,
-                                const SurfaceCurve& taut, Asker& asker);
+                                const SurfaceCurve& taut, bool redrawn, Asker& asker);
   [[nodiscard]] const SurfaceCurve& in_narrow_band(double tau, std::size_t curve,
                                                    const SurfaceCurve& taut, Asker& asker);
   Straightened straighten_flat(const SmoothingOptions& options, const Progress& progress);

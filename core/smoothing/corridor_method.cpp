@@ -26,7 +26,7 @@ Smoothed smooth_for_itself(CorridorHold& hold, const SmoothingOptions& options,
   // What no wall holds is straight already.
   if (flat || options.finish == Finish::kTaut) return smoothed_from(std::move(straight));
   hold.hold_thin_loops(straight);
-  const FairChains chains = hold.fair_from(options.tau, straight.curves, progress);
+  const FairChains chains = hold.fair_from(options.tau, straight, progress);
   Smoothed result = smoothed_from(std::move(straight));
   hold.finish(options.tau, chains, result.curves, progress);
   result.time_ms.fair = watch.ms();

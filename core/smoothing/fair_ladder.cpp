@@ -43,7 +43,7 @@ const FairLadder::Rung& FairLadder::rung(double tau, CorridorHold& hold,
     times.straighten = straight_.time_ms.straighten;
     times.trace = straight_.time_ms.trace;
     const Stopwatch watch;
-    rung.chains = hold.fair_from(tau, straight_.curves, progress);
+    rung.chains = hold.fair_from(tau, straight_, progress);
     times.fair += watch.ms();
   } else {
     const Rung& towards =

@@ -1,0 +1,169 @@
+#include "talweg/core/smoothing/cut_off_detours.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "talweg/core/measure/measures.hpp"
+#include "talweg/core/space/nearest_segment.hpp"
+
+namespace talweg {
+namespace {
+
+/// Two curves as sequences of points from end to end; those of loops begin and end in a face that
+/// both pass through.
+struct Pair {
+  std::vector<SurfacePoint> taut, drawn;
+};
+
+/// Finds where one may change from one curve to the other inside a face.
+class Changes {
+ public:
+  Changes(const SurfaceMesh& mesh, const SurfaceCurve& taut)
+      : mesh_(&mesh), nearest_(segments_of(positions_of(mesh, taut), taut.closed)) {
+    const std::size_t n = taut.points.size();
+    for (std::size_t k = 0; k + (taut.closed ? 0 : 1) < n; ++k) {
+      faces_.emplace_back(face_of(taut.points[k], taut.points[(k + 1) % n]), k);
+    }
+    std::sort(faces_.begin(), faces_.end());
+  }
+
+  [[nodiscard]] NearestSegment::Result nearest(const SurfacePoint& p) const {
+    return nearest_.to(mesh_->position(p));
+  }
+
+  /// The taut curve's segment from `least` up to `most` in the face of two neighbours on the
+  /// drawing that is nearest along it to `near`.
+  [[nodiscard]] std::optional<std::size_t> beside(const SurfacePoint& p, const SurfacePoint& q,
+                                                  std::size_t near, std::size_t least,
+                                                  std::size_t most) const {
+    const std::size_t face = face_of(p, q);
+    const auto away = [&](std::size_t k) { return k < near ? near - k : k - near; };
+    std::optional<std::size_t> best;
+    for (auto it = std::lower_bound(faces_.begin(), faces_.end(), std::pair(face, least));
+         it != faces_.end() && it->first == face && it->second <= most; ++it) {
+      if (!best || away(it->second) < away(*best)) best = it->second;
+    }
+    return best;
+  }
+
+ private:
+  [[nodiscard]] std::size_t face_of(const SurfacePoint& p, const SurfacePoint& q) const {
+    return common_face(mesh_->surface(), p, q).index();
+  }
+
+  const SurfaceMesh* mesh_;
+  NearestSegment nearest_;
+  std::vector<std::pair<std::size_t, std::size_t>> faces_;  // face, segment
+};
+
+/// Loops are opened where both pass through one face, near each other; none if they never do.
+std::optional<Pair> opened(const SurfaceMesh& mesh, const SurfaceCurve& taut,
+                           const SurfaceCurve& drawn, double near) {
+  if (!taut.closed) return Pair{taut.points, drawn.points};
+  const Changes changes(mesh, taut);
+  const std::size_t n = drawn.points.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    const SurfacePoint &p = drawn.points[i], &q = drawn.points[(i + 1) % n];
+    const NearestSegment::Result there = changes.nearest(p);
+    if (there.distance > near) continue;
+    const auto k = changes.beside(p, q, there.segment, 0, taut.points.size() - 1);
+    if (!k) continue;
+    Pair pair{taut.points, drawn.points};
+    std::rotate(pair.taut.begin(),
+                pair.taut.begin() + static_cast<std::ptrdiff_t>(*k + 1) % std::ssize(pair.taut),
+                pair.taut.end());
+    std::rotate(pair.drawn.begin(),
+                pair.drawn.begin() + static_cast<std::ptrdiff_t>(i + 1) % std::ssize(pair.drawn),
+                pair.drawn.end());
+    return pair;
+  }
+  return std::nullopt;
+}
+
+/// A stretch of the drawing, from one of its points to another, that replaces segments of the taut
+/// curve.
+struct Detour {
+  std::size_t first, last;  ///< points of the drawing
+  std::size_t from, to;     ///< segments of the taut curve where it leaves and comes back
+};
+
+class Search {
+ public:
+  Search(const SurfaceMesh& mesh, const Pair& pair, double far)
+      : pair_(&pair), changes_(mesh, {false, pair.taut}), far_(far) {
+    for (const SurfacePoint& p : pair.drawn) there_.push_back(changes_.nearest(p));
+  }
+
+  [[nodiscard]] std::vector<Detour> detours() const {
+    std::vector<Detour> found;
+    const std::size_t n = there_.size();
+    for (std::size_t i = 0; i < n; ++i) {
+      if (there_[i].distance <= far_) continue;
+      const std::size_t known = found.empty() ? 0 : found.back().last;
+      const std::size_t least = found.empty() ? 0 : found.back().to + 1;
+      const auto detour = around(i, known, least);
+      if (!detour) continue;
+      found.push_back(*detour);
+      i = detour->last;
+    }
+    return found;
+  }
+
+ private:
+  /// The detour that has this point.
+  [[nodiscard]] std::optional<Detour> around(std::size_t point, std::size_t known,
+                                             std::size_t least) const {
+    const std::vector<SurfacePoint>& drawn = pair_->drawn;
+    const std::size_t most = pair_->taut.size() - 2;
+    Detour detour{};
+    std::optional<std::size_t> from, to;
+    for (std::size_t i = point; i > known && !from; --i) {
+      if (there_[i - 1].distance > far_ / 2) continue;
+      from = changes_.beside(drawn[i - 1], drawn[i], there_[i - 1].segment, least, most);
+      detour.first = i;
+    }
+    if (!from) return std::nullopt;
+    for (std::size_t i = point; i + 1 < drawn.size() && !to; ++i) {
+      if (there_[i + 1].distance > far_ / 2) continue;
+      to = changes_.beside(drawn[i], drawn[i + 1], there_[i + 1].segment, *from, most);
+      detour.last = i;
+    }
+    if (!to) return std::nullopt;
+    detour.from = *from;
+    detour.to = *to;
+    return detour;
+  }
+
+  const Pair* pair_;
+  Changes changes_;
+  double far_;
+  std::vector<NearestSegment::Result> there_;  // per point of the drawing
+};
+
+}  // namespace
+
+WithDetours with_detours(const SurfaceMesh& mesh, const SurfaceCurve& taut,
+                         const SurfaceCurve& drawn, double far) {
+  if (taut.points.size() < 2 || drawn.points.size() < 2) return {taut};
+  const std::optional<Pair> pair = opened(mesh, taut, drawn, far / 2);
+  if (!pair) return {taut};
+  const std::vector<Detour> detours = Search(mesh, *pair, far).detours();
+  if (detours.empty()) return {taut};
+  WithDetours result{{taut.closed, {}}, detours.size()};
+  std::vector<SurfacePoint>& points = result.curve.points;
+  const auto add = [&](const SurfacePoint& p) {
+    if (points.empty() || !(points.back() == p)) points.push_back(p);
+  };
+  std::size_t next = 0;
+  for (const Detour& detour : detours) {
+    for (; next <= detour.from; ++next) add(pair->taut[next]);
+    for (std::size_t i = detour.first; i <= detour.last; ++i) add(pair->drawn[i]);
+    next = detour.to + 1;
+  }
+  for (; next < pair->taut.size(); ++next) add(pair->taut[next]);
+  return result;
+}
+
+}  // namespace talweg
