@@ -75,8 +75,15 @@ double CorridorHold::exact_for_walls() const {
   return exact;
 }
 
-Straightened CorridorHold::straighten(const SmoothingOptions& options, Walls walls,
-                                      const Progress& progress) {
+/// While dragging, all valleys have the tau of the curve that is dragged.
+Corridor CorridorHold::corridor(const SmoothingOptions& options) const {
+  std::vector<double> taus;
+  for (std::size_t c = 0; c < valleys_->size(); ++c) taus.push_back(options.tau_of(c));
+  return {*distance_, taus, *valleys_};
+}
+
+Straightened CorridorHold::straighten(const SmoothingOptions& options,
+                                      const std::vector<Walls>& walls, const Progress& progress) {
   if (drawing_->all_legs()) return straighten_flat(options, progress);
   Straightened result = straighten_lifted(options, walls, progress);
   if (!drawing_->any_legs()) return result;
@@ -90,14 +97,19 @@ Straightened CorridorHold::straighten(const SmoothingOptions& options, Walls wal
   return result;
 }
 
-Straightened CorridorHold::straighten_lifted(const SmoothingOptions& options, Walls walls,
+Straightened CorridorHold::straighten_lifted(const SmoothingOptions& options,
+                                             const std::vector<Walls>& walls,
                                              const Progress& progress) {
-  const Corridor corridor = this->corridor(options.tau);
-  const double exact = walls == Walls::kExact ? HUGE_VAL : exact_for_walls();
+  const Corridor corridor = this->corridor(options);
+  std::vector<bool> exactly;
+  for (const Walls each : walls) exactly.push_back(each == Walls::kExact);
+  const bool all = std::find(exactly.begin(), exactly.end(), false) == exactly.end();
+  const double exact = all ? HUGE_VAL : exact_for_walls();
   const std::size_t own = drawing_->surface().vertex_count();
   const auto metric = [&](VertexId p, VertexId q, double length) {
     const auto at = [&](VertexId v) {  // inserted vertices lie on the drawing
-      return v.index() < own ? corridor.at_vertex_roughly(v, exact) : std::array<double, 2>{0, 0};
+      return v.index() < own ? corridor.at_vertex_roughly(v, exact, exactly)
+                             : std::array<double, 2>{0, 0};
     };
     return lifted_length(length, at(p), at(q));
   };
@@ -122,10 +134,12 @@ bool CorridorHold::is_felt(const Corridor& corridor, const Straightened& flat,
 
 std::optional<Straightened> CorridorHold::unlifted(const SmoothingOptions& options,
                                                    const Progress& progress) {
-  if (options.tau == 0) return straighten_flat(options, progress);
+  double most = 0;
+  for (std::size_t c = 0; c < valleys_->size(); ++c) most = std::max(most, options.tau_of(c));
+  if (most == 0) return straighten_flat(options, progress);
   // Straightening without the lift is worth trying only if the lift would not be felt a sixteenth
   // of the drawing's radius beyond the slack.
-  const Corridor corridor = this->corridor(options.tau);
+  const Corridor corridor = this->corridor(options);
   double beyond = HUGE_VAL, slack = 0;
   for (const Corridor::Valley& valley : *valleys_) {
     beyond = std::min(beyond, valley.length / 4);
@@ -139,8 +153,9 @@ std::optional<Straightened> CorridorHold::unlifted(const SmoothingOptions& optio
   return options.prepare_whole_mesh ? straighten_flat(options, progress) : std::move(flat);
 }
 
-void CorridorHold::hold_thin_loops(Straightened& straight) const {
+void CorridorHold::hold_thin_loops(const SmoothingOptions& options, Straightened& straight) const {
   for (std::size_t c = 0; c < drawing_->capped().size(); ++c) {
+    if (!is_faired(options, c)) continue;
     StraightenedPath& path = straight.paths[c];
     if (!drawing_->capped()[c].closed || path.termination != Termination::kCollapsed) continue;
     straight.curves[c] = drawing_->drawing().curves()[c];  // capping can cut through it
@@ -168,37 +183,31 @@ void CorridorHold::with_fairing(double tau, double narrower, std::size_t curve,
   use(fairing);
 }
 
-FairChains CorridorHold::fair_from(double tau, std::span<const SurfaceCurve> curves,
-                                   const Progress& progress) {
+std::optional<SampleChain> CorridorHold::fair_from(std::size_t curve, double tau,
+                                                   const SurfaceCurve& start,
+                                                   const Progress& progress) {
+  std::optional<SampleChain> chain;
+  if (has_legs(curve)) return chain;
   Asker asker(progress, "fair");
-  FairChains chains(curves.size());
-  for (std::size_t c = 0; c < curves.size(); ++c) {
-    if (has_legs(c)) continue;
-    with_fairing(tau, 1, c, {}, asker, [&](CurveFairing& fairing) {
-      const auto from = [&](const SurfaceCurve& curve) {
-        return fairing.from_curve(trace_of(drawing_->surface(), curve, drawing_->fixed()), asker);
-      };
-      chains[c] = from(curves[c]);
-      // What straightening has cut off may lie beyond walls that no step leads back through.
-      if (chains[c] && fairing.keeps_within(*chains[c])) return;
-      std::optional<SampleChain> again = from(drawing_->drawing().curves()[c]);
-      if (again) chains[c] = std::move(again);
-    });
-  }
-  return chains;
+  with_fairing(tau, 1, curve, {}, asker, [&](CurveFairing& fairing) {
+    const auto from = [&](const SurfaceCurve& curve) {
+      return fairing.from_curve(trace_of(drawing_->surface(), curve, drawing_->fixed()), asker);
+    };
+    chain = from(start);
+    // What straightening has cut off may lie beyond walls that no step leads back through.
+    if (chain && fairing.keeps_within(*chain)) return;
+    std::optional<SampleChain> again = from(drawing_->drawing().curves()[curve]);
+    if (again) chain = std::move(again);
+  });
+  return chain;
 }
 
-FairChains CorridorHold::fair_from(double tau, const FairChains& chains,
-                                   std::vector<SampleTrail>& trails, const Progress& progress) {
+SampleChain CorridorHold::fair_from(std::size_t curve, double tau, const SampleChain& chain,
+                                    SampleTrail& trail, const Progress& progress) {
   Asker asker(progress, "fair");
-  FairChains result = chains;
-  trails.resize(chains.size());
-  for (std::size_t c = 0; c < chains.size(); ++c) {
-    if (!chains[c]) continue;
-    with_fairing(tau, 1, c, {}, asker, [&](CurveFairing& fairing) {
-      result[c] = fairing.from_chain(*chains[c], trails[c], asker);
-    });
-  }
+  SampleChain result;
+  with_fairing(tau, 1, curve, {}, asker,
+               [&](CurveFairing& fairing) { result = fairing.from_chain(chain, trail, asker); });
   return result;
 }
 
@@ -277,8 +286,8 @@ std::optional<SurfaceCurve> CorridorHold::tried(std::size_t number, double tau, 
   return worse ? std::nullopt : result;
 }
 
-void CorridorHold::finish(double tau, const FairChains& chains, std::vector<SmoothedCurve>& curves,
-                          const Progress& progress) {
+void CorridorHold::finish(const SmoothingOptions& options, const FairChains& chains,
+                          std::vector<SmoothedCurve>& curves, const Progress& progress) {
   Asker asker(progress, "fair");
   const auto turning = [&](const SurfaceCurve& curve) {
     return measure_curve(drawing_->surface(), curve).total_curvature;
@@ -288,7 +297,7 @@ void CorridorHold::finish(double tau, const FairChains& chains, std::vector<Smoo
   const auto make_fair = [&](std::size_t c) {
     std::optional<SurfaceCurve> fair;
     while (!fair && tries[c] < kTries) {
-      fair = tried(tries[c]++, tau, c, chains[c], taut[c], asker);
+      fair = tried(tries[c]++, options.tau_of(c), c, chains[c], taut[c], asker);
     }
     if (!fair) {
       curves[c].warnings.emplace_back(kLeftTaut);
@@ -300,6 +309,7 @@ void CorridorHold::finish(double tau, const FairChains& chains, std::vector<Smoo
     const SurfaceCurve& drawn = drawing_->drawing().curves()[c];
     taut.push_back(curves[c].curve);
     now.push_back(curves[c].curve);
+    if (!is_faired(options, c)) continue;
     if (is_narrow(c) && !has_legs(c)) {
       if (turning(taut[c]) > turning(drawn)) now[c] = drawn;
     } else if (turning(taut[c]) >= kNoTurn) {  // what is straight is fair

@@ -36,20 +36,28 @@ class CorridorHold {
   /// Whether the distance must be exact everywhere, or only where valleys are narrow: a wall
   /// farther out that no curve climbs may be approximate.
   enum class Walls { kExact, kRough };
-  /// Legs are straightened without a lift.
-  Straightened straighten(const SmoothingOptions& options, Walls walls, const Progress& progress);
+  /// With the walls of each valley. Legs are straightened without a lift.
+  Straightened straighten(const SmoothingOptions& options, const std::vector<Walls>& walls,
+                          const Progress& progress);
   /// The curves straightened without a lift, which needs no distance; none if the lift would change
   /// them.
   std::optional<Straightened> unlifted(const SmoothingOptions& options, const Progress& progress);
   /// Resets loops that collapsed because no vertex lies inside them to their drawing. FlipOut sees
   /// the potential at the mesh's vertices only, so it collapses these loops whatever tau is.
-  /// Fairing measures the distance everywhere, so it starts from the drawing instead.
-  void hold_thin_loops(Straightened& straight) const;
-  /// Fair chains that start from these curves; none for curves with legs, which no rung leads to.
-  FairChains fair_from(double tau, std::span<const SurfaceCurve> curves, const Progress& progress);
-  /// Fair chains that start from those of another tau, and the ways of their samples.
-  FairChains fair_from(double tau, const FairChains& chains, std::vector<SampleTrail>& trails,
-                       const Progress& progress);
+  /// Fairing measures the distance everywhere, so it starts from the drawing instead. Only for
+  /// curves that are faired().
+  void hold_thin_loops(const SmoothingOptions& options, Straightened& straight) const;
+  /// Whether a curve is to be fair and is not straight anyway.
+  [[nodiscard]] static bool is_faired(const SmoothingOptions& options, std::size_t curve) {
+    return options.finish_of(curve) == Finish::kFair && options.tau_of(curve) > 0;
+  }
+  /// A fair chain that starts from a straightened curve; none for one with legs, which no rung
+  /// leads to.
+  std::optional<SampleChain> fair_from(std::size_t curve, double tau, const SurfaceCurve& start,
+                                       const Progress& progress);
+  /// A fair chain that starts from that of another tau, and the ways of its samples.
+  SampleChain fair_from(std::size_t curve, double tau, const SampleChain& chain, SampleTrail& trail,
+                        const Progress& progress);
   /// A chain for one tau that leads to one for another.
   struct AtTau {
     double tau = 0;
@@ -63,18 +71,18 @@ class CorridorHold {
                                      const Progress& progress);
   /// Replaces straightened curves by those of their chains. Where that would leave the walls, or
   /// cross what the drawing does not cross, curves start from the drawing, in a narrower band; if
-  /// nothing helps they stay straightened, with a warning.
-  void finish(double tau, const FairChains& chains, std::vector<SmoothedCurve>& curves,
-              const Progress& progress);
+  /// nothing helps they stay straightened, with a warning. Curves that are not faired() stay too.
+  void finish(const SmoothingOptions& options, const FairChains& chains,
+              std::vector<SmoothedCurve>& curves, const Progress& progress);
   /// A fair curve near the first drawn one; these points of it and its ends stay. None where
   /// samples cannot be joined.
   std::optional<SurfaceCurve> fair(double tau, const SurfaceCurve& curve,
                                    std::span<const SurfacePoint> fixed, const Progress& progress);
 
  private:
-  [[nodiscard]] Corridor corridor(double tau) const { return {*distance_, tau, *valleys_}; }
+  [[nodiscard]] Corridor corridor(const SmoothingOptions& options) const;
   [[nodiscard]] double exact_for_walls() const;
-  Straightened straighten_lifted(const SmoothingOptions& options, Walls walls,
+  Straightened straighten_lifted(const SmoothingOptions& options, const std::vector<Walls>& walls,
                                  const Progress& progress);
   [[nodiscard]] bool has_legs(std::size_t curve) const { return drawing_->legs()[curve].any(); }
   void with_fairing(double tau, double narrower, std::size_t curve, const LegTension& legs,

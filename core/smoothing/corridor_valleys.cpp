@@ -99,7 +99,7 @@ std::vector<Corridor::Valley> with_options(std::vector<Corridor::Valley> valleys
                                            const SmoothingOptions& options) {
   for (std::size_t c = 0; c < valleys.size(); ++c) {
     Corridor::Valley& valley = valleys[c];
-    if (options.slack) valley.slack = *options.slack;
+    if (const auto slack = options.slack_of(c)) valley.slack = *slack;
     if (!options.slack_at.empty()) valley.slack_at = options.slack_at[c];
     // With fewer points per turn the phase could not follow the loop.
     const std::size_t most = std::max<std::size_t>(drawing.curves()[c].points.size() / 8, 1);

@@ -221,17 +221,18 @@ SurfaceCurve Dragging::dragged(const Setting& setting, std::size_t curve,
     set(stretch_of(memory_.mesh(), curves, valleys, curve, first, last_point, reach),
         setting.curve_options, progress);
   };
-  if (FairLadder::rung_of(setting.options)) {
+  const SmoothingOptions own = setting.options.of(curve);
+  if (FairLadder::rung_of(own, 0)) {
     for (double margin = kMargin * segment;; margin *= 2) {
       const std::optional<Range> range = range_around(change, margin);
       if (!range) break;
       set_stretch(range->first, range->last + 1);
-      auto result = joined(*range, change, margin, last, setting.options, progress);
+      auto result = joined(*range, change, margin, last, own, progress);
       if (result) return *std::move(result);
     }
   }
   set_stretch(0, change.after.points.size());
-  Smoothed whole = stretch_.method->smooth_in_own_valleys(setting.options, progress);
+  Smoothed whole = stretch_.method->smooth_in_own_valleys(own, progress);
   return stretch_.drawing.in_drawn_direction(0, std::move(whole.curves.front().curve));
 }
 

@@ -52,6 +52,7 @@ class Search {
         progress_(std::move(progress)),
         own_pins_(smoother.pins().begin(), smoother.pins().end()) {
     options_.deviation = DeviationMeasure::kAlongSurface;
+    for (OwnOptions& own : options_.per_curve) own.tau.reset();
     for (const SurfaceCurve& drawn : smoother_.drawn()) {
       orders_.push_back(canonical_order(smoother_.opened().mesh(), drawn));
       ordered_.push_back(in_order(drawn, orders_.back()));
@@ -78,7 +79,10 @@ class Search {
       finish();
       return std::move(best_);
     }
-    const bool own_slack = !options_.slack && options_.slack_at.empty();
+    const auto has_slack = [](const OwnOptions& own) { return own.slack.has_value(); };
+    const bool own_slack =
+        !options_.slack && options_.slack_at.empty() &&
+        std::none_of(options_.per_curve.begin(), options_.per_curve.end(), has_slack);
     for (const double slack : slacks()) {
       begin_with(slack);
       // First by tau alone; then, if a lower tau may do with corners pinned, with pins.

@@ -13,8 +13,9 @@ namespace talweg {
 /// the widest slack that does. Where a corner of the drawing is still cut off, it is pinned, or
 /// held by a larger tau, or the slack is narrowed around it, whichever gives the smoother result.
 /// The search works on the curves in their canonical order, so a drawing that is reversed, begun
-/// elsewhere or listed in another order has the same result. `options.tau` and `options.deviation`
-/// are ignored; if `options.slack` is given, it is the only slack that is tried. Takes 20 to 110
+/// elsewhere or listed in another order has the same result. Every tau of the
+/// options and `options.deviation` are ignored; if a slack is given, it is the only one that is
+/// tried, for all curves or for its own. Takes 20 to 110
 /// runs of smooth().
 ///
 /// The report has the tau and slack that were found, `max_deviation`, and how many points were

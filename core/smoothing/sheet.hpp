@@ -40,7 +40,7 @@ class Sheet {
   virtual void need_distance(const Progress& /*progress*/) {}
 };
 
-/// Puts the options' slack, which only the corridor uses, into the drawing's order.
+/// Puts the options that only the corridor uses into the drawing's order.
 inline SmoothingOptions ordered_for(Method method, const OrderedDrawing& drawing,
                                     const SmoothingOptions& options) {
   return method == Method::kCorridor ? drawing.ordered(options) : options;

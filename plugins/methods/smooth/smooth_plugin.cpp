@@ -85,6 +85,7 @@ class Smooth : public SmootherWorkspace {
     if (parameters.optional("max_deviation") && !free_) {
       options.tau = found_tau_;
       options.slack = found_slack_;
+      for (OwnOptions& own : options.per_curve) own.tau.reset();
     }
     return smoother().drag(curve, drawing().curves[curve], options, progress());
   }
