@@ -124,7 +124,8 @@ std::optional<SampleChain> CurveFairing::loosened(SampleChain chain, Asker& aske
   std::size_t passed = 0;
   for (std::size_t i = 0; i < chain.size(); ++i) {
     if (!chain.fixed[i]) continue;
-    if (passed < legs_.tolerances.size() && !chain.is_end(i)) reach[i] = legs_.tolerances[passed];
+    if (passed < legs_.tolerances.size() && !chain.turns_freely(i))
+      reach[i] = legs_.tolerances[passed];
     loose[i] = reach[i] > 0;
     ++passed;
   }
@@ -222,7 +223,9 @@ double CurveFairing::farthest(const SurfaceCurve& curve) const {
 int CurveFairing::result_parts(const SampleChain& chain) {
   constexpr double kLargest = 3 * std::numbers::pi / 180;
   double most = 0;
-  for (const double turn : chain.turns) most = std::max(most, std::abs(turn));
+  for (std::size_t i = 0; i < chain.size(); ++i) {
+    if (!chain.turns_freely(i)) most = std::max(most, std::abs(chain.turns[i]));
+  }
   return std::clamp(static_cast<int>(std::ceil(most / kLargest)), kResultParts, kMostParts);
 }
 

@@ -55,6 +55,27 @@ std::size_t boundary_points(const Surface& surface, const SurfaceCurve& curve) {
       curve.points, [&](const SurfacePoint& point) { return is_at_boundary(surface, point); }));
 }
 
+/// The bending of a curve without its turns at corners.
+double bending_between(const Surface& surface, const SurfaceCurve& curve,
+                       const std::vector<SurfacePoint>& corners, double edge) {
+  const std::size_t n = curve.points.size();
+  const auto is_corner = [&](std::size_t i) {
+    return std::find(corners.begin(), corners.end(), curve.points[i % n]) != corners.end();
+  };
+  std::size_t first = 0;
+  while (curve.closed && first < n && !is_corner(first)) ++first;
+  if (corners.empty() || first == n) return measure_curve(surface, curve, edge).bending;
+  double sum = 0;
+  SurfaceCurve piece{false, {curve.points[first]}};
+  for (std::size_t i = first + 1; i < first + n + (curve.closed ? 1 : 0); ++i) {
+    piece.points.push_back(curve.points[i % n]);
+    if (!is_corner(i) && i + 1 < n + first + (curve.closed ? 1 : 0)) continue;
+    sum += measure_curve(surface, piece, edge).bending;
+    piece.points.assign(1, curve.points[i % n]);
+  }
+  return sum;
+}
+
 /// Whether a curve lies along the boundary where the taut one at most ends there.
 bool is_pressed(const Surface& surface, const SurfaceCurve& curve, const SurfaceCurve& taut) {
   const std::size_t by_itself = boundary_points(surface, taut);
@@ -164,6 +185,14 @@ void CorridorHold::hold_thin_loops(const SmoothingOptions& options, Straightened
   }
 }
 
+/// The trace of a curve from which fairing starts.
+CurveTrace CorridorHold::traced(const SurfaceCurve& curve,
+                                std::span<const SurfacePoint> fixed) const {
+  CurveTrace trace = trace_of(drawing_->surface(), curve, fixed);
+  trace.set_corners(drawing_->corners());
+  return trace;
+}
+
 /// Calls use() with the fairing of one curve.
 void CorridorHold::with_fairing(double tau, double narrower, std::size_t curve,
                                 const LegTension& legs, Asker& asker,
@@ -191,7 +220,7 @@ std::optional<SampleChain> CorridorHold::fair_from(std::size_t curve, double tau
   Asker asker(progress, "fair");
   with_fairing(tau, 1, curve, {}, asker, [&](CurveFairing& fairing) {
     const auto from = [&](const SurfaceCurve& curve) {
-      return fairing.from_curve(trace_of(drawing_->surface(), curve, drawing_->fixed()), asker);
+      return fairing.from_curve(traced(curve, drawing_->fixed()), asker);
     };
     chain = from(start);
     // What straightening has cut off may lie beyond walls that no step leads back through.
@@ -246,7 +275,7 @@ std::optional<SurfaceCurve> CorridorHold::fair(double tau, const SurfaceCurve& c
   Asker asker(progress, "fair");
   std::optional<SurfaceCurve> result;
   with_fairing(tau, 1, 0, {}, asker, [&](CurveFairing& fairing) {
-    const auto chain = fairing.from_curve(trace_of(drawing_->surface(), curve, fixed), asker);
+    const auto chain = fairing.from_curve(traced(curve, fixed), asker);
     if (!chain) return;
     if (auto faired = fairing.curve_of(*chain, asker)) result = std::move(faired->curve);
   });
@@ -268,9 +297,10 @@ std::optional<SurfaceCurve> CorridorHold::tried(std::size_t number, double tau, 
   const double band = number == 0 ? 1 : kBands[number - 1];
   with_fairing(tau, band, curve, legs->tension, asker, [&](CurveFairing& fairing) {
     const auto start = [&] {
-      return drawn.any()
-                 ? trace_through(surface, taut, legs->fixed)
-                 : trace_of(surface, drawing_->drawing().curves()[curve], drawing_->fixed());
+      if (!drawn.any()) return traced(drawing_->drawing().curves()[curve], drawing_->fixed());
+      CurveTrace trace = trace_through(surface, taut, legs->fixed);
+      trace.set_corners(drawing_->corners());
+      return trace;
     };
     const auto own = !drawn.any() && number == 0 ? chain : fairing.from_curve(start(), asker);
     if (!own) return;
@@ -279,7 +309,7 @@ std::optional<SurfaceCurve> CorridorHold::tried(std::size_t number, double tau, 
   });
   const double edge = drawing_->drawing().edges_near()[curve];
   const auto bending = [&](const SurfaceCurve& c) {
-    return measure_curve(surface, c, edge).bending;
+    return bending_between(surface, c, drawing_->corners(), edge);
   };
   const bool worse =
       result && (bending(*result) > bending(taut) || is_pressed(surface, *result, taut));

@@ -85,6 +85,8 @@ class CorridorHold {
   Straightened straighten_lifted(const SmoothingOptions& options, const std::vector<Walls>& walls,
                                  const Progress& progress);
   [[nodiscard]] bool has_legs(std::size_t curve) const { return drawing_->legs()[curve].any(); }
+  [[nodiscard]] CurveTrace traced(const SurfaceCurve& curve,
+                                  std::span<const SurfacePoint> fixed) const;
   void with_fairing(double tau, double narrower, std::size_t curve, const LegTension& legs,
                     Asker& asker, const std::function<void(CurveFairing&)>& use);
   [[nodiscard]] bool is_narrow(std::size_t curve) const;

@@ -275,11 +275,13 @@ SmoothingResult CurveSmoother::drag_whole(std::size_t curve, const SurfaceCurve&
   std::vector<SurfaceCurve> curves = drawing_->drawn();
   curves[curve] = moved;
   CurveOptions own = curve_options_;
-  std::erase_if(own.pins, [&](const SurfacePoint& pin) {
+  const auto is_elsewhere = [&](const SurfacePoint& pin) {
     return std::none_of(curves.begin(), curves.end(), [&](const SurfaceCurve& c) {
       return std::find(c.points.begin(), c.points.end(), pin) != c.points.end();
     });
-  });
+  };
+  std::erase_if(own.pins, is_elsewhere);
+  std::erase_if(own.corners, is_elsewhere);
   SmoothingOptions plain = options;
   plain.slack_at.clear();  // it belongs to the drawing that is set
   if (!previewer_) previewer_ = std::make_unique<CurveSmoother>(memory_->shared());

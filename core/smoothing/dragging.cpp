@@ -115,10 +115,12 @@ std::vector<Corridor::Valley> dragged_valleys(const Dragging::Setting& setting, 
 void Dragging::set(const DragStretch& stretch, const CurveOptions& options,
                    const Progress& progress) {
   CurveOptions own = options;
-  std::erase_if(own.pins, [&](const SurfacePoint& pin) {
+  const auto is_elsewhere = [&](const SurfacePoint& pin) {
     const Points& points = stretch.curve.points;
     return std::find(points.begin(), points.end(), pin) == points.end();
-  });
+  };
+  std::erase_if(own.pins, is_elsewhere);
+  std::erase_if(own.corners, is_elsewhere);
   stretch_ = {};
   stretch_.drawing = checked_drawing(memory_.mesh(), std::span(&stretch.curve, 1), own, progress);
   stretch_.embedded.emplace(memory_, stretch_.drawing, own,
@@ -193,7 +195,7 @@ std::optional<SurfaceCurve> Dragging::joined(const Range& range, const DrawingCh
                         at(stretch, tail->in_stretch + 1));
   between.points.insert(between.points.end(), at(kept, tail->in_last + 1), at(kept, to + 1));
   // The direction in which it leaves what is kept stays too.
-  std::vector<SurfacePoint> fixed = stretch_.embedded->pins();
+  std::vector<SurfacePoint> fixed = stretch_.embedded->fixed();
   if (from < head->in_last) fixed.push_back(between.points[1]);
   if (tail->in_last < to) fixed.push_back(between.points[between.points.size() - 2]);
   std::optional<SurfaceCurve> faired = stretch_.method->fair(options.tau, between, fixed, progress);

@@ -116,6 +116,7 @@ OrderedDrawing checked_drawing(const SurfaceMesh& mesh, std::span<const SurfaceC
     check_drawn(mesh.surface(), curve);
   }
   check_pins(curves, options.pins);
+  check_pins(curves, options.corners, "corner");
   std::vector<SurfacePoint> exact;
   for (const WayPoint& way_point : options.way_points) exact.push_back(way_point.point);
   check_pins(curves, exact, "way-point");

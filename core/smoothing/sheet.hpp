@@ -51,6 +51,7 @@ template <class Copies>
 CurveOptions options_there(const CurveOptions& options, const Copies& copies) {
   CurveOptions there = options;
   there.pins = copies(options.pins);
+  there.corners = copies(options.corners);
   there.painted = copies(options.painted);
   there.way_points.clear();
   for (const WayPoint& way_point : options.way_points) {

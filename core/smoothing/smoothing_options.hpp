@@ -30,6 +30,9 @@ struct CurveOptions {
   bool cap_corners = true;  ///< as the paper does; affects only curves along mesh edges
   unsigned threads = 2;  ///< at most, for factorising the heat matrices; >= 1; no effect on results
   std::vector<SurfacePoint> pins;  ///< points of the drawing that the result must pass through
+  /// The same, where a fair curve may also turn as sharply as it likes. At pins and way-points that
+  /// are not among these it passes without a kink.
+  std::vector<SurfacePoint> corners;
   /// For the corridor. Between two of these that follow each other on a curve, the drawing is no
   /// stroke: it tells only on which side of holes and handles the curve passes. The result is a
   /// spline there, and tau its tension.

@@ -124,7 +124,9 @@ SmoothingOptions UnrolledSheet::with_length_of_mesh(const SmoothingOptions& opti
 std::vector<std::string> UnrolledSheet::lost_pins(const Smoothed& smoothed) const {
   const Surface& surface = memory_->surface();
   std::vector<std::string> sentences;
-  for (const SurfacePoint& pin : options_.pins) {
+  std::vector<SurfacePoint> pins = options_.pins;
+  pins.insert(pins.end(), options_.corners.begin(), options_.corners.end());
+  for (const SurfacePoint& pin : pins) {
     const auto passes = [&](const SurfacePoint& p) {
       const FaceId face = common_face(surface, pin, p);
       return face.valid() && distance_in_face(surface, coordinates_in(surface, pin, face),

@@ -35,6 +35,7 @@ void add_inputs(CLI::App& app, SmoothOptions& o) {
                "Smooth each curve by itself; by default all are one set, in which none crosses "
                "another");
   add(app, "pin", o.pins)->delimiter(',');
+  add(app, "corner", o.corners)->delimiter(',');
   app.add_option("--points", o.points,
                  "What the drawing's points are. given: what the files say; exact: way-points, "
                  "between which the result is free; rough: strokes; exact=12,845: these vertices "

@@ -28,7 +28,7 @@ struct SmoothOptions {
   std::string slack_field;
   std::optional<double> max_deviation;
   std::optional<double> heat_time;
-  std::vector<std::size_t> pins;
+  std::vector<std::size_t> pins, corners;
   std::string points = "given";  ///< given, exact or rough; or "exact=" and vertices
   double tolerance = 0;
   std::size_t repeat = 1;

@@ -38,7 +38,7 @@ StageTimes median_times(const std::vector<StageTimes>& runs) {
 /// The input of a smoothing: the options with all their files read.
 struct Prepared {
   std::vector<SurfaceCurve> curves;
-  std::vector<SurfacePoint> pins;  ///< points of the curves
+  std::vector<SurfacePoint> pins, corners;  ///< points of the curves
   TakenPoints points;
   std::vector<double> distance;     ///< per vertex; empty unless given
   std::vector<double> slack_field;  ///< per vertex; empty unless given
@@ -106,6 +106,10 @@ Prepared prepare(const MeshFromFile& mesh, DrawingReader& reader, const SmoothOp
     drawing.pins.push_back(pin_on(drawing.curves, mesh, VertexId{pin}));
   }
   check_pins(drawing.curves, drawing.pins);
+  for (const std::size_t corner : options.corners) {
+    run.corners.push_back(pin_on(drawing.curves, mesh, VertexId{corner}));
+  }
+  check_pins(drawing.curves, run.corners, "corner");
   take_points_of(drawing, mesh, options, run);
   run.curves = std::move(drawing.curves);
   run.pins = std::move(drawing.pins);
@@ -128,6 +132,7 @@ Prepared alone(const Prepared& run, std::size_t curve) {
     return std::find(points.begin(), points.end(), p) != points.end();
   };
   std::copy_if(run.pins.begin(), run.pins.end(), std::back_inserter(one.pins), passed);
+  std::copy_if(run.corners.begin(), run.corners.end(), std::back_inserter(one.corners), passed);
   std::copy_if(run.points.way_points.begin(), run.points.way_points.end(),
                std::back_inserter(one.points.way_points),
                [&](const WayPoint& way) { return passed(way.point); });
@@ -211,6 +216,7 @@ SmoothingResult smooth_once(CurveSmoother& smoother, const Prepared& run,
                             const plugin::Parameters& parameters) {
   CurveOptions options = plugins::curve_options_of(parameters);
   options.pins = run.pins;
+  options.corners = run.corners;
   options.way_points = run.points.way_points;
   options.painted = run.points.painted;
   if (!plugins::set_curves(smoother, run.curves, parameters, options, run.progress)) {

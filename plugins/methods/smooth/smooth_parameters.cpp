@@ -94,6 +94,10 @@ std::vector<talweg_parameter> main_parameters() {
             "The slack near each mesh vertex, instead of slack (corridor)."),
       array(TALWEG_VERTICES, "pin", "Pins", "",
             "Vertices of the drawing that the result passes through.", kCurves),
+      array(
+          TALWEG_VERTICES, "corner", "Corners", "",
+          "Vertices of the drawing that the result passes through, and where it may turn sharply.",
+          kCurves),
       choice("points", "Points", "given", kPoints, kPointLabels,
              "given: as the drawing says; exact: way-points, between which the result is free; "
              "rough: a stroke, which the result keeps near.",

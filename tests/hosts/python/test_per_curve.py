@@ -47,6 +47,13 @@ class PerCurve(unittest.TestCase):
         with self.assertRaisesRegex(talweg.BadUsage, "fair, taut, not of 'loose'"):
             self.mesh.smooth(self.curves, finish=["fair", "loose", "fair"])
 
+    def test_a_corner_is_passed_and_may_turn(self):
+        corner = int(self.curves[0].vertices[len(self.curves[0].vertices) // 2])
+        result = self.mesh.smooth(self.curves[0], corner=[corner]).curve
+        self.assertIn(corner, result.vertices.tolist())
+        with self.assertRaisesRegex(talweg.BadUsage, "corner at vertex 0"):
+            self.mesh.smooth(self.curves[0], corner=[0])
+
 
 if __name__ == "__main__":
     unittest.main()

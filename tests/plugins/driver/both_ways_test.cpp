@@ -76,6 +76,7 @@ TEST_F(BothWays, SmoothTheSame) {
     }
   }
   expect_same("--curve open.txt --pin 760");
+  expect_same("--curve open.txt --corner 760");
 }
 
 TEST_F(BothWays, SmoothTheSameWithOptionsForEachCurve) {
@@ -116,6 +117,7 @@ TEST_F(BothWays, SmoothTheSameThroughWayPoints) {
     }
   }
   expect_same("--curve open.json --pin 760");
+  expect_same("--curve open.json --corner 760");
   expect_same("--curve open.txt --points exact");
   ASSERT_EQ(run("smooth hills.ply --curve open.txt --points exact=130,760,1500 -o a.json").code, 0);
   ASSERT_EQ(run("run talweg.smooth hills.ply --curve open.txt --exact 130,760,1500 -o b.json").code,
