@@ -103,9 +103,9 @@ void FairChain::energies(const SampleChain& chain, const std::vector<BandPlace>&
     if (chain.fixed[i]) continue;
     const BandPlace& place = places[i];
     const double beyond = std::max(0.0, place.distance - options_.felt * place.wall);
-    energies[i] +=
-        weight / fourth(place.slack) *
-        (options_.middle * place.distance * place.distance + stiffness_[i] * beyond * beyond);
+    energies[i] += weight / fourth(place.slack) *
+                   (options_.middle * place.middle * place.distance * place.distance +
+                    stiffness_[i] * beyond * beyond);
   }
 }
 
@@ -146,8 +146,8 @@ void FairChain::assemble(const SampleChain& chain, BandSystem& system) const {
     if (chain.fixed[i]) continue;
     const BandPlace& place = places_[i];
     const double per = row.weight / fourth(place.slack), s = place.slope;
-    system.add(i, i, per * (options_.middle * s * s + damping_));
-    system.right(i) -= per * options_.middle * s * place.distance;
+    system.add(i, i, per * (options_.middle * place.middle * s * s + damping_));
+    system.right(i) -= per * options_.middle * place.middle * s * place.distance;
     if (active_[i] != 0) {
       const double slope = s - options_.felt * place.wall_slope;
       const double beyond = place.distance - options_.felt * place.wall;

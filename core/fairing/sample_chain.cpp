@@ -283,15 +283,16 @@ std::optional<SampleChain> ChainMaker::loosened(const SampleChain& chain,
 }
 
 std::optional<SampleChain> ChainMaker::between(const SampleChain& from, const SampleChain& to,
-                                               const SampleTrail& trail, double part) {
-  if (trail.size() != from.size()) return part < 0.5 ? from : to;
+                                               const SampleTrail& trail,
+                                               std::span<const double> parts) {
+  if (trail.size() != from.size()) return parts.front() < 0.5 ? from : to;
   std::vector<SampleStep> steps(from.size());
   for (std::size_t i = 0; i < from.size(); ++i) {
     if (from.fixed[i]) continue;
     strip_ = trail[i];
     const StripLine line = lines_.join(from.samples[i], to.samples[i], strip_);
     if (!line.found) return std::nullopt;
-    steps[i] = {line.start, part * (line.bends.empty() ? line.length : line.first_leg)};
+    steps[i] = {line.start, parts[i] * (line.bends.empty() ? line.length : line.first_leg)};
   }
   return moved(from, steps, nullptr);
 }

@@ -90,10 +90,10 @@ class ChainMaker {
   /// Each free sample moved by so much to the left.
   std::optional<SampleChain> moved_left(const SampleChain& chain, std::span<const double> left,
                                         SampleTrail* trail);
-  /// The chain whose samples lie at this part of the way from one chain to another; the nearer one
-  /// where there is no trail.
+  /// The chain whose samples lie at these parts of the ways from one chain to another; the nearer
+  /// one where there is no trail. One part for each sample of `from`.
   std::optional<SampleChain> between(const SampleChain& from, const SampleChain& to,
-                                     const SampleTrail& trail, double part);
+                                     const SampleTrail& trail, std::span<const double> parts);
   /// The chain with these samples no longer fixed.
   std::optional<SampleChain> loosened(const SampleChain& chain, const std::vector<bool>& loose);
   /// With so many joins for each, on a cubic that has the chain's samples and tangents.

@@ -10,6 +10,7 @@
 #include "talweg/core/fairing/curve_fairing.hpp"
 #include "talweg/core/measure/measures.hpp"
 #include "talweg/core/smoothing/corridor_valleys.hpp"
+#include "talweg/core/smoothing/fair_verdict.hpp"
 #include "talweg/core/smoothing/leg_start.hpp"
 #include "talweg/core/smoothing/lifted_lengths.hpp"
 #include "talweg/core/smoothing/touched_edges.hpp"
@@ -35,52 +36,6 @@ double tension_of(double tau) { return std::max(0.5, 8 * tau); }
 constexpr double kTighter = 8;  // of the tries of splines
 constexpr const char* kLeftTaut =
     "The curve could not be made fair within its walls; it is left taut, with kinks.";
-
-/// Whether a point is at the boundary, or as near as rounding tells.
-bool is_at_boundary(const Surface& surface, const SurfacePoint& point) {
-  constexpr double kAtIt = 1e-6;  // of the face's height
-  for (const FaceId face : faces_at(surface, point)) {
-    const auto b = coordinates_in(surface, point, face).barycentric;
-    HalfedgeId side = surface.halfedge(face);  // from corner 0 to corner 1
-    for (std::size_t k = 0; k < 3; ++k, side = surface.next(side)) {
-      if (surface.on_boundary(edge_of(side)) && b[(k + 2) % 3] <= kAtIt) return true;
-    }
-  }
-  return false;
-}
-
-/// How many of a curve's points are at the boundary.
-std::size_t boundary_points(const Surface& surface, const SurfaceCurve& curve) {
-  return static_cast<std::size_t>(std::ranges::count_if(
-      curve.points, [&](const SurfacePoint& point) { return is_at_boundary(surface, point); }));
-}
-
-/// The bending of a curve without its turns at corners.
-double bending_between(const Surface& surface, const SurfaceCurve& curve,
-                       const std::vector<SurfacePoint>& corners, double edge) {
-  const std::size_t n = curve.points.size();
-  const auto is_corner = [&](std::size_t i) {
-    return std::find(corners.begin(), corners.end(), curve.points[i % n]) != corners.end();
-  };
-  std::size_t first = 0;
-  while (curve.closed && first < n && !is_corner(first)) ++first;
-  if (corners.empty() || first == n) return measure_curve(surface, curve, edge).bending;
-  double sum = 0;
-  SurfaceCurve piece{false, {curve.points[first]}};
-  for (std::size_t i = first + 1; i < first + n + (curve.closed ? 1 : 0); ++i) {
-    piece.points.push_back(curve.points[i % n]);
-    if (!is_corner(i) && i + 1 < n + first + (curve.closed ? 1 : 0)) continue;
-    sum += measure_curve(surface, piece, edge).bending;
-    piece.points.assign(1, curve.points[i % n]);
-  }
-  return sum;
-}
-
-/// Whether a curve lies along the boundary where the taut one at most ends there.
-bool is_pressed(const Surface& surface, const SurfaceCurve& curve, const SurfaceCurve& taut) {
-  const std::size_t by_itself = boundary_points(surface, taut);
-  return by_itself <= 2 && boundary_points(surface, curve) > by_itself;
-}
 
 }  // namespace
 
@@ -185,6 +140,23 @@ void CorridorHold::hold_thin_loops(const SmoothingOptions& options, Straightened
   }
 }
 
+std::vector<FairGroup> CorridorHold::groups(const SmoothingOptions& options) const {
+  const auto is_free = [&](std::size_t c) {
+    return is_faired(options, c) && (drawing_->legs()[c].any() || !is_narrow(c));
+  };
+  const auto may_join = [&](std::size_t a, std::size_t b) {
+    const bool legs = drawing_->legs()[a].any() || drawing_->legs()[b].any();
+    return drawing_->options().join_ends && is_free(a) && is_free(b) &&
+           (!legs || options.tau_of(a) == options.tau_of(b));
+  };
+  std::vector<FairGroup> groups;
+  for (JoinedCurves& curves : joined_curves(drawing_->surface(), drawing_->drawing().curves(),
+                                            drawing_->corners(), may_join)) {
+    groups.push_back(fair_group(*drawing_, std::move(curves)));
+  }
+  return groups;
+}
+
 /// The trace of a curve from which fairing starts.
 CurveTrace CorridorHold::traced(const SurfaceCurve& curve,
                                 std::span<const SurfacePoint> fixed) const {
@@ -193,67 +165,94 @@ CurveTrace CorridorHold::traced(const SurfaceCurve& curve,
   return trace;
 }
 
-/// Calls use() with the fairing of one curve.
-void CorridorHold::with_fairing(double tau, double narrower, std::size_t curve,
+CurveTrace CorridorHold::traced(const FairGroup& group, const SurfaceCurve& curve) const {
+  if (group.junctions.empty()) return traced(curve, drawing_->fixed());
+  std::vector<SurfacePoint> fixed = drawing_->fixed();
+  fixed.insert(fixed.end(), group.junctions.begin(), group.junctions.end());
+  return traced(curve, fixed);
+}
+
+/// Calls use() with the fairing of a group.
+void CorridorHold::with_fairing(const FairGroup& group, const Taus& taus, double narrower,
                                 const LegTension& legs, Asker& asker,
                                 const std::function<void(CurveFairing&)>& use) {
   const AskedDuring asked(*distance_, asker);
-  const Corridor::Valley& valley = (*valleys_)[curve];
-  const double edge = drawing_->drawing().edges_near()[curve];
-  std::optional<DrawnBand> band;
-  if (!drawing_->legs()[curve].all()) {
-    band.emplace(*distance_, drawing_->surface(), curve,
-                 BandWidth{valley.slack, valley.slack_at, kLeastSlack * edge,
-                           narrower * walls_of(tau), valley.apart});
-  }
+  const auto middle = [](double tau) { return std::min(1.0, std::pow(tau, 4)); };
   FairOptions options;
-  options.middle *= std::min(1.0, std::pow(tau, 4));
-  CurveFairing fairing(drawing_->surface(), band ? &*band : nullptr, edge, options, legs);
+  options.middle *= middle(taus.front());
+  std::vector<BandCurve> curves;
+  bool all_legs = true;
+  for (std::size_t k = 0; k < taus.size(); ++k) {
+    const std::size_t c = group.joined.parts[k].curve;
+    const Corridor::Valley& valley = (*valleys_)[c];
+    BandWidth width{valley.slack, valley.slack_at,
+                    kLeastSlack * drawing_->drawing().edges_near()[c], narrower * walls_of(taus[k]),
+                    valley.apart};
+    if (taus[k] != taus.front()) width.middle = middle(taus[k]) / middle(taus.front());
+    curves.push_back({c, width});
+    all_legs = all_legs && drawing_->legs()[c].all();
+  }
+  std::optional<DrawnBand> band;
+  if (!all_legs) band.emplace(*distance_, drawing_->surface(), curves);
+  CurveFairing fairing(drawing_->surface(), band ? &*band : nullptr, group.edge, options, legs);
   use(fairing);
 }
 
-std::optional<SampleChain> CorridorHold::fair_from(std::size_t curve, double tau,
-                                                   const SurfaceCurve& start,
+std::optional<SampleChain> CorridorHold::fair_from(const FairGroup& group, const Taus& taus,
+                                                   std::span<const SurfaceCurve> straight,
                                                    const Progress& progress) {
   std::optional<SampleChain> chain;
-  if (has_legs(curve)) return chain;
+  if (has_legs(*drawing_, group)) return chain;
   Asker asker(progress, "fair");
-  with_fairing(tau, 1, curve, {}, asker, [&](CurveFairing& fairing) {
-    const auto from = [&](const SurfaceCurve& curve) {
-      return fairing.from_curve(traced(curve, drawing_->fixed()), asker);
+  with_fairing(group, taus, 1, {}, asker, [&](CurveFairing& fairing) {
+    const auto from = [&](const SurfaceCurve& start) {
+      return fairing.from_curve(traced(group, start), asker);
     };
-    chain = from(start);
+    chain = from(joined(group.joined, straight));
     // What straightening has cut off may lie beyond walls that no step leads back through.
     if (chain && fairing.keeps_within(*chain)) return;
-    std::optional<SampleChain> again = from(drawing_->drawing().curves()[curve]);
+    std::optional<SampleChain> again = from(group.drawn);
     if (again) chain = std::move(again);
   });
   return chain;
 }
 
-SampleChain CorridorHold::fair_from(std::size_t curve, double tau, const SampleChain& chain,
-                                    SampleTrail& trail, const Progress& progress) {
+SampleChain CorridorHold::fair_from(const FairGroup& group, const Taus& taus,
+                                    const SampleChain& chain, SampleTrail& trail,
+                                    const Progress& progress) {
   Asker asker(progress, "fair");
   SampleChain result;
-  with_fairing(tau, 1, curve, {}, asker,
+  with_fairing(group, taus, 1, {}, asker,
                [&](CurveFairing& fairing) { result = fairing.from_chain(chain, trail, asker); });
   return result;
 }
 
-std::optional<SampleChain> CorridorHold::between(std::size_t curve, const AtTau& from,
-                                                 const AtTau& to, const SampleTrail& trail,
-                                                 double tau, const Progress& progress) {
+std::optional<SampleChain> CorridorHold::between(const FairGroup& group, const AtTaus& from,
+                                                 const AtTaus& to, const SampleTrail& trail,
+                                                 const Taus& taus, const Progress& progress) {
   Asker asker(progress, "fair");
+  const std::vector<std::size_t> part_of = group.parts_of_stretches(from.chain);
+  ChainMaker maker(drawing_->surface());
+  // By how much nearer to the walls that are nearer: 0 is where the walls are, 1 is there.
+  const auto at = [&](double nearer) {
+    std::vector<double> parts, all;
+    for (std::size_t k = 0; k < taus.size(); ++k) {
+      // The walls' distance is linear in 1 / tau.
+      const double part = (1 / taus[k] - 1 / from.taus[k]) / (1 / to.taus[k] - 1 / from.taus[k]);
+      const double near = to.taus[k] > from.taus[k] ? 1 : 0;
+      parts.push_back(part + nearer * (near - part));
+    }
+    for (std::size_t i = 0; i < from.chain.size(); ++i) {
+      const bool end = from.chain.is_end(i);
+      all.push_back(parts[end ? 0 : part_of[from.chain.join_before(i).stretch]]);
+    }
+    return maker.between(from.chain, to.chain, trail, all);
+  };
   std::optional<SampleChain> result;
-  with_fairing(tau, 1, curve, {}, asker, [&](CurveFairing& fairing) {
-    // The walls' distance is linear in 1 / tau.
-    const double part = (1 / tau - 1 / from.tau) / (1 / to.tau - 1 / from.tau);
-    const double nearer = to.tau > from.tau ? 1 : 0;
-    ChainMaker maker(drawing_->surface());
-    const auto at = [&](double p) { return maker.between(from.chain, to.chain, trail, p); };
-    result = at(part);
+  with_fairing(group, taus, 1, {}, asker, [&](CurveFairing& fairing) {
+    result = at(0);
     if (!result || fairing.keeps_within(*result)) return;
-    double out = part, in = nearer;
+    double out = 0, in = 1;
     for (int halving = 0; halving < kHalvings; ++halving) {
       const double middle = (out + in) / 2;
       auto chain = at(middle);
@@ -274,88 +273,141 @@ std::optional<SurfaceCurve> CorridorHold::fair(double tau, const SurfaceCurve& c
                                                const Progress& progress) {
   Asker asker(progress, "fair");
   std::optional<SurfaceCurve> result;
-  with_fairing(tau, 1, 0, {}, asker, [&](CurveFairing& fairing) {
-    const auto chain = fairing.from_curve(traced(curve, fixed), asker);
-    if (!chain) return;
-    if (auto faired = fairing.curve_of(*chain, asker)) result = std::move(faired->curve);
-  });
+  with_fairing(fair_group(*drawing_, {{{0, false}}}), {tau}, 1, {}, asker,
+               [&](CurveFairing& fairing) {
+                 const auto chain = fairing.from_curve(traced(curve, fixed), asker);
+                 if (!chain) return;
+                 if (auto faired = fairing.curve_of(*chain, asker))
+                   result = std::move(faired->curve);
+               });
   return result;
 }
 
 /// The fair curve of one try: from the chain, then from the drawing in ever narrower bands; with
 /// legs from the taut curve, ever tighter. None if it is beyond its walls, bends more than the taut
 /// one, or touches the boundary where that keeps off it.
-std::optional<SurfaceCurve> CorridorHold::tried(std::size_t number, double tau, std::size_t curve,
+std::optional<SurfaceCurve> CorridorHold::tried(std::size_t number, const Taus& taus,
+                                                const FairGroup& group,
                                                 const std::optional<SampleChain>& chain,
                                                 const SurfaceCurve& taut, Asker& asker) {
   const Surface& surface = drawing_->surface();
   std::optional<SurfaceCurve> result;
-  const DrawnLegs& drawn = drawing_->legs()[curve];
+  const bool any_legs = has_legs(*drawing_, group);
   std::optional<LegStart> legs = LegStart{};
-  if (drawn.any()) legs = start_on(drawn, taut, tension_of(tau) * std::pow(kTighter, number));
+  if (any_legs) {
+    legs = leg_start(*drawing_, group, taut, tension_of(taus.front()) * std::pow(kTighter, number));
+  }
   if (!legs) return result;
   const double band = number == 0 ? 1 : kBands[number - 1];
-  with_fairing(tau, band, curve, legs->tension, asker, [&](CurveFairing& fairing) {
+  with_fairing(group, taus, band, legs->tension, asker, [&](CurveFairing& fairing) {
     const auto start = [&] {
-      if (!drawn.any()) return traced(drawing_->drawing().curves()[curve], drawing_->fixed());
+      if (!any_legs) return traced(group, group.drawn);
       CurveTrace trace = trace_through(surface, taut, legs->fixed);
       trace.set_corners(drawing_->corners());
       return trace;
     };
-    const auto own = !drawn.any() && number == 0 ? chain : fairing.from_curve(start(), asker);
+    const auto own = !any_legs && number == 0 ? chain : fairing.from_curve(start(), asker);
     if (!own) return;
     auto faired = fairing.curve_of(*own, asker);
     if (faired && faired->farthest <= 1) result = std::move(faired->curve);
   });
-  const double edge = drawing_->drawing().edges_near()[curve];
-  const auto bending = [&](const SurfaceCurve& c) {
-    return bending_between(surface, c, drawing_->corners(), edge);
-  };
-  const bool worse =
-      result && (bending(*result) > bending(taut) || is_pressed(surface, *result, taut));
+  const bool worse = result && is_worse(surface, *result, taut, drawing_->corners(), group.edge);
   return worse ? std::nullopt : result;
 }
 
-void CorridorHold::finish(const SmoothingOptions& options, const FairChains& chains,
-                          std::vector<SmoothedCurve>& curves, const Progress& progress) {
-  Asker asker(progress, "fair");
-  const auto turning = [&](const SurfaceCurve& curve) {
-    return measure_curve(drawing_->surface(), curve).total_curvature;
+/// Makes the curves of a set fair, one group after the other, until none crosses another.
+class CorridorHold::Finishing {
+ public:
+  Finishing(CorridorHold& hold, const SmoothingOptions& options, const Progress& progress)
+      : hold_(&hold), options_(&options), progress_(&progress), asker_(progress, "fair") {}
+
+  void run(const std::vector<FairGroup>& groups, const FairChains& chains,
+           std::vector<SmoothedCurve>& curves) {
+    curves_ = &curves;
+    for (const SmoothedCurve& curve : curves) taut_.push_back(curve.curve);
+    now_ = taut_;
+    attempt_of_.resize(curves.size());
+    for (std::size_t g = 0; g < groups.size(); ++g) begin(groups[g], chains[g]);
+    // Each group is faired separately, so that curves near each other, or strands of one, may
+    // cross.
+    for (bool again = !curves.empty(); again;) {
+      again = false;
+      std::vector<bool> done(attempts_.size(), false);
+      for (const std::size_t c : crossing_curves(hold_->drawing_->surface(), now_)) {
+        const std::size_t a = attempt_of_[c];
+        if (a >= done.size() || done[a]) continue;
+        if (attempts_[a].tries == 0 || attempts_[a].tries > kTries) continue;
+        done[a] = true;
+        make_fair(a);
+        again = true;
+      }
+    }
+    for (std::size_t c = 0; c < curves.size(); ++c) curves[c].curve = std::move(now_[c]);
+  }
+
+ private:
+  struct Attempt {
+    FairGroup group;
+    std::optional<SampleChain> chain;
+    SurfaceCurve taut;
+    std::size_t tries = 0;
   };
-  std::vector<SurfaceCurve> taut, now;
-  std::vector<std::size_t> tries(curves.size(), 0);
-  const auto make_fair = [&](std::size_t c) {
+
+  void begin(const FairGroup& group, const std::optional<SampleChain>& chain) {
+    const std::size_t a = attempts_.size();
+    for (const JoinedCurves::Part& part : group.joined.parts) attempt_of_[part.curve] = a;
+    attempts_.push_back({group, chain, joined(group.joined, taut_)});
+    const std::size_t c = group.joined.parts.front().curve;
+    if (!is_faired(*options_, c)) return;
+    const auto turning = [&](const SurfaceCurve& curve) {
+      return measure_curve(hold_->drawing_->surface(), curve).total_curvature;
+    };
+    if (hold_->is_narrow(c) && !has_legs(*hold_->drawing_, group)) {
+      if (turning(taut_[c]) > turning(group.drawn)) now_[c] = group.drawn;
+    } else if (turning(attempts_[a].taut) >= kNoTurn) {  // what is straight is fair
+      make_fair(a);
+    }
+  }
+
+  void make_fair(std::size_t number) {
     std::optional<SurfaceCurve> fair;
-    while (!fair && tries[c] < kTries) {
-      fair = tried(tries[c]++, options.tau_of(c), c, chains[c], taut[c], asker);
+    Attempt& attempt = attempts_[number];
+    const Taus taus = taus_of(attempt.group, *options_);
+    while (!fair && attempt.tries < kTries) {
+      fair =
+          hold_->tried(attempt.tries++, taus, attempt.group, attempt.chain, attempt.taut, asker_);
     }
-    if (!fair) {
-      curves[c].warnings.emplace_back(kLeftTaut);
-      tries[c] = kTries + 1;
-    }
-    now[c] = fair ? *std::move(fair) : taut[c];
-  };
-  for (std::size_t c = 0; c < curves.size(); ++c) {
-    const SurfaceCurve& drawn = drawing_->drawing().curves()[c];
-    taut.push_back(curves[c].curve);
-    now.push_back(curves[c].curve);
-    if (!is_faired(options, c)) continue;
-    if (is_narrow(c) && !has_legs(c)) {
-      if (turning(taut[c]) > turning(drawn)) now[c] = drawn;
-    } else if (turning(taut[c]) >= kNoTurn) {  // what is straight is fair
-      make_fair(c);
-    }
-  }
-  // Each curve is faired separately, so that curves near each other, or strands of one, may cross.
-  for (bool again = !curves.empty(); again;) {
-    again = false;
-    for (const std::size_t c : crossing_curves(drawing_->surface(), now)) {
-      if (tries[c] == 0 || tries[c] > kTries) continue;
-      make_fair(c);
-      again = true;
+    if (!fair) attempt.tries = kTries + 1;
+    const FairGroup group = attempt.group;  // more attempts may come
+    const auto curves =
+        parted(group.joined, group.junctions, fair ? *std::move(fair) : attempt.taut);
+    const bool failed = attempt.tries > kTries;
+    for (std::size_t k = 0; k < curves.size(); ++k) now_[group.joined.parts[k].curve] = curves[k];
+    if (!failed) return;
+    for (const JoinedCurves::Part& part : group.joined.parts) {
+      if (!group.joined.is_joined()) {
+        (*curves_)[part.curve].warnings.emplace_back(kLeftTaut);
+      } else {
+        const FairGroup one = fair_group(*hold_->drawing_, {{{part.curve, false}}});
+        begin(one, hold_->fair_from(one, taus_of(one, *options_), taut_, *progress_));
+      }
     }
   }
-  for (std::size_t c = 0; c < curves.size(); ++c) curves[c].curve = std::move(now[c]);
+
+  CorridorHold* hold_;
+  const SmoothingOptions* options_;
+  const Progress* progress_;
+  Asker asker_;
+  std::vector<SmoothedCurve>* curves_ = nullptr;
+  std::vector<SurfaceCurve> taut_, now_;
+  std::vector<Attempt> attempts_;
+  std::vector<std::size_t> attempt_of_;  // per curve
+};
+
+void CorridorHold::finish(const SmoothingOptions& options, const std::vector<FairGroup>& groups,
+                          const FairChains& chains, std::vector<SmoothedCurve>& curves,
+                          const Progress& progress) {
+  Finishing(*this, options, progress).run(groups, chains, curves);
 }
 
 /// A band much narrower than the mesh's edges has no room for more than straight lines.

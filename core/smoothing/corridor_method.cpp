@@ -29,13 +29,14 @@ Smoothed smooth_for_itself(CorridorHold& hold, const SmoothingOptions& options,
   // What no wall holds is straight already.
   if (flat) return smoothed_from(std::move(straight));
   hold.hold_thin_loops(options, straight);
-  FairChains chains(curves);
-  for (std::size_t c = 0; c < curves; ++c) {
-    if (!CorridorHold::is_faired(options, c)) continue;
-    chains[c] = hold.fair_from(c, options.tau_of(c), straight.curves[c], progress);
+  const std::vector<FairGroup> groups = hold.groups(options);
+  FairChains chains(groups.size());
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    if (!CorridorHold::is_faired(options, groups[g].joined.parts.front().curve)) continue;
+    chains[g] = hold.fair_from(groups[g], taus_of(groups[g], options), straight.curves, progress);
   }
   Smoothed result = smoothed_from(std::move(straight));
-  hold.finish(options, chains, result.curves, progress);
+  hold.finish(options, groups, chains, result.curves, progress);
   result.time_ms.fair = watch.ms();
   return result;
 }

@@ -60,42 +60,55 @@ void FairLadder::clear() {
   straight_.reset();
 }
 
-const FairLadder::Rung& FairLadder::rung(std::size_t curve, double tau, CorridorHold& hold,
+const FairLadder::Rung& FairLadder::rung(std::size_t number, const Taus& taus, CorridorHold& hold,
                                          const Progress& progress) {
-  const auto known = rungs_[curve].find(tau);
-  if (known != rungs_[curve].end()) return known->second;
+  const auto known = rungs_[number].find(taus);
+  if (known != rungs_[number].end()) return known->second;
+  const FairGroup& group = groups_[number];
+  Taus next = taus;
+  for (double& tau : next) {
+    if (tau != kOrigin) tau = tau > kOrigin ? tau / 2 : 2 * tau;
+  }
   Rung rung;
-  if (tau == kOrigin) {
-    rung.chain = hold.fair_from(curve, tau, straight_->curves[curve], progress);
+  if (next == taus) {
+    rung.chain = hold.fair_from(group, taus, straight_->curves, progress);
   } else {
-    const Rung& towards = this->rung(curve, tau > kOrigin ? tau / 2 : 2 * tau, hold, progress);
+    const Rung& towards = this->rung(number, next, hold, progress);
     if (towards.chain) {
-      rung.chain = hold.fair_from(curve, tau, *towards.chain, rung.trail, progress);
+      rung.chain = hold.fair_from(group, taus, *towards.chain, rung.trail, progress);
     }
   }
-  return rungs_[curve].emplace(tau, std::move(rung)).first->second;
+  return rungs_[number].emplace(taus, std::move(rung)).first->second;
 }
 
-/// A curve's chain for its tau.
-std::optional<SampleChain> FairLadder::chain(std::size_t curve, const SmoothingOptions& options,
+/// The chain of a group for its tau.
+std::optional<SampleChain> FairLadder::chain(std::size_t number, const SmoothingOptions& options,
                                              CorridorHold& hold, const Progress& progress) {
-  const double tau = options.tau_of(curve), from = *rung_of(options, curve);
-  const Rung& start = rung(curve, from, hold, progress);
-  if (tau == from || tau > kMostRung) return start.chain;
-  const double to = from >= kOrigin && tau >= kOrigin ? 2 * from : from / 2;
-  const Rung& stop = rung(curve, to, hold, progress);
+  const FairGroup& group = groups_[number];
+  Taus taus, from, to;
+  for (const JoinedCurves::Part& part : group.joined.parts) {
+    const double tau = options.tau_of(part.curve), rung = *rung_of(options, part.curve);
+    taus.push_back(std::min(tau, kMostRung));
+    from.push_back(rung);
+    to.push_back(rung >= kOrigin && tau >= kOrigin ? 2 * rung : rung / 2);
+  }
+  const Rung& start = rung(number, from, hold, progress);
+  if (taus == from) return start.chain;
+  const Rung& stop = rung(number, to, hold, progress);
   if (!start.chain || !stop.chain) return std::nullopt;
-  return hold.between(curve, {from, *start.chain}, {to, *stop.chain}, stop.trail, tau, progress);
+  return hold.between(group, {from, *start.chain}, {to, *stop.chain}, stop.trail, taus, progress);
 }
 
 void FairLadder::keep_for(const CorridorHold& hold, const SmoothingOptions& options) {
   const std::size_t curves = hold.drawing().drawing().curves().size();
-  Setting setting{hold.valleys(), {}, hold.drawing().length_floor(options)};
+  Setting setting{hold.valleys(), {}, {}, hold.drawing().length_floor(options)};
   const SmoothingOptions own = straightening(options, curves);
   for (std::size_t c = 0; c < curves; ++c) setting.taus.push_back(own.tau_of(c));
+  groups_ = hold.groups(options);
+  for (const FairGroup& group : groups_) setting.groups.push_back(group.joined);
   if (!(setting_ == setting)) clear();
   setting_ = std::move(setting);
-  rungs_.resize(curves);
+  rungs_.resize(groups_.size());
 }
 
 Smoothed FairLadder::smooth(CorridorHold& hold, const SmoothingOptions& options,
@@ -110,17 +123,22 @@ Smoothed FairLadder::smooth(CorridorHold& hold, const SmoothingOptions& options,
   }
   const Stopwatch watch;
   FairChains chains;
-  for (std::size_t c = 0; c < rungs_.size(); ++c) {
-    if (rung_of(options, c)) {
-      chains.push_back(chain(c, options, hold, progress));
-    } else if (CorridorHold::is_faired(options, c)) {
-      chains.push_back(hold.fair_from(c, options.tau_of(c), straight_->curves[c], progress));
+  for (std::size_t g = 0; g < groups_.size(); ++g) {
+    const auto& parts = groups_[g].joined.parts;
+    const auto has_rung = [&](const auto& part) {
+      return rung_of(options, part.curve).has_value();
+    };
+    if (std::ranges::all_of(parts, has_rung)) {
+      chains.push_back(chain(g, options, hold, progress));
+    } else if (CorridorHold::is_faired(options, parts.front().curve)) {
+      chains.push_back(
+          hold.fair_from(groups_[g], taus_of(groups_[g], options), straight_->curves, progress));
     } else {
       chains.emplace_back();
     }
   }
   Smoothed result = smoothed_from(*straight_);
-  hold.finish(options, chains, result.curves, progress);
+  hold.finish(options, groups_, chains, result.curves, progress);
   result.time_ms = times;
   result.time_ms.fair = watch.ms();
   if (whole) clear();

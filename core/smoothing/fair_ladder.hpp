@@ -17,9 +17,9 @@ namespace talweg {
 
 /// Continuation in τ. A drawing is straightened once, at tau = 1, and faired there. From there the
 /// chains of samples lead on to the powers of two above and below (the rungs), one after the other,
-/// each curve's own to its own tau. Between two rungs the samples lie on the ways between theirs.
-/// The result therefore follows tau without jumping between several nearly equal curves, and it
-/// does not depend on what was asked for before.
+/// each curve's own to its own tau; joined curves go together. Between two rungs the samples lie on
+/// the ways between theirs. The result therefore follows tau without jumping between several nearly
+/// equal curves, and it does not depend on what was asked for before.
 class FairLadder {
  public:
   /// The rung at or next to a curve's tau, towards 1; none where it is straightened on its own.
@@ -42,17 +42,20 @@ class FairLadder {
   /// What a straightening depends on.
   struct Setting {
     std::vector<Corridor::Valley> valleys;
-    std::vector<double> taus;  ///< of the curves, as they are straightened
+    Taus taus;  ///< of the curves, as they are straightened
+    std::vector<JoinedCurves> groups;
     double floor = 0;
 
     bool operator==(const Setting&) const = default;
   };
-  const Rung& rung(std::size_t curve, double tau, CorridorHold& hold, const Progress& progress);
-  std::optional<SampleChain> chain(std::size_t curve, const SmoothingOptions& options,
+  const Rung& rung(std::size_t number, const Taus& taus, CorridorHold& hold,
+                   const Progress& progress);
+  std::optional<SampleChain> chain(std::size_t number, const SmoothingOptions& options,
                                    CorridorHold& hold, const Progress& progress);
   void keep_for(const CorridorHold& hold, const SmoothingOptions& options);
 
-  std::vector<std::map<double, Rung>> rungs_;  // per curve, by tau, for what follows
+  std::vector<FairGroup> groups_;
+  std::vector<std::map<Taus, Rung>> rungs_;  // per group, for what follows
   std::optional<Straightened> straight_;
   Setting setting_;
 };

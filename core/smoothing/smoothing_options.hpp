@@ -33,6 +33,9 @@ struct CurveOptions {
   /// The same, where a fair curve may also turn as sharply as it likes. At pins and way-points that
   /// are not among these it passes without a kink.
   std::vector<SurfacePoint> corners;
+  /// Whether fair curves continue each other without a kink where exactly two ends of the set meet
+  /// and nothing else of it passes. False is for a set that is only a part of all curves.
+  bool join_ends = true;
   /// For the corridor. Between two of these that follow each other on a curve, the drawing is no
   /// stroke: it tells only on which side of holes and handles the curve passes. The result is a
   /// spline there, and tau its tension.
