@@ -185,6 +185,36 @@ TEST_F(JoinedCurvesTest, RingsCloseWithoutAKink) {
   }
 }
 
+// An open curve that comes back to where it began.
+TEST_F(JoinedCurvesTest, ACurveThatEndsWhereItBeginsCloses) {
+  SurfaceCurve drawn = ring();
+  const SurfacePoint there = drawn.points[0];
+  drawn.closed = false;
+  drawn.points.push_back(there);
+  const auto kink = [&](const SurfaceCurve& curve) {
+    EXPECT_FALSE(curve.closed);
+    EXPECT_TRUE(curve.points.front() == there && curve.points.back() == there);
+    return turn_between(surface, {false, {curve.points[0], curve.points[1]}},
+                        {false, {curve.points[curve.points.size() - 2], there}}, there);
+  };
+  for (const double tau : {0.3, 1.0, 5.0}) {
+    const SmoothingResult result = smooth({drawn}, {.tau = tau});
+    EXPECT_LE(kink(result.curve()), 5) << tau;
+    EXPECT_EQ(result.report().termination, Outcome::kConverged);
+    EXPECT_TRUE(smooth({other_way(drawn)}, {.tau = tau}).curve().points ==
+                other_way(result.curve()).points);
+  }
+  const std::vector<double> slack(drawn.points.size(), 0.6);
+  EXPECT_LE(kink(smooth({drawn}, {.slack_at = {slack}}).curve()), 5);
+  EXPECT_GT(kink(smooth({drawn}, {}, {.corners = {there}}).curve()), 20);
+  CurveSmoother smoother(opened);
+  smoother.set_curve(drawn);
+  smoother.set_pins(std::span(&drawn.points[9], 1));
+  const SurfaceCurve pinned = smoother.smooth(1).curve();
+  EXPECT_LE(kink(pinned), 5);
+  EXPECT_EQ(std::count(pinned.points.begin(), pinned.points.end(), drawn.points[9]), 1);
+}
+
 TEST_F(JoinedCurvesTest, AreTheSameHoweverTheyAreDrawn) {
   const SurfaceCurve a = stretch_between(wave, 0, 13), b = stretch_between(wave, 13, 29),
                      c = stretch_between(wave, 29, n - 1);
