@@ -19,6 +19,7 @@ struct Node {
   SurfacePoint point;
   double arc = 0;
   bool kept = true;
+  bool corner = false;
 };
 
 /// The curve's points in their order; one that is met twice in succession counts once.
@@ -32,7 +33,9 @@ class Nodes {
       if (i == 0 && !trace.closed) {
         add(trace.fixed_points.front(), 0, true);
       } else if (k < trace.fixed.size() && trace.fixed[k] == i) {
-        add(trace.fixed_points[first + k++], piece.arc, true);
+        add(trace.fixed_points[first + k], piece.arc, true);
+        nodes_.back().corner |= !trace.corners.empty() && trace.corners[first + k];
+        ++k;
       } else {
         add(piece.point(surface, 0), piece.arc, i > 0 && crosses_after(i - 1));
       }
@@ -101,6 +104,7 @@ class Selection {
 
   void look_at(std::size_t before, std::size_t at, std::size_t after,
                std::vector<std::size_t>& wanted) const {
+    if ((*nodes_)[at].corner) return;
     const double turn = std::abs(signed_turning(*surface_, (*nodes_)[before].point,
                                                 (*nodes_)[at].point, (*nodes_)[after].point));
     if (turn <= kSmall) return;

@@ -124,7 +124,8 @@ std::optional<SampleChain> CurveFairing::loosened(SampleChain chain, Asker& aske
   std::size_t passed = 0;
   for (std::size_t i = 0; i < chain.size(); ++i) {
     if (!chain.fixed[i]) continue;
-    if (passed < legs_.tolerances.size() && !chain.is_end(i)) reach[i] = legs_.tolerances[passed];
+    if (passed < legs_.tolerances.size() && !chain.turns_freely(i))
+      reach[i] = legs_.tolerances[passed];
     loose[i] = reach[i] > 0;
     ++passed;
   }
@@ -160,12 +161,13 @@ SampleChain CurveFairing::from_chain(SampleChain chain, SampleTrail& trail, Aske
   FairChain fair = chain_fairing(options_);
   fair.run(chain, &trail, asker);
   keep_within(fair, chain, &trail, asker);
-  if (is_even(chain)) return chain;
+  return chain;
+}
+
+std::optional<SampleChain> CurveFairing::evened(const SampleChain& chain, Asker& asker) {
+  if (is_even(chain)) return std::nullopt;
   const std::optional<SampleChain> divided = maker_.divided(chain, kResamplingParts);
-  auto other = divided ? from_curve(maker_.trace_of(*divided), asker) : std::nullopt;
-  if (!other) return chain;
-  trail.clear();
-  return *std::move(other);
+  return divided ? from_curve(maker_.trace_of(*divided), asker) : std::nullopt;
 }
 
 /// What is beyond a wall is drawn in by stiffer walls.
@@ -222,7 +224,9 @@ double CurveFairing::farthest(const SurfaceCurve& curve) const {
 int CurveFairing::result_parts(const SampleChain& chain) {
   constexpr double kLargest = 3 * std::numbers::pi / 180;
   double most = 0;
-  for (const double turn : chain.turns) most = std::max(most, std::abs(turn));
+  for (std::size_t i = 0; i < chain.size(); ++i) {
+    if (!chain.turns_freely(i)) most = std::max(most, std::abs(chain.turns[i]));
+  }
   return std::clamp(static_cast<int>(std::ceil(most / kLargest)), kResultParts, kMostParts);
 }
 

@@ -40,8 +40,10 @@ class CurveFairing {
   /// A fair chain that starts from a curve; none where samples cannot be joined.
   std::optional<SampleChain> from_curve(const CurveTrace& start, Asker& asker);
   /// A fair chain that starts from one of another band. The ways of its samples are added to the
-  /// trail; it is empty afterwards where the curve had to be sampled anew.
+  /// trail.
   SampleChain from_chain(SampleChain chain, SampleTrail& trail, Asker& asker);
+  /// The chain sampled anew, and faired, if its joins have become too uneven to start from.
+  std::optional<SampleChain> evened(const SampleChain& chain, Asker& asker);
   /// Whether no sample lies beyond a wall.
   [[nodiscard]] bool keeps_within(const SampleChain& chain) const;
   /// The largest distance of a curve to the drawing, in distances of the wall there.

@@ -54,6 +54,14 @@ void CurveTrace::add(const CurveSegment& segment) {
   length += segment.length;
 }
 
+void CurveTrace::set_corners(std::span<const SurfacePoint> points) {
+  if (points.empty()) return;
+  corners.clear();
+  for (const SurfacePoint& point : fixed_points) {
+    corners.push_back(std::find(points.begin(), points.end(), point) != points.end());
+  }
+}
+
 std::vector<double> CurveTrace::stretch_lengths() const {
   std::vector<double> arcs;
   if (!closed) arcs.push_back(0);

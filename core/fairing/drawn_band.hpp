@@ -20,6 +20,13 @@ struct BandWidth {
   double least_slack = 0;            ///< > 0; less counts as this
   double walls = 1.2;                ///< W: their distance from the drawing, in slacks
   double most = HUGE_VAL;            ///< they are never farther away than this
+  double middle = 1;                 ///< how much the middle draws, against other curves
+};
+
+/// A curve that is faired, by its number among those of the distance.
+struct BandCurve {
+  std::size_t curve = 0;
+  BandWidth width;
 };
 
 /// Where a point of the band lies; mesh units.
@@ -29,13 +36,18 @@ struct BandPlace {
   double slack = 0;       ///< ε at the nearest point of the drawing
   double wall = 0;        ///< the distance of the walls there
   double wall_slope = 0;  ///< of that along the direction
+  double middle = 1;      ///< BandWidth::middle
 };
 
-/// The band of one of the curves that a PolylineDistance is set to. Refers to the distance.
+/// The band of a curve that a PolylineDistance is set to, or of several that are joined: of these
+/// it is as wide as that of the nearest one. Refers to the distance.
 class DrawnBand {
  public:
   DrawnBand(PolylineDistance& distance, const Surface& surface, std::size_t curve,
-            const BandWidth& width);
+            const BandWidth& width)
+      : DrawnBand(distance, surface, std::vector<BandCurve>{{curve, width}}) {}
+  DrawnBand(PolylineDistance& distance, const Surface& surface,
+            const std::vector<BandCurve>& curves);
 
   [[nodiscard]] BandPlace at(const FaceCoordinates& point, PlanePoint direction) const;
   [[nodiscard]] BandPlace at(const SurfacePoint& point) const;
@@ -43,13 +55,19 @@ class DrawnBand {
   [[nodiscard]] double least_slack() const;
 
  private:
+  struct Width {
+    std::size_t curve = 0;
+    BandWidth width;
+    std::vector<double> arcs, slacks;  // of slack_at, all around a closed curve
+  };
+  void add(const BandCurve& curve);
+  [[nodiscard]] const Width& width_at(std::uint32_t curve) const;
   void set_width(BandPlace& place, std::uint32_t curve, double arc, double arc_slope) const;
 
   PolylineDistance* distance_;
   const Surface* surface_;
-  std::size_t curve_;
-  BandWidth width_;
-  std::vector<double> arcs_, slacks_;  // of slack_at, all around a closed curve
+  std::vector<Width> widths_;  // ascending by curve
+  std::size_t narrowest_ = 0;
 };
 
 }  // namespace talweg

@@ -24,9 +24,10 @@ void append(const SampleTrail& more, SampleTrail& trail) {
 }  // namespace
 
 /// Loops keep their size: what counts is how far their curvature is from its mean. A loop that
-/// bends little would grow until it meets its outer wall.
+/// bends little would grow until it meets its outer wall. One with a corner is as an open curve.
 double FairChain::mean_curvature(const SampleChain& chain) const {
   if (!chain.closed || has_legs()) return 0;
+  if (std::find(chain.corners.begin(), chain.corners.end(), true) != chain.corners.end()) return 0;
   return std::accumulate(chain.turns.begin(), chain.turns.end(), 0.0) / chain.length();
 }
 
@@ -77,7 +78,7 @@ void FairChain::balance(const SampleChain& chain) {
     if (i < chain.joins.size() && legs_->is_on_leg(chain.joins[i])) {
       length += chain.joins[i].length;
     }
-    if (!is_on_leg(chain, i)) continue;
+    if (!is_on_leg(chain, i) || chain.turns_freely(i)) continue;
     bending += 2 * chain.turns[i] * chain.turns[i] /
                (chain.join_before(i).length + chain.join_after(i).length);
   }
@@ -95,16 +96,16 @@ void FairChain::energies(const SampleChain& chain, const std::vector<BandPlace>&
   const double mean = mean_curvature(chain);
   for (std::size_t i = 0; i < chain.size(); ++i) {
     energies[i] = pull_at(chain, i);
-    if (chain.is_end(i)) continue;
+    if (chain.turns_freely(i)) continue;
     const double weight = (chain.join_before(i).length + chain.join_after(i).length) / 2;
     const double turn = chain.turns[i] - mean * weight;
     energies[i] += turn * turn / weight;
     if (chain.fixed[i]) continue;
     const BandPlace& place = places[i];
     const double beyond = std::max(0.0, place.distance - options_.felt * place.wall);
-    energies[i] +=
-        weight / fourth(place.slack) *
-        (options_.middle * place.distance * place.distance + stiffness_[i] * beyond * beyond);
+    energies[i] += weight / fourth(place.slack) *
+                   (options_.middle * place.middle * place.distance * place.distance +
+                    stiffness_[i] * beyond * beyond);
   }
 }
 
@@ -114,7 +115,7 @@ void FairChain::set_rows(const SampleChain& chain) {
   if (has_legs()) gauss = curvature_.along(chain);
   const double mean = mean_curvature(chain);
   for (std::size_t i = 0; i < chain.size(); ++i) {
-    if (chain.is_end(i)) continue;
+    if (chain.turns_freely(i)) continue;
     const ChainJoin &in = chain.join_before(i), &out = chain.join_after(i);
     Row& row = rows_[i];
     row.weight = (in.length + out.length) / 2;
@@ -133,7 +134,7 @@ void FairChain::set_rows(const SampleChain& chain) {
 void FairChain::assemble(const SampleChain& chain, BandSystem& system) const {
   system.clear();
   for (std::size_t i = 0; i < chain.size(); ++i) {
-    if (chain.is_end(i)) continue;
+    if (chain.turns_freely(i)) continue;
     const Row& row = rows_[i];
     const std::size_t at[3] = {chain.before(i), i, chain.after(i)};
     const double value[3] = {row.before, row.here, row.after};
@@ -145,8 +146,8 @@ void FairChain::assemble(const SampleChain& chain, BandSystem& system) const {
     if (chain.fixed[i]) continue;
     const BandPlace& place = places_[i];
     const double per = row.weight / fourth(place.slack), s = place.slope;
-    system.add(i, i, per * (options_.middle * s * s + damping_));
-    system.right(i) -= per * options_.middle * s * place.distance;
+    system.add(i, i, per * (options_.middle * place.middle * s * s + damping_));
+    system.right(i) -= per * options_.middle * place.middle * s * place.distance;
     if (active_[i] != 0) {
       const double slope = s - options_.felt * place.wall_slope;
       const double beyond = place.distance - options_.felt * place.wall;
@@ -222,7 +223,7 @@ bool FairChain::hold_at_jumps(const SampleChain& chain, const SampleChain& moved
   std::vector<double> jumps(n, 0);
   const double mean = mean_curvature(chain);
   for (std::size_t i = 0; i < n; ++i) {
-    if (chain.is_end(i)) continue;
+    if (chain.turns_freely(i)) continue;
     const Row& row = rows_[i];
     const double expected = row.rest + row.before * left[chain.before(i)] + row.here * left[i] +
                             row.after * left[chain.after(i)];

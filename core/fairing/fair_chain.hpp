@@ -25,8 +25,9 @@ struct FairOptions {
 
 /// Minimises E = Σ wᵢ (θᵢ / wᵢ − κ₀)² + β Σ wᵢ δᵢ² / εᵢ⁴ + ρ Σ wᵢ max(0, δᵢ − Wᵢ)² / εᵢ⁴ over the
 /// samples of a chain by Gauss and Newton's method; W is the distance of the walls that are felt,
-/// κ₀ the mean curvature of a loop, 0 for an open chain. On legs there is no drawing: t · length,
-/// their tension, stands for the terms with δ. docs/algorithm.md has all of it.
+/// κ₀ the mean curvature of a loop, 0 for an open chain and for a loop with corners, where turns
+/// cost nothing. On legs there is no drawing: t · length, their tension, stands for the terms with
+/// δ. docs/algorithm.md has all of it.
 class FairChain {
  public:
   /// The band may be null where every stretch is a leg.

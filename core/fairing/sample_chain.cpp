@@ -145,10 +145,14 @@ std::optional<SampleChain> ChainMaker::sampled(const CurveTrace& trace,
   const bool spaced = std::all_of(spacings.begin(), spacings.end(), [](double s) { return s > 0; });
   if (trace.pieces.empty() || !(trace.length > 0) || !spaced) return std::nullopt;
   const std::vector<Place> places = places_on(trace, spacings);
+  std::size_t passed = 0;  // fixed points
   for (const Place& place : places) {
     const FaceCoordinates at = trace.point(place.piece, place.arc);
     chain.samples.push_back(place.fixed ? at : moved_inside(at));
     chain.fixed.push_back(place.fixed);
+    if (trace.corners.empty()) continue;
+    chain.corners.push_back(place.fixed && trace.corners[passed]);
+    if (place.fixed) ++passed;
   }
   const std::size_t joins = places.size() - (trace.closed ? 0 : 1);
   const auto crossed_after = [&](std::size_t piece) {
@@ -205,6 +209,7 @@ std::optional<SampleChain> ChainMaker::moved(const SampleChain& chain,
   result.fixed_points = chain.fixed_points;
   result.samples = chain.samples;
   result.fixed = chain.fixed;
+  result.corners = chain.corners;
   result.loose = chain.loose;
   FaceStrip walks;
   std::vector<std::uint32_t> first{0};
@@ -245,6 +250,7 @@ std::optional<SampleChain> ChainMaker::loosened(const SampleChain& chain,
                                                 const std::vector<bool>& loose) {
   SampleChain result;
   result.closed = chain.closed;
+  result.corners = chain.corners;
   result.loose = loose;
   result.fixed = chain.fixed;
   result.samples = chain.samples;
@@ -277,15 +283,16 @@ std::optional<SampleChain> ChainMaker::loosened(const SampleChain& chain,
 }
 
 std::optional<SampleChain> ChainMaker::between(const SampleChain& from, const SampleChain& to,
-                                               const SampleTrail& trail, double part) {
-  if (trail.size() != from.size()) return part < 0.5 ? from : to;
+                                               const SampleTrail& trail,
+                                               std::span<const double> parts) {
+  if (trail.size() != from.size()) return parts.front() < 0.5 ? from : to;
   std::vector<SampleStep> steps(from.size());
   for (std::size_t i = 0; i < from.size(); ++i) {
     if (from.fixed[i]) continue;
     strip_ = trail[i];
     const StripLine line = lines_.join(from.samples[i], to.samples[i], strip_);
     if (!line.found) return std::nullopt;
-    steps[i] = {line.start, part * (line.bends.empty() ? line.length : line.first_leg)};
+    steps[i] = {line.start, parts[i] * (line.bends.empty() ? line.length : line.first_leg)};
   }
   return moved(from, steps, nullptr);
 }
@@ -297,11 +304,14 @@ std::optional<SampleChain> ChainMaker::divided(const SampleChain& chain, int par
   for (std::size_t i = 0; i < chain.joins.size(); ++i) {
     result.samples.push_back(chain.samples[i]);
     result.fixed.push_back(chain.fixed[i]);
+    if (!chain.corners.empty()) result.corners.push_back(chain.corners[i]);
     if (!divide(chain, i, parts, result)) return std::nullopt;
+    if (!chain.corners.empty()) result.corners.resize(result.samples.size(), false);
   }
   if (!chain.closed) {
     result.samples.push_back(chain.samples.back());
     result.fixed.push_back(true);
+    if (!chain.corners.empty()) result.corners.push_back(chain.corners.back());
   }
   set_turns(result);
   return result;
@@ -332,12 +342,12 @@ bool ChainMaker::insert_beside(const Leg& leg, int parts, std::vector<Inserted>&
 bool ChainMaker::divide(const SampleChain& chain, std::size_t i, int parts, SampleChain& result) {
   const ChainJoin& join = chain.joins[i];
   const std::size_t j = chain.after(i);
-  // The part of a sample's turn on this side of its tangent; ends have none of their own.
+  // The part of a sample's turn on this side of its tangent; ends and corners have none.
   const auto slope = [&](std::size_t sample, double sign) {
     const double both = chain.join_before(sample).length + chain.join_after(sample).length;
     return std::tan(std::clamp(sign * chain.turns[sample] * join.length / both, -0.7, 0.7));
   };
-  const bool free = chain.is_end(i), stop = chain.is_end(j);
+  const bool free = chain.turns_freely(i), stop = chain.turns_freely(j);
   const double m0 = free ? 0 : slope(i, -1), m1 = stop ? 0 : slope(j, 1);
   std::vector<Inserted> inserted;
   if (!join.bends) {
@@ -376,6 +386,9 @@ CurveTrace ChainMaker::trace_of(const SampleChain& chain) {
   CurveTrace trace;
   trace.closed = chain.closed;
   trace.fixed_points = chain.fixed_points;
+  for (std::size_t i = 0; i < chain.corners.size(); ++i) {
+    if (chain.fixed[i]) trace.corners.push_back(chain.corners[i]);
+  }
   const auto add = [&](const FaceCoordinates& from, const std::array<double, 3>& to) {
     trace.add(
         {from.face, from.barycentric, to, distance_in_face(*surface_, from, {from.face, to})});

@@ -31,14 +31,19 @@ struct SampleChain {
   std::vector<FaceCoordinates> samples;
   std::vector<bool> fixed;
   std::vector<SurfacePoint> fixed_points;  ///< where these are, in their order
-  std::vector<bool> loose;                 ///< unless empty: samples that were fixed at first
-  std::vector<double> turns;               ///< radians, to the left positive; 0 at ends
-  std::vector<ChainJoin> joins;            ///< as many as samples if closed, else one less
+  std::vector<bool> corners;     ///< unless empty: fixed samples at which it may turn freely
+  std::vector<bool> loose;       ///< unless empty: samples that were fixed at first
+  std::vector<double> turns;     ///< radians, to the left positive; 0 at ends
+  std::vector<ChainJoin> joins;  ///< as many as samples if closed, else one less
   FaceStrip crossed;
 
   [[nodiscard]] std::size_t size() const { return samples.size(); }
   [[nodiscard]] bool is_end(std::size_t i) const {
     return !closed && (i == 0 || i + 1 == samples.size());
+  }
+  /// Whether its turn at the sample costs nothing; ends have none.
+  [[nodiscard]] bool turns_freely(std::size_t i) const {
+    return is_end(i) || (!corners.empty() && corners[i]);
   }
   [[nodiscard]] std::size_t before(std::size_t i) const { return i == 0 ? size() - 1 : i - 1; }
   [[nodiscard]] std::size_t after(std::size_t i) const { return i + 1 == size() ? 0 : i + 1; }
@@ -85,10 +90,10 @@ class ChainMaker {
   /// Each free sample moved by so much to the left.
   std::optional<SampleChain> moved_left(const SampleChain& chain, std::span<const double> left,
                                         SampleTrail* trail);
-  /// The chain whose samples lie at this part of the way from one chain to another; the nearer one
-  /// where there is no trail.
+  /// The chain whose samples lie at these parts of the ways from one chain to another; the nearer
+  /// one where there is no trail. One part for each sample of `from`.
   std::optional<SampleChain> between(const SampleChain& from, const SampleChain& to,
-                                     const SampleTrail& trail, double part);
+                                     const SampleTrail& trail, std::span<const double> parts);
   /// The chain with these samples no longer fixed.
   std::optional<SampleChain> loosened(const SampleChain& chain, const std::vector<bool>& loose);
   /// With so many joins for each, on a cubic that has the chain's samples and tangents.

@@ -100,6 +100,7 @@ class Network {
     std::vector<NetworkNodes::Redrawing> drawings;
     std::vector<SurfaceCurve> curves;
     CurveOptions curve_options;
+    curve_options.join_ends = false;  // at every junction there are more borders
     const auto pin = [&](const SurfacePoint& p) { curve_options.pins.push_back(p); };
     for (const std::size_t c : members) {
       const LabelBorder& border = drawings.emplace_back(drawing(c)).border;

@@ -32,14 +32,15 @@ void Corridor::check_slack(const std::vector<double>& values, std::size_t curve,
   }
 }
 
-Corridor::Corridor(PolylineDistance& distance, double tau, const std::vector<Valley>& valleys)
+Corridor::Corridor(PolylineDistance& distance, const std::vector<double>& taus,
+                   const std::vector<Valley>& valleys)
     : distance_(&distance) {
   profiles_.reserve(valleys.size());
   for (std::size_t c = 0; c < valleys.size(); ++c) {
     const Valley& valley = valleys[c];
     Profile& profile = profiles_.emplace_back();
     profile.slack = valley.slack;
-    profile.steepness = kGain * tau * (kGain * tau / valley.length);
+    profile.steepness = kGain * taus[c] * (kGain * taus[c] / valley.length);
     const double loop = valley.closed ? distance.curve_length(c) : valley.loop_length;
     if (loop > 0) profile.phase_per_arc = 2 * std::numbers::pi * valley.turns / loop;
     profile.phase = profile.phase_per_arc * valley.arc_start;
@@ -85,8 +86,10 @@ std::array<double, 2> Corridor::at_vertex(VertexId v) const {
   return lifted(distance_->at_vertex(v));
 }
 
-std::array<double, 2> Corridor::at_vertex_roughly(VertexId v, double exact) const {
-  return lifted(distance_->at_vertex_roughly(v, exact));
+std::array<double, 2> Corridor::at_vertex_roughly(VertexId v, double exact,
+                                                  const std::vector<bool>& exactly) const {
+  const PolylineDistance::Nearest nearest = distance_->at_vertex_roughly(v, exact);
+  return exactly[nearest.curve] ? at_vertex(v) : lifted(nearest);
 }
 
 std::array<double, 2> Corridor::at(const SurfacePoint& point) const {

@@ -39,7 +39,11 @@ class Corridor {
   /// `distance` has its curves set; there is one valley per curve. tau is in [0, infinity). Throws
   /// Error(kBadUsage) naming the curve and the point when slack_at does not fit its curve or has a
   /// value that is negative or not finite.
-  Corridor(PolylineDistance& distance, double tau, const std::vector<Valley>& valleys);
+  Corridor(PolylineDistance& distance, double tau, const std::vector<Valley>& valleys)
+      : Corridor(distance, std::vector<double>(valleys.size(), tau), valleys) {}
+  /// With a tau for each valley.
+  Corridor(PolylineDistance& distance, const std::vector<double>& taus,
+           const std::vector<Valley>& valleys);
 
   /// Throws as the constructor does for slack values along a curve with this number of points.
   static void check_slack(const std::vector<double>& values, std::size_t curve, std::size_t points);
@@ -48,8 +52,9 @@ class Corridor {
   std::array<double, 2> at_vertex(VertexId v) const;
   /// Like at_vertex() where δ is at most `exact`. Farther out the value is not less, as if δ were
   /// the length of a way along edges. This avoids a wide band of exact distances around walls that
-  /// no curve climbs.
-  std::array<double, 2> at_vertex_roughly(VertexId v, double exact) const;
+  /// no curve climbs. Where `exactly` has the curve that is nearest, the value is exact.
+  std::array<double, 2> at_vertex_roughly(VertexId v, double exact,
+                                          const std::vector<bool>& exactly) const;
   /// An upper bound on the relative lengthening of any edge of at least this length whose ends are
   /// no farther from the drawing than `distance`. O(curves); asks for no distance.
   [[nodiscard]] double largest_lengthening(double distance, double length) const;

@@ -11,6 +11,7 @@
 #include "talweg/core/measure/measures.hpp"
 #include "talweg/core/smoothing/corridor_valleys.hpp"
 #include "talweg/core/smoothing/cut_off_detours.hpp"
+#include "talweg/core/smoothing/fair_verdict.hpp"
 #include "talweg/core/smoothing/leg_start.hpp"
 #include "talweg/core/smoothing/lifted_lengths.hpp"
 #include "talweg/core/smoothing/touched_edges.hpp"
@@ -38,31 +39,6 @@ constexpr double kTighter = 8;  // of the tries of splines
 constexpr const char* kLeftTaut =
     "The curve could not be made fair within its walls; it is left taut, with kinks.";
 
-/// Whether a point is at the boundary, or as near as rounding tells.
-bool is_at_boundary(const Surface& surface, const SurfacePoint& point) {
-  constexpr double kAtIt = 1e-6;  // of the face's height
-  for (const FaceId face : faces_at(surface, point)) {
-    const auto b = coordinates_in(surface, point, face).barycentric;
-    HalfedgeId side = surface.halfedge(face);  // from corner 0 to corner 1
-    for (std::size_t k = 0; k < 3; ++k, side = surface.next(side)) {
-      if (surface.on_boundary(edge_of(side)) && b[(k + 2) % 3] <= kAtIt) return true;
-    }
-  }
-  return false;
-}
-
-/// How many of a curve's points are at the boundary.
-std::size_t boundary_points(const Surface& surface, const SurfaceCurve& curve) {
-  return static_cast<std::size_t>(std::ranges::count_if(
-      curve.points, [&](const SurfacePoint& point) { return is_at_boundary(surface, point); }));
-}
-
-/// Whether a curve lies along the boundary where the taut one at most ends there.
-bool is_pressed(const Surface& surface, const SurfaceCurve& curve, const SurfaceCurve& taut) {
-  const std::size_t by_itself = boundary_points(surface, taut);
-  return by_itself <= 2 && boundary_points(surface, curve) > by_itself;
-}
-
 }  // namespace
 
 /// How far out δ must be exact where the valley is narrow: the faces that the curve passes through
@@ -77,8 +53,15 @@ double CorridorHold::exact_for_walls() const {
   return exact;
 }
 
-Straightened CorridorHold::straighten(const SmoothingOptions& options, Walls walls,
-                                      const Progress& progress) {
+/// While dragging, all valleys have the tau of the curve that is dragged.
+Corridor CorridorHold::corridor(const SmoothingOptions& options) const {
+  std::vector<double> taus;
+  for (std::size_t c = 0; c < valleys_->size(); ++c) taus.push_back(options.tau_of(c));
+  return {*distance_, taus, *valleys_};
+}
+
+Straightened CorridorHold::straighten(const SmoothingOptions& options,
+                                      const std::vector<Walls>& walls, const Progress& progress) {
   if (drawing_->all_legs()) return straighten_flat(options, progress);
   Straightened result = straighten_lifted(options, walls, progress);
   if (!drawing_->any_legs()) return result;
@@ -92,14 +75,19 @@ Straightened CorridorHold::straighten(const SmoothingOptions& options, Walls wal
   return result;
 }
 
-Straightened CorridorHold::straighten_lifted(const SmoothingOptions& options, Walls walls,
+Straightened CorridorHold::straighten_lifted(const SmoothingOptions& options,
+                                             const std::vector<Walls>& walls,
                                              const Progress& progress) {
-  const Corridor corridor = this->corridor(options.tau);
-  const double exact = walls == Walls::kExact ? HUGE_VAL : exact_for_walls();
+  const Corridor corridor = this->corridor(options);
+  std::vector<bool> exactly;
+  for (const Walls each : walls) exactly.push_back(each == Walls::kExact);
+  const bool all = std::find(exactly.begin(), exactly.end(), false) == exactly.end();
+  const double exact = all ? HUGE_VAL : exact_for_walls();
   const std::size_t own = drawing_->surface().vertex_count();
   const auto metric = [&](VertexId p, VertexId q, double length) {
     const auto at = [&](VertexId v) {  // inserted vertices lie on the drawing
-      return v.index() < own ? corridor.at_vertex_roughly(v, exact) : std::array<double, 2>{0, 0};
+      return v.index() < own ? corridor.at_vertex_roughly(v, exact, exactly)
+                             : std::array<double, 2>{0, 0};
     };
     return lifted_length(length, at(p), at(q));
   };
@@ -124,10 +112,12 @@ bool CorridorHold::is_felt(const Corridor& corridor, const Straightened& flat,
 
 std::optional<Straightened> CorridorHold::unlifted(const SmoothingOptions& options,
                                                    const Progress& progress) {
-  if (options.tau == 0) return straighten_flat(options, progress);
+  double most = 0;
+  for (std::size_t c = 0; c < valleys_->size(); ++c) most = std::max(most, options.tau_of(c));
+  if (most == 0) return straighten_flat(options, progress);
   // Straightening without the lift is worth trying only if the lift would not be felt a sixteenth
   // of the drawing's radius beyond the slack.
-  const Corridor corridor = this->corridor(options.tau);
+  const Corridor corridor = this->corridor(options);
   double beyond = HUGE_VAL, slack = 0;
   for (const Corridor::Valley& valley : *valleys_) {
     beyond = std::min(beyond, valley.length / 4);
@@ -141,8 +131,9 @@ std::optional<Straightened> CorridorHold::unlifted(const SmoothingOptions& optio
   return options.prepare_whole_mesh ? straighten_flat(options, progress) : std::move(flat);
 }
 
-void CorridorHold::hold_thin_loops(Straightened& straight) const {
+void CorridorHold::hold_thin_loops(const SmoothingOptions& options, Straightened& straight) const {
   for (std::size_t c = 0; c < drawing_->capped().size(); ++c) {
+    if (!is_faired(options, c)) continue;
     StraightenedPath& path = straight.paths[c];
     if (!drawing_->capped()[c].closed || path.termination != Termination::kCollapsed) continue;
     straight.curves[c] = drawing_->drawing().curves()[c];  // capping can cut through it
@@ -151,78 +142,145 @@ void CorridorHold::hold_thin_loops(Straightened& straight) const {
   }
 }
 
-/// Calls use() with the fairing of one curve.
-void CorridorHold::with_fairing(double tau, double narrower, std::size_t curve,
+std::vector<FairGroup> CorridorHold::groups(const SmoothingOptions& options) const {
+  const auto is_free = [&](std::size_t c) {
+    return is_faired(options, c) && (drawing_->legs()[c].any() || !is_narrow(c));
+  };
+  const auto may_join = [&](std::size_t a, std::size_t b) {
+    const bool legs = drawing_->legs()[a].any() || drawing_->legs()[b].any();
+    return drawing_->options().join_ends && is_free(a) && is_free(b) &&
+           (!legs || options.tau_of(a) == options.tau_of(b));
+  };
+  std::vector<FairGroup> groups;
+  for (JoinedCurves& curves : joined_curves(drawing_->surface(), drawing_->drawing().curves(),
+                                            drawing_->corners(), may_join)) {
+    groups.push_back(fair_group(*drawing_, std::move(curves)));
+  }
+  return groups;
+}
+
+/// The trace of a curve from which fairing starts.
+CurveTrace CorridorHold::traced(const SurfaceCurve& curve,
+                                std::span<const SurfacePoint> fixed) const {
+  CurveTrace trace = trace_of(drawing_->surface(), curve, fixed);
+  trace.set_corners(drawing_->corners());
+  return trace;
+}
+
+CurveTrace CorridorHold::traced(const FairGroup& group, const SurfaceCurve& curve) const {
+  if (group.junctions.empty()) return traced(curve, drawing_->fixed());
+  std::vector<SurfacePoint> fixed = drawing_->fixed();
+  fixed.insert(fixed.end(), group.junctions.begin(), group.junctions.end());
+  return traced(curve, fixed);
+}
+
+/// Calls use() with the fairing of a group.
+void CorridorHold::with_fairing(const FairGroup& group, const Taus& taus, double narrower,
                                 const LegTension& legs, Asker& asker,
                                 const std::function<void(CurveFairing&)>& use) {
   const AskedDuring asked(*distance_, asker);
-  const Corridor::Valley& valley = (*valleys_)[curve];
-  const double edge = drawing_->drawing().edges_near()[curve];
-  std::optional<DrawnBand> band;
-  if (!drawing_->legs()[curve].all()) {
-    band.emplace(*distance_, drawing_->surface(), curve,
-                 BandWidth{valley.slack, valley.slack_at, kLeastSlack * edge,
-                           narrower * walls_of(tau), valley.apart});
-  }
+  const auto middle = [](double tau) { return std::min(1.0, std::pow(tau, 4)); };
   FairOptions options;
-  options.middle *= std::min(1.0, std::pow(tau, 4));
-  CurveFairing fairing(drawing_->surface(), band ? &*band : nullptr, edge, options, legs);
+  options.middle *= middle(taus.front());
+  std::vector<BandCurve> curves;
+  bool all_legs = true;
+  for (std::size_t k = 0; k < taus.size(); ++k) {
+    const std::size_t c = group.joined.parts[k].curve;
+    const Corridor::Valley& valley = (*valleys_)[c];
+    BandWidth width{valley.slack, valley.slack_at,
+                    kLeastSlack * drawing_->drawing().edges_near()[c], narrower * walls_of(taus[k]),
+                    valley.apart};
+    if (taus[k] != taus.front()) width.middle = middle(taus[k]) / middle(taus.front());
+    curves.push_back({c, width});
+    all_legs = all_legs && drawing_->legs()[c].all();
+  }
+  std::optional<DrawnBand> band;
+  if (!all_legs) band.emplace(*distance_, drawing_->surface(), curves);
+  CurveFairing fairing(drawing_->surface(), band ? &*band : nullptr, group.edge, options, legs);
   use(fairing);
 }
 
-FairChains CorridorHold::fair_from(double tau, Straightened& straight, const Progress& progress) {
-  Asker asker(progress, "fair");
-  FairChains chains(straight.curves.size());
-  for (std::size_t c = 0; c < straight.curves.size(); ++c) {
-    if (has_legs(c)) continue;
-    const SurfaceCurve& drawn = drawing_->drawing().curves()[c];
+/// The straightened curves of a group, with what they have cut off.
+SurfaceCurve CorridorHold::with_what_was_cut_off(const FairGroup& group,
+                                                 Straightened& straight) const {
+  std::vector<SurfaceCurve> curves = straight.curves;
+  for (const JoinedCurves::Part& part : group.joined.parts) {
+    const std::size_t c = part.curve;
     const double far = std::max((*valleys_)[c].detour, drawing_->drawing().edges_near()[c] / 2);
-    const WithDetours start = with_detours(drawing_->mesh(), straight.curves[c], drawn, far);
+    WithDetours start =
+        with_detours(drawing_->mesh(), curves[c], drawing_->drawing().curves()[c], far);
+    curves[c] = std::move(start.curve);
     straight.paths[c].redrawn = start.stretches;
-    with_fairing(tau, 1, c, {}, asker, [&](CurveFairing& fairing) {
-      const auto from = [&](const SurfaceCurve& curve) {
-        return fairing.from_curve(trace_of(drawing_->surface(), curve, drawing_->fixed()), asker);
-      };
-      chains[c] = from(start.curve);
-      // What straightening has cut off may lie beyond walls that no step leads back through.
-      if (chains[c] && fairing.keeps_within(*chains[c])) return;
-      std::optional<SampleChain> again = from(drawn);
-      if (!again) return;
-      chains[c] = std::move(again);
-      straight.paths[c].redrawn = 1;
-    });
   }
-  return chains;
+  return joined(group.joined, curves);
 }
 
-FairChains CorridorHold::fair_from(double tau, const FairChains& chains,
-                                   std::vector<SampleTrail>& trails, const Progress& progress) {
+std::optional<SampleChain> CorridorHold::fair_from(const FairGroup& group, const Taus& taus,
+                                                   Straightened& straight,
+                                                   const Progress& progress) {
+  std::optional<SampleChain> chain;
+  if (has_legs(*drawing_, group)) return chain;
+  const SurfaceCurve start = with_what_was_cut_off(group, straight);
   Asker asker(progress, "fair");
-  FairChains result = chains;
-  trails.resize(chains.size());
-  for (std::size_t c = 0; c < chains.size(); ++c) {
-    if (!chains[c]) continue;
-    with_fairing(tau, 1, c, {}, asker, [&](CurveFairing& fairing) {
-      result[c] = fairing.from_chain(*chains[c], trails[c], asker);
-    });
-  }
+  with_fairing(group, taus, 1, {}, asker, [&](CurveFairing& fairing) {
+    chain = fairing.from_curve(traced(group, start), asker);
+    // What straightening has cut off may lie beyond walls that no step leads back through.
+    if (chain && fairing.keeps_within(*chain)) return;
+    std::optional<SampleChain> again = fairing.from_curve(traced(group, group.drawn), asker);
+    if (!again) return;
+    chain = std::move(again);
+    for (const JoinedCurves::Part& part : group.joined.parts)
+      straight.paths[part.curve].redrawn = 1;
+  });
+  return chain;
+}
+
+SampleChain CorridorHold::fair_from(const FairGroup& group, const Taus& taus,
+                                    const SampleChain& chain, SampleTrail& trail,
+                                    const Progress& progress) {
+  Asker asker(progress, "fair");
+  SampleChain result;
+  with_fairing(group, taus, 1, {}, asker,
+               [&](CurveFairing& fairing) { result = fairing.from_chain(chain, trail, asker); });
   return result;
 }
 
-std::optional<SampleChain> CorridorHold::between(std::size_t curve, const AtTau& from,
-                                                 const AtTau& to, const SampleTrail& trail,
-                                                 double tau, const Progress& progress) {
+std::optional<SampleChain> CorridorHold::evened(const FairGroup& group, const Taus& taus,
+                                                const SampleChain& chain,
+                                                const Progress& progress) {
   Asker asker(progress, "fair");
   std::optional<SampleChain> result;
-  with_fairing(tau, 1, curve, {}, asker, [&](CurveFairing& fairing) {
-    // The walls' distance is linear in 1 / tau.
-    const double part = (1 / tau - 1 / from.tau) / (1 / to.tau - 1 / from.tau);
-    const double nearer = to.tau > from.tau ? 1 : 0;
-    ChainMaker maker(drawing_->surface());
-    const auto at = [&](double p) { return maker.between(from.chain, to.chain, trail, p); };
-    result = at(part);
+  with_fairing(group, taus, 1, {}, asker,
+               [&](CurveFairing& fairing) { result = fairing.evened(chain, asker); });
+  return result;
+}
+
+std::optional<SampleChain> CorridorHold::between(const FairGroup& group, const AtTaus& from,
+                                                 const AtTaus& to, const SampleTrail& trail,
+                                                 const Taus& taus, const Progress& progress) {
+  Asker asker(progress, "fair");
+  const std::vector<std::size_t> part_of = group.parts_of_stretches(from.chain);
+  ChainMaker maker(drawing_->surface());
+  // By how much nearer to the walls that are nearer: 0 is where the walls are, 1 is there.
+  const auto at = [&](double nearer) {
+    std::vector<double> parts, all;
+    for (std::size_t k = 0; k < taus.size(); ++k) {
+      // The walls' distance is linear in 1 / tau.
+      const double part = (1 / taus[k] - 1 / from.taus[k]) / (1 / to.taus[k] - 1 / from.taus[k]);
+      const double near = to.taus[k] > from.taus[k] ? 1 : 0;
+      parts.push_back(part + nearer * (near - part));
+    }
+    for (std::size_t i = 0; i < from.chain.size(); ++i) {
+      const bool end = from.chain.is_end(i);
+      all.push_back(parts[end ? 0 : part_of[from.chain.join_before(i).stretch]]);
+    }
+    return maker.between(from.chain, to.chain, trail, all);
+  };
+  std::optional<SampleChain> result;
+  with_fairing(group, taus, 1, {}, asker, [&](CurveFairing& fairing) {
+    result = at(0);
     if (!result || fairing.keeps_within(*result)) return;
-    double out = part, in = nearer;
+    double out = 0, in = 1;
     for (int halving = 0; halving < kHalvings; ++halving) {
       const double middle = (out + in) / 2;
       auto chain = at(middle);
@@ -243,60 +301,62 @@ std::optional<SurfaceCurve> CorridorHold::fair(double tau, const SurfaceCurve& c
                                                const Progress& progress) {
   Asker asker(progress, "fair");
   std::optional<SurfaceCurve> result;
-  with_fairing(tau, 1, 0, {}, asker, [&](CurveFairing& fairing) {
-    const auto chain = fairing.from_curve(trace_of(drawing_->surface(), curve, fixed), asker);
-    if (!chain) return;
-    if (auto faired = fairing.curve_of(*chain, asker)) result = std::move(faired->curve);
-  });
+  with_fairing(fair_group(*drawing_, {{{0, false}}}), {tau}, 1, {}, asker,
+               [&](CurveFairing& fairing) {
+                 const auto chain = fairing.from_curve(traced(curve, fixed), asker);
+                 if (!chain) return;
+                 if (auto faired = fairing.curve_of(*chain, asker))
+                   result = std::move(faired->curve);
+               });
   return result;
 }
 
 /// The fair curve of one try: from the chain, then from the drawing in ever narrower bands; with
-/// legs from the taut curve, ever tighter. None if it is beyond its walls, bends more than the
-/// curve it started from, or touches the boundary where the taut one keeps off it.
-std::optional<SurfaceCurve> CorridorHold::tried(std::size_t number, double tau, std::size_t curve,
+/// legs from the taut curve, ever tighter. None if it is beyond its walls or worse than the curve
+/// it started from.
+std::optional<SurfaceCurve> CorridorHold::tried(std::size_t number, const Taus& taus,
+                                                const FairGroup& group,
                                                 const std::optional<SampleChain>& chain,
                                                 const SurfaceCurve& taut, bool redrawn,
                                                 Asker& asker) {
   const Surface& surface = drawing_->surface();
   std::optional<SurfaceCurve> result;
-  const DrawnLegs& drawn = drawing_->legs()[curve];
+  const bool any_legs = has_legs(*drawing_, group);
   std::optional<LegStart> legs = LegStart{};
-  if (drawn.any()) legs = start_on(drawn, taut, tension_of(tau) * std::pow(kTighter, number));
+  if (any_legs) {
+    legs = leg_start(*drawing_, group, taut, tension_of(taus.front()) * std::pow(kTighter, number));
+  }
   if (!legs) return result;
   const double band = number == 0 ? 1 : kBands[number - 1];
-  with_fairing(tau, band, curve, legs->tension, asker, [&](CurveFairing& fairing) {
+  with_fairing(group, taus, band, legs->tension, asker, [&](CurveFairing& fairing) {
     const auto start = [&] {
-      return drawn.any()
-                 ? trace_through(surface, taut, legs->fixed)
-                 : trace_of(surface, drawing_->drawing().curves()[curve], drawing_->fixed());
+      if (!any_legs) return traced(group, group.drawn);
+      CurveTrace trace = trace_through(surface, taut, legs->fixed);
+      trace.set_corners(drawing_->corners());
+      return trace;
     };
-    const auto own = !drawn.any() && number == 0 ? chain : fairing.from_curve(start(), asker);
+    const auto own = !any_legs && number == 0 ? chain : fairing.from_curve(start(), asker);
     if (!own) return;
     auto faired = fairing.curve_of(*own, asker);
     if (faired && faired->farthest <= 1) result = std::move(faired->curve);
   });
-  const bool worse = result && (bends_more(*result, tau, curve, taut, redrawn, asker) ||
-                                is_pressed(surface, *result, taut));
-  return worse ? std::nullopt : result;
+  if (!result) return result;
+  const auto bending = [&](const SurfaceCurve& curve) {
+    return bending_between(surface, curve, drawing_->corners(), group.edge);
+  };
+  const double own = bending(*result);
+  const bool from_taut = own > bending(taut) && (any_legs || !redrawn) &&
+                         (any_legs || keeps_within(group, taus, taut, asker));
+  const bool worse = own > bending(from_taut ? taut : group.drawn) && own > bending(taut);
+  return worse || is_pressed(surface, *result, taut) ? std::nullopt : result;
 }
 
-/// Whether a fair curve bends more than what it started from: the taut curve, or the drawing where
-/// the taut one is beyond the walls or has cut off a part of it.
-bool CorridorHold::bends_more(const SurfaceCurve& fair, double tau, std::size_t curve,
-                              const SurfaceCurve& taut, bool redrawn, Asker& asker) {
-  const double edge = drawing_->drawing().edges_near()[curve];
-  const auto bending = [&](const SurfaceCurve& c) {
-    return measure_curve(drawing_->surface(), c, edge).bending;
-  };
-  const double own = bending(fair);
-  if (own <= bending(taut)) return false;
-  if (has_legs(curve) || own > bending(drawing_->drawing().curves()[curve])) return true;
-  bool within = !redrawn;
-  if (within) {
-    with_fairing(tau, 1, curve, {}, asker,
-                 [&](const CurveFairing& fairing) { within = fairing.farthest(taut) <= 1; });
-  }
+/// Whether a curve is between the walls.
+bool CorridorHold::keeps_within(const FairGroup& group, const Taus& taus, const SurfaceCurve& curve,
+                                Asker& asker) {
+  bool within = false;
+  with_fairing(group, taus, 1, {}, asker,
+               [&](const CurveFairing& fairing) { within = fairing.farthest(curve) <= 1; });
   return within;
 }
 
@@ -320,46 +380,114 @@ const SurfaceCurve& CorridorHold::in_narrow_band(double tau, std::size_t curve,
   return fairing.farthest(taut) <= 1 ? taut : drawn;
 }
 
-void CorridorHold::finish(double tau, const FairChains& chains, std::vector<SmoothedCurve>& curves,
-                          const Progress& progress) {
-  Asker asker(progress, "fair");
-  const auto turning = [&](const SurfaceCurve& curve) {
-    return measure_curve(drawing_->surface(), curve).total_curvature;
+/// Makes the curves of a set fair, one group after the other, until none crosses another.
+class CorridorHold::Finishing {
+ public:
+  Finishing(CorridorHold& hold, const SmoothingOptions& options, const Progress& progress)
+      : hold_(&hold), options_(&options), progress_(&progress), asker_(progress, "fair") {}
+
+  void run(const std::vector<FairGroup>& groups, const FairChains& chains,
+           std::vector<SmoothedCurve>& curves) {
+    curves_ = &curves;
+    for (const SmoothedCurve& curve : curves) taut_.push_back(curve.curve);
+    now_ = taut_;
+    attempt_of_.resize(curves.size());
+    for (std::size_t g = 0; g < groups.size(); ++g) begin(groups[g], chains[g]);
+    // Each group is faired separately, so that curves near each other, or strands of one, may
+    // cross.
+    for (bool again = !curves.empty(); again;) {
+      again = false;
+      std::vector<bool> done(attempts_.size(), false);
+      for (const std::size_t c : crossing_curves(hold_->drawing_->surface(), now_)) {
+        const std::size_t a = attempt_of_[c];
+        if (a >= done.size() || done[a]) continue;
+        if (attempts_[a].tries == 0 || attempts_[a].tries > kTries) continue;
+        done[a] = true;
+        make_fair(a);
+        again = true;
+      }
+    }
+    for (std::size_t c = 0; c < curves.size(); ++c) curves[c].curve = std::move(now_[c]);
+  }
+
+ private:
+  struct Attempt {
+    FairGroup group;
+    std::optional<SampleChain> chain;
+    SurfaceCurve taut;
+    bool redrawn = false;  ///< whether the chain has started from the drawing somewhere
+    std::size_t tries = 0;
   };
-  std::vector<SurfaceCurve> taut, now;
-  std::vector<std::size_t> tries(curves.size(), 0);
-  const auto make_fair = [&](std::size_t c) {
+
+  void begin(const FairGroup& group, const std::optional<SampleChain>& chain) {
+    const std::size_t a = attempts_.size();
+    for (const JoinedCurves::Part& part : group.joined.parts) attempt_of_[part.curve] = a;
+    attempts_.push_back({group, chain, joined(group.joined, taut_), is_redrawn(group)});
+    const std::size_t c = group.joined.parts.front().curve;
+    if (!is_faired(*options_, c)) return;
+    if (hold_->is_narrow(c) && !has_legs(*hold_->drawing_, group)) {
+      now_[c] = hold_->in_narrow_band(options_->tau_of(c), c, taut_[c], asker_);
+    } else if (turning_between(hold_->drawing_->surface(), attempts_[a].taut,
+                               hold_->drawing_->corners()) >= kNoTurn) {  // else it is fair
+      make_fair(a);
+    }
+  }
+
+  [[nodiscard]] bool is_redrawn(const FairGroup& group) const {
+    return std::ranges::any_of(group.joined.parts, [&](const JoinedCurves::Part& part) {
+      return (*curves_)[part.curve].path.redrawn > 0;
+    });
+  }
+  void count_redrawn(const FairGroup& group) {
+    if (has_legs(*hold_->drawing_, group)) return;
+    for (const JoinedCurves::Part& part : group.joined.parts) {
+      (*curves_)[part.curve].path.redrawn = 1;
+    }
+  }
+
+  void make_fair(std::size_t number) {
     std::optional<SurfaceCurve> fair;
-    while (!fair && tries[c] < kTries) {
-      std::size_t& redrawn = curves[c].path.redrawn;
-      fair = tried(tries[c], tau, c, chains[c], taut[c], redrawn > 0, asker);
-      if (tries[c]++ > 0 && !has_legs(c)) redrawn = 1;
+    Attempt& attempt = attempts_[number];
+    const Taus taus = taus_of(attempt.group, *options_);
+    while (!fair && attempt.tries < kTries) {
+      fair = hold_->tried(attempt.tries, taus, attempt.group, attempt.chain, attempt.taut,
+                          attempt.redrawn, asker_);
+      if (attempt.tries++ > 0) count_redrawn(attempt.group);
     }
-    if (!fair) {
-      curves[c].warnings.emplace_back(kLeftTaut);
-      tries[c] = kTries + 1;
-    }
-    now[c] = fair ? *std::move(fair) : taut[c];
-  };
-  for (std::size_t c = 0; c < curves.size(); ++c) {
-    taut.push_back(curves[c].curve);
-    now.push_back(curves[c].curve);
-    if (is_narrow(c) && !has_legs(c)) {
-      now[c] = in_narrow_band(tau, c, taut[c], asker);
-    } else if (turning(taut[c]) >= kNoTurn) {  // what is straight is fair
-      make_fair(c);
-    }
-  }
-  // Each curve is faired separately, so that curves near each other, or strands of one, may cross.
-  for (bool again = !curves.empty(); again;) {
-    again = false;
-    for (const std::size_t c : crossing_curves(drawing_->surface(), now)) {
-      if (tries[c] == 0 || tries[c] > kTries) continue;
-      make_fair(c);
-      again = true;
+    if (!fair) attempt.tries = kTries + 1;
+    const FairGroup group = attempt.group;  // more attempts may come
+    const auto curves =
+        parted(group.joined, group.junctions, fair ? *std::move(fair) : attempt.taut);
+    const bool failed = attempt.tries > kTries;
+    for (std::size_t k = 0; k < curves.size(); ++k) now_[group.joined.parts[k].curve] = curves[k];
+    if (!failed) return;
+    for (const JoinedCurves::Part& part : group.joined.parts) {
+      if (!group.joined.is_joined()) {
+        (*curves_)[part.curve].warnings.emplace_back(kLeftTaut);
+      } else {
+        const FairGroup one = fair_group(*hold_->drawing_, {{{part.curve, false}}});
+        Straightened straight{taut_, std::vector<StraightenedPath>(taut_.size())};
+        const auto chain = hold_->fair_from(one, taus_of(one, *options_), straight, *progress_);
+        (*curves_)[part.curve].path.redrawn = straight.paths[part.curve].redrawn;
+        begin(one, chain);
+      }
     }
   }
-  for (std::size_t c = 0; c < curves.size(); ++c) curves[c].curve = std::move(now[c]);
+
+  CorridorHold* hold_;
+  const SmoothingOptions* options_;
+  const Progress* progress_;
+  Asker asker_;
+  std::vector<SmoothedCurve>* curves_ = nullptr;
+  std::vector<SurfaceCurve> taut_, now_;
+  std::vector<Attempt> attempts_;
+  std::vector<std::size_t> attempt_of_;  // per curve
+};
+
+void CorridorHold::finish(const SmoothingOptions& options, const std::vector<FairGroup>& groups,
+                          const FairChains& chains, std::vector<SmoothedCurve>& curves,
+                          const Progress& progress) {
+  Finishing(*this, options, progress).run(groups, chains, curves);
 }
 
 /// A band much narrower than the mesh's edges has no room for more than straight lines.

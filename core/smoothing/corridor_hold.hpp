@@ -10,6 +10,7 @@
 #include "talweg/core/fairing/sample_chain.hpp"
 #include "talweg/core/smoothing/corridor.hpp"
 #include "talweg/core/smoothing/embedded_drawing.hpp"
+#include "talweg/core/smoothing/fair_group.hpp"
 #include "talweg/core/smoothing/smoothed.hpp"
 #include "talweg/core/smoothing/smoothing_options.hpp"
 #include "talweg/core/smoothing/straightening.hpp"
@@ -18,7 +19,7 @@
 
 namespace talweg {
 
-/// Fair curves as samples; none for a curve whose samples could not be joined.
+/// Fair curves as samples, one for each group; none where samples could not be joined.
 using FairChains = std::vector<std::optional<SampleChain>>;
 
 /// Holds a drawing in its valleys and runs one step of the method at a time, for one tau. Refers to
@@ -36,37 +37,51 @@ class CorridorHold {
   /// Whether the distance must be exact everywhere, or only where valleys are narrow: a wall
   /// farther out that no curve climbs may be approximate.
   enum class Walls { kExact, kRough };
-  /// Legs are straightened without a lift.
-  Straightened straighten(const SmoothingOptions& options, Walls walls, const Progress& progress);
+  /// With the walls of each valley. Legs are straightened without a lift.
+  Straightened straighten(const SmoothingOptions& options, const std::vector<Walls>& walls,
+                          const Progress& progress);
   /// The curves straightened without a lift, which needs no distance; none if the lift would change
   /// them.
   std::optional<Straightened> unlifted(const SmoothingOptions& options, const Progress& progress);
   /// Resets loops that collapsed because no vertex lies inside them to their drawing. FlipOut sees
   /// the potential at the mesh's vertices only, so it collapses these loops whatever tau is.
-  /// Fairing measures the distance everywhere, so it starts from the drawing instead.
-  void hold_thin_loops(Straightened& straight) const;
-  /// Fair chains that start from these curves and, where those have cut off what was drawn, from
-  /// stretches of the drawing, which are counted; none for curves with legs, which no rung leads
-  /// to.
-  FairChains fair_from(double tau, Straightened& straight, const Progress& progress);
-  /// Fair chains that start from those of another tau, and the ways of their samples.
-  FairChains fair_from(double tau, const FairChains& chains, std::vector<SampleTrail>& trails,
-                       const Progress& progress);
-  /// A chain for one tau that leads to one for another.
-  struct AtTau {
-    double tau = 0;
+  /// Fairing measures the distance everywhere, so it starts from the drawing instead. Only for
+  /// curves that are faired().
+  void hold_thin_loops(const SmoothingOptions& options, Straightened& straight) const;
+  /// Whether a curve is to be fair and is not straight anyway.
+  [[nodiscard]] static bool is_faired(const SmoothingOptions& options, std::size_t curve) {
+    return options.finish_of(curve) == Finish::kFair && options.tau_of(curve) > 0;
+  }
+  /// All curves, joined where two that are faired meet.
+  [[nodiscard]] std::vector<FairGroup> groups(const SmoothingOptions& options) const;
+  /// A fair chain that starts from the straightened curves and, where these have cut off what was
+  /// drawn, from stretches of the drawing, which are counted; none where there are legs, to which
+  /// no rung leads.
+  std::optional<SampleChain> fair_from(const FairGroup& group, const Taus& taus,
+                                       Straightened& straight, const Progress& progress);
+  /// A fair chain that starts from that of another tau, and the ways of its samples.
+  SampleChain fair_from(const FairGroup& group, const Taus& taus, const SampleChain& chain,
+                        SampleTrail& trail, const Progress& progress);
+  /// The chain sampled anew if its samples are too uneven to lead on to another tau.
+  std::optional<SampleChain> evened(const FairGroup& group, const Taus& taus,
+                                    const SampleChain& chain, const Progress& progress);
+  /// A chain for some tau that leads to one for another.
+  struct AtTaus {
+    const Taus& taus;
     const SampleChain& chain;
   };
-  /// The chain of a curve for a tau between those of two chains: its samples lie on the ways
+  /// The chain of a group for a tau between those of two chains: its samples lie on the ways
   /// between theirs, as far as the walls are between theirs, and farther towards the nearer walls
   /// where the band would be left otherwise.
-  std::optional<SampleChain> between(std::size_t curve, const AtTau& from, const AtTau& to,
-                                     const SampleTrail& trail, double tau,
+  std::optional<SampleChain> between(const FairGroup& group, const AtTaus& from, const AtTaus& to,
+                                     const SampleTrail& trail, const Taus& taus,
                                      const Progress& progress);
   /// Replaces straightened curves by those of their chains. Where that would leave the walls, or
   /// cross what the drawing does not cross, curves start from the drawing, in a narrower band; if
-  /// nothing helps they stay straightened, with a warning.
-  void finish(double tau, const FairChains& chains, std::vector<SmoothedCurve>& curves,
+  /// nothing helps they stay straightened, with a warning. Curves that are not faired() stay too.
+  /// Joined curves that fail are faired each for itself.
+  void finish(const SmoothingOptions& options, const std::vector<FairGroup>& groups,
+              const FairChains& chains, std::vector<SmoothedCurve>& curves,
               const Progress& progress);
   /// A fair curve near the first drawn one; these points of it and its ends stay. None where
   /// samples cannot be joined.
@@ -74,21 +89,27 @@ class CorridorHold {
                                    std::span<const SurfacePoint> fixed, const Progress& progress);
 
  private:
-  [[nodiscard]] Corridor corridor(double tau) const { return {*distance_, tau, *valleys_}; }
+  [[nodiscard]] Corridor corridor(const SmoothingOptions& options) const;
   [[nodiscard]] double exact_for_walls() const;
-  Straightened straighten_lifted(const SmoothingOptions& options, Walls walls,
+  Straightened straighten_lifted(const SmoothingOptions& options, const std::vector<Walls>& walls,
                                  const Progress& progress);
-  [[nodiscard]] bool has_legs(std::size_t curve) const { return drawing_->legs()[curve].any(); }
-  void with_fairing(double tau, double narrower, std::size_t curve, const LegTension& legs,
-                    Asker& asker, const std::function<void(CurveFairing&)>& use);
+  [[nodiscard]] CurveTrace traced(const SurfaceCurve& curve,
+                                  std::span<const SurfacePoint> fixed) const;
+  [[nodiscard]] CurveTrace traced(const FairGroup& group, const SurfaceCurve& curve) const;
+  void with_fairing(const FairGroup& group, const Taus& taus, double narrower,
+                    const LegTension& legs, Asker& asker,
+                    const std::function<void(CurveFairing&)>& use);
   [[nodiscard]] bool is_narrow(std::size_t curve) const;
-  std::optional<SurfaceCurve> tried(std::size_t number, double tau, std::size_t curve,
+  std::optional<SurfaceCurve> tried(std::size_t number, const Taus& taus, const FairGroup& group,
                                     const std::optional<SampleChain>& chain,
                                     const SurfaceCurve& taut, bool redrawn, Asker& asker);
-  [[nodiscard]] bool bends_more(const SurfaceCurve& fair, double tau, std::size_t curve,
-                                const SurfaceCurve& taut, bool redrawn, Asker& asker);
+  [[nodiscard]] SurfaceCurve with_what_was_cut_off(const FairGroup& group,
+                                                   Straightened& straight) const;
+  [[nodiscard]] bool keeps_within(const FairGroup& group, const Taus& taus,
+                                  const SurfaceCurve& curve, Asker& asker);
   [[nodiscard]] const SurfaceCurve& in_narrow_band(double tau, std::size_t curve,
                                                    const SurfaceCurve& taut, Asker& asker);
+  class Finishing;
   Straightened straighten_flat(const SmoothingOptions& options, const Progress& progress);
   [[nodiscard]] bool is_felt(const Corridor& corridor, const Straightened& flat,
                              const Progress& progress) const;

@@ -16,19 +16,27 @@ namespace {
 Smoothed smooth_for_itself(CorridorHold& hold, const SmoothingOptions& options,
                            const Progress& progress) {
   std::optional<Straightened> flat;
-  if (options.tau == 0 || !hold.drawing().any_legs()) flat = hold.unlifted(options, progress);
+  const std::size_t curves = hold.drawing().drawing().curves().size();
+  bool free = true;
+  for (std::size_t c = 0; c < curves; ++c) free = free && options.tau_of(c) == 0;
+  if (free || !hold.drawing().any_legs()) flat = hold.unlifted(options, progress);
   // A curve that is not held, or is not faired, may climb walls anywhere.
-  Straightened straight =
-      flat ? *flat : hold.straighten(options, CorridorHold::Walls::kExact, progress);
+  const std::vector walls(hold.valleys().size(), CorridorHold::Walls::kExact);
+  Straightened straight = flat ? *flat : hold.straighten(options, walls, progress);
   Stopwatch watch;
   relax(hold.drawing().mesh(), straight.curves, {options.relax_rounds}, progress);
   straight.time_ms.relax = watch.lap();
   // What no wall holds is straight already.
-  if (flat || options.finish == Finish::kTaut) return smoothed_from(std::move(straight));
-  hold.hold_thin_loops(straight);
-  const FairChains chains = hold.fair_from(options.tau, straight, progress);
+  if (flat) return smoothed_from(std::move(straight));
+  hold.hold_thin_loops(options, straight);
+  const std::vector<FairGroup> groups = hold.groups(options);
+  FairChains chains(groups.size());
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    if (!CorridorHold::is_faired(options, groups[g].joined.parts.front().curve)) continue;
+    chains[g] = hold.fair_from(groups[g], taus_of(groups[g], options), straight, progress);
+  }
   Smoothed result = smoothed_from(std::move(straight));
-  hold.finish(options.tau, chains, result.curves, progress);
+  hold.finish(options, groups, chains, result.curves, progress);
   result.time_ms.fair = watch.ms();
   return result;
 }
@@ -75,7 +83,10 @@ Smoothed CorridorMethod::smooth_in_own_valleys(const SmoothingOptions& options,
 Smoothed CorridorMethod::smooth_in(const std::vector<Corridor::Valley>& valleys,
                                    const SmoothingOptions& options, const Progress& progress) {
   CorridorHold hold(*drawing_, memory_->distance(), valleys);
-  const bool laddered = FairLadder::rung_of(options) && !drawing_->all_legs();
+  bool laddered = false;
+  for (std::size_t c = 0; c < drawing_->drawing().curves().size(); ++c) {
+    laddered = laddered || (FairLadder::rung_of(options, c) && !drawing_->all_legs());
+  }
   Smoothed result = laddered ? ladder_.smooth(hold, options, progress)
                              : smooth_for_itself(hold, options, progress);
   result.potential = PotentialKind::kCorridor;

@@ -102,8 +102,8 @@ std::vector<Corridor::Valley> with_options(std::vector<Corridor::Valley> valleys
                                            const SmoothingOptions& options) {
   for (std::size_t c = 0; c < valleys.size(); ++c) {
     Corridor::Valley& valley = valleys[c];
-    valley.given = options.slack || !options.slack_at.empty();
-    if (options.slack) valley.slack = *options.slack;
+    valley.given = options.slack_of(c) || !options.slack_at.empty();
+    if (const auto slack = options.slack_of(c)) valley.slack = *slack;
     if (!options.slack_at.empty()) valley.slack_at = options.slack_at[c];
     if (valley.given) valley.detour = kDetour * largest_slack(valley);
     // With fewer points per turn the phase could not follow the loop.

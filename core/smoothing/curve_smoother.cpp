@@ -39,18 +39,22 @@ void check_potential(std::size_t vertices, const GivenPotential& given) {
 
 bool same_result(const SmoothingOptions& a, const SmoothingOptions& b) {
   return a.tau == b.tau && a.slack == b.slack && a.slack_at == b.slack_at &&
-         a.phase_turns == b.phase_turns && a.finish == b.finish &&
+         a.per_curve == b.per_curve && a.phase_turns == b.phase_turns && a.finish == b.finish &&
          a.relax_rounds == b.relax_rounds && a.max_iterations == b.max_iterations &&
          a.min_relative_length == b.min_relative_length && a.length_floor == b.length_floor;
 }
 
-/// Whether only tau has changed, by a step as small as a slider makes.
-bool is_small_step(const SmoothingOptions& last, const SmoothingOptions& options) {
+/// Whether only tau has changed for a curve, by a step as small as a slider makes.
+bool is_small_step(const SmoothingOptions& last, const SmoothingOptions& options,
+                   std::size_t curve) {
   constexpr double kSmallStep = 1.05;
-  const double least = std::min(last.tau, options.tau), most = std::max(last.tau, options.tau);
-  return least > 0 && most <= kSmallStep * least && last.slack == options.slack &&
-         last.slack_at == options.slack_at && last.phase_turns == options.phase_turns &&
-         last.finish == options.finish && last.relax_rounds == options.relax_rounds;
+  const double least = std::min(last.tau_of(curve), options.tau_of(curve));
+  const double most = std::max(last.tau_of(curve), options.tau_of(curve));
+  return least > 0 && most <= kSmallStep * least &&
+         last.slack_of(curve) == options.slack_of(curve) && last.slack_at == options.slack_at &&
+         last.phase_turns == options.phase_turns &&
+         last.finish_of(curve) == options.finish_of(curve) &&
+         last.relax_rounds == options.relax_rounds;
 }
 
 }  // namespace
@@ -169,6 +173,7 @@ SmoothingResult CurveSmoother::smooth(const SmoothingOptions& options,
                                       std::span<const double> potential, std::size_t components,
                                       const Progress& progress) {
   check(options);
+  if (!options.per_curve.empty()) bad_usage("per_curve does not go with a potential.");
   const GivenPotential given{potential, components};
   check_potential(memory_->surface().vertex_count(), given);
   return smooth(options, &given, progress);
@@ -177,6 +182,8 @@ SmoothingResult CurveSmoother::smooth(const SmoothingOptions& options,
 void CurveSmoother::check(const SmoothingOptions& options) const {
   options.validate();
   if (!sheet_) bad_usage("No curve is set.");
+  const bool corridor = curve_options_.method == Method::kCorridor;
+  if (!corridor && !options.per_curve.empty()) bad_usage("per_curve needs the corridor.");
 }
 
 SmoothingResult CurveSmoother::smooth(const SmoothingOptions& options, const GivenPotential* given,
@@ -186,7 +193,7 @@ SmoothingResult CurveSmoother::smooth(const SmoothingOptions& options, const Giv
     return drawing_->as_drawn(
         smooth_ordered(ordered_for(curve_options_.method, *drawing_, options), given, progress));
   } catch (const Cancelled&) {
-    return cancelled_result(memory_->mesh(), *drawing_, options.tau);
+    return cancelled_result(memory_->mesh(), *drawing_, options);
   }
 }
 
@@ -206,10 +213,10 @@ SmoothingResult CurveSmoother::smooth_ordered(const SmoothingOptions& options,
 void CurveSmoother::report_moves(const SmoothingOptions& options, SmoothingResult& result,
                                  const Progress& progress) const {
   if (!last_ || options.deviation == DeviationMeasure::kNone) return;
-  if (!is_small_step(last_->options, options)) return;
   for (std::size_t c = 0; c < result.curves.size(); ++c) {
-    report_move(result.reports[c], memory_->mesh(), last_->options.tau, last_->result.curves[c],
-                result.curves[c], progress);
+    if (!is_small_step(last_->options, options, c)) continue;
+    report_move(result.reports[c], memory_->mesh(), last_->options.tau_of(c),
+                last_->result.curves[c], result.curves[c], progress);
   }
 }
 
@@ -226,7 +233,7 @@ SmoothingResult CurveSmoother::drag(std::size_t curve, const SurfaceCurve& moved
     return by_stretch ? drag_now(curve, own, options, progress)
                       : drag_whole(curve, own, options, progress);
   } catch (const Cancelled&) {
-    SmoothingResult result = cancelled_result(memory_->mesh(), *drawing_, options.tau);
+    SmoothingResult result = cancelled_result(memory_->mesh(), *drawing_, options);
     result.curves[curve] = own;
     return result;
   }
@@ -254,8 +261,8 @@ SmoothingResult CurveSmoother::drag_now(std::size_t curve, const SurfaceCurve& m
                            result.curves[curve], progress);
   }
   SmoothingReport& report = result.reports[curve];
-  report = preview_report(memory_->mesh(), memory_->meter(), moved, result.curves[curve], options,
-                          report, progress);
+  report = preview_report(memory_->mesh(), memory_->meter(), moved, result.curves[curve],
+                          options.of(curve), report, progress);
   report.time_ms.fair = report.time_ms.total = watch.ms();
   result.total = total_of(result.reports);
   return result;
@@ -268,17 +275,19 @@ SmoothingResult CurveSmoother::drag_whole(std::size_t curve, const SurfaceCurve&
   std::vector<SurfaceCurve> curves = drawing_->drawn();
   curves[curve] = moved;
   CurveOptions own = curve_options_;
-  std::erase_if(own.pins, [&](const SurfacePoint& pin) {
+  const auto is_elsewhere = [&](const SurfacePoint& pin) {
     return std::none_of(curves.begin(), curves.end(), [&](const SurfaceCurve& c) {
       return std::find(c.points.begin(), c.points.end(), pin) != c.points.end();
     });
-  });
+  };
+  std::erase_if(own.pins, is_elsewhere);
+  std::erase_if(own.corners, is_elsewhere);
   SmoothingOptions plain = options;
   plain.slack_at.clear();  // it belongs to the drawing that is set
   if (!previewer_) previewer_ = std::make_unique<CurveSmoother>(memory_->shared());
   if (!previewer_->set_curves(curves, own, progress)) throw Cancelled();
-  SmoothingResult result =
-      previewer_->drawing_->as_drawn(previewer_->smooth_ordered(plain, nullptr, progress));
+  SmoothingResult result = previewer_->drawing_->as_drawn(previewer_->smooth_ordered(
+      previewer_->drawing_->ordered(std::move(plain)), nullptr, progress));
   result.reports[curve].engine = Engine::kPreview;
   result.total = total_of(result.reports);
   return result;

@@ -115,10 +115,12 @@ std::vector<Corridor::Valley> dragged_valleys(const Dragging::Setting& setting, 
 void Dragging::set(const DragStretch& stretch, const CurveOptions& options,
                    const Progress& progress) {
   CurveOptions own = options;
-  std::erase_if(own.pins, [&](const SurfacePoint& pin) {
+  const auto is_elsewhere = [&](const SurfacePoint& pin) {
     const Points& points = stretch.curve.points;
     return std::find(points.begin(), points.end(), pin) == points.end();
-  });
+  };
+  std::erase_if(own.pins, is_elsewhere);
+  std::erase_if(own.corners, is_elsewhere);
   stretch_ = {};
   stretch_.drawing = checked_drawing(memory_.mesh(), std::span(&stretch.curve, 1), own, progress);
   stretch_.embedded.emplace(memory_, stretch_.drawing, own,
@@ -193,7 +195,7 @@ std::optional<SurfaceCurve> Dragging::joined(const Range& range, const DrawingCh
                         at(stretch, tail->in_stretch + 1));
   between.points.insert(between.points.end(), at(kept, tail->in_last + 1), at(kept, to + 1));
   // The direction in which it leaves what is kept stays too.
-  std::vector<SurfacePoint> fixed = stretch_.embedded->pins();
+  std::vector<SurfacePoint> fixed = stretch_.embedded->fixed();
   if (from < head->in_last) fixed.push_back(between.points[1]);
   if (tail->in_last < to) fixed.push_back(between.points[between.points.size() - 2]);
   std::optional<SurfaceCurve> faired = stretch_.method->fair(options.tau, between, fixed, progress);
@@ -221,17 +223,18 @@ SurfaceCurve Dragging::dragged(const Setting& setting, std::size_t curve,
     set(stretch_of(memory_.mesh(), curves, valleys, curve, first, last_point, reach),
         setting.curve_options, progress);
   };
-  if (FairLadder::rung_of(setting.options)) {
+  const SmoothingOptions own = setting.options.of(curve);
+  if (FairLadder::rung_of(own, 0)) {
     for (double margin = kMargin * segment;; margin *= 2) {
       const std::optional<Range> range = range_around(change, margin);
       if (!range) break;
       set_stretch(range->first, range->last + 1);
-      auto result = joined(*range, change, margin, last, setting.options, progress);
+      auto result = joined(*range, change, margin, last, own, progress);
       if (result) return *std::move(result);
     }
   }
   set_stretch(0, change.after.points.size());
-  Smoothed whole = stretch_.method->smooth_in_own_valleys(setting.options, progress);
+  Smoothed whole = stretch_.method->smooth_in_own_valleys(own, progress);
   return stretch_.drawing.in_drawn_direction(0, std::move(whole.curves.front().curve));
 }
 

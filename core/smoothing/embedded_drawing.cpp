@@ -32,10 +32,12 @@ void EmbeddedDrawing::set_pins(std::vector<SurfacePoint> pins, const Progress& p
 
 void EmbeddedDrawing::embed(const Progress& progress) {
   CurveOptions own = options_;
+  own.pins.insert(own.pins.end(), options_.corners.begin(), options_.corners.end());
+  const std::vector<SurfacePoint> pins = own.pins;
   for (const WayPoint& way_point : options_.way_points) own.pins.push_back(way_point.point);
   legs_.clear();
   for (const SurfaceCurve& curve : drawing_->curves()) {
-    legs_.push_back(legs_of(curve, options_.pins, options_.way_points, options_.painted));
+    legs_.push_back(legs_of(curve, pins, options_.way_points, options_.painted));
   }
   capped_ = capped_curves(surface(), drawing_->curves(), own);
   fixed_ = std::move(own.pins);

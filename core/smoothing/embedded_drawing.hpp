@@ -45,7 +45,8 @@ class EmbeddedDrawing {
   [[nodiscard]] const OrderedDrawing& drawing() const { return *drawing_; }
   [[nodiscard]] const CurveOptions& options() const { return options_; }
   [[nodiscard]] const std::vector<SurfacePoint>& pins() const { return options_.pins; }
-  /// Pins and way-points: what straightening passes through.
+  [[nodiscard]] const std::vector<SurfacePoint>& corners() const { return options_.corners; }
+  /// Pins, corners and way-points: what straightening passes through.
   [[nodiscard]] const std::vector<SurfacePoint>& fixed() const { return fixed_; }
   /// Per curve.
   [[nodiscard]] const std::vector<DrawnLegs>& legs() const { return legs_; }

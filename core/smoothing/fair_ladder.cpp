@@ -13,9 +13,9 @@ constexpr double kOrigin = 1, kMostRung = 64;
 
 }  // namespace
 
-std::optional<double> FairLadder::rung_of(const SmoothingOptions& options) {
-  const double tau = options.tau;
-  const bool plain = options.finish == Finish::kFair && !options.max_iterations &&
+std::optional<double> FairLadder::rung_of(const SmoothingOptions& options, std::size_t curve) {
+  const double tau = options.tau_of(curve);
+  const bool plain = options.finish_of(curve) == Finish::kFair && !options.max_iterations &&
                      options.min_relative_length == 0 && options.relax_rounds == 0;
   // Below this tau each result is straightened on its own, and may lead far from the drawing.
   if (!plain || !(tau >= kLeastHeldTau)) return std::nullopt;
@@ -23,56 +23,93 @@ std::optional<double> FairLadder::rung_of(const SmoothingOptions& options) {
   return std::exp2(tau >= kOrigin ? std::floor(power) : std::ceil(power));
 }
 
+namespace {
+
+/// The options with which the curves are straightened. While dragging there is one curve, and
+/// there may be more valleys.
+SmoothingOptions straightening(const SmoothingOptions& options, std::size_t curves) {
+  SmoothingOptions own = options;
+  for (std::size_t c = 0; c < curves; ++c) {
+    if (!FairLadder::rung_of(options, c)) continue;
+    if (options.per_curve.empty()) {
+      own.tau = kOrigin;
+    } else {
+      own.per_curve[c].tau = kOrigin;
+    }
+  }
+  return own;
+}
+
+}  // namespace
+
 Straightened FairLadder::straightened(CorridorHold& hold, const SmoothingOptions& options,
                                       const Progress& progress) {
-  SmoothingOptions own = options;
-  own.tau = kOrigin;
-  Straightened straight = hold.straighten(own, CorridorHold::Walls::kRough, progress);
-  hold.hold_thin_loops(straight);
+  using Walls = CorridorHold::Walls;
+  std::vector<Walls> walls;
+  for (std::size_t c = 0; c < hold.valleys().size(); ++c) {
+    walls.push_back(rung_of(options, c) ? Walls::kRough : Walls::kExact);
+  }
+  const std::size_t curves = hold.drawing().drawing().curves().size();
+  Straightened straight = hold.straighten(straightening(options, curves), walls, progress);
+  hold.hold_thin_loops(options, straight);
   return straight;
 }
 
-const FairLadder::Rung& FairLadder::rung(double tau, CorridorHold& hold,
-                                         const SmoothingOptions& options, StageTimes& times,
-                                         const Progress& progress) {
-  const auto known = rungs_.find(tau);
-  if (known != rungs_.end()) return known->second;
-  Rung rung;
-  if (tau == kOrigin) {
-    straight_ = straightened(hold, options, progress);
-    times.straighten = straight_.time_ms.straighten;
-    times.trace = straight_.time_ms.trace;
-    const Stopwatch watch;
-    rung.chains = hold.fair_from(tau, straight_, progress);
-    times.fair += watch.ms();
-  } else {
-    const Rung& towards =
-        this->rung(tau > kOrigin ? tau / 2 : 2 * tau, hold, options, times, progress);
-    const Stopwatch watch;
-    rung.chains = hold.fair_from(tau, towards.chains, rung.trails, progress);
-    times.fair += watch.ms();
-  }
-  return rungs_.emplace(tau, std::move(rung)).first->second;
+void FairLadder::clear() {
+  rungs_.clear();
+  straight_.reset();
 }
 
-FairChains FairLadder::between(double from, double to, double tau, CorridorHold& hold,
-                               const Progress& progress) const {
-  const Rung &start = rungs_.at(from), &stop = rungs_.at(to);
-  FairChains chains;
-  for (std::size_t c = 0; c < start.chains.size(); ++c) {
-    chains.emplace_back();
-    if (!start.chains[c] || !stop.chains[c]) continue;
-    chains.back() = hold.between(c, {from, *start.chains[c]}, {to, *stop.chains[c]}, stop.trails[c],
-                                 tau, progress);
+const FairLadder::Rung& FairLadder::rung(std::size_t number, const Taus& taus, CorridorHold& hold,
+                                         const Progress& progress) {
+  const auto known = rungs_[number].find(taus);
+  if (known != rungs_[number].end()) return known->second;
+  const FairGroup& group = groups_[number];
+  Taus next = taus;
+  for (double& tau : next) {
+    if (tau != kOrigin) tau = tau > kOrigin ? tau / 2 : 2 * tau;
   }
-  return chains;
+  Rung rung;
+  if (next == taus) {
+    rung.chain = hold.fair_from(group, taus, *straight_, progress);
+  } else {
+    const Rung& towards = this->rung(number, next, hold, progress);
+    if (towards.chain) {
+      rung.chain = hold.fair_from(group, taus, *towards.start(), rung.trail, progress);
+      rung.onward = hold.evened(group, taus, *rung.chain, progress);
+    }
+  }
+  return rungs_[number].emplace(taus, std::move(rung)).first->second;
+}
+
+/// The chain of a group for its tau.
+std::optional<SampleChain> FairLadder::chain(std::size_t number, const SmoothingOptions& options,
+                                             CorridorHold& hold, const Progress& progress) {
+  const FairGroup& group = groups_[number];
+  Taus taus, from, to;
+  for (const JoinedCurves::Part& part : group.joined.parts) {
+    const double tau = options.tau_of(part.curve), rung = *rung_of(options, part.curve);
+    taus.push_back(std::min(tau, kMostRung));
+    from.push_back(rung);
+    to.push_back(rung >= kOrigin && tau >= kOrigin ? 2 * rung : rung / 2);
+  }
+  const Rung& start = rung(number, from, hold, progress);
+  if (taus == from) return start.chain;
+  const Rung& stop = rung(number, to, hold, progress);
+  if (!start.chain || !stop.chain) return std::nullopt;
+  return hold.between(group, {from, *start.start()}, {to, *stop.chain}, stop.trail, taus, progress);
 }
 
 void FairLadder::keep_for(const CorridorHold& hold, const SmoothingOptions& options) {
-  const double floor = hold.drawing().length_floor(options);
-  if (valleys_ != hold.valleys() || floor_ != floor) rungs_.clear();
-  valleys_ = hold.valleys();
-  floor_ = floor;
+  const std::size_t curves = hold.drawing().drawing().curves().size();
+  Setting setting{hold.valleys(), {}, {}, hold.drawing().length_floor(options)};
+  const SmoothingOptions own = straightening(options, curves);
+  for (std::size_t c = 0; c < curves; ++c) setting.taus.push_back(own.tau_of(c));
+  groups_ = hold.groups(options);
+  for (const FairGroup& group : groups_) setting.groups.push_back(group.joined);
+  if (!(setting_ == setting)) clear();
+  setting_ = std::move(setting);
+  rungs_.resize(groups_.size());
 }
 
 Smoothed FairLadder::smooth(CorridorHold& hold, const SmoothingOptions& options,
@@ -81,17 +118,30 @@ Smoothed FairLadder::smooth(CorridorHold& hold, const SmoothingOptions& options,
   if (whole) clear();
   keep_for(hold, options);
   StageTimes times;
-  const double from = *rung_of(options);
-  const double to = from >= kOrigin && options.tau >= kOrigin ? 2 * from : from / 2;
-  const bool at_rung = options.tau == from || options.tau > kMostRung;
-  FairChains chains = rung(from, hold, options, times, progress).chains;
-  if (!at_rung) rung(to, hold, options, times, progress);
+  if (!straight_) {
+    straight_ = straightened(hold, options, progress);
+    times = straight_->time_ms;
+  }
   const Stopwatch watch;
-  if (!at_rung) chains = between(from, to, options.tau, hold, progress);
-  Smoothed result = smoothed_from(straight_);
-  hold.finish(options.tau, chains, result.curves, progress);
-  times.fair += watch.ms();
+  FairChains chains;
+  for (std::size_t g = 0; g < groups_.size(); ++g) {
+    const auto& parts = groups_[g].joined.parts;
+    const auto has_rung = [&](const auto& part) {
+      return rung_of(options, part.curve).has_value();
+    };
+    if (std::ranges::all_of(parts, has_rung)) {
+      chains.push_back(chain(g, options, hold, progress));
+    } else if (CorridorHold::is_faired(options, parts.front().curve)) {
+      chains.push_back(
+          hold.fair_from(groups_[g], taus_of(groups_[g], options), *straight_, progress));
+    } else {
+      chains.emplace_back();
+    }
+  }
+  Smoothed result = smoothed_from(*straight_);
+  hold.finish(options, groups_, chains, result.curves, progress);
   result.time_ms = times;
+  result.time_ms.fair = watch.ms();
   if (whole) clear();
   return result;
 }

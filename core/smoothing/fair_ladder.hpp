@@ -16,39 +16,53 @@
 namespace talweg {
 
 /// Continuation in τ. A drawing is straightened once, at tau = 1, and faired there. From there the
-/// chains of samples lead on to the powers of two above and below (the rungs), one after the other.
-/// Between two rungs the samples lie on the ways between theirs. The result therefore follows tau
-/// without jumping between several nearly equal curves, and it does not depend on what was asked
-/// for before.
+/// chains of samples lead on to the powers of two above and below (the rungs), one after the other,
+/// each curve's own to its own tau; joined curves go together. Between two rungs the samples lie on
+/// the ways between theirs. The result therefore follows tau without jumping between several nearly
+/// equal curves, and it does not depend on what was asked for before.
 class FairLadder {
  public:
-  /// The rung at or next to this tau, towards 1; none where the result is straightened on its own.
-  static std::optional<double> rung_of(const SmoothingOptions& options);
+  /// The rung at or next to a curve's tau, towards 1; none where it is straightened on its own.
+  static std::optional<double> rung_of(const SmoothingOptions& options, std::size_t curve);
 
-  /// The drawing straightened at tau = 1, as the ladder begins.
+  /// The drawing as the ladder begins: curves that have a rung are straightened at tau = 1.
   static Straightened straightened(CorridorHold& hold, const SmoothingOptions& options,
                                    const Progress& progress);
 
-  void clear() { rungs_.clear(); }
-  /// The result for options that have a rung. Keeps the rungs as long as valleys and floor stay the
-  /// same. Throws Cancelled.
+  void clear();
+  /// The result for options that have a rung for some curve. Keeps the rungs as long as what the
+  /// straightening depends on stays the same. Throws Cancelled.
   Smoothed smooth(CorridorHold& hold, const SmoothingOptions& options, const Progress& progress);
 
  private:
   struct Rung {
-    FairChains chains;
-    std::vector<SampleTrail> trails;  ///< from the next rung towards 1
+    std::optional<SampleChain> chain;
+    SampleTrail trail;                  ///< from where the next rung towards 1 leads on
+    std::optional<SampleChain> onward;  ///< if not the chain: where the rungs beyond begin
+
+    [[nodiscard]] const std::optional<SampleChain>& start() const {
+      return onward ? onward : chain;
+    }
   };
-  const Rung& rung(double tau, CorridorHold& hold, const SmoothingOptions& options,
-                   StageTimes& times, const Progress& progress);
-  FairChains between(double from, double to, double tau, CorridorHold& hold,
-                     const Progress& progress) const;
+  /// What a straightening depends on.
+  struct Setting {
+    std::vector<Corridor::Valley> valleys;
+    Taus taus;  ///< of the curves, as they are straightened
+    std::vector<JoinedCurves> groups;
+    double floor = 0;
+
+    bool operator==(const Setting&) const = default;
+  };
+  const Rung& rung(std::size_t number, const Taus& taus, CorridorHold& hold,
+                   const Progress& progress);
+  std::optional<SampleChain> chain(std::size_t number, const SmoothingOptions& options,
+                                   CorridorHold& hold, const Progress& progress);
   void keep_for(const CorridorHold& hold, const SmoothingOptions& options);
 
-  std::map<double, Rung> rungs_;  // by tau, for what follows
-  Straightened straight_;         // at tau = 1, if there are rungs
-  std::vector<Corridor::Valley> valleys_;
-  double floor_ = 0;
+  std::vector<FairGroup> groups_;
+  std::vector<std::map<Taus, Rung>> rungs_;  // per group, for what follows
+  std::optional<Straightened> straight_;
+  Setting setting_;
 };
 
 }  // namespace talweg

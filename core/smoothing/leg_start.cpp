@@ -70,4 +70,21 @@ std::optional<LegStart> start_on(const DrawnLegs& legs, const SurfaceCurve& curv
   return start;
 }
 
+LegStart reversed(LegStart start, std::size_t points) {
+  for (std::size_t& i : start.fixed) i = points - 1 - i;
+  std::reverse(start.fixed.begin(), start.fixed.end());
+  std::reverse(start.tension.is_leg.begin(), start.tension.is_leg.end());
+  std::reverse(start.tension.tolerances.begin(), start.tension.tolerances.end());
+  return start;
+}
+
+void append(const LegStart& next, std::size_t last, LegStart& start) {
+  const auto add = [](const auto& from, auto& to, std::size_t skipped) {
+    to.insert(to.end(), from.begin() + static_cast<std::ptrdiff_t>(skipped), from.end());
+  };
+  for (std::size_t k = 1; k < next.fixed.size(); ++k) start.fixed.push_back(last + next.fixed[k]);
+  add(next.tension.tolerances, start.tension.tolerances, 1);
+  add(next.tension.is_leg, start.tension.is_leg, 0);
+}
+
 }  // namespace talweg

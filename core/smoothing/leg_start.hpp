@@ -24,4 +24,9 @@ struct LegStart {
 /// None where the curve does not pass the fixed points in their order.
 std::optional<LegStart> start_on(const DrawnLegs& legs, const SurfaceCurve& curve, double relative);
 
+/// The same for the open curve of `points` points in the other direction.
+LegStart reversed(LegStart start, std::size_t points);
+/// Appends that of the next curve to one that ends at point `last`, where the next one begins.
+void append(const LegStart& next, std::size_t last, LegStart& start);
+
 }  // namespace talweg

@@ -57,6 +57,7 @@ class Search {
         progress_(std::move(progress)),
         own_pins_(smoother.pins().begin(), smoother.pins().end()) {
     options_.deviation = DeviationMeasure::kAlongSurface;
+    for (OwnOptions& own : options_.per_curve) own.tau.reset();
     for (const SurfaceCurve& drawn : smoother_.drawn()) {
       orders_.push_back(canonical_order(smoother_.opened().mesh(), drawn));
       ordered_.push_back(in_order(drawn, orders_.back()));
@@ -83,7 +84,9 @@ class Search {
       finish();
       return std::move(best_);
     }
-    if (options_.slack || !options_.slack_at.empty()) {
+    const auto has_slack = [](const OwnOptions& own) { return own.slack.has_value(); };
+    if (options_.slack || !options_.slack_at.empty() ||
+        std::ranges::any_of(options_.per_curve, has_slack)) {
       try_taus();
     } else {
       try_slacks();

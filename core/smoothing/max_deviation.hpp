@@ -11,10 +11,11 @@ namespace talweg {
 ///
 /// Searches for the widest slack that keeps the result within the bound at tau = 1. Where a corner
 /// of the drawing is still cut off, it is pinned, or the slack is narrowed around it, whichever
-/// gives the smoother result. If `options.slack` is given, it searches for the smallest tau with
-/// that slack instead. The search works on the curves in their canonical order, so a drawing that
-/// is reversed, begun elsewhere or listed in another order has the same result. `options.tau` and
-/// `options.deviation` are ignored. Takes up to 60 runs of smooth().
+/// gives the smoother result. If the options have a slack, for all curves or for one, it searches
+/// for the smallest tau with that slack instead. The search works on the curves in their canonical
+/// order, so a drawing that is reversed, begun elsewhere or listed in another order has the same
+/// result. Every tau of the options and `options.deviation` are ignored. Takes up to 60 runs of
+/// smooth().
 ///
 /// The report has the tau and slack that were found, `max_deviation`, and how many points were
 /// pinned. If no curve within the bound was found, the best one is returned, its `termination` is

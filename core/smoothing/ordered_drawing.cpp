@@ -57,7 +57,20 @@ OrderedDrawing::OrderedDrawing(const SurfaceMesh& mesh, std::span<const SurfaceC
 }
 
 SmoothingOptions OrderedDrawing::ordered(SmoothingOptions options) const {
-  if (options.slack_at.empty()) return options;
+  if (!options.slack_at.empty()) order_slack(options);
+  if (options.per_curve.empty()) return options;
+  if (options.per_curve.size() != drawn_.size()) {
+    throw Error(ErrorCode::kBadUsage,
+                fmt::format("per_curve has options for {} curves, not for {}.",
+                            options.per_curve.size(), drawn_.size()));
+  }
+  const std::vector<OwnOptions> drawn = std::move(options.per_curve);
+  options.per_curve.clear();
+  for (const std::size_t c : numbers_) options.per_curve.push_back(drawn[c]);
+  return options;
+}
+
+void OrderedDrawing::order_slack(SmoothingOptions& options) const {
   const std::vector<std::vector<double>> drawn = std::move(options.slack_at);
   if (drawn.size() != drawn_.size()) {
     throw Error(ErrorCode::kBadUsage, fmt::format("slack_at has values for {} curves, not for {}.",
@@ -75,7 +88,6 @@ SmoothingOptions OrderedDrawing::ordered(SmoothingOptions options) const {
       ordered.push_back(own[orders_[c].drawn_index(k, own.size())]);
     }
   }
-  return options;
 }
 
 SurfaceCurve OrderedDrawing::in_drawn_direction(std::size_t ordered, SurfaceCurve curve) const {
@@ -104,6 +116,7 @@ OrderedDrawing checked_drawing(const SurfaceMesh& mesh, std::span<const SurfaceC
     check_drawn(mesh.surface(), curve);
   }
   check_pins(curves, options.pins);
+  check_pins(curves, options.corners, "corner");
   std::vector<SurfacePoint> exact;
   for (const WayPoint& way_point : options.way_points) exact.push_back(way_point.point);
   check_pins(curves, exact, "way-point");

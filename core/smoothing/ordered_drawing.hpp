@@ -43,8 +43,8 @@ class OrderedDrawing {
     for (const std::size_t place : places_) result.push_back(ordered[place]);
     return result;
   }
-  /// Options whose slack_at follows the drawn curves, converted to the ordered ones. Throws
-  /// Error(kBadUsage) where there are not as many values as points.
+  /// Options whose slack_at and per_curve follow the drawn curves, converted to the ordered ones.
+  /// Throws Error(kBadUsage) where there are not as many values as points or curves.
   [[nodiscard]] SmoothingOptions ordered(SmoothingOptions options) const;
   /// One of the ordered curves, or its result, in the direction in which it was drawn.
   [[nodiscard]] SurfaceCurve in_drawn_direction(std::size_t ordered, SurfaceCurve curve) const;
@@ -52,6 +52,8 @@ class OrderedDrawing {
   [[nodiscard]] SmoothingResult as_drawn(SmoothingResult result) const;
 
  private:
+  void order_slack(SmoothingOptions& options) const;
+
   std::vector<SurfaceCurve> drawn_, ordered_;
   std::vector<std::size_t> numbers_, places_;
   std::vector<CurveOrder> orders_;  // from drawn to ordered points

@@ -133,7 +133,11 @@ std::vector<double> RefinedSheet::slack() const {
 
 Smoothed RefinedSheet::smooth(const SmoothingOptions& options, const GivenPotential* given,
                               const Progress& progress) {
-  if (given == nullptr && options.tau >= kLeastHeldTau)
+  bool held = true;
+  for (std::size_t c = 0; c < drawing_->curves().size(); ++c) {
+    held = held && options.tau_of(c) >= kLeastHeldTau;
+  }
+  if (given == nullptr && held)
     return coarse(*parts_.front(), smooth_on(*parts_.front(), options, given, progress));
   SmoothingOptions lazy = options;
   lazy.prepare_whole_mesh = false;  // only what is touched decides

@@ -40,7 +40,7 @@ class Sheet {
   virtual void need_distance(const Progress& /*progress*/) {}
 };
 
-/// Puts the options' slack, which only the corridor uses, into the drawing's order.
+/// Puts the options that only the corridor uses into the drawing's order.
 inline SmoothingOptions ordered_for(Method method, const OrderedDrawing& drawing,
                                     const SmoothingOptions& options) {
   return method == Method::kCorridor ? drawing.ordered(options) : options;
@@ -51,6 +51,7 @@ template <class Copies>
 CurveOptions options_there(const CurveOptions& options, const Copies& copies) {
   CurveOptions there = options;
   there.pins = copies(options.pins);
+  there.corners = copies(options.corners);
   there.painted = copies(options.painted);
   there.way_points.clear();
   for (const WayPoint& way_point : options.way_points) {

@@ -30,6 +30,12 @@ struct CurveOptions {
   bool cap_corners = true;  ///< as the paper does; affects only curves along mesh edges
   unsigned threads = 2;  ///< at most, for factorising the heat matrices; >= 1; no effect on results
   std::vector<SurfacePoint> pins;  ///< points of the drawing that the result must pass through
+  /// The same, where a fair curve may also turn as sharply as it likes. At pins and way-points that
+  /// are not among these it passes without a kink.
+  std::vector<SurfacePoint> corners;
+  /// Whether fair curves continue each other without a kink where exactly two ends of the set meet
+  /// and nothing else of it passes. False is for a set that is only a part of all curves.
+  bool join_ends = true;
   /// For the corridor. Between two of these that follow each other on a curve, the drawing is no
   /// stroke: it tells only on which side of holes and handles the curve passes. The result is a
   /// spline there, and tau its tension.
@@ -50,6 +56,15 @@ enum class Finish {
 /// From this tau on a result keeps near its drawing; below it may lead anywhere.
 constexpr double kLeastHeldTau = 1.0 / 8;
 
+/// What may differ from curve to curve of a set. What is not given is as for all.
+struct OwnOptions {
+  std::optional<double> tau;    ///< [0, infinity)
+  std::optional<double> slack;  ///< mesh units, >= 0
+  std::optional<Finish> finish;
+
+  bool operator==(const OwnOptions&) const = default;
+};
+
 /// The options that may change from one smooth() to the next.
 struct SmoothingOptions {
   double tau = 1;  ///< [0, infinity): 0 gives geodesics, more keeps closer to the drawing
@@ -58,6 +73,10 @@ struct SmoothingOptions {
   /// Unless empty, it replaces `slack`: per drawn curve one value per point, mesh units, >= 0,
   /// linear in between. See slack_along().
   std::vector<std::vector<double>> slack_at;
+  /// For the corridor: unless empty, one for each drawn curve. Curves of different tau do not cross
+  /// either, and each is what it would be if its tau were that of all, as far as the others do not
+  /// touch it.
+  std::vector<OwnOptions> per_curve;
   int phase_turns = 3;  ///< of the corridor's phase around a loop, at most points / 8; [0, 64]
   Finish finish = Finish::kFair;  ///< of the corridor's curves; those of tau = 0 are taut
   int relax_rounds = 0;           ///< rounds of the paper's relaxation; its authors use 5
@@ -70,11 +89,14 @@ struct SmoothingOptions {
   DeviationMeasure deviation = DeviationMeasure::kAutomatic;
   bool prepare_whole_mesh = false;  ///< lay out everything first; slower, same result
 
-  /// What `deviation` means for this tau.
-  [[nodiscard]] DeviationMeasure deviation_measure() const {
-    const bool near = deviation == DeviationMeasure::kAutomatic && tau >= kLeastHeldTau;
-    return near ? DeviationMeasure::kAlongSurface : deviation;
-  }
+  /// For one of the curves, in the order in which `per_curve` is.
+  [[nodiscard]] double tau_of(std::size_t curve) const;
+  [[nodiscard]] std::optional<double> slack_of(std::size_t curve) const;
+  [[nodiscard]] Finish finish_of(std::size_t curve) const;
+  /// The options of one of the curves as those of all; without slack_at.
+  [[nodiscard]] SmoothingOptions of(std::size_t curve) const;
+  /// What `deviation` means for the tau of one of the curves.
+  [[nodiscard]] DeviationMeasure deviation_measure(std::size_t curve) const;
   void validate() const;  ///< throws Error(kBadUsage) naming the field and its bound
 };
 

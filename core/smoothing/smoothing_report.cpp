@@ -98,7 +98,7 @@ SmoothingResult reported(const OpenedMesh& mesh, const OrderedDrawing& drawing,
     const double edge = drawing.edges_near()[c];
     SmoothingReport& report = result.reports.emplace_back(
         report_on_curve(mesh.mesh(), drawn, edge, drawing.measures()[c], smoothed.curves[c].curve));
-    report.tau = options.tau;
+    report.tau = options.tau_of(c);
     add_run(report, smoothed);
     add_curve(report, smoothed.curves[c]);
     if (!smoothed.curves[c].has_legs) {
@@ -113,7 +113,7 @@ SmoothingResult reported(const OpenedMesh& mesh, const OrderedDrawing& drawing,
 }
 
 SmoothingResult cancelled_result(const SurfaceMesh& mesh, const OrderedDrawing& drawing,
-                                 double tau) {
+                                 const SmoothingOptions& options) {
   SmoothingResult result;
   result.curves = drawing.drawn();
   for (std::size_t c = 0; c < result.curves.size(); ++c) {
@@ -122,7 +122,7 @@ SmoothingResult cancelled_result(const SurfaceMesh& mesh, const OrderedDrawing& 
         mesh, result.curves[c], drawing.edges_near()[place], drawing.measures()[place]));
     report.potential = PotentialKind::kPaper;
     report.engine = Engine::kFull;
-    report.tau = tau;
+    report.tau = options.tau_of(c);
     report.termination = Outcome::kCancelled;
   }
   result.total = total_of(result.reports);
@@ -139,7 +139,7 @@ SmoothingReport preview_report(const SurfaceMesh& mesh, DeviationMeter& meter,
   report.tau = before.tau;
   report.slack = before.slack;
   report.termination = before.termination;
-  report_deviation(report, measure_deviation(options.deviation_measure(), report.edge_length_near,
+  report_deviation(report, measure_deviation(options.deviation_measure(0), report.edge_length_near,
                                              meter, mesh, drawn, result, nullptr, progress));
   warn_if_far(report, kFarInEdges * report.edge_length_near,
               options.deviation == DeviationMeasure::kAutomatic);

@@ -15,12 +15,13 @@ namespace talweg {
 SmoothingResult reported(const OpenedMesh& mesh, const OrderedDrawing& drawing,
                          const SmoothingOptions& options, Smoothed smoothed);
 
-/// The drawing as it was drawn, with reports that say that it was not smoothed.
+/// The drawing as it was drawn, with reports that say that it was not smoothed. The options are
+/// those for the curves as drawn.
 SmoothingResult cancelled_result(const SurfaceMesh& mesh, const OrderedDrawing& drawing,
-                                 double tau);
+                                 const SmoothingOptions& options);
 
 /// The report on a curve of which a part is being dragged: its measures are new, the rest is as in
-/// `before`. Throws Cancelled.
+/// `before`. The options are those of this curve. Throws Cancelled.
 SmoothingReport preview_report(const SurfaceMesh& mesh, DeviationMeter& meter,
                                const SurfaceCurve& drawn, const SurfaceCurve& result,
                                const SmoothingOptions& options, const SmoothingReport& before,

@@ -9,6 +9,7 @@
 #include "talweg/core/drawing/crossings.hpp"
 #include "talweg/core/measure/measures.hpp"
 #include "talweg/core/smoothing/corridor_width.hpp"
+#include "talweg/core/smoothing/joined_curves.hpp"
 #include "talweg/intrinsic/stopwatch.hpp"
 
 namespace talweg {
@@ -31,12 +32,12 @@ UnrolledSheet::UnrolledSheet(SmoothingMemory& memory, const OrderedDrawing& draw
   if (paper && !lift_.is_known()) {
     lift_.solve(capped_curves(memory.surface(), drawing.curves(), options_), options_, progress);
   }
-  mesh_ = unroll(memory.mesh(), drawing.curves(), alone, reach(alone), progress);
+  close_rings();
+  mesh_ = unroll(memory.mesh(), curves_, alone, reach(alone), progress);
   strips_ = std::make_unique<SmoothingMemory>(OpenedMesh::open(mesh_.lists));
   const std::vector<SurfaceCurve> curves =
-      mesh_.unrolled(memory.mesh(), strips_->surface(), drawing.curves());
-  const CurveOptions own = options_there(
-      options_, [&](std::span<const SurfacePoint> points) { return copies_on(curves, points); });
+      mesh_.unrolled(memory.mesh(), strips_->surface(), curves_);
+  const CurveOptions own = options_on(curves);
   on_strips_ = checked_drawing(strips_->mesh(), curves, own, progress);
   sheet_ = std::make_unique<WholeSheet>(*strips_, on_strips_, own,
                                         EmbeddedDrawing::Ground{Loops::kErase, nullptr}, progress);
@@ -46,6 +47,51 @@ UnrolledSheet::UnrolledSheet(SmoothingMemory& memory, const OrderedDrawing& draw
     sheet_->solve(progress);
   }
   solve_ms_ = watch.ms() - lift_.open_ms();
+}
+
+void UnrolledSheet::close_rings() {
+  curves_ = drawing_->curves();
+  is_ring_.assign(curves_.size(), false);
+  if (options_.method != Method::kCorridor || !options_.join_ends) return;
+  const auto with_itself = [](std::size_t a, std::size_t b) { return a == b; };
+  for (const JoinedCurves& group :
+       joined_curves(memory_->surface(), drawing_->curves(), options_.corners, with_itself)) {
+    const std::size_t c = group.parts.front().curve;
+    if (!group.is_ring || curves_[c].points.size() < 4) continue;
+    is_ring_[c] = true;
+    curves_[c].closed = true;
+    curves_[c].points.pop_back();
+  }
+}
+
+CurveOptions UnrolledSheet::options_on(std::span<const SurfaceCurve> curves) const {
+  CurveOptions there = options_there(
+      options_, [&](std::span<const SurfacePoint> points) { return copies_on(curves, points); });
+  for (std::size_t c = 0; c < curves.size(); ++c) {
+    if (is_ring_[c]) there.pins.push_back(curves[c].points.front());
+  }
+  return there;
+}
+
+SmoothingOptions UnrolledSheet::options_on(SmoothingOptions options) const {
+  for (std::size_t c = 0; c < options.slack_at.size(); ++c) {
+    if (is_ring_[c]) options.slack_at[c].pop_back();
+  }
+  return on_strips_.ordered(std::move(options));
+}
+
+/// Results on the strips in the order of the drawing; rings are open again.
+Smoothed UnrolledSheet::opened(Smoothed smoothed) const {
+  for (std::size_t c = 0; c < smoothed.curves.size(); ++c) {
+    if (!is_ring_[c]) continue;
+    SurfaceCurve& curve = smoothed.curves[c].curve;
+    const SurfacePoint& end = on_strips_.drawn()[c].points.front();
+    std::rotate(curve.points.begin(), std::find(curve.points.begin(), curve.points.end(), end),
+                curve.points.end());
+    curve.points.push_back(curve.points.front());
+    curve.closed = false;
+  }
+  return smoothed;
 }
 
 double UnrolledSheet::reach(const std::vector<bool>& alone) const {
@@ -71,8 +117,8 @@ std::vector<double> UnrolledSheet::copies_of(const GivenPotential& given) const 
 std::vector<SurfacePoint> UnrolledSheet::copies_on(std::span<const SurfaceCurve> curves,
                                                    std::span<const SurfacePoint> points) const {
   std::vector<SurfacePoint> result;
-  for (std::size_t c = 0; c < drawing_->curves().size(); ++c) {
-    const std::vector<SurfacePoint>& drawn = drawing_->curves()[c].points;
+  for (std::size_t c = 0; c < curves_.size(); ++c) {
+    const std::vector<SurfacePoint>& drawn = curves_[c].points;
     for (std::size_t i = 0; i < drawn.size(); ++i) {
       if (std::find(points.begin(), points.end(), drawn[i]) == points.end()) continue;
       result.push_back(curves[c].points[i]);
@@ -83,7 +129,7 @@ std::vector<SurfacePoint> UnrolledSheet::copies_on(std::span<const SurfaceCurve>
 
 void UnrolledSheet::set_pins(std::span<const SurfacePoint> pins, const Progress& progress) {
   options_.pins.assign(pins.begin(), pins.end());
-  sheet_->set_pins(copies_on(on_strips_.drawn(), options_.pins), progress);
+  sheet_->set_pins(options_on(on_strips_.drawn()).pins, progress);
 }
 
 std::vector<double> UnrolledSheet::slack() const {
@@ -96,11 +142,12 @@ Smoothed UnrolledSheet::smooth(const SmoothingOptions& options, const GivenPoten
   if (given != nullptr) {
     const std::vector<double> values = copies_of(*given);
     const GivenPotential there{values, given->components};
-    return folded(as_drawn(on_strips_, sheet_->smooth(options, &there, progress)), progress);
+    return folded(opened(as_drawn(on_strips_, sheet_->smooth(options, &there, progress))),
+                  progress);
   }
-  const SmoothingOptions own = options_.method == Method::kPaper ? with_length_of_mesh(options)
-                                                                 : on_strips_.ordered(options);
-  return folded(as_drawn(on_strips_, sheet_->smooth(own, nullptr, progress)), progress);
+  const SmoothingOptions own =
+      options_.method == Method::kPaper ? with_length_of_mesh(options) : options_on(options);
+  return folded(opened(as_drawn(on_strips_, sheet_->smooth(own, nullptr, progress))), progress);
 }
 
 /// Sets L to its value on the whole mesh.
@@ -124,7 +171,9 @@ SmoothingOptions UnrolledSheet::with_length_of_mesh(const SmoothingOptions& opti
 std::vector<std::string> UnrolledSheet::lost_pins(const Smoothed& smoothed) const {
   const Surface& surface = memory_->surface();
   std::vector<std::string> sentences;
-  for (const SurfacePoint& pin : options_.pins) {
+  std::vector<SurfacePoint> pins = options_.pins;
+  pins.insert(pins.end(), options_.corners.begin(), options_.corners.end());
+  for (const SurfacePoint& pin : pins) {
     const auto passes = [&](const SurfacePoint& p) {
       const FaceId face = common_face(surface, pin, p);
       return face.valid() && distance_in_face(surface, coordinates_in(surface, pin, face),

@@ -15,7 +15,8 @@
 namespace talweg {
 
 /// Each curve is smoothed separately. The corridor's distance is to the curve's own part on its
-/// strip; the paper's distance is that on the mesh.
+/// strip; the paper's distance is that on the mesh. In the corridor an open curve that ends where
+/// it begins is smoothed as a loop that is pinned there, so that it closes without a kink.
 class UnrolledSheet final : public Sheet {
  public:
   /// Takes a drawing that is embedded in the memory's triangulation out of it. `alone`: per curve
@@ -31,6 +32,10 @@ class UnrolledSheet final : public Sheet {
   [[nodiscard]] std::span<const double> distance() const override { return lift_.distance(); }
 
  private:
+  void close_rings();
+  [[nodiscard]] CurveOptions options_on(std::span<const SurfaceCurve> curves) const;
+  [[nodiscard]] SmoothingOptions options_on(SmoothingOptions options) const;
+  [[nodiscard]] Smoothed opened(Smoothed smoothed) const;
   [[nodiscard]] double reach(const std::vector<bool>& alone) const;
   [[nodiscard]] std::vector<double> copies_of(const GivenPotential& given) const;
   [[nodiscard]] std::vector<SurfacePoint> copies_on(std::span<const SurfaceCurve> curves,
@@ -43,6 +48,8 @@ class UnrolledSheet final : public Sheet {
   const OrderedDrawing* drawing_;
   CurveOptions options_;
   PaperLift lift_;
+  std::vector<SurfaceCurve> curves_;    // as they are unrolled
+  std::vector<bool> is_ring_;           // of these, whether they were drawn open
   std::vector<std::size_t> crossings_;  // of the drawing, per drawn curve
   UnrolledMesh mesh_;
   std::unique_ptr<SmoothingMemory> strips_;

@@ -67,14 +67,13 @@ Smoothed WholeSheet::smooth(const SmoothingOptions& options, const GivenPotentia
 
 void WholeSheet::measure(const SmoothingOptions& options, Smoothed& smoothed,
                          const Progress& progress) {
-  const DeviationMeasure measure = options.deviation_measure();
   const OrderedDrawing& drawing = drawing_.drawing();
   const bool band_is_there = corridor_ && drawing.curves().size() == 1 && !drawing_.all_legs();
   for (std::size_t c = 0; c < smoothed.curves.size(); ++c) {
     SmoothedCurve& curve = smoothed.curves[c];
-    curve.deviation = measure_deviation(measure, drawing.edges_near()[c], memory_->meter(),
-                                        drawing_.mesh(), drawing.curves()[c], curve.curve,
-                                        band_is_there ? &memory_->distance() : nullptr, progress);
+    curve.deviation = measure_deviation(
+        options.deviation_measure(c), drawing.edges_near()[c], memory_->meter(), drawing_.mesh(),
+        drawing.curves()[c], curve.curve, band_is_there ? &memory_->distance() : nullptr, progress);
   }
 }
 

@@ -71,6 +71,10 @@ void PluginOptions::add(CLI::App& app, Value& value) {
     case TALWEG_FIELD:
       value.option = app.add_option(name, value.text, text);
       break;
+    case TALWEG_PER_CURVE:
+      value.option = app.add_option(name, value.numbers, text)->delimiter(',');
+      value.option->allow_extra_args(false);
+      break;
     default:  // a type of a newer plugin: it keeps its default
       return;
   }
@@ -102,6 +106,9 @@ void PluginOptions::apply(host::Instance& instance) const {
         break;
       case TALWEG_FIELD:
         instance.set(id, read_field(value->text));
+        break;
+      case TALWEG_PER_CURVE:
+        instance.set(id, value->numbers);
         break;
       default:
         instance.set(id, value->number);

@@ -32,6 +32,7 @@ class PluginOptions {
     bool flag = false;
     std::string text;  ///< a choice, or a file
     std::vector<std::uint32_t> vertices;
+    std::vector<double> numbers;
   };
   static void add(CLI::App& app, Value& value);
 

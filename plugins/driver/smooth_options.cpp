@@ -1,10 +1,13 @@
 #include "smooth_options.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <string_view>
 #include <system_error>
+
+#include <fmt/format.h>
 
 #include "plugin_options.hpp"
 #include "repaired_mesh.hpp"
@@ -32,6 +35,7 @@ void add_inputs(CLI::App& app, SmoothOptions& o) {
                "Smooth each curve by itself; by default all are one set, in which none crosses "
                "another");
   add(app, "pin", o.pins)->delimiter(',');
+  add(app, "corner", o.corners)->delimiter(',');
   app.add_option("--points", o.points,
                  "What the drawing's points are. given: what the files say; exact: way-points, "
                  "between which the result is free; rough: strokes; exact=12,845: these vertices "
@@ -48,16 +52,38 @@ void add_outputs(CLI::App& app, SmoothOptions& o) {
   app.add_option("--report", o.report, "What was done and measured, as JSON");
 }
 
+/// Adds an option that has one value, or one for each curve.
+template <class Value>
+CLI::Option* add_list(CLI::App& app, const char* id, std::vector<Value>& values) {
+  return app
+      .add_option(option_name(id), values,
+                  option_text(plugins::smooth_parameter(id)) +
+                      " One for all curves, or one for each: \"a,b,c\"")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+}
+
+/// A slack as it is typed; "auto" is kept as -1.
+std::string slack_or_auto(std::string& text) {
+  if (text.starts_with('-')) return "A slack must be 0 or more, or auto, not " + text;
+  if (text == "auto") text = "-1";
+  return {};
+}
+
 void add_closeness(CLI::App& app, SmoothOptions& o) {
-  add(app, "tau", o.tau)->capture_default_str();
-  add(app, "slack", o.slack);
+  add_list(app, "tau", o.tau)->default_str("1");
+  add_list(app, "slack", o.slack)->transform(CLI::Validator(slack_or_auto, ""));
   add(app, "slack_field", o.slack_field);
   add(app, "max_deviation", o.max_deviation)->excludes("--tau");
 }
 
 void add_method(CLI::App& app, SmoothOptions& o) {
   add_choice(app, plugins::smooth_parameter("potential"), o.potential);
-  add_choice(app, plugins::smooth_parameter("finish"), o.finish);
+  const talweg_parameter& finish = plugins::smooth_parameter("finish");
+  add_list(app, "finish", o.finish)
+      ->check(CLI::IsMember(
+          std::vector<std::string>(finish.choices, finish.choices + finish.choice_count)))
+      ->default_str(finish.default_choice);
   add_choice(app, plugins::smooth_parameter("engine"), o.engine);
   add(app, "heat_time", o.heat_time)->default_str("10");
   add(app, "distance", o.distance);
@@ -111,6 +137,38 @@ PointsChoice points_choice(const SmoothOptions& options) {
   }
 }
 
+namespace {
+
+/// The value of one of the curves.
+template <class Value>
+void keep_only(std::vector<Value>& values, std::size_t curve) {
+  if (values.size() > 1) values = {values[curve]};
+}
+
+}  // namespace
+
+SmoothOptions options_of_curve(const SmoothOptions& options, std::size_t curve) {
+  SmoothOptions own = options;
+  keep_only(own.tau, curve);
+  keep_only(own.slack, curve);
+  keep_only(own.finish, curve);
+  return own;
+}
+
+void check_lists(const SmoothOptions& options, std::size_t curves) {
+  const auto check = [curves](const char* name, std::size_t values) {
+    if (values <= 1 || values == curves) return;
+    throw Error(
+        ErrorCode::kBadUsage,
+        fmt::format("{} has {} values, and the drawing {} curve{}: give one, or one for each "
+                    "curve.",
+                    name, values, curves, curves == 1 ? "" : "s"));
+  };
+  check("--tau", options.tau.size());
+  check("--slack", options.slack.size());
+  check("--finish", options.finish.size());
+}
+
 void check_method(const SmoothOptions& options) {
   check_repair(options.repair);
   LengthUnit::named(options.mesh_units);
@@ -125,7 +183,13 @@ void check_method(const SmoothOptions& options) {
   if (!(options.tolerance >= 0 && std::isfinite(options.tolerance))) {
     fail("--tolerance must be 0 or more.");
   }
-  if (!corridor && options.finish != "fair") fail("--finish needs --potential corridor.");
+  const auto is_fair = [](const std::string& finish) { return finish == "fair"; };
+  if (!corridor && !std::ranges::all_of(options.finish, is_fair)) {
+    fail("--finish needs --potential corridor.");
+  }
+  if (!corridor && options.tau.size() > 1) {
+    fail("--tau for each curve needs --potential corridor.");
+  }
   const auto check_potential = [&](const char* id, bool given) {
     const std::string its_own = plugins::potential_of(id);
     if (given && its_own != options.potential) {
@@ -134,7 +198,7 @@ void check_method(const SmoothOptions& options) {
   };
   check_potential("distance", !options.distance.empty());
   check_potential("heat_time", options.heat_time.has_value());
-  check_potential("slack", options.slack.has_value());
+  check_potential("slack", !options.slack.empty());
   check_potential("slack_field", !options.slack_field.empty());
   check_potential("max_deviation", options.max_deviation.has_value());
 }

@@ -28,13 +28,14 @@ struct SmoothOptions {
   std::string slack_field;
   std::optional<double> max_deviation;
   std::optional<double> heat_time;
-  std::vector<std::size_t> pins;
+  std::vector<std::size_t> pins, corners;
   std::string points = "given";  ///< given, exact or rough; or "exact=" and vertices
   double tolerance = 0;
   std::size_t repeat = 1;
-  double tau = plugins::smooth_parameter("tau").default_number;
-  std::optional<double> slack;
-  std::string finish = "fair";
+  // One value for all curves, or one for each of them.
+  std::vector<double> tau = {plugins::smooth_parameter("tau").default_number};
+  std::vector<double> slack;  ///< none: by default; -1: this curve's is the default
+  std::vector<std::string> finish = {"fair"};
   int relax = 0;
   unsigned threads = 2;
 };
@@ -52,6 +53,12 @@ struct PointsChoice {
   std::vector<std::size_t> exact;
 };
 PointsChoice points_choice(const SmoothOptions& options);
+
+/// The options of one curve as those of all.
+SmoothOptions options_of_curve(const SmoothOptions& options, std::size_t curve);
+
+/// Throws Error(kBadUsage) where a list has neither one value nor one for each curve.
+void check_lists(const SmoothOptions& options, std::size_t curves);
 
 /// Throws Error(kBadUsage) if options contradict each other.
 void check_method(const SmoothOptions& options);

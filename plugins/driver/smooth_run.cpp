@@ -38,7 +38,7 @@ StageTimes median_times(const std::vector<StageTimes>& runs) {
 /// The input of a smoothing: the options with all their files read.
 struct Prepared {
   std::vector<SurfaceCurve> curves;
-  std::vector<SurfacePoint> pins;  ///< points of the curves
+  std::vector<SurfacePoint> pins, corners;  ///< points of the curves
   TakenPoints points;
   std::vector<double> distance;     ///< per vertex; empty unless given
   std::vector<double> slack_field;  ///< per vertex; empty unless given
@@ -99,12 +99,17 @@ Prepared prepare(const MeshFromFile& mesh, DrawingReader& reader, const SmoothOp
   run.options = &options;
   run.progress = progress;
   run.load_ms = mesh.load_ms;
+  check_lists(options, drawing.curves.size());
   run.warnings = reading_warnings(drawing, mesh.polygons);
   run.warnings.insert(run.warnings.end(), mesh.changes.begin(), mesh.changes.end());
   for (const std::size_t pin : options.pins) {
     drawing.pins.push_back(pin_on(drawing.curves, mesh, VertexId{pin}));
   }
   check_pins(drawing.curves, drawing.pins);
+  for (const std::size_t corner : options.corners) {
+    run.corners.push_back(pin_on(drawing.curves, mesh, VertexId{corner}));
+  }
+  check_pins(drawing.curves, run.corners, "corner");
   take_points_of(drawing, mesh, options, run);
   run.curves = std::move(drawing.curves);
   run.pins = std::move(drawing.pins);
@@ -127,6 +132,7 @@ Prepared alone(const Prepared& run, std::size_t curve) {
     return std::find(points.begin(), points.end(), p) != points.end();
   };
   std::copy_if(run.pins.begin(), run.pins.end(), std::back_inserter(one.pins), passed);
+  std::copy_if(run.corners.begin(), run.corners.end(), std::back_inserter(one.corners), passed);
   std::copy_if(run.points.way_points.begin(), run.points.way_points.end(),
                std::back_inserter(one.points.way_points),
                [&](const WayPoint& way) { return passed(way.point); });
@@ -148,6 +154,24 @@ void set_field(plugin::Parameters& parameters, const char* id, const std::vector
   parameters.set_array(id, &array);
 }
 
+/// What may be one value, or one for each curve. Throws plugin::Failure.
+void set_lists(plugin::Parameters& parameters, const SmoothOptions& o) {
+  if (o.tau.size() == 1) {
+    parameters.set_number("tau", o.tau.front());
+  } else {
+    set_field(parameters, "taus", o.tau);
+  }
+  if (o.slack.size() == 1 && o.slack.front() >= 0) {
+    parameters.set_number("slack", o.slack.front());
+  } else if (o.slack.size() > 1) {
+    set_field(parameters, "slacks", o.slack);
+  }
+  if (o.finish.size() == 1) return parameters.set_choice("finish", o.finish.front().c_str());
+  std::vector<double> finishes;
+  for (const std::string& finish : o.finish) finishes.push_back(finish == "fair" ? 0 : 1);
+  set_field(parameters, "finishes", finishes);
+}
+
 /// Converts the options to parameters of talweg.smooth. Throws plugin::Failure.
 plugin::Parameters parameters_of(const Prepared& run) {
   plugin::Parameters parameters(plugins::smooth_parameters());
@@ -155,14 +179,12 @@ plugin::Parameters parameters_of(const Prepared& run) {
   const auto set_if = [&](const char* id, const std::optional<double>& value) {
     if (value) parameters.set_number(id, *value);
   };
-  parameters.set_number("tau", o.tau);
+  set_lists(parameters, o);
   parameters.set_choice("potential", o.potential.c_str());
-  parameters.set_choice("finish", o.finish.c_str());
   parameters.set_choice("engine", o.engine.c_str());
   parameters.set_number("relax", o.relax);
   parameters.set_number("threads", o.threads);
   parameters.set_number("tolerance", o.tolerance);
-  set_if("slack", o.slack);
   set_if("max_deviation", o.max_deviation);
   set_if("heat_time", o.heat_time);
   set_field(parameters, "distance", run.distance);
@@ -194,6 +216,7 @@ SmoothingResult smooth_once(CurveSmoother& smoother, const Prepared& run,
                             const plugin::Parameters& parameters) {
   CurveOptions options = plugins::curve_options_of(parameters);
   options.pins = run.pins;
+  options.corners = run.corners;
   options.way_points = run.points.way_points;
   options.painted = run.points.painted;
   if (!plugins::set_curves(smoother, run.curves, parameters, options, run.progress)) {
@@ -271,7 +294,10 @@ RunOutcome smooth_each(std::vector<std::unique_ptr<CurveSmoother>>& smoothers,
     }
     try {
       if (!smoothers[worker]) smoothers[worker] = std::make_unique<CurveSmoother>(mesh.opened);
-      results[i] = smooth_set(*smoothers[worker], alone(run, i));
+      const SmoothOptions options = options_of_curve(*run.options, i);
+      Prepared one = alone(run, i);
+      one.options = &options;
+      results[i] = smooth_set(*smoothers[worker], one);
     } catch (const Error& error) {
       if (error.code() == ErrorCode::kBadUsage) throw;
       failed[i] = CurveFailure{i, current_failure()};

@@ -1,5 +1,5 @@
 /*
- * The plugin interface of Talweg, version 1.0: curves on triangle meshes, in C11, without
+ * The plugin interface of Talweg, version 1.1: curves on triangle meshes, in C11, without
  * dependencies. docs/plugins.md explains it with a host and a plugin.
  *
  * A plugin is a shared library with one exported symbol, talweg_plugin_entry. A host loads it (or
@@ -40,7 +40,7 @@ extern "C" {
 
 /* The version of this header. Same major: they work together (see talweg_module). */
 #define TALWEG_INTERFACE_MAJOR 1
-#define TALWEG_INTERFACE_MINOR 0
+#define TALWEG_INTERFACE_MINOR 1
 
 /* The name of the one symbol, for dlsym(). */
 #define TALWEG_PLUGIN_ENTRY "talweg_plugin_entry"
@@ -149,7 +149,8 @@ enum {
   TALWEG_BOOLEAN = 3,  /* set_number: 0 or 1 */
   TALWEG_CHOICE = 4,   /* set_choice: one of `choices` */
   TALWEG_VERTICES = 5, /* set_array: 1 column, vertices of the mesh; empty by default */
-  TALWEG_FIELD = 6     /* set_array: 1 column, one number per vertex of the mesh; none by default */
+  TALWEG_FIELD = 6,    /* set_array: 1 column, one number per vertex of the mesh; none by default */
+  TALWEG_PER_CURVE = 7 /* since 1.1; set_array: 1 column, one number per curve; none by default */
 };
 
 /* What a change of a parameter, of the curves or of the mesh makes the next run() repeat: that stage
@@ -326,7 +327,7 @@ typedef struct talweg_plugin {
 
   /* [instance] New values of parameters. TALWEG_BAD_USAGE for an id that the plugin does not have,
    * a parameter of another type, or a value out of its range; the old value stays then. Whether an
-   * array fits the mesh is told by run(). */
+   * array fits the mesh and the curves is told by run(). */
   talweg_status (*set_number)(talweg_instance *instance, const char *id, double value);
   talweg_status (*set_choice)(talweg_instance *instance, const char *id, const char *value);
   talweg_status (*set_array)(talweg_instance *instance, const char *id, const talweg_array *values);

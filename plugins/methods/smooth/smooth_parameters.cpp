@@ -42,11 +42,10 @@ struct OfOnePotential {
   const char* potential;
   bool field = false;
 };
-constexpr OfOnePotential kOfOnePotential[] = {{"distance", "paper", true},
-                                              {"heat_time", "paper"},
-                                              {"slack", "corridor"},
-                                              {"slack_field", "corridor", true},
-                                              {"max_deviation", "corridor"}};
+constexpr OfOnePotential kOfOnePotential[] = {
+    {"distance", "paper", true},       {"heat_time", "paper"},       {"slack", "corridor"},
+    {"slack_field", "corridor", true}, {"taus", "corridor", true},   {"slacks", "corridor", true},
+    {"finishes", "corridor", true},    {"max_deviation", "corridor"}};
 
 void require(bool good, const std::string& message) {
   if (!good) throw plugin::Failure(TALWEG_BAD_USAGE, message);
@@ -85,10 +84,20 @@ std::vector<talweg_parameter> main_parameters() {
              "fair: turns evenly, between walls near the drawing; taut: straight with kinks, as "
              "short as it gets (corridor).",
              kRun),
+      array(TALWEG_PER_CURVE, "taus", "Tau of each curve", "",
+            "A tau for each curve; -1: as tau says (corridor)."),
+      array(TALWEG_PER_CURVE, "slacks", "Slack of each curve", "mesh units",
+            "A slack for each curve; -1: as slack says (corridor)."),
+      array(TALWEG_PER_CURVE, "finishes", "Finish of each curve", "",
+            "For each curve 0: fair, 1: taut, -1: as finish says (corridor)."),
       array(TALWEG_FIELD, "slack_field", "Slack field", "mesh units",
             "The slack near each mesh vertex, instead of slack (corridor)."),
       array(TALWEG_VERTICES, "pin", "Pins", "",
             "Vertices of the drawing that the result passes through.", kCurves),
+      array(
+          TALWEG_VERTICES, "corner", "Corners", "",
+          "Vertices of the drawing that the result passes through, and where it may turn sharply.",
+          kCurves),
       choice("points", "Points", "given", kPoints, kPointLabels,
              "given: as the drawing says; exact: way-points, between which the result is free; "
              "rough: a stroke, which the result keeps near.",
@@ -167,6 +176,42 @@ PotentialOptions potential_options_of(const Parameters& p) {
   return options;
 }
 
+/// The values of a parameter for each curve; empty if there are none. Throws plugin::Failure.
+std::vector<double> per_curve(const Parameters& p, const char* id, double most,
+                              std::size_t curves) {
+  const std::vector<double>& values = p.field(id);
+  if (values.empty()) return {};
+  const std::string name = fmt::format("{} ({})", smooth_parameter(id).label, id);
+  require(values.size() == curves,
+          fmt::format("{} has {} values for {} curves.", name, values.size(), curves));
+  for (std::size_t c = 0; c < curves; ++c) {
+    const double value = values[c];
+    require(
+        value == -1 || (value >= 0 && value <= most && std::isfinite(value)),
+        fmt::format("{} must be -1 or {} for curve {}, not {:g}.", name,
+                    std::isfinite(most) ? fmt::format("in [0, {:g}]", most) : ">= 0", c, value));
+  }
+  return values;
+}
+
+/// Per curve what is not as for all; empty where all is.
+std::vector<OwnOptions> own_options_of(const Parameters& p, std::size_t curves) {
+  const std::vector<double> taus = per_curve(p, "taus", HUGE_VAL, curves);
+  const std::vector<double> slacks = per_curve(p, "slacks", HUGE_VAL, curves);
+  const std::vector<double> finishes = per_curve(p, "finishes", 1, curves);
+  std::vector<OwnOptions> own;
+  if (taus.empty() && slacks.empty() && finishes.empty()) return own;
+  own.resize(curves);
+  for (std::size_t c = 0; c < curves; ++c) {
+    if (!taus.empty() && taus[c] >= 0) own[c].tau = taus[c];
+    if (!slacks.empty() && slacks[c] >= 0) own[c].slack = slacks[c];
+    if (finishes.empty() || finishes[c] < 0) continue;
+    require(finishes[c] == 0 || finishes[c] == 1, "Finish of each curve (finishes) must be whole.");
+    own[c].finish = finishes[c] == 0 ? Finish::kFair : Finish::kTaut;
+  }
+  return own;
+}
+
 }  // namespace
 
 const std::vector<talweg_parameter>& smooth_parameters() {
@@ -223,6 +268,7 @@ SmoothingOptions smoothing_options_of(const Parameters& p, const Surface& surfac
     }
   }
   options.tau = p.number("tau");
+  options.per_curve = own_options_of(p, drawn.size());
   options.potential = potential_options_of(p);
   options.slack = p.optional("slack");
   options.phase_turns = static_cast<int>(p.number("phase_turns"));
@@ -247,7 +293,7 @@ PointsTaken points_taken(const Parameters& p, std::vector<SurfacePoint> exact) {
 
 std::vector<std::string> idle_parameters(const Parameters& p, bool free) {
   std::vector<std::string> given;
-  if (p.optional("slack")) given.emplace_back("slack");
+  if (p.optional("slack") || !p.field("slacks").empty()) given.emplace_back("slack");
   if (!p.field("slack_field").empty()) given.emplace_back("slack field");
   if (p.optional("max_deviation")) given.emplace_back("largest deviation");
   if (!free || given.empty()) return {};

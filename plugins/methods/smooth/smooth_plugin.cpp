@@ -57,6 +57,7 @@ class Smooth : public SmootherWorkspace {
     free_ = only_way_points(drawing().curves, points_);
     curve_options.way_points = points_.way_points;
     curve_options.painted = points_.painted;
+    curve_options.corners = points_at(parameters.vertices("corner"));
     const std::optional<std::size_t> dragged = dragged_curve(parameters);
     if (!dragged) solve(parameters, curve_options);
     const SmoothingOptions options =
@@ -85,6 +86,7 @@ class Smooth : public SmootherWorkspace {
     if (parameters.optional("max_deviation") && !free_) {
       options.tau = found_tau_;
       options.slack = found_slack_;
+      for (OwnOptions& own : options.per_curve) own.tau.reset();
     }
     return smoother().drag(curve, drawing().curves[curve], options, progress());
   }

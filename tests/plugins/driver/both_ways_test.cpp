@@ -76,6 +76,32 @@ TEST_F(BothWays, SmoothTheSame) {
     }
   }
   expect_same("--curve open.txt --pin 760");
+  expect_same("--curve open.txt --corner 760");
+}
+
+TEST_F(BothWays, SmoothTheSameWithOptionsForEachCurve) {
+  ASSERT_EQ(run("draw hills.ply --through 130,150 --points rough -o low.txt").code, 0);
+  ASSERT_EQ(run("draw hills.ply --through 830,845 --points rough -o middle.txt").code, 0);
+  ASSERT_EQ(run("draw hills.ply --through 1330,1355 --points rough -o high.txt").code, 0);
+  const std::string curves = " --curve low.txt --curve middle.txt --curve high.txt";
+  struct Case {
+    const char* direct;
+    const char* loaded;
+  };
+  for (const Case& one :
+       {Case{"--tau 0,3,0.4", "--taus 0,3,0.4"},
+        Case{"--slack auto,0.3,0.7 --tau 2", "--slacks=-1,0.3,0.7 --tau 2"},
+        Case{"--finish fair,taut,fair", "--finishes 0,1,0"}, Case{"--tau 1,1,1", "--tau 1"}}) {
+    SCOPED_TRACE(one.direct);
+    const Outcome direct =
+        run("-q smooth hills.ply -o a.json --report a-report.json" + curves + " " + one.direct);
+    const Outcome loaded = run("-q run talweg.smooth hills.ply -o b.json --report b-report.json" +
+                               curves + " " + one.loaded);
+    ASSERT_EQ(direct.code, 0) << direct.err;
+    ASSERT_EQ(loaded.code, 0) << loaded.err;
+    EXPECT_EQ(bytes_of(file("a.json")), bytes_of(file("b.json")));
+    EXPECT_EQ(report("a-report.json"), report("b-report.json"));
+  }
 }
 
 TEST_F(BothWays, SmoothTheSameThroughWayPoints) {
@@ -91,6 +117,7 @@ TEST_F(BothWays, SmoothTheSameThroughWayPoints) {
     }
   }
   expect_same("--curve open.json --pin 760");
+  expect_same("--curve open.json --corner 760");
   expect_same("--curve open.txt --points exact");
   ASSERT_EQ(run("smooth hills.ply --curve open.txt --points exact=130,760,1500 -o a.json").code, 0);
   ASSERT_EQ(run("run talweg.smooth hills.ply --curve open.txt --exact 130,760,1500 -o b.json").code,

@@ -76,6 +76,41 @@ class SmoothMany : public test::DriverRuns {
   }
 };
 
+TEST_F(SmoothMany, ACellMayHaveAValueForEachCurve) {
+  const auto both = [&](const std::string& name, const std::string& options) {
+    return run("smooth sheet.ply --curve across.txt --curve up.txt -o " + name +
+               " --report r.json " + options);
+  };
+  ASSERT_EQ(both("set.json", "--tau 0.5,4 --finish taut,fair --slack auto,0.3").code, 0);
+  const auto report = nlohmann::json::parse(bytes_of(file("r.json")));
+  EXPECT_EQ(report["curves"][0]["tau"], 0.5);
+  EXPECT_EQ(report["curves"][1]["tau"], 4);
+  EXPECT_EQ(report["curves"][1]["slack"], 0.3);
+  ASSERT_EQ(both("each.json", "--independent --tau 0.5,4 --finish taut,fair --slack auto,0.3").code,
+            0);
+  ASSERT_EQ(run("smooth sheet.ply --curve across.txt --tau 0.5 --finish taut -o first.json").code,
+            0);
+  ASSERT_EQ(run("smooth sheet.ply --curve up.txt --tau 4 --slack 0.3 -o second.json").code, 0);
+  const auto curves = [&](const char* name) {
+    return nlohmann::json::parse(bytes_of(file(name)))["curves"];
+  };
+  EXPECT_EQ(curves("each.json")[0], curves("first.json")[0]);
+  EXPECT_EQ(curves("each.json")[1], curves("second.json")[0]);
+  // The same from a table, with both curves in one file.
+  write("list.csv",
+        "mesh,curve,tau,finish,slack,output\n"
+        "sheet.ply,both.json,\"0.5,4\",\"taut,fair\",\"auto,0.3\",batch.json\n");
+  const Outcome drawn =
+      run("smooth sheet.ply --curve across.txt --curve up.txt --tau 0 -o both.json");
+  ASSERT_EQ(drawn.code, 0) << drawn.err;
+  ASSERT_EQ(run("smooth --batch list.csv").code, 0);
+  ASSERT_EQ(run("smooth sheet.ply --curve both.json --tau 0.5,4 --finish taut,fair "
+                "--slack auto,0.3 -o direct.json")
+                .code,
+            0);
+  EXPECT_EQ(bytes_of(file("batch.json")), bytes_of(file("direct.json")));
+}
+
 TEST_F(SmoothMany, SeveralFilesAreOneSetUnlessTheyAreIndependent) {
   write("both.txt", bytes_of(file("across.txt")) + "\n" + bytes_of(file("up.txt")));
   ASSERT_EQ(
@@ -94,6 +129,19 @@ TEST_F(SmoothMany, SeveralFilesAreOneSetUnlessTheyAreIndependent) {
   ASSERT_EQ(curves("each.json").size(), 2U);
   EXPECT_EQ(curves("each.json")[0], curves("first.json")[0]);
   EXPECT_EQ(curves("each.json")[1], curves("second.json")[0]);
+  // The same from a table, with both curves in one file.
+  write("list.csv",
+        "mesh,curve,tau,finish,slack,output\n"
+        "sheet.ply,both.json,\"0.5,4\",\"taut,fair\",\"auto,0.3\",batch.json\n");
+  const Outcome drawn =
+      run("smooth sheet.ply --curve across.txt --curve up.txt --tau 0 -o both.json");
+  ASSERT_EQ(drawn.code, 0) << drawn.err;
+  ASSERT_EQ(run("smooth --batch list.csv").code, 0);
+  ASSERT_EQ(run("smooth sheet.ply --curve both.json --tau 0.5,4 --finish taut,fair "
+                "--slack auto,0.3 -o direct.json")
+                .code,
+            0);
+  EXPECT_EQ(bytes_of(file("batch.json")), bytes_of(file("direct.json")));
 }
 
 TEST_F(SmoothMany, CurvesOfASetDoNotCrossAndIndependentOnesMay) {
@@ -248,6 +296,12 @@ TEST_F(SmoothMany, RefusesBadListsBeforeAnyWork) {
   refuse("mesh,curve,potential\nsheet.ply,across.txt,steep\n", "-o out.json", {"line 2", "steep"});
   refuse("mesh,curve,slack\nsheet.ply,across.txt,1\n", "-o out.json --potential paper",
          {"line 2", "--slack"});
+  // One value, or one for each curve.
+  refuse("mesh,curve,tau\nsheet.ply,across.txt,\"1,2,3\"\n", "-o out.json",
+         {"line 2", "--tau has 3 values", "1 curve:"});
+  refuse("mesh,curve,slack\nsheet.ply,across.txt,\"1,-1\"\n", "-o out.json", {"line 2", "-1"});
+  refuse("mesh,curve,finish\nsheet.ply,across.txt,\"fair,loose\"\n", "-o out.json",
+         {"line 2", "loose"});
   // Two runs that write one file, however it is spelt; and one that writes what another reads.
   refuse(good + "sheet.ply,up.txt,./out.json\n", "", {"line 3", "out.json", "line 2"}, 1);
   refuse("mesh,curve\nsheet.ply,across.txt\nsheet.ply,up.txt\n", "-o out.json",

@@ -50,6 +50,45 @@ TEST_F(SmoothPlugin, GivesTheLibrarysBitsForEveryTau) {
   }
 }
 
+TEST_F(SmoothPlugin, TakesOptionsForEachCurve) {
+  smooth_.set_curves({subject_.curve});
+  SmoothingOptions options;
+  options.per_curve = {{.tau = 3, .slack = 0.4, .finish = Finish::kTaut}};
+  smooth_.set("taus", std::vector{3.0});
+  smooth_.set("slacks", std::vector{0.4});
+  smooth_.set("finishes", std::vector{1.0});
+  expect_same(smooth_.run(), by_library(options));
+  for (const char* id : {"taus", "slacks", "finishes"}) smooth_.set(id, std::vector{-1.0});
+  expect_same(smooth_.run(), by_library({}));
+  for (const char* id : {"taus", "slacks", "finishes"}) smooth_.reset(id);
+  expect_same(smooth_.run(), by_library({}));
+}
+
+TEST_F(SmoothPlugin, RefusesOptionsForOtherCurves) {
+  smooth_.set_curves({subject_.curve});
+  const auto refused = [&](const char* id, const std::vector<double>& values) -> std::string {
+    smooth_.set(id, values);
+    try {
+      smooth_.run();
+    } catch (const host::Error& error) {
+      EXPECT_EQ(error.status(), TALWEG_BAD_USAGE);
+      smooth_.reset(id);
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_EQ(refused("taus", {1, 2}), "Tau of each curve (taus) has 2 values for 1 curves.");
+  EXPECT_EQ(refused("taus", {-2}),
+            "Tau of each curve (taus) must be -1 or >= 0 for curve 0, not -2.");
+  EXPECT_EQ(refused("slacks", {HUGE_VAL}),
+            "Slack of each curve (slacks) must be -1 or >= 0 for curve 0, not inf.");
+  EXPECT_EQ(refused("finishes", {2}),
+            "Finish of each curve (finishes) must be -1 or in [0, 1] for curve 0, not 2.");
+  EXPECT_EQ(refused("finishes", {0.5}), "Finish of each curve (finishes) must be whole.");
+  smooth_.set("potential", "paper");
+  EXPECT_EQ(refused("taus", {1}), "taus needs the potential corridor.");
+}
+
 TEST_F(SmoothPlugin, PassesEveryOptionOn) {
   smooth_.set_curves({subject_.curve});
   SmoothingOptions options;

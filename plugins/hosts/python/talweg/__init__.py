@@ -17,7 +17,7 @@ from ._curves import ArrayLike, Curve, CurveLike
 from ._errors import (BadCurve, BadFile, BadMesh, BadUsage, Cancelled, Error, Internal, Numerical,
                       OutOfMemory, PluginNotFound, Unsupported)
 from ._files import read_curves, write_curves
-from ._mesh import Mesh, Workspace
+from ._mesh import Mesh, OneOrEach, Workspace
 from ._plugins import Parameter, Plugin, folders, help_text, plugin, plugins
 from ._results import Distance, Report, Result
 from ._version import __version__
@@ -31,7 +31,7 @@ __all__ = [
 
 
 def smooth(vertices: Any, faces: ArrayLike, curve: Union[CurveLike, Sequence[Curve]],
-           tau: float = 1.0, *, closed: bool = False, point_fields: bool = False,
+           tau: OneOrEach = 1.0, *, closed: bool = False, point_fields: bool = False,
            vertex_fields: bool = False, progress: Any = None, **parameters: Any) -> Result:
     """Smooths a drawn curve while it stays close to the drawing.
 
@@ -39,7 +39,8 @@ def smooth(vertices: Any, faces: ArrayLike, curve: Union[CurveLike, Sequence[Cur
     :param faces: (m, 3) whole numbers, counterclockwise from outside.
     :param curve: vertices (k,), neighbours along edges; or positions (k, 3) near the surface; or
         a ``Curve``; or a list of ``Curve``: smoothed together, none crosses another.
-    :param tau: >= 0. 0: straight lines; more keeps closer to the drawing.
+    :param tau: >= 0. 0: straight lines; more keeps closer to the drawing. A list has one for each
+        curve, as those of ``slack`` and ``finish`` do; None there: as for all.
     :param closed: the curve is a loop (also if its vertices repeat the first one at the end).
     :param point_fields: also ``curve.fields``: "deviation" (mesh units), "curvature" (radians).
     :param vertex_fields: also ``result.fields``: "distance" to the drawing, (n,), mesh units.

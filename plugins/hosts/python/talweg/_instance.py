@@ -134,7 +134,7 @@ class Instance:
         elif parameter.kind == "choice":
             choice = _text(parameter, value).encode()
             self._short(lambda: table.set_choice(self._handle, id, choice))
-        elif parameter.kind in ("vertices", "field"):
+        elif parameter.kind in ("vertices", "field", "per_curve"):
             array = _arrays.readable(value, 1, f"{parameter.label} ({parameter.id})")
             view = _arrays.view(array)
             self._short(lambda: table.set_array(self._handle, id, byref(view)))

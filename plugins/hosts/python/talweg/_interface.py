@@ -1,4 +1,4 @@
-"""The plugin interface 1.0 (``talweg_plugin.h``, ``talweg_curve_files.h``, ``talweg_way_points.h``) in
+"""The plugin interface 1.1 (``talweg_plugin.h``, ``talweg_curve_files.h``, ``talweg_way_points.h``) in
 ctypes, nothing else.
 
 Function pointers made here release Python's lock while they run, and take it for callbacks.
@@ -11,12 +11,12 @@ from ctypes import (CFUNCTYPE, POINTER, Structure, c_char_p, c_double, c_int64, 
                     c_uint64, c_void_p)
 
 INTERFACE_MAJOR = 1
-INTERFACE_MINOR = 0
+INTERFACE_MINOR = 1
 
 OK, CANCELLED, HOST_FAILED = 0, 7, 8
 FLOAT64, FLOAT32, INT32, UINT32, INT64, UINT64 = 1, 2, 3, 4, 5, 6
 NO_VERTEX = 2**32 - 1
-NUMBER, INTEGER, BOOLEAN, CHOICE, VERTICES, FIELD = 1, 2, 3, 4, 5, 6
+NUMBER, INTEGER, BOOLEAN, CHOICE, VERTICES, FIELD, PER_CURVE = 1, 2, 3, 4, 5, 6, 7
 OPTIONAL, OPEN_MINIMUM, LOGARITHMIC, ADVANCED = 1, 2, 4, 8
 VALUE_NUMBER, VALUE_INTEGER, VALUE_BOOLEAN, VALUE_TEXT = 1, 2, 3, 4
 WANT_POINT_FIELDS = 1

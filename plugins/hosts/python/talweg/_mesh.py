@@ -40,6 +40,27 @@ def _arrays_of(mesh: Any) -> Any:
                   f"vertices and faces, or points and cells, not as {type(mesh).__name__}.")
 
 
+#: A number for all curves, or one for each; None: as for all.
+OneOrEach = Union[float, Sequence[Optional[float]]]
+
+#: Parameters of talweg.smooth, and those that have a value of theirs for each curve.
+_EACH_CURVE = {"tau": "taus", "slack": "slacks", "finish": "finishes"}
+
+
+def _number_of(name: str, value: Any, choices: Sequence[str]) -> float:
+    """As the parameter for each curve has it: a choice by its number, and -1 for none."""
+    if value is None:
+        return -1.0
+    if choices:
+        if value not in choices:
+            raise BadUsage(f"{name} must be a list of {', '.join(choices)}, not of {value!r}.")
+        return float(choices.index(value))
+    try:
+        return float(value)
+    except (TypeError, ValueError):
+        raise BadUsage(f"{name} must be a list of numbers, not of {value!r}.") from None
+
+
 class Mesh:
     """A triangle mesh, opened: checked and copied once, then shared by all that works on it.
 
@@ -82,7 +103,7 @@ class Mesh:
         """A workspace on this mesh; see Workspace."""
         return Workspace(self, curves, closed=closed, plugin=plugin, **parameters)
 
-    def smooth(self, curve: Union[CurveLike, Sequence[Curve]], tau: float = 1.0, *,
+    def smooth(self, curve: Union[CurveLike, Sequence[Curve]], tau: OneOrEach = 1.0, *,
                closed: bool = False, point_fields: bool = False, vertex_fields: bool = False,
                progress: Any = None, **parameters: Any) -> Result:
         """talweg.smooth() on this mesh."""
@@ -157,16 +178,35 @@ class Workspace:
     def set(self, **parameters: Any) -> None:
         """New values of parameters; None: back to the default.
 
+        ``tau``, ``slack`` and ``finish`` may be lists with a value for each curve; None there: as
+        for all.
+
         :raises BadUsage: for a name that the plugin does not have, or a value out of its range;
             the old value stays then.
         """
         for name in parameters:
             self._check_name(name)
-        for name, value in parameters.items():
+        for name, value in self._each_curve(parameters).items():
             self._instance.set(self.plugin.parameters[name], value)
             self._values.pop(name, None)
             if value is not None:
                 self._values[name] = value
+
+    def _each_curve(self, parameters: Dict[str, Any]) -> Dict[str, Any]:
+        """Lists go to the parameters for them, from which a single value takes them back."""
+        result: Dict[str, Any] = {}
+        for name, value in parameters.items():
+            each = _EACH_CURVE.get(name)
+            if each not in self.plugin.parameters:
+                result[name] = value
+            elif isinstance(value, (list, tuple)) or getattr(value, "ndim", 0) > 0:
+                choices = self.plugin.parameters[name].choices
+                result[each] = [_number_of(name, v, choices) for v in value]
+            else:
+                result[name] = value
+                if each in self._values:
+                    result[each] = None
+        return result
 
     def _check_name(self, name: str) -> None:
         names: List[str] = list(self.plugin.parameters)
@@ -191,7 +231,7 @@ class Workspace:
         """
         return self._instance.run(point_fields, vertex_fields, as_progress(progress))
 
-    def smooth(self, tau: Optional[float] = None, *, point_fields: bool = False,
+    def smooth(self, tau: Optional[OneOrEach] = None, *, point_fields: bool = False,
                vertex_fields: bool = False, progress: Any = None, **parameters: Any) -> Result:
         """set(tau=tau, **parameters) and run(); without ``tau`` it stays as it is."""
         if tau is not None:

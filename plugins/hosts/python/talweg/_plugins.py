@@ -16,7 +16,8 @@ from . import _interface as c
 from ._errors import PluginNotFound
 
 _KINDS = {c.NUMBER: "number", c.INTEGER: "integer", c.BOOLEAN: "boolean", c.CHOICE: "choice",
-          c.VERTICES: "vertices", c.FIELD: "field"}
+          c.VERTICES: "vertices", c.FIELD: "field",
+          c.PER_CURVE: "per_curve"}
 
 
 @dataclass(frozen=True)
@@ -25,7 +26,9 @@ class Parameter:
 
     id: str
     label: str
-    kind: str  #: "number", "integer", "boolean", "choice", "vertices" (shape (n,)), "field" (one per vertex)
+    #: "number", "integer", "boolean", "choice", "vertices" (shape (n,)), "field" (one per vertex),
+    #: "per_curve" (one per curve)
+    kind: str
     unit: str  #: "mesh units", "radians", ...; "" for a pure number
     doc: str
     default: Any  #: None where it has no value by default
