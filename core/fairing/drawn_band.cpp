@@ -4,9 +4,8 @@
 
 namespace talweg {
 
-DrawnBand::DrawnBand(PolylineDistance& distance, const Surface& surface, std::size_t curve,
-                     const BandWidth& width)
-    : distance_(&distance), surface_(&surface), curve_(curve), width_(width) {
+DrawnBand::DrawnBand(PolylineDistance& distance, std::size_t curve, const BandWidth& width)
+    : distance_(&distance), curve_(curve), width_(width) {
   if (width.slack_at.empty()) return;
   const auto arcs = distance.point_arcs(curve);
   arcs_.assign(arcs.begin(), arcs.end());
@@ -43,11 +42,9 @@ void DrawnBand::set_width(BandPlace& place, std::uint32_t curve, double arc,
 }
 
 BandPlace DrawnBand::at(const FaceCoordinates& point, PlanePoint direction) const {
-  const FaceFrame frame(*surface_, point.face);
-  const auto value = distance_->at_face(
-      point.face, point.barycentric, {frame.rates(direction), frame.rates(turned_left(direction))});
-  BandPlace place{value.value, value.first[0]};
-  set_width(place, value.curve, value.arc_length, value.arc_first[0]);
+  const auto value = distance_->at_face(point.face, point.barycentric, direction);
+  BandPlace place{value.value, value.slope};
+  set_width(place, value.curve, value.arc_length, value.arc_slope);
   return place;
 }
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "talweg/intrinsic/exact_distance/polyline_distance.hpp"
-#include "talweg/intrinsic/lines/face_frame.hpp"
+#include "talweg/intrinsic/surface/plane_point.hpp"
 #include "talweg/intrinsic/surface/surface_point.hpp"
 
 namespace talweg {
@@ -34,8 +34,7 @@ struct BandPlace {
 /// The band of one of the curves that a PolylineDistance is set to. Refers to the distance.
 class DrawnBand {
  public:
-  DrawnBand(PolylineDistance& distance, const Surface& surface, std::size_t curve,
-            const BandWidth& width);
+  DrawnBand(PolylineDistance& distance, std::size_t curve, const BandWidth& width);
 
   [[nodiscard]] BandPlace at(const FaceCoordinates& point, PlanePoint direction) const;
   [[nodiscard]] BandPlace at(const SurfacePoint& point) const;
@@ -46,7 +45,6 @@ class DrawnBand {
   void set_width(BandPlace& place, std::uint32_t curve, double arc, double arc_slope) const;
 
   PolylineDistance* distance_;
-  const Surface* surface_;
   std::size_t curve_;
   BandWidth width_;
   std::vector<double> arcs_, slacks_;  // of slack_at, all around a closed curve

@@ -206,8 +206,12 @@ std::optional<SampleChain> ChainMaker::moved(const SampleChain& chain,
   result.samples = chain.samples;
   result.fixed = chain.fixed;
   result.loose = chain.loose;
+  result.joins.reserve(chain.joins.size());
+  result.crossed.reserve(chain.crossed.size() + n / 8);
   FaceStrip walks;
+  walks.reserve(n);
   std::vector<std::uint32_t> first{0};
+  first.reserve(n + 1);
   for (std::size_t i = 0; i < n; ++i) {
     if (!chain.fixed[i] && steps[i].distance > 0) {
       const WalkEnd end =

@@ -160,7 +160,7 @@ void CorridorHold::with_fairing(double tau, double narrower, std::size_t curve,
   const double edge = drawing_->drawing().edges_near()[curve];
   std::optional<DrawnBand> band;
   if (!drawing_->legs()[curve].all()) {
-    band.emplace(*distance_, drawing_->surface(), curve,
+    band.emplace(*distance_, curve,
                  BandWidth{valley.slack, valley.slack_at, kLeastSlack * edge,
                            narrower * walls_of(tau), valley.apart});
   }
