@@ -130,11 +130,14 @@ class Selection {
         (edge == nullptr && in.face != out.face)) {
       return signed_turning(*surface_, a.point, b.point, c.point);
     }
+    const auto way = [](const FaceFrame& frame, const auto& from, const auto& to) {
+      return frame.at({to[0] - from[0], to[1] - from[1], to[2] - from[2]});
+    };
     const FaceFrame here(*surface_, in.face);
-    const PlanePoint arriving = here.at(in.to) - here.at(first.from);
-    if (in.face == out.face) return angle(arriving, here.at(last.to) - here.at(out.from));
+    const PlanePoint arriving = way(here, first.from, in.to);
+    if (in.face == out.face) return angle(arriving, way(here, out.from, last.to));
     const FaceFrame there(*surface_, out.face);
-    const PlanePoint leaving = there.at(last.to) - there.at(out.from);
+    const PlanePoint leaving = way(there, out.from, last.to);
     // Both as seen from the edge.
     const auto along = [&](const FaceFrame& frame) {
       const HalfedgeId h = halfedge_of(edge->edge);

@@ -213,14 +213,21 @@ bool StripLines::flip(const FaceStrip& strip, const Bend& bend, FaceStrip& other
 }
 
 void StripLines::fill(StripLine& line) const {
-  line.length = length();
-  const PlanePoint first = bends_.empty() ? to_ : bends_.front().at;
-  const PlanePoint last = bends_.empty() ? from_ : bends_.back().at;
-  line.start = unit(first - from_);
-  line.first_leg = norm(first - from_);
-  line.last_leg = norm(to_ - last);
-  line.end = rotated({turn_.x, -turn_.y}, unit(to_ - last));
   line.bends.clear();
+  if (bends_.empty()) {
+    const PlanePoint way = to_ - from_;
+    line.length = line.first_leg = line.last_leg = norm(way);
+    line.start = line.length > 0 ? (1 / line.length) * way : PlanePoint{1, 0};
+    line.end = rotated({turn_.x, -turn_.y}, line.start);
+    line.found = std::isfinite(line.length);
+    return;
+  }
+  line.length = length();
+  const PlanePoint first = bends_.front().at - from_, last = to_ - bends_.back().at;
+  line.start = unit(first);
+  line.first_leg = norm(first);
+  line.last_leg = norm(last);
+  line.end = rotated({turn_.x, -turn_.y}, unit(last));
   for (const Bend& bend : bends_) line.bends.push_back(bend.vertex);
   line.found = std::isfinite(line.length);
 }
@@ -231,6 +238,10 @@ StripLine StripLines::join(const FaceCoordinates& from, const FaceCoordinates& t
   trim(line.from, line.to, strip);
   unfold(line.from, line.to, strip);
   pull_funnel();
+  if (bends_.empty()) {
+    fill(line);
+    return line;
+  }
   std::size_t work = strip.size();
   while (work < kMostWork) {
     const double before = length();
@@ -255,10 +266,8 @@ StripLine StripLines::join(const FaceCoordinates& from, const FaceCoordinates& t
       }
     }
     if (!flipped) {
-      if (!bends.empty()) {
-        unfold(line.from, line.to, strip);
-        pull_funnel();
-      }
+      unfold(line.from, line.to, strip);
+      pull_funnel();
       fill(line);
       return line;
     }
