@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 namespace talweg {
@@ -14,10 +15,20 @@ constexpr double kMostOfSpacing = 0.7;
 
 double fourth(double x) { return x * x * x * x; }
 
-void append(const SampleTrail& more, SampleTrail& trail) {
-  trail.resize(more.size());
-  for (std::size_t i = 0; i < more.size(); ++i) {
-    for (const HalfedgeId h : more[i]) add_crossing(trail[i], h);
+void append(const ChainMove& move, SampleTrail& trail) {
+  trail.resize(move.chain.size());
+  for (std::size_t i = 0; i < trail.size(); ++i) {
+    for (const HalfedgeId h : move.way(i)) add_crossing(trail[i], h);
+  }
+}
+
+/// Makes steps that are almost those of another move exactly these, so that it can be taken over.
+void take_over(const SampleChain& chain, const ChainMove& other, std::vector<double>& left) {
+  constexpr double kAlmost = 1e-4;  // of a join
+  for (std::size_t i = 0; i < left.size(); ++i) {
+    if (chain.fixed[i]) continue;
+    const double join = std::min(chain.join_before(i).length, chain.join_after(i).length);
+    if (std::abs(left[i] - other.left[i]) <= kAlmost * join) left[i] = other.left[i];
   }
 }
 
@@ -48,11 +59,12 @@ BandPlace FairChain::place_of(const SampleChain& chain, std::size_t i, double of
   return {0, 0, scale, HUGE_VAL, 0};
 }
 
+/// Of the samples that are not anew, places are known already.
 void FairChain::measure(const SampleChain& chain, const std::vector<double>& offsets,
-                        std::vector<BandPlace>& places) const {
-  places.assign(chain.size(), {});
+                        const std::vector<bool>& anew, std::vector<BandPlace>& places) const {
+  places.resize(chain.size());
   for (std::size_t i = 0; i < chain.size(); ++i) {
-    if (!chain.fixed[i]) places[i] = place_of(chain, i, offsets[i]);
+    if (!chain.fixed[i] && anew[i]) places[i] = place_of(chain, i, offsets[i]);
   }
 }
 
@@ -259,33 +271,36 @@ bool FairChain::step(SampleChain& chain, SampleTrail* trail) {
     if (is_loose(chain, i) && reach_.empty()) held_[i] = 1;
   }
   std::vector<double> left, now;
-  SampleTrail ways;
   std::vector<BandPlace> places;
   std::vector<double> offsets;
+  std::optional<ChainMove> last;
   double part = 1;
   for (int trial = 0; trial < kTrials; ++trial) {
     if (!solve(chain, trial == 0, left)) return false;
     limit(chain, left);
     for (double& d : left) d *= part;
-    ways.clear();
-    auto moved = maker_->moved_left(chain, left, trail != nullptr ? &ways : nullptr);
-    if (moved) {
-      offsets = offsets_;
-      for (std::size_t i = 0; i < left.size(); ++i) offsets[i] += left[i];
-      measure(*moved, offsets, places);
-      energies(*moved, places, now);
-      const double sum = std::accumulate(now.begin(), now.end(), 0.0);
-      if (sum < energy_) {
-        chain = std::move(*moved);
-        offsets_ = offsets;
-        places_ = places;
-        energies_ = now;
-        energy_ = sum;
-        if (trail != nullptr) append(ways, *trail);
-        return true;
-      }
+    if (last) take_over(chain, *last, left);
+    auto move = maker_->moved_left(chain, left, last ? &*last : nullptr);
+    if (!move) {
+      part /= 2;
+      continue;
     }
-    if (!moved || !hold_at_jumps(chain, *moved, left, now)) part /= 2;
+    offsets = offsets_;
+    for (std::size_t i = 0; i < left.size(); ++i) offsets[i] += left[i];
+    measure(move->chain, offsets, move->anew, places);
+    energies(move->chain, places, now);
+    const double sum = std::accumulate(now.begin(), now.end(), 0.0);
+    if (sum < energy_) {
+      if (trail != nullptr) append(*move, *trail);
+      chain = std::move(move->chain);
+      offsets_.swap(offsets);
+      places_.swap(places);
+      energies_.swap(now);
+      energy_ = sum;
+      return true;
+    }
+    if (!hold_at_jumps(chain, move->chain, left, now)) part /= 2;
+    last = std::move(move);
   }
   return false;
 }
@@ -309,7 +324,7 @@ void FairChain::run(SampleChain& chain, SampleTrail* trail, Asker& asker) {
   stiffness_.resize(chain.size(), options_.stiffness);
   offsets_.resize(chain.size(), 0);
   damping_ = 1e-2;
-  measure(chain, offsets_, places_);
+  measure(chain, offsets_, std::vector<bool>(chain.size(), true), places_);
   const double tolerance = has_legs() ? options_.leg_tolerance : options_.tolerance;
   int failed = 0;
   for (int iteration = 0; iteration < options_.max_iterations && failed < 3; ++iteration) {

@@ -64,7 +64,7 @@ class FairChain {
   [[nodiscard]] double mean_curvature(const SampleChain& chain) const;
   [[nodiscard]] BandPlace place_of(const SampleChain& chain, std::size_t i, double offset) const;
   void measure(const SampleChain& chain, const std::vector<double>& offsets,
-               std::vector<BandPlace>& places) const;
+               const std::vector<bool>& anew, std::vector<BandPlace>& places) const;
   [[nodiscard]] double pull_at(const SampleChain& chain, std::size_t i) const;
   void balance(const SampleChain& chain);
   /// Per sample.

@@ -64,6 +64,21 @@ struct SampleStep {
 /// Where the samples of a chain have come from: the way of each over the faces.
 using SampleTrail = std::vector<FaceStrip>;
 
+/// A chain whose samples were moved to the left, and what another such move can take over from it.
+struct ChainMove {
+  SampleChain chain;
+  std::vector<double> left;          ///< per sample, mesh units
+  FaceStrip walks;                   ///< the ways of the samples, one after the other
+  std::vector<std::uint32_t> first;  ///< per sample: where its way begins; and their end
+  /// Per sample: whether it, or one of its joins, is another than in the move that this one has
+  /// taken over from.
+  std::vector<bool> anew;
+
+  [[nodiscard]] std::span<const HalfedgeId> way(std::size_t i) const {
+    return std::span(walks).subspan(first[i], first[i + 1] - first[i]);
+  }
+};
+
 /// Makes chains. Each function gives none where two samples cannot be joined; `Error` is not
 /// thrown.
 class ChainMaker {
@@ -79,12 +94,12 @@ class ChainMaker {
   std::optional<SampleChain> sampled(const CurveTrace& trace, double spacing) {
     return sampled(trace, std::span(&spacing, 1));
   }
-  /// The ways of the samples are added to the trail, unless it is null.
-  std::optional<SampleChain> moved(const SampleChain& chain, std::span<const SampleStep> steps,
-                                   SampleTrail* trail);
-  /// Each free sample moved by so much to the left.
-  std::optional<SampleChain> moved_left(const SampleChain& chain, std::span<const double> left,
-                                        SampleTrail* trail);
+  /// Each free sample moved by its step.
+  std::optional<SampleChain> moved(const SampleChain& chain, std::span<const SampleStep> steps);
+  /// Each free sample moved by so much to the left. What moves as in another move of the same chain
+  /// is taken over from that, unless it is null.
+  std::optional<ChainMove> moved_left(const SampleChain& chain, std::span<const double> left,
+                                      const ChainMove* other);
   /// The chain whose samples lie at this part of the way from one chain to another; the nearer one
   /// where there is no trail.
   std::optional<SampleChain> between(const SampleChain& from, const SampleChain& to,
@@ -97,6 +112,10 @@ class ChainMaker {
   CurveTrace trace_of(const SampleChain& chain);
 
  private:
+  bool move(const SampleChain& chain, std::span<const SampleStep> steps, const ChainMove* other,
+            ChainMove& move);
+  bool walk(const SampleChain& chain, std::span<const SampleStep> steps, const ChainMove* other,
+            ChainMove& move);
   void set_turns(SampleChain& chain) const;
   [[nodiscard]] double turn_between(const ChainJoin& in, const ChainJoin& out) const;
   bool add_join(SampleChain& chain, const FaceCoordinates& from, const FaceCoordinates& to,
