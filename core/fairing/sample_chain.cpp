@@ -318,14 +318,15 @@ std::optional<SampleChain> ChainMaker::between(const SampleChain& from, const Sa
   return moved(from, steps);
 }
 
-std::optional<SampleChain> ChainMaker::divided(const SampleChain& chain, int parts) {
+std::optional<SampleChain> ChainMaker::divided(const SampleChain& chain,
+                                               std::span<const int> parts) {
   SampleChain result;
   result.closed = chain.closed;
   result.fixed_points = chain.fixed_points;
   for (std::size_t i = 0; i < chain.joins.size(); ++i) {
     result.samples.push_back(chain.samples[i]);
     result.fixed.push_back(chain.fixed[i]);
-    if (!divide(chain, i, parts, result)) return std::nullopt;
+    if (!divide(chain, i, parts[parts.size() > 1 ? i : 0], result)) return std::nullopt;
   }
   if (!chain.closed) {
     result.samples.push_back(chain.samples.back());

@@ -106,8 +106,12 @@ class ChainMaker {
                                      const SampleTrail& trail, double part);
   /// The chain with these samples no longer fixed.
   std::optional<SampleChain> loosened(const SampleChain& chain, const std::vector<bool>& loose);
-  /// With so many joins for each, on a cubic that has the chain's samples and tangents.
-  std::optional<SampleChain> divided(const SampleChain& chain, int parts);
+  /// With so many joins for each, on a cubic that has the chain's samples and tangents: one number
+  /// for each join, or one for all.
+  std::optional<SampleChain> divided(const SampleChain& chain, std::span<const int> parts);
+  std::optional<SampleChain> divided(const SampleChain& chain, int parts) {
+    return divided(chain, std::span(&parts, 1));
+  }
   /// The lines of the chain.
   CurveTrace trace_of(const SampleChain& chain);
 
