@@ -287,7 +287,7 @@ bool CorridorHold::bends_more(const SurfaceCurve& fair, double tau, std::size_t 
                               const SurfaceCurve& taut, bool redrawn, Asker& asker) {
   const double edge = drawing_->drawing().edges_near()[curve];
   const auto bending = [&](const SurfaceCurve& c) {
-    return measure_curve(drawing_->surface(), c, edge).bending;
+    return talweg::bending(turns_of(drawing_->surface(), c), edge);
   };
   const double own = bending(fair);
   if (own <= bending(taut)) return false;
@@ -314,7 +314,7 @@ const SurfaceCurve& CorridorHold::in_narrow_band(double tau, std::size_t curve,
   if (!valley.given) return taut;
   const double edge = drawing_->drawing().edges_near()[curve];
   const DrawnBand band(
-      *distance_, drawing_->surface(), curve,
+      *distance_, curve,
       {valley.slack, valley.slack_at, kRounding * edge, walls_of(tau), valley.apart});
   const CurveFairing fairing(drawing_->surface(), &band, edge, {});
   return fairing.farthest(taut) <= 1 ? taut : drawn;
