@@ -1,20 +1,13 @@
 #include "talweg/core/fairing/band_solver.hpp"
 
-#include <algorithm>
-
 namespace talweg {
 
-BandSystem::BandSystem(std::size_t n, bool ring)
-    : n_(n), width_(ring ? 4 : 2), ring_(ring), entries_(n * (width_ + 1)), right_(n) {}
-
-void BandSystem::clear() {
-  std::fill(entries_.begin(), entries_.end(), 0.0);
-  std::fill(right_.begin(), right_.end(), 0.0);
-}
-
-void BandSystem::add(std::size_t i, std::size_t j, double value) {
-  const std::size_t a = place(i), b = place(j);
-  entry(std::max(a, b), std::max(a, b) - std::min(a, b)) += value;
+void BandSystem::reset(std::size_t n, bool ring) {
+  n_ = n;
+  width_ = ring ? 4 : 2;
+  ring_ = ring;
+  entries_.assign(n * (width_ + 1), 0.0);
+  right_.assign(n, 0.0);
 }
 
 void BandSystem::hold(std::size_t i) {
@@ -27,20 +20,21 @@ void BandSystem::hold(std::size_t i) {
   right_[row] = 0;
 }
 
-bool BandSystem::solve(std::vector<double>& solution) {
-  factor_ = entries_;
-  const auto at = [&](std::size_t row, std::size_t back) -> double& {
-    return factor_[row * (width_ + 1) + back];
+/// Replaces the coefficients by factors and the right side by the solution. The width is known when
+/// this is compiled, so that loops over it are unrolled.
+template <std::size_t kWidth>
+bool BandSystem::eliminate() {
+  double* const factor = entries_.data();
+  double* const x = right_.data();
+  const auto at = [factor](std::size_t row, std::size_t back) -> double& {
+    return factor[row * (kWidth + 1) + back];
   };
-  std::vector<double> x = right_;
-  for (std::size_t i = 0; i < n_; ++i) {
-    const std::size_t reach = std::min(i, width_);
+  const auto row = [&](std::size_t i, std::size_t reach) {
     for (std::size_t back = reach; back > 0; --back) {
       const std::size_t j = i - back;
       double sum = at(i, back);
       for (std::size_t k = back + 1; k <= reach; ++k) {
-        const std::size_t l = i - k;
-        if (j - l <= width_) sum -= at(i, k) * at(j, j - l) * at(l, 0);
+        sum -= at(i, k) * at(j, k - back) * at(i - k, 0);
       }
       at(i, back) = sum / at(j, 0);
     }
@@ -48,16 +42,27 @@ bool BandSystem::solve(std::vector<double>& solution) {
       at(i, 0) -= at(i, back) * at(i, back) * at(i - back, 0);
       x[i] -= at(i, back) * x[i - back];
     }
-    if (!(at(i, 0) > 0)) return false;
+    return at(i, 0) > 0;
+  };
+  for (std::size_t i = 0; i < std::min(kWidth, n_); ++i) {
+    if (!row(i, i)) return false;
+  }
+  for (std::size_t i = kWidth; i < n_; ++i) {
+    if (!row(i, kWidth)) return false;
   }
   for (std::size_t i = n_; i-- > 0;) {
     x[i] /= at(i, 0);
-    for (std::size_t ahead = 1; ahead <= width_ && i + ahead < n_; ++ahead) {
+    for (std::size_t ahead = 1; ahead <= kWidth && i + ahead < n_; ++ahead) {
       x[i] -= at(i + ahead, ahead) * x[i + ahead];
     }
   }
+  return true;
+}
+
+bool BandSystem::solve(std::vector<double>& solution) {
+  if (!(ring_ ? eliminate<4>() : eliminate<2>())) return false;
   solution.resize(n_);
-  for (std::size_t i = 0; i < n_; ++i) solution[i] = x[place(i)];
+  for (std::size_t i = 0; i < n_; ++i) solution[i] = right_[place(i)];
   return true;
 }
 

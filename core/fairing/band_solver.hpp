@@ -1,6 +1,7 @@
 // The band solver solves the small systems of samples along a curve.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -11,16 +12,22 @@ namespace talweg {
 /// so that it is a band too. Smaller rings are full.
 class BandSystem {
  public:
-  BandSystem(std::size_t n, bool ring);
+  BandSystem() = default;
+  BandSystem(std::size_t n, bool ring) { reset(n, ring); }
 
+  /// Makes all coefficients 0. Keeps its memory.
+  void reset(std::size_t n, bool ring);
   [[nodiscard]] std::size_t size() const { return n_; }
-  void clear();
   /// Adds to the entry of two unknowns that are at most 2 apart, and to its mirror image.
-  void add(std::size_t i, std::size_t j, double value);
+  void add(std::size_t i, std::size_t j, double value) {
+    const std::size_t a = place(i), b = place(j);
+    entry(std::max(a, b), std::max(a, b) - std::min(a, b)) += value;
+  }
   [[nodiscard]] double& right(std::size_t i) { return right_[place(i)]; }
   /// Makes an unknown 0.
   void hold(std::size_t i);
-  /// By LDLᵀ. The system itself stays as it is. False where it is not positive definite.
+  /// By LDLᵀ in the system's own memory: its coefficients are lost. False where it is not positive
+  /// definite.
   bool solve(std::vector<double>& solution);
 
  private:
@@ -30,10 +37,12 @@ class BandSystem {
   [[nodiscard]] double& entry(std::size_t row, std::size_t back) {
     return entries_[row * (width_ + 1) + back];
   }
+  template <std::size_t kWidth>
+  bool eliminate();
 
-  std::size_t n_, width_;
-  bool ring_;
-  std::vector<double> entries_, right_, factor_;
+  std::size_t n_ = 0, width_ = 2;
+  bool ring_ = false;
+  std::vector<double> entries_, right_;
 };
 
 }  // namespace talweg

@@ -1,12 +1,15 @@
 #include "talweg/core/fairing/chain_curve.hpp"
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "talweg/core/measure/measures.hpp"
+#include "talweg/intrinsic/lines/face_frame.hpp"
 
 namespace talweg {
 namespace {
@@ -19,6 +22,7 @@ struct Node {
   SurfacePoint point;
   double arc = 0;
   bool kept = true;
+  std::size_t in = 0, out = 0;  // the pieces of the trace that end and begin here
   bool corner = false;
 };
 
@@ -31,17 +35,18 @@ class Nodes {
     for (std::size_t i = 0; i < trace.pieces.size(); ++i) {
       const TracePiece& piece = trace.pieces[i];
       if (i == 0 && !trace.closed) {
-        add(trace.fixed_points.front(), 0, true);
+        add(trace.fixed_points.front(), i, 0, true);
       } else if (k < trace.fixed.size() && trace.fixed[k] == i) {
-        add(trace.fixed_points[first + k], piece.arc, true);
+        add(trace.fixed_points[first + k], i, piece.arc, true);
         nodes_.back().corner |= !trace.corners.empty() && trace.corners[first + k];
         ++k;
       } else {
-        add(piece.point(surface, 0), piece.arc, i > 0 && crosses_after(i - 1));
+        add(piece.point(surface, 0), i, piece.arc, i > 0 && crosses_after(i - 1));
       }
     }
-    if (!trace.closed) add(trace.fixed_points.back(), trace.length, true);
+    if (!trace.closed) add(trace.fixed_points.back(), trace.pieces.size(), trace.length, true);
     while (trace.closed && nodes_.size() > 1 && nodes_.back().point == nodes_.front().point) {
+      nodes_.front().in = nodes_.back().in;
       nodes_.pop_back();
     }
   }
@@ -49,11 +54,13 @@ class Nodes {
   std::vector<Node> take() { return std::move(nodes_); }
 
  private:
-  void add(const SurfacePoint& point, double arc, bool kept) {
+  void add(const SurfacePoint& point, std::size_t piece, double arc, bool kept) {
     if (!nodes_.empty() && nodes_.back().point == point) {
       nodes_.back().kept |= kept;
+      nodes_.back().out = piece;
     } else {
-      nodes_.push_back({point, arc, kept});
+      nodes_.push_back(
+          {point, arc, kept, piece == 0 ? trace_->pieces.size() - 1 : piece - 1, piece});
     }
   }
   [[nodiscard]] bool crosses_after(std::size_t piece) const {
@@ -70,11 +77,7 @@ class Nodes {
 class Selection {
  public:
   Selection(const Surface& surface, std::vector<Node>& nodes, const CurveTrace& trace, double edge)
-      : surface_(&surface),
-        nodes_(&nodes),
-        closed_(trace.closed),
-        length_(trace.length),
-        edge_(edge) {}
+      : surface_(&surface), nodes_(&nodes), trace_(&trace), edge_(edge), seen_(nodes.size()) {}
 
   void run() {
     for (bool more = true; more;) {
@@ -83,8 +86,15 @@ class Selection {
       if (kept.size() < 3) return;
       std::vector<std::size_t> wanted;
       const std::size_t n = kept.size();
-      for (std::size_t k = closed_ ? 0 : 1; k < (closed_ ? n : n - 1); ++k) {
-        look_at(kept[(k + n - 1) % n], kept[k], kept[(k + 1) % n], wanted);
+      const bool closed = trace_->closed;
+      for (std::size_t k = closed ? 0 : 1; k < (closed ? n : n - 1); ++k) {
+        const std::size_t before = kept[k == 0 ? n - 1 : k - 1],
+                          after = kept[k + 1 == n ? 0 : k + 1];
+        // What is between the same neighbours as before has been seen to.
+        const std::array<std::size_t, 2> beside{before + 1, after + 1};
+        if (seen_[kept[k]] == beside) continue;
+        seen_[kept[k]] = beside;
+        look_at(before, kept[k], after, wanted);
       }
       for (const std::size_t i : wanted) {
         more = more || !(*nodes_)[i].kept;
@@ -105,8 +115,7 @@ class Selection {
   void look_at(std::size_t before, std::size_t at, std::size_t after,
                std::vector<std::size_t>& wanted) const {
     if ((*nodes_)[at].corner) return;
-    const double turn = std::abs(signed_turning(*surface_, (*nodes_)[before].point,
-                                                (*nodes_)[at].point, (*nodes_)[after].point));
+    const double turn = std::abs(turn_at(before, at, after));
     if (turn <= kSmall) return;
     const double in = gap(before, at), out = gap(at, after);
     if (turn <= kLargest && std::max(in, out) <= kApart * edge_) return;
@@ -114,9 +123,44 @@ class Selection {
     if (turn > kLargest || out > kApart * edge_) halve(at, after, out, wanted);
   }
 
+  /// From the faces in which the pieces beside a node lie; other points between two nodes that are
+  /// kept are in the same one.
+  [[nodiscard]] double turn_at(std::size_t before, std::size_t at, std::size_t after) const {
+    const Node &a = (*nodes_)[before], &b = (*nodes_)[at], &c = (*nodes_)[after];
+    const TracePiece &first = trace_->pieces[a.out], &in = trace_->pieces[b.in],
+                     &out = trace_->pieces[b.out], &last = trace_->pieces[c.in];
+    const auto* edge = std::get_if<OnEdge>(&b.point.where());
+    if (first.face != in.face || out.face != last.face || b.point.is_vertex() ||
+        (edge == nullptr && in.face != out.face)) {
+      return signed_turning(*surface_, a.point, b.point, c.point);
+    }
+    const auto way = [](const FaceFrame& frame, const auto& from, const auto& to) {
+      return frame.at({to[0] - from[0], to[1] - from[1], to[2] - from[2]});
+    };
+    const FaceFrame here(*surface_, in.face);
+    const PlanePoint arriving = way(here, first.from, in.to);
+    if (in.face == out.face) return angle(arriving, way(here, out.from, last.to));
+    const FaceFrame there(*surface_, out.face);
+    const PlanePoint leaving = way(there, out.from, last.to);
+    // Both as seen from the edge.
+    const auto along = [&](const FaceFrame& frame) {
+      const HalfedgeId h = halfedge_of(edge->edge);
+      for (std::size_t k = 0; k < 3; ++k) {
+        if (frame.sides[k] == h) return frame.along(k);
+        if (frame.sides[k] == twin(h)) return -1 * frame.along(k);
+      }
+      return PlanePoint{};
+    };
+    const PlanePoint p = along(here), q = along(there);
+    return angle({dot(p, arriving), cross(p, arriving)}, {dot(q, leaving), cross(q, leaving)});
+  }
+  static double angle(PlanePoint from, PlanePoint to) {
+    return std::atan2(cross(from, to), dot(from, to));
+  }
+
   [[nodiscard]] double gap(std::size_t from, std::size_t to) const {
     const double gap = (*nodes_)[to].arc - (*nodes_)[from].arc;
-    return gap < 0 ? gap + length_ : gap;
+    return gap < 0 ? gap + trace_->length : gap;
   }
 
   /// Wants the node nearest to the middle between two that are kept, if there is any.
@@ -124,7 +168,8 @@ class Selection {
     const std::size_t n = nodes_->size();
     std::size_t best = n;
     double least = HUGE_VAL;
-    for (std::size_t i = (from + 1) % n; i != to; i = (i + 1) % n) {
+    const auto next = [n](std::size_t i) { return i + 1 == n ? 0 : i + 1; };
+    for (std::size_t i = next(from); i != to; i = next(i)) {
       const double off = std::abs(this->gap(from, i) - gap / 2);
       if (off < least) {
         least = off;
@@ -136,8 +181,9 @@ class Selection {
 
   const Surface* surface_;
   std::vector<Node>* nodes_;
-  bool closed_;
-  double length_, edge_;
+  const CurveTrace* trace_;
+  double edge_;
+  std::vector<std::array<std::size_t, 2>> seen_;  // per node: its neighbours when last looked at
 };
 
 }  // namespace

@@ -18,6 +18,7 @@ constexpr double kJoinsOfLeg = 6, kMostOnLeg = 2;  // edges
 constexpr int kSwingRounds = 8;
 constexpr double kEarlier = 0.95, kStiffer = 4, kFarBeyond = 0.25;
 constexpr double kUneven = 2, kMostSamples = 1e5;
+constexpr double kCoarseTolerance = 2e-2;  // finer samples change the energy by as much
 
 /// For a leg between much shorter ones, half of its own length counts.
 double allowed_swing(const std::vector<double>& lengths, std::size_t leg, bool closed) {
@@ -66,7 +67,9 @@ std::optional<SampleChain> CurveFairing::from_curve(const CurveTrace& start, Ask
     chain = maker_.sampled(trace, spacings(trace, level));
     if (!chain) return chain;
     for (int sampling = 0;; ++sampling) {
-      FairChain fair = chain_fairing(options_);
+      FairOptions options = options_;
+      if (level + 1 < kLevels) options.tolerance = kCoarseTolerance;
+      FairChain fair = chain_fairing(options);
       fair.run(*chain, nullptr, asker);
       if (level == 0 && sampling == 0) hold_swings(fair, *chain, start, asker);
       tension_ = fair.tension();
@@ -220,14 +223,22 @@ double CurveFairing::farthest(const SurfaceCurve& curve) const {
 }
 
 /// So many joins of the result for each of the chain's that turns are of 3 degrees on average:
-/// peaks of the curvature lie between samples.
-int CurveFairing::result_parts(const SampleChain& chain) {
-  constexpr double kLargest = 3 * std::numbers::pi / 180;
+/// peaks of the curvature lie between samples. Where the chain hardly turns, two are enough.
+std::vector<int> CurveFairing::result_parts(const SampleChain& chain) {
+  constexpr double kDegree = std::numbers::pi / 180, kLargest = 3 * kDegree, kSmall = kDegree;
+  constexpr int kFew = 2;
   double most = 0;
-  for (std::size_t i = 0; i < chain.size(); ++i) {
-    if (!chain.turns_freely(i)) most = std::max(most, std::abs(chain.turns[i]));
+  const auto turn_of = [&](std::size_t i) {
+    return chain.turns_freely(i) ? 0 : std::abs(chain.turns[i]);
+  };
+  for (std::size_t i = 0; i < chain.size(); ++i) most = std::max(most, turn_of(i));
+  const int many =
+      std::clamp(static_cast<int>(std::ceil(most / kLargest)), kResultParts, kMostParts);
+  std::vector<int> parts(chain.joins.size(), many);
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    if (std::max(turn_of(i), turn_of(chain.after(i))) < kSmall) parts[i] = kFew;
   }
-  return std::clamp(static_cast<int>(std::ceil(most / kLargest)), kResultParts, kMostParts);
+  return parts;
 }
 
 /// What lies between samples may be beyond a wall where they are not: walls are then felt earlier.

@@ -54,7 +54,7 @@ class CurveFairing {
 
  private:
   [[nodiscard]] static bool is_even(const SampleChain& chain);
-  [[nodiscard]] static int result_parts(const SampleChain& chain);
+  [[nodiscard]] static std::vector<int> result_parts(const SampleChain& chain);
   [[nodiscard]] std::vector<double> spacings(const CurveTrace& trace, int level) const;
   [[nodiscard]] double reach_of_corner(std::size_t leg) const;
   [[nodiscard]] FairChain chain_fairing(const FairOptions& options);

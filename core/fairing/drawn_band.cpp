@@ -5,9 +5,8 @@
 
 namespace talweg {
 
-DrawnBand::DrawnBand(PolylineDistance& distance, const Surface& surface,
-                     const std::vector<BandCurve>& curves)
-    : distance_(&distance), surface_(&surface) {
+DrawnBand::DrawnBand(PolylineDistance& distance, const std::vector<BandCurve>& curves)
+    : distance_(&distance) {
   for (const BandCurve& curve : curves) add(curve);
   std::sort(widths_.begin(), widths_.end(),
             [](const Width& a, const Width& b) { return a.curve < b.curve; });
@@ -66,11 +65,9 @@ void DrawnBand::set_width(BandPlace& place, std::uint32_t curve, double arc,
 }
 
 BandPlace DrawnBand::at(const FaceCoordinates& point, PlanePoint direction) const {
-  const FaceFrame frame(*surface_, point.face);
-  const auto value = distance_->at_face(
-      point.face, point.barycentric, {frame.rates(direction), frame.rates(turned_left(direction))});
-  BandPlace place{value.value, value.first[0]};
-  set_width(place, value.curve, value.arc_length, value.arc_first[0]);
+  const auto value = distance_->at_face(point.face, point.barycentric, direction);
+  BandPlace place{value.value, value.slope};
+  set_width(place, value.curve, value.arc_length, value.arc_slope);
   return place;
 }
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "talweg/intrinsic/exact_distance/polyline_distance.hpp"
-#include "talweg/intrinsic/lines/face_frame.hpp"
+#include "talweg/intrinsic/surface/plane_point.hpp"
 #include "talweg/intrinsic/surface/surface_point.hpp"
 
 namespace talweg {
@@ -43,11 +43,9 @@ struct BandPlace {
 /// it is as wide as that of the nearest one. Refers to the distance.
 class DrawnBand {
  public:
-  DrawnBand(PolylineDistance& distance, const Surface& surface, std::size_t curve,
-            const BandWidth& width)
-      : DrawnBand(distance, surface, std::vector<BandCurve>{{curve, width}}) {}
-  DrawnBand(PolylineDistance& distance, const Surface& surface,
-            const std::vector<BandCurve>& curves);
+  DrawnBand(PolylineDistance& distance, std::size_t curve, const BandWidth& width)
+      : DrawnBand(distance, std::vector<BandCurve>{{curve, width}}) {}
+  DrawnBand(PolylineDistance& distance, const std::vector<BandCurve>& curves);
 
   [[nodiscard]] BandPlace at(const FaceCoordinates& point, PlanePoint direction) const;
   [[nodiscard]] BandPlace at(const SurfacePoint& point) const;
@@ -65,7 +63,6 @@ class DrawnBand {
   void set_width(BandPlace& place, std::uint32_t curve, double arc, double arc_slope) const;
 
   PolylineDistance* distance_;
-  const Surface* surface_;
   std::vector<Width> widths_;  // ascending by curve
   std::size_t narrowest_ = 0;
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 namespace talweg {
@@ -14,10 +15,20 @@ constexpr double kMostOfSpacing = 0.7;
 
 double fourth(double x) { return x * x * x * x; }
 
-void append(const SampleTrail& more, SampleTrail& trail) {
-  trail.resize(more.size());
-  for (std::size_t i = 0; i < more.size(); ++i) {
-    for (const HalfedgeId h : more[i]) add_crossing(trail[i], h);
+void append(const ChainMove& move, SampleTrail& trail) {
+  trail.resize(move.chain.size());
+  for (std::size_t i = 0; i < trail.size(); ++i) {
+    for (const HalfedgeId h : move.way(i)) add_crossing(trail[i], h);
+  }
+}
+
+/// Makes steps that are almost those of another move exactly these, so that it can be taken over.
+void take_over(const SampleChain& chain, const ChainMove& other, std::vector<double>& left) {
+  constexpr double kAlmost = 1e-4;  // of a join
+  for (std::size_t i = 0; i < left.size(); ++i) {
+    if (chain.fixed[i]) continue;
+    const double join = std::min(chain.join_before(i).length, chain.join_after(i).length);
+    if (std::abs(left[i] - other.left[i]) <= kAlmost * join) left[i] = other.left[i];
   }
 }
 
@@ -49,11 +60,12 @@ BandPlace FairChain::place_of(const SampleChain& chain, std::size_t i, double of
   return {0, 0, scale, HUGE_VAL, 0};
 }
 
+/// Of the samples that are not anew, places are known already.
 void FairChain::measure(const SampleChain& chain, const std::vector<double>& offsets,
-                        std::vector<BandPlace>& places) const {
-  places.assign(chain.size(), {});
+                        const std::vector<bool>& anew, std::vector<BandPlace>& places) const {
+  places.resize(chain.size());
   for (std::size_t i = 0; i < chain.size(); ++i) {
-    if (!chain.fixed[i]) places[i] = place_of(chain, i, offsets[i]);
+    if (!chain.fixed[i] && anew[i]) places[i] = place_of(chain, i, offsets[i]);
   }
 }
 
@@ -131,8 +143,9 @@ void FairChain::set_rows(const SampleChain& chain) {
   }
 }
 
-void FairChain::assemble(const SampleChain& chain, BandSystem& system) const {
-  system.clear();
+/// All but the walls, which solve() adds: they change from round to round.
+void FairChain::assemble(const SampleChain& chain) {
+  system_.reset(chain.size(), chain.closed);
   for (std::size_t i = 0; i < chain.size(); ++i) {
     if (chain.turns_freely(i)) continue;
     const Row& row = rows_[i];
@@ -140,57 +153,67 @@ void FairChain::assemble(const SampleChain& chain, BandSystem& system) const {
     const double value[3] = {row.before, row.here, row.after};
     for (std::size_t a = 0; a < 3; ++a) {
       for (std::size_t b = 0; b <= a; ++b)
-        system.add(at[a], at[b], row.weight * value[a] * value[b]);
-      system.right(at[a]) -= row.weight * value[a] * row.rest;
+        system_.add(at[a], at[b], row.weight * value[a] * value[b]);
+      system_.right(at[a]) -= row.weight * value[a] * row.rest;
     }
     if (chain.fixed[i]) continue;
     const BandPlace& place = places_[i];
     const double per = row.weight / fourth(place.slack), s = place.slope;
-    system.add(i, i, per * (options_.middle * place.middle * s * s + damping_));
-    system.right(i) -= per * options_.middle * place.middle * s * place.distance;
-    if (active_[i] != 0) {
-      const double slope = s - options_.felt * place.wall_slope;
-      const double beyond = place.distance - options_.felt * place.wall;
-      system.add(i, i, per * stiffness_[i] * slope * slope);
-      system.right(i) -= per * stiffness_[i] * slope * beyond;
-    }
+    const double middle = options_.middle * place.middle;
+    system_.add(i, i, per * (middle * s * s + damping_));
+    system_.right(i) -= per * middle * s * place.distance;
   }
-  add_pull(chain, system);
+  add_pull(chain);
+}
+
+void FairChain::add_walls(const SampleChain& chain, BandSystem& system) const {
   for (std::size_t i = 0; i < chain.size(); ++i) {
-    if (held_[i] != 0) system.hold(i);
+    if (active_[i] == 0) continue;
+    const BandPlace& place = places_[i];
+    const double slope = place.slope - options_.felt * place.wall_slope;
+    const double beyond = place.distance - options_.felt * place.wall;
+    const double per = rows_[i].weight / fourth(place.slack) * stiffness_[i];
+    system.add(i, i, per * slope * slope);
+    system.right(i) -= per * slope * beyond;
   }
 }
 
 /// Half of the gradient and of the Hessian of t · length. A sample that turns by θ and moves by d
 /// to the left makes each of its joins shorter by sin(θ / 2) d.
-void FairChain::add_pull(const SampleChain& chain, BandSystem& system) const {
+void FairChain::add_pull(const SampleChain& chain) {
   for (std::size_t i = 0; i < pull_.size(); ++i) {
     if (!(pull_[i] > 0)) continue;
     const std::size_t j = chain.after(i);
     const ChainJoin& join = chain.joins[i];
     const double half = pull_[i] / 2;
-    system.right(i) += half * std::sin(chain.turns[i] / 2);
-    system.right(j) += half * std::sin(chain.turns[j] / 2);
-    system.add(i, i, half / join.first_leg);
-    system.add(j, j, half / join.last_leg);
-    if (!join.bends) system.add(i, j, -half / join.length);
+    system_.right(i) += half * std::sin(chain.turns[i] / 2);
+    system_.right(j) += half * std::sin(chain.turns[j] / 2);
+    system_.add(i, i, half / join.first_leg);
+    system_.add(j, j, half / join.last_leg);
+    if (!join.bends) system_.add(i, j, -half / join.length);
   }
 }
 
-/// Which walls are felt follows from the step, and the step from them.
-bool FairChain::solve(const SampleChain& chain, BandSystem& system, std::vector<double>& left) {
+/// Which walls are felt follows from the step, and the step from them. A first try starts with
+/// those that are felt without a step, another one of the same step with those that the last has
+/// found.
+bool FairChain::solve(const SampleChain& chain, bool first, std::vector<double>& left) {
   const auto beyond = [&](std::size_t i, double step) {
     const BandPlace& place = places_[i];
     return place.distance + place.slope * step -
            options_.felt * (place.wall + place.wall_slope * step);
   };
-  active_.assign(chain.size(), 0);
-  for (std::size_t i = 0; i < chain.size(); ++i) {
+  active_.resize(chain.size());
+  for (std::size_t i = 0; i < chain.size() && first; ++i) {
     active_[i] = !chain.fixed[i] && beyond(i, 0) > 0 ? 1 : 0;
   }
   for (int round = 0; round < kWallRounds; ++round) {
-    assemble(chain, system);
-    if (!system.solve(left)) return false;
+    with_walls_ = system_;
+    add_walls(chain, with_walls_);
+    for (std::size_t i = 0; i < chain.size(); ++i) {
+      if (held_[i] != 0) with_walls_.hold(i);
+    }
+    if (!with_walls_.solve(left)) return false;
     bool same = true;
     for (std::size_t i = 0; i < chain.size(); ++i) {
       const int active = !chain.fixed[i] && beyond(i, left[i]) > 0 ? 1 : 0;
@@ -244,39 +267,42 @@ bool FairChain::hold_at_jumps(const SampleChain& chain, const SampleChain& moved
 /// One step that lowers the energy; false if none is found.
 bool FairChain::step(SampleChain& chain, SampleTrail* trail) {
   set_rows(chain);
-  BandSystem system(chain.size(), chain.closed);
+  assemble(chain);
   held_.assign(chain.fixed.begin(), chain.fixed.end());
   for (std::size_t i = 0; i < chain.size(); ++i) {
     if (is_loose(chain, i) && reach_.empty()) held_[i] = 1;
   }
   std::vector<double> left, now;
-  SampleTrail ways;
   std::vector<BandPlace> places;
   std::vector<double> offsets;
+  std::optional<ChainMove> last;
   double part = 1;
   for (int trial = 0; trial < kTrials; ++trial) {
-    if (!solve(chain, system, left)) return false;
+    if (!solve(chain, trial == 0, left)) return false;
     limit(chain, left);
     for (double& d : left) d *= part;
-    ways.clear();
-    auto moved = maker_->moved_left(chain, left, trail != nullptr ? &ways : nullptr);
-    if (moved) {
-      offsets = offsets_;
-      for (std::size_t i = 0; i < left.size(); ++i) offsets[i] += left[i];
-      measure(*moved, offsets, places);
-      energies(*moved, places, now);
-      const double sum = std::accumulate(now.begin(), now.end(), 0.0);
-      if (sum < energy_) {
-        chain = std::move(*moved);
-        offsets_ = offsets;
-        places_ = places;
-        energies_ = now;
-        energy_ = sum;
-        if (trail != nullptr) append(ways, *trail);
-        return true;
-      }
+    if (last) take_over(chain, *last, left);
+    auto move = maker_->moved_left(chain, left, last ? &*last : nullptr);
+    if (!move) {
+      part /= 2;
+      continue;
     }
-    if (!moved || !hold_at_jumps(chain, *moved, left, now)) part /= 2;
+    offsets = offsets_;
+    for (std::size_t i = 0; i < left.size(); ++i) offsets[i] += left[i];
+    measure(move->chain, offsets, move->anew, places);
+    energies(move->chain, places, now);
+    const double sum = std::accumulate(now.begin(), now.end(), 0.0);
+    if (sum < energy_) {
+      if (trail != nullptr) append(*move, *trail);
+      chain = std::move(move->chain);
+      offsets_.swap(offsets);
+      places_.swap(places);
+      energies_.swap(now);
+      energy_ = sum;
+      return true;
+    }
+    if (!hold_at_jumps(chain, move->chain, left, now)) part /= 2;
+    last = std::move(move);
   }
   return false;
 }
@@ -300,7 +326,7 @@ void FairChain::run(SampleChain& chain, SampleTrail* trail, Asker& asker) {
   stiffness_.resize(chain.size(), options_.stiffness);
   offsets_.resize(chain.size(), 0);
   damping_ = 1e-2;
-  measure(chain, offsets_, places_);
+  measure(chain, offsets_, std::vector<bool>(chain.size(), true), places_);
   const double tolerance = has_legs() ? options_.leg_tolerance : options_.tolerance;
   int failed = 0;
   for (int iteration = 0; iteration < options_.max_iterations && failed < 3; ++iteration) {

@@ -65,16 +65,17 @@ class FairChain {
   [[nodiscard]] double mean_curvature(const SampleChain& chain) const;
   [[nodiscard]] BandPlace place_of(const SampleChain& chain, std::size_t i, double offset) const;
   void measure(const SampleChain& chain, const std::vector<double>& offsets,
-               std::vector<BandPlace>& places) const;
+               const std::vector<bool>& anew, std::vector<BandPlace>& places) const;
   [[nodiscard]] double pull_at(const SampleChain& chain, std::size_t i) const;
   void balance(const SampleChain& chain);
   /// Per sample.
   void energies(const SampleChain& chain, const std::vector<BandPlace>& places,
                 std::vector<double>& energies) const;
   void set_rows(const SampleChain& chain);
-  void assemble(const SampleChain& chain, BandSystem& system) const;
-  void add_pull(const SampleChain& chain, BandSystem& system) const;
-  bool solve(const SampleChain& chain, BandSystem& system, std::vector<double>& left);
+  void assemble(const SampleChain& chain);
+  void add_pull(const SampleChain& chain);
+  void add_walls(const SampleChain& chain, BandSystem& system) const;
+  bool solve(const SampleChain& chain, bool first, std::vector<double>& left);
   void limit(const SampleChain& chain, std::vector<double>& left) const;
   bool hold_at_jumps(const SampleChain& chain, const SampleChain& moved,
                      const std::vector<double>& left, const std::vector<double>& now);
@@ -94,6 +95,7 @@ class FairChain {
   double energy_ = 0;             // 1 / mesh units
   std::vector<double> energies_;  // per sample
   std::vector<Row> rows_;
+  BandSystem system_, with_walls_;  // of a step, without walls and with those that are felt
   std::vector<double> stiffness_;   // per sample
   std::vector<int> active_, held_;  // per sample: whether its wall is felt, whether it stays
 };

@@ -188,61 +188,89 @@ WalkEnd ChainMaker::walk_off_boundary(const FaceCoordinates& from, const SampleS
   return walk_straight(*surface_, from, step.direction, std::max(0.0, end.walked - off), crossed);
 }
 
-std::optional<SampleChain> ChainMaker::moved_left(const SampleChain& chain,
-                                                  std::span<const double> left,
-                                                  SampleTrail* trail) {
+std::optional<ChainMove> ChainMaker::moved_left(const SampleChain& chain,
+                                                std::span<const double> left,
+                                                const ChainMove* other) {
   std::vector<SampleStep> steps(chain.size());
+  ChainMove result;
+  result.left.assign(left.begin(), left.end());
+  result.anew.assign(chain.size(), true);
   for (std::size_t i = 0; i < chain.size(); ++i) {
-    if (chain.fixed[i]) continue;
+    if (other != nullptr) result.anew[i] = left[i] != other->left[i];
+    if (chain.fixed[i] || !result.anew[i]) continue;
     const PlanePoint side = turned_left(chain.tangent(i));
     steps[i] = {left[i] < 0 ? -1 * side : side, std::abs(left[i])};
   }
-  return moved(chain, steps, trail);
+  if (!move(chain, steps, other, result)) return std::nullopt;
+  return result;
 }
 
 std::optional<SampleChain> ChainMaker::moved(const SampleChain& chain,
-                                             std::span<const SampleStep> steps,
-                                             SampleTrail* trail) {
-  const std::size_t n = chain.size();
-  SampleChain result;
+                                             std::span<const SampleStep> steps) {
+  ChainMove result;
+  result.anew.assign(chain.size(), true);
+  if (!move(chain, steps, nullptr, result)) return std::nullopt;
+  return std::move(result.chain);
+}
+
+/// Moves the samples of a move that are anew; the others are those of the other move.
+bool ChainMaker::walk(const SampleChain& chain, std::span<const SampleStep> steps,
+                      const ChainMove* other, ChainMove& move) {
+  move.chain.samples = chain.samples;
+  move.walks.reserve(chain.size());
+  move.first.assign(1, 0);
+  move.first.reserve(chain.size() + 1);
+  for (std::size_t i = 0; i < chain.size(); ++i) {
+    if (!move.anew[i]) {
+      const auto way = other->way(i);
+      move.walks.insert(move.walks.end(), way.begin(), way.end());
+      move.chain.samples[i] = other->chain.samples[i];
+    } else if (!chain.fixed[i] && steps[i].distance > 0) {
+      const WalkEnd end = walk_off_boundary(chain.samples[i], steps[i],
+                                            kOff * chain.join_before(i).length, move.walks);
+      if (end.walked < 0) return false;
+      move.chain.samples[i] = end.at;
+    }
+    move.first.push_back(static_cast<std::uint32_t>(move.walks.size()));
+  }
+  return true;
+}
+
+bool ChainMaker::move(const SampleChain& chain, std::span<const SampleStep> steps,
+                      const ChainMove* other, ChainMove& move) {
+  SampleChain& result = move.chain;
   result.closed = chain.closed;
   result.fixed_points = chain.fixed_points;
-  result.samples = chain.samples;
   result.fixed = chain.fixed;
   result.corners = chain.corners;
   result.loose = chain.loose;
-  FaceStrip walks;
-  std::vector<std::uint32_t> first{0};
-  for (std::size_t i = 0; i < n; ++i) {
-    if (!chain.fixed[i] && steps[i].distance > 0) {
-      const WalkEnd end =
-          walk_off_boundary(chain.samples[i], steps[i], kOff * chain.join_before(i).length, walks);
-      if (end.walked < 0) return std::nullopt;
-      result.samples[i] = end.at;
-    }
-    first.push_back(static_cast<std::uint32_t>(walks.size()));
-  }
-  const auto walk = [&](std::size_t i) {
-    return std::span(walks).subspan(first[i], first[i + 1] - first[i]);
-  };
+  if (!walk(chain, steps, other, move)) return false;
+  result.joins.reserve(chain.joins.size());
+  result.crossed.reserve(chain.crossed.size() + chain.size() / 8);
+  const std::vector<bool> walked = move.anew;
   for (std::size_t i = 0; i < chain.joins.size(); ++i) {
     const std::size_t j = chain.after(i);
+    if (!walked[i] && !walked[j]) {
+      const ChainJoin& join = other->chain.joins[i];
+      const auto strip = other->chain.strip(join);
+      result.joins.push_back(join);
+      result.joins.back().first = static_cast<std::uint32_t>(result.crossed.size());
+      result.crossed.insert(result.crossed.end(), strip.begin(), strip.end());
+      continue;
+    }
+    move.anew[i] = move.anew[j] = true;
     const ChainJoin& old = chain.joins[i];
     strip_.clear();
-    add_reversed(strip_, walk(i));
+    add_reversed(strip_, move.way(i));
     add_all(strip_, chain.strip(old));
-    add_all(strip_, walk(j));
+    add_all(strip_, move.way(j));
     if (!add_join(result, chain.fixed[i] ? old.from : result.samples[i],
                   chain.fixed[j] ? old.to : result.samples[j], old.stretch)) {
-      return std::nullopt;
+      return false;
     }
   }
   set_turns(result);
-  if (trail != nullptr) {
-    trail->resize(n);
-    for (std::size_t i = 0; i < n; ++i) add_all((*trail)[i], walk(i));
-  }
-  return result;
+  return true;
 }
 
 /// A fixed sample may have joins in different faces; a free one lies in that of the join after it.
@@ -294,10 +322,11 @@ std::optional<SampleChain> ChainMaker::between(const SampleChain& from, const Sa
     if (!line.found) return std::nullopt;
     steps[i] = {line.start, parts[i] * (line.bends.empty() ? line.length : line.first_leg)};
   }
-  return moved(from, steps, nullptr);
+  return moved(from, steps);
 }
 
-std::optional<SampleChain> ChainMaker::divided(const SampleChain& chain, int parts) {
+std::optional<SampleChain> ChainMaker::divided(const SampleChain& chain,
+                                               std::span<const int> parts) {
   SampleChain result;
   result.closed = chain.closed;
   result.fixed_points = chain.fixed_points;
@@ -305,7 +334,7 @@ std::optional<SampleChain> ChainMaker::divided(const SampleChain& chain, int par
     result.samples.push_back(chain.samples[i]);
     result.fixed.push_back(chain.fixed[i]);
     if (!chain.corners.empty()) result.corners.push_back(chain.corners[i]);
-    if (!divide(chain, i, parts, result)) return std::nullopt;
+    if (!divide(chain, i, parts[parts.size() > 1 ? i : 0], result)) return std::nullopt;
     if (!chain.corners.empty()) result.corners.resize(result.samples.size(), false);
   }
   if (!chain.closed) {

@@ -69,6 +69,21 @@ struct SampleStep {
 /// Where the samples of a chain have come from: the way of each over the faces.
 using SampleTrail = std::vector<FaceStrip>;
 
+/// A chain whose samples were moved to the left, and what another such move can take over from it.
+struct ChainMove {
+  SampleChain chain;
+  std::vector<double> left;          ///< per sample, mesh units
+  FaceStrip walks;                   ///< the ways of the samples, one after the other
+  std::vector<std::uint32_t> first;  ///< per sample: where its way begins; and their end
+  /// Per sample: whether it, or one of its joins, is another than in the move that this one has
+  /// taken over from.
+  std::vector<bool> anew;
+
+  [[nodiscard]] std::span<const HalfedgeId> way(std::size_t i) const {
+    return std::span(walks).subspan(first[i], first[i + 1] - first[i]);
+  }
+};
+
 /// Makes chains. Each function gives none where two samples cannot be joined; `Error` is not
 /// thrown.
 class ChainMaker {
@@ -84,24 +99,32 @@ class ChainMaker {
   std::optional<SampleChain> sampled(const CurveTrace& trace, double spacing) {
     return sampled(trace, std::span(&spacing, 1));
   }
-  /// The ways of the samples are added to the trail, unless it is null.
-  std::optional<SampleChain> moved(const SampleChain& chain, std::span<const SampleStep> steps,
-                                   SampleTrail* trail);
-  /// Each free sample moved by so much to the left.
-  std::optional<SampleChain> moved_left(const SampleChain& chain, std::span<const double> left,
-                                        SampleTrail* trail);
+  /// Each free sample moved by its step.
+  std::optional<SampleChain> moved(const SampleChain& chain, std::span<const SampleStep> steps);
+  /// Each free sample moved by so much to the left. What moves as in another move of the same chain
+  /// is taken over from that, unless it is null.
+  std::optional<ChainMove> moved_left(const SampleChain& chain, std::span<const double> left,
+                                      const ChainMove* other);
   /// The chain whose samples lie at these parts of the ways from one chain to another; the nearer
   /// one where there is no trail. One part for each sample of `from`.
   std::optional<SampleChain> between(const SampleChain& from, const SampleChain& to,
                                      const SampleTrail& trail, std::span<const double> parts);
   /// The chain with these samples no longer fixed.
   std::optional<SampleChain> loosened(const SampleChain& chain, const std::vector<bool>& loose);
-  /// With so many joins for each, on a cubic that has the chain's samples and tangents.
-  std::optional<SampleChain> divided(const SampleChain& chain, int parts);
+  /// With so many joins for each, on a cubic that has the chain's samples and tangents: one number
+  /// for each join, or one for all.
+  std::optional<SampleChain> divided(const SampleChain& chain, std::span<const int> parts);
+  std::optional<SampleChain> divided(const SampleChain& chain, int parts) {
+    return divided(chain, std::span(&parts, 1));
+  }
   /// The lines of the chain.
   CurveTrace trace_of(const SampleChain& chain);
 
  private:
+  bool move(const SampleChain& chain, std::span<const SampleStep> steps, const ChainMove* other,
+            ChainMove& move);
+  bool walk(const SampleChain& chain, std::span<const SampleStep> steps, const ChainMove* other,
+            ChainMove& move);
   void set_turns(SampleChain& chain) const;
   [[nodiscard]] double turn_between(const ChainJoin& in, const ChainJoin& out) const;
   bool add_join(SampleChain& chain, const FaceCoordinates& from, const FaceCoordinates& to,

@@ -1,6 +1,7 @@
 #include "talweg/core/measure/measures.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -14,13 +15,6 @@ namespace talweg {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-
-/// A direction at a point: an angle in [0, cone], counterclockwise, radians.
-struct Direction {
-  double angle = 0;
-  double cone = 2 * kPi;  ///< all angles about the point
-  bool open = false;      ///< the point is on the boundary: the cone does not close
-};
 
 FaceId shared_face(const Surface& surface, const SurfacePoint& p, const SurfacePoint& q) {
   const FaceId f = common_face(surface, p, q);
@@ -38,55 +32,80 @@ double corner_angle(const Surface& surface, HalfedgeId h) {
                        length_of(surface, next));
 }
 
-/// The angle from halfedge h to the vector q - p, in [0, pi] when p lies on h. p and q are points
-/// of the face of h.
-double angle_from(const Surface& surface, HalfedgeId h, const SurfacePoint& p,
-                  const SurfacePoint& q) {
-  const FaceId f = surface.face(h);
-  const auto from = coordinates_in(surface, p, f).barycentric;
-  const auto to = coordinates_in(surface, q, f).barycentric;
-  std::size_t k = 0;  // the corner at the tail of h
-  for (HalfedgeId side = surface.halfedge(f); side != h; side = surface.next(side)) ++k;
-  const double along = to[(k + 1) % 3] - from[(k + 1) % 3];
-  const double across = to[(k + 2) % 3] - from[(k + 2) % 3];
-  const PlanePoint top = apex(length_of(surface, h), length_of(surface, surface.prev(h)),
-                              length_of(surface, surface.next(h)));
-  return std::atan2(across * top.y, along * length_of(surface, h) + across * top.x);
+using Barycentric = std::array<double, 3>;
+
+/// A curve's point and the next or the last one, in a face that contains both.
+struct Side {
+  FaceId face;
+  Barycentric at{}, other{};
+};
+
+Side side_of(const Surface& surface, const SurfacePoint& at, const SurfacePoint& other, FaceId f) {
+  return {f, coordinates_in(surface, at, f).barycentric,
+          coordinates_in(surface, other, f).barycentric};
 }
 
-Direction direction_at(const Surface& surface, VertexId v, const SurfacePoint& p,
-                       const SurfacePoint& q, FaceId f) {
-  Direction direction{0, 0, surface.on_boundary(v)};
+using Turn = PointTurn;
+
+/// The way between two points of a face in the plane in which halfedge h of that face lies on the x
+/// axis and the face above.
+PlanePoint way(const Surface& surface, HalfedgeId h, const Barycentric& from,
+               const Barycentric& to) {
+  const HalfedgeId first = surface.halfedge(surface.face(h)), next = surface.next(h);
+  const std::size_t k = h == first ? 0 : next == first ? 2 : 1;  // the corner at the tail of h
+  const double along = to[(k + 1) % 3] - from[(k + 1) % 3];
+  const double across = to[(k + 2) % 3] - from[(k + 2) % 3];
+  const double length = length_of(surface, h);
+  const PlanePoint top =
+      apex(length, length_of(surface, surface.next(next)), length_of(surface, next));
+  return {along * length + across * top.x, across * top.y};
+}
+
+/// The angle from halfedge h, which starts at the point, to the way from it, in [0, pi].
+double angle_from(const Surface& surface, HalfedgeId h, const Side& side) {
+  const PlanePoint out = way(surface, h, side.at, side.other);
+  return std::atan2(out.y, out.x);
+}
+
+/// Directions at a vertex are angles from its first halfedge, counterclockwise.
+Turn turn_at(const Surface& surface, VertexId v, const Side& before, const Side& after) {
+  double in = 0, out = 0, cone = 0;
   const HalfedgeId first = surface.halfedge(v);
   HalfedgeId h = first;
   do {
-    if (surface.face(h) == f) direction.angle = direction.cone + angle_from(surface, h, p, q);
-    direction.cone += corner_angle(surface, h);
+    if (surface.face(h) == before.face) in = cone + angle_from(surface, h, before);
+    if (surface.face(h) == after.face) out = cone + angle_from(surface, h, after);
+    cone += corner_angle(surface, h);
     h = surface.turn_ccw(h);
   } while (h != first && surface.has_face(h));
-  return direction;
+  const double swept = in - out;  // counterclockwise from `out` to `in`
+  if (surface.on_boundary(v)) {   // the cone does not close
+    const double turn = kPi - std::abs(swept);
+    return {std::clamp(turn, 0.0, kPi), swept > 0 ? turn : -turn};
+  }
+  const double left = swept < 0 ? swept + cone : swept;
+  return {std::clamp(kPi - std::min(left, cone - left), 0.0, kPi), cone / 2 - left};
 }
 
-Direction direction_at(const Surface& surface, EdgeId e, const SurfacePoint& p,
-                       const SurfacePoint& q, FaceId f) {
-  const HalfedgeId h = halfedge_of(e);
-  const bool left = surface.has_face(h) && surface.face(h) == f;
-  const double angle = left ? angle_from(surface, h, p, q) : angle_from(surface, twin(h), p, q);
-  const bool open = surface.on_boundary(e);
-  return {left || open ? angle : angle + kPi, 2 * kPi, open};
-}
-
-/// The direction from p to q, both in face f.
-Direction direction_to(const Surface& surface, const SurfacePoint& p, const SurfacePoint& q,
-                       FaceId f) {
-  if (const auto* v = std::get_if<AtVertex>(&p.where())) {
-    return direction_at(surface, v->vertex, p, q, f);
+/// At points of edges and inside faces both ways lie in one plane.
+Turn turn_at(const Surface& surface, const SurfacePoint& at, const Side& before,
+             const Side& after) {
+  if (const auto* v = std::get_if<AtVertex>(&at.where())) {
+    return turn_at(surface, v->vertex, before, after);
   }
-  if (const auto* e = std::get_if<OnEdge>(&p.where())) {
-    return direction_at(surface, e->edge, p, q, f);
+  const auto* edge = std::get_if<OnEdge>(&at.where());
+  HalfedgeId h = surface.halfedge(before.face), beyond = h;
+  double sign = 1;
+  if (edge != nullptr) {  // both are seen from the edge
+    h = halfedge_of(edge->edge);
+    if (!surface.has_face(h) || surface.face(h) != before.face) h = twin(h);
+    if (before.face != after.face) sign = -1;
+    beyond = before.face == after.face ? h : twin(h);
   }
-  const double angle = angle_from(surface, surface.halfedge(f), p, q);
-  return {angle < 0 ? angle + 2 * kPi : angle, 2 * kPi, false};
+  const PlanePoint in = way(surface, h, before.other, before.at);
+  const PlanePoint out = sign * way(surface, beyond, after.at, after.other);
+  const double left = std::atan2(cross(in, out), dot(in, out));
+  return {std::abs(left), left};
 }
 
 std::size_t segment_count(const SurfaceCurve& curve) {
@@ -105,55 +124,40 @@ FaceId face_of(const Surface& surface, const SurfaceCurve& curve, std::size_t i)
   return f;
 }
 
-double segment_length(const Surface& surface, const SurfaceCurve& curve, std::size_t i, FaceId f) {
-  const std::size_t j = (i + 1) % curve.points.size();
-  return distance_in_face(surface, coordinates_in(surface, curve.points[i], f),
-                          coordinates_in(surface, curve.points[j], f));
-}
-
-struct Turn {
-  double angle = 0;        ///< turning_angle()
-  double toward_left = 0;  ///< signed_turning()
-};
-
-/// `face_before` and `face_after` are the faces of the two segments.
-Turn turn_at(const Surface& surface, const SurfacePoint& before, FaceId face_before,
-             const SurfacePoint& at, FaceId face_after, const SurfacePoint& after) {
-  const Direction in = direction_to(surface, at, before, face_before);
-  const Direction out = direction_to(surface, at, after, face_after);
-  const double swept = in.angle - out.angle;  // counterclockwise from `out` to `in`
-  if (in.open) {
-    const double turn = kPi - std::abs(swept);
-    return {std::clamp(turn, 0.0, kPi), swept > 0 ? turn : -turn};
-  }
-  const double left = swept < 0 ? swept + in.cone : swept;
-  return {std::clamp(kPi - std::min(left, in.cone - left), 0.0, kPi), in.cone / 2 - left};
-}
-
 Turn turn_at(const Surface& surface, const SurfacePoint& before, const SurfacePoint& at,
              const SurfacePoint& after) {
-  return turn_at(surface, before, shared_face(surface, at, before), at,
-                 shared_face(surface, at, after), after);
+  return turn_at(surface, at, side_of(surface, at, before, shared_face(surface, at, before)),
+                 side_of(surface, at, after, shared_face(surface, at, after)));
+}
+
+/// From point i to the next.
+Side segment(const Surface& surface, const SurfaceCurve& curve, std::size_t i) {
+  const SurfacePoint &p = curve.points[i], &q = curve.points[(i + 1) % curve.points.size()];
+  return side_of(surface, p, q, face_of(surface, curve, i));
+}
+
+double length(const Surface& surface, const Side& segment) {
+  return distance_in_face(surface, {segment.face, segment.at}, {segment.face, segment.other});
 }
 
 /// Measures the curve and lists its turns.
 CurveMeasures measure(const Surface& surface, const SurfaceCurve& curve, CurveTurns& turns) {
   CurveMeasures measures;
   const std::size_t n = curve.points.size();
-  std::vector<FaceId> faces;
+  std::vector<Side> segments;
   std::vector<double> at{0};  // of the points, along the curve
   for (std::size_t i = 0; i < segment_count(curve); ++i) {
-    faces.push_back(face_of(surface, curve, i));
-    at.push_back(at.back() + segment_length(surface, curve, i, faces.back()));
+    segments.push_back(segment(surface, curve, i));
+    at.push_back(at.back() + length(surface, segments.back()));
   }
   measures.length = at.back();
   turns.length = at.back();
   turns.closed = curve.closed;
   if (n < 2) return measures;
   for (std::size_t i = curve.closed ? 0 : 1; i < (curve.closed ? n : n - 1); ++i) {
-    const std::size_t last = (i + n - 1) % n;
-    const Turn turn = turn_at(surface, curve.points[last], faces[last], curve.points[i], faces[i],
-                              curve.points[(i + 1) % n]);
+    const Side& before = segments[i == 0 ? n - 1 : i - 1];
+    const Turn turn =
+        turn_at(surface, curve.points[i], {before.face, before.other, before.at}, segments[i]);
     measures.total_curvature += turn.angle;
     measures.signed_curvature += turn.toward_left;
     turns.at.push_back(at[i]);
@@ -168,6 +172,11 @@ CurveMeasures measure(const Surface& surface, const SurfaceCurve& curve, CurveTu
 
 }  // namespace
 
+PointTurn turn_of(const Surface& surface, const SurfacePoint& before, const SurfacePoint& at,
+                  const SurfacePoint& after) {
+  return turn_at(surface, before, at, after);
+}
+
 double turning_angle(const Surface& surface, const SurfacePoint& before, const SurfacePoint& at,
                      const SurfacePoint& after) {
   return turn_at(surface, before, at, after).angle;
@@ -179,11 +188,11 @@ double signed_turning(const Surface& surface, const SurfacePoint& before, const 
 }
 
 double curve_length(const Surface& surface, const SurfaceCurve& curve) {
-  double length = 0;
+  double sum = 0;
   for (std::size_t i = 0; i < segment_count(curve); ++i) {
-    length += segment_length(surface, curve, i, face_of(surface, curve, i));
+    sum += length(surface, segment(surface, curve, i));
   }
-  return length;
+  return sum;
 }
 
 CurveTurns turns_of(const Surface& surface, const SurfaceCurve& curve) {

@@ -41,6 +41,14 @@ double turning_angle(const Surface& surface, const SurfacePoint& before, const S
 double signed_turning(const Surface& surface, const SurfacePoint& before, const SurfacePoint& at,
                       const SurfacePoint& after);
 
+/// Both of them.
+struct PointTurn {
+  double angle = 0;        ///< turning_angle()
+  double toward_left = 0;  ///< signed_turning()
+};
+PointTurn turn_of(const Surface& surface, const SurfacePoint& before, const SurfacePoint& at,
+                  const SurfacePoint& after);
+
 /// The length of a curve in mesh units, each segment measured in its common face; 0 for fewer than
 /// two points. Throws Error(kBadCurve) naming the first pair of points without a common face.
 double curve_length(const Surface& surface, const SurfaceCurve& curve);

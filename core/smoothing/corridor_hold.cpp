@@ -195,7 +195,7 @@ void CorridorHold::with_fairing(const FairGroup& group, const Taus& taus, double
     all_legs = all_legs && drawing_->legs()[c].all();
   }
   std::optional<DrawnBand> band;
-  if (!all_legs) band.emplace(*distance_, drawing_->surface(), curves);
+  if (!all_legs) band.emplace(*distance_, curves);
   CurveFairing fairing(drawing_->surface(), band ? &*band : nullptr, group.edge, options, legs);
   use(fairing);
 }
@@ -374,7 +374,7 @@ const SurfaceCurve& CorridorHold::in_narrow_band(double tau, std::size_t curve,
   if (!valley.given) return taut;
   const double edge = drawing_->drawing().edges_near()[curve];
   const DrawnBand band(
-      *distance_, drawing_->surface(), curve,
+      *distance_, curve,
       {valley.slack, valley.slack_at, kRounding * edge, walls_of(tau), valley.apart});
   const CurveFairing fairing(drawing_->surface(), &band, edge, {});
   return fairing.farthest(taut) <= 1 ? taut : drawn;

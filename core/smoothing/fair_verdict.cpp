@@ -4,6 +4,7 @@
 #include <cstddef>
 
 #include "talweg/core/measure/measures.hpp"
+#include "talweg/core/measure/turning_windows.hpp"
 
 namespace talweg {
 namespace {
@@ -37,13 +38,13 @@ double bending_between(const Surface& surface, const SurfaceCurve& curve,
   };
   std::size_t first = 0;
   while (curve.closed && first < n && !is_corner(first)) ++first;
-  if (corners.empty() || first == n) return measure_curve(surface, curve, edge).bending;
+  if (corners.empty() || first == n) return bending(turns_of(surface, curve), edge);
   double sum = 0;
   SurfaceCurve piece{false, {curve.points[first]}};
   for (std::size_t i = first + 1; i < first + n + (curve.closed ? 1 : 0); ++i) {
     piece.points.push_back(curve.points[i % n]);
     if (!is_corner(i) && i + 1 < n + first + (curve.closed ? 1 : 0)) continue;
-    sum += measure_curve(surface, piece, edge).bending;
+    sum += bending(turns_of(surface, piece), edge);
     piece.points.assign(1, curve.points[i % n]);
   }
   return sum;

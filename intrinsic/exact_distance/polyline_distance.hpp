@@ -56,18 +56,18 @@ class PolylineDistance {
   /// t in [0, 1] from the tail to the head of halfedge_of(edge).
   Nearest on_edge(EdgeId edge, double t);
 
-  /// The distance inside a face at b + s d₀ + t d₁ (barycentrics, in the order of
-  /// Surface::corners(); those of each d sum to 0) and its derivatives by s and t at s = t = 0.
+  /// The distance inside a face at b (barycentrics, in the order of Surface::corners()) and how it
+  /// changes along a direction: one of the plane in which corner 0 of the face is the origin,
+  /// corner 1 lies on the positive x axis and corner 2 above it (as in FaceFrame).
   struct FaceValue {
     double value = 0;
-    std::array<double, 2> first{};
-    std::array<double, 3> second{};  ///< ss, st, tt
-    std::uint32_t curve = 0;         ///< as in Nearest
-    double arc_length = 0;           ///< as in Nearest
-    std::array<double, 2> arc_first{};
+    double slope = 0;         ///< of the value along the direction
+    std::uint32_t curve = 0;  ///< as in Nearest
+    double arc_length = 0;    ///< as in Nearest
+    double arc_slope = 0;
   };
   using Barycentric = std::array<double, 3>;
-  FaceValue at_face(FaceId face, const Barycentric& b, const std::array<Barycentric, 2>& d);
+  FaceValue at_face(FaceId face, const Barycentric& b, PlanePoint direction);
 
   /// The distance if it is less than `limit`, otherwise infinite; computes no distances beyond
   /// `limit`.

@@ -22,14 +22,13 @@ double nearest_part(PlanePoint x, PlanePoint p, PlanePoint q) {
 /// How a shortest way arrives at a point in the plane.
 struct Arrival {
   PlanePoint direction;      // unit direction of the way there; 0 at the source
-  double bend = 0;           // 1 / distance to the source point; 0 for a segment
   PlanePoint arc_direction;  // gradient of the arc length
 };
 
 Arrival from_point(double dx, double dy) {
   const double r = length_of(dx, dy);
   if (!(r > 0)) return {};
-  return {{dx / r, dy / r}, 1 / r, {}};
+  return {{dx / r, dy / r}, {}};
 }
 
 /// Uses the frame of the window's edge, turned so that the face is above.
@@ -38,7 +37,7 @@ Arrival from_window(const EdgeWindow& w, double x, double rise, bool own) {
   double bend = 0;
   if (w.bends_towards(x, rise, bend)) return from_point(turn * (x - bend), rise);
   if (w.from_point()) return from_point(turn * (x - w.px), rise + std::abs(w.py));
-  return {{turn * w.px, turn * w.py}, 0, {turn * w.sense * w.py, -turn * w.sense * w.px}};
+  return {{turn * w.px, turn * w.py}, {turn * w.sense * w.py, -turn * w.sense * w.px}};
 }
 
 Arrival from_piece(PlanePoint x, PlanePoint p, PlanePoint q) {
@@ -47,7 +46,6 @@ Arrival from_piece(PlanePoint x, PlanePoint p, PlanePoint q) {
   Arrival arrival = from_point(x.x - foot.x, x.y - foot.y);
   if (part > 0 && part < 1) {
     const double length = length_of(q.x - p.x, q.y - p.y);
-    arrival.bend = 0;
     arrival.arc_direction = {(q.x - p.x) / length, (q.y - p.y) / length};
   }
   return arrival;
@@ -153,12 +151,13 @@ PolylineDistance::Nearest PolylineDistance::in_face(FaceId face, const Barycentr
 }
 
 PolylineDistance::FaceValue PolylineDistance::at_face(FaceId face, const Barycentric& b,
-                                                      const std::array<Barycentric, 2>& d) {
+                                                      PlanePoint direction) {
   FaceHit hit;
-  const SideFrame& frame = final_copy(face, b, hit).frames[hit.side];
+  const FaceCopy& copy = final_copy(face, b, hit);
   const Nearest nearest = finish(hit.nearest);
-  FaceValue result{nearest.distance, {}, {}, nearest.curve, nearest.arc_length, {}};
+  FaceValue result{nearest.distance, 0, nearest.curve, nearest.arc_length, 0};
   if (std::isinf(nearest.distance)) return result;
+  const SideFrame& frame = copy.frames[hit.side];
   const PlanePoint p = frame.at(b, hit.side);
   const Arrival way =
       hit.window != nullptr
@@ -167,15 +166,9 @@ PolylineDistance::FaceValue PolylineDistance::at_face(FaceId face, const Barycen
       : hit.piece != nullptr
           ? from_piece(p, frame.at(hit.piece->from, 0), frame.at(hit.piece->to, 0))
           : from_point(p.x, p.y);
-  const std::array<PlanePoint, 2> step{frame.at(d[0], hit.side), frame.at(d[1], hit.side)};
-  for (std::size_t i = 0; i < 2; ++i) {
-    result.first[i] = dot(way.direction, step[i]);
-    result.arc_first[i] = dot(way.arc_direction, step[i]);
-  }
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::size_t j = i / 2, k = (i + 1) / 2;
-    result.second[i] = way.bend * (dot(step[j], step[k]) - result.first[j] * result.first[k]);
-  }
+  const PlanePoint step = frame.at(copy.frames[0].rates(direction), hit.side);
+  result.slope = dot(way.direction, step);
+  result.arc_slope = dot(way.arc_direction, step);
   return result;
 }
 

@@ -24,6 +24,12 @@ struct SideFrame {
     const double b = barycentric[(k + 1) % 3], c = barycentric[(k + 2) % 3];
     return {b * length + c * apex.x, c * apex.y};
   }
+  /// How the barycentrics, those of side k = 0's frame, change along a direction of this frame. Not
+  /// finite in a face without area.
+  [[nodiscard]] std::array<double, 3> rates(PlanePoint direction) const {
+    const double c = direction.y / apex.y, b = (direction.x - c * apex.x) / length;
+    return {-b - c, b, c};
+  }
 };
 /// k in {0, 1, 2}.
 SideFrame side_frame(const Surface& surface, FaceId face, std::size_t k);

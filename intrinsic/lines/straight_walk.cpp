@@ -44,8 +44,8 @@ WalkEnd walk_straight(const Surface& surface, const FaceCoordinates& from, Plane
                       double distance, std::vector<HalfedgeId>& crossed) {
   WalkEnd walk{from, direction, 0};
   std::size_t entry = 3;
+  FaceFrame frame(surface, walk.at.face);
   for (int faces = 0; faces < kMostFaces; ++faces) {
-    const FaceFrame frame(surface, walk.at.face);
     FaceFrame::Barycentric& b = walk.at.barycentric;
     const FaceFrame::Barycentric rates = frame.rates(walk.direction);
     const Exit exit = exit_of(b, rates, entry);
@@ -71,9 +71,9 @@ WalkEnd walk_straight(const Surface& surface, const FaceCoordinates& from, Plane
     const double outward = -cross(side, walk.direction) / length;
     crossed.push_back(h);
     walk.at.face = surface.face(twin(h));
-    const FaceFrame next(surface, walk.at.face);
-    entry = next.side_of(twin(h));
-    const PlanePoint back = (1 / length) * next.along(entry);
+    frame = FaceFrame(surface, walk.at.face);
+    entry = frame.side_of(twin(h));
+    const PlanePoint back = (1 / length) * frame.along(entry);
     walk.direction = -forward * back + outward * turned_left(back);
     walk.at.barycentric = {};
     walk.at.barycentric[entry] = part;  // the tail of the twin is the head of h

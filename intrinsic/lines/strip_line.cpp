@@ -31,8 +31,11 @@ FaceCoordinates beyond(const Surface& surface, const FaceCoordinates& at, Halfed
 }
 
 bool lies_on(const Surface& surface, const FaceCoordinates& at, HalfedgeId side) {
-  const std::size_t i = FaceFrame(surface, at.face).side_of(side);
-  return at.barycentric[(i + 2) % 3] == 0;
+  const auto& b = at.barycentric;
+  if (b[0] != 0 && b[1] != 0 && b[2] != 0) return false;
+  const HalfedgeId first = surface.halfedge(at.face);
+  const std::size_t i = side == first ? 0 : side == surface.next(first) ? 1 : 2;
+  return b[(i + 2) % 3] == 0;
 }
 
 // A halfedge with the vertex at its head goes around it counterclockwise (it passes it on its
@@ -77,25 +80,36 @@ void StripLines::trim(FaceCoordinates& from, FaceCoordinates& to, FaceStrip& str
   strip.erase(strip.begin(), strip.begin() + static_cast<std::ptrdiff_t>(first));
 }
 
+/// Each face is laid out beside the side by which it is entered: its apex is all that is new.
 void StripLines::unfold(const FaceCoordinates& from, const FaceCoordinates& to,
                         const FaceStrip& strip) {
   portals_.clear();
-  FaceFrame frame(*surface_, from.face);
+  const FaceFrame frame(*surface_, from.face);
   from_ = frame.at(from.barycentric);
-  PlanePoint origin{0, 0};
   turn_ = {1, 0};
+  std::array<PlanePoint, 3> corners = frame.corners;  // of the last face; side k starts at corner k
+  std::array<HalfedgeId, 3> sides = frame.sides;
   for (const HalfedgeId h : strip) {
-    const std::size_t side = frame.side_of(h);
-    const PlanePoint tail = origin + rotated(turn_, frame.corners[side]);
-    const PlanePoint head = origin + rotated(turn_, frame.corners[(side + 1) % 3]);
+    const std::size_t side = h == sides[0] ? 0 : h == sides[1] ? 1 : 2;
+    const PlanePoint tail = corners[side], head = corners[(side + 1) % 3];
     portals_.push_back({head, tail, surface_->head(h), surface_->tail(h)});
-    frame = FaceFrame(*surface_, surface_->face(twin(h)));
-    const std::size_t entry = frame.side_of(twin(h));
-    const PlanePoint along = frame.along(entry), back = tail - head;
-    turn_ = unit({dot(along, back), cross(along, back)});
-    origin = head - rotated(turn_, frame.corners[entry]);
+    const HalfedgeId entry = twin(h), next = surface_->next(entry), last = surface_->next(next);
+    const PlanePoint along = unit(tail - head);
+    const PlanePoint top = apex(surface_->length(edge_of(h)), surface_->length(edge_of(last)),
+                                surface_->length(edge_of(next)));
+    corners = {head, tail, head + rotated(along, top)};
+    sides = {entry, next, last};
   }
-  to_ = origin + rotated(turn_, frame.at(to.barycentric));
+  if (strip.empty()) {
+    to_ = frame.at(to.barycentric);
+    return;
+  }
+  // The frame of the last face has its first corner elsewhere.
+  const HalfedgeId first = surface_->halfedge(surface_->face(sides[0]));
+  const std::size_t k = first == sides[0] ? 0 : first == sides[1] ? 1 : 2;
+  const PlanePoint &a = corners[k], &b = corners[(k + 1) % 3], &c = corners[(k + 2) % 3];
+  turn_ = unit(b - a);
+  to_ = a + to.barycentric[1] * (b - a) + to.barycentric[2] * (c - a);
 }
 
 bool StripLines::is_straight() const {
@@ -199,14 +213,21 @@ bool StripLines::flip(const FaceStrip& strip, const Bend& bend, FaceStrip& other
 }
 
 void StripLines::fill(StripLine& line) const {
-  line.length = length();
-  const PlanePoint first = bends_.empty() ? to_ : bends_.front().at;
-  const PlanePoint last = bends_.empty() ? from_ : bends_.back().at;
-  line.start = unit(first - from_);
-  line.first_leg = norm(first - from_);
-  line.last_leg = norm(to_ - last);
-  line.end = rotated({turn_.x, -turn_.y}, unit(to_ - last));
   line.bends.clear();
+  if (bends_.empty()) {
+    const PlanePoint way = to_ - from_;
+    line.length = line.first_leg = line.last_leg = norm(way);
+    line.start = line.length > 0 ? (1 / line.length) * way : PlanePoint{1, 0};
+    line.end = rotated({turn_.x, -turn_.y}, line.start);
+    line.found = std::isfinite(line.length);
+    return;
+  }
+  line.length = length();
+  const PlanePoint first = bends_.front().at - from_, last = to_ - bends_.back().at;
+  line.start = unit(first);
+  line.first_leg = norm(first);
+  line.last_leg = norm(last);
+  line.end = rotated({turn_.x, -turn_.y}, unit(last));
   for (const Bend& bend : bends_) line.bends.push_back(bend.vertex);
   line.found = std::isfinite(line.length);
 }
@@ -217,6 +238,10 @@ StripLine StripLines::join(const FaceCoordinates& from, const FaceCoordinates& t
   trim(line.from, line.to, strip);
   unfold(line.from, line.to, strip);
   pull_funnel();
+  if (bends_.empty()) {
+    fill(line);
+    return line;
+  }
   std::size_t work = strip.size();
   while (work < kMostWork) {
     const double before = length();
@@ -241,10 +266,8 @@ StripLine StripLines::join(const FaceCoordinates& from, const FaceCoordinates& t
       }
     }
     if (!flipped) {
-      if (!bends.empty()) {
-        unfold(line.from, line.to, strip);
-        pull_funnel();
-      }
+      unfold(line.from, line.to, strip);
+      pull_funnel();
       fill(line);
       return line;
     }

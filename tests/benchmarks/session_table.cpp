@@ -20,12 +20,43 @@ namespace talweg::benchmarks {
 namespace {
 
 constexpr int kRepeat = 9;  // the shortest counts
-constexpr std::size_t kLeg = 20;
+constexpr std::size_t kLeg = 20, kClicks = 30;
 
 double shortest(const std::function<void()>& run) {
   double least = HUGE_VAL;
   for (int k = 0; k < kRepeat; ++k) least = std::min(least, mean_ms(1, run));
   return least;
+}
+
+struct Waits {
+  double drawn = 0;
+  std::vector<double> moves;  // of tau, ascending
+};
+
+/// A new drawing, and moves of tau.
+Waits waits(CurveSmoother& smoother, const SurfaceCurve& curve, const CurveOptions& drawing,
+            SmoothingOptions& options) {
+  Waits waits;
+  waits.drawn = shortest([&] {
+    smoother.set_curve(curve, drawing);
+    smoother.smooth(options);
+  });
+  for (double tau = 1.01; tau < 1.9; tau *= 1.05) {
+    options.tau = tau;
+    waits.moves.push_back(shortest([&] { smoother.smooth(options); }));
+  }
+  std::sort(waits.moves.begin(), waits.moves.end());
+  return waits;
+}
+
+/// Every so many points of the drawing as clicks, the path between them as their legs.
+CurveOptions clicks_on(const SurfaceCurve& curve) {
+  CurveOptions options;
+  const std::size_t n = curve.points.size(), gaps = curve.closed ? kClicks : kClicks - 1;
+  for (std::size_t k = 0; k < kClicks; ++k) {
+    options.way_points.push_back({curve.points[std::min(k * n / gaps, n - 1)]});
+  }
+  return options;
 }
 
 void print_row(const std::string& mesh, const std::string& drawing) {
@@ -37,23 +68,18 @@ void print_row(const std::string& mesh, const std::string& drawing) {
   CurveSmoother smoother(opened);
   SmoothingOptions options;
   options.deviation = DeviationMeasure::kNone;
-  const double drawn = shortest([&] {
-    smoother.set_curve(curve);
-    smoother.smooth(options);
-  });
-  std::vector<double> moves;
-  for (double tau = 1.01; tau < 1.9; tau *= 1.05) {
-    options.tau = tau;
-    moves.push_back(shortest([&] { smoother.smooth(options); }));
-  }
-  std::sort(moves.begin(), moves.end());
+  const Waits strokes = waits(smoother, curve, {}, options);
   EdgeDijkstra dijkstra(opened->surface());
   const DraggedPoint dragged(opened->mesh(), curve, kLeg);
   const auto drag = [&] { smoother.drag(0, dragged.redraw(dijkstra), options); };
   drag();  // makes the memory for it
-  std::printf("| %s | %zu | %.1f | %.1f | %.1f | %.1f |\n",
-              std::filesystem::path(mesh).stem().string().c_str(), curve.points.size(), drawn,
-              moves[moves.size() / 2], moves.back(), shortest(drag));
+  const double dragging = shortest(drag);
+  options.tau = 1;
+  const Waits clicks = waits(smoother, curve, clicks_on(curve), options);
+  std::printf("| %s | %zu | %.1f | %.1f | %.1f | %.1f | %.1f | %.1f |\n",
+              std::filesystem::path(mesh).stem().string().c_str(), curve.points.size(),
+              strokes.drawn, strokes.moves[strokes.moves.size() / 2], strokes.moves.back(),
+              dragging, clicks.drawn, clicks.moves[clicks.moves.size() / 2]);
 }
 
 }  // namespace
@@ -68,9 +94,10 @@ int main(int argc, char** argv) {
   try {
     std::printf(
         "Processor time of one thread, ms, the shortest of %d; without the deviation.\n\n"
-        "| mesh | drawn | new drawing | new tau, median | largest | drag a point |\n"
-        "|---|--:|--:|--:|--:|--:|\n",
-        talweg::benchmarks::kRepeat);
+        "| mesh | drawn | new drawing | new tau, median | largest | drag a point | %zu clicks | "
+        "new tau "
+        "|\n|---|--:|--:|--:|--:|--:|--:|--:|\n",
+        talweg::benchmarks::kRepeat, talweg::benchmarks::kClicks);
     for (int k = 1; k < argc; k += 2) talweg::benchmarks::print_row(argv[k], argv[k + 1]);
     return 0;
   } catch (const std::exception& error) {

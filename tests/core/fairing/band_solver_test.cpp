@@ -14,7 +14,6 @@ void expect_solution_of_eigen(std::size_t n, bool ring, std::size_t held) {
   std::mt19937 random(static_cast<unsigned>(n));
   std::uniform_real_distribution<double> number(-1, 1);
   BandSystem system(n, ring);
-  system.clear();
   const auto size = static_cast<Eigen::Index>(n);
   Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(size, size);
   Eigen::VectorXd right = Eigen::VectorXd::Zero(size);
@@ -66,7 +65,6 @@ TEST(BandSystem, HasTheSolutionOfEigen) {
 
 TEST(BandSystem, TellsWhatIsNotPositiveDefinite) {
   BandSystem system(6, false);
-  system.clear();
   for (std::size_t i = 0; i < 6; ++i) system.add(i, i, i == 3 ? -1 : 1);
   std::vector<double> solution;
   EXPECT_FALSE(system.solve(solution));

@@ -42,7 +42,7 @@ TEST(DrawnBand, ItsSlopesAreThoseOfItsValues) {
   for (std::size_t i = 0; i < drawn.points.size(); ++i) {
     slack.push_back(0.5 + 0.2 * std::sin(0.4 * static_cast<double>(i)));
   }
-  const DrawnBand band(distance, surface, 0, {0, slack, 0.01, 1.5});
+  const DrawnBand band(distance, 0, {0, slack, 0.01, 1.5});
   int compared = 0;
   for (std::size_t f = 0; f < surface.face_count(); f += 2) {
     const FaceFrame frame(surface, FaceId{f});
