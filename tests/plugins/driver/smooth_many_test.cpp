@@ -76,6 +76,11 @@ class SmoothMany : public test::DriverRuns {
   }
 };
 
+TEST_F(SmoothMany, AListIsForAsManyCurvesAsThereAre) {
+  expect_failure("smooth sheet.ply --curve across.txt --tau 1,2,3 -o out.json", 1,
+                 {"--tau has 3 values", "1 curve:"});
+}
+
 TEST_F(SmoothMany, ACellMayHaveAValueForEachCurve) {
   const auto both = [&](const std::string& name, const std::string& options) {
     return run("smooth sheet.ply --curve across.txt --curve up.txt -o " + name +
@@ -296,9 +301,7 @@ TEST_F(SmoothMany, RefusesBadListsBeforeAnyWork) {
   refuse("mesh,curve,potential\nsheet.ply,across.txt,steep\n", "-o out.json", {"line 2", "steep"});
   refuse("mesh,curve,slack\nsheet.ply,across.txt,1\n", "-o out.json --potential paper",
          {"line 2", "--slack"});
-  // One value, or one for each curve.
-  refuse("mesh,curve,tau\nsheet.ply,across.txt,\"1,2,3\"\n", "-o out.json",
-         {"line 2", "--tau has 3 values", "1 curve:"});
+  // One value, or one for each curve; how many there are is found while it works.
   refuse("mesh,curve,slack\nsheet.ply,across.txt,\"1,-1\"\n", "-o out.json", {"line 2", "-1"});
   refuse("mesh,curve,finish\nsheet.ply,across.txt,\"fair,loose\"\n", "-o out.json",
          {"line 2", "loose"});
