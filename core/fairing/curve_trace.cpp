@@ -31,6 +31,23 @@ FaceStrip around(const Surface& surface, FaceId from, FaceId to, VertexId v, boo
   return strip;
 }
 
+/// The face of both points, the left one where they lie on one edge, so that numbers of faces do
+/// not decide; invalid where there is none.
+FaceId face_of(const Surface& surface, const SurfacePoint& p, const SurfacePoint& q) {
+  const FaceId face = common_face(surface, p, q);
+  if (!face.valid()) return face;
+  const auto from = coordinates_in(surface, p, face).barycentric;
+  const auto to = coordinates_in(surface, q, face).barycentric;
+  HalfedgeId side = surface.halfedge(face);  // from corner 0 to corner 1
+  for (std::size_t k = 0; k < 3; ++k, side = surface.next(side)) {
+    const std::size_t next = (k + 1) % 3, opposite = (k + 2) % 3;
+    if (from[opposite] != 0 || to[opposite] != 0) continue;
+    const bool forwards = to[next] >= from[next];
+    return forwards || !surface.has_face(twin(side)) ? face : surface.face(twin(side));
+  }
+  return face;
+}
+
 }  // namespace
 
 void cross_at(const Surface& surface, const SurfacePoint& point, FaceId from, FaceId to,
@@ -107,7 +124,7 @@ CurveTrace trace_through(const Surface& surface, const SurfaceCurve& curve,
   if (count > 0 && !curve.closed) trace.fixed_points.push_back(curve.points.front());
   for (std::size_t i = 0; i < count; ++i) {
     const SurfacePoint &p = curve.points[i], &q = curve.points[(i + 1) % n];
-    const FaceId face = common_face(surface, p, q);
+    const FaceId face = face_of(surface, p, q);
     if (!face.valid()) {
       throw Error(
           ErrorCode::kBadCurve,

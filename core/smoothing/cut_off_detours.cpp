@@ -24,7 +24,9 @@ class Changes {
       : mesh_(&mesh), nearest_(segments_of(positions_of(mesh, taut), taut.closed)) {
     const std::size_t n = taut.points.size();
     for (std::size_t k = 0; k + (taut.closed ? 0 : 1) < n; ++k) {
-      faces_.emplace_back(face_of(taut.points[k], taut.points[(k + 1) % n]), k);
+      for (const FaceId face : faces_of(taut.points[k], taut.points[(k + 1) % n])) {
+        faces_.emplace_back(face.index(), k);
+      }
     }
     std::sort(faces_.begin(), faces_.end());
   }
@@ -33,24 +35,32 @@ class Changes {
     return nearest_.to(mesh_->position(p));
   }
 
-  /// The taut curve's segment from `least` up to `most` in the face of two neighbours on the
-  /// drawing that is nearest along it to `near`.
+  /// The taut curve's segment from `least` up to `most` in a face of two neighbours on the drawing
+  /// that is nearest along it to `near`.
   [[nodiscard]] std::optional<std::size_t> beside(const SurfacePoint& p, const SurfacePoint& q,
                                                   std::size_t near, std::size_t least,
                                                   std::size_t most) const {
-    const std::size_t face = face_of(p, q);
     const auto away = [&](std::size_t k) { return k < near ? near - k : k - near; };
     std::optional<std::size_t> best;
-    for (auto it = std::lower_bound(faces_.begin(), faces_.end(), std::pair(face, least));
-         it != faces_.end() && it->first == face && it->second <= most; ++it) {
-      if (!best || away(it->second) < away(*best)) best = it->second;
+    for (const FaceId face : faces_of(p, q)) {
+      for (auto it = std::lower_bound(faces_.begin(), faces_.end(), std::pair(face.index(), least));
+           it != faces_.end() && it->first == face.index() && it->second <= most; ++it) {
+        const std::size_t k = it->second;
+        if (!best || away(k) < away(*best) || (away(k) == away(*best) && k < *best)) best = k;
+      }
     }
     return best;
   }
 
  private:
-  [[nodiscard]] std::size_t face_of(const SurfacePoint& p, const SurfacePoint& q) const {
-    return common_face(mesh_->surface(), p, q).index();
+  /// All that contain both points: two where these lie on one edge.
+  [[nodiscard]] std::vector<FaceId> faces_of(const SurfacePoint& p, const SurfacePoint& q) const {
+    std::vector<FaceId> faces = faces_at(mesh_->surface(), p), common;
+    const std::vector<FaceId> others = faces_at(mesh_->surface(), q);
+    for (const FaceId face : faces) {
+      if (std::find(others.begin(), others.end(), face) != others.end()) common.push_back(face);
+    }
+    return common;
   }
 
   const SurfaceMesh* mesh_;
