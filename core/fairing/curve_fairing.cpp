@@ -47,6 +47,11 @@ std::vector<double> CurveFairing::spacings(const CurveTrace& trace, int level) c
   return spacings;
 }
 
+bool CurveFairing::is_too_long(double length) const {
+  const double slack = band_ != nullptr ? band_->least_slack() : 0;
+  return length > kMostSamples * std::max(slack / 2, edge_ / 8);
+}
+
 /// The length 1/√t over which a spline turns where its leg does, once it is known.
 double CurveFairing::reach_of_corner(std::size_t leg) const {
   if (!(tension_ > 0)) return HUGE_VAL;

@@ -37,6 +37,9 @@ class CurveFairing {
         options_(options),
         legs_(std::move(legs)) {}
 
+  /// Whether a curve of this length (mesh units) has more than 100,000 samples at the distance that
+  /// its slack and the mesh ask for, so that they are taken farther apart.
+  [[nodiscard]] bool is_too_long(double length) const;
   /// A fair chain that starts from a curve; none where samples cannot be joined.
   std::optional<SampleChain> from_curve(const CurveTrace& start, Asker& asker);
   /// A fair chain that starts from one of another band. The ways of its samples are added to the

@@ -90,6 +90,7 @@ void for_each_field(Report& r, Visit visit) {
   visit("iterations", r.iterations);
   visit("faces_touched", r.faces_touched);
   visit("trace_fallbacks", r.trace_fallbacks);
+  visit("stretches_redrawn", r.stretches_redrawn);
   visit("mollification", r.mollification);
   visit("crossings_before", r.crossings_before);
   visit("crossings_after", r.crossings_after);
@@ -143,6 +144,7 @@ SmoothingReport total_of(const std::vector<SmoothingReport>& reports) {
     total.closed = total.closed && r.closed;
     total.points_before += r.points_before;
     total.points_after += r.points_after;
+    total.stretches_redrawn += r.stretches_redrawn;
     total.length_before += r.length_before;
     total.length_after += r.length_after;
     total.lifted_length_before += r.lifted_length_before;

@@ -31,8 +31,8 @@ class Corridor {
     /// Unless empty, it replaces `slack`: ε at each point of the curve, mesh units, >= 0, linear in
     /// the arc length between points, also from the last to the first point of a closed curve.
     std::vector<double> slack_at;
-    bool given = false;  ///< whether somebody asked for this slack
-    double detour = 0;   ///< mesh units: a part of the drawing that far away was no trembling
+    bool given = false;    ///< whether somebody asked for this slack
+    double trembling = 0;  ///< mesh units: the slack before it was narrowed for what is near
 
     friend bool operator==(const Valley&, const Valley&) = default;
   };

@@ -28,6 +28,7 @@ double walls_of(double tau) { return 1.25 * (1 + 0.2 / tau); }
 constexpr double kNoTurn = 1e-6;         // rad
 constexpr double kLeastSlack = 1.0 / 8;  // edges
 constexpr double kRounding = 1e-9;       // edges
+constexpr double kDetour = 6;  // slacks: a part of the drawing that far away is no trembling
 constexpr int kHalvings = 8;
 constexpr double kBands[] = {1, 0.7, 0.4};  // of tries that start from the drawing
 constexpr std::size_t kTries = 1 + std::size(kBands);
@@ -36,6 +37,9 @@ constexpr std::size_t kTries = 1 + std::size(kBands);
 /// where its legs turn sharply.
 double tension_of(double tau) { return std::max(0.5, 8 * tau); }
 constexpr double kTighter = 8;  // of the tries of splines
+constexpr const char* kTooLong =
+    "The curve is so long that more than 100,000 samples would be needed to make it as fair as its "
+    "slack allows; they are taken farther apart.";
 constexpr const char* kLeftTaut =
     "The curve could not be made fair within its walls; it is left taut, with kinks.";
 
@@ -200,15 +204,18 @@ void CorridorHold::with_fairing(const FairGroup& group, const Taus& taus, double
   use(fairing);
 }
 
-/// The straightened curves of a group, with what they have cut off.
-SurfaceCurve CorridorHold::with_what_was_cut_off(const FairGroup& group,
-                                                 Straightened& straight) const {
+/// The straightened curves of a group, with the detours of the drawing that they have cut off.
+SurfaceCurve CorridorHold::with_cut_off_detours(const FairGroup& group,
+                                                Straightened& straight) const {
   std::vector<SurfaceCurve> curves = straight.curves;
   for (const JoinedCurves::Part& part : group.joined.parts) {
     const std::size_t c = part.curve;
-    const double far = std::max((*valleys_)[c].detour, drawing_->drawing().edges_near()[c] / 2);
-    WithDetours start =
-        with_detours(drawing_->mesh(), curves[c], drawing_->drawing().curves()[c], far);
+    const Corridor::Valley& valley = (*valleys_)[c];
+    const SurfaceCurve& drawn = drawing_->drawing().curves()[c];
+    const double slack = valley.slack_at.empty() ? valley.trembling : largest_slack(valley);
+    const double least = kLeastSlack * drawing_->drawing().edges_near()[c];
+    const std::vector<double> far(drawn.points.size(), kDetour * std::max(slack, least));
+    WithDetours start = with_detours(drawing_->mesh(), curves[c], drawn, far);
     curves[c] = std::move(start.curve);
     straight.paths[c].redrawn = start.stretches;
   }
@@ -220,7 +227,10 @@ std::optional<SampleChain> CorridorHold::fair_from(const FairGroup& group, const
                                                    const Progress& progress) {
   std::optional<SampleChain> chain;
   if (has_legs(*drawing_, group)) return chain;
-  const SurfaceCurve start = with_what_was_cut_off(group, straight);
+  // Below this tau a result may lead anywhere.
+  const bool is_held = *std::ranges::min_element(taus) >= kLeastHeldTau;
+  const SurfaceCurve start =
+      is_held ? with_cut_off_detours(group, straight) : joined(group.joined, straight.curves);
   Asker asker(progress, "fair");
   with_fairing(group, taus, 1, {}, asker, [&](CurveFairing& fairing) {
     chain = fairing.from_curve(traced(group, start), asker);
@@ -229,8 +239,9 @@ std::optional<SampleChain> CorridorHold::fair_from(const FairGroup& group, const
     std::optional<SampleChain> again = fairing.from_curve(traced(group, group.drawn), asker);
     if (!again) return;
     chain = std::move(again);
-    for (const JoinedCurves::Part& part : group.joined.parts)
+    for (const JoinedCurves::Part& part : group.joined.parts) {
       straight.paths[part.curve].redrawn = 1;
+    }
   });
   return chain;
 }
@@ -242,6 +253,17 @@ SampleChain CorridorHold::fair_from(const FairGroup& group, const Taus& taus,
   SampleChain result;
   with_fairing(group, taus, 1, {}, asker,
                [&](CurveFairing& fairing) { result = fairing.from_chain(chain, trail, asker); });
+  return result;
+}
+
+bool CorridorHold::stands(const FairGroup& group, const Taus& taus, const SampleChain& chain,
+                          const Progress& progress) {
+  Asker asker(progress, "fair");
+  bool result = false;
+  with_fairing(group, taus, 1, {}, asker, [&](CurveFairing& fairing) {
+    const auto curve = fairing.curve_of(chain, asker);
+    result = curve && curve->farthest <= 1;
+  });
   return result;
 }
 
@@ -345,10 +367,11 @@ std::optional<SurfaceCurve> CorridorHold::tried(std::size_t number, const Taus& 
     return bending_between(surface, curve, drawing_->corners(), group.edge);
   };
   const double own = bending(*result);
-  const bool from_taut = own > bending(taut) && (any_legs || !redrawn) &&
-                         (any_legs || keeps_within(group, taus, taut, asker));
-  const bool worse = own > bending(from_taut ? taut : group.drawn) && own > bending(taut);
-  return worse || is_pressed(surface, *result, taut) ? std::nullopt : result;
+  if (own > bending(taut)) {
+    const bool from_taut = any_legs || (!redrawn && keeps_within(group, taus, taut, asker));
+    if (from_taut || own > bending(group.drawn)) return std::nullopt;
+  }
+  return is_pressed(surface, *result, taut) ? std::nullopt : result;
 }
 
 /// Whether a curve is between the walls.
@@ -429,8 +452,18 @@ class CorridorHold::Finishing {
       now_[c] = hold_->in_narrow_band(options_->tau_of(c), c, taut_[c], asker_);
     } else if (turning_between(hold_->drawing_->surface(), attempts_[a].taut,
                                hold_->drawing_->corners()) >= kNoTurn) {  // else it is fair
+      warn_if_too_long(group);
       make_fair(a);
     }
+  }
+
+  void warn_if_too_long(const FairGroup& group) {
+    if (has_legs(*hold_->drawing_, group)) return;
+    const double length = curve_length(hold_->drawing_->surface(), group.drawn);
+    bool too_long = false;
+    hold_->with_fairing(group, taus_of(group, *options_), 1, {}, asker_,
+                        [&](const CurveFairing& f) { too_long = f.is_too_long(length); });
+    if (too_long) (*curves_)[group.joined.parts.front().curve].warnings.emplace_back(kTooLong);
   }
 
   [[nodiscard]] bool is_redrawn(const FairGroup& group) const {

@@ -62,6 +62,9 @@ class CorridorHold {
   /// A fair chain that starts from that of another tau, and the ways of its samples.
   SampleChain fair_from(const FairGroup& group, const Taus& taus, const SampleChain& chain,
                         SampleTrail& trail, const Progress& progress);
+  /// Whether the curve of a chain is between its walls.
+  bool stands(const FairGroup& group, const Taus& taus, const SampleChain& chain,
+              const Progress& progress);
   /// The chain sampled anew if its samples are too uneven to lead on to another tau.
   std::optional<SampleChain> evened(const FairGroup& group, const Taus& taus,
                                     const SampleChain& chain, const Progress& progress);
@@ -103,8 +106,8 @@ class CorridorHold {
   std::optional<SurfaceCurve> tried(std::size_t number, const Taus& taus, const FairGroup& group,
                                     const std::optional<SampleChain>& chain,
                                     const SurfaceCurve& taut, bool redrawn, Asker& asker);
-  [[nodiscard]] SurfaceCurve with_what_was_cut_off(const FairGroup& group,
-                                                   Straightened& straight) const;
+  [[nodiscard]] SurfaceCurve with_cut_off_detours(const FairGroup& group,
+                                                  Straightened& straight) const;
   [[nodiscard]] bool keeps_within(const FairGroup& group, const Taus& taus,
                                   const SurfaceCurve& curve, Asker& asker);
   [[nodiscard]] const SurfaceCurve& in_narrow_band(double tau, std::size_t curve,

@@ -10,8 +10,6 @@
 namespace talweg {
 namespace {
 
-constexpr double kDetour = 4;  // slacks
-
 /// Where the slacks of two curves meet, nothing would keep the curves apart.
 void keep_apart(std::vector<Corridor::Valley>& valleys, const SurfaceMesh& mesh,
                 const OrderedDrawing& drawing, const Progress& progress) {
@@ -61,7 +59,7 @@ std::vector<Corridor::Valley> valleys_of(const SurfaceMesh& mesh, const OrderedD
     Corridor::Valley& valley = valleys.emplace_back();
     valley.closed = curve.closed;
     valley.slack = default_slack(mesh.surface(), curve);
-    valley.detour = kDetour * valley.slack;
+    valley.trembling = valley.slack;
     valley.length = corridor_length(mesh, curve);
   }
   if (valleys.size() > 1) keep_apart(valleys, mesh, drawing, progress);
@@ -105,7 +103,7 @@ std::vector<Corridor::Valley> with_options(std::vector<Corridor::Valley> valleys
     valley.given = options.slack_of(c) || !options.slack_at.empty();
     if (const auto slack = options.slack_of(c)) valley.slack = *slack;
     if (!options.slack_at.empty()) valley.slack_at = options.slack_at[c];
-    if (valley.given) valley.detour = kDetour * largest_slack(valley);
+    if (valley.given) valley.trembling = valley.slack;
     // With fewer points per turn the phase could not follow the loop.
     const std::size_t most = std::max<std::size_t>(drawing.curves()[c].points.size() / 8, 1);
     valley.turns = std::min(options.phase_turns, static_cast<int>(most));

@@ -15,6 +15,7 @@ namespace {
 /// both pass through.
 struct Pair {
   std::vector<SurfacePoint> taut, drawn;
+  std::vector<double> far;  // per point of the drawing
 };
 
 /// Finds where one may change from one curve to the other inside a face.
@@ -68,28 +69,42 @@ class Changes {
   std::vector<std::pair<std::size_t, std::size_t>> faces_;  // face, segment
 };
 
-/// Loops are opened where both pass through one face, near each other; none if they never do.
+constexpr double kEqual = 1e-6;
+
+/// What belongs to the points of a loop, from the point after this one on.
+template <class Value>
+std::vector<Value> begun_after(std::vector<Value> points, std::size_t last) {
+  const auto first = static_cast<std::ptrdiff_t>((last + 1) % points.size());
+  std::rotate(points.begin(), points.begin() + first, points.end());
+  return points;
+}
+
+/// Loops are opened where both pass through one face, as near each other as anywhere; none if they
+/// never do.
 std::optional<Pair> opened(const SurfaceMesh& mesh, const SurfaceCurve& taut,
-                           const SurfaceCurve& drawn, double near) {
-  if (!taut.closed) return Pair{taut.points, drawn.points};
+                           const SurfaceCurve& drawn, std::span<const double> far) {
+  if (!taut.closed) return Pair{taut.points, drawn.points, {far.begin(), far.end()}};
   const Changes changes(mesh, taut);
   const std::size_t n = drawn.points.size();
+  std::vector<NearestSegment::Result> there;
+  for (const SurfacePoint& p : drawn.points) there.push_back(changes.nearest(p));
+  const auto apart = [&](std::size_t i) {
+    return std::max(there[i].distance, there[(i + 1) % n].distance);
+  };
+  std::optional<std::size_t> first, segment;
   for (std::size_t i = 0; i < n; ++i) {
-    const SurfacePoint &p = drawn.points[i], &q = drawn.points[(i + 1) % n];
-    const NearestSegment::Result there = changes.nearest(p);
-    if (there.distance > near) continue;
-    const auto k = changes.beside(p, q, there.segment, 0, taut.points.size() - 1);
+    const double near = std::min(far[i], far[(i + 1) % n]) / 2;
+    // Rounding does not choose between places that are equally near.
+    if (apart(i) > near || (first && apart(i) >= apart(*first) - kEqual * near)) continue;
+    const auto k = changes.beside(drawn.points[i], drawn.points[(i + 1) % n], there[i].segment, 0,
+                                  taut.points.size() - 1);
     if (!k) continue;
-    Pair pair{taut.points, drawn.points};
-    std::rotate(pair.taut.begin(),
-                pair.taut.begin() + static_cast<std::ptrdiff_t>(*k + 1) % std::ssize(pair.taut),
-                pair.taut.end());
-    std::rotate(pair.drawn.begin(),
-                pair.drawn.begin() + static_cast<std::ptrdiff_t>(i + 1) % std::ssize(pair.drawn),
-                pair.drawn.end());
-    return pair;
+    first = i;
+    segment = k;
   }
-  return std::nullopt;
+  if (!first) return std::nullopt;
+  return Pair{begun_after(taut.points, *segment), begun_after(drawn.points, *first),
+              begun_after(std::vector<double>(far.begin(), far.end()), *first)};
 }
 
 /// A stretch of the drawing, from one of its points to another, that replaces segments of the taut
@@ -101,8 +116,8 @@ struct Detour {
 
 class Search {
  public:
-  Search(const SurfaceMesh& mesh, const Pair& pair, double far)
-      : pair_(&pair), changes_(mesh, {false, pair.taut}), far_(far) {
+  Search(const SurfaceMesh& mesh, const Pair& pair)
+      : pair_(&pair), changes_(mesh, {false, pair.taut}) {
     for (const SurfacePoint& p : pair.drawn) there_.push_back(changes_.nearest(p));
   }
 
@@ -110,7 +125,7 @@ class Search {
     std::vector<Detour> found;
     const std::size_t n = there_.size();
     for (std::size_t i = 0; i < n; ++i) {
-      if (there_[i].distance <= far_) continue;
+      if (there_[i].distance <= pair_->far[i]) continue;
       const std::size_t known = found.empty() ? 0 : found.back().last;
       const std::size_t least = found.empty() ? 0 : found.back().to + 1;
       const auto detour = around(i, known, least);
@@ -130,13 +145,13 @@ class Search {
     Detour detour{};
     std::optional<std::size_t> from, to;
     for (std::size_t i = point; i > known && !from; --i) {
-      if (there_[i - 1].distance > far_ / 2) continue;
+      if (there_[i - 1].distance > pair_->far[i - 1] / 2) continue;
       from = changes_.beside(drawn[i - 1], drawn[i], there_[i - 1].segment, least, most);
       detour.first = i;
     }
     if (!from) return std::nullopt;
     for (std::size_t i = point; i + 1 < drawn.size() && !to; ++i) {
-      if (there_[i + 1].distance > far_ / 2) continue;
+      if (there_[i + 1].distance > pair_->far[i + 1] / 2) continue;
       to = changes_.beside(drawn[i], drawn[i + 1], there_[i + 1].segment, *from, most);
       detour.last = i;
     }
@@ -148,18 +163,17 @@ class Search {
 
   const Pair* pair_;
   Changes changes_;
-  double far_;
   std::vector<NearestSegment::Result> there_;  // per point of the drawing
 };
 
 }  // namespace
 
 WithDetours with_detours(const SurfaceMesh& mesh, const SurfaceCurve& taut,
-                         const SurfaceCurve& drawn, double far) {
+                         const SurfaceCurve& drawn, std::span<const double> far) {
   if (taut.points.size() < 2 || drawn.points.size() < 2) return {taut};
-  const std::optional<Pair> pair = opened(mesh, taut, drawn, far / 2);
+  const std::optional<Pair> pair = opened(mesh, taut, drawn, far);
   if (!pair) return {taut};
-  const std::vector<Detour> detours = Search(mesh, *pair, far).detours();
+  const std::vector<Detour> detours = Search(mesh, *pair).detours();
   if (detours.empty()) return {taut};
   WithDetours result{{taut.closed, {}}, detours.size()};
   std::vector<SurfacePoint>& points = result.curve.points;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 
 #include "talweg/core/mesh/surface_mesh.hpp"
 #include "talweg/intrinsic/surface/surface_point.hpp"
@@ -14,9 +15,10 @@ struct WithDetours {
 };
 
 /// The taut curve with each stretch of the drawing put back that has a point farther than `far`
-/// (mesh units, > 0, through space) from it. A stretch begins and ends in faces that both curves
-/// pass through. Where there are none, nothing is put back. O(n log n) in the points.
+/// (per point of the drawing, mesh units, > 0, through space) from it. A stretch begins and ends in
+/// faces that both curves pass through. Where there are none, nothing is put back. O(n log n) in
+/// the points.
 WithDetours with_detours(const SurfaceMesh& mesh, const SurfaceCurve& taut,
-                         const SurfaceCurve& drawn, double far);
+                         const SurfaceCurve& drawn, std::span<const double> far);
 
 }  // namespace talweg

@@ -77,6 +77,11 @@ const FairLadder::Rung& FairLadder::rung(std::size_t number, const Taus& taus, C
     if (towards.chain) {
       rung.chain = hold.fair_from(group, taus, *towards.start(), rung.trail, progress);
       rung.onward = hold.evened(group, taus, *rung.chain, progress);
+      if (rung.onward && !hold.stands(group, taus, *rung.chain, progress)) {
+        rung.chain.swap(rung.onward);
+        rung.onward.reset();
+        rung.trail.clear();
+      }
     }
   }
   return rungs_[number].emplace(taus, std::move(rung)).first->second;

@@ -55,7 +55,7 @@ SmoothingReport numbered(double start) {
        {&SmoothingReport::faces, &SmoothingReport::vertices, &SmoothingReport::points_before,
         &SmoothingReport::points_after, &SmoothingReport::flips, &SmoothingReport::iterations,
         &SmoothingReport::faces_touched, &SmoothingReport::trace_fallbacks,
-        &SmoothingReport::crossings_before, &SmoothingReport::crossings_after}) {
+        &SmoothingReport::stretches_redrawn, &SmoothingReport::crossings_before, &SmoothingReport::crossings_after}) {
     r.*field = static_cast<std::size_t>(next++);
   }
   for (double StageTimes::*field :
@@ -105,6 +105,7 @@ TEST(Report, HasItsStableNames) {
                            "iterations",
                            "faces_touched",
                            "trace_fallbacks",
+                           "stretches_redrawn",
                            "mollification",
                            "crossings_before",
                            "crossings_after",

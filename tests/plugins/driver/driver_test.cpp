@@ -74,6 +74,7 @@ TEST_F(Driver, ReportsWithStableNames) {
                            "iterations",
                            "faces_touched",
                            "trace_fallbacks",
+                           "stretches_redrawn",
                            "mollification",
                            "crossings_before",
                            "crossings_after",
