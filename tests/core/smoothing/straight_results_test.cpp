@@ -17,6 +17,7 @@
 #include "talweg/core/smoothing/curve_smoother.hpp"
 #include "talweg/core/smoothing/lifted_lengths.hpp"
 #include "talweg/core/smoothing/touched_edges.hpp"
+#include "talweg/intrinsic/error.hpp"
 #include "talweg/intrinsic/exact_distance/polyline_distance.hpp"
 
 namespace talweg {
