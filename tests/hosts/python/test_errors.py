@@ -86,8 +86,8 @@ class Errors(unittest.TestCase):
         self.assertTrue(loop.closed)
 
     def test_parameters(self):
-        self.refused(talweg.BadUsage, "no parameter taus. Did you mean tau? It has tau, slack",
-                     taus=2)
+        self.refused(talweg.BadUsage, "no parameter tao. Did you mean tau? It has tau, slack",
+                     tao=2)
         self.refused(talweg.BadUsage, "Tau (tau) must be >= 0, not -1", tau=-1)
         self.refused(talweg.BadUsage, "must be a number, not 'two'", tau="two")
         self.refused(talweg.BadUsage, "Tau (tau)", tau=float("nan"))
