@@ -151,6 +151,19 @@ std::string row(const std::string& name, std::span<const ClickedRun> runs) {
 
 }  // namespace
 
+std::string csv(std::span<const ClickedRun> runs) {
+  std::string text =
+      "mesh,drawing,clicks,leg,missed,bending,window_turning,largest_turn,swing,longer,inserted,ms,"
+      "warned\n";
+  for (const ClickedRun& r : runs) {
+    text += fmt::format(
+        "{},{},{},{:.2f},{:.3g},{:.4f},{:.4f},{:.4f},{:.4f},{:.4f},{:.4f},{:.2f},{}\n", r.mesh,
+        r.drawing, r.clicks, r.leg, r.missed, r.bending, r.window_turning, r.largest_turn, r.swing,
+        r.longer, r.inserted, r.ms, int{r.warned});
+  }
+  return text;
+}
+
 std::string tables(std::span<const ClickedRun> runs) {
   std::string text =
       "| | runs | bending / taut, median | worst | turn in one h₀ [°] | worst | largest turn [°] | "

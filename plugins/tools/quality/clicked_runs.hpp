@@ -29,6 +29,8 @@ struct ClickedRun {
 /// Every drawing that has at least three of them (loops: four) through each 25th of its vertices.
 std::vector<ClickedRun> clicked_runs(const Subject& subject);
 
+/// A line for each run.
+std::string csv(std::span<const ClickedRun> runs);
 /// As Markdown: a row for each mesh, and one for all.
 std::string tables(std::span<const ClickedRun> runs);
 

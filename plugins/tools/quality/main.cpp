@@ -177,6 +177,7 @@ void write_results(const Options& options, const Measured& measured) {
   if (!measured.relaxed.empty()) {
     write(options.out / "paper_relaxed_runs.csv", csv(measured.relaxed));
   }
+  if (!measured.clicked.empty()) write(options.out / "clicks.csv", csv(measured.clicked));
   const std::string text = text_of(options, measured);
   write(options.out / "results.md", text);
   std::fputs(text.c_str(), stdout);
