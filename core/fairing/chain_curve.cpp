@@ -4,8 +4,10 @@
 #include <cstddef>
 #include <numbers>
 #include <utility>
+#include <variant>
 #include <vector>
 
+#include "talweg/core/fairing/saddle_passing.hpp"
 #include "talweg/core/measure/measures.hpp"
 
 namespace talweg {
@@ -19,6 +21,7 @@ struct Node {
   SurfacePoint point;
   double arc = 0;
   bool kept = true;
+  bool stays = false;
 };
 
 /// The curve's points in their order; one that is met twice in succession counts once.
@@ -30,14 +33,14 @@ class Nodes {
     for (std::size_t i = 0; i < trace.pieces.size(); ++i) {
       const TracePiece& piece = trace.pieces[i];
       if (i == 0 && !trace.closed) {
-        add(trace.fixed_points.front(), 0, true);
+        add(trace.fixed_points.front(), 0, true, true);
       } else if (k < trace.fixed.size() && trace.fixed[k] == i) {
-        add(trace.fixed_points[first + k++], piece.arc, true);
+        add(trace.fixed_points[first + k++], piece.arc, true, true);
       } else {
         add(piece.point(surface, 0), piece.arc, i > 0 && crosses_after(i - 1));
       }
     }
-    if (!trace.closed) add(trace.fixed_points.back(), trace.length, true);
+    if (!trace.closed) add(trace.fixed_points.back(), trace.length, true, true);
     while (trace.closed && nodes_.size() > 1 && nodes_.back().point == nodes_.front().point) {
       nodes_.pop_back();
     }
@@ -46,11 +49,12 @@ class Nodes {
   std::vector<Node> take() { return std::move(nodes_); }
 
  private:
-  void add(const SurfacePoint& point, double arc, bool kept) {
+  void add(const SurfacePoint& point, double arc, bool kept, bool stays = false) {
     if (!nodes_.empty() && nodes_.back().point == point) {
       nodes_.back().kept |= kept;
+      nodes_.back().stays |= stays;
     } else {
-      nodes_.push_back({point, arc, kept});
+      nodes_.push_back({point, arc, kept, stays});
     }
   }
   [[nodiscard]] bool crosses_after(std::size_t piece) const {
@@ -143,9 +147,20 @@ SurfaceCurve curve_of(const Surface& surface, ChainMaker& maker, const SampleCha
   const CurveTrace trace = maker.trace_of(chain);
   std::vector<Node> nodes = Nodes(surface, trace).take();
   Selection(surface, nodes, trace, edge).run();
+  std::erase_if(nodes, [](const Node& node) { return !node.kept; });
+  SaddlePassing passing(surface);
   SurfaceCurve curve{chain.closed, {}};
-  for (const Node& node : nodes) {
-    if (node.kept) curve.points.push_back(node.point);
+  const std::size_t n = nodes.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    const auto* at = std::get_if<AtVertex>(&nodes[i].point.where());
+    if (at == nullptr || nodes[i].stays) {
+      curve.points.push_back(nodes[i].point);
+      continue;
+    }
+    const SurfacePoint& before = i > 0 ? curve.points.back() : nodes[n - 1].point;
+    for (const SurfacePoint& point : passing.beside(before, at->vertex, nodes[(i + 1) % n].point)) {
+      curve.points.push_back(point);
+    }
   }
   return curve;
 }

@@ -17,8 +17,9 @@ HalfedgeId outgoing(const Surface& surface, FaceId face, VertexId v) {
   return h;
 }
 
-/// Around a vertex from one face to another; empty where the boundary is in the way.
-FaceStrip around(const Surface& surface, FaceId from, FaceId to, VertexId v, bool left) {
+}  // namespace
+
+FaceStrip faces_around(const Surface& surface, FaceId from, FaceId to, VertexId v, bool left) {
   FaceStrip strip;
   HalfedgeId h = outgoing(surface, from, v);
   if (left) h = surface.prev(h);
@@ -31,8 +32,6 @@ FaceStrip around(const Surface& surface, FaceId from, FaceId to, VertexId v, boo
   return strip;
 }
 
-}  // namespace
-
 void cross_at(const Surface& surface, const SurfacePoint& point, FaceId from, FaceId to,
               FaceStrip& crossed) {
   if (from == to) return;
@@ -42,8 +41,8 @@ void cross_at(const Surface& surface, const SurfacePoint& point, FaceId from, Fa
     return;
   }
   const VertexId v = std::get<AtVertex>(point.where()).vertex;
-  const FaceStrip left = around(surface, from, to, v, true);
-  const FaceStrip right = around(surface, from, to, v, false);
+  const FaceStrip left = faces_around(surface, from, to, v, true);
+  const FaceStrip right = faces_around(surface, from, to, v, false);
   const bool go_left = right.empty() || (!left.empty() && left.size() < right.size());
   const FaceStrip& way = go_left ? left : right;
   crossed.insert(crossed.end(), way.begin(), way.end());

@@ -66,6 +66,7 @@ class FairChain {
   void measure(const SampleChain& chain, const std::vector<double>& offsets,
                std::vector<BandPlace>& places) const;
   [[nodiscard]] double pull_at(const SampleChain& chain, std::size_t i) const;
+  [[nodiscard]] double bend_at(const SampleChain& chain, std::size_t join) const;
   void balance(const SampleChain& chain);
   /// Per sample.
   void energies(const SampleChain& chain, const std::vector<BandPlace>& places,
@@ -73,6 +74,7 @@ class FairChain {
   void set_rows(const SampleChain& chain);
   void assemble(const SampleChain& chain, BandSystem& system) const;
   void add_pull(const SampleChain& chain, BandSystem& system) const;
+  void add_bends(const SampleChain& chain, BandSystem& system) const;
   bool solve(const SampleChain& chain, BandSystem& system, std::vector<double>& left);
   void limit(const SampleChain& chain, std::vector<double>& left) const;
   bool hold_at_jumps(const SampleChain& chain, const SampleChain& moved,

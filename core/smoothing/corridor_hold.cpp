@@ -31,7 +31,7 @@ constexpr std::size_t kTries = 1 + std::size(kBands);
 
 /// c of a spline's legs: see LegTension::relative. Below the least one it would swing out widely
 /// where its legs turn sharply.
-double tension_of(double tau) { return std::max(0.5, 8 * tau); }
+double tension_of(double tau) { return std::max(1.0, 20 * tau); }
 constexpr double kTighter = 8;  // of the tries of splines
 constexpr const char* kLeftTaut =
     "The curve could not be made fair within its walls; it is left taut, with kinks.";

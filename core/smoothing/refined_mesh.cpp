@@ -302,6 +302,39 @@ RefinedMesh Bisection::result(std::size_t curves) && {
   return result;
 }
 
+/// Calls use() with the faces around a vertex, counterclockwise.
+template <typename Use>
+void around(const Surface& surface, VertexId v, Use&& use) {
+  const HalfedgeId first = surface.halfedge(v);
+  for (HalfedgeId h = first; h.valid() && surface.has_face(h);) {
+    use(h, surface.face(h).index());
+    h = surface.turn_ccw(h);
+    if (h == first) break;
+  }
+}
+
+/// Adds all faces around vertices at which some of the faces meet without an edge in common.
+void fill_pinches(const Surface& surface, std::vector<std::size_t>& faces) {
+  ZeroedVector<char> taken(surface.face_count());
+  for (const std::size_t face : faces) taken[face] = 1;
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    for (const VertexId v : surface.corners(FaceId{faces[i]})) {
+      int runs = 0;
+      around(surface, v, [&](HalfedgeId h, std::size_t face) {
+        const HalfedgeId clockwise = twin(h);
+        const bool starts =
+            !surface.has_face(clockwise) || taken[surface.face(clockwise).index()] == 0;
+        if (taken[face] != 0 && starts) ++runs;
+      });
+      if (runs < 2) continue;
+      around(surface, v, [&](HalfedgeId, std::size_t face) {
+        if (taken[face] == 0) faces.push_back(face);
+        taken[face] = 1;
+      });
+    }
+  }
+}
+
 /// The faces along the curves and those within `reach` of them, in ascending order.
 std::vector<FaceId> faces_around(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves,
                                  double reach, Asker& asker) {
@@ -341,6 +374,8 @@ std::vector<FaceId> faces_around(const SurfaceMesh& mesh, std::span<const Surfac
   asker.ask();
   std::sort(faces.begin(), faces.end());
   faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+  fill_pinches(surface, faces);
+  std::sort(faces.begin(), faces.end());
   asker.ask();
   std::vector<FaceId> result;
   result.reserve(faces.size());

@@ -207,7 +207,13 @@ void StripLines::fill(StripLine& line) const {
   line.last_leg = norm(to_ - last);
   line.end = rotated({turn_.x, -turn_.y}, unit(to_ - last));
   line.bends.clear();
-  for (const Bend& bend : bends_) line.bends.push_back(bend.vertex);
+  line.turns.clear();
+  for (std::size_t b = 0; b < bends_.size(); ++b) {
+    const PlanePoint in = bends_[b].at - (b > 0 ? bends_[b - 1].at : from_);
+    const PlanePoint out = (b + 1 < bends_.size() ? bends_[b + 1].at : to_) - bends_[b].at;
+    line.bends.push_back(bends_[b].vertex);
+    line.turns.push_back(std::atan2(cross(in, out), dot(in, out)));
+  }
   line.found = std::isfinite(line.length);
 }
 

@@ -137,6 +137,22 @@ TEST(RefinedMesh, TakesWhatIsInReachOnly) {
   EXPECT_LT(refined.face_of.size(), 500U);
 }
 
+TEST(RefinedMesh, OfPlacesThatTouchIsASurface) {
+  const SurfaceMesh mesh = SurfaceMesh::open(sheet(16));
+  const auto speck = [&](double x, double y) {
+    return drawn_on(mesh, {Point(x, y, 0), Point(x + 0.01, y, 0)}, false);
+  };
+  for (double x = 2.1; x < 6; x += 0.5) {
+    for (double y = 2.1; y < 6; y += 0.5) {
+      const std::vector<SurfaceCurve> curves{speck(4.1, 4.1), speck(x, y)};
+      const std::vector<FaceId> faces{any_face(mesh.surface(), curves[0].points[0]),
+                                      any_face(mesh.surface(), curves[1].points[0])};
+      const RefinedMesh part = refine_along(mesh, curves, faces, std::vector<double>{1, 1}, 0, {});
+      EXPECT_NO_THROW(SurfaceMesh::open(part.lists)) << x << " " << y;
+    }
+  }
+}
+
 TEST(RefinedMesh, IsNotForCurvesAlongEdges) {
   const auto opened = OpenedMesh::open(hills(40));
   const SurfaceCurve drawn = wave_on_hills(opened->mesh());
