@@ -20,8 +20,8 @@ std::vector<double> segment_lengths(const Surface& surface, const SurfaceCurve& 
   const std::size_t n = curve.points.size();
   const auto point = [&](std::size_t i) -> const SurfacePoint& { return curve.points[i % n]; };
   const auto turn = [&](std::size_t i) {
-    const PointTurn turn = turn_of(surface, point(i + n - 1), point(i), point(i + 1));
-    return turn.toward_left < 0 ? -turn.angle : turn.angle;
+    const PointTurn found = turn_of(surface, point(i + n - 1), point(i), point(i + 1));
+    return found.toward_left < 0 ? -found.angle : found.angle;
   };
   std::size_t first = 0;  // for a closed curve, a point where it turns, if there is one
   while (curve.closed && first + 1 < n && std::abs(turn(first)) <= kStraight) ++first;
