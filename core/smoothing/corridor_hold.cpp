@@ -84,6 +84,7 @@ Straightened CorridorHold::straighten_lifted(const SmoothingOptions& options,
                                              const Progress& progress) {
   const Corridor corridor = this->corridor(options);
   std::vector<bool> exactly;
+  exactly.reserve(walls.size());
   for (const Walls each : walls) exactly.push_back(each == Walls::kExact);
   const bool all = std::find(exactly.begin(), exactly.end(), false) == exactly.end();
   const double exact = all ? HUGE_VAL : exact_for_walls();
