@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "talweg/core/fairing/saddle_passing.hpp"
 #include "talweg/core/measure/measures.hpp"
 #include "talweg/intrinsic/lines/face_frame.hpp"
 
@@ -23,6 +24,7 @@ struct Node {
   double arc = 0;
   bool kept = true;
   std::size_t in = 0, out = 0;  // the pieces of the trace that end and begin here
+  bool stays = false;
   bool corner = false;
 };
 
@@ -35,16 +37,18 @@ class Nodes {
     for (std::size_t i = 0; i < trace.pieces.size(); ++i) {
       const TracePiece& piece = trace.pieces[i];
       if (i == 0 && !trace.closed) {
-        add(trace.fixed_points.front(), i, 0, true);
+        add(trace.fixed_points.front(), i, 0, true, true);
       } else if (k < trace.fixed.size() && trace.fixed[k] == i) {
-        add(trace.fixed_points[first + k], i, piece.arc, true);
+        add(trace.fixed_points[first + k], i, piece.arc, true, true);
         nodes_.back().corner |= !trace.corners.empty() && trace.corners[first + k];
         ++k;
       } else {
         add(piece.point(surface, 0), i, piece.arc, i > 0 && crosses_after(i - 1));
       }
     }
-    if (!trace.closed) add(trace.fixed_points.back(), trace.pieces.size(), trace.length, true);
+    if (!trace.closed) {
+      add(trace.fixed_points.back(), trace.pieces.size(), trace.length, true, true);
+    }
     while (trace.closed && nodes_.size() > 1 && nodes_.back().point == nodes_.front().point) {
       nodes_.front().in = nodes_.back().in;
       nodes_.pop_back();
@@ -54,13 +58,15 @@ class Nodes {
   std::vector<Node> take() { return std::move(nodes_); }
 
  private:
-  void add(const SurfacePoint& point, std::size_t piece, double arc, bool kept) {
+  void add(const SurfacePoint& point, std::size_t piece, double arc, bool kept,
+           bool stays = false) {
     if (!nodes_.empty() && nodes_.back().point == point) {
       nodes_.back().kept |= kept;
+      nodes_.back().stays |= stays;
       nodes_.back().out = piece;
     } else {
-      nodes_.push_back(
-          {point, arc, kept, piece == 0 ? trace_->pieces.size() - 1 : piece - 1, piece});
+      const std::size_t before = piece == 0 ? trace_->pieces.size() - 1 : piece - 1;
+      nodes_.push_back({point, arc, kept, before, piece, stays});
     }
   }
   [[nodiscard]] bool crosses_after(std::size_t piece) const {
@@ -193,9 +199,20 @@ SurfaceCurve curve_of(const Surface& surface, ChainMaker& maker, const SampleCha
   const CurveTrace trace = maker.trace_of(chain);
   std::vector<Node> nodes = Nodes(surface, trace).take();
   Selection(surface, nodes, trace, edge).run();
+  std::erase_if(nodes, [](const Node& node) { return !node.kept; });
+  SaddlePassing passing(surface);
   SurfaceCurve curve{chain.closed, {}};
-  for (const Node& node : nodes) {
-    if (node.kept) curve.points.push_back(node.point);
+  const std::size_t n = nodes.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    const auto* at = std::get_if<AtVertex>(&nodes[i].point.where());
+    if (at == nullptr || nodes[i].stays) {
+      curve.points.push_back(nodes[i].point);
+      continue;
+    }
+    const SurfacePoint& before = i > 0 ? curve.points.back() : nodes[n - 1].point;
+    for (const SurfacePoint& point : passing.beside(before, at->vertex, nodes[(i + 1) % n].point)) {
+      curve.points.push_back(point);
+    }
   }
   return curve;
 }

@@ -20,14 +20,15 @@ constexpr double kEarlier = 0.95, kStiffer = 4, kFarBeyond = 0.25;
 constexpr double kUneven = 2, kMostSamples = 1e5;
 constexpr double kCoarseTolerance = 2e-2;  // finer samples change the energy by as much
 
-/// For a leg between much shorter ones, half of its own length counts.
+/// Nearly a quarter of the shortest of a leg and its neighbours, since offsets of samples leave
+/// some out; for a leg beside much shorter ones, three quarters of its own length count.
 double allowed_swing(const std::vector<double>& lengths, std::size_t leg, bool closed) {
-  constexpr double kMostSwing = 0.25;
+  constexpr double kMostSwing = 0.23;
   const std::size_t n = lengths.size();
   double shortest = lengths[leg];
   if (closed || leg > 0) shortest = std::min(shortest, lengths[(leg + n - 1) % n]);
   if (closed || leg + 1 < n) shortest = std::min(shortest, lengths[(leg + 1) % n]);
-  return kMostSwing * std::max(shortest, lengths[leg] / 2);
+  return kMostSwing * std::max(shortest, 0.75 * lengths[leg]);
 }
 
 }  // namespace

@@ -17,20 +17,6 @@ HalfedgeId outgoing(const Surface& surface, FaceId face, VertexId v) {
   return h;
 }
 
-/// Around a vertex from one face to another; empty where the boundary is in the way.
-FaceStrip around(const Surface& surface, FaceId from, FaceId to, VertexId v, bool left) {
-  FaceStrip strip;
-  HalfedgeId h = outgoing(surface, from, v);
-  if (left) h = surface.prev(h);
-  for (FaceId face = from; face != to;) {
-    if (!surface.has_face(twin(h))) return {};
-    strip.push_back(h);
-    face = surface.face(twin(h));
-    h = left ? surface.prev(twin(h)) : surface.next(twin(h));
-  }
-  return strip;
-}
-
 /// The face of both points, the left one where they lie on one edge, so that numbers of faces do
 /// not decide; invalid where there is none.
 FaceId face_of(const Surface& surface, const SurfacePoint& p, const SurfacePoint& q) {
@@ -50,6 +36,19 @@ FaceId face_of(const Surface& surface, const SurfacePoint& p, const SurfacePoint
 
 }  // namespace
 
+FaceStrip faces_around(const Surface& surface, FaceId from, FaceId to, VertexId v, bool left) {
+  FaceStrip strip;
+  HalfedgeId h = outgoing(surface, from, v);
+  if (left) h = surface.prev(h);
+  for (FaceId face = from; face != to;) {
+    if (!surface.has_face(twin(h))) return {};
+    strip.push_back(h);
+    face = surface.face(twin(h));
+    h = left ? surface.prev(twin(h)) : surface.next(twin(h));
+  }
+  return strip;
+}
+
 void cross_at(const Surface& surface, const SurfacePoint& point, FaceId from, FaceId to,
               FaceStrip& crossed) {
   if (from == to) return;
@@ -59,8 +58,8 @@ void cross_at(const Surface& surface, const SurfacePoint& point, FaceId from, Fa
     return;
   }
   const VertexId v = std::get<AtVertex>(point.where()).vertex;
-  const FaceStrip left = around(surface, from, to, v, true);
-  const FaceStrip right = around(surface, from, to, v, false);
+  const FaceStrip left = faces_around(surface, from, to, v, true);
+  const FaceStrip right = faces_around(surface, from, to, v, false);
   const bool go_left = right.empty() || (!left.empty() && left.size() < right.size());
   const FaceStrip& way = go_left ? left : right;
   crossed.insert(crossed.end(), way.begin(), way.end());

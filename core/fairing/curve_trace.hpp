@@ -50,6 +50,10 @@ CurveTrace trace_of(const Surface& surface, const SurfaceCurve& curve,
 CurveTrace trace_through(const Surface& surface, const SurfaceCurve& curve,
                          std::span<const std::size_t> fixed);
 
+/// Around a vertex from one face to another, counterclockwise (left) or clockwise; empty where they
+/// are one, or the boundary is in the way.
+FaceStrip faces_around(const Surface& surface, FaceId from, FaceId to, VertexId v, bool left);
+
 /// Appends what is crossed on the way from one face to another at a point that both contain.
 void cross_at(const Surface& surface, const SurfacePoint& point, FaceId from, FaceId to,
               FaceStrip& crossed);

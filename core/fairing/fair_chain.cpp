@@ -81,6 +81,13 @@ double FairChain::pull_at(const SampleChain& chain, std::size_t i) const {
   return sum / 2;
 }
 
+/// The bending of a join of a leg: what it turns at vertices, over its length.
+double FairChain::bend_at(const SampleChain& chain, std::size_t join) const {
+  const ChainJoin& j = chain.joins[join];
+  if (!j.bends || !has_legs() || !legs_->is_on_leg(j)) return 0;
+  return (j.first_turn * j.first_turn + (j.bends_once ? 0 : j.last_turn * j.last_turn)) / j.length;
+}
+
 /// Sets the tension to c ∫κ² ds / length of the legs as they are. Lower energy at this tension
 /// means a lower product ∫κ² ds · length^c, too.
 void FairChain::balance(const SampleChain& chain) {
@@ -89,6 +96,7 @@ void FairChain::balance(const SampleChain& chain) {
   for (std::size_t i = 0; i < chain.size(); ++i) {
     if (i < chain.joins.size() && legs_->is_on_leg(chain.joins[i])) {
       length += chain.joins[i].length;
+      bending += bend_at(chain, i);
     }
     if (!is_on_leg(chain, i) || chain.turns_freely(i)) continue;
     bending += 2 * chain.turns[i] * chain.turns[i] /
@@ -105,9 +113,14 @@ void FairChain::balance(const SampleChain& chain) {
 void FairChain::energies(const SampleChain& chain, const std::vector<BandPlace>& places,
                          std::vector<double>& energies) const {
   energies.assign(chain.size(), 0);
+  for (std::size_t i = 0; i < chain.joins.size(); ++i) {
+    const double half = bend_at(chain, i) / 2;
+    energies[i] += half;
+    energies[chain.after(i)] += half;
+  }
   const double mean = mean_curvature(chain);
   for (std::size_t i = 0; i < chain.size(); ++i) {
-    energies[i] = pull_at(chain, i);
+    energies[i] += pull_at(chain, i);
     if (chain.turns_freely(i)) continue;
     const double weight = (chain.join_before(i).length + chain.join_after(i).length) / 2;
     const double turn = chain.turns[i] - mean * weight;
@@ -164,6 +177,7 @@ void FairChain::assemble(const SampleChain& chain) {
     system_.right(i) -= per * middle * s * place.distance;
   }
   add_pull(chain);
+  add_bends(chain);
 }
 
 void FairChain::add_walls(const SampleChain& chain, BandSystem& system) const {
@@ -191,6 +205,22 @@ void FairChain::add_pull(const SampleChain& chain) {
     system_.add(i, i, half / join.first_leg);
     system_.add(j, j, half / join.last_leg);
     if (!join.bends) system_.add(i, j, -half / join.length);
+  }
+}
+
+/// A sample that moves to the left turns the join by as much as it sees it move.
+void FairChain::add_bends(const SampleChain& chain) {
+  if (!has_legs()) return;
+  for (std::size_t i = 0; i < chain.joins.size(); ++i) {
+    const ChainJoin& join = chain.joins[i];
+    if (!join.bends || !legs_->is_on_leg(join)) continue;
+    const std::size_t j = chain.after(i);
+    const double first = 1 / join.first_leg, last = 1 / join.last_leg, per = 1 / join.length;
+    system_.add(i, i, per * first * first);
+    system_.add(j, j, per * last * last);
+    if (join.bends_once) system_.add(i, j, per * first * last);
+    system_.right(i) -= per * first * join.first_turn;
+    system_.right(j) -= per * last * join.last_turn;
   }
 }
 

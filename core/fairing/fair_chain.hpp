@@ -67,6 +67,7 @@ class FairChain {
   void measure(const SampleChain& chain, const std::vector<double>& offsets,
                const std::vector<bool>& anew, std::vector<BandPlace>& places) const;
   [[nodiscard]] double pull_at(const SampleChain& chain, std::size_t i) const;
+  [[nodiscard]] double bend_at(const SampleChain& chain, std::size_t join) const;
   void balance(const SampleChain& chain);
   /// Per sample.
   void energies(const SampleChain& chain, const std::vector<BandPlace>& places,
@@ -74,6 +75,7 @@ class FairChain {
   void set_rows(const SampleChain& chain);
   void assemble(const SampleChain& chain);
   void add_pull(const SampleChain& chain);
+  void add_bends(const SampleChain& chain);
   void add_walls(const SampleChain& chain, BandSystem& system) const;
   bool solve(const SampleChain& chain, bool first, std::vector<double>& left);
   void limit(const SampleChain& chain, std::vector<double>& left) const;

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numbers>
 
 #include "talweg/core/measure/measures.hpp"
 #include "talweg/intrinsic/lines/straight_walk.hpp"
+#include "talweg/intrinsic/surface/triangle.hpp"
 
 namespace talweg {
 namespace {
@@ -34,6 +36,24 @@ PlanePoint SampleChain::tangent(std::size_t i) const {
   return length > 1e-3 ? (1 / length) * sum : turned_left(in);
 }
 
+/// A line that bends at a saddle vertex is the limit of curves that pass it on either side, where
+/// they turn differently; a curve through the vertex turns by half of both.
+double ChainMaker::turn_at(VertexId bend, double in_strip) const {
+  if (surface_->on_boundary(bend)) return 0;
+  double other = in_strip + (in_strip > 0 ? 2 : -2) * std::numbers::pi;
+  const HalfedgeId first = surface_->halfedge(bend);
+  HalfedgeId h = first;
+  do {
+    const double angle =
+        angle_between(surface_->length(edge_of(h)), surface_->length(edge_of(surface_->prev(h))),
+                      surface_->length(edge_of(surface_->next(h))));
+    other -= in_strip > 0 ? angle : -angle;
+    h = surface_->turn_ccw(h);
+  } while (h != first);
+  const auto less = [](double a, double b) { return std::abs(a) < std::abs(b) ? a : b; };
+  return less((in_strip + other) / 2, less(in_strip, other));
+}
+
 /// Joins by the strip that is in strip_.
 bool ChainMaker::add_join(SampleChain& chain, const FaceCoordinates& from,
                           const FaceCoordinates& to, std::uint32_t stretch) {
@@ -44,6 +64,11 @@ bool ChainMaker::add_join(SampleChain& chain, const FaceCoordinates& from,
   join.bends = !line.bends.empty();
   join.first_leg = line.first_leg;
   join.last_leg = line.last_leg;
+  if (join.bends) {
+    join.first_turn = turn_at(line.bends.front(), line.turns.front());
+    join.last_turn = turn_at(line.bends.back(), line.turns.back());
+    join.bends_once = line.bends.size() == 1;
+  }
   join.stretch = stretch;
   chain.crossed.insert(chain.crossed.end(), strip_.begin(), strip_.end());
   chain.joins.push_back(join);

@@ -22,7 +22,11 @@ struct ChainJoin {
   std::uint32_t first = 0, count = 0;  ///< its strip in SampleChain::crossed
   bool bends = false;                  ///< at a vertex
   double first_leg = 0, last_leg = 0;  ///< to the first bend, and from the last; else the length
-  std::uint32_t stretch = 0;           ///< counted by the points that were fixed at first
+  /// How much it turns at the first and the last bend, which may be one, on the side on which that
+  /// is less; radians, to the left positive.
+  double first_turn = 0, last_turn = 0;
+  bool bends_once = false;
+  std::uint32_t stretch = 0;  ///< counted by the points that were fixed at first
 };
 
 /// The ends of an open chain are fixed, as other samples may be; free samples lie inside faces.
@@ -127,6 +131,7 @@ class ChainMaker {
             ChainMove& move);
   void set_turns(SampleChain& chain) const;
   [[nodiscard]] double turn_between(const ChainJoin& in, const ChainJoin& out) const;
+  [[nodiscard]] double turn_at(VertexId bend, double in_strip) const;
   bool add_join(SampleChain& chain, const FaceCoordinates& from, const FaceCoordinates& to,
                 std::uint32_t stretch);
   /// A straight piece of a join, from one of its ends.

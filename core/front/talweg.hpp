@@ -16,6 +16,7 @@
 
 // A curve, drawn on it.
 #include "talweg/core/drawing/curve_through.hpp"       // curve_through
+#include "talweg/core/drawing/draw.hpp"                // draw, Drawing, DrawOptions
 #include "talweg/core/drawing/edge_dijkstra.hpp"       // draw_edge_path, EdgeDijkstra
 #include "talweg/core/drawing/placed_curve.hpp"        // place
 #include "talweg/core/drawing/snapping.hpp"            // snap

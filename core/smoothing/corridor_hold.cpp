@@ -35,7 +35,7 @@ constexpr std::size_t kTries = 1 + std::size(kBands);
 
 /// c of a spline's legs: see LegTension::relative. Below the least one it would swing out widely
 /// where its legs turn sharply.
-double tension_of(double tau) { return std::max(0.5, 8 * tau); }
+double tension_of(double tau) { return std::clamp(20 * tau, 1.0, 160.0); }
 constexpr double kTighter = 8;  // of the tries of splines
 constexpr const char* kTooLong =
     "The curve is so long that more than 100,000 samples would be needed to make it as fair as its "

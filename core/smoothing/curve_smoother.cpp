@@ -84,6 +84,13 @@ bool CurveSmoother::set_curve(const SurfaceCurve& curve, const CurveOptions& opt
   return set_curves(std::span(&curve, 1), options, progress);
 }
 
+bool CurveSmoother::set_curve(const Drawing& drawing, const CurveOptions& options,
+                              const Progress& progress) {
+  CurveOptions own = options;
+  own.way_points.insert(own.way_points.end(), drawing.way_points.begin(), drawing.way_points.end());
+  return set_curve(drawing.curve, own, progress);
+}
+
 bool CurveSmoother::set_curves(std::span<const SurfaceCurve> curves, const CurveOptions& options,
                                const Progress& progress) {
   return set(curves, options, std::nullopt, progress);
@@ -222,19 +229,25 @@ void CurveSmoother::report_moves(const SmoothingOptions& options, SmoothingResul
 
 SmoothingResult CurveSmoother::drag(std::size_t curve, const SurfaceCurve& moved,
                                     const SmoothingOptions& options, const Progress& progress) {
+  return drag(curve, Drawing{moved, {}}, options, progress);
+}
+
+SmoothingResult CurveSmoother::drag(std::size_t curve, const Drawing& moved,
+                                    const SmoothingOptions& options, const Progress& progress) {
   check(options);
   if (curve_options_.method != Method::kCorridor) bad_usage("drag() needs the corridor.");
   if (curve >= drawing_->drawn().size()) bad_usage("drag() is asked for a curve that is not set.");
-  const SurfaceCurve own = moved;  // NOLINT: may be our own drawing, which changes
-  check_drawn(memory_->surface(), own);
+  const Drawing own = moved;  // NOLINT: may be our own drawing, which changes
+  check_drawn(memory_->surface(), own.curve);
   try {
     const Asker asked(progress, "straighten");
-    const bool by_stretch = sheet_->valleys() != nullptr && curve_options_.way_points.empty();
-    return by_stretch ? drag_now(curve, own, options, progress)
+    const bool by_stretch =
+        sheet_->valleys() != nullptr && curve_options_.way_points.empty() && own.way_points.empty();
+    return by_stretch ? drag_now(curve, own.curve, options, progress)
                       : drag_whole(curve, own, options, progress);
   } catch (const Cancelled&) {
     SmoothingResult result = cancelled_result(memory_->mesh(), *drawing_, options);
-    result.curves[curve] = own;
+    result.curves[curve] = own.curve;
     return result;
   }
 }
@@ -268,20 +281,27 @@ SmoothingResult CurveSmoother::drag_now(std::size_t curve, const SurfaceCurve& m
   return result;
 }
 
-/// Smooths everything anew, where a stretch is not enough: strips meet, or faces are divided.
-SmoothingResult CurveSmoother::drag_whole(std::size_t curve, const SurfaceCurve& moved,
+/// Smooths everything anew, where a stretch is not enough: legs, strips that meet, or faces that
+/// are divided.
+SmoothingResult CurveSmoother::drag_whole(std::size_t curve, const Drawing& moved,
                                           const SmoothingOptions& options,
                                           const Progress& progress) {
   std::vector<SurfaceCurve> curves = drawing_->drawn();
-  curves[curve] = moved;
+  curves[curve] = moved.curve;
   CurveOptions own = curve_options_;
-  const auto is_elsewhere = [&](const SurfacePoint& pin) {
+  const auto is_gone = [&](const SurfacePoint& point) {
     return std::none_of(curves.begin(), curves.end(), [&](const SurfaceCurve& c) {
-      return std::find(c.points.begin(), c.points.end(), pin) != c.points.end();
+      return std::find(c.points.begin(), c.points.end(), point) != c.points.end();
     });
   };
-  std::erase_if(own.pins, is_elsewhere);
-  std::erase_if(own.corners, is_elsewhere);
+  std::erase_if(own.pins, is_gone);
+  std::erase_if(own.corners, is_gone);
+  std::erase_if(own.painted, is_gone);
+  std::erase_if(own.way_points, [&](const WayPoint& way) {
+    const auto is_new = [&](const WayPoint& other) { return other.point == way.point; };
+    return is_gone(way.point) || std::ranges::any_of(moved.way_points, is_new);
+  });
+  own.way_points.insert(own.way_points.end(), moved.way_points.begin(), moved.way_points.end());
   SmoothingOptions plain = options;
   plain.slack_at.clear();  // it belongs to the drawing that is set
   if (!previewer_) previewer_ = std::make_unique<CurveSmoother>(memory_->shared());

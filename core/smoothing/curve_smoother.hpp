@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "talweg/core/drawing/draw.hpp"
 #include "talweg/core/mesh/opened_mesh.hpp"
 #include "talweg/core/smoothing/smoothing_options.hpp"
 #include "talweg/core/smoothing/smoothing_result.hpp"
@@ -25,7 +26,7 @@ struct GivenPotential;
 /// at a time may use a smoother; any number of smoothers may share an opened mesh.
 ///
 ///   CurveSmoother smoother(OpenedMesh::open(lists));
-///   smoother.set_curve(curve);
+///   smoother.set_curve(curve);  // or: set_curve(draw(surface, clicks))
 ///   SmoothingResult result = smoother.smooth(2.0);
 class CurveSmoother {
  public:
@@ -38,6 +39,9 @@ class CurveSmoother {
   /// embed_curves() refuse (no curve is set then), Error(kBadUsage) for bad options or a pin that
   /// is not on it.
   bool set_curve(const SurfaceCurve& curve, const CurveOptions& options = {},
+                 const Progress& progress = {});
+  /// Sets what draw() has drawn; its way-points are added to those of the options.
+  bool set_curve(const Drawing& drawing, const CurveOptions& options = {},
                  const Progress& progress = {});
   /// Sets several curves: the distance is to their union, and straightening makes none cross
   /// another. If curves are drawn across themselves or each other, each is smoothed separately, on
@@ -85,6 +89,11 @@ class CurveSmoother {
   SmoothingResult drag(std::size_t curve, const SurfaceCurve& moved,
                        const SmoothingOptions& options = {}, const Progress& progress = {});
 
+  /// The same where clicks are moved: the way-points of this curve are those of `moved`. Everything
+  /// is smoothed anew, so that the preview is the final result.
+  SmoothingResult drag(std::size_t curve, const Drawing& moved,
+                       const SmoothingOptions& options = {}, const Progress& progress = {});
+
   [[nodiscard]] const OpenedMesh& opened() const;
   /// The distance per mesh vertex that was given or has been computed so far: see need_distance().
   [[nodiscard]] std::span<const double> distance() const;
@@ -92,6 +101,8 @@ class CurveSmoother {
   [[nodiscard]] std::span<const SurfaceCurve> drawn() const;
   /// The points of the drawing that every result passes through.
   [[nodiscard]] std::span<const SurfacePoint> pins() const { return curve_options_.pins; }
+  /// As they were set, with the pins of now.
+  [[nodiscard]] const CurveOptions& curve_options() const { return curve_options_; }
   /// The corridor's slack for each curve where the options give none, mesh units: default_slack(),
   /// less for loops that would collapse at tau = 1/4. Empty for the paper's method.
   [[nodiscard]] std::vector<double> slack() const;
@@ -109,7 +120,7 @@ class CurveSmoother {
                     const Progress& progress) const;
   SmoothingResult drag_now(std::size_t curve, const SurfaceCurve& moved,
                            const SmoothingOptions& options, const Progress& progress);
-  SmoothingResult drag_whole(std::size_t curve, const SurfaceCurve& moved,
+  SmoothingResult drag_whole(std::size_t curve, const Drawing& moved,
                              const SmoothingOptions& options, const Progress& progress);
   SmoothingResult last_for(const SmoothingOptions& options, const Progress& progress);
 

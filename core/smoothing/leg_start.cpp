@@ -50,6 +50,34 @@ SurfaceCurve with_legs(const DrawnLegs& legs, const SurfaceCurve& strokes,
   return result;
 }
 
+std::vector<SurfaceCurve> strokes_of(const DrawnLegs& legs, const SurfaceCurve& curve) {
+  const std::vector<std::size_t> places = places_of(legs.fixed, curve);
+  if (!legs.any() || places.empty()) return {curve};
+  std::vector<SurfaceCurve> strokes;
+  const std::size_t n = curve.points.size(), m = places.size();
+  for (std::size_t k = 0; k < legs.is_leg.size(); ++k) {
+    if (legs.is_leg[k]) continue;
+    SurfaceCurve& stroke = strokes.emplace_back();
+    for (std::size_t i = places[k]; i != places[(k + 1) % m]; i = (i + 1) % n) {
+      stroke.points.push_back(curve.points[i]);
+    }
+    stroke.points.push_back(curve.points[places[(k + 1) % m]]);
+  }
+  return strokes;
+}
+
+std::vector<bool> on_strokes(const DrawnLegs& legs, const SurfaceCurve& curve) {
+  const std::vector<std::size_t> places = places_of(legs.fixed, curve);
+  const std::size_t n = curve.points.size(), m = places.size();
+  std::vector<bool> on(n, true);
+  for (std::size_t k = 0; m > 0 && k < legs.is_leg.size(); ++k) {
+    if (!legs.is_leg[k]) continue;
+    const std::size_t end = places[(k + 1) % m];
+    for (std::size_t i = (places[k] + 1) % n; i != end; i = (i + 1) % n) on[i] = false;
+  }
+  return on;
+}
+
 std::optional<LegStart> start_on(const DrawnLegs& legs, const SurfaceCurve& curve,
                                  double relative) {
   LegStart start;

@@ -16,6 +16,13 @@ namespace talweg {
 SurfaceCurve with_legs(const DrawnLegs& legs, const SurfaceCurve& strokes,
                        const SurfaceCurve& straight);
 
+/// The stretches of a curve that are no legs; the whole curve where it has no legs, or does not
+/// pass the fixed points.
+std::vector<SurfaceCurve> strokes_of(const DrawnLegs& legs, const SurfaceCurve& curve);
+
+/// Per point of the curve: whether it lies on a stroke, or at the end of one.
+std::vector<bool> on_strokes(const DrawnLegs& legs, const SurfaceCurve& curve);
+
 /// A curve that passes the fixed points, as fairing starts from it.
 struct LegStart {
   LegTension tension;

@@ -10,7 +10,9 @@
 #include <vector>
 
 #include "talweg/core/drawing/canonical_order.hpp"
+#include "talweg/core/drawing/drawn_legs.hpp"
 #include "talweg/core/measure/measures.hpp"
+#include "talweg/core/smoothing/leg_start.hpp"
 #include "talweg/intrinsic/error.hpp"
 #include "talweg/intrinsic/exact_distance/polyline_distance.hpp"
 
@@ -61,6 +63,9 @@ class Search {
     for (const SurfaceCurve& drawn : smoother_.drawn()) {
       orders_.push_back(canonical_order(smoother_.opened().mesh(), drawn));
       ordered_.push_back(in_order(drawn, orders_.back()));
+      const CurveOptions& own = smoother_.curve_options();
+      on_stroke_.push_back(on_strokes(
+          legs_of(ordered_.back(), own.pins, own.way_points, own.painted), ordered_.back()));
     }
   }
   /// Restores the smoother's own pins at the end, also when something throws.
@@ -185,7 +190,8 @@ class Search {
     }
   }
 
-  /// The distances of the drawing's points, in their order, to the last result. Throws Cancelled.
+  /// The distances of the drawing's points, in their order, to the last result; 0 for those on
+  /// legs, which no bound holds. Throws Cancelled.
   std::vector<double> distances_to_result(std::size_t c) {
     if (!to_result_) to_result_.emplace(smoother_.opened().surface());
     SurfaceCurve result = last_.curves[c];
@@ -194,8 +200,8 @@ class Search {
     const AskedDuring asked(*to_result_, asker);
     to_result_->set(std::span(&result, 1));
     std::vector<double> distances;
-    for (const SurfacePoint& p : ordered_[c].points) {
-      distances.push_back(to_result_->at(p).distance);
+    for (std::size_t i = 0; i < ordered_[c].points.size(); ++i) {
+      distances.push_back(on_stroke_[c][i] ? to_result_->at(ordered_[c].points[i]).distance : 0);
     }
     return distances;
   }
@@ -326,6 +332,7 @@ class Search {
   // The drawing in canonical order, which the smoother uses too.
   std::vector<CurveOrder> orders_;
   std::vector<SurfaceCurve> ordered_;
+  std::vector<std::vector<bool>> on_stroke_;  // per point of these
   std::optional<PolylineDistance> to_result_;
   SmoothingResult last_, best_;
   std::size_t pinned_ = 0, best_pinned_ = 0;

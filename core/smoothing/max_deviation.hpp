@@ -9,6 +9,8 @@ namespace talweg {
 /// surface, is at most `max_deviation` (mesh units, > 0). The smoothest are those with the least
 /// total curvature.
 ///
+/// Between two way-points there is no stroke to be near to, so legs do not count.
+///
 /// Searches for the widest slack that keeps the result within the bound at tau = 1. Where a corner
 /// of the drawing is still cut off, it is pinned, or the slack is narrowed around it, whichever
 /// gives the smoother result. If the options have a slack, for all curves or for one, it searches

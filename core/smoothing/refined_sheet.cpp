@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "talweg/core/drawing/drawn_legs.hpp"
 #include "talweg/core/measure/measures.hpp"
 #include "talweg/core/smoothing/corridor_width.hpp"
 #include "talweg/intrinsic/stopwatch.hpp"
@@ -54,9 +55,12 @@ bool is_at_cut(const RefinedMesh& mesh, const Surface& fine, const Smoothed& res
 
 }  // namespace
 
-std::vector<FaceId> faces_to_divide(const SurfaceMesh& mesh, const OrderedDrawing& drawing) {
+std::vector<FaceId> faces_to_divide(const SurfaceMesh& mesh, const OrderedDrawing& drawing,
+                                    const CurveOptions& options) {
   std::vector<FaceId> faces;
   for (const SurfaceCurve& curve : drawing.curves()) {
+    // Legs are free, however fine the way between two clicks is.
+    if (legs_of(curve, options.pins, options.way_points, options.painted).all()) continue;
     const double slack = default_slack(mesh.surface(), curve);
     const std::vector<FaceId> own = too_large_faces(mesh, curve, slack);
     faces.insert(faces.end(), own.begin(), own.end());
@@ -87,8 +91,8 @@ std::unique_ptr<RefinedSheet::Part> RefinedSheet::part_within(double reach,
   for (const SurfaceCurve& curve : drawing_->curves())
     longest.push_back(longest_edge(mesh_->surface(), curve));
   auto part = std::make_unique<Part>();
-  part->mesh = refine_along(*mesh_, drawing_->curves(), faces_to_divide(*mesh_, *drawing_), longest,
-                            reach, progress);
+  part->mesh = refine_along(*mesh_, drawing_->curves(),
+                            faces_to_divide(*mesh_, *drawing_, options_), longest, reach, progress);
   part->memory = std::make_unique<SmoothingMemory>(OpenedMesh::open(part->mesh.lists));
   const std::vector<SurfaceCurve> curves =
       part->mesh.refined(part->memory->surface(), drawing_->curves());

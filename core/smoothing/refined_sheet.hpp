@@ -11,7 +11,8 @@
 namespace talweg {
 
 /// The faces that are too large for one of the curves.
-std::vector<FaceId> faces_to_divide(const SurfaceMesh& mesh, const OrderedDrawing& drawing);
+std::vector<FaceId> faces_to_divide(const SurfaceMesh& mesh, const OrderedDrawing& drawing,
+                                    const CurveOptions& options);
 
 /// Below tau = 1/8 a result may lead anywhere. So it is computed on larger and larger parts of the
 /// mesh, always starting with the first, until it does not touch the boundary where its part was

@@ -15,7 +15,7 @@ std::unique_ptr<Sheet> sheet_for(SmoothingMemory& memory, const OrderedDrawing& 
                                  const Progress& progress) {
   // The paper's method works on the mesh's own vertices only.
   if (setup.may_divide && options.method == Method::kCorridor) {
-    if (const auto faces = faces_to_divide(memory.mesh(), drawing); !faces.empty())
+    if (const auto faces = faces_to_divide(memory.mesh(), drawing, options); !faces.empty())
       return std::make_unique<RefinedSheet>(memory.mesh(), drawing, options, progress);
   }
   auto whole = std::make_unique<WholeSheet>(

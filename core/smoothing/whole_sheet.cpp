@@ -1,7 +1,10 @@
 #include "talweg/core/smoothing/whole_sheet.hpp"
 
+#include <algorithm>
 #include <utility>
 
+#include "talweg/core/measure/measures.hpp"
+#include "talweg/core/smoothing/leg_start.hpp"
 #include "talweg/intrinsic/stopwatch.hpp"
 
 namespace talweg {
@@ -65,15 +68,55 @@ Smoothed WholeSheet::smooth(const SmoothingOptions& options, const GivenPotentia
   return result;
 }
 
+/// A leg is nowhere near its drawing, so only strokes count where there are any.
+MeasuredDeviation WholeSheet::deviation_of(std::size_t curve, const SurfaceCurve& result,
+                                           DeviationMeasure measure, const Progress& progress) {
+  if (measure == DeviationMeasure::kNone) return {};
+  const OrderedDrawing& drawing = drawing_.drawing();
+  const SurfaceCurve& drawn = drawing.curves()[curve];
+  const DrawnLegs& legs = drawing_.legs()[curve];
+  const bool mixed = legs.any() && !legs.all();
+  std::vector<SurfaceCurve> from{result}, to{drawn};
+  if (mixed) from = strokes_of(legs, result);
+  if (mixed) to = strokes_of(legs, drawn);
+  if (from.size() != to.size()) from = {result}, to = {drawn};
+  const bool band_is_there = corridor_ && drawing.curves().size() == 1 && !legs.any();
+  MeasuredDeviation all;
+  double lengths = 0, drawn_lengths = 0;
+  for (std::size_t k = 0; k < from.size(); ++k) {
+    MeasuredDeviation one =
+        measure_deviation(measure, drawing.edges_near()[curve], memory_->meter(), drawing_.mesh(),
+                          to[k], from[k], band_is_there ? &memory_->distance() : nullptr, progress);
+    if (from.size() == 1) return one;
+    const double length = curve_length(drawing_.surface(), from[k]),
+                 drawn_length = curve_length(drawing_.surface(), to[k]);
+    one.to_drawn_mean *= length;
+    one.from_drawn_mean *= drawn_length;
+    lengths += length;
+    drawn_lengths += drawn_length;
+    if (k == 0) {
+      all = one;
+      continue;
+    }
+    if (std::max(one.to_drawn_max, one.from_drawn_max) >
+        std::max(all.to_drawn_max, all.from_drawn_max)) {
+      all.at = one.at;
+    }
+    all.to_drawn_max = std::max(all.to_drawn_max, one.to_drawn_max);
+    all.from_drawn_max = std::max(all.from_drawn_max, one.from_drawn_max);
+    all.to_drawn_mean += one.to_drawn_mean;
+    all.from_drawn_mean += one.from_drawn_mean;
+  }
+  all.to_drawn_mean /= lengths;
+  all.from_drawn_mean /= drawn_lengths;
+  return all;
+}
+
 void WholeSheet::measure(const SmoothingOptions& options, Smoothed& smoothed,
                          const Progress& progress) {
-  const OrderedDrawing& drawing = drawing_.drawing();
-  const bool band_is_there = corridor_ && drawing.curves().size() == 1 && !drawing_.all_legs();
   for (std::size_t c = 0; c < smoothed.curves.size(); ++c) {
     SmoothedCurve& curve = smoothed.curves[c];
-    curve.deviation = measure_deviation(
-        options.deviation_measure(c), drawing.edges_near()[c], memory_->meter(), drawing_.mesh(),
-        drawing.curves()[c], curve.curve, band_is_there ? &memory_->distance() : nullptr, progress);
+    curve.deviation = deviation_of(c, curve.curve, options.deviation_measure(c), progress);
   }
 }
 

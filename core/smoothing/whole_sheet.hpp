@@ -35,6 +35,8 @@ class WholeSheet final : public Sheet {
   }
 
  private:
+  [[nodiscard]] MeasuredDeviation deviation_of(std::size_t curve, const SurfaceCurve& result,
+                                               DeviationMeasure measure, const Progress& progress);
   void measure(const SmoothingOptions& options, Smoothed& smoothed, const Progress& progress);
 
   SmoothingMemory* memory_;

@@ -214,6 +214,7 @@ bool StripLines::flip(const FaceStrip& strip, const Bend& bend, FaceStrip& other
 
 void StripLines::fill(StripLine& line) const {
   line.bends.clear();
+  line.turns.clear();
   if (bends_.empty()) {
     const PlanePoint way = to_ - from_;
     line.length = line.first_leg = line.last_leg = norm(way);
@@ -228,7 +229,12 @@ void StripLines::fill(StripLine& line) const {
   line.first_leg = norm(first);
   line.last_leg = norm(last);
   line.end = rotated({turn_.x, -turn_.y}, unit(last));
-  for (const Bend& bend : bends_) line.bends.push_back(bend.vertex);
+  for (std::size_t b = 0; b < bends_.size(); ++b) {
+    const PlanePoint in = bends_[b].at - (b > 0 ? bends_[b - 1].at : from_);
+    const PlanePoint out = (b + 1 < bends_.size() ? bends_[b + 1].at : to_) - bends_[b].at;
+    line.bends.push_back(bends_[b].vertex);
+    line.turns.push_back(std::atan2(cross(in, out), dot(in, out)));
+  }
   line.found = std::isfinite(line.length);
 }
 

@@ -25,6 +25,7 @@ struct StripLine {
   PlanePoint start, end;  ///< unit directions in the frames of the faces of `from` and `to`
   bool found = false;
   std::vector<VertexId> bends;
+  std::vector<double> turns;           ///< at these, in the strip: radians, to the left positive
   double first_leg = 0, last_leg = 0;  ///< to the first bend, and from the last; else the length
 };
 

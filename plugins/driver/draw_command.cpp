@@ -9,11 +9,10 @@
 #include "output_file.hpp"
 #include "progress_bar.hpp"
 #include "repaired_mesh.hpp"
-#include "talweg/core/drawing/edge_dijkstra.hpp"
+#include "talweg/core/drawing/draw.hpp"
 #include "talweg/core/drawing/length_unit.hpp"
 #include "talweg/core/drawing/placed_curve.hpp"
 #include "talweg/core/drawing/point_marks.hpp"
-#include "talweg/core/drawing/straight_lines.hpp"
 #include "talweg/core/io/curve_file.hpp"
 #include "talweg/core/mesh/surface_mesh.hpp"
 #include "talweg/intrinsic/error.hpp"
@@ -22,7 +21,7 @@
 namespace talweg::driver {
 namespace {
 
-struct DrawOptions {
+struct Options {
   std::string mesh;
   std::vector<std::uint32_t> through;
   bool closed = false;
@@ -35,7 +34,7 @@ struct DrawOptions {
 
 /// The way-points, in the numbers of the mesh.
 std::vector<VertexId> through_on(const SurfaceMesh& mesh, const RepairMap* map,
-                                 const DrawOptions& options) {
+                                 const Options& options) {
   CurveInput input;
   input.closed = options.closed;
   std::vector<VertexId> ids;
@@ -45,34 +44,23 @@ std::vector<VertexId> through_on(const SurfaceMesh& mesh, const RepairMap* map,
   return std::get<std::vector<VertexId>>(input.points);
 }
 
-SurfaceCurve along_edges(const Surface& surface, const std::vector<VertexId>& through, bool closed,
-                         const Progress& progress) {
-  SurfaceCurve curve{closed, {}};
-  EdgeDijkstra dijkstra(surface);
-  for (const VertexId v : dijkstra.draw(through, closed, progress)) {
-    curve.points.push_back(SurfacePoint::at_vertex(surface, v));
-  }
-  return curve;
-}
-
-PlacedCurve drawn(const SurfaceMesh& mesh, const RepairMap* map, const DrawOptions& options,
+PlacedCurve drawn(const SurfaceMesh& mesh, const RepairMap* map, const Options& options,
                   const Progress& progress) {
-  const Surface& surface = mesh.surface();
-  const std::vector<VertexId> through = through_on(mesh, map, options);
-  std::vector<SurfacePoint> points;
-  points.reserve(through.size());
-  for (const VertexId v : through) points.push_back(SurfacePoint::at_vertex(surface, v));
-  if (points.size() < 2) throw Error(ErrorCode::kBadCurve, "A curve needs at least two points.");
-  const SurfaceCurve curve = options.straight
-                                 ? StraightLines(surface).join(points, options.closed, progress)
-                                 : along_edges(surface, through, options.closed, progress);
-  PlacedCurve placed = place(mesh, curve);
-  if (options.points == "exact") placed.exact = marks_through(curve, points);
+  std::vector<SurfacePoint> clicks;
+  for (const VertexId v : through_on(mesh, map, options)) {
+    clicks.push_back(SurfacePoint::at_vertex(mesh.surface(), v));
+  }
+  DrawOptions own;
+  own.closed = options.closed;
+  own.straight = options.straight;
+  const Drawing drawing = draw(mesh.surface(), clicks, own, progress);
+  PlacedCurve placed = place(mesh, drawing.curve);
+  if (options.points == "exact") placed.exact = marks_through(drawing.curve, clicks);
   return placed;
 }
 
 /// Says of which files the points are a stroke, because the format has no way-points.
-void tell_strokes(const DrawOptions& options) {
+void tell_strokes(const Options& options) {
   std::string names;
   for (const std::string& output : options.outputs) {
     if (!holds_way_points(output)) names += (names.empty() ? "" : ", ") + output;
@@ -82,7 +70,7 @@ void tell_strokes(const DrawOptions& options) {
                names.c_str());
 }
 
-int run(const DrawOptions& options, const GlobalOptions& global) {
+int run(const Options& options, const GlobalOptions& global) {
   const LengthUnit unit = LengthUnit::named(options.mesh_units);
   FilePlan files;
   files.reads("the mesh", options.mesh);
@@ -111,7 +99,7 @@ int run(const DrawOptions& options, const GlobalOptions& global) {
 }  // namespace
 
 Command add_draw(CLI::App& app, const GlobalOptions& global) {
-  auto options = std::make_shared<DrawOptions>();
+  auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand(
       "draw", "Draw a curve through mesh vertices: shortest edge paths, never through itself");
   command->add_option("mesh", options->mesh, "Mesh: OBJ, OFF, PLY, STL or OM")->required();

@@ -130,6 +130,7 @@ std::vector<PlacedCurve> two_curves() {
       curve.faces.push_back({FaceId{k}, {0.5, 0.25, 0.25}});
       curve.vertices.emplace_back(k + (closed ? 4 : 0));
     }
+    if (closed) curve.exact = {0, 0.25, -2};  // a click, one with a tolerance, a painted point
     curves.push_back(curve);
   }
   return curves;

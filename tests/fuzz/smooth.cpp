@@ -52,6 +52,18 @@ CurveInput drawing(Bytes& bytes, const SurfaceMesh& mesh) {
   return curve;
 }
 
+/// Some points of the drawing as clicks, with a tolerance or without, or painted; none where the
+/// bytes have ended.
+void mark(Bytes& bytes, const SurfaceMesh& mesh, const SnappedCurve& snapped, CurveOptions& how) {
+  for (const SurfacePoint& point : snapped.points) {
+    const std::uint8_t kind = bytes.take<std::uint8_t>() % 8;
+    if (kind == 1) how.painted.push_back(point);
+    if (kind > 1 && kind < 6) {
+      how.way_points.push_back({point, kind == 2 ? mesh.mean_edge_length() / 4 : 0});
+    }
+  }
+}
+
 void check(const OpenedMesh& mesh, const SmoothingResult& result, std::size_t curves, double tau) {
   require(result.curves.size() == curves && result.reports.size() == curves, "one per drawing");
   for (const SurfaceCurve& curve : result.curves) {
@@ -92,8 +104,12 @@ void smooth(const Target& /*target*/, const std::uint8_t* data, std::size_t size
     }
     StraightLines lines(mesh->surface());
     std::vector<SurfaceCurve> curves;
-    for (const SnappedCurve& snapped : snap(mesh->mesh(), inputs)) {
+    const std::vector<SnappedCurve> all = snap(mesh->mesh(), inputs);
+    for (const SnappedCurve& snapped : all) {
       curves.push_back(lines.join(snapped.points, snapped.closed));
+    }
+    if (how.method == Method::kCorridor && bytes.take<std::uint8_t>() % 2 == 1) {
+      for (const SnappedCurve& snapped : all) mark(bytes, mesh->mesh(), snapped, how);
     }
     CurveSmoother smoother(mesh);
     smoother.set_curves(curves, how);

@@ -180,7 +180,20 @@ void cap(const SurfaceMesh& mesh, const SmoothingResult& result, Random& random,
   }
 }
 
-void smooth_random(const std::shared_ptr<const OpenedMesh>& opened, Random& random,
+/// Makes some points of a drawing clicks, with a tolerance or without, and paints a few.
+void mark_some(const SurfaceMesh& mesh, const SnappedCurve& snapped, Random& random,
+               CurveOptions& curve_options) {
+  for (const SurfacePoint& point : snapped.points) {
+    if (random.one_in(2)) {
+      const double tolerance = random.one_in(4) ? random.unit() * mesh.mean_edge_length() : 0;
+      curve_options.way_points.push_back({point, tolerance});
+    } else if (random.one_in(8)) {
+      curve_options.painted.push_back(point);
+    }
+  }
+}
+
+void smooth_random(const std::shared_ptr<const OpenedMesh>& opened, Random& random, Random clicks,
                    unsigned threads, RunOutcome& outcome) {
   const SurfaceMesh& mesh = opened->mesh();
   const RandomDrawing drawing = random_drawing(mesh, random);
@@ -192,6 +205,8 @@ void smooth_random(const std::shared_ptr<const OpenedMesh>& opened, Random& rand
   if (random.one_in(20)) curve_options.bump_radius = random.scale(0.1, 5) * mesh.mean_edge_length();
   curve_options.cap_corners = !random.one_in(4);
   if (curve_options.method == Method::kPaper) outcome.what += "paper ";
+  const bool clicked = curve_options.method == Method::kCorridor && clicks.one_in(4);
+  if (clicked) outcome.what += "clicks ";
   const SmoothingOptions options = random_options(mesh, random, outcome.what);
 
   CurveSmoother smoother(opened);
@@ -203,6 +218,7 @@ void smooth_random(const std::shared_ptr<const OpenedMesh>& opened, Random& rand
         curve_options.pins.push_back(snapped.points[pin]);
       }
       curves.push_back(lines.join(snapped.points, snapped.closed));
+      if (clicked) mark_some(mesh, snapped, clicks, curve_options);
     }
     smoother.set_curves(curves, curve_options);
   } catch (const Error& error) {
@@ -247,7 +263,8 @@ RunOutcome random_run(std::uint64_t seed, unsigned threads) {
   if (opened == nullptr) {
     outcome.end = End::kMeshRefused;
   } else if (outcome.broken.empty()) {
-    smooth_random(opened, random, threads, outcome);
+    const Random clicks(seed * 0xD1B54A32D192ED03U + 1);  // the rest is as without them
+    smooth_random(opened, random, clicks, threads, outcome);
   }
   return outcome;
 }

@@ -9,6 +9,7 @@
 #include "core/small_meshes.hpp"
 #include "talweg/core/measure/measures.hpp"
 #include "talweg/core/smoothing/curve_smoother.hpp"
+#include "talweg/core/smoothing/max_deviation.hpp"
 #include "talweg/intrinsic/error.hpp"
 #include "talweg/intrinsic/exact_distance/polyline_distance.hpp"
 
@@ -168,6 +169,101 @@ TEST_F(WayPointsOnHills, APaintedStretchStaysNearItsDrawing) {
   }
   EXPECT_LE(farthest_way_point(result.curve()), 1e-12);
   EXPECT_LE(measure_curve(surface(), result.curve()).max_curvature, 5.5 * kDegree);
+}
+
+TEST_F(WayPointsOnHills, AreDraggedToWhereTheyWouldBeSet) {
+  std::vector<VertexId> clicks;
+  for (const auto& [x, y] : kWave) clicks.emplace_back(y * columns + x);
+  CurveSmoother smoother(opened), fresh(opened);
+  smoother.set_curve(talweg::draw(surface(), clicks));
+  const SurfaceCurve before = smoother.smooth(1).curve();
+  for (int step = 0; step < 3; ++step) {
+    clicks[2] = VertexId{clicks[2].index() + 1 + columns};
+    const Drawing moved = talweg::draw(surface(), clicks);
+    fresh.set_curve(moved);
+    const SmoothingResult dragged = smoother.drag(0, moved);
+    EXPECT_EQ(dragged.curve().points, fresh.smooth(1).curve().points);
+    EXPECT_EQ(dragged.report().engine, Engine::kPreview);
+  }
+  EXPECT_EQ(smoother.smooth(1).curve().points, before.points);
+}
+
+TEST_F(WayPoints, ABoundIsThatOfTheStrokesOnly) {
+  // A stroke that trembles by half an edge, and a leg whose drawing is a wide detour.
+  SurfaceCurve detour{false, {}};
+  for (std::uint32_t x = 4; x < 30; ++x) {
+    detour.points.push_back(at(x, 20));
+    detour.points.push_back(at(x + 1, 21));
+  }
+  for (std::uint32_t y = 22; y <= 40; ++y) detour.points.push_back(at(30, y));
+  for (std::uint32_t y = 41; y-- > 20;) detour.points.push_back(at(31, y));
+  detour.points.push_back(at(32, 20));
+  drawn = detour;
+  options.way_points = {{at(30, 21)}, {at(32, 20)}};
+  CurveSmoother smoother(opened);
+  smoother.set_curve(drawn, options);
+  const SmoothingResult plain = smoother.smooth(1);
+  EXPECT_LT(plain.total.deviation_from_drawn_max, 1.5);
+  const SmoothingResult within = smooth_within(smoother, 1.2);
+  EXPECT_EQ(within.total.termination, talweg::Outcome::kConverged);
+  EXPECT_LE(within.total.deviation_to_drawn_max, 1.2);
+  EXPECT_LE(within.total.deviation_from_drawn_max, 1.2);
+  EXPECT_LT(curve_length(surface(), within.curve()), 35);  // the leg is straight
+}
+
+TEST_F(WayPointsOnHills, TheWayDrawnBetweenThemMayBeAsFineAsItLikes) {
+  draw(kWave, false);
+  const SurfaceCurve before = smooth(1).curve();
+  drawn = before;  // many points inside faces
+  const SmoothingResult again = smooth(1);
+  EXPECT_EQ(again.total.engine, Engine::kLocal);
+  // Another way is another start: as near as when a point is inserted on the curve.
+  EXPECT_LE(test::apart(opened->mesh(), again.curve(), before), 0.1);
+}
+
+/// A cone with more than a full angle at its apex, vertex 0, in rings.
+MeshLists saddle(std::uint32_t rings, std::uint32_t sectors, double height) {
+  MeshLists lists;
+  lists.points.emplace_back(0, 0, 0);
+  for (std::uint32_t r = 1; r <= rings; ++r) {
+    for (std::uint32_t s = 0; s < sectors; ++s) {
+      const double angle = 2 * std::numbers::pi * s / sectors;
+      lists.points.emplace_back(r * std::cos(angle), r * std::sin(angle),
+                                r * height * std::cos(2 * angle));
+    }
+  }
+  const auto id = [&](std::uint32_t r, std::uint32_t s) {
+    return r == 0 ? 0 : 1 + (r - 1) * sectors + s % sectors;
+  };
+  for (std::uint32_t r = 0; r < rings; ++r) {
+    for (std::uint32_t s = 0; s < sectors; ++s) {
+      lists.triangles.push_back({id(r, s), id(r + 1, s), id(r + 1, s + 1)});
+      if (r > 0) lists.triangles.push_back({id(r, s), id(r + 1, s + 1), id(r, s + 1)});
+    }
+  }
+  return lists;
+}
+
+class WayPointsOnASaddle : public WayPoints {
+ protected:
+  WayPointsOnASaddle() : WayPoints(saddle(20, 24, 0.6)) {}
+};
+
+TEST_F(WayPointsOnASaddle, NoKinkIsLeftAtItsVertex) {
+  // The shortest way between points that do not quite face each other bends at the apex.
+  const auto on_ring = [](std::uint32_t r, std::uint32_t s) {
+    return VertexId{1 + (r - 1) * 24 + s};
+  };
+  for (const std::uint32_t across : {11U, 12U, 13U}) {
+    const std::vector<VertexId> clicks{on_ring(18, 2), on_ring(9, 1), on_ring(9, 1 + across),
+                                       on_ring(18, 2 + across)};
+    CurveSmoother smoother(opened);
+    smoother.set_curve(talweg::draw(surface(), clicks));
+    const SurfaceCurve result = smoother.smooth(1).curve();
+    const CurveMeasures measures = measure_curve(surface(), result, 1);
+    EXPECT_LE(measures.max_curvature, 5 * kDegree) << across;
+    EXPECT_LE(measures.window_turning, 20 * kDegree) << across;
+  }
 }
 
 TEST_F(WayPoints, StrokesBesideThemStayAsTheyAre) {

@@ -1,0 +1,56 @@
+#include "talweg/core/drawing/draw.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "talweg/core/drawing/edge_dijkstra.hpp"
+#include "talweg/core/drawing/straight_lines.hpp"
+#include "talweg/intrinsic/error.hpp"
+
+namespace talweg {
+namespace {
+
+SurfaceCurve along_edges(const Surface& surface, std::span<const SurfacePoint> clicks, bool closed,
+                         const Progress& progress) {
+  std::vector<VertexId> through;
+  for (const SurfacePoint& click : clicks) {
+    through.push_back(std::get<AtVertex>(click.where()).vertex);
+  }
+  SurfaceCurve curve{closed, {}};
+  EdgeDijkstra dijkstra(surface);
+  for (const VertexId v : dijkstra.draw(through, closed, progress)) {
+    curve.points.push_back(SurfacePoint::at_vertex(surface, v));
+  }
+  return curve;
+}
+
+}  // namespace
+
+Drawing draw(const Surface& surface, std::span<const SurfacePoint> clicks,
+             const DrawOptions& options, const Progress& progress) {
+  if (clicks.size() < 2) throw Error(ErrorCode::kBadCurve, "A curve needs at least two points.");
+  if (options.tolerance && !(*options.tolerance >= 0 && std::isfinite(*options.tolerance))) {
+    throw Error(ErrorCode::kBadUsage, "tolerance must be finite and >= 0.");
+  }
+  const bool edges =
+      !options.straight && std::ranges::all_of(clicks, [](const auto& p) { return p.is_vertex(); });
+  Drawing drawing;
+  drawing.curve = edges ? along_edges(surface, clicks, options.closed, progress)
+                        : StraightLines(surface).join(clicks, options.closed, progress);
+  for (const SurfacePoint& click : clicks) {
+    const auto known = [&](const WayPoint& way) { return way.point == click; };
+    if (!options.tolerance || std::ranges::any_of(drawing.way_points, known)) continue;
+    drawing.way_points.push_back({click, *options.tolerance});
+  }
+  return drawing;
+}
+
+Drawing draw(const Surface& surface, std::span<const VertexId> clicks, const DrawOptions& options,
+             const Progress& progress) {
+  std::vector<SurfacePoint> points;
+  points.reserve(clicks.size());
+  for (const VertexId v : clicks) points.push_back(SurfacePoint::at_vertex(surface, v));
+  return draw(surface, points, options, progress);
+}
+
+}  // namespace talweg
