@@ -203,7 +203,7 @@ TEST_F(WayPoints, ABoundIsThatOfTheStrokesOnly) {
   CurveSmoother smoother(opened);
   smoother.set_curve(drawn, options);
   const SmoothingResult plain = smoother.smooth(1);
-  EXPECT_LT(plain.total.deviation_from_drawn_max, 1.5);
+  EXPECT_LT(plain.total.deviation_from_drawn_max, 3);  // the detour is 19 away
   const SmoothingResult within = smooth_within(smoother, 1.2);
   EXPECT_EQ(within.total.termination, talweg::Outcome::kConverged);
   EXPECT_LE(within.total.deviation_to_drawn_max, 1.2);
