@@ -112,6 +112,26 @@ class Addon(unittest.TestCase):
         ends = [curve.vertices[k] for curve in result.curves for k in (0, -1)]
         self.assertEqual(ends.count(30 * n + 30), 3)
 
+    def test_a_tau_and_a_slack_for_each_curve(self):
+        rows = [[row * 60 + k for k in range(5, 55)] for row in (10, 30)]
+        scene.select_edges(self.obj, rows[0])
+        bm = bmesh.from_edit_mesh(self.obj.data)
+        bm.verts.ensure_lookup_table()
+        for a, b in zip(rows[1], rows[1][1:]):
+            bm.edges.get((bm.verts[a], bm.verts[b])).select_set(True)
+        bmesh.update_edit_mesh(self.obj.data)
+        mesh = talweg.Mesh(scene.vertices_of(self.obj), support.hills()[1])
+        drawn = [talweg.Curve(vertices=row) for row in rows]
+        for shown, of_python in (({"taus": "0.1, 4"}, {"tau": [0.1, 4]}),
+                                 ({"tau": 3, "taus": "0.1 -1"}, {"tau": [0.1, 3]}),
+                                 ({"slacks": "-1;0.5"}, {"slack": [None, 0.5]}), ({}, {})):
+            with self.subTest(shown):
+                ours = self.smooth(**{"tau": 1, "taus": "", "slacks": "", **shown})
+                for mine, theirs in zip(ours.curves, mesh.smooth(drawn, **of_python).curves,
+                                        strict=True):
+                    np.testing.assert_array_equal(mine.faces, theirs.faces)
+                    np.testing.assert_array_equal(mine.barycentrics, theirs.barycentrics)
+
     def test_a_moved_tau_costs_only_its_stage(self):
         scene.select_edges(self.obj, self.drawn)
         first = self.smooth(tau=1).total.time_ms
@@ -262,6 +282,18 @@ class Errors(unittest.TestCase):
     def test_parameters_that_do_not_go_together(self):
         scene.select_edges(self.obj, support.staircase())
         self.refused("slack needs the potential corridor", potential="paper", use_slack=True)
+        self.still_alive()
+
+    def test_numbers_of_curves(self):
+        scene.select_edges(self.obj, support.staircase())
+        self.refused("Tau of each curve (taus) has 2 values for 1 curves", taus="1 2")
+        self.refused("Tau of each curve: 'much' is no number", taus="much")
+        self.refused("Slack of each curve: '0.5x' is no number", slacks="0.5x")
+        self.refused("Slack of each curve", slacks="nan")
+        scene.select_edges(self.obj, support.staircase())
+        self.assertEqual(bpy.ops.talweg.smooth_edges(taus="2", slacks=""), {"FINISHED"})
+        self.assertEqual(session.last_result().report.tau, 2)
+        bpy.ops.object.mode_set(mode="OBJECT")
         self.still_alive()
 
     def test_annotations(self):

@@ -103,7 +103,8 @@ class SameCurve(Case):
                 run = self.run_plugin if "--no-cap-corners" in options else self.smoothed
                 self.check(filter, run(mesh, drawn, *options))
 
-    def test_positions_of_two_curves(self):
+    def two_curves(self):
+        """A mesh and an open and a closed curve on it: two files for the driver, two sources."""
         points, triangles = wavy_sheet(30)
         data = polydata(points, triangles)
         mesh = self.folder / "sheet.obj"
@@ -116,8 +117,29 @@ class SameCurve(Case):
                 out.write("v %.17g %.17g %.17g\n" % point)
             out.write("l 1 2 3 4\nl 5 6 7 8 5\n")
         lines = polydata(drawn[0] + drawn[1], lines=[(0, 1, 2, 3), (4, 5, 6, 7, 4)])
-        self.check(pv.TalwegSmoothCurve(Input=source(data), Curve=source(lines)),
-                   self.smoothed(mesh, obj))
+        return mesh, obj, source(data), source(lines)
+
+    def test_positions_of_two_curves(self):
+        mesh, obj, surface, lines = self.two_curves()
+        self.check(pv.TalwegSmoothCurve(Input=surface, Curve=lines), self.smoothed(mesh, obj))
+
+    def test_options_of_each_of_two_curves(self):
+        mesh, obj, surface, lines = self.two_curves()
+        filter = pv.TalwegSmoothCurve(Input=surface, Curve=lines)
+        taus = self.smoothed(mesh, obj, "--tau", "0.1,4")
+        for others in ("0.1", "4", "4,0.1"):  # else the comparison would prove nothing
+            self.assertNotEqual(taus, self.smoothed(mesh, obj, "--tau", others))
+        for properties, of_the_plugin, of_smooth in (
+                ({"Taus": "0.1, 4"}, ("--taus", "0.1,4"), ("--tau", "0.1,4")),
+                ({"Taus": "", "Slacks": "-1 0.05"}, ("--slacks=-1,0.05",),
+                 ("--slack", "auto,0.05")),
+                ({"Slacks": "", "Finishes": "1;0"}, ("--finishes", "1,0"),
+                 ("--finish", "taut,fair")),
+                ({"Finishes": ""}, (), ())):
+            with self.subTest(**properties):
+                pv.SetProperties(filter, **properties)
+                self.check(filter, self.run_plugin(mesh, obj, *of_the_plugin))
+                self.check(filter, self.smoothed(mesh, obj, *of_smooth))
 
     def test_single_precision_points_against_the_rounded_mesh(self):
         points, triangles = wavy_sheet(30)

@@ -30,6 +30,17 @@ def sheet(**properties):
     return filter(Input=source(polydata(POINTS, TRIANGLES)), **properties)
 
 
+def two_curves(**properties):
+    drawn = [POINTS[v] for v in (N + 2, 9 * N + 2, N + 12, 9 * N + 12)]
+    return pv.TalwegSmoothCurve(Input=source(polydata(POINTS, TRIANGLES)),
+                                Curve=source(polydata(drawn, lines=[(0, 1), (2, 3)])), **properties)
+
+
+def taus(curves):
+    array = curves.GetCellData().GetArray("tau")
+    return [array.GetTuple1(k) for k in range(array.GetNumberOfTuples())]
+
+
 def distance(a, b):
     return math.dist(a, b)
 
@@ -177,14 +188,20 @@ class Drawings(Case):
         self.assertEqual(report(curve, "closed"), 1)
 
     def test_two_lines_are_two_curves(self):
-        drawn = [POINTS[v] for v in (N + 2, 9 * N + 2, N + 12, 9 * N + 12)]
-        curve = source(polydata(drawn, lines=[(0, 1), (2, 3)]))
-        result = self.curve_of(
-            pv.TalwegSmoothCurve(Input=source(polydata(POINTS, TRIANGLES)), Curve=curve))
+        result = self.curve_of(two_curves())
         self.assertEqual(result.GetNumberOfLines(), 2)
         lengths = result.GetCellData().GetArray("length_after")
         total = lengths.GetTuple1(0) + lengths.GetTuple1(1)
         self.assertAlmostEqual(total, report(result, "length_after"), 12)
+
+    def test_numbers_of_curves_follow_the_lines_of_the_output(self):
+        ids = (N + 2, 9 * N + 2, N + 12, 5 * N + 12, 9 * N + 12)
+        drawn = source(polydata([POINTS[v] for v in ids], lines=[(0, 1), (2, 3, 4)]))
+        curves = self.curve_of(pv.TalwegSmoothCurve(Input=source(polydata(POINTS, TRIANGLES)),
+                                                    Curve=drawn, Taus="0.1 4"))
+        begins = [values(curves, "vertex")[line[0]] for line in lines_of(curves)]
+        self.assertEqual(begins, [N + 12, N + 2])  # segments come last
+        self.assertEqual(taus(curves), [0.1, 4])
 
     def test_ids_of_a_point_array_take_the_place_of_positions(self):
         from vtkmodules.vtkCommonCore import vtkIdTypeArray
@@ -297,6 +314,23 @@ class WrongInput(Case):
             setattr(filter, name, good)
             self.curve_of(filter)
 
+    def test_numbers_of_curves(self):
+        filter = two_curves()
+        before = places(self.curve_of(filter))
+        for name, value, sentence in (
+                ("Taus", "0.1", "Tau of each curve (taus) has 1 values for 2 curves."),
+                ("Taus", "0.1 4 1", "Tau of each curve (taus) has 3 values for 2 curves."),
+                ("Taus", "1 -3", "Tau of each curve (taus) must be -1 or >= 0 for curve 1, not -3."),
+                ("Taus", "0.1 much", "Tau of each curve: 'much' is no number."),
+                ("Slacks", "0.1 0.2x", "Slack of each curve: '0.2x' is no number."),
+                ("Slacks", "nan 1", "Slack of each curve"),
+                ("Finishes", "0 0.5", "Finish of each curve (finishes) must be whole."),
+                ("Finishes", "fair taut", "Finish of each curve: 'fair' is no number.")):
+            setattr(filter, name, value)
+            self.assertIn(sentence, self.error_of(filter))
+            setattr(filter, name, "")
+            self.assertEqual(places(self.curve_of(filter)), before)
+
     def test_parameters_that_do_not_go_together(self):
         filter = sheet(PointIds=TEXT, Slack=0.1, Potential="paper")
         self.assertIn("slack needs the potential corridor.", self.error_of(filter))
@@ -384,6 +418,18 @@ class Changes(Case):
         self.assertNotEqual(places(self.curve_of(filter)), first)
         filter.Tau = 1
         self.assertEqual(places(self.curve_of(filter)), first)
+
+
+    def test_numbers_of_curves_repeat_the_run_only(self):
+        filter = two_curves()
+        self.curve_of(filter)
+        filter.Taus = "0.1 4"
+        self.assertEqual(taus(self.curve_of(filter)), [0.1, 4])
+        self.assertEqual(counts(filter), (1, 1, 2))
+        filter.Taus = "-1 2"
+        filter.Tau = 5
+        self.assertEqual(taus(self.curve_of(filter)), [5, 2])
+        self.assertEqual(counts(filter), (1, 1, 3))
 
 
 class Abort(Case):

@@ -39,6 +39,15 @@ class PerCurve(unittest.TestCase):
             self.equal(ours, theirs)
         self.assertIsNone(work.parameters["taus"])
 
+    def test_one_value_beside_the_list_is_for_the_rest(self):
+        work = self.mesh.workspace(self.curves)
+        expected = self.mesh.smooth(self.curves, [0.1, 3, 0.5]).curves
+        for _ in range(2):  # the second time there is a list already
+            result = work.smooth(3, taus=[0.1, -1, 0.5])
+            self.assertEqual(work.parameters["taus"], [0.1, -1, 0.5])
+            for ours, theirs in zip(result.curves, expected):
+                self.equal(ours, theirs)
+
     def test_what_is_refused(self):
         for values, words in (([1, 2], "2 values for 3 curves"), ([1, -3, 1], "curve 1, not -3"),
                               ([1, "much", 1], "'much'")):

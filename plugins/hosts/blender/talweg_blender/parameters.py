@@ -7,7 +7,7 @@ import bpy
 from .package import talweg
 
 #: In the order of the panel; of these the rest of the add-on knows nothing but the names.
-SHOWN = ("tau", "slack", "max_deviation", "potential", "relax")
+SHOWN = ("tau", "slack", "max_deviation", "taus", "slacks", "potential", "relax")
 
 
 def described():
@@ -30,6 +30,24 @@ def _number(parameter):
                                    precision=4, step=10, **limits)
 
 
+def _text(parameter):
+    """One number for each curve is a text, since how many curves there are is not known before."""
+    unit = f" ({parameter.unit})" if parameter.unit else ""
+    text = parameter.doc.rstrip(".") + f"{unit}. Separated by spaces or commas, empty: none"
+    return bpy.props.StringProperty(name=parameter.label, description=text, default="")
+
+
+def _numbers(parameter, text):
+    """None if there are none, else as many as were typed; raises talweg.BadUsage."""
+    result = []
+    for word in text.replace(",", " ").replace(";", " ").split():
+        try:
+            result.append(float(word))
+        except ValueError:
+            raise talweg.BadUsage(f"{parameter.label}: '{word}' is no number.") from None
+    return result or None
+
+
 def annotations():
     """Of an operator's class: each parameter's property, and use_NAME before an optional one."""
     result = {}
@@ -44,15 +62,23 @@ def annotations():
             result[parameter.id] = bpy.props.EnumProperty(
                 name=parameter.label, items=items, default=parameter.default,
                 description=parameter.doc.rstrip("."))
+        elif parameter.kind == "per_curve":
+            result[parameter.id] = _text(parameter)
         else:
             result[parameter.id] = _number(parameter)
     return result
 
 
+def _value(operator, parameter):
+    if parameter.optional and not getattr(operator, "use_" + parameter.id):
+        return None
+    value = getattr(operator, parameter.id)
+    return _numbers(parameter, value) if parameter.kind == "per_curve" else value
+
+
 def values(operator):
-    """Of an operator: None for an optional parameter that is not to be used."""
-    return {p.id: None if p.optional and not getattr(operator, "use_" + p.id)
-            else getattr(operator, p.id) for p in described()}
+    """Of an operator: None for a parameter that is not to be used; raises talweg.BadUsage."""
+    return {p.id: _value(operator, p) for p in described()}
 
 
 def show_used(operator, report):

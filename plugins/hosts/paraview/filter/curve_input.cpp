@@ -1,8 +1,6 @@
 #include "curve_input.hpp"
 
-#include <algorithm>
 #include <array>
-#include <charconv>
 #include <limits>
 #include <stdexcept>
 #include <utility>
@@ -110,23 +108,6 @@ std::vector<host::Curve> curves_of(vtkDataSet& input, const std::string& vertex_
     curves.push_back(std::move(curve));
   }
   return curves;
-}
-
-std::vector<std::uint32_t> vertex_numbers(const std::string& text, const char* what) {
-  constexpr const char* kBetween = " ,;\t\n\r";
-  std::vector<std::uint32_t> numbers;
-  for (std::size_t at = text.find_first_not_of(kBetween); at != std::string::npos;) {
-    const std::size_t end = std::min(text.find_first_of(kBetween, at), text.size());
-    std::uint32_t number = 0;
-    const auto parsed = std::from_chars(text.data() + at, text.data() + end, number);
-    if (parsed.ec != std::errc{} || parsed.ptr != text.data() + end || number == TALWEG_NO_VERTEX) {
-      throw std::runtime_error(std::string(what) + ": '" + text.substr(at, end - at) +
-                               "' is no vertex number.");
-    }
-    numbers.push_back(number);
-    at = text.find_first_not_of(kBetween, end);
-  }
-  return numbers;
 }
 
 host::Curve curve_through(std::vector<std::uint32_t> vertices) {

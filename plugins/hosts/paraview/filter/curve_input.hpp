@@ -18,10 +18,6 @@ namespace talweg::paraview {
 /// Throws std::runtime_error for an array that is not there or holds no vertex numbers.
 std::vector<host::Curve> curves_of(vtkDataSet& input, const std::string& vertex_array);
 
-/// Numbers from 0, separated by spaces or commas. Throws std::runtime_error that quotes what is
-/// none; `what` is the name of the list.
-std::vector<std::uint32_t> vertex_numbers(const std::string& text, const char* what);
-
 /// A curve of vertices, closed if the first is repeated at the end.
 host::Curve curve_through(std::vector<std::uint32_t> vertices);
 

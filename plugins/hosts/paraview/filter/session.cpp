@@ -7,7 +7,7 @@
 #include <vtkPointData.h>
 #include <vtkVersionMacros.h>
 
-#include "curve_input.hpp"
+#include "number_list.hpp"
 #include "talweg_plugins.hpp"
 
 namespace talweg::paraview {
@@ -130,6 +130,9 @@ void Session::apply(const talweg_parameter& parameter, const Setting& value) {
   if (const auto* list = std::get_if<VertexList>(&value)) {
     return smooth().set(parameter.id, vertex_numbers(list->numbers, parameter.label));
   }
+  if (const auto* list = std::get_if<CurveNumbers>(&value)) {
+    return apply_curve_numbers(parameter, list->numbers);
+  }
   apply_field(parameter.id, std::get<FieldName>(value).name);
 }
 
@@ -137,6 +140,12 @@ void Session::apply(const talweg_parameter& parameter, const Setting& value) {
 void Session::apply_number(const talweg_parameter& parameter, double value) {
   if ((parameter.flags & TALWEG_OPTIONAL) != 0 && value < 0) return smooth().reset(parameter.id);
   smooth().set(parameter.id, value);
+}
+
+void Session::apply_curve_numbers(const talweg_parameter& parameter, const std::string& text) {
+  const std::vector<double> values = numbers(text, parameter.label);
+  if (values.empty()) return smooth().reset(parameter.id);
+  smooth().set(parameter.id, values);
 }
 
 void Session::apply_field(const char* id, const std::string& name) {

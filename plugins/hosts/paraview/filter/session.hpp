@@ -24,13 +24,18 @@ struct VertexList {
   std::string numbers;
   friend bool operator==(const VertexList&, const VertexList&) = default;
 };
+/// A number for each curve; empty for none.
+struct CurveNumbers {
+  std::string numbers;
+  friend bool operator==(const CurveNumbers&, const CurveNumbers&) = default;
+};
 /// The name of a point array of the mesh, empty for none; and which state of it.
 struct FieldName {
   std::string name;
   std::uint64_t time = 0;
   friend bool operator==(const FieldName&, const FieldName&) = default;
 };
-using Setting = std::variant<double, Choice, VertexList, FieldName>;
+using Setting = std::variant<double, Choice, VertexList, CurveNumbers, FieldName>;
 
 /// Curves and when they were made: the same origin, the same curves.
 struct Origin {
@@ -69,6 +74,7 @@ class Session {
   void apply_settings();
   void apply(const talweg_parameter& parameter, const Setting& value);
   void apply_number(const talweg_parameter& parameter, double value);
+  void apply_curve_numbers(const talweg_parameter& parameter, const std::string& text);
   void apply_field(const char* id, const std::string& array);
   [[nodiscard]] Setting current(Setting value);
   std::vector<host::Curve> drawn(std::vector<host::Curve> curves);

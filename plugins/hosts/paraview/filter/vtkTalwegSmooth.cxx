@@ -20,6 +20,7 @@
 #include <vtkPolyData.h>
 
 #include "curve_input.hpp"
+#include "number_list.hpp"
 #include "results.hpp"
 #include "session.hpp"
 
@@ -138,6 +139,12 @@ void vtkTalwegSmooth::SetChoice(const char* id, const char* value) {
 
 void vtkTalwegSmooth::SetVertices(const char* id, const char* numbers) {
   if (this->Inside->Work.set(id, talweg::paraview::VertexList{text_of(numbers)})) this->Modified();
+}
+
+void vtkTalwegSmooth::SetCurveNumbers(const char* id, const char* numbers) {
+  if (this->Inside->Work.set(id, talweg::paraview::CurveNumbers{text_of(numbers)})) {
+    this->Modified();
+  }
 }
 
 void vtkTalwegSmooth::SetField(const char* id, const char* array) {

@@ -24,11 +24,13 @@ class TALWEGFILTERS_EXPORT vtkTalwegSmooth : public vtkPolyDataAlgorithm {
 
   ///@{
   /// Values of talweg.smooth's parameters. Optional numbers are not given below 0; vertices are
-  /// numbers from 0, separated by spaces or commas; a field is the name of a point array of the
-  /// mesh, or None. What is wrong with a value is told by the next run.
+  /// numbers from 0, separated by spaces or commas; numbers of curves are separated so, too, one
+  /// for each, and none is none at all; a field is the name of a point array of the mesh, or None.
+  /// What is wrong with a value is told by the next run.
   void SetNumber(const char* id, double value);
   void SetChoice(const char* id, const char* value);
   void SetVertices(const char* id, const char* numbers);
+  void SetCurveNumbers(const char* id, const char* numbers);
   void SetField(const char* id, const char* array);
   ///@}
 

@@ -122,6 +122,17 @@ std::string vertices_property(const talweg_parameter& p) {
                      documentation(p, " Numbers from 0, separated by spaces or commas."));
 }
 
+/// A text, since how many curves there are is not known before the filter runs. Their order is that
+/// of the output, since joined segments come behind lines of the input that are longer.
+std::string per_curve_property(const talweg_parameter& p) {
+  return fmt::format(
+      "{} default_values=\"\">{}</StringVectorProperty>\n",
+      opening(p, "StringVectorProperty", "SetCurveNumbers"),
+      documentation(p,
+                    " Numbers in the order of the output's lines, separated by spaces or commas. "
+                    "Empty: not given."));
+}
+
 std::string field_property(const talweg_parameter& p) {
   return fmt::format(
       "{} default_values=\"None\"><ArrayListDomain name=\"array_list\" none_string=\"None\" "
@@ -146,6 +157,8 @@ std::string property(const talweg_parameter& p) {
       return vertices_property(p);
     case TALWEG_FIELD:
       return field_property(p);
+    case TALWEG_PER_CURVE:
+      return per_curve_property(p);
     default:  // of a later version of the interface: it keeps its default
       return "";
   }

@@ -193,7 +193,8 @@ class Workspace:
                 self._values[name] = value
 
     def _each_curve(self, parameters: Dict[str, Any]) -> Dict[str, Any]:
-        """Lists go to the parameters for them, from which a single value takes them back."""
+        """Lists go to the parameters for them, from which a single value takes them back unless
+        they are given beside it."""
         result: Dict[str, Any] = {}
         for name, value in parameters.items():
             each = _EACH_CURVE.get(name)
@@ -204,7 +205,7 @@ class Workspace:
                 result[each] = [_number_of(name, v, choices) for v in value]
             else:
                 result[name] = value
-                if each in self._values:
+                if each in self._values and each not in parameters:
                     result[each] = None
         return result
 
