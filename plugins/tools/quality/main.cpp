@@ -4,11 +4,13 @@
 #include <exception>
 #include <filesystem>
 #include <map>
+#include <span>
 #include <string>
 #include <vector>
 
 #include <CLI/CLI.hpp>
 
+#include "talweg/core/io/curve_file.hpp"
 #include "talweg/core/io/file_bytes.hpp"
 #include "talweg/core/io/mesh_reader.hpp"
 #include "talweg/intrinsic/error.hpp"
@@ -110,6 +112,17 @@ void measure_runs(const Subject& subject, const Options& options, Measured& meas
   }
 }
 
+/// So that anybody can smooth and look at what a line of the tables is about.
+void write_drawings(const Subject& subject, const std::filesystem::path& folder) {
+  std::filesystem::create_directories(folder);
+  for (const NamedPath& drawing : subject.drawings) {
+    const SurfaceCurve curve = drawing.curve(subject.mesh->surface());
+    std::string name = subject.name + "_" + drawing.name + ".json";
+    std::replace(name.begin(), name.end(), ' ', '_');
+    write_curves(folder / name, subject.mesh->mesh(), std::span(&curve, 1));
+  }
+}
+
 /// A picture of each drawing of the gallery; from the second on their names are numbered.
 void draw_gallery(const Subject& subject, const std::filesystem::path& folder) {
   std::string name = "quality_" + subject.name;
@@ -125,6 +138,7 @@ void measure(const Subject& subject, const Options& options, Measured& measured)
   std::printf("%s: %zu drawings\n", subject.name.c_str(), subject.drawings.size());
   std::fflush(stdout);
   if (subject.drawings.empty()) return;
+  write_drawings(subject, options.out / "drawings");
   if (wants(options, "runs")) measure_runs(subject, options, measured);
   if (wants(options, "clicks") && options.curve_options.method == Method::kCorridor) {
     append(measured.clicked, clicked_runs(subject));
