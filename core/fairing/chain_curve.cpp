@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "talweg/core/fairing/near_points.hpp"
 #include "talweg/core/fairing/saddle_passing.hpp"
 #include "talweg/core/measure/measures.hpp"
 #include "talweg/intrinsic/lines/face_frame.hpp"
@@ -18,6 +19,7 @@ namespace {
 constexpr double kDegree = std::numbers::pi / 180;
 constexpr double kLargest = 4.5 * kDegree, kSmall = 1 * kDegree;
 constexpr double kApart = 0.55;  // of an edge
+constexpr double kNear = 1e-6;   // edges
 
 struct Node {
   SurfacePoint point;
@@ -199,18 +201,22 @@ SurfaceCurve curve_of(const Surface& surface, ChainMaker& maker, const SampleCha
   const CurveTrace trace = maker.trace_of(chain);
   std::vector<Node> nodes = Nodes(surface, trace).take();
   Selection(surface, nodes, trace, edge).run();
-  std::erase_if(nodes, [](const Node& node) { return !node.kept; });
+  std::vector<KeptPoint> kept;
+  for (const Node& node : nodes) {
+    if (node.kept) kept.push_back({node.point, node.arc, node.stays});
+  }
+  drop_near_points(surface, chain.closed, trace.length, kNear * edge, kept);
   SaddlePassing passing(surface);
   SurfaceCurve curve{chain.closed, {}};
-  const std::size_t n = nodes.size();
+  const std::size_t n = kept.size();
   for (std::size_t i = 0; i < n; ++i) {
-    const auto* at = std::get_if<AtVertex>(&nodes[i].point.where());
-    if (at == nullptr || nodes[i].stays) {
-      curve.points.push_back(nodes[i].point);
+    const auto* at = std::get_if<AtVertex>(&kept[i].point.where());
+    if (at == nullptr || kept[i].stays) {
+      curve.points.push_back(kept[i].point);
       continue;
     }
-    const SurfacePoint& before = i > 0 ? curve.points.back() : nodes[n - 1].point;
-    for (const SurfacePoint& point : passing.beside(before, at->vertex, nodes[(i + 1) % n].point)) {
+    const SurfacePoint& before = i > 0 ? curve.points.back() : kept[n - 1].point;
+    for (const SurfacePoint& point : passing.beside(before, at->vertex, kept[(i + 1) % n].point)) {
       curve.points.push_back(point);
     }
   }
