@@ -10,6 +10,7 @@
 #include "talweg/core/drawing/drawn_curves.hpp"
 #include "talweg/core/measure/result_report.hpp"
 #include "talweg/core/smoothing/dragging.hpp"
+#include "talweg/core/smoothing/missed_points.hpp"
 #include "talweg/core/smoothing/sheet.hpp"
 #include "talweg/core/smoothing/smoothing_memory.hpp"
 #include "talweg/core/smoothing/smoothing_report.hpp"
@@ -210,6 +211,7 @@ SmoothingResult CurveSmoother::smooth_ordered(const SmoothingOptions& options,
                                               const Progress& progress) {
   SmoothingResult result =
       reported(memory_->opened(), *drawing_, options, sheet_->smooth(options, given, progress));
+  warn_of_missed_points(memory_->mesh(), drawing_->curves(), curve_options_, result);
   report_moves(options, result, progress);
   result.total = total_of(result.reports);
   last_ = std::make_unique<Last>(Last{options, result});

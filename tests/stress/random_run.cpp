@@ -19,6 +19,7 @@
 #include "talweg/core/repair/mesh_repair.hpp"
 #include "talweg/core/smoothing/curve_smoother.hpp"
 #include "talweg/core/smoothing/max_deviation.hpp"
+#include "talweg/intrinsic/exact_distance/polyline_distance.hpp"
 
 namespace talweg::stress {
 namespace {
@@ -129,6 +130,26 @@ void check_report(const SmoothingReport& report, RunOutcome& outcome) {
   }
 }
 
+/// Whatever else is given up, clicks are passed, or a warning says that they are not.
+void check_way_points(const CurveSmoother& smoother, const SmoothingResult& result,
+                      RunOutcome& outcome) {
+  const auto& way_points = smoother.curve_options().way_points;
+  const bool said = std::ranges::any_of(result.total.warnings, [](const std::string& warning) {
+    return warning.find("it was to pass") != std::string::npos;
+  });
+  if (way_points.empty() || said || !outcome.broken.empty()) return;
+  const SurfaceMesh& mesh = smoother.opened().mesh();
+  PolylineDistance distance(mesh.surface());
+  distance.set(result.curves);
+  for (const WayPoint& way : way_points) {
+    const double away = distance.at(way.point).distance;
+    if (away <= way.tolerance + 1e-6 * mesh.mean_edge_length()) continue;
+    outcome.broken = fmt::format("a way-point is {:.3g} edges away from the result",
+                                 away / mesh.mean_edge_length());
+    return;
+  }
+}
+
 void check(const CurveSmoother& smoother, const SmoothingResult& result, RunOutcome& outcome,
            Hash& hash, double smoothings = 1) {
   const SurfaceMesh& mesh = smoother.opened().mesh();
@@ -145,6 +166,7 @@ void check(const CurveSmoother& smoother, const SmoothingResult& result, RunOutc
     report.peak_memory_mib = 0;
     hash.add(to_json(report));
   }
+  check_way_points(smoother, result, outcome);
 }
 
 SmoothingOptions random_options(const SurfaceMesh& mesh, Random& random, std::string& what) {
