@@ -246,7 +246,7 @@ bool ChainMaker::walk(const SampleChain& chain, std::span<const SampleStep> step
   move.first.assign(1, 0);
   move.first.reserve(chain.size() + 1);
   for (std::size_t i = 0; i < chain.size(); ++i) {
-    if (!move.anew[i]) {
+    if (other != nullptr && !move.anew[i]) {
       const auto way = other->way(i);
       move.walks.insert(move.walks.end(), way.begin(), way.end());
       move.chain.samples[i] = other->chain.samples[i];
@@ -275,7 +275,7 @@ bool ChainMaker::move(const SampleChain& chain, std::span<const SampleStep> step
   const std::vector<bool> walked = move.anew;
   for (std::size_t i = 0; i < chain.joins.size(); ++i) {
     const std::size_t j = chain.after(i);
-    if (!walked[i] && !walked[j]) {
+    if (other != nullptr && !walked[i] && !walked[j]) {
       const ChainJoin& join = other->chain.joins[i];
       const auto strip = other->chain.strip(join);
       result.joins.push_back(join);

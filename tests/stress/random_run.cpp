@@ -19,6 +19,7 @@
 #include "talweg/core/repair/mesh_repair.hpp"
 #include "talweg/core/smoothing/curve_smoother.hpp"
 #include "talweg/core/smoothing/max_deviation.hpp"
+#include "talweg/intrinsic/error.hpp"
 #include "talweg/intrinsic/exact_distance/polyline_distance.hpp"
 
 namespace talweg::stress {
