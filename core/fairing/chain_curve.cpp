@@ -206,21 +206,7 @@ SurfaceCurve curve_of(const Surface& surface, ChainMaker& maker, const SampleCha
     if (node.kept) kept.push_back({node.point, node.arc, node.stays});
   }
   drop_near_points(surface, chain.closed, trace.length, kNear * edge, kept);
-  SaddlePassing passing(surface);
-  SurfaceCurve curve{chain.closed, {}};
-  const std::size_t n = kept.size();
-  for (std::size_t i = 0; i < n; ++i) {
-    const auto* at = std::get_if<AtVertex>(&kept[i].point.where());
-    if (at == nullptr || kept[i].stays) {
-      curve.points.push_back(kept[i].point);
-      continue;
-    }
-    const SurfacePoint& before = i > 0 ? curve.points.back() : kept[n - 1].point;
-    for (const SurfacePoint& point : passing.beside(before, at->vertex, kept[(i + 1) % n].point)) {
-      curve.points.push_back(point);
-    }
-  }
-  return curve;
+  return SaddlePassing(surface).led_past(kept, chain.closed);
 }
 
 }  // namespace talweg

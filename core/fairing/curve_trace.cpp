@@ -8,14 +8,14 @@
 #include "talweg/intrinsic/error.hpp"
 
 namespace talweg {
-namespace {
 
-/// The halfedge of the face whose tail is the vertex.
 HalfedgeId outgoing(const Surface& surface, FaceId face, VertexId v) {
   HalfedgeId h = surface.halfedge(face);
   while (surface.tail(h) != v) h = surface.next(h);
   return h;
 }
+
+namespace {
 
 /// The face of both points, the left one where they lie on one edge, so that numbers of faces do
 /// not decide; invalid where there is none.

@@ -50,6 +50,9 @@ CurveTrace trace_of(const Surface& surface, const SurfaceCurve& curve,
 CurveTrace trace_through(const Surface& surface, const SurfaceCurve& curve,
                          std::span<const std::size_t> fixed);
 
+/// The halfedge of the face whose tail is the vertex, which is a corner of the face.
+HalfedgeId outgoing(const Surface& surface, FaceId face, VertexId v);
+
 /// Around a vertex from one face to another, counterclockwise (left) or clockwise; empty where they
 /// are one, or the boundary is in the way.
 FaceStrip faces_around(const Surface& surface, FaceId from, FaceId to, VertexId v, bool left);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <variant>
 
 #include "talweg/core/fairing/curve_trace.hpp"
 #include "talweg/intrinsic/lines/straight_walk.hpp"
@@ -20,18 +21,12 @@ double angle_of(PlanePoint a, PlanePoint b) { return std::atan2(std::abs(cross(a
 
 }  // namespace
 
-HalfedgeId SaddlePassing::outgoing(FaceId face, VertexId vertex) const {
-  HalfedgeId h = surface_->halfedge(face);
-  while (surface_->tail(h) != vertex) h = surface_->next(h);
-  return h;
-}
-
 SaddlePassing::Side SaddlePassing::side(const FaceCoordinates& from, const FaceCoordinates& to,
                                         VertexId vertex, bool ccw) const {
   Side side{faces_around(*surface_, from.face, to.face, vertex, ccw), {}, 0, ccw};
   const auto to_edge = [&](const FaceCoordinates& at, bool next) {
     const FaceFrame frame(*surface_, at.face);
-    const std::size_t k = frame.side_of(outgoing(at.face, vertex));
+    const std::size_t k = frame.side_of(outgoing(*surface_, at.face, vertex));
     const PlanePoint edge = frame.corners[(k + (next ? 2 : 1)) % 3] - frame.corners[k];
     return angle_of(frame.at(at.barycentric) - frame.corners[k], edge);
   };
@@ -41,7 +36,7 @@ SaddlePassing::Side SaddlePassing::side(const FaceCoordinates& from, const FaceC
     const FaceId face = surface_->face(twin(crossed));
     if (face == to.face) break;
     const FaceFrame frame(*surface_, face);
-    const std::size_t k = frame.side_of(outgoing(face, vertex));
+    const std::size_t k = frame.side_of(outgoing(*surface_, face, vertex));
     angle += angle_of(frame.corners[(k + 1) % 3] - frame.corners[k],
                       frame.corners[(k + 2) % 3] - frame.corners[k]);
   }
@@ -57,7 +52,7 @@ FaceCoordinates SaddlePassing::in_middle(const Side& side, const FaceCoordinates
       side.angles.begin());
   const FaceId face = before == 0 ? from.face : surface_->face(twin(side.strip[before - 1]));
   const FaceFrame frame(*surface_, face);
-  const std::size_t k = frame.side_of(outgoing(face, vertex));
+  const std::size_t k = frame.side_of(outgoing(*surface_, face, vertex));
   const PlanePoint at = frame.corners[k];
   PlanePoint start = frame.corners[(k + (side.ccw ? 1 : 2)) % 3] - at;
   double angle = side.sweep / 2;
@@ -118,6 +113,31 @@ std::vector<SurfacePoint> SaddlePassing::beside(const SurfacePoint& before, Vert
   points.push_back(SurfacePoint::from_barycentric(*surface_, middle.face, middle.barycentric));
   if (!add_line(middle, to, {halfway, best.strip.end()}, points)) return {at};
   return points;
+}
+
+SurfaceCurve SaddlePassing::led_past(const std::vector<KeptPoint>& points, bool closed) {
+  const std::size_t n = points.size();
+  SurfaceCurve curve{closed, {}};
+  const auto may_move = [&](std::size_t i) {
+    return n > 1 && (closed || (i > 0 && i + 1 < n)) && !points[i].stays &&
+           std::holds_alternative<AtVertex>(points[i].point.where());
+  };
+  const auto passed = [&](std::size_t i, const SurfacePoint& before, const SurfacePoint& after) {
+    if (!may_move(i)) return std::vector{points[i].point};
+    return beside(before, std::get<AtVertex>(points[i].point.where()).vertex, after);
+  };
+  const auto add = [&](const std::vector<SurfacePoint>& more, bool in_front) {
+    curve.points.insert(in_front ? curve.points.begin() : curve.points.end(), more.begin(),
+                        more.end());
+  };
+  // The first point of a closed curve comes last, when it is known what is on both of its sides.
+  const bool later = closed && n > 1;
+  for (std::size_t i = later ? 1 : 0; i < n; ++i) {
+    const SurfacePoint& before = curve.points.empty() ? points.front().point : curve.points.back();
+    add(passed(i, before, points[(i + 1) % n].point), false);
+  }
+  if (later) add(passed(0, curve.points.back(), curve.points.front()), true);
+  return curve;
 }
 
 }  // namespace talweg

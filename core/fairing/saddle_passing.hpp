@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "talweg/core/fairing/near_points.hpp"
 #include "talweg/intrinsic/lines/strip_line.hpp"
 #include "talweg/intrinsic/surface/surface.hpp"
 #include "talweg/intrinsic/surface/surface_point.hpp"
@@ -16,6 +17,11 @@ class SaddlePassing {
  public:
   explicit SaddlePassing(const Surface& surface) : surface_(&surface), lines_(surface) {}
 
+  /// The curve of these points, led past the saddle vertices at which it need not stay. Its
+  /// points and the next share a face, as they do before. The ends of an open curve stay.
+  SurfaceCurve led_past(const std::vector<KeptPoint>& points, bool closed);
+
+ private:
   /// What takes the place of a point at a vertex: points beside it, 1/100 as far from it as the
   /// nearer neighbour, on the side on which the curve turns less. The point itself where that
   /// is no gain, where it would be a kink of more than 3.5 degrees and of more than half, or at the
@@ -23,7 +29,6 @@ class SaddlePassing {
   std::vector<SurfacePoint> beside(const SurfacePoint& before, VertexId vertex,
                                    const SurfacePoint& after);
 
- private:
   /// The faces around the vertex on one side, from one neighbour to the other.
   struct Side {
     FaceStrip strip;
@@ -31,7 +36,6 @@ class SaddlePassing {
     double sweep = 0;            ///< to the other one
     bool ccw = false;
   };
-  [[nodiscard]] HalfedgeId outgoing(FaceId face, VertexId vertex) const;
   [[nodiscard]] Side side(const FaceCoordinates& from, const FaceCoordinates& to, VertexId vertex,
                           bool ccw) const;
   [[nodiscard]] FaceCoordinates in_middle(const Side& side, const FaceCoordinates& from,

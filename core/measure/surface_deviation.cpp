@@ -246,6 +246,20 @@ OneSidedSurfaceDeviation one_sided_deviation(const Surface& surface,
 DeviationMeter::DeviationMeter(const SurfaceMesh& mesh) : mesh_(&mesh) {}
 DeviationMeter::~DeviationMeter() = default;
 
+PolylineDistance& DeviationMeter::distance() {
+  if (!distance_) distance_ = std::make_unique<PolylineDistance>(mesh_->surface());
+  return *distance_;
+}
+
+std::vector<double> DeviationMeter::distances(std::span<const SurfacePoint> points,
+                                              const SurfaceCurve& curve) {
+  distance().set(std::span(&curve, 1));
+  std::vector<double> distances;
+  distances.reserve(points.size());
+  for (const SurfacePoint& point : points) distances.push_back(distance().at(point).distance);
+  return distances;
+}
+
 SurfaceDeviation DeviationMeter::measure(std::span<const SurfaceCurve> result,
                                          std::span<const SurfaceCurve> drawn,
                                          const Progress& progress) {
@@ -257,10 +271,9 @@ SurfaceDeviation DeviationMeter::measure(std::span<const SurfaceCurve> result,
                                          PolylineDistance& to_drawn, const Progress& progress) {
   refuse_nothing(result);
   refuse_nothing(drawn);
-  if (!distance_) distance_ = std::make_unique<PolylineDistance>(mesh_->surface());
   Asker asker(progress, kStage);
   return {at_once(mesh_->surface(), result, to_drawn, drawn, kNoLimit, asker),
-          deviation_by_parts(*mesh_, drawn, result, *distance_, kNoLimit, asker)};
+          deviation_by_parts(*mesh_, drawn, result, distance(), kNoLimit, asker)};
 }
 
 std::optional<SurfaceDeviation> DeviationMeter::measure_below(double limit,
@@ -269,14 +282,13 @@ std::optional<SurfaceDeviation> DeviationMeter::measure_below(double limit,
                                                               const Progress& progress) {
   refuse_nothing(result);
   refuse_nothing(drawn);
-  if (!distance_) distance_ = std::make_unique<PolylineDistance>(mesh_->surface());
   Asker asker(progress, kStage);
   const auto is_beyond = [&](const OneSidedSurfaceDeviation& side) {
     return std::isfinite(limit) && !std::isfinite(side.max);
   };
-  const auto to_drawn = deviation_by_parts(*mesh_, result, drawn, *distance_, limit, asker);
+  const auto to_drawn = deviation_by_parts(*mesh_, result, drawn, distance(), limit, asker);
   if (is_beyond(to_drawn)) return std::nullopt;
-  const auto from_drawn = deviation_by_parts(*mesh_, drawn, result, *distance_, limit, asker);
+  const auto from_drawn = deviation_by_parts(*mesh_, drawn, result, distance(), limit, asker);
   if (is_beyond(from_drawn)) return std::nullopt;
   return SurfaceDeviation{to_drawn, from_drawn};
 }

@@ -72,7 +72,12 @@ class DeviationMeter {
                                                 std::span<const SurfaceCurve> drawn,
                                                 const Progress& progress = {});
 
+  /// How far these points are from a curve, along the surface, mesh units.
+  std::vector<double> distances(std::span<const SurfacePoint> points, const SurfaceCurve& curve);
+
  private:
+  PolylineDistance& distance();
+
   const SurfaceMesh* mesh_;
   std::unique_ptr<PolylineDistance> distance_;
 };

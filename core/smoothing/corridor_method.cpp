@@ -24,7 +24,8 @@ Smoothed smooth_for_itself(CorridorHold& hold, const SmoothingOptions& options,
   const std::vector walls(hold.valleys().size(), CorridorHold::Walls::kExact);
   Straightened straight = flat ? *flat : hold.straighten(options, walls, progress);
   Stopwatch watch;
-  relax(hold.drawing().mesh(), straight.curves, {options.relax_rounds}, progress);
+  relax(hold.drawing().mesh(), straight.curves, {options.relax_rounds, hold.drawing().fixed()},
+        progress);
   straight.time_ms.relax = watch.lap();
   // What no wall holds is straight already.
   if (flat) return smoothed_from(std::move(straight));

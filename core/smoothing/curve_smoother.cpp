@@ -211,7 +211,8 @@ SmoothingResult CurveSmoother::smooth_ordered(const SmoothingOptions& options,
                                               const Progress& progress) {
   SmoothingResult result =
       reported(memory_->opened(), *drawing_, options, sheet_->smooth(options, given, progress));
-  warn_of_missed_points(memory_->mesh(), drawing_->curves(), curve_options_, result);
+  warn_of_missed_points(memory_->mesh(), memory_->meter(), drawing_->curves(), curve_options_,
+                        result);
   report_moves(options, result, progress);
   result.total = total_of(result.reports);
   last_ = std::make_unique<Last>(Last{options, result});

@@ -2,12 +2,9 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <optional>
 #include <vector>
 
 #include <fmt/format.h>
-
-#include "talweg/intrinsic/exact_distance/polyline_distance.hpp"
 
 namespace talweg {
 namespace {
@@ -29,38 +26,44 @@ struct Missed {
   Point at = Point::Zero();
 };
 
-Missed missed_by(const SurfaceMesh& mesh, const SurfaceCurve& drawn, const SurfaceCurve& result,
-                 const std::vector<WayPoint>& points) {
+Missed missed_by(const SurfaceMesh& mesh, DeviationMeter& meter, const SurfaceCurve& drawn,
+                 const SurfaceCurve& result, const std::vector<WayPoint>& to_pass) {
   const auto is_on = [](const SurfaceCurve& curve, const SurfacePoint& point) {
     return std::ranges::find(curve.points, point) != curve.points.end();
   };
-  Missed missed;
-  std::optional<PolylineDistance> distance;
-  for (const WayPoint& way : points) {
+  std::vector<SurfacePoint> points;  // that are no points of the result
+  std::vector<double> tolerances;
+  for (const WayPoint& way : to_pass) {
     if (!is_on(drawn, way.point) || is_on(result, way.point)) continue;
-    if (!distance) distance.emplace(mesh.surface()).set(std::span(&result, 1));
-    const double away = distance->at(way.point).distance;
-    if (away <= way.tolerance + kRounding * mesh.mean_edge_length()) continue;
+    points.push_back(way.point);
+    tolerances.push_back(way.tolerance);
+  }
+  Missed missed;
+  if (points.empty()) return missed;
+  const std::vector<double> distances = meter.distances(points, result);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (distances[i] <= tolerances[i] + kRounding * mesh.mean_edge_length()) continue;
     ++missed.points;
-    if (away <= missed.farthest) continue;
-    missed.farthest = away;
-    missed.at = mesh.position(way.point);
+    if (distances[i] <= missed.farthest) continue;
+    missed.farthest = distances[i];
+    missed.at = mesh.position(points[i]);
   }
   return missed;
 }
 
 }  // namespace
 
-void warn_of_missed_points(const SurfaceMesh& mesh, std::span<const SurfaceCurve> drawn,
-                           const CurveOptions& options, SmoothingResult& result) {
+void warn_of_missed_points(const SurfaceMesh& mesh, DeviationMeter& meter,
+                           std::span<const SurfaceCurve> drawn, const CurveOptions& options,
+                           SmoothingResult& result) {
   const std::vector<WayPoint> points = points_to_pass(options);
   for (std::size_t c = 0; !points.empty() && c < drawn.size(); ++c) {
-    const Missed missed = missed_by(mesh, drawn[c], result.curves[c], points);
+    const Missed missed = missed_by(mesh, meter, drawn[c], result.curves[c], points);
     if (missed.points == 0) continue;
     const Point& at = missed.at;
     result.reports[c].warnings.push_back(fmt::format(
         "The result misses {} of the points that it was to pass, by up to {:.3g} at ({:.6g}, "
-        "{:.6g}, {:.6g}): the drawing runs back over itself.",
+        "{:.6g}, {:.6g}): a drawing that meets itself loses small loops and ways back.",
         missed.points, missed.farthest, at.x(), at.y(), at.z()));
   }
 }

@@ -14,7 +14,7 @@ Smoothed straightened_and_relaxed(EmbeddedDrawing& drawing, const SmoothingOptio
                                   SignpostTriangulation::Metric metric, const Progress& progress) {
   Straightened straight = drawing.straighten(options, std::move(metric), progress);
   const Stopwatch watch;
-  relax(drawing.mesh(), straight.curves, {options.relax_rounds}, progress);
+  relax(drawing.mesh(), straight.curves, {options.relax_rounds, drawing.fixed()}, progress);
   Smoothed result = smoothed_from(std::move(straight));
   result.time_ms.relax = watch.ms();
   return result;

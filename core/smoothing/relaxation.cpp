@@ -29,18 +29,19 @@ struct Slider {
 struct SlidingPoint {
   EdgeId edge;
   double t = 0;
-  Slider* slider = nullptr;  ///< null for an end of a curve, which stays
+  Slider* slider = nullptr;  ///< null for a point that stays
 };
 
 class Sliders {
  public:
-  Sliders(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves) {
+  Sliders(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves,
+          std::span<const SurfacePoint> fixed) {
     for (std::size_t c = 0; c < curves.size(); ++c) {
       for (std::size_t i = 0; i < curves[c].points.size(); ++i) {
         const auto* at = std::get_if<OnEdge>(&curves[c].points[i].where());
         if (at == nullptr) continue;
         const bool end = !curves[c].closed && (i == 0 || i + 1 == curves[c].points.size());
-        if (end) {
+        if (end || std::ranges::find(fixed, curves[c].points[i]) != fixed.end()) {
           places_.push_back({at->edge, at->t, nullptr});
           continue;
         }
@@ -112,7 +113,7 @@ void relax(const SurfaceMesh& mesh, std::span<SurfaceCurve> curves,
            const RelaxationOptions& options, const Progress& progress) {
   options.validate();
   Asker asker(progress, "relax");
-  Sliders sliders(mesh, curves);
+  Sliders sliders(mesh, curves, options.fixed);
   std::vector<std::vector<Point>> points;
   for (const SurfaceCurve& curve : curves) points.push_back(positions_of(mesh, curve));
   std::vector<double> t(sliders.all().size());

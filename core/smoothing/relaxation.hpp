@@ -11,6 +11,7 @@ namespace talweg {
 
 struct RelaxationOptions {
   int rounds = 5;  ///< how often every point moves; 0 leaves the curve as it is
+  std::span<const SurfacePoint> fixed = {};  ///< points of the curves that stay, too
 
   /// Throws Error(kBadUsage) naming the field and its bound: 0 <= rounds <= 1,000,000.
   void validate() const;

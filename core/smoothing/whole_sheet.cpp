@@ -8,6 +8,40 @@
 #include "talweg/intrinsic/stopwatch.hpp"
 
 namespace talweg {
+namespace {
+
+/// Of several strokes: the largest of their deviations, and their means weighted by length.
+class StrokesDeviation {
+ public:
+  void add(const MeasuredDeviation& one, double drawn_length, double length) {
+    const auto farthest = [](const MeasuredDeviation& of) {
+      return std::max(of.to_drawn_max, of.from_drawn_max);
+    };
+    if (length_ + drawn_length_ == 0) {
+      all_ = one;
+    } else {
+      if (farthest(one) > farthest(all_)) all_.at = one.at;
+      all_.to_drawn_max = std::max(all_.to_drawn_max, one.to_drawn_max);
+      all_.from_drawn_max = std::max(all_.from_drawn_max, one.from_drawn_max);
+      all_.to_drawn_mean = mean(all_.to_drawn_mean, length_, one.to_drawn_mean, length);
+      all_.from_drawn_mean =
+          mean(all_.from_drawn_mean, drawn_length_, one.from_drawn_mean, drawn_length);
+    }
+    length_ += length;
+    drawn_length_ += drawn_length;
+  }
+  [[nodiscard]] const MeasuredDeviation& get() const { return all_; }
+
+ private:
+  static double mean(double a, double of_a, double b, double of_b) {
+    if (of_a == 0 || of_b == 0) return of_a == 0 ? b : a;
+    return a * (of_a / (of_a + of_b)) + b * (of_b / (of_a + of_b));
+  }
+  MeasuredDeviation all_;
+  double length_ = 0, drawn_length_ = 0;
+};
+
+}  // namespace
 
 WholeSheet::WholeSheet(SmoothingMemory& memory, const OrderedDrawing& drawing,
                        const CurveOptions& options, EmbeddedDrawing::Ground ground,
@@ -71,45 +105,29 @@ Smoothed WholeSheet::smooth(const SmoothingOptions& options, const GivenPotentia
 /// A leg is nowhere near its drawing, so only strokes count where there are any.
 MeasuredDeviation WholeSheet::deviation_of(std::size_t curve, const SurfaceCurve& result,
                                            DeviationMeasure measure, const Progress& progress) {
-  if (measure == DeviationMeasure::kNone) return {};
   const OrderedDrawing& drawing = drawing_.drawing();
   const SurfaceCurve& drawn = drawing.curves()[curve];
   const DrawnLegs& legs = drawing_.legs()[curve];
-  const bool mixed = legs.any() && !legs.all();
-  std::vector<SurfaceCurve> from{result}, to{drawn};
-  if (mixed) from = strokes_of(legs, result);
-  if (mixed) to = strokes_of(legs, drawn);
-  if (from.size() != to.size()) from = {result}, to = {drawn};
-  const bool band_is_there = corridor_ && drawing.curves().size() == 1 && !legs.any();
-  MeasuredDeviation all;
-  double lengths = 0, drawn_lengths = 0;
-  for (std::size_t k = 0; k < from.size(); ++k) {
-    MeasuredDeviation one =
-        measure_deviation(measure, drawing.edges_near()[curve], memory_->meter(), drawing_.mesh(),
-                          to[k], from[k], band_is_there ? &memory_->distance() : nullptr, progress);
-    if (from.size() == 1) return one;
-    const double length = curve_length(drawing_.surface(), from[k]),
-                 drawn_length = curve_length(drawing_.surface(), to[k]);
-    one.to_drawn_mean *= length;
-    one.from_drawn_mean *= drawn_length;
-    lengths += length;
-    drawn_lengths += drawn_length;
-    if (k == 0) {
-      all = one;
-      continue;
-    }
-    if (std::max(one.to_drawn_max, one.from_drawn_max) >
-        std::max(all.to_drawn_max, all.from_drawn_max)) {
-      all.at = one.at;
-    }
-    all.to_drawn_max = std::max(all.to_drawn_max, one.to_drawn_max);
-    all.from_drawn_max = std::max(all.from_drawn_max, one.from_drawn_max);
-    all.to_drawn_mean += one.to_drawn_mean;
-    all.from_drawn_mean += one.from_drawn_mean;
+  const auto between = [&](const SurfaceCurve& from, const SurfaceCurve& to,
+                           PolylineDistance* distance) {
+    return measure_deviation(measure, drawing.edges_near()[curve], memory_->meter(),
+                             drawing_.mesh(), from, to, distance, progress);
+  };
+  const bool mixed = measure != DeviationMeasure::kNone && legs.any() && !legs.all();
+  const std::vector<SurfaceCurve> from = mixed ? strokes_of(legs, drawn) : std::vector{drawn};
+  const std::vector<SurfaceCurve> to = mixed ? strokes_of(legs, result) : std::vector{result};
+  if (from.size() == 1 || from.size() != to.size()) {
+    const bool whole = from.size() != to.size();
+    const bool band_is_there = corridor_ && drawing.curves().size() == 1 && !legs.any();
+    return between(whole ? drawn : from[0], whole ? result : to[0],
+                   band_is_there ? &memory_->distance() : nullptr);
   }
-  all.to_drawn_mean /= lengths;
-  all.from_drawn_mean /= drawn_lengths;
-  return all;
+  StrokesDeviation all;
+  for (std::size_t k = 0; k < from.size(); ++k) {
+    all.add(between(from[k], to[k], nullptr), curve_length(drawing_.surface(), from[k]),
+            curve_length(drawing_.surface(), to[k]));
+  }
+  return all.get();
 }
 
 void WholeSheet::measure(const SmoothingOptions& options, Smoothed& smoothed,

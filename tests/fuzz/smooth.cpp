@@ -105,6 +105,7 @@ void smooth(const Target& /*target*/, const std::uint8_t* data, std::size_t size
     StraightLines lines(mesh->surface());
     std::vector<SurfaceCurve> curves;
     const std::vector<SnappedCurve> all = snap(mesh->mesh(), inputs);
+    curves.reserve(all.size());
     for (const SnappedCurve& snapped : all) {
       curves.push_back(lines.join(snapped.points, snapped.closed));
     }

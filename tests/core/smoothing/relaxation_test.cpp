@@ -77,6 +77,18 @@ TEST(Relaxation, StraightLinesAcrossABentEdgeStay) {
   }
 }
 
+TEST(Relaxation, FixedPointsStay) {
+  const SurfaceMesh mesh = SurfaceMesh::open(grid(6, 1));
+  SurfaceCurve curve = across(mesh.surface(), 6, zigzag(6));
+  const SurfaceCurve before = curve;
+  const std::vector<SurfacePoint> fixed{curve.points[3], curve.points[8]};
+  relax(mesh, curve, {.rounds = 20, .fixed = fixed});
+  for (const std::size_t i : {std::size_t{3}, std::size_t{8}}) {
+    EXPECT_EQ(curve.points[i], before.points[i]);
+  }
+  EXPECT_GT(std::abs(t_of(curve.points[5]) - t_of(before.points[5])), 0.05);
+}
+
 TEST(Relaxation, ZigzagsBecomeStraight) {
   const SurfaceMesh mesh = SurfaceMesh::open(grid(6, 1));
   SurfaceCurve curve = across(mesh.surface(), 6, zigzag(6));

@@ -173,6 +173,7 @@ TEST_F(WayPointsOnHills, APaintedStretchStaysNearItsDrawing) {
 
 TEST_F(WayPointsOnHills, AreDraggedToWhereTheyWouldBeSet) {
   std::vector<VertexId> clicks;
+  clicks.reserve(kWave.size());
   for (const auto& [x, y] : kWave) clicks.emplace_back(y * columns + x);
   CurveSmoother smoother(opened), fresh(opened);
   smoother.set_curve(talweg::draw(surface(), clicks));
