@@ -8,6 +8,7 @@
 #include "talweg/core/drawing/crossings.hpp"
 #include "talweg/core/fairing/curve_fairing.hpp"
 #include "talweg/core/measure/measures.hpp"
+#include "talweg/core/smoothing/fair_mending.hpp"
 #include "talweg/core/smoothing/fair_verdict.hpp"
 #include "talweg/core/smoothing/leg_start.hpp"
 
@@ -17,6 +18,7 @@ namespace {
 constexpr double kNoTurn = 1e-6;            // rad
 constexpr double kBands[] = {1, 0.7, 0.4};  // of tries that start from the drawing
 constexpr std::size_t kTries = 1 + std::size(kBands);
+constexpr std::size_t kMended = kTries + 1, kGivenUp = kTries + 2;
 
 /// c of a spline's legs: see LegTension::relative. Below the least one it would swing out widely
 /// where its legs turn sharply.
@@ -45,13 +47,17 @@ void FairFinishing::run(const std::vector<FairGroup>& groups, const FairChains& 
     for (const std::size_t c : crossing_curves(hold_->drawing().surface(), now_)) {
       const std::size_t a = attempt_of_[c];
       if (a >= done.size() || done[a]) continue;
-      if (attempts_[a].tries == 0 || attempts_[a].tries > kTries) continue;
+      if (attempts_[a].tries == 0 || attempts_[a].tries == kGivenUp) continue;
       done[a] = true;
       make_fair(a);
       again = true;
     }
   }
-  for (std::size_t c = 0; c < curves.size(); ++c) curves[c].curve = std::move(now_[c]);
+  for (std::size_t c = 0; c < curves.size(); ++c) {
+    curves[c].curve = std::move(now_[c]);
+    const std::string& warning = attempts_[attempt_of_[c]].left_taut;
+    if (!warning.empty()) curves[c].warnings.push_back(warning);
+  }
 }
 
 void FairFinishing::begin(const FairGroup& group, const std::optional<SampleChain>& chain) {
@@ -99,23 +105,65 @@ void FairFinishing::make_fair(std::size_t number) {
     fair = tried(attempt, taus);
     if (attempt.tries++ > 0) count_redrawn(attempt.group);
   }
-  if (!fair) attempt.tries = kTries + 1;
+  if (!fair) fair = mended(attempt, taus);
   const FairGroup group = attempt.group;  // more attempts may come
-  const auto curves = parted(group.joined, group.junctions, fair ? *std::move(fair) : attempt.taut);
-  const bool failed = attempt.tries > kTries;
+  const auto curves = parted(group.joined, group.junctions, fair ? *fair : attempt.taut);
   for (std::size_t k = 0; k < curves.size(); ++k) now_[group.joined.parts[k].curve] = curves[k];
-  if (!failed) return;
-  for (const JoinedCurves::Part& part : group.joined.parts) {
-    if (!group.joined.is_joined()) {
-      (*curves_)[part.curve].warnings.emplace_back(kLeftTaut);
-    } else {
-      const FairGroup one = fair_group(hold_->drawing(), {{{part.curve, false}}});
-      Straightened straight{taut_, std::vector<StraightenedPath>(taut_.size())};
-      const auto chain = hold_->fair_from(one, taus_of(one, *options_), straight, *progress_);
-      (*curves_)[part.curve].path.redrawn = straight.paths[part.curve].redrawn;
-      begin(one, chain);
-    }
+  if (fair) return;
+  attempt.tries = kGivenUp;
+  if (group.joined.is_joined()) {
+    make_fair_apart(group);
+  } else {
+    attempt.left_taut = is_smooth(attempt, taus) ? "" : kLeftTaut;
   }
+}
+
+void FairFinishing::make_fair_apart(const FairGroup& group) {
+  for (const JoinedCurves::Part& part : group.joined.parts) {
+    const FairGroup one = fair_group(hold_->drawing(), {{{part.curve, false}}});
+    Straightened straight{taut_, std::vector<StraightenedPath>(taut_.size())};
+    const auto chain = hold_->fair_from(one, taus_of(one, *options_), straight, *progress_);
+    (*curves_)[part.curve].path.redrawn = straight.paths[part.curve].redrawn;
+    begin(one, chain);
+  }
+}
+
+/// The curve with what cannot be made fair left taut; once.
+std::optional<SurfaceCurve> FairFinishing::mended(Attempt& attempt, const Taus& taus) {
+  const FairGroup& group = attempt.group;
+  const bool is_held = taus.front() >= kLeastHeldTau;
+  if (attempt.tries >= kMended || group.joined.is_joined() || !is_held ||
+      has_legs(hold_->drawing(), group) || is_smooth(attempt, taus)) {
+    return std::nullopt;
+  }
+  attempt.tries = kMended;
+  const std::size_t c = group.joined.parts.front().curve;
+  const FairMending::Crossed crossed = [&](const SurfaceCurve& curve) {
+    std::vector<SurfaceCurve> all = now_;
+    all[c] = curve;
+    return crossed_points(hold_->drawing().surface(), all, c);
+  };
+  FairMending mending(*hold_, group, taus, attempt.taut, crossed, asker_);
+  Straightened straight{taut_, std::vector<StraightenedPath>(taut_.size())};
+  const SurfaceCurve start = hold_->with_cut_off_detours(group, straight);
+  std::optional<MendedCurve> mended = mending.from(start);
+  if (!mended && straight.paths[c].redrawn > 0) {
+    straight.paths[c].redrawn = 0;
+    mended = mending.from(attempt.taut);
+  }
+  if (!mended) return std::nullopt;
+  (*curves_)[c].path.redrawn = straight.paths[c].redrawn;
+  attempt.left_taut = std::move(mended->warning);
+  return std::move(mended->curve);
+}
+
+/// Whether the taut curve turns as little as a fair one, between the walls; not where it has legs.
+bool FairFinishing::is_smooth(const Attempt& attempt, const Taus& taus) {
+  if (has_legs(hold_->drawing(), attempt.group)) return false;
+  const std::vector<SurfacePoint>& corners = hold_->drawing().corners();
+  const SurfaceCurve& taut = attempt.taut;
+  return largest_turn_between(hold_->drawing().surface(), taut, corners) <= kMostFairTurn &&
+         keeps_within(attempt.group, taus, taut);
 }
 
 /// The fair curve of one try: from the chain, then from the drawing in ever narrower bands; with

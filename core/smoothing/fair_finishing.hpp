@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "talweg/core/fairing/sample_chain.hpp"
@@ -16,8 +17,9 @@ namespace talweg {
 
 /// Replaces straightened curves by those of their chains, one group after the other, until none
 /// crosses another. Where that would leave the walls, or cross what the drawing does not cross,
-/// curves start from the drawing, in a narrower band; if nothing helps they stay straightened, with
-/// a warning. Curves that are not faired stay too. Joined curves that fail are faired each for
+/// curves start from the drawing, in a narrower band; if nothing helps those
+/// stretches of them that fail stay straightened (fair_mending.hpp), or all of them, with a
+/// warning. Curves that are not faired stay too. Joined curves that fail are faired each for
 /// itself. Refers to the objects it is made from.
 class FairFinishing {
  public:
@@ -35,12 +37,16 @@ class FairFinishing {
     SurfaceCurve taut;
     bool redrawn = false;  ///< whether the chain has started from the drawing somewhere
     std::size_t tries = 0;
+    std::string left_taut;  ///< a warning
   };
   void begin(const FairGroup& group, const std::optional<SampleChain>& chain);
   void warn_if_too_long(const FairGroup& group);
   [[nodiscard]] bool is_redrawn(const FairGroup& group) const;
   void count_redrawn(const FairGroup& group);
   void make_fair(std::size_t number);
+  void make_fair_apart(const FairGroup& group);
+  std::optional<SurfaceCurve> mended(Attempt& attempt, const Taus& taus);
+  [[nodiscard]] bool is_smooth(const Attempt& attempt, const Taus& taus);
   std::optional<SurfaceCurve> tried(const Attempt& attempt, const Taus& taus);
   [[nodiscard]] bool keeps_within(const FairGroup& group, const Taus& taus,
                                   const SurfaceCurve& curve);

@@ -18,12 +18,12 @@ constexpr int kRounds = 8;
 constexpr double kMargin = 2;      // samples, on either side of what is bad, at first
 constexpr double kMostTaut = 0.5;  // of the length
 
-std::string told(const HeldCurve& held, const SurfaceMesh& mesh) {
+std::string warning_of(const HeldCurve& held, const SurfaceMesh& mesh) {
   const Point at = mesh.position(held.middle);
   const bool one = held.ends.size() == 1;
   return fmt::format(
       "The curve could not be made fair within its walls everywhere: {} of it ({:.2g} % of its "
-      "length{} around ({:.6g}, {:.6g}, {:.6g})) {} left taut, with kinks.",
+      "length{} around ({:.6g}, {:.6g}, {:.6g})) {} left taut.",
       one ? "a stretch" : fmt::format("{} stretches", held.ends.size()), 100 * held.share,
       one ? "," : ", the longest", at.x(), at.y(), at.z(), one ? "is" : "are");
 }
@@ -56,6 +56,7 @@ struct FairMending::Setting {
   PolylineDistance distance;  // to the start
   TautStretches stretches;
   double most_bending;
+  double spacing = 0;  // of samples, mesh units
 };
 
 /// The trace from which the rest is faired.
@@ -104,7 +105,9 @@ void FairMending::judge(Setting& setting, Try& result) const {
   });
   if (!result.bad.empty()) return;
   const double own = bending_between(drawing.surface(), curve, drawing.corners(), group_->edge);
-  if (own > setting.most_bending) result.bad = most_bent(setting, curve);
+  if (own <= setting.most_bending) return;
+  result.bad = most_bent(setting, curve);
+  if (result.bad.empty()) result.curve.reset();  // all of it bends more
 }
 
 /// Where the curve bends most in comparison with the one it started from, outside the stretches.
@@ -141,36 +144,56 @@ bool FairMending::leaves_drawing(const Setting& setting) const {
   return false;
 }
 
-std::optional<MendedCurve> FairMending::from(const SurfaceCurve& start) {
+/// Whether a curve has no kinks and is between its walls, its stretches too.
+bool FairMending::is_fair(const SurfaceCurve& curve) {
+  const EmbeddedDrawing& drawing = hold_->drawing();
+  if (largest_turn_between(drawing.surface(), curve, drawing.corners()) > kMostFairTurn) {
+    return false;
+  }
+  bool within = false;
+  hold_->with_fairing(*group_, *taus_, 1, {}, *asker_,
+                      [&](const CurveFairing& fairing) { within = fairing.farthest(curve) <= 1; });
+  return within;
+}
+
+FairMending::Setting FairMending::setting_for(const SurfaceCurve& start) {
   const Surface& surface = hold_->drawing().surface();
   const auto bending = [&](const SurfaceCurve& curve) {
     return bending_between(surface, curve, hold_->drawing().corners(), group_->edge);
   };
   Setting setting{&start, PolylineDistance(surface), TautStretches(surface, start),
                   bending(*taut_)};
+  setting.distance.ask(asker_);
   setting.distance.set(std::span(&start, 1));
   bool within = false;
-  double spacing = 0;
   hold_->with_fairing(*group_, *taus_, 1, {}, *asker_, [&](const CurveFairing& fairing) {
     within = fairing.farthest(*taut_) <= 1;
-    spacing = fairing.least_spacing(setting.distance.curve_length(0));
+    setting.spacing = fairing.least_spacing(setting.distance.curve_length(0));
   });
-  const bool is_taut = start.points == taut_->points;
-  if (!is_taut || !within)
+  if (!within || start.points != taut_->points) {
     setting.most_bending = std::max(setting.most_bending, bending(group_->drawn));
-  double margin = kMargin * spacing;
+  }
+  return setting;
+}
+
+std::optional<MendedCurve> FairMending::from(const SurfaceCurve& start) {
+  Setting setting = setting_for(start);
+  double margin = kMargin * setting.spacing;
   std::optional<HeldCurve> held;
   for (int round = 0; round < kRounds; ++round, margin *= 2) {
     Try result = faired(setting, held);
     if (result.bad.empty()) {
       if (!result.curve) return std::nullopt;
-      return MendedCurve{*std::move(result.curve),
-                         held ? told(*held, hold_->drawing().mesh()) : std::string()};
+      MendedCurve mended{*std::move(result.curve), {}};
+      if (held && !is_fair(mended.curve)) {
+        mended.warning = warning_of(*held, hold_->drawing().mesh());
+      }
+      return mended;
     }
     for (const SurfacePoint& point : result.bad) {
       setting.stretches.add(setting.distance.at(point).arc_length, margin);
     }
-    held = setting.stretches.held(spacing);
+    held = setting.stretches.held(setting.spacing);
     if (!held || held->share > kMostTaut || leaves_drawing(setting)) return std::nullopt;
   }
   return std::nullopt;

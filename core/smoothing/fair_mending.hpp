@@ -17,7 +17,7 @@ namespace talweg {
 
 struct MendedCurve {
   SurfaceCurve curve;
-  std::string warning;  ///< a sentence that says what is left taut; empty if nothing is
+  std::string warning;  ///< a sentence about what is left taut; empty if that is no worse than fair
 };
 
 /// Makes a curve fair from its taut curve. Where that leaves the walls, crosses, lies along the
@@ -49,11 +49,13 @@ class FairMending {
     std::vector<SurfacePoint> bad;
   };
   struct Setting;
+  Setting setting_for(const SurfaceCurve& start);
   [[nodiscard]] CurveTrace traced(const HeldCurve& held) const;
   Try faired(Setting& setting, const std::optional<HeldCurve>& held);
   void judge(Setting& setting, Try& result) const;
   [[nodiscard]] std::vector<SurfacePoint> most_bent(Setting& setting,
                                                     const SurfaceCurve& curve) const;
+  [[nodiscard]] bool is_fair(const SurfaceCurve& curve);
   [[nodiscard]] bool leaves_drawing(const Setting& setting) const;
 
   CorridorHold* hold_;

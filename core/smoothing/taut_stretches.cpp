@@ -25,7 +25,7 @@ struct TautStretches::Course {
 /// A place of a stretch that stays.
 struct TautStretches::Mark {
   double arc = 0;
-  bool is_end = false;  // of the stretch, and not of the curve
+  bool begins = false, ends = false;  // the stretch
 };
 
 TautStretches::TautStretches(const Surface& surface, const SurfaceCurve& curve)
@@ -144,56 +144,73 @@ std::vector<TautStretches::Mark> TautStretches::marks_on(const Course& course,
       if (bend > part.from && bend < part.to) places.push_back(bend);
     }
     places.push_back(part.to);
-    marks.push_back({part.from, part.from > 0});
+    marks.push_back({part.from, true});
     for (std::size_t k = 0; k + 1 < places.size(); ++k) {
       const double from = places[k], to = places[k + 1];
       const double joins = std::max(1.0, std::ceil((to - from) / spacing));
       for (double i = 1; i < joins; ++i) marks.push_back({from + (to - from) * i / joins});
-      marks.push_back({to, k + 2 == places.size() && to < length_});
+      marks.push_back({to, false, k + 2 == places.size()});
     }
   }
   return marks;
 }
 
-std::optional<HeldCurve> TautStretches::held(double spacing) const {
-  const Course course = course_from(first_outside());
-  const std::vector<Part> parts = settled(course, spacing);
-  const double first = parts.front().from, last = parts.back().to;
-  if (curve_->closed ? first <= 0 || last >= length_ : parts.size() == 1 && last - first >= length_)
-    return std::nullopt;
-  const std::vector<Mark> marks = marks_on(course, parts, spacing);
+/// The course with a point at each mark; these points stay.
+HeldCurve TautStretches::marked(const Course& course, const std::vector<Mark>& marks,
+                                double spacing) const {
   HeldCurve result{{curve_->closed, {}}, {}, {}, {}, 0, curve_->points.front()};
   std::vector<SurfacePoint>& points = result.curve.points;
-  std::vector<SurfacePoint> places;  // of the marks
   const auto stay = [&](const Mark& mark) {
-    if (result.fixed.empty() || result.fixed.back() + 1 < points.size())
+    if (result.fixed.empty() || result.fixed.back() + 1 < points.size()) {
       result.fixed.push_back(points.size() - 1);
-    if (!mark.is_end) result.corners.push_back(points.back());
-    places.push_back(points.back());
+    }
+    if (mark.begins) result.ends.push_back({points.back(), points.back()});
+    if (mark.ends) result.ends.back()[1] = points.back();
+    if (!mark.begins && !mark.ends) result.corners.push_back(points.back());
   };
   const double same = kSame * spacing;
-  for (std::size_t i = 0, m = 0; i < course.points.size(); ++i) {
-    if (i + 1 == course.points.size() && curve_->closed) break;
+  const std::size_t n = curve_->points.size();
+  for (std::size_t i = 0, m = 0; i < n; ++i) {
     points.push_back(curve_->points[course.points[i]]);
     for (; m < marks.size() && marks[m].arc <= course.arcs[i] + same; ++m) stay(marks[m]);
     if (i + 1 == course.points.size()) break;
     const CurveSegment& segment = segments_[course.points[i]];
     for (; m < marks.size() && marks[m].arc < course.arcs[i + 1] - same; ++m) {
-      points.push_back(segment.point(*surface_, (marks[m].arc - course.arcs[i]) / segment.length));
+      const double part = (marks[m].arc - course.arcs[i]) / segment.length;
+      points.push_back(segment.point(*surface_, part));
       stay(marks[m]);
     }
   }
+  return result;
+}
+
+/// The point at a place of the course.
+SurfacePoint TautStretches::at(const Course& course, double arc) const {
+  const auto after = std::ranges::upper_bound(course.arcs, arc);
+  const auto i = static_cast<std::size_t>(std::max<std::ptrdiff_t>(
+      0, std::min(after - course.arcs.begin(), std::ssize(course.arcs) - 1) - 1));
+  const CurveSegment& segment = segments_[course.points[i]];
+  const double part = segment.length > 0 ? (arc - course.arcs[i]) / segment.length : 0;
+  return segment.point(*surface_, std::clamp(part, 0.0, 1.0));
+}
+
+std::optional<HeldCurve> TautStretches::held(double spacing) {
+  const Course course = course_from(first_outside());
+  const std::vector<Part> parts = settled(course, spacing);
+  const double first = parts.front().from, last = parts.back().to;
+  const bool nothing_left =
+      curve_->closed ? first <= 0 || last >= length_ : parts.size() == 1 && last - first >= length_;
+  if (nothing_left) return std::nullopt;
+  HeldCurve result = marked(course, marks_on(course, parts, spacing), spacing);
   double longest = 0;
+  parts_.clear();
   for (const Part& part : parts) {
-    const auto place = [&](double arc) {
-      const auto at = std::ranges::lower_bound(marks, arc, {}, &Mark::arc);
-      return places[static_cast<std::size_t>(at - marks.begin())];
-    };
-    result.ends.push_back({place(part.from), place(part.to)});
-    result.share += (part.to - part.from) / length_;
-    if (part.to - part.from <= longest) continue;
-    longest = part.to - part.from;
-    result.middle = place((part.from + part.to) / 2);
+    const double size = part.to - part.from;
+    add(std::fmod(course.begin + (part.from + part.to) / 2, length_), size / 2);
+    result.share += size / length_;
+    if (size <= longest) continue;
+    longest = size;
+    result.middle = at(course, (part.from + part.to) / 2);
   }
   return result;
 }

@@ -38,7 +38,7 @@ class TautStretches {
   /// The curve with its stretches held by points at most this far apart (mesh units, > 0). They
   /// grow until they begin and end where the curve is straight, so that its direction there stays,
   /// too. None where nothing would be left outside. Only for any().
-  [[nodiscard]] std::optional<HeldCurve> held(double spacing) const;
+  std::optional<HeldCurve> held(double spacing);
 
  private:
   struct Part {
@@ -52,6 +52,9 @@ class TautStretches {
   [[nodiscard]] std::vector<Part> settled(const Course& course, double spacing) const;
   [[nodiscard]] std::vector<Mark> marks_on(const Course& course, const std::vector<Part>& parts,
                                            double spacing) const;
+  [[nodiscard]] HeldCurve marked(const Course& course, const std::vector<Mark>& marks,
+                                 double spacing) const;
+  [[nodiscard]] SurfacePoint at(const Course& course, double arc) const;
 
   const Surface* surface_;
   const SurfaceCurve* curve_;
