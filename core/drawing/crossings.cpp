@@ -11,7 +11,7 @@ namespace {
 
 struct FaceSegment {
   FaceId face;
-  std::size_t curve;
+  std::size_t curve, number;
   std::array<double, 3> from, to;  // barycentrics
 };
 
@@ -41,7 +41,7 @@ std::vector<FaceSegment> segments_by_face(const Surface& surface,
         throw Error(ErrorCode::kBadCurve,
                     "Segment " + std::to_string(i + 1) + " of the curve lies in no face.");
       }
-      segments.push_back({face, c, coordinates_in(surface, p, face).barycentric,
+      segments.push_back({face, c, i, coordinates_in(surface, p, face).barycentric,
                           coordinates_in(surface, q, face).barycentric});
     }
   }
@@ -154,20 +154,50 @@ PathContacts path_contacts(const SignpostTriangulation& triangulation,
   return result;
 }
 
-std::vector<std::size_t> crossing_curves(const Surface& surface,
-                                         std::span<const SurfaceCurve> curves) {
+namespace {
+
+/// Calls found() with each two segments that cross.
+template <class Found>
+void find_crossings(const Surface& surface, std::span<const SurfaceCurve> curves,
+                    const Found& found) {
   const std::vector<FaceSegment> segments = segments_by_face(surface, curves);
-  std::vector<std::size_t> crossing;
   for (std::size_t i = 0; i < segments.size(); ++i) {
     for (std::size_t k = i + 1; k < segments.size() && segments[k].face == segments[i].face; ++k) {
-      if (!cross(segments[i], segments[k])) continue;
-      crossing.push_back(segments[i].curve);
-      crossing.push_back(segments[k].curve);
+      if (cross(segments[i], segments[k])) found(segments[i], segments[k]);
     }
   }
-  std::sort(crossing.begin(), crossing.end());
-  crossing.erase(std::unique(crossing.begin(), crossing.end()), crossing.end());
+}
+
+void sort_once(std::vector<std::size_t>& numbers) {
+  std::sort(numbers.begin(), numbers.end());
+  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+}
+
+}  // namespace
+
+std::vector<std::size_t> crossing_curves(const Surface& surface,
+                                         std::span<const SurfaceCurve> curves) {
+  std::vector<std::size_t> crossing;
+  find_crossings(surface, curves, [&](const FaceSegment& p, const FaceSegment& q) {
+    crossing.push_back(p.curve);
+    crossing.push_back(q.curve);
+  });
+  sort_once(crossing);
   return crossing;
+}
+
+std::vector<SurfacePoint> crossed_points(const Surface& surface,
+                                         std::span<const SurfaceCurve> curves, std::size_t curve) {
+  std::vector<std::size_t> crossed;
+  find_crossings(surface, curves, [&](const FaceSegment& p, const FaceSegment& q) {
+    for (const FaceSegment* segment : {&p, &q}) {
+      if (segment->curve == curve) crossed.push_back(segment->number);
+    }
+  });
+  sort_once(crossed);
+  std::vector<SurfacePoint> points;
+  for (const std::size_t i : crossed) points.push_back(curves[curve].points[i]);
+  return points;
 }
 
 }  // namespace talweg

@@ -31,4 +31,9 @@ PathContacts path_contacts(const SignpostTriangulation& triangulation,
 std::vector<std::size_t> crossing_curves(const Surface& surface,
                                          std::span<const SurfaceCurve> curves);
 
+/// The points of one of these curves at which a segment begins that crosses another segment, of the
+/// same or of another curve, as for crossing_curves().
+std::vector<SurfacePoint> crossed_points(const Surface& surface,
+                                         std::span<const SurfaceCurve> curves, std::size_t curve);
+
 }  // namespace talweg

@@ -48,9 +48,13 @@ std::vector<double> CurveFairing::spacings(const CurveTrace& trace, int level) c
   return spacings;
 }
 
-bool CurveFairing::is_too_long(double length) const {
+double CurveFairing::least_spacing(double length) const {
   const double slack = band_ != nullptr ? band_->least_slack() : 0;
-  return length > kMostSamples * std::max(slack / 2, edge_ / 8);
+  return std::max({slack / 2, edge_ / 8, length / kMostSamples});
+}
+
+bool CurveFairing::is_too_long(double length) const {
+  return length > kMostSamples * least_spacing(0);
 }
 
 /// The length 1/√t over which a spline turns where its leg does, once it is known.
@@ -212,20 +216,59 @@ double CurveFairing::farthest(const SampleChain& chain) const {
   return most;
 }
 
+double CurveFairing::in_walls(const SurfacePoint& point) const {
+  const BandPlace place = band_->at(point);
+  return place.distance / place.wall;
+}
+
+/// Calls look() with the curve's points, and with the middles of its segments, but for what is left
+/// out.
+template <class Look>
+void CurveFairing::look_along(const SurfaceCurve& curve, const Look& look) const {
+  const std::size_t n = curve.points.size();
+  std::size_t next = 0;
+  bool out = false;
+  for (std::size_t i = 0; i < n; ++i) {
+    const SurfacePoint &p = curve.points[i], &q = curve.points[(i + 1) % n];
+    const bool was_out = out;
+    if (!out && next < left_out_.size() && p == left_out_[next][0]) {
+      out = true;
+    } else if (out && p == left_out_[next][1]) {
+      out = false;
+      ++next;
+    }
+    if (!out && !was_out) look(p);
+    if (i + 1 == n && !curve.closed) break;
+    if (!out) {
+      look(segment_between(*surface_, p, q, common_face(*surface_, p, q)).point(*surface_, 0.5));
+    }
+  }
+}
+
 double CurveFairing::farthest(const SurfaceCurve& curve) const {
   double most = 0;
-  const auto look = [&](const SurfacePoint& point) {
-    const BandPlace place = band_->at(point);
-    most = std::max(most, place.distance / place.wall);
-  };
-  const std::size_t n = curve.points.size();
-  for (std::size_t i = 0; i < n; ++i) {
-    look(curve.points[i]);
-    if (i + 1 == n && !curve.closed) break;
-    const SurfacePoint &p = curve.points[i], &q = curve.points[(i + 1) % n];
-    look(segment_between(*surface_, p, q, common_face(*surface_, p, q)).point(*surface_, 0.5));
-  }
+  look_along(curve, [&](const SurfacePoint& p) { most = std::max(most, in_walls(p)); });
   return most;
+}
+
+std::vector<SurfacePoint> CurveFairing::beyond(const SurfaceCurve& curve) const {
+  std::vector<SurfacePoint> points;
+  look_along(curve, [&](const SurfacePoint& p) {
+    if (!(in_walls(p) <= 1)) points.push_back(p);
+  });
+  return points;
+}
+
+std::vector<SurfacePoint> CurveFairing::beyond(const SampleChain& chain) const {
+  std::vector<SurfacePoint> points;
+  for (std::size_t i = 0; i < chain.size(); ++i) {
+    if (chain.fixed[i] || !is_held(chain, i)) continue;
+    const FaceCoordinates& at = chain.samples[i];
+    const BandPlace place = band_->at(at, {1, 0});
+    if (place.distance <= place.wall) continue;
+    points.push_back(SurfacePoint::from_barycentric(*surface_, at.face, at.barycentric));
+  }
+  return points;
 }
 
 /// So many joins of the result for each of the chain's that turns are of 3 degrees on average:

@@ -1,6 +1,7 @@
 // Fairing spreads the turning of a curve evenly, between the walls of its drawing.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <utility>
@@ -40,6 +41,12 @@ class CurveFairing {
   /// Whether a curve of this length (mesh units) has more than 100,000 samples at the distance that
   /// its slack and the mesh ask for, so that they are taken farther apart.
   [[nodiscard]] bool is_too_long(double length) const;
+  /// The least distance of samples on strokes of a curve of this length; mesh units.
+  [[nodiscard]] double least_spacing(double length) const;
+  /// Stretches of curves, by their ends, that need not be between the walls: points that stay.
+  void leave_out(std::vector<std::array<SurfacePoint, 2>> stretches) {
+    left_out_ = std::move(stretches);
+  }
   /// A fair chain that starts from a curve; none where samples cannot be joined.
   std::optional<SampleChain> from_curve(const CurveTrace& start, Asker& asker);
   /// A fair chain that starts from one of another band. The ways of its samples are added to the
@@ -51,6 +58,9 @@ class CurveFairing {
   [[nodiscard]] bool keeps_within(const SampleChain& chain) const;
   /// The largest distance of a curve to the drawing, in distances of the wall there.
   [[nodiscard]] double farthest(const SurfaceCurve& curve) const;
+  /// What lies beyond the walls: samples; points and middles of segments.
+  [[nodiscard]] std::vector<SurfacePoint> beyond(const SampleChain& chain) const;
+  [[nodiscard]] std::vector<SurfacePoint> beyond(const SurfaceCurve& curve) const;
   /// The curve of a chain that is fair or nearly so; the chain is faired on where that is beyond a
   /// wall. None where samples cannot be joined.
   std::optional<FairedCurve> curve_of(SampleChain chain, Asker& asker);
@@ -65,6 +75,9 @@ class CurveFairing {
   std::optional<SampleChain> loosened(SampleChain chain, Asker& asker);
   [[nodiscard]] bool is_held(const SampleChain& chain, std::size_t i) const;
   [[nodiscard]] double farthest(const SampleChain& chain) const;
+  [[nodiscard]] double in_walls(const SurfacePoint& point) const;
+  template <class Look>
+  void look_along(const SurfaceCurve& curve, const Look& look) const;
   void keep_within(FairChain& fair, SampleChain& chain, SampleTrail* trail, Asker& asker);
 
   const Surface* surface_;
@@ -73,6 +86,7 @@ class CurveFairing {
   double edge_;
   FairOptions options_;
   LegTension legs_;
+  std::vector<std::array<SurfacePoint, 2>> left_out_;
   double tension_ = 0;  // of the legs at last, 1 / mesh units²
 };
 

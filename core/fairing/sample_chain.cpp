@@ -77,9 +77,10 @@ bool ChainMaker::add_join(SampleChain& chain, const FaceCoordinates& from,
 
 namespace {
 
-/// A point a little before the end of a join, or behind its start.
-SurfacePoint beside(const Surface& surface, const FaceCoordinates& at, PlanePoint back,
-                    double length) {
+/// A point a little before the end of a join, or behind its start; none in a face without area,
+/// where there are no directions.
+std::optional<SurfacePoint> beside(const Surface& surface, const FaceCoordinates& at,
+                                   PlanePoint back, double length) {
   constexpr double kLittle = 1e-3;
   const FaceFrame frame(surface, at.face);
   FaceFrame::Barycentric rates = frame.rates(back);
@@ -94,6 +95,7 @@ SurfacePoint beside(const Surface& surface, const FaceCoordinates& at, PlanePoin
   for (std::size_t k = 0; k < 3; ++k) {
     sum += there.barycentric[k] = std::max(0.0, at.barycentric[k] + step * rates[k]);
   }
+  if (!(sum > 0 && std::isfinite(sum))) return std::nullopt;
   for (double& b : there.barycentric) b /= sum;
   return SurfacePoint::from_barycentric(surface, there.face, there.barycentric, 0);
 }
@@ -105,9 +107,11 @@ double ChainMaker::turn_between(const ChainJoin& in, const ChainJoin& out) const
   if (in.to.face == out.from.face) {
     return std::atan2(cross(in.end, out.start), dot(in.end, out.start));
   }
+  const auto before = beside(*surface_, in.to, -1 * in.end, in.length);
+  const auto after = beside(*surface_, out.from, out.start, out.length);
+  if (!before || !after) return 0;
   const SurfacePoint at = SurfacePoint::from_barycentric(*surface_, in.to.face, in.to.barycentric);
-  return signed_turning(*surface_, beside(*surface_, in.to, -1 * in.end, in.length), at,
-                        beside(*surface_, out.from, out.start, out.length));
+  return signed_turning(*surface_, *before, at, *after);
 }
 
 void ChainMaker::set_turns(SampleChain& chain) const {

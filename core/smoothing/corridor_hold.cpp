@@ -3,15 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
 #include <utility>
 
-#include "talweg/core/drawing/crossings.hpp"
 #include "talweg/core/fairing/curve_fairing.hpp"
 #include "talweg/core/measure/measures.hpp"
 #include "talweg/core/smoothing/corridor_valleys.hpp"
 #include "talweg/core/smoothing/cut_off_detours.hpp"
-#include "talweg/core/smoothing/fair_verdict.hpp"
 #include "talweg/core/smoothing/leg_start.hpp"
 #include "talweg/core/smoothing/lifted_lengths.hpp"
 #include "talweg/core/smoothing/touched_edges.hpp"
@@ -25,23 +22,10 @@ constexpr double kUnfelt = 1e-7;
 /// How far from the drawing the walls are that a fair curve keeps to, in slacks.
 double walls_of(double tau) { return 1.25 * (1 + 0.2 / tau); }
 
-constexpr double kNoTurn = 1e-6;         // rad
 constexpr double kLeastSlack = 1.0 / 8;  // edges
 constexpr double kRounding = 1e-9;       // edges
 constexpr double kDetour = 6;  // slacks: a part of the drawing that far away is no trembling
 constexpr int kHalvings = 8;
-constexpr double kBands[] = {1, 0.7, 0.4};  // of tries that start from the drawing
-constexpr std::size_t kTries = 1 + std::size(kBands);
-
-/// c of a spline's legs: see LegTension::relative. Below the least one it would swing out widely
-/// where its legs turn sharply.
-double tension_of(double tau) { return std::clamp(20 * tau, 1.0, 160.0); }
-constexpr double kTighter = 8;  // of the tries of splines
-constexpr const char* kTooLong =
-    "The curve is so long that more than 100,000 samples would be needed to make it as fair as its "
-    "slack allows; they are taken farther apart.";
-constexpr const char* kLeftTaut =
-    "The curve could not be made fair within its walls; it is left taut, with kinks.";
 
 }  // namespace
 
@@ -179,7 +163,6 @@ CurveTrace CorridorHold::traced(const FairGroup& group, const SurfaceCurve& curv
   return traced(curve, fixed);
 }
 
-/// Calls use() with the fairing of a group.
 void CorridorHold::with_fairing(const FairGroup& group, const Taus& taus, double narrower,
                                 const LegTension& legs, Asker& asker,
                                 const std::function<void(CurveFairing&)>& use) {
@@ -205,7 +188,6 @@ void CorridorHold::with_fairing(const FairGroup& group, const Taus& taus, double
   use(fairing);
 }
 
-/// The straightened curves of a group, with the detours of the drawing that they have cut off.
 SurfaceCurve CorridorHold::with_cut_off_detours(const FairGroup& group,
                                                 Straightened& straight) const {
   std::vector<SurfaceCurve> curves = straight.curves;
@@ -334,56 +316,6 @@ std::optional<SurfaceCurve> CorridorHold::fair(double tau, const SurfaceCurve& c
   return result;
 }
 
-/// The fair curve of one try: from the chain, then from the drawing in ever narrower bands; with
-/// legs from the taut curve, ever tighter. None if it is beyond its walls or worse than the curve
-/// it started from.
-std::optional<SurfaceCurve> CorridorHold::tried(std::size_t number, const Taus& taus,
-                                                const FairGroup& group,
-                                                const std::optional<SampleChain>& chain,
-                                                const SurfaceCurve& taut, bool redrawn,
-                                                Asker& asker) {
-  const Surface& surface = drawing_->surface();
-  std::optional<SurfaceCurve> result;
-  const bool any_legs = has_legs(*drawing_, group);
-  std::optional<LegStart> legs = LegStart{};
-  if (any_legs) {
-    legs = leg_start(*drawing_, group, taut, tension_of(taus.front()) * std::pow(kTighter, number));
-  }
-  if (!legs) return result;
-  const double band = number == 0 ? 1 : kBands[number - 1];
-  with_fairing(group, taus, band, legs->tension, asker, [&](CurveFairing& fairing) {
-    const auto start = [&] {
-      if (!any_legs) return traced(group, group.drawn);
-      CurveTrace trace = trace_through(surface, taut, legs->fixed);
-      trace.set_corners(drawing_->corners());
-      return trace;
-    };
-    const auto own = !any_legs && number == 0 ? chain : fairing.from_curve(start(), asker);
-    if (!own) return;
-    auto faired = fairing.curve_of(*own, asker);
-    if (faired && faired->farthest <= 1) result = std::move(faired->curve);
-  });
-  if (!result) return result;
-  const auto bending = [&](const SurfaceCurve& curve) {
-    return bending_between(surface, curve, drawing_->corners(), group.edge);
-  };
-  const double own = bending(*result);
-  if (own > bending(taut)) {
-    const bool from_taut = any_legs || (!redrawn && keeps_within(group, taus, taut, asker));
-    if (from_taut || own > bending(group.drawn)) return std::nullopt;
-  }
-  return is_pressed(surface, *result, taut) ? std::nullopt : result;
-}
-
-/// Whether a curve is between the walls.
-bool CorridorHold::keeps_within(const FairGroup& group, const Taus& taus, const SurfaceCurve& curve,
-                                Asker& asker) {
-  bool within = false;
-  with_fairing(group, taus, 1, {}, asker,
-               [&](const CurveFairing& fairing) { within = fairing.farthest(curve) <= 1; });
-  return within;
-}
-
 /// In a band too narrow to be faired in: the taut curve, or the drawing where that turns less or
 /// the taut one is beyond walls that somebody asked for.
 const SurfaceCurve& CorridorHold::in_narrow_band(double tau, std::size_t curve,
@@ -402,126 +334,6 @@ const SurfaceCurve& CorridorHold::in_narrow_band(double tau, std::size_t curve,
       {valley.slack, valley.slack_at, kRounding * edge, walls_of(tau), valley.apart});
   const CurveFairing fairing(drawing_->surface(), &band, edge, {});
   return fairing.farthest(taut) <= 1 ? taut : drawn;
-}
-
-/// Makes the curves of a set fair, one group after the other, until none crosses another.
-class CorridorHold::Finishing {
- public:
-  Finishing(CorridorHold& hold, const SmoothingOptions& options, const Progress& progress)
-      : hold_(&hold), options_(&options), progress_(&progress), asker_(progress, "fair") {}
-
-  void run(const std::vector<FairGroup>& groups, const FairChains& chains,
-           std::vector<SmoothedCurve>& curves) {
-    curves_ = &curves;
-    for (const SmoothedCurve& curve : curves) taut_.push_back(curve.curve);
-    now_ = taut_;
-    attempt_of_.resize(curves.size());
-    for (std::size_t g = 0; g < groups.size(); ++g) begin(groups[g], chains[g]);
-    // Each group is faired separately, so that curves near each other, or strands of one, may
-    // cross.
-    for (bool again = !curves.empty(); again;) {
-      again = false;
-      std::vector<bool> done(attempts_.size(), false);
-      for (const std::size_t c : crossing_curves(hold_->drawing_->surface(), now_)) {
-        const std::size_t a = attempt_of_[c];
-        if (a >= done.size() || done[a]) continue;
-        if (attempts_[a].tries == 0 || attempts_[a].tries > kTries) continue;
-        done[a] = true;
-        make_fair(a);
-        again = true;
-      }
-    }
-    for (std::size_t c = 0; c < curves.size(); ++c) curves[c].curve = std::move(now_[c]);
-  }
-
- private:
-  struct Attempt {
-    FairGroup group;
-    std::optional<SampleChain> chain;
-    SurfaceCurve taut;
-    bool redrawn = false;  ///< whether the chain has started from the drawing somewhere
-    std::size_t tries = 0;
-  };
-
-  void begin(const FairGroup& group, const std::optional<SampleChain>& chain) {
-    const std::size_t a = attempts_.size();
-    for (const JoinedCurves::Part& part : group.joined.parts) attempt_of_[part.curve] = a;
-    attempts_.push_back({group, chain, joined(group.joined, taut_), is_redrawn(group)});
-    const std::size_t c = group.joined.parts.front().curve;
-    if (!is_faired(*options_, c)) return;
-    if (hold_->is_narrow(c) && !has_legs(*hold_->drawing_, group)) {
-      now_[c] = hold_->in_narrow_band(options_->tau_of(c), c, taut_[c], asker_);
-    } else if (turning_between(hold_->drawing_->surface(), attempts_[a].taut,
-                               hold_->drawing_->corners()) >= kNoTurn) {  // else it is fair
-      warn_if_too_long(group);
-      make_fair(a);
-    }
-  }
-
-  void warn_if_too_long(const FairGroup& group) {
-    if (has_legs(*hold_->drawing_, group)) return;
-    const double length = curve_length(hold_->drawing_->surface(), group.drawn);
-    bool too_long = false;
-    hold_->with_fairing(group, taus_of(group, *options_), 1, {}, asker_,
-                        [&](const CurveFairing& f) { too_long = f.is_too_long(length); });
-    if (too_long) (*curves_)[group.joined.parts.front().curve].warnings.emplace_back(kTooLong);
-  }
-
-  [[nodiscard]] bool is_redrawn(const FairGroup& group) const {
-    return std::ranges::any_of(group.joined.parts, [&](const JoinedCurves::Part& part) {
-      return (*curves_)[part.curve].path.redrawn > 0;
-    });
-  }
-  void count_redrawn(const FairGroup& group) {
-    if (has_legs(*hold_->drawing_, group)) return;
-    for (const JoinedCurves::Part& part : group.joined.parts) {
-      (*curves_)[part.curve].path.redrawn = 1;
-    }
-  }
-
-  void make_fair(std::size_t number) {
-    std::optional<SurfaceCurve> fair;
-    Attempt& attempt = attempts_[number];
-    const Taus taus = taus_of(attempt.group, *options_);
-    while (!fair && attempt.tries < kTries) {
-      fair = hold_->tried(attempt.tries, taus, attempt.group, attempt.chain, attempt.taut,
-                          attempt.redrawn, asker_);
-      if (attempt.tries++ > 0) count_redrawn(attempt.group);
-    }
-    if (!fair) attempt.tries = kTries + 1;
-    const FairGroup group = attempt.group;  // more attempts may come
-    const auto curves =
-        parted(group.joined, group.junctions, fair ? *std::move(fair) : attempt.taut);
-    const bool failed = attempt.tries > kTries;
-    for (std::size_t k = 0; k < curves.size(); ++k) now_[group.joined.parts[k].curve] = curves[k];
-    if (!failed) return;
-    for (const JoinedCurves::Part& part : group.joined.parts) {
-      if (!group.joined.is_joined()) {
-        (*curves_)[part.curve].warnings.emplace_back(kLeftTaut);
-      } else {
-        const FairGroup one = fair_group(*hold_->drawing_, {{{part.curve, false}}});
-        Straightened straight{taut_, std::vector<StraightenedPath>(taut_.size())};
-        const auto chain = hold_->fair_from(one, taus_of(one, *options_), straight, *progress_);
-        (*curves_)[part.curve].path.redrawn = straight.paths[part.curve].redrawn;
-        begin(one, chain);
-      }
-    }
-  }
-
-  CorridorHold* hold_;
-  const SmoothingOptions* options_;
-  const Progress* progress_;
-  Asker asker_;
-  std::vector<SmoothedCurve>* curves_ = nullptr;
-  std::vector<SurfaceCurve> taut_, now_;
-  std::vector<Attempt> attempts_;
-  std::vector<std::size_t> attempt_of_;  // per curve
-};
-
-void CorridorHold::finish(const SmoothingOptions& options, const std::vector<FairGroup>& groups,
-                          const FairChains& chains, std::vector<SmoothedCurve>& curves,
-                          const Progress& progress) {
-  Finishing(*this, options, progress).run(groups, chains, curves);
 }
 
 /// A band much narrower than the mesh's edges has no room for more than straight lines.

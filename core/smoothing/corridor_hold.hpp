@@ -79,17 +79,25 @@ class CorridorHold {
   std::optional<SampleChain> between(const FairGroup& group, const AtTaus& from, const AtTaus& to,
                                      const SampleTrail& trail, const Taus& taus,
                                      const Progress& progress);
-  /// Replaces straightened curves by those of their chains. Where that would leave the walls, or
-  /// cross what the drawing does not cross, curves start from the drawing, in a narrower band; if
-  /// nothing helps they stay straightened, with a warning. Curves that are not faired() stay too.
-  /// Joined curves that fail are faired each for itself.
-  void finish(const SmoothingOptions& options, const std::vector<FairGroup>& groups,
-              const FairChains& chains, std::vector<SmoothedCurve>& curves,
-              const Progress& progress);
   /// A fair curve near the first drawn one; these points of it and its ends stay. None where
   /// samples cannot be joined.
   std::optional<SurfaceCurve> fair(double tau, const SurfaceCurve& curve,
                                    std::span<const SurfacePoint> fixed, const Progress& progress);
+
+  /// Calls use() with the fairing of a group, between walls at this part of their distance.
+  void with_fairing(const FairGroup& group, const Taus& taus, double narrower,
+                    const LegTension& legs, Asker& asker,
+                    const std::function<void(CurveFairing&)>& use);
+  /// The trace of a curve of a group from which fairing starts.
+  [[nodiscard]] CurveTrace traced(const FairGroup& group, const SurfaceCurve& curve) const;
+  /// The straightened curves of a group, with the detours of the drawing that they have cut off.
+  [[nodiscard]] SurfaceCurve with_cut_off_detours(const FairGroup& group,
+                                                  Straightened& straight) const;
+  /// Whether the curve's band is too narrow to be faired in.
+  [[nodiscard]] bool is_narrow(std::size_t curve) const;
+  /// What a curve becomes that is_narrow(): the taut curve or the drawing.
+  [[nodiscard]] const SurfaceCurve& in_narrow_band(double tau, std::size_t curve,
+                                                   const SurfaceCurve& taut, Asker& asker);
 
  private:
   [[nodiscard]] Corridor corridor(const SmoothingOptions& options) const;
@@ -98,21 +106,6 @@ class CorridorHold {
                                  const Progress& progress);
   [[nodiscard]] CurveTrace traced(const SurfaceCurve& curve,
                                   std::span<const SurfacePoint> fixed) const;
-  [[nodiscard]] CurveTrace traced(const FairGroup& group, const SurfaceCurve& curve) const;
-  void with_fairing(const FairGroup& group, const Taus& taus, double narrower,
-                    const LegTension& legs, Asker& asker,
-                    const std::function<void(CurveFairing&)>& use);
-  [[nodiscard]] bool is_narrow(std::size_t curve) const;
-  std::optional<SurfaceCurve> tried(std::size_t number, const Taus& taus, const FairGroup& group,
-                                    const std::optional<SampleChain>& chain,
-                                    const SurfaceCurve& taut, bool redrawn, Asker& asker);
-  [[nodiscard]] SurfaceCurve with_cut_off_detours(const FairGroup& group,
-                                                  Straightened& straight) const;
-  [[nodiscard]] bool keeps_within(const FairGroup& group, const Taus& taus,
-                                  const SurfaceCurve& curve, Asker& asker);
-  [[nodiscard]] const SurfaceCurve& in_narrow_band(double tau, std::size_t curve,
-                                                   const SurfaceCurve& taut, Asker& asker);
-  class Finishing;
   Straightened straighten_flat(const SmoothingOptions& options, const Progress& progress);
   [[nodiscard]] bool is_felt(const Corridor& corridor, const Straightened& flat,
                              const Progress& progress) const;

@@ -5,6 +5,7 @@
 
 #include "talweg/core/smoothing/corridor_hold.hpp"
 #include "talweg/core/smoothing/corridor_valleys.hpp"
+#include "talweg/core/smoothing/fair_finishing.hpp"
 #include "talweg/core/smoothing/relaxation.hpp"
 #include "talweg/intrinsic/exact_distance/polyline_distance.hpp"
 #include "talweg/intrinsic/stopwatch.hpp"
@@ -37,7 +38,7 @@ Smoothed smooth_for_itself(CorridorHold& hold, const SmoothingOptions& options,
     chains[g] = hold.fair_from(groups[g], taus_of(groups[g], options), straight, progress);
   }
   Smoothed result = smoothed_from(std::move(straight));
-  hold.finish(options, groups, chains, result.curves, progress);
+  FairFinishing(hold, options, progress).run(groups, chains, result.curves);
   result.time_ms.fair = watch.ms();
   return result;
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "talweg/core/smoothing/fair_finishing.hpp"
 #include "talweg/intrinsic/stopwatch.hpp"
 
 namespace talweg {
@@ -144,7 +145,7 @@ Smoothed FairLadder::smooth(CorridorHold& hold, const SmoothingOptions& options,
     }
   }
   Smoothed result = smoothed_from(*straight_);
-  hold.finish(options, groups_, chains, result.curves, progress);
+  FairFinishing(hold, options, progress).run(groups_, chains, result.curves);
   result.time_ms = times;
   result.time_ms.fair = watch.ms();
   if (whole) clear();

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
+#include <numeric>
 
 #include "talweg/core/measure/measures.hpp"
 #include "talweg/core/measure/turning_windows.hpp"
@@ -50,21 +52,47 @@ double bending_between(const Surface& surface, const SurfaceCurve& curve,
   return sum;
 }
 
-double turning_between(const Surface& surface, const SurfaceCurve& curve,
-                       std::span<const SurfacePoint> corners) {
+namespace {
+
+/// Of the points that are no corners, without the ends of an open curve.
+std::vector<double> turns_between(const Surface& surface, const SurfaceCurve& curve,
+                                  std::span<const SurfacePoint> corners) {
   const std::size_t n = curve.points.size();
   const auto point = [&](std::size_t i) -> const SurfacePoint& { return curve.points[i % n]; };
-  double sum = 0;
+  std::vector<double> turns;
   for (std::size_t i = curve.closed ? 0 : 1; i + (curve.closed ? 0 : 1) < n; ++i) {
     if (std::find(corners.begin(), corners.end(), point(i)) != corners.end()) continue;
-    sum += turning_angle(surface, point(i + n - 1), point(i), point(i + 1));
+    turns.push_back(turning_angle(surface, point(i + n - 1), point(i), point(i + 1)));
   }
-  return sum;
+  return turns;
+}
+
+}  // namespace
+
+double turning_between(const Surface& surface, const SurfaceCurve& curve,
+                       std::span<const SurfacePoint> corners) {
+  const std::vector<double> turns = turns_between(surface, curve, corners);
+  return std::accumulate(turns.begin(), turns.end(), 0.0);
+}
+
+double largest_turn_between(const Surface& surface, const SurfaceCurve& curve,
+                            std::span<const SurfacePoint> corners) {
+  const std::vector<double> turns = turns_between(surface, curve, corners);
+  return turns.empty() ? 0 : *std::ranges::max_element(turns);
 }
 
 bool is_pressed(const Surface& surface, const SurfaceCurve& curve, const SurfaceCurve& taut) {
   const std::size_t by_itself = boundary_points(surface, taut);
   return by_itself <= 2 && boundary_points(surface, curve) > by_itself;
+}
+
+std::vector<SurfacePoint> pressed_points(const Surface& surface, const SurfaceCurve& fair,
+                                         const SurfaceCurve& taut) {
+  std::vector<SurfacePoint> points;
+  if (!is_pressed(surface, fair, taut)) return points;
+  std::ranges::copy_if(fair.points, std::back_inserter(points),
+                       [&](const SurfacePoint& point) { return is_at_boundary(surface, point); });
+  return points;
 }
 
 }  // namespace talweg

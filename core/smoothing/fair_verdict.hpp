@@ -1,7 +1,9 @@
 // The verdict on a fair curve: it must not be worse than what it started from.
 #pragma once
 
+#include <numbers>
 #include <span>
+#include <vector>
 
 #include "talweg/intrinsic/surface/surface.hpp"
 #include "talweg/intrinsic/surface/surface_point.hpp"
@@ -16,7 +18,18 @@ double bending_between(const Surface& surface, const SurfaceCurve& curve,
 double turning_between(const Surface& surface, const SurfaceCurve& curve,
                        std::span<const SurfacePoint> corners);
 
+/// No point of a fair curve turns by more, radians; corners may.
+constexpr double kMostFairTurn = 5 * std::numbers::pi / 180;
+
+/// The largest turn at one point (radians) that is no corner.
+double largest_turn_between(const Surface& surface, const SurfaceCurve& curve,
+                            std::span<const SurfacePoint> corners);
+
 /// Whether a fair curve lies along the boundary where the taut one at most ends there.
 bool is_pressed(const Surface& surface, const SurfaceCurve& fair, const SurfaceCurve& taut);
+
+/// Where a fair curve lies along the boundary, if it is_pressed().
+std::vector<SurfacePoint> pressed_points(const Surface& surface, const SurfaceCurve& fair,
+                                         const SurfaceCurve& taut);
 
 }  // namespace talweg

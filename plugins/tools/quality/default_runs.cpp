@@ -1,9 +1,12 @@
 // Default settings at four τ.
 #include <algorithm>
 #include <cmath>
+#include <span>
+#include <string>
 
 #include "talweg/core/measure/edge_length_near.hpp"
 #include "talweg/core/measure/measures.hpp"
+#include "talweg/core/measure/self_contacts.hpp"
 #include "tools/quality/runs.hpp"
 
 namespace talweg::quality {
@@ -25,6 +28,7 @@ std::vector<Run> default_runs(const Subject& subject, const CurveOptions& curve_
     run.edge = edge_length_near(surface, drawing.curve(surface));
     const CurveMeasures before = measure_curve(surface, drawn);
     run.curvature_before = before.total_curvature;
+    const std::size_t contacts = self_contacts(surface, std::span(&drawn, 1)).size();
     for (const double tau : {0.5, 1.0, 2.0, 4.0}) {
       options.tau = tau;
       const SmoothingResult result = smoother.smooth(options);
@@ -49,6 +53,10 @@ std::vector<Run> default_runs(const Subject& subject, const CurveOptions& curve_
       run.smooth_ms = times.straighten + times.trace + times.relax + times.fair;
       run.termination = report.termination;
       run.warned = !report.warnings.empty();
+      run.touches = self_contacts(surface, result.curves).size() > contacts;
+      run.left_taut = std::ranges::any_of(report.warnings, [](const std::string& warning) {
+        return warning.find("left taut") != std::string::npos;
+      });
       runs.push_back(run);
     }
   }

@@ -35,6 +35,8 @@ struct Run {
   double solve_ms = 0, smooth_ms = 0;              ///< the distance; all that a new τ repeats
   Outcome termination = Outcome::kConverged;
   bool warned = false;
+  bool touches = false;    ///< itself, at more places than its drawing
+  bool left_taut = false;  ///< all of it or a stretch, with a warning
 
   /// Total curvature after / before, both less what no closed curve here can do without.
   [[nodiscard]] double ratio() const {

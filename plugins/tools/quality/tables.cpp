@@ -84,16 +84,16 @@ std::string csv(std::span<const Run> runs) {
       "mesh,drawing,closed,edge,tau,bending_before,bending_after,window_turning,largest_turn,"
       "curvature_before,curvature_after,least_curvature,ratio,to_"
       "drawn,"
-      "from_drawn,slack,length_ratio,solve_ms,smooth_ms,termination,warned\n";
+      "from_drawn,slack,length_ratio,solve_ms,smooth_ms,termination,warned,touches,left_taut\n";
   for (const Run& r : runs) {
     text += fmt::format(
         "{},{},{},{:.6g},{},{:.4f},{:.4f},{:.4f},{:.4f},{:.3f},{:.3f},{:.3f},{:.4f},{:.3f},{:.3f},{"
         ":.3f},"
-        "{:.4f},{:.2f},{:.2f},{},{}\n",
+        "{:.4f},{:.2f},{:.2f},{},{},{},{}\n",
         r.mesh, r.drawing, int{r.closed}, r.edge, r.tau, r.bending_before, r.bending_after,
         r.window_turning, r.largest_turn, r.curvature_before, r.curvature_after, r.least_curvature,
         r.ratio(), r.to_drawn, r.from_drawn, r.slack, r.length_ratio, r.solve_ms, r.smooth_ms,
-        to_string(r.termination), int{r.warned});
+        to_string(r.termination), int{r.warned}, int{r.touches}, int{r.left_taut});
   }
   return text;
 }

@@ -1,0 +1,220 @@
+#include "talweg/core/smoothing/fair_finishing.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <utility>
+
+#include "talweg/core/drawing/crossings.hpp"
+#include "talweg/core/fairing/curve_fairing.hpp"
+#include "talweg/core/measure/measures.hpp"
+#include "talweg/core/smoothing/fair_mending.hpp"
+#include "talweg/core/smoothing/fair_verdict.hpp"
+#include "talweg/core/smoothing/leg_start.hpp"
+
+namespace talweg {
+namespace {
+
+constexpr double kNoTurn = 1e-6;            // rad
+constexpr double kBands[] = {1, 0.7, 0.4};  // of tries that start from the drawing
+constexpr std::size_t kTries = 1 + std::size(kBands);
+constexpr std::size_t kMended = kTries + 1, kGivenUp = kTries + 2;
+
+/// c of a spline's legs: see LegTension::relative. Below the least one it would swing out widely
+/// where its legs turn sharply.
+double tension_of(double tau) { return std::clamp(20 * tau, 1.0, 160.0); }
+constexpr double kTighter = 8;  // of the tries of splines
+constexpr const char* kTooLong =
+    "The curve is so long that more than 100,000 samples would be needed to make it as fair as its "
+    "slack allows; they are taken farther apart.";
+constexpr const char* kLeftTaut =
+    "The curve could not be made fair within its walls; it is left taut, with kinks.";
+
+}  // namespace
+
+void FairFinishing::run(const std::vector<FairGroup>& groups, const FairChains& chains,
+                        std::vector<SmoothedCurve>& curves) {
+  curves_ = &curves;
+  for (const SmoothedCurve& curve : curves) taut_.push_back(curve.curve);
+  now_ = taut_;
+  attempt_of_.resize(curves.size());
+  for (std::size_t g = 0; g < groups.size(); ++g) begin(groups[g], chains[g]);
+  // Each group is faired separately, so that curves near each other, or strands of one, may
+  // cross.
+  for (bool again = !curves.empty(); again;) {
+    again = false;
+    std::vector<bool> done(attempts_.size(), false);
+    for (const std::size_t c : crossing_curves(hold_->drawing().surface(), now_)) {
+      const std::size_t a = attempt_of_[c];
+      if (a >= done.size() || done[a]) continue;
+      if (attempts_[a].tries == 0 || attempts_[a].tries == kGivenUp) continue;
+      done[a] = true;
+      make_fair(a);
+      again = true;
+    }
+  }
+  for (std::size_t c = 0; c < curves.size(); ++c) {
+    curves[c].curve = std::move(now_[c]);
+    const std::string& warning = attempts_[attempt_of_[c]].left_taut;
+    if (!warning.empty()) curves[c].warnings.push_back(warning);
+  }
+}
+
+void FairFinishing::begin(const FairGroup& group, const std::optional<SampleChain>& chain) {
+  const std::size_t a = attempts_.size();
+  for (const JoinedCurves::Part& part : group.joined.parts) attempt_of_[part.curve] = a;
+  attempts_.push_back({group, chain, joined(group.joined, taut_), is_redrawn(group)});
+  const std::size_t c = group.joined.parts.front().curve;
+  if (!CorridorHold::is_faired(*options_, c)) return;
+  if (hold_->is_narrow(c) && !has_legs(hold_->drawing(), group)) {
+    now_[c] = hold_->in_narrow_band(options_->tau_of(c), c, taut_[c], asker_);
+  } else if (turning_between(hold_->drawing().surface(), attempts_[a].taut,
+                             hold_->drawing().corners()) >= kNoTurn) {  // else it is fair
+    warn_if_too_long(group);
+    make_fair(a);
+  }
+}
+
+void FairFinishing::warn_if_too_long(const FairGroup& group) {
+  if (has_legs(hold_->drawing(), group)) return;
+  const double length = curve_length(hold_->drawing().surface(), group.drawn);
+  bool too_long = false;
+  hold_->with_fairing(group, taus_of(group, *options_), 1, {}, asker_,
+                      [&](const CurveFairing& f) { too_long = f.is_too_long(length); });
+  if (too_long) (*curves_)[group.joined.parts.front().curve].warnings.emplace_back(kTooLong);
+}
+
+bool FairFinishing::is_redrawn(const FairGroup& group) const {
+  return std::ranges::any_of(group.joined.parts, [&](const JoinedCurves::Part& part) {
+    return (*curves_)[part.curve].path.redrawn > 0;
+  });
+}
+
+void FairFinishing::count_redrawn(const FairGroup& group) {
+  if (has_legs(hold_->drawing(), group)) return;
+  for (const JoinedCurves::Part& part : group.joined.parts) {
+    (*curves_)[part.curve].path.redrawn = 1;
+  }
+}
+
+void FairFinishing::make_fair(std::size_t number) {
+  std::optional<SurfaceCurve> fair;
+  Attempt& attempt = attempts_[number];
+  const Taus taus = taus_of(attempt.group, *options_);
+  while (!fair && attempt.tries < kTries) {
+    fair = tried(attempt, taus);
+    if (attempt.tries++ > 0) count_redrawn(attempt.group);
+  }
+  if (!fair) fair = mended(attempt, taus);
+  const FairGroup group = attempt.group;  // more attempts may come
+  const auto curves = parted(group.joined, group.junctions, fair ? *fair : attempt.taut);
+  for (std::size_t k = 0; k < curves.size(); ++k) now_[group.joined.parts[k].curve] = curves[k];
+  if (fair) return;
+  attempt.tries = kGivenUp;
+  if (group.joined.is_joined()) {
+    make_fair_apart(group);
+  } else {
+    attempt.left_taut = is_smooth(attempt, taus) ? "" : kLeftTaut;
+  }
+}
+
+void FairFinishing::make_fair_apart(const FairGroup& group) {
+  for (const JoinedCurves::Part& part : group.joined.parts) {
+    const FairGroup one = fair_group(hold_->drawing(), {{{part.curve, false}}});
+    Straightened straight{taut_, std::vector<StraightenedPath>(taut_.size())};
+    const auto chain = hold_->fair_from(one, taus_of(one, *options_), straight, *progress_);
+    (*curves_)[part.curve].path.redrawn = straight.paths[part.curve].redrawn;
+    begin(one, chain);
+  }
+}
+
+/// The curve with what cannot be made fair left taut; once.
+std::optional<SurfaceCurve> FairFinishing::mended(Attempt& attempt, const Taus& taus) {
+  const FairGroup& group = attempt.group;
+  const bool is_held = taus.front() >= kLeastHeldTau;
+  if (attempt.tries >= kMended || group.joined.is_joined() || !is_held ||
+      has_legs(hold_->drawing(), group) || is_smooth(attempt, taus)) {
+    return std::nullopt;
+  }
+  attempt.tries = kMended;
+  const std::size_t c = group.joined.parts.front().curve;
+  const FairMending::Crossed crossed = [&](const SurfaceCurve& curve) {
+    std::vector<SurfaceCurve> all = now_;
+    all[c] = curve;
+    return crossed_points(hold_->drawing().surface(), all, c);
+  };
+  FairMending mending(*hold_, group, taus, attempt.taut, crossed, asker_);
+  Straightened straight{taut_, std::vector<StraightenedPath>(taut_.size())};
+  const SurfaceCurve start = hold_->with_cut_off_detours(group, straight);
+  std::optional<MendedCurve> mended = mending.from(start);
+  if (!mended && straight.paths[c].redrawn > 0) {
+    straight.paths[c].redrawn = 0;
+    mended = mending.from(attempt.taut);
+  }
+  if (!mended) return std::nullopt;
+  (*curves_)[c].path.redrawn = straight.paths[c].redrawn;
+  attempt.left_taut = std::move(mended->warning);
+  return std::move(mended->curve);
+}
+
+/// Whether the taut curve turns as little as a fair one, between the walls; not where it has legs.
+bool FairFinishing::is_smooth(const Attempt& attempt, const Taus& taus) {
+  if (has_legs(hold_->drawing(), attempt.group)) return false;
+  const std::vector<SurfacePoint>& corners = hold_->drawing().corners();
+  const SurfaceCurve& taut = attempt.taut;
+  return largest_turn_between(hold_->drawing().surface(), taut, corners) <= kMostFairTurn &&
+         keeps_within(attempt.group, taus, taut);
+}
+
+/// The fair curve of one try: from the chain, then from the drawing in ever narrower bands; with
+/// legs from the taut curve, ever tighter. None if it is beyond its walls or worse than the curve
+/// it started from.
+std::optional<SurfaceCurve> FairFinishing::tried(const Attempt& attempt, const Taus& taus) {
+  const EmbeddedDrawing& drawing = hold_->drawing();
+  const Surface& surface = drawing.surface();
+  const FairGroup& group = attempt.group;
+  const SurfaceCurve& taut = attempt.taut;
+  std::optional<SurfaceCurve> result;
+  const bool any_legs = has_legs(drawing, group);
+  std::optional<LegStart> legs = LegStart{};
+  if (any_legs) {
+    legs = leg_start(drawing, group, taut,
+                     tension_of(taus.front()) * std::pow(kTighter, attempt.tries));
+  }
+  if (!legs) return result;
+  const double band = attempt.tries == 0 ? 1 : kBands[attempt.tries - 1];
+  hold_->with_fairing(group, taus, band, legs->tension, asker_, [&](CurveFairing& fairing) {
+    const auto start = [&] {
+      if (!any_legs) return hold_->traced(group, group.drawn);
+      CurveTrace trace = trace_through(surface, taut, legs->fixed);
+      trace.set_corners(drawing.corners());
+      return trace;
+    };
+    const auto own =
+        !any_legs && attempt.tries == 0 ? attempt.chain : fairing.from_curve(start(), asker_);
+    if (!own) return;
+    auto faired = fairing.curve_of(*own, asker_);
+    if (faired && faired->farthest <= 1) result = std::move(faired->curve);
+  });
+  if (!result) return result;
+  const auto bending = [&](const SurfaceCurve& curve) {
+    return bending_between(surface, curve, drawing.corners(), group.edge);
+  };
+  const double own = bending(*result);
+  if (own > bending(taut)) {
+    const bool from_taut = any_legs || (!attempt.redrawn && keeps_within(group, taus, taut));
+    if (from_taut || own > bending(group.drawn)) return std::nullopt;
+  }
+  return is_pressed(surface, *result, taut) ? std::nullopt : result;
+}
+
+/// Whether a curve is between the walls.
+bool FairFinishing::keeps_within(const FairGroup& group, const Taus& taus,
+                                 const SurfaceCurve& curve) {
+  bool within = false;
+  hold_->with_fairing(group, taus, 1, {}, asker_,
+                      [&](const CurveFairing& fairing) { within = fairing.farthest(curve) <= 1; });
+  return within;
+}
+
+}  // namespace talweg
