@@ -1,73 +1,77 @@
-// PolylineDistance: queries.
 #include "talweg/intrinsic/exact_distance/polyline_distance.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
+
+#include "talweg/intrinsic/exact_distance/polyline_sources.hpp"
 
 namespace talweg {
 namespace {
 
 using Nearest = PolylineDistance::Nearest;
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 }  // namespace
 
-/// The nearer of the ways along the edge from its ends.
-Nearest PolylineDistance::along_edge(const Nearest& tail, const Nearest& head, double length,
-                                     double x) {
-  const Nearest from_tail = farther(tail, x), from_head = farther(head, length - x);
-  return is_nearer(from_head, from_tail) ? from_head : from_tail;
+PolylineDistance::PolylineDistance(const Surface& surface)
+    : surface_(&surface),
+      front_(surface),
+      components_(surface),
+      faces_(surface),
+      edge_ways_(surface) {}
+
+void PolylineDistance::forget(double step) {
+  front_.reset(step);
+  components_.clear();
+  faces_.clear();
+  edge_ways_.clear();
 }
 
-Nearest PolylineDistance::known_on_edge(EdgeId edge, double x) const {
-  const double length = surface_->length(edge);
-  Nearest best = along_edge(vertex_[surface_->tail(halfedge_of(edge)).index()],
-                            vertex_[surface_->head(halfedge_of(edge)).index()], length, x);
-  windows_.each(edge, [&](const EdgeWindow& window) {
-    const double bend = std::clamp(x, window.begin, window.end);
-    const Nearest other{window.value(bend) + std::abs(x - bend), window.curve, window.arc_at(bend)};
-    if (is_nearer(other, best)) best = other;
-  });
-  if (best.distance <= kRounding * length) best.distance = 0;
-  return best;
+void PolylineDistance::set(std::span<const SurfaceCurve> curves) {
+  PolylinePieces pieces = pieces_of(*surface_, curves);
+  forget(step_width(*surface_, pieces));
+  pieces_ = std::move(pieces);
+  try {
+    send_pieces(*surface_, pieces_, front_);
+  } catch (...) {
+    forget(1);
+    pieces_ = {};
+    throw;
+  }
 }
 
 Nearest PolylineDistance::finish(Nearest nearest) const {
-  if (std::isinf(nearest.distance)) return {kInfinity, 0, 0};
+  if (std::isinf(nearest.distance)) return Nearest::none();
   nearest.arc_length = std::clamp(nearest.arc_length, 0.0, pieces_.lengths[nearest.curve]);
   return nearest;
 }
 
-/// Whether a vertex that has not been reached will never be reached. Components are computed only
-/// after so many windows that this costs little in comparison.
-bool PolylineDistance::marches_in_vain(VertexId v) {
-  if (std::isfinite(vertex_[v.index()].distance)) return false;
-  if (with_curve_.empty()) {
-    if (windows_.size() < surface_->vertex_count() / 8) return false;
-    if (component_.empty()) component_ = components_of(*surface_).of_vertex;
-    // Everything touched so far is connected to a curve.
-    for (const VertexId touched : touched_vertices_) {
-      with_curve_.push_back(component_[touched.index()]);
-    }
-    std::sort(with_curve_.begin(), with_curve_.end());
-    with_curve_.erase(std::unique(with_curve_.begin(), with_curve_.end()), with_curve_.end());
-  }
-  return !std::binary_search(with_curve_.begin(), with_curve_.end(), component_[v.index()]);
+/// Whether a distance known beside that vertex is final, or all further marching would be in vain.
+bool PolylineDistance::is_final_at(VertexId beside, double distance) {
+  return front_.is_final(distance) || components_.keep_out(front_, beside);
 }
 
 Nearest PolylineDistance::at_vertex(VertexId v) {
-  const Nearest& known = vertex_[v.index()];
-  while (!is_final(known.distance) && !marches_in_vain(v)) march();
+  const Nearest& known = front_.vertices()[v];
+  while (!is_final_at(v, known.distance)) front_.march();
   return finish(known);
+}
+
+Nearest PolylineDistance::at_vertex_roughly(VertexId v, double exact) {
+  const Nearest& known = front_.vertices()[v];
+  while (!is_final_at(v, std::min(known.distance, exact))) front_.march();
+  if (known.distance <= exact || components_.keep_out(front_, v)) return finish(known);
+  return finish(edge_ways_.shortest(v, exact, front_.vertices(), front_.work()));
 }
 
 Nearest PolylineDistance::on_edge(EdgeId edge, double t) {
   const VertexId tail = surface_->tail(halfedge_of(edge));
+  const double x = t * surface_->length(edge);
   for (;;) {
-    const Nearest known = known_on_edge(edge, t * surface_->length(edge));
-    if (is_final(known.distance) || marches_in_vain(tail)) return finish(known);
-    march();
+    const Nearest known = front_.on_edge(edge, x);
+    if (is_final_at(tail, known.distance)) return finish(known);
+    front_.march();
   }
 }
 
@@ -75,7 +79,49 @@ Nearest PolylineDistance::at(const SurfacePoint& point) {
   if (const auto* v = std::get_if<AtVertex>(&point.where())) return at_vertex(v->vertex);
   if (const auto* e = std::get_if<OnEdge>(&point.where())) return on_edge(e->edge, e->t);
   const auto& inside = std::get<InFace>(point.where());
-  return in_face(inside.face, inside.barycentric);
+  WaysIntoFace::Hit hit;
+  final_ways(inside.face, inside.barycentric, hit);
+  return finish(hit.nearest);
+}
+
+PolylineDistance::FaceValue PolylineDistance::at_face(FaceId face, const Barycentric& b,
+                                                      PlanePoint direction) {
+  WaysIntoFace::Hit hit;
+  const WaysIntoFace& ways = final_ways(face, b, hit);
+  const Nearest nearest = finish(hit.nearest);
+  FaceValue result{nearest.distance, 0, nearest.curve, nearest.arc_length, 0};
+  if (std::isinf(nearest.distance)) return result;
+  const WaysIntoFace::Slopes slopes = ways.slopes(hit, b, direction);
+  result.slope = slopes.distance;
+  result.arc_slope = slopes.arc_length;
+  return result;
+}
+
+double PolylineDistance::below(double limit, const SurfacePoint& point) {
+  const VertexId beside = vertex_beside(point);
+  double known = known_at(point);
+  while (!is_final_at(beside, std::min(known, limit))) {
+    front_.march();
+    known = known_at(point);
+  }
+  return known < limit ? known : std::numeric_limits<double>::infinity();
+}
+
+/// The ways into a face that are final for the answer at b, and that answer.
+const WaysIntoFace& PolylineDistance::final_ways(FaceId face, const Barycentric& b,
+                                                 WaysIntoFace::Hit& hit) {
+  if (!faces_.contain(face)) faces_.copy(face, front_, pieces_);
+  for (;;) {
+    const KnownFaces::Known& known = faces_.at(face);
+    hit = known.ways.hit(b);
+    if (front_.is_behind(hit.nearest.distance, known.front)) return known.ways;
+    if (known.front == front_.distance()) {
+      const VertexId corner = surface_->tail(surface_->halfedge(face));
+      if (front_.is_done() || components_.keep_out(front_, corner)) return known.ways;
+      front_.march();
+    }
+    faces_.copy(face, front_, pieces_);
+  }
 }
 
 /// A vertex of the face, edge or vertex where a point lies.
@@ -87,25 +133,19 @@ VertexId PolylineDistance::vertex_beside(const SurfacePoint& point) const {
   return surface_->tail(surface_->halfedge(std::get<InFace>(point.where()).face));
 }
 
+/// The distance as it is known now, without any marching.
 double PolylineDistance::known_at(const SurfacePoint& point) {
   if (const auto* v = std::get_if<AtVertex>(&point.where())) {
-    return vertex_[v->vertex.index()].distance;
+    return front_.vertices()[v->vertex].distance;
   }
   if (const auto* e = std::get_if<OnEdge>(&point.where())) {
-    return known_on_edge(e->edge, e->t * surface_->length(e->edge)).distance;
+    return front_.on_edge(e->edge, e->t * surface_->length(e->edge)).distance;
   }
-  const auto& inside = std::get<InFace>(point.where());
-  return hit_in(fresh_copy(inside.face), inside.barycentric).nearest.distance;
-}
-
-double PolylineDistance::below(double limit, const SurfacePoint& point) {
-  const VertexId beside = vertex_beside(point);
-  double known = known_at(point);
-  while (!is_final(std::min(known, limit)) && !marches_in_vain(beside)) {
-    march();
-    known = known_at(point);
+  const auto& [face, b] = std::get<InFace>(point.where());
+  if (!faces_.contain(face) || faces_.at(face).front != front_.distance()) {
+    faces_.copy(face, front_, pieces_);
   }
-  return known < limit ? known : kInfinity;
+  return faces_.at(face).ways.hit(b).nearest.distance;
 }
 
 }  // namespace talweg

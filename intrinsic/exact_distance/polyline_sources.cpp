@@ -1,9 +1,9 @@
-// PolylineDistance: what the curves themselves send to the sides of their faces.
+#include "talweg/intrinsic/exact_distance/polyline_sources.hpp"
+
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
-#include "talweg/intrinsic/exact_distance/polyline_distance.hpp"
+#include "talweg/intrinsic/exact_distance/window_front.hpp"
 
 namespace talweg {
 namespace {
@@ -12,137 +12,87 @@ constexpr double kUpright = 1e-8;  // rad, whose square is below the rounding of
 
 }  // namespace
 
-PolylineDistance::PolylineDistance(const Surface& surface)
-    : surface_(&surface),
-      bends_(surface.vertex_count(), 0),
-      vertex_(surface.vertex_count(), Nearest{std::numeric_limits<double>::infinity(), 0, 0}),
-      face_copy_of_(surface.face_count(), kNone),
-      windows_(surface.edge_count()) {}
-
-void PolylineDistance::forget() {
-  for (const VertexId v : touched_vertices_) {
-    vertex_[v.index()].distance = std::numeric_limits<double>::infinity();
-  }
-  for (const FaceCopy& copy : face_copies_) face_copy_of_[copy.face.index()] = kNone;
-  face_copies_.clear();
-  led_in_.clear();
-  touched_vertices_.clear();
-  windows_.clear();
-  with_curve_.clear();
-  edge_ways_from_ = -1;
+EdgeWindow window_of_point(const PolylinePiece& point, const SideFrame& frame, std::size_t k) {
+  const PlanePoint p = frame.at(point.from, k);
+  EdgeWindow window;
+  window.end = frame.length;
+  window.px = p.x;
+  window.py = p.y;
+  window.arc = point.arc;
+  window.curve = point.curve;
+  window.into = twin(frame.side);
+  return window;
 }
 
-void PolylineDistance::set(std::span<const SurfaceCurve> curves) {
-  PolylinePieces pieces = pieces_of(*surface_, curves);
-  forget();
-  pieces_ = std::move(pieces);
-  queue_.reset(step_width());
-  try {
-    send_pieces();
-  } catch (...) {
-    forget();
-    pieces_ = {};
-    queue_.reset(1);
-    throw;
-  }
+std::optional<EdgeWindow> window_of_segment(const PolylinePiece& segment, const SideFrame& frame,
+                                            std::size_t k) {
+  const PlanePoint p = frame.at(segment.from, k), q = frame.at(segment.to, k);
+  const double length = std::hypot(q.x - p.x, q.y - p.y);
+  const double tx = (q.x - p.x) / length, ty = (q.y - p.y) / length;
+  // A segment perpendicular to the side reaches it only from its ends. If it is perpendicular up
+  // to kUpright, it is nearer than its ends by less than rounding.
+  if (!(std::abs(tx) > kUpright)) return {};
+  const double first = p.x + p.y * ty / tx, last = q.x + q.y * ty / tx;
+  EdgeWindow window;
+  window.begin = std::max(0.0, std::min(first, last));
+  window.end = std::min(frame.length, std::max(first, last));
+  if (!(window.begin <= window.end)) return {};
+  // The direction out of the face, which is downwards.
+  window.px = tx > 0 ? ty : -ty;
+  window.py = -std::abs(tx);
+  window.sense = tx > 0 ? -1 : 1;
+  window.offset = -(window.px * p.x + window.py * p.y);
+  window.arc = segment.arc - (tx * p.x + ty * p.y);
+  window.curve = segment.curve;
+  window.into = twin(frame.side);
+  return window;
 }
 
-void PolylineDistance::send_pieces() {
+void send_pieces(const Surface& surface, const PolylinePieces& pieces, WindowFront& front) {
   // Segments go first, because they hide most of the windows that points would send.
   constexpr std::size_t kOfPiece = 8;  // units of work
-  const auto begin_piece = [&] {
-    tell_work();
-    work_ += kOfPiece;
-  };
-  for (const PolylinePiece& piece : pieces_.segments) {
-    begin_piece();
-    send_segment(piece);
+  for (const PolylinePiece& segment : pieces.segments) {
+    front.work().tell();
+    front.work().add(kOfPiece);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const SideFrame frame = side_frame(surface, segment.face, k);
+      if (const auto window = window_of_segment(segment, frame, k)) front.send(*window);
+    }
   }
-  for (const PolylinePiece& piece : pieces_.points) {
-    begin_piece();
-    if (piece.vertex.valid()) {
-      send_vertex(piece);
-    } else {
-      send_point(piece);
+  for (const PolylinePiece& point : pieces.points) {
+    front.work().tell();
+    front.work().add(kOfPiece);
+    if (point.vertex.valid()) {
+      front.start_at(point.vertex, {0, point.curve, point.arc});
+      continue;
+    }
+    for (std::size_t k = 0; k < 3; ++k) {
+      front.send(window_of_point(point, side_frame(surface, point.face, k), k));
     }
   }
 }
 
-/// An eighth of the mean side of the curves' faces. The step affects only the amount of superfluous
-/// work, not the result.
-double PolylineDistance::step_width() const {
+double step_width(const Surface& surface, const PolylinePieces& pieces) {
   double sum = 0;
   std::size_t count = 0;
   const auto add = [&](HalfedgeId h) {
-    sum += surface_->length(edge_of(h));
+    sum += surface.length(edge_of(h));
     ++count;
   };
   const auto add_face = [&](const PolylinePiece& piece) {
     if (piece.face.valid()) {
-      const HalfedgeId h = surface_->halfedge(piece.face);
-      for (const HalfedgeId side : {h, surface_->next(h), surface_->prev(h)}) add(side);
-    } else if (const HalfedgeId h = surface_->halfedge(piece.vertex); h.valid()) {
+      const HalfedgeId h = surface.halfedge(piece.face);
+      for (const HalfedgeId side : {h, surface.next(h), surface.prev(h)}) add(side);
+    } else if (const HalfedgeId h = surface.halfedge(piece.vertex); h.valid()) {
       add(h);
     }
   };
-  for (const PolylinePiece& piece : pieces_.segments) add_face(piece);
-  for (const PolylinePiece& piece : pieces_.points) add_face(piece);
+  for (const PolylinePiece& piece : pieces.segments) add_face(piece);
+  for (const PolylinePiece& piece : pieces.points) add_face(piece);
   if (sum > 0) return sum / static_cast<double>(count) / 8;
-  const auto lengths = surface_->lengths();
+  const auto lengths = surface.lengths();
   const auto longest = std::max_element(lengths.begin(), lengths.end());
   return longest != lengths.end() && *longest > 0 ? *longest : 1.0;
-}
-
-void PolylineDistance::send_vertex(const PolylinePiece& piece) {
-  lower(piece.vertex, 0, piece.curve, piece.arc);
-  queue_.push({0, static_cast<std::uint32_t>(piece.vertex.index()), kVertexItem});
-}
-
-void PolylineDistance::send(HalfedgeId side, EdgeWindow window) {
-  window.into = twin(side);
-  const EdgeId edge = edge_of(side);
-  const EdgeWindow turned = window.turned(surface_->length(edge));
-  insert(side == halfedge_of(edge) ? window : turned);
-  if (window.from_point()) pass_on(turned);
-}
-
-void PolylineDistance::send_point(const PolylinePiece& piece) {
-  for (std::size_t k = 0; k < 3; ++k) {
-    const SideFrame frame = side_frame(*surface_, piece.face, k);
-    const PlanePoint p = frame.at(piece.from, k);
-    EdgeWindow window;
-    window.end = frame.length;
-    window.px = p.x;
-    window.py = p.y;
-    window.arc = piece.arc;
-    window.curve = piece.curve;
-    send(frame.side, window);
-  }
-}
-
-void PolylineDistance::send_segment(const PolylinePiece& piece) {
-  for (std::size_t k = 0; k < 3; ++k) {
-    const SideFrame frame = side_frame(*surface_, piece.face, k);
-    const PlanePoint p = frame.at(piece.from, k), q = frame.at(piece.to, k);
-    const double length = std::hypot(q.x - p.x, q.y - p.y);
-    const double tx = (q.x - p.x) / length, ty = (q.y - p.y) / length;
-    // A segment perpendicular to the side reaches it only from its ends. If it is perpendicular up
-    // to kUpright, it is nearer than its ends by less than rounding.
-    if (!(std::abs(tx) > kUpright)) continue;
-    const double first = p.x + p.y * ty / tx, last = q.x + q.y * ty / tx;
-    EdgeWindow window;
-    window.begin = std::max(0.0, std::min(first, last));
-    window.end = std::min(frame.length, std::max(first, last));
-    if (!(window.begin <= window.end)) continue;
-    // The direction out of the face, which is downwards.
-    window.px = tx > 0 ? ty : -ty;
-    window.py = -std::abs(tx);
-    window.sense = tx > 0 ? -1 : 1;
-    window.offset = -(window.px * p.x + window.py * p.y);
-    window.arc = piece.arc - (tx * p.x + ty * p.y);
-    window.curve = piece.curve;
-    send(frame.side, window);
-  }
 }
 
 }  // namespace talweg

@@ -1,0 +1,103 @@
+#include "talweg/intrinsic/exact_distance/edge_ways.hpp"
+
+#include <algorithm>
+#include <cstddef>
+
+namespace talweg {
+namespace {
+
+/// Calls visit(neighbour, length of the edge to it) for every neighbour of v.
+template <class Visit>
+void for_each_neighbour(const Surface& surface, VertexId v, Visit visit) {
+  const HalfedgeId first = surface.halfedge(v);
+  for (HalfedgeId h = first; h.valid();) {
+    visit(surface.head(h), surface.length(edge_of(h)));
+    if (!surface.has_face(h)) break;
+    h = surface.turn_ccw(h);
+    if (h == first) break;
+  }
+}
+
+}  // namespace
+
+NearestOnCurve EdgeWays::shortest(VertexId v, double exact, const VertexDistances& known,
+                                  WorkTally& work) {
+  if (const auto found = search_near(v, exact, known)) return *found;
+  return search_all(v, exact, known, work);
+}
+
+/// Searches from the vertex, by Dijkstra's algorithm; nothing if that takes too many vertices.
+std::optional<NearestOnCurve> EdgeWays::search_near(VertexId v, double exact,
+                                                    const VertexDistances& known) {
+  constexpr int kMost = 64;  // vertices
+  NearestOnCurve best = NearestOnCurve::none();
+  reached_.assign(1, {v});
+  for (int k = 0; k < kMost; ++k) {
+    Reached* next = nullptr;
+    for (Reached& r : reached_) {
+      if (!r.settled && (next == nullptr || r.way < next->way)) next = &r;
+    }
+    // Every remaining way leads through a vertex that lies at least next->way from v and farther
+    // than `exact` from the curves.
+    if (next == nullptr || !(next->way + exact < best.distance)) return best;
+    next->settled = true;
+    const double way = next->way;
+    for_each_neighbour(*surface_, next->vertex, [&](VertexId w, double length) {
+      const double longer = way + length;
+      if (known[w].distance > exact) {
+        reach(w, longer);
+      } else if (const auto by_end = known[w].farther_by(longer); by_end.is_nearer_than(best)) {
+        best = by_end;
+      }
+    });
+  }
+  return {};
+}
+
+void EdgeWays::reach(VertexId v, double way) {
+  const auto before = std::find_if(reached_.begin(), reached_.end(),
+                                   [&](const Reached& r) { return r.vertex == v; });
+  if (before == reached_.end()) {
+    reached_.push_back({v, way});
+  } else {
+    before->way = std::min(before->way, way);
+  }
+}
+
+void EdgeWays::push(VertexId v, const NearestOnCurve& nearest) {
+  queue_.push_back({nearest, v});
+  std::push_heap(queue_.begin(), queue_.end(), IsLater{});
+}
+
+void EdgeWays::start_from_all(double exact, const VertexDistances& known) {
+  from_ = exact;
+  queue_.clear();
+  settled_.clear();
+  for (const VertexId v : known.reached()) {
+    if (known[v].distance <= exact) push(v, known[v]);
+  }
+}
+
+/// Searches from the other end, by Dijkstra's algorithm from all exact distances, continuing where
+/// the last query stopped.
+NearestOnCurve EdgeWays::search_all(VertexId v, double exact, const VertexDistances& known,
+                                    WorkTally& work) {
+  constexpr std::size_t kOfVertex = 8;  // units of work
+  if (from_ != exact) start_from_all(exact, known);
+  for (;;) {
+    if (const auto found = settled_.find(v); found != settled_.end()) return found->second;
+    if (queue_.empty()) return NearestOnCurve::none();
+    work.tell();
+    work.add(kOfVertex);
+    std::pop_heap(queue_.begin(), queue_.end(), IsLater{});
+    const Way next = queue_.back();
+    queue_.pop_back();
+    if (!settled_.emplace(next.vertex, next.nearest).second) continue;
+    for_each_neighbour(*surface_, next.vertex, [&](VertexId w, double length) {
+      if (known[w].distance <= exact || settled_.contains(w)) return;
+      push(w, next.nearest.farther_by(length));
+    });
+  }
+}
+
+}  // namespace talweg

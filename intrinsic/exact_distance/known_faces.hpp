@@ -1,0 +1,52 @@
+// The known faces are copies of what is known about the ways into faces, for queries inside them.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "talweg/intrinsic/exact_distance/polyline_pieces.hpp"
+#include "talweg/intrinsic/exact_distance/ways_into_face.hpp"
+#include "talweg/intrinsic/exact_distance/window_front.hpp"
+#include "talweg/intrinsic/surface/surface.hpp"
+
+namespace talweg {
+
+/// A face is copied as the front knows it then; what was final then stays final. So most queries
+/// need not look at the front. 4 bytes per face. The surface must outlive the object.
+class KnownFaces {
+ public:
+  explicit KnownFaces(const Surface& surface);
+
+  /// To be called when the front has new curves. O(copies).
+  void clear();
+
+  struct Known {
+    WaysIntoFace ways;
+    double front = 0;  ///< where the front was when the face was copied
+  };
+  [[nodiscard]] bool contain(FaceId face) const { return copy_of_[face.index()] != kNone; }
+  /// The last copy of the face, which must exist. Valid until any face is copied.
+  const Known& at(FaceId face) {
+    Copy& copy = copies_[copy_of_[face.index()]];
+    copy.ways.windows = {led_in_.data() + copy.first, copy.count};
+    return copy;
+  }
+  /// Copies the face as it is now.
+  void copy(FaceId face, const WindowFront& front, const PolylinePieces& pieces);
+
+ private:
+  static constexpr std::uint32_t kNone = 0xFFFFFFFFU;
+  struct Copy : Known {
+    FaceId face;
+    std::uint32_t first = 0, count = 0, room = 0;  // in led_in_
+  };
+  void store_windows(Copy& copy);
+
+  const Surface* surface_;
+  std::vector<std::uint32_t> copy_of_;  // per face, in copies_
+  std::vector<Copy> copies_;
+  std::vector<LedIn> led_in_, into_one_face_;
+};
+
+}  // namespace talweg

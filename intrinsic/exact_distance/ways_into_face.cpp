@@ -1,0 +1,109 @@
+#include "talweg/intrinsic/exact_distance/ways_into_face.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace talweg {
+namespace {
+
+double length_of(double dx, double dy) { return std::sqrt(dx * dx + dy * dy); }
+
+/// The fraction of the segment from p to q at its point nearest to x, in [0, 1].
+double nearest_part(PlanePoint x, PlanePoint p, PlanePoint q) {
+  const double dx = q.x - p.x, dy = q.y - p.y, length = length_of(dx, dy);
+  if (!(length > 0)) return 0;
+  return std::clamp(((x.x - p.x) * (dx / length) + (x.y - p.y) * (dy / length)) / length, 0.0, 1.0);
+}
+
+/// How a shortest way arrives at a point in the plane.
+struct Arrival {
+  PlanePoint direction;      // unit direction of the way there; 0 at the source
+  PlanePoint arc_direction;  // gradient of the arc length
+};
+
+Arrival from_point(double dx, double dy) {
+  const double r = length_of(dx, dy);
+  if (!(r > 0)) return {};
+  return {{dx / r, dy / r}, {}};
+}
+
+/// Uses the frame of the window's edge, turned so that the face is above.
+Arrival from_window(const EdgeWindow& w, double x, double rise, bool own) {
+  const double turn = own ? 1 : -1;
+  double bend = 0;
+  if (w.bends_towards(x, rise, bend)) return from_point(turn * (x - bend), rise);
+  if (w.from_point()) return from_point(turn * (x - w.px), rise + std::abs(w.py));
+  return {{turn * w.px, turn * w.py}, {turn * w.sense * w.py, -turn * w.sense * w.px}};
+}
+
+Arrival from_segment(PlanePoint x, PlanePoint p, PlanePoint q) {
+  const double part = nearest_part(x, p, q);
+  const PlanePoint foot{p.x + part * (q.x - p.x), p.y + part * (q.y - p.y)};
+  Arrival arrival = from_point(x.x - foot.x, x.y - foot.y);
+  if (part > 0 && part < 1) {
+    const double length = length_of(q.x - p.x, q.y - p.y);
+    arrival.arc_direction = {(q.x - p.x) / length, (q.y - p.y) / length};
+  }
+  return arrival;
+}
+
+}  // namespace
+
+/// Offers ways through the windows of the sides, which are at least as long as at the windows'
+/// lowest point.
+void WaysIntoFace::offer_windows(const Corners& at, Hit& best) const {
+  for (const LedIn& in : windows) {
+    if (in.lowest > best.nearest.distance) continue;
+    const PlanePoint p = at[in.side];
+    NearestOnCurve nearest{0, in.window.curve, 0};
+    nearest.distance =
+        in.own ? in.window.value_beyond(p.x, p.y, nearest.arc_length)
+               : in.window.value_beyond(frames[in.side].length - p.x, -p.y, nearest.arc_length);
+    if (nearest.is_nearer_than(best.nearest)) best = {nearest, in.side, &in};
+  }
+}
+
+/// Offers ways from the curves' segments in the face itself, in the frame of side 0.
+void WaysIntoFace::offer_segments(PlanePoint at, Hit& best) const {
+  for (const PolylinePiece& segment : segments) {
+    const PlanePoint p = frames[0].at(segment.from, 0), q = frames[0].at(segment.to, 0);
+    const double part = nearest_part(at, p, q), dx = q.x - p.x, dy = q.y - p.y;
+    const NearestOnCurve nearest{length_of(at.x - (p.x + part * dx), at.y - (p.y + part * dy)),
+                                 segment.curve, segment.arc + part * length_of(dx, dy)};
+    if (nearest.is_nearer_than(best.nearest)) best = {nearest, 0, nullptr, &segment};
+  }
+}
+
+WaysIntoFace::Hit WaysIntoFace::hit(const Barycentric& b) const {
+  Hit best{NearestOnCurve::none()};
+  Corners at;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const PlanePoint p = at[k] = frames[k].at(b, k);
+    if (corners[k].distance > best.nearest.distance) continue;
+    const NearestOnCurve nearest = corners[k].farther_by(length_of(p.x, p.y));
+    if (nearest.is_nearer_than(best.nearest)) best = {nearest, k};
+  }
+  offer_windows(at, best);
+  offer_segments(at[0], best);
+  best.nearest.drop_rounding(longest);
+  return best;
+}
+
+WaysIntoFace::Slopes WaysIntoFace::slopes(const Hit& hit, const Barycentric& b,
+                                          PlanePoint direction) const {
+  const SideFrame& frame = frames[hit.side];
+  const PlanePoint p = frame.at(b, hit.side);
+  Arrival way;
+  if (hit.window != nullptr) {
+    const bool own = hit.window->own;
+    way = from_window(hit.window->window, own ? p.x : frame.length - p.x, p.y, own);
+  } else if (hit.segment != nullptr) {
+    way = from_segment(p, frame.at(hit.segment->from, 0), frame.at(hit.segment->to, 0));
+  } else {
+    way = from_point(p.x, p.y);
+  }
+  const PlanePoint step = frame.at(frames[0].rates(direction), hit.side);
+  return {dot(way.direction, step), dot(way.arc_direction, step)};
+}
+
+}  // namespace talweg
