@@ -196,6 +196,7 @@ std::vector<SurfacePoint> crossed_points(const Surface& surface,
   });
   sort_once(crossed);
   std::vector<SurfacePoint> points;
+  points.reserve(crossed.size());
   for (const std::size_t i : crossed) points.push_back(curves[curve].points[i]);
   return points;
 }
