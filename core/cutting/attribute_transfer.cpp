@@ -46,15 +46,19 @@ double white(NumberType type) {
   }
 }
 
-enum class Rule { kLinear, kRounded, kNearest };
+/// The value of elements that come from nowhere.
+double without(const AttributeColumn& column) {
+  return column.fill.value_or(is_colour(column.name) ? white(column.type) : 0);
+}
 
-Rule rule_of(const AttributeColumn& column) {
+Carry rule_of(const AttributeColumn& column) {
+  if (column.carry != Carry::kByName) return column.carry;
   std::string lower = column.name;
   std::transform(lower.begin(), lower.end(), lower.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  if (lower.find("label") != lower.npos) return Rule::kNearest;
-  if (is_real(column.type)) return Rule::kLinear;
-  return is_colour(lower) ? Rule::kRounded : Rule::kNearest;
+  if (lower.find("label") != lower.npos) return Carry::kNearest;
+  if (is_real(column.type)) return Carry::kLinear;
+  return is_colour(lower) ? Carry::kRounded : Carry::kNearest;
 }
 
 using Corners = std::array<std::uint32_t, 3>;
@@ -71,6 +75,37 @@ double interpolated(const Parts& parts, Value value_of_corner) {
     if (parts[k] > 0) sum += parts[k] * value_of_corner(k);  // other values may be NaN
   }
   return sum;
+}
+
+/// The value between three corners, without making directions as long as one.
+template <class Value>
+double between(Carry rule, const Parts& parts, Value value_of_corner) {
+  if (rule == Carry::kNearest) return value_of_corner(nearest(parts));
+  const double value = interpolated(parts, value_of_corner);
+  return rule == Carry::kRounded ? std::round(value) : value;
+}
+
+using Direction = std::array<AttributeColumn*, 3>;
+
+/// The columns of normals by their names, and those that follow each other as directions.
+std::vector<Direction> directions_among(std::vector<AttributeColumn>& columns) {
+  std::vector<Direction> directions;
+  Direction normal{};
+  for (std::size_t c = 0; c < columns.size(); ++c) {
+    AttributeColumn& column = columns[c];
+    if (column.carry == Carry::kDirection && c + 2 < columns.size()) {
+      directions.push_back({&column, &columns[c + 1], &columns[c + 2]});
+      c += 2;
+      continue;
+    }
+    for (std::size_t k = 0; k < 3; ++k) {
+      const bool by_name = column.carry == Carry::kByName && is_real(column.type);
+      if (by_name && column.name == kNormals[k]) normal[k] = &column;
+    }
+  }
+  const bool has_normals = std::all_of(normal.begin(), normal.end(), [](auto* n) { return n; });
+  if (has_normals) directions.push_back(normal);
+  return directions;
 }
 
 /// Makes three numbers a unit vector unless they are zero.
@@ -97,29 +132,20 @@ void check_sizes(const MeshAttributes& attributes, std::size_t vertices, std::si
 void extend_vertices(const CutMesh& cut, const Surface& old,
                      std::vector<AttributeColumn>& columns) {
   if (columns.empty()) return;
-  std::array<AttributeColumn*, 3> normal{};
-  for (AttributeColumn& column : columns) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      if (column.name == kNormals[k] && is_real(column.type)) normal[k] = &column;
-    }
-  }
-  std::vector<Rule> rules;
+  const std::vector<Direction> directions = directions_among(columns);
+  std::vector<Carry> rules;
   rules.reserve(columns.size());
   for (const AttributeColumn& column : columns) rules.push_back(rule_of(column));
-  const bool has_normals = std::all_of(normal.begin(), normal.end(), [](auto* n) { return n; });
   for (std::size_t v = old.vertex_count(); v < cut.vertex_from.size(); ++v) {
     const SurfacePoint& point = cut.vertex_from[v];
     const FaceCoordinates at = coordinates_in(old, point, any_face(old, point));
     const auto corners = old.corners(at.face);
     for (std::size_t c = 0; c < columns.size(); ++c) {
       const auto value = [&](std::size_t k) { return columns[c].values[corners[k].index()]; };
-      double result = rules[c] == Rule::kNearest ? value(nearest(at.barycentric))
-                                                 : interpolated(at.barycentric, value);
-      if (rules[c] == Rule::kRounded) result = std::round(result);
-      columns[c].values.push_back(result);
+      columns[c].values.push_back(between(rules[c], at.barycentric, value));
     }
-    if (has_normals) {
-      normalize({&normal[0]->values[v], &normal[1]->values[v], &normal[2]->values[v]});
+    for (const Direction& d : directions) {
+      normalize({&d[0]->values[v], &d[1]->values[v], &d[2]->values[v]});
     }
   }
 }
@@ -127,8 +153,13 @@ void extend_vertices(const CutMesh& cut, const Surface& old,
 /// Creates the values at corners of new faces; two faces share a value where the old ones do.
 class CornerCarrier {
  public:
-  CornerCarrier(const CutMesh& cut, const Surface& old, const CornerAttribute& from)
-      : cut_(cut), old_(old), from_(from), result_{from.dimension, from.values, {}} {}
+  /// `by_name`: the rule where the attribute has none of its own.
+  CornerCarrier(const CutMesh& cut, const Surface& old, const CornerAttribute& from, Carry by_name)
+      : cut_(cut),
+        old_(old),
+        from_(from),
+        rule_(from.carry == Carry::kByName ? by_name : from.carry),
+        result_{from.dimension, from.values, {}, from.carry} {}
 
   CornerAttribute run() {
     for (std::size_t f = 0; f < cut_.lists.triangles.size(); ++f) {
@@ -167,9 +198,9 @@ class CornerCarrier {
     const std::size_t n = from_.dimension, first = result_.values.size();
     for (std::size_t d = 0; d < n; ++d) {
       result_.values.push_back(
-          interpolated(parts, [&](std::size_t k) { return from_.values[n * own[k] + d]; }));
+          between(rule_, parts, [&](std::size_t k) { return from_.values[n * own[k] + d]; }));
     }
-    if (n == 3) {
+    if (n == 3 && rule_ == Carry::kDirection) {
       double* const at = &result_.values[first];
       normalize({at, at + 1, at + 2});
     }
@@ -179,6 +210,7 @@ class CornerCarrier {
   const CutMesh& cut_;
   const Surface& old_;
   const CornerAttribute& from_;
+  Carry rule_;
   CornerAttribute result_;
   std::map<Key, std::uint32_t> known_;
 };
@@ -194,7 +226,7 @@ std::vector<Value> of_faces(const std::vector<Value>& values, std::span<const st
 
 /// Keeps only the values that these faces use, in the order of their first use.
 CornerAttribute of_faces(const CornerAttribute& from, std::span<const std::uint32_t> faces) {
-  CornerAttribute to{from.dimension, {}, {}};
+  CornerAttribute to{from.dimension, {}, {}, from.carry};
   if (from.dimension == 0) return to;
   to.corners = of_faces(from.corners, faces, {kNoValue, kNoValue, kNoValue});
   std::vector<std::uint32_t> number(from.values.size() / from.dimension, kNoValue);
@@ -218,8 +250,9 @@ MeshAttributes with_faces(const MeshAttributes& attributes, std::span<const std:
   result.references = attributes.references;
   result.left_out = attributes.left_out;
   for (const AttributeColumn& column : attributes.faces) {
-    const double without = is_colour(column.name) ? white(column.type) : 0;
-    result.faces.push_back({column.name, column.type, of_faces(column.values, faces, without)});
+    result.faces.push_back({column.name, column.type,
+                            of_faces(column.values, faces, without(column)), column.carry,
+                            column.fill});
   }
   for (const FaceNames& names : attributes.names) {
     result.names.push_back({names.keyword, names.names, of_faces(names.of_face, faces, 0U)});
@@ -236,10 +269,10 @@ MeshAttributes carried_to(const CutMesh& cut, const Surface& old,
   result.vertices = attributes.vertices;
   extend_vertices(cut, old, result.vertices);
   if (attributes.texture.dimension > 0) {
-    result.texture = CornerCarrier(cut, old, attributes.texture).run();
+    result.texture = CornerCarrier(cut, old, attributes.texture, Carry::kLinear).run();
   }
   if (attributes.normals.dimension > 0) {
-    result.normals = CornerCarrier(cut, old, attributes.normals).run();
+    result.normals = CornerCarrier(cut, old, attributes.normals, Carry::kDirection).run();
   }
   return result;
 }
@@ -248,12 +281,12 @@ MeshAttributes picked(const MeshAttributes& attributes, std::span<const std::uin
                       std::span<const std::uint32_t> faces) {
   MeshAttributes result = with_faces(attributes, faces);
   for (const AttributeColumn& column : attributes.vertices) {
-    AttributeColumn& to =
-        result.vertices.emplace_back(AttributeColumn{column.name, column.type, {}});
+    AttributeColumn& to = result.vertices.emplace_back(
+        AttributeColumn{column.name, column.type, {}, column.carry, column.fill});
     to.values.reserve(vertices.size());
-    const double without = is_colour(column.name) ? white(column.type) : 0;
+    const double fill = without(column);
     for (const std::uint32_t v : vertices) {
-      to.values.push_back(v == kNoVertex ? without : column.values[v]);
+      to.values.push_back(v == kNoVertex ? fill : column.values[v]);
     }
   }
   result.texture = of_faces(attributes.texture, faces);

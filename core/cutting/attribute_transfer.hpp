@@ -13,18 +13,20 @@
 namespace talweg {
 
 /// The attributes of the cut mesh. Faces have those of the old face that they are part of. Old
-/// vertices keep their values. The value of a new vertex follows from the corners of its old face:
+/// vertices keep their values. The value of a new vertex follows from the corners of its old face,
+/// as the column's `carry` says or, by its name:
 /// - real numbers, and whole numbers that are colours (rounded), are interpolated linearly;
 /// - normals (nx, ny, nz) are interpolated and made as long as one;
 /// - other whole numbers, and columns with "label" in their name, are taken from the nearest corner
 ///   (in barycentrics; the first of equals).
-/// Corners are interpolated in the same way. Throws Error(kBadUsage) where the attributes do not
-/// have as many vertices and faces as the old mesh.
+/// Values at corners are interpolated, and normals among them made as long as one. Throws
+/// Error(kBadUsage) where the attributes do not have as many vertices and faces as the old mesh.
 MeshAttributes carried_to(const CutMesh& cut, const Surface& old, const MeshAttributes& attributes);
 
 /// The attributes of a mesh whose vertices and faces are picked from this one, each any number of
-/// times. Faces and vertices from none (kNoFace, kNoVertex), such as those of lids, are 0 in every
-/// column and white in those of colours; they have no texture coordinates, normals or names.
+/// times. Faces and vertices from none (kNoFace, kNoVertex), such as those of lids, have the
+/// column's `fill`, or else 0, and white in columns of colours; they have no texture coordinates,
+/// normals or names.
 MeshAttributes picked(const MeshAttributes& attributes, std::span<const std::uint32_t> vertices,
                       std::span<const std::uint32_t> faces);
 

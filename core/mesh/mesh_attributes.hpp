@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,19 +17,31 @@ namespace talweg {
 inline constexpr std::array<std::string_view, 3> kNormals{"nx", "ny", "nz"};
 inline constexpr std::array<std::string_view, 4> kColours{"red", "green", "blue", "alpha"};
 
+/// How the value of a point between corners follows from theirs.
+enum class Carry : std::uint8_t {
+  kByName,    ///< as carried_to() says
+  kLinear,    ///< interpolated
+  kRounded,   ///< interpolated, and rounded to a whole number
+  kNearest,   ///< that of the nearest corner
+  kDirection  ///< three numbers, interpolated and made as long as one
+};
+
 /// A number for every vertex, or for every face.
 struct AttributeColumn {
   std::string name;                        ///< "nx", "red", "quality", ...; printable, no blanks
   NumberType type = NumberType::kFloat32;  ///< how it is stored
   std::vector<double> values;
+  Carry carry = Carry::kByName;  ///< three columns of a direction follow each other
+  std::optional<double> fill;    ///< of elements that come from nowhere; default: by its name
 };
 
 /// Numbers at the corners of faces; corners may share them.
 struct CornerAttribute {
   static constexpr std::uint32_t kNone = 0xFFFFFFFFU;
-  std::size_t dimension = 0;                          ///< 2 or 3; 0 if the file has none
+  std::size_t dimension = 0;                          ///< 0 if there are none; in files 2 or 3
   std::vector<double> values;                         ///< `dimension` numbers per entry
   std::vector<std::array<std::uint32_t, 3>> corners;  ///< per face: entries; kNone for none
+  Carry carry = Carry::kByName;
 };
 
 /// Names that an OBJ file gives to groups of faces.

@@ -275,6 +275,14 @@ RepairedMesh repair(const MeshLists& lists, const RepairSteps& steps) {
   return Repair(lists).run(steps);
 }
 
+RepairedMesh repair_to_surface(const MeshLists& lists, const RepairSteps& steps) {
+  RepairedMesh repaired = repair(lists, steps);
+  const MeshInspection after = inspect(repaired.lists);
+  if (after.verdict == MeshVerdict::kUsable) return repaired;
+  throw Error(ErrorCode::kBadMesh,
+              "The repaired mesh cannot be used, either (its own numbers): " + after.reason);
+}
+
 void try_repair(const MeshLists& lists, MeshInspection& inspection) {
   if (inspection.verdict != MeshVerdict::kRepairable) return;
   const MeshInspection after = inspect(repair(lists, repair_steps(inspection.steps)).lists);

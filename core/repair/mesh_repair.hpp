@@ -20,6 +20,8 @@ struct RepairSteps {
   bool drop = true;    ///< faces without area and repeated faces are dropped
   bool orient = true;  ///< faces are turned to agree with their neighbours
   bool split = true;   ///< crowded edges and bow-ties are cut into sheets (sheet_splitting.hpp)
+
+  friend bool operator==(const RepairSteps&, const RepairSteps&) = default;
 };
 
 /// Parses names separated by commas: weld, drop, orient, split, or all. Throws Error(kBadUsage)
@@ -65,6 +67,9 @@ struct RepairedMesh {
 /// Throws Error(kBadMesh) for what no repair can fix: no vertices, no faces, an index out of range,
 /// a coordinate that is not finite or beyond 1e40, a mesh or edges that are too small.
 RepairedMesh repair(const MeshLists& lists, const RepairSteps& steps = {});
+
+/// The same; also throws Error(kBadMesh) if the repaired lists are no surface, either.
+RepairedMesh repair_to_surface(const MeshLists& lists, const RepairSteps& steps = {});
 
 /// Tries the steps that a kRepairable verdict on the lists names, because only a trial shows how
 /// they affect each other: after faces are dropped, the rest may turn out one-sided. If the steps

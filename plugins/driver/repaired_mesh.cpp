@@ -40,12 +40,7 @@ ReadMesh repaired(MeshLists lists, const std::string& list) {
   ReadMesh mesh;
   mesh.lists = std::move(lists);
   if (list.empty()) return mesh;
-  RepairedMesh repaired = repair(mesh.lists, repair_steps(list));
-  const MeshInspection after = inspect(repaired.lists);
-  if (after.verdict != MeshVerdict::kUsable) {
-    throw Error(ErrorCode::kBadMesh,
-                "The repaired mesh cannot be used, either (its own numbers): " + after.reason);
-  }
+  RepairedMesh repaired = repair_to_surface(mesh.lists, repair_steps(list));
   mesh.changes = sentences(repaired.changes);
   mesh.lists = std::move(repaired.lists);
   mesh.map = std::make_shared<const RepairMap>(std::move(repaired.map));

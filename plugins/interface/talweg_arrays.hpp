@@ -41,6 +41,12 @@ inline std::uint64_t size_of(std::uint32_t type) {
     case TALWEG_INT32:
     case TALWEG_UINT32:
       return 4;
+    case TALWEG_INT16:
+    case TALWEG_UINT16:
+      return 2;
+    case TALWEG_INT8:
+    case TALWEG_UINT8:
+      return 1;
     default:
       return 0;
   }
@@ -134,6 +140,14 @@ inline void copy_numbers(const talweg_array& array, std::uint32_t columns, const
       return detail::convert<std::uint32_t>(array, what, out);
     case TALWEG_INT64:
       return detail::convert<std::int64_t>(array, what, out);
+    case TALWEG_INT8:
+      return detail::convert<std::int8_t>(array, what, out);
+    case TALWEG_UINT8:
+      return detail::convert<std::uint8_t>(array, what, out);
+    case TALWEG_INT16:
+      return detail::convert<std::int16_t>(array, what, out);
+    case TALWEG_UINT16:
+      return detail::convert<std::uint16_t>(array, what, out);
     default:
       return detail::convert<std::uint64_t>(array, what, out);
   }

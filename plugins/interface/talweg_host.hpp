@@ -13,6 +13,7 @@
 
 #include <array>
 #include <cstdint>
+#include <cstring>
 #include <functional>
 #include <span>
 #include <stdexcept>
@@ -22,6 +23,7 @@
 #include <vector>
 
 #include "talweg_arrays.hpp"
+#include "talweg_meshes.h"
 #include "talweg_plugin.h"
 #include "talweg_way_points.h"
 
@@ -122,6 +124,26 @@ struct Mesh {
   std::vector<Field> fields;
 };
 
+/// Values at vertices, triangles or corners of a mesh (talweg_meshes.h).
+struct Attribute {
+  std::string name;
+  std::uint32_t element = TALWEG_OF_VERTICES;
+  std::uint32_t carry = TALWEG_CARRY_LINEAR;
+  double fill = 0;
+  std::uint32_t columns = 1;
+  std::vector<double> values;                         ///< rows side by side
+  std::vector<std::array<std::uint32_t, 3>> corners;  ///< of shared entries; else empty
+};
+
+/// Where a mesh that a run gave comes from; as talweg_origin.
+struct Origin {
+  std::vector<std::array<std::uint32_t, 3>> vertices;
+  std::vector<std::array<double, 3>> weights;
+  std::vector<std::uint32_t> triangles;
+  std::vector<std::uint32_t> closed, lengths;
+  std::vector<std::array<std::uint32_t, 3>> chains;
+};
+
 struct ReportEntry {
   std::int64_t curve = -1;
   std::string key;
@@ -133,7 +155,7 @@ struct ReportEntry {
 
 struct Results {
   std::vector<Curve> curves;
-  std::vector<Field> fields;  ///< per vertex of the mesh
+  std::vector<Field> fields;  ///< per vertex or triangle of the mesh
   std::vector<ReportEntry> report;
   std::vector<Mesh> meshes;
 
@@ -245,6 +267,42 @@ inline std::vector<std::uint32_t> vertices_of(const talweg_array& array) {
   if (array.rows == 0) return {};
   return {values, values + array.rows};
 }
+inline std::vector<std::array<std::uint32_t, 3>> triples_of(const talweg_array& array) {
+  plugin::check_array(array, 3, "The triples");
+  std::vector<std::array<std::uint32_t, 3>> rows(plugin::count_of(array, 1));
+  if (!rows.empty()) std::memcpy(rows.data(), array.data, sizeof rows[0] * rows.size());
+  return rows;
+}
+
+inline talweg_attribute view_of(const Attribute& attribute) {
+  const std::uint64_t rows =
+      attribute.columns == 0 ? 0 : attribute.values.size() / attribute.columns;
+  const talweg_array corners = attribute.corners.empty() ? plugin::kNoArray
+                                                         : view(attribute.corners.front().data(),
+                                                                attribute.corners.size(), 3);
+  return {sizeof(talweg_attribute),
+          attribute.element,
+          attribute.carry,
+          0,
+          attribute.name.c_str(),
+          attribute.fill,
+          view(attribute.values.data(), rows, attribute.columns),
+          corners};
+}
+inline Attribute copy(const talweg_attribute& attribute) {
+  return {attribute.name,
+          attribute.element,
+          attribute.carry,
+          attribute.fill,
+          attribute.values.columns,
+          plugin::numbers_of(attribute.values, attribute.values.columns, "An attribute"),
+          triples_of(attribute.corners)};
+}
+inline Origin copy(const talweg_origin& origin) {
+  return {triples_of(origin.vertices),   rows_of<3>(origin.weights, "The weights"),
+          vertices_of(origin.triangles), vertices_of(origin.closed),
+          vertices_of(origin.lengths),   triples_of(origin.chains)};
+}
 
 inline Curve copy(const talweg_curve& curve) {
   Curve result{curve.closed != 0,
@@ -325,6 +383,28 @@ class Instance {
     check(plugin_->set_curves(instance_, views.data(), views.size()));
   }
 
+  /// Throws Error(TALWEG_UNSUPPORTED) if the plugin takes none.
+  void set_attributes(const std::vector<Attribute>& attributes) {
+    if ((meshes().takes & TALWEG_TAKES_ATTRIBUTES) == 0) unsupported("takes no attributes");
+    std::vector<talweg_attribute> views;
+    std::vector<const talweg_attribute*> list;
+    for (const Attribute& attribute : attributes) views.push_back(detail::view_of(attribute));
+    for (const talweg_attribute& view : views) list.push_back(&view);
+    check(meshes().set_attributes(instance_, list.data(), list.size()));
+  }
+  /// The attributes of a mesh of the last run that gave meshes.
+  [[nodiscard]] std::vector<Attribute> attributes(std::uint64_t mesh) const {
+    if ((meshes().takes & TALWEG_TAKES_ATTRIBUTES) == 0) unsupported("gives no attributes");
+    std::vector<Attribute> result;
+    check(meshes().attributes(instance_, mesh, on_given<talweg_attribute, Attribute>, &result));
+    return result;
+  }
+  [[nodiscard]] Origin origin(std::uint64_t mesh) const {
+    std::vector<Origin> result;
+    check(meshes().origin(instance_, mesh, on_given<talweg_origin, Origin>, &result));
+    return std::move(result.at(0));
+  }
+
   void set(const char* id, double value) { check(plugin_->set_number(instance_, id, value)); }
   void set(const char* id, const char* value) { check(plugin_->set_choice(instance_, id, value)); }
   void set(const char* id, const std::string& value) { set(id, value.c_str()); }
@@ -354,6 +434,18 @@ class Instance {
   void cancel() { plugin_->cancel(instance_); }
 
  private:
+  [[nodiscard]] const talweg_meshes& meshes() const {
+    const auto* found = static_cast<const talweg_meshes*>(plugin_->get_extension(TALWEG_MESHES));
+    if (found == nullptr || found->size < sizeof *found) unsupported("gives no meshes");
+    return *found;
+  }
+  [[noreturn]] void unsupported(const char* what) const {
+    throw Error(TALWEG_UNSUPPORTED, std::string(plugin_->id) + " " + what + ".");
+  }
+  template <class Given, class Own>
+  static talweg_status on_given(void* context, const Given* given) {
+    return detail::append(*static_cast<std::vector<Own>*>(context), *given);
+  }
   static Results& results(void* context) { return *static_cast<Results*>(context); }
   static talweg_status on_curve(void* context, const talweg_curve* curve) {
     return detail::append(results(context).curves, *curve);

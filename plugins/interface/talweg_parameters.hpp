@@ -74,7 +74,7 @@ talweg_parameter choice(const char* id, const char* label, const char* value,
   return result;
 }
 
-/// A parameter of type TALWEG_VERTICES, TALWEG_FIELD or TALWEG_PER_CURVE.
+/// A parameter of type TALWEG_VERTICES, TALWEG_FIELD, TALWEG_PER_CURVE or TALWEG_TRIANGLE_FIELD.
 inline talweg_parameter array(std::uint32_t type, const char* id, const char* label,
                               const char* unit, const char* doc,
                               std::uint32_t stage = TALWEG_STAGE_RUN, std::uint32_t flags = 0) {
@@ -141,7 +141,8 @@ class Parameters {
     if (values == nullptr) bad(name_of(p) + " is set to null.");
     if (p.type == TALWEG_VERTICES) {
       change(parameter, parameter.vertices, indices_of(*values, 1, p.id));
-    } else if (p.type == TALWEG_FIELD || p.type == TALWEG_PER_CURVE) {
+    } else if (p.type == TALWEG_FIELD || p.type == TALWEG_PER_CURVE ||
+               p.type == TALWEG_TRIANGLE_FIELD) {
       change(parameter, parameter.field, numbers_of(*values, 1, p.id));
     } else {
       bad(name_of(p) + " is not an array.");

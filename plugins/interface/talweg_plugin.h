@@ -1,5 +1,5 @@
 /*
- * The plugin interface of Talweg, version 1.1: curves on triangle meshes, in C11, without
+ * The plugin interface of Talweg, version 1.2: curves on triangle meshes, in C11, without
  * dependencies. docs/plugins.md explains it with a host and a plugin.
  *
  * A plugin is a shared library with one exported symbol, talweg_plugin_entry. A host loads it (or
@@ -40,7 +40,7 @@ extern "C" {
 
 /* The version of this header. Same major: they work together (see talweg_module). */
 #define TALWEG_INTERFACE_MAJOR 1
-#define TALWEG_INTERFACE_MINOR 1
+#define TALWEG_INTERFACE_MINOR 2
 
 /* The name of the one symbol, for dlsym(). */
 #define TALWEG_PLUGIN_ENTRY "talweg_plugin_entry"
@@ -78,14 +78,20 @@ enum {
   TALWEG_INT32 = 3,
   TALWEG_UINT32 = 4,
   TALWEG_INT64 = 5,
-  TALWEG_UINT64 = 6
+  TALWEG_UINT64 = 6,
+  /* Since 1.2; a plugin that is older refuses them. */
+  TALWEG_INT8 = 7,
+  TALWEG_UINT8 = 8,
+  TALWEG_INT16 = 9,
+  TALWEG_UINT16 = 10
 };
 
 /*
  * `rows` rows of `columns` numbers of one type, each row's numbers side by side, rows `stride` bytes
  * apart (0: side by side, too). An array that is absent has rows = 0; its other members are not
  * looked at then. Where real numbers are expected integers will do; where indices are, only integers.
- * What plugins give is always dense, real numbers FLOAT64, indices UINT32.
+ * What plugins give is always dense, real numbers FLOAT64, indices UINT32 (attributes of meshes have
+ * the type that came in, see talweg_meshes.h).
  * Fixed for good, hence without a size: 32 bytes on machines with 64-bit pointers.
  */
 typedef struct talweg_array {
@@ -96,7 +102,7 @@ typedef struct talweg_array {
   uint32_t type;
 } talweg_array;
 
-/* A named array: values per vertex of the mesh, or per point of a curve. */
+/* A named array: values per vertex or triangle of the mesh, or per point of a curve. */
 typedef struct talweg_field {
   uint32_t size;
   const char *name; /* e.g. "distance" */
@@ -150,7 +156,9 @@ enum {
   TALWEG_CHOICE = 4,   /* set_choice: one of `choices` */
   TALWEG_VERTICES = 5, /* set_array: 1 column, vertices of the mesh; empty by default */
   TALWEG_FIELD = 6,    /* set_array: 1 column, one number per vertex of the mesh; none by default */
-  TALWEG_PER_CURVE = 7 /* since 1.1; set_array: 1 column, one number per curve; none by default */
+  TALWEG_PER_CURVE = 7, /* since 1.1; set_array: 1 column, one number per curve; none by default */
+  TALWEG_TRIANGLE_FIELD = 8 /* since 1.2; set_array: 1 column, one number per triangle of the mesh;
+                               none by default */
 };
 
 /* What a change of a parameter, of the curves or of the mesh makes the next run() repeat: that stage
@@ -195,7 +203,8 @@ enum {
   TALWEG_OUTPUT_POINT_FIELD = 2, /* values per point of each of these curves */
   TALWEG_OUTPUT_VERTEX_FIELD = 3,/* values per vertex of the mesh */
   TALWEG_OUTPUT_REPORT = 4,      /* keys and values */
-  TALWEG_OUTPUT_MESH = 5         /* a mesh */
+  TALWEG_OUTPUT_MESH = 5,        /* a number of meshes; see talweg_meshes.h */
+  TALWEG_OUTPUT_TRIANGLE_FIELD = 6 /* since 1.2; values per triangle of the mesh */
 };
 
 /* What a plugin can give. */
@@ -217,7 +226,8 @@ enum {
 
 /*
  * One line of a report: a value, or a list of values, under a key. Dots in a key say that it belongs
- * to a group ("time_ms.trace"). Names and units of ours: docs/driver.md, "The report".
+ * to a group ("time_ms.trace"); a number between them, from 0, is the place in a list of groups
+ * ("regions.0.label"), which has an empty list under its own key ("regions") if there are none. Names and units of ours: docs/driver.md, "The report".
  */
 typedef struct talweg_report_entry {
   uint32_t size;

@@ -7,10 +7,17 @@
 //     static std::vector<talweg_parameter> parameters();  // number(...), choice(...), ...
 //     static std::vector<talweg_output> outputs();        // output(...)
 //     explicit Mine(const talweg::plugin::Services& services);  // there as long as the object
-//     void set_mesh(const talweg_mesh& mesh);
+//     void set_mesh(const talweg_mesh& mesh);             // or (mesh, const Parameters&)
 //     void set_curves(std::span<const talweg_curve* const> curves);  // with TALWEG_TAKES_CURVES
+//     void prepare(const Parameters& parameters);         // before set_curves() and run(); may be
+//                                                         // left out
 //     void share_mesh(const Mine& other);                 // may be left out
 //     void run(Parameters& parameters, Outputs& outputs); // compute all, then give
+//     // To offer talweg_meshes.h:
+//     static constexpr std::uint32_t kTakes = TALWEG_TAKES_ATTRIBUTES;
+//     void set_attributes(std::span<const talweg_attribute* const> attributes);
+//     void give_attributes(std::uint64_t mesh, const TakeAttribute& take) const;
+//     void give_origin(std::uint64_t mesh, const TakeOrigin& take) const;
 //   };
 //   TALWEG_PLUGIN_MODULE(Mine)
 #pragma once
@@ -23,10 +30,12 @@
 #include <new>
 #include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "talweg_arrays.hpp"
+#include "talweg_meshes.h"
 #include "talweg_parameters.hpp"
 #include "talweg_plugin.h"
 
@@ -110,6 +119,27 @@ class Outputs {
   const talweg_sink& sink_;
 };
 
+/// A function of the host's that results of the extension talweg.meshes/1 are given to. When it
+/// fails, the call ends.
+template <class Struct>
+class Taker {
+ public:
+  using Function = talweg_status (*)(void* context, const Struct* given);
+  Taker(Function take, void* context) : take_(take), context_(context) {}
+  void operator()(Struct given) const {
+    given.size = sizeof given;
+    if (take_(context_, &given) != TALWEG_OK) {
+      throw Failure(TALWEG_HOST_FAILED, "The host refused a result.");
+    }
+  }
+
+ private:
+  Function take_;
+  void* context_;
+};
+using TakeAttribute = Taker<talweg_attribute>;
+using TakeOrigin = Taker<talweg_origin>;
+
 inline talweg_output output(std::uint32_t kind, const char* name, const char* label,
                             const char* unit, const char* doc) {
   return {sizeof(talweg_output), kind, name, label, unit, doc};
@@ -148,8 +178,10 @@ class Adapter {
       plugin.run = run;
       plugin.cancel = cancel;
       plugin.last_error = last_error;
-      if (plugin.get_extension == nullptr) plugin.get_extension = no_extension;
+      own_extension = plugin.get_extension;
+      plugin.get_extension = get_extension;
     }
+    const void* (*own_extension)(const char* id) = nullptr;
   };
 
   struct Instance {
@@ -178,7 +210,21 @@ class Adapter {
     return result;
   }
   static Instance* own(talweg_instance* instance) { return reinterpret_cast<Instance*>(instance); }
-  static const void* no_extension(const char* /*id*/) { return nullptr; }
+  static constexpr bool kHasMeshes = requires { T::kTakes; };
+  static constexpr bool kHasAttributes = [] {
+    if constexpr (kHasMeshes) return (T::kTakes & TALWEG_TAKES_ATTRIBUTES) != 0;
+    return false;
+  }();
+  static const void* get_extension(const char* id) noexcept {
+    if (id == nullptr) return nullptr;
+    if constexpr (kHasMeshes) {
+      static constexpr talweg_meshes kMeshes = {sizeof kMeshes, T::kTakes,
+                                                kHasAttributes ? set_attributes : nullptr,
+                                                kHasAttributes ? attributes : nullptr, origin};
+      if (std::string_view(id) == TALWEG_MESHES) return &kMeshes;
+    }
+    return table().own_extension == nullptr ? nullptr : table().own_extension(id);
+  }
   [[noreturn]] static void bad(const char* message) { throw Failure(TALWEG_BAD_USAGE, message); }
 
   /// Runs one call: locks its instance, and turns exceptions into a status.
@@ -237,7 +283,11 @@ class Adapter {
   }
   static talweg_status set_mesh(talweg_instance* instance, const talweg_mesh* mesh) noexcept {
     return call(instance, [&](Instance& self) {
-      self.worker.set_mesh(checked(mesh, "The mesh"));
+      if constexpr (requires { self.worker.set_mesh(*mesh, self.parameters); }) {
+        self.worker.set_mesh(checked(mesh, "The mesh"), self.parameters);
+      } else {
+        self.worker.set_mesh(checked(mesh, "The mesh"));
+      }
       self.has_mesh = true;
       self.has_curves = false;
     });
@@ -265,6 +315,7 @@ class Adapter {
         if (count >= UINT32_MAX) bad("There are too many curves.");
         for (std::uint64_t k = 0; k < count; ++k) checked(curves[k], "A curve");
         if (!self.has_mesh) bad("There is no mesh; set_mesh() comes first.");
+        prepare(self);
         self.worker.set_curves({curves, count});
         self.has_curves = true;
       } else {
@@ -294,7 +345,38 @@ class Adapter {
       if ((plugin()->flags & TALWEG_TAKES_CURVES) != 0 && !self.has_curves) {
         bad("There are no curves; set_curves() comes first.");
       }
+      prepare(self);
       self.worker.run(self.parameters, outputs);
+    });
+  }
+  static void prepare(Instance& self) {
+    if constexpr (requires { self.worker.prepare(self.parameters); }) {
+      self.worker.prepare(self.parameters);
+    }
+  }
+  static talweg_status set_attributes(talweg_instance* instance,
+                                      const talweg_attribute* const* attributes,
+                                      std::uint64_t count) noexcept {
+    return call(instance, [&](Instance& self) {
+      if (!self.has_mesh) bad("There is no mesh; set_mesh() comes first.");
+      if (count > 0 && attributes == nullptr) bad("The list of attributes is null.");
+      if (count >= UINT32_MAX) bad("There are too many attributes.");
+      for (std::uint64_t k = 0; k < count; ++k) checked(attributes[k], "An attribute");
+      if constexpr (kHasAttributes) self.worker.set_attributes({attributes, count});
+    });
+  }
+  static talweg_status attributes(talweg_instance* instance, std::uint64_t mesh,
+                                  talweg_attribute_function take, void* context) noexcept {
+    return call(instance, [&](Instance& self) {
+      if (take == nullptr) bad("The function that takes attributes is null.");
+      if constexpr (kHasAttributes) self.worker.give_attributes(mesh, {take, context});
+    });
+  }
+  static talweg_status origin(talweg_instance* instance, std::uint64_t mesh,
+                              talweg_origin_function take, void* context) noexcept {
+    return call(instance, [&](Instance& self) {
+      if (take == nullptr) bad("The function that takes the origin is null.");
+      if constexpr (kHasMeshes) self.worker.give_origin(mesh, {take, context});
     });
   }
   static void cancel(talweg_instance* instance) noexcept {

@@ -88,12 +88,20 @@ const talweg_way_points* way_points_extension() {
   return &kWayPoints;
 }
 
-SnappedDrawing drawing_of(const SurfaceMesh& mesh, StraightLines& lines,
-                          std::span<const talweg_curve* const> curves, const SnapOptions& options) {
-  std::vector<CurveInput> inputs;
-  for (const talweg_curve* curve : curves) inputs.push_back(input_of(*curve));
+std::vector<SnappedCurve> snapped_on(const HostMesh& mesh, const std::vector<CurveInput>& curves,
+                                     const SnapOptions& options) {
+  std::vector<SnappedCurve> all = snap(mesh.mesh(), curves, options);
+  for (std::size_t i = 0; mesh.map() != nullptr && i < all.size(); ++i) {
+    if (!std::holds_alternative<std::vector<Point>>(curves[i].points)) continue;
+    all[i].points = mesh.map()->on_one_sheet(all[i].points, all[i].closed, mesh.mesh().surface());
+  }
+  return all;
+}
+
+SnappedDrawing drawing_of(const HostMesh& mesh, StraightLines& lines,
+                          const std::vector<CurveInput>& curves) {
   SnappedDrawing drawing;
-  drawing.add(mesh, snap(mesh, inputs, options), lines);
+  drawing.add(mesh.mesh(), snapped_on(mesh, curves), lines);
   return drawing;
 }
 

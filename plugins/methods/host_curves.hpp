@@ -1,14 +1,12 @@
 // Host curves are curves as a host gives them, which are put on a mesh and joined there.
 #pragma once
 
-#include <span>
-#include <string>
 #include <vector>
 
+#include "host_mesh.hpp"
 #include "talweg/core/drawing/snapped_drawing.hpp"
 #include "talweg/core/drawing/snapping.hpp"
 #include "talweg/core/drawing/straight_lines.hpp"
-#include "talweg/core/mesh/surface_mesh.hpp"
 #include "talweg/plugin/talweg_plugin.h"
 #include "talweg/plugin/talweg_way_points.h"
 
@@ -24,10 +22,12 @@ CurveInput input_of(const talweg_curve& curve);
 /// The extension of the plugins that read the marks.
 const talweg_way_points* way_points_extension();
 
-/// Snaps the curves to the mesh and joins their points straight over the surface.
-/// Throws Error as snap() and StraightLines::join() do.
-SnappedDrawing drawing_of(const SurfaceMesh& mesh, StraightLines& lines,
-                          std::span<const talweg_curve* const> curves,
-                          const SnapOptions& options = {});
+/// Snaps curves, in the numbers of the opened mesh, to it. Throws Error as snap() does.
+std::vector<SnappedCurve> snapped_on(const HostMesh& mesh, const std::vector<CurveInput>& curves,
+                                     const SnapOptions& options = {});
+/// The same, with their points joined straight over the surface. Throws Error as
+/// StraightLines::join() does, too.
+SnappedDrawing drawing_of(const HostMesh& mesh, StraightLines& lines,
+                          const std::vector<CurveInput>& curves);
 
 }  // namespace talweg::plugins

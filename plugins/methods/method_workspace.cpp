@@ -43,7 +43,7 @@ SmoothingReport MethodWorkspace::report_on(const Method& method, std::size_t cur
   report.termination = made.termination;
   report.iterations = made.iterations;
   report.warnings.insert(report.warnings.begin(), made.warnings.begin(), made.warnings.end());
-  drawing().add_to(report.warnings, drawing().warnings());
+  drawing().add_to(report.warnings, reading_warnings());
   StageTimes& t = report.time_ms = method.times;
   t.open = opened_mesh()->open_ms();
   t.total = t.load + t.open + t.solve + t.straighten + t.trace + t.relax + t.fair;
@@ -107,7 +107,7 @@ void MethodWorkspace::run(const plugin::Parameters& parameters, const plugin::Ou
     all.insert(all.end(), own.begin(), own.end());
     return all;
   };
-  give_curves(outputs, mesh(), curves, fields, entries);
+  give_curves(outputs, host_mesh(), curves, fields, entries);
 }
 
 }  // namespace talweg::plugins

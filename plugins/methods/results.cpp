@@ -99,13 +99,13 @@ void give(const plugin::Outputs& outputs, const char* name, const char* unit,
   outputs.field({sizeof(talweg_field), name, unit, view(values.data(), values.size())});
 }
 
-void give_curves(const plugin::Outputs& outputs, const SurfaceMesh& mesh,
+void give_curves(const plugin::Outputs& outputs, const HostMesh& mesh,
                  std::span<const SurfaceCurve> curves, const FieldsOf& fields_of,
                  const EntriesOf& entries_of) {
   std::vector<PlacedCurve> placed;
   std::vector<std::vector<PointField>> fields(curves.size());
   for (std::size_t c = 0; outputs.wants_curves() && c < curves.size(); ++c) {
-    placed.push_back(place(mesh, curves[c], c));
+    placed.push_back(mesh.given(place(mesh.mesh(), curves[c], c)));
     if (outputs.wants_point_fields()) fields[c] = fields_of(c);
   }
   if (outputs.wants_report()) give(outputs, -1, entries_of(-1));

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "host_mesh.hpp"
 #include "talweg/core/drawing/placed_curve.hpp"
 #include "talweg/core/measure/report.hpp"
-#include "talweg/core/mesh/surface_mesh.hpp"
 #include "talweg/plugin/talweg_plugin.hpp"
 
 namespace talweg::plugins {
@@ -26,7 +26,7 @@ void give(const plugin::Outputs& outputs, const PlacedCurve& curve,
 /// `curve`: its number, or -1 for all curves together.
 void give(const plugin::Outputs& outputs, std::int64_t curve,
           const std::vector<ReportEntry>& entries);
-/// One value per vertex.
+/// One value per vertex or face of the mesh that came in.
 void give(const plugin::Outputs& outputs, const char* name, const char* unit,
           const std::vector<double>& values);
 
@@ -35,7 +35,7 @@ using FieldsOf = std::function<std::vector<PointField>(std::size_t curve)>;
 using EntriesOf = std::function<std::vector<ReportEntry>(std::int64_t curve)>;
 /// Gives the report on all curves, then each curve and its report. All curves and fields are
 /// computed before anything is given, and results that are not wanted are not computed.
-void give_curves(const plugin::Outputs& outputs, const SurfaceMesh& mesh,
+void give_curves(const plugin::Outputs& outputs, const HostMesh& mesh,
                  std::span<const SurfaceCurve> curves, const FieldsOf& fields_of,
                  const EntriesOf& entries_of);
 

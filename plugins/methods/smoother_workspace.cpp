@@ -18,7 +18,7 @@ void SmootherWorkspace::check(const SmoothingResult& result) {
 void SmootherWorkspace::give_curves(const plugin::Outputs& outputs, const SmoothingResult& result,
                                     const FieldsOf& fields_of,
                                     const ReportEntriesOf& entries_of) const {
-  plugins::give_curves(outputs, mesh(), result.curves, fields_of, [&](std::int64_t curve) {
+  plugins::give_curves(outputs, host_mesh(), result.curves, fields_of, [&](std::int64_t curve) {
     return entries_of(curve < 0 ? result.total : result.reports[static_cast<std::size_t>(curve)]);
   });
 }

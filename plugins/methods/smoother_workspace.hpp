@@ -19,7 +19,10 @@ class SmootherWorkspace : public Workspace {
   /// The smoother of the present mesh, made when first needed.
   [[nodiscard]] CurveSmoother& smoother();
   [[nodiscard]] bool has_smoother() const { return smoother_ != nullptr; }
-  void forget() override { smoother_.reset(); }
+  void forget() override {
+    Workspace::forget();
+    smoother_.reset();
+  }
 
   /// Throws plugin::Services::cancelled() if the run was cancelled.
   static void check(const SmoothingResult& result);

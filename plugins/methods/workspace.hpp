@@ -1,71 +1,48 @@
 // A workspace is what every plugin on curves begins with: a mesh, opened, and a drawing on it.
 #pragma once
 
-#include <exception>
-#include <memory>
 #include <optional>
 #include <span>
+#include <string>
+#include <vector>
 
 #include "host_curves.hpp"
+#include "mesh_workspace.hpp"
 #include "talweg/core/drawing/straight_lines.hpp"
-#include "talweg/core/mesh/opened_mesh.hpp"
-#include "talweg/intrinsic/progress.hpp"
-#include "talweg/plugin/talweg_plugin.hpp"
 
 namespace talweg::plugins {
-
-/// Copies the host's arrays and opens them. Throws plugin::Failure(TALWEG_BAD_MESH) for arrays that
-/// cannot be read, Error(kBadMesh) as OpenedMesh::open() does.
-std::shared_ptr<const OpenedMesh> opened(const talweg_mesh& mesh);
 
 /// The description of a plugin on curves; its strings must be constants.
 talweg_plugin about_curves(const char* id, const char* label, const char* doc);
 
 /// Base of the plugin classes (talweg_plugin.hpp).
-class Workspace {
+class Workspace : public MeshWorkspace {
  public:
-  explicit Workspace(const plugin::Services& services) : services_(&services) {}
+  using MeshWorkspace::MeshWorkspace;
 
-  void set_mesh(const talweg_mesh& mesh) { use(opened(mesh)); }
-  void share_mesh(const Workspace& other) { use(other.mesh_); }
-  void set_curves(std::span<const talweg_curve* const> curves) { draw(curves, {}); }
-
-  static talweg_status status_of(const std::exception& error);
+  void set_curves(std::span<const talweg_curve* const> curves);
 
  protected:
   ~Workspace() = default;
 
-  /// Called when a new mesh is set, to drop results for the last one.
-  virtual void forget() {}
+  /// Puts curves, in the numbers of the opened mesh, on it: makes the drawing.
+  virtual void put(const std::vector<CurveInput>& curves);
+  /// Classes that override it must call this one first.
+  void forget() override;
 
-  void draw(std::span<const talweg_curve* const> curves, const SnapOptions& options);
-
-  [[nodiscard]] const SurfaceMesh& mesh() const { return mesh_->mesh(); }
-  [[nodiscard]] const std::shared_ptr<const OpenedMesh>& opened_mesh() const { return mesh_; }
   [[nodiscard]] StraightLines& lines();
   [[nodiscard]] const SnappedDrawing& drawing() const { return drawing_; }
+  /// Warnings on the drawing, and sentences on what was repaired.
+  [[nodiscard]] std::vector<std::string> reading_warnings() const;
   /// Counts the drawings and meshes that were set; a change of pins alone does not count.
   [[nodiscard]] std::uint64_t drawings() const { return drawings_; }
-  [[nodiscard]] const plugin::Services& services() const { return *services_; }
-  /// The Progress for calls of the library; refers to the services.
-  [[nodiscard]] Progress progress() const;
-  /// Does work of the library that throws Cancelled, and throws plugin::Services::cancelled()
-  /// instead.
-  template <class Work>
-  static auto cancellable(const Work& work) {
-    try {
-      return work();
-    } catch (const Cancelled&) {
-      throw plugin::Services::cancelled();
-    }
-  }
 
  private:
-  void use(std::shared_ptr<const OpenedMesh> mesh);
+  void put_again() override;
+  [[nodiscard]] std::vector<CurveInput> taken(const std::vector<CurveInput>& curves) const;
 
-  const plugin::Services* services_;
-  std::shared_ptr<const OpenedMesh> mesh_;
   std::optional<StraightLines> lines_;  // made when first needed
+  std::vector<CurveInput> curves_;      // in the host's numbers
   SnappedDrawing drawing_;
   std::uint64_t drawings_ = 0;
 };

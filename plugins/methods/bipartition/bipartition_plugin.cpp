@@ -36,22 +36,23 @@ class Bipartition : public MethodWorkspace {
   }
   static std::vector<talweg_parameter> parameters() {
     using plugin::number;
-    return {number("heat_time", "Heat time", "squared mean edge lengths", 1, {1e-3, 1e6, 0.1, 100},
-                   "How long heat flows from the border.", TALWEG_STAGE_RUN, TALWEG_LOGARITHMIC),
-            plugin::integer("iterations", "Smoothing passes", 5, {0, 10000, 0, 100},
-                            "Over the directions of the flow: more is smoother."),
-            number("anchor", "Anchor", "", 0.1, {1e-6, 1e6, 1e-3, 10},
-                   "How strongly the function is held at 0 on the border.", TALWEG_STAGE_RUN,
-                   TALWEG_LOGARITHMIC),
-            plugin::choice("face_weights", "Weights of the faces", "area", kWeights, kWeightLabels,
-                           "How faces count in the fit. All the same: as in the program that the "
-                           "method's author published.",
-                           TALWEG_STAGE_RUN, TALWEG_ADVANCED),
-            plugin::boolean("guard", "Guard", true,
-                            "Faces whose three corners are sources have no gradient: let them take "
-                            "the directions of their neighbours before smoothing.",
-                            TALWEG_STAGE_RUN, TALWEG_ADVANCED),
-            deviation_choice()};
+    return with_repair(
+        {number("heat_time", "Heat time", "squared mean edge lengths", 1, {1e-3, 1e6, 0.1, 100},
+                "How long heat flows from the border.", TALWEG_STAGE_RUN, TALWEG_LOGARITHMIC),
+         plugin::integer("iterations", "Smoothing passes", 5, {0, 10000, 0, 100},
+                         "Over the directions of the flow: more is smoother."),
+         number("anchor", "Anchor", "", 0.1, {1e-6, 1e6, 1e-3, 10},
+                "How strongly the function is held at 0 on the border.", TALWEG_STAGE_RUN,
+                TALWEG_LOGARITHMIC),
+         plugin::choice("face_weights", "Weights of the faces", "area", kWeights, kWeightLabels,
+                        "How faces count in the fit. All the same: as in the program that the "
+                        "method's author published.",
+                        TALWEG_STAGE_RUN, TALWEG_ADVANCED),
+         plugin::boolean("guard", "Guard", true,
+                         "Faces whose three corners are sources have no gradient: let them take "
+                         "the directions of their neighbours before smoothing.",
+                         TALWEG_STAGE_RUN, TALWEG_ADVANCED),
+         deviation_choice()});
   }
 
  private:

@@ -43,19 +43,20 @@ class Distance : public SmootherWorkspace {
   }
   static std::vector<talweg_parameter> parameters() {
     using plugin::choice, plugin::number;
-    return {choice("potential", "Potential", "corridor", kPotentials, kPotentialLabels,
-                   "Which distance is computed and which potential over it, as in talweg.smooth.",
-                   TALWEG_STAGE_CURVES),
-            number("tau", "Tau", "", 1, {0, HUGE_VAL, 0, 16}, "Steepness of the potential."),
-            number("slack", "Slack", "mesh units", 0, {0, HUGE_VAL, 0, 10},
-                   "Within which the corridor is flat. By default that of talweg.smooth.",
-                   TALWEG_STAGE_RUN, TALWEG_OPTIONAL),
-            number("heat_time", "Heat time", "squared mean edge lengths", 10, {1e-3, 1e6, 1, 100},
-                   "Smoothing of the paper's distance.", TALWEG_STAGE_CURVES,
-                   TALWEG_ADVANCED | TALWEG_LOGARITHMIC),
-            plugin::integer("threads", "Threads", 2, {1, 1024, 1, 16},
-                            "Threads at most; never changes a result.", TALWEG_STAGE_RUN,
-                            TALWEG_ADVANCED)};
+    return with_repair(
+        {choice("potential", "Potential", "corridor", kPotentials, kPotentialLabels,
+                "Which distance is computed and which potential over it, as in talweg.smooth.",
+                TALWEG_STAGE_CURVES),
+         number("tau", "Tau", "", 1, {0, HUGE_VAL, 0, 16}, "Steepness of the potential."),
+         number("slack", "Slack", "mesh units", 0, {0, HUGE_VAL, 0, 10},
+                "Within which the corridor is flat. By default that of talweg.smooth.",
+                TALWEG_STAGE_RUN, TALWEG_OPTIONAL),
+         number("heat_time", "Heat time", "squared mean edge lengths", 10, {1e-3, 1e6, 1, 100},
+                "Smoothing of the paper's distance.", TALWEG_STAGE_CURVES,
+                TALWEG_ADVANCED | TALWEG_LOGARITHMIC),
+         plugin::integer("threads", "Threads", 2, {1, 1024, 1, 16},
+                         "Threads at most; never changes a result.", TALWEG_STAGE_RUN,
+                         TALWEG_ADVANCED)});
   }
   static std::vector<talweg_output> outputs() {
     using plugin::output;
@@ -84,8 +85,8 @@ class Distance : public SmootherWorkspace {
       outputs.report(static_cast<std::int64_t>(c), "slack",
                      parameters.optional("slack").value_or(slack_[c]));
     }
-    give(outputs, "distance", "mesh units", distance_);
-    give(outputs, "potential", "mesh units", potential);
+    give(outputs, "distance", "mesh units", host_mesh().given_per_vertex(distance_));
+    give(outputs, "potential", "mesh units", host_mesh().given_per_vertex(potential));
   }
 
  private:

@@ -37,18 +37,19 @@ class Draw : public Workspace {
     return std::string_view(id) == TALWEG_WAY_POINTS ? way_points_extension() : nullptr;
   }
   static std::vector<talweg_parameter> parameters() {
-    return {plugin::boolean("straight", "Straight", false,
-                            "Straight over the faces instead of along edges."),
-            plugin::choice("points", "Points", "exact", kPoints, kPointLabels,
-                           "What the given points are in the drawn curve. exact: way-points, "
-                           "unless the given curve says what they are; rough: a stroke.",
-                           TALWEG_STAGE_RUN),
-            plugin::boolean("preview", "Preview", false,
-                            "While a point is dragged: of a curve of which one way-point has moved "
-                            "since the last run without preview only the legs that meet it are "
-                            "drawn anew, around the others. The next run without preview gives "
-                            "what counts.",
-                            TALWEG_STAGE_RUN, TALWEG_ADVANCED)};
+    return with_repair(
+        {plugin::boolean("straight", "Straight", false,
+                         "Straight over the faces instead of along edges."),
+         plugin::choice("points", "Points", "exact", kPoints, kPointLabels,
+                        "What the given points are in the drawn curve. exact: way-points, "
+                        "unless the given curve says what they are; rough: a stroke.",
+                        TALWEG_STAGE_RUN),
+         plugin::boolean("preview", "Preview", false,
+                         "While a point is dragged: of a curve of which one way-point has moved "
+                         "since the last run without preview only the legs that meet it are "
+                         "drawn anew, around the others. The next run without preview gives "
+                         "what counts.",
+                         TALWEG_STAGE_RUN, TALWEG_ADVANCED)});
   }
   static std::vector<talweg_output> outputs() {
     using plugin::output;
@@ -63,12 +64,11 @@ class Draw : public Workspace {
                    "Points and length of each curve and in total.")};
   }
 
-  void set_curves(std::span<const talweg_curve* const> curves) {
+  void put(const std::vector<CurveInput>& curves) override {
     std::vector<SnappedCurve> snapped;
     std::vector<std::vector<double>> marks;
-    for (const talweg_curve* curve : curves) {
-      const CurveInput input = input_of(*curve);
-      snapped.push_back(points_of(input));
+    for (const CurveInput& curve : curves) {
+      snapped.push_back(points_of(curve));
       marks.push_back(marks_on(snapped.back()));
     }
     snapped_ = std::move(snapped);
@@ -93,7 +93,7 @@ class Draw : public Workspace {
         return straight ? lines().join(snapped_[c].points, snapped_[c].closed, progress())
                         : along_edges(snapped_[c], last, paths.emplace_back());
       });
-      placed.push_back(place(mesh(), curve, c));
+      placed.push_back(host_mesh().given(place(mesh(), curve, c)));
       if (exact) placed.back().exact = marks_through(curve, snapped_[c].points, marks_[c]);
       if (outputs.wants_point_fields()) fields[c] = {given_field(snapped_[c], curve)};
       lengths.push_back(curve_length(mesh().surface(), curve));
@@ -127,7 +127,7 @@ class Draw : public Workspace {
   /// Vertices are used as they are, in any order and any number of times; other points are snapped.
   SnappedCurve points_of(const CurveInput& input) {
     const auto* ids = std::get_if<std::vector<VertexId>>(&input.points);
-    if (ids == nullptr) return snap(mesh(), input);
+    if (ids == nullptr) return std::move(snapped_on(host_mesh(), {input}).front());
     SnappedCurve result;
     result.closed = input.closed;
     for (const VertexId v : *ids) {
@@ -204,6 +204,7 @@ class Draw : public Workspace {
   }
 
   void forget() override {
+    Workspace::forget();
     dijkstra_.reset();
     paths_.clear();
   }

@@ -43,13 +43,14 @@ class Geodesic : public SmootherWorkspace {
         "first. Pinned points stay.");
   }
   static std::vector<talweg_parameter> parameters() {
-    return {plugin::boolean("through", "Through every point", false,
-                            "Keep all given points, not only the pinned ones."),
-            plugin::number("length_floor", "Least length of a loop", "mesh units", 0,
-                           {0, HUGE_VAL, 0, 10},
-                           "A loop that gets shorter has collapsed. By default 3 mean edges of the "
-                           "drawn loop.",
-                           TALWEG_STAGE_RUN, TALWEG_OPTIONAL | TALWEG_ADVANCED)};
+    return with_repair(
+        {plugin::boolean("through", "Through every point", false,
+                         "Keep all given points, not only the pinned ones."),
+         plugin::number("length_floor", "Least length of a loop", "mesh units", 0,
+                        {0, HUGE_VAL, 0, 10},
+                        "A loop that gets shorter has collapsed. By default 3 mean edges of the "
+                        "drawn loop.",
+                        TALWEG_STAGE_RUN, TALWEG_OPTIONAL | TALWEG_ADVANCED)});
   }
   static std::vector<talweg_output> outputs() {
     using plugin::output;
@@ -61,14 +62,12 @@ class Geodesic : public SmootherWorkspace {
                    "Lengths before and after, of each curve and in total.")};
   }
 
-  void set_curves(std::span<const talweg_curve* const> curves) {
-    std::vector<CurveInput> inputs;
-    for (const talweg_curve* curve : curves) inputs.push_back(input_of(*curve));
+  void put(const std::vector<CurveInput>& inputs) override {
     SnapOptions options;
     options.connect = true;
     Points given;
     std::vector<SurfaceCurve> joined;
-    for (const SnappedCurve& snapped : snap(mesh(), inputs, options)) {
+    for (const SnappedCurve& snapped : snapped_on(host_mesh(), inputs, options)) {
       joined.push_back(lines().join(snapped.points, snapped.closed));
       given.all.insert(given.all.end(), snapped.points.begin(), snapped.points.end());
       for (const std::size_t pin : snapped.pins) given.pins.push_back(snapped.points[pin]);

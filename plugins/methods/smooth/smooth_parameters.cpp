@@ -194,6 +194,13 @@ std::vector<double> per_curve(const Parameters& p, const char* id, double most,
   return values;
 }
 
+/// Values per vertex that came in, at those of the repaired mesh; another number of them stays, to
+/// be refused where it is used.
+std::vector<double> on_mesh(const std::vector<double>& values, const RepairMap* map) {
+  const bool fits = map != nullptr && values.size() == map->file_vertex_count();
+  return fits ? map->of_vertices(values) : values;
+}
+
 /// Per curve what is not as for all; empty where all is.
 std::vector<OwnOptions> own_options_of(const Parameters& p, std::size_t curves) {
   const std::vector<double> taus = per_curve(p, "taus", HUGE_VAL, curves);
@@ -252,17 +259,17 @@ CurveOptions curve_options_of(const Parameters& p) {
 }
 
 bool set_curves(CurveSmoother& smoother, std::span<const SurfaceCurve> curves, const Parameters& p,
-                const CurveOptions& options, const Progress& progress) {
+                const CurveOptions& options, const Progress& progress, const RepairMap* map) {
   if (!go_on(progress, "solve", 0)) return false;
-  const std::vector<double>& distance = p.field("distance");
+  const std::vector<double> distance = on_mesh(p.field("distance"), map);
   if (distance.empty()) return smoother.set_curves(curves, options, progress);
   return smoother.set_curves(curves, distance, options, progress);
 }
 
 SmoothingOptions smoothing_options_of(const Parameters& p, const Surface& surface,
-                                      std::span<const SurfaceCurve> drawn) {
+                                      std::span<const SurfaceCurve> drawn, const RepairMap* map) {
   SmoothingOptions options;
-  if (const std::vector<double>& slack = p.field("slack_field"); !slack.empty()) {
+  if (const std::vector<double> slack = on_mesh(p.field("slack_field"), map); !slack.empty()) {
     for (const SurfaceCurve& curve : drawn) {
       options.slack_at.push_back(slack_along(surface, curve, slack));
     }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "talweg/core/drawing/taken_points.hpp"
+#include "talweg/core/repair/repair_map.hpp"
 #include "talweg/core/smoothing/curve_smoother.hpp"
 #include "talweg/plugin/talweg_parameters.hpp"
 
@@ -23,15 +24,17 @@ std::string potential_of(std::string_view id);
 /// contradict each other.
 CurveOptions curve_options_of(const plugin::Parameters& parameters);
 
-/// Sets the curves, with the distance if one is given. False when cancelled. Throws as
-/// CurveSmoother::set_curves() does.
+/// Sets the curves, with the distance if one is given; `map` leads from the numbers of its vertices
+/// to the mesh's if that was repaired. False when cancelled. Throws as CurveSmoother::set_curves()
+/// does.
 bool set_curves(CurveSmoother& smoother, std::span<const SurfaceCurve> curves,
                 const plugin::Parameters& parameters, const CurveOptions& options,
-                const Progress& progress);
+                const Progress& progress, const RepairMap* map = nullptr);
 
 /// The options for curves that are set on a surface.
 SmoothingOptions smoothing_options_of(const plugin::Parameters& parameters, const Surface& surface,
-                                      std::span<const SurfaceCurve> drawn);
+                                      std::span<const SurfaceCurve> drawn,
+                                      const RepairMap* map = nullptr);
 
 /// What a choice of the parameter `points` means.
 PointMeaning point_meaning(std::string_view choice);

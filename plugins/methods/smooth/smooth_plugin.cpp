@@ -33,7 +33,7 @@ class Smooth : public SmootherWorkspace {
     const bool known = id != nullptr && std::string_view(id) == TALWEG_WAY_POINTS;
     return known ? way_points_extension() : nullptr;
   }
-  static std::vector<talweg_parameter> parameters() { return smooth_parameters(); }
+  static std::vector<talweg_parameter> parameters() { return with_repair(smooth_parameters()); }
   static std::vector<talweg_output> outputs() {
     using plugin::output;
     return {
@@ -52,16 +52,17 @@ class Smooth : public SmootherWorkspace {
 
   void run(const plugin::Parameters& parameters, const plugin::Outputs& outputs) {
     CurveOptions curve_options = curve_options_of(parameters);
-    const PointsTaken taken = points_taken(parameters, points_at(parameters.vertices("exact")));
+    const PointsTaken taken =
+        points_taken(parameters, host_mesh().taken_vertices(parameters.vertices("exact")));
     points_ = take_points(drawing(), taken);
     free_ = only_way_points(drawing().curves, points_);
     curve_options.way_points = points_.way_points;
     curve_options.painted = points_.painted;
-    curve_options.corners = points_at(parameters.vertices("corner"));
+    curve_options.corners = host_mesh().taken_vertices(parameters.vertices("corner"));
     const std::optional<std::size_t> dragged = dragged_curve(parameters);
     if (!dragged) solve(parameters, curve_options);
     const SmoothingOptions options =
-        smoothing_options_of(parameters, mesh().surface(), smoother().drawn());
+        smoothing_options_of(parameters, mesh().surface(), smoother().drawn(), host_mesh().map());
     SmoothingResult result =
         dragged ? drag(*dragged, parameters, options) : smooth(parameters, options);
     check(result);
@@ -113,17 +114,9 @@ class Smooth : public SmootherWorkspace {
 
   [[nodiscard]] std::vector<SurfacePoint> pins(const plugin::Parameters& parameters) const {
     std::vector<SurfacePoint> pins = drawing().pins;
-    for (const SurfacePoint& pin : points_at(parameters.vertices("pin"))) pins.push_back(pin);
+    for (const SurfacePoint& pin : host_mesh().taken_vertices(parameters.vertices("pin")))
+      pins.push_back(pin);
     return pins;
-  }
-
-  [[nodiscard]] std::vector<SurfacePoint> points_at(const std::vector<std::uint32_t>& ids) const {
-    std::vector<SurfacePoint> points;
-    points.reserve(ids.size());
-    for (const std::uint32_t v : ids) {
-      points.push_back(SurfacePoint::at_vertex(mesh().surface(), VertexId{v}));
-    }
-    return points;
   }
 
   static std::uint64_t changes_of(const plugin::Parameters& parameters) {
@@ -145,7 +138,8 @@ class Smooth : public SmootherWorkspace {
       }
     }
     solved_ = false;
-    if (!plugins::set_curves(smoother(), drawing().curves, parameters, options, progress())) {
+    if (!plugins::set_curves(smoother(), drawing().curves, parameters, options, progress(),
+                             host_mesh().map())) {
       throw plugin::Services::cancelled();
     }
     solved_ = true;
@@ -156,7 +150,7 @@ class Smooth : public SmootherWorkspace {
   }
 
   void add_warnings(SmoothingResult& result, const std::vector<std::string>& on_points) const {
-    std::vector<std::string> warnings = drawing().warnings();
+    std::vector<std::string> warnings = reading_warnings();
     warnings.insert(warnings.end(), on_points.begin(), on_points.end());
     for (SmoothingReport& report : result.reports) drawing().add_to(report.warnings, warnings);
     drawing().add_to(result.total.warnings, warnings);
@@ -173,7 +167,9 @@ class Smooth : public SmootherWorkspace {
               curvature_field(mesh(), result.curves[c])};
     };
     give_curves(outputs, result, fields, entries_of);
-    if (outputs.wants_fields()) give(outputs, "distance", "mesh units", distance);
+    if (outputs.wants_fields()) {
+      give(outputs, "distance", "mesh units", host_mesh().given_per_vertex(distance));
+    }
   }
 
   std::vector<double> distance_field() {

@@ -1,0 +1,128 @@
+// talweg.cut: curves become edges of the mesh, and the mesh is taken apart along them.
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "methods/made_meshes.hpp"
+#include "methods/results.hpp"
+#include "methods/workspace.hpp"
+#include "talweg/core/cutting/attribute_transfer.hpp"
+#include "talweg/core/cutting/cut_report.hpp"
+#include "talweg/core/cutting/mesh_cutting.hpp"
+#include "talweg/core/cutting/mesh_parts.hpp"
+#include "talweg/intrinsic/stopwatch.hpp"
+
+namespace talweg::plugins {
+namespace {
+
+constexpr const char* kSides[] = {"both", "left", "right"};
+constexpr const char* kSideLabels[] = {"Both sides", "Left of the curves", "Right of the curves"};
+constexpr const char* kCaps[] = {"none", "auto", "planar", "least-area"};
+constexpr const char* kCapLabels[] = {"None", "Plane where the rim is, else of least area", "Plane",
+                                      "Of least area"};
+
+PartOptions part_options(const plugin::Parameters& parameters) {
+  PartOptions options;
+  options.open = parameters.flag("open");
+  options.split = parameters.flag("split");
+  const std::string &keep = parameters.choice("keep"), &cap = parameters.choice("cap");
+  if (keep == "left") options.keep = KeptSide::kLeft;
+  if (keep == "right") options.keep = KeptSide::kRight;
+  if (cap == "auto") options.lids = LidKind::kAuto;
+  if (cap == "planar") options.lids = LidKind::kPlanar;
+  if (cap == "least-area") options.lids = LidKind::kLeastArea;
+  return options;
+}
+
+class Cut : public Workspace {
+ public:
+  using Workspace::Workspace;
+
+  static constexpr std::uint32_t kTakes = TALWEG_TAKES_ATTRIBUTES;
+  static talweg_plugin about() {
+    return about_curves(
+        "talweg.cut", "Cut along curves",
+        "Makes curves edges of the mesh, exactly: no vertex moves, new ones only on edges and in "
+        "triangles. Then takes the mesh apart along them, if asked. Curves may cross and touch; "
+        "points are joined straight over the surface.");
+  }
+  static std::vector<talweg_parameter> parameters() {
+    using plugin::boolean, plugin::choice, plugin::number;
+    return with_repair(
+        {boolean("open", "Open the seam", false, "Either side of a curve has vertices of its own."),
+         boolean("split", "A mesh for each piece", false,
+                 "Without it the pieces are components of one mesh."),
+         choice("keep", "Keep", "both", kSides, kSideLabels,
+                "Only pieces on that side of every curve along them, seen along the curve from "
+                "outside."),
+         choice("cap", "Lids", "none", kCaps, kCapLabels,
+                "Close what the cut leaves open, never through the piece."),
+         number("merge", "Merge", "part of an edge", CutOptions{}.merge, {1e-11, 1e-2, 1e-9, 1e-2},
+                "Points within this part of an edge of a vertex, an edge or each other are one.",
+                TALWEG_STAGE_RUN, TALWEG_ADVANCED | TALWEG_LOGARITHMIC)});
+  }
+  static std::vector<talweg_output> outputs() {
+    using plugin::output;
+    return {output(TALWEG_OUTPUT_MESH, "meshes", "Cut meshes", "",
+                   "One, or one for each piece; with attributes and origin (talweg_meshes.h)."),
+            output(TALWEG_OUTPUT_REPORT, "report", "Report", "", "What was cut, and the parts.")};
+  }
+
+  void set_attributes(std::span<const talweg_attribute* const> attributes) {
+    made_.set_attributes(attributes, host_mesh().vertex_count(), host_mesh().face_count());
+  }
+  void give_attributes(std::uint64_t mesh, const plugin::TakeAttribute& take) const {
+    made_.give_attributes(mesh, take);
+  }
+  void give_origin(std::uint64_t mesh, const plugin::TakeOrigin& take) const {
+    made_.give_origin(mesh, take);
+  }
+
+  void run(const plugin::Parameters& parameters, const plugin::Outputs& outputs) {
+    made_.clear();
+    const Stopwatch watch;
+    const auto cut = std::make_shared<CutMesh>(
+        cut_along(mesh(), drawing().curves, {parameters.number("merge")}));
+    const MeshParts parts = cancellable(
+        [&] { return take_apart(mesh(), *cut, {}, part_options(parameters), progress()); });
+    const double ms = watch.ms();
+    std::vector<std::string> warnings;
+    drawing().add_to(warnings, reading_warnings());
+    give(outputs, -1, entries_of(mesh(), *cut, parts, warnings, ms));
+    if (!outputs.wants_meshes()) return;
+    for (const MeshPart& part : parts.parts) give(outputs, part.lists);
+    for (const MeshPart& part : parts.parts) remember(cut, part);
+  }
+
+ private:
+  void forget() override {
+    Workspace::forget();
+    made_.forget_attributes();
+  }
+  void put(const std::vector<CurveInput>& curves) override {
+    Workspace::put(curves);
+    made_.clear();
+  }
+  void remember(const std::shared_ptr<const CutMesh>& cut, const MeshPart& part) {
+    MadeMesh& made = made_.add();
+    made.vertices = part.lists.points.size();
+    made.origins = origins_of(part, *cut, mesh().surface(), host_mesh().map());
+    made.carry_over = [this, cut, vertices = part.vertices,
+                       faces = part.faces](const MeshAttributes& attributes) {
+      std::size_t differing = 0;
+      const RepairMap* map = host_mesh().map();
+      return picked(
+          carried_to(*cut, mesh().surface(),
+                     map == nullptr ? attributes : of_repaired(attributes, *map, differing)),
+          vertices, faces);
+    };
+  }
+
+  MadeMeshes made_;
+};
+
+}  // namespace
+}  // namespace talweg::plugins
+
+TALWEG_PLUGIN_MODULE(talweg::plugins::Cut)

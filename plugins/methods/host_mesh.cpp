@@ -1,0 +1,148 @@
+#include "host_mesh.hpp"
+
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "talweg/plugin/talweg_arrays.hpp"
+
+namespace talweg::plugins {
+
+MeshLists lists_of(const talweg_mesh& mesh) {
+  MeshLists lists;
+  try {
+    plugin::check_array(mesh.positions, 3, "The mesh's positions");
+    plugin::check_array(mesh.triangles, 3, "The mesh's triangles");
+    lists.points.resize(mesh.positions.rows);
+    lists.triangles.resize(mesh.triangles.rows);
+    lists.single_precision = mesh.positions.type == TALWEG_FLOAT32;
+    if (!lists.points.empty()) {
+      plugin::copy_numbers(mesh.positions, 3, "The mesh's positions", lists.points.front().data());
+    }
+    if (!lists.triangles.empty()) {
+      plugin::copy_indices(mesh.triangles, 3, "The mesh's triangles",
+                           lists.triangles.front().data());
+    }
+  } catch (const plugin::Failure& failure) {
+    throw plugin::Failure(TALWEG_BAD_MESH, failure.what());
+  }
+  return lists;
+}
+
+std::vector<talweg_parameter> with_repair(std::vector<talweg_parameter> parameters,
+                                          bool by_default) {
+  const auto step = [&](const char* id, const char* label, const char* doc) {
+    parameters.push_back(plugin::boolean(id, label, true, doc, TALWEG_STAGE_MESH, TALWEG_ADVANCED));
+  };
+  parameters.push_back(plugin::boolean(
+      "repair", "Repair the mesh", by_default,
+      "Make the mesh a surface first; results have the numbers of the mesh that came in. Set it "
+      "before a mesh that is none.",
+      TALWEG_STAGE_MESH));
+  step("repair_weld", "Repair: weld", "Vertices at one place become one.");
+  step("repair_drop", "Repair: drop", "Faces without area and repeated faces are dropped.");
+  step("repair_orient", "Repair: orient", "Faces are turned to agree with their neighbours.");
+  step("repair_split", "Repair: split", "Crowded edges and bow-ties are cut into sheets.");
+  return parameters;
+}
+
+std::optional<RepairSteps> repair_of(const plugin::Parameters& parameters) {
+  if (!parameters.flag("repair")) return std::nullopt;
+  return RepairSteps{parameters.flag("repair_weld"), parameters.flag("repair_drop"),
+                     parameters.flag("repair_orient"), parameters.flag("repair_split")};
+}
+
+std::shared_ptr<const HostMesh> HostMesh::open(MeshLists lists,
+                                               const std::optional<RepairSteps>& steps) {
+  auto mesh = std::make_shared<HostMesh>();
+  if (!steps) {
+    mesh->opened_ = OpenedMesh::open(std::move(lists));
+    return mesh;
+  }
+  RepairedMesh repaired = repair_to_surface(lists, *steps);
+  mesh->opened_ = OpenedMesh::open(std::move(repaired.lists));
+  if (!repaired.changes.any()) return mesh;
+  mesh->came_in_ = std::move(lists);
+  mesh->map_ = std::make_shared<const RepairMap>(std::move(repaired.map));
+  mesh->changes_ = sentences(repaired.changes);
+  return mesh;
+}
+
+MeshLists HostMesh::lists() const {
+  if (came_in_) return *came_in_;
+  MeshLists lists;
+  lists.points.assign(mesh().points().begin(), mesh().points().end());
+  const Surface& surface = mesh().surface();
+  lists.triangles.reserve(surface.face_count());
+  for (std::size_t f = 0; f < surface.face_count(); ++f) {
+    const auto corners = surface.corners(FaceId{f});
+    Triangle& triangle = lists.triangles.emplace_back();
+    for (std::size_t k = 0; k < 3; ++k) {
+      triangle[k] = static_cast<std::uint32_t>(corners[k].index());
+    }
+  }
+  return lists;
+}
+
+std::size_t HostMesh::vertex_count() const {
+  return map_ ? map_->file_vertex_count() : mesh().surface().vertex_count();
+}
+
+std::size_t HostMesh::face_count() const {
+  return map_ ? map_->file_face_count() : mesh().surface().face_count();
+}
+
+CurveInput HostMesh::taken(const CurveInput& curve) const {
+  return map_ ? map_->to_repaired(curve, mesh().surface()) : curve;
+}
+
+std::vector<SurfacePoint> HostMesh::taken_vertices(std::span<const std::uint32_t> ids) const {
+  std::vector<SurfacePoint> points;
+  points.reserve(ids.size());
+  const Surface& surface = mesh().surface();
+  for (const std::uint32_t v : ids) {
+    const bool known = map_ && v < map_->file_vertex_count();
+    points.push_back(
+        SurfacePoint::at_vertex(surface, VertexId{known ? map_->images(VertexId{v}).front() : v}));
+  }
+  return points;
+}
+
+namespace {
+
+void check_count(const std::vector<double>& values, std::size_t expected, const char* of,
+                 const std::string& what) {
+  if (values.size() == expected) return;
+  throw plugin::Failure(TALWEG_BAD_USAGE, fmt::format("{} has {} values, but the mesh has {} {}.",
+                                                      what, values.size(), expected, of));
+}
+
+}  // namespace
+
+std::vector<double> HostMesh::taken_per_vertex(const std::vector<double>& values,
+                                               const std::string& what) const {
+  check_count(values, vertex_count(), "vertices", what);
+  return map_ ? map_->of_vertices(values) : values;
+}
+
+std::vector<double> HostMesh::taken_per_face(const std::vector<double>& values,
+                                             const std::string& what) const {
+  check_count(values, face_count(), "triangles", what);
+  return map_ ? map_->of_faces(values) : values;
+}
+
+PlacedCurve HostMesh::given(PlacedCurve curve) const {
+  return map_ ? map_->to_file(std::move(curve)) : curve;
+}
+
+std::vector<double> HostMesh::given_per_vertex(const std::vector<double>& values) const {
+  if (!map_) return values;
+  std::vector<double> result;
+  result.reserve(map_->file_vertex_count());
+  for (std::size_t v = 0; v < map_->file_vertex_count(); ++v) {
+    result.push_back(values[map_->images(VertexId{v}).front()]);
+  }
+  return result;
+}
+
+}  // namespace talweg::plugins

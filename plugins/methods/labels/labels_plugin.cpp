@@ -1,0 +1,209 @@
+// talweg.labels: all borders of a segmentation, smoothed together.
+#include <cmath>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "methods/made_meshes.hpp"
+#include "methods/mesh_workspace.hpp"
+#include "methods/results.hpp"
+#include "talweg/core/cutting/attribute_transfer.hpp"
+#include "talweg/core/labels/label_network.hpp"
+#include "talweg/core/labels/label_report.hpp"
+#include "talweg/core/version.hpp"
+
+namespace talweg::plugins {
+namespace {
+
+constexpr const char* kJunctions[] = {"fixed", "free"};
+constexpr const char* kJunctionLabels[] = {"Where the labels have them",
+                                           "Free to where the borders balance"};
+constexpr const char* kEnds[] = {"stay", "slide"};
+constexpr const char* kEndLabels[] = {"Stay", "Slide along the boundary"};
+
+class Labels : public MeshWorkspace {
+ public:
+  using MeshWorkspace::MeshWorkspace;
+
+  static constexpr std::uint32_t kTakes = TALWEG_TAKES_ATTRIBUTES;
+  static talweg_plugin about() {
+    talweg_plugin about = {};
+    about.id = "talweg.labels";
+    about.label = "Smooth label borders";
+    about.version = version();
+    about.doc =
+        "Smooths all borders of a segmentation together: none crosses another, no region is lost "
+        "or torn apart. Labels are whole numbers, one for each triangle or one for each vertex.";
+    return about;
+  }
+  static std::vector<talweg_parameter> parameters() {
+    using plugin::array, plugin::choice, plugin::number;
+    constexpr std::uint32_t kRun = TALWEG_STAGE_RUN;
+    return with_repair(
+        {array(TALWEG_TRIANGLE_FIELD, "triangle_labels", "Labels of triangles", "",
+               "A whole number for each triangle; either these or those of vertices.",
+               TALWEG_STAGE_CURVES),
+         array(TALWEG_FIELD, "vertex_labels", "Labels of vertices", "",
+               "A whole number for each vertex.", TALWEG_STAGE_CURVES),
+         number("tau", "Tau", "", 1, {0, HUGE_VAL, 0, 16}, "More keeps closer to the borders."),
+         number("slack", "Slack", "mesh units", 0, {0, HUGE_VAL, 0, 10},
+                "How exact the labels are. By default as of talweg.smooth, for each border.", kRun,
+                TALWEG_OPTIONAL),
+         number("max_deviation", "Largest deviation", "mesh units", 0, {0, HUGE_VAL, 0, 10},
+                "Each border within so much of where it was, either way. By default no bound.",
+                kRun, TALWEG_OPTIONAL | TALWEG_OPEN_MINIMUM),
+         choice("junctions", "Junctions", "fixed", kJunctions, kJunctionLabels,
+                "free: as far as the slack or 0.75 of the largest deviation to where the borders "
+                "balance."),
+         choice("ends", "Ends on the boundary", "stay", kEnds, kEndLabels,
+                "slide: along it to where the border meets it at a right angle, as far as "
+                "junctions may go.")});
+  }
+  static std::vector<talweg_output> outputs() {
+    using plugin::output;
+    return {output(TALWEG_OUTPUT_CURVES, "borders", "Borders", "",
+                   "The smoothed borders; borders.N.left and .right of the report are their "
+                   "labels."),
+            output(TALWEG_OUTPUT_TRIANGLE_FIELD, "labels", "New labels", "",
+                   "Of each triangle: that of its larger share."),
+            output(TALWEG_OUTPUT_MESH, "mesh", "Cut mesh", "",
+                   "The mesh with the borders as edges; attribute label: the exact labels of its "
+                   "triangles (talweg_meshes.h)."),
+            output(TALWEG_OUTPUT_REPORT, "report", "Report", "",
+                   "What was done and measured, of each border and region and in total.")};
+  }
+
+  void set_attributes(std::span<const talweg_attribute* const> attributes) {
+    made_.set_attributes(attributes, host_mesh().vertex_count(), host_mesh().face_count());
+  }
+  void give_attributes(std::uint64_t mesh, const plugin::TakeAttribute& take) const {
+    made_.give_attributes(mesh, take);
+  }
+  void give_origin(std::uint64_t mesh, const plugin::TakeOrigin& take) const {
+    made_.give_origin(mesh, take);
+  }
+
+  void run(const plugin::Parameters& parameters, const plugin::Outputs& outputs) {
+    made_.clear();
+    const Given given = labels_of(parameters);
+    const auto network = std::make_shared<LabelNetwork>(cancellable([&] {
+      return smooth_labels(opened_mesh(), given.on_mesh, options_of(parameters), progress());
+    }));
+    if (network->cancelled) throw plugin::Services::cancelled();
+    std::vector<std::string> warnings = host_mesh().changes();
+    for (std::string& held : warnings_of(*network)) warnings.push_back(std::move(held));
+    for (const std::string& warning : warnings) services().log(TALWEG_LOG_WARNING, warning);
+    std::vector<SurfaceCurve> curves;
+    for (const SmoothedBorder& border : network->borders) curves.push_back(border.border.curve);
+    const auto each = curve_entries_of(*network);
+    give_curves(outputs, host_mesh(), curves, {}, [&](std::int64_t curve) {
+      return curve < 0 ? entries_of(*network, warnings) : each[static_cast<std::size_t>(curve)];
+    });
+    if (outputs.wants_fields()) give(outputs, "labels", "", new_labels(*network, given));
+    if (!outputs.wants_meshes()) return;
+    give(outputs, network->cut.lists);
+    remember(network);
+  }
+
+ private:
+  struct Given {
+    std::vector<std::int64_t> on_mesh;  // of the opened mesh
+    std::vector<double> came_in;
+    bool by_triangle = true;
+  };
+
+  static LabelNetworkOptions options_of(const plugin::Parameters& parameters) {
+    LabelNetworkOptions options;
+    options.tau = parameters.number("tau");
+    options.slack = parameters.optional("slack");
+    options.max_deviation = parameters.optional("max_deviation");
+    options.free_junctions = parameters.choice("junctions") == "free";
+    options.sliding_ends = parameters.choice("ends") == "slide";
+    return options;
+  }
+
+  [[nodiscard]] Given labels_of(const plugin::Parameters& parameters) const {
+    const std::vector<double>& triangles = parameters.field("triangle_labels");
+    const std::vector<double>& vertices = parameters.field("vertex_labels");
+    if (triangles.empty() == vertices.empty()) {
+      throw plugin::Failure(TALWEG_BAD_USAGE,
+                            triangles.empty()
+                                ? "There are no labels: set triangle_labels or vertex_labels."
+                                : "There are labels of triangles and of vertices; one is enough.");
+    }
+    Given given;
+    given.by_triangle = vertices.empty();
+    given.came_in = given.by_triangle ? triangles : vertices;
+    const char* const name = given.by_triangle ? "Labels of triangles (triangle_labels)"
+                                               : "Labels of vertices (vertex_labels)";
+    for (std::size_t k = 0; k < given.came_in.size(); ++k) {
+      const double label = given.came_in[k];
+      if (label == std::floor(label) && std::abs(label) < 9007199254740992.0) continue;
+      throw plugin::Failure(TALWEG_BAD_USAGE,
+                            fmt::format("{} must be whole numbers, not {} at {}.", name, label, k));
+    }
+    const std::vector<double> on_mesh = given.by_triangle
+                                            ? host_mesh().taken_per_face(given.came_in, name)
+                                            : host_mesh().taken_per_vertex(given.came_in, name);
+    for (const double label : on_mesh) given.on_mesh.push_back(static_cast<std::int64_t>(label));
+    return given;
+  }
+
+  /// Per triangle that came in. One that the repair dropped has its old label; if labels are per
+  /// vertex, that of its first corner.
+  [[nodiscard]] std::vector<double> new_labels(const LabelNetwork& network,
+                                               const Given& given) const {
+    const RepairMap* map = host_mesh().map();
+    std::vector<double> result;
+    if (map == nullptr) {
+      for (const std::int64_t label : network.face_labels) {
+        result.push_back(static_cast<double>(label));
+      }
+      return result;
+    }
+    const MeshLists lists = given.by_triangle ? MeshLists{} : host_mesh().lists();
+    for (std::size_t f = 0; f < map->file_face_count(); ++f) {
+      const std::uint32_t face = map->image(FaceId{f}).face;
+      const bool dropped = face == RepairMap::kDropped;
+      result.push_back(!dropped            ? static_cast<double>(network.face_labels[face])
+                       : given.by_triangle ? given.came_in[f]
+                                           : given.came_in[lists.triangles[f][0]]);
+    }
+    return result;
+  }
+
+  void forget() override { made_.forget_attributes(); }
+
+  void remember(const std::shared_ptr<const LabelNetwork>& network) {
+    const CutMesh& cut = network->cut;
+    MeshPart whole;
+    for (std::uint32_t v = 0; v < cut.lists.points.size(); ++v) whole.vertices.push_back(v);
+    for (std::uint32_t f = 0; f < cut.lists.triangles.size(); ++f) whole.faces.push_back(f);
+    MadeMesh& made = made_.add();
+    made.vertices = cut.lists.points.size();
+    made.origins = origins_of(whole, cut, mesh().surface(), host_mesh().map());
+    made.carry_over = [this, network](const MeshAttributes& attributes) {
+      std::size_t differing = 0;
+      const RepairMap* map = host_mesh().map();
+      return carried_to(network->cut, mesh().surface(),
+                        map == nullptr ? attributes : of_repaired(attributes, *map, differing));
+    };
+    made.own = [network](const plugin::TakeAttribute& take) {
+      const AttributeColumn column = label_column(network->cut_labels);
+      const bool whole_number = column.type == NumberType::kInt32;
+      give_per_triangle("label", column.values, whole_number ? TALWEG_INT32 : TALWEG_FLOAT64, take);
+    };
+  }
+
+  MadeMeshes made_;
+};
+
+}  // namespace
+}  // namespace talweg::plugins
+
+TALWEG_PLUGIN_MODULE(talweg::plugins::Labels)

@@ -1,0 +1,87 @@
+#include "made_meshes.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+
+#include "talweg/plugin/talweg_arrays.hpp"
+
+namespace talweg::plugins {
+namespace {
+
+template <class Number, std::size_t n>
+talweg_array view_of(const std::vector<std::array<Number, n>>& rows) {
+  return plugin::view(rows.empty() ? nullptr : rows.front().data(), rows.size(), n);
+}
+talweg_array view_of(const std::vector<std::uint32_t>& values) {
+  return plugin::view(values.data(), values.size());
+}
+
+}  // namespace
+
+void MadeMeshes::set_attributes(std::span<const talweg_attribute* const> attributes,
+                                std::size_t vertices, std::size_t faces) {
+  attributes_.set(attributes, vertices, faces);
+  meshes_.clear();
+}
+
+void MadeMeshes::forget_attributes() {
+  attributes_.clear();
+  meshes_.clear();
+}
+
+const MadeMesh& MadeMeshes::at(std::uint64_t mesh) const {
+  if (mesh < meshes_.size()) return meshes_[mesh];
+  throw plugin::Failure(TALWEG_BAD_USAGE,
+                        fmt::format("There is no mesh {}: {} are there of a run that gave meshes.",
+                                    mesh, meshes_.size()));
+}
+
+void MadeMeshes::give_attributes(std::uint64_t mesh, const plugin::TakeAttribute& take) const {
+  const MadeMesh& made = at(mesh);
+  attributes_.give(made.carry_over, take);
+  if (made.own) made.own(take);
+}
+
+void MadeMeshes::give_origin(std::uint64_t mesh, const plugin::TakeOrigin& take) const {
+  const MadeMesh& made = at(mesh);
+  std::vector<std::array<std::uint32_t, 3>> vertices, chains;
+  std::vector<std::array<double, 3>> weights;
+  for (const VertexOrigin& origin : made.origins.vertices) {
+    vertices.push_back(origin.vertices);
+    weights.push_back(origin.weights);
+  }
+  const std::array<std::uint32_t, 3> nowhere{TALWEG_NO_VERTEX, TALWEG_NO_VERTEX, TALWEG_NO_VERTEX};
+  vertices.resize(made.vertices, nowhere);  // those inside lids come last
+  weights.resize(made.vertices);
+  std::vector<std::uint32_t> closed, lengths;
+  for (std::uint32_t c = 0; c < made.origins.curves.size(); ++c) {
+    const PartOrigins::Curve& curve = made.origins.curves[c];
+    closed.push_back(curve.closed ? 1 : 0);
+    lengths.push_back(static_cast<std::uint32_t>(curve.vertices.size()));
+    for (std::uint32_t k = 0; k < curve.vertices.size(); ++k) {
+      for (const std::uint32_t v : curve.vertices[k]) chains.push_back({c, k, v});
+    }
+  }
+  talweg_origin origin = {};
+  origin.curve_count = static_cast<std::uint32_t>(made.origins.curves.size());
+  origin.vertices = view_of(vertices);
+  origin.weights = view_of(weights);
+  origin.triangles = view_of(made.origins.faces);
+  origin.closed = view_of(closed);
+  origin.lengths = view_of(lengths);
+  origin.chains = view_of(chains);
+  take(origin);
+}
+
+void give(const plugin::Outputs& outputs, const MeshLists& lists) {
+  talweg_mesh mesh = {};
+  mesh.positions = plugin::view(lists.points.empty() ? nullptr : lists.points.front().data(),
+                                lists.points.size(), 3);
+  mesh.triangles = plugin::view(lists.triangles.empty() ? nullptr : lists.triangles.front().data(),
+                                lists.triangles.size(), 3);
+  outputs.mesh(mesh);
+}
+
+}  // namespace talweg::plugins
