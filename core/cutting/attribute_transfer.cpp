@@ -46,21 +46,6 @@ double white(NumberType type) {
   }
 }
 
-/// The value of elements that come from nowhere.
-double without(const AttributeColumn& column) {
-  return column.fill.value_or(is_colour(column.name) ? white(column.type) : 0);
-}
-
-Carry rule_of(const AttributeColumn& column) {
-  if (column.carry != Carry::kByName) return column.carry;
-  std::string lower = column.name;
-  std::transform(lower.begin(), lower.end(), lower.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  if (lower.find("label") != lower.npos) return Carry::kNearest;
-  if (is_real(column.type)) return Carry::kLinear;
-  return is_colour(lower) ? Carry::kRounded : Carry::kNearest;
-}
-
 using Corners = std::array<std::uint32_t, 3>;
 using Parts = std::array<double, 3>;
 
@@ -135,7 +120,7 @@ void extend_vertices(const CutMesh& cut, const Surface& old,
   const std::vector<Direction> directions = directions_among(columns);
   std::vector<Carry> rules;
   rules.reserve(columns.size());
-  for (const AttributeColumn& column : columns) rules.push_back(rule_of(column));
+  for (const AttributeColumn& column : columns) rules.push_back(carry_of(column));
   for (std::size_t v = old.vertex_count(); v < cut.vertex_from.size(); ++v) {
     const SurfacePoint& point = cut.vertex_from[v];
     const FaceCoordinates at = coordinates_in(old, point, any_face(old, point));
@@ -251,7 +236,7 @@ MeshAttributes with_faces(const MeshAttributes& attributes, std::span<const std:
   result.left_out = attributes.left_out;
   for (const AttributeColumn& column : attributes.faces) {
     result.faces.push_back({column.name, column.type,
-                            of_faces(column.values, faces, without(column)), column.carry,
+                            of_faces(column.values, faces, fill_of(column)), column.carry,
                             column.fill});
   }
   for (const FaceNames& names : attributes.names) {
@@ -261,6 +246,20 @@ MeshAttributes with_faces(const MeshAttributes& attributes, std::span<const std:
 }
 
 }  // namespace
+
+double fill_of(const AttributeColumn& column) {
+  return column.fill.value_or(is_colour(column.name) ? white(column.type) : 0);
+}
+
+Carry carry_of(const AttributeColumn& column) {
+  if (column.carry != Carry::kByName) return column.carry;
+  std::string lower = column.name;
+  std::transform(lower.begin(), lower.end(), lower.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  if (lower.find("label") != lower.npos) return Carry::kNearest;
+  if (is_real(column.type)) return Carry::kLinear;
+  return is_colour(lower) ? Carry::kRounded : Carry::kNearest;
+}
 
 MeshAttributes carried_to(const CutMesh& cut, const Surface& old,
                           const MeshAttributes& attributes) {
@@ -284,7 +283,7 @@ MeshAttributes picked(const MeshAttributes& attributes, std::span<const std::uin
     AttributeColumn& to = result.vertices.emplace_back(
         AttributeColumn{column.name, column.type, {}, column.carry, column.fill});
     to.values.reserve(vertices.size());
-    const double fill = without(column);
+    const double fill = fill_of(column);
     for (const std::uint32_t v : vertices) {
       to.values.push_back(v == kNoVertex ? fill : column.values[v]);
     }

@@ -12,6 +12,11 @@
 
 namespace talweg {
 
+/// How a column is carried where its `carry` does not say it: by its name and type.
+Carry carry_of(const AttributeColumn& column);
+/// The value of elements that come from nowhere: the column's `fill`, else by its name.
+double fill_of(const AttributeColumn& column);
+
 /// The attributes of the cut mesh. Faces have those of the old face that they are part of. Old
 /// vertices keep their values. The value of a new vertex follows from the corners of its old face,
 /// as the column's `carry` says or, by its name:

@@ -132,4 +132,16 @@ void set_mesh(host::Instance& instance, std::span<const Point> points,
   instance.set_mesh(host::view(xyz, points.size(), 3), host::view(corners, triangles.size(), 3));
 }
 
+void set_mesh(host::Instance& instance, const MeshLists& lists) {
+  if (!lists.single_precision) return set_mesh(instance, lists.points, lists.triangles);
+  std::vector<float> xyz;
+  xyz.reserve(3 * lists.points.size());
+  for (const Point& p : lists.points) {
+    for (const double x : p) xyz.push_back(static_cast<float>(x));
+  }
+  const std::uint32_t* corners = lists.triangles.empty() ? nullptr : lists.triangles.front().data();
+  instance.set_mesh({xyz.data(), lists.points.size(), 0, 3, TALWEG_FLOAT32},
+                    host::view(corners, lists.triangles.size(), 3));
+}
+
 }  // namespace talweg::driver

@@ -30,5 +30,7 @@ std::vector<ReportEntry> entries_of(const host::Results& results, std::int64_t c
 /// Gives the mesh of a file to a plugin, which copies it.
 void set_mesh(host::Instance& instance, std::span<const Point> points,
               std::span<const Triangle> triangles);
+/// The same; coordinates that the file stores as 32-bit floats are given as such.
+void set_mesh(host::Instance& instance, const MeshLists& lists);
 
 }  // namespace talweg::driver

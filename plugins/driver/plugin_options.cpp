@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "field_file.hpp"
+#include "talweg/core/repair/mesh_repair.hpp"
 
 namespace talweg::driver {
 namespace {
@@ -24,6 +25,7 @@ std::string option_text(const talweg_parameter& p) {
   if (*p.unit != '\0') text += std::string(text.ends_with(".") ? " In " : ", ") + p.unit;
   if (!text.ends_with(".")) text += ".";
   if (p.type == TALWEG_FIELD) text += " A file, one number per vertex.";
+  if (p.type == TALWEG_TRIANGLE_FIELD) text += " A file, one number per triangle.";
   return text;
 }
 
@@ -39,8 +41,18 @@ std::string option_name(const std::string& id) {
   return name;
 }
 
-PluginOptions::PluginOptions(CLI::App& app, const talweg_plugin& plugin) {
+bool has_parameter(const talweg_plugin& plugin, std::string_view id) {
   for (std::uint32_t k = 0; k < plugin.parameter_count; ++k) {
+    if (plugin.parameters[k]->id == id) return true;
+  }
+  return false;
+}
+
+PluginOptions::PluginOptions(CLI::App& app, const talweg_plugin& plugin) {
+  repairs_ = has_parameter(plugin, "repair");
+  for (std::uint32_t k = 0; k < plugin.parameter_count; ++k) {
+    // They are told by --repair[=LIST].
+    if (repairs_ && std::string_view(plugin.parameters[k]->id).starts_with("repair")) continue;
     values_.push_back(std::make_unique<Value>());
     values_.back()->parameter = plugin.parameters[k];
     add(app, *values_.back());
@@ -69,6 +81,7 @@ void PluginOptions::add(CLI::App& app, Value& value) {
       value.option = app.add_option(name, value.vertices, text)->delimiter(',');
       break;
     case TALWEG_FIELD:
+    case TALWEG_TRIANGLE_FIELD:
       value.option = app.add_option(name, value.text, text);
       break;
     case TALWEG_PER_CURVE:
@@ -84,10 +97,22 @@ void PluginOptions::add(CLI::App& app, Value& value) {
 std::vector<std::pair<std::string, std::string>> PluginOptions::files() const {
   std::vector<std::pair<std::string, std::string>> files;
   for (const auto& value : values_) {
-    if (value->parameter->type != TALWEG_FIELD || value->text.empty()) continue;
+    const std::uint32_t type = value->parameter->type;
+    if (type != TALWEG_FIELD && type != TALWEG_TRIANGLE_FIELD) continue;
+    if (value->text.empty()) continue;
     files.emplace_back(option_name(value->parameter->id), value->text);
   }
   return files;
+}
+
+void set_repair(host::Instance& instance, const std::string& list) {
+  if (list.empty()) return;
+  const RepairSteps steps = repair_steps(list);
+  instance.set("repair", 1.0);
+  instance.set("repair_weld", steps.weld ? 1.0 : 0.0);
+  instance.set("repair_drop", steps.drop ? 1.0 : 0.0);
+  instance.set("repair_orient", steps.orient ? 1.0 : 0.0);
+  instance.set("repair_split", steps.split ? 1.0 : 0.0);
 }
 
 void PluginOptions::apply(host::Instance& instance) const {
@@ -105,6 +130,7 @@ void PluginOptions::apply(host::Instance& instance) const {
         instance.set(id, value->vertices);
         break;
       case TALWEG_FIELD:
+      case TALWEG_TRIANGLE_FIELD:
         instance.set(id, read_field(value->text));
         break;
       case TALWEG_PER_CURVE:

@@ -4,6 +4,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -15,14 +16,16 @@ namespace talweg::driver {
 
 class PluginOptions {
  public:
-  /// Adds one option per parameter ("max_deviation": --max-deviation). The object must outlive the
-  /// app's parsing.
+  /// Adds one option per parameter ("max_deviation": --max-deviation), but for those that say how
+  /// the mesh is repaired: see set_repair(). The object must outlive the app's parsing.
   PluginOptions(CLI::App& app, const talweg_plugin& plugin);
 
   /// Sets the parameters that were given. Throws Error(kBadFile) for files of fields, host::Error.
   void apply(host::Instance& instance) const;
   /// The options that were given files of fields, with these files.
   [[nodiscard]] std::vector<std::pair<std::string, std::string>> files() const;
+  /// Whether the plugin repairs meshes itself.
+  [[nodiscard]] bool repairs() const { return repairs_; }
 
  private:
   struct Value {
@@ -37,7 +40,12 @@ class PluginOptions {
   static void add(CLI::App& app, Value& value);
 
   std::vector<std::unique_ptr<Value>> values_;  // CLI11 keeps their addresses
+  bool repairs_ = false;
 };
+
+bool has_parameter(const talweg_plugin& plugin, std::string_view id);
+/// Sets a plugin's parameters for repair, for the steps of --repair; nothing for an empty list.
+void set_repair(host::Instance& instance, const std::string& list);
 
 /// The option's name: "--max-deviation" for "max_deviation".
 std::string option_name(const std::string& id);

@@ -12,11 +12,14 @@
 #include "field_file.hpp"
 #include "file_plan.hpp"
 #include "output_file.hpp"
+#include "plugin_attributes.hpp"
 #include "plugin_host.hpp"
+#include "plugin_meshes.hpp"
 #include "plugin_options.hpp"
 #include "progress_bar.hpp"
 #include "repaired_mesh.hpp"
 #include "talweg/core/drawing/snapping.hpp"
+#include "talweg/core/io/border_file.hpp"
 #include "talweg/core/io/curve_file.hpp"
 #include "talweg/core/io/mesh_reader.hpp"
 #include "talweg/core/io/mesh_writer.hpp"
@@ -33,6 +36,7 @@ struct Files {
   std::vector<std::string> outputs;
   std::string report;
   std::string meshes;
+  std::string map;
   std::map<std::string, std::string> fields;  ///< by name
   std::string repair;                         ///< steps; empty for none
   std::string mesh_units = "mm";
@@ -47,6 +51,7 @@ void plan(const Files& files, const PluginOptions& options) {
   plan.writes("-o", files.outputs, check_curve_name);
   plan.writes("--report", files.report);
   plan.writes("--write-mesh", files.meshes, check_mesh_name);
+  plan.writes("--map", files.map);
   for (const auto& [name, path] : files.fields) plan.writes(option_name("write_" + name), path);
   plan.check();
 }
@@ -76,14 +81,23 @@ void add_files(CLI::App& app, const talweg_plugin& plugin, Files& files) {
     app.add_option("--report", files.report, "The report, as JSON");
   }
   if (gives(plugin, TALWEG_OUTPUT_MESH)) {
-    app.add_option("--write-mesh", files.meshes, "The resulting mesh: OBJ, OFF or PLY");
+    app.add_option(
+        "--write-mesh", files.meshes,
+        "The resulting mesh: OBJ, OFF, PLY or STL; of several OUT-0.ply, OUT-1.ply, ...");
+  }
+  if (meshes_of(plugin) != nullptr) {
+    app.add_option("--map", files.map,
+                   "JSON: where every vertex and face of the meshes comes from, and the curves' "
+                   "vertices");
   }
   for (std::uint32_t k = 0; k < plugin.output_count; ++k) {
     const talweg_output& output = *plugin.outputs[k];
-    if (output.kind != TALWEG_OUTPUT_VERTEX_FIELD) continue;
+    const bool of_triangles = output.kind == TALWEG_OUTPUT_TRIANGLE_FIELD;
+    if (output.kind != TALWEG_OUTPUT_VERTEX_FIELD && !of_triangles) continue;
     app.add_option(
         option_name(std::string("write_") + output.name), files.fields[output.name],
-        fmt::format("{}, {}: one number per vertex. {}", output.label, output.unit, output.doc));
+        fmt::format("{}{}{}: one number per {}. {}", output.label, *output.unit == 0 ? "" : ", ",
+                    output.unit, of_triangles ? "triangle" : "vertex", output.doc));
   }
 }
 
@@ -141,27 +155,32 @@ void write_report(const std::string& path, const host::Results& results) {
   write_output(path, to_json(entries_of(results, -1), reports));
 }
 
-void write_result_mesh(const std::string& path, const talweg_plugin& plugin,
-                       const host::Results& results) {
-  if (results.meshes.empty()) {
-    throw Error(ErrorCode::kBadFile, std::string(plugin.id) + " gave no mesh.");
+/// The labels left and right of each curve, if the report tells them.
+std::vector<CurveSides> sides_of(const host::Results& results) {
+  std::vector<CurveSides> sides;
+  for (std::size_t c = 0; c < results.curves.size(); ++c) {
+    const std::string key = fmt::format("borders.{}.", c);
+    if (results.find(key + "left") == nullptr || results.find(key + "right") == nullptr) return {};
+    sides.push_back({static_cast<std::int64_t>(results.number(key + "left")),
+                     static_cast<std::int64_t>(results.number(key + "right"))});
   }
-  MeshLists lists;
-  for (const auto& p : results.meshes[0].positions) lists.points.emplace_back(p.data());
-  for (const auto& t : results.meshes[0].triangles) lists.triangles.push_back(t);
-  write_output(path, mesh_bytes(path, lists).bytes);
+  return sides;
 }
 
 void write_results(const Files& files, const talweg_plugin& plugin, const host::Results& results,
-                   const RepairMap* map) {
+                   const PluginMeshes& meshes, const RepairMap* map) {
   std::vector<PlacedCurve> curves;
   for (const host::Curve& curve : results.curves) {
     curves.push_back(in_file_numbers(map, placed_curve(curve)));
   }
   const LengthUnit unit = LengthUnit::named(files.mesh_units);
+  const std::vector<CurveSides> sides = sides_of(results);
   OutputAttempts attempts;
   for (const std::string& output : files.outputs) {
-    attempts.make([&] { write_output(output, curve_bytes(output, curves, unit)); });
+    attempts.make([&] {
+      write_output(output, sides.empty() ? curve_bytes(output, curves, unit)
+                                         : border_bytes(output, curves, sides, unit));
+    });
   }
   for (const auto& field : files.fields) {
     const std::string& path = field.second;
@@ -169,8 +188,11 @@ void write_results(const Files& files, const talweg_plugin& plugin, const host::
     attempts.make([&] { write_named_field(field.first, path, plugin, results, map); });
   }
   if (!files.report.empty()) attempts.make([&] { write_report(files.report, results); });
-  if (!files.meshes.empty())
-    attempts.make([&] { write_result_mesh(files.meshes, plugin, results); });
+  if (!files.meshes.empty() && meshes.empty()) {
+    throw Error(ErrorCode::kBadFile, std::string(plugin.id) + " gave no mesh.");
+  }
+  if (!files.meshes.empty()) attempts.make([&] { meshes.write(files.meshes); });
+  if (!files.map.empty()) attempts.make([&] { meshes.write_map(files.map, files.meshes); });
   attempts.finish();
 }
 
@@ -178,7 +200,7 @@ bool writes_nothing(const Files& files) {
   for (const auto& [name, path] : files.fields) {
     if (!path.empty()) return false;
   }
-  return files.outputs.empty() && files.report.empty() && files.meshes.empty();
+  return files.outputs.empty() && files.report.empty() && files.meshes.empty() && files.map.empty();
 }
 
 /// Rethrows a plugin's error; reads the mesh again for the hint, because it is no longer in memory.
@@ -202,6 +224,18 @@ void lead_with_far_results(const host::Results& results) {
   }
 }
 
+/// Reads the mesh, and repairs it where the plugin does not.
+ReadMesh mesh_for(const talweg_plugin& plugin, const PluginOptions& options, const Files& files,
+                  MeshAttributes& attributes) {
+  const talweg_meshes* extension = meshes_of(plugin);
+  if (extension != nullptr && (extension->takes & TALWEG_TAKES_ANY_MESH) != 0) {
+    ReadMesh mesh;
+    mesh.lists = read_mesh(files.mesh, attributes);
+    return mesh;
+  }
+  return read_and_repair(files.mesh, options.repairs() ? "" : files.repair, attributes);
+}
+
 int run_plugin(const talweg_plugin& plugin, const Files& files, const PluginOptions& options,
                const GlobalOptions& global) {
   const host::Services services(
@@ -213,20 +247,29 @@ int run_plugin(const talweg_plugin& plugin, const Files& files, const PluginOpti
       });
   host::Results results;
   ReadMesh mesh;
+  PluginMeshes meshes;
   try {
     host::Instance instance(plugin, services);
     options.apply(instance);
-    mesh = read_and_repair(files.mesh, files.repair);
-    set_mesh(instance, mesh.lists.points, mesh.lists.triangles);
+    if (options.repairs()) set_repair(instance, files.repair);
+    MeshAttributes attributes;
+    mesh = mesh_for(plugin, options, files, attributes);
+    set_mesh(instance, mesh.lists);
+    const bool single = mesh.lists.single_precision;
     const std::vector<host::Curve> curves = curves_on(mesh, files);
     mesh.lists = {};
     if (!curves.empty()) instance.set_curves(curves);
     host::Wanted wanted;
-    wanted.meshes = !files.meshes.empty();
+    wanted.meshes = !files.meshes.empty() || !files.map.empty();
+    const talweg_meshes* extension = wanted.meshes ? meshes_of(plugin) : nullptr;
+    if (extension != nullptr && (extension->takes & TALWEG_TAKES_ATTRIBUTES) != 0) {
+      instance.set_attributes(host_attributes(attributes));
+    }
     for (const auto& [name, path] : files.fields) {
       wanted.vertex_fields = wanted.vertex_fields || !path.empty();
     }
     results = instance.run(wanted);
+    if (wanted.meshes) meshes = PluginMeshes(instance, results, attributes, single);
   } catch (const host::Error& error) {
     if (error.status() != TALWEG_CANCELLED) rethrow_with_hint(error, files);
     clear_progress_bar();
@@ -235,7 +278,7 @@ int run_plugin(const talweg_plugin& plugin, const Files& files, const PluginOpti
   }
   clear_progress_bar();
   if (!global.quiet) lead_with_far_results(results);
-  write_results(files, plugin, results, mesh.map.get());
+  write_results(files, plugin, results, meshes, mesh.map.get());
   for (const std::string& change : mesh.changes) {
     if (!global.quiet) fmt::print(text_stream(), "{}\n", change);
   }
