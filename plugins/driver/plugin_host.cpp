@@ -137,7 +137,11 @@ void set_mesh(host::Instance& instance, const MeshLists& lists) {
   std::vector<float> xyz;
   xyz.reserve(3 * lists.points.size());
   for (const Point& p : lists.points) {
-    for (const double x : p) xyz.push_back(static_cast<float>(x));
+    for (const double x : p) {
+      xyz.push_back(static_cast<float>(x));
+      // A text may have more digits.
+      if (xyz.back() != x) return set_mesh(instance, lists.points, lists.triangles);
+    }
   }
   const std::uint32_t* corners = lists.triangles.empty() ? nullptr : lists.triangles.front().data();
   instance.set_mesh({xyz.data(), lists.points.size(), 0, 3, TALWEG_FLOAT32},
