@@ -24,9 +24,9 @@
 #include "talweg/core/io/mesh_writer.hpp"
 #include "talweg/core/labels/label_network.hpp"
 #include "talweg/core/mesh/mesh_attributes.hpp"
+#include "talweg/core/repair/weld_hint.hpp"
 #include "talweg/intrinsic/error.hpp"
 #include "talweg/intrinsic/stopwatch.hpp"
-#include "weld_hint.hpp"
 
 namespace talweg::driver {
 namespace {
