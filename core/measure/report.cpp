@@ -5,49 +5,12 @@
 #include <cmath>
 #include <type_traits>
 
-#include <nlohmann/json.hpp>
-
 #if defined(__unix__) || defined(__APPLE__)
 #include <sys/resource.h>
 #endif
 
 namespace talweg {
 namespace {
-
-using Json = nlohmann::ordered_json;
-
-/// Converts a value to JSON; numbers that are not finite become null.
-struct AsJson {
-  Json operator()(double value) const { return std::isfinite(value) ? Json(value) : Json(nullptr); }
-  Json operator()(const std::vector<double>& list) const {
-    Json values = Json::array();
-    for (const double value : list) values.push_back((*this)(value));
-    return values;
-  }
-  template <class Value>
-  Json operator()(const Value& value) const {
-    return value;
-  }
-};
-
-/// A message may contain a file name that is not UTF-8, but JSON must be UTF-8.
-std::string text_of(const Json& json) {
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
-}
-
-Json object_of(const std::vector<ReportEntry>& entries) {
-  Json object = Json::object();
-  for (const ReportEntry& entry : entries) {
-    Json* place = &object;
-    std::string key = entry.key;
-    for (std::size_t dot = key.find('.'); dot != std::string::npos; dot = key.find('.')) {
-      place = &(*place)[key.substr(0, dot)];
-      key.erase(0, dot + 1);
-    }
-    (*place)[key] = std::visit(AsJson{}, entry.value);
-  }
-  return object;
-}
 
 /// Visits every field of a report with its name, in order; `Report` may be const.
 template <class Report, class Visit>
@@ -201,25 +164,13 @@ std::vector<ReportEntry> entries_of(const SmoothingReport& report) {
   return entries;
 }
 
-std::string to_json(const SmoothingReport& report) {
-  return text_of(object_of(entries_of(report)));
-}
+std::string to_json(const SmoothingReport& report) { return to_json(entries_of(report), {}); }
 
 std::string to_json(const SmoothingReport& total, const std::vector<SmoothingReport>& curves) {
   std::vector<std::vector<ReportEntry>> entries;
   entries.reserve(curves.size());
   for (const SmoothingReport& report : curves) entries.push_back(entries_of(report));
   return to_json(entries_of(total), entries);
-}
-
-std::string to_json(const std::vector<ReportEntry>& total,
-                    const std::vector<std::vector<ReportEntry>>& curves) {
-  Json j = object_of(total);
-  if (curves.size() > 1) {
-    for (const std::vector<ReportEntry>& entries : curves)
-      j["curves"].push_back(object_of(entries));
-  }
-  return text_of(j);
 }
 
 double peak_memory_mib() {

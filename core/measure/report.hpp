@@ -5,10 +5,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "talweg/core/measure/deviation_measure.hpp"
+#include "talweg/core/measure/report_entry.hpp"
 #include "talweg/core/mesh/mesh_lists.hpp"
 
 namespace talweg {
@@ -118,13 +118,6 @@ struct SmoothingReport {
 /// Sums up the reports on the curves of one run.
 SmoothingReport total_of(const std::vector<SmoothingReport>& reports);
 
-/// One named value of a report. A dot in a key says that it belongs to a group ("time_ms.trace").
-struct ReportEntry {
-  std::string key;
-  std::variant<double, std::uint64_t, bool, std::string, std::vector<double>,
-               std::vector<std::string>>
-      value;
-};
 /// All fields of a report, under the names above and in their order.
 std::vector<ReportEntry> entries_of(const SmoothingReport& report);
 
@@ -132,11 +125,6 @@ std::vector<ReportEntry> entries_of(const SmoothingReport& report);
 std::string to_json(const SmoothingReport& report);
 /// For one curve its report; for several the totals, with an array `curves` of the single reports.
 std::string to_json(const SmoothingReport& total, const std::vector<SmoothingReport>& curves);
-
-/// The same from the entries of this library or of a plugin; `curves` is left out for fewer than
-/// two.
-std::string to_json(const std::vector<ReportEntry>& total,
-                    const std::vector<std::vector<ReportEntry>>& curves);
 
 /// The largest amount of memory the process has used so far; 0 where the system does not tell.
 double peak_memory_mib();

@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t kMostPaired = 16;
 constexpr int kRounds = 4;
 
-using Pair = std::pair<std::uint32_t, std::uint32_t>;  ///< positions among an edge's sides
+using SidePair = std::pair<std::uint32_t, std::uint32_t>;  ///< positions among an edge's sides
 
 /// From the edge into the face, at right angles to the edge; zero for a face of zero area.
 Point into_face(const MeshLists& lists, const FaceSide& s) {
@@ -28,7 +28,7 @@ Point into_face(const MeshLists& lists, const FaceSide& s) {
 }
 
 /// The pairs of faces that stay joined: the flattest first, each face in one pair.
-std::vector<Pair> flattest_pairs(const MeshLists& lists, std::span<const FaceSide> edge) {
+std::vector<SidePair> flattest_pairs(const MeshLists& lists, std::span<const FaceSide> edge) {
   if (edge.size() > kMostPaired) return {};
   std::vector<Point> into;
   for (const FaceSide& s : edge) into.push_back(into_face(lists, s));
@@ -41,7 +41,7 @@ std::vector<Pair> flattest_pairs(const MeshLists& lists, std::span<const FaceSid
   }
   std::sort(candidates.begin(), candidates.end());
   std::vector<bool> taken(edge.size(), false);
-  std::vector<Pair> pairs;
+  std::vector<SidePair> pairs;
   for (const auto& [flatness, i, j] : candidates) {
     if (taken[i] || taken[j]) continue;
     taken[i] = taken[j] = true;
@@ -76,10 +76,10 @@ class Splitter {
  private:
   struct Crowded {
     std::span<const FaceSide> edge;
-    std::vector<Pair> pairs;
+    std::vector<SidePair> pairs;
   };
 
-  void join(UnionFind& fans, std::span<const FaceSide> edge, Pair pair) const {
+  void join(UnionFind& fans, std::span<const FaceSide> edge, SidePair pair) const {
     for (const std::uint32_t v : {edge[0].low, edge[0].high}) {
       fans.join(corner_at(lists_, edge[pair.first], v), corner_at(lists_, edge[pair.second], v));
     }
@@ -88,7 +88,7 @@ class Splitter {
   [[nodiscard]] UnionFind joined() const {
     UnionFind fans = plain_;
     for (const Crowded& crowded : crowded_) {
-      for (const Pair& pair : crowded.pairs) join(fans, crowded.edge, pair);
+      for (const SidePair& pair : crowded.pairs) join(fans, crowded.edge, pair);
     }
     return fans;
   }
@@ -96,7 +96,7 @@ class Splitter {
   /// Whether more than two of the faces have both ends in the same fans, so that they would still
   /// share one edge.
   bool still_crowded(UnionFind& fans, std::span<const FaceSide> edge) const {
-    std::vector<Pair> ends;
+    std::vector<SidePair> ends;
     for (const FaceSide& s : edge) {
       ends.emplace_back(fans.find(corner_at(lists_, s, s.low)),
                         fans.find(corner_at(lists_, s, s.high)));

@@ -15,8 +15,8 @@ namespace talweg {
 namespace {
 
 constexpr int kRounds = 8;
-constexpr double kMargin = 2;      // samples, on either side of what is bad, at first
-constexpr double kMostTaut = 0.5;  // of the length
+constexpr double kMendedMargin = 2;  // samples, on either side of what is bad, at first
+constexpr double kMostTaut = 0.5;    // of the length
 
 std::string warning_of(const HeldCurve& held, const SurfaceMesh& mesh) {
   const Point at = mesh.position(held.middle);
@@ -178,7 +178,7 @@ FairMending::Setting FairMending::setting_for(const SurfaceCurve& start) {
 
 std::optional<MendedCurve> FairMending::from(const SurfaceCurve& start) {
   Setting setting = setting_for(start);
-  double margin = kMargin * setting.spacing;
+  double margin = kMendedMargin * setting.spacing;
   std::optional<HeldCurve> held;
   for (int round = 0; round < kRounds; ++round, margin *= 2) {
     Try result = faired(setting, held);

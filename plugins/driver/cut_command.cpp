@@ -1,5 +1,4 @@
 // talweg cut: curves become edges of the mesh, and the mesh is taken apart along them.
-#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -8,18 +7,16 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "commands.hpp"
+#include "cut_map.hpp"
 #include "drawing_file.hpp"
 #include "file_plan.hpp"
 #include "output_file.hpp"
 #include "progress_bar.hpp"
 #include "repaired_mesh.hpp"
-#include "talweg/core/cutting/attribute_transfer.hpp"
-#include "talweg/core/cutting/loop_filling.hpp"
 #include "talweg/core/cutting/mesh_cutting.hpp"
-#include "talweg/core/cutting/seam_opening.hpp"
+#include "talweg/core/cutting/mesh_parts.hpp"
 #include "talweg/core/cutting/tagged_edges.hpp"
 #include "talweg/core/io/mesh_file.hpp"
 #include "talweg/core/io/mesh_writer.hpp"
@@ -44,20 +41,22 @@ struct CutCommandOptions {
   std::string mesh_units = "mm";
 };
 
-/// A mesh to be written, with the origin of its vertices and faces, and a record of what was done.
-struct Part {
-  MeshLists lists;
-  MeshAttributes attributes;
-  std::vector<std::uint32_t> vertices, faces;  // of the cut mesh
-  Lids lids;
-};
-
 LidKind lid_kind(const std::string& name) {
   if (name == "auto") return LidKind::kAuto;
   if (name == "planar") return LidKind::kPlanar;
   if (name == "least-area") return LidKind::kLeastArea;
   throw Error(ErrorCode::kBadUsage,
               "--cap must be auto, planar or least-area, not \"" + name + "\".");
+}
+
+PartOptions part_options(const CutCommandOptions& o) {
+  PartOptions parts;
+  parts.open = o.open;
+  parts.split = o.split;
+  if (o.keep == "left") parts.keep = KeptSide::kLeft;
+  if (o.keep == "right") parts.keep = KeptSide::kRight;
+  if (!o.cap.empty()) parts.lids = lid_kind(o.cap);
+  return parts;
 }
 
 /// The part of the outputs' names before the pieces' numbers.
@@ -74,24 +73,17 @@ class Cutting {
   [[nodiscard]] const SnappedDrawing& drawing() const { return drawing_; }
 
  private:
-  void take_apart();
-  [[nodiscard]] std::vector<bool> kept(const OpenedSeams& seams);
-  [[noreturn]] void refuse_empty(const OpenedSeams& seams) const;
-  void add_part(const OpenedSeams& seams, const std::vector<bool>& wanted);
   [[nodiscard]] std::string path_of(std::size_t part) const;
   [[nodiscard]] std::string map_json() const;
-  [[nodiscard]] nlohmann::json vertex_json(std::uint32_t vertex) const;
 
   const CutCommandOptions& o_;
   Progress progress_;
-  MeshAttributes attributes_;  // of the file's mesh, later of the cut mesh
+  MeshAttributes attributes_;  // of the file's mesh
   ReadMesh read_;
   SurfaceMesh mesh_;
   SnappedDrawing drawing_;
   CutMesh cut_;
-  std::size_t pieces_ = 1;
-  std::size_t between_ = 0;  // of those, pieces on the left of one curve and the right of another
-  std::vector<Part> parts_;
+  MeshParts made_;
   double cut_ms_ = 0;
   std::vector<std::string> left_out_;  // sentences, one for each format
 };
@@ -106,96 +98,11 @@ Cutting::Cutting(const CutCommandOptions& options, Progress progress)
   const Stopwatch watch;
   cut_ = cut_along(mesh_, drawing_.curves, {o_.merge});
   cut_.lists.single_precision = read_.lists.single_precision;
-  take_apart();
-  attributes_ = carried_to(cut_, mesh_.surface(), attributes_);
-  for (Part& part : parts_) part.attributes = picked(attributes_, part.vertices, part.faces);
+  made_ = take_apart(mesh_, cut_, attributes_, part_options(o_), progress_);
+  attributes_ = {};  // the parts have them
   cut_ms_ = watch.ms();
-  if (!attributes_.left_out.empty()) {
-    left_out_.push_back(
-        fmt::format("Not carried over: {}.", fmt::join(attributes_.left_out, ", ")));
-  }
-}
-
-void Cutting::take_apart() {
-  if (!o_.open && !o_.split && o_.keep.empty() && o_.cap.empty()) {
-    Part& part = parts_.emplace_back();
-    part.lists = cut_.lists;
-    for (std::uint32_t v = 0; v < cut_.lists.points.size(); ++v) part.vertices.push_back(v);
-    for (std::uint32_t f = 0; f < cut_.lists.triangles.size(); ++f) part.faces.push_back(f);
-    return;
-  }
-  const OpenedSeams seams = open_seams(cut_.lists, cut_.chains);
-  pieces_ = seams.pieces;
-  const std::vector<bool> wanted = kept(seams);
-  if (!o_.split) return add_part(seams, wanted);
-  for (std::size_t k = 0; k < seams.pieces; ++k) {
-    if (!wanted[k]) continue;
-    std::vector<bool> one(seams.pieces, false);
-    one[k] = true;
-    add_part(seams, one);
-  }
-}
-
-/// The pieces on the requested side: a piece must be on that side of every curve along it. So no
-/// piece is on both sides, however curves are nested.
-std::vector<bool> Cutting::kept(const OpenedSeams& seams) {
-  if (o_.keep.empty()) return std::vector<bool>(seams.pieces, true);
-  std::vector<bool> wanted(seams.pieces, false), other(seams.pieces, false);
-  for (std::size_t c = 0; c < seams.left.size(); ++c) {
-    for (const std::uint32_t l : seams.left[c]) {
-      for (const std::uint32_t r : seams.right[c]) {
-        if (l != r) continue;
-        throw Error(ErrorCode::kBadCurve,
-                    fmt::format("Curve {} does not part its left from its right, so --keep {} says "
-                                "nothing: the mesh hangs together around it.",
-                                c, o_.keep));
-      }
-    }
-    const bool left = o_.keep == "left";
-    for (const std::uint32_t k : left ? seams.left[c] : seams.right[c]) wanted[k] = true;
-    for (const std::uint32_t k : left ? seams.right[c] : seams.left[c]) other[k] = true;
-  }
-  for (std::size_t k = 0; k < seams.pieces; ++k) {
-    if (wanted[k] && other[k]) ++between_;
-    wanted[k] = wanted[k] && !other[k];
-  }
-  if (std::find(wanted.begin(), wanted.end(), true) == wanted.end()) refuse_empty(seams);
-  return wanted;
-}
-
-void Cutting::refuse_empty(const OpenedSeams& seams) const {
-  const bool left = o_.keep == "left";
-  const char* const across = left ? "right" : "left";
-  for (std::size_t c = 0; c < seams.left.size(); ++c) {
-    for (const std::uint32_t k : left ? seams.left[c] : seams.right[c]) {
-      for (std::size_t d = 0; d < seams.left.size(); ++d) {
-        const auto& there = left ? seams.right[d] : seams.left[d];
-        if (std::find(there.begin(), there.end(), k) == there.end()) continue;
-        throw Error(ErrorCode::kBadCurve,
-                    fmt::format("--keep {} leaves nothing: what lies on the {} of curve {} lies on "
-                                "the {} of curve {}; turn one of them around.",
-                                o_.keep, o_.keep, c, across, d));
-      }
-    }
-  }
-  const std::size_t n = seams.left.size();
-  throw Error(
-      ErrorCode::kBadCurve,
-      fmt::format("--keep {} leaves nothing: {} no face on the {}.", o_.keep,
-                  n == 1 ? "curve 0 has" : fmt::format("none of the curves 0 to {} has", n - 1),
-                  o_.keep));
-}
-
-void Cutting::add_part(const OpenedSeams& seams, const std::vector<bool>& wanted) {
-  Piece piece = piece_of(seams, wanted);
-  Part& part = parts_.emplace_back();
-  if (!o_.cap.empty()) {
-    part.lids = add_lids(piece, seams, cut_.chains, lid_kind(o_.cap), progress_);
-  }
-  part.lists = std::move(piece.lists);
-  part.faces = std::move(piece.faces);
-  for (const std::uint32_t v : piece.vertices) {
-    part.vertices.push_back(v == kNoVertex ? kNoVertex : seams.vertex_from[v]);
+  if (!made_.left_out.empty()) {
+    left_out_.push_back(fmt::format("Not carried over: {}.", fmt::join(made_.left_out, ", ")));
   }
 }
 
@@ -206,68 +113,21 @@ std::string Cutting::path_of(std::size_t part) const {
                      std::filesystem::path(o_.output).extension().string());
 }
 
-/// [vertex], [a, b, part from a to b] or [a, b, c, barycentrics], in the numbers of the file.
-nlohmann::json Cutting::vertex_json(std::uint32_t vertex) const {
-  const Surface& surface = mesh_.surface();
-  const auto number = [&](VertexId v) {
-    return read_.map ? read_.map->file_vertex(v).index() : v.index();
-  };
-  const SurfacePoint& point = cut_.vertex_from[vertex];
-  if (const auto* v = std::get_if<AtVertex>(&point.where())) return {number(v->vertex)};
-  if (const auto* e = std::get_if<OnEdge>(&point.where())) {
-    const HalfedgeId h = halfedge_of(e->edge);
-    return {number(surface.tail(h)), number(surface.head(h)), e->t};
-  }
-  const auto& in = std::get<InFace>(point.where());
-  nlohmann::json json;
-  for (const VertexId v : surface.corners(in.face)) json.push_back(number(v));
-  for (const double b : in.barycentric) json.push_back(b);
-  return json;
-}
-
 std::string Cutting::map_json() const {
-  nlohmann::json json = {{"format", "talweg-cut"}, {"version", 1}};
-  nlohmann::json& parts = json["parts"] = nlohmann::json::array();
-  for (std::size_t k = 0; k < parts_.size(); ++k) {
-    const Part& part = parts_[k];
-    nlohmann::json vertices = nlohmann::json::array(), faces = nlohmann::json::array();
-    std::vector<std::vector<std::uint32_t>> here(cut_.lists.points.size());
-    for (std::uint32_t v = 0; v < part.vertices.size(); ++v) {
-      if (part.vertices[v] == kNoVertex) {
-        vertices.push_back(nullptr);
-        continue;
-      }
-      vertices.push_back(vertex_json(part.vertices[v]));
-      here[part.vertices[v]].push_back(v);
-    }
-    for (const std::uint32_t f : part.faces) {
-      if (f == kNoFace) {
-        faces.push_back(nullptr);
-        continue;
-      }
-      const FaceId from{cut_.face_from[f]};
-      faces.push_back(read_.map ? read_.map->file_face(from).index() : from.index());
-    }
-    nlohmann::json chains = nlohmann::json::array();
-    for (const CutMesh::Chain& chain : cut_.chains) {
-      nlohmann::json along = nlohmann::json::array();
-      for (const std::uint32_t v : chain.vertices) along.push_back(here[v]);
-      chains.push_back({{"closed", chain.closed}, {"vertices", std::move(along)}});
-    }
-    parts.push_back({{"file", path_of(k)},
-                     {"vertices", std::move(vertices)},
-                     {"faces", std::move(faces)},
-                     {"curves", std::move(chains)}});
+  std::vector<PartOrigins> origins;
+  std::vector<std::string> files;
+  for (const MeshPart& part : made_.parts) {
+    files.push_back(path_of(origins.size()));
+    origins.push_back(origins_of(part, cut_, mesh_.surface(), read_.map.get()));
   }
-  // A name of a file may be no UTF-8, and JSON must be.
-  return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+  return cut_map_json(origins, files);
 }
 
 void Cutting::write() {
   const std::string map = o_.map.empty() ? "" : map_json();
   std::vector<std::string> left_out;  // the same for all parts
-  for (std::size_t k = 0; k < parts_.size(); ++k) {
-    const Part& part = parts_[k];
+  for (std::size_t k = 0; k < made_.parts.size(); ++k) {
+    const MeshPart& part = made_.parts[k];
     std::vector<TaggedEdge> edges;
     if (o_.tag) edges = tagged_edges(part.lists.triangles, part.vertices, cut_.chains);
     MeshBytes file = mesh_bytes(path_of(k), part.lists, part.attributes, edges);
@@ -294,15 +154,16 @@ std::string Cutting::summary() const {
   for (const std::string& warning : reading_warnings(drawing_, read_.lists.polygon_count)) {
     text += warning + "\n";
   }
-  if (o_.open || o_.split || !o_.cap.empty() || !o_.keep.empty()) {
-    text += fmt::format("{} {}\n", pieces_, pieces_ == 1 ? "piece" : "pieces");
-    if (between_ > 0) {
-      text += fmt::format(
-          "{} of them left out: on the left of one curve and on the right of another\n", between_);
+  if (part_options(o_).opens()) {
+    text += fmt::format("{} {}\n", made_.pieces, made_.pieces == 1 ? "piece" : "pieces");
+    if (made_.between > 0) {
+      text +=
+          fmt::format("{} of them left out: on the left of one curve and on the right of another\n",
+                      made_.between);
     }
   }
-  for (std::size_t k = 0; k < parts_.size(); ++k) {
-    const Part& part = parts_[k];
+  for (std::size_t k = 0; k < made_.parts.size(); ++k) {
+    const MeshPart& part = made_.parts[k];
     text += fmt::format("{}: {} vertices, {} faces", path_of(k), part.lists.points.size(),
                         part.lists.triangles.size());
     if (!o_.cap.empty()) {

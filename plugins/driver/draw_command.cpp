@@ -15,8 +15,8 @@
 #include "talweg/core/drawing/point_marks.hpp"
 #include "talweg/core/io/curve_file.hpp"
 #include "talweg/core/mesh/surface_mesh.hpp"
+#include "talweg/core/repair/weld_hint.hpp"
 #include "talweg/intrinsic/error.hpp"
-#include "weld_hint.hpp"
 
 namespace talweg::driver {
 namespace {

@@ -9,8 +9,8 @@
 #include "talweg/core/drawing/snapping.hpp"
 #include "talweg/core/io/curve_file.hpp"
 #include "talweg/core/labels/label_borders.hpp"
+#include "talweg/core/repair/weld_hint.hpp"
 #include "talweg/intrinsic/error.hpp"
-#include "weld_hint.hpp"
 
 namespace talweg::driver {
 

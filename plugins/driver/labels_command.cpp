@@ -2,7 +2,6 @@
 #include <cstdint>
 #include <cstdio>
 #include <iterator>
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -10,7 +9,6 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "commands.hpp"
 #include "drawing_file.hpp"
@@ -23,10 +21,11 @@
 #include "talweg/core/io/mesh_reader.hpp"
 #include "talweg/core/io/mesh_writer.hpp"
 #include "talweg/core/labels/label_network.hpp"
+#include "talweg/core/labels/label_report.hpp"
 #include "talweg/core/mesh/mesh_attributes.hpp"
+#include "talweg/core/repair/weld_hint.hpp"
 #include "talweg/intrinsic/error.hpp"
 #include "talweg/intrinsic/stopwatch.hpp"
-#include "weld_hint.hpp"
 
 namespace talweg::driver {
 namespace {
@@ -46,8 +45,6 @@ struct LabelsOptions {
   std::string mesh_units = "mm";
   LabelNetworkOptions network;
 };
-
-using Names = std::map<std::int64_t, std::string>;  // of labels that have one
 
 /// One label per line.
 std::string lines_of(const std::vector<std::int64_t>& labels) {
@@ -81,62 +78,6 @@ std::vector<std::int64_t> of_file_faces(const std::vector<std::int64_t>& labels,
   return result;
 }
 
-/// The report of `smooth`, with `network`, `regions`, and the labels of each border.
-std::string report_of(const LabelNetwork& network, const std::vector<std::string>& warnings,
-                      const Names& names) {
-  std::vector<SmoothingReport> reports;
-  for (const SmoothedBorder& border : network.borders) reports.push_back(border.report);
-  auto json = nlohmann::ordered_json::parse(to_json(network.total, reports));
-  json["warnings"] = warnings;
-  json["network"] = {{"borders", network.borders.size()},
-                     {"junctions", network.junctions},
-                     {"tightened", network.tightened},
-                     {"as_drawn", network.as_drawn},
-                     {"moved", network.moved},
-                     {"imbalance_before", network.imbalance_before},
-                     {"imbalance_after", network.imbalance_after}};
-  auto& regions = json["regions"] = nlohmann::ordered_json::array();
-  for (const LabelRegion& r : network.regions) {
-    regions.push_back({{"label", r.label},
-                       {"parts_before", r.parts_before},
-                       {"parts_after", r.parts_after},
-                       {"area_before", r.area_before},
-                       {"area_after", r.area_after},
-                       {"held", r.held}});
-    if (const auto name = names.find(r.label); name != names.end()) {
-      regions.back()["name"] = name->second;
-    }
-  }
-  auto& borders = json["borders"] = nlohmann::ordered_json::array();
-  for (const SmoothedBorder& border : network.borders) {
-    borders.push_back({{"left", border.border.labels[0]},
-                       {"right", border.border.labels[1]},
-                       {"closed", border.border.curve.closed},
-                       {"as_drawn", border.as_drawn},
-                       {"tau", border.report.tau},
-                       {"slack", border.report.slack},
-                       {"length", border.report.length_after},
-                       {"curvature_before", border.report.curvature_before},
-                       {"curvature_after", border.report.curvature_after}});
-  }
-  // Names of labels may be any bytes, as their file has them.
-  return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
-}
-
-std::vector<std::string> warnings_of(const LabelNetwork& network, const Names& names) {
-  std::vector<std::string> warnings;
-  for (const LabelRegion& region : network.regions) {
-    if (!region.held) continue;
-    const auto found = names.find(region.label);
-    const std::string name = found == names.end() ? "" : found->second;
-    warnings.push_back(
-        fmt::format("Region {}{} is too small or too thin for this tolerance: borders of it are "
-                    "held nearer to the drawing.",
-                    region.label, name.empty() ? "" : " (" + name + ")"));
-  }
-  return warnings;
-}
-
 std::string summary_of(const LabelNetwork& network, double ms) {
   const SmoothingReport& t = network.total;
   std::string text =
@@ -159,13 +100,7 @@ std::string summary_of(const LabelNetwork& network, double ms) {
 /// Writes the cut mesh, with the labels as a property of its faces if the format has one.
 void write_cut(const std::string& path, const LabelNetwork& network) {
   MeshAttributes attributes;
-  AttributeColumn& column = attributes.faces.emplace_back();
-  column.name = "label";
-  column.type = NumberType::kInt32;
-  for (const std::int64_t label : network.cut_labels) {
-    if (label != static_cast<std::int32_t>(label)) column.type = NumberType::kFloat64;
-    column.values.push_back(static_cast<double>(label));
-  }
+  attributes.faces.push_back(label_column(network.cut_labels));
   write_output(path, mesh_bytes(path, network.cut.lists, attributes).bytes);
 }
 
@@ -190,7 +125,9 @@ void write(const LabelsOptions& o, const LabelNetwork& network, const SurfaceMes
              [&] { return lines_of(of_file_faces(network.face_labels, map, labels, o.mesh)); });
   if (!o.cut.empty()) attempts.make([&] { write_cut(o.cut, network); });
   write_text(o.cut_labels, [&] { return lines_of(network.cut_labels); });
-  write_text(o.report, [&] { return report_of(network, warnings, labels.names); });
+  write_text(o.report, [&] {
+    return to_json(entries_of(network, warnings, labels.names), curve_entries_of(network));
+  });
   attempts.finish();
 }
 

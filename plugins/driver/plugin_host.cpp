@@ -1,5 +1,7 @@
 #include "plugin_host.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <memory>
 #include <new>
 #include <stdexcept>
@@ -20,15 +22,23 @@ struct CloseLoader {
 
 std::uint32_t number_of(std::size_t index) { return static_cast<std::uint32_t>(index); }
 
+/// A plugin may give any number as a whole one, also an infinite one for what is unknown.
+bool is_whole(double value) { return std::abs(value) < 0x1p63; }
+
 ReportEntry entry_of(const host::ReportEntry& entry) {
   if (entry.type == TALWEG_VALUE_TEXT) {
     if (entry.is_list) return {entry.key, entry.texts};
     return {entry.key, entry.texts.at(0)};
   }
+  const bool whole = entry.type == TALWEG_VALUE_INTEGER &&
+                     std::all_of(entry.numbers.begin(), entry.numbers.end(), is_whole);
+  if (entry.is_list && whole) {
+    return {entry.key, std::vector<std::int64_t>(entry.numbers.begin(), entry.numbers.end())};
+  }
   if (entry.is_list) return {entry.key, entry.numbers};
   const double value = entry.numbers.at(0);
   if (entry.type == TALWEG_VALUE_BOOLEAN) return {entry.key, value != 0};
-  if (entry.type == TALWEG_VALUE_INTEGER) return {entry.key, static_cast<std::uint64_t>(value)};
+  if (whole) return {entry.key, static_cast<std::int64_t>(value)};
   return {entry.key, value};
 }
 

@@ -23,8 +23,8 @@
 #include "talweg/core/io/curve_file.hpp"
 #include "talweg/core/io/mesh_reader.hpp"
 #include "talweg/core/io/mesh_writer.hpp"
+#include "talweg/core/repair/weld_hint.hpp"
 #include "talweg/core/version.hpp"
-#include "weld_hint.hpp"
 
 namespace talweg::driver {
 namespace {

@@ -29,6 +29,10 @@ struct AsEntry {
       entry.type = TALWEG_VALUE_NUMBER;
       entry.is_list = 1;
       numbers = value;
+    } else if constexpr (std::is_same_v<Value, std::vector<std::int64_t>>) {
+      entry.type = TALWEG_VALUE_INTEGER;
+      entry.is_list = 1;
+      numbers.assign(value.begin(), value.end());
     } else {
       entry.type = std::is_same_v<Value, bool> ? TALWEG_VALUE_BOOLEAN
                    : std::is_integral_v<Value> ? TALWEG_VALUE_INTEGER

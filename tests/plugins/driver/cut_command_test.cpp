@@ -238,13 +238,13 @@ TEST_F(CutCommand, RefusesToKeepNothing) {
   ASSERT_EQ(run("cut plane.ply --curve around.txt -o all.ply --keep left").code, 0);
   EXPECT_EQ(read_mesh(file("all.ply")).triangles.size(), 200U);
   expect_failure("cut plane.ply --curve around.txt -o c.ply --keep right", 2,
-                 {"--keep right", "curve 0 has no face on the right"});
+                 {"keep right leaves nothing", "curve 0 has no face on the right"});
   // Around a torus nothing is on the left of both of two meridians that run the same way.
   write_mesh(file("torus.ply"), test::torus(16, 32));
   write(file("one.txt"), parallel(3));
   write(file("two.txt"), parallel(20));
   expect_failure("cut torus.ply --curve one.txt --curve two.txt -o c.ply --keep left", 2,
-                 {"--keep left leaves nothing", "curve 0", "curve 1", "turn one of them around"});
+                 {"keep left leaves nothing", "curve 0", "curve 1", "turn one of them around"});
   EXPECT_FALSE(there("c.ply"));
 }
 

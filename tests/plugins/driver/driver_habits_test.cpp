@@ -143,7 +143,7 @@ TEST_F(DriverHabits, ASoupIsToldToBeWeldedByVerdictAndRefusal) {
     soup.triangles.push_back({first, first + 1, first + 2});
   }
   write_mesh(file("soup.ply"), soup);
-  const char* words[] = {"--repair=weld", "1 part instead of 1200",
+  const char* words[] = {"with repair=weld", "1 part instead of 1200",
                          "1 boundary loop instead of 1200 boundary loops"};
   const Outcome info = run("info soup.ply");
   EXPECT_EQ(info.code, 0);
@@ -170,7 +170,7 @@ TEST_F(DriverHabits, ASoupIsToldToBeWeldedByVerdictAndRefusal) {
   EXPECT_EQ(run("draw soup.ply --through 0,3000 -o b.obj --repair=weld").code, 0);
   // No hint where welding changes nothing.
   const std::string far = run("draw mesh.ply --through 1,1 -o b.obj").err;
-  EXPECT_EQ(far.find("--repair=weld"), std::string::npos) << far;
+  EXPECT_EQ(far.find("repair=weld"), std::string::npos) << far;
 }
 
 TEST_F(DriverHabits, ReadsAndWritesMarkupsInTheirUnit) {

@@ -1,10 +1,10 @@
-#include "weld_hint.hpp"
+#include "talweg/core/repair/weld_hint.hpp"
 
 #include <fmt/format.h>
 
 #include "talweg/core/mesh/mesh_inspection.hpp"
 
-namespace talweg::driver {
+namespace talweg {
 namespace {
 
 std::string counted(std::size_t n, const char* what) {
@@ -20,7 +20,7 @@ std::string boundary_of(const MeshInspection& m) {
 std::string weld_sentence(const MeshInspection& before, const WeldedMesh& welded) {
   const bool one = welded.vertices == 1;
   std::string text =
-      fmt::format("{} {} at the place of {}: with --repair={} the mesh has {}", welded.vertices,
+      fmt::format("{} {} at the place of {}: with repair={} the mesh has {}", welded.vertices,
                   one ? "vertex lies" : "vertices lie", one ? "another" : "others", welded.steps,
                   counted(welded.after.components, "part"));
   if (welded.after.components != before.components) {
@@ -55,4 +55,4 @@ void rethrow_with_weld_hint(const Error& error, const MeshLists& mesh) {
   throw Error(error.code(), error.what() + weld_hint(mesh));
 }
 
-}  // namespace talweg::driver
+}  // namespace talweg

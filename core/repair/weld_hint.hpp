@@ -7,9 +7,9 @@
 #include "talweg/core/repair/mesh_repair.hpp"
 #include "talweg/intrinsic/error.hpp"
 
-namespace talweg::driver {
+namespace talweg {
 
-/// "2880 vertices lie at the place of others: with --repair=weld the mesh has 1 part instead of 960
+/// "2880 vertices lie at the place of others: with repair=weld the mesh has 1 part instead of 960
 /// and no boundary instead of 960 boundary loops."
 std::string weld_sentence(const MeshInspection& before, const WeldedMesh& welded);
 
@@ -22,4 +22,4 @@ std::string weld_hint(const SurfaceMesh& mesh);
 /// Rethrows the error, with the hint if a curve was rejected.
 [[noreturn]] void rethrow_with_weld_hint(const Error& error, const MeshLists& mesh);
 
-}  // namespace talweg::driver
+}  // namespace talweg

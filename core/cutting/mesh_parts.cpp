@@ -1,0 +1,215 @@
+#include "talweg/core/cutting/mesh_parts.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <span>
+#include <utility>
+#include <variant>
+
+#include <fmt/format.h>
+
+#include "talweg/core/cutting/attribute_transfer.hpp"
+#include "talweg/core/cutting/seam_opening.hpp"
+#include "talweg/intrinsic/error.hpp"
+
+namespace talweg {
+namespace {
+
+const char* name_of(KeptSide side) { return side == KeptSide::kLeft ? "left" : "right"; }
+
+/// The pieces on a side of each curve.
+const std::vector<std::vector<std::uint32_t>>& pieces_on(const OpenedSeams& seams, bool left) {
+  return left ? seams.left : seams.right;
+}
+
+void check_parted(const OpenedSeams& seams, KeptSide keep) {
+  for (std::size_t c = 0; c < seams.left.size(); ++c) {
+    for (const std::uint32_t l : seams.left[c]) {
+      const auto& right = seams.right[c];
+      if (std::find(right.begin(), right.end(), l) == right.end()) continue;
+      throw Error(ErrorCode::kBadCurve,
+                  fmt::format("Curve {} does not part its left from its right, so keep {} says "
+                              "nothing: the mesh hangs together around it.",
+                              c, name_of(keep)));
+    }
+  }
+}
+
+[[noreturn]] void refuse_empty(const OpenedSeams& seams, KeptSide keep) {
+  const bool left = keep == KeptSide::kLeft;
+  const char* const side = name_of(keep);
+  const auto& here = pieces_on(seams, left);
+  const auto& there = pieces_on(seams, !left);
+  for (std::size_t c = 0; c < here.size(); ++c) {
+    for (const std::uint32_t k : here[c]) {
+      for (std::size_t d = 0; d < there.size(); ++d) {
+        if (std::find(there[d].begin(), there[d].end(), k) == there[d].end()) continue;
+        throw Error(ErrorCode::kBadCurve,
+                    fmt::format("keep {} leaves nothing: what lies on the {} of curve {} lies on "
+                                "the {} of curve {}; turn one of them around.",
+                                side, side, c, left ? "right" : "left", d));
+      }
+    }
+  }
+  const std::size_t n = here.size();
+  throw Error(
+      ErrorCode::kBadCurve,
+      fmt::format("keep {} leaves nothing: {} no face on the {}.", side,
+                  n == 1 ? "curve 0 has" : fmt::format("none of the curves 0 to {} has", n - 1),
+                  side));
+}
+
+/// Which pieces are on the side that is kept, and how many are on both.
+std::vector<bool> kept(const OpenedSeams& seams, KeptSide keep, std::size_t& between) {
+  if (keep == KeptSide::kBoth) return std::vector<bool>(seams.pieces, true);
+  check_parted(seams, keep);
+  std::vector<bool> wanted(seams.pieces, false), other(seams.pieces, false);
+  const bool left = keep == KeptSide::kLeft;
+  for (const auto& pieces : pieces_on(seams, left)) {
+    for (const std::uint32_t k : pieces) wanted[k] = true;
+  }
+  for (const auto& pieces : pieces_on(seams, !left)) {
+    for (const std::uint32_t k : pieces) other[k] = true;
+  }
+  for (std::size_t k = 0; k < seams.pieces; ++k) {
+    if (wanted[k] && other[k]) ++between;
+    wanted[k] = wanted[k] && !other[k];
+  }
+  if (std::find(wanted.begin(), wanted.end(), true) == wanted.end()) refuse_empty(seams, keep);
+  return wanted;
+}
+
+MeshPart whole(const CutMesh& cut) {
+  MeshPart part;
+  part.lists = cut.lists;
+  part.vertices.resize(cut.lists.points.size());
+  part.faces.resize(cut.lists.triangles.size());
+  std::iota(part.vertices.begin(), part.vertices.end(), 0U);
+  std::iota(part.faces.begin(), part.faces.end(), 0U);
+  return part;
+}
+
+MeshPart part_of(const OpenedSeams& seams, const std::vector<bool>& wanted, const CutMesh& cut,
+                 const std::optional<LidKind>& lids, const Progress& progress) {
+  Piece piece = piece_of(seams, wanted);
+  MeshPart part;
+  if (lids) part.lids = add_lids(piece, seams, cut.chains, *lids, progress);
+  part.lists = std::move(piece.lists);
+  part.faces = std::move(piece.faces);
+  for (const std::uint32_t v : piece.vertices) {
+    part.vertices.push_back(v == kNoVertex ? kNoVertex : seams.vertex_from[v]);
+  }
+  return part;
+}
+
+MeshParts without_attributes(const CutMesh& cut, const PartOptions& options,
+                             const Progress& progress) {
+  MeshParts made;
+  if (!options.opens()) {
+    made.parts.push_back(whole(cut));
+    return made;
+  }
+  const OpenedSeams seams = open_seams(cut.lists, cut.chains);
+  made.pieces = seams.pieces;
+  const std::vector<bool> wanted = kept(seams, options.keep, made.between);
+  if (!options.split) {
+    made.parts.push_back(part_of(seams, wanted, cut, options.lids, progress));
+    return made;
+  }
+  for (std::size_t k = 0; k < seams.pieces; ++k) {
+    if (!wanted[k]) continue;
+    std::vector<bool> one(seams.pieces, false);
+    one[k] = true;
+    made.parts.push_back(part_of(seams, one, cut, options.lids, progress));
+  }
+  return made;
+}
+
+VertexOrigin origin_of(const SurfacePoint& point, const Surface& surface, const RepairMap* map) {
+  VertexOrigin origin;
+  const auto set = [&](std::size_t k, VertexId v, double weight) {
+    const VertexId number = map == nullptr ? v : map->file_vertex(v);
+    origin.vertices[k] = static_cast<std::uint32_t>(number.index());
+    origin.weights[k] = weight;
+  };
+  if (const auto* v = std::get_if<AtVertex>(&point.where())) {
+    set(0, v->vertex, 1);
+  } else if (const auto* e = std::get_if<OnEdge>(&point.where())) {
+    const HalfedgeId h = halfedge_of(e->edge);
+    set(0, surface.tail(h), 1 - e->t);
+    set(1, surface.head(h), e->t);
+  } else {
+    const auto& in = std::get<InFace>(point.where());
+    const auto corners = surface.corners(in.face);
+    for (std::size_t k = 0; k < 3; ++k) set(k, corners[k], in.barycentric[k]);
+  }
+  return origin;
+}
+
+/// The vertices of a part at each vertex of the chains. It costs nothing of the rest of the mesh,
+/// which may be taken apart into many parts.
+class VerticesOnChains {
+ public:
+  explicit VerticesOnChains(std::span<const CutMesh::Chain> chains) {
+    for (const CutMesh::Chain& chain : chains) {
+      of_cut_.insert(of_cut_.end(), chain.vertices.begin(), chain.vertices.end());
+    }
+    std::sort(of_cut_.begin(), of_cut_.end());
+    of_cut_.erase(std::unique(of_cut_.begin(), of_cut_.end()), of_cut_.end());
+    here_.resize(of_cut_.size());
+  }
+  void add(std::uint32_t of_cut, std::uint32_t of_part) {
+    const auto found = std::lower_bound(of_cut_.begin(), of_cut_.end(), of_cut);
+    if (found == of_cut_.end() || *found != of_cut) return;
+    here_[static_cast<std::size_t>(found - of_cut_.begin())].push_back(of_part);
+  }
+  [[nodiscard]] const std::vector<std::uint32_t>& at(std::uint32_t of_cut) const {
+    const auto found = std::lower_bound(of_cut_.begin(), of_cut_.end(), of_cut);
+    return here_[static_cast<std::size_t>(found - of_cut_.begin())];
+  }
+
+ private:
+  std::vector<std::uint32_t> of_cut_;  // ascending
+  std::vector<std::vector<std::uint32_t>> here_;
+};
+
+}  // namespace
+
+MeshParts take_apart(const SurfaceMesh& mesh, const CutMesh& cut, const MeshAttributes& attributes,
+                     const PartOptions& options, const Progress& progress) {
+  MeshParts made = without_attributes(cut, options, progress);
+  MeshAttributes carried = carried_to(cut, mesh.surface(), attributes);
+  for (MeshPart& part : made.parts) part.attributes = picked(carried, part.vertices, part.faces);
+  made.left_out = std::move(carried.left_out);
+  return made;
+}
+
+PartOrigins origins_of(const MeshPart& part, const CutMesh& cut, const Surface& surface,
+                       const RepairMap* map) {
+  PartOrigins origins;
+  origins.vertices.resize(part.vertices.size());
+  VerticesOnChains on_chains(cut.chains);
+  for (std::uint32_t v = 0; v < part.vertices.size(); ++v) {
+    if (part.vertices[v] == kNoVertex) continue;
+    origins.vertices[v] = origin_of(cut.vertex_from[part.vertices[v]], surface, map);
+    on_chains.add(part.vertices[v], v);
+  }
+  origins.faces.reserve(part.faces.size());
+  for (const std::uint32_t f : part.faces) {
+    if (f == kNoFace) {
+      origins.faces.push_back(kNoFace);
+      continue;
+    }
+    const FaceId from{cut.face_from[f]};
+    const FaceId number = map == nullptr ? from : map->file_face(from);
+    origins.faces.push_back(static_cast<std::uint32_t>(number.index()));
+  }
+  for (const CutMesh::Chain& chain : cut.chains) {
+    PartOrigins::Curve& curve = origins.curves.emplace_back();
+    curve.closed = chain.closed;
+    for (const std::uint32_t v : chain.vertices) curve.vertices.push_back(on_chains.at(v));
+  }
+  return origins;
+}
+
+}  // namespace talweg
