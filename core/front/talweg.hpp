@@ -32,6 +32,7 @@
 #include "talweg/core/smoothing/smoothing_result.hpp"   // SmoothingResult
 
 // Measured.
+#include "talweg/core/measure/curve_measurement.hpp"  // measure_curves
 #include "talweg/core/measure/measures.hpp"           // curve_length, measure_curve
 #include "talweg/core/measure/report.hpp"             // SmoothingReport, Outcome, to_json
 #include "talweg/core/measure/surface_deviation.hpp"  // DeviationMeter
@@ -41,6 +42,7 @@
 // And used: the mesh cut along it.
 #include "talweg/core/cutting/loop_filling.hpp"  // add_lids
 #include "talweg/core/cutting/mesh_cutting.hpp"  // cut_along
+#include "talweg/core/cutting/mesh_parts.hpp"    // take_apart, origins_of
 #include "talweg/core/cutting/seam_opening.hpp"  // open_seams, piece_of
 
 // The borders of a segmentation.

@@ -41,18 +41,18 @@ struct CutSheet {
   MeshAttributes attributes;
 };
 
-PartOptions keep(KeptSide side) {
+PartOptions kept_side(KeptSide side) {
   PartOptions options;
   options.keep = side;
   return options;
 }
-PartOptions split() {
+PartOptions split_parts() {
   PartOptions options;
   options.split = true;
   return options;
 }
 
-std::string refusal(const CutMesh& cut, const SurfaceMesh& mesh, const PartOptions& options) {
+std::string refused_parts(const CutMesh& cut, const SurfaceMesh& mesh, const PartOptions& options) {
   try {
     take_apart(mesh, cut, {}, options);
   } catch (const Error& error) {
@@ -112,7 +112,7 @@ TEST(MeshParts, WithoutOptionsTheWholeCutMesh) {
 
 TEST(MeshParts, SplittingGivesAPartForEachPiece) {
   const CutSheet sheet;
-  const MeshParts made = sheet.parts(split());
+  const MeshParts made = sheet.parts(split_parts());
   ASSERT_EQ(made.parts.size(), 2U);
   EXPECT_EQ(made.pieces, 2U);
   EXPECT_NEAR(area(made.parts[0].lists) + area(made.parts[1].lists), 16, 1e-12);
@@ -128,14 +128,14 @@ TEST(MeshParts, SplittingGivesAPartForEachPiece) {
 TEST(MeshParts, ASideIsTheOneOnThatSide) {
   const CutSheet sheet;
   // From (0, 1.25) to (4, 1.6): 5.7 of the area of 16 is below, on the right.
-  EXPECT_NEAR(area(sheet.parts(keep(KeptSide::kRight)).parts.at(0).lists), 5.7, 1e-12);
-  EXPECT_NEAR(area(sheet.parts(keep(KeptSide::kLeft)).parts.at(0).lists), 10.3, 1e-12);
+  EXPECT_NEAR(area(sheet.parts(kept_side(KeptSide::kRight)).parts.at(0).lists), 5.7, 1e-12);
+  EXPECT_NEAR(area(sheet.parts(kept_side(KeptSide::kLeft)).parts.at(0).lists), 10.3, 1e-12);
 }
 
 TEST(MeshParts, OriginsLeadBackToTheMesh) {
   const CutSheet sheet;
   const MeshLists input = test::grid(4, 4);
-  const MeshParts made = sheet.parts(split());
+  const MeshParts made = sheet.parts(split_parts());
   for (const MeshPart& part : made.parts) {
     const PartOrigins origins = origins_of(part, sheet.cut, sheet.mesh.surface());
     expect_origins(part, origins, input);
@@ -169,7 +169,7 @@ TEST(MeshParts, OriginsAreInTheNumbersBeforeTheRepair) {
   const RepairedMesh repaired = repair(raw);
   ASSERT_EQ(repaired.lists.triangles.size(), raw.triangles.size() - 1);
   const CutSheet sheet(repaired.lists);
-  for (const MeshPart& part : sheet.parts(split()).parts) {
+  for (const MeshPart& part : sheet.parts(split_parts()).parts) {
     expect_origins(part, origins_of(part, sheet.cut, sheet.mesh.surface(), &repaired.map), raw);
   }
 }
@@ -179,7 +179,7 @@ TEST(MeshParts, LidsComeFromNone) {
   SurfaceCurve ring =
       test::vertex_curve(tube.surface(), test::ids({16, 17, 18, 19, 20, 21, 22, 23}), true);
   const CutMesh cut = cut_along(tube, {&ring, 1});
-  PartOptions options = split();
+  PartOptions options = split_parts();
   options.lids = LidKind::kAuto;
   const MeshParts made = take_apart(tube, cut, {}, options);
   ASSERT_EQ(made.parts.size(), 2U);
@@ -194,18 +194,18 @@ TEST(MeshParts, LidsComeFromNone) {
 TEST(MeshParts, RefusesASideThatIsNone) {
   const SurfaceMesh mesh = SurfaceMesh::open(test::grid(4, 4));
   const SurfaceCurve slit = test::vertex_curve(mesh.surface(), test::ids({6, 7, 8}), false);
-  EXPECT_EQ(refusal(cut_along(mesh, {&slit, 1}), mesh, keep(KeptSide::kLeft)),
+  EXPECT_EQ(refused_parts(cut_along(mesh, {&slit, 1}), mesh, kept_side(KeptSide::kLeft)),
             "Curve 0 does not part its left from its right, so keep left says nothing: the mesh "
             "hangs together around it.");
   const SurfaceCurve rim = test::vertex_curve(
       mesh.surface(), test::ids({0, 1, 2, 3, 4, 9, 14, 19, 24, 23, 22, 21, 20, 15, 10, 5}), true);
-  EXPECT_EQ(refusal(cut_along(mesh, {&rim, 1}), mesh, keep(KeptSide::kRight)),
+  EXPECT_EQ(refused_parts(cut_along(mesh, {&rim, 1}), mesh, kept_side(KeptSide::kRight)),
             "keep right leaves nothing: curve 0 has no face on the right.");
   // What lies between two lines is on the left of one and on the right of the other.
   const std::vector<SurfaceCurve> lines = {
       test::vertex_curve(mesh.surface(), test::ids({5, 6, 7, 8, 9}), false),
       test::vertex_curve(mesh.surface(), test::ids({15, 16, 17, 18, 19}), false)};
-  const MeshParts above = take_apart(mesh, cut_along(mesh, lines), {}, keep(KeptSide::kLeft));
+  const MeshParts above = take_apart(mesh, cut_along(mesh, lines), {}, kept_side(KeptSide::kLeft));
   EXPECT_EQ(above.pieces, 3U);
   EXPECT_EQ(above.between, 1U);
   EXPECT_NEAR(area(above.parts.at(0).lists), 4, 1e-12);

@@ -14,7 +14,7 @@ namespace talweg {
 namespace {
 
 /// A sheet of unit squares; vertex (i, j) is 11 j + i.
-class Sheet : public testing::Test {
+class MeasuredSheet : public testing::Test {
  protected:
   [[nodiscard]] SurfaceCurve curve(std::initializer_list<std::size_t> vertices) const {
     std::vector<VertexId> list;
@@ -31,7 +31,7 @@ class Sheet : public testing::Test {
   SurfaceMesh mesh_ = SurfaceMesh::open(test::grid(10, 10));
 };
 
-TEST_F(Sheet, OneCurveIsReportedWithoutOthers) {
+TEST_F(MeasuredSheet, OneCurveIsReportedWithoutOthers) {
   const SurfaceCurve line = row(2);
   const CurveMeasurement m = measure_curves(mesh_, {&line, 1});
   EXPECT_FALSE(m.others);
@@ -46,7 +46,7 @@ TEST_F(Sheet, OneCurveIsReportedWithoutOthers) {
     EXPECT_FALSE(json.contains(absent));
 }
 
-TEST_F(Sheet, ContactsAreListedByPlace) {
+TEST_F(MeasuredSheet, ContactsAreListedByPlace) {
   const SurfaceCurve crossing =
       curve({59, 60, 61, 72, 71, 60, 49});  // around a square, over (5, 5)
   const nlohmann::json json = report(measure_curves(mesh_, {&crossing, 1}));
@@ -55,7 +55,7 @@ TEST_F(Sheet, ContactsAreListedByPlace) {
   EXPECT_EQ(json["self_contacts_at"], nlohmann::json({{5, 5, 0}}));
 }
 
-TEST_F(Sheet, AsManyAreComparedOneByOne) {
+TEST_F(MeasuredSheet, AsManyAreComparedOneByOne) {
   const std::vector<SurfaceCurve> curves = {row(1), row(5)}, others = {row(2), row(8)};
   const CurveMeasurement m = measure_curves(mesh_, curves, others);
   ASSERT_EQ(m.deviations.size(), 2U);
@@ -73,7 +73,7 @@ TEST_F(Sheet, AsManyAreComparedOneByOne) {
   EXPECT_EQ(json["other"]["curves"][1]["curvature_max_at"], nlohmann::json({2, 8, 0}));
 }
 
-TEST_F(Sheet, MoreOrFewerAreComparedTogether) {
+TEST_F(MeasuredSheet, MoreOrFewerAreComparedTogether) {
   const std::vector<SurfaceCurve> curves = {row(1), row(3)};
   const SurfaceCurve other = row(2);
   const CurveMeasurement m = measure_curves(mesh_, curves, {&other, 1});
@@ -86,7 +86,7 @@ TEST_F(Sheet, MoreOrFewerAreComparedTogether) {
   EXPECT_FALSE(json["other"].contains("curves"));
 }
 
-TEST_F(Sheet, TheWindowsMayBeGiven) {
+TEST_F(MeasuredSheet, TheWindowsMayBeGiven) {
   const SurfaceCurve line = row(2);
   EXPECT_EQ(report(measure_curves(mesh_, {&line, 1}, {}, {0.5}))["edge_length_near"], 0.5);
   for (const double bad : {0.0, -1.0, std::numeric_limits<double>::infinity()}) {

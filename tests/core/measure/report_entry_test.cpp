@@ -1,7 +1,7 @@
 #include "talweg/core/measure/report_entry.hpp"
 
+#include <cmath>
 #include <cstdint>
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -12,11 +12,9 @@
 namespace talweg {
 namespace {
 
-constexpr double kForever = std::numeric_limits<double>::infinity();
-
 TEST(ReportEntries, ADotBeginsAGroup) {
   EXPECT_EQ(
-      to_json({{"tau", 1.5}, {"time_ms.open", 2.0}, {"time_ms.solve", kForever}}, {}),
+      to_json({{"tau", 1.5}, {"time_ms.open", 2.0}, {"time_ms.solve", HUGE_VAL}}, {}),
       "{\n  \"tau\": 1.5,\n  \"time_ms\": {\n    \"open\": 2.0,\n    \"solve\": null\n  }\n}\n");
 }
 
@@ -25,7 +23,7 @@ TEST(ReportEntries, EveryKindOfValueHasItsForm) {
                      {"label", std::int64_t{-3}},
                      {"closed", true},
                      {"name", std::string("a \"b\"")},
-                     {"at", std::vector<double>{1, kForever}},
+                     {"at", std::vector<double>{1, HUGE_VAL}},
                      {"vertices", std::vector<std::int64_t>{7, -1}},
                      {"warnings", std::vector<std::string>{"One."}}},
                     {}),

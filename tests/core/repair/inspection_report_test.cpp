@@ -11,10 +11,10 @@ namespace {
 
 using nlohmann::json;
 
-json parsed(const std::vector<ReportEntry>& entries) { return json::parse(to_json(entries, {})); }
+json json_of(const std::vector<ReportEntry>& entries) { return json::parse(to_json(entries, {})); }
 
 TEST(InspectionReport, TellsWhatASoundMeshIs) {
-  const json found = parsed(entries_of(inspect(test::grid(3, 2))));
+  const json found = json_of(entries_of(inspect(test::grid(3, 2))));
   EXPECT_EQ(found["faces"], 12);
   EXPECT_EQ(found["vertices"], 12);
   EXPECT_EQ(found["edges"], 23);
@@ -30,14 +30,14 @@ TEST(InspectionReport, TellsWhatASoundMeshIs) {
 
 TEST(InspectionReport, TellsTheFirstPlacesOfDefects) {
   const MeshLists twice = test::with_duplicate_face(test::grid(3, 2), 4, false);
-  const json defects = parsed(entries_of(inspect(twice)))["defects"];
+  const json defects = json_of(entries_of(inspect(twice)))["defects"];
   EXPECT_EQ(defects["duplicate_faces"],
             json({{"count", 1}, {"first", {{{"id", 12}, {"repeats", 4}}}}}));
-  const json out = parsed(entries_of(inspect(test::with_index_out_of_range(test::grid(3, 2), 7))));
+  const json out = json_of(entries_of(inspect(test::with_index_out_of_range(test::grid(3, 2), 7))));
   EXPECT_EQ(out["defects"]["indices_out_of_range"]["first"][0]["face"], 7);
   EXPECT_EQ(out["verdict"], "not_usable");
   const json isolated =
-      parsed(entries_of(inspect(test::with_isolated_vertices(test::grid(3, 2), 7))));
+      json_of(entries_of(inspect(test::with_isolated_vertices(test::grid(3, 2), 7))));
   EXPECT_EQ(isolated["defects"]["isolated_vertices"],
             json({{"count", 7}, {"first", {12, 13, 14, 15, 16}}}));
 }
@@ -46,7 +46,7 @@ TEST(InspectionReport, EdgesHaveTheirFaces) {
   MeshLists fin = test::grid(1, 1);  // faces 0, 1, 3 and 0, 3, 2
   fin.points.emplace_back(0, 0, 1);
   fin.triangles.push_back({0, 3, 4});
-  const json found = parsed(entries_of(inspect(fin)));
+  const json found = json_of(entries_of(inspect(fin)));
   EXPECT_EQ(found["defects"]["non_manifold_edges"],
             json({{"count", 1}, {"first", {{{"vertices", {0, 3}}, {"faces", {0, 1, 2}}}}}}));
   EXPECT_TRUE(found["genus"].is_null());
@@ -55,7 +55,7 @@ TEST(InspectionReport, EdgesHaveTheirFaces) {
 TEST(InspectionReport, TellsWhatARepairDid) {
   const MeshLists twice = test::with_duplicate_face(test::grid(3, 2), 4, false);
   const RepairedMesh repaired = repair(twice);
-  const json found = parsed(entries_of(repaired.changes, inspect(repaired.lists)))["repair"];
+  const json found = json_of(entries_of(repaired.changes, inspect(repaired.lists)))["repair"];
   EXPECT_EQ(found["duplicate_faces"],
             json({{"count", 1}, {"first", {{{"id", 12}, {"repeats", 4}}}}}));
   EXPECT_EQ(found["turned_faces"], json({{"count", 0}, {"first", json::array()}}));
@@ -71,7 +71,7 @@ TEST(InspectionReport, TellsWhatWeldingWouldGive) {
   }
   soup.triangles = {{0, 1, 2}, {3, 4, 5}};
   const MeshInspection before = inspect(soup);
-  const json weld = parsed(entries_of(try_weld(soup, before), before))["weld"];
+  const json weld = json_of(entries_of(try_weld(soup, before), before))["weld"];
   EXPECT_EQ(weld["steps"], "weld");
   EXPECT_EQ(weld["vertices"], 2);
   EXPECT_EQ(weld["components"], 1);
@@ -82,7 +82,7 @@ TEST(InspectionReport, TellsWhatWeldingWouldGive) {
   EXPECT_EQ(weld_hint(soup), " " + weld["sentence"].get<std::string>());
   const MeshLists whole = test::grid(1, 1);
   const MeshInspection fine = inspect(whole);
-  EXPECT_TRUE(parsed(entries_of(try_weld(whole, fine), fine))["weld"].is_null());
+  EXPECT_TRUE(json_of(entries_of(try_weld(whole, fine), fine))["weld"].is_null());
 }
 
 }  // namespace
