@@ -68,7 +68,7 @@ void add_columns(const std::vector<AttributeColumn>& columns, std::uint32_t elem
     host::Attribute& to = all.emplace_back();
     to.name = name_of(all.size(), first.name);
     to.element = element;
-    to.carry = group.size() == 3 ? TALWEG_CARRY_DIRECTION : rule_of(carry_of(first));
+    to.carry = rule_of(group.size() == 3 ? Carry::kDirection : carry_of(first));
     to.fill = fill_of(first);
     to.columns = static_cast<std::uint32_t>(group.size());
     for (std::size_t k = 0; k < first.values.size(); ++k) {
