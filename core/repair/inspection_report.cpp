@@ -103,6 +103,7 @@ std::vector<ReportEntry> entries_of(const MeshChanges& c, const MeshInspection& 
   add_defect(entries, "repair.split_edges", c.split_edges);
   add_defect(entries, "repair.split_vertices", c.split_vertices);
   entries.push_back({"repair.vertex_copies", std::uint64_t{c.vertex_copies}});
+  entries.push_back({"repair.changes", sentences(c)});
   entries.push_back({"repair.verdict", std::string(to_string(after.verdict))});
   entries.push_back({"repair.reason", after.reason});
   return entries;

@@ -16,6 +16,7 @@
 #include "output_file.hpp"
 #include "progress_bar.hpp"
 #include "repaired_mesh.hpp"
+#include "talweg/core/cutting/attribute_transfer.hpp"
 #include "talweg/core/io/border_file.hpp"
 #include "talweg/core/io/curve_file.hpp"
 #include "talweg/core/io/mesh_reader.hpp"
@@ -97,16 +98,21 @@ std::string summary_of(const LabelNetwork& network, double ms) {
   return text + fmt::format("{:.1f} ms\n", ms);
 }
 
-/// Writes the cut mesh, with the labels as a property of its faces if the format has one.
-void write_cut(const std::string& path, const LabelNetwork& network) {
-  MeshAttributes attributes;
-  attributes.faces.push_back(label_column(network.cut_labels));
+/// Writes the cut mesh with the attributes of its file, and with the labels as a property of its
+/// faces if the format has one.
+void write_cut(const std::string& path, const LabelNetwork& network, const Surface& surface,
+               const MeshAttributes& of_file) {
+  MeshAttributes attributes = carried_to(network.cut, surface, of_file);
+  AttributeColumn labels = label_column(network.cut_labels);
+  std::erase_if(attributes.faces,
+                [&](const AttributeColumn& column) { return column.name == labels.name; });
+  attributes.faces.push_back(std::move(labels));
   write_output(path, mesh_bytes(path, network.cut.lists, attributes).bytes);
 }
 
 void write(const LabelsOptions& o, const LabelNetwork& network, const SurfaceMesh& mesh,
-           const RepairMap* map, const std::vector<std::string>& warnings,
-           const ReadLabels& labels) {
+           const RepairMap* map, const MeshAttributes& attributes,
+           const std::vector<std::string>& warnings, const ReadLabels& labels) {
   std::vector<PlacedCurve> placed;
   std::vector<CurveSides> sides;
   for (const SmoothedBorder& border : network.borders) {
@@ -123,7 +129,7 @@ void write(const LabelsOptions& o, const LabelNetwork& network, const SurfaceMes
   };
   write_text(o.labels_out,
              [&] { return lines_of(of_file_faces(network.face_labels, map, labels, o.mesh)); });
-  if (!o.cut.empty()) attempts.make([&] { write_cut(o.cut, network); });
+  if (!o.cut.empty()) attempts.make([&] { write_cut(o.cut, network, mesh.surface(), attributes); });
   write_text(o.cut_labels, [&] { return lines_of(network.cut_labels); });
   write_text(o.report, [&] {
     return to_json(entries_of(network, warnings, labels.names), curve_entries_of(network));
@@ -147,7 +153,9 @@ void check_files(const LabelsOptions& o) {
 int run_labels(const LabelsOptions& o, const GlobalOptions& global) {
   LengthUnit::named(o.mesh_units);
   check_files(o);
-  ReadMesh read = read_and_repair(o.mesh, o.repair);
+  MeshAttributes attributes;
+  ReadMesh read = read_and_repair(o.mesh, o.repair, attributes);
+  const bool single = read.lists.single_precision;
   std::vector<std::string> warnings = reading_warnings({}, read.lists.polygon_count);
   const auto mesh = OpenedMesh::open(std::move(read.lists));
   const ReadLabels file = read_labels(o.labels, mesh->surface(), read.map.get(), o.property);
@@ -171,7 +179,8 @@ int run_labels(const LabelsOptions& o, const GlobalOptions& global) {
   const std::vector<std::string> held = warnings_of(network, file.names);
   warnings.insert(warnings.end(), read.changes.begin(), read.changes.end());
   warnings.insert(warnings.end(), held.begin(), held.end());
-  write(o, network, mesh->mesh(), read.map.get(), warnings, file);
+  network.cut.lists.single_precision = single;
+  write(o, network, mesh->mesh(), read.map.get(), attributes, warnings, file);
   if (!global.quiet) {
     std::fputs(summary_of(network, ms).c_str(), text_stream());
     for (const std::string& warning : warnings) {

@@ -4,6 +4,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -236,6 +237,19 @@ ReadMesh mesh_for(const talweg_plugin& plugin, const PluginOptions& options, con
   return read_and_repair(files.mesh, options.repairs() ? "" : files.repair, attributes);
 }
 
+/// Sentences of the plugin's warnings on what it repaired.
+std::vector<std::string> repairs_in(const host::Results& results) {
+  std::vector<std::string> sentences;
+  for (const char* key : {"warnings", "repair.changes"}) {
+    const host::ReportEntry* entry = results.find(key);
+    if (entry == nullptr) continue;
+    for (const std::string& text : entry->texts) {
+      if (text.starts_with("Repair: ")) sentences.push_back(text);
+    }
+  }
+  return sentences;
+}
+
 int run_plugin(const talweg_plugin& plugin, const Files& files, const PluginOptions& options,
                const GlobalOptions& global) {
   const host::Services services(
@@ -279,6 +293,7 @@ int run_plugin(const talweg_plugin& plugin, const Files& files, const PluginOpti
   clear_progress_bar();
   if (!global.quiet) lead_with_far_results(results);
   write_results(files, plugin, results, meshes, mesh.map.get());
+  for (std::string& change : repairs_in(results)) mesh.changes.push_back(std::move(change));
   for (const std::string& change : mesh.changes) {
     if (!global.quiet) fmt::print(text_stream(), "{}\n", change);
   }

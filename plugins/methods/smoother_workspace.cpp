@@ -15,6 +15,14 @@ void SmootherWorkspace::check(const SmoothingResult& result) {
   }
 }
 
+void SmootherWorkspace::add_changes(SmoothingResult& result) const {
+  const std::vector<std::string>& changes = host_mesh().changes();
+  for (SmoothingReport& report : result.reports) {
+    report.warnings.insert(report.warnings.end(), changes.begin(), changes.end());
+  }
+  result.total.warnings.insert(result.total.warnings.end(), changes.begin(), changes.end());
+}
+
 void SmootherWorkspace::give_curves(const plugin::Outputs& outputs, const SmoothingResult& result,
                                     const FieldsOf& fields_of,
                                     const ReportEntriesOf& entries_of) const {

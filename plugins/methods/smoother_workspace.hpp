@@ -27,6 +27,9 @@ class SmootherWorkspace : public Workspace {
   /// Throws plugin::Services::cancelled() if the run was cancelled.
   static void check(const SmoothingResult& result);
 
+  /// Adds sentences on what was repaired to the warnings.
+  void add_changes(SmoothingResult& result) const;
+
   using ReportEntriesOf = std::function<std::vector<ReportEntry>(const SmoothingReport& report)>;
   /// Like the function with this name in results.hpp.
   void give_curves(const plugin::Outputs& outputs, const SmoothingResult& result,

@@ -81,6 +81,7 @@ class Distance : public SmootherWorkspace {
     };
     outputs.report(-1, "distance_max", most(distance_));
     outputs.report(-1, "potential_max", most(potential));
+    give(outputs, -1, {{"warnings", reading_warnings()}});
     for (std::size_t c = 0; c < slack_.size(); ++c) {
       outputs.report(static_cast<std::int64_t>(c), "slack",
                      parameters.optional("slack").value_or(slack_[c]));

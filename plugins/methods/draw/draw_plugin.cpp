@@ -101,6 +101,7 @@ class Draw : public Workspace {
     }
     if (!preview) paths_ = std::move(paths);
     outputs.report(-1, "length", total);
+    give(outputs, -1, {{"warnings", host_mesh().changes()}});
     for (std::size_t c = 0; c < placed.size(); ++c) {
       const auto number = static_cast<std::int64_t>(c);
       give(outputs, placed[c], fields[c]);

@@ -89,8 +89,9 @@ class Geodesic : public SmootherWorkspace {
     options.tau = 0;
     options.deviation = DeviationMeasure::kNone;
     options.length_floor = parameters.optional("length_floor");
-    const SmoothingResult result = smoother().smooth(options, progress());
+    SmoothingResult result = smoother().smooth(options, progress());
     check(result);
+    add_changes(result);
     const auto fields = [&](std::size_t c) -> std::vector<PointField> {
       return {curvature_field(mesh(), result.curves[c])};
     };

@@ -148,7 +148,6 @@ class Repair {
     add(entries_of(inspected_.welded, *inspected_.inspection));
     if (repaired == nullptr) return entries;
     add(entries_of(repaired->changes, inspect(repaired->lists)));
-    entries.push_back({"warnings", sentences(repaired->changes)});
     return entries;
   }
 

@@ -63,7 +63,12 @@ class OnHills : public testing::Test {
 struct CutPlugin : OnHills {
   CutPlugin() : OnHills("talweg.cut") {
     test::set_mesh(instance, subject.lists);
-    instance.set_curves({subject.curve});
+    host::Curve across;  // straight over the faces, from boundary to boundary
+    for (const std::uint32_t v : {14U * 41, 26U * 41 + 40}) {
+      const Point& p = subject.lists.points[v];
+      across.positions.push_back({p.x(), p.y(), p.z()});
+    }
+    instance.set_curves({across});
   }
 };
 
