@@ -11,6 +11,7 @@
 
 #include "methods/made_meshes.hpp"
 #include "methods/mesh_workspace.hpp"
+#include "methods/point_fields.hpp"
 #include "methods/results.hpp"
 #include "talweg/core/cutting/attribute_transfer.hpp"
 #include "talweg/core/labels/label_network.hpp"
@@ -69,6 +70,8 @@ class Labels : public MeshWorkspace {
     return {output(TALWEG_OUTPUT_CURVES, "borders", "Borders", "",
                    "The smoothed borders; borders.N.left and .right of the report are their "
                    "labels."),
+            output(TALWEG_OUTPUT_POINT_FIELD, "curvature", "Geodesic curvature", "radians",
+                   "By how much the border turns at the point; 0 at the ends."),
             output(TALWEG_OUTPUT_TRIANGLE_FIELD, "labels", "New labels", "",
                    "Of each triangle: that of its larger share."),
             output(TALWEG_OUTPUT_MESH, "mesh", "Cut mesh", "",
@@ -101,7 +104,10 @@ class Labels : public MeshWorkspace {
     std::vector<SurfaceCurve> curves;
     for (const SmoothedBorder& border : network->borders) curves.push_back(border.border.curve);
     const auto each = curve_entries_of(*network);
-    give_curves(outputs, host_mesh(), curves, {}, [&](std::int64_t curve) {
+    const auto fields = [&](std::size_t c) -> std::vector<PointField> {
+      return {curvature_field(mesh(), curves[c])};
+    };
+    give_curves(outputs, host_mesh(), curves, fields, [&](std::int64_t curve) {
       return curve < 0 ? entries_of(*network, warnings) : each[static_cast<std::size_t>(curve)];
     });
     if (outputs.wants_fields()) give(outputs, "labels", "", new_labels(*network, given));
