@@ -135,6 +135,20 @@ class Result:
         """The only curve's report; of several curves the total."""
         return self.reports[0] if len(self.reports) == 1 else self.total
 
+    def show(self, **how: Any) -> Any:
+        """talweg.show() of the result and its drawing on their mesh; ``how`` as there."""
+        from ._show import show  # pylint: disable=import-outside-toplevel,cyclic-import
+
+        if self.mesh is None:
+            raise BadUsage("The result does not know its mesh; use talweg.show(mesh, result).")
+        return show(self.mesh, self, **how)
+
+    def _repr_png_(self) -> Optional[bytes]:
+        """What a notebook shows."""
+        from ._show import png  # pylint: disable=import-outside-toplevel,cyclic-import
+
+        return png(self)
+
 
 @dataclass(frozen=True, eq=False)
 class Distance:

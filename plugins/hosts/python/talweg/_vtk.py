@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from importlib import import_module
-from typing import Any, Dict, Optional, Sequence
+from typing import Any, Optional, Sequence
 
 import numpy as np
 
@@ -86,12 +86,8 @@ def _add(data: Any, name: str, values: ArrayLike) -> None:
     data.AddArray(made)
 
 
-def _cells(rows: Array) -> Any:
-    """A vtkCellArray of cells that have equally many points."""
-    return _ragged_cells(rows.reshape(-1), np.arange(0, rows.size + 1, rows.shape[1]))
-
-
-def _ragged_cells(corners: Array, offsets: Array) -> Any:
+def _cells(corners: Array, offsets: Array) -> Any:
+    """A vtkCellArray: the corners of the cells one after the other, and where each begins."""
     cells = _data_model().vtkCellArray()
     as_ids = _numpy().numpy_to_vtkIdTypeArray
     cells.SetData(as_ids(offsets.astype(np.int64), deep=True),
@@ -112,7 +108,8 @@ def _with_points(points: ArrayLike) -> Any:
 def polydata(parts: Parts) -> Any:
     """A vtkPolyData of triangles with all attributes."""
     result = _with_points(parts.vertices)
-    result.SetPolys(_cells(np.asarray(parts.faces)))
+    faces = np.asarray(parts.faces)
+    result.SetPolys(_cells(faces.reshape(-1), np.arange(0, faces.size + 1, 3)))
     for data, attributes in ((result.GetPointData(), parts.vertex_attributes),
                              (result.GetCellData(), parts.face_attributes)):
         for name, values in attributes.items():
@@ -123,14 +120,9 @@ def polydata(parts: Parts) -> Any:
     return result
 
 
-def lines(polylines: Sequence[Array], closed: Sequence[bool],
-          fields: Optional[Dict[str, Array]] = None) -> Any:
-    """A vtkPolyData with a line for each of the polylines."""
-    starts = np.cumsum([0] + [len(points) for points in polylines])
-    rows = [np.r_[start:start + len(points), [start] if loop else []].astype(np.int64)
-            for start, points, loop in zip(starts, polylines, closed)]
+def lines(polylines: Sequence[Array]) -> Any:
+    """A vtkPolyData with a line for each of the polylines, (n, 3) each."""
+    ends = np.cumsum([len(points) for points in polylines])
     result = _with_points(np.concatenate(polylines))
-    result.SetLines(_ragged_cells(np.concatenate(rows), np.cumsum([0] + [len(row) for row in rows])))
-    for name, values in (fields or {}).items():
-        _add(result.GetPointData(), name, values)
+    result.SetLines(_cells(np.arange(ends[-1]), np.r_[0, ends]))
     return result
