@@ -13,14 +13,14 @@ from ._curves import Curve
 from ._errors import BadUsage, Error, Unsupported
 from ._mesh import Mesh
 from ._results import Result
-from ._scene import BLUE, OTHERS, RED
+from ._scene import BLUE, MESH_UNITS, OTHERS, RED
 from ._turning import Turns, turns_of
 
 _AIR = 1.08  # the range, over the largest curvature of a result
 
 
 def plot_curvature(result: Result, axes: Any = None, *, window: Optional[float] = None,
-                   unit: str = "mesh unit",
+                   unit: str = MESH_UNITS,
                    file: Union[None, str, "os.PathLike[str]"] = None) -> Any:
     """Plots the signed geodesic curvature along a result, over that of its drawing.
 
@@ -31,7 +31,7 @@ def plot_curvature(result: Result, axes: Any = None, *, window: Optional[float] 
     :param axes: of matplotlib, to draw into. None: new ones of ``matplotlib.pyplot``.
     :param window: mesh units, > 0. None: twice the edge length near the drawing; smaller windows show
         single points.
-    :param unit: of the mesh, for the labels: radians per unit along units.
+    :param unit: of the mesh, for the labels.
     :param file: a picture to write: .png, .pdf, .svg, ... Needs no window; with ``axes`` their whole
         figure.
     :returns: the axes.
@@ -61,8 +61,8 @@ def plot_curvature(result: Result, axes: Any = None, *, window: Optional[float] 
                         label="drawn" if k == 0 else None)
             most_before = max(most_before, float(np.abs(values).max(initial=0)))
     extent = _AIR * (most or most_before or 1.0)
-    axes.set(ylim=(-extent, extent), xlabel=f"along the curve ({unit}s)",
-             ylabel=f"curvature (rad / {unit})")
+    axes.set(ylim=(-extent, extent), xlabel=f"along the curve ({unit})",
+             ylabel=f"curvature (rad / {'mesh unit' if unit == MESH_UNITS else unit})")
     axes.axhline(0, color="#9e9e9e", linewidth=0.8, zorder=1)
     axes.legend(loc="upper right")
     if file is not None:

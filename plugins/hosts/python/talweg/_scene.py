@@ -15,6 +15,7 @@ from ._errors import BadCurve, BadMesh, BadUsage
 from ._types import Array, Floats
 
 DRAWN = "drawn"
+MESH_UNITS = "mesh units"
 RED, BLUE = "#c8281e", "#1450c0"
 OTHERS = ("#1b7837", "#e08214", "#762a83", "#c51b7d", "#0d8a8a", "#6b4a1c")
 

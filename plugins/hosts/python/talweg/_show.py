@@ -10,14 +10,14 @@ from typing import Any, Optional, Tuple, Union
 from . import _picture, _windows
 from ._errors import BadFile, BadUsage, Unsupported
 from ._results import Result
-from ._scene import DRAWN, Scene, scene
+from ._scene import DRAWN, MESH_UNITS, Scene, scene
 
 _ENGINES = ("pyvista", "vedo", "matplotlib")
 
 
 def show(mesh: Any, curves: Any = None, *, file: Union[None, str, "os.PathLike[str]"] = None,
          engine: Optional[str] = None, view: Any = None, up: Any = None, zoom: float = 1.0,
-         colors: Any = None, unit: str = "mesh units", size: Tuple[int, int] = (800, 600),
+         colors: Any = None, unit: str = MESH_UNITS, size: Tuple[int, int] = (800, 600),
          axes: Any = None) -> Any:
     """Shows curves on their mesh: a window, a picture in a notebook, or a picture in a file.
 
@@ -72,7 +72,7 @@ def png(result: Result) -> Optional[bytes]:
     if result.mesh is None or not result.curves or not _windows.there("matplotlib"):
         return None
     seen = scene(result.mesh, curves_of(result), None, None, 1.0, None, (800, 600))
-    return _picture.png(_picture.figure(seen, "mesh units"))
+    return _picture.png(_picture.figure(seen, MESH_UNITS))
 
 
 def _in_notebook() -> bool:
