@@ -12,6 +12,7 @@ from ._attributes import Parts
 from ._camera import Camera, Stage
 from ._curves import Curve, as_curves
 from ._errors import BadCurve, BadMesh, BadUsage
+from ._results import Result
 from ._types import Array, Floats
 
 DRAWN = "drawn"
@@ -100,10 +101,10 @@ def _lines(curves: Any, vertices: Floats, faces: Array) -> List[Line]:
     result: List[Line] = []
     palette = iter((BLUE, *(OTHERS * (1 + len(named) // len(OTHERS)))))
     for name, given in named.items():
-        if given is None:
+        if given is None or isinstance(given, Result) and not given.curves:
             continue
         drawn = name == DRAWN
-        several = as_curves(given)
+        several = given.curves if isinstance(given, Result) else as_curves(given)
         result.append(Line(str(name), RED if drawn else next(palette), 1.4 if drawn else 2.2,
                            [polyline(curve, vertices, faces) for curve in several],
                            np.concatenate([_marks(curve, vertices, faces) for curve in several])))
