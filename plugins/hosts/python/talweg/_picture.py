@@ -70,8 +70,8 @@ def _draw_line(axes: Any, surface: Surface, line: Line, order: int) -> None:
     if len(line.marks) > 0:
         seen = surface.camera.project(line.marks)
         seen = seen[~surface.hides(seen)]
-        axes.scatter(seen[:, 0], seen[:, 1], s=(2.2 * line.width) ** 2, facecolors="white",
-                     edgecolors=line.color, linewidths=1.0, zorder=order + 0.5)
+        axes.scatter(seen[:, 0], seen[:, 1], s=(3.2 * line.width) ** 2, facecolors="white",
+                     edgecolors=line.color, linewidths=1.0, zorder=60)
 
 
 def _sampled(points: Floats, width: int, height: int) -> List[Floats]:
