@@ -13,7 +13,7 @@ import numpy as np
 
 from . import _vtk
 from ._attributes import Parts
-from ._scene import Line, Scene
+from ._scene import Scene
 from ._shading import BACKGROUND, MATERIAL
 from ._types import Array
 
