@@ -139,7 +139,8 @@ class Meshes(unittest.TestCase):
         self.assertEqual(len(mesh.vertices) - len(mesh.edges) + len(mesh.polygons), 1)
 
     def test_cut_along_the_last_result_is_exact(self):
-        scene.select_edges(self.obj, [10 * N + k for k in range(5, 30)] + [k * N + 30 for k in range(11, 50)])
+        scene.select_edges(self.obj, [10 * N + k for k in range(5, 31)]
+                           + [k * N + 30 for k in range(11, 50)])
         self.assertEqual(bpy.ops.talweg.smooth_edges(), {"FINISHED"})
         bpy.ops.object.mode_set(mode="OBJECT")
         result = session.last_result().curve
