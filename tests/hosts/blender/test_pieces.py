@@ -65,18 +65,44 @@ def hill(x, y):
     return 3 * np.sin(x / 7) * np.cos(y / 5)
 
 
+def across(low=0.0, high=59.0):
+    """A wave from side to side of the hills."""
+    x = np.linspace(low, high, 120)
+    y = 25.3 + 4 * np.sin(x / 6)
+    return curve_object(np.stack([x, y, hill(x, y)], -1))
+
+
+def textured():
+    """The hills in a grid of colours."""
+    obj = scene.add_mesh(support.hills()[0], quads())
+    dressed(obj)
+    image = bpy.data.images.new("Grid", 512, 512)
+    image.generated_type = "COLOR_GRID"
+    for material in obj.data.materials:
+        material.use_nodes = True
+        texture = material.node_tree.nodes.new("ShaderNodeTexImage")
+        texture.image = image
+        shader = material.node_tree.nodes["Principled BSDF"]
+        material.node_tree.links.new(texture.outputs["Color"], shader.inputs["Base Color"])
+        shader.inputs["Roughness"].default_value = 1
+    return obj
+
+
+def textured_pieces():
+    """The same, taken apart along a wave."""
+    textured()
+    line = across()
+    bpy.ops.talweg.separate()
+    bpy.data.objects.remove(line)
+    return [o for o in bpy.data.objects if o.type == "MESH"]
+
+
 class Meshes(unittest.TestCase):
     def setUp(self):
         scene.empty()
         session.forget()
         self.obj = scene.add_mesh(support.hills()[0], quads())
         dressed(self.obj)
-
-    def across(self, low=0.0, high=59.0):
-        """A wave from side to side."""
-        x = np.linspace(low, high, 120)
-        y = 25.3 + 4 * np.sin(x / 6)
-        return curve_object(np.stack([x, y, hill(x, y)], -1))
 
     def check(self, obj, seams=True):
         """What dressed() put there, wherever the vertices are now."""
@@ -114,7 +140,7 @@ class Meshes(unittest.TestCase):
 
     def test_cut(self):
         area = sum(polygon.area for polygon in self.obj.data.polygons)
-        self.across()
+        across()
         self.assertEqual(bpy.ops.talweg.cut(), {"FINISHED"})
         self.check(self.obj)
         mesh = self.obj.data
@@ -158,7 +184,7 @@ class Meshes(unittest.TestCase):
         np.testing.assert_array_equal(points[np.lexsort(points.T)], ours[np.lexsort(ours.T)])
 
     def test_separate(self):
-        self.across()
+        across()
         self.assertEqual(bpy.ops.talweg.separate(), {"FINISHED"})
         pieces = [o for o in bpy.data.objects if o.type == "MESH"]
         self.assertEqual(len(pieces), 2)
@@ -171,7 +197,7 @@ class Meshes(unittest.TestCase):
         self.assertGreater(means[1], 25)
 
     def test_separate_keeps_a_side(self):
-        self.across()
+        across()
         self.assertEqual(bpy.ops.talweg.separate(keep="left"), {"FINISHED"})
         self.assertEqual(len([o for o in bpy.data.objects if o.type == "MESH"]), 1)
         self.check(self.obj, seams=False)
@@ -236,7 +262,7 @@ class Meshes(unittest.TestCase):
         nurbs = curve_object(np.array([[1, 1, 0], [5, 5, 0], [9, 2, 0]]), kind="NURBS")
         self.refused("NURBS", ops.cut)
         bpy.data.objects.remove(nurbs)
-        self.across()
+        across()
         self.obj.data.polygons[7].flip()
         self.obj.data.update()
         for operator in (ops.cut, ops.separate, ops.material_borders, ops.group_borders):
