@@ -168,6 +168,14 @@ inline void copy_indices(const talweg_array& array, std::uint32_t columns, const
       return detail::convert<std::int64_t>(array, what, out);
     case TALWEG_UINT64:
       return detail::convert<std::uint64_t>(array, what, out);
+    case TALWEG_INT8:
+      return detail::convert<std::int8_t>(array, what, out);
+    case TALWEG_UINT8:
+      return detail::convert<std::uint8_t>(array, what, out);
+    case TALWEG_INT16:
+      return detail::convert<std::int16_t>(array, what, out);
+    case TALWEG_UINT16:
+      return detail::convert<std::uint16_t>(array, what, out);
     default:
       detail::bad_array(what, "holds indices, so its numbers must be integers");
   }

@@ -1,4 +1,5 @@
-"""From a file to a rendered picture: a generated figure, a drawing along its edges, the smoothed curve."""
+"""From a file to a rendered picture: a generated figure, a drawing along its edges, the smoothed curve; and a
+textured mesh taken apart."""
 
 import os
 import subprocess
@@ -12,6 +13,7 @@ from talweg_blender import session
 
 import scene
 import support
+import test_pieces
 
 FOLDER = Path(os.environ["TALWEG_PICTURE_FOLDER"])
 WIDTH, HEIGHT = 600, 366
@@ -73,10 +75,10 @@ def render(path):
 class Picture(unittest.TestCase):
     def setUp(self):
         scene.empty()
-        if not os.environ["TALWEG_SCENES"]:
-            self.skipTest("no talweg-scenes (TALWEG_BUILD_DEMO)")
 
     def drawn_on_figure(self):
+        if not os.environ["TALWEG_SCENES"]:
+            self.skipTest("no talweg-scenes (TALWEG_BUILD_DEMO)")
         subprocess.run([os.environ["TALWEG_SCENES"], str(FOLDER)], check=True, capture_output=True)
         through = (FOLDER / "figure.through").read_text().split()
         support.driver(FOLDER, "draw", "figure.ply", *through, "-o", "drawn.txt")
@@ -116,6 +118,28 @@ class Picture(unittest.TestCase):
         self.assertGreater(np.count_nonzero((blue > 2 * red) & (blue > 0.25)), 500)
         self.assertGreater(np.count_nonzero((red > 2 * blue) & (red > 2 * green)), 300)
         self.assertGreater(np.std(green), 0.05)
+
+    def test_texture_of_pieces(self):
+        """docs/pictures/blender_pieces.png: the texture goes on across the gap, without a jump."""
+        pieces = test_pieces.textured_pieces()
+        self.assertEqual(len(pieces), 2)
+        together = self.render_pieces("together.png")
+        upper = max(pieces, key=lambda piece: scene.vertices_of(piece)[:, 1].mean())
+        upper.location.y += 4
+        apart = self.render_pieces("blender_pieces.png")
+        background = (apart > 0.94).all(axis=-1)
+        self.assertGreater(np.count_nonzero(background[100:280, 100:400]), 3000)  # the gap
+        scene.empty()
+        test_pieces.textured()
+        whole = self.render_pieces("whole.png")
+        self.assertLess(np.abs(together - whole).mean(), 0.01)
+
+    def render_pieces(self, name):
+        for obj in [o for o in bpy.data.objects if o.type in ("LIGHT", "CAMERA")]:
+            bpy.data.objects.remove(obj)
+        look_at(Vector((29, 29, 0)), Vector((0.2, -0.5, 1)), 95)
+        add_sun((0.5, 0.3, 1), 3)
+        return render(FOLDER / name)
 
     def frame(self, figure, xyz):
         """Camera and lights: the drawing from outside, upright."""

@@ -10,13 +10,15 @@ from talweg import _interface
 
 HEADER = re.sub(r"/\*.*?\*/", "", "".join(
     (support.SOURCE / "plugins/interface" / name).read_text()
-    for name in ("talweg_plugin.h", "talweg_curve_files.h", "talweg_way_points.h")), flags=re.DOTALL)
+    for name in ("talweg_plugin.h", "talweg_curve_files.h", "talweg_way_points.h",
+                 "talweg_meshes.h")), flags=re.DOTALL)
 
 STRUCTS = {"array": "Array", "field": "Field", "mesh": "Mesh", "curve": "Curve",
            "parameter": "Parameter", "output": "Output", "sink": "Sink", "host": "Host",
            "report_entry": "ReportEntry", "host_log": "HostLog", "host_progress": "HostProgress",
            "plugin": "Plugin", "module": "Module", "curve_files": "CurveFiles",
-           "curve_files_2": "CurveFiles2", "way_points": "WayPoints"}
+           "curve_files_2": "CurveFiles2", "way_points": "WayPoints",
+           "attribute": "Attribute", "origin": "Origin", "meshes": "Meshes"}
 SCALARS = {"uint32_t": ctypes.c_uint32, "uint64_t": ctypes.c_uint64, "int64_t": ctypes.c_int64,
            "double": ctypes.c_double, "const char *": ctypes.c_char_p}
 
@@ -54,11 +56,11 @@ class Interface(unittest.TestCase):
         declared.update(re.findall(r"#define TALWEG_(\w+) (\d+)u?\n", HEADER))
         compared = 0
         for name, value in vars(_interface).items():
-            if name.isupper() and isinstance(value, int) and name != "NO_VERTEX":
+            if name.isupper() and isinstance(value, int) and not name.startswith("NO_"):
                 self.assertEqual(value, eval(declared[name]), name)  # pylint: disable=eval-used
                 compared += 1
         self.assertGreater(compared, 25)
-        for name in ("HOST_LOG", "HOST_PROGRESS", "CURVE_FILES", "CURVE_FILES_2"):
+        for name in ("HOST_LOG", "HOST_PROGRESS", "CURVE_FILES", "CURVE_FILES_2", "MESHES"):
             self.assertIn('#define TALWEG_%s "%s"' % (name, getattr(_interface, name).decode()),
                           HEADER)
 

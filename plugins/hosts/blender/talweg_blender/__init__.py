@@ -1,7 +1,8 @@
 """Talweg in Blender: smooths curves on meshes while they stay close to what was drawn.
 
 Edit mode: select edges, Edge > Smooth Curve on Surface. Object mode: draw with the annotation tool
-on the surface, Object > Smooth Annotations on Surface. Both also in the sidebar, tab Talweg.
+on the surface, Object > Smooth Annotations on Surface. These, cutting, borders of materials and
+vertex groups, and repair are in the sidebar, tab Talweg.
 """
 
 bl_info = {
@@ -14,15 +15,17 @@ bl_info = {
     "category": "Mesh",
 }
 
-from . import operators, panel, session  # noqa: E402
+from . import operators, operators_of_meshes, panel, session  # noqa: E402
 
 
 def register():
     operators.register()
+    operators_of_meshes.register()
     panel.register()
 
 
 def unregister():
     panel.unregister()
+    operators_of_meshes.unregister()
     operators.unregister()
     session.forget()

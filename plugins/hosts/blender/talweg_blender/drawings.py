@@ -7,7 +7,7 @@ from .package import talweg
 
 class MeshArrays:
     """A Blender mesh as arrays: vertices (n, 3) float32 in the object's own space, triangles (m, 3),
-    and the polygon of each triangle."""
+    the polygon of each triangle and the corners (loops) of it, and the polygons themselves."""
 
     def __init__(self, mesh):
         mesh.calc_loop_triangles()
@@ -17,6 +17,24 @@ class MeshArrays:
         mesh.loop_triangles.foreach_get("vertices", self.triangles.ravel())
         self.polygons = np.empty(len(mesh.loop_triangles), np.int32)
         mesh.loop_triangles.foreach_get("polygon_index", self.polygons)
+        self.loops = np.empty((len(mesh.loop_triangles), 3), np.int32)
+        mesh.loop_triangles.foreach_get("loops", self.loops.ravel())
+        self.loop_vertices = np.empty(len(mesh.loops), np.int32)
+        mesh.loops.foreach_get("vertex_index", self.loop_vertices)
+        self.starts = np.empty(len(mesh.polygons), np.int32)
+        mesh.polygons.foreach_get("loop_start", self.starts)
+        self.totals = np.empty(len(mesh.polygons), np.int32)
+        mesh.polygons.foreach_get("loop_total", self.totals)
+
+    @property
+    def polygon_count(self):
+        return len(self.starts)
+
+    def next_loop_vertices(self):
+        """The vertex of the next corner of each corner's polygon."""
+        following = np.arange(1, len(self.loop_vertices) + 1)
+        following[self.starts + self.totals - 1] = self.starts
+        return self.loop_vertices[following]
 
 
 def selected_edges(mesh):
@@ -110,3 +128,44 @@ def annotation_strokes(context, obj, closed, spacing):
         curves.append(talweg.Curve(positions=thinned(in_object, spacing),
                                    closed=closed or stroke.use_cyclic))
     return curves
+
+
+def curve_objects(context, obj):
+    """The splines of all selected curve objects as curves in the object's own space; those that the
+    last smoothing made are exactly its results.
+
+    :raises talweg.BadCurve: if no curve object is selected, or one has no points.
+    """
+    chosen = [o for o in context.selected_objects if o.type == "CURVE"]
+    if not chosen:
+        raise talweg.BadCurve("No curve object is selected; select one, then the mesh (Shift-click).")
+    to_object = np.array(obj.matrix_world.inverted_safe())
+    curves = []
+    for one in chosen:
+        move = to_object @ np.array(one.matrix_world)
+        for spline in one.data.splines:
+            curves.append(_exact(_spline(spline, move, one.name)))
+    if not curves:
+        raise talweg.BadCurve("The selected curve objects have no splines.")
+    return curves
+
+
+def _spline(spline, move, name):
+    points = spline.bezier_points if spline.type == "BEZIER" else spline.points
+    if spline.type == "NURBS":
+        raise talweg.BadCurve(f"{name} is a NURBS curve; convert it to a polygon first (Set Spline "
+                              "Type > Poly).")
+    values = np.array([tuple(point.co)[:3] for point in points], float).reshape(-1, 3)
+    return talweg.Curve(positions=values @ move[:3, :3].T + move[:3, 3], closed=spline.use_cyclic_u)
+
+
+def _exact(curve):
+    from . import session  # what the last result was rounded to
+
+    result = session.last_result()
+    for one in result.curves if result else ():
+        if one.closed == curve.closed and len(one) == len(curve) and \
+                np.allclose(one.positions, curve.positions, rtol=1e-6,
+                            atol=1e-6 * np.abs(one.positions).max()):
+            return one
+    return curve

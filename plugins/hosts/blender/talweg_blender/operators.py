@@ -2,10 +2,9 @@
 
 import math
 
-import bmesh
 import bpy
 
-from . import curve_object, drawings, edge_loop, parameters, session
+from . import curve_object, cutting, drawings, parameters, session
 from .package import talweg
 
 
@@ -50,30 +49,8 @@ class _Smoothing:
             manager.progress_end()
 
     def _cut(self, context, obj, arrays, result):
-        editing = obj.mode == "EDIT"
-        bm = bmesh.from_edit_mesh(obj.data) if editing else bmesh.new()
-        try:
-            if not editing:
-                bm.from_mesh(obj.data)
-            trial = bm.copy()
-            try:
-                edge_loop.cut(trial, arrays, result.curves)
-            finally:
-                trial.free()
-            edges, left_out = edge_loop.cut(bm, arrays, result.curves)
-            edge_loop.select(bm, edges)
-            bm.normal_update()
-            context.tool_settings.mesh_select_mode = (False, True, False)
-            if editing:
-                bmesh.update_edit_mesh(obj.data)
-            else:
-                bm.to_mesh(obj.data)
-        finally:
-            if not editing:
-                bm.free()
-        obj.data.update()
-        if left_out:
-            self.report({"WARNING"}, f"{left_out} segments at ends inside faces were not cut.")
+        cutting.cut(obj, arrays, result.curves)
+        context.tool_settings.mesh_select_mode = (False, True, False)
 
     def draw(self, _context):
         layout = self.layout

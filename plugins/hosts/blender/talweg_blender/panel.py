@@ -2,10 +2,11 @@
 
 import bpy
 
-from . import operators
+from . import operators, operators_of_meshes
 
 EDGES = operators.TALWEG_OT_smooth_edges.bl_idname
 ANNOTATIONS = operators.TALWEG_OT_smooth_annotations.bl_idname
+OF_MESHES = [operator.bl_idname for operator in operators_of_meshes.CLASSES]
 
 
 class VIEW3D_PT_talweg(bpy.types.Panel):
@@ -25,6 +26,9 @@ class VIEW3D_PT_talweg(bpy.types.Panel):
         else:
             layout.label(text="Annotate the surface, then:")
             layout.operator(ANNOTATIONS)
+            layout.label(text="Curve objects, borders, the mesh:")
+            for operator in OF_MESHES:
+                layout.operator(operator)
 
 
 def _edge_menu(self, _context):
@@ -35,6 +39,8 @@ def _edge_menu(self, _context):
 def _object_menu(self, _context):
     self.layout.separator()
     self.layout.operator(ANNOTATIONS)
+    for operator in OF_MESHES:
+        self.layout.operator(operator)
 
 
 def register():

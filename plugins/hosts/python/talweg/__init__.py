@@ -17,7 +17,9 @@ from ._curves import Curve, CurveLike
 from ._errors import (BadCurve, BadFile, BadMesh, BadUsage, Cancelled, Error, Internal, Numerical,
                       OutOfMemory, PluginNotFound, Unsupported)
 from ._files import read_curves, write_curves
+from ._made import Chain, MadeMesh, Origin
 from ._mesh import Mesh
+from ._pipeline import Cut, Labels, Measurement, Repair, cut, inspect, labels, measure, repair
 from ._plot import plot_curvature
 from ._plugins import Parameter, Plugin, folders, help_text, plugin, plugins
 from ._results import Distance, Report, Result
@@ -27,11 +29,12 @@ from ._version import __version__
 from ._workspace import OneOrEach, Workspace
 
 __all__ = [
-    "BadCurve", "BadFile", "BadMesh", "BadUsage", "Cancelled", "Curve", "Distance", "Error",
-    "Internal", "Mesh", "Numerical", "OutOfMemory", "Parameter", "Plugin", "PluginNotFound",
-    "Report", "Result", "Unsupported", "Workspace", "__version__", "distance", "draw", "folders",
-    "geodesic", "help_text", "plot_curvature", "plugin", "plugins", "read_curves", "show", "smooth",
-    "write_curves"
+    "BadCurve", "BadFile", "BadMesh", "BadUsage", "Cancelled", "Chain", "Curve", "Cut", "Distance",
+    "Error", "Internal", "Labels", "MadeMesh", "Measurement", "Mesh", "Numerical", "Origin",
+    "OutOfMemory", "Parameter", "Plugin", "PluginNotFound", "Repair", "Report", "Result",
+    "Unsupported", "Workspace", "__version__", "cut", "distance", "draw", "folders", "geodesic",
+    "help_text", "inspect", "labels", "measure", "plot_curvature", "plugin", "plugins",
+    "read_curves", "repair", "show", "smooth", "write_curves"
 ]
 
 

@@ -12,9 +12,11 @@ from ._errors import BadUsage, Error
 from ._types import Array, Integers
 
 _TYPES = {("f", 8): c.FLOAT64, ("f", 4): c.FLOAT32, ("i", 4): c.INT32, ("u", 4): c.UINT32,
-          ("i", 8): c.INT64, ("u", 8): c.UINT64}
+          ("i", 8): c.INT64, ("u", 8): c.UINT64, ("i", 1): c.INT8, ("u", 1): c.UINT8,
+          ("i", 2): c.INT16, ("u", 2): c.UINT16}
 _DTYPES = {c.FLOAT64: np.float64, c.FLOAT32: np.float32, c.INT32: np.int32, c.UINT32: np.uint32,
-           c.INT64: np.int64, c.UINT64: np.uint64}
+           c.INT64: np.int64, c.UINT64: np.uint64, c.INT8: np.int8, c.UINT8: np.uint8,
+           c.INT16: np.int16, c.UINT16: np.uint16}
 _WIDER = {"f": np.float64, "i": np.int64, "u": np.uint64}
 _LONGEST_STRIDE = 2**32
 
@@ -22,7 +24,7 @@ _LONGEST_STRIDE = 2**32
 def readable(values: Any, columns: int, what: str, error: Type[Error] = BadUsage) -> Array:
     """The values as an array that the interface can read: the caller's own wherever it can be.
 
-    Copied are only what is no array, numbers of other sizes or byte orders (float16, int16, ...),
+    Copied are only what is no array, numbers of other sizes or byte orders (float16, ...),
     and layouts whose rows are not side by side or run backwards.
 
     :param columns: 1 for shape (n,) or (n, 1), else for shape (n, columns).

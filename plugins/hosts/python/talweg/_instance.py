@@ -6,12 +6,12 @@ import ctypes
 import logging
 import weakref
 from ctypes import byref, c_void_p, sizeof
-from typing import Any, Callable, Dict, List, Optional, Sequence
+from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple
 
 from . import _arrays, _curves, _interruptible, _results
 from . import _interface as c
 from ._curves import Curve
-from ._errors import BadUsage, error_of
+from ._errors import BadUsage, Unsupported, error_of
 from ._plugins import Parameter, Plugin
 from ._types import Array, Progress
 
@@ -19,6 +19,9 @@ _log = logging.getLogger("talweg")
 _log.addHandler(logging.NullHandler())  # nothing is printed unless the program sets logging up
 _LEVELS = {c.LOG_DEBUG: logging.DEBUG, c.LOG_INFO: logging.INFO, c.LOG_WARNING: logging.WARNING,
            c.LOG_ERROR: logging.ERROR}
+
+
+Lists = Tuple[Array, Array]  # vertices and faces
 
 
 class _Host:
@@ -57,6 +60,7 @@ class _Collector:
 
     def __init__(self) -> None:
         self.curves: List[Curve] = []
+        self.meshes: List[Lists] = []
         self.fields: Dict[str, Array] = {}
         self.entries: Dict[int, Dict[str, Any]] = {}
         self.failure: Optional[BaseException] = None
@@ -78,12 +82,15 @@ class _Collector:
     def _entry(self, given: c.ReportEntry) -> None:
         self.entries.setdefault(given.curve, {})[given.key.decode()] = _results.value_of(given)
 
-    def sink(self, point_fields: bool, vertex_fields: bool) -> c.Sink:
+    def _mesh(self, given: c.Mesh) -> None:
+        self.meshes.append((_arrays.copied(given.positions), _arrays.copied_indices(given.triangles)))
+
+    def sink(self, point_fields: bool, vertex_fields: bool, meshes: bool) -> c.Sink:
         field = c.FieldSink(self._taken(self._field)) if vertex_fields else ctypes.cast(0, c.FieldSink)
         return c.Sink(sizeof(c.Sink), c.WANT_POINT_FIELDS if point_fields else 0, None,
                       c.CurveSink(self._taken(lambda k: self.curves.append(_curves.copied(k)))),
                       field, c.ReportSink(self._taken(self._entry)),
-                      ctypes.cast(0, c.MeshSink))
+                      c.MeshSink(self._taken(self._mesh)) if meshes else ctypes.cast(0, c.MeshSink))
 
     def result(self) -> _results.Result:
         count = max([len(self.curves)] + [number + 1 for number in self.entries])
@@ -133,7 +140,7 @@ class Instance:
         elif parameter.kind == "choice":
             choice = _text(parameter, value).encode()
             self._short(lambda: table.set_choice(self._handle, id, choice))
-        elif parameter.kind in ("vertices", "field", "per_curve"):
+        elif parameter.kind in ("vertices", "field", "per_curve", "triangle_field"):
             array = _arrays.readable(value, 1, f"{parameter.label} ({parameter.id})")
             view = _arrays.view(array)
             self._short(lambda: table.set_array(self._handle, id, byref(view)))
@@ -143,15 +150,61 @@ class Instance:
 
     def run(self, point_fields: bool, vertex_fields: bool,
             progress: Optional[Progress]) -> _results.Result:
+        return self._run(point_fields, vertex_fields, False, progress).result()
+
+    def run_with_meshes(self, vertex_fields: bool, progress: Optional[Progress]
+                        ) -> Tuple[_results.Result, List[Lists]]:
+        """The result, and the lists of the meshes that were made."""
+        collector = self._run(False, vertex_fields, True, progress)
+        return collector.result(), collector.meshes
+
+    def set_attributes(self, views: Any, count: int) -> None:
+        extension = self._meshes()
+        self._short(lambda: extension.set_attributes(self._handle, views, count))
+
+    def take_attributes(self, mesh: int, take: Callable[[Any], None]) -> None:
+        """Of a mesh of the last run, one after the other."""
+        self._take(self._meshes().attributes, mesh, c.AttributeFunction, take)
+
+    def take_origin(self, mesh: int, take: Callable[[Any], None]) -> None:
+        self._take(self._meshes().origin, mesh, c.OriginFunction, take)
+
+    def _meshes(self) -> Any:
+        address = self.plugin.table.get_extension(c.MESHES)
+        if not address:
+            raise Unsupported(f"{self.plugin.id} makes no meshes.")
+        return c.Meshes.from_address(address)
+
+    def _take(self, ask: Any, mesh: int, kind: Any, take: Callable[[Any], None]) -> None:
+        failures: List[BaseException] = []
+
+        def taken(_context: Any, given: Any) -> int:
+            try:
+                take(given.contents)
+                return c.OK
+            except BaseException as error:  # raised again below
+                failures.append(error)
+                return c.HOST_FAILED
+
+        function = kind(taken)
+        try:
+            self._short(lambda: ask(self._handle, mesh, function, None))
+        except Exception:
+            if failures:
+                raise failures[0] from None
+            raise
+
+    def _run(self, point_fields: bool, vertex_fields: bool, meshes: bool,
+             progress: Optional[Progress]) -> _Collector:
         collector = _Collector()
-        sink = collector.sink(point_fields, vertex_fields)
+        sink = collector.sink(point_fields, vertex_fields, meshes)
         try:
             self._long(lambda: self.plugin.table.run(self._handle, byref(sink)), progress)
         except Exception:
             if collector.failure is not None:
                 raise collector.failure from None
             raise
-        return collector.result()
+        return collector
 
     def _long(self, function: Callable[[], Any],
               progress: Optional[Progress]) -> None:

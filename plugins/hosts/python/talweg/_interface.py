@@ -1,5 +1,5 @@
-"""The plugin interface 1.1 (``talweg_plugin.h``, ``talweg_curve_files.h``, ``talweg_way_points.h``) in
-ctypes, nothing else.
+"""The plugin interface 1.2 (``talweg_plugin.h``, ``talweg_curve_files.h``, ``talweg_way_points.h``,
+``talweg_meshes.h``) in ctypes, nothing else.
 
 Function pointers made here release Python's lock while they run, and take it for callbacks.
 ``tests/hosts/python/test_interface.py`` compares the members with the header.
@@ -11,14 +11,17 @@ from ctypes import (CFUNCTYPE, POINTER, Structure, c_char_p, c_double, c_int64, 
                     c_uint64, c_void_p)
 
 INTERFACE_MAJOR = 1
-INTERFACE_MINOR = 1
+INTERFACE_MINOR = 2
 
 OK, CANCELLED, HOST_FAILED = 0, 7, 8
 FLOAT64, FLOAT32, INT32, UINT32, INT64, UINT64 = 1, 2, 3, 4, 5, 6
-NO_VERTEX = 2**32 - 1
-NUMBER, INTEGER, BOOLEAN, CHOICE, VERTICES, FIELD, PER_CURVE = 1, 2, 3, 4, 5, 6, 7
+INT8, UINT8, INT16, UINT16 = 7, 8, 9, 10
+NO_VERTEX = NO_TRIANGLE = NO_ENTRY = 2**32 - 1
+NUMBER, INTEGER, BOOLEAN, CHOICE, VERTICES, FIELD, PER_CURVE, TRIANGLE_FIELD = 1, 2, 3, 4, 5, 6, 7, 8
 OPTIONAL, OPEN_MINIMUM, LOGARITHMIC, ADVANCED = 1, 2, 4, 8
 VALUE_NUMBER, VALUE_INTEGER, VALUE_BOOLEAN, VALUE_TEXT = 1, 2, 3, 4
+OUTPUT_CURVES, OUTPUT_POINT_FIELD, OUTPUT_VERTEX_FIELD, OUTPUT_REPORT = 1, 2, 3, 4
+OUTPUT_MESH, OUTPUT_TRIANGLE_FIELD = 5, 6
 WANT_POINT_FIELDS = 1
 TAKES_CURVES = 1
 HOST_LOG = b"talweg.log/1"
@@ -26,6 +29,10 @@ HOST_PROGRESS = b"talweg.progress/1"
 CURVE_FILES = b"talweg.curve_files/1"
 CURVE_FILES_2 = b"talweg.curve_files/2"
 WAY_POINTS = b"talweg.way_points/1"
+MESHES = b"talweg.meshes/1"
+OF_VERTICES, OF_TRIANGLES, OF_CORNERS = 1, 2, 3
+CARRY_LINEAR, CARRY_ROUNDED, CARRY_NEAREST, CARRY_DIRECTION = 1, 2, 3, 4
+TAKES_ATTRIBUTES, TAKES_ANY_MESH = 1, 2
 EXACT = b"exact"
 MARK_NONE, MARK_PAINTED, MARK_CONTROL = -1.0, -2.0, -3.0
 LOG_DEBUG, LOG_INFO, LOG_WARNING, LOG_ERROR = 1, 2, 3, 4
@@ -142,6 +149,30 @@ class CurveFiles2(Structure):
                 ("write", CFUNCTYPE(Status, c_char_p, c_char_p, POINTER(POINTER(Curve)), c_uint64,
                                     c_char_p, c_uint64)),
                 ("read", CFUNCTYPE(Status, c_char_p, c_char_p, POINTER(Sink), c_char_p, c_uint64))]
+
+
+class Attribute(Structure):
+    _fields_ = [("size", c_uint32), ("element", c_uint32), ("carry", c_uint32),
+                ("reserved", c_uint32), ("name", c_char_p), ("fill", c_double), ("values", Array),
+                ("corners", Array)]
+
+
+class Origin(Structure):
+    _fields_ = [("size", c_uint32), ("curve_count", c_uint32), ("vertices", Array),
+                ("weights", Array), ("triangles", Array), ("closed", Array), ("lengths", Array),
+                ("chains", Array)]
+
+
+AttributeFunction = CFUNCTYPE(Status, c_void_p, POINTER(Attribute))
+OriginFunction = CFUNCTYPE(Status, c_void_p, POINTER(Origin))
+
+
+class Meshes(Structure):
+    _fields_ = [("size", c_uint32), ("takes", c_uint32),
+                ("set_attributes", CFUNCTYPE(Status, c_void_p, POINTER(POINTER(Attribute)),
+                                             c_uint64)),
+                ("attributes", CFUNCTYPE(Status, c_void_p, c_uint64, AttributeFunction, c_void_p)),
+                ("origin", CFUNCTYPE(Status, c_void_p, c_uint64, OriginFunction, c_void_p))]
 
 
 class Module(Structure):

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import threading
-from typing import Any, Dict, Mapping, Optional, Sequence, Union
+from typing import TYPE_CHECKING, Any, Dict, Mapping, Optional, Sequence, Union
 
-from . import _arrays, _attributes, _convert, _plugins, _vtk
+from . import _arrays, _attributes, _convert, _plugins, _repair_steps, _vtk
 from ._attributes import Parts
 from ._curves import Curve, CurveLike, as_curve
 from ._errors import BadMesh
@@ -15,6 +15,9 @@ from ._results import Distance, Result
 from ._types import ArrayLike
 from ._version import __version__
 from ._workspace import OneOrEach, Workspace
+
+if TYPE_CHECKING:
+    from ._pipeline import Cut, Labels, Measurement, Repair
 
 
 class Mesh:
@@ -27,6 +30,9 @@ class Mesh:
     :param vertex_attributes: arrays of numbers by name, of shape (n, ...).
     :param face_attributes: (m, ...) each.
     :param corner_attributes: (m, 3, ...) each: the corners of the faces, in their order.
+    :param repair: True, or some of the steps "weld", "drop", "orient" and "split" as "weld,drop": the
+        mesh is made a surface before it is worked on. Curves and results have the numbers of
+        the arrays, and so have attributes.
     :raises BadMesh: if it is no oriented manifold; the sentence says where.
     :raises BadUsage: for an attribute of another shape, or one that holds no numbers.
 
@@ -40,7 +46,10 @@ class Mesh:
                  vertex_attributes: Optional[Mapping[str, ArrayLike]] = None,
                  face_attributes: Optional[Mapping[str, ArrayLike]] = None,
                  corner_attributes: Optional[Mapping[str, ArrayLike]] = None,
-                 progress: Any = None, plugin: str = "talweg.smooth") -> None:
+                 repair: Union[None, bool, str] = None, progress: Any = None,
+                 plugin: str = "talweg.smooth") -> None:
+        #: What is done before the mesh is worked on: False, True, or steps as "weld,drop"
+        self.repair_steps = _repair_steps.checked(repair)
         parts = _convert.parts_of(vertices) if faces is None else Parts(vertices, faces)
         self.vertices = _arrays.readable(parts.vertices, 3, "The mesh's vertices", BadMesh)
         self.faces = _arrays.readable(parts.faces, 3, "The mesh's faces", BadMesh)
@@ -122,9 +131,11 @@ class Mesh:
         with self._opening:
             if plugin not in self._owners:
                 owner = Instance(found, __version__)
+                _repair_steps.put(owner, self.repair_steps)
                 owner.set_mesh(self.vertices, self.faces, as_progress(progress))
                 self._owners[plugin] = owner
             instance = Instance(found, __version__)
+            _repair_steps.put(instance, self.repair_steps)  # else it would open the mesh as it came
             instance.share_mesh(self._owners[plugin])
         return instance
 
@@ -164,3 +175,35 @@ class Mesh:
         return Distance(result.fields["distance"], result.fields["potential"],
                         total["distance_max"], total["potential_max"],
                         tuple(report.slack for report in result.reports if report.slack is not None))
+
+    def cut(self, curves: Union[CurveLike, Sequence[Curve]], **how: Any) -> Cut:
+        """talweg.cut() on this mesh."""
+        made: Cut = _pipeline().cut(self, curves, **how)
+        return made
+
+    def labels(self, values: Union[str, ArrayLike], **how: Any) -> Labels:
+        """talweg.labels() on this mesh."""
+        made: Labels = _pipeline().labels(self, values, **how)
+        return made
+
+    def measure(self, curves: Union[CurveLike, Sequence[Curve]],
+                others: Union[CurveLike, Sequence[Curve], None] = None, **how: Any) -> Measurement:
+        """talweg.measure() on this mesh."""
+        made: Measurement = _pipeline().measure(self, curves, others, **how)
+        return made
+
+    def inspect(self, *, progress: Any = None) -> Dict[str, Any]:
+        """talweg.inspect() of this mesh, as its arrays are."""
+        made: Dict[str, Any] = _pipeline().inspect(self, progress=progress)
+        return made
+
+    def repair(self, steps: Union[bool, str] = True, **how: Any) -> Repair:
+        """talweg.repair() of this mesh, as its arrays are."""
+        made: Repair = _pipeline().repair(self, steps, **how)
+        return made
+
+
+def _pipeline() -> Any:
+    from . import _pipeline as pipeline  # pylint: disable=import-outside-toplevel,cyclic-import
+
+    return pipeline

@@ -17,7 +17,7 @@ from ._errors import PluginNotFound
 
 _KINDS = {c.NUMBER: "number", c.INTEGER: "integer", c.BOOLEAN: "boolean", c.CHOICE: "choice",
           c.VERTICES: "vertices", c.FIELD: "field",
-          c.PER_CURVE: "per_curve"}
+          c.PER_CURVE: "per_curve", c.TRIANGLE_FIELD: "triangle_field"}
 
 
 @dataclass(frozen=True)
@@ -27,7 +27,7 @@ class Parameter:
     id: str
     label: str
     #: "number", "integer", "boolean", "choice", "vertices" (shape (n,)), "field" (one per vertex),
-    #: "per_curve" (one per curve)
+    #: "per_curve" (one per curve), "triangle_field" (one per triangle)
     kind: str
     unit: str  #: "mesh units", "radians", ...; "" for a pure number
     doc: str
@@ -101,7 +101,7 @@ def folders() -> List[Path]:
 def _objection(module: Any) -> str:
     """Why a module cannot be used; "" if it can."""
     if not module:
-        return "it does not work with hosts of the plugin interface 1.0"
+        return "it does not work with hosts of the plugin interface 1.2"
     m = module.contents
     if m.interface_major != c.INTERFACE_MAJOR or m.needs_minor > c.INTERFACE_MINOR:
         return (f"it needs the plugin interface {m.interface_major}.{m.needs_minor}, "

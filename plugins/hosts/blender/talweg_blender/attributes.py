@@ -1,0 +1,159 @@
+"""All that a Blender mesh has besides its surface: read before a change, and written back after it."""
+
+import numpy as np
+
+from .package import talweg
+
+#: Of attributes: the member with the values, how many, and their type.
+_KINDS = {"FLOAT": ("value", 1, np.float32), "INT": ("value", 1, np.int32),
+          "INT8": ("value", 1, np.int32), "BOOLEAN": ("value", 1, bool),
+          "FLOAT_VECTOR": ("vector", 3, np.float32), "FLOAT2": ("vector", 2, np.float32),
+          "FLOAT_COLOR": ("color", 4, np.float32), "BYTE_COLOR": ("color_srgb", 4, np.float32)}
+_EDGE_FLAGS = {"use_seam": bool, "use_edge_sharp": bool, "use_freestyle_mark": bool,
+               "crease": np.float32, "bevel_weight": np.float32}
+_FACE_FLAGS = {"material_index": np.int32, "use_smooth": bool}
+_FLAG_ATTRIBUTES = ("position", "material_index", "sharp_face", "sharp_edge")  # have places of theirs
+
+
+def read(items, member, columns=1, dtype=np.float32):
+    """A member of all items, (n,) or (n, columns)."""
+    values = np.empty((len(items), columns) if columns > 1 else len(items), dtype)
+    items.foreach_get(member, values.ravel())
+    return values
+
+
+def write(items, member, values):
+    items.foreach_set(member, np.ascontiguousarray(values).ravel())
+
+
+class Attributes:
+    """What a mesh has at vertices, edges, polygons and their corners.
+
+    Vertices and corners are carried by talweg as attributes of a talweg.Mesh; edges and polygons
+    keep what they were a part of.
+
+    :raises talweg.Unsupported: for shape keys, which would be lost.
+    """
+
+    def __init__(self, obj, arrays):
+        mesh = obj.data
+        if mesh.shape_keys is not None:
+            raise talweg.Unsupported("The mesh has shape keys, which a cut mesh cannot have; apply or "
+                                     "remove them first (Object Data > Shape Keys).")
+        self.at_vertices, self.at_corners, self.at_edges, self.at_faces = {}, {}, {}, {}
+        self.made = []  # name, domain, type of generic attributes, in their order
+        self.active_colour = mesh.color_attributes.active_color_index
+        self._read_generic(mesh)
+        self.edges = read(mesh.edges, "vertices", 2, np.int32)
+        for name, dtype in _EDGE_FLAGS.items():
+            self.at_edges["flag:" + name] = read(mesh.edges, name, 1, dtype)
+        for name, dtype in _FACE_FLAGS.items():
+            self.at_faces["flag:" + name] = read(mesh.polygons, name, 1, dtype)
+        bevel = read(mesh.vertices, "bevel_weight")
+        if bevel.any():
+            self.at_vertices["bevel_weight"] = bevel
+        self.uv_layers = [(uv.name, uv.active, uv.active_render, uv.active_clone)
+                          for uv in mesh.uv_layers]
+        for uv in mesh.uv_layers:
+            self.at_corners["uv:" + uv.name] = read(uv.data, "uv", 2)
+        if mesh.has_custom_normals:
+            mesh.calc_normals_split()
+            self.at_corners["normals"] = read(mesh.loops, "normal", 3)
+        self.groups = [group.name for group in obj.vertex_groups]
+        self.active_group = obj.vertex_groups.active_index
+        if self.groups:
+            self.at_vertices["groups"] = self._weights(mesh)
+        self.of_corners = {name: values[arrays.loops] for name, values in self.at_corners.items()}
+
+    def _read_generic(self, mesh):
+        at = {"POINT": self.at_vertices, "EDGE": self.at_edges, "FACE": self.at_faces,
+              "CORNER": self.at_corners}
+        for attribute in mesh.attributes:
+            if (attribute.data_type not in _KINDS or attribute.domain not in at
+                    or attribute.name.startswith(".select") or attribute.name in _FLAG_ATTRIBUTES):
+                continue
+            member, columns, dtype = _KINDS[attribute.data_type]
+            self.made.append((attribute.name, attribute.domain, attribute.data_type))
+            at[attribute.domain]["of:" + attribute.name] = read(attribute.data, member, columns, dtype)
+
+    def _weights(self, mesh):
+        weights = np.zeros((len(mesh.vertices), len(self.groups)), np.float32)
+        for vertex in mesh.vertices:
+            for group in vertex.groups:
+                if group.group < len(self.groups):
+                    weights[vertex.index, group.group] = group.weight
+        return weights
+
+    def mesh(self, arrays, **how):
+        """A talweg.Mesh with what talweg carries."""
+        return talweg.Mesh(arrays.vertices, arrays.triangles, vertex_attributes=self.at_vertices,
+                           corner_attributes=self.of_corners, **how)
+
+    def write(self, obj, made, layout, vertices, edge_from):
+        """On the new geometry.
+
+        :param made: the talweg.MadeMesh.
+        :param layout: its polygons (polygons.Layout).
+        :param vertices: the vertices of ``made`` that are there.
+        :param edge_from: for each new edge the old one that it is a part of, or -1.
+        """
+        mesh = obj.data
+        at = {"POINT": {name: values[vertices] for name, values in made.vertex_attributes.items()},
+              "CORNER": {name: _at_loops(values, layout)
+                         for name, values in made.corner_attributes.items()},
+              "EDGE": _picked(self.at_edges, edge_from),
+              "FACE": _picked(self.at_faces, layout.polygon_from)}
+        for name, domain, kind in self.made:
+            attribute = mesh.attributes.get(name) or mesh.attributes.new(name, kind, domain)
+            write(attribute.data, _KINDS[kind][0], at[domain]["of:" + name])
+        if 0 <= self.active_colour < len(mesh.color_attributes):
+            mesh.color_attributes.active_color_index = self.active_colour
+        for name in _EDGE_FLAGS:
+            values = at["EDGE"]["flag:" + name]
+            if values.any():
+                write(mesh.edges, name, values)
+        for name in _FACE_FLAGS:
+            write(mesh.polygons, name, at["FACE"]["flag:" + name])
+        if "bevel_weight" in at["POINT"]:
+            write(mesh.vertices, "bevel_weight", at["POINT"]["bevel_weight"])
+        self._write_uv(mesh, at["CORNER"])
+        if self.groups:
+            self.write_groups(obj, at["POINT"]["groups"])
+        if "normals" in at["CORNER"]:
+            mesh.normals_split_custom_set(at["CORNER"]["normals"])
+
+    def _write_uv(self, mesh, at_corners):
+        for name, active, of_render, of_clone in self.uv_layers:
+            layer = mesh.uv_layers.get(name) or mesh.uv_layers.new(name=name, do_init=False)
+            write(layer.data, "uv", at_corners["uv:" + name])
+        for name, active, of_render, of_clone in self.uv_layers:
+            layer = mesh.uv_layers[name]
+            layer.active_render = layer.active_render or of_render
+            layer.active_clone = layer.active_clone or of_clone
+            if active:
+                mesh.uv_layers.active = layer
+
+    def write_groups(self, obj, weights):
+        """Vertices with the weight 0 are in no group."""
+        for number, name in enumerate(self.groups):
+            group = obj.vertex_groups.get(name) or obj.vertex_groups.new(name=name)
+            members = np.flatnonzero(weights[:, number] > 0)
+            of_members = weights[members, number]
+            for weight in np.unique(of_members).tolist():
+                group.add(members[of_members == np.float32(weight)].tolist(), weight, "REPLACE")
+        if 0 <= self.active_group < len(obj.vertex_groups):
+            obj.vertex_groups.active_index = self.active_group
+
+
+def _picked(attributes, source):
+    """Those of the elements that the new ones come from; 0 where they come from none."""
+    result = {}
+    for name, values in attributes.items():
+        none = np.zeros((1,) + values.shape[1:], values.dtype)
+        result[name] = np.concatenate([values, none])[source]
+    return result
+
+
+def _at_loops(values, layout):
+    flat = values.reshape((-1,) + values.shape[2:])[layout.loop_from]
+    return np.nan_to_num(flat) if flat.dtype.kind == "f" else flat

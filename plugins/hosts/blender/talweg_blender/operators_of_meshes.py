@@ -1,0 +1,162 @@
+"""Cut along curve objects, separate, smooth borders of materials and vertex groups, repair."""
+
+import bpy
+
+from . import cutting, drawings
+from .package import talweg
+
+#: Points of curve objects are of single precision: so near an edge they are on it.
+_MERGE = 1e-5
+
+
+def _choice(plugin, name):
+    parameter = talweg.plugin(plugin).parameters[name]
+    return bpy.props.EnumProperty(
+        name=parameter.label, default=parameter.default, description=parameter.doc.rstrip("."),
+        items=[(id, label, "") for id, label in zip(parameter.choices, parameter.choice_labels)])
+
+
+def _number(plugin, name, default, low, high, **more):
+    parameter = talweg.plugin(plugin).parameters[name]
+    return bpy.props.FloatProperty(name=parameter.label, description=parameter.doc.rstrip("."),
+                                   default=default, min=low, soft_max=high, precision=4, **more)
+
+
+class _OnMesh:
+    """In object mode, on the active mesh."""
+
+    bl_options = {"REGISTER", "UNDO"}
+
+    @classmethod
+    def poll(cls, context):
+        return context.object is not None and context.object.mode == "OBJECT" \
+            and context.object.type == "MESH"
+
+    def execute(self, context):
+        try:
+            told, warnings = self.work(context, context.object, drawings.MeshArrays(context.object.data))
+        except (talweg.Error, KeyboardInterrupt) as error:
+            self.report({"ERROR"}, str(error) or "Interrupted.")
+            return {"CANCELLED"}
+        self.report({"INFO"}, told)
+        for warning in warnings:
+            self.report({"WARNING"}, warning)
+        return {"FINISHED"}
+
+    def draw(self, _context):
+        self.layout.use_property_split = True
+        for name in type(self).__annotations__:
+            self.layout.prop(self, name)
+
+
+def _curves(context, obj):
+    """The curves, and what goes with them."""
+    curves = drawings.curve_objects(context, obj)
+    exact = all(curve.faces is not None for curve in curves)
+    return curves, {} if exact else {"merge": _MERGE}
+
+
+class TALWEG_OT_cut(_OnMesh, bpy.types.Operator):
+    """Make selected curve objects edges of the active mesh; nothing of it is lost"""
+
+    bl_idname = "talweg.cut"
+    bl_label = "Cut Along Curve"
+
+    def work(self, context, obj, arrays):
+        curves, how = _curves(context, obj)
+        made = cutting.cut(obj, arrays, curves, open=self.open, **how)
+        context.tool_settings.mesh_select_mode = (False, True, False)
+        return f"{made.report['cut_faces']} faces were cut.", made.report["warnings"]
+
+
+class TALWEG_OT_separate(_OnMesh, bpy.types.Operator):
+    """Take the active mesh apart along selected curve objects: an object for each piece"""
+
+    bl_idname = "talweg.separate"
+    bl_label = "Separate Along Curve"
+
+    def work(self, context, obj, arrays):
+        curves, how = _curves(context, obj)
+        objects = cutting.separate(obj, arrays, curves, keep=self.keep, cap=self.cap, **how)
+        warnings = [] if len(objects) > 1 or self.keep != "both" else [
+            "The curves do not part the mesh; it was only opened along them."]
+        return f"{len(objects)} objects: {', '.join(one.name for one in objects)}.", warnings
+
+
+class _Borders(_OnMesh):
+    def smoothed(self):
+        how = {"tau": self.tau, "junctions": self.junctions, "ends": self.ends}
+        if self.max_deviation > 0:
+            how["max_deviation"] = self.max_deviation
+        return how
+
+    def told(self, found):
+        return f"{len(found.borders)} borders.", found.report["warnings"]
+
+
+class TALWEG_OT_material_borders(_Borders, bpy.types.Operator):
+    """Smooth all borders between materials together, and cut them into the mesh"""
+
+    bl_idname = "talweg.material_borders"
+    bl_label = "Smooth Material Borders"
+
+    def work(self, _context, obj, arrays):
+        return self.told(cutting.smooth_materials(obj, arrays, **self.smoothed()))
+
+
+class TALWEG_OT_group_borders(_Borders, bpy.types.Operator):
+    """Smooth the border of the active vertex group, and cut it into the mesh"""
+
+    bl_idname = "talweg.group_borders"
+    bl_label = "Smooth Vertex-Group Borders"
+
+    def work(self, _context, obj, arrays):
+        return self.told(cutting.smooth_group(obj, arrays, self.threshold, **self.smoothed()))
+
+
+class TALWEG_OT_repair(_OnMesh, bpy.types.Operator):
+    """Make a surface of the mesh: weld, drop, orient and split what keeps curves from it"""
+
+    bl_idname = "talweg.repair"
+    bl_label = "Repair for Talweg"
+
+    def work(self, _context, obj, arrays):
+        steps = ",".join(name for name in ("weld", "drop", "orient", "split") if getattr(self, name))
+        if not steps:
+            raise talweg.BadUsage("No step of the repair is chosen.")
+        changes = cutting.repair(obj, arrays, steps).changes
+        return " ".join(changes) or "The mesh needs no repair.", []
+
+
+CLASSES = (TALWEG_OT_cut, TALWEG_OT_separate, TALWEG_OT_material_borders, TALWEG_OT_group_borders,
+           TALWEG_OT_repair)
+
+
+def _properties():
+    borders = {"tau": _number("talweg.labels", "tau", 1, 0, 16),
+               "max_deviation": _number("talweg.labels", "max_deviation", 0, 0, 10),
+               "junctions": _choice("talweg.labels", "junctions"),
+               "ends": _choice("talweg.labels", "ends")}
+    threshold = bpy.props.FloatProperty(name="Inside from", default=0.5, min=0, max=1, precision=3,
+                                        description="Vertices of this weight or more are inside")
+    steps = {name: bpy.props.BoolProperty(
+        name=name.capitalize(), default=True,
+        description=talweg.plugin("talweg.repair").parameters["repair_" + name].doc.rstrip("."))
+        for name in ("weld", "drop", "orient", "split")}
+    opened = talweg.plugin("talweg.cut").parameters["open"]
+    return {TALWEG_OT_cut: {"open": bpy.props.BoolProperty(
+                name=opened.label, default=False, description=opened.doc.rstrip("."))},
+            TALWEG_OT_separate: {name: _choice("talweg.cut", name) for name in ("keep", "cap")},
+            TALWEG_OT_material_borders: borders,
+            TALWEG_OT_group_borders: {"threshold": threshold, **borders}, TALWEG_OT_repair: steps}
+
+
+def register():
+    for cls, properties in _properties().items():
+        cls.__annotations__ = properties
+        bpy.utils.register_class(cls)
+
+
+def unregister():
+    for cls in reversed(CLASSES):
+        bpy.utils.unregister_class(cls)

@@ -1,0 +1,279 @@
+"""Cutting, label borders, measuring, inspecting and repairing."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Any, Dict, List, Mapping, Optional, Sequence, Union
+
+import numpy as np
+
+from . import _repair_steps
+from ._carrying import Carrier
+from ._curves import Curve, CurveLike, as_curves
+from ._errors import BadMesh, BadUsage
+from ._interruptible import as_progress
+from ._made import MadeMesh, made_meshes
+from ._mesh import Mesh
+from ._results import Report, Result
+from ._types import Array, ArrayLike, Integers
+from ._workspace import Workspace
+
+Tree = Dict[str, Any]
+
+
+def mesh_of(given: Any, plugin: str) -> Mesh:
+    """A Mesh as it is; a pair (vertices, faces), or a mesh of another package, opened."""
+    if isinstance(given, Mesh):
+        return given
+    if isinstance(given, tuple) and len(given) == 2:
+        return Mesh(given[0], given[1], plugin=plugin)
+    return Mesh(given, plugin=plugin)
+
+
+def tree_of(report: Report) -> Tree:
+    """A report as the driver's JSON has it: groups are dictionaries, numbered ones lists,
+    and what is infinite is None."""
+    entries = {name: value for name, value in vars(report).items()
+               if name not in ("more", "time_ms") and value not in (None, ())}
+    if report.warnings == ():
+        entries["warnings"] = ()
+    entries.update(report.more)
+    entries.update({"time_ms." + name: value for name, value in report.time_ms.items()})
+    root: Tree = {}
+    for key, value in entries.items():
+        node: Tree = root
+        *groups, last = key.split(".")
+        for group in groups:
+            below = node.get(group)
+            if not isinstance(below, dict):  # an empty list under its own key
+                below = node[group] = {}
+            node = below
+        node[last] = _finite(value)
+    return {name: _listed(value) for name, value in root.items()}
+
+
+def _finite(value: Any) -> Any:
+    """None for what is not bounded or not measured, as in the driver's JSON."""
+    if isinstance(value, tuple):
+        return [_finite(one) for one in value]
+    return None if isinstance(value, float) and math.isinf(value) else value
+
+
+def _listed(node: Any) -> Any:
+    if not isinstance(node, dict):
+        return node
+    below = {name: _listed(value) for name, value in node.items()}
+    if below and all(name.isdigit() for name in below):
+        return [below[name] for name in sorted(below, key=int)]
+    return below
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Cut:
+    """What talweg.cut() gives."""
+
+    meshes: List[MadeMesh]  #: one, or one for each piece, the one with the lowest face first
+    report: Tree  #: what was cut, and the parts; as the driver's --report
+
+    def __repr__(self) -> str:
+        return f"<talweg.Cut: {self.meshes}>"
+
+    @property
+    def mesh(self) -> MadeMesh:
+        """The only mesh. :raises BadUsage: if there are several, or none."""
+        if len(self.meshes) != 1:
+            raise BadUsage(f"There are {len(self.meshes)} meshes; ask for .meshes.")
+        return self.meshes[0]
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Labels:
+    """What talweg.labels() gives."""
+
+    borders: List[Curve]  #: the smoothed borders
+    left: Integers  #: (number of borders,), the label on the left of each, seen from outside
+    right: Integers
+    labels: Integers  #: (number of faces,): of each face that of its larger share
+    #: Cut along the borders, with its face attribute "label": the exact labels
+    mesh: Optional[MadeMesh]
+    reports: List[Report]  #: one for each border
+    report: Tree  #: of all, of each border and of each region; as the driver's --report
+
+    def __repr__(self) -> str:
+        return f"<talweg.Labels: {len(self.borders)} borders>"
+
+
+@dataclass(frozen=True)
+class Measurement:
+    """What talweg.measure() gives, in mesh units and radians."""
+
+    curves: List[Tree]  #: of each curve
+    total: Tree  #: of all together; as the driver's --report
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Repair:
+    """What talweg.repair() gives."""
+
+    mesh: MadeMesh  #: a surface; its ``origin`` is the map back
+    became: Integers  #: (number of vertices,): the vertex that each became, the first of several
+    became_face: Integers  #: (number of faces,): the face that each became; -1: it was dropped
+    report: Tree  #: the inspection, and under "repair" what was done and the verdict after it
+
+    def __repr__(self) -> str:
+        return f"<talweg.Repair: {self.mesh}>"
+
+    @property
+    def changes(self) -> List[str]:
+        """What was done, a sentence each."""
+        return list(self.report["repair"]["changes"])
+
+
+def cut(mesh: Any, curves: Union[CurveLike, Sequence[Curve]], *, closed: bool = False,
+        carry: Optional[Mapping[str, str]] = None, progress: Any = None, **parameters: Any) -> Cut:
+    """Makes curves edges of the mesh, exactly, and takes it apart along them, if asked.
+
+    No vertex moves; new ones lie on edges and in faces. Attributes of the mesh come along.
+
+    :param mesh: a ``Mesh``, a pair (vertices, faces), or a mesh of another package.
+    :param curves: as for smooth(), but points need not be neighbours, and curves may cross.
+    :param carry: by the name of an attribute, how new vertices get its values: "linear", "rounded",
+        "nearest", or "direction" (unit vectors). Without it real numbers are linear, bytes
+        rounded (colours), other whole numbers nearest, and three columns of real numbers
+        with the name "normal" or "normals" directions; at corners whole numbers are rounded.
+    :param parameters: ``open`` (two sides of vertices), ``split`` (a mesh for each piece), ``keep``
+        ("both", "left", "right"), ``cap`` ("none", "auto", "planar", "least-area"), ``merge``.
+    :raises BadMesh, BadCurve, BadUsage: with the library's sentence.
+    """
+    work = Workspace(mesh_of(mesh, "talweg.cut"), curves, closed=closed, plugin="talweg.cut",
+                     **parameters)
+    carrier = Carrier(work.mesh, work._instance, carry)
+    result, lists = work._instance.run_with_meshes(False, as_progress(progress))
+    return Cut(made_meshes(work._instance, carrier, lists), tree_of(result.total))
+
+
+def labels(mesh: Any, values: Union[str, ArrayLike], *, of: Optional[str] = None,
+           cut_mesh: bool = True, carry: Optional[Mapping[str, str]] = None, progress: Any = None,
+           **parameters: Any) -> Labels:
+    """Smooths all borders of a segmentation together: none crosses another, no region is lost.
+
+    :param mesh: as for cut().
+    :param values: (m,) or (n,) whole numbers, the labels of faces or vertices; or the name of an
+        attribute of the mesh.
+    :param of: "faces" or "vertices", where their number does not tell.
+    :param cut_mesh: False: ``mesh`` is None, which takes less time.
+    :param carry: as for cut().
+    :param parameters: ``tau``, ``slack``, ``max_deviation``, ``junctions`` ("fixed", "free"), ``ends``
+        ("stay", "slide").
+    :raises BadMesh, BadUsage: with the library's sentence.
+    """
+    opened = mesh_of(mesh, "talweg.labels")
+    name = {"faces": "triangle_labels", "vertices": "vertex_labels"}[_element(opened, values, of)]
+    work = Workspace(opened, plugin="talweg.labels",
+                     **{**parameters, name: _values(opened, values, name)})
+    if not cut_mesh:
+        result = work._instance.run(False, True, as_progress(progress))
+        return _labels(result, None)
+    carrier = Carrier(opened, work._instance, carry)
+    result, lists = work._instance.run_with_meshes(True, as_progress(progress))
+    return _labels(result, made_meshes(work._instance, carrier, lists)[0])
+
+
+def _element(mesh: Mesh, values: Union[str, ArrayLike], of: Optional[str]) -> str:
+    if of not in (None, "faces", "vertices"):
+        raise BadUsage(f"of must be faces or vertices, not {of!r}.")
+    if of is not None:
+        return of
+    if isinstance(values, str):
+        if values not in mesh.face_attributes and values not in mesh.vertex_attributes:
+            raise BadUsage(f"The mesh has no attribute {values} of faces or vertices.")
+        return "faces" if values in mesh.face_attributes else "vertices"
+    return "vertices" if np.shape(values)[:1] == (len(mesh.vertices),) != (
+        len(mesh.faces),) else "faces"
+
+
+def _values(mesh: Mesh, values: Union[str, ArrayLike], name: str) -> ArrayLike:
+    if not isinstance(values, str):
+        return values
+    attributes = mesh.face_attributes if name == "triangle_labels" else mesh.vertex_attributes
+    if values not in attributes:
+        raise BadUsage(f"The mesh has no such attribute: {values}.")
+    return attributes[values]
+
+
+def _labels(result: Result, mesh: Optional[MadeMesh]) -> Labels:
+    report = tree_of(result.total)
+    borders = report.get("borders", [])
+    sides = [np.array([border[side] for border in borders], np.int64) for side in ("left", "right")]
+    return Labels(result.curves, sides[0], sides[1], _whole(result.fields["labels"]), mesh,
+                  result.reports, report)
+
+
+def _whole(values: Array) -> Integers:
+    return values.astype(np.int64)
+
+
+def measure(mesh: Any, curves: Union[CurveLike, Sequence[Curve]],
+            others: Union[CurveLike, Sequence[Curve], None] = None, *, closed: bool = False,
+            edge: Optional[float] = None, progress: Any = None) -> Measurement:
+    """Length, geodesic curvature, bending and self-contacts of curves, and how far they lie from
+    others along the surface, both ways.
+
+    :param mesh: as for cut(). :param curves: as for cut().
+    :param others: as many as ``curves`` are compared one by one; else all together.
+    :param edge: length of the windows in which turning is measured, mesh units; without it the
+        mean edge near each curve. To compare curves give all the same.
+    :param closed: curves and others that are arrays are loops.
+    :raises BadMesh, BadCurve, BadUsage: with the library's sentence.
+    """
+    compared = [] if others is None else as_curves(others, closed)
+    work = Workspace(mesh_of(mesh, "talweg.measure"), as_curves(curves, closed) + compared,
+                     plugin="talweg.measure", others=len(compared), edge=edge)
+    result = work._instance.run(False, False, as_progress(progress))
+    return Measurement([tree_of(report) for report in result.reports], tree_of(result.total))
+
+
+def inspect(mesh: Any, *, progress: Any = None) -> Tree:
+    """What a mesh is, what is wrong with it, and whether curves can be drawn on it.
+
+    :param mesh: as for cut(); it may be no surface.
+    :returns: what ``talweg info --json`` tells: "verdict" ("usable", "repairable", ...), "reason",
+        "repair_steps", "defects", "components", "edge_length_mean", ...
+    """
+    told = tree_of(_inspected(mesh, {"repair": False}, progress)[0].total)
+    del told["warnings"]  # a mesh has none
+    return told
+
+
+def repair(mesh: Any, steps: Union[bool, str] = True, *, progress: Any = None,
+           carry: Optional[Mapping[str, str]] = None) -> Repair:
+    """Makes a surface of a mesh; only welding moves vertices.
+
+    Vertices keep their numbers: copies come last, and those that no face has any more stay.
+
+    :param mesh: as for cut(); it may be no surface. Its attributes come along.
+    :param steps: True, or some of "weld", "drop", "orient" and "split" as "weld,drop".
+    :raises BadMesh: if these steps make no surface of it.
+    """
+    chosen = _repair_steps.checked(steps)
+    if not chosen:
+        raise BadUsage("repair() needs one step or more.")
+    result, meshes = _inspected(mesh, _repair_steps.values(chosen), progress, True, carry)
+    report = tree_of(result.total)
+    verdict = report["repair"] if meshes else report
+    if not meshes or verdict["verdict"] != "usable":
+        raise BadMesh(verdict["reason"])
+    return Repair(meshes[0], _whole(result.fields["became"]),
+                  _whole(result.fields["became_triangle"]), report)
+
+
+def _inspected(mesh: Any, parameters: Dict[str, bool], progress: Any, wanted: bool = False,
+               carry: Optional[Mapping[str, str]] = None) -> Any:
+    given = mesh_of(mesh, "talweg.repair")
+    work = Workspace(given, plugin="talweg.repair", **parameters)
+    if not wanted:
+        return work._instance.run(False, False, as_progress(progress)), []
+    carrier = Carrier(given, work._instance, carry)
+    result, lists = work._instance.run_with_meshes(True, as_progress(progress))
+    return result, made_meshes(work._instance, carrier, lists)
