@@ -110,10 +110,7 @@ void vtkTalwegFilter::Log(unsigned int severity, const char* message) {
 }
 
 void vtkTalwegFilter::TakeMesh(vtkDataSet& mesh) {
-  Session& session = this->GetSession();
-  if (session.take_mesh(mesh)) this->Common->Warned.clear();
-  const std::string& note = session.mesh().note();
-  if (!note.empty()) this->Log(TALWEG_LOG_WARNING, note.c_str());
+  if (this->GetSession().take_mesh(mesh)) this->Common->Warned.clear();
 }
 
 void vtkTalwegFilter::TakeDrawing(talweg::paraview::Origin origin,
@@ -156,6 +153,8 @@ int vtkTalwegFilter::RequestData(vtkInformation*, vtkInformationVector** inputs,
   clear();
   try {
     this->Work(*input(0), input(1), input(2), *outputs);
+    const std::string& note = this->GetSession().mesh().note();
+    if (!note.empty()) this->Log(TALWEG_LOG_WARNING, note.c_str());
     return 1;
   } catch (const talweg::host::Error& error) {
     clear();

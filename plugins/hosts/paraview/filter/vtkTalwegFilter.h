@@ -76,7 +76,7 @@ class TALWEGFILTERS_EXPORT vtkTalwegFilter : public vtkDataObjectAlgorithm {
                     vtkInformationVector& outputs) = 0;
 
   talweg::paraview::Session& GetSession();
-  /// Gives the session the mesh, and tells what was done to it.
+  /// Gives the session the mesh.
   void TakeMesh(vtkDataSet& mesh);
   /// Gives the session the curves of a data set, and behind them those of another; says how many
   /// these are. Throws std::runtime_error without the first.
