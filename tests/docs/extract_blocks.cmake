@@ -8,7 +8,8 @@
 #   python                       run by tests/hosts/python/test_docs.py, unless it is a file as below
 #   text                         nothing: output, or how a command line looks
 #   <!-- file: NAME -->          written to OUT.files/NAME, for the sh blocks to use
-#   <!-- needs: PROGRAM -->      an sh block that is skipped, with a message, where PROGRAM is missing
+#   <!-- needs: PROGRAM -->      an sh block that is skipped, with a message, where PROGRAM is missing; a
+#                                python block, where the module is
 #   <!-- not run: REASON -->     nothing, for that reason
 #
 # Everything else is a problem, told in one line.

@@ -34,7 +34,7 @@ class SaddlePassingTest : public testing::Test {
     for (std::uint32_t k = 2; k < 6; ++k) add(6, k);
     for (std::uint32_t k = 6; k > 2; --k) add(k, 6);
     for (std::uint32_t k = 6; k > 2; --k) add(2, k);
-    std::ranges::rotate(ring, ring.begin() + static_cast<std::ptrdiff_t>(start));
+    std::rotate(ring.begin(), ring.begin() + static_cast<std::ptrdiff_t>(start), ring.end());
     return ring;
   }
   static std::vector<KeptPoint> points_at(const Surface& surface,

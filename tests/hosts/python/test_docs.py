@@ -1,6 +1,7 @@
 """The Python blocks of docs/python.md and README.md, in their order, and the example with its pictures."""
 
 import contextlib
+import importlib.util
 import io
 import os
 import re
@@ -13,7 +14,12 @@ from unittest import mock
 
 import support
 
-BLOCK = re.compile(r"(^<!-- not run: [^\n]+ -->\n)?^```python\n(.*?)^```", re.DOTALL | re.MULTILINE)
+BLOCK = re.compile(r"(?:^<!-- (not run|needs): ([^\n]+) -->\n)?^```python\n(.*?)^```",
+                   re.DOTALL | re.MULTILINE)
+
+
+def is_missing(module):
+    return importlib.util.find_spec(module) is None
 
 
 class Docs(unittest.TestCase):
@@ -25,11 +31,14 @@ class Docs(unittest.TestCase):
         names, printed = {}, io.StringIO()
         for page in ("docs/python.md", "README.md"):  # the README takes its mesh from the page
             text = (support.SOURCE / page).read_text()
-            blocks = [(text.count("\n", 0, found.start(2)), found.group(2))
-                      for found in BLOCK.finditer(text) if not found.group(1)]
+            blocks = [(text.count("\n", 0, found.start(3)), found)
+                      for found in BLOCK.finditer(text) if found.group(1) != "not run"]
             self.assertGreater(len(blocks), 0, page)
-            for line, code in blocks:
+            for line, found in blocks:
+                code = found.group(3)
                 with self.subTest(f"{page}:{line}"), contextlib.redirect_stdout(printed):
+                    if found.group(1) == "needs" and is_missing(found.group(2)):
+                        self.skipTest(f"no {found.group(2)} (Debian: python3-{found.group(2)})")
                     exec(compile("\n" * line + code, page, "exec"), names)  # pylint: disable=exec-used
         # The page quotes this sentence.
         self.assertIn("3 Vertices 5 and 900 at position 0", printed.getvalue())

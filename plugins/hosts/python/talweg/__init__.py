@@ -13,20 +13,25 @@ from __future__ import annotations
 
 from typing import Any, Sequence, Union
 
-from ._curves import ArrayLike, Curve, CurveLike
+from ._curves import Curve, CurveLike
 from ._errors import (BadCurve, BadFile, BadMesh, BadUsage, Cancelled, Error, Internal, Numerical,
                       OutOfMemory, PluginNotFound, Unsupported)
 from ._files import read_curves, write_curves
-from ._mesh import Mesh, OneOrEach, Workspace
+from ._mesh import Mesh
+from ._plot import plot_curvature
 from ._plugins import Parameter, Plugin, folders, help_text, plugin, plugins
 from ._results import Distance, Report, Result
+from ._show import show
+from ._types import ArrayLike
 from ._version import __version__
+from ._workspace import OneOrEach, Workspace
 
 __all__ = [
     "BadCurve", "BadFile", "BadMesh", "BadUsage", "Cancelled", "Curve", "Distance", "Error",
     "Internal", "Mesh", "Numerical", "OutOfMemory", "Parameter", "Plugin", "PluginNotFound",
     "Report", "Result", "Unsupported", "Workspace", "__version__", "distance", "draw", "folders",
-    "geodesic", "help_text", "plugin", "plugins", "read_curves", "smooth", "write_curves"
+    "geodesic", "help_text", "plot_curvature", "plugin", "plugins", "read_curves", "show", "smooth",
+    "write_curves"
 ]
 
 

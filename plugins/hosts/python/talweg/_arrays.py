@@ -9,6 +9,7 @@ import numpy as np
 
 from . import _interface as c
 from ._errors import BadUsage, Error
+from ._types import Array, Integers
 
 _TYPES = {("f", 8): c.FLOAT64, ("f", 4): c.FLOAT32, ("i", 4): c.INT32, ("u", 4): c.UINT32,
           ("i", 8): c.INT64, ("u", 8): c.UINT64}
@@ -18,7 +19,7 @@ _WIDER = {"f": np.float64, "i": np.int64, "u": np.uint64}
 _LONGEST_STRIDE = 2**32
 
 
-def readable(values: Any, columns: int, what: str, error: Type[Error] = BadUsage) -> np.ndarray:
+def readable(values: Any, columns: int, what: str, error: Type[Error] = BadUsage) -> Array:
     """The values as an array that the interface can read: the caller's own wherever it can be.
 
     Copied are only what is no array, numbers of other sizes or byte orders (float16, int16, ...),
@@ -46,7 +47,7 @@ def readable(values: Any, columns: int, what: str, error: Type[Error] = BadUsage
     return array if _can_be_passed(array) else np.ascontiguousarray(array)
 
 
-def _can_be_passed(array: np.ndarray) -> bool:
+def _can_be_passed(array: Array) -> bool:
     size = array.dtype.itemsize
     if array.size == 0:
         return True
@@ -56,7 +57,7 @@ def _can_be_passed(array: np.ndarray) -> bool:
     return len(array) == 1 or row <= array.strides[0] <= _LONGEST_STRIDE
 
 
-def view(array: np.ndarray) -> c.Array:
+def view(array: Array) -> c.Array:
     """What the interface sees of an array from readable(), which must outlive it."""
     columns = array.shape[1] if array.ndim == 2 else 1
     stride = array.strides[0] if len(array) > 1 else 0
@@ -64,7 +65,7 @@ def view(array: np.ndarray) -> c.Array:
                    _TYPES[array.dtype.kind, array.dtype.itemsize])
 
 
-def copied(array: c.Array) -> np.ndarray:
+def copied(array: c.Array) -> Array:
     """A copy of what a plugin gives (dense, by the interface's rule): (n,) or (n, columns)."""
     dtype = np.dtype(_DTYPES[array.type])
     shape: Tuple[int, ...] = (array.rows, array.columns) if array.columns > 1 else (array.rows,)
@@ -74,7 +75,7 @@ def copied(array: c.Array) -> np.ndarray:
     return np.frombuffer(bytes_, dtype).reshape(shape).copy()
 
 
-def copied_indices(array: c.Array) -> np.ndarray:
+def copied_indices(array: c.Array) -> Integers:
     """The same for indices, as int64; -1 where the plugin says that there is none."""
     indices = copied(array).astype(np.int64)
     indices[indices == c.NO_VERTEX] = -1

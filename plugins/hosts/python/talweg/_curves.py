@@ -11,8 +11,7 @@ import numpy as np
 from . import _arrays
 from . import _interface as c
 from ._errors import BadCurve
-
-ArrayLike = Any  # what numpy.asarray takes
+from ._types import Array, ArrayLike, Floats
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -35,7 +34,7 @@ class Curve:
     closed: bool = False  #: a closed curve does not repeat its first point
     pins: Sequence[int] = ()  #: indices of points that shall stay where they are
     #: From Talweg, if asked for: (n,) each; "deviation" in mesh units, "curvature" in radians
-    fields: Dict[str, np.ndarray] = field(default_factory=dict)
+    fields: Dict[str, Array] = field(default_factory=dict)
     #: Which points are meant exactly, as clicks are: True for all, or a tolerance in mesh units for
     #: all; or (n,) of True and False; or (n,) of tolerances, -1 where nothing is said of a point and
     #: -2 where it was painted. None: nothing is said, and the curve is a stroke. From Talweg and from
@@ -99,7 +98,7 @@ def as_curves(given: Union[CurveLike, Sequence[Curve]], closed: bool = False) ->
     return [as_curve(given, closed)]
 
 
-def marks(curve: Curve) -> Optional[np.ndarray]:
+def marks(curve: Curve) -> Optional[Floats]:
     """What ``exact`` says, as one number for each point; None where it says nothing.
 
     :raises BadCurve: if it is no such thing.
@@ -128,7 +127,7 @@ def _keep_marks(curve: c.Curve, given: Curve, kept: List[Any]) -> None:
     curve.field_count, curve.fields = 1, fields
 
 
-def _copied_fields(curve: c.Curve) -> Dict[str, np.ndarray]:
+def _copied_fields(curve: c.Curve) -> Dict[str, Array]:
     fields = {}
     for k in range(curve.field_count):
         one = curve.fields[k].contents

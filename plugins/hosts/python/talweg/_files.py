@@ -24,7 +24,7 @@ def _extension() -> Any:
     return c.CurveFiles2.from_address(address)
 
 
-def _checked(call: Callable[[Any], int]) -> None:
+def _checked(call: Callable[[Any], Any]) -> None:
     message = ctypes.create_string_buffer(_MESSAGE_SIZE)
     status = call(message)
     if status != c.OK:

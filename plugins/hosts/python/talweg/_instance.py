@@ -8,13 +8,12 @@ import weakref
 from ctypes import byref, c_void_p, sizeof
 from typing import Any, Callable, Dict, List, Optional, Sequence
 
-import numpy as np
-
 from . import _arrays, _curves, _interruptible, _results
 from . import _interface as c
 from ._curves import Curve
 from ._errors import BadUsage, error_of
 from ._plugins import Parameter, Plugin
+from ._types import Array, Progress
 
 _log = logging.getLogger("talweg")
 _log.addHandler(logging.NullHandler())  # nothing is printed unless the program sets logging up
@@ -26,7 +25,7 @@ class _Host:
     """What we offer to an instance: progress and log. Lives as long as the instance."""
 
     def __init__(self, version: str) -> None:
-        self.progress: Optional[_interruptible.Progress] = None
+        self.progress: Optional[Progress] = None
         self.failure: Optional[BaseException] = None  # what the progress callback raised
         # ctypes' own callbacks must not hold this object: a circle would keep instances alive.
         me = weakref.ref(self)
@@ -58,7 +57,7 @@ class _Collector:
 
     def __init__(self) -> None:
         self.curves: List[Curve] = []
-        self.fields: Dict[str, np.ndarray] = {}
+        self.fields: Dict[str, Array] = {}
         self.entries: Dict[int, Dict[str, Any]] = {}
         self.failure: Optional[BaseException] = None
 
@@ -111,8 +110,8 @@ class Instance:
         """From any thread: a call that runs ends soon, with Cancelled."""
         self.plugin.table.cancel(self._handle)
 
-    def set_mesh(self, vertices: np.ndarray, faces: np.ndarray,
-                 progress: Optional[_interruptible.Progress]) -> None:
+    def set_mesh(self, vertices: Array, faces: Array,
+                 progress: Optional[Progress]) -> None:
         mesh = c.Mesh(sizeof(c.Mesh), 0, _arrays.view(vertices), _arrays.view(faces))
         self._long(lambda: self.plugin.table.set_mesh(self._handle, byref(mesh)), progress)
 
@@ -120,7 +119,7 @@ class Instance:
         self._short(lambda: self.plugin.table.share_mesh(self._handle, other._handle))
 
     def set_curves(self, curves: Sequence[Curve],
-                   progress: Optional[_interruptible.Progress]) -> None:
+                   progress: Optional[Progress]) -> None:
         pointers, kept = _curves.views(curves)
         self._long(lambda: self.plugin.table.set_curves(self._handle, pointers, len(curves)),
                    progress)
@@ -143,7 +142,7 @@ class Instance:
             self._short(lambda: table.set_number(self._handle, id, number))
 
     def run(self, point_fields: bool, vertex_fields: bool,
-            progress: Optional[_interruptible.Progress]) -> _results.Result:
+            progress: Optional[Progress]) -> _results.Result:
         collector = _Collector()
         sink = collector.sink(point_fields, vertex_fields)
         try:
@@ -154,9 +153,9 @@ class Instance:
             raise
         return collector.result()
 
-    def _long(self, function: Callable[[], int],
-              progress: Optional[_interruptible.Progress]) -> None:
-        def work(progress: Optional[_interruptible.Progress]) -> None:
+    def _long(self, function: Callable[[], Any],
+              progress: Optional[Progress]) -> None:
+        def work(progress: Optional[Progress]) -> None:
             self._host.progress, self._host.failure = progress, None
             try:
                 self._checked(function)
@@ -169,10 +168,10 @@ class Instance:
 
         self._exclusively(lambda: _interruptible.call(work, self.cancel, progress))
 
-    def _short(self, function: Callable[[], int]) -> None:
+    def _short(self, function: Callable[[], Any]) -> None:
         self._exclusively(lambda: self._checked(function))
 
-    def _exclusively(self, body: Callable[[], None]) -> None:
+    def _exclusively(self, body: Callable[[], Any]) -> None:
         # No lock: Ctrl-C between acquiring it and the next line would leave it locked for good.
         me = object()
         try:
@@ -185,7 +184,7 @@ class Instance:
             if me in self._calls:
                 self._calls.remove(me)
 
-    def _checked(self, function: Callable[[], int]) -> None:
+    def _checked(self, function: Callable[[], Any]) -> None:
         status = function()
         if status != c.OK:
             sentence = self.plugin.table.last_error(self._handle) or b""

@@ -11,8 +11,7 @@ import queue
 import threading
 from typing import Any, Callable, Optional
 
-#: (stage, fraction in [0, 1] of that stage); False to cancel
-Progress = Callable[[str, float], Any]
+from ._types import Progress
 
 
 class _Bar:

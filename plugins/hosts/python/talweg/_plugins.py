@@ -61,6 +61,9 @@ class Plugin:
             parameter = _described(table.parameters[k].contents)
             self.parameters[parameter.id] = parameter
 
+    def __reduce__(self) -> Tuple[Any, ...]:
+        return plugin, (self.id,)  # found again where it is unpickled
+
 
 def _described(p: c.Parameter) -> Parameter:
     optional = bool(p.flags & c.OPTIONAL)

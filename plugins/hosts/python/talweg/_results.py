@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field, fields
-from typing import Any, Dict, List, Optional, Tuple
-
-import numpy as np
+from typing import TYPE_CHECKING, Any, Dict, List, Optional, Tuple
 
 from . import _interface as c
 from ._curves import Curve
 from ._errors import BadUsage
+from ._types import Array, Floats
+
+if TYPE_CHECKING:
+    from ._mesh import Mesh
 
 
 @dataclass(frozen=True)
@@ -111,7 +113,11 @@ class Result:
     reports: List[Report]  #: one for each curve
     total: Report  #: of all curves together
     #: If asked for: (number of vertices,) each, e.g. "distance" in mesh units
-    fields: Dict[str, np.ndarray] = field(default_factory=dict)
+    fields: Dict[str, Array] = field(default_factory=dict)
+    drawn: List[Curve] = field(default_factory=list)  #: the curves as they were given
+    #: The mesh, opened again only if it is used; its arrays are shared, not copied. It is pickled with
+    #: the result: send ``curves`` and ``reports`` instead where that is too much.
+    mesh: Optional[Mesh] = None
 
     def __repr__(self) -> str:
         ended = f", {self.total.termination}" if self.total.termination else ""
@@ -129,13 +135,27 @@ class Result:
         """The only curve's report; of several curves the total."""
         return self.reports[0] if len(self.reports) == 1 else self.total
 
+    def show(self, **how: Any) -> Any:
+        """talweg.show() of the result and its drawing on their mesh; ``how`` as there."""
+        from ._show import show  # pylint: disable=import-outside-toplevel,cyclic-import
+
+        if self.mesh is None:
+            raise BadUsage("The result does not know its mesh; use talweg.show(mesh, result).")
+        return show(self.mesh, self, **how)
+
+    def _repr_png_(self) -> Optional[bytes]:
+        """What a notebook shows."""
+        from ._show import png  # pylint: disable=import-outside-toplevel,cyclic-import
+
+        return png(self)
+
 
 @dataclass(frozen=True, eq=False)
 class Distance:
     """Distance to curves and the potential over it, (number of vertices,) each, mesh units."""
 
-    distance: np.ndarray  #: infinite where no curve can be reached
-    potential: np.ndarray  #: by how much the surface is lifted; 0 where no curve can be reached
+    distance: Floats  #: infinite where no curve can be reached
+    potential: Floats  #: by how much the surface is lifted; 0 where no curve can be reached
     distance_max: float
     potential_max: float
     slack: Tuple[float, ...]  #: of each curve

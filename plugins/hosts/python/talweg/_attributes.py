@@ -1,0 +1,54 @@
+"""Attributes of meshes: arrays by name, with a row for each vertex, face or corner of a face."""
+
+from __future__ import annotations
+
+from typing import Any, Dict, Mapping, NamedTuple, Tuple
+
+import numpy as np
+
+from ._errors import BadUsage
+from ._types import Array, ArrayLike
+
+Attributes = Dict[str, Array]
+
+
+class Parts(NamedTuple):
+    """A mesh as lists, of whatever package it came from; nothing of it is checked."""
+
+    vertices: Any
+    faces: Any
+    vertex_attributes: Mapping[str, ArrayLike] = {}
+    face_attributes: Mapping[str, ArrayLike] = {}
+    corner_attributes: Mapping[str, ArrayLike] = {}
+
+
+def checked(given: Mapping[str, ArrayLike], rows: Tuple[int, ...], what: str) -> Attributes:
+    """The same as arrays of numbers, which are not copied.
+
+    :param rows: what their shapes begin with: (vertices,), (faces,) or (faces, 3).
+    :param what: "vertex", "face" or "corner".
+    :raises BadUsage: for another shape, or what are no numbers; it names the attribute.
+    """
+    result: Attributes = {}
+    for name, values in given.items():
+        if not isinstance(name, str) or not name:
+            raise BadUsage(f"The name of a {what} attribute must be a text, not {name!r}.")
+        try:
+            array = np.asarray(values)
+        except ValueError:
+            raise BadUsage(f"The {what} attribute {name} cannot be made an array: its rows are not "
+                           "equally long.") from None
+        if array.dtype.kind not in "biuf":
+            raise BadUsage(f"The {what} attribute {name} must hold numbers, not {array.dtype}.")
+        if array.shape[:len(rows)] != rows:
+            expected = ", ".join(map(str, rows))
+            raise BadUsage(f"The {what} attribute {name} must have the shape ({expected}, ...), not "
+                           f"{array.shape}.")
+        result[name] = array
+    return result
+
+
+def of_numbers(given: Mapping[str, ArrayLike]) -> Attributes:
+    """Those of another package that hold numbers; it may have texts and objects, too."""
+    arrays = {name: np.asarray(values) for name, values in given.items()}
+    return {name: array for name, array in arrays.items() if array.dtype.kind in "biuf"}

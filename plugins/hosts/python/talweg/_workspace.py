@@ -1,0 +1,163 @@
+"""Workspaces: curves on a mesh, and values of parameters."""
+
+from __future__ import annotations
+
+import copy
+import difflib
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any, Dict, List, Optional, Sequence, Union
+
+from . import _plugins
+from ._curves import Curve, CurveLike, as_curves
+from ._errors import BadUsage
+from ._interruptible import as_progress
+from ._results import Result
+
+if TYPE_CHECKING:
+    from ._mesh import Mesh
+
+#: A number for all curves, or one for each; None: as for all.
+OneOrEach = Union[float, Sequence[Optional[float]]]
+
+#: Parameters of talweg.smooth, and those that have a value of theirs for each curve.
+_EACH_CURVE = {"tau": "taus", "slack": "slacks", "finish": "finishes"}
+
+
+def _number_of(name: str, value: Any, choices: Sequence[str]) -> float:
+    """As the parameter for each curve has it: a choice by its number, and -1 for none."""
+    if value is None:
+        return -1.0
+    if choices:
+        if value not in choices:
+            raise BadUsage(f"{name} must be a list of {', '.join(choices)}, not of {value!r}.")
+        return float(choices.index(value))
+    try:
+        return float(value)
+    except (TypeError, ValueError):
+        raise BadUsage(f"{name} must be a list of numbers, not of {value!r}.") from None
+
+
+class Workspace:
+    """Curves on a mesh and values of parameters: each run repeats only what has changed.
+
+    >>> work = talweg.Mesh(vertices, faces).workspace(drawn)
+    >>> for tau in (0, 1, 2):
+    ...     result = work.smooth(tau)     # only what tau touches
+
+    New curves cost what depends on them; ``tau`` and most parameters only the run. One call at a
+    time; workspaces on one mesh may run at the same time on different threads.
+    """
+
+    def __init__(self, mesh: Mesh, curves: Union[CurveLike, Sequence[Curve], None] = None, *,
+                 closed: bool = False, plugin: str = "talweg.smooth", progress: Any = None,
+                 **parameters: Any) -> None:
+        self.mesh = mesh
+        self._instance = mesh._instance(plugin)
+        self._values: Dict[str, Any] = {}
+        self._drawn: List[Curve] = []
+        self.set(**parameters)
+        if curves is not None:
+            self.set_curves(curves, closed=closed, progress=progress)
+
+    def __getstate__(self) -> Dict[str, Any]:
+        return {"mesh": self.mesh, "plugin": self.plugin.id, "values": self._values,
+                "drawn": self._drawn}
+
+    def __setstate__(self, state: Dict[str, Any]) -> None:
+        self.__init__(state["mesh"], plugin=state["plugin"])  # type: ignore[misc]
+        for name, value in state["values"].items():
+            self._instance.set(self.plugin.parameters[name], value)
+        self._values = dict(state["values"])
+        if state["drawn"]:
+            self.set_curves(state["drawn"])
+
+    @property
+    def plugin(self) -> _plugins.Plugin:
+        """What works here, and its description."""
+        return self._instance.plugin
+
+    @property
+    def parameters(self) -> Dict[str, Any]:
+        """The values of all parameters; None where there is none."""
+        defaults = {p.id: p.default for p in self.plugin.parameters.values()}
+        return {**defaults, **self._values}
+
+    def set_curves(self, curves: Union[CurveLike, Sequence[Curve]], *, closed: bool = False,
+                   progress: Any = None) -> None:
+        """Replaces the curves: a list of Curve, or one curve as talweg.smooth() takes it.
+
+        :raises BadCurve: if one is not on the mesh, or not properly; those before stay then.
+        """
+        drawn = as_curves(curves, closed)
+        self._instance.set_curves(drawn, as_progress(progress))
+        self._drawn = copy.deepcopy(drawn)  # results tell what they were made of
+
+    def set(self, **parameters: Any) -> None:
+        """New values of parameters; None: back to the default.
+
+        ``tau``, ``slack`` and ``finish`` may be lists with a value for each curve; None there: as
+        for all.
+
+        :raises BadUsage: for a name that the plugin does not have, or a value out of its range;
+            the old value stays then.
+        """
+        for name in parameters:
+            self._check_name(name)
+        for name, value in self._each_curve(parameters).items():
+            self._instance.set(self.plugin.parameters[name], value)
+            self._values.pop(name, None)
+            if value is not None:
+                self._values[name] = value
+
+    def _each_curve(self, parameters: Dict[str, Any]) -> Dict[str, Any]:
+        """Lists go to the parameters for them, from which a single value takes them back unless
+        they are given beside it."""
+        result: Dict[str, Any] = {}
+        for name, value in parameters.items():
+            each = _EACH_CURVE.get(name)
+            if each not in self.plugin.parameters:
+                result[name] = value
+            elif isinstance(value, (list, tuple)) or getattr(value, "ndim", 0) > 0:
+                choices = self.plugin.parameters[name].choices
+                result[each] = [_number_of(name, v, choices) for v in value]
+            else:
+                result[name] = value
+                if each in self._values and each not in parameters:
+                    result[each] = None
+        return result
+
+    def _check_name(self, name: str) -> None:
+        names: List[str] = list(self.plugin.parameters)
+        if name in names:
+            return
+        close = difflib.get_close_matches(name, names, n=1)
+        hint = f" Did you mean {close[0]}?" if close else ""
+        raise BadUsage(f"{self.plugin.id} has no parameter {name}.{hint} It has "
+                       f"{', '.join(names)}.")
+
+    def run(self, *, point_fields: bool = False, vertex_fields: bool = False,
+            progress: Any = None) -> Result:
+        """Does what is not up to date yet.
+
+        :param point_fields: also ``curve.fields``: "deviation" and "curvature" of every point.
+        :param vertex_fields: also ``result.fields``: "distance" of every vertex.
+        :param progress: a function (stage, fraction in [0, 1]), called on this thread, that may
+            return False to cancel; or a tqdm bar. What it raises comes out of here.
+        :raises Cancelled: if it returned False, or cancel() was called.
+        :raises KeyboardInterrupt: on Ctrl-C, soon; the workspace stays usable.
+        :raises Error: BadCurve, BadUsage, ...: the sentence says what is wrong, and where.
+        """
+        result = self._instance.run(point_fields, vertex_fields, as_progress(progress))
+        return replace(result, drawn=self._drawn, mesh=self.mesh._as_closed())
+
+    def smooth(self, tau: Optional[OneOrEach] = None, *, point_fields: bool = False,
+               vertex_fields: bool = False, progress: Any = None, **parameters: Any) -> Result:
+        """set(tau=tau, **parameters) and run(); without ``tau`` it stays as it is."""
+        if tau is not None:
+            parameters["tau"] = tau
+        self.set(**parameters)
+        return self.run(point_fields=point_fields, vertex_fields=vertex_fields, progress=progress)
+
+    def cancel(self) -> None:
+        """From any thread: a run that is at work ends soon, with Cancelled."""
+        self._instance.cancel()
