@@ -146,6 +146,18 @@ class Pieces(Case):
             self.assertIn(-1, origins)
             self.assertLess(max(origins), 24 * 24 * 2)
 
+    def test_each_mesh_of_a_composite_has_a_block_with_its_pieces(self):
+        both = pv.GroupDatasets(Input=[source(sheet()), source(sheet())])
+        filter = pv.TalwegCut(Input=both, Curve=curves(LINE), Open=1, Split=1)
+        for pieces in self.pieces(filter):
+            self.assertEqual(sorted(round(area(pieces.GetBlock(k)), 12) for k in range(2)),
+                             [3.5 * 8, 4.5 * 8])
+        self.assertEqual(output(filter, 0).GetNumberOfBlocks(), 2)
+        self.assertEqual(output(filter, 1).GetNumberOfLines(), 2)
+        again = pv.TalwegCut(Input=cut(LINE, Open=1, Split=1), Curve=curves(LOOP))
+        areas = [area(block.GetBlock(0)) for block in self.pieces(again)]
+        self.assertAlmostEqual(sum(areas), SIDE * SIDE, 12)
+
     def test_chains_are_the_curves(self):
         filter = cut(LINE, LOOP)
         self.update(filter)

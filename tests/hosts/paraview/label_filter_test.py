@@ -95,6 +95,19 @@ class Labels(Case):
         self.update(filter)
         self.assertNotEqual(places(output(filter, 0)), first)
 
+    def test_abort_gives_nothing_and_is_no_error(self):
+        filter = pv.TalwegLabelBorders(Input=labelled(True), TriangleLabels="tissue")
+        algorithm = filter.GetClientSideObject()
+        tag = algorithm.AddObserver("ProgressEvent", lambda caller, _: caller.SetAbortExecute(1))
+        self.update(filter)
+        for port in range(3):
+            self.assertEqual(output(filter, port).GetNumberOfPoints(), 0)
+        algorithm.RemoveObserver(tag)
+        algorithm.SetAbortExecute(0)
+        filter.Tau = 2
+        self.update(filter)
+        self.assertGreater(output(filter, 0).GetNumberOfPoints(), 1)
+
     def test_sentences(self):
         none = pv.TalwegLabelBorders(Input=labelled(True))
         self.assertIn("There are no labels", self.error_of(none))

@@ -1,8 +1,11 @@
 #include "vtkTalwegCut.h"
 
+#include <stdexcept>
 #include <string>
 #include <vector>
 
+#include <vtkAppendPolyData.h>
+#include <vtkCompositeDataIterator.h>
 #include <vtkCompositeDataSet.h>
 #include <vtkDataObject.h>
 #include <vtkDataSet.h>
@@ -13,6 +16,7 @@
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
 
 #include "mesh_output.hpp"
 #include "report_output.hpp"
@@ -32,23 +36,62 @@ int vtkTalwegCut::FillOutputPortInformation(int port, vtkInformation* info) {
   return 1;
 }
 
-void vtkTalwegCut::Work(vtkDataSet& mesh, vtkDataSet* curves, vtkDataSet*,
-                        vtkInformationVector& outputs) {
+int vtkTalwegCut::FillInputPortInformation(int port, vtkInformation* info) {
+  this->Superclass::FillInputPortInformation(port, info);
+  if (port == 0) info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+  return 1;
+}
+
+namespace {
+
+void add_block(vtkMultiBlockDataSet& blocks, vtkDataObject& block, const std::string& name) {
+  const unsigned int number = blocks.GetNumberOfBlocks();
+  blocks.SetBlock(number, &block);
+  blocks.GetMetaData(number)->Set(vtkCompositeDataSet::NAME(), name.c_str());
+}
+
+}  // namespace
+
+void vtkTalwegCut::Cut(vtkDataSet& mesh, vtkDataSet* curves, vtkMultiBlockDataSet& pieces,
+                       vtkPolyData& chains) {
   Session& session = this->GetSession();
   this->TakeMesh(mesh);
   this->TakeCurves(curves, nullptr);
   const talweg::host::Results results = session.run({.meshes = true});
-  auto& pieces = *vtkMultiBlockDataSet::GetData(&outputs, 0);
   std::vector<talweg::host::Origin> origins;
   for (std::size_t m = 0; m < results.meshes.size(); ++m) {
     origins.push_back(session.instance().origin(m));
     vtkNew<vtkPolyData> piece;
     talweg::paraview::give(results.meshes[m], origins.back(), session.mesh(), *piece);
-    const auto block = static_cast<unsigned int>(m);
-    pieces.SetBlock(block, piece);
-    const std::string name = "piece " + std::to_string(m);
-    pieces.GetMetaData(block)->Set(vtkCompositeDataSet::NAME(), name.c_str());
+    add_block(pieces, *piece, "piece " + std::to_string(m));
   }
   talweg::paraview::give_report(results, *pieces.GetFieldData());
-  talweg::paraview::give_chains(results.meshes, origins, *vtkPolyData::GetData(&outputs, 1));
+  talweg::paraview::give_chains(results.meshes, origins, chains);
+}
+
+void vtkTalwegCut::Work(vtkDataSet& mesh, vtkDataSet* curves, vtkDataSet*,
+                        vtkInformationVector& outputs) {
+  this->Cut(mesh, curves, *vtkMultiBlockDataSet::GetData(&outputs, 0),
+            *vtkPolyData::GetData(&outputs, 1));
+}
+
+void vtkTalwegCut::WorkOn(vtkDataObject& mesh, vtkDataSet* curves, vtkDataSet* others,
+                          vtkInformationVector& outputs) {
+  auto* composite = vtkCompositeDataSet::SafeDownCast(&mesh);
+  if (composite == nullptr) return this->Superclass::WorkOn(mesh, curves, others, outputs);
+  auto& blocks = *vtkMultiBlockDataSet::GetData(&outputs, 0);
+  vtkNew<vtkAppendPolyData> all_chains;
+  const auto leaf = vtk::TakeSmartPointer(composite->NewIterator());
+  for (leaf->InitTraversal(); !leaf->IsDoneWithTraversal(); leaf->GoToNextItem()) {
+    auto* data = vtkDataSet::SafeDownCast(leaf->GetCurrentDataObject());
+    if (data == nullptr || data->GetNumberOfCells() == 0) continue;
+    vtkNew<vtkMultiBlockDataSet> pieces;
+    vtkNew<vtkPolyData> chains;
+    this->Cut(*data, curves, *pieces, *chains);
+    add_block(blocks, *pieces, "mesh " + std::to_string(blocks.GetNumberOfBlocks()));
+    all_chains->AddInputData(chains);
+  }
+  if (blocks.GetNumberOfBlocks() == 0) throw std::runtime_error("The input has no mesh.");
+  all_chains->Update();
+  vtkPolyData::GetData(&outputs, 1)->ShallowCopy(all_chains->GetOutput());
 }

@@ -12,6 +12,9 @@
 #include "TalwegFiltersModule.h"  // for the export macro
 #include "vtkTalwegFilter.h"
 
+class vtkMultiBlockDataSet;
+class vtkPolyData;
+
 class TALWEGFILTERS_EXPORT vtkTalwegCut : public vtkTalwegFilter {
  public:
   static vtkTalwegCut* New();
@@ -21,13 +24,20 @@ class TALWEGFILTERS_EXPORT vtkTalwegCut : public vtkTalwegFilter {
   vtkTalwegCut();
   ~vtkTalwegCut() override = default;
 
+  int FillInputPortInformation(int port, vtkInformation* info) override;
   int FillOutputPortInformation(int port, vtkInformation* info) override;
+  /// Of a composite data set each leaf becomes a block with its pieces. ParaView would make one
+  /// mesh of each.
+  void WorkOn(vtkDataObject& mesh, vtkDataSet* curves, vtkDataSet* others,
+              vtkInformationVector& outputs) override;
   void Work(vtkDataSet& mesh, vtkDataSet* curves, vtkDataSet* others,
             vtkInformationVector& outputs) override;
 
  private:
   vtkTalwegCut(const vtkTalwegCut&) = delete;
   void operator=(const vtkTalwegCut&) = delete;
+
+  void Cut(vtkDataSet& mesh, vtkDataSet* curves, vtkMultiBlockDataSet& pieces, vtkPolyData& chains);
 };
 
 #endif

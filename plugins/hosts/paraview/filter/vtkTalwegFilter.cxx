@@ -140,6 +140,13 @@ int vtkTalwegFilter::FillInputPortInformation(int port, vtkInformation* info) {
   return 1;
 }
 
+void vtkTalwegFilter::WorkOn(vtkDataObject& mesh, vtkDataSet* curves, vtkDataSet* others,
+                             vtkInformationVector& outputs) {
+  auto* data = vtkDataSet::SafeDownCast(&mesh);
+  if (data == nullptr) throw std::runtime_error("The input is no data set.");
+  this->Work(*data, curves, others, outputs);
+}
+
 int vtkTalwegFilter::RequestData(vtkInformation*, vtkInformationVector** inputs,
                                  vtkInformationVector* outputs) {
   const auto clear = [&] {
@@ -152,7 +159,7 @@ int vtkTalwegFilter::RequestData(vtkInformation*, vtkInformationVector** inputs,
   };
   clear();
   try {
-    this->Work(*input(0), input(1), input(2), *outputs);
+    this->WorkOn(*vtkDataObject::GetData(inputs[0]), input(1), input(2), *outputs);
     const std::string& note = this->GetSession().mesh().note();
     if (!note.empty()) this->Log(TALWEG_LOG_WARNING, note.c_str());
     return 1;

@@ -70,6 +70,9 @@ class TALWEGFILTERS_EXPORT vtkTalwegFilter : public vtkDataObjectAlgorithm {
   int RequestData(vtkInformation* request, vtkInformationVector** inputs,
                   vtkInformationVector* outputs) override;
 
+  /// Does the work on what comes in: a data set, unless a class takes others, too.
+  virtual void WorkOn(vtkDataObject& mesh, vtkDataSet* curves, vtkDataSet* others,
+                      vtkInformationVector& outputs);
   /// Does the work. `curves` is null on a filter with one input, or if there are none; so is
   /// `others` for a third input. Throws what std::exception is.
   virtual void Work(vtkDataSet& mesh, vtkDataSet* curves, vtkDataSet* others,
