@@ -74,7 +74,7 @@ class Cut:
     """What talweg.cut() gives."""
 
     meshes: List[MadeMesh]  #: one, or one for each piece, the one with the lowest face first
-    report: Tree  #: what was cut, and the parts; as the driver's --report
+    report: Tree  #: what was cut, and the parts
 
     def __repr__(self) -> str:
         return f"<talweg.Cut: {self.meshes}>"
