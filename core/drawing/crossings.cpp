@@ -10,9 +10,8 @@ namespace talweg {
 namespace {
 
 struct FaceSegment {
-  FaceId face;
-  std::size_t curve, number;
-  std::array<double, 3> from, to;  // barycentrics
+  std::size_t curve = 0, number = 0;
+  std::array<double, 3> from{}, to{};  // barycentrics
 };
 
 double orient(const std::array<double, 3>& a, const std::array<double, 3>& b,
@@ -29,25 +28,38 @@ bool cross(const FaceSegment& p, const FaceSegment& q) {
          apart(orient(q.from, q.to, p.from), orient(q.from, q.to, p.to));
 }
 
-std::vector<FaceSegment> segments_by_face(const Surface& surface,
-                                          std::span<const SurfaceCurve> curves) {
-  std::vector<FaceSegment> segments;
+/// Where a segment lies: most faces have one only, for which no more needs to be known.
+struct SegmentPlace {
+  FaceId face;
+  std::size_t curve = 0, number = 0;
+};
+
+std::vector<SegmentPlace> segments_by_face(const Surface& surface,
+                                           std::span<const SurfaceCurve> curves) {
+  std::vector<SegmentPlace> places;
   for (std::size_t c = 0; c < curves.size(); ++c) {
     const auto& points = curves[c].points;
     for (std::size_t i = 0; i + (curves[c].closed ? 0 : 1) < points.size(); ++i) {
-      const SurfacePoint &p = points[i], &q = points[(i + 1) % points.size()];
-      const FaceId face = common_face(surface, p, q);
+      const FaceId face = common_face(surface, points[i], points[(i + 1) % points.size()]);
       if (!face.valid()) {
         throw Error(ErrorCode::kBadCurve,
                     "Segment " + std::to_string(i + 1) + " of the curve lies in no face.");
       }
-      segments.push_back({face, c, i, coordinates_in(surface, p, face).barycentric,
-                          coordinates_in(surface, q, face).barycentric});
+      places.push_back({face, c, i});
     }
   }
-  std::stable_sort(segments.begin(), segments.end(),
+  std::stable_sort(places.begin(), places.end(),
                    [](const auto& a, const auto& b) { return a.face < b.face; });
-  return segments;
+  return places;
+}
+
+FaceSegment segment_at(const Surface& surface, std::span<const SurfaceCurve> curves,
+                       const SegmentPlace& at) {
+  const auto& points = curves[at.curve].points;
+  const auto in_face = [&](std::size_t i) {
+    return coordinates_in(surface, points[i % points.size()], at.face).barycentric;
+  };
+  return {at.curve, at.number, in_face(at.number), in_face(at.number + 1)};
 }
 
 /// One path at a vertex that it passes, followed in its own direction or against it.
@@ -160,10 +172,19 @@ namespace {
 template <class Found>
 void find_crossings(const Surface& surface, std::span<const SurfaceCurve> curves,
                     const Found& found) {
-  const std::vector<FaceSegment> segments = segments_by_face(surface, curves);
-  for (std::size_t i = 0; i < segments.size(); ++i) {
-    for (std::size_t k = i + 1; k < segments.size() && segments[k].face == segments[i].face; ++k) {
-      if (cross(segments[i], segments[k])) found(segments[i], segments[k]);
+  const std::vector<SegmentPlace> places = segments_by_face(surface, curves);
+  std::vector<FaceSegment> segments;  // of one face
+  for (std::size_t first = 0, last = 0; first < places.size(); first = last) {
+    while (last < places.size() && places[last].face == places[first].face) ++last;
+    if (last == first + 1) continue;
+    segments.clear();
+    for (std::size_t i = first; i < last; ++i) {
+      segments.push_back(segment_at(surface, curves, places[i]));
+    }
+    for (std::size_t i = 0; i < segments.size(); ++i) {
+      for (std::size_t k = i + 1; k < segments.size(); ++k) {
+        if (cross(segments[i], segments[k])) found(segments[i], segments[k]);
+      }
     }
   }
 }

@@ -65,7 +65,7 @@ double CurveFairing::reach_of_corner(std::size_t leg) const {
 }
 
 FairChain CurveFairing::chain_fairing(const FairOptions& options) {
-  FairChain fair(maker_, band_, options);
+  FairChain fair(maker_, band_, *curvature_, options);
   if (legs_.any()) fair.set_legs(legs_);
   return fair;
 }
@@ -145,7 +145,7 @@ std::optional<SampleChain> CurveFairing::loosened(SampleChain chain, Asker& aske
   if (std::find(loose.begin(), loose.end(), true) == loose.end()) return chain;
   std::optional<SampleChain> free = maker_.loosened(chain, loose);
   if (!free) return chain;
-  FairChain fair(maker_, band_, options_);
+  FairChain fair(maker_, band_, *curvature_, options_);
   fair.set_legs(legs_, reach);
   fair.run(*free, nullptr, asker);
   keep_within(fair, *free, nullptr, asker);

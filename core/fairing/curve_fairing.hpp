@@ -12,6 +12,7 @@
 #include "talweg/core/fairing/fair_chain.hpp"
 #include "talweg/core/fairing/leg_tension.hpp"
 #include "talweg/core/fairing/sample_chain.hpp"
+#include "talweg/core/fairing/strip_curvature.hpp"
 #include "talweg/intrinsic/progress.hpp"
 #include "talweg/intrinsic/surface/surface_point.hpp"
 
@@ -29,10 +30,11 @@ class CurveFairing {
  public:
   /// `edge`: mean edge near the curve, mesh units. The band may be null where every stretch is a
   /// leg.
-  CurveFairing(const Surface& surface, const DrawnBand* band, double edge, FairOptions options,
+  CurveFairing(StripCurvature& curvature, const DrawnBand* band, double edge, FairOptions options,
                LegTension legs = {})
-      : surface_(&surface),
-        maker_(surface),
+      : surface_(&curvature.surface()),
+        curvature_(&curvature),
+        maker_(curvature.surface()),
         band_(band),
         edge_(edge),
         options_(options),
@@ -81,6 +83,7 @@ class CurveFairing {
   void keep_within(FairChain& fair, SampleChain& chain, SampleTrail* trail, Asker& asker);
 
   const Surface* surface_;
+  StripCurvature* curvature_;
   ChainMaker maker_;
   const DrawnBand* band_;
   double edge_;

@@ -137,7 +137,7 @@ void FairChain::energies(const SampleChain& chain, const std::vector<BandPlace>&
 void FairChain::set_rows(const SampleChain& chain) {
   rows_.assign(chain.size(), {});
   std::vector<double> gauss(chain.size(), 0);
-  if (has_legs()) gauss = curvature_.along(chain);
+  if (has_legs()) gauss = curvature_->along(chain);
   const double mean = mean_curvature(chain);
   for (std::size_t i = 0; i < chain.size(); ++i) {
     if (chain.turns_freely(i)) continue;

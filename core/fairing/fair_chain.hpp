@@ -31,8 +31,9 @@ struct FairOptions {
 class FairChain {
  public:
   /// The band may be null where every stretch is a leg.
-  FairChain(ChainMaker& maker, const DrawnBand* band, const FairOptions& options)
-      : maker_(&maker), band_(band), options_(options), curvature_(maker.surface()) {}
+  FairChain(ChainMaker& maker, const DrawnBand* band, StripCurvature& curvature,
+            const FairOptions& options)
+      : maker_(&maker), band_(band), options_(options), curvature_(&curvature) {}
 
   /// Refers to the tension. Per sample how far a loose one may move, mesh units; where that is not
   /// given, loose samples stay.
@@ -86,7 +87,7 @@ class FairChain {
   ChainMaker* maker_;
   const DrawnBand* band_;
   FairOptions options_;
-  StripCurvature curvature_;
+  StripCurvature* curvature_;
   const LegTension* legs_ = nullptr;
   std::vector<double> reach_;
   std::vector<double> pull_;  // per join: t; empty without legs

@@ -10,10 +10,13 @@
 
 namespace talweg {
 
-/// Remembers what it has measured of vertices. Refers to the surface.
+/// Remembers what it has measured of vertices, for every curve that comes near them. Refers to the
+/// surface.
 class StripCurvature {
  public:
   explicit StripCurvature(const Surface& surface) : surface_(&surface) {}
+
+  [[nodiscard]] const Surface& surface() const { return *surface_; }
 
   /// Per sample: Gaussian curvature, 1 / mesh units², as angle defects over area of the vertices
   /// around the faces that its joins pass. O(crossings).

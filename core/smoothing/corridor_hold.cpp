@@ -11,6 +11,7 @@
 #include "talweg/core/smoothing/cut_off_detours.hpp"
 #include "talweg/core/smoothing/leg_start.hpp"
 #include "talweg/core/smoothing/lifted_lengths.hpp"
+#include "talweg/core/smoothing/straight_legs.hpp"
 #include "talweg/core/smoothing/touched_edges.hpp"
 
 namespace talweg {
@@ -53,13 +54,21 @@ Straightened CorridorHold::straighten(const SmoothingOptions& options,
   if (drawing_->all_legs()) return straighten_flat(options, progress);
   Straightened result = straighten_lifted(options, walls, progress);
   if (!drawing_->any_legs()) return result;
-  const Straightened flat = straighten_flat(options, progress);
-  for (std::size_t c = 0; c < result.curves.size(); ++c) {
-    const DrawnLegs& legs = drawing_->legs()[c];
-    if (legs.any()) result.curves[c] = with_legs(legs, result.curves[c], flat.curves[c]);
+  const std::vector<SurfaceCurve> strokes = std::move(result.curves);
+  const auto put_in = [&](const Straightened& flat) {
+    result.curves = strokes;
+    for (std::size_t c = 0; c < strokes.size(); ++c) {
+      const DrawnLegs& legs = drawing_->legs()[c];
+      if (legs.any()) result.curves[c] = with_legs(legs, strokes[c], flat.curves[c]);
+    }
+    result.time_ms.straighten += flat.time_ms.straighten;
+    result.time_ms.trace += flat.time_ms.trace;
+  };
+  const auto legs = drawing_->straighten_legs(options, progress);
+  if (legs) put_in(*legs);
+  if (!legs || legs_meet(drawing_->surface(), result.curves, drawing_->legs())) {
+    put_in(straighten_flat(options, progress));
   }
-  result.time_ms.straighten += flat.time_ms.straighten;
-  result.time_ms.trace += flat.time_ms.trace;
   return result;
 }
 
@@ -87,7 +96,7 @@ Straightened CorridorHold::straighten_lifted(const SmoothingOptions& options,
 
 Straightened CorridorHold::straighten_flat(const SmoothingOptions& options,
                                            const Progress& progress) {
-  return drawing_->straighten(options, unlifted_length, progress);
+  return drawing_->straighten_flat(options, progress);
 }
 
 /// Whether the lift would have changed one of the lengths that the straightening used. The ways
@@ -184,7 +193,7 @@ void CorridorHold::with_fairing(const FairGroup& group, const Taus& taus, double
   }
   std::optional<DrawnBand> band;
   if (!all_legs) band.emplace(*distance_, curves);
-  CurveFairing fairing(drawing_->surface(), band ? &*band : nullptr, group.edge, options, legs);
+  CurveFairing fairing(drawing_->curvature(), band ? &*band : nullptr, group.edge, options, legs);
   use(fairing);
 }
 
@@ -332,7 +341,7 @@ const SurfaceCurve& CorridorHold::in_narrow_band(double tau, std::size_t curve,
   const DrawnBand band(
       *distance_, curve,
       {valley.slack, valley.slack_at, kRounding * edge, walls_of(tau), valley.apart});
-  const CurveFairing fairing(drawing_->surface(), &band, edge, {});
+  const CurveFairing fairing(drawing_->curvature(), &band, edge, {});
   return fairing.farthest(taut) <= 1 ? taut : drawn;
 }
 

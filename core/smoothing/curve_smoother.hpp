@@ -89,8 +89,9 @@ class CurveSmoother {
   SmoothingResult drag(std::size_t curve, const SurfaceCurve& moved,
                        const SmoothingOptions& options = {}, const Progress& progress = {});
 
-  /// The same where clicks are moved: the way-points of this curve are those of `moved`. Everything
-  /// is smoothed anew, so that the preview is the final result.
+  /// The same where clicks are moved: the way-points of this curve are those of `moved`. The curve
+  /// is faired as a whole, and legs that are drawn anew are straightened, so that the preview is the
+  /// final result.
   SmoothingResult drag(std::size_t curve, const Drawing& moved,
                        const SmoothingOptions& options = {}, const Progress& progress = {});
 

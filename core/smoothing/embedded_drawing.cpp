@@ -6,6 +6,7 @@
 
 #include "talweg/core/drawing/drawn_curves.hpp"
 #include "talweg/core/measure/measures.hpp"
+#include "talweg/core/smoothing/lifted_lengths.hpp"
 #include "talweg/intrinsic/flips/signpost_triangulation.hpp"
 
 namespace talweg {
@@ -41,7 +42,13 @@ void EmbeddedDrawing::embed(const Progress& progress) {
   }
   capped_ = capped_curves(surface(), drawing_->curves(), own);
   fixed_ = std::move(own.pins);
+  flat_.reset();
+  embed_curves(progress);
+}
+
+void EmbeddedDrawing::embed_curves(const Progress& progress) {
   memory_->straightening().embed(capped_, fixed_, ground_.loops, drawing_->numbers(), progress);
+  is_embedded_ = true;
 }
 
 bool EmbeddedDrawing::any_legs() const {
@@ -72,15 +79,56 @@ double EmbeddedDrawing::length_floor(const SmoothingOptions& options) const {
   return std::isfinite(floor) ? floor : 0;
 }
 
-Straightened EmbeddedDrawing::straighten(const SmoothingOptions& options,
-                                         SignpostTriangulation::Metric metric,
-                                         const Progress& progress) {
+Straightening::Options EmbeddedDrawing::straightening_options(
+    const SmoothingOptions& options) const {
   Straightening::Options own;
   own.flip_out.max_iterations = options.max_iterations;
   own.flip_out.min_relative_length = options.min_relative_length;
   own.flip_out.length_floor = length_floor(options);
   own.prepare_whole_mesh = options.prepare_whole_mesh;
-  Straightened result = memory_->straightening().run(std::move(metric), std::move(own), progress);
+  return own;
+}
+
+/// Where FlipOut may stop early, it counts what all curves have come to.
+bool EmbeddedDrawing::may_straighten_legs(const Straightening::Options& options) const {
+  return ground_.loops == Loops::kKeep && ground_.fence == nullptr &&
+         !options.flip_out.max_iterations && options.flip_out.min_relative_length == 0;
+}
+
+std::optional<Straightened> EmbeddedDrawing::straighten_legs(const SmoothingOptions& options,
+                                                             const Progress& progress) {
+  const Straightening::Options own = straightening_options(options);
+  if (!may_straighten_legs(own)) return std::nullopt;
+  is_embedded_ = false;
+  return memory_->straight_legs().straightened(memory_->mesh(), memory_->straightening(), capped_,
+                                               legs_, own, progress);
+}
+
+Straightened EmbeddedDrawing::straighten_flat(const SmoothingOptions& options,
+                                              const Progress& progress) {
+  const Straightening::Options own = straightening_options(options);
+  if (flat_ && flat_->options == own) {
+    at_fence_ = at_fence_ || flat_->at_fence;
+    return flat_->straight;
+  }
+  flat_.reset();
+  std::optional<Straightened> result;
+  if (all_legs()) result = straighten_legs(options, progress);
+  if (result && legs_meet(surface(), result->curves, legs_)) result.reset();
+  const bool before = std::exchange(at_fence_, false);
+  if (!result) result = straighten(options, unlifted_length, progress);
+  flat_ = Flat{own, *result, at_fence_};
+  flat_->straight.time_ms = {};
+  at_fence_ = at_fence_ || before;
+  return *std::move(result);
+}
+
+Straightened EmbeddedDrawing::straighten(const SmoothingOptions& options,
+                                         SignpostTriangulation::Metric metric,
+                                         const Progress& progress) {
+  if (!is_embedded_) embed_curves(progress);
+  Straightened result =
+      memory_->straightening().run(std::move(metric), straightening_options(options), progress);
   if (ground_.fence == nullptr) return result;
   const std::vector<bool>& fence = *ground_.fence;
   at_fence_ = at_fence_ ||

@@ -1,6 +1,7 @@
 // An embedded drawing lies in the triangulation of a mesh, ready to be straightened there.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -42,6 +43,8 @@ class EmbeddedDrawing {
   [[nodiscard]] const Straightening& straightening() const {
     return std::as_const(*memory_).straightening();
   }
+  /// Of the surface beside curves.
+  [[nodiscard]] StripCurvature& curvature() { return memory_->curvature(); }
   [[nodiscard]] const OrderedDrawing& drawing() const { return *drawing_; }
   [[nodiscard]] const CurveOptions& options() const { return options_; }
   [[nodiscard]] const std::vector<SurfacePoint>& pins() const { return options_.pins; }
@@ -64,11 +67,27 @@ class EmbeddedDrawing {
   /// Straightens the curves in a metric. Throws Cancelled.
   Straightened straighten(const SmoothingOptions& options, SignpostTriangulation::Metric metric,
                           const Progress& progress);
+  /// The curves with their legs straightened, each for itself, and their strokes as drawn; none
+  /// where they are to be straightened together. Throws Cancelled.
+  std::optional<Straightened> straighten_legs(const SmoothingOptions& options,
+                                              const Progress& progress);
+  /// Straightens the curves without a lift. That depends on no tau, so it is kept; the times of one
+  /// that is known are 0. Throws Cancelled.
+  Straightened straighten_flat(const SmoothingOptions& options, const Progress& progress);
   /// Whether a straightening has touched the fence since the last call.
   bool came_to_fence() { return std::exchange(at_fence_, false); }
 
  private:
+  /// The curves straightened without a lift, and the options that matter for it.
+  struct Flat {
+    Straightening::Options options;
+    Straightened straight;
+    bool at_fence = false;
+  };
   void embed(const Progress& progress);
+  void embed_curves(const Progress& progress);
+  [[nodiscard]] Straightening::Options straightening_options(const SmoothingOptions& options) const;
+  [[nodiscard]] bool may_straighten_legs(const Straightening::Options& options) const;
 
   SmoothingMemory* memory_;
   const OrderedDrawing* drawing_;
@@ -77,6 +96,8 @@ class EmbeddedDrawing {
   std::vector<SurfaceCurve> capped_;
   std::vector<SurfacePoint> fixed_;
   std::vector<DrawnLegs> legs_;
+  bool is_embedded_ = false;  // not while the legs are straightened, each for itself
+  std::optional<Flat> flat_;
   bool at_fence_ = false;
 };
 

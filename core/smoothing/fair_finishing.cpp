@@ -68,8 +68,8 @@ void FairFinishing::begin(const FairGroup& group, const std::optional<SampleChai
   if (!CorridorHold::is_faired(*options_, c)) return;
   if (hold_->is_narrow(c) && !has_legs(hold_->drawing(), group)) {
     now_[c] = hold_->in_narrow_band(options_->tau_of(c), c, taut_[c], asker_);
-  } else if (turning_between(hold_->drawing().surface(), attempts_[a].taut,
-                             hold_->drawing().corners()) >= kNoTurn) {  // else it is fair
+  } else if (turns_by(kNoTurn, hold_->drawing().surface(), attempts_[a].taut,
+                      hold_->drawing().corners())) {  // else it is fair
     warn_if_too_long(group);
     make_fair(a);
   }

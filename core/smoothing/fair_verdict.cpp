@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <iterator>
-#include <numeric>
 
 #include "talweg/core/measure/measures.hpp"
 #include "talweg/core/measure/turning_windows.hpp"
@@ -11,8 +10,22 @@
 namespace talweg {
 namespace {
 
+/// Whether a face around an edge has a corner at the boundary.
+bool is_near_boundary(const Surface& surface, EdgeId edge) {
+  for (const HalfedgeId h : {halfedge_of(edge), twin(halfedge_of(edge))}) {
+    if (!surface.has_face(h)) return true;
+    for (const VertexId v : surface.corners(surface.face(h))) {
+      if (surface.on_boundary(v)) return true;
+    }
+  }
+  return false;
+}
+
 /// Whether a point is at the boundary, or as near as rounding tells.
 bool is_at_boundary(const Surface& surface, const SurfacePoint& point) {
+  if (const auto* v = std::get_if<AtVertex>(&point.where())) return surface.on_boundary(v->vertex);
+  const auto* edge = std::get_if<OnEdge>(&point.where());
+  if (edge != nullptr && !is_near_boundary(surface, edge->edge)) return false;
   constexpr double kAtIt = 1e-6;  // of the face's height
   for (const FaceId face : faces_at(surface, point)) {
     const auto b = coordinates_in(surface, point, face).barycentric;
@@ -54,31 +67,36 @@ double bending_between(const Surface& surface, const SurfaceCurve& curve,
 
 namespace {
 
-/// Of the points that are no corners, without the ends of an open curve.
-std::vector<double> turns_between(const Surface& surface, const SurfaceCurve& curve,
-                                  std::span<const SurfacePoint> corners) {
+/// Calls look() with the turns at points that are no corners, without the ends of an open curve,
+/// until it returns false.
+template <class Look>
+void look_at_turns(const Surface& surface, const SurfaceCurve& curve,
+                   std::span<const SurfacePoint> corners, const Look& look) {
   const std::size_t n = curve.points.size();
   const auto point = [&](std::size_t i) -> const SurfacePoint& { return curve.points[i % n]; };
-  std::vector<double> turns;
   for (std::size_t i = curve.closed ? 0 : 1; i + (curve.closed ? 0 : 1) < n; ++i) {
     if (std::find(corners.begin(), corners.end(), point(i)) != corners.end()) continue;
-    turns.push_back(turning_angle(surface, point(i + n - 1), point(i), point(i + 1)));
+    if (!look(turning_angle(surface, point(i + n - 1), point(i), point(i + 1)))) return;
   }
-  return turns;
 }
 
 }  // namespace
 
-double turning_between(const Surface& surface, const SurfaceCurve& curve,
-                       std::span<const SurfacePoint> corners) {
-  const std::vector<double> turns = turns_between(surface, curve, corners);
-  return std::accumulate(turns.begin(), turns.end(), 0.0);
+bool turns_by(double least, const Surface& surface, const SurfaceCurve& curve,
+              std::span<const SurfacePoint> corners) {
+  double sum = 0;
+  look_at_turns(surface, curve, corners, [&](double turn) { return (sum += turn) < least; });
+  return sum >= least;
 }
 
 double largest_turn_between(const Surface& surface, const SurfaceCurve& curve,
                             std::span<const SurfacePoint> corners) {
-  const std::vector<double> turns = turns_between(surface, curve, corners);
-  return turns.empty() ? 0 : *std::ranges::max_element(turns);
+  double most = 0;
+  look_at_turns(surface, curve, corners, [&](double turn) {
+    most = std::max(most, turn);
+    return true;
+  });
+  return most;
 }
 
 bool is_pressed(const Surface& surface, const SurfaceCurve& curve, const SurfaceCurve& taut) {

@@ -14,9 +14,10 @@ namespace talweg {
 double bending_between(const Surface& surface, const SurfaceCurve& curve,
                        std::span<const SurfacePoint> corners, double edge);
 
-/// The sum of a curve's turns (radians) without those at corners.
-double turning_between(const Surface& surface, const SurfaceCurve& curve,
-                       std::span<const SurfacePoint> corners);
+/// Whether a curve turns by `least` (radians) or more in all, without its turns at corners. Looks
+/// no farther than to where it has.
+bool turns_by(double least, const Surface& surface, const SurfaceCurve& curve,
+              std::span<const SurfacePoint> corners);
 
 /// No point of a fair curve turns by more, radians; corners may.
 constexpr double kMostFairTurn = 5 * std::numbers::pi / 180;

@@ -50,18 +50,26 @@ SurfaceCurve with_legs(const DrawnLegs& legs, const SurfaceCurve& strokes,
   return result;
 }
 
-std::vector<SurfaceCurve> strokes_of(const DrawnLegs& legs, const SurfaceCurve& curve) {
+std::vector<SurfaceCurve> stretches_of(const DrawnLegs& legs, const SurfaceCurve& curve) {
   const std::vector<std::size_t> places = places_of(legs.fixed, curve);
-  if (!legs.any() || places.empty()) return {curve};
-  std::vector<SurfaceCurve> strokes;
+  std::vector<SurfaceCurve> stretches;
   const std::size_t n = curve.points.size(), m = places.size();
-  for (std::size_t k = 0; k < legs.is_leg.size(); ++k) {
-    if (legs.is_leg[k]) continue;
-    SurfaceCurve& stroke = strokes.emplace_back();
+  for (std::size_t k = 0; m > 0 && k < legs.is_leg.size(); ++k) {
+    SurfaceCurve& stretch = stretches.emplace_back();
     for (std::size_t i = places[k]; i != places[(k + 1) % m]; i = (i + 1) % n) {
-      stroke.points.push_back(curve.points[i]);
+      stretch.points.push_back(curve.points[i]);
     }
-    stroke.points.push_back(curve.points[places[(k + 1) % m]]);
+    stretch.points.push_back(curve.points[places[(k + 1) % m]]);
+  }
+  return stretches;
+}
+
+std::vector<SurfaceCurve> strokes_of(const DrawnLegs& legs, const SurfaceCurve& curve) {
+  std::vector<SurfaceCurve> stretches = stretches_of(legs, curve);
+  if (!legs.any() || stretches.empty()) return {curve};
+  std::vector<SurfaceCurve> strokes;
+  for (std::size_t k = 0; k < stretches.size(); ++k) {
+    if (!legs.is_leg[k]) strokes.push_back(std::move(stretches[k]));
   }
   return strokes;
 }

@@ -16,6 +16,9 @@ namespace talweg {
 SurfaceCurve with_legs(const DrawnLegs& legs, const SurfaceCurve& strokes,
                        const SurfaceCurve& straight);
 
+/// The stretches of a curve between the fixed points; none where it does not pass these.
+std::vector<SurfaceCurve> stretches_of(const DrawnLegs& legs, const SurfaceCurve& curve);
+
 /// The stretches of a curve that are no legs; the whole curve where it has no legs, or does not
 /// pass the fixed points.
 std::vector<SurfaceCurve> strokes_of(const DrawnLegs& legs, const SurfaceCurve& curve);

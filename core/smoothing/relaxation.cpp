@@ -113,6 +113,7 @@ void relax(const SurfaceMesh& mesh, std::span<SurfaceCurve> curves,
            const RelaxationOptions& options, const Progress& progress) {
   options.validate();
   Asker asker(progress, "relax");
+  if (options.rounds == 0) return;
   Sliders sliders(mesh, curves, options.fixed);
   std::vector<std::vector<Point>> points;
   for (const SurfaceCurve& curve : curves) points.push_back(positions_of(mesh, curve));

@@ -5,8 +5,10 @@
 #include <optional>
 #include <utility>
 
+#include "talweg/core/fairing/strip_curvature.hpp"
 #include "talweg/core/measure/surface_deviation.hpp"
 #include "talweg/core/mesh/opened_mesh.hpp"
+#include "talweg/core/smoothing/straight_legs.hpp"
 #include "talweg/core/smoothing/straightening.hpp"
 #include "talweg/intrinsic/exact_distance/polyline_distance.hpp"
 
@@ -17,7 +19,7 @@ class SmoothingMemory {
  public:
   /// O(mesh).
   explicit SmoothingMemory(std::shared_ptr<const OpenedMesh> mesh)
-      : mesh_(std::move(mesh)), straightening_(mesh_->surface()) {}
+      : mesh_(std::move(mesh)), straightening_(mesh_->surface()), curvature_(mesh_->surface()) {}
 
   [[nodiscard]] const OpenedMesh& opened() const { return *mesh_; }
   [[nodiscard]] const std::shared_ptr<const OpenedMesh>& shared() const { return mesh_; }
@@ -25,6 +27,8 @@ class SmoothingMemory {
   [[nodiscard]] const Surface& surface() const { return mesh_->surface(); }
   [[nodiscard]] Straightening& straightening() { return straightening_; }
   [[nodiscard]] const Straightening& straightening() const { return straightening_; }
+  StraightLegs& straight_legs() { return straight_legs_; }
+  StripCurvature& curvature() { return curvature_; }
   /// distance() and what follows are made when first needed. O(mesh).
   PolylineDistance& distance() {
     if (!distance_) distance_.emplace(surface());
@@ -38,6 +42,8 @@ class SmoothingMemory {
  private:
   std::shared_ptr<const OpenedMesh> mesh_;
   Straightening straightening_;
+  StraightLegs straight_legs_;
+  StripCurvature curvature_;
   std::optional<PolylineDistance> distance_;
   std::optional<DeviationMeter> meter_;
 };

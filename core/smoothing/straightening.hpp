@@ -61,6 +61,7 @@ class Straightening {
   struct Options {
     FlipOutOptions flip_out;
     bool prepare_whole_mesh = false;  ///< lay out everything first; slower, same result
+    friend bool operator==(const Options&, const Options&) = default;
   };
   /// Straightens the curves in a metric on the edges; the metric is not needed afterwards. Throws
   /// Cancelled.

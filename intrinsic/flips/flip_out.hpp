@@ -32,6 +32,7 @@ struct FlipOutOptions {
 
   /// Throws Error(kBadUsage) naming the field and its bound.
   void validate() const;
+  friend bool operator==(const FlipOutOptions&, const FlipOutOptions&) = default;
 };
 
 enum class Termination {

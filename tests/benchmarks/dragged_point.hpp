@@ -14,9 +14,14 @@ namespace talweg::benchmarks {
 class DraggedPoint {
  public:
   DraggedPoint(const SurfaceMesh& mesh, const SurfaceCurve& drawn, std::size_t leg);
+  /// With way-points at these points of the drawing, one of which is dragged so many edges aside.
+  DraggedPoint(const SurfaceMesh& mesh, const SurfaceCurve& drawn,
+               const std::vector<std::size_t>& points, int aside);
 
   /// The drawing after the drag: its two legs drawn anew.
   SurfaceCurve redraw(EdgeDijkstra& dijkstra) const;
+  /// The way-points after the drag.
+  const std::vector<VertexId>& through() const { return through_; }
 
  private:
   const SurfaceMesh* mesh_;

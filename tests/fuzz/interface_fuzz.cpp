@@ -3,11 +3,13 @@
 #include <cmath>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "fuzz_bytes.hpp"
 #include "talweg/loader/talweg_loader.h"
 #include "talweg/plugin/talweg_arrays.hpp"
+#include "talweg/plugin/talweg_meshes.h"
 
 namespace {
 
@@ -70,7 +72,16 @@ talweg_array view_from(Bytes& bytes, const std::vector<T>& data, std::uint32_t c
   return array;
 }
 
-talweg_status on_curve(void* vertices, const talweg_curve* curve) {
+/// The sizes of the mesh that the instance has.
+struct Sizes {
+  std::uint64_t vertices = 0, triangles = 0;
+  std::uint64_t made = 0;  // meshes of the run
+  // Of the mesh that is asked about.
+  std::uint64_t made_vertices = 0, made_triangles = 0;
+};
+Sizes& sizes_of(void* context) { return *static_cast<Sizes*>(context); }
+
+talweg_status on_curve(void* /*sizes*/, const talweg_curve* curve) {
   const std::uint64_t n = curve->faces.rows;
   require(n >= 2 && curve->positions.rows == n && curve->barycentrics.rows == n, "sizes");
   const auto* xyz = static_cast<const double*>(curve->positions.data);
@@ -82,26 +93,68 @@ talweg_status on_curve(void* vertices, const talweg_curve* curve) {
   for (std::uint32_t k = 0; k < curve->field_count; ++k) {
     require(curve->fields[k]->values.rows == n, "one value per point");
   }
-  static_cast<void>(vertices);
   return TALWEG_OK;
 }
-talweg_status on_field(void* vertices, const talweg_field* field) {
-  require(field->values.rows == *static_cast<std::uint64_t*>(vertices), "one value per vertex");
+talweg_status on_field(void* sizes, const talweg_field* field) {
+  const std::uint64_t rows = field->values.rows;
+  require(rows == sizes_of(sizes).vertices || rows == sizes_of(sizes).triangles,
+          "one value per vertex or triangle");
   const auto* values = static_cast<const double*>(field->values.data);
   for (std::uint64_t k = 0; k < field->values.rows; ++k) require(!std::isnan(values[k]), "no NaN");
   return TALWEG_OK;
 }
-talweg_status on_report(void* /*vertices*/, const talweg_report_entry* entry) {
+talweg_status on_mesh(void* sizes, const talweg_mesh* mesh) {
+  ++sizes_of(sizes).made;
+  sizes_of(sizes).made_vertices = mesh->positions.rows;
+  sizes_of(sizes).made_triangles = mesh->triangles.rows;
+  const auto* corners = static_cast<const std::uint32_t*>(mesh->triangles.data);
+  for (std::uint64_t k = 0; k < 3 * mesh->triangles.rows; ++k) {
+    require(corners[k] < mesh->positions.rows, "corners are vertices");
+  }
+  return TALWEG_OK;
+}
+talweg_status on_attribute(void* sizes, const talweg_attribute* attribute) {
+  const Sizes& s = sizes_of(sizes);
+  if (attribute->corners.rows > 0) {
+    require(attribute->corners.rows == s.made_triangles, "corners of each triangle");
+    return TALWEG_OK;
+  }
+  const std::uint64_t rows = attribute->element == TALWEG_OF_VERTICES    ? s.made_vertices
+                             : attribute->element == TALWEG_OF_TRIANGLES ? s.made_triangles
+                                                                         : 3 * s.made_triangles;
+  require(attribute->values.rows == rows, "a row for each element");
+  return TALWEG_OK;
+}
+talweg_status on_origin(void* sizes, const talweg_origin* origin) {
+  const Sizes& s = sizes_of(sizes);
+  require(origin->vertices.rows == s.made_vertices && origin->weights.rows == s.made_vertices &&
+              origin->triangles.rows == s.made_triangles,
+          "an origin of everything");
+  const auto* from = static_cast<const std::uint32_t*>(origin->vertices.data);
+  const auto* weights = static_cast<const double*>(origin->weights.data);
+  for (std::uint64_t k = 0; k < 3 * s.made_vertices; ++k) {
+    require(from[k] == TALWEG_NO_VERTEX || from[k] < s.vertices, "vertices that came in");
+    require(weights[k] >= 0 && weights[k] <= 1, "weights in [0, 1]");
+  }
+  const auto* triangles = static_cast<const std::uint32_t*>(origin->triangles.data);
+  for (std::uint64_t k = 0; k < s.made_triangles; ++k) {
+    require(triangles[k] == TALWEG_NO_TRIANGLE || triangles[k] < s.triangles,
+            "triangles that came in");
+  }
+  return TALWEG_OK;
+}
+talweg_status on_report(void* /*sizes*/, const talweg_report_entry* entry) {
   require(entry->key != nullptr && (entry->is_list != 0 || entry->count == 1), "report");
   return TALWEG_OK;
 }
 
-void set_mesh(Bytes& bytes, const talweg_plugin& plugin, talweg_instance* instance,
-              std::uint64_t& vertices) {
+void set_mesh(Bytes& bytes, const talweg_plugin& plugin, talweg_instance* instance, Sizes& sizes) {
   const Mesh mesh = mesh_from(bytes);
   talweg_mesh view = {sizeof view, 0, view_from(bytes, mesh.xyz, 3),
                       view_from(bytes, mesh.triangles, 3), nullptr};
-  if (plugin.set_mesh(instance, &view) == TALWEG_OK) vertices = view.positions.rows;
+  if (plugin.set_mesh(instance, &view) != TALWEG_OK) return;
+  sizes.vertices = view.positions.rows;
+  sizes.triangles = view.triangles.rows;
 }
 
 void set_curves(Bytes& bytes, const talweg_plugin& plugin, talweg_instance* instance) {
@@ -138,14 +191,19 @@ void set_curves(Bytes& bytes, const talweg_plugin& plugin, talweg_instance* inst
 }
 
 void set_parameter(Bytes& bytes, const talweg_plugin& plugin, talweg_instance* instance,
-                   std::uint64_t vertices) {
+                   const Sizes& sizes) {
   const talweg_parameter& p =
       *plugin.parameters[bytes.take<std::uint8_t>() % plugin.parameter_count];
   const std::uint8_t how = bytes.take<std::uint8_t>();
   double value = how < 128 ? bytes.take<std::uint8_t>() / 16.0 : bytes.take<double>();
   if (p.type == TALWEG_INTEGER && how < 200) value = std::floor(value);
   if (p.type == TALWEG_INTEGER && value > 32) value = 32;  // not a matter of time
-  const std::vector<double> field(how % 8 == 0 ? 3 : vertices, value);
+  const std::uint64_t rows = p.type == TALWEG_TRIANGLE_FIELD ? sizes.triangles : sizes.vertices;
+  std::vector<double> field(how % 8 == 0 ? 3 : rows, value);
+  if (std::string_view(p.id).ends_with("_labels") && how % 8 != 0) {
+    for (std::uint64_t k = 0; k < rows; ++k)
+      field[k] = static_cast<double>(8 * k / rows * (how % 3U));
+  }
   const std::vector<std::uint32_t> ids = {bytes.index(64)};
   const talweg_array array =
       p.type == TALWEG_VERTICES ? view_from(bytes, ids, 1) : view_from(bytes, field, 1);
@@ -170,19 +228,55 @@ void set_parameter(Bytes& bytes, const talweg_plugin& plugin, talweg_instance* i
   }
 }
 
-void run(Bytes& bytes, const talweg_plugin& plugin, talweg_instance* instance,
-         std::uint64_t& vertices) {
+void set_attributes(Bytes& bytes, const talweg_meshes& meshes, talweg_instance* instance,
+                    const Sizes& sizes) {
+  const std::uint32_t element = bytes.take<std::uint8_t>() % 4;
+  const std::uint32_t columns = bytes.take<std::uint8_t>() % 4;
+  const std::uint64_t rows = element == TALWEG_OF_VERTICES    ? sizes.vertices
+                             : element == TALWEG_OF_TRIANGLES ? sizes.triangles
+                                                              : 3 * sizes.triangles;
+  const std::vector<double> values(rows * (columns + 1), bytes.take<std::uint8_t>());
+  talweg_attribute attribute = {sizeof attribute,
+                                element,
+                                bytes.take<std::uint8_t>() % 6U,
+                                0,
+                                "a",
+                                bytes.take<std::uint8_t>() / 16.0,
+                                view_from(bytes, values, columns == 0 ? 1 : columns),
+                                talweg::plugin::kNoArray};
+  if (columns > 0 && attribute.values.columns == columns) attribute.values.rows = rows;
+  const talweg_attribute* list[] = {&attribute, &attribute};
+  meshes.set_attributes(instance, list, 1 + bytes.take<std::uint8_t>() % 8 / 7);
+}
+
+void ask_for_meshes(const talweg_meshes& meshes, talweg_instance* instance, Sizes& sizes) {
+  for (const std::uint64_t mesh : {sizes.made - 1, sizes.made}) {
+    const bool is_there = mesh < sizes.made;
+    const talweg_status given = meshes.attributes(instance, mesh, on_attribute, &sizes);
+    const talweg_status told = meshes.origin(instance, mesh, on_origin, &sizes);
+    require((given == TALWEG_OK) == is_there && (told == TALWEG_OK) == is_there,
+            "attributes and origin of every mesh, and of no other");
+  }
+}
+
+void run(Bytes& bytes, const talweg_plugin& plugin, talweg_instance* instance, Sizes& sizes) {
   const std::uint8_t wants = bytes.take<std::uint8_t>();
+  const auto* meshes = static_cast<const talweg_meshes*>(plugin.get_extension(TALWEG_MESHES));
+  if (meshes != nullptr && (wants & 16) != 0) set_attributes(bytes, *meshes, instance, sizes);
+  sizes.made = 0;
   talweg_sink sink = {sizeof sink,
                       wants % 2U,
-                      &vertices,
+                      &sizes,
                       (wants & 2) != 0 ? on_curve : nullptr,
                       (wants & 4) != 0 ? on_field : nullptr,
                       on_report,
-                      nullptr};
+                      (wants & 8) != 0 ? on_mesh : nullptr};
   const talweg_status status = plugin.run(instance, &sink);
   require(status != TALWEG_INTERNAL, plugin.last_error(instance));
   require((status == TALWEG_OK) == (*plugin.last_error(instance) == '\0'), "a sentence");
+  if (meshes != nullptr && status == TALWEG_OK && (wants & 8) != 0) {
+    ask_for_meshes(*meshes, instance, sizes);
+  }
 }
 
 }  // namespace
@@ -195,11 +289,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const talweg_plugin& plugin = *talweg_loader_plugin(loader, bytes.take<std::uint8_t>() % count);
   talweg_instance* instance = nullptr;
   require(plugin.create(nullptr, &instance) == TALWEG_OK, "an instance");
-  std::uint64_t vertices = 0;
+  Sizes sizes;
   for (int calls = 0; calls < 40 && !bytes.empty(); ++calls) {
     switch (bytes.take<std::uint8_t>() % 8) {
       case 0:
-        set_mesh(bytes, plugin, instance, vertices);
+        set_mesh(bytes, plugin, instance, sizes);
         break;
       case 1:
       case 2:
@@ -207,13 +301,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         break;
       case 3:
       case 4:
-        set_parameter(bytes, plugin, instance, vertices);
+        set_parameter(bytes, plugin, instance, sizes);
         break;
       case 5:
         plugin.cancel(instance);
         break;
       default:
-        run(bytes, plugin, instance, vertices);
+        run(bytes, plugin, instance, sizes);
     }
   }
   plugin.destroy(instance);

@@ -151,7 +151,8 @@ TEST(FairCurve, PassesItsPinsWithoutAKink) {
 TEST(CurveFairing, ACurveIsTooLongWhereItsSamplesWouldBeTooMany) {
   const auto opened = OpenedMesh::open(test::grid(4, 4));
   const double edge = 2;  // without a band, samples are an eighth of an edge apart at the least
-  const CurveFairing fairing(opened->surface(), nullptr, edge, {});
+  StripCurvature curvature(opened->surface());
+  const CurveFairing fairing(curvature, nullptr, edge, {});
   EXPECT_FALSE(fairing.is_too_long(1e5 * edge / 8));
   EXPECT_TRUE(fairing.is_too_long(1.001e5 * edge / 8));
 }

@@ -189,6 +189,65 @@ TEST_F(WayPointsOnHills, AreDraggedToWhereTheyWouldBeSet) {
   EXPECT_EQ(smoother.smooth(1).curve().points, before.points);
 }
 
+TEST_F(WayPointsOnHills, WhateverWasDraggedBeforeChangesNothing) {
+  std::vector<VertexId> clicks;
+  const std::vector<std::pair<std::uint32_t, std::uint32_t>> at = {
+      {6, 9}, {25, 8}, {50, 14}, {48, 50}, {10, 46}};
+  for (const auto& [x, y] : at) clicks.emplace_back(y * columns + x);
+  for (const bool closed : {false, true}) {
+    CurveSmoother smoother(opened);
+    smoother.set_curve(talweg::draw(surface(), clicks, {.closed = closed}));
+    smoother.smooth(0.4);
+    std::vector<VertexId> moved = clicks;
+    const auto expect_as_fresh = [&](double tau) {
+      const Drawing drawing = talweg::draw(surface(), moved, {.closed = closed});
+      CurveSmoother fresh(opened);
+      fresh.set_curve(drawing);
+      EXPECT_EQ(smoother.drag(0, drawing, {.tau = tau}).curve().points,
+                fresh.smooth(tau).curve().points)
+          << closed << tau;
+    };
+    for (const std::size_t k : {2, 3, 0, 2}) {  // to and fro, the ends, too
+      for (const int step : {3, -2, 5, -6}) {
+        moved[k] = VertexId{moved[k].index() + static_cast<std::size_t>(step)};
+        expect_as_fresh(step > 0 ? 1 : 0);
+      }
+    }
+    moved.insert(moved.begin() + 2, VertexId{30 * columns + 30});
+    expect_as_fresh(2.5);
+    moved = clicks;
+    expect_as_fresh(1);
+    std::reverse(moved.begin(), moved.end());
+    expect_as_fresh(1);
+  }
+}
+
+TEST_F(WayPointsOnHills, WhateverTauWasBeforeChangesNothing) {
+  draw(kWave, false);
+  CurveSmoother asked(opened);
+  asked.set_curve(drawn, options);
+  const SmoothingOptions all[] = {{.tau = 1},
+                                  {.tau = 0},
+                                  {.tau = 1.5, .max_iterations = 3},
+                                  {.tau = 1.5, .prepare_whole_mesh = true},
+                                  {.tau = 1.5, .length_floor = 4},
+                                  {.tau = 0.2, .finish = Finish::kTaut},
+                                  {.tau = 7}};
+  for (int round = 0; round < 2; ++round) {
+    for (const SmoothingOptions& own : all) {
+      EXPECT_EQ(asked.smooth(own).curve().points,
+                smooth_curve(opened, drawn, own, options).curve().points)
+          << own.tau;
+    }
+  }
+  EXPECT_EQ(asked.smooth(1.5).curve().points,
+            asked.smooth({.tau = 1.5, .prepare_whole_mesh = true}).curve().points);
+  asked.set_pins(std::vector{drawn.points[drawn.points.size() / 2]});
+  CurveOptions pinned = options;
+  pinned.pins = {drawn.points[drawn.points.size() / 2]};
+  EXPECT_EQ(asked.smooth(1).curve().points, smooth_curve(opened, drawn, {}, pinned).curve().points);
+}
+
 TEST_F(WayPoints, ABoundIsThatOfTheStrokesOnly) {
   // A stroke that trembles by half an edge, and a leg whose drawing is a wide detour.
   SurfaceCurve detour{false, {}};

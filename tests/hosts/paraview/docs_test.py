@@ -30,11 +30,13 @@ class Docs(unittest.TestCase):
                             "drawn.vtp"], check=True)
             for line, code in blocks:
                 exec(compile("\n" * line + code, PAGE.name, "exec"), names)
-            self.assertGreater(os.path.getsize("smooth.vtp"), 1000)
+            for file in ("smooth.vtp", "labelled.vtp"):
+                self.assertGreater(os.path.getsize(file), 1000)
             os.chdir(here)
         self.assertLessEqual(
             names["report"].GetArray("deviation_to_drawn_max").GetValue(0), 0.02)
-        for filter in ("through", "points"):
+        self.assertGreater(names["pieces"].GetNumberOfBlocks(), 0)
+        for filter in ("through", "points", "borders", "repaired"):
             names[filter].UpdatePipeline()
             data = names["servermanager"].Fetch(names[filter], idx=0)
             self.assertGreater(data.GetNumberOfPoints(), 2, filter)

@@ -12,21 +12,28 @@ OPTION = re.compile(r"^  --([a-z-]+)(,--no-[a-z-]+\{false\})?(?: (FLOAT|INT|UINT
                     r"( \.\.\.)?(?:\s|$)")
 
 
-def described():
+OF_THE_DRIVER = ("curve", "mesh-units", "report", "map", "repair", "write-distance", "write-mesh",
+                 "write-labels", "write-became", "write-became-triangle", "quiet", "verbose", "help")
+# The driver has one option --repair for these.
+REPAIR = ("repair", "repair-weld", "repair-drop", "repair-orient", "repair-split")
+
+
+def described(plugin="talweg.smooth"):
     """As the driver offers them, which it makes from the plugin's description, too:
     [(id, kind, default or None, advanced)]."""
-    help = subprocess.run([os.environ["TALWEG_DRIVER"], "run", "talweg.smooth", "--help"],
+    help = subprocess.run([os.environ["TALWEG_DRIVER"], "run", plugin, "--help"],
                           capture_output=True, text=True, check=True).stdout
     options = []
     advanced = False
     for line in help.splitlines():
         advanced = advanced or line.startswith("Advanced")
         found = OPTION.match(line)
-        if found and found[1] not in ("curve", "mesh-units", "report", "write-distance"):
+        if found and found[1] not in OF_THE_DRIVER:
             kind = "LIST" if found[5] else found[3] or "FLAG"
             default = found[4] if found[3] else "1" if found[2] else "0"
             options.append((found[1], kind, default, advanced))
-    return options
+    return options + [(step, "FLAG", str(int(step != "repair" or plugin == "talweg.repair")),
+                       step != "repair") for step in REPAIR]
 
 
 def property_name(option):
@@ -37,26 +44,37 @@ def property_name(option):
 
 class Panel(unittest.TestCase):
     def setUp(self):
-        self.filters = [pv.TalwegSmoothPoints(Input=pv.Sphere()),
-                        pv.TalwegSmoothVertices(Input=pv.Sphere()),
-                        pv.TalwegSmoothCurve(Input=pv.Sphere(), Curve=pv.Line())]
+        mesh, curve = pv.Sphere(), pv.Line()
+        drawing = {"Curve", "CurveIds"}
+        smooth = {"DistanceField"}
+        self.filters = [  # the plugin, the filter, properties that are no parameters
+            ("talweg.smooth", pv.TalwegSmoothPoints(Input=mesh), smooth | {"Points", "Closed"}),
+            ("talweg.smooth", pv.TalwegSmoothVertices(Input=mesh), smooth | {"PointIds"}),
+            ("talweg.smooth", pv.TalwegSmoothCurve(Input=mesh, Curve=curve), smooth | drawing),
+            ("talweg.cut", pv.TalwegCut(Input=mesh, Curve=curve), drawing),
+            ("talweg.labels", pv.TalwegLabelBorders(Input=mesh), set()),
+            ("talweg.repair", pv.TalwegRepair(Input=mesh), set()),
+            ("talweg.measure", pv.TalwegMeasure(Input=mesh, Curve=curve), drawing | {"Others"})]
 
     def test_every_parameter_has_its_property(self):
-        options = described()
-        self.assertGreater(len(options), 20)
-        own = {"Input", "Curve", "CurveIds", "Points", "Closed", "PointIds", "DistanceField",
-               "MeshesOpened", "CurvesSet", "Runs"}
-        for filter in self.filters:
-            properties = set(filter.ListProperties()) - own
-            self.assertLessEqual({"Taus", "Slacks", "Finishes"}, properties)
-            self.assertEqual(properties, {property_name(option) for option, *_ in options})
+        self.assertGreater(len(described()), 25)
+        for plugin, filter, more in self.filters:
+            with self.subTest(filter=filter.GetXMLName()):
+                own = more | {"Input", "MeshesOpened", "CurvesSet", "Runs"}
+                properties = set(filter.ListProperties()) - own
+                # The third input says how many these are.
+                options = [option for option, *_ in described(plugin) if option != "others"]
+                self.assertEqual(properties, {property_name(option) for option in options})
+                self.assertIn("Repair", properties)
 
     def test_defaults_and_what_is_advanced(self):
-        for option, kind, default, advanced in described():
-            name = property_name(option)
-            for filter in self.filters:
+        for plugin, filter, _ in self.filters:
+            for option, kind, default, advanced in described(plugin):
+                if option == "others":
+                    continue
+                name = property_name(option)
                 value = filter.GetPropertyValue(name)
-                with self.subTest(property=name):
+                with self.subTest(plugin=plugin, property=name):
                     if kind == "LIST":  # a text; not given
                         self.assertIsNone(default)
                         self.assertEqual(value, "")
@@ -70,8 +88,10 @@ class Panel(unittest.TestCase):
                     self.assertEqual(shown, "advanced" if advanced else "default")
 
     def test_documentation(self):
-        for filter in self.filters:
-            for option, *_ in described():
+        for plugin, filter, _ in self.filters:
+            for option, *_ in described(plugin):
+                if option == "others":
+                    continue
                 doc = filter.SMProxy.GetProperty(property_name(option)).GetDocumentation()
                 self.assertGreater(len(doc.GetDescription()), 10)
 

@@ -483,11 +483,16 @@ class RealMeshes(Case):
         self.check(pv.PLYReader(FileNames=[str(real_mesh("armadillo_86k.ply"))]),
                    "armadillo_86k_loop_large")
 
-    def test_a_mesh_that_is_no_manifold_is_refused(self):
+    def test_a_mesh_that_is_no_manifold_is_refused_unless_repaired(self):
+        mesh = pv.PLYReader(FileNames=[str(real_mesh("car_nonmanifold_251k.ply"))])
+        mesh.UpdatePipeline()
+        cell = output(mesh, 0).GetCell(1000)
         filter = pv.TalwegSmoothVertices(
-            Input=pv.PLYReader(FileNames=[str(real_mesh("car_nonmanifold_251k.ply"))]),
-            PointIds="0 1")
+            Input=mesh, PointIds=f"{cell.GetPointId(0)} {cell.GetPointId(1)}")
         self.assertRegex(self.error_of(filter), "edge|vertex")
+        filter.Repair = 1
+        curve = self.curve_of(filter)
+        self.assertEqual(values(curve, "vertex")[0], cell.GetPointId(0))  # the input's numbers
 
 
 if __name__ == "__main__":

@@ -1,6 +1,8 @@
-// `talweg smooth` and `draw` call the library; `talweg run` goes through the loader and the C
-// interface. Both give the same bytes.
+// `talweg smooth`, `draw`, `cut`, `labels`, `measure` and `info` call the library; `talweg run`
+// goes through the loader and the C interface. Both give the same bytes.
+#include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -9,6 +11,7 @@
 #include "core/jagged_curves.hpp"
 #include "plugins/driver_runs.hpp"
 #include "talweg/core/io/mesh_writer.hpp"
+#include "talweg/core/mesh/mesh_attributes.hpp"
 
 namespace talweg {
 namespace {
@@ -77,6 +80,141 @@ TEST_F(BothWays, SmoothTheSame) {
   }
   expect_same("--curve open.txt --pin 760");
   expect_same("--curve open.txt --corner 760");
+}
+
+/// A mesh with attributes of all kinds, and a curve across it.
+class BothWaysOnAttributes : public BothWays {
+ protected:
+  void SetUp() override {
+    BothWays::SetUp();
+    lists_ = test::hills(40);
+    attributes_.vertices = {
+        column("nx", NumberType::kFloat32, 0.6), column("ny", NumberType::kFloat32, 0.8),
+        column("nz", NumberType::kFloat32, 0),   column("red", NumberType::kUint8, 17),
+        column("label", NumberType::kInt32, 3),  column("quality", NumberType::kFloat64, 0.1)};
+    AttributeColumn& segment = attributes_.faces.emplace_back();
+    segment = {"segment", NumberType::kInt32, {}};
+    std::string labels;
+    for (const Triangle& t : lists_.triangles) {
+      const int side = lists_.points[t[0]].y() < 20 ? 1 : 2;
+      segment.values.push_back(side);
+      labels += std::to_string(side) + "\n";
+    }
+    write("labels.txt", labels);
+    write_mesh(file("mesh.ply"), lists_, attributes_);
+    attributes_.texture.dimension = 2;
+    for (const Point& p : lists_.points) {
+      attributes_.texture.values.insert(attributes_.texture.values.end(), {p.x(), p.y()});
+    }
+    attributes_.texture.corners.assign(lists_.triangles.begin(), lists_.triangles.end());
+    attributes_.names = {{"usemtl", {"", "skin", "bone"}, {}}};
+    for (const double side : segment.values) {
+      attributes_.names[0].of_face.push_back(static_cast<std::uint32_t>(side));
+    }
+    write_mesh(file("mesh.obj"), lists_, attributes_);
+    ASSERT_EQ(run("draw hills.ply --through 574,1106 --straight -o across.json").code, 0);
+  }
+  [[nodiscard]] AttributeColumn column(const char* name, NumberType type, double slope) const {
+    AttributeColumn result{name, type, {}};
+    for (std::size_t v = 0; v < vertices_; ++v) {
+      const double value = slope * static_cast<double>(v % 13);
+      result.values.push_back(type == NumberType::kFloat32 ? slope : value);
+    }
+    return result;
+  }
+  void expect_done(const std::string& command) {
+    const Outcome outcome = run("-q " + command);
+    EXPECT_EQ(outcome.code, 0) << command << "\n" << outcome.err;
+  }
+
+  MeshLists lists_;
+  MeshAttributes attributes_;
+};
+
+TEST_F(BothWaysOnAttributes, CutTheSame) {
+  for (const std::string ending : {".ply", ".obj"}) {
+    for (const char* options : {"", "--open", "--split", "--keep left", "--keep right --cap",
+                                "--split --cap=planar", "--merge 1e-4"}) {
+      std::string loaded = options;
+      if (loaded.ends_with("--cap")) loaded += " auto";
+      if (const auto at = loaded.find("--cap=planar"); at != loaded.npos) {
+        loaded.replace(at, std::string::npos, "--cap planar");
+      }
+      SCOPED_TRACE(ending + " " + options);
+      expect_done("cut mesh" + ending + " --curve across.json -o a" + ending + " --map a.json " +
+                  options);
+      expect_done("run talweg.cut mesh" + ending + " --curve across.json --write-mesh b" + ending +
+                  " --map b.json " + loaded);
+      const bool split = loaded.find("--split") != std::string::npos;
+      for (const std::string part : {split ? "-0" : "", split ? "-1" : ""}) {
+        EXPECT_EQ(bytes_of(file("a" + part + ending)), bytes_of(file("b" + part + ending)));
+      }
+      auto a = nlohmann::json::parse(bytes_of(file("a.json")));
+      auto b = nlohmann::json::parse(bytes_of(file("b.json")));
+      for (auto* map : {&a, &b}) {
+        for (auto& part : (*map)["parts"]) part.erase("file");
+      }
+      EXPECT_EQ(a, b);
+    }
+  }
+}
+
+TEST_F(BothWaysOnAttributes, SmoothLabelsTheSame) {
+  for (const char* options : {"", "--tau 3 --ends slide", "--max-deviation 0.8"}) {
+    SCOPED_TRACE(options);
+    expect_done(std::string("labels mesh.ply labels.txt -o a.json --labels-out a.txt --cut a.ply "
+                            "--report a-report.json ") +
+                options);
+    expect_done(std::string("run talweg.labels mesh.ply --triangle-labels labels.txt -o b.json "
+                            "--write-labels b.txt --write-mesh b.ply --report b-report.json ") +
+                options);
+    for (const std::string ending : {".json", ".txt", ".ply"}) {
+      EXPECT_EQ(bytes_of(file("a" + ending)), bytes_of(file("b" + ending))) << ending;
+    }
+    EXPECT_EQ(report("a-report.json"), report("b-report.json"));
+  }
+}
+
+TEST_F(BothWaysOnAttributes, MeasureTheSame) {
+  expect_done("smooth mesh.ply --curve across.json -o smooth.json");
+  expect_done("measure mesh.ply smooth.json --report a.json");
+  expect_done("run talweg.measure mesh.ply --curve smooth.json --report b.json");
+  EXPECT_EQ(bytes_of(file("a.json")), bytes_of(file("b.json")));
+  expect_done("measure mesh.ply smooth.json across.json --edge 1.5 --report a.json");
+  expect_done(
+      "run talweg.measure mesh.ply --curve smooth.json --curve across.json --others 1 --edge 1.5 "
+      "--report b.json");
+  EXPECT_EQ(bytes_of(file("a.json")), bytes_of(file("b.json")));
+}
+
+TEST_F(BothWaysOnAttributes, InspectAndRepairTheSame) {
+  std::swap(lists_.triangles[100][1], lists_.triangles[100][2]);
+  lists_.triangles.push_back(lists_.triangles[7]);
+  write_mesh(file("broken.ply"), lists_);
+  write("a.json", run("info broken.ply --json --repair").out);
+  expect_done("run talweg.repair broken.ply --report b.json --write-mesh whole.ply");
+  EXPECT_EQ(report("a.json"), report("b.json"));
+  write("a.json", run("info broken.ply --json --repair=drop").out);
+  expect_done("run talweg.repair broken.ply --repair=drop --report b.json");
+  EXPECT_EQ(report("a.json"), report("b.json"));
+  EXPECT_EQ(run("info whole.ply").code, 0);
+}
+
+TEST_F(BothWaysOnAttributes, RepairInsideThePluginIsTheDrivers) {
+  std::swap(lists_.triangles[100][1], lists_.triangles[100][2]);
+  lists_.triangles.push_back(lists_.triangles[7]);
+  write_mesh(file("broken.ply"), lists_);
+  expect_done("smooth broken.ply --repair --curve across.json -o a.json --report a-report.json");
+  expect_done(
+      "run talweg.smooth broken.ply --repair --curve across.json -o b.json --report "
+      "b-report.json");
+  EXPECT_EQ(bytes_of(file("a.json")), bytes_of(file("b.json")));
+  EXPECT_EQ(report("a-report.json"), report("b-report.json"));
+  expect_done("cut broken.ply --repair --curve across.json -o a.ply --map a.json --open");
+  expect_done(
+      "run talweg.cut broken.ply --repair --curve across.json --write-mesh b.ply --map b.json "
+      "--open");
+  EXPECT_EQ(bytes_of(file("a.ply")), bytes_of(file("b.ply")));
 }
 
 TEST_F(BothWays, SmoothTheSameWithOptionsForEachCurve) {

@@ -296,10 +296,13 @@ TEST_F(Driver, ListsItsPlugins) {
   EXPECT_EQ(outcome.err, "");
   EXPECT_EQ(outcome.out,
             "talweg.bipartition\tHeat-flow relaxation of a bipartition (Livesu 2018)\n"
+            "talweg.cut\tCut along curves\n"
             "talweg.distance\tDistance to curves\ntalweg.draw\tDraw curves\n"
             "talweg.envelope\tLaplacian smoothing in an envelope (Lawonn et al. 2014)\n"
             "talweg.geodesic\tGeodesic\n"
+            "talweg.labels\tSmooth label borders\ntalweg.measure\tMeasure curves\n"
             "talweg.midpoints\tSubdivision by geodesic midpoints (Morera et al. 2008)\n"
+            "talweg.repair\tInspect and repair\n"
             "talweg.smooth\tSmooth curves\n");
 }
 

@@ -84,10 +84,10 @@ TEST_F(LoaderTest, LoadsWhatItCanUse) {
 }
 
 TEST_F(LoaderTest, VersionsMeetInBothDirections) {
-  expect_refused("older_major", "made for the plugin interface 0.9, and this is 1.1");
-  expect_refused("newer_major", "made for the plugin interface 2.0, and this is 1.1");
-  expect_refused("needs_newer", "needs the plugin interface 1.5, and this is 1.1");
-  expect_refused("refuses_host", "does not work with hosts of the plugin interface 1.1");
+  expect_refused("older_major", "made for the plugin interface 0.9, and this is 1.2");
+  expect_refused("newer_major", "made for the plugin interface 2.0, and this is 1.2");
+  expect_refused("needs_newer", "needs the plugin interface 1.5, and this is 1.2");
+  expect_refused("refuses_host", "does not work with hosts of the plugin interface 1.2");
   put("newer_minor", "newer.so");
   const test::Loader loader = open();
   const talweg_plugin* newer = talweg_loader_find(loader.get(), "toy.newer");

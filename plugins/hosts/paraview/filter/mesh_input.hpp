@@ -35,6 +35,10 @@ class MeshInput {
   void copy_to(vtkPolyData& out) const;
   /// Point arrays of the mesh.
   [[nodiscard]] vtkPointData& arrays() const { return *surface_->GetPointData(); }
+  [[nodiscard]] vtkCellData& cell_arrays() const { return *surface_->GetCellData(); }
+  /// The mesh's cell that each triangle is a part of.
+  [[nodiscard]] const std::vector<vtkIdType>& cells() const { return cells_; }
+  [[nodiscard]] vtkFieldData& other_arrays() const { return *surface_->GetFieldData(); }
   /// What was done to get triangles; empty if nothing.
   [[nodiscard]] const std::string& note() const { return note_; }
 

@@ -6,13 +6,13 @@
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkDoubleArray.h>
-#include <vtkFieldData.h>
 #include <vtkIdTypeArray.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
-#include <vtkStringArray.h>
+
+#include "report_output.hpp"
 
 namespace talweg::paraview {
 namespace {
@@ -74,48 +74,15 @@ void add_point_fields(const host::Results& results, vtkPolyData& out) {
   }
 }
 
-bool is_one_number(const host::ReportEntry& entry) {
-  return entry.type != TALWEG_VALUE_TEXT && !entry.is_list && entry.numbers.size() == 1;
-}
-
-/// One value per line: the entries of the first curve that every curve has.
-void add_reports_of_curves(const host::Results& results, vtkPolyData& out) {
-  for (const host::ReportEntry& entry : results.report) {
-    if (entry.curve != 0 || !is_one_number(entry)) continue;
-    const auto array = named<vtkDoubleArray>(entry.key.c_str());
-    for (std::size_t c = 0; c < results.curves.size(); ++c) {
-      const host::ReportEntry* of_curve = results.find(entry.key, static_cast<std::int64_t>(c));
-      if (of_curve == nullptr || !is_one_number(*of_curve)) break;
-      array->InsertNextValue(of_curve->numbers.front());
-    }
-    if (array->GetNumberOfTuples() == out.GetNumberOfCells()) out.GetCellData()->AddArray(array);
-  }
-}
-
-void add_total_report(const host::Results& results, vtkPolyData& out) {
-  for (const host::ReportEntry& entry : results.report) {
-    if (entry.curve >= 0) continue;
-    if (entry.type == TALWEG_VALUE_TEXT) {
-      const auto array = named<vtkStringArray>(entry.key.c_str());
-      for (const std::string& text : entry.texts) array->InsertNextValue(text);
-      out.GetFieldData()->AddArray(array);
-    } else {
-      const auto array = named<vtkDoubleArray>(entry.key.c_str());
-      for (const double number : entry.numbers) array->InsertNextValue(number);
-      out.GetFieldData()->AddArray(array);
-    }
-  }
-}
-
 }  // namespace
 
-void give(const host::Results& results, vtkPolyData& out) {
+void give(const host::Results& results, vtkPolyData& out, const char* group) {
   out.Initialize();
   add_points(results, out);
   add_lines(results, out);
   add_point_fields(results, out);
-  add_reports_of_curves(results, out);
-  add_total_report(results, out);
+  give_reports_of_curves(results, group, out.GetNumberOfCells(), *out.GetCellData());
+  give_report(results, *out.GetFieldData());
 }
 
 namespace {

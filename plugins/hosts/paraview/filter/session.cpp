@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <string_view>
 #include <utility>
 
+#include <vtkCellData.h>
 #include <vtkPointData.h>
 #include <vtkVersionMacros.h>
 
@@ -13,10 +15,16 @@
 namespace talweg::paraview {
 namespace {
 
-const talweg_parameter& parameter_named(const talweg_plugin& plugin, const std::string& id) {
+const talweg_parameter* find_parameter(const talweg_plugin& plugin, std::string_view id) {
   for (std::uint32_t k = 0; k < plugin.parameter_count; ++k) {
-    if (plugin.parameters[k]->id == id) return *plugin.parameters[k];
+    if (plugin.parameters[k]->id == id) return plugin.parameters[k];
   }
+  return nullptr;
+}
+
+const talweg_parameter& parameter_named(const talweg_plugin& plugin, const std::string& id) {
+  const talweg_parameter* parameter = find_parameter(plugin, id);
+  if (parameter != nullptr) return *parameter;
   throw std::runtime_error(std::string(plugin.id) + " " + plugin.version + " has no parameter " +
                            id + "; the panel was made for another version.");
 }
@@ -31,16 +39,33 @@ std::vector<std::uint32_t> places(const host::Curve& given, const host::Curve& p
   return result;
 }
 
+/// Gives another plugin what the parameters say of the mesh, as far as it has them.
+void copy_settings_of_meshes(const talweg_plugin& from,
+                             const std::map<std::string, Setting>& values, host::Instance& to) {
+  for (std::uint32_t k = 0; k < from.parameter_count; ++k) {
+    const talweg_parameter& parameter = *from.parameters[k];
+    const auto value = values.find(parameter.id);
+    if (parameter.stage != TALWEG_STAGE_MESH || value == values.end()) continue;
+    if (find_parameter(to.plugin(), parameter.id) == nullptr) continue;
+    if (const auto* number = std::get_if<double>(&value->second)) to.set(parameter.id, *number);
+  }
+}
+
 }  // namespace
 
-Session::Session(host::Services::Progress progress, host::Services::Log log)
-    : services_("ParaView", "VTK " VTK_VERSION, std::move(progress), std::move(log)) {}
+Origin origin_of(vtkDataSet* curves, vtkDataSet* others) {
+  const auto time = [](vtkDataSet* data) {
+    return data == nullptr ? 0 : std::uint64_t{data->GetMTime()};
+  };
+  return {curves, time(curves), others, time(others), 0};
+}
 
-host::Instance& Session::smooth() {
-  if (!smooth_) {
-    smooth_ = std::make_unique<host::Instance>(plugin_named("talweg.smooth"), services_);
-  }
-  return *smooth_;
+Session::Session(const char* plugin, host::Services::Progress progress, host::Services::Log log)
+    : id_(plugin), services_("ParaView", "VTK " VTK_VERSION, std::move(progress), std::move(log)) {}
+
+host::Instance& Session::instance() {
+  if (!instance_) instance_ = std::make_unique<host::Instance>(plugin_named(id_), services_);
+  return *instance_;
 }
 
 bool Session::set(const std::string& id, Setting value) {
@@ -50,31 +75,45 @@ bool Session::set(const std::string& id, Setting value) {
   return true;
 }
 
-void Session::take_mesh(vtkDataSet& input) {
-  const bool same = !mesh_.update(input);
-  if (same && has_mesh_) return;
-  has_mesh_ = has_curves_ = has_distance_ = false;
-  draw_.reset();
-  smooth().set_mesh(mesh_.positions(), mesh_.triangles());
-  has_mesh_ = true;
-  ++meshes_opened_;
+double Session::number(const std::string& id, double otherwise) const {
+  const auto known = settings_.find(id);
+  const auto* value = known == settings_.end() ? nullptr : std::get_if<double>(&known->second);
+  return value == nullptr ? otherwise : *value;
 }
 
-void Session::take_curves(const Origin& origin,
+bool Session::take_mesh(vtkDataSet& input) {
+  const bool same = !mesh_.update(input);
+  apply_settings_of_meshes();
+  if (same && has_mesh_) return false;
+  has_mesh_ = has_curves_ = false;
+  draw_.reset();
+  std::erase_if(applied_,
+                [](const auto& value) { return std::holds_alternative<FieldName>(value.second); });
+  instance().set_mesh(mesh_.positions(), mesh_.triangles());
+  has_mesh_ = true;
+  ++state_;
+  ++meshes_opened_;
+  return true;
+}
+
+bool Session::take_curves(const Origin& origin,
                           const std::function<std::vector<host::Curve>()>& make) {
-  if (has_curves_ && origin == origin_) return;
-  has_curves_ = has_distance_ = false;
-  smooth().set_curves(drawn(make()));
+  if (has_curves_ && origin == origin_) return false;
+  has_curves_ = false;
+  instance().set_curves(make());
   origin_ = origin;
   has_curves_ = true;
+  ++state_;
   ++curves_set_;
+  return true;
 }
 
-std::vector<host::Curve> Session::drawn(std::vector<host::Curve> curves) {
+std::vector<host::Curve> Session::along_edges(std::vector<host::Curve> curves) {
   const auto of_vertices = [](const host::Curve& curve) { return !curve.vertices.empty(); };
   if (std::none_of(curves.begin(), curves.end(), of_vertices)) return curves;
   if (!draw_) {
     draw_ = std::make_unique<host::Instance>(plugin_named("talweg.draw"), services_);
+    copy_settings_of_meshes(instance().plugin(), settings_, *draw_);
     draw_->set_mesh(mesh_.positions(), mesh_.triangles());
   }
   draw_->set_curves(curves);
@@ -90,35 +129,57 @@ std::vector<host::Curve> Session::drawn(std::vector<host::Curve> curves) {
   return curves;
 }
 
-host::Results Session::run(bool with_distance) {
+host::Results Session::run(const host::Wanted& wanted) {
   apply_settings();
-  host::Results results =
-      smooth().run({.point_fields = true, .vertex_fields = with_distance && !has_distance_});
-  if (!results.fields.empty()) {
-    distance_ = std::move(results.fields.front().values);
-    has_distance_ = true;
-  }
+  host::Results results = instance().run(wanted);
   ++runs_;
   return results;
 }
 
 void Session::apply_settings() {
   for (const auto& [id, setting] : settings_) {
-    const Setting value = current(setting);
-    const auto known = applied_.find(id);
-    if (known != applied_.end() && known->second == value) continue;
-    const talweg_parameter& parameter = parameter_named(smooth().plugin(), id);
-    apply(parameter, value);
-    applied_[id] = value;
-    if (parameter.stage != TALWEG_STAGE_RUN) has_distance_ = false;
+    apply_if_new(parameter_named(instance().plugin(), id), setting);
   }
 }
 
+/// A mesh that is no surface is refused without its repair. A change opens the mesh again, and
+/// curves are drawn again, since their edges may be others.
+void Session::apply_settings_of_meshes() {
+  for (const auto& [id, setting] : settings_) {
+    const talweg_parameter& parameter = parameter_named(instance().plugin(), id);
+    if (parameter.stage != TALWEG_STAGE_MESH) continue;
+    const auto known = applied_.find(id);
+    if (known != applied_.end() && known->second == setting) continue;
+    has_mesh_ = false;
+    apply_if_new(parameter, setting);
+  }
+}
+
+void Session::apply_if_new(const talweg_parameter& parameter, const Setting& setting) {
+  const Setting value = current(setting);
+  const auto known = applied_.find(parameter.id);
+  if (known != applied_.end() && known->second == value) return;
+  apply(parameter, value);
+  applied_[parameter.id] = value;
+  if (parameter.stage != TALWEG_STAGE_RUN) ++state_;
+}
+
+vtkDataArray* Session::array(const FieldName& field) const {
+  return field.of_cells ? mesh_.cell_arrays().GetArray(field.name.c_str())
+                        : mesh_.arrays().GetArray(field.name.c_str());
+}
+
+vtkDataArray* Session::array_of(const std::string& id) const {
+  const auto known = settings_.find(id);
+  const auto* field = known == settings_.end() ? nullptr : std::get_if<FieldName>(&known->second);
+  return field == nullptr || field->name.empty() ? nullptr : array(*field);
+}
+
 /// A field changes when its array does.
-Setting Session::current(Setting value) {
+Setting Session::current(Setting value) const {
   if (auto* field = std::get_if<FieldName>(&value); field != nullptr && !field->name.empty()) {
-    vtkDataArray* array = mesh_.arrays().GetArray(field->name.c_str());
-    field->time = array == nullptr ? 0 : array->GetMTime();
+    vtkDataArray* values = array(*field);
+    field->time = values == nullptr ? 0 : values->GetMTime();
   }
   return value;
 }
@@ -126,39 +187,45 @@ Setting Session::current(Setting value) {
 void Session::apply(const talweg_parameter& parameter, const Setting& value) {
   if (const auto* number = std::get_if<double>(&value)) return apply_number(parameter, *number);
   if (const auto* choice = std::get_if<Choice>(&value))
-    return smooth().set(parameter.id, choice->id);
+    return instance().set(parameter.id, choice->id);
   if (const auto* list = std::get_if<VertexList>(&value)) {
-    return smooth().set(parameter.id, vertex_numbers(list->numbers, parameter.label));
+    return instance().set(parameter.id, vertex_numbers(list->numbers, parameter.label));
   }
   if (const auto* list = std::get_if<CurveNumbers>(&value)) {
     return apply_curve_numbers(parameter, list->numbers);
   }
-  apply_field(parameter.id, std::get<FieldName>(value).name);
+  apply_field(parameter.id, std::get<FieldName>(value));
 }
 
 /// Below 0 an optional number is not given.
 void Session::apply_number(const talweg_parameter& parameter, double value) {
-  if ((parameter.flags & TALWEG_OPTIONAL) != 0 && value < 0) return smooth().reset(parameter.id);
-  smooth().set(parameter.id, value);
+  if ((parameter.flags & TALWEG_OPTIONAL) != 0 && value < 0) return instance().reset(parameter.id);
+  instance().set(parameter.id, value);
 }
 
 void Session::apply_curve_numbers(const talweg_parameter& parameter, const std::string& text) {
   const std::vector<double> values = numbers(text, parameter.label);
-  if (values.empty()) return smooth().reset(parameter.id);
-  smooth().set(parameter.id, values);
+  if (values.empty()) return instance().reset(parameter.id);
+  instance().set(parameter.id, values);
 }
 
-void Session::apply_field(const char* id, const std::string& name) {
-  if (name.empty()) return smooth().reset(id);
-  vtkDataArray* array = mesh_.arrays().GetArray(name.c_str());
-  if (array == nullptr || array->GetNumberOfComponents() != 1) {
-    throw std::runtime_error("The mesh has no point array " + name + " of one component.");
+/// Triangles that polygons were cut into have the polygon's value.
+void Session::apply_field(const char* id, const FieldName& field) {
+  if (field.name.empty()) return instance().reset(id);
+  vtkDataArray* values = array(field);
+  if (values == nullptr || values->GetNumberOfComponents() != 1) {
+    throw std::runtime_error(std::string("The mesh has no ") + (field.of_cells ? "cell" : "point") +
+                             " array " + field.name + " of one component.");
   }
-  std::vector<double> values(static_cast<std::size_t>(array->GetNumberOfTuples()));
-  for (std::size_t k = 0; k < values.size(); ++k) {
-    values[k] = array->GetTuple1(static_cast<vtkIdType>(k));
+  std::vector<double> numbers;
+  if (field.of_cells) {
+    for (const vtkIdType cell : mesh_.cells()) numbers.push_back(values->GetTuple1(cell));
+  } else {
+    for (vtkIdType k = 0; k < values->GetNumberOfTuples(); ++k) {
+      numbers.push_back(values->GetTuple1(k));
+    }
   }
-  smooth().set(id, values);
+  instance().set(id, numbers);
 }
 
 }  // namespace talweg::paraview

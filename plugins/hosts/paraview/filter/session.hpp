@@ -29,65 +29,81 @@ struct CurveNumbers {
   std::string numbers;
   friend bool operator==(const CurveNumbers&, const CurveNumbers&) = default;
 };
-/// The name of a point array of the mesh, empty for none; and which state of it.
+/// The name of an array of the mesh, empty for none: of its points, or of its cells; and which
+/// state of it.
 struct FieldName {
   std::string name;
+  bool of_cells = false;
   std::uint64_t time = 0;
   friend bool operator==(const FieldName&, const FieldName&) = default;
 };
 using Setting = std::variant<double, Choice, VertexList, CurveNumbers, FieldName>;
 
-/// Curves and when they were made: the same origin, the same curves.
+/// Data sets that curves were made of, and when these were: the same origin, the same curves.
 struct Origin {
   const void* data = nullptr;
   std::uint64_t time = 0;
+  const void* others = nullptr;
+  std::uint64_t time_of_others = 0;
   std::uint64_t edits = 0;  ///< of the filter's own properties
   friend bool operator==(const Origin&, const Origin&) = default;
 };
+/// Either may be null.
+Origin origin_of(vtkDataSet* curves, vtkDataSet* others);
 
 /// Methods throw host::Error for what the plugins refuse, std::runtime_error for the rest. After
 /// that everything is given anew.
 class Session {
  public:
   /// Progress returns false to cancel; both are called on the caller's thread.
-  Session(host::Services::Progress progress, host::Services::Log log);
+  Session(const char* plugin, host::Services::Progress progress, host::Services::Log log);
 
   /// False if the parameter had this value already.
   bool set(const std::string& id, Setting value);
 
-  void take_mesh(vtkDataSet& input);
-  /// Curves of vertices that are no neighbours are joined by shortest edge paths.
-  void take_curves(const Origin& origin, const std::function<std::vector<host::Curve>()>& make);
-  /// Smooths. `with_distance`: distance() is valid after it.
-  host::Results run(bool with_distance);
+  /// A parameter's value as it was set, else the other.
+  [[nodiscard]] double number(const std::string& id, double otherwise) const;
+
+  /// With what the parameters say of repair. False if there was nothing to do, as below.
+  bool take_mesh(vtkDataSet& input);
+  bool take_curves(const Origin& origin, const std::function<std::vector<host::Curve>()>& make);
+  /// Curves of vertices that are no neighbours, joined by shortest edge paths.
+  std::vector<host::Curve> along_edges(std::vector<host::Curve> curves);
+  /// Gives what has changed of the parameters to the plugin.
+  void apply_settings();
+  host::Results run(const host::Wanted& wanted);
 
   [[nodiscard]] MeshInput& mesh() { return mesh_; }
-  /// Per vertex of the mesh; computed once for each drawing.
-  [[nodiscard]] const std::vector<double>& distance() const { return distance_; }
+  /// The array of the mesh that a parameter names; null if there is none.
+  [[nodiscard]] vtkDataArray* array_of(const std::string& id) const;
+  /// The plugin's, to set what is no property and to ask for what belongs to meshes.
+  host::Instance& instance();
+  /// Counts what changes more than a run: meshes, curves and parameters of these stages.
+  [[nodiscard]] std::uint64_t state() const { return state_; }
 
   [[nodiscard]] int meshes_opened() const { return meshes_opened_; }
   [[nodiscard]] int curves_set() const { return curves_set_; }
   [[nodiscard]] int runs() const { return runs_; }
 
  private:
-  host::Instance& smooth();
-  void apply_settings();
+  void apply_settings_of_meshes();
+  void apply_if_new(const talweg_parameter& parameter, const Setting& setting);
   void apply(const talweg_parameter& parameter, const Setting& value);
   void apply_number(const talweg_parameter& parameter, double value);
   void apply_curve_numbers(const talweg_parameter& parameter, const std::string& text);
-  void apply_field(const char* id, const std::string& array);
-  [[nodiscard]] Setting current(Setting value);
-  std::vector<host::Curve> drawn(std::vector<host::Curve> curves);
+  void apply_field(const char* id, const FieldName& field);
+  [[nodiscard]] vtkDataArray* array(const FieldName& field) const;
+  [[nodiscard]] Setting current(Setting value) const;
 
+  const char* id_;
   host::Services services_;
-  std::unique_ptr<host::Instance> smooth_, draw_;
+  std::unique_ptr<host::Instance> instance_, draw_;
   std::map<std::string, Setting> settings_, applied_;
   MeshInput mesh_;
   Origin origin_;
   bool has_mesh_ = false;
   bool has_curves_ = false;
-  bool has_distance_ = false;
-  std::vector<double> distance_;
+  std::uint64_t state_ = 0;
   int meshes_opened_ = 0;
   int curves_set_ = 0;
   int runs_ = 0;

@@ -2,70 +2,31 @@
 
 #include <algorithm>
 #include <array>
-#include <exception>
-#include <set>
 #include <stdexcept>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include <vtkDataSet.h>
 #include <vtkDoubleArray.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
-#include <vtkLogger.h>
 #include <vtkObjectFactory.h>
 #include <vtkPointData.h>
-#include <vtkPointSet.h>
 #include <vtkPolyData.h>
 
 #include "curve_input.hpp"
 #include "number_list.hpp"
+#include "property_text.hpp"
 #include "results.hpp"
 #include "session.hpp"
 
 using talweg::host::Curve;
 using talweg::paraview::Session;
-
-namespace {
-
-std::string text_of(const char* text) { return text == nullptr ? "" : text; }
-
-/// None: no array.
-std::string array_name(const char* text) {
-  const std::string name = text_of(text);
-  return name == "None" ? "" : name;
-}
-
-}  // namespace
+using talweg::paraview::text_of;
 
 struct vtkTalwegSmooth::Internals {
-  explicit Internals(vtkTalwegSmooth* filter)
-      : Filter(filter),
-        Work(
-            [this](const char* stage, double done) { return this->go_on(stage, done); },
-            [this](std::uint32_t severity, const char* message) { this->log(severity, message); }) {
-  }
-
-  bool go_on(const char* stage, double done) const {
-    this->Filter->SetProgressText(stage);
-    this->Filter->UpdateProgress(done);
-    return !this->Filter->GetAbortExecute() && !this->Filter->CheckAbort();
-  }
-
-  /// ParaView opens its messages for every warning, so one is not repeated while a slider moves,
-  /// and there is none of what happens to nearly every drawing.
-  void log(std::uint32_t severity, const std::string& message) {
-    const bool usual = message.starts_with("The curve was moved onto the mesh");
-    if (severity < TALWEG_LOG_WARNING || usual) {
-      vtkLog(INFO, "Talweg: " << message);
-    } else if (this->Warned.insert(message).second) {
-      vtkWarningWithObjectMacro(this->Filter, << message);
-    }
-  }
-
-  [[nodiscard]] std::vector<Curve> drawing(vtkDataSet* curve) const {
-    if (curve != nullptr) return talweg::paraview::curves_of(*curve, this->CurveIds);
+  [[nodiscard]] std::vector<Curve> drawing(vtkDataSet* curve, const char* ids) const {
+    if (curve != nullptr) return talweg::paraview::curves_of(*curve, ids);
     const auto vertices = talweg::paraview::vertex_numbers(this->PointIds, "Point Ids");
     if (!vertices.empty()) return {talweg::paraview::curve_through(vertices)};
     if (this->Points.empty()) {
@@ -78,44 +39,43 @@ struct vtkTalwegSmooth::Internals {
     return {through};
   }
 
-  void give_mesh(vtkPolyData& out) {
-    this->Work.mesh().copy_to(out);
+  /// The distance is computed once for each drawing.
+  talweg::host::Results run(Session& session) {
+    session.apply_settings();
+    const bool known = !this->Distance.empty() && this->DistanceState == session.state();
+    talweg::host::Results results =
+        session.run({.point_fields = true, .vertex_fields = this->WithDistance && !known});
+    if (!results.fields.empty()) {
+      this->Distance = std::move(results.fields.front().values);
+      this->DistanceState = session.state();
+    }
+    return results;
+  }
+
+  void give_mesh(Session& session, vtkPolyData& out) const {
+    session.mesh().copy_to(out);
     if (!this->WithDistance) return;
-    const std::vector<double>& distance = this->Work.distance();
     vtkNew<vtkDoubleArray> array;
     array->SetName("distance");
-    array->SetNumberOfTuples(static_cast<vtkIdType>(distance.size()));
-    std::copy(distance.begin(), distance.end(), array->GetPointer(0));
+    array->SetNumberOfTuples(static_cast<vtkIdType>(this->Distance.size()));
+    std::copy(this->Distance.begin(), this->Distance.end(), array->GetPointer(0));
     out.GetPointData()->AddArray(array);
     out.GetPointData()->SetActiveScalars("distance");  // setting it would remove the active one
   }
 
-  void run(vtkDataSet& mesh, vtkDataSet* curve, vtkPolyData& curves_out, vtkPolyData& mesh_out) {
-    const int before = this->Work.meshes_opened() + this->Work.curves_set();
-    this->Work.take_mesh(mesh);
-    this->Work.take_curves({curve, curve == nullptr ? 0 : curve->GetMTime(), this->Edits},
-                           [this, curve] { return this->drawing(curve); });
-    if (this->Work.meshes_opened() + this->Work.curves_set() != before) this->Warned.clear();
-    if (!this->Work.mesh().note().empty()) this->log(TALWEG_LOG_WARNING, this->Work.mesh().note());
-    const talweg::host::Results results = this->Work.run(this->WithDistance);
-    talweg::paraview::give(results, curves_out);
-    this->give_mesh(mesh_out);
-    this->log(TALWEG_LOG_INFO, talweg::paraview::summary(results));
-  }
-
-  vtkTalwegSmooth* Filter;
-  Session Work;
   std::vector<std::array<double, 3>> Points;
-  std::string PointIds, CurveIds;
+  std::string PointIds;
   bool Closed = false;
   bool WithDistance = false;
-  std::uint64_t Edits = 0;       // of the drawing
-  std::set<std::string> Warned;  // since the mesh or the drawing changed
+  std::uint64_t Edits = 0;  // of the drawing
+  std::vector<double> Distance;
+  std::uint64_t DistanceState = 0;  // of the session, when it was computed
 };
 
 vtkStandardNewMacro(vtkTalwegSmooth);
 
-vtkTalwegSmooth::vtkTalwegSmooth() : Inside(std::make_unique<Internals>(this)) {
+vtkTalwegSmooth::vtkTalwegSmooth()
+    : vtkTalwegFilter("talweg.smooth"), Inside(std::make_unique<Internals>()) {
   this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(2);
 }
@@ -124,31 +84,6 @@ vtkTalwegSmooth::~vtkTalwegSmooth() = default;
 
 void vtkTalwegSmooth::PrintSelf(ostream& os, vtkIndent indent) {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "MeshesOpened: " << this->GetMeshesOpened() << "\n"
-     << indent << "CurvesSet: " << this->GetCurvesSet() << "\n"
-     << indent << "Runs: " << this->GetRuns() << "\n";
-}
-
-void vtkTalwegSmooth::SetNumber(const char* id, double value) {
-  if (this->Inside->Work.set(id, value)) this->Modified();
-}
-
-void vtkTalwegSmooth::SetChoice(const char* id, const char* value) {
-  if (this->Inside->Work.set(id, talweg::paraview::Choice{text_of(value)})) this->Modified();
-}
-
-void vtkTalwegSmooth::SetVertices(const char* id, const char* numbers) {
-  if (this->Inside->Work.set(id, talweg::paraview::VertexList{text_of(numbers)})) this->Modified();
-}
-
-void vtkTalwegSmooth::SetCurveNumbers(const char* id, const char* numbers) {
-  if (this->Inside->Work.set(id, talweg::paraview::CurveNumbers{text_of(numbers)})) {
-    this->Modified();
-  }
-}
-
-void vtkTalwegSmooth::SetField(const char* id, const char* array) {
-  if (this->Inside->Work.set(id, talweg::paraview::FieldName{array_name(array)})) this->Modified();
 }
 
 namespace {
@@ -163,10 +98,6 @@ bool change(Value& value, const Value& to, std::uint64_t& edits) {
 }
 
 }  // namespace
-
-void vtkTalwegSmooth::SetCurveIds(const char* array) {
-  if (change(this->Inside->CurveIds, array_name(array), this->Inside->Edits)) this->Modified();
-}
 
 void vtkTalwegSmooth::SetPointIds(const char* numbers) {
   if (change(this->Inside->PointIds, text_of(numbers), this->Inside->Edits)) this->Modified();
@@ -201,31 +132,22 @@ void vtkTalwegSmooth::SetDistanceField(int on) {
   this->Modified();
 }
 
-int vtkTalwegSmooth::GetMeshesOpened() { return this->Inside->Work.meshes_opened(); }
-int vtkTalwegSmooth::GetCurvesSet() { return this->Inside->Work.curves_set(); }
-int vtkTalwegSmooth::GetRuns() { return this->Inside->Work.runs(); }
-
-int vtkTalwegSmooth::FillInputPortInformation(int port, vtkInformation* info) {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkDataSet" : "vtkPointSet");
-  if (port == 1) info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+int vtkTalwegSmooth::FillOutputPortInformation(int, vtkInformation* info) {
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkPolyData");
   return 1;
 }
 
-int vtkTalwegSmooth::RequestData(vtkInformation*, vtkInformationVector** inputs,
-                                 vtkInformationVector* outputs) {
-  vtkPolyData* curves = vtkPolyData::GetData(outputs, 0);
-  vtkPolyData* mesh = vtkPolyData::GetData(outputs, 1);
-  curves->Initialize();
-  mesh->Initialize();
-  try {
-    this->Inside->run(*vtkDataSet::GetData(inputs[0]), vtkDataSet::GetData(inputs[1]), *curves,
-                      *mesh);
-    return 1;
-  } catch (const talweg::host::Error& error) {
-    if (error.status() == TALWEG_CANCELLED) return 1;  // nothing wrong, nothing there
-    vtkErrorMacro(<< error.what());
-  } catch (const std::exception& error) {
-    vtkErrorMacro(<< error.what());
-  }
-  return 0;
+void vtkTalwegSmooth::Work(vtkDataSet& mesh, vtkDataSet* curves, vtkDataSet*,
+                           vtkInformationVector& outputs) {
+  Session& session = this->GetSession();
+  this->TakeMesh(mesh);
+  talweg::paraview::Origin origin = talweg::paraview::origin_of(curves, nullptr);
+  origin.edits = this->Inside->Edits;
+  this->TakeDrawing(origin, [this, curves, &session] {
+    return session.along_edges(this->Inside->drawing(curves, this->GetCurveIds()));
+  });
+  const talweg::host::Results results = this->Inside->run(session);
+  talweg::paraview::give(results, *vtkPolyData::GetData(&outputs, 0));
+  this->Inside->give_mesh(session, *vtkPolyData::GetData(&outputs, 1));
+  this->Log(TALWEG_LOG_INFO, talweg::paraview::summary(results).c_str());
 }

@@ -4,38 +4,21 @@
  *
  * Input 0 is the mesh; the drawing is input 1 (lines, or points in their order), or points, or
  * numbers of vertices. Output 0 is the smoothed curves, output 1 the mesh with the distance to the
- * drawing. Parameters go by their ids to the plugin talweg.smooth, which does the work; it is kept
- * between runs, so that a new tau costs what moving tau costs.
+ * drawing. The plugin talweg.smooth does the work.
  */
 #ifndef vtkTalwegSmooth_h
 #define vtkTalwegSmooth_h
 
 #include <memory>  // for std::unique_ptr
 
-#include <vtkPolyDataAlgorithm.h>
-
 #include "TalwegFiltersModule.h"  // for the export macro
+#include "vtkTalwegFilter.h"
 
-class TALWEGFILTERS_EXPORT vtkTalwegSmooth : public vtkPolyDataAlgorithm {
+class TALWEGFILTERS_EXPORT vtkTalwegSmooth : public vtkTalwegFilter {
  public:
   static vtkTalwegSmooth* New();
-  vtkTypeMacro(vtkTalwegSmooth, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkTalwegSmooth, vtkTalwegFilter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-
-  ///@{
-  /// Values of talweg.smooth's parameters. Optional numbers are not given below 0; vertices are
-  /// numbers from 0, separated by spaces or commas; numbers of curves are separated so, too, one
-  /// for each, and none is none at all; a field is the name of a point array of the mesh, or None.
-  /// What is wrong with a value is told by the next run.
-  void SetNumber(const char* id, double value);
-  void SetChoice(const char* id, const char* value);
-  void SetVertices(const char* id, const char* numbers);
-  void SetCurveNumbers(const char* id, const char* numbers);
-  void SetField(const char* id, const char* array);
-  ///@}
-
-  /// A point array of input 1 with vertices of the mesh, used instead of its positions; None: none.
-  void SetCurveIds(const char* array);
 
   ///@{
   /// The drawing without input 1: points of space in their order, joined to the first if closed.
@@ -50,20 +33,13 @@ class TALWEGFILTERS_EXPORT vtkTalwegSmooth : public vtkPolyDataAlgorithm {
   /// Whether output 1 has the point array "distance" (off by default).
   void SetDistanceField(int on);
 
-  ///@{
-  /// How often each stage was done.
-  int GetMeshesOpened();
-  int GetCurvesSet();
-  int GetRuns();
-  ///@}
-
  protected:
   vtkTalwegSmooth();
   ~vtkTalwegSmooth() override;
 
-  int FillInputPortInformation(int port, vtkInformation* info) override;
-  int RequestData(vtkInformation* request, vtkInformationVector** inputs,
-                  vtkInformationVector* outputs) override;
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
+  void Work(vtkDataSet& mesh, vtkDataSet* curves, vtkDataSet* others,
+            vtkInformationVector& outputs) override;
 
  private:
   vtkTalwegSmooth(const vtkTalwegSmooth&) = delete;

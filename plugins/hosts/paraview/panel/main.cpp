@@ -1,8 +1,9 @@
-// talweg-paraview-panel PLUGIN-FOLDER FILE.xml: writes ParaView's property panel for talweg.smooth.
+// talweg-paraview-panel PLUGIN-FOLDER FILE.xml: writes ParaView's property panels.
 #include <cstdio>
 #include <exception>
 #include <fstream>
 #include <memory>
+#include <new>
 #include <stdexcept>
 #include <string>
 
@@ -25,12 +26,13 @@ int main(int argc, char** argv) {
     if (argc != 3) throw std::runtime_error("usage: talweg-paraview-panel PLUGIN-FOLDER FILE.xml");
     const std::unique_ptr<talweg_loader, void (*)(talweg_loader*)> loader(
         talweg_loader_open(argv[1]), talweg_loader_close);
-    const talweg_plugin* smooth =
-        loader ? talweg_loader_find(loader.get(), "talweg.smooth") : nullptr;
-    if (smooth == nullptr) {
-      throw std::runtime_error(std::string("There is no plugin talweg.smooth in ") + argv[1] + ".");
-    }
-    write(argv[2], talweg::paraview::server_manager_xml(*smooth));
+    if (!loader) throw std::bad_alloc();
+    const auto plugin_named = [&](const char* id) -> const talweg_plugin& {
+      const talweg_plugin* plugin = talweg_loader_find(loader.get(), id);
+      if (plugin != nullptr) return *plugin;
+      throw std::runtime_error(std::string("There is no plugin ") + id + " in " + argv[1] + ".");
+    };
+    write(argv[2], talweg::paraview::server_manager_xml(plugin_named));
     return 0;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "talweg-paraview-panel: %s\n", error.what());

@@ -1,188 +1,38 @@
 #include "server_manager_xml.hpp"
 
-#include <cctype>
-#include <stdexcept>
+#include <cstdint>
+#include <string_view>
+#include <vector>
 
 #include <fmt/format.h>
+
+#include "property_xml.hpp"
 
 namespace talweg::paraview {
 namespace {
 
-std::string escaped(std::string_view text) {
-  std::string result;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      default:
-        result += c;
-    }
-  }
-  return result;
-}
-
-/// max_deviation: MaxDeviation. One filter has points of its own, which are called so.
-std::string property_name(std::string_view id) {
-  if (id == "points") return "DrawnPoints";
-  std::string result;
-  bool first = true;
-  for (const char c : id) {
-    if (c != '_') result += first ? static_cast<char>(std::toupper(c)) : c;
-    first = c == '_';
-  }
-  return result;
-}
-
-/// What the property and its command are called, before its default value and its domain. Scripts
-/// name properties by their labels, so there is none: ParaView makes it from the name.
-std::string opening(const talweg_parameter& p, const char* kind, const char* command) {
-  return fmt::format(
-      "<{} name=\"{}\" command=\"{}\" initial_string=\"{}\" number_of_elements=\"1\" "
-      "panel_visibility=\"{}\"",
-      kind, property_name(p.id), command, p.id,
-      (p.flags & TALWEG_ADVANCED) != 0 ? "advanced" : "default");
-}
-
-std::string documentation(const talweg_parameter& p, const std::string& more = {}) {
-  std::string text = fmt::format("{}. {}", p.label, p.doc);
-  if (*p.unit != '\0') text += fmt::format(" In {}.", p.unit);
-  return fmt::format("<Documentation>{}</Documentation>", escaped(text + more));
-}
-
-/// A slider's range: lengths go with the mesh, everything else has its own.
-std::string number_domain(const talweg_parameter& p) {
-  if (std::string_view(p.unit) != "mesh units") {
-    return fmt::format("<DoubleRangeDomain name=\"range\" min=\"{}\" max=\"{}\"/>", p.soft_minimum,
-                       p.soft_maximum);
-  }
-  return "<BoundsDomain name=\"range\" mode=\"scaled_extent\" scale_factor=\"0.05\">"
-         "<RequiredProperties><Property name=\"Input\" function=\"Input\"/></RequiredProperties>"
-         "</BoundsDomain>";
-}
-
-std::string number_property(const talweg_parameter& p) {
-  const bool optional = (p.flags & TALWEG_OPTIONAL) != 0;
-  if (optional && p.minimum < 0) {
-    throw std::runtime_error(fmt::format("{}: -1 cannot stand for its absence.", p.id));
-  }
-  // The domain must not choose the default.
-  return fmt::format(
-      "{} default_values=\"{}\">{}{}<Hints><NoDefault/></Hints>"
-      "</DoubleVectorProperty>\n",
-      opening(p, "DoubleVectorProperty", "SetNumber"), optional ? -1 : p.default_number,
-      number_domain(p), documentation(p, optional ? " Below 0: not given." : ""));
-}
-
-std::string integer_property(const talweg_parameter& p) {
-  if ((p.flags & TALWEG_OPTIONAL) != 0) {
-    throw std::runtime_error(fmt::format("{}: no property for optional integers.", p.id));
-  }
-  return fmt::format(
-      "{} default_values=\"{}\">"
-      "<IntRangeDomain name=\"range\" min=\"{}\" max=\"{}\"/>{}"
-      "</IntVectorProperty>\n",
-      opening(p, "IntVectorProperty", "SetNumber"), p.default_number, p.soft_minimum,
-      p.soft_maximum, documentation(p));
-}
-
-std::string boolean_property(const talweg_parameter& p) {
-  return fmt::format(
-      "{} default_values=\"{}\"><BooleanDomain name=\"bool\"/>{}"
-      "</IntVectorProperty>\n",
-      opening(p, "IntVectorProperty", "SetNumber"), p.default_number, documentation(p));
-}
-
-std::string choice_property(const talweg_parameter& p) {
-  std::string choices;
-  std::string labels;
-  for (std::uint32_t k = 0; k < p.choice_count; ++k) {
-    choices += fmt::format("<String value=\"{}\"/>", escaped(p.choices[k]));
-    labels += fmt::format(" {}: {}.", p.choices[k], p.choice_labels[k]);
-  }
-  return fmt::format(
-      "{} default_values=\"{}\"><StringListDomain name=\"choices\">{}"
-      "</StringListDomain>{}</StringVectorProperty>\n",
-      opening(p, "StringVectorProperty", "SetChoice"), escaped(p.default_choice), choices,
-      documentation(p, labels));
-}
-
-std::string vertices_property(const talweg_parameter& p) {
-  return fmt::format("{} default_values=\"\">{}</StringVectorProperty>\n",
-                     opening(p, "StringVectorProperty", "SetVertices"),
-                     documentation(p, " Numbers from 0, separated by spaces or commas."));
-}
-
-/// A text, since how many curves there are is not known before the filter runs. Their order is that
-/// of the output, since joined segments come behind lines of the input that are longer.
-std::string per_curve_property(const talweg_parameter& p) {
-  return fmt::format(
-      "{} default_values=\"\">{}</StringVectorProperty>\n",
-      opening(p, "StringVectorProperty", "SetCurveNumbers"),
-      documentation(p,
-                    " Numbers in the order of the output's lines, separated by spaces or commas. "
-                    "Empty: not given."));
-}
-
-std::string field_property(const talweg_parameter& p) {
-  return fmt::format(
-      "{} default_values=\"None\"><ArrayListDomain name=\"array_list\" none_string=\"None\" "
-      "attribute_type=\"Scalars\" input_domain_name=\"arrays\">"
-      "<RequiredProperties><Property name=\"Input\" function=\"Input\"/></RequiredProperties>"
-      "</ArrayListDomain>{}<Hints><NoDefault/></Hints></StringVectorProperty>\n",
-      opening(p, "StringVectorProperty", "SetField"),
-      documentation(p, " A point array of the mesh."));
-}
-
-std::string property(const talweg_parameter& p) {
-  switch (p.type) {
-    case TALWEG_NUMBER:
-      return number_property(p);
-    case TALWEG_INTEGER:
-      return integer_property(p);
-    case TALWEG_BOOLEAN:
-      return boolean_property(p);
-    case TALWEG_CHOICE:
-      return choice_property(p);
-    case TALWEG_VERTICES:
-      return vertices_property(p);
-    case TALWEG_FIELD:
-      return field_property(p);
-    case TALWEG_PER_CURVE:
-      return per_curve_property(p);
-    default:  // of a later version of the interface: it keeps its default
-      return "";
-  }
-}
-
+/// The mesh, whose arrays some parameters name.
 constexpr const char* kMeshInput = R"(
 <InputProperty name="Input" command="SetInputConnection" port_index="0">
   <ProxyGroupDomain name="groups"><Group name="sources"/><Group name="filters"/></ProxyGroupDomain>
   <DataTypeDomain name="input_type"><DataType value="vtkDataSet"/></DataTypeDomain>
   <InputArrayDomain name="arrays" attribute_type="point" number_of_components="1" optional="1"/>
+  <InputArrayDomain name="cell_arrays" attribute_type="cell" number_of_components="1" optional="1"/>
   <Documentation>The mesh: triangles. Polygons and strips are cut into triangles, and of other data
     sets the outer surface is taken; a warning says so.</Documentation>
 </InputProperty>
 )";
 
-/// The drawing as another pipeline object.
+/// Curves as another pipeline object.
 constexpr const char* kCurveInput = R"(
 <InputProperty name="Curve" command="SetInputConnection" port_index="1">
   <ProxyGroupDomain name="groups"><Group name="sources"/><Group name="filters"/></ProxyGroupDomain>
   <DataTypeDomain name="input_type"><DataType value="vtkPointSet"/></DataTypeDomain>
   <InputArrayDomain name="arrays" attribute_type="point" number_of_components="1" optional="1"/>
-  <Documentation>The drawing: lines, each a curve, segments joined; or points in their order. They
-    are moved to the nearest points of the mesh. A point array named pin says which points stay,
-    and one named exact which are meant exactly: a tolerance of 0 or more there.</Documentation>
+  <Documentation>The curves: lines, each a curve, segments joined; or points in their order. They
+    are moved to the nearest points of the mesh. For smoothing a point array named pin says which
+    points stay, and one named exact which are meant exactly: a tolerance of 0 or more
+    there.</Documentation>
 </InputProperty>
 <StringVectorProperty name="CurveIds" command="SetCurveIds" number_of_elements="1"
                       default_values="None" panel_visibility="advanced">
@@ -191,9 +41,21 @@ constexpr const char* kCurveInput = R"(
     <RequiredProperties><Property name="Curve" function="Input"/></RequiredProperties>
   </ArrayListDomain>
   <Documentation>A point array of the curve with vertex numbers of the mesh, used instead of
-    positions and joined by shortest edge paths.</Documentation>
+    positions. Smoothing joins them by shortest edge paths, other filters straight over the
+    surface.</Documentation>
   <Hints><NoDefault/></Hints>
 </StringVectorProperty>
+)";
+
+/// Curves that others are compared with.
+constexpr const char* kOthersInput = R"(
+<InputProperty name="Others" command="SetInputConnection" port_index="2">
+  <ProxyGroupDomain name="groups"><Group name="sources"/><Group name="filters"/></ProxyGroupDomain>
+  <DataTypeDomain name="input_type"><DataType value="vtkPointSet"/></DataTypeDomain>
+  <Documentation>Curves that the others are compared with: as many one by one in their order, else
+    all together.</Documentation>
+  <Hints><Optional/></Hints>
+</InputProperty>
 )";
 
 /// The drawing as points that are clicked.
@@ -225,14 +87,17 @@ constexpr const char* kVertices = R"(
 </StringVectorProperty>
 )";
 
-/// What else the filter does, and what a script can ask: how often each stage was done.
-constexpr const char* kMore = R"(
+constexpr const char* kDistance = R"(
 <IntVectorProperty name="DistanceField" command="SetDistanceField" number_of_elements="1"
                    default_values="0">
   <BooleanDomain name="bool"/>
   <Documentation>The second output has the distance to the drawing at every vertex, computed once
     for each drawing: half a second on 100,000 faces, many seconds on a million.</Documentation>
 </IntVectorProperty>
+)";
+
+/// What a script can ask: how often each stage was done.
+constexpr const char* kCounts = R"(
 <IntVectorProperty name="MeshesOpened" command="GetMeshesOpened" information_only="1"
                    number_of_elements="1" default_values="0" panel_visibility="never">
   <SimpleIntInformationHelper/>
@@ -249,7 +114,7 @@ constexpr const char* kMore = R"(
 
 /// The input stays to be seen, and its mesh is not shown twice: ParaView 5.11 places points on what
 /// comes out of a first output only.
-constexpr const char* kEnd = R"(
+constexpr const char* kSmoothEnd = R"(
 <OutputPort index="0" name="Curve"/>
 <OutputPort index="1" name="Mesh"/>
 <Hints>
@@ -260,31 +125,130 @@ constexpr const char* kEnd = R"(
 </SourceProxy>
 )";
 
+constexpr const char* kCutEnd = R"(
+<OutputPort index="0" name="Pieces"/>
+<OutputPort index="1" name="Chains"/>
+<Hints><ShowInMenu category="Talweg"/></Hints>
+</SourceProxy>
+)";
+
+/// The cut mesh, with exact labels, is the one to be seen.
+constexpr const char* kLabelsEnd = R"(
+<OutputPort index="0" name="Borders"/>
+<OutputPort index="1" name="Mesh"/>
+<OutputPort index="2" name="Cut Mesh"/>
+<Hints>
+  <ShowInMenu category="Talweg"/>
+  <View type="None" port="1"/>
+</Hints>
+</SourceProxy>
+)";
+
+constexpr const char* kRepairEnd = R"(
+<Hints><ShowInMenu category="Talweg"/></Hints>
+</SourceProxy>
+)";
+
+constexpr const char* kMeasureEnd = R"(
+<Hints>
+  <ShowInMenu category="Talweg"/>
+  <Visibility replace_input="0"/>
+  <View type="SpreadSheetView"/>
+</Hints>
+</SourceProxy>
+)";
+
+/// What the filter shows instead of a parameter: Measure counts the curves of its third input.
+bool is_given_by_an_input(const talweg_plugin& plugin, const talweg_parameter& p) {
+  return std::string_view(plugin.id) == "talweg.measure" && std::string_view(p.id) == "others";
+}
+
 /// The rest says what a plugin makes of curves that these filters give it otherwise.
 std::string first_sentence(const std::string& text) { return text.substr(0, text.find(". ") + 1); }
 
-std::string filter(const talweg_plugin& plugin, const char* name, const char* label,
-                   const char* drawing) {
+struct Filter {
+  const char* plugin;
+  const char* name;
+  const char* label;
+  const char* class_name;
+  std::vector<const char*> inputs, more;  ///< properties before and behind the parameters
+  const char* end;
+};
+
+std::string xml_of(const Filter& filter, const talweg_plugin& plugin) {
   const std::string doc = escaped(first_sentence(plugin.doc));
-  std::string parameters;
+  std::string xml = fmt::format(
+      "<SourceProxy name=\"{}\" class=\"{}\" label=\"{}\">\n"
+      "<Documentation short_help=\"{}\" long_help=\"{}\">{}</Documentation>",
+      filter.name, filter.class_name, filter.label, doc, doc, doc);
+  for (const char* property : filter.inputs) xml += property;
   for (std::uint32_t k = 0; k < plugin.parameter_count; ++k) {
-    parameters += property(*plugin.parameters[k]);
+    const talweg_parameter& parameter = *plugin.parameters[k];
+    if (!is_given_by_an_input(plugin, parameter)) xml += property_xml(parameter);
   }
-  return fmt::format(
-             "<SourceProxy name=\"{}\" class=\"vtkTalwegSmooth\" label=\"{}\">\n"
-             "<Documentation short_help=\"{}\" long_help=\"{}\">{}</Documentation>",
-             name, label, doc, doc, doc) +
-         kMeshInput + drawing + parameters + kMore + kEnd;
+  for (const char* property : filter.more) xml += property;
+  return xml + kCounts + filter.end;
+}
+
+const std::vector<Filter>& filters() {
+  static const std::vector<Filter> all = {{"talweg.smooth",
+                                           "TalwegSmoothCurve",
+                                           "Talweg Smooth Curve",
+                                           "vtkTalwegSmooth",
+                                           {kMeshInput, kCurveInput},
+                                           {kDistance},
+                                           kSmoothEnd},
+                                          {"talweg.smooth",
+                                           "TalwegSmoothPoints",
+                                           "Talweg Smooth Points",
+                                           "vtkTalwegSmooth",
+                                           {kMeshInput, kPoints},
+                                           {kDistance},
+                                           kSmoothEnd},
+                                          {"talweg.smooth",
+                                           "TalwegSmoothVertices",
+                                           "Talweg Smooth Vertices",
+                                           "vtkTalwegSmooth",
+                                           {kMeshInput, kVertices},
+                                           {kDistance},
+                                           kSmoothEnd},
+                                          {"talweg.cut",
+                                           "TalwegCut",
+                                           "Talweg Cut",
+                                           "vtkTalwegCut",
+                                           {kMeshInput, kCurveInput},
+                                           {},
+                                           kCutEnd},
+                                          {"talweg.labels",
+                                           "TalwegLabelBorders",
+                                           "Talweg Label Borders",
+                                           "vtkTalwegLabels",
+                                           {kMeshInput},
+                                           {},
+                                           kLabelsEnd},
+                                          {"talweg.repair",
+                                           "TalwegRepair",
+                                           "Talweg Repair",
+                                           "vtkTalwegRepair",
+                                           {kMeshInput},
+                                           {},
+                                           kRepairEnd},
+                                          {"talweg.measure",
+                                           "TalwegMeasure",
+                                           "Talweg Measure",
+                                           "vtkTalwegMeasure",
+                                           {kMeshInput, kCurveInput, kOthersInput},
+                                           {},
+                                           kMeasureEnd}};
+  return all;
 }
 
 }  // namespace
 
-std::string server_manager_xml(const talweg_plugin& plugin) {
-  return std::string("<ServerManagerConfiguration>\n<ProxyGroup name=\"filters\">\n") +
-         filter(plugin, "TalwegSmoothCurve", "Talweg Smooth Curve", kCurveInput) +
-         filter(plugin, "TalwegSmoothPoints", "Talweg Smooth Points", kPoints) +
-         filter(plugin, "TalwegSmoothVertices", "Talweg Smooth Vertices", kVertices) +
-         "</ProxyGroup>\n</ServerManagerConfiguration>\n";
+std::string server_manager_xml(const FindPlugin& plugin_named) {
+  std::string xml = "<ServerManagerConfiguration>\n<ProxyGroup name=\"filters\">\n";
+  for (const Filter& filter : filters()) xml += xml_of(filter, plugin_named(filter.plugin));
+  return xml + "</ProxyGroup>\n</ServerManagerConfiguration>\n";
 }
 
 }  // namespace talweg::paraview

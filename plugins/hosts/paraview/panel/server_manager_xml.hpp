@@ -1,17 +1,21 @@
-// ParaView's property panel for talweg.smooth is made from the plugin's own description.
+// ParaView's property panels are made from the plugins' own descriptions.
 #pragma once
 
+#include <functional>
 #include <string>
 
 #include "talweg/plugin/talweg_plugin.h"
 
 namespace talweg::paraview {
 
-/// Server-manager XML with three filters of the class vtkTalwegSmooth, by what the drawing is:
+/// Throws if there is no plugin with this id.
+using FindPlugin = std::function<const talweg_plugin&(const char* id)>;
+
+/// Server-manager XML. Three filters are of the class vtkTalwegSmooth, by what the drawing is:
 /// TalwegSmoothCurve takes it as its second input, TalwegSmoothPoints as points that are clicked,
-/// TalwegSmoothVertices as numbers of vertices. Each has one property for each parameter, named
-/// after its id (max_deviation: MaxDeviation).
-/// Throws std::runtime_error for a parameter that no property can be made for.
-std::string server_manager_xml(const talweg_plugin& plugin);
+/// TalwegSmoothVertices as numbers of vertices. Others are TalwegCut, TalwegLabelBorders,
+/// TalwegRepair and TalwegMeasure. Each has one property for each parameter of its plugin.
+/// Throws what `plugin_named` and property_xml() do.
+std::string server_manager_xml(const FindPlugin& plugin_named);
 
 }  // namespace talweg::paraview

@@ -1,0 +1,54 @@
+// Straight legs are those between way-points, made geodesic each for itself, and kept.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <map>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "talweg/core/drawing/drawn_legs.hpp"
+#include "talweg/core/mesh/surface_mesh.hpp"
+#include "talweg/core/smoothing/straightening.hpp"
+#include "talweg/intrinsic/progress.hpp"
+#include "talweg/intrinsic/surface/surface_point.hpp"
+
+namespace talweg {
+
+/// What a leg becomes depends on how it is drawn and on nothing else, so it is kept for the next
+/// drawing on the same mesh that has it: a hand that drags a way-point waits for the two legs
+/// beside it. The legs of the last drawing are kept.
+class StraightLegs {
+ public:
+  /// The curves with their legs straightened and their strokes as they are; none where a leg cannot
+  /// be straightened alone. The straightening has the last leg embedded afterwards. Throws
+  /// Cancelled.
+  std::optional<Straightened> straightened(const SurfaceMesh& mesh, Straightening& straightening,
+                                           std::span<const SurfaceCurve> curves,
+                                           std::span<const DrawnLegs> legs,
+                                           const Straightening::Options& options,
+                                           const Progress& progress);
+
+ private:
+  struct Leg {
+    SurfaceCurve drawn, straight;  // in the leg's own canonical direction
+    StraightenedPath path;
+    StraighteningCounts counts;
+  };
+  using Key = std::array<std::size_t, 3>;  // elements of both ends, number of points
+  using Legs = std::multimap<Key, std::shared_ptr<const Leg>>;
+
+  static std::shared_ptr<const Leg> find(const Legs& legs, const SurfaceCurve& drawn);
+  static Key key_of(const SurfaceCurve& drawn);
+
+  Legs kept_;
+};
+
+/// Whether curves with straightened legs cross each other or themselves, or touch at more than
+/// points that are fixed. Straightened together they would be kept apart.
+bool legs_meet(const Surface& surface, std::span<const SurfaceCurve> curves,
+               std::span<const DrawnLegs> legs);
+
+}  // namespace talweg

@@ -1,0 +1,16 @@
+// Texts as ParaView's properties give them.
+#pragma once
+
+#include <string>
+
+namespace talweg::paraview {
+
+inline std::string text_of(const char* text) { return text == nullptr ? "" : text; }
+
+/// None: no array.
+inline std::string array_name(const char* text) {
+  const std::string name = text_of(text);
+  return name == "None" ? "" : name;
+}
+
+}  // namespace talweg::paraview

@@ -1,0 +1,150 @@
+#include "report_output.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include <vtkDataSetAttributes.h>
+#include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
+#include <vtkNew.h>
+#include <vtkStringArray.h>
+#include <vtkTable.h>
+
+namespace talweg::paraview {
+namespace {
+
+/// parts.0.faces: parts.faces.
+std::string without_places(const std::string& key) {
+  std::string result;
+  for (std::size_t at = 0; at < key.size();) {
+    const std::size_t end = std::min(key.find('.', at), key.size());
+    const bool is_place = std::isdigit(static_cast<unsigned char>(key[at])) != 0;
+    if (!is_place) result += (result.empty() ? "" : ".") + key.substr(at, end - at);
+    at = end + 1;
+  }
+  return result;
+}
+
+bool is_one_number(const host::ReportEntry& entry) {
+  return entry.type != TALWEG_VALUE_TEXT && !entry.is_list && entry.numbers.size() == 1;
+}
+
+/// By the keys: what each curve has under it, in the order of the curves.
+using Values = std::map<std::string, std::vector<double>>;
+
+void add_columns(const Values& values, vtkIdType count, vtkDataSetAttributes& out) {
+  for (const auto& [key, numbers] : values) {
+    if (static_cast<vtkIdType>(numbers.size()) != count) continue;  // some curves have none
+    vtkNew<vtkDoubleArray> array;
+    array->SetName(key.c_str());
+    for (const double number : numbers) array->InsertNextValue(number);
+    out.AddArray(array);
+  }
+}
+
+/// How a column of the table holds an entry.
+enum class Kind { kNone, kNumber, kPlace, kText };
+
+Kind kind_of(const host::ReportEntry& entry) {
+  if (without_places(entry.key) != entry.key) return Kind::kNone;  // of a list of groups
+  if (is_one_number(entry)) return Kind::kNumber;
+  if (entry.type == TALWEG_VALUE_TEXT) return entry.is_list ? Kind::kNone : Kind::kText;
+  return entry.numbers.size() == 3 ? Kind::kPlace : Kind::kNone;
+}
+
+vtkSmartPointer<vtkAbstractArray> column_for(const host::ReportEntry& entry, vtkIdType rows) {
+  vtkSmartPointer<vtkAbstractArray> column;
+  if (kind_of(entry) == Kind::kText) {
+    column = vtkSmartPointer<vtkStringArray>::New();
+  } else {
+    column = vtkSmartPointer<vtkDoubleArray>::New();
+    column->SetNumberOfComponents(kind_of(entry) == Kind::kPlace ? 3 : 1);
+  }
+  column->SetName(entry.key.c_str());
+  column->SetNumberOfTuples(rows);
+  if (auto* numbers = vtkDoubleArray::SafeDownCast(column)) numbers->Fill(std::nan(""));
+  return column;
+}
+
+void put(const host::ReportEntry& entry, vtkIdType row, vtkAbstractArray& column) {
+  if (auto* texts = vtkStringArray::SafeDownCast(&column)) {
+    if (!entry.texts.empty()) texts->SetValue(row, entry.texts.front());
+  } else if (auto* numbers = vtkDoubleArray::SafeDownCast(&column);
+             static_cast<std::size_t>(column.GetNumberOfComponents()) == entry.numbers.size()) {
+    numbers->SetTuple(row, entry.numbers.data());
+  }
+}
+
+}  // namespace
+
+void give_report(const host::Results& results, vtkFieldData& out) {
+  std::set<std::string> fresh;  // keys of this report
+  for (const host::ReportEntry& entry : results.report) {
+    if (entry.curve >= 0) continue;
+    const std::string key = without_places(entry.key);
+    if (fresh.insert(key).second) {
+      vtkSmartPointer<vtkAbstractArray> array;
+      if (entry.type == TALWEG_VALUE_TEXT) {
+        array = vtkSmartPointer<vtkStringArray>::New();
+      } else {
+        array = vtkSmartPointer<vtkDoubleArray>::New();
+      }
+      array->SetName(key.c_str());
+      out.AddArray(array);
+    }
+    vtkAbstractArray* array = out.GetAbstractArray(key.c_str());
+    auto* texts = vtkStringArray::SafeDownCast(array);
+    auto* numbers = vtkDoubleArray::SafeDownCast(array);
+    for (const std::string& text : entry.texts) {
+      if (texts != nullptr) texts->InsertNextValue(text);
+    }
+    for (const double number : entry.numbers) {
+      if (numbers != nullptr) numbers->InsertNextValue(number);
+    }
+  }
+}
+
+void give_reports_of_curves(const host::Results& results, const char* group, vtkIdType count,
+                            vtkDataSetAttributes& out) {
+  const std::string name = group;
+  Values values;
+  for (const host::ReportEntry& entry : results.report) {
+    if (!is_one_number(entry)) continue;
+    const std::string key = without_places(entry.key);
+    if (entry.curve >= 0) {
+      values[entry.key].push_back(entry.numbers.front());
+    } else if (!name.empty() && key != entry.key && key.starts_with(name + ".")) {
+      values[key.substr(name.size() + 1)].push_back(entry.numbers.front());
+    }
+  }
+  add_columns(values, count, out);
+}
+
+void give_table(const host::Results& results, vtkTable& out) {
+  std::int64_t curves = 0;
+  for (const host::ReportEntry& entry : results.report) curves = std::max(curves, entry.curve + 1);
+  const vtkIdType rows = curves + 1;
+  vtkNew<vtkStringArray> names;
+  names->SetName("curve");
+  for (std::int64_t c = 0; c < curves; ++c) names->InsertNextValue(std::to_string(c));
+  names->InsertNextValue("all");
+  out.AddColumn(names);
+  for (const host::ReportEntry& entry : results.report) {
+    if (kind_of(entry) == Kind::kNone) continue;
+    if (entry.key == "curve") continue;  // the name of our own column
+    vtkSmartPointer<vtkAbstractArray> column = out.GetColumnByName(entry.key.c_str());
+    if (column == nullptr) {
+      column = column_for(entry, rows);
+      out.AddColumn(column);
+    }
+    put(entry, entry.curve < 0 ? rows - 1 : static_cast<vtkIdType>(entry.curve), *column);
+  }
+}
+
+}  // namespace talweg::paraview

@@ -1,0 +1,33 @@
+/**
+ * @class vtkTalwegCut
+ * @brief cuts a mesh along curves, which become edges of it exactly
+ *
+ * Input 0 is the mesh, input 1 the curves. Output 0 is a multi-block data set with the cut mesh or
+ * its pieces, all arrays kept; output 1 has the curves as chains of edges. The plugin talweg.cut
+ * does the work.
+ */
+#ifndef vtkTalwegCut_h
+#define vtkTalwegCut_h
+
+#include "TalwegFiltersModule.h"  // for the export macro
+#include "vtkTalwegFilter.h"
+
+class TALWEGFILTERS_EXPORT vtkTalwegCut : public vtkTalwegFilter {
+ public:
+  static vtkTalwegCut* New();
+  vtkTypeMacro(vtkTalwegCut, vtkTalwegFilter);
+
+ protected:
+  vtkTalwegCut();
+  ~vtkTalwegCut() override = default;
+
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
+  void Work(vtkDataSet& mesh, vtkDataSet* curves, vtkDataSet* others,
+            vtkInformationVector& outputs) override;
+
+ private:
+  vtkTalwegCut(const vtkTalwegCut&) = delete;
+  void operator=(const vtkTalwegCut&) = delete;
+};
+
+#endif

@@ -1,0 +1,168 @@
+#include "vtkTalwegFilter.h"
+
+#include <exception>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <vtkDataObject.h>
+#include <vtkDataSet.h>
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
+#include <vtkLogger.h>
+
+#include "curve_input.hpp"
+#include "property_text.hpp"
+#include "session.hpp"
+
+using talweg::host::Curve;
+using talweg::paraview::array_name;
+using talweg::paraview::Session;
+using talweg::paraview::text_of;
+
+struct vtkTalwegFilter::Internals {
+  Internals(vtkTalwegFilter* filter, const char* plugin)
+      : Work(
+            plugin, [filter](const char* stage, double done) { return filter->GoOn(stage, done); },
+            [filter](std::uint32_t severity, const char* message) {
+              filter->Log(severity, message);
+            }) {}
+
+  Session Work;
+  std::string CurveIds;
+  std::uint64_t Edits = 0;       // of the name above
+  std::size_t Others = 0;        // curves of the last drawing
+  std::set<std::string> Warned;  // since the mesh or the drawing changed
+};
+
+vtkTalwegFilter::vtkTalwegFilter(const char* plugin)
+    : Common(std::make_unique<Internals>(this, plugin)) {}
+
+vtkTalwegFilter::~vtkTalwegFilter() = default;
+
+void vtkTalwegFilter::PrintSelf(ostream& os, vtkIndent indent) {
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "MeshesOpened: " << this->GetMeshesOpened() << "\n"
+     << indent << "CurvesSet: " << this->GetCurvesSet() << "\n"
+     << indent << "Runs: " << this->GetRuns() << "\n";
+}
+
+template <class Value>
+void vtkTalwegFilter::Give(const char* id, Value value) {
+  if (this->Common->Work.set(id, std::move(value))) this->Modified();
+}
+
+void vtkTalwegFilter::SetNumber(const char* id, double value) { this->Give(id, value); }
+
+void vtkTalwegFilter::SetChoice(const char* id, const char* value) {
+  this->Give(id, talweg::paraview::Choice{text_of(value)});
+}
+
+void vtkTalwegFilter::SetVertices(const char* id, const char* numbers) {
+  this->Give(id, talweg::paraview::VertexList{text_of(numbers)});
+}
+
+void vtkTalwegFilter::SetCurveNumbers(const char* id, const char* numbers) {
+  this->Give(id, talweg::paraview::CurveNumbers{text_of(numbers)});
+}
+
+void vtkTalwegFilter::SetField(const char* id, const char* array) {
+  this->Give(id, talweg::paraview::FieldName{array_name(array)});
+}
+
+void vtkTalwegFilter::SetTriangleField(const char* id, const char* array) {
+  this->Give(id, talweg::paraview::FieldName{array_name(array), true});
+}
+
+void vtkTalwegFilter::SetCurveIds(const char* array) {
+  const std::string name = array_name(array);
+  if (name == this->Common->CurveIds) return;
+  this->Common->CurveIds = name;
+  ++this->Common->Edits;
+  this->Modified();
+}
+
+const char* vtkTalwegFilter::GetCurveIds() const { return this->Common->CurveIds.c_str(); }
+
+int vtkTalwegFilter::GetMeshesOpened() { return this->Common->Work.meshes_opened(); }
+int vtkTalwegFilter::GetCurvesSet() { return this->Common->Work.curves_set(); }
+int vtkTalwegFilter::GetRuns() { return this->Common->Work.runs(); }
+
+Session& vtkTalwegFilter::GetSession() { return this->Common->Work; }
+
+bool vtkTalwegFilter::GoOn(const char* stage, double done) {
+  this->SetProgressText(stage);
+  this->UpdateProgress(done);
+  return !this->GetAbortExecute() && !this->CheckAbort();
+}
+
+/// ParaView opens its messages for every warning, so one is not repeated while a slider moves, and
+/// there is none of what happens to nearly every drawing.
+void vtkTalwegFilter::Log(unsigned int severity, const char* message) {
+  const bool usual = std::string_view(message).starts_with("The curve was moved onto the mesh");
+  if (severity < TALWEG_LOG_WARNING || usual) {
+    vtkLog(INFO, "Talweg: " << message);
+  } else if (this->Common->Warned.insert(message).second) {
+    vtkWarningMacro(<< message);
+  }
+}
+
+void vtkTalwegFilter::TakeMesh(vtkDataSet& mesh) {
+  if (this->GetSession().take_mesh(mesh)) this->Common->Warned.clear();
+}
+
+void vtkTalwegFilter::TakeDrawing(talweg::paraview::Origin origin,
+                                  const std::function<std::vector<Curve>()>& make) {
+  origin.edits += this->Common->Edits;
+  if (this->Common->Work.take_curves(origin, make)) this->Common->Warned.clear();
+}
+
+int vtkTalwegFilter::TakeCurves(vtkDataSet* curves, vtkDataSet* others) {
+  if (curves == nullptr) throw std::runtime_error("There are no curves: give the input Curve.");
+  Internals& common = *this->Common;
+  this->TakeDrawing(talweg::paraview::origin_of(curves, others), [&] {
+    std::vector<Curve> all = talweg::paraview::curves_of(*curves, common.CurveIds);
+    common.Others = 0;
+    if (others == nullptr) return all;
+    std::vector<Curve> more = talweg::paraview::curves_of(*others, "");
+    common.Others = more.size();
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
+  });
+  return static_cast<int>(common.Others);
+}
+
+int vtkTalwegFilter::FillInputPortInformation(int port, vtkInformation* info) {
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkDataSet" : "vtkPointSet");
+  if (port > 0) info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  return 1;
+}
+
+int vtkTalwegFilter::RequestData(vtkInformation*, vtkInformationVector** inputs,
+                                 vtkInformationVector* outputs) {
+  const auto clear = [&] {
+    for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port) {
+      vtkDataObject::GetData(outputs, port)->Initialize();
+    }
+  };
+  const auto input = [&](int port) {
+    return port < this->GetNumberOfInputPorts() ? vtkDataSet::GetData(inputs[port]) : nullptr;
+  };
+  clear();
+  try {
+    this->Work(*input(0), input(1), input(2), *outputs);
+    const std::string& note = this->GetSession().mesh().note();
+    if (!note.empty()) this->Log(TALWEG_LOG_WARNING, note.c_str());
+    return 1;
+  } catch (const talweg::host::Error& error) {
+    clear();
+    if (error.status() == TALWEG_CANCELLED) return 1;  // nothing wrong, nothing there
+    vtkErrorMacro(<< error.what());
+  } catch (const std::exception& error) {
+    clear();
+    vtkErrorMacro(<< error.what());
+  }
+  return 0;
+}

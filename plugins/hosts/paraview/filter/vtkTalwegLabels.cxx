@@ -1,0 +1,75 @@
+#include "vtkTalwegLabels.h"
+
+#include <utility>
+#include <vector>
+
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkDataObject.h>
+#include <vtkDataSet.h>
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
+#include <vtkObjectFactory.h>
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+
+#include "mesh_output.hpp"
+#include "results.hpp"
+#include "session.hpp"
+
+using talweg::paraview::Session;
+
+vtkStandardNewMacro(vtkTalwegLabels);
+
+vtkTalwegLabels::vtkTalwegLabels() : vtkTalwegFilter("talweg.labels") {
+  this->SetNumberOfInputPorts(1);
+  this->SetNumberOfOutputPorts(3);
+}
+
+int vtkTalwegLabels::FillOutputPortInformation(int, vtkInformation* info) {
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkPolyData");
+  return 1;
+}
+
+namespace {
+
+/// New labels of cells, in the type of the given ones, whose values they have.
+void add_labels(const std::vector<double>& labels, vtkDataArray& given, vtkPolyData& out) {
+  const auto array = vtkSmartPointer<vtkDataArray>::Take(given.NewInstance());
+  array->SetName("new_label");
+  array->SetNumberOfTuples(static_cast<vtkIdType>(labels.size()));
+  for (std::size_t k = 0; k < labels.size(); ++k) {
+    array->SetComponent(static_cast<vtkIdType>(k), 0, labels[k]);
+  }
+  out.GetCellData()->AddArray(array);
+  out.GetCellData()->SetActiveScalars("new_label");
+}
+
+/// The plugin's own attribute of the cut mesh.
+std::vector<double> exact_labels(Session& session) {
+  for (talweg::host::Attribute& attribute : session.instance().attributes(0)) {
+    if (attribute.element == TALWEG_OF_TRIANGLES && attribute.name == "label") {
+      return std::move(attribute.values);
+    }
+  }
+  return {};
+}
+
+}  // namespace
+
+void vtkTalwegLabels::Work(vtkDataSet& mesh, vtkDataSet*, vtkDataSet*,
+                           vtkInformationVector& outputs) {
+  Session& session = this->GetSession();
+  this->TakeMesh(mesh);
+  const talweg::host::Results results =
+      session.run({.point_fields = true, .vertex_fields = true, .meshes = true});
+  vtkDataArray* given = session.array_of("triangle_labels");
+  if (given == nullptr) given = session.array_of("vertex_labels");
+  talweg::paraview::give(results, *vtkPolyData::GetData(&outputs, 0), "borders");
+  vtkPolyData& relabelled = *vtkPolyData::GetData(&outputs, 1);
+  session.mesh().copy_to(relabelled);
+  add_labels(results.fields.at(0).values, *given, relabelled);
+  vtkPolyData& cut = *vtkPolyData::GetData(&outputs, 2);
+  talweg::paraview::give(results.meshes.at(0), session.instance().origin(0), session.mesh(), cut);
+  add_labels(exact_labels(session), *given, cut);
+}

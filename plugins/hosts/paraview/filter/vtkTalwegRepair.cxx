@@ -1,0 +1,50 @@
+#include "vtkTalwegRepair.h"
+
+#include <stdexcept>
+#include <string>
+
+#include <vtkDataObject.h>
+#include <vtkDataSet.h>
+#include <vtkFieldData.h>
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
+#include <vtkObjectFactory.h>
+#include <vtkPolyData.h>
+
+#include "mesh_output.hpp"
+#include "report_output.hpp"
+#include "session.hpp"
+
+using talweg::paraview::Session;
+
+vtkStandardNewMacro(vtkTalwegRepair);
+
+vtkTalwegRepair::vtkTalwegRepair() : vtkTalwegFilter("talweg.repair") {
+  this->SetNumberOfInputPorts(1);
+  this->SetNumberOfOutputPorts(1);
+}
+
+int vtkTalwegRepair::FillOutputPortInformation(int, vtkInformation* info) {
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkPolyData");
+  return 1;
+}
+
+void vtkTalwegRepair::Work(vtkDataSet& mesh, vtkDataSet*, vtkDataSet*,
+                           vtkInformationVector& outputs) {
+  Session& session = this->GetSession();
+  this->TakeMesh(mesh);
+  const talweg::host::Results results = session.run({.meshes = true});
+  vtkPolyData& out = *vtkPolyData::GetData(&outputs, 0);
+  if (!results.meshes.empty()) {
+    talweg::paraview::give(results.meshes.front(), session.instance().origin(0), session.mesh(),
+                           out);
+  } else if (session.number("repair", 1) == 0) {
+    session.mesh().copy_to(out);  // it was only inspected
+  } else {
+    throw std::runtime_error("The mesh cannot be repaired: " + results.text("reason"));
+  }
+  talweg::paraview::give_report(results, *out.GetFieldData());
+  const talweg::host::ReportEntry* changes = results.find("repair.changes");
+  if (changes == nullptr) return;
+  for (const std::string& change : changes->texts) this->Log(TALWEG_LOG_INFO, change.c_str());
+}

@@ -1,0 +1,32 @@
+/**
+ * @class vtkTalwegRepair
+ * @brief makes a surface of a mesh that is none
+ *
+ * Input 0 is the mesh. The output is the repaired mesh with all arrays; its field data tell what
+ * was wrong and what was done. The plugin talweg.repair does the work.
+ */
+#ifndef vtkTalwegRepair_h
+#define vtkTalwegRepair_h
+
+#include "TalwegFiltersModule.h"  // for the export macro
+#include "vtkTalwegFilter.h"
+
+class TALWEGFILTERS_EXPORT vtkTalwegRepair : public vtkTalwegFilter {
+ public:
+  static vtkTalwegRepair* New();
+  vtkTypeMacro(vtkTalwegRepair, vtkTalwegFilter);
+
+ protected:
+  vtkTalwegRepair();
+  ~vtkTalwegRepair() override = default;
+
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
+  void Work(vtkDataSet& mesh, vtkDataSet* curves, vtkDataSet* others,
+            vtkInformationVector& outputs) override;
+
+ private:
+  vtkTalwegRepair(const vtkTalwegRepair&) = delete;
+  void operator=(const vtkTalwegRepair&) = delete;
+};
+
+#endif

@@ -1,0 +1,125 @@
+// Straight legs are geodesic each for itself, and only those that are drawn anew are made anew.
+#include "talweg/core/smoothing/straight_legs.hpp"
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "core/jagged_curves.hpp"
+#include "core/small_meshes.hpp"
+#include "talweg/core/drawing/crossings.hpp"
+#include "talweg/core/drawing/draw.hpp"
+#include "talweg/core/smoothing/curve_smoother.hpp"
+
+namespace talweg {
+namespace {
+
+class StraightLegsOnHills : public testing::Test {
+ protected:
+  static constexpr std::uint32_t columns = 61;
+
+  [[nodiscard]] const Surface& surface() const { return opened->surface(); }
+  [[nodiscard]] Drawing through(const std::vector<VertexId>& clicks, bool closed = false) const {
+    return draw(surface(), clicks, {.closed = closed});
+  }
+  /// How many legs are embedded to straighten this drawing.
+  std::size_t straightened(const Drawing& drawing) {
+    const DrawnLegs own = legs_of(drawing.curve, {}, drawing.way_points, {});
+    std::size_t embedded = 0;
+    const Progress progress = [&](const char* stage, double /*fraction*/) {
+      if (std::string(stage) == "embed") ++embedded;
+      return true;
+    };
+    last = legs.straightened(opened->mesh(), straightening, std::span(&drawing.curve, 1),
+                             std::span(&own, 1), {}, progress);
+    EXPECT_TRUE(last);
+    return embedded;
+  }
+  static VertexId at(std::uint32_t x, std::uint32_t y) { return VertexId{y * columns + x}; }
+
+  const std::shared_ptr<const OpenedMesh> opened = OpenedMesh::open(test::hills(60));
+  Straightening straightening{opened->surface()};
+  StraightLegs legs;
+  std::optional<Straightened> last;
+};
+
+TEST_F(StraightLegsOnHills, OnlyTheLegsBesideAMovedPointAreMadeAnew) {
+  std::vector<VertexId> clicks{at(5, 10), at(17, 30), at(30, 12), at(40, 33), at(54, 25)};
+  EXPECT_EQ(straightened(through(clicks)), 4U);
+  EXPECT_EQ(straightened(through(clicks)), 0U);
+  clicks[2] = at(31, 14);
+  EXPECT_EQ(straightened(through(clicks)), 2U);
+  Drawing reversed = through(clicks);
+  std::reverse(reversed.curve.points.begin(), reversed.curve.points.end());
+  EXPECT_EQ(straightened(reversed), 0U);
+  clicks.pop_back();
+  EXPECT_EQ(straightened(through(clicks)), 0U);
+  clicks.push_back(at(20, 50));
+  EXPECT_EQ(straightened(through(clicks)), 1U);
+  EXPECT_EQ(straightened(through(clicks, true)), 1U);
+}
+
+TEST_F(StraightLegsOnHills, WhatIsKeptIsWhatWouldBeMade) {
+  std::vector<VertexId> clicks{at(5, 10), at(17, 30), at(30, 12), at(40, 33)};
+  straightened(through(clicks));
+  clicks.push_back(at(50, 50));
+  EXPECT_EQ(straightened(through(clicks)), 1U);
+  const Straightened kept = *last;
+  legs = {};
+  EXPECT_EQ(straightened(through(clicks)), 4U);
+  EXPECT_EQ(kept.curves[0].points, last->curves[0].points);
+  EXPECT_EQ(kept.paths[0].length_after, last->paths[0].length_after);
+  EXPECT_EQ(kept.counts.flips, last->counts.flips);
+  EXPECT_EQ(kept.counts.faces_touched, last->counts.faces_touched);
+}
+
+class StraightLegsOnAPlane : public testing::Test {
+ protected:
+  static constexpr std::uint32_t columns = 31;
+
+  [[nodiscard]] SurfacePoint at(std::uint32_t x, std::uint32_t y) const {
+    return SurfacePoint::at_vertex(opened->surface(), VertexId{y * columns + x});
+  }
+  const std::shared_ptr<const OpenedMesh> opened = OpenedMesh::open(test::grid(30, 30));
+};
+
+TEST_F(StraightLegsOnAPlane, LegsThatWouldCrossEachOtherAreStraightenedTogether) {
+  // The second leg goes around the beginning of the first, and straight it would cross it.
+  std::vector<VertexId> around;
+  const std::vector<std::pair<std::uint32_t, std::uint32_t>> way = {
+      {10, 15}, {20, 15}, {20, 25}, {5, 25}, {5, 5}, {15, 5}, {15, 12}};
+  for (const auto& [x, y] : way) around.emplace_back(y * columns + x);
+  const SurfaceCurve drawn = test::vertex_curve(
+      opened->surface(), draw_edge_path(opened->surface(), around, false), false);
+  CurveSmoother smoother(opened);
+  // From (20, 25) to (15, 12) a straight line passes the first leg between (10, 15) and (20, 15).
+  smoother.set_curve(drawn,
+                     {.way_points = {{at(10, 15)}, {at(20, 15)}, {at(20, 25)}, {at(15, 12)}}});
+  for (const double tau : {0.0, 1.0}) {
+    const SmoothingResult result = smoother.smooth(tau);
+    EXPECT_TRUE(crossing_curves(opened->surface(), result.curves).empty()) << tau;
+    EXPECT_EQ(result.total.crossings_after, 0U);
+  }
+}
+
+TEST_F(StraightLegsOnAPlane, LegsThatWouldMeetAtAPointAreStraightenedTogether) {
+  // Straight, the last leg would pass the vertex (15, 15), where the first two meet.
+  std::vector<VertexId> around;
+  const std::vector<std::pair<std::uint32_t, std::uint32_t>> way = {
+      {5, 10}, {15, 15}, {25, 10}, {25, 25}, {3, 25}, {3, 3}, {15, 3}, {15, 5}};
+  for (const auto& [x, y] : way) around.emplace_back(y * columns + x);
+  const SurfaceCurve drawn = test::vertex_curve(
+      opened->surface(), draw_edge_path(opened->surface(), around, false), false);
+  CurveSmoother smoother(opened);
+  smoother.set_curve(
+      drawn, {.way_points = {{at(5, 10)}, {at(15, 15)}, {at(25, 10)}, {at(15, 25)}, {at(15, 5)}}});
+  const SmoothingResult result = smoother.smooth(0.0);
+  const auto& points = result.curve().points;
+  EXPECT_EQ(std::count(points.begin(), points.end(), at(15, 15)), 1);
+  EXPECT_TRUE(crossing_curves(opened->surface(), result.curves).empty());
+}
+
+}  // namespace
+}  // namespace talweg

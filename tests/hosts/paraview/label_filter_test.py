@@ -1,0 +1,123 @@
+"""Talweg Label Borders: borders, new labels and the exact cut, from cell and from point arrays."""
+
+import unittest
+
+from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkUnsignedCharArray
+
+import runner
+from support import (Case, cell_values, lines_of, output, places, polydata, pv, real_mesh, report,
+                     source, values, wavy_sheet)
+
+N = 24
+POINTS, TRIANGLES = wavy_sheet(N)
+
+
+def left_of(x, y):
+    """A border that trembles from row to row."""
+    return x < 0.5 + (0.03 if int(round(y * (N - 1))) % 2 else -0.03)
+
+
+def centre(data, cell):
+    return [sum(data.GetPoint(data.GetCell(cell).GetPointId(i))[k] for i in range(3)) / 3
+            for k in range(3)]
+
+
+def labelled(of_cells, kind=vtkUnsignedCharArray):
+    data = polydata(POINTS, TRIANGLES)
+    array = kind()
+    array.SetName("tissue")
+    if of_cells:
+        for k in range(len(TRIANGLES)):
+            x, y, _ = centre(data, k)
+            array.InsertNextValue(3 if left_of(x, y) else 7)
+        data.GetCellData().AddArray(array)
+    else:
+        for x, y, _ in POINTS:
+            array.InsertNextValue(3 if left_of(x, y) else 7)
+        data.GetPointData().AddArray(array)
+    return source(data)
+
+
+class Labels(Case):
+    def check(self, filter, of_cells):
+        self.update(filter)
+        borders, mesh, cut = (output(filter, port) for port in range(3))
+        self.assertEqual(len(lines_of(borders)), 1)
+        self.assertEqual(sorted((cell_values(borders, "left")[0], cell_values(borders, "right")[0])),
+                         [3, 7])
+        self.assertLess(report(borders, "curvature_after"), 0.5 * report(borders, "curvature_before"))
+        self.assertEqual(report(borders, "regions.label"), [3, 7])
+        kept = mesh.GetCellData() if of_cells else mesh.GetPointData()
+        self.assertEqual(kept.GetArray("tissue").GetNumberOfTuples(),
+                         len(TRIANGLES) if of_cells else len(POINTS))
+        self.assertEqual(places(mesh), POINTS)
+        for data in (mesh, cut):
+            labels = cell_values(data, "new_label")
+            self.assertEqual(set(labels), {3, 7})
+            self.assertEqual(data.GetCellData().GetArray("new_label").GetClassName(),
+                             "vtkUnsignedCharArray")
+            for k, label in enumerate(labels):
+                x = centre(data, k)[0]
+                if abs(x - 0.5) > 0.15:
+                    self.assertEqual(label, 3 if x < 0.5 else 7)
+        # The borders are edges of the cut mesh: its labels change there and nowhere else.
+        sides = {}
+        for k, label in enumerate(cell_values(cut, "new_label")):
+            ids = [cut.GetCell(k).GetPointId(i) for i in range(3)]
+            for a, b in zip(ids, ids[1:] + ids[:1]):
+                sides.setdefault(frozenset((a, b)), set()).add(label)
+        between = {v for edge, labels in sides.items() if len(labels) == 2 for v in edge}
+        on_border = set(places(borders))
+        self.assertGreater(len(between), 10)
+        near = sum(cut.GetPoint(v) in on_border for v in between)
+        self.assertGreater(near, 0.5 * len(between))
+
+    def test_cells(self):
+        self.check(pv.TalwegLabelBorders(Input=labelled(True), TriangleLabels="tissue"), True)
+
+    def test_points(self):
+        self.check(pv.TalwegLabelBorders(Input=labelled(False), VertexLabels="tissue"), False)
+
+    def test_a_new_tau_opens_no_mesh_again_and_changed_labels_are_used(self):
+        calculator = pv.Calculator(Input=source(polydata(POINTS, TRIANGLES)),
+                                   Function="floor(coordsX*1.9)", ResultArrayName="half")
+        filter = pv.TalwegLabelBorders(Input=calculator, VertexLabels="half")
+        self.update(filter)
+        first = places(output(filter, 0))
+        filter.Tau = 8
+        self.update(filter)
+        filter.Tau = 1
+        self.update(filter)
+        self.assertEqual(places(output(filter, 0)), first)
+        filter.SMProxy.UpdatePropertyInformation()
+        self.assertEqual(filter.SMProxy.GetProperty("MeshesOpened").GetElement(0), 1)
+        calculator.Function = "floor(coordsX*1.5)"
+        self.update(filter)
+        self.assertNotEqual(places(output(filter, 0)), first)
+
+    def test_sentences(self):
+        none = pv.TalwegLabelBorders(Input=labelled(True))
+        self.assertIn("There are no labels", self.error_of(none))
+        missing = pv.TalwegLabelBorders(Input=labelled(True), TriangleLabels="nothing")
+        self.assertIn("no cell array nothing", self.error_of(missing))
+        calculator = pv.Calculator(Input=source(polydata(POINTS, TRIANGLES)),
+                                   Function="coordsX", ResultArrayName="half")
+        real = pv.TalwegLabelBorders(Input=calculator, VertexLabels="half")
+        self.assertIn("must be whole numbers", self.error_of(real))
+        real.Tau = -2
+        self.assertIn("Tau", self.error_of(real))
+
+    def test_a_real_mesh(self):
+        mesh = pv.PLYReader(FileNames=[str(real_mesh("aneurysm_14k.ply"))])
+        seg = pv.Calculator(Input=mesh, ResultArrayName="seg",
+                            Function="floor(coordsX/6)+10*floor(coordsZ/6)")
+        filter = pv.TalwegLabelBorders(Input=seg, VertexLabels="seg")
+        self.update(filter)
+        borders = output(filter, 0)
+        self.assertLess(report(borders, "curvature_after"), report(borders, "curvature_before"))
+        self.assertEqual(set(cell_values(output(filter, 2), "new_label")),
+                         set(values(output(filter, 1), "seg")))
+
+
+if __name__ == "__main__":
+    runner.main()
