@@ -183,6 +183,13 @@ class Meshes(unittest.TestCase):
         ours = result.positions.astype(np.float32)
         np.testing.assert_array_equal(points[np.lexsort(points.T)], ours[np.lexsort(ours.T)])
 
+        # Again: the mesh is another one now, and has the curve already.
+        before = len(self.obj.data.vertices), len(self.obj.data.polygons)
+        self.assertEqual(bpy.ops.talweg.cut(), {"FINISHED"})
+        self.check(self.obj)
+        self.assertEqual((len(self.obj.data.vertices), len(self.obj.data.polygons)), before)
+        self.assertEqual(sum(edge.select for edge in self.obj.data.edges), len(result) - 1)
+
     def test_separate(self):
         across()
         self.assertEqual(bpy.ops.talweg.separate(), {"FINISHED"})

@@ -23,8 +23,8 @@ class Cut(unittest.TestCase):
         random = np.random.default_rng(0)
         cls.mesh = talweg.Mesh(
             v, f,
-            vertex_attributes={"linear": linear(v), "id": np.arange(len(v)),
-                               "wide": np.tile(v, 40).astype(np.float32),
+            vertex_attributes={"linear": linear(v), "old_label": np.arange(len(v)) + 0.5,
+                               "id": np.arange(len(v)), "wide": np.tile(v, 40).astype(np.float32),
                                "colour": random.integers(0, 256, (len(v), 4), np.uint8),
                                "normal": np.tile([0.0, 0, 1], (len(v), 1)),
                                "tensor": np.tile(np.eye(2), (len(v), 1, 1))},
@@ -57,6 +57,7 @@ class Cut(unittest.TestCase):
         ties = np.sort(origin.weights, axis=1)
         clear = ties[:, 2] - ties[:, 1] > 1e-9
         np.testing.assert_array_equal(at["id"][clear], nearest[clear])
+        np.testing.assert_array_equal(at["old_label"], at["id"] + 0.5)
         np.testing.assert_allclose(at["wide"], np.tile(made.vertices, 40), rtol=1e-5, atol=1e-5)
         expected = origin.interpolate(self.mesh.vertex_attributes["colour"])
         self.assertLessEqual(np.abs(at["colour"] - expected).max(), 0.5 + 1e-9)

@@ -61,6 +61,27 @@ class Labels(unittest.TestCase):
         again = pickle.loads(pickle.dumps(found))
         np.testing.assert_array_equal(again.labels, found.labels)
 
+    def test_as_the_driver(self):
+        with tempfile.TemporaryDirectory() as folder:
+            support.write_obj(Path(folder) / "a.obj", self.vertices, self.faces)
+            (Path(folder) / "l.txt").write_text("\n".join(map(str, self.labels)))
+            support.driver(folder, "labels", "a.obj", "l.txt", "--tau", "2", "--report", "r.json",
+                           "-o", "b.json", "--labels-out", "n.txt")
+            new = np.loadtxt(Path(folder) / "n.txt", dtype=int)
+            told = json.loads((Path(folder) / "r.json").read_text())
+            borders = support.driver_curves(Path(folder) / "b.json")
+        found = self.mesh.labels("part", tau=2)
+        np.testing.assert_array_equal(found.labels, new)
+        ours, theirs = rid_of_times(found.report), rid_of_times(told)
+        for report in (ours, theirs):
+            report.pop("peak_memory_mib")
+        self.assertEqual([report.length_after for report in found.reports],
+                         [curve["length_after"] for curve in theirs.pop("curves")])
+        self.assertEqual(ours, theirs)
+        for (_, faces, barycentrics, _), border in zip(borders, found.borders):
+            np.testing.assert_array_equal(faces, border.faces)
+            np.testing.assert_array_equal(barycentrics, border.barycentrics)
+
     def test_vertices(self):
         halves = (self.vertices[:, 0] > 30).astype(int)
         found = talweg.labels(self.mesh, halves, tau=2, cut_mesh=False)

@@ -130,9 +130,9 @@ def annotation_strokes(context, obj, closed, spacing):
     return curves
 
 
-def curve_objects(context, obj):
-    """The splines of all selected curve objects as curves in the object's own space; those that the
-    last smoothing made are exactly its results.
+def curve_objects(context, obj, known):
+    """The splines of all selected curve objects as curves in the object's own space; those that show
+    a known curve on the mesh are exactly that one.
 
     :raises talweg.BadCurve: if no curve object is selected, or one has no points.
     """
@@ -144,7 +144,7 @@ def curve_objects(context, obj):
     for one in chosen:
         move = to_object @ np.array(one.matrix_world)
         for spline in one.data.splines:
-            curves.append(_exact(_spline(spline, move, one.name)))
+            curves.append(_exact(_spline(spline, move, one.name), known))
     if not curves:
         raise talweg.BadCurve("The selected curve objects have no splines.")
     return curves
@@ -159,11 +159,9 @@ def _spline(spline, move, name):
     return talweg.Curve(positions=values @ move[:3, :3].T + move[:3, 3], closed=spline.use_cyclic_u)
 
 
-def _exact(curve):
-    from . import session  # what the last result was rounded to
-
-    result = session.last_result()
-    for one in result.curves if result else ():
+def _exact(curve, known):
+    """The known curve that was rounded to this one, if there is one."""
+    for one in known:
         if one.closed == curve.closed and len(one) == len(curve) and \
                 np.allclose(one.positions, curve.positions, rtol=1e-6,
                             atol=1e-6 * np.abs(one.positions).max()):

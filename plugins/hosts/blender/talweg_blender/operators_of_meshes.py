@@ -2,7 +2,7 @@
 
 import bpy
 
-from . import cutting, drawings
+from . import cutting, drawings, session
 from .package import talweg
 
 #: Points of curve objects are of single precision: so near an edge they are on it.
@@ -49,9 +49,10 @@ class _OnMesh:
             self.layout.prop(self, name)
 
 
-def _curves(context, obj):
+def _curves(context, obj, arrays):
     """The curves, and what goes with them."""
-    curves = drawings.curve_objects(context, obj)
+    result = session.result_on(arrays)
+    curves = drawings.curve_objects(context, obj, result.curves if result else ())
     exact = all(curve.faces is not None for curve in curves)
     return curves, {} if exact else {"merge": _MERGE}
 
@@ -63,7 +64,7 @@ class TALWEG_OT_cut(_OnMesh, bpy.types.Operator):
     bl_label = "Cut Along Curve"
 
     def work(self, context, obj, arrays):
-        curves, how = _curves(context, obj)
+        curves, how = _curves(context, obj, arrays)
         made = cutting.cut(obj, arrays, curves, open=self.open, **how)
         context.tool_settings.mesh_select_mode = (False, True, False)
         return f"{made.report['cut_faces']} faces were cut.", made.report["warnings"]
@@ -76,7 +77,7 @@ class TALWEG_OT_separate(_OnMesh, bpy.types.Operator):
     bl_label = "Separate Along Curve"
 
     def work(self, context, obj, arrays):
-        curves, how = _curves(context, obj)
+        curves, how = _curves(context, obj, arrays)
         objects = cutting.separate(obj, arrays, curves, keep=self.keep, cap=self.cap, **how)
         warnings = [] if len(objects) > 1 or self.keep != "both" else [
             "The curves do not part the mesh; it was only opened along them."]

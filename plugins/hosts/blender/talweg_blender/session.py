@@ -21,6 +21,11 @@ def last_result():
     return _Kept.result
 
 
+def result_on(arrays):
+    """The same if it lies on this mesh, as it is now; else None."""
+    return _Kept.result if _is_kept(arrays) else None
+
+
 def _is_kept(arrays):
     kept = _Kept.arrays
     return (kept is not None and np.array_equal(kept.vertices, arrays.vertices)

@@ -35,11 +35,15 @@ class _Given(NamedTuple):
 
 
 def rule_of(name: str, array: Array, at_corners: bool) -> int:
-    """How new vertices get their values if nothing is said: as talweg_meshes.h advises."""
+    """How new vertices get their values if nothing is said: as the driver does with files."""
     columns = int(np.prod(array.shape[2 if at_corners else 1:]))
     if name.lower() in _NORMALS and columns == 3 and array.dtype.kind == "f":
         return c.CARRY_DIRECTION
-    if array.dtype.kind == "f" or at_corners:
+    if at_corners:
+        return c.CARRY_LINEAR
+    if "label" in name.lower():
+        return c.CARRY_NEAREST
+    if array.dtype.kind == "f":
         return c.CARRY_LINEAR
     return c.CARRY_ROUNDED if array.dtype == np.uint8 else c.CARRY_NEAREST
 

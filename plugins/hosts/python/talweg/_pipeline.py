@@ -74,7 +74,7 @@ class Cut:
     """What talweg.cut() gives."""
 
     meshes: List[MadeMesh]  #: one, or one for each piece, the one with the lowest face first
-    report: Tree  #: what was cut, and the parts; as the driver's --report
+    report: Tree  #: what was cut, and the parts
 
     def __repr__(self) -> str:
         return f"<talweg.Cut: {self.meshes}>"
@@ -140,8 +140,9 @@ def cut(mesh: Any, curves: Union[CurveLike, Sequence[Curve]], *, closed: bool = 
     :param curves: as for smooth(), but points need not be neighbours, and curves may cross.
     :param carry: by the name of an attribute, how new vertices get its values: "linear", "rounded",
         "nearest", or "direction" (unit vectors). Without it real numbers are linear, bytes
-        rounded (colours), other whole numbers nearest, and three columns of real numbers
-        with the name "normal" or "normals" directions; at corners whole numbers are rounded.
+        rounded (colours), other whole numbers and what has "label" in its name nearest, and
+        three columns of real numbers with the name "normal" or "normals" directions; at
+        corners whole numbers are rounded.
     :param parameters: ``open`` (two sides of vertices), ``split`` (a mesh for each piece), ``keep``
         ("both", "left", "right"), ``cap`` ("none", "auto", "planar", "least-area"), ``merge``.
     :raises BadMesh, BadCurve, BadUsage: with the library's sentence.
