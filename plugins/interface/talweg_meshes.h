@@ -45,13 +45,12 @@ enum {
 typedef struct talweg_attribute {
   uint32_t size;
   uint32_t element; /* TALWEG_OF_... */
-  uint32_t carry;   /* TALWEG_CARRY_...; at corners LINEAR, or DIRECTION with 3 columns */
+  uint32_t carry;   /* TALWEG_CARRY_... */
   uint32_t reserved; /* 0 */
   const char *name;  /* not empty, and no other attribute of the same element has it */
   double fill;       /* in every column of what comes from nowhere, such as lids; not at corners */
   /* A row for each vertex or triangle, in their order; 1 to 64 columns of numbers of any type, whole
-   * ones below 2^53. For corners 2 or 3 columns: three rows for each triangle, or entries that
-   * corners share. What comes out is dense and of the type that came in. */
+   * ones below 2^53. For corners three rows for each triangle, or entries that corners share. What comes out is dense and of the type that came in. */
   talweg_array values;
   /* Of corners that share entries: a row of 3 for each triangle, the entry of each of its corners,
    * or TALWEG_NO_ENTRY. Absent: corner k of triangle t has the entry 3 t + k. What comes out has it
