@@ -1,6 +1,7 @@
-/* Where every member lies in version 1.0, for good: on machines with 64-bit pointers. */
+/* Where every member lies, for good: on machines with 64-bit pointers. */
 #include <stddef.h>
 
+#include "talweg/plugin/talweg_meshes.h"
 #include "talweg/plugin/talweg_plugin.h"
 
 #ifdef __cplusplus
@@ -78,3 +79,16 @@ AT(talweg_plugin, last_error, 152);
 CHECK(sizeof(talweg_module) == 32);
 AT(talweg_module, needs_minor, 12);
 AT(talweg_module, plugin_count, 16);
+CHECK(sizeof(talweg_attribute) == 96);
+AT(talweg_attribute, element, 4);
+AT(talweg_attribute, carry, 8);
+AT(talweg_attribute, name, 16);
+AT(talweg_attribute, fill, 24);
+AT(talweg_attribute, values, 32);
+AT(talweg_attribute, corners, 64);
+CHECK(sizeof(talweg_origin) == 200);
+AT(talweg_origin, vertices, 8);
+AT(talweg_origin, chains, 168);
+CHECK(sizeof(talweg_meshes) == 32);
+AT(talweg_meshes, set_attributes, 8);
+AT(talweg_meshes, origin, 24);
