@@ -1,5 +1,6 @@
 #include "talweg/core/fairing/chain_curve.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -88,6 +89,7 @@ class Selection {
       : surface_(&surface), nodes_(&nodes), trace_(&trace), edge_(edge), seen_(nodes.size()) {}
 
   void run() {
+    if (trace_->closed) make_loop();
     for (bool more = true; more;) {
       more = false;
       const std::vector<std::size_t> kept = this->kept();
@@ -112,6 +114,21 @@ class Selection {
   }
 
  private:
+  /// Keeps three nodes of a loop that crosses fewer edges, inside one face or around the end of an
+  /// edge.
+  void make_loop() {
+    const std::size_t least = std::min<std::size_t>(3, nodes_->size());
+    for (std::vector<std::size_t> kept = this->kept(); kept.size() < least; kept = this->kept()) {
+      std::vector<std::size_t> wanted;
+      if (kept.empty()) wanted.push_back(0);
+      for (std::size_t k = 0; k < kept.size(); ++k) {
+        const std::size_t from = kept[k], to = kept[(k + 1) % kept.size()];
+        halve(from, to, from == to ? trace_->length : gap(from, to), wanted);
+      }
+      for (const std::size_t i : wanted) (*nodes_)[i].kept = true;
+    }
+  }
+
   [[nodiscard]] std::vector<std::size_t> kept() const {
     std::vector<std::size_t> kept;
     for (std::size_t i = 0; i < nodes_->size(); ++i) {

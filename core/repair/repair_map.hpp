@@ -58,6 +58,30 @@ class RepairMap {
     return picked(values, face_to_file_);
   }
 
+  /// A value for each vertex of the file: that of the vertex it became, the first one of several.
+  template <class Value>
+  [[nodiscard]] std::vector<Value> to_file_vertices(const std::vector<Value>& values) const {
+    std::vector<Value> result;
+    result.reserve(file_vertex_count());
+    for (std::size_t v = 0; v < file_vertex_count(); ++v) {
+      result.push_back(values[images(VertexId{v}).front()]);
+    }
+    return result;
+  }
+  /// A value for each face of the file: that of the face it became, and dropped(f) for a face f
+  /// that was dropped.
+  template <class Value, class Dropped>
+  [[nodiscard]] std::vector<Value> to_file_faces(const std::vector<Value>& values,
+                                                 Dropped dropped) const {
+    std::vector<Value> result;
+    result.reserve(images_.size());
+    for (std::size_t f = 0; f < images_.size(); ++f) {
+      const std::uint32_t face = images_[f].face;
+      result.push_back(face == kDropped ? dropped(f) : values[face]);
+    }
+    return result;
+  }
+
   /// Converts a curve from the file's numbers to those of the repaired mesh. For a vertex that was
   /// split, the copy is chosen that is a neighbour of the points before and after, or else lies on
   /// the same part of the surface. Positions stay as they are. Throws Error(kBadCurve) naming the

@@ -15,6 +15,7 @@
 #include "output_file.hpp"
 #include "progress_bar.hpp"
 #include "repaired_mesh.hpp"
+#include "talweg/core/cutting/cut_report.hpp"
 #include "talweg/core/cutting/mesh_cutting.hpp"
 #include "talweg/core/cutting/mesh_parts.hpp"
 #include "talweg/core/cutting/tagged_edges.hpp"
@@ -31,6 +32,7 @@ struct CutCommandOptions {
   std::vector<std::string> curves;
   std::string output;
   std::string map;
+  std::string report;
   std::string repair;
   std::string keep;
   bool open = false;
@@ -75,6 +77,7 @@ class Cutting {
  private:
   [[nodiscard]] std::string path_of(std::size_t part) const;
   [[nodiscard]] std::string map_json() const;
+  [[nodiscard]] std::vector<std::string> warnings() const;
 
   const CutCommandOptions& o_;
   Progress progress_;
@@ -138,6 +141,15 @@ void Cutting::write() {
     left_out_.push_back(fmt::format("{} does not hold: {}.", o_.output, fmt::join(left_out, ", ")));
   }
   if (!o_.map.empty()) write_output(o_.map, map);
+  if (!o_.report.empty()) {
+    write_output(o_.report, to_json(entries_of(mesh_, cut_, made_, warnings(), cut_ms_), {}));
+  }
+}
+
+std::vector<std::string> Cutting::warnings() const {
+  std::vector<std::string> warnings = reading_warnings(drawing_, read_.lists.polygon_count);
+  warnings.insert(warnings.end(), read_.changes.begin(), read_.changes.end());
+  return warnings;
 }
 
 std::string Cutting::summary() const {
@@ -210,6 +222,7 @@ void check_files(const CutCommandOptions& o) {
     files.writes("-o", o.output, check_mesh_name);
   }
   files.writes("--map", o.map);
+  files.writes("--report", o.report);
   files.check();
 }
 
@@ -241,6 +254,7 @@ Command add_cut(CLI::App& app, const GlobalOptions& global) {
                     "Write the curves' edges, too: element edge of a .ply, l of an .obj");
   command->add_option("--map", o->map,
                       "JSON: where every vertex and face comes from, and the curves' vertices");
+  command->add_option("--report", o->report, "What was cut, and what the parts are, as JSON");
   command
       ->add_option("--merge", o->merge,
                    "Points within this part of an edge of a vertex, an edge or each other are one")

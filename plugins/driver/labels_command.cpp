@@ -16,7 +16,7 @@
 #include "output_file.hpp"
 #include "progress_bar.hpp"
 #include "repaired_mesh.hpp"
-#include "talweg/core/cutting/attribute_transfer.hpp"
+#include "talweg/core/cutting/mesh_parts.hpp"
 #include "talweg/core/io/border_file.hpp"
 #include "talweg/core/io/curve_file.hpp"
 #include "talweg/core/io/mesh_reader.hpp"
@@ -64,19 +64,11 @@ std::vector<std::int64_t> of_file_faces(const std::vector<std::int64_t>& labels,
   if (map == nullptr) return labels;
   const bool by_face = read.of_file.size() == map->file_face_count();
   std::optional<MeshLists> lists;
-  std::vector<std::int64_t> result;
-  for (std::size_t f = 0; f < map->file_face_count(); ++f) {
-    const std::uint32_t face = map->image(FaceId{f}).face;
-    if (face != RepairMap::kDropped) {
-      result.push_back(labels[face]);
-    } else if (by_face) {
-      result.push_back(read.of_file[f]);
-    } else {
-      if (!lists) lists = read_mesh(mesh);
-      result.push_back(read.of_file[lists->triangles[f][0]]);
-    }
-  }
-  return result;
+  return map->to_file_faces(labels, [&](std::size_t f) {
+    if (by_face) return read.of_file[f];
+    if (!lists) lists = read_mesh(mesh);
+    return read.of_file[lists->triangles[f][0]];
+  });
 }
 
 std::string summary_of(const LabelNetwork& network, double ms) {
@@ -100,14 +92,15 @@ std::string summary_of(const LabelNetwork& network, double ms) {
 
 /// Writes the cut mesh with the attributes of its file, and with the labels as a property of its
 /// faces if the format has one.
-void write_cut(const std::string& path, const LabelNetwork& network, const Surface& surface,
+void write_cut(const std::string& path, const LabelNetwork& network, const SurfaceMesh& mesh,
                const MeshAttributes& of_file) {
-  MeshAttributes attributes = carried_to(network.cut, surface, of_file);
+  MeshPart part = std::move(take_apart(mesh, network.cut, of_file, {}).parts.front());
+  MeshAttributes& attributes = part.attributes;
   AttributeColumn labels = label_column(network.cut_labels);
   std::erase_if(attributes.faces,
                 [&](const AttributeColumn& column) { return column.name == labels.name; });
   attributes.faces.push_back(std::move(labels));
-  write_output(path, mesh_bytes(path, network.cut.lists, attributes).bytes);
+  write_output(path, mesh_bytes(path, part.lists, attributes).bytes);
 }
 
 void write(const LabelsOptions& o, const LabelNetwork& network, const SurfaceMesh& mesh,
@@ -129,7 +122,7 @@ void write(const LabelsOptions& o, const LabelNetwork& network, const SurfaceMes
   };
   write_text(o.labels_out,
              [&] { return lines_of(of_file_faces(network.face_labels, map, labels, o.mesh)); });
-  if (!o.cut.empty()) attempts.make([&] { write_cut(o.cut, network, mesh.surface(), attributes); });
+  if (!o.cut.empty()) attempts.make([&] { write_cut(o.cut, network, mesh, attributes); });
   write_text(o.cut_labels, [&] { return lines_of(network.cut_labels); });
   write_text(o.report, [&] {
     return to_json(entries_of(network, warnings, labels.names), curve_entries_of(network));

@@ -126,12 +126,8 @@ std::vector<host::Curve> curves_on(const ReadMesh& mesh, const Files& files) {
 
 /// One number per vertex of the file; a vertex that was split has that of its first copy.
 std::vector<double> per_file_vertex(const RepairMap* map, const std::vector<double>& values) {
-  if (map == nullptr || values.size() != map->vertex_count()) return values;
-  std::vector<double> result;
-  for (std::size_t v = 0; v < map->file_vertex_count(); ++v) {
-    result.push_back(values[map->images(VertexId{v}).front()]);
-  }
-  return result;
+  const bool repaired = map != nullptr && values.size() == map->vertex_count();
+  return repaired ? map->to_file_vertices(values) : values;
 }
 
 void write_named_field(const std::string& name, const std::string& path,

@@ -136,13 +136,7 @@ PlacedCurve HostMesh::given(PlacedCurve curve) const {
 }
 
 std::vector<double> HostMesh::given_per_vertex(const std::vector<double>& values) const {
-  if (!map_) return values;
-  std::vector<double> result;
-  result.reserve(map_->file_vertex_count());
-  for (std::size_t v = 0; v < map_->file_vertex_count(); ++v) {
-    result.push_back(values[map_->images(VertexId{v}).front()]);
-  }
-  return result;
+  return map_ ? map_->to_file_vertices(values) : values;
 }
 
 }  // namespace talweg::plugins

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "talweg/core/cutting/attribute_transfer.hpp"
 #include "talweg/plugin/talweg_arrays.hpp"
 
 namespace talweg::plugins {
@@ -73,6 +74,23 @@ void MadeMeshes::give_origin(std::uint64_t mesh, const plugin::TakeOrigin& take)
   origin.lengths = view_of(lengths);
   origin.chains = view_of(chains);
   take(origin);
+}
+
+MadeMesh made_by_cut(const HostMesh& mesh, std::shared_ptr<const CutMesh> cut,
+                     const MeshPart& part) {
+  MadeMesh made;
+  made.vertices = part.lists.points.size();
+  made.origins = origins_of(part, *cut, mesh.mesh().surface(), mesh.map());
+  made.carry_over = [&mesh, cut = std::move(cut), vertices = part.vertices,
+                     faces = part.faces](const MeshAttributes& attributes) {
+    std::size_t differing = 0;
+    const RepairMap* map = mesh.map();
+    return picked(
+        carried_to(*cut, mesh.mesh().surface(),
+                   map == nullptr ? attributes : of_repaired(attributes, *map, differing)),
+        vertices, faces);
+  };
+  return made;
 }
 
 void give(const plugin::Outputs& outputs, const MeshLists& lists) {

@@ -5,10 +5,14 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "host_attributes.hpp"
+#include "host_mesh.hpp"
+#include "talweg/core/cutting/mesh_cutting.hpp"
 #include "talweg/core/cutting/mesh_parts.hpp"
 #include "talweg/core/mesh/mesh_lists.hpp"
 #include "talweg/plugin/talweg_plugin.hpp"
@@ -31,7 +35,7 @@ class MadeMeshes {
   void forget_attributes();
 
   void clear() { meshes_.clear(); }
-  [[nodiscard]] MadeMesh& add() { return meshes_.emplace_back(); }
+  MadeMesh& add(MadeMesh mesh) { return meshes_.emplace_back(std::move(mesh)); }
 
   // For talweg_meshes.h; they throw plugin::Failure(TALWEG_BAD_USAGE) if there is no such mesh.
   void give_attributes(std::uint64_t mesh, const plugin::TakeAttribute& take) const;
@@ -42,6 +46,39 @@ class MadeMeshes {
 
   HostAttributes attributes_;
   std::vector<MadeMesh> meshes_;
+};
+
+/// A part of the host's mesh that was cut; the host's mesh must outlive it.
+MadeMesh made_by_cut(const HostMesh& mesh, std::shared_ptr<const CutMesh> cut,
+                     const MeshPart& part);
+
+/// Base of the plugin classes that make meshes: a workspace that offers talweg_meshes.h.
+template <class Base>
+class MakesMeshes : public Base {
+ public:
+  using Base::Base;
+
+  static constexpr std::uint32_t kTakes = TALWEG_TAKES_ATTRIBUTES;
+  void set_attributes(std::span<const talweg_attribute* const> attributes) {
+    made_.set_attributes(attributes, this->host_mesh().vertex_count(),
+                         this->host_mesh().face_count());
+  }
+  void give_attributes(std::uint64_t mesh, const plugin::TakeAttribute& take) const {
+    made_.give_attributes(mesh, take);
+  }
+  void give_origin(std::uint64_t mesh, const plugin::TakeOrigin& take) const {
+    made_.give_origin(mesh, take);
+  }
+
+ protected:
+  ~MakesMeshes() = default;
+
+  void forget() override {
+    Base::forget();
+    made_.forget_attributes();
+  }
+
+  MadeMeshes made_;  // by the last run
 };
 
 /// Gives the geometry of a mesh.

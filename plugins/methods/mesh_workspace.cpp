@@ -26,6 +26,10 @@ talweg_status status_of(const std::exception& error) {
   return TALWEG_INTERNAL;
 }
 
+void MeshWorkspace::go_on(const char* stage, double fraction) const {
+  if (!services_->go_on(stage, fraction)) throw plugin::Services::cancelled();
+}
+
 void MeshWorkspace::set_mesh(const talweg_mesh& mesh, const plugin::Parameters& parameters) {
   const std::optional<RepairSteps> steps = repair_of(parameters);
   std::shared_ptr<const HostMesh> opened = HostMesh::open(lists_of(mesh), steps);

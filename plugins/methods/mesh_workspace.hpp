@@ -40,6 +40,8 @@ class MeshWorkspace {
     return mesh_->opened();
   }
   [[nodiscard]] const plugin::Services& services() const { return *services_; }
+  /// Throws plugin::Services::cancelled() when the user has cancelled.
+  void go_on(const char* stage, double fraction) const;
   /// The Progress for calls of the library; refers to the services.
   [[nodiscard]] Progress progress() const;
   /// Does work of the library that throws Cancelled, and throws plugin::Services::cancelled()

@@ -31,10 +31,6 @@ std::vector<talweg_output> MethodWorkspace::outputs() {
                  "What was done and measured, of each curve and in total.")};
 }
 
-void MethodWorkspace::go_on(const char* stage, double fraction) const {
-  if (!services().go_on(stage, fraction)) throw plugin::Services::cancelled();
-}
-
 SmoothingReport MethodWorkspace::report_on(const Method& method, std::size_t curve,
                                            DeviationMeasure measure, DeviationMeter& meter) const {
   const MethodCurve& made = method.curves[curve];

@@ -44,9 +44,6 @@ class MethodWorkspace : public Workspace {
   /// Smooths drawing(). Throws plugin::Services::cancelled().
   virtual Method smooth(const plugin::Parameters& parameters) = 0;
 
-  /// Throws plugin::Services::cancelled() when the user has cancelled.
-  void go_on(const char* stage, double fraction) const;
-
  private:
   [[nodiscard]] SmoothingReport report_on(const Method& method, std::size_t curve,
                                           DeviationMeasure measure, DeviationMeter& meter) const;

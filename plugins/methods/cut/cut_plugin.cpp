@@ -7,7 +7,6 @@
 #include "methods/made_meshes.hpp"
 #include "methods/results.hpp"
 #include "methods/workspace.hpp"
-#include "talweg/core/cutting/attribute_transfer.hpp"
 #include "talweg/core/cutting/cut_report.hpp"
 #include "talweg/core/cutting/mesh_cutting.hpp"
 #include "talweg/core/cutting/mesh_parts.hpp"
@@ -35,11 +34,10 @@ PartOptions part_options(const plugin::Parameters& parameters) {
   return options;
 }
 
-class Cut : public Workspace {
+class Cut : public MakesMeshes<Workspace> {
  public:
-  using Workspace::Workspace;
+  using MakesMeshes::MakesMeshes;
 
-  static constexpr std::uint32_t kTakes = TALWEG_TAKES_ATTRIBUTES;
   static talweg_plugin about() {
     return about_curves(
         "talweg.cut", "Cut along curves",
@@ -69,21 +67,13 @@ class Cut : public Workspace {
             output(TALWEG_OUTPUT_REPORT, "report", "Report", "", "What was cut, and the parts.")};
   }
 
-  void set_attributes(std::span<const talweg_attribute* const> attributes) {
-    made_.set_attributes(attributes, host_mesh().vertex_count(), host_mesh().face_count());
-  }
-  void give_attributes(std::uint64_t mesh, const plugin::TakeAttribute& take) const {
-    made_.give_attributes(mesh, take);
-  }
-  void give_origin(std::uint64_t mesh, const plugin::TakeOrigin& take) const {
-    made_.give_origin(mesh, take);
-  }
-
   void run(const plugin::Parameters& parameters, const plugin::Outputs& outputs) {
     made_.clear();
     const Stopwatch watch;
+    go_on("cut", 0);
     const auto cut = std::make_shared<CutMesh>(
         cut_along(mesh(), drawing().curves, {parameters.number("merge")}));
+    go_on("cut", 0.5);
     const MeshParts parts = cancellable(
         [&] { return take_apart(mesh(), *cut, {}, part_options(parameters), progress()); });
     const double ms = watch.ms();
@@ -92,34 +82,14 @@ class Cut : public Workspace {
     give(outputs, -1, entries_of(mesh(), *cut, parts, warnings, ms));
     if (!outputs.wants_meshes()) return;
     for (const MeshPart& part : parts.parts) give(outputs, part.lists);
-    for (const MeshPart& part : parts.parts) remember(cut, part);
+    for (const MeshPart& part : parts.parts) made_.add(made_by_cut(host_mesh(), cut, part));
   }
 
  private:
-  void forget() override {
-    Workspace::forget();
-    made_.forget_attributes();
-  }
   void put(const std::vector<CurveInput>& curves) override {
     Workspace::put(curves);
     made_.clear();
   }
-  void remember(const std::shared_ptr<const CutMesh>& cut, const MeshPart& part) {
-    MadeMesh& made = made_.add();
-    made.vertices = part.lists.points.size();
-    made.origins = origins_of(part, *cut, mesh().surface(), host_mesh().map());
-    made.carry_over = [this, cut, vertices = part.vertices,
-                       faces = part.faces](const MeshAttributes& attributes) {
-      std::size_t differing = 0;
-      const RepairMap* map = host_mesh().map();
-      return picked(
-          carried_to(*cut, mesh().surface(),
-                     map == nullptr ? attributes : of_repaired(attributes, *map, differing)),
-          vertices, faces);
-    };
-  }
-
-  MadeMeshes made_;
 };
 
 }  // namespace

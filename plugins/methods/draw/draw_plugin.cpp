@@ -84,10 +84,7 @@ class Draw : public Workspace {
     std::vector<DrawnPath> paths;
     double total = 0;
     for (std::size_t c = 0; c < snapped_.size(); ++c) {
-      if (!services().go_on("draw",
-                            static_cast<double>(c) / static_cast<double>(snapped_.size()))) {
-        throw plugin::Services::cancelled();
-      }
+      go_on("draw", static_cast<double>(c) / static_cast<double>(snapped_.size()));
       const DrawnPath* last = preview && c < paths_.size() ? &paths_[c] : nullptr;
       const SurfaceCurve curve = cancellable([&] {
         return straight ? lines().join(snapped_[c].points, snapped_[c].closed, progress())

@@ -13,7 +13,7 @@
 #include "methods/mesh_workspace.hpp"
 #include "methods/point_fields.hpp"
 #include "methods/results.hpp"
-#include "talweg/core/cutting/attribute_transfer.hpp"
+#include "talweg/core/cutting/mesh_parts.hpp"
 #include "talweg/core/labels/label_network.hpp"
 #include "talweg/core/labels/label_report.hpp"
 #include "talweg/core/version.hpp"
@@ -27,11 +27,10 @@ constexpr const char* kJunctionLabels[] = {"Where the labels have them",
 constexpr const char* kEnds[] = {"stay", "slide"};
 constexpr const char* kEndLabels[] = {"Stay", "Slide along the boundary"};
 
-class Labels : public MeshWorkspace {
+class Labels : public MakesMeshes<MeshWorkspace> {
  public:
-  using MeshWorkspace::MeshWorkspace;
+  using MakesMeshes::MakesMeshes;
 
-  static constexpr std::uint32_t kTakes = TALWEG_TAKES_ATTRIBUTES;
   static talweg_plugin about() {
     talweg_plugin about = {};
     about.id = "talweg.labels";
@@ -81,16 +80,6 @@ class Labels : public MeshWorkspace {
                    "What was done and measured, of each border and region and in total.")};
   }
 
-  void set_attributes(std::span<const talweg_attribute* const> attributes) {
-    made_.set_attributes(attributes, host_mesh().vertex_count(), host_mesh().face_count());
-  }
-  void give_attributes(std::uint64_t mesh, const plugin::TakeAttribute& take) const {
-    made_.give_attributes(mesh, take);
-  }
-  void give_origin(std::uint64_t mesh, const plugin::TakeOrigin& take) const {
-    made_.give_origin(mesh, take);
-  }
-
   void run(const plugin::Parameters& parameters, const plugin::Outputs& outputs) {
     made_.clear();
     const Given given = labels_of(parameters);
@@ -111,9 +100,7 @@ class Labels : public MeshWorkspace {
       return curve < 0 ? entries_of(*network, warnings) : each[static_cast<std::size_t>(curve)];
     });
     if (outputs.wants_fields()) give(outputs, "labels", "", new_labels(*network, given));
-    if (!outputs.wants_meshes()) return;
-    give(outputs, network->cut.lists);
-    remember(network);
+    if (outputs.wants_meshes()) give_cut(outputs, network);
   }
 
  private:
@@ -165,48 +152,26 @@ class Labels : public MeshWorkspace {
   [[nodiscard]] std::vector<double> new_labels(const LabelNetwork& network,
                                                const Given& given) const {
     const RepairMap* map = host_mesh().map();
-    std::vector<double> result;
-    if (map == nullptr) {
-      for (const std::int64_t label : network.face_labels) {
-        result.push_back(static_cast<double>(label));
-      }
-      return result;
-    }
+    const std::vector<double> labels(network.face_labels.begin(), network.face_labels.end());
+    if (map == nullptr) return labels;
     const MeshLists lists = given.by_triangle ? MeshLists{} : host_mesh().lists();
-    for (std::size_t f = 0; f < map->file_face_count(); ++f) {
-      const std::uint32_t face = map->image(FaceId{f}).face;
-      const bool dropped = face == RepairMap::kDropped;
-      result.push_back(!dropped            ? static_cast<double>(network.face_labels[face])
-                       : given.by_triangle ? given.came_in[f]
-                                           : given.came_in[lists.triangles[f][0]]);
-    }
-    return result;
+    return map->to_file_faces(labels, [&](std::size_t f) {
+      return given.came_in[given.by_triangle ? f : lists.triangles[f][0]];
+    });
   }
 
-  void forget() override { made_.forget_attributes(); }
-
-  void remember(const std::shared_ptr<const LabelNetwork>& network) {
-    const CutMesh& cut = network->cut;
-    MeshPart whole;
-    for (std::uint32_t v = 0; v < cut.lists.points.size(); ++v) whole.vertices.push_back(v);
-    for (std::uint32_t f = 0; f < cut.lists.triangles.size(); ++f) whole.faces.push_back(f);
-    MadeMesh& made = made_.add();
-    made.vertices = cut.lists.points.size();
-    made.origins = origins_of(whole, cut, mesh().surface(), host_mesh().map());
-    made.carry_over = [this, network](const MeshAttributes& attributes) {
-      std::size_t differing = 0;
-      const RepairMap* map = host_mesh().map();
-      return carried_to(network->cut, mesh().surface(),
-                        map == nullptr ? attributes : of_repaired(attributes, *map, differing));
-    };
+  void give_cut(const plugin::Outputs& outputs,
+                const std::shared_ptr<const LabelNetwork>& network) {
+    const std::shared_ptr<const CutMesh> cut(network, &network->cut);
+    const MeshParts whole = take_apart(mesh(), *cut, {}, {});
+    give(outputs, whole.parts.front().lists);
+    MadeMesh& made = made_.add(made_by_cut(host_mesh(), cut, whole.parts.front()));
     made.own = [network](const plugin::TakeAttribute& take) {
       const AttributeColumn column = label_column(network->cut_labels);
       const bool whole_number = column.type == NumberType::kInt32;
       give_per_triangle("label", column.values, whole_number ? TALWEG_INT32 : TALWEG_FLOAT64, take);
     };
   }
-
-  MadeMeshes made_;
 };
 
 }  // namespace

@@ -167,7 +167,7 @@ class Repair {
 
   void remember(std::shared_ptr<const RepairedMesh> repaired) {
     const RepairMap& map = repaired->map;
-    MadeMesh& made = made_.add();
+    MadeMesh& made = made_.add({});
     made.vertices = repaired->lists.points.size();
     for (std::size_t v = 0; v < map.vertex_count(); ++v) {
       VertexOrigin& origin = made.origins.vertices.emplace_back();

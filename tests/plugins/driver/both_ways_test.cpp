@@ -141,10 +141,11 @@ TEST_F(BothWaysOnAttributes, CutTheSame) {
         loaded.replace(at, std::string::npos, "--cap planar");
       }
       SCOPED_TRACE(ending + " " + options);
-      expect_done("cut mesh" + ending + " --curve across.json -o a" + ending + " --map a.json " +
-                  options);
+      expect_done("cut mesh" + ending + " --curve across.json -o a" + ending +
+                  " --map a.json --report a-report.json " + options);
       expect_done("run talweg.cut mesh" + ending + " --curve across.json --write-mesh b" + ending +
-                  " --map b.json " + loaded);
+                  " --map b.json --report b-report.json " + loaded);
+      EXPECT_EQ(report("a-report.json"), report("b-report.json"));
       const bool split = loaded.find("--split") != std::string::npos;
       for (const std::string part : {split ? "-0" : "", split ? "-1" : ""}) {
         EXPECT_EQ(bytes_of(file("a" + part + ending)), bytes_of(file("b" + part + ending)));
