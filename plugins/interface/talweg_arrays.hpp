@@ -124,33 +124,50 @@ inline std::size_t count_of(const talweg_array& array, std::uint32_t columns) {
   return static_cast<std::size_t>(array.rows) * columns;
 }
 
+namespace detail {
+
+/// False if the array's numbers are no integers; then nothing is copied.
+template <class Target>
+bool convert_integers(const talweg_array& array, const std::string& what, Target* out) {
+  switch (array.type) {
+    case TALWEG_INT8:
+      convert<std::int8_t>(array, what, out);
+      return true;
+    case TALWEG_UINT8:
+      convert<std::uint8_t>(array, what, out);
+      return true;
+    case TALWEG_INT16:
+      convert<std::int16_t>(array, what, out);
+      return true;
+    case TALWEG_UINT16:
+      convert<std::uint16_t>(array, what, out);
+      return true;
+    case TALWEG_INT32:
+      convert<std::int32_t>(array, what, out);
+      return true;
+    case TALWEG_UINT32:
+      convert<std::uint32_t>(array, what, out);
+      return true;
+    case TALWEG_INT64:
+      convert<std::int64_t>(array, what, out);
+      return true;
+    case TALWEG_UINT64:
+      convert<std::uint64_t>(array, what, out);
+      return true;
+    default:
+      return false;
+  }
+}
+
+}  // namespace detail
+
 /// Copies a checked array's numbers, row by row. Throws as check_array() does.
 inline void copy_numbers(const talweg_array& array, std::uint32_t columns, const std::string& what,
                          double* out) {
   check_array(array, columns, what);
-  if (array.rows == 0) return;
-  switch (array.type) {
-    case TALWEG_FLOAT64:
-      return detail::convert<double>(array, what, out);
-    case TALWEG_FLOAT32:
-      return detail::convert<float>(array, what, out);
-    case TALWEG_INT32:
-      return detail::convert<std::int32_t>(array, what, out);
-    case TALWEG_UINT32:
-      return detail::convert<std::uint32_t>(array, what, out);
-    case TALWEG_INT64:
-      return detail::convert<std::int64_t>(array, what, out);
-    case TALWEG_INT8:
-      return detail::convert<std::int8_t>(array, what, out);
-    case TALWEG_UINT8:
-      return detail::convert<std::uint8_t>(array, what, out);
-    case TALWEG_INT16:
-      return detail::convert<std::int16_t>(array, what, out);
-    case TALWEG_UINT16:
-      return detail::convert<std::uint16_t>(array, what, out);
-    default:
-      return detail::convert<std::uint64_t>(array, what, out);
-  }
+  if (array.rows == 0 || detail::convert_integers(array, what, out)) return;
+  if (array.type == TALWEG_FLOAT32) return detail::convert<float>(array, what, out);
+  detail::convert<double>(array, what, out);
 }
 
 /// The same for indices. Also throws Failure(TALWEG_BAD_USAGE) for real numbers, and for the first
@@ -158,27 +175,8 @@ inline void copy_numbers(const talweg_array& array, std::uint32_t columns, const
 inline void copy_indices(const talweg_array& array, std::uint32_t columns, const std::string& what,
                          std::uint32_t* out) {
   check_array(array, columns, what);
-  if (array.rows == 0) return;
-  switch (array.type) {
-    case TALWEG_INT32:
-      return detail::convert<std::int32_t>(array, what, out);
-    case TALWEG_UINT32:
-      return detail::convert<std::uint32_t>(array, what, out);
-    case TALWEG_INT64:
-      return detail::convert<std::int64_t>(array, what, out);
-    case TALWEG_UINT64:
-      return detail::convert<std::uint64_t>(array, what, out);
-    case TALWEG_INT8:
-      return detail::convert<std::int8_t>(array, what, out);
-    case TALWEG_UINT8:
-      return detail::convert<std::uint8_t>(array, what, out);
-    case TALWEG_INT16:
-      return detail::convert<std::int16_t>(array, what, out);
-    case TALWEG_UINT16:
-      return detail::convert<std::uint16_t>(array, what, out);
-    default:
-      detail::bad_array(what, "holds indices, so its numbers must be integers");
-  }
+  if (array.rows == 0 || detail::convert_integers(array, what, out)) return;
+  detail::bad_array(what, "holds indices, so its numbers must be integers");
 }
 
 inline std::vector<double> numbers_of(const talweg_array& array, std::uint32_t columns,

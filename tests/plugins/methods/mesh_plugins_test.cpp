@@ -215,6 +215,18 @@ TEST_F(CutPlugin, SaysWhatTheDriverSaysOfBadInput) {
             std::string::npos);
 }
 
+TEST_F(CutPlugin, CanBeCancelledBeforeAndAfterTheCut) {
+  for (const double last : {0.0, 0.5}) {
+    const host::Services cancelling("test", "1", [&](const char* stage, double fraction) {
+      return std::string(stage) != "cut" || fraction < last;
+    });
+    host::Instance cut(test::plugin_of_this_build("talweg.cut"), cancelling);
+    test::set_mesh(cut, subject.lists);
+    cut.set_curves({subject.curve});
+    EXPECT_EQ(sentence_of([&] { cut.run(); }), "Cancelled.") << last;
+  }
+}
+
 struct MeasurePlugin : OnHills {
   MeasurePlugin() : OnHills("talweg.measure") { test::set_mesh(instance, subject.lists); }
 };
