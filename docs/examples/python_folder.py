@@ -2,10 +2,10 @@
 
 usage: python_folder.py MESHES RESULTS [JOBS]
 
-Beside each mesh (NAME.ply, .obj, .off, .stl, .vtk) lies its drawing NAME.txt, vertex numbers in their
+Beside each mesh (NAME.ply, .obj, .off, .stl, .om) lies its drawing NAME.txt, vertex numbers in their
 order, or NAME.json, a curve file of Talweg. RESULTS gets NAME.vtp, a picture NAME.png, and summary.csv
-with a row for each mesh. What cannot be done is a row that says why; the others go on. Needs meshio,
-for pictures matplotlib (Debian: python3-meshio python3-matplotlib).
+with a row for each mesh. What cannot be done is a row that says why; the others go on. Pictures need
+matplotlib (Debian: python3-matplotlib).
 """
 
 from __future__ import annotations
@@ -16,11 +16,9 @@ from concurrent.futures import ProcessPoolExecutor
 from pathlib import Path
 from typing import Any, Dict, List, Tuple
 
-import meshio  # type: ignore[import]
-
 import talweg
 
-FORMATS = (".ply", ".obj", ".off", ".stl", ".vtk")
+FORMATS = (".ply", ".obj", ".off", ".stl", ".om")
 COLUMNS = ("mesh", "faces", "length_before", "length_after", "bending_before", "bending_after",
            "deviation_to_drawn_max", "warnings", "error")
 
@@ -32,17 +30,10 @@ def drawing_of(mesh: Path) -> Path:
     raise FileNotFoundError(f"there is no drawing {mesh.with_suffix('.txt').name}")
 
 
-def read(path: Path) -> talweg.Mesh:
-    try:
-        return talweg.Mesh(meshio.read(path))
-    except SystemExit:  # meshio ends the program where it cannot read a file
-        raise ValueError("meshio cannot read it") from None
-
-
 def smoothed(path: Path, results: Path) -> Dict[str, Any]:
     """Does one mesh. Runs in a process of its own, which opens the mesh and forgets it again."""
     drawn = talweg.read_curves(drawing_of(path))
-    result = read(path).smooth(drawn, tau=1)
+    result = talweg.read_mesh(path).smooth(drawn, tau=1)
     talweg.write_curves(results / f"{path.stem}.vtp", result.curves)
     try:
         result.show(file=results / f"{path.stem}.png", size=(480, 360))

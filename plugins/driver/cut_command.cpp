@@ -13,13 +13,13 @@
 #include "drawing_file.hpp"
 #include "file_plan.hpp"
 #include "output_file.hpp"
+#include "plugin_meshes.hpp"
 #include "progress_bar.hpp"
 #include "repaired_mesh.hpp"
 #include "talweg/core/cutting/cut_report.hpp"
 #include "talweg/core/cutting/mesh_cutting.hpp"
 #include "talweg/core/cutting/mesh_parts.hpp"
 #include "talweg/core/cutting/tagged_edges.hpp"
-#include "talweg/core/io/mesh_file.hpp"
 #include "talweg/core/io/mesh_writer.hpp"
 #include "talweg/intrinsic/error.hpp"
 #include "talweg/intrinsic/stopwatch.hpp"
@@ -76,7 +76,8 @@ class Cutting {
 
  private:
   [[nodiscard]] std::string path_of(std::size_t part) const;
-  [[nodiscard]] std::string map_json() const;
+  [[nodiscard]] std::vector<PartOrigins> origins() const;
+  [[nodiscard]] std::string map_json(const std::vector<PartOrigins>& origins) const;
   [[nodiscard]] std::vector<std::string> warnings() const;
 
   const CutCommandOptions& o_;
@@ -116,23 +117,29 @@ std::string Cutting::path_of(std::size_t part) const {
                      std::filesystem::path(o_.output).extension().string());
 }
 
-std::string Cutting::map_json() const {
+std::vector<PartOrigins> Cutting::origins() const {
   std::vector<PartOrigins> origins;
-  std::vector<std::string> files;
+  if (o_.map.empty() && !o_.tag) return origins;
   for (const MeshPart& part : made_.parts) {
-    files.push_back(path_of(origins.size()));
     origins.push_back(origins_of(part, cut_, mesh_.surface(), read_.map.get()));
   }
+  return origins;
+}
+
+std::string Cutting::map_json(const std::vector<PartOrigins>& origins) const {
+  std::vector<std::string> files;
+  for (std::size_t k = 0; k < origins.size(); ++k) files.push_back(path_of(k));
   return cut_map_json(origins, files);
 }
 
 void Cutting::write() {
-  const std::string map = o_.map.empty() ? "" : map_json();
+  const std::vector<PartOrigins> origins = this->origins();
+  const std::string map = o_.map.empty() ? "" : map_json(origins);
   std::vector<std::string> left_out;  // the same for all parts
   for (std::size_t k = 0; k < made_.parts.size(); ++k) {
     const MeshPart& part = made_.parts[k];
     std::vector<TaggedEdge> edges;
-    if (o_.tag) edges = tagged_edges(part.lists.triangles, part.vertices, cut_.chains);
+    if (o_.tag) edges = tagged_edges(part.lists.triangles, origins[k].curves);
     MeshBytes file = mesh_bytes(path_of(k), part.lists, part.attributes, edges);
     write_output(path_of(k), file.bytes);
     left_out = std::move(file.left_out);
@@ -199,10 +206,7 @@ std::string Cutting::summary() const {
 
 void check(const CutCommandOptions& o) {
   if (!o.cap.empty()) lid_kind(o.cap);
-  const std::string ending = lower_extension(o.output);
-  if (o.tag && ending != ".ply" && ending != ".obj") {
-    throw Error(ErrorCode::kBadUsage, "--tag needs an output that holds edges: .ply or .obj.");
-  }
+  if (o.tag) check_tag(o.output);
   if (!o.keep.empty() && o.keep != "left" && o.keep != "right") {
     throw Error(ErrorCode::kBadUsage, "--keep must be left or right, not \"" + o.keep + "\".");
   }

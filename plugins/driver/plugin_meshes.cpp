@@ -7,7 +7,10 @@
 #include "cut_map.hpp"
 #include "output_file.hpp"
 #include "plugin_attributes.hpp"
+#include "talweg/core/cutting/tagged_edges.hpp"
+#include "talweg/core/io/mesh_file.hpp"
 #include "talweg/core/io/mesh_writer.hpp"
+#include "talweg/intrinsic/error.hpp"
 
 namespace talweg::driver {
 namespace {
@@ -36,6 +39,12 @@ const talweg_meshes* meshes_of(const talweg_plugin& plugin) {
   return found != nullptr && found->size >= sizeof *found ? found : nullptr;
 }
 
+void check_tag(const std::string& path) {
+  const std::string ending = lower_extension(path);
+  if (ending == ".ply" || ending == ".obj") return;
+  throw Error(ErrorCode::kBadUsage, "--tag needs an output that holds edges: .ply or .obj.");
+}
+
 PluginMeshes::PluginMeshes(const host::Instance& instance, const host::Results& results,
                            const MeshAttributes& attributes, bool single) {
   const talweg_meshes* extension = meshes_of(instance.plugin());
@@ -60,10 +69,13 @@ std::string PluginMeshes::path_of(const std::string& path, std::size_t mesh) con
       .string();
 }
 
-void PluginMeshes::write(const std::string& path) const {
+void PluginMeshes::write(const std::string& path, bool tag) const {
   for (std::size_t k = 0; k < meshes_.size(); ++k) {
+    const Made& made = meshes_[k];
     const std::string name = path_of(path, k);
-    write_output(name, mesh_bytes(name, meshes_[k].lists, meshes_[k].attributes).bytes);
+    std::vector<TaggedEdge> edges;
+    if (tag) edges = tagged_edges(made.lists.triangles, made.origins.curves);
+    write_output(name, mesh_bytes(name, made.lists, made.attributes, edges).bytes);
   }
 }
 

@@ -16,6 +16,9 @@ namespace talweg::driver {
 /// The extension talweg.meshes/1 of a plugin; null if it has none.
 const talweg_meshes* meshes_of(const talweg_plugin& plugin);
 
+/// Throws Error(kBadUsage), which names --tag, if meshes in files of this name hold no edges.
+void check_tag(const std::string& path);
+
 class PluginMeshes {
  public:
   PluginMeshes() = default;
@@ -26,7 +29,8 @@ class PluginMeshes {
 
   [[nodiscard]] bool empty() const { return meshes_.empty(); }
   /// One is written to this file; of several "out.ply" becomes "out-0.ply", "out-1.ply", ...
-  void write(const std::string& path) const;
+  /// `tag`: with the curves' edges.
+  void write(const std::string& path, bool tag) const;
   /// Where they come from (docs/cutting.md); `path`: the file of the meshes, or empty.
   void write_map(const std::string& map, const std::string& path) const;
 

@@ -38,6 +38,7 @@ struct Files {
   std::string report;
   std::string meshes;
   std::string map;
+  bool tag = false;
   std::map<std::string, std::string> fields;  ///< by name
   std::string repair;                         ///< steps; empty for none
   std::string mesh_units = "mm";
@@ -53,6 +54,7 @@ void plan(const Files& files, const PluginOptions& options) {
   plan.writes("--report", files.report);
   plan.writes("--write-mesh", files.meshes, check_mesh_name);
   plan.writes("--map", files.map);
+  if (files.tag) check_tag(files.meshes);
   for (const auto& [name, path] : files.fields) plan.writes(option_name("write_" + name), path);
   plan.check();
 }
@@ -90,6 +92,9 @@ void add_files(CLI::App& app, const talweg_plugin& plugin, Files& files) {
     app.add_option("--map", files.map,
                    "JSON: where every vertex and face of the meshes comes from, and the curves' "
                    "vertices");
+    app.add_flag(
+        "--tag", files.tag,
+        "Write the curves' edges into the mesh, too: element edge of a .ply, l of an .obj");
   }
   for (std::uint32_t k = 0; k < plugin.output_count; ++k) {
     const talweg_output& output = *plugin.outputs[k];
@@ -188,7 +193,7 @@ void write_results(const Files& files, const talweg_plugin& plugin, const host::
   if (!files.meshes.empty() && meshes.empty()) {
     throw Error(ErrorCode::kBadFile, std::string(plugin.id) + " gave no mesh.");
   }
-  if (!files.meshes.empty()) attempts.make([&] { meshes.write(files.meshes); });
+  if (!files.meshes.empty()) attempts.make([&] { meshes.write(files.meshes, files.tag); });
   if (!files.map.empty()) attempts.make([&] { meshes.write_map(files.map, files.meshes); });
   attempts.finish();
 }

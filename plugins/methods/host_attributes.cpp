@@ -84,11 +84,6 @@ std::vector<char> bytes_of(const std::vector<double>& values, std::uint32_t type
   return bytes;
 }
 
-talweg_array view_of(const std::vector<char>& bytes, std::size_t rows, std::uint32_t columns,
-                     std::uint32_t type) {
-  return {bytes.data(), rows, 0, columns, type};
-}
-
 /// Entries of corners; TALWEG_NO_ENTRY is allowed, which is no index elsewhere.
 std::vector<std::array<std::uint32_t, 3>> corners_of(const talweg_attribute& given,
                                                      std::size_t faces, std::size_t entries) {
@@ -112,22 +107,18 @@ std::vector<std::array<std::uint32_t, 3>> corners_of(const talweg_attribute& giv
   return corners;
 }
 
-}  // namespace
-
-HostAttributes::Attribute HostAttributes::copied(const talweg_attribute& given,
-                                                 std::size_t vertices, std::size_t faces) {
+HostAttribute copied(const talweg_attribute& given, std::size_t vertices, std::size_t faces) {
   if (given.name == nullptr || *given.name == '\0') {
     throw plugin::Failure(TALWEG_BAD_USAGE, "An attribute has no name.");
   }
-  Attribute result{given.name,
-                   given.element,
-                   given.carry,
-                   given.values.columns,
-                   given.values.type,
-                   given.fill,
-                   {},
-                   given.corners.rows > 0,
-                   {}};
+  HostAttribute result;
+  result.name = given.name;
+  result.element = given.element;
+  result.rule = given.carry;
+  result.columns = given.values.columns;
+  result.type = given.values.type;
+  result.fill = given.fill;
+  result.shared = given.corners.rows > 0;
   const std::string& name = result.name;
   if (given.element < TALWEG_OF_VERTICES || given.element > TALWEG_OF_CORNERS) {
     bad(name, fmt::format("is of the unknown element {}", given.element));
@@ -169,12 +160,69 @@ HostAttributes::Attribute HostAttributes::copied(const talweg_attribute& given,
   return result;
 }
 
+/// The same attribute of a mesh that was made.
+HostAttribute with_columns(const HostAttribute& attribute,
+                           const std::vector<AttributeColumn>& columns, std::size_t first) {
+  HostAttribute result = attribute;
+  const std::size_t rows = columns[first].values.size();
+  result.values.resize(rows * attribute.columns);
+  for (std::uint32_t c = 0; c < attribute.columns; ++c) {
+    const std::vector<double>& column = columns[first + c].values;
+    for (std::size_t k = 0; k < rows; ++k) result.values[k * attribute.columns + c] = column[k];
+  }
+  return result;
+}
+
+HostAttribute with_corners(const HostAttribute& attribute, CornerAttribute carried) {
+  HostAttribute result = attribute;
+  result.values = std::move(carried.values);
+  result.corners = std::move(carried.corners);
+  for (const auto& corners : result.corners) {
+    for (const std::uint32_t entry : corners) {
+      result.shared = result.shared || entry == CornerAttribute::kNone;
+    }
+  }
+  return result;
+}
+
+/// A row for each corner.
+std::vector<double> by_corner(const HostAttribute& attribute) {
+  std::vector<double> values;
+  values.reserve(attribute.corners.size() * 3 * attribute.columns);
+  for (const auto& corners : attribute.corners) {
+    for (const std::uint32_t entry : corners) {
+      const auto row = attribute.values.begin() + std::ptrdiff_t{entry} * attribute.columns;
+      values.insert(values.end(), row, row + attribute.columns);
+    }
+  }
+  return values;
+}
+
+}  // namespace
+
+AttributeView::AttributeView(const HostAttribute& attribute) {
+  const bool by_row = attribute.element == TALWEG_OF_CORNERS && !attribute.shared;
+  bytes_ = bytes_of(by_row ? by_corner(attribute) : attribute.values, attribute.type);
+  const std::size_t row = attribute.columns * plugin::detail::size_of(attribute.type);
+  const bool with_entries = attribute.shared && !attribute.corners.empty();
+  view_ = {sizeof view_,
+           attribute.element,
+           attribute.rule,
+           0,
+           attribute.name.c_str(),
+           attribute.fill,
+           {bytes_.data(), bytes_.size() / row, 0, attribute.columns, attribute.type},
+           with_entries
+               ? plugin::view(attribute.corners.front().data(), attribute.corners.size(), 3)
+               : plugin::kNoArray};
+}
+
 void HostAttributes::set(std::span<const talweg_attribute* const> attributes, std::size_t vertices,
                          std::size_t faces) {
-  std::vector<Attribute> all;
+  std::vector<HostAttribute> all;
   std::set<std::pair<std::uint32_t, std::string>> names;
   for (const talweg_attribute* given : attributes) {
-    const Attribute& attribute = all.emplace_back(copied(*given, vertices, faces));
+    const HostAttribute& attribute = all.emplace_back(copied(*given, vertices, faces));
     if (!names.emplace(attribute.element, attribute.name).second) {
       bad(attribute.name, "is there twice");
     }
@@ -184,7 +232,7 @@ void HostAttributes::set(std::span<const talweg_attribute* const> attributes, st
 
 void HostAttributes::give(const CarryOver& carry_over, const plugin::TakeAttribute& take) const {
   MeshAttributes columns;
-  for (const Attribute& a : attributes_) {
+  for (const HostAttribute& a : attributes_) {
     if (a.element == TALWEG_OF_CORNERS) continue;
     auto& list = a.element == TALWEG_OF_VERTICES ? columns.vertices : columns.faces;
     for (std::uint32_t c = 0; c < a.columns; ++c) {
@@ -200,64 +248,30 @@ void HostAttributes::give(const CarryOver& carry_over, const plugin::TakeAttribu
   }
   const MeshAttributes carried = carry_over(columns);
   std::size_t of_vertices = 0, of_faces = 0;
-  for (const Attribute& a : attributes_) {
+  for (const HostAttribute& a : attributes_) {
     if (a.element == TALWEG_OF_CORNERS) {
       MeshAttributes one;
       one.texture = {a.columns, a.values, a.corners, carry_of(a.rule)};
-      give_corners(a, carry_over(one).texture, take);
+      take(AttributeView(with_corners(a, carry_over(one).texture)).view());
     } else {
       const bool vertices = a.element == TALWEG_OF_VERTICES;
       std::size_t& first = vertices ? of_vertices : of_faces;
-      give_columns(a, vertices ? carried.vertices : carried.faces, first, take);
+      const auto& from = vertices ? carried.vertices : carried.faces;
+      take(AttributeView(with_columns(a, from, first)).view());
       first += a.columns;
     }
   }
 }
 
-void HostAttributes::give_columns(const Attribute& attribute,
-                                  const std::vector<AttributeColumn>& columns, std::size_t first,
-                                  const plugin::TakeAttribute& take) {
-  const std::size_t rows = columns[first].values.size();
-  std::vector<double> values(rows * attribute.columns);
-  for (std::uint32_t c = 0; c < attribute.columns; ++c) {
-    const std::vector<double>& column = columns[first + c].values;
-    for (std::size_t k = 0; k < rows; ++k) values[k * attribute.columns + c] = column[k];
-  }
-  const std::vector<char> bytes = bytes_of(values, attribute.type);
-  take({sizeof(talweg_attribute), attribute.element, attribute.rule, 0, attribute.name.c_str(),
-        attribute.fill, view_of(bytes, rows, attribute.columns, attribute.type), plugin::kNoArray});
-}
-
-void HostAttributes::give_corners(const Attribute& attribute, const CornerAttribute& carried,
-                                  const plugin::TakeAttribute& take) {
-  const std::uint32_t n = attribute.columns;
-  bool shared = attribute.shared;
-  for (const auto& corners : carried.corners) {
-    for (const std::uint32_t entry : corners) shared = shared || entry == CornerAttribute::kNone;
-  }
-  std::vector<double> values;
-  if (shared) {
-    values = carried.values;
-  } else {
-    values.reserve(carried.corners.size() * 3 * n);
-    for (const auto& corners : carried.corners) {
-      for (const std::uint32_t entry : corners) {
-        for (std::uint32_t c = 0; c < n; ++c) values.push_back(carried.values[entry * n + c]);
-      }
-    }
-  }
-  const std::vector<char> bytes = bytes_of(values, attribute.type);
-  const std::uint32_t* first = carried.corners.empty() ? nullptr : carried.corners.front().data();
-  take({sizeof(talweg_attribute), attribute.element, attribute.rule, 0, attribute.name.c_str(),
-        attribute.fill, view_of(bytes, values.size() / n, n, attribute.type),
-        shared ? plugin::view(first, carried.corners.size(), 3) : plugin::kNoArray});
-}
-
 void give_per_triangle(const char* name, const std::vector<double>& values, std::uint32_t type,
                        const plugin::TakeAttribute& take) {
-  const std::vector<char> bytes = bytes_of(values, type);
-  take({sizeof(talweg_attribute), TALWEG_OF_TRIANGLES, TALWEG_CARRY_NEAREST, 0, name, 0,
-        view_of(bytes, values.size(), 1, type), plugin::kNoArray});
+  HostAttribute attribute;
+  attribute.name = name;
+  attribute.element = TALWEG_OF_TRIANGLES;
+  attribute.rule = TALWEG_CARRY_NEAREST;
+  attribute.type = type;
+  attribute.values = values;
+  take(AttributeView(attribute).view());
 }
 
 }  // namespace talweg::plugins

@@ -18,6 +18,30 @@ namespace talweg::plugins {
 /// How attributes of the mesh that came in become those of another: by carried_to() and picked().
 using CarryOver = std::function<MeshAttributes(const MeshAttributes& attributes)>;
 
+struct HostAttribute {
+  std::string name;
+  std::uint32_t element = TALWEG_OF_VERTICES, rule = TALWEG_CARRY_LINEAR, columns = 1;
+  std::uint32_t type = TALWEG_FLOAT64;  ///< of the host's numbers
+  double fill = 0;
+  std::vector<double> values;                         ///< row by row
+  bool shared = false;                                ///< corners share entries, or have none
+  std::vector<std::array<std::uint32_t, 3>> corners;  ///< of corners only: entries
+};
+
+/// An attribute in its type, as the interface has it. Corners that do not share entries are there
+/// row by row. The attribute must outlive its view, which is not moved.
+class AttributeView {
+ public:
+  explicit AttributeView(const HostAttribute& attribute);
+  AttributeView(const AttributeView&) = delete;
+  AttributeView& operator=(const AttributeView&) = delete;
+  [[nodiscard]] const talweg_attribute& view() const { return view_; }
+
+ private:
+  std::vector<char> bytes_;
+  talweg_attribute view_ = {};
+};
+
 class HostAttributes {
  public:
   /// Copies them. Throws plugin::Failure(TALWEG_BAD_USAGE) naming the attribute: for a name that is
@@ -26,26 +50,13 @@ class HostAttributes {
   void set(std::span<const talweg_attribute* const> attributes, std::size_t vertices,
            std::size_t faces);
   void clear() { attributes_.clear(); }
+  [[nodiscard]] const std::vector<HostAttribute>& all() const { return attributes_; }
 
   /// Gives all of them, carried over, in the types that they came in.
   void give(const CarryOver& carry_over, const plugin::TakeAttribute& take) const;
 
  private:
-  struct Attribute {
-    std::string name;
-    std::uint32_t element, rule, columns, type;
-    double fill;
-    std::vector<double> values;
-    bool shared;  // came in with corners
-    std::vector<std::array<std::uint32_t, 3>> corners;
-  };
-  static Attribute copied(const talweg_attribute& given, std::size_t vertices, std::size_t faces);
-  static void give_columns(const Attribute& attribute, const std::vector<AttributeColumn>& columns,
-                           std::size_t first, const plugin::TakeAttribute& take);
-  static void give_corners(const Attribute& attribute, const CornerAttribute& carried,
-                           const plugin::TakeAttribute& take);
-
-  std::vector<Attribute> attributes_;
+  std::vector<HostAttribute> attributes_;
 };
 
 /// Gives one number for each triangle, as an attribute of theirs that the plugin makes.

@@ -1,6 +1,7 @@
 /* Where every member lies, for good: on machines with 64-bit pointers. */
 #include <stddef.h>
 
+#include "talweg/plugin/talweg_mesh_files.h"
 #include "talweg/plugin/talweg_meshes.h"
 #include "talweg/plugin/talweg_plugin.h"
 
@@ -92,3 +93,12 @@ AT(talweg_origin, chains, 168);
 CHECK(sizeof(talweg_meshes) == 32);
 AT(talweg_meshes, set_attributes, 8);
 AT(talweg_meshes, origin, 24);
+CHECK(sizeof(talweg_name_list) == 24);
+AT(talweg_name_list, attribute, 8);
+CHECK(sizeof(talweg_mesh_file) == 88);
+AT(talweg_mesh_file, mesh, 8);
+AT(talweg_mesh_file, name_list_count, 24);
+AT(talweg_mesh_file, references, 40);
+AT(talweg_mesh_file, edges, 56);
+CHECK(sizeof(talweg_mesh_files) == 24);
+AT(talweg_mesh_files, read, 8);

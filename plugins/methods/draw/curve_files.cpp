@@ -1,13 +1,11 @@
 #include "curve_files.hpp"
 
-#include <algorithm>
-#include <cstring>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "methods/file_calls.hpp"
 #include "methods/host_curves.hpp"
-#include "methods/workspace.hpp"
 #include "talweg/core/drawing/point_marks.hpp"
 #include "talweg/core/io/curve_file.hpp"
 #include "talweg/plugin/talweg_arrays.hpp"
@@ -15,41 +13,14 @@
 namespace talweg::plugins {
 namespace {
 
-void tell(const char* sentence, char* message, std::uint64_t size) noexcept {
-  if (message == nullptr || size == 0) return;
-  const std::size_t length = std::min<std::size_t>(std::strlen(sentence), size - 1);
-  std::memcpy(message, sentence, length);
-  message[length] = 0;
-}
-
-template <class Body>
-talweg_status attempt(char* message, std::uint64_t size, Body body) noexcept {
-  try {
-    tell("", message, size);
-    body();
-    return TALWEG_OK;
-  } catch (const plugin::Failure& failure) {
-    tell(failure.what(), message, size);
-    return failure.status();
-  } catch (const std::bad_alloc&) {
-    tell("There is not enough memory.", message, size);
-    return TALWEG_OUT_OF_MEMORY;
-  } catch (const std::exception& error) {
-    tell(error.what(), message, size);
-    return Workspace::status_of(error);
-  }
-}
-
-[[noreturn]] void bad(const char* sentence) { throw plugin::Failure(TALWEG_BAD_USAGE, sentence); }
-
 PlacedCurve placed(const talweg_curve* curve) {
-  if (curve == nullptr || curve->size < sizeof *curve) bad("A curve is null or too small.");
+  if (curve == nullptr || curve->size < sizeof *curve) bad_call("A curve is null or too small.");
   const std::uint64_t n = curve->faces.rows;
   if (n == 0 || curve->barycentrics.rows != n || curve->positions.rows != n) {
-    bad("A curve to write needs a face, barycentrics and a position for each of its points.");
+    bad_call("A curve to write needs a face, barycentrics and a position for each of its points.");
   }
   if (curve->vertices.rows != 0 && curve->vertices.rows != n) {
-    bad("A curve to write has not as many vertices as points.");
+    bad_call("A curve to write has not as many vertices as points.");
   }
   talweg_curve without_vertices = *curve;
   without_vertices.vertices = plugin::kNoArray;
@@ -64,7 +35,7 @@ PlacedCurve placed(const talweg_curve* curve) {
   if (curve->vertices.rows == 0) return result;
   plugin::check_array(curve->vertices, 1, "The curve's vertices");
   if (curve->vertices.type != TALWEG_UINT32 || curve->vertices.stride > sizeof(std::uint32_t)) {
-    bad("The vertices of a curve to write are not dense and UINT32.");
+    bad_call("The vertices of a curve to write are not dense and UINT32.");
   }
   const auto* vertices = static_cast<const std::uint32_t*>(curve->vertices.data);
   for (std::size_t k = 0; k < n; ++k) {
@@ -81,7 +52,7 @@ talweg_status write_in(const char* path, const char* mesh_unit, const talweg_cur
                        std::uint64_t count, char* message, std::uint64_t message_size) noexcept {
   return attempt(message, message_size, [&] {
     if (path == nullptr || (curves == nullptr && count > 0))
-      bad("The path or the curves are null.");
+      bad_call("The path or the curves are null.");
     std::vector<PlacedCurve> ready;
     for (std::uint64_t k = 0; k < count; ++k) ready.push_back(placed(curves[k]));
     write_curves(path, ready, unit_of(mesh_unit));
@@ -140,8 +111,8 @@ class Input {
 talweg_status read_in(const char* path, const char* mesh_unit, const talweg_sink* sink,
                       char* message, std::uint64_t message_size) noexcept {
   return attempt(message, message_size, [&] {
-    if (path == nullptr) bad("The path is null.");
-    if (sink == nullptr || sink->size < sizeof *sink) bad("The sink is null or too small.");
+    if (path == nullptr) bad_call("The path is null.");
+    if (sink == nullptr || sink->size < sizeof *sink) bad_call("The sink is null or too small.");
     for (const CurveInput& curve : read_curves(path, unit_of(mesh_unit))) {
       if (sink->curve == nullptr) continue;
       const Input input(curve);

@@ -2,9 +2,11 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
+#include "mesh_files.hpp"
 #include "methods/host_mesh.hpp"
 #include "methods/made_meshes.hpp"
 #include "methods/mesh_workspace.hpp"
@@ -34,7 +36,11 @@ class Repair {
     about.doc =
         "Tells what a mesh is and what is wrong with it, and makes a surface of it that curves can "
         "be drawn on. Takes any lists of vertices and triangles. Only welding moves vertices.";
+    about.get_extension = extension;
     return about;
+  }
+  static const void* extension(const char* id) {
+    return std::string_view(id) == TALWEG_MESH_FILES ? mesh_files() : nullptr;
   }
   static std::vector<talweg_parameter> parameters() { return with_repair({}, true); }
   static std::vector<talweg_output> outputs() {

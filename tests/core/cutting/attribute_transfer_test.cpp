@@ -317,15 +317,29 @@ TEST_F(AttributeTransfer, RefusesOtherNumbersOfThings) {
 TEST(TaggedEdges, AreThoseOfTheChainsOnBothSidesOfASeam) {
   const MeshLists lists = test::grid(10, 10);
   const CutMesh::Chain chains[] = {{false, {44, 45, 46}}, {false, {46, 57}}};
+  // Origins of a mesh whose vertices lie at these of the chains' mesh.
+  const auto curves_of = [&](const std::vector<std::uint32_t>& vertex_from) {
+    std::vector<PartOrigins::Curve> curves;
+    for (const CutMesh::Chain& chain : chains) {
+      PartOrigins::Curve& curve = curves.emplace_back();
+      for (const std::uint32_t at : chain.vertices) {
+        auto& place = curve.vertices.emplace_back();
+        for (std::uint32_t v = 0; v < vertex_from.size(); ++v) {
+          if (vertex_from[v] == at) place.push_back(v);
+        }
+      }
+    }
+    return curves;
+  };
   std::vector<std::uint32_t> itself(lists.points.size());
   for (std::uint32_t v = 0; v < itself.size(); ++v) itself[v] = v;
-  const auto whole = tagged_edges(lists.triangles, itself, chains);
+  const auto whole = tagged_edges(lists.triangles, curves_of(itself));
   ASSERT_EQ(whole.size(), 3U);
   EXPECT_EQ(whole[1].from, 45U);
   EXPECT_EQ(whole[1].to, 46U);
   EXPECT_EQ(whole[2].curve, 1U);
   const OpenedSeams open = open_seams(lists, chains);
-  EXPECT_EQ(tagged_edges(open.lists.triangles, open.vertex_from, chains).size(), 6U);
+  EXPECT_EQ(tagged_edges(open.lists.triangles, curves_of(open.vertex_from)).size(), 6U);
 }
 
 }  // namespace

@@ -18,10 +18,6 @@ SCRIPT = support.SOURCE / "docs/examples/python_folder.py"
 
 class Folder(unittest.TestCase):
     def setUp(self):
-        try:
-            importlib.import_module("meshio")
-        except ImportError:
-            self.skipTest("no meshio (Debian: python3-meshio)")
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         self.meshes, self.results = Path(folder.name) / "meshes", Path(folder.name) / "results"
@@ -49,8 +45,7 @@ class Folder(unittest.TestCase):
             rows = {row["mesh"]: row for row in csv.DictReader(table)}
         self.assertEqual(list(rows), ["broken.obj", "gap.obj", "garbage.ply", "one.obj", "two.obj",
                                       "undrawn.obj"])
-        self.assertEqual([line.split()[0] for line in done.stdout.splitlines()[-len(rows):]],
-                         list(rows))  # meshio prints before
+        self.assertEqual([line.split()[0] for line in done.stdout.splitlines()], list(rows))
         for name, scale in (("one", 1), ("two", 3)):
             row = rows[f"{name}.obj"]
             self.assertEqual((row["error"], int(row["faces"])), ("", len(faces)))
@@ -59,10 +54,11 @@ class Folder(unittest.TestCase):
             self.assertTrue((self.results / f"{name}.vtp").is_file())
         self.assertRegex(rows["gap.obj"]["error"], "Vertices 5 and 900 .* share no edge")
         self.assertRegex(rows["undrawn.obj"]["error"], "no drawing undrawn.txt")
-        self.assertEqual(rows["garbage.ply"]["error"], "meshio cannot read it")
+        self.assertRegex(rows["garbage.ply"]["error"], "^Cannot read .*garbage.ply: the file ends where")
         with self.assertRaises(talweg.BadMesh) as broken:
             talweg.Mesh(vertices, np.vstack([faces, faces[:1]]))
-        self.assertEqual(rows["broken.obj"]["error"], str(broken.exception))
+        self.assertEqual(rows["broken.obj"]["error"],
+                         f"{self.meshes / 'broken.obj'}: {broken.exception}")
         try:
             importlib.import_module("matplotlib")
         except ImportError:

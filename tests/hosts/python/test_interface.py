@@ -11,14 +11,15 @@ from talweg import _interface
 HEADER = re.sub(r"/\*.*?\*/", "", "".join(
     (support.SOURCE / "plugins/interface" / name).read_text()
     for name in ("talweg_plugin.h", "talweg_curve_files.h", "talweg_way_points.h",
-                 "talweg_meshes.h")), flags=re.DOTALL)
+                 "talweg_meshes.h", "talweg_mesh_files.h")), flags=re.DOTALL)
 
 STRUCTS = {"array": "Array", "field": "Field", "mesh": "Mesh", "curve": "Curve",
            "parameter": "Parameter", "output": "Output", "sink": "Sink", "host": "Host",
            "report_entry": "ReportEntry", "host_log": "HostLog", "host_progress": "HostProgress",
            "plugin": "Plugin", "module": "Module", "curve_files": "CurveFiles",
            "curve_files_2": "CurveFiles2", "way_points": "WayPoints",
-           "attribute": "Attribute", "origin": "Origin", "meshes": "Meshes"}
+           "attribute": "Attribute", "origin": "Origin", "meshes": "Meshes",
+           "name_list": "NameList", "mesh_file": "MeshFile", "mesh_files": "MeshFiles"}
 SCALARS = {"uint32_t": ctypes.c_uint32, "uint64_t": ctypes.c_uint64, "int64_t": ctypes.c_int64,
            "double": ctypes.c_double, "const char *": ctypes.c_char_p}
 

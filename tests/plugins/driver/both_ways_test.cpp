@@ -133,8 +133,9 @@ class BothWaysOnAttributes : public BothWays {
 
 TEST_F(BothWaysOnAttributes, CutTheSame) {
   for (const std::string ending : {".ply", ".obj"}) {
-    for (const char* options : {"", "--open", "--split", "--keep left", "--keep right --cap",
-                                "--split --cap=planar", "--merge 1e-4"}) {
+    for (const char* options :
+         {"", "--open", "--split", "--keep left", "--keep right --cap", "--split --cap=planar",
+          "--merge 1e-4", "--tag", "--open --tag", "--split --tag"}) {
       std::string loaded = options;
       if (loaded.ends_with("--cap")) loaded += " auto";
       if (const auto at = loaded.find("--cap=planar"); at != loaded.npos) {

@@ -18,7 +18,7 @@ from ._errors import (BadCurve, BadFile, BadMesh, BadUsage, Cancelled, Error, In
                       OutOfMemory, PluginNotFound, Unsupported)
 from ._files import read_curves, write_curves
 from ._made import Chain, MadeMesh, Origin
-from ._mesh import Mesh
+from ._mesh import Mesh, read_mesh, write_mesh
 from ._pipeline import Cut, Labels, Measurement, Repair, cut, inspect, labels, measure, repair
 from ._plot import plot_curvature
 from ._plugins import Parameter, Plugin, folders, help_text, plugin, plugins
@@ -34,7 +34,7 @@ __all__ = [
     "OutOfMemory", "Parameter", "Plugin", "PluginNotFound", "Repair", "Report", "Result",
     "Unsupported", "Workspace", "__version__", "cut", "distance", "draw", "folders", "geodesic",
     "help_text", "inspect", "labels", "measure", "plot_curvature", "plugin", "plugins",
-    "read_curves", "repair", "show", "smooth", "write_curves"
+    "read_curves", "read_mesh", "repair", "show", "smooth", "write_curves", "write_mesh"
 ]
 
 

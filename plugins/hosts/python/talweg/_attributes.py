@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, Dict, Mapping, NamedTuple, Tuple
+from typing import Any, Dict, Mapping, NamedTuple, Sequence, Tuple
 
 import numpy as np
 
@@ -20,6 +20,8 @@ class Parts(NamedTuple):
     vertex_attributes: Mapping[str, ArrayLike] = {}
     face_attributes: Mapping[str, ArrayLike] = {}
     corner_attributes: Mapping[str, ArrayLike] = {}
+    face_names: Mapping[str, Sequence[str]] = {}
+    references: Sequence[str] = ()
 
 
 def checked(given: Mapping[str, ArrayLike], rows: Tuple[int, ...], what: str) -> Attributes:

@@ -64,6 +64,8 @@ class Carrier:
         self._kept: List[Any] = []
         self._views: List[c.Attribute] = []
         parts = mesh._parts()
+        #: What the numbers of some attributes stand for, and what the file names; unchanged.
+        self.face_names, self.references = parts.face_names, parts.references
         names = {*parts.vertex_attributes, *parts.face_attributes, *parts.corner_attributes}
         self._rules = _checked_rules(carry or {}, names)
         for element, attributes in ((c.OF_VERTICES, parts.vertex_attributes),
@@ -111,7 +113,7 @@ class Carrier:
         """Of vertices, faces and corners of a mesh of the last run."""
         came: List[Tuple[int, str, Array]] = []
         self._instance.take_attributes(number, lambda one: came.append(
-            (one.element, one.name.decode(), _values_of(one))))
+            (one.element, one.name.decode(), values_of(one))))
         result: Dict[int, Attributes] = {c.OF_VERTICES: {}, c.OF_TRIANGLES: {}, c.OF_CORNERS: {}}
         place = 0
         for given in self._given:
@@ -139,7 +141,7 @@ def _groups(columns: int, most: int) -> List[Tuple[int, int]]:
     return list(zip(bounds[:-1], bounds[1:]))
 
 
-def _values_of(one: c.Attribute) -> Array:
+def values_of(one: c.Attribute) -> Array:
     """Rows as they are for vertices and faces; (faces, 3, columns) of corners. A corner that has no
     entry, as in lids, has NaN."""
     values = _arrays.copied(one.values)

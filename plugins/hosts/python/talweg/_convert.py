@@ -31,7 +31,7 @@ def parts_of(mesh: Any) -> Parts:
     if hasattr(mesh, "points") and hasattr(mesh, "cells"):
         return _of_meshio(mesh)
     raise BadMesh("A mesh is given as vertices (n, 3) and faces (m, 3), or as an object with "
-                  "vertices and faces, or points and cells, or as vtkPolyData, not as "
+                  "vertices and faces, or points and cells, or as vtkPolyData, or as a file, not as "
                   f"{type(mesh).__name__}.")
 
 

@@ -24,7 +24,8 @@ def _extension() -> Any:
     return c.CurveFiles2.from_address(address)
 
 
-def _checked(call: Callable[[Any], Any]) -> None:
+def checked(call: Callable[[Any], Any]) -> None:
+    """Runs a call that tells what is wrong in a message. :raises Error: of the kind of its status."""
     message = ctypes.create_string_buffer(_MESSAGE_SIZE)
     status = call(message)
     if status != c.OK:
@@ -52,8 +53,8 @@ def read_curves(path: Path, mesh_unit: str = "mm") -> List[Curve]:
 
     sink = c.Sink(size=sizeof(c.Sink), curve=c.CurveSink(take))
     try:
-        _checked(lambda message: _extension().read(os.fsencode(path), mesh_unit.encode(),
-                                                   byref(sink), message, _MESSAGE_SIZE))
+        checked(lambda message: _extension().read(os.fsencode(path), mesh_unit.encode(),
+                                                  byref(sink), message, _MESSAGE_SIZE))
     except Exception:
         if failures:
             raise failures[0] from None
@@ -70,6 +71,6 @@ def write_curves(path: Path, curves: Union[Curve, Sequence[Curve]], mesh_unit: s
     :raises BadFile: if the file cannot be written; it is as it was then.
     """
     pointers, kept = _curves.whole_views([curves] if isinstance(curves, Curve) else curves)
-    _checked(lambda message: _extension().write(os.fsencode(path), mesh_unit.encode(), pointers,
-                                                len(pointers), message, _MESSAGE_SIZE))
+    checked(lambda message: _extension().write(os.fsencode(path), mesh_unit.encode(), pointers,
+                                               len(pointers), message, _MESSAGE_SIZE))
     del kept  # until here

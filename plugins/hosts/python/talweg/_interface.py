@@ -1,5 +1,5 @@
 """The plugin interface 1.2 (``talweg_plugin.h``, ``talweg_curve_files.h``, ``talweg_way_points.h``,
-``talweg_meshes.h``) in ctypes, nothing else.
+``talweg_meshes.h``, ``talweg_mesh_files.h``) in ctypes, nothing else.
 
 Function pointers made here release Python's lock while they run, and take it for callbacks.
 ``tests/hosts/python/test_interface.py`` compares the members with the header.
@@ -30,6 +30,7 @@ CURVE_FILES = b"talweg.curve_files/1"
 CURVE_FILES_2 = b"talweg.curve_files/2"
 WAY_POINTS = b"talweg.way_points/1"
 MESHES = b"talweg.meshes/1"
+MESH_FILES = b"talweg.mesh_files/1"
 OF_VERTICES, OF_TRIANGLES, OF_CORNERS = 1, 2, 3
 CARRY_LINEAR, CARRY_ROUNDED, CARRY_NEAREST, CARRY_DIRECTION = 1, 2, 3, 4
 TAKES_ATTRIBUTES, TAKES_ANY_MESH = 1, 2
@@ -173,6 +174,30 @@ class Meshes(Structure):
                                              c_uint64)),
                 ("attributes", CFUNCTYPE(Status, c_void_p, c_uint64, AttributeFunction, c_void_p)),
                 ("origin", CFUNCTYPE(Status, c_void_p, c_uint64, OriginFunction, c_void_p))]
+
+
+class NameList(Structure):
+    _fields_ = [("size", c_uint32), ("count", c_uint32), ("attribute", c_char_p),
+                ("names", POINTER(c_char_p))]
+
+
+class MeshFile(Structure):
+    _fields_ = [("size", c_uint32), ("attribute_count", c_uint32), ("mesh", POINTER(Mesh)),
+                ("attributes", POINTER(POINTER(Attribute))), ("name_list_count", c_uint32),
+                ("reference_count", c_uint32), ("name_lists", POINTER(POINTER(NameList))),
+                ("references", POINTER(c_char_p)), ("polygon_count", c_uint64), ("edges", Array)]
+
+
+MeshFileFunction = CFUNCTYPE(Status, c_void_p, POINTER(MeshFile))
+TextFunction = CFUNCTYPE(None, c_void_p, c_char_p)
+
+
+class MeshFiles(Structure):
+    _fields_ = [("size", c_uint32), ("reserved", c_uint32),
+                ("read", CFUNCTYPE(Status, c_char_p, MeshFileFunction, TextFunction, c_void_p,
+                                   c_char_p, c_uint64)),
+                ("write", CFUNCTYPE(Status, c_char_p, POINTER(MeshFile), TextFunction, c_void_p,
+                                    c_char_p, c_uint64))]
 
 
 class Module(Structure):

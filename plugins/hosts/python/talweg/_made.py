@@ -72,7 +72,8 @@ def _made(instance: Instance, carrier: Carrier, number: int, vertices: Array,
     mesh = MadeMesh.__new__(MadeMesh)
     mesh.__setstate__({"vertices": vertices, "faces": faces, "repair_steps": False,
                        "vertex_attributes": at_vertices, "face_attributes": at_faces,
-                       "corner_attributes": at_corners, "origin": origin, "chains": chains})
+                       "corner_attributes": at_corners, "face_names": dict(carrier.face_names),
+                       "references": list(carrier.references), "origin": origin, "chains": chains})
     return mesh
 
 

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+import os
 import threading
 from typing import TYPE_CHECKING, Any, Dict, Mapping, Optional, Sequence, Union
 
-from . import _arrays, _attributes, _convert, _plugins, _repair_steps, _vtk
+from . import _arrays, _attributes, _convert, _mesh_files, _plugins, _repair_steps, _vtk
 from ._attributes import Parts
 from ._curves import Curve, CurveLike, as_curve
-from ._errors import BadMesh
+from ._errors import BadMesh, BadUsage
+from ._files import Path
 from ._instance import Instance
 from ._interruptible import as_progress
 from ._results import Distance, Result
@@ -24,8 +26,8 @@ class Mesh:
     """A triangle mesh, opened: checked and copied once, then shared by all that works on it.
 
     :param vertices: (n, 3) real numbers, float64 or float32, mesh units. Or, without ``faces``, a
-        mesh of trimesh, meshio, VTK (``vtkPolyData``), PyVista or vedo, with its attributes;
-        polygons become fans.
+        file as for read_mesh(), or a mesh of trimesh, meshio, VTK (``vtkPolyData``), PyVista or
+        vedo, with its attributes; polygons become fans.
     :param faces: (m, 3) whole numbers, counterclockwise from outside.
     :param vertex_attributes: arrays of numbers by name, of shape (n, ...).
     :param face_attributes: (m, ...) each.
@@ -50,14 +52,24 @@ class Mesh:
                  plugin: str = "talweg.smooth") -> None:
         #: What is done before the mesh is worked on: False, True, or steps as "weld,drop"
         self.repair_steps = _repair_steps.checked(repair)
-        parts = _convert.parts_of(vertices) if faces is None else Parts(vertices, faces)
+        parts = _parts_of(vertices) if faces is None else Parts(vertices, faces)
         self.vertices = _arrays.readable(parts.vertices, 3, "The mesh's vertices", BadMesh)
         self.faces = _arrays.readable(parts.faces, 3, "The mesh's faces", BadMesh)
         self._keep_attributes({**parts.vertex_attributes, **(vertex_attributes or {})},
                               {**parts.face_attributes, **(face_attributes or {})},
                               {**parts.corner_attributes, **(corner_attributes or {})})
+        #: What the numbers of a face attribute stand for, by its name: groups and materials of OBJ
+        #: files ("g", "o", "usemtl", "s")
+        self.face_names = {name: list(texts) for name, texts in parts.face_names.items()}
+        #: Lines of an OBJ file that name other files: ["mtllib bone.mtl"]
+        self.references = list(parts.references)
         self._begin()
-        self._instance(plugin, progress)
+        try:
+            self._instance(plugin, progress)
+        except BadMesh as error:
+            if not _is_path(vertices):
+                raise
+            raise BadMesh(f"{os.fspath(vertices)}: {error}") from None
 
     def _keep_attributes(self, at_vertices: Mapping[str, ArrayLike],
                          at_faces: Mapping[str, ArrayLike],
@@ -94,7 +106,7 @@ class Mesh:
     def _parts(self) -> Parts:
         self._keep_attributes(self.vertex_attributes, self.face_attributes, self.corner_attributes)
         return Parts(self.vertices, self.faces, self.vertex_attributes, self.face_attributes,
-                     self.corner_attributes)
+                     self.corner_attributes, self.face_names, self.references)
 
     def to_trimesh(self) -> Any:
         """A ``trimesh.Trimesh`` with the same numbering. The vertex or face attribute ``colors``
@@ -201,6 +213,50 @@ class Mesh:
         """talweg.repair() of this mesh, as its arrays are."""
         made: Repair = _pipeline().repair(self, steps, **how)
         return made
+
+
+def _is_path(mesh: Any) -> bool:
+    return isinstance(mesh, (str, os.PathLike))
+
+
+def _parts_of(mesh: Any) -> Parts:
+    if _is_path(mesh):
+        return _mesh_files.read_parts(mesh)
+    return _convert.parts_of(mesh)
+
+
+def read_mesh(path: Path, *, repair: Union[None, bool, str] = None, progress: Any = None) -> Mesh:
+    """The mesh of a file with all of its attributes, as the driver reads it: ``Mesh(path)``.
+
+    Columns that belong together are one attribute: ``normals`` (nx, ny, nz), ``colors`` (red, green,
+    blue, alpha), ``uv`` (s, t), ``NAME`` (NAME_0, NAME_1, ...). What is not read is told in the
+    logger ``talweg``, and so is what the other functions of files leave out.
+
+    :param path: .ply, .obj, .off, .stl or .om.
+    :param repair: as for ``Mesh``.
+    :raises BadFile: with file, line, and what was expected.
+    :raises BadMesh: if it is no surface; inspect(path) tells all of it.
+    """
+    return Mesh(path, repair=repair, progress=progress)
+
+
+def write_mesh(path: Path, mesh: Any, *, tag: bool = False) -> None:
+    """Writes a mesh with its attributes, the same bytes as the driver's: .ply, .obj, .off or .stl.
+
+    :param mesh: a ``Mesh``, a pair (vertices, faces), or a mesh of another package; no surface is
+        asked for.
+    :param tag: the curves of a mesh that was cut, too, as edges (.ply, .obj).
+    :raises BadFile: if the file cannot be written; it is as it was then.
+    :raises BadUsage: for an attribute of another shape.
+    """
+    if isinstance(mesh, tuple) and len(mesh) == 2:
+        parts = Parts(*mesh)
+    else:
+        parts = mesh._parts() if isinstance(mesh, Mesh) else _parts_of(mesh)
+    chains = getattr(mesh, "chains", None)
+    if tag and chains is None:
+        raise BadUsage("tag needs a mesh that was cut.")
+    _mesh_files.write_parts(path, parts, chains if tag and chains else ())
 
 
 def _pipeline() -> Any:

@@ -136,7 +136,7 @@ def cut(mesh: Any, curves: Union[CurveLike, Sequence[Curve]], *, closed: bool = 
 
     No vertex moves; new ones lie on edges and in faces. Attributes of the mesh come along.
 
-    :param mesh: a ``Mesh``, a pair (vertices, faces), or a mesh of another package.
+    :param mesh: a ``Mesh``, a pair (vertices, faces), a file, or a mesh of another package.
     :param curves: as for smooth(), but points need not be neighbours, and curves may cross.
     :param carry: by the name of an attribute, how new vertices get its values: "linear", "rounded",
         "nearest", or "direction" (unit vectors). Without it real numbers are linear, bytes
