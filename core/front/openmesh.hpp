@@ -2,4 +2,8 @@
 #pragma once
 
 #include "talweg/core/openmesh/openmesh_adaptor.hpp"  // open_mesh, surface_of, lists_of, OpenMeshIds
+#include "talweg/core/openmesh/openmesh_changes.hpp"  // stamp_of, reopen, kept_stretches
+#include "talweg/core/openmesh/openmesh_drawings.hpp"  // curve_of, curves_of, edges_where, selected_edges, feature_edges, labels_of
+#include "talweg/core/openmesh/openmesh_points.hpp"  // handle_point, handle_points, surface_point, HandlePoint
+#include "talweg/core/openmesh/openmesh_properties.hpp"  // vertex_property, face_property
 #include "talweg/talweg.hpp"

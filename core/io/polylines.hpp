@@ -10,13 +10,11 @@
 
 #include <fmt/format.h>
 
+#include "talweg/core/drawing/joined_lines.hpp"
 #include "talweg/core/drawing/point_marks.hpp"
 #include "talweg/core/io/curve_file.hpp"
 
 namespace talweg::formats {
-
-/// Indices into a list of points.
-using Line = std::vector<std::uint32_t>;
 
 /// The value as an index below `count`; nothing if it is not one.
 inline std::optional<std::uint32_t> index_below(double value, std::size_t count) {
@@ -25,11 +23,6 @@ inline std::optional<std::uint32_t> index_below(double value, std::size_t count)
   if (value != std::floor(value)) return std::nullopt;
   return static_cast<std::uint32_t>(value);
 }
-
-/// Joins lines that meet end to end where exactly two line ends meet; junctions stay ends. A curve
-/// has the direction and the position in the list of its first line. Of two-point lines that repeat
-/// an earlier one (in either direction) only the first is kept. O(n log n).
-std::vector<Line> joined(std::vector<Line> lines);
 
 /// The joined lines as curves. A curve is closed if it ends where it began: at the same index, or
 /// with at least four points at the same coordinates. All indices must be in range. `marks`, if

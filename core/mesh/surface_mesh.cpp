@@ -115,6 +115,28 @@ SurfaceMesh SurfaceMesh::open(MeshLists&& lists) {
   return mesh;
 }
 
+SurfaceMesh SurfaceMesh::moved(MeshLists&& lists) const {
+  bool same =
+      lists.points.size() == points_.size() && lists.triangles.size() == surface_.face_count();
+  for (std::size_t f = 0; same && f < lists.triangles.size(); ++f) {
+    const std::array<VertexId, 3> corners = surface_.corners(FaceId{f});
+    for (std::size_t k = 0; k < 3; ++k) {
+      same = same && corners[k].index() == lists.triangles[f][k];
+    }
+  }
+  if (!same) {
+    throw Error(ErrorCode::kBadUsage,
+                "The mesh has other vertices or faces than when it was opened.");
+  }
+  if (!acceptable(lists)) refuse(lists, "The mesh cannot be used.");
+  if (!large_enough(lists)) refuse(lists, "The mesh is too small.");
+  SurfaceMesh mesh;
+  mesh.surface_ = surface_;
+  mesh.points_ = std::move(lists.points);
+  mesh.measure();
+  return mesh;
+}
+
 /// Computes the edge lengths and their mean.
 void SurfaceMesh::measure() {
   std::vector<double> lengths(surface_.edge_count());

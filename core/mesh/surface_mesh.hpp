@@ -20,6 +20,9 @@ class SurfaceMesh {
   static SurfaceMesh open(const MeshLists& lists);
   /// The same; takes the points instead of copying them.
   static SurfaceMesh open(MeshLists&& lists);
+  /// The same mesh with its vertices elsewhere. Throws Error(kBadUsage) if the lists' triangles are
+  /// not those of this mesh, and Error(kBadMesh) as open() does. O(mesh), but nothing is connected.
+  [[nodiscard]] SurfaceMesh moved(MeshLists&& lists) const;
 
   [[nodiscard]] const Surface& surface() const { return surface_; }        ///< lengths only
   [[nodiscard]] std::span<const Point> points() const { return points_; }  ///< one per vertex

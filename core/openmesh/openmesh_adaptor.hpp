@@ -1,6 +1,8 @@
 // The OpenMesh adaptor makes our types from OpenMesh's.
 #pragma once
 
+#include <array>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -9,6 +11,8 @@
 #include <utility>
 #include <vector>
 
+#include <OpenMesh/Core/Mesh/PolyConnectivity.hh>
+#include <OpenMesh/Core/Mesh/PolyMesh_ArrayKernelT.hh>
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 
 #include "talweg/core/mesh/mesh_lists.hpp"
@@ -18,15 +22,24 @@
 
 namespace talweg {
 
-/// Which handle became which id. They differ where elements are deleted but not yet collected.
+/// A TriMesh_ArrayKernelT or PolyMesh_ArrayKernelT of any traits.
+template <class Mesh>
+concept OpenMeshKernel = std::derived_from<Mesh, OpenMesh::PolyConnectivity> &&
+    requires(const Mesh& mesh, OpenMesh::VertexHandle v) {
+  mesh.point(v)[0];
+};
+
+/// Which handle became which id. They differ where elements are deleted but not yet collected, and
+/// where polygons became fans of triangles.
 class OpenMeshIds {
  public:
-  /// Invalid for a deleted element.
+  /// Invalid for a deleted element. Throws Error(kBadUsage) for a handle that was not in the mesh.
   [[nodiscard]] VertexId id(OpenMesh::VertexHandle v) const {
-    return VertexId{vertex_ids_.at(static_cast<std::size_t>(v.idx()))};
+    return VertexId{at(vertex_ids_, v.idx(), "vertex")};
   }
+  /// The first triangle of the face; the others of its fan follow.
   [[nodiscard]] FaceId id(OpenMesh::FaceHandle f) const {
-    return FaceId{face_ids_.at(static_cast<std::size_t>(f.idx()))};
+    return FaceId{at(face_ids_, f.idx(), "face")};
   }
   [[nodiscard]] OpenMesh::VertexHandle handle(VertexId v) const {
     return OpenMesh::VertexHandle(vertex_handles_.at(v.index()));
@@ -34,14 +47,41 @@ class OpenMeshIds {
   [[nodiscard]] OpenMesh::FaceHandle handle(FaceId f) const {
     return OpenMesh::FaceHandle(face_handles_.at(f.index()));
   }
+  /// Handles that the mesh had, deleted ones with them.
+  [[nodiscard]] std::size_t vertex_handle_count() const { return vertex_ids_.size(); }
+  [[nodiscard]] std::size_t face_handle_count() const { return face_ids_.size(); }
+  [[nodiscard]] std::size_t vertex_count() const { return vertex_handles_.size(); }
+  [[nodiscard]] std::size_t triangle_count() const { return face_handles_.size(); }
+  /// The corners of the face that the corners of its triangle `f` are, counted as add_face() got
+  /// them: 0, k + 1, k + 2 for triangle k of the fan.
+  [[nodiscard]] std::array<std::size_t, 3> corners(FaceId f) const {
+    const std::size_t k = f.index() - id(handle(f)).index();
+    return {0, k + 1, k + 2};
+  }
 
-  void add_vertex(bool deleted) { add(vertex_ids_, vertex_handles_, deleted); }
-  void add_face(bool deleted) { add(face_ids_, face_handles_, deleted); }
+  friend bool operator==(const OpenMeshIds&, const OpenMeshIds&) = default;
+
+  void add_vertex(bool deleted) {
+    vertex_ids_.push_back(deleted ? VertexId::kInvalid : size_of(vertex_handles_));
+    if (!deleted) vertex_handles_.push_back(static_cast<int>(vertex_ids_.size()) - 1);
+  }
+  /// `triangles`: 0 for a deleted face.
+  void add_face(std::size_t triangles) {
+    face_ids_.push_back(triangles == 0 ? FaceId::kInvalid : size_of(face_handles_));
+    face_handles_.insert(face_handles_.end(), triangles, static_cast<int>(face_ids_.size()) - 1);
+  }
 
  private:
-  static void add(std::vector<std::uint32_t>& ids, std::vector<int>& handles, bool deleted) {
-    ids.push_back(deleted ? VertexId::kInvalid : static_cast<std::uint32_t>(handles.size()));
-    if (!deleted) handles.push_back(static_cast<int>(ids.size()) - 1);
+  static std::uint32_t size_of(const std::vector<int>& handles) {
+    return static_cast<std::uint32_t>(handles.size());
+  }
+  static std::uint32_t at(const std::vector<std::uint32_t>& ids, int handle, const char* what) {
+    if (handle >= 0 && static_cast<std::size_t>(handle) < ids.size()) {
+      return ids[static_cast<std::size_t>(handle)];
+    }
+    throw Error(ErrorCode::kBadUsage, "The " + std::string(what) + " handle " +
+                                          std::to_string(handle) +
+                                          " is not of the mesh that was opened.");
   }
 
   std::vector<std::uint32_t> vertex_ids_;
@@ -50,14 +90,40 @@ class OpenMeshIds {
   std::vector<int> face_handles_;
 };
 
+namespace detail {
+
+template <OpenMeshKernel Mesh>
+bool is_deleted(const Mesh& mesh, OpenMesh::VertexHandle v) {
+  return mesh.has_vertex_status() && mesh.status(v).deleted();
+}
+template <OpenMeshKernel Mesh>
+bool is_deleted(const Mesh& mesh, OpenMesh::FaceHandle f) {
+  return mesh.has_face_status() && mesh.status(f).deleted();
+}
+
+/// The halfedges of a face that end at its corners, in the order in which it was added.
+template <OpenMeshKernel Mesh>
+std::vector<OpenMesh::HalfedgeHandle> corner_halfedges(const Mesh& mesh, OpenMesh::FaceHandle f) {
+  std::vector<OpenMesh::HalfedgeHandle> corners;
+  const OpenMesh::HalfedgeHandle first = mesh.halfedge_handle(f);
+  OpenMesh::HalfedgeHandle h = first;
+  do {
+    corners.push_back(h);
+    h = mesh.next_halfedge_handle(h);
+  } while (h != first);
+  return corners;
+}
+
+}  // namespace detail
+
 /// The mesh's points (converted to double) and triangles, without its deleted elements; `ids`, if
-/// given, receives the numbering. Only point(), connectivity and the deleted bits are used, so any
-/// traits will do. Corners keep the order in which a face was added. O(mesh).
+/// given, receives the numbering. Polygons become fans from their first corner. Only point(),
+/// connectivity and the deleted bits are used, so any traits will do. Corners keep the order in
+/// which a face was added. O(mesh).
 /// Throws Error(kBadMesh) when a face that is not deleted has a deleted vertex.
-template <class Traits>
-MeshLists lists_of(const OpenMesh::TriMesh_ArrayKernelT<Traits>& mesh, OpenMeshIds* ids = nullptr) {
-  using Mesh = OpenMesh::TriMesh_ArrayKernelT<Traits>;
-  using Scalar = typename OpenMesh::vector_traits<typename Mesh::Point>::value_type;
+template <OpenMeshKernel Mesh>
+MeshLists lists_of(const Mesh& mesh, OpenMeshIds* ids = nullptr) {
+  using Scalar = std::remove_cvref_t<decltype(mesh.point(OpenMesh::VertexHandle())[0])>;
   MeshLists lists;
   lists.single_precision = std::is_same_v<Scalar, float>;
   lists.points.reserve(mesh.n_vertices());
@@ -65,29 +131,33 @@ MeshLists lists_of(const OpenMesh::TriMesh_ArrayKernelT<Traits>& mesh, OpenMeshI
   OpenMeshIds numbering;
   for (std::size_t i = 0; i < mesh.n_vertices(); ++i) {
     const OpenMesh::VertexHandle v(static_cast<int>(i));
-    const bool deleted = mesh.has_vertex_status() && mesh.status(v).deleted();
+    const bool deleted = detail::is_deleted(mesh, v);
     numbering.add_vertex(deleted);
     if (deleted) continue;
     const auto& p = mesh.point(v);
     lists.points.emplace_back(static_cast<double>(p[0]), static_cast<double>(p[1]),
                               static_cast<double>(p[2]));
   }
+  const auto corner = [&](OpenMesh::HalfedgeHandle h, std::size_t face) {
+    const VertexId v = numbering.id(mesh.to_vertex_handle(h));
+    if (v.valid()) return static_cast<std::uint32_t>(v.index());
+    throw Error(ErrorCode::kBadMesh, "Face " + std::to_string(face) + " has a deleted vertex.");
+  };
   for (std::size_t i = 0; i < mesh.n_faces(); ++i) {
     const OpenMesh::FaceHandle f(static_cast<int>(i));
-    const bool deleted = mesh.has_face_status() && mesh.status(f).deleted();
-    numbering.add_face(deleted);
-    if (deleted) continue;
-    Triangle triangle{};
-    OpenMesh::HalfedgeHandle h = mesh.halfedge_handle(f);
-    for (std::uint32_t& corner : triangle) {
-      const VertexId v = numbering.id(mesh.to_vertex_handle(h));
-      if (!v.valid()) {
-        throw Error(ErrorCode::kBadMesh, "Face " + std::to_string(i) + " has a deleted vertex.");
+    const std::size_t before = lists.triangles.size();
+    if (!detail::is_deleted(mesh, f)) {
+      const OpenMesh::HalfedgeHandle first = mesh.halfedge_handle(f);
+      OpenMesh::HalfedgeHandle h = mesh.next_halfedge_handle(first);
+      Triangle triangle{corner(first, i), 0, corner(h, i)};
+      for (h = mesh.next_halfedge_handle(h); h != first; h = mesh.next_halfedge_handle(h)) {
+        triangle[1] = triangle[2];
+        triangle[2] = corner(h, i);
+        lists.triangles.push_back(triangle);
       }
-      corner = static_cast<std::uint32_t>(v.index());
-      h = mesh.next_halfedge_handle(h);
+      if (lists.triangles.size() > before + 1) ++lists.polygon_count;
     }
-    lists.triangles.push_back(triangle);
+    numbering.add_face(lists.triangles.size() - before);
   }
   if (ids != nullptr) *ids = std::move(numbering);
   return lists;
@@ -95,16 +165,14 @@ MeshLists lists_of(const OpenMesh::TriMesh_ArrayKernelT<Traits>& mesh, OpenMeshI
 
 /// Opens an OpenMesh mesh: SurfaceMesh::open(lists_of(mesh)), with its errors. Later edits of
 /// `mesh` change nothing.
-template <class Traits>
-SurfaceMesh surface_of(const OpenMesh::TriMesh_ArrayKernelT<Traits>& mesh,
-                       OpenMeshIds* ids = nullptr) {
+template <OpenMeshKernel Mesh>
+SurfaceMesh surface_of(const Mesh& mesh, OpenMeshIds* ids = nullptr) {
   return SurfaceMesh::open(lists_of(mesh, ids));
 }
 
 /// The same, made ready for CurveSmoother.
-template <class Traits>
-std::shared_ptr<const OpenedMesh> open_mesh(const OpenMesh::TriMesh_ArrayKernelT<Traits>& mesh,
-                                            OpenMeshIds* ids = nullptr) {
+template <OpenMeshKernel Mesh>
+std::shared_ptr<const OpenedMesh> open_mesh(const Mesh& mesh, OpenMeshIds* ids = nullptr) {
   return OpenedMesh::open(surface_of(mesh, ids));
 }
 

@@ -1,0 +1,131 @@
+// Drawings from OpenMesh: paths of handles, marked edges, and labels in properties, in the ids of
+// the opened mesh.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "talweg/core/drawing/curve_input.hpp"
+#include "talweg/core/drawing/joined_lines.hpp"
+#include "talweg/core/openmesh/openmesh_adaptor.hpp"
+#include "talweg/intrinsic/error.hpp"
+
+namespace talweg {
+namespace detail {
+
+inline VertexId drawn_vertex(const OpenMeshIds& ids, OpenMesh::VertexHandle v, std::size_t place) {
+  const auto count = static_cast<int>(ids.vertex_handle_count());
+  if (v.idx() >= 0 && v.idx() < count && ids.id(v).valid()) return ids.id(v);
+  throw Error(ErrorCode::kBadCurve,
+              "Point " + std::to_string(place) + " of the curve is the vertex handle " +
+                  std::to_string(v.idx()) + ", which the opened mesh does not have.");
+}
+
+}  // namespace detail
+
+/// A curve through these vertices, each the next one's neighbour; snap() and draw_edge_path() take
+/// it from there. A first handle that is repeated at the end closes it. Smart handles will do.
+/// Throws Error(kBadCurve) for a handle that is invalid, deleted or not of the opened mesh.
+inline CurveInput curve_of(const OpenMeshIds& ids, std::span<const OpenMesh::VertexHandle> vertices,
+                           bool closed = false) {
+  CurveInput curve;
+  curve.closed = closed;
+  std::vector<VertexId> points;
+  for (std::size_t k = 0; k < vertices.size(); ++k) {
+    points.push_back(detail::drawn_vertex(ids, vertices[k], k));
+  }
+  if (points.size() > 3 && points.front() == points.back()) {
+    points.pop_back();
+    curve.closed = true;
+  }
+  curve.points = std::move(points);
+  return curve;
+}
+
+/// A curve along these halfedges, each beginning where the one before ends; closed if the last ends
+/// where the first begins. Throws Error(kBadCurve) where they do not follow each other, and as
+/// curve_of() does.
+template <OpenMeshKernel Mesh>
+CurveInput curve_of(const Mesh& mesh, const OpenMeshIds& ids,
+                    std::span<const OpenMesh::HalfedgeHandle> halfedges) {
+  std::vector<OpenMesh::VertexHandle> vertices;
+  for (std::size_t k = 0; k < halfedges.size(); ++k) {
+    const OpenMesh::HalfedgeHandle h = halfedges[k];
+    if (!mesh.is_valid_handle(h)) {
+      throw Error(ErrorCode::kBadCurve, "The mesh has no halfedge handle " +
+                                            std::to_string(h.idx()) + ", which is number " +
+                                            std::to_string(k) + " of the curve.");
+    }
+    if (k > 0 && mesh.from_vertex_handle(h) != vertices.back()) {
+      throw Error(ErrorCode::kBadCurve, "Halfedge " + std::to_string(k) +
+                                            " of the curve does not begin where the one before "
+                                            "ends.");
+    }
+    if (k == 0) vertices.push_back(mesh.from_vertex_handle(h));
+    vertices.push_back(mesh.to_vertex_handle(h));
+  }
+  return curve_of(ids, vertices);
+}
+
+/// Edges as curves: chains and loops, which end where one edge or more than two meet. Each has the
+/// direction of the first halfedge of its first edge. Throws Error(kBadCurve) for edges that the
+/// opened mesh does not have.
+template <OpenMeshKernel Mesh>
+std::vector<CurveInput> curves_of(const Mesh& mesh, const OpenMeshIds& ids,
+                                  std::span<const OpenMesh::EdgeHandle> edges) {
+  std::vector<Line> lines;
+  for (const OpenMesh::EdgeHandle e : edges) {
+    if (!mesh.is_valid_handle(e)) {
+      throw Error(ErrorCode::kBadCurve,
+                  "The mesh has no edge handle " + std::to_string(e.idx()) + ".");
+    }
+    const OpenMesh::HalfedgeHandle h = mesh.halfedge_handle(e, 0);
+    lines.push_back({static_cast<std::uint32_t>(mesh.from_vertex_handle(h).idx()),
+                     static_cast<std::uint32_t>(mesh.to_vertex_handle(h).idx())});
+  }
+  std::vector<CurveInput> curves;
+  for (const Line& line : joined(std::move(lines))) {
+    std::vector<OpenMesh::VertexHandle> vertices;
+    for (const std::uint32_t v : line) vertices.emplace_back(static_cast<int>(v));
+    curves.push_back(curve_of(ids, vertices));
+  }
+  return curves;
+}
+
+/// The edges that are not deleted and fulfil a condition on their handle. O(edges).
+template <OpenMeshKernel Mesh, class Condition>
+std::vector<OpenMesh::EdgeHandle> edges_where(const Mesh& mesh, const Condition& condition) {
+  std::vector<OpenMesh::EdgeHandle> edges;
+  for (const OpenMesh::EdgeHandle e : mesh.edges()) {  // leaves deleted ones out
+    if (condition(e)) edges.push_back(e);
+  }
+  return edges;
+}
+/// Those with the bit; none if the mesh has no status of edges.
+template <OpenMeshKernel Mesh>
+std::vector<OpenMesh::EdgeHandle> selected_edges(const Mesh& mesh) {
+  if (!mesh.has_edge_status()) return {};
+  return edges_where(mesh, [&](OpenMesh::EdgeHandle e) { return mesh.status(e).selected(); });
+}
+template <OpenMeshKernel Mesh>
+std::vector<OpenMesh::EdgeHandle> feature_edges(const Mesh& mesh) {
+  if (!mesh.has_edge_status()) return {};
+  return edges_where(mesh, [&](OpenMesh::EdgeHandle e) { return mesh.status(e).feature(); });
+}
+
+/// Labels of the opened mesh's faces from a property: an FProp, or whatever has an entry for a
+/// FaceHandle. Triangles of a polygon have its label.
+template <class Property>
+std::vector<std::int64_t> labels_of(const OpenMeshIds& ids, const Property& property) {
+  std::vector<std::int64_t> labels;
+  for (std::size_t f = 0; f < ids.triangle_count(); ++f) {
+    labels.push_back(static_cast<std::int64_t>(property[ids.handle(FaceId{f})]));
+  }
+  return labels;
+}
+
+}  // namespace talweg

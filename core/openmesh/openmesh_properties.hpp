@@ -1,0 +1,83 @@
+// Values of the opened mesh as OpenMesh properties, by name and type.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <OpenMesh/Core/Utils/PropertyManager.hh>
+
+#include "talweg/core/openmesh/openmesh_adaptor.hpp"
+#include "talweg/intrinsic/error.hpp"
+
+namespace talweg {
+
+/// Persistent properties are written to .om files.
+enum class PropertyLife { kTemporary, kPersistent };
+
+namespace detail {
+
+/// Throws Error(kBadUsage) if there is a property of that name and another type, which OpenMesh
+/// would leave beside a new one.
+template <class Handle, class Iterator>
+void check_type(bool has_it, Iterator first, Iterator last, const std::string& name) {
+  if (has_it) return;
+  for (; first != last; ++first) {
+    if (*first != nullptr && (*first)->name() == name) {
+      throw Error(ErrorCode::kBadUsage,
+                  "The mesh has a property \"" + name + "\" already, of another type.");
+    }
+  }
+}
+
+inline void check_count(std::size_t given, std::size_t expected, const char* what) {
+  if (given == expected) return;
+  throw Error(ErrorCode::kBadUsage, std::to_string(given) + " values were given for " +
+                                        std::to_string(expected) + " " + what + ".");
+}
+
+}  // namespace detail
+
+/// Makes, or fills, the vertex property of that name: `values` has one for each vertex of the
+/// opened mesh. Deleted vertices get T(). Throws Error(kBadUsage) for another number of values, and
+/// if a property of that name has another type; the mesh is then as it was.
+template <class T, OpenMeshKernel Mesh, class Value>
+OpenMesh::VProp<T> vertex_property(Mesh& mesh, const OpenMeshIds& ids, const std::string& name,
+                                   const std::vector<Value>& values,
+                                   PropertyLife life = PropertyLife::kTemporary) {
+  detail::check_count(values.size(), ids.vertex_count(), "vertices");
+  detail::check_type<OpenMesh::VPropHandleT<T>>(
+      OpenMesh::hasProperty<OpenMesh::VertexHandle, T>(mesh, name.c_str()), mesh.vprops_begin(),
+      mesh.vprops_end(), name);
+  auto property = OpenMesh::getOrMakeProperty<OpenMesh::VertexHandle, T>(mesh, name.c_str());
+  mesh.property(property.getRawProperty()).set_persistent(life == PropertyLife::kPersistent);
+  for (std::size_t k = 0; k < ids.vertex_handle_count(); ++k) {
+    const OpenMesh::VertexHandle v(static_cast<int>(k));
+    const VertexId id = ids.id(v);
+    property[v] = id.valid() ? static_cast<T>(values[id.index()]) : T();
+  }
+  return property;
+}
+
+/// The same for faces: `values` has one for each triangle of the opened mesh; a polygon gets that
+/// of the first triangle of its fan.
+template <class T, OpenMeshKernel Mesh, class Value>
+OpenMesh::FProp<T> face_property(Mesh& mesh, const OpenMeshIds& ids, const std::string& name,
+                                 const std::vector<Value>& values,
+                                 PropertyLife life = PropertyLife::kTemporary) {
+  detail::check_count(values.size(), ids.triangle_count(), "triangles");
+  detail::check_type<OpenMesh::FPropHandleT<T>>(
+      OpenMesh::hasProperty<OpenMesh::FaceHandle, T>(mesh, name.c_str()), mesh.fprops_begin(),
+      mesh.fprops_end(), name);
+  auto property = OpenMesh::getOrMakeProperty<OpenMesh::FaceHandle, T>(mesh, name.c_str());
+  mesh.property(property.getRawProperty()).set_persistent(life == PropertyLife::kPersistent);
+  for (std::size_t k = 0; k < ids.face_handle_count(); ++k) {
+    const OpenMesh::FaceHandle f(static_cast<int>(k));
+    const FaceId id = ids.id(f);
+    property[f] = id.valid() ? static_cast<T>(values[id.index()]) : T();
+  }
+  return property;
+}
+
+}  // namespace talweg
