@@ -276,6 +276,27 @@ MeshAttributes carried_to(const CutMesh& cut, const Surface& old,
   return result;
 }
 
+std::vector<double> carried_to(const CutMesh& cut, const Surface& old,
+                               std::span<const double> per_vertex) {
+  if (per_vertex.size() != old.vertex_count()) {
+    throw Error(ErrorCode::kBadUsage, "There are " + std::to_string(per_vertex.size()) +
+                                          " values for " + std::to_string(old.vertex_count()) +
+                                          " vertices.");
+  }
+  std::vector<double> result(per_vertex.begin(), per_vertex.end());
+  for (std::size_t v = result.size(); v < cut.vertex_from.size(); ++v) {
+    const SurfacePoint& point = cut.vertex_from[v];
+    const FaceCoordinates at = coordinates_in(old, point, any_face(old, point));
+    const auto corners = old.corners(at.face);
+    double value = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (at.barycentric[k] > 0) value += at.barycentric[k] * per_vertex[corners[k].index()];
+    }
+    result.push_back(value);
+  }
+  return result;
+}
+
 MeshAttributes picked(const MeshAttributes& attributes, std::span<const std::uint32_t> vertices,
                       std::span<const std::uint32_t> faces) {
   MeshAttributes result = with_faces(attributes, faces);

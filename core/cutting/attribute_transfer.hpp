@@ -28,6 +28,11 @@ double fill_of(const AttributeColumn& column);
 /// Error(kBadUsage) where the attributes do not have as many vertices and faces as the old mesh.
 MeshAttributes carried_to(const CutMesh& cut, const Surface& old, const MeshAttributes& attributes);
 
+/// Converts one value per vertex of the old mesh to one per vertex of the new, linear in each old
+/// face.
+std::vector<double> carried_to(const CutMesh& cut, const Surface& old,
+                               std::span<const double> per_vertex);
+
 /// The attributes of a mesh whose vertices and faces are picked from this one, each any number of
 /// times. Faces and vertices from none (kNoFace, kNoVertex), such as those of lids, have the
 /// column's `fill`, or else 0, and white in columns of colours; they have no texture coordinates,

@@ -43,8 +43,13 @@ SurfacePoint settled(const Surface& surface, const SurfacePoint& point, double m
 
 class Cutter {
  public:
-  Cutter(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves, double merge)
-      : mesh_(mesh), surface_(mesh.surface()), curves_(curves), merge_(merge) {}
+  Cutter(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves, double merge,
+         const Progress& progress)
+      : mesh_(mesh),
+        surface_(mesh.surface()),
+        curves_(curves),
+        merge_(merge),
+        asker_(progress, "cut") {}
   CutMesh run();
 
  private:
@@ -59,6 +64,7 @@ class Cutter {
   };
   using Chains = std::map<Where, std::vector<std::uint32_t>>;  // inner vertices of segments
 
+  void copy_vertices();
   void settle();
   std::uint32_t add(const SurfacePoint& point);
   void place_on_edges(std::vector<std::pair<OnEdge, Where>>& points);
@@ -68,12 +74,16 @@ class Cutter {
   void go_along(EdgeId edge, const Placed& from, const Placed& to, const Where& where);
   [[nodiscard]] std::vector<FaceId> touched_faces() const;
   void cut_up(FaceId face);
+  void cut_up_touched();
   void collect_chains();
+  void collect_faces();
+  void did_rows(std::size_t rows);
 
   const SurfaceMesh& mesh_;
   const Surface& surface_;
   std::span<const SurfaceCurve> curves_;
   double merge_;
+  Asker asker_;
   CutMesh cut_;
   std::vector<std::vector<Placed>> placed_;                // per curve
   std::map<EdgeId, std::vector<OnOneEdge>> on_edges_;      // by t
@@ -302,23 +312,42 @@ void Cutter::collect_chains() {
   }
 }
 
-CutMesh Cutter::run() {
+/// Tells of rows that were copied, whose number is counted from 0 and told after each.
+void Cutter::did_rows(std::size_t rows) {
+  constexpr std::size_t kBlock = 4096;  // a row takes some ten nanoseconds
+  if (rows % kBlock == 0) asker_.did(kBlock / 10);
+}
+
+void Cutter::copy_vertices() {
   const std::size_t old = mesh_.points().size();
+  std::size_t more = 0;
+  for (const SurfaceCurve& curve : curves_) more += curve.points.size();
+  cut_.lists.points.reserve(old + 2 * more);  // else the first new one would copy all again
+  cut_.vertex_from.reserve(old + 2 * more);
   cut_.lists.points.assign(mesh_.points().begin(), mesh_.points().end());
-  cut_.vertex_from.reserve(old);
   for (std::size_t v = 0; v < old; ++v) {
     cut_.vertex_from.push_back(SurfacePoint::at_vertex(surface_, VertexId{v}));
+    did_rows(v);
   }
-  settle();
-  find_segments();
+}
+
+void Cutter::cut_up_touched() {
   const std::vector<FaceId> touched = touched_faces();
-  for (const FaceId face : touched) cut_up(face);
-  cut_.cut_faces = static_cast<std::size_t>(std::count_if(
-      parts_.begin(), parts_.end(), [](const auto& p) { return p.second.size() > 1; }));
-  cut_.new_vertices = cut_.lists.points.size() - old;
-  collect_chains();
+  for (std::size_t k = 0; k < touched.size(); ++k) {
+    asker_.is_at(0.2 + 0.5 * static_cast<double>(k) / static_cast<double>(touched.size()));
+    cut_up(touched[k]);
+    asker_.did(20 * parts_[static_cast<std::uint32_t>(touched[k].index())].size());
+  }
+}
+
+void Cutter::collect_faces() {
+  std::size_t count = surface_.face_count() - parts_.size();
+  for (const auto& [face, triangles] : parts_) count += triangles.size();
+  cut_.lists.triangles.reserve(count);
+  cut_.face_from.reserve(count);
   auto part = parts_.begin();
   for (std::uint32_t f = 0; f < surface_.face_count(); ++f) {
+    did_rows(f);
     if (part != parts_.end() && part->first == f) {
       for (const Triangle& t : part->second) {
         cut_.lists.triangles.push_back(t);
@@ -333,6 +362,22 @@ CutMesh Cutter::run() {
     cut_.lists.triangles.push_back(corners);
     cut_.face_from.push_back(f);
   }
+}
+
+CutMesh Cutter::run() {
+  copy_vertices();
+  asker_.is_at(0.1);
+  settle();
+  find_segments();
+  cut_up_touched();
+  cut_.cut_faces = static_cast<std::size_t>(std::count_if(
+      parts_.begin(), parts_.end(), [](const auto& p) { return p.second.size() > 1; }));
+  cut_.new_vertices = cut_.lists.points.size() - mesh_.points().size();
+  asker_.is_at(0.7);
+  collect_chains();
+  collect_faces();
+  asker_.is_at(1);
+  asker_.ask();
   return std::move(cut_);
 }
 
@@ -345,30 +390,9 @@ void CutOptions::validate() const {
 }
 
 CutMesh cut_along(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves,
-                  const CutOptions& options) {
+                  const CutOptions& options, const Progress& progress) {
   options.validate();
-  return Cutter(mesh, curves, options.merge).run();
-}
-
-std::vector<double> carried_to(const CutMesh& cut, const Surface& old,
-                               std::span<const double> per_vertex) {
-  if (per_vertex.size() != old.vertex_count()) {
-    throw Error(ErrorCode::kBadUsage, "There are " + std::to_string(per_vertex.size()) +
-                                          " values for " + std::to_string(old.vertex_count()) +
-                                          " vertices.");
-  }
-  std::vector<double> result(per_vertex.begin(), per_vertex.end());
-  for (std::size_t v = result.size(); v < cut.vertex_from.size(); ++v) {
-    const SurfacePoint& point = cut.vertex_from[v];
-    const FaceCoordinates at = coordinates_in(old, point, any_face(old, point));
-    const auto corners = old.corners(at.face);
-    double value = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-      if (at.barycentric[k] > 0) value += at.barycentric[k] * per_vertex[corners[k].index()];
-    }
-    result.push_back(value);
-  }
-  return result;
+  return Cutter(mesh, curves, options.merge, progress).run();
 }
 
 }  // namespace talweg

@@ -9,6 +9,7 @@
 
 #include "talweg/core/mesh/mesh_lists.hpp"
 #include "talweg/core/mesh/surface_mesh.hpp"
+#include "talweg/intrinsic/progress.hpp"
 #include "talweg/intrinsic/surface/surface_point.hpp"
 
 namespace talweg {
@@ -43,13 +44,8 @@ struct CutMesh {
 /// vertex moves. Curves may pass vertices, run along edges and the boundary, touch and cross
 /// themselves and each other; successive points at one place become one.
 /// O(vertices + faces + what the curves touch). Throws Error(kBadCurve) naming curve and point
-/// where two neighbours have no common face.
+/// where two neighbours have no common face, and Cancelled.
 CutMesh cut_along(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves,
-                  const CutOptions& options = {});
-
-/// Converts one value per vertex of the old mesh to one per vertex of the new, linear in each old
-/// face.
-std::vector<double> carried_to(const CutMesh& cut, const Surface& old,
-                               std::span<const double> per_vertex);
+                  const CutOptions& options = {}, const Progress& progress = {});
 
 }  // namespace talweg

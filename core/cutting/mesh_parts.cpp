@@ -79,21 +79,23 @@ std::vector<bool> kept(const OpenedSeams& seams, KeptSide keep, std::size_t& bet
   return wanted;
 }
 
-MeshPart whole(const CutMesh& cut) {
+MeshPart whole(MeshLists lists) {
   MeshPart part;
-  part.lists = cut.lists;
-  part.vertices.resize(cut.lists.points.size());
-  part.faces.resize(cut.lists.triangles.size());
+  part.lists = std::move(lists);
+  part.vertices.resize(part.lists.points.size());
+  part.faces.resize(part.lists.triangles.size());
   std::iota(part.vertices.begin(), part.vertices.end(), 0U);
   std::iota(part.faces.begin(), part.faces.end(), 0U);
   return part;
 }
 
-MeshPart part_of(const OpenedSeams& seams, const std::vector<bool>& wanted, const CutMesh& cut,
+using Chains = std::vector<CutMesh::Chain>;
+
+MeshPart part_of(const OpenedSeams& seams, const std::vector<bool>& wanted, const Chains& chains,
                  const std::optional<LidKind>& lids, const Progress& progress) {
   Piece piece = piece_of(seams, wanted);
   MeshPart part;
-  if (lids) part.lids = add_lids(piece, seams, cut.chains, *lids, progress);
+  if (lids) part.lids = add_lids(piece, seams, chains, *lids, progress);
   part.lists = std::move(piece.lists);
   part.faces = std::move(piece.faces);
   for (const std::uint32_t v : piece.vertices) {
@@ -102,27 +104,32 @@ MeshPart part_of(const OpenedSeams& seams, const std::vector<bool>& wanted, cons
   return part;
 }
 
-MeshParts without_attributes(const CutMesh& cut, const PartOptions& options,
+MeshParts without_attributes(MeshLists lists, const Chains& chains, const PartOptions& options,
                              const Progress& progress) {
   MeshParts made;
   if (!options.opens()) {
-    made.parts.push_back(whole(cut));
+    made.parts.push_back(whole(std::move(lists)));
     return made;
   }
-  const OpenedSeams seams = open_seams(cut.lists, cut.chains);
+  const OpenedSeams seams = open_seams(std::move(lists), chains);
   made.pieces = seams.pieces;
   const std::vector<bool> wanted = kept(seams, options.keep, made.between);
   if (!options.split) {
-    made.parts.push_back(part_of(seams, wanted, cut, options.lids, progress));
+    made.parts.push_back(part_of(seams, wanted, chains, options.lids, progress));
     return made;
   }
   for (std::size_t k = 0; k < seams.pieces; ++k) {
     if (!wanted[k]) continue;
     std::vector<bool> one(seams.pieces, false);
     one[k] = true;
-    made.parts.push_back(part_of(seams, one, cut, options.lids, progress));
+    made.parts.push_back(part_of(seams, one, chains, options.lids, progress));
   }
   return made;
+}
+
+void put_attributes(MeshParts& made, MeshAttributes carried) {
+  for (MeshPart& part : made.parts) part.attributes = picked(carried, part.vertices, part.faces);
+  made.left_out = std::move(carried.left_out);
 }
 
 VertexOrigin origin_of(const SurfacePoint& point, const Surface& surface, const RepairMap* map) {
@@ -157,8 +164,11 @@ class VerticesOnChains {
     std::sort(of_cut_.begin(), of_cut_.end());
     of_cut_.erase(std::unique(of_cut_.begin(), of_cut_.end()), of_cut_.end());
     here_.resize(of_cut_.size());
+    maybe_.resize(16 * of_cut_.size() + 1);
+    for (const std::uint32_t v : of_cut_) maybe_[v % maybe_.size()] = true;
   }
   void add(std::uint32_t of_cut, std::uint32_t of_part) {
+    if (!maybe_[of_cut % maybe_.size()]) return;  // most vertices: on no chain
     const auto found = std::lower_bound(of_cut_.begin(), of_cut_.end(), of_cut);
     if (found == of_cut_.end() || *found != of_cut) return;
     here_[static_cast<std::size_t>(found - of_cut_.begin())].push_back(of_part);
@@ -170,6 +180,7 @@ class VerticesOnChains {
 
  private:
   std::vector<std::uint32_t> of_cut_;  // ascending
+  std::vector<bool> maybe_;            // by the remainder of a vertex of the cut
   std::vector<std::vector<std::uint32_t>> here_;
 };
 
@@ -177,10 +188,16 @@ class VerticesOnChains {
 
 MeshParts take_apart(const SurfaceMesh& mesh, const CutMesh& cut, const MeshAttributes& attributes,
                      const PartOptions& options, const Progress& progress) {
-  MeshParts made = without_attributes(cut, options, progress);
-  MeshAttributes carried = carried_to(cut, mesh.surface(), attributes);
-  for (MeshPart& part : made.parts) part.attributes = picked(carried, part.vertices, part.faces);
-  made.left_out = std::move(carried.left_out);
+  MeshParts made = without_attributes(cut.lists, cut.chains, options, progress);
+  put_attributes(made, carried_to(cut, mesh.surface(), attributes));
+  return made;
+}
+
+MeshParts take_apart(const SurfaceMesh& mesh, CutMesh&& cut, const MeshAttributes& attributes,
+                     const PartOptions& options, const Progress& progress) {
+  MeshAttributes carried = carried_to(cut, mesh.surface(), attributes);  // needs the lists
+  MeshParts made = without_attributes(std::move(cut.lists), cut.chains, options, progress);
+  put_attributes(made, std::move(carried));
   return made;
 }
 

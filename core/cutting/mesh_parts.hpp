@@ -50,6 +50,10 @@ struct MeshParts {
 /// curves where nothing is left; otherwise as add_lids() and carried_to() do.
 MeshParts take_apart(const SurfaceMesh& mesh, const CutMesh& cut, const MeshAttributes& attributes,
                      const PartOptions& options, const Progress& progress = {});
+/// The same; takes the lists of the cut instead of copying them, also where it throws. All else of
+/// the cut stays.
+MeshParts take_apart(const SurfaceMesh& mesh, CutMesh&& cut, const MeshAttributes& attributes,
+                     const PartOptions& options, const Progress& progress = {});
 
 /// Where a vertex lies on the mesh that came in: at a vertex of weight 1, on an edge or in a face.
 struct VertexOrigin {

@@ -5,6 +5,7 @@
 #include <numeric>
 #include <unordered_map>
 #include <unordered_set>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -25,8 +26,9 @@ Key undirected(std::uint32_t a, std::uint32_t b) {
 /// Stores only the faces around the chains' vertices, which keeps it fast.
 class Opener {
  public:
-  Opener(const MeshLists& lists, std::span<const CutMesh::Chain> chains)
-      : lists_(lists), chains_(chains) {}
+  Opener(MeshLists lists, std::span<const CutMesh::Chain> chains) : chains_(chains) {
+    result_.lists = std::move(lists);
+  }
   OpenedSeams run();
 
  private:
@@ -40,7 +42,6 @@ class Opener {
     return found == face_of_.end() ? kNone : found->second;
   }
 
-  const MeshLists& lists_;
   std::span<const CutMesh::Chain> chains_;
   std::vector<std::array<std::uint32_t, 2>> faces_at_;  // vertex of a chain, and face; sorted
   std::unordered_map<Key, std::uint32_t> face_of_;      // the face on the left of directed edges
@@ -49,14 +50,15 @@ class Opener {
 };
 
 void Opener::find_faces() {
-  std::vector<bool> on_chain(lists_.points.size(), false);
+  const MeshLists& lists = result_.lists;
+  std::vector<bool> on_chain(lists.points.size(), false);
   for (const CutMesh::Chain& chain : chains_) {
     for (const std::uint32_t v : chain.vertices) {
       if (v < on_chain.size()) on_chain[v] = true;  // others are rejected below
     }
   }
-  for (std::uint32_t f = 0; f < lists_.triangles.size(); ++f) {
-    const Triangle& t = lists_.triangles[f];
+  for (std::uint32_t f = 0; f < lists.triangles.size(); ++f) {
+    const Triangle& t = lists.triangles[f];
     bool touches = false;
     for (const std::uint32_t v : t) {
       if (v >= on_chain.size()) {
@@ -103,7 +105,8 @@ void Opener::open_at(std::uint32_t v, std::span<const std::uint32_t> faces) {
                                       faces.begin());
   };
   for (std::uint32_t i = 0; i < faces.size(); ++i) {
-    for (const std::uint32_t w : lists_.triangles[faces[i]]) {
+    for (const std::uint32_t corner : result_.lists.triangles[faces[i]]) {
+      const std::uint32_t w = result_.vertex_from[corner];  // earlier vertices are opened already
       if (w == v || seams_.count(undirected(v, w)) > 0) continue;
       for (const std::uint32_t face : {left_of(v, w), left_of(w, v)}) {
         if (face != kNone) sectors.join(i, place(face));
@@ -115,7 +118,7 @@ void Opener::open_at(std::uint32_t v, std::span<const std::uint32_t> faces) {
     const std::uint32_t first = sectors.find(i);
     if (first == i && i > 0) {
       own[i] = static_cast<std::uint32_t>(result_.lists.points.size());
-      result_.lists.points.push_back(lists_.points[v]);
+      result_.lists.points.push_back(result_.lists.points[v]);
       result_.vertex_from.push_back(v);
     }
     own[i] = own[first];
@@ -163,8 +166,7 @@ void Opener::find_sides() {
 OpenedSeams Opener::run() {
   find_faces();
   find_seams();
-  result_.lists = lists_;
-  result_.vertex_from.resize(lists_.points.size());
+  result_.vertex_from.resize(result_.lists.points.size());
   std::iota(result_.vertex_from.begin(), result_.vertex_from.end(), 0U);
   std::vector<std::uint32_t> faces;
   for (auto at = faces_at_.begin(); at != faces_at_.end();) {
@@ -179,8 +181,8 @@ OpenedSeams Opener::run() {
 
 }  // namespace
 
-OpenedSeams open_seams(const MeshLists& lists, std::span<const CutMesh::Chain> chains) {
-  return Opener(lists, chains).run();
+OpenedSeams open_seams(MeshLists lists, std::span<const CutMesh::Chain> chains) {
+  return Opener(std::move(lists), chains).run();
 }
 
 Piece piece_of(const OpenedSeams& opened, const std::vector<bool>& wanted) {

@@ -29,7 +29,7 @@ struct OpenedSeams {
 /// Throws Error(kBadMesh) for an index out of range, and for faces around a chain that do not fit
 /// together; Error(kBadCurve) naming chain and place where two neighbours of a chain are not joined
 /// by an edge.
-OpenedSeams open_seams(const MeshLists& lists, std::span<const CutMesh::Chain> chains);
+OpenedSeams open_seams(MeshLists lists, std::span<const CutMesh::Chain> chains);
 
 /// One piece, or several as one mesh, without unused vertices. `faces`, `vertices`: the original
 /// face or vertex of each.

@@ -242,14 +242,11 @@ class Network {
 
   /// Cuts the mesh along the borders and follows the regions. Throws Cancelled.
   void cut() {
-    const auto ask = [&](double fraction) {
-      if (!go_on(progress_, "cut", fraction)) throw Cancelled();
-    };
-    ask(0);
     std::vector<LabelBorder> borders;
     for (const SmoothedBorder& border : result_) borders.push_back(border.border);
-    cut_ = cut_along(mesh_->mesh(), curves());
-    ask(0.5);
+    cut_ = cut_along(mesh_->mesh(), curves(), {}, [&](const char* stage, double fraction) {
+      return go_on(progress_, stage, fraction / 2);
+    });
     regions_ = regions_of_cut(cut_, parts_, borders);
   }
 

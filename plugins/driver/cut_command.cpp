@@ -86,7 +86,7 @@ class Cutting {
   ReadMesh read_;
   SurfaceMesh mesh_;
   SnappedDrawing drawing_;
-  CutMesh cut_;
+  CutMesh cut_;  // without lists: the parts have them
   MeshParts made_;
   double cut_ms_ = 0;
   std::vector<std::string> left_out_;  // sentences, one for each format
@@ -100,9 +100,9 @@ Cutting::Cutting(const CutCommandOptions& options, Progress progress)
   drawing_ = DrawingReader(mesh_, read_.map.get())
                  .read(o_.curves, LengthUnit::named(options.mesh_units), progress_);
   const Stopwatch watch;
-  cut_ = cut_along(mesh_, drawing_.curves, {o_.merge});
+  cut_ = cut_along(mesh_, drawing_.curves, {o_.merge}, progress_);
   cut_.lists.single_precision = read_.lists.single_precision;
-  made_ = take_apart(mesh_, cut_, attributes_, part_options(o_), progress_);
+  made_ = take_apart(mesh_, std::move(cut_), attributes_, part_options(o_), progress_);
   attributes_ = {};  // the parts have them
   cut_ms_ = watch.ms();
   if (!made_.left_out.empty()) {

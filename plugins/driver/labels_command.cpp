@@ -91,10 +91,10 @@ std::string summary_of(const LabelNetwork& network, double ms) {
 }
 
 /// Writes the cut mesh with the attributes of its file, and with the labels as a property of its
-/// faces if the format has one.
-void write_cut(const std::string& path, const LabelNetwork& network, const SurfaceMesh& mesh,
+/// faces if the format has one. Takes the lists of the cut.
+void write_cut(const std::string& path, LabelNetwork& network, const SurfaceMesh& mesh,
                const MeshAttributes& of_file) {
-  MeshPart part = std::move(take_apart(mesh, network.cut, of_file, {}).parts.front());
+  MeshPart part = std::move(take_apart(mesh, std::move(network.cut), of_file, {}).parts.front());
   MeshAttributes& attributes = part.attributes;
   AttributeColumn labels = label_column(network.cut_labels);
   std::erase_if(attributes.faces,
@@ -103,7 +103,7 @@ void write_cut(const std::string& path, const LabelNetwork& network, const Surfa
   write_output(path, mesh_bytes(path, part.lists, attributes).bytes);
 }
 
-void write(const LabelsOptions& o, const LabelNetwork& network, const SurfaceMesh& mesh,
+void write(const LabelsOptions& o, LabelNetwork& network, const SurfaceMesh& mesh,
            const RepairMap* map, const MeshAttributes& attributes,
            const std::vector<std::string>& warnings, const ReadLabels& labels) {
   std::vector<PlacedCurve> placed;

@@ -230,6 +230,11 @@ void HostAttributes::set(std::span<const talweg_attribute* const> attributes, st
   attributes_ = std::move(all);
 }
 
+bool HostAttributes::at_corners() const {
+  return std::any_of(attributes_.begin(), attributes_.end(),
+                     [](const auto& a) { return a.element == TALWEG_OF_CORNERS; });
+}
+
 void HostAttributes::give(const CarryOver& carry_over, const plugin::TakeAttribute& take) const {
   MeshAttributes columns;
   for (const HostAttribute& a : attributes_) {

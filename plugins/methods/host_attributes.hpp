@@ -51,6 +51,7 @@ class HostAttributes {
            std::size_t faces);
   void clear() { attributes_.clear(); }
   [[nodiscard]] const std::vector<HostAttribute>& all() const { return attributes_; }
+  [[nodiscard]] bool at_corners() const;  ///< whether some are of corners
 
   /// Gives all of them, carried over, in the types that they came in.
   void give(const CarryOver& carry_over, const plugin::TakeAttribute& take) const;

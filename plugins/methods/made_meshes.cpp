@@ -47,9 +47,12 @@ void MadeMeshes::give_attributes(std::uint64_t mesh, const plugin::TakeAttribute
 
 void MadeMeshes::give_origin(std::uint64_t mesh, const plugin::TakeOrigin& take) const {
   const MadeMesh& made = at(mesh);
+  const PartOrigins origins = made.origins();
   std::vector<std::array<std::uint32_t, 3>> vertices, chains;
   std::vector<std::array<double, 3>> weights;
-  for (const VertexOrigin& origin : made.origins.vertices) {
+  vertices.reserve(made.vertices);
+  weights.reserve(made.vertices);
+  for (const VertexOrigin& origin : origins.vertices) {
     vertices.push_back(origin.vertices);
     weights.push_back(origin.weights);
   }
@@ -57,8 +60,8 @@ void MadeMeshes::give_origin(std::uint64_t mesh, const plugin::TakeOrigin& take)
   vertices.resize(made.vertices, nowhere);  // those inside lids come last
   weights.resize(made.vertices);
   std::vector<std::uint32_t> closed, lengths;
-  for (std::uint32_t c = 0; c < made.origins.curves.size(); ++c) {
-    const PartOrigins::Curve& curve = made.origins.curves[c];
+  for (std::uint32_t c = 0; c < origins.curves.size(); ++c) {
+    const PartOrigins::Curve& curve = origins.curves[c];
     closed.push_back(curve.closed ? 1 : 0);
     lengths.push_back(static_cast<std::uint32_t>(curve.vertices.size()));
     for (std::uint32_t k = 0; k < curve.vertices.size(); ++k) {
@@ -66,29 +69,31 @@ void MadeMeshes::give_origin(std::uint64_t mesh, const plugin::TakeOrigin& take)
     }
   }
   talweg_origin origin = {};
-  origin.curve_count = static_cast<std::uint32_t>(made.origins.curves.size());
+  origin.curve_count = static_cast<std::uint32_t>(origins.curves.size());
   origin.vertices = view_of(vertices);
   origin.weights = view_of(weights);
-  origin.triangles = view_of(made.origins.faces);
+  origin.triangles = view_of(origins.faces);
   origin.closed = view_of(closed);
   origin.lengths = view_of(lengths);
   origin.chains = view_of(chains);
   take(origin);
 }
 
-MadeMesh made_by_cut(const HostMesh& mesh, std::shared_ptr<const CutMesh> cut,
-                     const MeshPart& part) {
+MadeMesh made_by_cut(const HostMesh& mesh, std::shared_ptr<const CutMesh> cut, MeshPart part) {
   MadeMesh made;
   made.vertices = part.lists.points.size();
-  made.origins = origins_of(part, *cut, mesh.mesh().surface(), mesh.map());
-  made.carry_over = [&mesh, cut = std::move(cut), vertices = part.vertices,
-                     faces = part.faces](const MeshAttributes& attributes) {
+  part.lists = {};  // the host has them
+  const auto kept = std::make_shared<const MeshPart>(std::move(part));
+  made.origins = [&mesh, cut, kept] {
+    return origins_of(*kept, *cut, mesh.mesh().surface(), mesh.map());
+  };
+  made.carry_over = [&mesh, cut = std::move(cut), kept](const MeshAttributes& attributes) {
     std::size_t differing = 0;
     const RepairMap* map = mesh.map();
     return picked(
         carried_to(*cut, mesh.mesh().surface(),
                    map == nullptr ? attributes : of_repaired(attributes, *map, differing)),
-        vertices, faces);
+        kept->vertices, kept->faces);
   };
   return made;
 }

@@ -21,7 +21,7 @@ namespace talweg::plugins {
 
 struct MadeMesh {
   std::size_t vertices = 0;
-  PartOrigins origins;
+  std::function<PartOrigins()> origins;  ///< made when a host asks for it
   CarryOver carry_over;
   /// Gives attributes that the plugin makes; may be null.
   std::function<void(const plugin::TakeAttribute& take)> own;
@@ -34,8 +34,12 @@ class MadeMeshes {
                       std::size_t faces);
   void forget_attributes();
 
+  /// Whether attributes of corners were set.
+  [[nodiscard]] bool at_corners() const { return attributes_.at_corners(); }
+
   void clear() { meshes_.clear(); }
   MadeMesh& add(MadeMesh mesh) { return meshes_.emplace_back(std::move(mesh)); }
+  [[nodiscard]] MadeMesh& last() { return meshes_.back(); }
 
   // For talweg_meshes.h; they throw plugin::Failure(TALWEG_BAD_USAGE) if there is no such mesh.
   void give_attributes(std::uint64_t mesh, const plugin::TakeAttribute& take) const;
@@ -48,9 +52,12 @@ class MadeMeshes {
   std::vector<MadeMesh> meshes_;
 };
 
-/// A part of the host's mesh that was cut; the host's mesh must outlive it.
-MadeMesh made_by_cut(const HostMesh& mesh, std::shared_ptr<const CutMesh> cut,
-                     const MeshPart& part);
+/// A part of the host's mesh that was cut; the host's mesh must outlive it. The cut may be without
+/// its lists if there are no attributes of corners.
+MadeMesh made_by_cut(const HostMesh& mesh, std::shared_ptr<const CutMesh> cut, MeshPart part);
+
+/// Gives the geometry of a mesh.
+void give(const plugin::Outputs& outputs, const MeshLists& lists);
 
 /// Base of the plugin classes that make meshes: a workspace that offers talweg_meshes.h.
 template <class Base>
@@ -78,10 +85,25 @@ class MakesMeshes : public Base {
     made_.forget_attributes();
   }
 
+  /// Takes a cut apart. Its lists, which attributes of corners need, are otherwise not copied.
+  [[nodiscard]] MeshParts taken_apart(CutMesh& cut, const PartOptions& options) const {
+    return Base::cancellable([&] {
+      const SurfaceMesh& mesh = this->mesh();
+      const Progress progress = this->progress();
+      return made_.at_corners() ? take_apart(mesh, std::as_const(cut), {}, options, progress)
+                                : take_apart(mesh, std::move(cut), {}, options, progress);
+    });
+  }
+  /// Gives the parts, and remembers them for talweg_meshes.h.
+  void give_parts(const plugin::Outputs& outputs, std::vector<MeshPart> parts,
+                  const std::shared_ptr<const CutMesh>& cut) {
+    for (const MeshPart& part : parts) give(outputs, part.lists);
+    for (MeshPart& part : parts) {
+      made_.add(made_by_cut(this->host_mesh(), cut, std::move(part)));
+    }
+  }
+
   MadeMeshes made_;  // by the last run
 };
-
-/// Gives the geometry of a mesh.
-void give(const plugin::Outputs& outputs, const MeshLists& lists);
 
 }  // namespace talweg::plugins

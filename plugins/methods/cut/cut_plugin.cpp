@@ -70,19 +70,15 @@ class Cut : public MakesMeshes<Workspace> {
   void run(const plugin::Parameters& parameters, const plugin::Outputs& outputs) {
     made_.clear();
     const Stopwatch watch;
-    go_on("cut", 0);
-    const auto cut = std::make_shared<CutMesh>(
-        cut_along(mesh(), drawing().curves, {parameters.number("merge")}));
-    go_on("cut", 0.5);
-    const MeshParts parts = cancellable(
-        [&] { return take_apart(mesh(), *cut, {}, part_options(parameters), progress()); });
+    const auto cut = std::make_shared<CutMesh>(cancellable([&] {
+      return cut_along(mesh(), drawing().curves, {parameters.number("merge")}, progress());
+    }));
+    MeshParts parts = taken_apart(*cut, part_options(parameters));
     const double ms = watch.ms();
     std::vector<std::string> warnings;
     drawing().add_to(warnings, reading_warnings());
     give(outputs, -1, entries_of(mesh(), *cut, parts, warnings, ms));
-    if (!outputs.wants_meshes()) return;
-    for (const MeshPart& part : parts.parts) give(outputs, part.lists);
-    for (const MeshPart& part : parts.parts) made_.add(made_by_cut(host_mesh(), cut, part));
+    if (outputs.wants_meshes()) give_parts(outputs, std::move(parts.parts), cut);
   }
 
  private:

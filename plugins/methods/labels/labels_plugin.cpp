@@ -160,13 +160,10 @@ class Labels : public MakesMeshes<MeshWorkspace> {
     });
   }
 
-  void give_cut(const plugin::Outputs& outputs,
-                const std::shared_ptr<const LabelNetwork>& network) {
-    const std::shared_ptr<const CutMesh> cut(network, &network->cut);
-    const MeshParts whole = take_apart(mesh(), *cut, {}, {});
-    give(outputs, whole.parts.front().lists);
-    MadeMesh& made = made_.add(made_by_cut(host_mesh(), cut, whole.parts.front()));
-    made.own = [network](const plugin::TakeAttribute& take) {
+  void give_cut(const plugin::Outputs& outputs, const std::shared_ptr<LabelNetwork>& network) {
+    MeshParts whole = taken_apart(network->cut, {});
+    give_parts(outputs, std::move(whole.parts), {network, &network->cut});
+    made_.last().own = [network](const plugin::TakeAttribute& take) {
       const AttributeColumn column = label_column(network->cut_labels);
       const bool whole_number = column.type == NumberType::kInt32;
       give_per_triangle("label", column.values, whole_number ? TALWEG_INT32 : TALWEG_FLOAT64, take);

@@ -171,18 +171,24 @@ class Repair {
     give(outputs, "became_triangle", "", faces);
   }
 
-  void remember(std::shared_ptr<const RepairedMesh> repaired) {
-    const RepairMap& map = repaired->map;
-    MadeMesh& made = made_.add({});
-    made.vertices = repaired->lists.points.size();
+  static PartOrigins origins_of(const RepairMap& map) {
+    PartOrigins origins;
+    origins.vertices.resize(map.vertex_count());
     for (std::size_t v = 0; v < map.vertex_count(); ++v) {
-      VertexOrigin& origin = made.origins.vertices.emplace_back();
+      VertexOrigin& origin = origins.vertices[v];
       origin.vertices[0] = static_cast<std::uint32_t>(map.file_vertex(VertexId{v}).index());
       origin.weights[0] = 1;
     }
     for (std::size_t f = 0; f < map.face_count(); ++f) {
-      made.origins.faces.push_back(static_cast<std::uint32_t>(map.file_face(FaceId{f}).index()));
+      origins.faces.push_back(static_cast<std::uint32_t>(map.file_face(FaceId{f}).index()));
     }
+    return origins;
+  }
+
+  void remember(std::shared_ptr<const RepairedMesh> repaired) {
+    MadeMesh& made = made_.add({});
+    made.vertices = repaired->lists.points.size();
+    made.origins = [repaired] { return origins_of(repaired->map); };
     made.carry_over = [repaired = std::move(repaired)](const MeshAttributes& attributes) {
       std::size_t differing = 0;
       return of_repaired(attributes, repaired->map, differing);

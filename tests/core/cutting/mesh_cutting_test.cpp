@@ -14,6 +14,7 @@
 #include "core/jagged_curves.hpp"
 #include "core/mesh_numbers.hpp"
 #include "core/reference_data.hpp"
+#include "talweg/core/cutting/attribute_transfer.hpp"
 #include "talweg/core/cutting/face_triangulation.hpp"
 #include "talweg/core/cutting/seam_opening.hpp"
 #include "talweg/core/drawing/straight_lines.hpp"

@@ -33,6 +33,25 @@ class Cut(unittest.TestCase):
                                "one": linear(v[f])[..., 0], "byte": np.full((len(f), 3, 4), 7, "u1")})
         cls.curve = cls.mesh.smooth(support.staircase(), 2).curve
 
+    def test_it_tells_how_far_it_is_and_can_be_cancelled(self):
+        mesh = talweg.Mesh(*support.hills(200), plugin="talweg.cut")
+        drawn = support.staircase(200)
+        seen = []
+        made = mesh.cut(drawn, progress=lambda *at: seen.append(at)).mesh
+        told = [fraction for stage, fraction in seen if stage == "cut"]
+        self.assertGreaterEqual(len(told), 3)
+        self.assertEqual((told[0], told[-1]), (0.0, 1.0))
+        for last in range(len(told)):
+            left = [last]
+
+            def progress(_stage, _fraction, left=left):
+                left[0] -= 1
+                return left[0] >= 0
+
+            with self.assertRaises(talweg.Cancelled):
+                mesh.cut(drawn, progress=progress)
+        np.testing.assert_array_equal(mesh.cut(drawn).mesh.vertices, made.vertices)
+
     def test_positions_are_weights_times_vertices(self):
         made = self.mesh.cut(self.curve).mesh
         self.assertGreater(len(made.vertices), len(self.vertices))

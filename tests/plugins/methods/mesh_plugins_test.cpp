@@ -215,8 +215,8 @@ TEST_F(CutPlugin, SaysWhatTheDriverSaysOfBadInput) {
             std::string::npos);
 }
 
-TEST_F(CutPlugin, CanBeCancelledBeforeAndAfterTheCut) {
-  for (const double last : {0.0, 0.5}) {
+TEST_F(CutPlugin, CanBeCancelledBeforeWithinAndAfterTheCut) {
+  for (const double last : {0.0, 0.5, 1.0}) {
     const host::Services cancelling("test", "1", [&](const char* stage, double fraction) {
       return std::string(stage) != "cut" || fraction < last;
     });

@@ -67,18 +67,26 @@ def view(array: Array) -> c.Array:
                    _TYPES[array.dtype.kind, array.dtype.itemsize])
 
 
-def copied(array: c.Array) -> Array:
-    """A copy of what a plugin gives (dense, by the interface's rule): (n,) or (n, columns)."""
+def _lent(array: c.Array) -> Array:
+    """What a plugin gives (dense, by the interface's rule), where it lies: (n,) or (n, columns)."""
     dtype = np.dtype(_DTYPES[array.type])
     shape: Tuple[int, ...] = (array.rows, array.columns) if array.columns > 1 else (array.rows,)
     if array.rows == 0:
         return np.empty(shape, dtype)
     bytes_ = (ctypes.c_char * (array.rows * array.columns * dtype.itemsize)).from_address(array.data)
-    return np.frombuffer(bytes_, dtype).reshape(shape).copy()
+    return np.frombuffer(bytes_, dtype).reshape(shape)
+
+
+def copied(array: c.Array) -> Array:
+    """A copy of what a plugin gives: (n,) or (n, columns)."""
+    return _lent(array).copy()
 
 
 def copied_indices(array: c.Array) -> Integers:
     """The same for indices, as int64; -1 where the plugin says that there is none."""
-    indices = copied(array).astype(np.int64)
+    lent = _lent(array)
+    if lent.dtype == np.uint32 and (lent.size == 0 or lent.view(np.int32).min() >= -1):
+        return lent.view(np.int32).astype(np.int64)  # NO_VERTEX is -1 there: one pass over all
+    indices = lent.astype(np.int64)
     indices[indices == c.NO_VERTEX] = -1
     return indices
