@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from . import layers
 from .package import talweg
 
 #: Of attributes: the member with the values, how many, and their type.
@@ -11,7 +12,7 @@ _KINDS = {"FLOAT": ("value", 1, np.float32), "INT": ("value", 1, np.int32),
           "FLOAT_COLOR": ("color", 4, np.float32), "BYTE_COLOR": ("color_srgb", 4, np.float32)}
 _EDGE_FLAGS = {"use_seam": bool, "use_edge_sharp": bool, "use_freestyle_mark": bool,
                "crease": np.float32, "bevel_weight": np.float32}
-_FACE_FLAGS = {"material_index": np.int32, "use_smooth": bool}
+_FACE_FLAGS = {"material_index": np.int32, "use_smooth": bool, "use_freestyle_mark": bool}
 _FLAG_ATTRIBUTES = ("position", "material_index", "sharp_face", "sharp_edge")  # have places of theirs
 
 
@@ -30,32 +31,25 @@ class Attributes:
     """What a mesh has at vertices, edges, polygons and their corners.
 
     Vertices and corners are carried by talweg as attributes of a talweg.Mesh; edges and polygons
-    keep what they were a part of.
-
-    :raises talweg.Unsupported: for shape keys, which would be lost.
+    keep what they were a part of. What is 0 everywhere is not handed over.
     """
 
     def __init__(self, obj, arrays):
         mesh = obj.data
-        if mesh.shape_keys is not None:
-            raise talweg.Unsupported("The mesh has shape keys, which a cut mesh cannot have; apply or "
-                                     "remove them first (Object Data > Shape Keys).")
-        self.at_vertices, self.at_corners, self.at_edges, self.at_faces = {}, {}, {}, {}
+        self.at_corners, self.at_edges, self.at_faces = {}, {}, {}
+        self.at_vertices = layers.read(mesh)
         self.made = []  # name, domain, type of generic attributes, in their order
+        self.lost = []  # in words
         self.active_colour = mesh.color_attributes.active_color_index
         self._read_generic(mesh)
-        self.edges = read(mesh.edges, "vertices", 2, np.int32)
-        for name, dtype in _EDGE_FLAGS.items():
-            self.at_edges["flag:" + name] = read(mesh.edges, name, 1, dtype)
+        self._read_edges(mesh)
         for name, dtype in _FACE_FLAGS.items():
             self.at_faces["flag:" + name] = read(mesh.polygons, name, 1, dtype)
-        bevel = read(mesh.vertices, "bevel_weight")
-        if bevel.any():
-            self.at_vertices["bevel_weight"] = bevel
-        self.uv_layers = [(uv.name, uv.active, uv.active_render, uv.active_clone)
-                          for uv in mesh.uv_layers]
-        for uv in mesh.uv_layers:
-            self.at_corners["uv:" + uv.name] = read(uv.data, "uv", 2)
+        for face_map in mesh.face_maps:  # -1 is none, as 0 is of what comes from nowhere
+            self.at_faces["face_map"] = read(face_map.data, "value", 1, np.int32) + 1
+        if mesh.has_bevel_weight_vertex:
+            self.at_vertices["bevel_weight"] = read(mesh.vertices, "bevel_weight")
+        self._read_uv(mesh)
         if mesh.has_custom_normals:
             mesh.calc_normals_split()
             self.at_corners["normals"] = read(mesh.loops, "normal", 3)
@@ -65,12 +59,33 @@ class Attributes:
             self.at_vertices["groups"] = self._weights(mesh)
         self.of_corners = {name: values[arrays.loops] for name, values in self.at_corners.items()}
 
+    def _read_edges(self, mesh):
+        self.vertex_count = len(mesh.vertices)
+        self.edges = read(mesh.edges, "vertices", 2, np.int32)
+        self.loop_edges = read(mesh.loops, "edge_index", 1, np.int32)
+        absent = {"crease": not mesh.has_crease_edge, "bevel_weight": not mesh.has_bevel_weight_edge}
+        for name, dtype in _EDGE_FLAGS.items():
+            values = None if absent.get(name) else read(mesh.edges, name, 1, dtype)
+            if values is not None and values.any():
+                self.at_edges["flag:" + name] = values
+
+    def _read_uv(self, mesh):
+        self.uv_layers = [(uv.name, uv.active, uv.active_render, uv.active_clone)
+                          for uv in mesh.uv_layers]
+        for uv in mesh.uv_layers:
+            self.at_corners["uv:" + uv.name] = read(uv.data, "uv", 2)
+            pinned = read(uv.data, "pin_uv", 1, bool)
+            if pinned.any():
+                self.at_corners["pin:" + uv.name] = pinned
+
     def _read_generic(self, mesh):
         at = {"POINT": self.at_vertices, "EDGE": self.at_edges, "FACE": self.at_faces,
               "CORNER": self.at_corners}
         for attribute in mesh.attributes:
-            if (attribute.data_type not in _KINDS or attribute.domain not in at
-                    or attribute.name.startswith(".select") or attribute.name in _FLAG_ATTRIBUTES):
+            if attribute.name.startswith(".select") or attribute.name in _FLAG_ATTRIBUTES:
+                continue
+            if attribute.data_type not in _KINDS or attribute.domain not in at:
+                self.lost.append(f"the {attribute.data_type.lower()} attribute {attribute.name}")
                 continue
             member, columns, dtype = _KINDS[attribute.data_type]
             self.made.append((attribute.name, attribute.domain, attribute.data_type))
@@ -98,6 +113,7 @@ class Attributes:
         :param edge_from: for each new edge the old one that it is a part of, or -1.
         """
         mesh = obj.data
+        layers.make(mesh, self.at_vertices)
         at = {"POINT": {name: values[vertices] for name, values in made.vertex_attributes.items()},
               "CORNER": {name: _at_loops(values, layout)
                          for name, values in made.corner_attributes.items()},
@@ -109,11 +125,13 @@ class Attributes:
         if 0 <= self.active_colour < len(mesh.color_attributes):
             mesh.color_attributes.active_color_index = self.active_colour
         for name in _EDGE_FLAGS:
-            values = at["EDGE"]["flag:" + name]
-            if values.any():
-                write(mesh.edges, name, values)
+            if "flag:" + name in at["EDGE"]:
+                write(mesh.edges, name, at["EDGE"]["flag:" + name])
         for name in _FACE_FLAGS:
             write(mesh.polygons, name, at["FACE"]["flag:" + name])
+        if "face_map" in at["FACE"]:
+            write(mesh.face_maps.new().data, "value", at["FACE"]["face_map"] - 1)
+        layers.write(mesh, at["POINT"], (made.origin.weights[vertices] == 0).all(axis=1))
         if "bevel_weight" in at["POINT"]:
             write(mesh.vertices, "bevel_weight", at["POINT"]["bevel_weight"])
         self._write_uv(mesh, at["CORNER"])
@@ -126,6 +144,8 @@ class Attributes:
         for name, active, of_render, of_clone in self.uv_layers:
             layer = mesh.uv_layers.get(name) or mesh.uv_layers.new(name=name, do_init=False)
             write(layer.data, "uv", at_corners["uv:" + name])
+            if "pin:" + name in at_corners:
+                write(layer.data, "pin_uv", at_corners["pin:" + name])
         for name, active, of_render, of_clone in self.uv_layers:
             layer = mesh.uv_layers[name]
             layer.active_render = layer.active_render or of_render

@@ -5,7 +5,7 @@ from contextlib import contextmanager
 import bpy
 import numpy as np
 
-from . import attributes, remade
+from . import attributes, objects, remade
 from .package import talweg
 
 
@@ -22,47 +22,53 @@ def object_mode(obj):
             bpy.ops.object.mode_set(mode=mode)
 
 
-def _checked(arrays):
+def _saved(obj, arrays):
+    """All that the mesh has besides its surface; raises talweg.Error if it must not be replaced."""
+    objects.check(obj)
     if not len(arrays.triangles):
         raise talweg.BadMesh("The mesh has no faces.")
+    return attributes.Attributes(obj, arrays)
 
 
 def cut(obj, arrays, curves, **how):
-    """Curves become selected edges of the mesh. Returns the talweg.Cut."""
-    _checked(arrays)
-    saved = attributes.Attributes(obj, arrays)
+    """Curves become selected edges of the mesh. Returns the talweg.Cut, and warnings."""
+    saved = _saved(obj, arrays)
     made = saved.mesh(arrays, plugin="talweg.cut").cut(curves, **how)
     with object_mode(obj):
         place = remade.rewrite(obj, made.mesh, saved, arrays)[1]
         remade.select_chains(obj, made.mesh, place)
-    return made
+    return made, objects.warnings(obj, saved.lost)
 
 
 def separate(obj, arrays, curves, **how):
-    """An object for each piece, in the place of this one, which becomes the first of them."""
-    _checked(arrays)
-    saved = attributes.Attributes(obj, arrays)
+    """An object for each piece, in the place of this one, which becomes the first of them.
+    Returns them, and warnings."""
+    saved = _saved(obj, arrays)
     made = saved.mesh(arrays, plugin="talweg.cut").cut(curves, split=True, **how)
     if not made.meshes:
         raise talweg.BadCurve("Nothing is left of the mesh on that side of the curves.")
-    objects = [obj]
-    for _ in made.meshes[1:]:
-        other = obj.copy()
-        other.data = obj.data.copy()
-        for collection in obj.users_collection or (bpy.context.scene.collection,):
-            collection.objects.link(other)
-        objects.append(other)
-    for one, piece in zip(objects, made.meshes):
+    if objects.others_with_mesh(obj):  # theirs stays whole
+        obj.data = obj.data.copy()
+    pieces = [obj] + [_copy(obj) for _ in made.meshes[1:]]
+    for one, piece in zip(pieces, made.meshes):
         place = remade.rewrite(one, piece, saved, arrays)[1]
         remade.select_chains(one, piece, place)
         one.select_set(True)
-    return objects
+    return pieces, objects.warnings(obj, saved.lost)
+
+
+def _copy(obj):
+    other = obj.copy()
+    other.data = obj.data.copy()
+    for collection in obj.users_collection or (bpy.context.scene.collection,):
+        collection.objects.link(other)
+    return other
 
 
 def smooth_materials(obj, arrays, **how):
-    """The borders between materials become smooth edges of the mesh. Returns the talweg.Labels."""
-    _checked(arrays)
-    saved = attributes.Attributes(obj, arrays)
+    """The borders between materials become smooth edges of the mesh. Returns the talweg.Labels, and
+    warnings."""
+    saved = _saved(obj, arrays)
     found = saved.mesh(arrays, plugin="talweg.labels").labels(
         saved.at_faces["flag:material_index"][arrays.polygons], of="faces", **how)
     layout, place = remade.rewrite(obj, found.mesh, saved, arrays)
@@ -70,17 +76,16 @@ def smooth_materials(obj, arrays, **how):
                      found.mesh.face_attributes["label"][layout.triangle_of].astype(np.int32))
     remade.select_chains(obj, found.mesh, place)
     obj.data.update()
-    return found
+    return found, objects.warnings(obj, saved.lost)
 
 
 def smooth_group(obj, arrays, threshold, **how):
     """The border of the active vertex group becomes smooth edges of the mesh; vertices inside and on
-    it have the weight 1, and others are no members any more. Returns the talweg.Labels."""
-    _checked(arrays)
+    it have the weight 1, and others are no members any more. Returns the talweg.Labels, and warnings."""
     number = obj.vertex_groups.active_index
     if not 0 <= number < len(obj.vertex_groups):
         raise talweg.BadUsage("The object has no vertex group.")
-    saved = attributes.Attributes(obj, arrays)
+    saved = _saved(obj, arrays)
     inside = saved.at_vertices["groups"][:, number] >= threshold
     found = saved.mesh(arrays, plugin="talweg.labels").labels(inside.astype(np.int32), of="vertices",
                                                               **how)
@@ -90,13 +95,12 @@ def smooth_group(obj, arrays, threshold, **how):
     weights[made.faces[made.face_attributes["label"] == 1].ravel(), number] = 1
     place = remade.rewrite(obj, made, saved, arrays)[1]
     remade.select_chains(obj, made, place)
-    return found
+    return found, objects.warnings(obj, saved.lost)
 
 
 def repair(obj, arrays, steps):
-    """Makes a surface of the mesh. Returns the talweg.Repair."""
-    _checked(arrays)
-    saved = attributes.Attributes(obj, arrays)
+    """Makes a surface of the mesh. Returns the talweg.Repair, and warnings."""
+    saved = _saved(obj, arrays)
     fixed = saved.mesh(arrays, plugin="talweg.repair").repair(steps)
     remade.rewrite(obj, fixed.mesh, saved, arrays, fixed.became)
-    return fixed
+    return fixed, objects.warnings(obj, saved.lost)

@@ -30,12 +30,6 @@ class MeshArrays:
     def polygon_count(self):
         return len(self.starts)
 
-    def next_loop_vertices(self):
-        """The vertex of the next corner of each corner's polygon."""
-        following = np.arange(1, len(self.loop_vertices) + 1)
-        following[self.starts + self.totals - 1] = self.starts
-        return self.loop_vertices[following]
-
 
 def selected_edges(mesh):
     """The selected edges as curves: as long as they can be, to ends and junctions, then loops.

@@ -16,6 +16,7 @@ class _Smoothing:
     def smooth(self, context, obj, curves_on):
         """Smooths curves_on(arrays of the mesh) and shows the result; what goes wrong becomes an
         error report."""
+        warnings = []
         try:
             arrays = drawings.MeshArrays(obj.data)
             if not len(arrays.triangles):
@@ -26,13 +27,13 @@ class _Smoothing:
                 made = curve_object.add(obj, result, self.thickness)
                 self.report({"INFO"}, _sentence(result) + f" Curve: {made.name}.")
             else:
-                self._cut(context, obj, arrays, result)
+                warnings = self._cut(context, obj, arrays, result)
                 self.report({"INFO"}, _sentence(result))
         except (talweg.Error, KeyboardInterrupt) as error:
             self.report({"ERROR"}, str(error) or "Interrupted.")
             return {"CANCELLED"}
         parameters.show_used(self, result.total)
-        for warning in result.total.warnings:
+        for warning in (*warnings, *result.total.warnings):
             self.report({"WARNING"}, warning)
         if max(obj.scale) - min(obj.scale) > 1e-6 * max(map(abs, obj.scale)):
             self.report({"WARNING"}, "The object is scaled unevenly; lengths are those of the "
@@ -49,8 +50,9 @@ class _Smoothing:
             manager.progress_end()
 
     def _cut(self, context, obj, arrays, result):
-        cutting.cut(obj, arrays, result.curves)
+        warnings = cutting.cut(obj, arrays, result.curves)[1]
         context.tool_settings.mesh_select_mode = (False, True, False)
+        return warnings
 
     def draw(self, _context):
         layout = self.layout

@@ -22,6 +22,10 @@ def _number(plugin, name, default, low, high, **more):
                                    default=default, min=low, soft_max=high, precision=4, **more)
 
 
+def _counted(number, word):
+    return f"{number} {word}" + ("" if number == 1 else "s")
+
+
 class _OnMesh:
     """In object mode, on the active mesh."""
 
@@ -38,9 +42,8 @@ class _OnMesh:
         except (talweg.Error, KeyboardInterrupt) as error:
             self.report({"ERROR"}, str(error) or "Interrupted.")
             return {"CANCELLED"}
-        self.report({"INFO"}, told)
-        for warning in warnings:
-            self.report({"WARNING"}, warning)
+        # One report: of several the status bar shows only the last.
+        self.report({"WARNING"} if warnings else {"INFO"}, " ".join([told, *warnings]))
         return {"FINISHED"}
 
     def draw(self, _context):
@@ -58,16 +61,16 @@ def _curves(context, obj, arrays):
 
 
 class TALWEG_OT_cut(_OnMesh, bpy.types.Operator):
-    """Make selected curve objects edges of the active mesh; nothing of it is lost"""
+    """Make selected curve objects edges of the active mesh; it keeps all that it has"""
 
     bl_idname = "talweg.cut"
     bl_label = "Cut Along Curve"
 
     def work(self, context, obj, arrays):
         curves, how = _curves(context, obj, arrays)
-        made = cutting.cut(obj, arrays, curves, open=self.open, **how)
+        made, warnings = cutting.cut(obj, arrays, curves, open=self.open, **how)
         context.tool_settings.mesh_select_mode = (False, True, False)
-        return f"{made.report['cut_faces']} faces were cut.", made.report["warnings"]
+        return _counted(made.report["cut_faces"], "face") + " cut.", [*warnings, *made.report["warnings"]]
 
 
 class TALWEG_OT_separate(_OnMesh, bpy.types.Operator):
@@ -78,10 +81,10 @@ class TALWEG_OT_separate(_OnMesh, bpy.types.Operator):
 
     def work(self, context, obj, arrays):
         curves, how = _curves(context, obj, arrays)
-        objects = cutting.separate(obj, arrays, curves, keep=self.keep, cap=self.cap, **how)
-        warnings = [] if len(objects) > 1 or self.keep != "both" else [
-            "The curves do not part the mesh; it was only opened along them."]
-        return f"{len(objects)} objects: {', '.join(one.name for one in objects)}.", warnings
+        pieces, warnings = cutting.separate(obj, arrays, curves, keep=self.keep, cap=self.cap, **how)
+        if len(pieces) == 1 and self.keep == "both":
+            warnings.append("The curves do not part the mesh; it was only opened along them.")
+        return f"{_counted(len(pieces), 'object')}: {', '.join(one.name for one in pieces)}.", warnings
 
 
 class _Borders(_OnMesh):
@@ -91,8 +94,8 @@ class _Borders(_OnMesh):
             how["max_deviation"] = self.max_deviation
         return how
 
-    def told(self, found):
-        return f"{len(found.borders)} borders.", found.report["warnings"]
+    def told(self, found, warnings):
+        return _counted(len(found.borders), "border") + ".", [*warnings, *found.report["warnings"]]
 
 
 class TALWEG_OT_material_borders(_Borders, bpy.types.Operator):
@@ -102,7 +105,7 @@ class TALWEG_OT_material_borders(_Borders, bpy.types.Operator):
     bl_label = "Smooth Material Borders"
 
     def work(self, _context, obj, arrays):
-        return self.told(cutting.smooth_materials(obj, arrays, **self.smoothed()))
+        return self.told(*cutting.smooth_materials(obj, arrays, **self.smoothed()))
 
 
 class TALWEG_OT_group_borders(_Borders, bpy.types.Operator):
@@ -112,7 +115,7 @@ class TALWEG_OT_group_borders(_Borders, bpy.types.Operator):
     bl_label = "Smooth Vertex-Group Borders"
 
     def work(self, _context, obj, arrays):
-        return self.told(cutting.smooth_group(obj, arrays, self.threshold, **self.smoothed()))
+        return self.told(*cutting.smooth_group(obj, arrays, self.threshold, **self.smoothed()))
 
 
 class TALWEG_OT_repair(_OnMesh, bpy.types.Operator):
@@ -125,8 +128,8 @@ class TALWEG_OT_repair(_OnMesh, bpy.types.Operator):
         steps = ",".join(name for name in ("weld", "drop", "orient", "split") if getattr(self, name))
         if not steps:
             raise talweg.BadUsage("No step of the repair is chosen.")
-        changes = cutting.repair(obj, arrays, steps).changes
-        return " ".join(changes) or "The mesh needs no repair.", []
+        fixed, warnings = cutting.repair(obj, arrays, steps)
+        return " ".join(fixed.changes) or "The mesh needs no repair.", warnings
 
 
 CLASSES = (TALWEG_OT_cut, TALWEG_OT_separate, TALWEG_OT_material_borders, TALWEG_OT_group_borders,

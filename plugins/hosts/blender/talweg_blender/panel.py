@@ -6,7 +6,8 @@ from . import operators, operators_of_meshes
 
 EDGES = operators.TALWEG_OT_smooth_edges.bl_idname
 ANNOTATIONS = operators.TALWEG_OT_smooth_annotations.bl_idname
-OF_MESHES = [operator.bl_idname for operator in operators_of_meshes.CLASSES]
+OF_CURVES = [operator.bl_idname for operator in operators_of_meshes.CLASSES[:2]]
+OF_MESHES = [operator.bl_idname for operator in operators_of_meshes.CLASSES[2:]]
 
 
 class VIEW3D_PT_talweg(bpy.types.Panel):
@@ -25,8 +26,11 @@ class VIEW3D_PT_talweg(bpy.types.Panel):
             layout.operator(EDGES)
         else:
             layout.label(text="Annotate the surface, then:")
-            layout.operator(ANNOTATIONS)
-            layout.label(text="Curve objects, borders, the mesh:")
+            layout.operator(ANNOTATIONS, text="Smooth Annotations")
+            layout.label(text="Select a curve, then this:")
+            for operator in OF_CURVES:
+                layout.operator(operator)
+            layout.label(text="All of the mesh:")
             for operator in OF_MESHES:
                 layout.operator(operator)
 
@@ -39,7 +43,7 @@ def _edge_menu(self, _context):
 def _object_menu(self, _context):
     self.layout.separator()
     self.layout.operator(ANNOTATIONS)
-    for operator in OF_MESHES:
+    for operator in (*OF_CURVES, *OF_MESHES):
         self.layout.operator(operator)
 
 

@@ -1,21 +1,35 @@
 """Polygons of a mesh that Talweg made of the triangles of one with polygons."""
 
+from typing import NamedTuple
+
 import numpy as np
+
+from . import sound
 
 
 class Layout:
     """Polygons with their corners: ``starts`` and ``totals`` (k,) as Blender has them;
     ``loop_vertices`` and ``loop_from``, each corner's vertex and its corner of the triangles, counted
-    through them; ``polygon_from``, the old polygon of each, or -1; ``triangle_of``, a triangle of
-    each."""
+    through them; ``old_loops``, the corner that it was, or -1; ``polygon_from``, the old polygon of
+    each, or -1; ``triangle_of``, a triangle of each."""
 
-    def __init__(self, loops, polygon_from, faces):
-        self.totals = np.array([len(loop) for loop in loops], np.int32)
+    def __init__(self, whole, parts, faces):
+        loops = [np.array(part.corners, np.int64) for part in parts]
+        self.totals = np.concatenate([whole.totals, [len(loop) for loop in loops]]).astype(np.int32)
         self.starts = (np.cumsum(self.totals) - self.totals).astype(np.int32)
-        self.loop_from = np.concatenate(loops) if loops else np.empty(0, np.int64)
+        self.loop_from = np.concatenate([whole.corners, *loops])
+        self.old_loops = np.full(len(self.loop_from), -1)
+        self.old_loops[:len(whole.old_loops)] = whole.old_loops
         self.loop_vertices = faces.reshape(-1)[self.loop_from].astype(np.int32)
-        self.polygon_from = np.asarray(polygon_from, np.int64)
+        self.polygon_from = np.concatenate([whole.polygons, [part.polygon for part in parts]]) \
+            .astype(np.int64)
         self.triangle_of = self.loop_from[self.starts] // 3
+
+    def next_loop_vertices(self):
+        """The vertex of the next corner of each corner's polygon."""
+        following = np.arange(1, len(self.loop_vertices) + 1)
+        following[self.starts + self.totals - 1] = self.starts
+        return self.loop_vertices[following]
 
 
 def chain_edges(made):
@@ -30,61 +44,100 @@ def chain_edges(made):
     return np.concatenate(keys)
 
 
-def layout_of(made, arrays):
+def layout_of(made, arrays, became=None):
     """The old polygons where they are as they were; where the curves or a repair changed them, what
-    is left of each between the curves, as one polygon where it can be one."""
-    faces, source = made.faces, made.origin.faces
-    separators = {tuple(edge) for edge in np.sort(chain_edges(made), axis=1).tolist()}
+    is left of each between the curves, as one polygon where it can be one.
+
+    :param became: of a repair, the new vertex of each old one.
+    """
+    source = made.origin.faces
+    separators = np.sort(chain_edges(made), axis=1)
+    whole = _Whole(made, arrays, _unchanged(made, arrays, separators, became))
     polygon = np.where(source >= 0, arrays.polygons[source], -1)
-    whole = _unchanged(made, arrays, separators)
-    loops, polygon_from = _whole_ones(made, arrays, whole)
-    touched = np.flatnonzero((polygon < 0) | ~whole[polygon])
-    order = touched[np.argsort(polygon[touched], kind="stable")]
-    bounds = np.flatnonzero(np.diff(polygon[order])) + 1
-    for triangles in np.split(order, bounds) if len(order) else ():
-        number = int(polygon[triangles[0]])
-        found = [[3 * t, 3 * t + 1, 3 * t + 2] for t in triangles.tolist()] if number < 0 \
-            else _joined(faces, triangles.tolist(), separators)
-        loops += [np.array(loop, np.int64) for loop in found]
-        polygon_from += [number] * len(found)
-    return Layout(loops, polygon_from, faces)
+    touched = np.flatnonzero((polygon < 0) | ~whole.mask[polygon])
+    parts = _parts(made, polygon, touched, {tuple(edge) for edge in separators.tolist()})
+    return Layout(whole, parts, made.faces)
 
 
-def _unchanged(made, arrays, separators):
+def _unchanged(made, arrays, separators, became):
     """(number of polygons,): all its triangles are there, at the vertices where they were."""
     source, count = made.origin.faces, len(arrays.triangles)
     own = np.flatnonzero(source >= 0)
     place = np.full(count, -1)
     place[source[own]] = own
-    rows = np.arange(len(made.vertices))
-    heaviest = made.origin.weights.argmax(axis=1)
-    old = np.where(made.origin.weights[rows, heaviest] == 1,
-                   made.origin.vertices[rows, heaviest], -1)
     good = np.bincount(source[own], minlength=count) == 1
-    good &= (old[made.faces[place]] == arrays.triangles).all(axis=1)
-    if separators:  # a curve along a diagonal parts a polygon
-        n = len(made.vertices)
-        cuts = np.array([a * n + b for a, b in separators])
-        ends = np.sort(np.stack([made.faces, np.roll(made.faces, -1, axis=1)], -1), axis=-1)
-        on_curve = np.isin(ends[..., 0] * n + ends[..., 1], cuts).any(axis=1)
-        good &= ~on_curve[place]
+    if became is not None:
+        good &= (made.faces[place] == became[arrays.triangles]).all(axis=1)
+    else:
+        good &= (old_vertices(made)[made.faces[place]] == arrays.triangles).all(axis=1)
+    good[source[_on_curve(made, separators)]] = False  # a curve along a diagonal parts a polygon
     result = np.ones(arrays.polygon_count, bool)
     result[arrays.polygons[~good]] = False
     return result
 
 
-def _whole_ones(made, arrays, whole):
-    own = np.flatnonzero(made.origin.faces >= 0)
-    corner = np.zeros(len(arrays.loop_vertices), np.int64)
-    corner[arrays.loops[made.origin.faces[own]].ravel()] = \
-        (3 * own[:, None] + np.arange(3)).ravel()
-    chosen = np.flatnonzero(whole)
-    return [corner[start:start + total] for start, total in
-            zip(arrays.starts[chosen], arrays.totals[chosen])], chosen.tolist()
+def old_vertices(made):
+    """The vertex that each was; -1 for new ones."""
+    rows = np.arange(len(made.vertices))
+    heaviest = made.origin.weights.argmax(axis=1)
+    return np.where(made.origin.weights[rows, heaviest] == 1,
+                    made.origin.vertices[rows, heaviest], -1)
 
 
-def _joined(faces, triangles, separators):
-    """Corners of polygons around triangles that no curve parts; the triangles where there is none."""
+def _on_curve(made, separators):
+    """The triangles with an edge along a curve."""
+    marked = np.zeros(len(made.vertices), bool)
+    marked[separators.ravel()] = True
+    near = np.flatnonzero(marked[made.faces].sum(axis=1) > 1)
+    n = len(made.vertices)
+    ends = np.sort(np.stack([made.faces[near], np.roll(made.faces[near], -1, axis=1)], -1), axis=-1)
+    cuts = separators[:, 0] * n + separators[:, 1]
+    return near[np.isin(ends[..., 0] * n + ends[..., 1], cuts).any(axis=1)]
+
+
+class _Whole:
+    """The polygons that are as they were, corner by corner."""
+
+    def __init__(self, made, arrays, mask):
+        self.mask = mask
+        own = np.flatnonzero(made.origin.faces >= 0)
+        corner = np.zeros(len(arrays.loop_vertices), np.int64)
+        corner[arrays.loops[made.origin.faces[own]]] = 3 * own[:, None] + np.arange(3)
+        self.polygons = np.flatnonzero(mask)
+        self.totals = arrays.totals[self.polygons]
+        before = np.cumsum(self.totals) - self.totals
+        self.old_loops = np.repeat(arrays.starts[self.polygons] - before, self.totals) \
+            + np.arange(self.totals.sum())
+        self.corners = corner[self.old_loops]
+
+
+class Part(NamedTuple):
+    """What is left of a polygon, or of several triangles of it."""
+
+    corners: list
+    triangles: list
+    polygon: int  # -1: of none
+
+
+def _parts(made, polygon, touched, separators):
+    order = touched[np.argsort(polygon[touched], kind="stable")]
+    bounds = np.flatnonzero(np.diff(polygon[order])) + 1
+    found = []
+    for triangles in np.split(order, bounds) if len(order) else ():
+        number, triangles = int(polygon[triangles[0]]), triangles.tolist()
+        if number < 0 or len(triangles) == 1:
+            found += _single(triangles, number)
+        else:
+            found += _joined(made.faces, triangles, separators, number)
+    return sound.without_repetitions(made, touched, found, _single)
+
+
+def _single(triangles, polygon):
+    return [Part([3 * t, 3 * t + 1, 3 * t + 2], [t], polygon) for t in triangles]
+
+
+def _joined(faces, triangles, separators, polygon):
+    """Polygons around triangles that no curve parts; the triangles where there is none."""
     half = {}
     for t in triangles:
         for k in range(3):
@@ -115,7 +168,7 @@ def _joined(faces, triangles, separators):
     found = []
     for part, members in parts.items():
         loop = _around(rims[part]) if simple[part] else None
-        found += [loop] if loop else [[3 * t, 3 * t + 1, 3 * t + 2] for t in members]
+        found += [Part(loop, members, polygon)] if loop else _single(members, polygon)
     return found
 
 
