@@ -162,14 +162,15 @@ int vtkTalwegFilter::RequestData(vtkInformation*, vtkInformationVector** inputs,
     this->WorkOn(*vtkDataObject::GetData(inputs[0]), input(1), input(2), *outputs);
     const std::string& note = this->GetSession().mesh().note();
     if (!note.empty()) this->Log(TALWEG_LOG_WARNING, note.c_str());
-    return 1;
   } catch (const talweg::host::Error& error) {
     clear();
-    if (error.status() == TALWEG_CANCELLED) return 1;  // nothing wrong, nothing there
-    vtkErrorMacro(<< error.what());
+    const bool cancelled = error.status() == TALWEG_CANCELLED;  // nothing wrong, nothing there
+    if (!cancelled) vtkErrorMacro(<< error.what());
   } catch (const std::exception& error) {
     clear();
     vtkErrorMacro(<< error.what());
   }
-  return 0;
+  // Never 0, for which ParaView adds a message of its own, and views would go on showing the last
+  // result.
+  return 1;
 }
