@@ -194,6 +194,16 @@ class Changes(Case):
 
 
 class WrongInput(Case):
+    def test_without_a_curve_there_is_one_sentence(self):
+        for make, sentence in ((pv.TalwegCut, "There are no curves: give the input Curve."),
+                               (pv.TalwegMeasure, "There are no curves: give the input Curve."),
+                               (pv.TalwegSmoothCurve, "There is no drawing: give a curve")):
+            filter = make(Input=source(sheet()), Curve=None)
+            self.assertIn(sentence, self.error_of(filter))
+            # In the window such a domain says "Index out of range: 0" until there is a curve.
+            names = filter.SMProxy.GetProperty("CurveIds")
+            self.assertIsNone(names.FindDomain("vtkSMArrayListDomain"))
+
     def test_sentences(self):
         self.assertIn("no points", self.error_of(pv.TalwegCut(Input=source(sheet()),
                                                               Curve=source(polydata([])))))
@@ -227,11 +237,24 @@ class Measure(Case):
 
     def test_a_row_for_each_curve_and_one_for_all(self):
         rows = self.table(pv.TalwegMeasure(Input=source(sheet()), Curve=curves(LINE, LOOP)))
-        self.assertEqual([row["curve"].ToString() for row in rows], ["0", "1", "all"])
+        self.assertEqual([row["Curve"].ToString() for row in rows], ["0", "1", "all"])
         for row, length in zip(rows, (8, 14, 22)):
             self.assertAlmostEqual(row["length"].ToDouble(), length, 12)
         self.assertAlmostEqual(rows[1]["curvature"].ToDouble(), math.tau, 9)
         self.assertEqual([row["closed"].ToDouble() for row in rows[:2]], [0, 1])
+
+    def test_the_column_that_a_spreadsheet_shows_first_says_which_curve(self):
+        filter = pv.TalwegMeasure(Input=source(sheet()), Curve=curves(LINE, LOOP))
+        rows = self.table(filter)
+        self.assertEqual(min(rows[0]), "Curve")
+        # What is no measure of curves is in the field data, and every cell has a number.
+        for row in rows:
+            self.assertNotIn("faces", row)
+            for name, value in row.items():
+                if name != "Curve" and value.IsNumeric():
+                    self.assertFalse(math.isnan(value.ToDouble()), name)
+        data = output(filter, 0)
+        self.assertEqual(report(data, "faces"), sheet().GetNumberOfPolys())
 
     def test_others_are_compared_with(self):
         shifted = [(x, y + 0.25, z) for x, y, z in LINE]
