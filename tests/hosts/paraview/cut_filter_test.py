@@ -5,9 +5,10 @@ import unittest
 
 from vtkmodules.vtkCommonCore import (vtkDoubleArray, vtkFloatArray, vtkIntArray, vtkStringArray,
                                       vtkUnsignedCharArray)
+from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet
 
 import runner
-from support import (Case, cell_values, lines_of, output, places, polydata, pv, report, source,
+from support import (Case, cell_values, counts, lines_of, output, places, polydata, pv, report, source,
                      values)
 
 SIDE = 8
@@ -191,6 +192,45 @@ class Changes(Case):
         filter.Repair = 1
         self.update(filter)
         self.assertEqual(places(output(filter, 0).GetBlock(0)), first)
+
+
+class CurvesInBlocks(Case):
+    """Lines of a composite data set are the curves, as if they were in one data set."""
+
+    def blocks(self, *lines):
+        data = vtkMultiBlockDataSet()
+        for k, line in enumerate(lines):
+            data.SetBlock(k, polydata(line, lines=[range(len(line))]))
+        return source(data)
+
+    def test_cut(self):
+        filter = pv.TalwegCut(Input=source(sheet()), Curve=self.blocks(LINE, LOOP), Split=1, Open=1)
+        self.update(filter)
+        together = cut(LINE, LOOP, Split=1, Open=1)
+        self.update(together)
+        pieces = [output(f, 0) for f in (filter, together)]
+        self.assertEqual([p.GetNumberOfBlocks() for p in pieces], [4, 4])
+        for k in range(4):
+            self.assertEqual(*[places(p.GetBlock(k)) for p in pieces])
+        self.assertEqual(cell_values(output(filter, 1), "curve"),
+                         cell_values(output(together, 1), "curve"))
+
+    def test_measure_and_smooth(self):
+        mesh = source(sheet())
+        table = pv.TalwegMeasure(Input=mesh, Curve=self.blocks(LINE, LOOP), Others=self.blocks(LOOP))
+        self.update(table)
+        self.assertEqual(output(table, 0).GetNumberOfRows(), 3)
+        self.assertAlmostEqual(output(table, 0).GetValueByName(2, "length").ToDouble(), 22, 12)
+        smooth = pv.TalwegSmoothCurve(Input=mesh, Curve=self.blocks(LINE, LOOP))
+        self.update(smooth)
+        self.assertEqual(len(lines_of(output(smooth, 0))), 2)
+        smooth.Tau = 3
+        self.update(smooth)
+        self.assertEqual(counts(smooth), (1, 1, 2))
+
+    def test_no_block(self):
+        filter = pv.TalwegCut(Input=source(sheet()), Curve=self.blocks())
+        self.assertIn("The input Curve has no points.", self.error_of(filter))
 
 
 class WrongInput(Case):
