@@ -5,9 +5,10 @@ import unittest
 
 from vtkmodules.vtkCommonCore import (vtkDoubleArray, vtkFloatArray, vtkIntArray, vtkStringArray,
                                       vtkUnsignedCharArray)
+from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet
 
 import runner
-from support import (Case, cell_values, lines_of, output, places, polydata, pv, report, source,
+from support import (Case, cell_values, counts, lines_of, output, places, polydata, pv, report, source,
                      values)
 
 SIDE = 8
@@ -193,7 +194,56 @@ class Changes(Case):
         self.assertEqual(places(output(filter, 0).GetBlock(0)), first)
 
 
+class CurvesInBlocks(Case):
+    """Lines of a composite data set are the curves, as if they were in one data set."""
+
+    def blocks(self, *lines):
+        data = vtkMultiBlockDataSet()
+        for k, line in enumerate(lines):
+            data.SetBlock(k, polydata(line, lines=[range(len(line))]))
+        return source(data)
+
+    def test_cut(self):
+        filter = pv.TalwegCut(Input=source(sheet()), Curve=self.blocks(LINE, LOOP), Split=1, Open=1)
+        self.update(filter)
+        together = cut(LINE, LOOP, Split=1, Open=1)
+        self.update(together)
+        pieces = [output(f, 0) for f in (filter, together)]
+        self.assertEqual([p.GetNumberOfBlocks() for p in pieces], [4, 4])
+        for k in range(4):
+            self.assertEqual(*[places(p.GetBlock(k)) for p in pieces])
+        self.assertEqual(cell_values(output(filter, 1), "curve"),
+                         cell_values(output(together, 1), "curve"))
+
+    def test_measure_and_smooth(self):
+        mesh = source(sheet())
+        table = pv.TalwegMeasure(Input=mesh, Curve=self.blocks(LINE, LOOP), Others=self.blocks(LOOP))
+        self.update(table)
+        self.assertEqual(output(table, 0).GetNumberOfRows(), 3)
+        self.assertAlmostEqual(output(table, 0).GetValueByName(2, "length").ToDouble(), 22, 12)
+        smooth = pv.TalwegSmoothCurve(Input=mesh, Curve=self.blocks(LINE, LOOP))
+        self.update(smooth)
+        self.assertEqual(len(lines_of(output(smooth, 0))), 2)
+        smooth.Tau = 3
+        self.update(smooth)
+        self.assertEqual(counts(smooth), (1, 1, 2))
+
+    def test_no_block(self):
+        filter = pv.TalwegCut(Input=source(sheet()), Curve=self.blocks())
+        self.assertIn("The input Curve has no points.", self.error_of(filter))
+
+
 class WrongInput(Case):
+    def test_without_a_curve_there_is_one_sentence(self):
+        for make, sentence in ((pv.TalwegCut, "There are no curves: give the input Curve."),
+                               (pv.TalwegMeasure, "There are no curves: give the input Curve."),
+                               (pv.TalwegSmoothCurve, "There is no drawing: give a curve")):
+            filter = make(Input=source(sheet()), Curve=None)
+            self.assertIn(sentence, self.error_of(filter))
+            # In the window such a domain says "Index out of range: 0" until there is a curve.
+            names = filter.SMProxy.GetProperty("CurveIds")
+            self.assertIsNone(names.FindDomain("vtkSMArrayListDomain"))
+
     def test_sentences(self):
         self.assertIn("no points", self.error_of(pv.TalwegCut(Input=source(sheet()),
                                                               Curve=source(polydata([])))))
@@ -227,11 +277,24 @@ class Measure(Case):
 
     def test_a_row_for_each_curve_and_one_for_all(self):
         rows = self.table(pv.TalwegMeasure(Input=source(sheet()), Curve=curves(LINE, LOOP)))
-        self.assertEqual([row["curve"].ToString() for row in rows], ["0", "1", "all"])
+        self.assertEqual([row["Curve"].ToString() for row in rows], ["0", "1", "all"])
         for row, length in zip(rows, (8, 14, 22)):
             self.assertAlmostEqual(row["length"].ToDouble(), length, 12)
         self.assertAlmostEqual(rows[1]["curvature"].ToDouble(), math.tau, 9)
         self.assertEqual([row["closed"].ToDouble() for row in rows[:2]], [0, 1])
+
+    def test_the_column_that_a_spreadsheet_shows_first_says_which_curve(self):
+        filter = pv.TalwegMeasure(Input=source(sheet()), Curve=curves(LINE, LOOP))
+        rows = self.table(filter)
+        self.assertEqual(min(rows[0]), "Curve")
+        # What is no measure of curves is in the field data, and every cell has a number.
+        for row in rows:
+            self.assertNotIn("faces", row)
+            for name, value in row.items():
+                if name != "Curve" and value.IsNumeric():
+                    self.assertFalse(math.isnan(value.ToDouble()), name)
+        data = output(filter, 0)
+        self.assertEqual(report(data, "faces"), sheet().GetNumberOfPolys())
 
     def test_others_are_compared_with(self):
         shifted = [(x, y + 0.25, z) for x, y, z in LINE]

@@ -144,7 +144,7 @@ class Case(unittest.TestCase):
         with Said() as said:
             filter.UpdatePipeline()
         errors = [text for event, text in said.lines if event == "ErrorEvent"]
-        self.assertTrue(errors, "no error")
+        self.assertEqual(len(errors), 1, errors)
         self.assertIn("vtkTalweg", errors[0])
         for port in range(filter.SMProxy.GetNumberOfOutputPorts()):
             data = output(filter, port)

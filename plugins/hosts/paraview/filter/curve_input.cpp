@@ -7,6 +7,9 @@
 
 #include <vtkCellArray.h>
 #include <vtkCellArrayIterator.h>
+#include <vtkCompositeDataIterator.h>
+#include <vtkCompositeDataSet.h>
+#include <vtkDataSet.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkStripper.h>
@@ -83,14 +86,12 @@ bool closed(vtkPolyData& data, const Line& line, vtkDataArray* vertices) {
   return position(data, line.front()) == position(data, line.back());
 }
 
-}  // namespace
-
-std::vector<host::Curve> curves_of(vtkDataSet& input, const std::string& vertex_array) {
+void add_curves(vtkDataSet& input, const std::string& vertex_array,
+                std::vector<host::Curve>& curves) {
   const vtkSmartPointer<vtkPolyData> data = polydata_of(input);
   vtkDataArray* vertices = vertex_numbers_of(*data, vertex_array);
   vtkDataArray* pins = data->GetPointData()->GetArray("pin");
   vtkDataArray* exact = data->GetPointData()->GetArray(TALWEG_EXACT);
-  std::vector<host::Curve> curves;
   for (const Line& line : lines_of(*data)) {
     host::Curve curve;
     curve.closed = closed(*data, line, vertices);
@@ -107,6 +108,27 @@ std::vector<host::Curve> curves_of(vtkDataSet& input, const std::string& vertex_
     }
     curves.push_back(std::move(curve));
   }
+}
+
+}  // namespace
+
+std::vector<vtkDataSet*> data_sets_of(vtkDataObject& input) {
+  if (auto* data = vtkDataSet::SafeDownCast(&input)) return {data};
+  std::vector<vtkDataSet*> blocks;
+  auto* composite = vtkCompositeDataSet::SafeDownCast(&input);
+  if (composite == nullptr) return blocks;
+  const auto leaf = vtk::TakeSmartPointer(composite->NewIterator());
+  for (leaf->InitTraversal(); !leaf->IsDoneWithTraversal(); leaf->GoToNextItem()) {
+    auto* data = vtkDataSet::SafeDownCast(leaf->GetCurrentDataObject());
+    if (data != nullptr && data->GetNumberOfPoints() > 0) blocks.push_back(data);
+  }
+  return blocks;
+}
+
+std::vector<host::Curve> curves_of(vtkDataObject& input, const std::string& vertex_array) {
+  std::vector<host::Curve> curves;
+  for (vtkDataSet* data : data_sets_of(input)) add_curves(*data, vertex_array, curves);
+  if (curves.empty()) throw std::runtime_error("The input Curve has no points.");
   return curves;
 }
 

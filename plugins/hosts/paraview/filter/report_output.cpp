@@ -58,6 +58,12 @@ Kind kind_of(const host::ReportEntry& entry) {
   return entry.numbers.size() == 3 ? Kind::kPlace : Kind::kNone;
 }
 
+/// Of the program or the mesh, or what the first column has.
+bool is_of_no_curve(const host::ReportEntry& entry) {
+  const auto& keys = {"version", "faces", "vertices", "curve"};
+  return std::find(keys.begin(), keys.end(), entry.key) != keys.end();
+}
+
 vtkSmartPointer<vtkAbstractArray> column_for(const host::ReportEntry& entry, vtkIdType rows) {
   vtkSmartPointer<vtkAbstractArray> column;
   if (kind_of(entry) == Kind::kText) {
@@ -131,13 +137,12 @@ void give_table(const host::Results& results, vtkTable& out) {
   for (const host::ReportEntry& entry : results.report) curves = std::max(curves, entry.curve + 1);
   const vtkIdType rows = curves + 1;
   vtkNew<vtkStringArray> names;
-  names->SetName("curve");
+  names->SetName("Curve");  // a view sorts columns by name, capitals first
   for (std::int64_t c = 0; c < curves; ++c) names->InsertNextValue(std::to_string(c));
   names->InsertNextValue("all");
   out.AddColumn(names);
   for (const host::ReportEntry& entry : results.report) {
-    if (kind_of(entry) == Kind::kNone) continue;
-    if (entry.key == "curve") continue;  // the name of our own column
+    if (kind_of(entry) == Kind::kNone || is_of_no_curve(entry)) continue;
     vtkSmartPointer<vtkAbstractArray> column = out.GetColumnByName(entry.key.c_str());
     if (column == nullptr) {
       column = column_for(entry, rows);
@@ -145,6 +150,7 @@ void give_table(const host::Results& results, vtkTable& out) {
     }
     put(entry, entry.curve < 0 ? rows - 1 : static_cast<vtkIdType>(entry.curve), *column);
   }
+  give_report(results, *out.GetFieldData());
 }
 
 }  // namespace talweg::paraview

@@ -9,6 +9,7 @@
 #include <vtkPointData.h>
 #include <vtkVersionMacros.h>
 
+#include "curve_input.hpp"
 #include "number_list.hpp"
 #include "talweg_plugins.hpp"
 
@@ -53,9 +54,14 @@ void copy_settings_of_meshes(const talweg_plugin& from,
 
 }  // namespace
 
-Origin origin_of(vtkDataSet* curves, vtkDataSet* others) {
-  const auto time = [](vtkDataSet* data) {
-    return data == nullptr ? 0 : std::uint64_t{data->GetMTime()};
+Origin origin_of(vtkDataObject* curves, vtkDataObject* others) {
+  const auto time = [](vtkDataObject* data) {
+    std::uint64_t latest = data == nullptr ? 0 : data->GetMTime();
+    if (data == nullptr) return latest;
+    for (vtkDataSet* block : data_sets_of(*data)) {
+      latest = std::max<std::uint64_t>(latest, block->GetMTime());
+    }
+    return latest;
   };
   return {curves, time(curves), others, time(others), 0};
 }

@@ -49,7 +49,7 @@ struct Origin {
   friend bool operator==(const Origin&, const Origin&) = default;
 };
 /// Either may be null.
-Origin origin_of(vtkDataSet* curves, vtkDataSet* others);
+Origin origin_of(vtkDataObject* curves, vtkDataObject* others);
 
 /// Methods throw host::Error for what the plugins refuse, std::runtime_error for the rest. After
 /// that everything is given anew.

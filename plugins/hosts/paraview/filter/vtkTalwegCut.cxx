@@ -52,7 +52,7 @@ void add_block(vtkMultiBlockDataSet& blocks, vtkDataObject& block, const std::st
 
 }  // namespace
 
-void vtkTalwegCut::Cut(vtkDataSet& mesh, vtkDataSet* curves, vtkMultiBlockDataSet& pieces,
+void vtkTalwegCut::Cut(vtkDataSet& mesh, vtkDataObject* curves, vtkMultiBlockDataSet& pieces,
                        vtkPolyData& chains) {
   Session& session = this->GetSession();
   this->TakeMesh(mesh);
@@ -69,13 +69,13 @@ void vtkTalwegCut::Cut(vtkDataSet& mesh, vtkDataSet* curves, vtkMultiBlockDataSe
   talweg::paraview::give_chains(results.meshes, origins, chains);
 }
 
-void vtkTalwegCut::Work(vtkDataSet& mesh, vtkDataSet* curves, vtkDataSet*,
+void vtkTalwegCut::Work(vtkDataSet& mesh, vtkDataObject* curves, vtkDataObject*,
                         vtkInformationVector& outputs) {
   this->Cut(mesh, curves, *vtkMultiBlockDataSet::GetData(&outputs, 0),
             *vtkPolyData::GetData(&outputs, 1));
 }
 
-void vtkTalwegCut::WorkOn(vtkDataObject& mesh, vtkDataSet* curves, vtkDataSet* others,
+void vtkTalwegCut::WorkOn(vtkDataObject& mesh, vtkDataObject* curves, vtkDataObject* others,
                           vtkInformationVector& outputs) {
   auto* composite = vtkCompositeDataSet::SafeDownCast(&mesh);
   if (composite == nullptr) return this->Superclass::WorkOn(mesh, curves, others, outputs);

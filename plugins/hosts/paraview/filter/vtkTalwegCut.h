@@ -28,16 +28,16 @@ class TALWEGFILTERS_EXPORT vtkTalwegCut : public vtkTalwegFilter {
   int FillOutputPortInformation(int port, vtkInformation* info) override;
   /// Of a composite data set each leaf becomes a block with its pieces. ParaView would make one
   /// mesh of each.
-  void WorkOn(vtkDataObject& mesh, vtkDataSet* curves, vtkDataSet* others,
+  void WorkOn(vtkDataObject& mesh, vtkDataObject* curves, vtkDataObject* others,
               vtkInformationVector& outputs) override;
-  void Work(vtkDataSet& mesh, vtkDataSet* curves, vtkDataSet* others,
+  void Work(vtkDataSet& mesh, vtkDataObject* curves, vtkDataObject* others,
             vtkInformationVector& outputs) override;
 
  private:
   vtkTalwegCut(const vtkTalwegCut&) = delete;
   void operator=(const vtkTalwegCut&) = delete;
 
-  void Cut(vtkDataSet& mesh, vtkDataSet* curves, vtkMultiBlockDataSet& pieces, vtkPolyData& chains);
+  void Cut(vtkDataSet& mesh, vtkDataObject* curves, vtkMultiBlockDataSet& pieces, vtkPolyData& chains);
 };
 
 #endif

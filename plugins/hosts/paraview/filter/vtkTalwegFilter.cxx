@@ -119,7 +119,7 @@ void vtkTalwegFilter::TakeDrawing(talweg::paraview::Origin origin,
   if (this->Common->Work.take_curves(origin, make)) this->Common->Warned.clear();
 }
 
-int vtkTalwegFilter::TakeCurves(vtkDataSet* curves, vtkDataSet* others) {
+int vtkTalwegFilter::TakeCurves(vtkDataObject* curves, vtkDataObject* others) {
   if (curves == nullptr) throw std::runtime_error("There are no curves: give the input Curve.");
   Internals& common = *this->Common;
   this->TakeDrawing(talweg::paraview::origin_of(curves, others), [&] {
@@ -134,13 +134,16 @@ int vtkTalwegFilter::TakeCurves(vtkDataSet* curves, vtkDataSet* others) {
   return static_cast<int>(common.Others);
 }
 
+/// Blocks with curves are no meshes, so the filter does not run once for each.
 int vtkTalwegFilter::FillInputPortInformation(int port, vtkInformation* info) {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkDataSet" : "vtkPointSet");
-  if (port > 0) info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  if (port == 0) return 1;
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
   return 1;
 }
 
-void vtkTalwegFilter::WorkOn(vtkDataObject& mesh, vtkDataSet* curves, vtkDataSet* others,
+void vtkTalwegFilter::WorkOn(vtkDataObject& mesh, vtkDataObject* curves, vtkDataObject* others,
                              vtkInformationVector& outputs) {
   auto* data = vtkDataSet::SafeDownCast(&mesh);
   if (data == nullptr) throw std::runtime_error("The input is no data set.");
@@ -155,21 +158,22 @@ int vtkTalwegFilter::RequestData(vtkInformation*, vtkInformationVector** inputs,
     }
   };
   const auto input = [&](int port) {
-    return port < this->GetNumberOfInputPorts() ? vtkDataSet::GetData(inputs[port]) : nullptr;
+    return port < this->GetNumberOfInputPorts() ? vtkDataObject::GetData(inputs[port]) : nullptr;
   };
   clear();
   try {
     this->WorkOn(*vtkDataObject::GetData(inputs[0]), input(1), input(2), *outputs);
     const std::string& note = this->GetSession().mesh().note();
     if (!note.empty()) this->Log(TALWEG_LOG_WARNING, note.c_str());
-    return 1;
   } catch (const talweg::host::Error& error) {
     clear();
-    if (error.status() == TALWEG_CANCELLED) return 1;  // nothing wrong, nothing there
-    vtkErrorMacro(<< error.what());
+    const bool cancelled = error.status() == TALWEG_CANCELLED;  // nothing wrong, nothing there
+    if (!cancelled) vtkErrorMacro(<< error.what());
   } catch (const std::exception& error) {
     clear();
     vtkErrorMacro(<< error.what());
   }
-  return 0;
+  // Never 0, for which ParaView adds a message of its own, and views would go on showing the last
+  // result.
+  return 1;
 }

@@ -71,11 +71,11 @@ class TALWEGFILTERS_EXPORT vtkTalwegFilter : public vtkDataObjectAlgorithm {
                   vtkInformationVector* outputs) override;
 
   /// Does the work on what comes in: a data set, unless a class takes others, too.
-  virtual void WorkOn(vtkDataObject& mesh, vtkDataSet* curves, vtkDataSet* others,
+  virtual void WorkOn(vtkDataObject& mesh, vtkDataObject* curves, vtkDataObject* others,
                       vtkInformationVector& outputs);
   /// Does the work. `curves` is null on a filter with one input, or if there are none; so is
   /// `others` for a third input. Throws what std::exception is.
-  virtual void Work(vtkDataSet& mesh, vtkDataSet* curves, vtkDataSet* others,
+  virtual void Work(vtkDataSet& mesh, vtkDataObject* curves, vtkDataObject* others,
                     vtkInformationVector& outputs) = 0;
 
   talweg::paraview::Session& GetSession();
@@ -83,7 +83,7 @@ class TALWEGFILTERS_EXPORT vtkTalwegFilter : public vtkDataObjectAlgorithm {
   void TakeMesh(vtkDataSet& mesh);
   /// Gives the session the curves of a data set, and behind them those of another; says how many
   /// these are. Throws std::runtime_error without the first.
-  int TakeCurves(vtkDataSet* curves, vtkDataSet* others);
+  int TakeCurves(vtkDataObject* curves, vtkDataObject* others);
   /// Gives the session curves that are made unless they come from where they last came from. The
   /// name of an array with vertices belongs to the origin.
   void TakeDrawing(talweg::paraview::Origin origin,

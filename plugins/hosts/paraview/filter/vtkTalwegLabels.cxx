@@ -57,7 +57,7 @@ std::vector<double> exact_labels(Session& session) {
 
 }  // namespace
 
-void vtkTalwegLabels::Work(vtkDataSet& mesh, vtkDataSet*, vtkDataSet*,
+void vtkTalwegLabels::Work(vtkDataSet& mesh, vtkDataObject*, vtkDataObject*,
                            vtkInformationVector& outputs) {
   Session& session = this->GetSession();
   this->TakeMesh(mesh);

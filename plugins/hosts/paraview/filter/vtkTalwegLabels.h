@@ -22,7 +22,7 @@ class TALWEGFILTERS_EXPORT vtkTalwegLabels : public vtkTalwegFilter {
   ~vtkTalwegLabels() override = default;
 
   int FillOutputPortInformation(int port, vtkInformation* info) override;
-  void Work(vtkDataSet& mesh, vtkDataSet* curves, vtkDataSet* others,
+  void Work(vtkDataSet& mesh, vtkDataObject* curves, vtkDataObject* others,
             vtkInformationVector& outputs) override;
 
  private:

@@ -24,7 +24,7 @@ int vtkTalwegMeasure::FillOutputPortInformation(int, vtkInformation* info) {
   return 1;
 }
 
-void vtkTalwegMeasure::Work(vtkDataSet& mesh, vtkDataSet* curves, vtkDataSet* others,
+void vtkTalwegMeasure::Work(vtkDataSet& mesh, vtkDataObject* curves, vtkDataObject* others,
                             vtkInformationVector& outputs) {
   Session& session = this->GetSession();
   this->TakeMesh(mesh);

@@ -29,7 +29,7 @@ int vtkTalwegRepair::FillOutputPortInformation(int, vtkInformation* info) {
   return 1;
 }
 
-void vtkTalwegRepair::Work(vtkDataSet& mesh, vtkDataSet*, vtkDataSet*,
+void vtkTalwegRepair::Work(vtkDataSet& mesh, vtkDataObject*, vtkDataObject*,
                            vtkInformationVector& outputs) {
   Session& session = this->GetSession();
   this->TakeMesh(mesh);

@@ -25,7 +25,7 @@ using talweg::paraview::Session;
 using talweg::paraview::text_of;
 
 struct vtkTalwegSmooth::Internals {
-  [[nodiscard]] std::vector<Curve> drawing(vtkDataSet* curve, const char* ids) const {
+  [[nodiscard]] std::vector<Curve> drawing(vtkDataObject* curve, const char* ids) const {
     if (curve != nullptr) return talweg::paraview::curves_of(*curve, ids);
     const auto vertices = talweg::paraview::vertex_numbers(this->PointIds, "Point Ids");
     if (!vertices.empty()) return {talweg::paraview::curve_through(vertices)};
@@ -137,7 +137,7 @@ int vtkTalwegSmooth::FillOutputPortInformation(int, vtkInformation* info) {
   return 1;
 }
 
-void vtkTalwegSmooth::Work(vtkDataSet& mesh, vtkDataSet* curves, vtkDataSet*,
+void vtkTalwegSmooth::Work(vtkDataSet& mesh, vtkDataObject* curves, vtkDataObject*,
                            vtkInformationVector& outputs) {
   Session& session = this->GetSession();
   this->TakeMesh(mesh);

@@ -38,7 +38,7 @@ class TALWEGFILTERS_EXPORT vtkTalwegSmooth : public vtkTalwegFilter {
   ~vtkTalwegSmooth() override;
 
   int FillOutputPortInformation(int port, vtkInformation* info) override;
-  void Work(vtkDataSet& mesh, vtkDataSet* curves, vtkDataSet* others,
+  void Work(vtkDataSet& mesh, vtkDataObject* curves, vtkDataObject* others,
             vtkInformationVector& outputs) override;
 
  private:

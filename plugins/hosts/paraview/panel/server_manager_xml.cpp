@@ -23,27 +23,22 @@ constexpr const char* kMeshInput = R"(
 </InputProperty>
 )";
 
-/// Curves as another pipeline object.
+/// Curves as another pipeline object. A list of their arrays to choose from would let ParaView 5.11
+/// say "Index out of range: 0" three times until a curve is chosen, so a name is written.
 constexpr const char* kCurveInput = R"(
 <InputProperty name="Curve" command="SetInputConnection" port_index="1">
   <ProxyGroupDomain name="groups"><Group name="sources"/><Group name="filters"/></ProxyGroupDomain>
   <DataTypeDomain name="input_type"><DataType value="vtkPointSet"/></DataTypeDomain>
-  <InputArrayDomain name="arrays" attribute_type="point" number_of_components="1" optional="1"/>
   <Documentation>The curves: lines, each a curve, segments joined; or points in their order. They
     are moved to the nearest points of the mesh. For smoothing a point array named pin says which
     points stay, and one named exact which are meant exactly: a tolerance of 0 or more
     there.</Documentation>
 </InputProperty>
 <StringVectorProperty name="CurveIds" command="SetCurveIds" number_of_elements="1"
-                      default_values="None" panel_visibility="advanced">
-  <ArrayListDomain name="array_list" none_string="None" attribute_type="Scalars"
-                   input_domain_name="arrays">
-    <RequiredProperties><Property name="Curve" function="Input"/></RequiredProperties>
-  </ArrayListDomain>
-  <Documentation>A point array of the curve with vertex numbers of the mesh, used instead of
-    positions. Smoothing joins them by shortest edge paths, other filters straight over the
-    surface.</Documentation>
-  <Hints><NoDefault/></Hints>
+                      default_values="" panel_visibility="advanced">
+  <Documentation>The name of a point array of the curve with vertex numbers of the mesh, used
+    instead of positions. Smoothing joins them by shortest edge paths, other filters straight over
+    the surface.</Documentation>
 </StringVectorProperty>
 )";
 
