@@ -133,6 +133,7 @@ struct Attribute {
   std::uint32_t columns = 1;
   std::vector<double> values;                         ///< rows side by side
   std::vector<std::array<std::uint32_t, 3>> corners;  ///< of shared entries; else empty
+  std::uint32_t type = TALWEG_FLOAT64;                ///< out: of the numbers that came
 };
 
 /// Where a mesh that a run gave comes from; as talweg_origin.
@@ -296,7 +297,8 @@ inline Attribute copy(const talweg_attribute& attribute) {
           attribute.fill,
           attribute.values.columns,
           plugin::numbers_of(attribute.values, attribute.values.columns, "An attribute"),
-          triples_of(attribute.corners)};
+          triples_of(attribute.corners),
+          attribute.values.type};
 }
 inline Origin copy(const talweg_origin& origin) {
   return {triples_of(origin.vertices),   rows_of<3>(origin.weights, "The weights"),
@@ -385,12 +387,16 @@ class Instance {
 
   /// Throws Error(TALWEG_UNSUPPORTED) if the plugin takes none.
   void set_attributes(const std::vector<Attribute>& attributes) {
-    if ((meshes().takes & TALWEG_TAKES_ATTRIBUTES) == 0) unsupported("takes no attributes");
     std::vector<talweg_attribute> views;
     std::vector<const talweg_attribute*> list;
     for (const Attribute& attribute : attributes) views.push_back(detail::view_of(attribute));
     for (const talweg_attribute& view : views) list.push_back(&view);
-    check(meshes().set_attributes(instance_, list.data(), list.size()));
+    set_attributes(std::span<const talweg_attribute* const>(list));
+  }
+  /// The same of views, in types of their own.
+  void set_attributes(std::span<const talweg_attribute* const> attributes) {
+    if ((meshes().takes & TALWEG_TAKES_ATTRIBUTES) == 0) unsupported("takes no attributes");
+    check(meshes().set_attributes(instance_, attributes.data(), attributes.size()));
   }
   /// The attributes of a mesh of the last run that gave meshes.
   [[nodiscard]] std::vector<Attribute> attributes(std::uint64_t mesh) const {

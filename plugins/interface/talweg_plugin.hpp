@@ -226,6 +226,9 @@ class Adapter {
     return table().own_extension == nullptr ? nullptr : table().own_extension(id);
   }
   [[noreturn]] static void bad(const char* message) { throw Failure(TALWEG_BAD_USAGE, message); }
+  [[noreturn]] static void takes_no_curves() {
+    throw Failure(TALWEG_UNSUPPORTED, "This plugin takes no curves.");
+  }
 
   /// Runs one call: locks its instance, and turns exceptions into a status.
   template <class Body>
@@ -311,6 +314,7 @@ class Adapter {
                                   std::uint64_t count) noexcept {
     return call(instance, [&](Instance& self) {
       if constexpr (requires { self.worker.set_curves({}); }) {
+        if ((plugin()->flags & TALWEG_TAKES_CURVES) == 0) takes_no_curves();
         if (count == 0 || curves == nullptr) bad("There are no curves.");
         if (count >= UINT32_MAX) bad("There are too many curves.");
         for (std::uint64_t k = 0; k < count; ++k) checked(curves[k], "A curve");
@@ -319,7 +323,7 @@ class Adapter {
         self.worker.set_curves({curves, count});
         self.has_curves = true;
       } else {
-        throw Failure(TALWEG_UNSUPPORTED, "This plugin takes no curves.");
+        takes_no_curves();
       }
     });
   }

@@ -29,3 +29,18 @@ talweg run example.height mesh.obj --axis x --level 2 --write-height height.txt 
 grep -c . height.txt >count.txt
 test "$(cat count.txt)" = "$(grep -c '^v ' mesh.obj)"
 test "$(nm -D --defined-only "$TALWEG_PLUGIN_PATH/height_plugin.so" | grep -c ' T ')" = 1
+
+# One made with OpenMesh: a twentieth of the faces, and the curve's faces are still there.
+talweg run example.decimate --help | grep -- '--share'
+talweg run example.decimate mesh.obj --curve drawn.txt --share 0.05 --write-mesh small.ply --map map.json \
+  --report decimated.json
+grep '"faces": 1000' decimated.json
+grep 'element face 1000' small.ply
+test "$(nm -D --defined-only "$TALWEG_PLUGIN_PATH/decimate_plugin.so" | grep -c ' T ')" = 1
+
+# A host made with OpenMesh, in single precision.
+unset TALWEG_PLUGIN_PATH
+openmesh_host mesh.obj 12 845 2 | tee faces.txt
+test "$(grep -c 'from the drawing' faces.txt)" -gt 10
+if openmesh_host mesh.obj 12 99999 2>error.txt; then exit 1; fi
+grep '99999' error.txt

@@ -1,0 +1,320 @@
+// For hosts that work with OpenMesh: a plugin gets the host's TriMesh, and curves, fields and
+// meshes come back as handles, properties and meshes of the host's type. Header-only, on
+// talweg_host.hpp; of libraries only OpenMeshCore.
+//
+//   talweg::host::Services services("my program", "1.0");
+//   talweg::host::OpenMeshInstance<MyMesh> smooth(plugin, services);  // from talweg_loader_find()
+//   smooth.set_mesh(mesh);                    // deleted elements need not be collected
+//   smooth.set_curves({curve});               // of vertex handles, say
+//   smooth.set("tau", 2.0);
+//   auto results = smooth.run({.vertex_fields = true});
+//   results.curves[0].points[0].face;         // a handle of the mesh
+//   smooth.put_fields(results, mesh);         // VProp<double> "distance"
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include <OpenMesh/Core/Utils/PropertyManager.hh>
+
+#include "talweg_host.hpp"
+#include "talweg_openmesh_attributes.hpp"
+#include "talweg_openmesh_curves.hpp"
+#include "talweg_openmesh_mesh.hpp"
+#include "talweg_openmesh_origin.hpp"
+#include "talweg_openmesh_properties.hpp"
+
+namespace talweg::host {
+
+/// As Results, but with curves in handles: curves[k] is raw.curves[k], whose positions and fields
+/// have a row for each of its points.
+struct OpenMeshResults {
+  Results raw;
+  std::vector<openmesh::Curve> curves;
+};
+
+/// A mesh that a run made. Its properties are the attributes that were set and those that the
+/// plugin made; talweg:vertex and talweg:face (VProp<int>, FProp<int>) are the indices in the mesh
+/// that it was made of, or -1.
+template <class Mesh>
+struct MadeTriMesh {
+  struct Chain {
+    bool closed = false;
+    /// The vertices at each place of a curve's chain of edges: one, several where a seam was
+    /// opened, or none where it is in another mesh.
+    std::vector<std::vector<OpenMesh::VertexHandle>> places;
+  };
+
+  Mesh mesh;
+  std::vector<Chain> chains;
+};
+
+/// One workspace of a plugin on a TriMesh; else as Instance. Methods throw Error.
+template <class Mesh>
+class OpenMeshInstance {
+ public:
+  OpenMeshInstance(const talweg_plugin& plugin, const Services& services)
+      : instance_(plugin, services) {}
+
+  /// For everything that has nothing to do with OpenMesh.
+  [[nodiscard]] Instance& instance() { return instance_; }
+
+  /// Gives the mesh without its deleted elements; handles stay the caller's. Later changes of it
+  /// are not seen. Points are not copied here where they lie side by side and none is deleted.
+  void set_mesh(const Mesh& mesh) {
+    translated([&] {
+      openmesh::MeshNumbers numbers(mesh);
+      const openmesh::MeshArrays<Mesh> arrays(mesh, numbers);
+      instance_.set_mesh(arrays.positions(), arrays.triangles());
+      numbers_ = std::move(numbers);
+    });
+  }
+  /// Gives the properties of the same mesh that are numbers or rows of them, with its normals,
+  /// colours and the like. Returns a sentence on each other one.
+  std::vector<std::string> set_attributes(const Mesh& mesh) {
+    std::vector<std::string> left_out;
+    translated([&] {
+      check_same(mesh);
+      std::vector<openmesh::OwnedAttribute> attributes;
+      for (const auto& property : openmesh::properties_of(mesh, numbers_, left_out)) {
+        attributes.push_back(openmesh::attribute_of(mesh, numbers_, property));
+      }
+      std::vector<talweg_attribute> views;
+      std::vector<const talweg_attribute*> list;
+      for (const auto& attribute : attributes) views.push_back(attribute.view());
+      for (const talweg_attribute& view : views) list.push_back(&view);
+      instance_.set_attributes(std::span<const talweg_attribute* const>(list));
+    });
+    return left_out;
+  }
+  /// A point at a vertex needs no face.
+  void set_curves(const std::vector<openmesh::Curve>& curves) {
+    std::vector<Curve> given;
+    for (const openmesh::Curve& curve : curves) given.push_back(numbered(curve, given.size()));
+    instance_.set_curves(given);
+  }
+
+  void set(const char* id, double value) { instance_.set(id, value); }
+  void set(const char* id, const char* value) { instance_.set(id, value); }
+  void set(const char* id, const std::string& value) { instance_.set(id, value); }
+  void set(const char* id, const std::vector<OpenMesh::VertexHandle>& vertices) {
+    std::vector<std::uint32_t> list;
+    for (const OpenMesh::VertexHandle v : vertices) list.push_back(number(v, id));
+    instance_.set(id, list);
+  }
+  /// A field of the mesh that was set, as a property of it.
+  template <class T>
+  void set(const char* id, const OpenMesh::PropertyManager<OpenMesh::VPropHandleT<T>>& values) {
+    instance_.set(id, numbers(numbers_.vertices, values));
+  }
+  template <class T>
+  void set(const char* id, const OpenMesh::PropertyManager<OpenMesh::FPropHandleT<T>>& values) {
+    instance_.set(id, numbers(numbers_.faces, values));
+  }
+
+  OpenMeshResults run(const Wanted& wanted = {}) {
+    OpenMeshResults results{instance_.run(wanted), {}};
+    for (const Curve& curve : results.raw.curves) results.curves.push_back(in_handles(curve));
+    return results;
+  }
+
+  /// Puts a run's fields on the mesh that was set: VProp<double>, or FProp<double> for those of
+  /// triangles, by their names; properties that are there are filled. Elements that were deleted
+  /// then keep what they have.
+  void put_fields(const OpenMeshResults& results, Mesh& mesh) const {
+    check_same(mesh);
+    for (const Field& field : results.raw.fields) {
+      if (is_of_triangles(field.name)) {
+        put<OpenMesh::FPropHandleT<double>>(mesh, field, numbers_.faces);
+      } else {
+        put<OpenMesh::VPropHandleT<double>>(mesh, field, numbers_.vertices);
+      }
+    }
+  }
+
+  /// Mesh `number` of the last run.
+  [[nodiscard]] MadeTriMesh<Mesh> made(const OpenMeshResults& results, std::size_t number) const {
+    MadeTriMesh<Mesh> made;
+    translated([&] {
+      const host::Mesh& from = results.raw.meshes.at(number);
+      openmesh::fill_mesh(made.mesh, detail::view_of(from.positions), triples(from.triangles));
+    });
+    const talweg_plugin& plugin = instance_.plugin();
+    const auto* extension = static_cast<const talweg_meshes*>(plugin.get_extension(TALWEG_MESHES));
+    if (extension == nullptr) return made;
+    put_origin(instance_.origin(number), made);
+    if ((extension->takes & TALWEG_TAKES_ATTRIBUTES) == 0) return made;
+    for (const Attribute& attribute : instance_.attributes(number)) put(attribute, made.mesh);
+    return made;
+  }
+
+ private:
+  static constexpr std::uint32_t kNone = openmesh::Numbers<OpenMesh::VertexHandle>::kNone;
+
+  /// What the headers for both sides throw, as what a host gets.
+  template <class Body>
+  static void translated(const Body& body) {
+    try {
+      body();
+    } catch (const plugin::Failure& failure) {
+      throw Error(failure.status(), failure.what());
+    }
+  }
+  [[noreturn]] static void bad(talweg_status status, const std::string& message) {
+    throw Error(status, message);
+  }
+
+  void check_same(const Mesh& mesh) const {
+    const openmesh::MeshNumbers now(mesh);
+    if (now.vertices.size() == numbers_.vertices.size() &&
+        now.faces.size() == numbers_.faces.size()) {
+      return;
+    }
+    bad(TALWEG_BAD_USAGE, "The mesh has " + std::to_string(now.vertices.size()) + " vertices and " +
+                              std::to_string(now.faces.size()) +
+                              " faces, and the one that was set " +
+                              std::to_string(numbers_.vertices.size()) + " and " +
+                              std::to_string(numbers_.faces.size()) + ".");
+  }
+
+  [[nodiscard]] std::uint32_t number(OpenMesh::VertexHandle v, const std::string& where) const {
+    const std::uint32_t number = numbers_.vertices.number(v);
+    if (number != kNone) return number;
+    bad(TALWEG_BAD_CURVE, where + " has the vertex handle " + std::to_string(v.idx()) +
+                              ", and the mesh no such vertex, or a deleted one.");
+  }
+  [[nodiscard]] std::uint32_t number(OpenMesh::FaceHandle f, const std::string& where) const {
+    const std::uint32_t number = numbers_.faces.number(f);
+    if (number != kNone) return number;
+    bad(TALWEG_BAD_CURVE, where + " has the face handle " + std::to_string(f.idx()) +
+                              ", and the mesh no such face, or a deleted one.");
+  }
+
+  /// By vertices if all points are said to be at some; else by faces.
+  [[nodiscard]] Curve numbered(const openmesh::Curve& curve, std::size_t which) const {
+    const std::string where = "Curve " + std::to_string(which);
+    Curve result;
+    result.closed = curve.closed;
+    result.pins = curve.pins;
+    result.exact = curve.exact;
+    bool at_vertices = true;
+    for (const auto& point : curve.points) at_vertices = at_vertices && point.vertex.is_valid();
+    for (const auto& point : curve.points) {
+      if (at_vertices) {
+        result.vertices.push_back(number(point.vertex, where));
+      } else {
+        result.faces.push_back(number(point.face, where));
+        result.barycentrics.push_back(point.barycentric);
+      }
+    }
+    return result;
+  }
+  [[nodiscard]] openmesh::Curve in_handles(const Curve& curve) const {
+    openmesh::Curve result;
+    result.closed = curve.closed;
+    result.exact = curve.exact;
+    for (std::size_t k = 0; k < curve.faces.size(); ++k) {
+      openmesh::CurvePoint& point = result.points.emplace_back();
+      point.face = numbers_.faces.handle(curve.faces[k]);
+      point.barycentric = curve.barycentrics.at(k);
+      if (k >= curve.vertices.size() || curve.vertices[k] == TALWEG_NO_VERTEX) continue;
+      point.vertex = numbers_.vertices.handle(curve.vertices[k]);
+    }
+    return result;
+  }
+
+  template <class Handle, class Values>
+  static std::vector<double> numbers(const openmesh::Numbers<Handle>& elements,
+                                     const Values& values) {
+    std::vector<double> result;
+    for (std::size_t k = 0; k < elements.size(); ++k) {
+      result.push_back(static_cast<double>(values[elements.handle(k)]));
+    }
+    return result;
+  }
+
+  [[nodiscard]] bool is_of_triangles(const std::string& name) const {
+    const talweg_plugin& plugin = instance_.plugin();
+    for (std::uint32_t k = 0; k < plugin.output_count; ++k) {
+      const talweg_output& output = *plugin.outputs[k];
+      if (output.kind == TALWEG_OUTPUT_TRIANGLE_FIELD && name == output.name) return true;
+    }
+    return false;
+  }
+  template <class Property, class Elements>
+  static void put(Mesh& mesh, const Field& field, const Elements& elements) {
+    Property property;
+    if (!mesh.get_property_handle(property, field.name)) mesh.add_property(property, field.name);
+    for (std::size_t k = 0; k < elements.size(); ++k) {
+      mesh.property(property, elements.handle(k)) = field.values.at(k);
+    }
+  }
+
+  static talweg_array triples(const std::vector<std::array<std::uint32_t, 3>>& rows) {
+    return view(rows.empty() ? nullptr : rows.front().data(), rows.size(), 3);
+  }
+  void put_origin(const Origin& origin, MadeTriMesh<Mesh>& made) const {
+    openmesh::number_elements(made.mesh);
+    OpenMesh::VPropHandleT<int> vertex;
+    OpenMesh::FPropHandleT<int> face;
+    made.mesh.get_property_handle(vertex, openmesh::kVertexNumber);
+    made.mesh.get_property_handle(face, openmesh::kFaceNumber);
+    for (std::size_t k = 0; k < origin.vertices.size(); ++k) {
+      made.mesh.property(vertex, OpenMesh::VertexHandle(static_cast<int>(k))) =
+          old_vertex(origin.vertices[k], origin.weights.at(k));
+    }
+    for (std::size_t k = 0; k < origin.triangles.size(); ++k) {
+      const std::uint32_t from = origin.triangles[k];
+      made.mesh.property(face, OpenMesh::FaceHandle(static_cast<int>(k))) =
+          from == TALWEG_NO_TRIANGLE ? -1 : numbers_.faces.handle(from).idx();
+    }
+    for (std::size_t c = 0; c < origin.lengths.size(); ++c) {
+      made.chains.push_back({origin.closed.at(c) != 0, {}});
+      made.chains.back().places.resize(origin.lengths[c]);
+    }
+    for (const auto& [curve, place, v] : origin.chains) {
+      made.chains.at(curve).places.at(place).emplace_back(static_cast<int>(v));
+    }
+  }
+  [[nodiscard]] int old_vertex(const std::array<std::uint32_t, 3>& from,
+                               const std::array<double, 3>& weights) const {
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (weights[i] == 1) return numbers_.vertices.handle(from[i]).idx();
+    }
+    return -1;
+  }
+  /// Among whole numbers 0 stands for a corner without an entry; real ones have NaN.
+  static std::uint32_t with_none(std::uint32_t entry, openmesh::OwnedAttribute& of) {
+    if (entry != TALWEG_NO_ENTRY || openmesh::detail::is_real(of.type)) return entry;
+    const std::size_t row = of.columns * plugin::detail::size_of(of.type);
+    of.values.resize(of.values.size() + row, 0);
+    return static_cast<std::uint32_t>(of.values.size() / row - 1);
+  }
+  static void put(const Attribute& attribute, Mesh& mesh) {
+    openmesh::OwnedAttribute typed{attribute.name,
+                                   attribute.element,
+                                   attribute.carry,
+                                   attribute.fill,
+                                   attribute.columns,
+                                   attribute.type,
+                                   {},
+                                   {}};
+    for (const double value : attribute.values) {
+      openmesh::detail::append_number(value, attribute.type, typed.values);
+    }
+    for (const auto& corners : attribute.corners) {
+      for (const std::uint32_t entry : corners) typed.corners.push_back(with_none(entry, typed));
+    }
+    translated([&] { openmesh::add_property(mesh, typed.view()); });
+  }
+
+  Instance instance_;
+  openmesh::MeshNumbers numbers_;  // of the mesh that was set
+};
+
+}  // namespace talweg::host

@@ -1,0 +1,122 @@
+// The properties of an OpenMesh mesh that can go over as attributes of the interface, and what is
+// to be said of the others.
+#pragma once
+
+#include <cctype>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "talweg_meshes.h"
+#include "talweg_openmesh_attributes.hpp"
+#include "talweg_openmesh_mesh.hpp"
+#include "talweg_openmesh_values.hpp"
+
+namespace talweg::openmesh {
+
+/// Properties of these names are ours: where vertices and faces come from.
+inline constexpr std::string_view kOwnPrefix = "talweg:";
+
+namespace detail {
+
+inline std::string lower(std::string text) {
+  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return text;
+}
+
+/// As Talweg's other hosts carry attributes if nothing is said.
+inline std::uint32_t carry_of(const std::string& name, std::uint32_t type, std::uint32_t columns) {
+  const std::string text = lower(name);
+  const std::string last = text.substr(text.find(':') + 1);  // OpenMesh's own is v:normals
+  if (is_real(type) && columns == 3 && (last == "normal" || last == "normals")) {
+    return TALWEG_CARRY_DIRECTION;
+  }
+  if (text.find("label") != std::string::npos) return TALWEG_CARRY_NEAREST;
+  if (is_real(type)) return TALWEG_CARRY_LINEAR;
+  return type == TALWEG_UINT8 ? TALWEG_CARRY_ROUNDED : TALWEG_CARRY_NEAREST;
+}
+
+/// Colours are white in lids, all else is 0.
+inline double fill_of(const std::string& name, std::uint32_t type, std::uint32_t columns) {
+  if (lower(name).find("col") == std::string::npos || columns < 3 || columns > 4) return 0;
+  return type == TALWEG_UINT8 ? 255 : is_real(type) ? 1 : 0;
+}
+
+inline std::string what_it_is(const std::string& element, const OpenMesh::BaseProperty& property) {
+  return "The " + element + " property \"" + property.name() + "\"";
+}
+
+/// Why a property does not go over, or none; then it is described.
+template <class Mesh>
+std::optional<std::string> described(const Mesh& mesh, const MeshNumbers& numbers,
+                                     const OpenMesh::BaseProperty& given,
+                                     AttributeProperty& property) {
+  property.access = access_to(given);
+  if (property.access == nullptr) {
+    const std::string type = given.get_storage_name();
+    return "holds " + (type == "UnknownType" ? std::string("a type of its own") : type) +
+           ", which is no number and no row of numbers";
+  }
+  std::optional<std::uint32_t> columns;
+  bool even = true;
+  for_rows(mesh, numbers, property.element, [&](std::size_t element) {
+    const std::uint32_t here = property.access->columns(given, element);
+    even = even && (!columns || *columns == here);
+    columns = here;
+  });
+  property.columns = columns.value_or(1);
+  if (!even) return "has lists of different lengths";
+  if (property.columns < 1 || property.columns > 64) {
+    return "has " + std::to_string(property.columns) + " numbers in a row, not 1 to 64";
+  }
+  property.name = given.name();
+  property.type = property.access->type;
+  property.carry = carry_of(property.name, property.type, property.columns);
+  property.fill = fill_of(property.name, property.type, property.columns);
+  return std::nullopt;
+}
+
+/// Neither points, status and what is ours, nor what has no name.
+inline bool may_go_over(const OpenMesh::BaseProperty* property) {
+  if (property == nullptr) return false;
+  const std::string& name = property->name();
+  const bool is_status = name.size() == 8 && name.substr(1) == ":status";
+  return !name.empty() && name[0] != '<' && name != "v:points" && !is_status &&
+         name.rfind(kOwnPrefix, 0) != 0;
+}
+
+}  // namespace detail
+
+/// All properties of a mesh that go over as attributes. Those with names of OpenMesh's own go, too,
+/// but for points and status; unnamed ones do not. `left_out` gets a sentence on each that cannot.
+template <class Mesh>
+std::vector<AttributeProperty> properties_of(const Mesh& mesh, const MeshNumbers& numbers,
+                                             std::vector<std::string>& left_out) {
+  constexpr const char* kElements[] = {"vertex", "face", "halfedge"};
+  std::vector<AttributeProperty> list;
+  for (const std::uint32_t element : {TALWEG_OF_VERTICES, TALWEG_OF_TRIANGLES, TALWEG_OF_CORNERS}) {
+    const auto [begin, end] = detail::properties_at(mesh, element);
+    for (auto at = begin; at != end; ++at) {
+      if (!detail::may_go_over(*at)) continue;
+      AttributeProperty property;
+      property.element = element;
+      const auto problem = detail::described(mesh, numbers, **at, property);
+      if (!problem) {
+        list.push_back(std::move(property));
+      } else {
+        left_out.push_back(detail::what_it_is(kElements[element - 1], **at) + " " + *problem + ".");
+      }
+    }
+  }
+  for (auto at = mesh.eprops_begin(); at != mesh.eprops_end(); ++at) {
+    if (!detail::may_go_over(*at)) continue;
+    left_out.push_back(detail::what_it_is("edge", **at) + " has no counterpart in the interface.");
+  }
+  return list;
+}
+
+}  // namespace talweg::openmesh
