@@ -277,7 +277,7 @@ class Measure(Case):
 
     def test_a_row_for_each_curve_and_one_for_all(self):
         rows = self.table(pv.TalwegMeasure(Input=source(sheet()), Curve=curves(LINE, LOOP)))
-        self.assertEqual([row["Curve"].ToString() for row in rows], ["0", "1", "all"])
+        self.assertEqual([row["# curve"].ToString() for row in rows], ["0", "1", "all"])
         for row, length in zip(rows, (8, 14, 22)):
             self.assertAlmostEqual(row["length"].ToDouble(), length, 12)
         self.assertAlmostEqual(rows[1]["curvature"].ToDouble(), math.tau, 9)
@@ -286,12 +286,12 @@ class Measure(Case):
     def test_the_column_that_a_spreadsheet_shows_first_says_which_curve(self):
         filter = pv.TalwegMeasure(Input=source(sheet()), Curve=curves(LINE, LOOP))
         rows = self.table(filter)
-        self.assertEqual(min(rows[0]), "Curve")
+        self.assertEqual(min(rows[0], key=str.lower), "# curve")  # in whatever case it sorts
         # What is no measure of curves is in the field data, and every cell has a number.
         for row in rows:
             self.assertNotIn("faces", row)
             for name, value in row.items():
-                if name != "Curve" and value.IsNumeric():
+                if name != "# curve" and value.IsNumeric():
                     self.assertFalse(math.isnan(value.ToDouble()), name)
         data = output(filter, 0)
         self.assertEqual(report(data, "faces"), sheet().GetNumberOfPolys())

@@ -137,7 +137,7 @@ void give_table(const host::Results& results, vtkTable& out) {
   for (const host::ReportEntry& entry : results.report) curves = std::max(curves, entry.curve + 1);
   const vtkIdType rows = curves + 1;
   vtkNew<vtkStringArray> names;
-  names->SetName("Curve");  // a view sorts columns by name, capitals first
+  names->SetName("# curve");  // a spreadsheet view sorts columns by name
   for (std::int64_t c = 0; c < curves; ++c) names->InsertNextValue(std::to_string(c));
   names->InsertNextValue("all");
   out.AddColumn(names);

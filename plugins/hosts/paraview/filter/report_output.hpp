@@ -20,7 +20,7 @@ void give_report(const host::Results& results, vtkFieldData& out);
 void give_reports_of_curves(const host::Results& results, const char* group, vtkIdType count,
                             vtkDataSetAttributes& out);
 
-/// A row for each curve and a last one, all, for them together; the column Curve says which.
+/// A row for each curve and a last one, all, for them together; the column "# curve" says which.
 /// Columns are the numbers, the three coordinates of a place, and the texts; what a row has not is
 /// NaN or empty. The field data have the report on all.
 void give_table(const host::Results& results, vtkTable& out);
