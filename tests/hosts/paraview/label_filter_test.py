@@ -2,7 +2,7 @@
 
 import unittest
 
-from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkUnsignedCharArray
+from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkStringArray, vtkUnsignedCharArray
 
 import runner
 from support import (Case, cell_values, lines_of, output, places, polydata, pv, real_mesh, report,
@@ -112,7 +112,18 @@ class Labels(Case):
         none = pv.TalwegLabelBorders(Input=labelled(True))
         self.assertIn("There are no labels", self.error_of(none))
         missing = pv.TalwegLabelBorders(Input=labelled(True), TriangleLabels="nothing")
-        self.assertIn("no cell array nothing", self.error_of(missing))
+        self.assertIn("The mesh has no cell array nothing.", self.error_of(missing))
+        # The panel offers texts, too.
+        data = polydata(POINTS, TRIANGLES)
+        for array in (vtkStringArray(), vtkDoubleArray()):
+            array.SetName("name" if array.IsA("vtkStringArray") else "vector")
+            array.SetNumberOfComponents(1 if array.IsA("vtkStringArray") else 3)
+            array.SetNumberOfTuples(len(TRIANGLES))
+            data.GetCellData().AddArray(array)
+        for name, what in (("name", "texts; numbers are needed."),
+                           ("vector", "3 components; one is needed.")):
+            filter = pv.TalwegLabelBorders(Input=source(data), TriangleLabels=name)
+            self.assertIn(f"The cell array {name} of the mesh has {what}", self.error_of(filter))
         calculator = pv.Calculator(Input=source(polydata(POINTS, TRIANGLES)),
                                    Function="coordsX", ResultArrayName="half")
         real = pv.TalwegLabelBorders(Input=calculator, VertexLabels="half")

@@ -181,6 +181,22 @@ vtkDataArray* Session::array_of(const std::string& id) const {
   return field == nullptr || field->name.empty() ? nullptr : array(*field);
 }
 
+void Session::check_is_one_number_each(const FieldName& field) const {
+  const std::string kind = field.of_cells ? "cell" : "point";
+  vtkFieldData& arrays = field.of_cells ? static_cast<vtkFieldData&>(mesh_.cell_arrays())
+                                        : static_cast<vtkFieldData&>(mesh_.arrays());
+  vtkAbstractArray* found = arrays.GetAbstractArray(field.name.c_str());
+  if (found == nullptr)
+    throw std::runtime_error("The mesh has no " + kind + " array " + field.name + ".");
+  const std::string subject = "The " + kind + " array " + field.name + " of the mesh has ";
+  if (vtkDataArray::SafeDownCast(found) == nullptr) {
+    throw std::runtime_error(subject + "texts; numbers are needed.");
+  }
+  const int components = found->GetNumberOfComponents();
+  if (components == 1) return;
+  throw std::runtime_error(subject + std::to_string(components) + " components; one is needed.");
+}
+
 /// A field changes when its array does.
 Setting Session::current(Setting value) const {
   if (auto* field = std::get_if<FieldName>(&value); field != nullptr && !field->name.empty()) {
@@ -219,10 +235,7 @@ void Session::apply_curve_numbers(const talweg_parameter& parameter, const std::
 void Session::apply_field(const char* id, const FieldName& field) {
   if (field.name.empty()) return instance().reset(id);
   vtkDataArray* values = array(field);
-  if (values == nullptr || values->GetNumberOfComponents() != 1) {
-    throw std::runtime_error(std::string("The mesh has no ") + (field.of_cells ? "cell" : "point") +
-                             " array " + field.name + " of one component.");
-  }
+  check_is_one_number_each(field);
   std::vector<double> numbers;
   if (field.of_cells) {
     for (const vtkIdType cell : mesh_.cells()) numbers.push_back(values->GetTuple1(cell));

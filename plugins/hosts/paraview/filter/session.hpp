@@ -93,6 +93,7 @@ class Session {
   void apply_curve_numbers(const talweg_parameter& parameter, const std::string& text);
   void apply_field(const char* id, const FieldName& field);
   [[nodiscard]] vtkDataArray* array(const FieldName& field) const;
+  void check_is_one_number_each(const FieldName& field) const;
   [[nodiscard]] Setting current(Setting value) const;
 
   const char* id_;

@@ -37,7 +37,8 @@ class TALWEGFILTERS_EXPORT vtkTalwegCut : public vtkTalwegFilter {
   vtkTalwegCut(const vtkTalwegCut&) = delete;
   void operator=(const vtkTalwegCut&) = delete;
 
-  void Cut(vtkDataSet& mesh, vtkDataObject* curves, vtkMultiBlockDataSet& pieces, vtkPolyData& chains);
+  void Cut(vtkDataSet& mesh, vtkDataObject* curves, vtkMultiBlockDataSet& pieces,
+           vtkPolyData& chains);
 };
 
 #endif
