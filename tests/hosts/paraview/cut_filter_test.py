@@ -194,6 +194,16 @@ class Changes(Case):
         self.assertEqual(places(output(filter, 0).GetBlock(0)), first)
 
 
+class Warnings(Case):
+    def test_a_curve_far_from_the_mesh(self):
+        above = [(x, y, 6.0) for x, y, _ in LINE]
+        for make in (pv.TalwegCut, pv.TalwegMeasure):
+            filter = make(Input=source(sheet()), Curve=curves(above))
+            self.assertIn("The drawing lies far from the mesh", "".join(self.update(filter)))
+            filter.Repair = 1
+            self.update(filter)
+
+
 class CurvesInBlocks(Case):
     """Lines of a composite data set are the curves, as if they were in one data set."""
 

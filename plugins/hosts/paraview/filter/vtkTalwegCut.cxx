@@ -58,6 +58,7 @@ void vtkTalwegCut::Cut(vtkDataSet& mesh, vtkDataObject* curves, vtkMultiBlockDat
   this->TakeMesh(mesh);
   this->TakeCurves(curves, nullptr);
   const talweg::host::Results results = session.run({.meshes = true});
+  this->LogWarnings(results);
   std::vector<talweg::host::Origin> origins;
   for (std::size_t m = 0; m < results.meshes.size(); ++m) {
     origins.push_back(session.instance().origin(m));

@@ -109,6 +109,14 @@ void vtkTalwegFilter::Log(unsigned int severity, const char* message) {
   }
 }
 
+void vtkTalwegFilter::LogWarnings(const talweg::host::Results& results) {
+  const talweg::host::ReportEntry* warnings = results.find("warnings");
+  if (warnings == nullptr) return;
+  for (const std::string& warning : warnings->texts) {
+    this->Log(TALWEG_LOG_WARNING, warning.c_str());
+  }
+}
+
 void vtkTalwegFilter::TakeMesh(vtkDataSet& mesh) {
   if (this->GetSession().take_mesh(mesh)) this->Common->Warned.clear();
 }

@@ -23,7 +23,8 @@ class vtkDataSet;
 namespace talweg {
 namespace host {
 struct Curve;
-}
+struct Results;
+}  // namespace host
 namespace paraview {
 class Session;
 struct Origin;
@@ -93,6 +94,8 @@ class TALWEGFILTERS_EXPORT vtkTalwegFilter : public vtkDataObjectAlgorithm {
   /// In ParaView's messages if it is a warning, else in the log. A warning is not repeated until
   /// the mesh or the curves change.
   void Log(unsigned int severity, const char* message);
+  /// The warnings of a report, for plugins that do not log them.
+  void LogWarnings(const talweg::host::Results& results);
 
  private:
   vtkTalwegFilter(const vtkTalwegFilter&) = delete;

@@ -32,9 +32,5 @@ void vtkTalwegMeasure::Work(vtkDataSet& mesh, vtkDataObject* curves, vtkDataObje
   session.set("others", static_cast<double>(count));
   const talweg::host::Results results = session.run({});
   talweg::paraview::give_table(results, *vtkTable::GetData(&outputs, 0));
-  const talweg::host::ReportEntry* warnings = results.find("warnings");
-  if (warnings == nullptr) return;
-  for (const std::string& warning : warnings->texts) {
-    this->Log(TALWEG_LOG_WARNING, warning.c_str());
-  }
+  this->LogWarnings(results);
 }
