@@ -70,22 +70,20 @@ def distances(points, starts, ends):
     return result
 
 
-def by_talweg(vertices, faces, curve, at_vertices, at_faces):
-    mesh = talweg.Mesh(vertices, faces, vertex_attributes=at_vertices, face_attributes=at_faces,
-                       plugin="talweg.cut")
+def by_talweg(given, curve):
+    """From arrays, opening included."""
+    mesh = talweg.Mesh(given.vertices, given.faces, vertex_attributes=given.vertex_attributes,
+                       face_attributes=given.face_attributes, plugin="talweg.cut")
     made = mesh.cut(curve, split=True).meshes
     return [(m.vertices, m.faces, m.vertex_attributes, m.face_attributes) for m in made]
 
 
-def by_vtk(vertices, faces, curve, at_vertices, at_faces):
-    mesh = talweg.Mesh.__new__(talweg.Mesh)  # not opened: only for its way to VTK
-    mesh.__setstate__({"vertices": vertices, "faces": faces, "repair_steps": False,
-                       "vertex_attributes": at_vertices, "face_attributes": at_faces,
-                       "corner_attributes": {}})
+def by_vtk(given, curve):
+    """From a vtkPolyData, which is made before the clock runs."""
     loop = vtkPoints()
     loop.SetData(numpy_to_vtk(np.ascontiguousarray(curve.positions)))
     select = vtkSelectPolyData()
-    select.SetInputData(mesh.to_vtk())
+    select.SetInputData(given)
     select.SetLoop(loop)
     select.GenerateSelectionScalarsOn()
     select.SetSelectionModeToSmallestRegion()
@@ -118,6 +116,8 @@ def judged(pieces, ms, vertices, faces, curve):
     off = np.abs(np.linalg.norm(normals, axis=1) - 1)
     return {"ms": ms, "border to curve, edges": far.max() / edge,
             "curve to border, edges": back.max() / edge,
+            "shortest edge of the border, edges":
+                np.linalg.norm(ends[:, 0] - ends[:, 1], axis=1).min() / edge,
             "area lost": 1 - sum(area(*piece[:2]) for piece in pieces) / whole,
             "labels that none had": int(np.count_nonzero(labels % LABELS)),
             "normals not 1 long": int(np.count_nonzero(off > 1e-6)),
@@ -139,10 +139,11 @@ def compare(mesh, drawing):
         sys.exit(f"{drawing} is no closed curve.")
     print(f"{mesh}: {len(faces)} faces, a loop of {len(curve.positions)} points")
     at_vertices, at_faces = attributes_of(vertices, faces)
-    for name, cut in (("Talweg " + talweg.__version__, by_talweg),
-                      ("VTK " + vtkVersion.GetVTKVersion(), by_vtk)):
+    arrays = talweg.Mesh(vertices, faces, vertex_attributes=at_vertices, face_attributes=at_faces)
+    for name, cut, given in (("Talweg " + talweg.__version__, by_talweg, arrays),
+                             ("VTK " + vtkVersion.GetVTKVersion(), by_vtk, arrays.to_vtk())):
         begin = processor_time()
-        pieces = cut(vertices, faces, curve, at_vertices, at_faces)
+        pieces = cut(given, curve)
         ms = processor_time() - begin
         told = judged(pieces, ms, vertices, faces, curve)
         print(f"  {name}:", ", ".join(f"{key} {value:.3g}" if isinstance(value, float)
