@@ -291,7 +291,7 @@ class OpenMeshInstance {
   /// Among whole numbers 0 stands for a corner without an entry; real ones have NaN.
   static std::uint32_t with_none(std::uint32_t entry, openmesh::OwnedAttribute& of) {
     if (entry != TALWEG_NO_ENTRY || openmesh::detail::is_real(of.type)) return entry;
-    const std::size_t row = of.columns * plugin::detail::size_of(of.type);
+    const auto row = static_cast<std::size_t>(of.columns * plugin::detail::size_of(of.type));
     of.values.resize(of.values.size() + row, 0);
     return static_cast<std::uint32_t>(of.values.size() / row - 1);
   }

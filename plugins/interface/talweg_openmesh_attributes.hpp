@@ -39,7 +39,7 @@ struct OwnedAttribute {
   std::vector<std::uint32_t> corners;
 
   [[nodiscard]] talweg_attribute view() const {
-    const std::size_t row = columns * plugin::detail::size_of(type);
+    const std::uint64_t row = columns * plugin::detail::size_of(type);
     return {
         sizeof(talweg_attribute),
         element,

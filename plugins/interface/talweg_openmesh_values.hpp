@@ -13,6 +13,7 @@
 #include <OpenMesh/Core/Geometry/VectorT.hh>
 #include <OpenMesh/Core/Mesh/BaseKernel.hh>
 
+#include "talweg_meshes.h"
 #include "talweg_plugin.h"
 
 namespace talweg::openmesh::detail {

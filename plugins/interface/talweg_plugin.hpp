@@ -320,7 +320,7 @@ class Adapter {
         for (std::uint64_t k = 0; k < count; ++k) checked(curves[k], "A curve");
         if (!self.has_mesh) bad("There is no mesh; set_mesh() comes first.");
         prepare(self);
-        self.worker.set_curves({curves, count});
+        self.worker.set_curves({curves, static_cast<std::size_t>(count)});
         self.has_curves = true;
       } else {
         takes_no_curves();
@@ -366,7 +366,9 @@ class Adapter {
       if (count > 0 && attributes == nullptr) bad("The list of attributes is null.");
       if (count >= UINT32_MAX) bad("There are too many attributes.");
       for (std::uint64_t k = 0; k < count; ++k) checked(attributes[k], "An attribute");
-      if constexpr (kHasAttributes) self.worker.set_attributes({attributes, count});
+      if constexpr (kHasAttributes) {
+        self.worker.set_attributes({attributes, static_cast<std::size_t>(count)});
+      }
     });
   }
   static talweg_status attributes(talweg_instance* instance, std::uint64_t mesh,

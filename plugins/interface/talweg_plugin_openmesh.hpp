@@ -112,7 +112,7 @@ class OpenMeshWorker {
       if (v >= mesh_->n_vertices()) {
         throw Failure(TALWEG_BAD_USAGE, std::string(id) + " has vertex " + std::to_string(v) +
                                             ", and the mesh has " +
-                                            std::to_string(mesh_->n_vertices()));
+                                            std::to_string(mesh_->n_vertices()) + ".");
       }
       handles.emplace_back(static_cast<int>(v));
     }

@@ -70,8 +70,18 @@ Session::Session(const char* plugin, host::Services::Progress progress, host::Se
     : id_(plugin), services_("ParaView", "VTK " VTK_VERSION, std::move(progress), std::move(log)) {}
 
 host::Instance& Session::instance() {
-  if (!instance_) instance_ = std::make_unique<host::Instance>(plugin_named(id_), services_);
+  if (!instance_)
+    instance_ = std::make_unique<host::Instance>(plugin_named(id_.c_str()), services_);
   return *instance_;
+}
+
+void Session::use(const std::string& plugin) {
+  id_ = plugin;
+  instance_.reset();
+  draw_.reset();
+  settings_.clear();
+  applied_.clear();
+  has_mesh_ = has_curves_ = false;
 }
 
 bool Session::set(const std::string& id, Setting value) {

@@ -1,4 +1,4 @@
-// A session is what a filter keeps between its runs: an instance of talweg.smooth, and what it was
+// A session is what a filter keeps between its runs: an instance of a plugin, and what it was
 // last given, so that only what has changed is given again.
 #pragma once
 
@@ -58,6 +58,8 @@ class Session {
   /// Progress returns false to cancel; both are called on the caller's thread.
   Session(const char* plugin, host::Services::Progress progress, host::Services::Log log);
 
+  /// From now on another plugin, without parameters, mesh and curves.
+  void use(const std::string& plugin);
   /// False if the parameter had this value already.
   bool set(const std::string& id, Setting value);
 
@@ -96,7 +98,7 @@ class Session {
   void check_is_one_number_each(const FieldName& field) const;
   [[nodiscard]] Setting current(Setting value) const;
 
-  const char* id_;
+  std::string id_;
   host::Services services_;
   std::unique_ptr<host::Instance> instance_, draw_;
   std::map<std::string, Setting> settings_, applied_;

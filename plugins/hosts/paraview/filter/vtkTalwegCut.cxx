@@ -26,7 +26,9 @@ using talweg::paraview::Session;
 
 vtkStandardNewMacro(vtkTalwegCut);
 
-vtkTalwegCut::vtkTalwegCut() : vtkTalwegFilter("talweg.cut") {
+vtkTalwegCut::vtkTalwegCut() : vtkTalwegCut("talweg.cut") {}
+
+vtkTalwegCut::vtkTalwegCut(const char* plugin) : vtkTalwegFilter(plugin) {
   this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(2);
 }
@@ -56,7 +58,8 @@ void vtkTalwegCut::Cut(vtkDataSet& mesh, vtkDataObject* curves, vtkMultiBlockDat
                        vtkPolyData& chains) {
   Session& session = this->GetSession();
   this->TakeMesh(mesh);
-  this->TakeCurves(curves, nullptr);
+  const bool takes_curves = (session.instance().plugin().flags & TALWEG_TAKES_CURVES) != 0;
+  if (takes_curves) this->TakeCurves(curves, nullptr);
   const talweg::host::Results results = session.run({.meshes = true});
   this->LogWarnings(results);
   std::vector<talweg::host::Origin> origins;

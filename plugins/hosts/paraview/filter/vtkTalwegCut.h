@@ -22,6 +22,8 @@ class TALWEGFILTERS_EXPORT vtkTalwegCut : public vtkTalwegFilter {
 
  protected:
   vtkTalwegCut();
+  /// For another plugin that makes meshes.
+  explicit vtkTalwegCut(const char* plugin);
   ~vtkTalwegCut() override = default;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;

@@ -139,6 +139,25 @@ constexpr const char* kLabelsEnd = R"(
 </SourceProxy>
 )";
 
+/// Any plugin that makes meshes, which need not be there when the panels are made.
+constexpr const char* kRun = R"(
+<SourceProxy name="TalwegPlugin" class="vtkTalwegRun" label="Talweg Plugin">
+<Documentation short_help="Runs any plugin that makes meshes."
+               long_help="Runs any plugin that makes meshes.">Runs any plugin that makes meshes, also
+  one of somebody else's, in a folder of TALWEG_PLUGIN_PATH.</Documentation>)";
+
+constexpr const char* kRunProperties = R"(
+<StringVectorProperty name="Plugin" command="SetPlugin" number_of_elements="1"
+                      default_values="talweg.cut">
+  <Documentation>The plugin's id; "talweg plugins" lists those that are there.</Documentation>
+</StringVectorProperty>
+<StringVectorProperty name="Parameters" command="SetParameters" number_of_elements="1"
+                      default_values="">
+  <Documentation>Values of its parameters, such as share=0.1, separated by spaces; others have their
+    defaults. "talweg run PLUGIN --help" tells which it has.</Documentation>
+</StringVectorProperty>
+)";
+
 constexpr const char* kRepairEnd = R"(
 <Hints><ShowInMenu category="Talweg"/></Hints>
 </SourceProxy>
@@ -243,6 +262,7 @@ const std::vector<Filter>& filters() {
 std::string server_manager_xml(const FindPlugin& plugin_named) {
   std::string xml = "<ServerManagerConfiguration>\n<ProxyGroup name=\"filters\">\n";
   for (const Filter& filter : filters()) xml += xml_of(filter, plugin_named(filter.plugin));
+  xml += std::string(kRun) + kMeshInput + kCurveInput + kRunProperties + kCounts + kCutEnd;
   return xml + "</ProxyGroup>\n</ServerManagerConfiguration>\n";
 }
 

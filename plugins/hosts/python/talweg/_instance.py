@@ -152,11 +152,16 @@ class Instance:
             progress: Optional[Progress]) -> _results.Result:
         return self._run(point_fields, vertex_fields, False, progress).result()
 
-    def run_with_meshes(self, vertex_fields: bool, progress: Optional[Progress]
-                        ) -> Tuple[_results.Result, List[Lists]]:
+    def run_with_meshes(self, vertex_fields: bool, progress: Optional[Progress],
+                        point_fields: bool = False) -> Tuple[_results.Result, List[Lists]]:
         """The result, and the lists of the meshes that were made."""
-        collector = self._run(False, vertex_fields, True, progress)
+        collector = self._run(point_fields, vertex_fields, True, progress)
         return collector.result(), collector.meshes
+
+    def takes_attributes(self) -> bool:
+        """Whether the plugin carries attributes to meshes that it makes, and tells their origin."""
+        address = self.plugin.table.get_extension(c.MESHES)
+        return bool(address) and bool(c.Meshes.from_address(address).takes & c.TAKES_ATTRIBUTES)
 
     def set_attributes(self, views: Any, count: int) -> None:
         extension = self._meshes()

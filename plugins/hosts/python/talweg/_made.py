@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import Any, List
+from dataclasses import dataclass, replace
+from typing import Any, List, Mapping, Optional, Tuple
 
 import numpy as np
 
@@ -11,7 +11,8 @@ from . import _arrays
 from ._carrying import Carrier
 from ._instance import Instance, Lists
 from ._mesh import Mesh
-from ._types import Array, ArrayLike, Floats, Integers
+from ._results import Result
+from ._types import Array, ArrayLike, Floats, Integers, Progress
 
 
 @dataclass(frozen=True, eq=False)
@@ -55,6 +56,26 @@ class MadeMesh(Mesh):
 
     origin: Origin  #: where it comes from
     chains: List[Chain]  #: one for each curve
+
+
+def run(mesh: Mesh, instance: Instance, carry: Optional[Mapping[str, str]],
+        fields: Tuple[bool, bool], progress: Optional[Progress]) -> Result:
+    """A run of any plugin, with the meshes that it makes.
+
+    :param fields: whether those of points and of vertices are wanted.
+    """
+    point_fields, vertex_fields = fields
+    carrier = Carrier(mesh, instance, carry) if instance.takes_attributes() else None
+    result, lists = instance.run_with_meshes(vertex_fields, progress, point_fields)
+    made: List[Mesh] = []
+    if carrier is not None:
+        made.extend(made_meshes(instance, carrier, lists))
+    for vertices, faces in lists if carrier is None else []:
+        plain = Mesh.__new__(Mesh)
+        plain.__setstate__({"vertices": vertices, "faces": faces, "repair_steps": False,
+                            "vertex_attributes": {}, "face_attributes": {}, "corner_attributes": {}})
+        made.append(plain)
+    return replace(result, meshes=made)
 
 
 def made_meshes(instance: Instance, carrier: Carrier, lists: List[Lists]) -> List[MadeMesh]:

@@ -118,6 +118,8 @@ class Result:
     #: The mesh, opened again only if it is used; its arrays are shared, not copied. It is pickled with
     #: the result: send ``curves`` and ``reports`` instead where that is too much.
     mesh: Optional[Mesh] = None
+    #: If asked for: those that were made; each a MadeMesh if the plugin tells where they come from
+    meshes: List[Mesh] = field(default_factory=list)
 
     def __repr__(self) -> str:
         ended = f", {self.total.termination}" if self.total.termination else ""

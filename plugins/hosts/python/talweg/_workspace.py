@@ -5,7 +5,7 @@ from __future__ import annotations
 import copy
 import difflib
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any, Dict, List, Optional, Sequence, Union
+from typing import TYPE_CHECKING, Any, Dict, List, Mapping, Optional, Sequence, Union
 
 from . import _plugins
 from ._curves import Curve, CurveLike, as_curves
@@ -135,19 +135,27 @@ class Workspace:
         raise BadUsage(f"{self.plugin.id} has no parameter {name}.{hint} It has "
                        f"{', '.join(names)}.")
 
-    def run(self, *, point_fields: bool = False, vertex_fields: bool = False,
-            progress: Any = None) -> Result:
+    def run(self, *, point_fields: bool = False, vertex_fields: bool = False, meshes: bool = False,
+            carry: Optional[Mapping[str, str]] = None, progress: Any = None) -> Result:
         """Does what is not up to date yet.
 
         :param point_fields: also ``curve.fields``: "deviation" and "curvature" of every point.
         :param vertex_fields: also ``result.fields``: "distance" of every vertex.
+        :param meshes: also ``result.meshes``, of plugins that make some, with the mesh's attributes.
+        :param carry: how these are carried, as for talweg.cut().
         :param progress: a function (stage, fraction in [0, 1]), called on this thread, that may
             return False to cancel; or a tqdm bar. What it raises comes out of here.
         :raises Cancelled: if it returned False, or cancel() was called.
         :raises KeyboardInterrupt: on Ctrl-C, soon; the workspace stays usable.
         :raises Error: BadCurve, BadUsage, ...: the sentence says what is wrong, and where.
         """
-        result = self._instance.run(point_fields, vertex_fields, as_progress(progress))
+        call = as_progress(progress)
+        if meshes:
+            from ._made import run  # pylint: disable=import-outside-toplevel,cyclic-import
+
+            result = run(self.mesh, self._instance, carry, (point_fields, vertex_fields), call)
+        else:
+            result = self._instance.run(point_fields, vertex_fields, call)
         return replace(result, drawn=self._drawn, mesh=self.mesh._as_closed())
 
     def smooth(self, tau: Optional[OneOrEach] = None, *, point_fields: bool = False,

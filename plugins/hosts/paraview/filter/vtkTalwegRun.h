@@ -1,0 +1,47 @@
+/**
+ * @class vtkTalwegRun
+ * @brief runs any plugin that makes meshes
+ *
+ * Input 0 is the mesh, input 1 the curves, if the plugin takes some. Outputs are as of
+ * vtkTalwegCut.
+ */
+#ifndef vtkTalwegRun_h
+#define vtkTalwegRun_h
+
+#include <string>  // for std::string
+
+#include "TalwegFiltersModule.h"  // for the export macro
+#include "vtkTalwegCut.h"
+
+class TALWEGFILTERS_EXPORT vtkTalwegRun : public vtkTalwegCut {
+ public:
+  static vtkTalwegRun* New();
+  vtkTypeMacro(vtkTalwegRun, vtkTalwegCut);
+
+  ///@{
+  /// The plugin's id, and values of its numbers and choices as "share=0.1 task=copy". What is wrong
+  /// with them is told by the next run. A change opens the mesh again.
+  void SetPlugin(const char* id);
+  void SetParameters(const char* text);
+  ///@}
+
+ protected:
+  vtkTalwegRun();
+  ~vtkTalwegRun() override = default;
+
+  void WorkOn(vtkDataObject& mesh, vtkDataSet* curves, vtkDataSet* others,
+              vtkInformationVector& outputs) override;
+
+ private:
+  vtkTalwegRun(const vtkTalwegRun&) = delete;
+  void operator=(const vtkTalwegRun&) = delete;
+
+  void Change(std::string& member, const char* text);
+  void Begin();
+
+  std::string Plugin = "talweg.cut";
+  std::string Parameters;
+  bool Changed = true;
+};
+
+#endif
