@@ -11,8 +11,8 @@
 
 #include "talweg/core/openmesh/division_plan.hpp"
 #include "talweg/core/openmesh/planned_relinking.hpp"
-#include "talweg/core/openmesh/property_carrying.hpp"
 #include "talweg/core/openmesh/relinking.hpp"
+#include "talweg/core/openmesh/relinking_in_place.hpp"
 
 namespace talweg {
 
@@ -65,16 +65,7 @@ void check_turned(const Mesh& mesh, const DivisionPlan& plan, const Numbers& num
   }
 }
 
-/// Sets what the lists say. Nothing here can fail.
-template <class Mesh>
-void relink(Mesh& mesh, const Relinking& changes) noexcept {
-  for (const auto& [h, v] : changes.heads) mesh.set_vertex_handle(h, v);
-  for (const auto& [h, next] : changes.nexts) mesh.set_next_halfedge_handle(h, next);
-  for (const auto& [h, f] : changes.faces) mesh.set_face_handle(h, f);
-  for (const auto& [f, h] : changes.of_faces) mesh.set_halfedge_handle(f, h);
-  for (const auto& [v, h] : changes.of_vertices) mesh.set_halfedge_handle(v, h);
-}
-
+/// Marks the edges of chains. Nothing here can fail.
 template <class Mesh>
 void mark(Mesh& mesh, const Relinking& changes, const ChainMarks& marks) noexcept {
   for (std::size_t c = 0; c < changes.chains.size(); ++c) {
@@ -124,16 +115,7 @@ AppliedPlan apply_plan(OpenMesh::TriMesh_ArrayKernelT<Traits>& mesh, const Divis
   const Relinking changes = RelinkingFinder<Mesh, Numbers>(mesh, plan, numbers).run();
   if constexpr (sizeof(Scalar) < sizeof(double)) check_turned(mesh, plan, numbers);
   AppliedPlan result = applied(changes);
-  PropertyCarrier<Mesh> properties(mesh, changes);
-  try {
-    mesh.resize(changes.after.vertices, changes.after.edges, changes.after.faces);
-    properties.fill_new(plan);
-  } catch (...) {
-    mesh.resize(changes.before.vertices, changes.before.edges, changes.before.faces);
-    throw;
-  }
-  properties.change_old();
-  relink(mesh, changes);
+  change(mesh, changes, [&](auto& properties) { properties.fill_vertices(plan); });
   mark(mesh, changes, marks);
   return result;
 }

@@ -20,10 +20,8 @@ class PropertyCarrier {
   PropertyCarrier(Mesh& mesh, const Relinking& changes) : mesh_(mesh), changes_(changes) {}
 
   /// The new elements, which must be there. Throws what copying a property throws.
-  void fill_new(const DivisionPlan& plan) {
-    for (std::size_t k = 0; k < changes_.vertices.size(); ++k) {
-      fill_vertex(changes_.vertices[k], plan.positions[k]);
-    }
+  void fill_new() {
+    for (const auto& [from, to] : changes_.copies) mesh_.copy_all_properties(from, to, true);
     for (const auto& [from, to] : changes_.halves) {
       mesh_.copy_all_properties(from, to, true);
       for (const unsigned side : {0U, 1U}) {
@@ -35,6 +33,12 @@ class PropertyCarrier {
     for (const auto& [from, to] : changes_.face_parts) mesh_.copy_all_properties(from, to, true);
     each_mixed_of_halfedges(mesh_,
                             [&](auto& values, Mixing mixing) { mix_corners(values, mixing); });
+  }
+  /// The new vertices on edges and in faces, likewise.
+  void fill_vertices(const DivisionPlan& plan) {
+    for (std::size_t k = 0; k < changes_.vertices.size(); ++k) {
+      fill_vertex(changes_.vertices[k], plan.positions[k]);
+    }
   }
   /// The old elements.
   void change_old() noexcept {

@@ -38,6 +38,7 @@ struct Relinking {
     std::array<double, 3> weights{};
   };
   std::vector<Mixed> vertices;      ///< the new ones
+  Pairs<Vertex, Vertex> copies;     ///< an old one, and a new one that is like it
   Pairs<Edge, Edge> halves;         ///< an old edge, and a new one that is a part of it
   Pairs<Halfedge, Halfedge> inner;  ///< one of the face whose head is nearest, and the new one
   Pairs<Face, Face> face_parts;     ///< an old face, and a new one that is a part of it

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <exception>
 #include <functional>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -12,6 +13,7 @@
 #include "talweg/core/drawing/edge_dijkstra.hpp"
 #include "talweg/core/io/mesh_reader.hpp"
 #include "talweg/core/openmesh/embed_curves.hpp"
+#include "talweg/core/openmesh/split_along.hpp"
 #include "talweg/core/smoothing/curve_smoother.hpp"
 #include "talweg/intrinsic/stopwatch.hpp"
 
@@ -116,6 +118,26 @@ int run(const char* path) {
                     mesh.delete_face(mesh.face_handle(0), true);
                   },
                   [&] { mesh.garbage_collection(); }));
+  mesh = original;
+  const HandleChain chain = embed_curves(mesh, opened->mesh(), ids, curves).chains[0];
+  const Mesh embedded = mesh;
+  const std::span<const HandleChain> chains(&chain, 1);
+  std::printf("open_seam                            %7.2f ms\n",
+              median(
+                  kRuns,
+                  [&] {
+                    mesh = embedded;
+                    const std::size_t more = 20000;
+                    mesh.reserve(mesh.n_vertices() + more, mesh.n_edges() + more, mesh.n_faces());
+                  },
+                  [&] { open_seam(mesh, chains); }));
+  std::printf("sides_of                             %7.2f ms\n",
+              median(
+                  kRuns, [] {}, [&] { static_cast<void>(sides_of(embedded, chains)); }));
+  std::size_t parts = 0;
+  const double split = median(
+      kRuns, [] {}, [&] { parts = split_along(embedded, chains).size(); });
+  std::printf("split_along into %-4zu               %8.2f ms\n", parts, split);
   return area > 0 ? 0 : 1;
 }
 
