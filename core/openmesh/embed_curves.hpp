@@ -124,7 +124,8 @@ Embedding embed_curves(OpenMesh::TriMesh_ArrayKernelT<Traits>& mesh, const Surfa
                        const EmbedOptions& options = {}) {
   using Mesh = OpenMesh::TriMesh_ArrayKernelT<Traits>;
   using Scalar = typename OpenMesh::vector_traits<typename Mesh::Point>::value_type;
-  if (!ids.fit(opened.surface())) {
+  if (ids.vertex_count() != opened.surface().vertex_count() ||
+      ids.triangle_count() != opened.surface().face_count()) {
     throw Error(ErrorCode::kBadUsage, "The numbers of elements are not those of the opened mesh.");
   }
   check_on(opened.surface(), curves);
