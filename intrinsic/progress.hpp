@@ -26,8 +26,10 @@ class Asker {
  public:
   static constexpr std::size_t kEvery = 8192;  ///< units
 
-  /// Throws Cancelled, as all member functions that ask do.
-  Asker(Progress progress, const char* stage) : progress_(std::move(progress)), stage_(stage) {
+  /// `fraction`: where the work begins that is asked about. Throws Cancelled, as all member
+  /// functions that ask do.
+  Asker(Progress progress, const char* stage, double fraction = 0)
+      : progress_(std::move(progress)), stage_(stage), fraction_(fraction) {
     ask();
   }
 
@@ -46,7 +48,7 @@ class Asker {
  private:
   Progress progress_;
   const char* stage_;
-  double fraction_ = 0;
+  double fraction_;
   std::size_t done_ = 0;
 };
 

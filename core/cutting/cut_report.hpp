@@ -14,5 +14,8 @@ namespace talweg {
 std::vector<ReportEntry> entries_of(const SurfaceMesh& mesh, const CutMesh& cut,
                                     const MeshParts& made, const std::vector<std::string>& warnings,
                                     double ms);
+/// The same of a cut that is only planned; the cut mesh is not taken apart. O(1).
+std::vector<ReportEntry> entries_of(const SurfaceMesh& mesh, const CutPlan& plan,
+                                    const std::vector<std::string>& warnings, double ms);
 
 }  // namespace talweg

@@ -10,6 +10,7 @@
 #include <span>
 #include <vector>
 
+#include "talweg/core/cutting/no_element.hpp"
 #include "talweg/core/cutting/seam_opening.hpp"
 #include "talweg/core/mesh/mesh_lists.hpp"
 #include "talweg/intrinsic/progress.hpp"
@@ -72,8 +73,6 @@ struct Lids {
 /// Throws Error(kBadCurve), naming rim and curve, where a lid must be plane and its rim is not or
 /// crosses itself, and where every lid goes through the piece, and Cancelled when `progress` (stage
 /// "cap") says so; the piece is then unchanged.
-inline constexpr std::uint32_t kNoFace = 0xFFFFFFFFU;
-inline constexpr std::uint32_t kNoVertex = 0xFFFFFFFFU;
 Lids add_lids(Piece& piece, const OpenedSeams& opened, std::span<const CutMesh::Chain> chains,
               LidKind kind = LidKind::kAuto, const Progress& progress = {});
 

@@ -1,398 +1,93 @@
 #include "talweg/core/cutting/mesh_cutting.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <map>
-#include <string>
+#include <cstddef>
+#include <cstdint>
 #include <utility>
-
-#include "talweg/core/cutting/face_triangulation.hpp"
-#include "talweg/intrinsic/error.hpp"
-#include "talweg/intrinsic/exact_distance/polyline_pieces.hpp"
+#include <vector>
 
 namespace talweg {
 namespace {
 
-/// A point of a curve, with the number of the vertex that it becomes.
-struct Placed {
-  SurfacePoint point;
-  std::uint32_t vertex = 0;
-};
-/// The numbers of a curve and of a point or segment of it.
-using Where = std::pair<std::size_t, std::size_t>;
-
-/// Moves a point to a vertex or an edge if it lies within `merge` of it.
-SurfacePoint settled(const Surface& surface, const SurfacePoint& point, double merge) {
-  if (const auto* e = std::get_if<OnEdge>(&point.where())) {
-    const HalfedgeId h = halfedge_of(e->edge);
-    if (e->t <= merge) return SurfacePoint::at_vertex(surface, surface.tail(h));
-    if (e->t >= 1 - merge) return SurfacePoint::at_vertex(surface, surface.head(h));
-    return point;
-  }
-  if (const auto* f = std::get_if<InFace>(&point.where())) {
-    std::array<double, 3> b = f->barycentric;
-    double sum = 0;
-    for (double& x : b) sum += x = x <= merge ? 0 : x;
-    for (double& x : b) x /= sum;
-    const SurfacePoint moved = SurfacePoint::from_barycentric(surface, f->face, b);
-    if (!std::holds_alternative<InFace>(moved.where())) return settled(surface, moved, merge);
-    return point;
-  }
-  return point;
-}
-
-class Cutter {
+/// Writes the lists of a mesh as a plan has it.
+class ListWriter {
  public:
-  Cutter(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves, double merge,
-         const Progress& progress)
-      : mesh_(mesh),
-        surface_(mesh.surface()),
-        curves_(curves),
-        merge_(merge),
-        asker_(progress, "cut") {}
-  CutMesh run();
+  ListWriter(const SurfaceMesh& mesh, const CutPlan& plan, const Progress& progress)
+      : mesh_(mesh), plan_(plan), asker_(progress, "cut", 0.7) {}
+
+  CutMesh run() {
+    write_vertices();
+    asker_.is_at(0.8);
+    write_faces();
+    static_cast<CutNumbers&>(cut_) = plan_;
+    cut_.chains = plan_.chains;
+    asker_.is_at(1);
+    asker_.ask();
+    return std::move(cut_);
+  }
 
  private:
-  struct OnOneEdge {
-    double t = 0;
-    std::uint32_t vertex = 0;
-  };
-  struct Segment {
-    FaceId face;  // invalid if the segment runs along an edge
-    std::uint32_t from = 0, to = 0;
-    Where where;
-  };
-  using Chains = std::map<Where, std::vector<std::uint32_t>>;  // inner vertices of segments
-
-  void copy_vertices();
-  void settle();
-  std::uint32_t add(const SurfacePoint& point);
-  void place_on_edges(std::vector<std::pair<OnEdge, Where>>& points);
-  void place_in_faces(std::vector<std::pair<InFace, Where>>& points);
-  void find_segments();
-  [[nodiscard]] EdgeId edge_of_both(const SurfacePoint& p, const SurfacePoint& q) const;
-  void go_along(EdgeId edge, const Placed& from, const Placed& to, const Where& where);
-  [[nodiscard]] std::vector<FaceId> touched_faces() const;
-  void cut_up(FaceId face);
-  void cut_up_touched();
-  void collect_chains();
-  void collect_faces();
-  void did_rows(std::size_t rows);
+  void write_vertices();
+  void write_faces();
+  /// Tells of rows that were copied, whose number is counted from 0 and told after each.
+  void did_rows(std::size_t rows) {
+    constexpr std::size_t kBlock = 4096;  // a row takes some ten nanoseconds
+    if (rows % kBlock == 0) asker_.did(kBlock / 10);
+  }
+  void add(const Triangle& triangle, std::uint32_t from) {
+    cut_.lists.triangles.push_back(triangle);
+    cut_.face_from.push_back(from);
+  }
 
   const SurfaceMesh& mesh_;
-  const Surface& surface_;
-  std::span<const SurfaceCurve> curves_;
-  double merge_;
+  const CutPlan& plan_;
   Asker asker_;
   CutMesh cut_;
-  std::vector<std::vector<Placed>> placed_;                // per curve
-  std::map<EdgeId, std::vector<OnOneEdge>> on_edges_;      // by t
-  std::map<FaceId, std::vector<std::uint32_t>> in_faces_;  // vertices
-  std::map<FaceId, std::vector<Segment>> segments_;        // by face
-  std::map<std::uint32_t, std::vector<Triangle>> parts_;   // of old faces, by their number
-  Chains between_;
 };
 
-std::uint32_t Cutter::add(const SurfacePoint& point) {
-  cut_.vertex_from.push_back(point);
-  cut_.lists.points.push_back(mesh_.position(point));
-  return static_cast<std::uint32_t>(cut_.lists.points.size() - 1);
-}
-
-/// Merges points that lie together into one vertex.
-void Cutter::settle() {
-  std::vector<std::pair<OnEdge, Where>> on_edges;
-  std::vector<std::pair<InFace, Where>> in_faces;
-  for (std::size_t c = 0; c < curves_.size(); ++c) {
-    std::vector<Placed>& placed = placed_.emplace_back();
-    for (const SurfacePoint& point : curves_[c].points) {
-      const SurfacePoint at = settled(surface_, point, merge_);
-      if (!(at == point)) {
-        ++cut_.merged;
-        cut_.largest_move =
-            std::max(cut_.largest_move, (mesh_.position(at) - mesh_.position(point)).norm());
-      }
-      const Where where{c, placed.size()};
-      placed.push_back({at, 0});
-      if (const auto* v = std::get_if<AtVertex>(&at.where())) {
-        placed.back().vertex = static_cast<std::uint32_t>(v->vertex.index());
-      } else if (const auto* e = std::get_if<OnEdge>(&at.where())) {
-        on_edges.emplace_back(*e, where);
-      } else {
-        in_faces.emplace_back(std::get<InFace>(at.where()), where);
-      }
-    }
-  }
-  place_on_edges(on_edges);
-  place_in_faces(in_faces);
-}
-
-void Cutter::place_on_edges(std::vector<std::pair<OnEdge, Where>>& points) {
-  std::sort(points.begin(), points.end(), [](const auto& a, const auto& b) {
-    if (a.first.edge != b.first.edge) return a.first.edge < b.first.edge;
-    return a.first.t != b.first.t ? a.first.t < b.first.t : a.second < b.second;
-  });
-  for (const auto& [at, where] : points) {
-    std::vector<OnOneEdge>& there = on_edges_[at.edge];
-    if (there.empty() || at.t - there.back().t > merge_) {
-      there.push_back({at.t, add(SurfacePoint::on_edge(surface_, at.edge, at.t))});
-    }
-    placed_[where.first][where.second].vertex = there.back().vertex;
-  }
-}
-
-void Cutter::place_in_faces(std::vector<std::pair<InFace, Where>>& points) {
-  for (const auto& [at, where] : points) {
-    std::vector<std::uint32_t>& there = in_faces_[at.face];
-    const auto same = std::find_if(there.begin(), there.end(), [&, in = &at](std::uint32_t v) {
-      const auto& b = std::get<InFace>(cut_.vertex_from[v].where()).barycentric;
-      return std::abs(b[0] - in->barycentric[0]) <= merge_ &&
-             std::abs(b[1] - in->barycentric[1]) <= merge_ &&
-             std::abs(b[2] - in->barycentric[2]) <= merge_;
-    });
-    std::uint32_t& vertex = placed_[where.first][where.second].vertex;
-    if (same != there.end()) {
-      vertex = *same;
-    } else {
-      vertex = add(placed_[where.first][where.second].point);
-      there.push_back(vertex);
-    }
-  }
-}
-
-/// The edge that both points lie on, ends included.
-EdgeId Cutter::edge_of_both(const SurfacePoint& p, const SurfacePoint& q) const {
-  const auto *v = std::get_if<AtVertex>(&p.where()), *w = std::get_if<AtVertex>(&q.where());
-  if (v != nullptr && w != nullptr) {
-    const HalfedgeId h = surface_.find_halfedge(v->vertex, w->vertex);
-    return h.valid() ? edge_of(h) : EdgeId{};
-  }
-  const auto *e = std::get_if<OnEdge>(&p.where()), *f = std::get_if<OnEdge>(&q.where());
-  if (e != nullptr && f != nullptr) return e->edge == f->edge ? e->edge : EdgeId{};
-  const OnEdge* edge = e != nullptr ? e : f;
-  const AtVertex* vertex = v != nullptr ? v : w;
-  if (edge == nullptr || vertex == nullptr) return {};
-  const HalfedgeId h = halfedge_of(edge->edge);
-  const bool meets = surface_.tail(h) == vertex->vertex || surface_.head(h) == vertex->vertex;
-  return meets ? edge->edge : EdgeId{};
-}
-
-void Cutter::go_along(EdgeId edge, const Placed& from, const Placed& to, const Where& where) {
-  const auto place = [&](const Placed& placed) {
-    if (const auto* e = std::get_if<OnEdge>(&placed.point.where())) return e->t;
-    return surface_.tail(halfedge_of(edge)).index() == placed.vertex ? 0.0 : 1.0;
-  };
-  const double a = place(from), b = place(to);
-  const auto there = on_edges_.find(edge);
-  if (there == on_edges_.end()) return;
-  std::vector<std::uint32_t>& between = between_[where];
-  for (const OnOneEdge& point : there->second) {
-    const bool inside = point.t > std::min(a, b) && point.t < std::max(a, b);
-    if (inside && point.vertex != from.vertex && point.vertex != to.vertex) {
-      between.push_back(point.vertex);
-    }
-  }
-  if (b < a) std::reverse(between.begin(), between.end());
-}
-
-void Cutter::find_segments() {
-  for (std::size_t c = 0; c < placed_.size(); ++c) {
-    const std::vector<Placed>& points = placed_[c];
-    const std::size_t n = points.size();
-    for (std::size_t i = 0; i + (curves_[c].closed ? 0 : 1) < n; ++i) {
-      const Placed &from = points[i], &to = points[(i + 1) % n];
-      if (from.vertex == to.vertex) continue;
-      if (const EdgeId edge = edge_of_both(from.point, to.point); edge.valid()) {
-        go_along(edge, from, to, {c, i});
-        continue;
-      }
-      const FaceId face = common_face(surface_, from.point, to.point);
-      if (!face.valid()) {
-        throw Error(ErrorCode::kBadCurve, "Points " + std::to_string(i) + " and " +
-                                              std::to_string((i + 1) % n) + " of curve " +
-                                              std::to_string(c) + " lie in no common face.");
-      }
-      segments_[face].push_back({face, from.vertex, to.vertex, {c, i}});
-    }
-  }
-}
-
-std::vector<FaceId> Cutter::touched_faces() const {
-  std::vector<FaceId> faces;
-  for (const auto& [face, segments] : segments_) faces.push_back(face);
-  for (const auto& [face, vertices] : in_faces_) faces.push_back(face);
-  for (const auto& [edge, points] : on_edges_) {
-    for (const HalfedgeId h : {halfedge_of(edge), twin(halfedge_of(edge))}) {
-      if (surface_.has_face(h)) faces.push_back(surface_.face(h));
-    }
-  }
-  std::sort(faces.begin(), faces.end());
-  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
-  return faces;
-}
-
-std::int64_t on_lattice(double part) {
-  return std::clamp<std::int64_t>(std::llround(part * static_cast<double>(FaceTriangulation::kOne)),
-                                  1, FaceTriangulation::kOne - 1);
-}
-
-void Cutter::cut_up(FaceId face) {
-  constexpr std::int64_t kOne = FaceTriangulation::kOne;
-  const SideFrame frame = side_frame(surface_, face, 0);
-  FaceTriangulation triangulation({PlanePoint{0, 0}, PlanePoint{frame.length, 0}, frame.apex});
-  std::vector<std::uint32_t> global;
-  for (const VertexId v : surface_.corners(face)) {
-    global.push_back(static_cast<std::uint32_t>(v.index()));
-  }
-  HalfedgeId h = surface_.halfedge(face);
-  for (std::size_t k = 0; k < 3; ++k, h = surface_.next(h)) {
-    const auto there = on_edges_.find(edge_of(h));
-    if (there == on_edges_.end()) continue;
-    for (const OnOneEdge& point : there->second) {
-      FaceTriangulation::Place place{};
-      const std::int64_t along = on_lattice(point.t);
-      place[(k + 1) % 3] = h == halfedge_of(edge_of(h)) ? along : kOne - along;
-      place[k] = kOne - place[(k + 1) % 3];
-      triangulation.insert(place);
-      global.push_back(point.vertex);
-    }
-  }
-  if (const auto inside = in_faces_.find(face); inside != in_faces_.end()) {
-    for (const std::uint32_t v : inside->second) {
-      const auto& b = std::get<InFace>(cut_.vertex_from[v].where()).barycentric;
-      FaceTriangulation::Place place{0, on_lattice(b[1]), on_lattice(b[2])};
-      place[0] = kOne - place[1] - place[2];
-      triangulation.insert(place);
-      global.push_back(v);
-    }
-  }
-  const auto local = [&](std::uint32_t v) {
-    return static_cast<std::uint32_t>(std::find(global.begin(), global.end(), v) - global.begin());
-  };
-  const std::vector<Segment>& segments = segments_[face];
-  for (const Segment& s : segments) triangulation.connect(local(s.from), local(s.to));
-  triangulation.improve();
-  const auto& places = triangulation.places();
-  for (std::size_t i = global.size(); i < places.size(); ++i) {
-    std::array<double, 3> b{};
-    for (std::size_t k = 0; k < 3; ++k) {
-      b[k] = static_cast<double>(places[i][k]) / static_cast<double>(kOne);
-    }
-    global.push_back(add(SurfacePoint::from_barycentric(surface_, face, b, 0)));
-    ++cut_.crossings;
-  }
-  for (std::size_t s = 0; s < segments.size(); ++s) {
-    const std::vector<std::uint32_t> chain = triangulation.chain(s);
-    std::vector<std::uint32_t>& between = between_[segments[s].where];
-    for (std::size_t i = 1; i + 1 < chain.size(); ++i) between.push_back(global[chain[i]]);
-  }
-  std::vector<Triangle>& parts = parts_[static_cast<std::uint32_t>(face.index())];
-  for (const auto& [a, b, c] : triangulation.triangles()) {
-    parts.push_back({global[a], global[b], global[c]});
-  }
-}
-
-void Cutter::collect_chains() {
-  for (std::size_t c = 0; c < placed_.size(); ++c) {
-    CutMesh::Chain& chain = cut_.chains.emplace_back();
-    chain.closed = curves_[c].closed;
-    const auto append = [&](std::uint32_t v) {
-      if (chain.vertices.empty() || chain.vertices.back() != v) chain.vertices.push_back(v);
-    };
-    for (std::size_t i = 0; i < placed_[c].size(); ++i) {
-      append(placed_[c][i].vertex);
-      const auto between = between_.find({c, i});
-      if (between == between_.end()) continue;
-      for (const std::uint32_t v : between->second) append(v);
-    }
-    if (chain.closed && chain.vertices.size() > 1 &&
-        chain.vertices.front() == chain.vertices.back()) {
-      chain.vertices.pop_back();
-    }
-  }
-}
-
-/// Tells of rows that were copied, whose number is counted from 0 and told after each.
-void Cutter::did_rows(std::size_t rows) {
-  constexpr std::size_t kBlock = 4096;  // a row takes some ten nanoseconds
-  if (rows % kBlock == 0) asker_.did(kBlock / 10);
-}
-
-void Cutter::copy_vertices() {
-  const std::size_t old = mesh_.points().size();
-  std::size_t more = 0;
-  for (const SurfaceCurve& curve : curves_) more += curve.points.size();
-  cut_.lists.points.reserve(old + 2 * more);  // else the first new one would copy all again
-  cut_.vertex_from.reserve(old + 2 * more);
-  cut_.lists.points.assign(mesh_.points().begin(), mesh_.points().end());
+void ListWriter::write_vertices() {
+  const std::size_t old = mesh_.points().size(), count = old + plan_.points.size();
+  std::vector<Point>& points = cut_.lists.points;
+  points.reserve(count);
+  points.assign(mesh_.points().begin(), mesh_.points().end());
+  points.insert(points.end(), plan_.points.begin(), plan_.points.end());
+  cut_.vertex_from.reserve(count);
   for (std::size_t v = 0; v < old; ++v) {
-    cut_.vertex_from.push_back(SurfacePoint::at_vertex(surface_, VertexId{v}));
+    cut_.vertex_from.push_back(SurfacePoint::at_vertex(mesh_.surface(), VertexId{v}));
     did_rows(v);
   }
+  cut_.vertex_from.insert(cut_.vertex_from.end(), plan_.vertex_from.begin(),
+                          plan_.vertex_from.end());
 }
 
-void Cutter::cut_up_touched() {
-  const std::vector<FaceId> touched = touched_faces();
-  for (std::size_t k = 0; k < touched.size(); ++k) {
-    asker_.is_at(0.2 + 0.5 * static_cast<double>(k) / static_cast<double>(touched.size()));
-    cut_up(touched[k]);
-    asker_.did(20 * parts_[static_cast<std::uint32_t>(touched[k].index())].size());
-  }
-}
-
-void Cutter::collect_faces() {
-  std::size_t count = surface_.face_count() - parts_.size();
-  for (const auto& [face, triangles] : parts_) count += triangles.size();
+void ListWriter::write_faces() {
+  const Surface& surface = mesh_.surface();
+  const std::size_t count = surface.face_count() - plan_.faces.size() + plan_.triangles.size();
   cut_.lists.triangles.reserve(count);
   cut_.face_from.reserve(count);
-  auto part = parts_.begin();
-  for (std::uint32_t f = 0; f < surface_.face_count(); ++f) {
+  std::size_t next = 0;  // of the divided faces
+  for (std::uint32_t f = 0; f < surface.face_count(); ++f) {
     did_rows(f);
-    if (part != parts_.end() && part->first == f) {
-      for (const Triangle& t : part->second) {
-        cut_.lists.triangles.push_back(t);
-        cut_.face_from.push_back(f);
-      }
-      ++part;
+    if (next < plan_.faces.size() && plan_.faces[next] == f) {
+      for (const Triangle& part : plan_.parts(next)) add(part, f);
+      ++next;
       continue;
     }
     Triangle corners{};
-    const auto own = surface_.corners(FaceId{f});
+    const auto own = surface.corners(FaceId{f});
     for (std::size_t k = 0; k < 3; ++k) corners[k] = static_cast<std::uint32_t>(own[k].index());
-    cut_.lists.triangles.push_back(corners);
-    cut_.face_from.push_back(f);
+    add(corners, f);
   }
-}
-
-CutMesh Cutter::run() {
-  copy_vertices();
-  asker_.is_at(0.1);
-  settle();
-  find_segments();
-  cut_up_touched();
-  cut_.cut_faces = static_cast<std::size_t>(std::count_if(
-      parts_.begin(), parts_.end(), [](const auto& p) { return p.second.size() > 1; }));
-  cut_.new_vertices = cut_.lists.points.size() - mesh_.points().size();
-  asker_.is_at(0.7);
-  collect_chains();
-  collect_faces();
-  asker_.is_at(1);
-  asker_.ask();
-  return std::move(cut_);
 }
 
 }  // namespace
 
-void CutOptions::validate() const {
-  if (!(merge >= 1e-11 && merge <= 1e-2)) {
-    throw Error(ErrorCode::kBadUsage, "merge must be in [1e-11, 1e-2].");
-  }
+CutMesh cut_by(const SurfaceMesh& mesh, const CutPlan& plan, const Progress& progress) {
+  return ListWriter(mesh, plan, progress).run();
 }
 
 CutMesh cut_along(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves,
                   const CutOptions& options, const Progress& progress) {
-  options.validate();
-  return Cutter(mesh, curves, options.merge, progress).run();
+  return cut_by(mesh, plan_cut(mesh, curves, options, progress), progress);
 }
 
 }  // namespace talweg

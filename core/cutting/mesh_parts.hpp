@@ -10,6 +10,7 @@
 
 #include "talweg/core/cutting/loop_filling.hpp"
 #include "talweg/core/cutting/mesh_cutting.hpp"
+#include "talweg/core/cutting/vertex_origin.hpp"
 #include "talweg/core/mesh/mesh_attributes.hpp"
 #include "talweg/core/mesh/surface_mesh.hpp"
 #include "talweg/core/repair/repair_map.hpp"
@@ -54,12 +55,6 @@ MeshParts take_apart(const SurfaceMesh& mesh, const CutMesh& cut, const MeshAttr
 /// the cut stays.
 MeshParts take_apart(const SurfaceMesh& mesh, CutMesh&& cut, const MeshAttributes& attributes,
                      const PartOptions& options, const Progress& progress = {});
-
-/// Where a vertex lies on the mesh that came in: at a vertex of weight 1, on an edge or in a face.
-struct VertexOrigin {
-  std::array<std::uint32_t, 3> vertices{kNoVertex, kNoVertex, kNoVertex};  ///< the first so many
-  std::array<double, 3> weights{};  ///< on an edge exactly 1 - t and t
-};
 
 /// Where all of a part comes from.
 struct PartOrigins {

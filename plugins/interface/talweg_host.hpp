@@ -23,6 +23,7 @@
 #include <vector>
 
 #include "talweg_arrays.hpp"
+#include "talweg_cut_plan.h"
 #include "talweg_meshes.h"
 #include "talweg_plugin.h"
 #include "talweg_way_points.h"
@@ -143,6 +144,16 @@ struct Origin {
   std::vector<std::uint32_t> triangles;
   std::vector<std::uint32_t> closed, lengths;
   std::vector<std::array<std::uint32_t, 3>> chains;
+};
+
+/// What a cut changes; as talweg_cut_plan.
+struct CutPlan {
+  std::uint64_t vertex_count = 0, triangle_count = 0;
+  std::vector<std::array<std::uint32_t, 3>> vertices;
+  std::vector<std::array<double, 3>> weights, positions;
+  std::vector<std::uint32_t> divided, parts;
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  std::vector<std::uint32_t> closed, lengths, chains;
 };
 
 struct ReportEntry {
@@ -306,6 +317,20 @@ inline Origin copy(const talweg_origin& origin) {
           vertices_of(origin.lengths),   triples_of(origin.chains)};
 }
 
+inline CutPlan copy(const talweg_cut_plan& plan) {
+  return {plan.vertex_count,
+          plan.triangle_count,
+          triples_of(plan.vertices),
+          rows_of<3>(plan.weights, "The weights"),
+          rows_of<3>(plan.positions, "The positions"),
+          vertices_of(plan.divided),
+          vertices_of(plan.parts),
+          triples_of(plan.triangles),
+          vertices_of(plan.closed),
+          vertices_of(plan.lengths),
+          vertices_of(plan.chains)};
+}
+
 inline Curve copy(const talweg_curve& curve) {
   Curve result{curve.closed != 0,
                vertices_of(curve.vertices),
@@ -408,6 +433,16 @@ class Instance {
   [[nodiscard]] Origin origin(std::uint64_t mesh) const {
     std::vector<Origin> result;
     check(meshes().origin(instance_, mesh, on_given<talweg_origin, Origin>, &result));
+    return std::move(result.at(0));
+  }
+
+  /// The plan of the last run of talweg.cut.
+  [[nodiscard]] CutPlan cut_plan() const {
+    const auto* found =
+        static_cast<const talweg_cut_plans*>(plugin_->get_extension(TALWEG_CUT_PLAN));
+    if (found == nullptr || found->size < sizeof *found) unsupported("gives no plan of a cut");
+    std::vector<CutPlan> result;
+    check(found->plan(instance_, on_given<talweg_cut_plan, CutPlan>, &result));
     return std::move(result.at(0));
   }
 

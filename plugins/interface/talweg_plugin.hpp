@@ -18,6 +18,8 @@
 //     void set_attributes(std::span<const talweg_attribute* const> attributes);
 //     void give_attributes(std::uint64_t mesh, const TakeAttribute& take) const;
 //     void give_origin(std::uint64_t mesh, const TakeOrigin& take) const;
+//     // To offer talweg_cut_plan.h:
+//     void give_cut_plan(const TakeCutPlan& take) const;
 //   };
 //   TALWEG_PLUGIN_MODULE(Mine)
 #pragma once
@@ -35,6 +37,7 @@
 #include <vector>
 
 #include "talweg_arrays.hpp"
+#include "talweg_cut_plan.h"
 #include "talweg_meshes.h"
 #include "talweg_parameters.hpp"
 #include "talweg_plugin.h"
@@ -119,7 +122,7 @@ class Outputs {
   const talweg_sink& sink_;
 };
 
-/// A function of the host's that results of the extension talweg.meshes/1 are given to. When it
+/// A function of the host's that results of an extension are given to. When it
 /// fails, the call ends.
 template <class Struct>
 class Taker {
@@ -139,6 +142,7 @@ class Taker {
 };
 using TakeAttribute = Taker<talweg_attribute>;
 using TakeOrigin = Taker<talweg_origin>;
+using TakeCutPlan = Taker<talweg_cut_plan>;
 
 inline talweg_output output(std::uint32_t kind, const char* name, const char* label,
                             const char* unit, const char* doc) {
@@ -211,6 +215,9 @@ class Adapter {
   }
   static Instance* own(talweg_instance* instance) { return reinterpret_cast<Instance*>(instance); }
   static constexpr bool kHasMeshes = requires { T::kTakes; };
+  static constexpr bool kHasCutPlan = requires(const T& worker, const TakeCutPlan& take) {
+    worker.give_cut_plan(take);
+  };
   static constexpr bool kHasAttributes = [] {
     if constexpr (kHasMeshes) return (T::kTakes & TALWEG_TAKES_ATTRIBUTES) != 0;
     return false;
@@ -222,6 +229,10 @@ class Adapter {
                                                 kHasAttributes ? set_attributes : nullptr,
                                                 kHasAttributes ? attributes : nullptr, origin};
       if (std::string_view(id) == TALWEG_MESHES) return &kMeshes;
+    }
+    if constexpr (kHasCutPlan) {
+      static constexpr talweg_cut_plans kPlans = {sizeof kPlans, 0, cut_plan};
+      if (std::string_view(id) == TALWEG_CUT_PLAN) return &kPlans;
     }
     return table().own_extension == nullptr ? nullptr : table().own_extension(id);
   }
@@ -383,6 +394,13 @@ class Adapter {
     return call(instance, [&](Instance& self) {
       if (take == nullptr) bad("The function that takes the origin is null.");
       if constexpr (kHasMeshes) self.worker.give_origin(mesh, {take, context});
+    });
+  }
+  static talweg_status cut_plan(talweg_instance* instance, talweg_cut_plan_function take,
+                                void* context) noexcept {
+    return call(instance, [&](Instance& self) {
+      if (take == nullptr) bad("The function that takes the plan is null.");
+      if constexpr (kHasCutPlan) self.worker.give_cut_plan({take, context});
     });
   }
   static void cancel(talweg_instance* instance) noexcept {

@@ -5,21 +5,11 @@
 
 #include <fmt/format.h>
 
+#include "array_views.hpp"
 #include "talweg/core/cutting/attribute_transfer.hpp"
 #include "talweg/plugin/talweg_arrays.hpp"
 
 namespace talweg::plugins {
-namespace {
-
-template <class Number, std::size_t n>
-talweg_array view_of(const std::vector<std::array<Number, n>>& rows) {
-  return plugin::view(rows.empty() ? nullptr : rows.front().data(), rows.size(), n);
-}
-talweg_array view_of(const std::vector<std::uint32_t>& values) {
-  return plugin::view(values.data(), values.size());
-}
-
-}  // namespace
 
 void MadeMeshes::set_attributes(std::span<const talweg_attribute* const> attributes,
                                 std::size_t vertices, std::size_t faces) {

@@ -9,6 +9,7 @@
 #include "fuzz_bytes.hpp"
 #include "talweg/loader/talweg_loader.h"
 #include "talweg/plugin/talweg_arrays.hpp"
+#include "talweg/plugin/talweg_cut_plan.h"
 #include "talweg/plugin/talweg_meshes.h"
 
 namespace {
@@ -259,6 +260,15 @@ void ask_for_meshes(const talweg_meshes& meshes, talweg_instance* instance, Size
   }
 }
 
+talweg_status on_plan(void* /*sizes*/, const talweg_cut_plan* plan) {
+  require(plan->weights.rows == plan->vertices.rows &&
+              plan->positions.rows == plan->vertices.rows &&
+              plan->parts.rows == plan->divided.rows && plan->closed.rows == plan->curve_count &&
+              plan->lengths.rows == plan->curve_count,
+          "sizes of a plan");
+  return TALWEG_OK;
+}
+
 void run(Bytes& bytes, const talweg_plugin& plugin, talweg_instance* instance, Sizes& sizes) {
   const std::uint8_t wants = bytes.take<std::uint8_t>();
   const auto* meshes = static_cast<const talweg_meshes*>(plugin.get_extension(TALWEG_MESHES));
@@ -276,6 +286,12 @@ void run(Bytes& bytes, const talweg_plugin& plugin, talweg_instance* instance, S
   require((status == TALWEG_OK) == (*plugin.last_error(instance) == '\0'), "a sentence");
   if (meshes != nullptr && status == TALWEG_OK && (wants & 8) != 0) {
     ask_for_meshes(*meshes, instance, sizes);
+  }
+  const auto* plans = static_cast<const talweg_cut_plans*>(plugin.get_extension(TALWEG_CUT_PLAN));
+  if (plans != nullptr) {
+    const talweg_status given = plans->plan(instance, on_plan, &sizes);
+    require(status != TALWEG_OK || given == TALWEG_OK || given == TALWEG_UNSUPPORTED,
+            "a plan after every run");
   }
 }
 

@@ -1,6 +1,7 @@
 /* Where every member lies, for good: on machines with 64-bit pointers. */
 #include <stddef.h>
 
+#include "talweg/plugin/talweg_cut_plan.h"
 #include "talweg/plugin/talweg_mesh_files.h"
 #include "talweg/plugin/talweg_meshes.h"
 #include "talweg/plugin/talweg_plugin.h"
@@ -102,3 +103,11 @@ AT(talweg_mesh_file, references, 40);
 AT(talweg_mesh_file, edges, 56);
 CHECK(sizeof(talweg_mesh_files) == 24);
 AT(talweg_mesh_files, read, 8);
+CHECK(sizeof(talweg_cut_plan) == 312);
+AT(talweg_cut_plan, vertex_count, 8);
+AT(talweg_cut_plan, vertices, 24);
+AT(talweg_cut_plan, positions, 88);
+AT(talweg_cut_plan, parts, 152);
+AT(talweg_cut_plan, chains, 280);
+CHECK(sizeof(talweg_cut_plans) == 16);
+AT(talweg_cut_plans, plan, 8);

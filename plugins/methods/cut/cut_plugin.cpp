@@ -1,12 +1,15 @@
 // talweg.cut: curves become edges of the mesh, and the mesh is taken apart along them.
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "methods/given_plan.hpp"
 #include "methods/made_meshes.hpp"
 #include "methods/results.hpp"
 #include "methods/workspace.hpp"
+#include "talweg/core/cutting/cut_plan.hpp"
 #include "talweg/core/cutting/cut_report.hpp"
 #include "talweg/core/cutting/mesh_cutting.hpp"
 #include "talweg/core/cutting/mesh_parts.hpp"
@@ -69,23 +72,46 @@ class Cut : public MakesMeshes<Workspace> {
 
   void run(const plugin::Parameters& parameters, const plugin::Outputs& outputs) {
     made_.clear();
+    plan_.reset();
     const Stopwatch watch;
-    const auto cut = std::make_shared<CutMesh>(cancellable([&] {
-      return cut_along(mesh(), drawing().curves, {parameters.number("merge")}, progress());
-    }));
-    MeshParts parts = taken_apart(*cut, part_options(parameters));
-    const double ms = watch.ms();
+    CutPlan plan = cancellable([&] {
+      return plan_cut(mesh(), drawing().curves, {parameters.number("merge")}, progress());
+    });
+    const PartOptions options = part_options(parameters);
     std::vector<std::string> warnings;
     drawing().add_to(warnings, reading_warnings());
-    give(outputs, -1, entries_of(mesh(), *cut, parts, warnings, ms));
-    if (outputs.wants_meshes()) give_parts(outputs, std::move(parts.parts), cut);
+    if (!outputs.wants_meshes() && !options.opens()) {
+      give(outputs, -1, entries_of(mesh(), plan, warnings, watch.ms()));
+    } else {
+      cut_up(plan, options, outputs, warnings, watch);
+    }
+    plan_ = std::move(plan);
+  }
+  void give_cut_plan(const plugin::TakeCutPlan& take) const {
+    if (!plan_) throw plugin::Failure(TALWEG_BAD_USAGE, "There is no plan; run() makes one.");
+    give(take, *plan_, host_mesh());
   }
 
  private:
+  void cut_up(const CutPlan& plan, const PartOptions& options, const plugin::Outputs& outputs,
+              const std::vector<std::string>& warnings, const Stopwatch& watch) {
+    const auto cut =
+        std::make_shared<CutMesh>(cancellable([&] { return cut_by(mesh(), plan, progress()); }));
+    MeshParts parts = taken_apart(*cut, options);
+    give(outputs, -1, entries_of(mesh(), *cut, parts, warnings, watch.ms()));
+    if (outputs.wants_meshes()) give_parts(outputs, std::move(parts.parts), cut);
+  }
   void put(const std::vector<CurveInput>& curves) override {
     Workspace::put(curves);
     made_.clear();
+    plan_.reset();
   }
+  void forget() override {
+    MakesMeshes::forget();
+    plan_.reset();
+  }
+
+  std::optional<CutPlan> plan_;  // of the last run
 };
 
 }  // namespace

@@ -8,24 +8,6 @@
 namespace talweg::test {
 namespace {
 
-struct DoubleTraits : OpenMesh::DefaultTraits {
-  using Point = OpenMesh::Vec3d;  // the normals stay float
-};
-using FloatMesh = OpenMesh::TriMesh_ArrayKernelT<>;
-using DoubleMesh = OpenMesh::TriMesh_ArrayKernelT<DoubleTraits>;
-
-template <class Mesh>
-Mesh openmesh_of(const MeshLists& lists) {
-  using P = typename Mesh::Point;
-  using S = typename P::value_type;
-  Mesh mesh;
-  for (const Point& p : lists.points) mesh.add_vertex(P(S(p.x()), S(p.y()), S(p.z())));
-  for (const Triangle& t : lists.triangles) {
-    mesh.add_face(mesh.vertex_handle(t[0]), mesh.vertex_handle(t[1]), mesh.vertex_handle(t[2]));
-  }
-  return mesh;
-}
-
 TEST(OpenMeshAdaptor, DoublePointsFloatNormals) {
   const MeshLists lists = sphere(2);
   const MeshLists back = lists_of(openmesh_of<DoubleMesh>(lists));

@@ -117,6 +117,84 @@ TEST_F(CutPlugin, TellsWhereEverythingComesFrom) {
   EXPECT_EQ(origin.closed, std::vector<std::uint32_t>{0});
 }
 
+/// The triangles of a mesh after a plan was applied by hand, and its positions.
+std::pair<std::vector<std::array<std::uint32_t, 3>>, std::vector<std::array<double, 3>>>
+applied_by_hand(const MeshLists& lists, const host::CutPlan& plan) {
+  std::vector<std::array<double, 3>> positions;
+  for (const Point& p : lists.points) positions.push_back({p.x(), p.y(), p.z()});
+  positions.insert(positions.end(), plan.positions.begin(), plan.positions.end());
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  std::size_t next = 0, part = 0;
+  for (std::uint32_t f = 0; f < lists.triangles.size(); ++f) {
+    if (next == plan.divided.size() || plan.divided[next] != f) {
+      triangles.push_back(lists.triangles[f]);
+      continue;
+    }
+    for (std::uint32_t k = 0; k < plan.parts[next]; ++k)
+      triangles.push_back(plan.triangles[part++]);
+    ++next;
+  }
+  return {triangles, positions};
+}
+
+TEST_F(CutPlugin, GivesThePlanOfItsMesh) {
+  const host::Results planned = instance.run();
+  const host::CutPlan plan = instance.cut_plan();
+  EXPECT_EQ(plan.vertex_count, subject.lists.points.size());
+  EXPECT_EQ(plan.triangle_count, subject.lists.triangles.size());
+  const host::Results made = run_with_meshes();
+  const auto [triangles, positions] = applied_by_hand(subject.lists, plan);
+  EXPECT_EQ(made.meshes.at(0).triangles, triangles);
+  EXPECT_EQ(made.meshes.at(0).positions, positions);
+  ASSERT_EQ(planned.report.size(), made.report.size());
+  for (std::size_t k = 0; k < made.report.size(); ++k) {
+    EXPECT_EQ(planned.report[k].key, made.report[k].key);
+    if (made.report[k].key == "time_ms.cut") continue;
+    EXPECT_EQ(planned.report[k].numbers, made.report[k].numbers) << made.report[k].key;
+  }
+  // It tells the same as the mesh's origin.
+  const host::Origin origin = instance.origin(0);
+  for (std::size_t k = 0; k < plan.vertices.size(); ++k) {
+    EXPECT_EQ(plan.vertices[k], origin.vertices[subject.lists.points.size() + k]);
+    EXPECT_EQ(plan.weights[k], origin.weights[subject.lists.points.size() + k]);
+  }
+  EXPECT_EQ(plan.closed, origin.closed);
+  EXPECT_EQ(plan.lengths, origin.lengths);
+  ASSERT_EQ(plan.chains.size(), origin.chains.size());
+  for (std::size_t k = 0; k < plan.chains.size(); ++k) {
+    EXPECT_EQ(plan.chains[k], origin.chains[k][2]);
+  }
+}
+
+TEST_F(CutPlugin, HasAPlanOnlyAfterARun) {
+  const std::string none = "There is no plan; run() makes one.";
+  const auto ask = [&] { static_cast<void>(instance.cut_plan()); };
+  EXPECT_EQ(sentence_of(ask), none);
+  instance.run();
+  EXPECT_EQ(sentence_of(ask), "no error");
+  instance.set_curves({subject.curve});
+  EXPECT_EQ(sentence_of(ask), none);
+  instance.set("open", 1.0);
+  instance.run();
+  EXPECT_EQ(sentence_of(ask), "no error");
+  test::set_mesh(instance, subject.lists);
+  EXPECT_EQ(sentence_of(ask), none);
+  host::Instance other(test::plugin_of_this_build("talweg.draw"), services);
+  EXPECT_EQ(sentence_of([&] { static_cast<void>(other.cut_plan()); }),
+            "talweg.draw gives no plan of a cut.");
+}
+
+TEST_F(CutPlugin, HasNoPlanForAMeshThatItRepaired) {
+  instance.set("repair", 1.0);
+  test::set_mesh(instance, test::with_duplicate_face(subject.lists, 0, false));
+  instance.set_curves({subject.curve});
+  instance.run();
+  EXPECT_EQ(
+      sentence_of([&] { static_cast<void>(instance.cut_plan()); }),
+      "The mesh was repaired before it was cut, so the plan is not one for the mesh that came "
+      "in.");
+}
+
 TEST_F(CutPlugin, CarriesAttributesOfAllKinds) {
   const std::vector<Point>& points = subject.lists.points;
   std::vector<double> numbers, faces, corners;

@@ -225,7 +225,8 @@ def _parts_of(mesh: Any) -> Parts:
     return _convert.parts_of(mesh)
 
 
-def read_mesh(path: Path, *, repair: Union[None, bool, str] = None, progress: Any = None) -> Mesh:
+def read_mesh(path: Path, *, repair: Union[None, bool, str] = None, progress: Any = None,
+              plugin: str = "talweg.smooth") -> Mesh:
     """The mesh of a file with all of its attributes, as the driver reads it: ``Mesh(path)``.
 
     Columns that belong together are one attribute: ``normals`` (nx, ny, nz), ``colors`` (red, green,
@@ -234,10 +235,11 @@ def read_mesh(path: Path, *, repair: Union[None, bool, str] = None, progress: An
 
     :param path: .ply, .obj, .off, .stl or .om.
     :param repair: as for ``Mesh``.
+    :param plugin: what the mesh is opened for first: "talweg.cut" if it will be cut.
     :raises BadFile: with file, line, and what was expected.
     :raises BadMesh: if it is no surface; inspect(path) tells all of it.
     """
-    return Mesh(path, repair=repair, progress=progress)
+    return Mesh(path, repair=repair, progress=progress, plugin=plugin)
 
 
 def write_mesh(path: Path, mesh: Any, *, tag: bool = False) -> None:
