@@ -12,7 +12,7 @@
 namespace talweg {
 
 /// The labels on the two sides of a curve.
-struct CurveSides {
+struct SideLabels {
   std::int64_t left = 0, right = 0;
 };
 
@@ -21,10 +21,10 @@ struct CurveSides {
 /// `.obj` as a group `left_right`. Other formats leave them out. Throws as write_curves() does, and
 /// Error(kBadUsage) when the number of sides is not that of the curves.
 void write_borders(const std::filesystem::path& path, std::span<const PlacedCurve> curves,
-                   std::span<const CurveSides> sides, const LengthUnit& mesh_unit = {});
+                   std::span<const SideLabels> sides, const LengthUnit& mesh_unit = {});
 
 /// The bytes that write_borders() would write to a file of this name. Throws as it does.
 std::string border_bytes(const std::filesystem::path& name, std::span<const PlacedCurve> curves,
-                         std::span<const CurveSides> sides, const LengthUnit& mesh_unit = {});
+                         std::span<const SideLabels> sides, const LengthUnit& mesh_unit = {});
 
 }  // namespace talweg

@@ -120,7 +120,7 @@ std::string curve_bytes(const std::filesystem::path& name, std::span<const Place
   return bytes_with(name, curves, {}, mesh_unit);
 }
 std::string border_bytes(const std::filesystem::path& name, std::span<const PlacedCurve> curves,
-                         std::span<const CurveSides> sides, const LengthUnit& mesh_unit) {
+                         std::span<const SideLabels> sides, const LengthUnit& mesh_unit) {
   if (sides.size() != curves.size()) {
     throw Error(ErrorCode::kBadUsage, "There must be as many sides as curves.");
   }
@@ -132,7 +132,7 @@ void write_curves(const std::filesystem::path& path, std::span<const PlacedCurve
   write_file(path, curve_bytes(path, curves, mesh_unit));
 }
 void write_borders(const std::filesystem::path& path, std::span<const PlacedCurve> curves,
-                   std::span<const CurveSides> sides, const LengthUnit& mesh_unit) {
+                   std::span<const SideLabels> sides, const LengthUnit& mesh_unit) {
   write_file(path, border_bytes(path, curves, sides, mesh_unit));
 }
 

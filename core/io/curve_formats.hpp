@@ -28,7 +28,7 @@ std::vector<CurveInput> read_txt(const Source& source);
 std::vector<CurveInput> read_json(const Source& source);
 
 /// The labels beside each curve, or none; formats without a place for them leave them out.
-using Sides = std::span<const CurveSides>;
+using Sides = std::span<const SideLabels>;
 
 /// Whether anything is said of a point of the curves.
 bool has_marks(std::span<const PlacedCurve> curves);

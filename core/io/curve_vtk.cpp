@@ -182,9 +182,9 @@ std::string write_vtk(std::span<const PlacedCurve> curves, Sides sides) {
   }
   if (!sides.empty()) {
     fmt::format_to(to, "CELL_DATA {0}\nFIELD FieldData 2\nleft 1 {0} long\n", sides.size());
-    for (const CurveSides& side : sides) fmt::format_to(to, "{}\n", side.left);
+    for (const SideLabels& side : sides) fmt::format_to(to, "{}\n", side.left);
     fmt::format_to(to, "right 1 {} long\n", sides.size());
-    for (const CurveSides& side : sides) fmt::format_to(to, "{}\n", side.right);
+    for (const SideLabels& side : sides) fmt::format_to(to, "{}\n", side.right);
   }
   return fmt::to_string(out);
 }

@@ -130,10 +130,10 @@ std::string write_vtp(std::span<const PlacedCurve> curves, Sides sides) {
   if (!sides.empty()) {
     fmt::format_to(to, "<CellData>\n");
     open_array("Int64", "left", 1);
-    for (const CurveSides& side : sides) fmt::format_to(to, "{}\n", side.left);
+    for (const SideLabels& side : sides) fmt::format_to(to, "{}\n", side.left);
     fmt::format_to(to, "</DataArray>\n");
     open_array("Int64", "right", 1);
-    for (const CurveSides& side : sides) fmt::format_to(to, "{}\n", side.right);
+    for (const SideLabels& side : sides) fmt::format_to(to, "{}\n", side.right);
     fmt::format_to(to, "</DataArray>\n</CellData>\n");
   }
   fmt::format_to(to, "<Points>\n");

@@ -107,7 +107,7 @@ void write(const LabelsOptions& o, LabelNetwork& network, const SurfaceMesh& mes
            const RepairMap* map, const MeshAttributes& attributes,
            const std::vector<std::string>& warnings, const ReadLabels& labels) {
   std::vector<PlacedCurve> placed;
-  std::vector<CurveSides> sides;
+  std::vector<SideLabels> sides;
   for (const SmoothedBorder& border : network.borders) {
     sides.push_back({border.border.labels[0], border.border.labels[1]});
     placed.push_back(in_file_numbers(map, place(mesh, border.border.curve, placed.size())));

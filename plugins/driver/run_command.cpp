@@ -158,8 +158,8 @@ void write_report(const std::string& path, const host::Results& results) {
 }
 
 /// The labels left and right of each curve, if the report tells them.
-std::vector<CurveSides> sides_of(const host::Results& results) {
-  std::vector<CurveSides> sides;
+std::vector<SideLabels> sides_of(const host::Results& results) {
+  std::vector<SideLabels> sides;
   for (std::size_t c = 0; c < results.curves.size(); ++c) {
     const std::string key = fmt::format("borders.{}.", c);
     if (results.find(key + "left") == nullptr || results.find(key + "right") == nullptr) return {};
@@ -176,7 +176,7 @@ void write_results(const Files& files, const talweg_plugin& plugin, const host::
     curves.push_back(in_file_numbers(map, placed_curve(curve)));
   }
   const LengthUnit unit = LengthUnit::named(files.mesh_units);
-  const std::vector<CurveSides> sides = sides_of(results);
+  const std::vector<SideLabels> sides = sides_of(results);
   OutputAttempts attempts;
   for (const std::string& output : files.outputs) {
     attempts.make([&] {
