@@ -11,6 +11,6 @@
 #include "talweg/core/openmesh/openmesh_drawings.hpp"  // curve_of, curves_of, edges_where, selected_edges, feature_edges, labels_of
 #include "talweg/core/openmesh/openmesh_points.hpp"  // handle_point, handle_points, surface_point, HandlePoint
 #include "talweg/core/openmesh/openmesh_properties.hpp"  // vertex_property, face_property
-#include "talweg/core/openmesh/plan_application.hpp"     // apply_plan
+#include "talweg/core/openmesh/plan_application.hpp"     // apply_plan, division_from
 #include "talweg/core/openmesh/split_along.hpp"          // split_along
 #include "talweg/talweg.hpp"

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <stdexcept>
 #include <type_traits>
@@ -36,6 +37,27 @@ struct DivisionPlan {
 class PlanError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
+
+/// The plan that a host got from talweg.cut: any struct with the arrays of talweg_cut_plan as
+/// vectors, such as talweg::host::CutPlan.
+template <class Given>
+DivisionPlan division_from(const Given& given) {
+  DivisionPlan plan;
+  plan.old_vertices = static_cast<std::uint32_t>(given.vertex_count);
+  plan.vertices = given.vertices;
+  plan.weights = given.weights;
+  plan.positions = given.positions;
+  plan.faces = given.divided;
+  plan.parts = given.parts;
+  plan.triangles = given.triangles;
+  auto next = given.chains.begin();
+  for (std::size_t c = 0; c < given.lengths.size(); ++c) {
+    const auto end = next + static_cast<std::ptrdiff_t>(given.lengths[c]);
+    plan.chains.push_back({given.closed[c] != 0, {next, end}});
+    next = end;
+  }
+  return plan;
+}
 
 /// Numbers of elements that are those of their handles.
 struct SameNumbers {
