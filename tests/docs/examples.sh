@@ -38,6 +38,24 @@ grep '"faces": 1000' decimated.json
 grep 'element face 1000' small.ply
 test "$(nm -D --defined-only "$TALWEG_PLUGIN_PATH/decimate_plugin.so" | grep -c ' T ')" = 1
 
+# Tools with OpenMesh: a curve that survives decimation, one mesh per region, a slider.
+talweg draw mesh.obj --through 12,845 -o across.json
+openmesh_decimate mesh.obj across.json decimated.obj | tee decimated.txt
+grep 'edges of the curve are there, to the bit' decimated.txt
+test "$(grep -c '^f ' decimated.obj)" -lt "$(($(grep -c '^f ' mesh.obj) / 15))"
+if openmesh_decimate mesh.obj missing.json decimated.obj 2>error.txt; then exit 1; fi
+grep 'missing.json' error.txt
+awk '/^f /{print int(n++ * 3 / faces)}' faces="$(grep -c '^f ' mesh.obj)" mesh.obj >thirds.txt
+openmesh_borders mesh.obj thirds.txt region | tee regions.txt
+test "$(cut -d: -f1 regions.txt | sort -u | wc -l)" -ge 3
+for region in 0 1 2; do talweg info "region-$region.obj" | grep usable; done
+head -5 thirds.txt >few.txt
+if openmesh_borders mesh.obj few.txt region 2>error.txt; then exit 1; fi
+grep 'not a label for each face' error.txt
+printf '0\n1\n2.5\n' | openmesh_slider mesh.obj 12 845 slider.om | tee slider.txt
+test "$(grep -c '^tau' slider.txt)" = 3
+talweg info slider.om | grep usable
+
 # A host made with OpenMesh, in single precision.
 unset TALWEG_PLUGIN_PATH
 openmesh_host mesh.obj 12 845 2 | tee faces.txt
