@@ -3,7 +3,7 @@
 #include <OpenMesh/Core/Mesh/Traits.hh>
 #include <gtest/gtest.h>
 
-#include "core/generated_meshes.hpp"
+#include "core/openmesh_meshes.hpp"
 
 namespace talweg::test {
 namespace {

@@ -13,6 +13,7 @@
 #include <gtest/gtest.h>
 
 #include "core/generated_meshes.hpp"
+#include "core/openmesh_meshes.hpp"
 #include "core/small_meshes.hpp"
 #include "core/temporary_folder.hpp"
 #include "talweg/core/drawing/snapping.hpp"
@@ -27,14 +28,6 @@ namespace {
 using TriMesh = OpenMesh::TriMesh_ArrayKernelT<>;
 using PolyMesh = OpenMesh::PolyMesh_ArrayKernelT<>;
 using Vertices = std::vector<OpenMesh::VertexHandle>;
-
-template <class Mesh>
-void request_status(Mesh& mesh) {
-  mesh.request_vertex_status();
-  mesh.request_edge_status();
-  mesh.request_halfedge_status();
-  mesh.request_face_status();
-}
 
 /// n x n quads, or two triangles each; vertex (x, y) is x + y (n + 1).
 template <class Mesh>

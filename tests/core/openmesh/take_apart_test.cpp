@@ -20,11 +20,11 @@ namespace talweg::test {
 namespace {
 
 /// A triangle's corners in space, begun at the least: pieces are compared by these.
-using Corners = std::array<std::array<double, 3>, 3>;
-std::multiset<Corners> corners_of(const MeshLists& lists) {
-  std::multiset<Corners> all;
+using CornerPoints = std::array<std::array<double, 3>, 3>;
+std::multiset<CornerPoints> corners_of(const MeshLists& lists) {
+  std::multiset<CornerPoints> all;
   for (const Triangle& t : lists.triangles) {
-    Corners corners;
+    CornerPoints corners;
     for (std::size_t k = 0; k < 3; ++k) {
       const Point& p = lists.points[t[k]];
       corners[k] = {p.x(), p.y(), p.z()};
@@ -109,8 +109,8 @@ class TakeApart : public testing::Test {
     EXPECT_GT(runs, 30);
   }
 };
-using Meshes = testing::Types<FloatMesh, DoubleMesh>;
-TYPED_TEST_SUITE(TakeApart, Meshes);
+using BothPrecisions = testing::Types<FloatMesh, DoubleMesh>;
+TYPED_TEST_SUITE(TakeApart, BothPrecisions);
 
 TYPED_TEST(TakeApart, SeamsOpenAsOnLists) {
   this->each([](Embedded<TypeParam>& embedded) {
@@ -312,11 +312,11 @@ TEST(TakeApartRefuses, StaleHandlesAndLeavesTheMeshAsItIs) {
 }
 
 TEST(TakeApartRefuses, APropertyThatCannotBeCopied) {
-  struct Bomb {
+  struct Fuse {
     bool armed = false;
-    Bomb() = default;
-    Bomb(const Bomb&) = default;
-    Bomb& operator=(const Bomb& other) {
+    Fuse() = default;
+    Fuse(const Fuse&) = default;
+    Fuse& operator=(const Fuse& other) {
       if (other.armed) throw std::runtime_error("The copy failed.");
       return *this;
     }
@@ -325,7 +325,7 @@ TEST(TakeApartRefuses, APropertyThatCannotBeCopied) {
   OwnProperties own;
   std::mt19937 random(1);
   own.add_to(mesh, random);
-  OpenMesh::VPropHandleT<Bomb> bombs;
+  OpenMesh::VPropHandleT<Fuse> bombs;
   mesh.add_property(bombs, "bombs");
   mesh.property(bombs, mesh.vertex_handle(4)).armed = true;
   const HandleChain chain{mesh.find_halfedge(mesh.vertex_handle(1), mesh.vertex_handle(4))};
