@@ -86,6 +86,8 @@ class OpenMeshInstance {
       }
       std::vector<talweg_attribute> views;
       std::vector<const talweg_attribute*> list;
+      views.reserve(attributes.size());
+      list.reserve(attributes.size());
       for (const auto& attribute : attributes) views.push_back(attribute.view());
       for (const talweg_attribute& view : views) list.push_back(&view);
       instance_.set_attributes(std::span<const talweg_attribute* const>(list));
@@ -95,6 +97,7 @@ class OpenMeshInstance {
   /// A point at a vertex needs no face.
   void set_curves(const std::vector<openmesh::Curve>& curves) {
     std::vector<Curve> given;
+    given.reserve(curves.size());
     for (const openmesh::Curve& curve : curves) given.push_back(numbered(curve, given.size()));
     instance_.set_curves(given);
   }

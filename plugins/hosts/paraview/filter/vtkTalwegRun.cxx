@@ -72,7 +72,7 @@ void vtkTalwegRun::Begin() {
   this->Changed = false;
 }
 
-void vtkTalwegRun::WorkOn(vtkDataObject& mesh, vtkDataSet* curves, vtkDataSet* others,
+void vtkTalwegRun::WorkOn(vtkDataObject& mesh, vtkDataObject* curves, vtkDataObject* others,
                           vtkInformationVector& outputs) {
   if (this->Changed) this->Begin();
   this->Superclass::WorkOn(mesh, curves, others, outputs);

@@ -29,7 +29,7 @@ class TALWEGFILTERS_EXPORT vtkTalwegRun : public vtkTalwegCut {
   vtkTalwegRun();
   ~vtkTalwegRun() override = default;
 
-  void WorkOn(vtkDataObject& mesh, vtkDataSet* curves, vtkDataSet* others,
+  void WorkOn(vtkDataObject& mesh, vtkDataObject* curves, vtkDataObject* others,
               vtkInformationVector& outputs) override;
 
  private:
