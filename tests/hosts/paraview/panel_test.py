@@ -13,7 +13,8 @@ OPTION = re.compile(r"^  --([a-z-]+)(,--no-[a-z-]+\{false\})?(?: (FLOAT|INT|UINT
 
 
 OF_THE_DRIVER = ("curve", "mesh-units", "report", "map", "repair", "tag", "write-distance",
-                 "write-mesh", "write-labels", "write-became", "write-became-triangle", "quiet", "verbose", "help")
+                 "write-mesh", "write-labels", "write-became", "write-became-triangle", "quiet",
+                 "verbose", "help")
 # The driver has one option --repair for these.
 REPAIR = ("repair", "repair-weld", "repair-drop", "repair-orient", "repair-split")
 
