@@ -81,6 +81,7 @@ class Cut : public MakesMeshes<Workspace> {
     std::vector<std::string> warnings;
     drawing().add_to(warnings, reading_warnings());
     if (!outputs.wants_meshes() && !options.opens()) {
+      go_on("cut", 1);
       give(outputs, -1, entries_of(mesh(), plan, warnings, watch.ms()));
     } else {
       cut_up(plan, options, outputs, warnings, watch);
