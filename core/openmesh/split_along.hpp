@@ -119,14 +119,14 @@ class FaceKeeper {
 
 /// The pieces from `first` to before `last`, each as a mesh. O(mesh · log(pieces)).
 template <class Mesh>
-void append_pieces(Mesh&& mesh, const std::vector<int>& piece_of, int first, int last,
+void append_pieces(Mesh mesh, const std::vector<int>& piece_of, int first, int last,
                    std::vector<Mesh>& parts) {
   if (last - first == 1) {
     parts.push_back(std::move(mesh));
     return;
   }
   const int middle = first + (last - first) / 2;
-  const auto append = [&](Mesh&& half, int from, int to) {
+  const auto append = [&](Mesh half, int from, int to) {
     std::vector<bool> wanted;
     std::vector<int> pieces;
     for (const int piece : piece_of) {
@@ -136,7 +136,7 @@ void append_pieces(Mesh&& mesh, const std::vector<int>& piece_of, int first, int
     FaceKeeper<Mesh>(half, wanted).run();
     append_pieces(std::move(half), pieces, from, to, parts);
   };
-  append(Mesh(mesh), first, middle);
+  append(mesh, first, middle);
   append(std::move(mesh), middle, last);
 }
 
