@@ -1,6 +1,7 @@
 // talweg-embedding: curves become edges of an OpenMesh mesh, beside what OpenMesh does with it.
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <cstdio>
 #include <exception>
 #include <functional>
@@ -13,6 +14,7 @@
 #include "talweg/core/drawing/edge_dijkstra.hpp"
 #include "talweg/core/io/mesh_reader.hpp"
 #include "talweg/core/openmesh/embed_curves.hpp"
+#include "talweg/core/openmesh/openmesh_changes.hpp"
 #include "talweg/core/openmesh/split_along.hpp"
 #include "talweg/core/smoothing/curve_smoother.hpp"
 #include "talweg/intrinsic/stopwatch.hpp"
@@ -85,6 +87,18 @@ int run(const char* path) {
   const Stopwatch opening;
   const auto opened = open_mesh(original, &ids);
   std::printf("%zu faces, opened in %.0f ms\n", original.n_faces(), opening.ms());
+  std::uint64_t stamp = 0;
+  std::printf("stamp_of                             %7.2f ms\n",
+              median(
+                  kRuns, [] {},
+                  [&] {
+                    const OpenMeshStamp now = stamp_of(original);
+                    stamp ^= now.points ^ now.connectivity;
+                  }));
+  std::printf("reopen                               %7.2f ms%s\n",
+              median(
+                  kRuns, [] {}, [&] { reopen(original, ids, *opened); }),
+              stamp == 1 ? " " : "");  // so that nothing is left out
   const SurfaceCurve curve = curve_on(opened, 2000);
   const std::span<const SurfaceCurve> curves(&curve, 1);
 
