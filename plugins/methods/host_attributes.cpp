@@ -203,7 +203,8 @@ std::vector<double> by_corner(const HostAttribute& attribute) {
 AttributeView::AttributeView(const HostAttribute& attribute) {
   const bool by_row = attribute.element == TALWEG_OF_CORNERS && !attribute.shared;
   bytes_ = bytes_of(by_row ? by_corner(attribute) : attribute.values, attribute.type);
-  const std::size_t row = attribute.columns * plugin::detail::size_of(attribute.type);
+  const std::size_t rows =
+      by_row ? 3 * attribute.corners.size() : attribute.values.size() / attribute.columns;
   const bool with_entries = attribute.shared && !attribute.corners.empty();
   view_ = {sizeof view_,
            attribute.element,
@@ -211,7 +212,7 @@ AttributeView::AttributeView(const HostAttribute& attribute) {
            0,
            attribute.name.c_str(),
            attribute.fill,
-           {bytes_.data(), bytes_.size() / row, 0, attribute.columns, attribute.type},
+           {bytes_.data(), rows, 0, attribute.columns, attribute.type},
            with_entries
                ? plugin::view(attribute.corners.front().data(), attribute.corners.size(), 3)
                : plugin::kNoArray};

@@ -152,7 +152,7 @@ class Labels : public MakesMeshes<MeshWorkspace> {
   [[nodiscard]] std::vector<double> new_labels(const LabelNetwork& network,
                                                const Given& given) const {
     const RepairMap* map = host_mesh().map();
-    const std::vector<double> labels(network.face_labels.begin(), network.face_labels.end());
+    std::vector<double> labels(network.face_labels.begin(), network.face_labels.end());
     if (map == nullptr) return labels;
     const MeshLists lists = given.by_triangle ? MeshLists{} : host_mesh().lists();
     return map->to_file_faces(labels, [&](std::size_t f) {

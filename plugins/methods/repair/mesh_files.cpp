@@ -22,6 +22,7 @@ namespace {
 
 std::vector<const char*> c_strings(const std::vector<std::string>& texts) {
   std::vector<const char*> result;
+  result.reserve(texts.size());
   for (const std::string& text : texts) result.push_back(text.c_str());
   return result;
 }
