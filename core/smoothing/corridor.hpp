@@ -48,6 +48,8 @@ class Corridor {
   /// Throws as the constructor does for slack values along a curve with this number of points.
   static void check_slack(const std::vector<double>& values, std::size_t curve, std::size_t points);
 
+  /// Where that is the nearest point of the curves.
+  [[nodiscard]] std::array<double, 2> lifted(const PolylineDistance::Nearest& nearest) const;
   std::array<double, 2> at(const SurfacePoint& point) const;
   std::array<double, 2> at_vertex(VertexId v) const;
   /// Like at_vertex() where δ is at most `exact`. Farther out the value is not less, as if δ were
@@ -75,7 +77,6 @@ class Corridor {
   };
   void set_field(Profile& profile, const Valley& valley, std::size_t curve) const;
   [[nodiscard]] static Varying slack(const Profile& profile, double arc);
-  [[nodiscard]] std::array<double, 2> lifted(const PolylineDistance::Nearest& nearest) const;
 
   PolylineDistance* distance_;
   std::vector<Profile> profiles_;  // per curve

@@ -39,7 +39,20 @@ void require_bound(double value, bool zero, const char* what) {
   throw Error(std::string(what) + (zero ? " is 0 or more." : " is more than 0."));
 }
 
+void require(const Settings& settings) {
+  require_bound(settings.tau, true, "Tau");
+  if (settings.slack) require_bound(*settings.slack, true, "The slack");
+  if (settings.max_deviation) {
+    require_bound(*settings.max_deviation, false, "The largest deviation");
+  }
+}
+
 }  // namespace
+
+Editor::Editor(const Settings& settings) {
+  require(settings);
+  history_ = History(settings);
+}
 
 const Curve& Editor::curve_at(std::size_t curve) const {
   if (curve < drawing().curves.size()) return *drawing().curves[curve];
@@ -129,7 +142,6 @@ void Editor::add_curve(Curve curve) {
 }
 
 void Editor::remove_curve(std::size_t curve) {
-  not_while_drawing();
   curve_at(curve);
   erase("Remove curve", curve);
 }
@@ -192,27 +204,25 @@ void Editor::set_pinned(std::size_t curve, std::size_t point, bool pinned) {
 }
 
 void Editor::set(const std::string& name, const Settings& settings) {
+  require(settings);
   Drawing next = drawing();
   next.settings = settings;
   history_.add(name, std::move(next));
 }
 
 void Editor::set_tau(double tau) {
-  require_bound(tau, true, "Tau");
   Settings settings = drawing().settings;
   settings.tau = tau;
   set("Tau", settings);
 }
 
 void Editor::set_slack(std::optional<double> slack) {
-  if (slack) require_bound(*slack, true, "The slack");
   Settings settings = drawing().settings;
   settings.slack = slack;
   set("Slack", settings);
 }
 
 void Editor::set_max_deviation(std::optional<double> bound) {
-  if (bound) require_bound(*bound, false, "The largest deviation");
   Settings settings = drawing().settings;
   settings.max_deviation = bound;
   set("Largest deviation", settings);

@@ -14,6 +14,10 @@ namespace talweg::editing {
 /// done throws Error and changes nothing. One thread at a time.
 class Editor {
  public:
+  Editor() = default;
+  /// Begins with these settings, which are no step that could be undone. Throws Error.
+  explicit Editor(const Settings& settings);
+
   [[nodiscard]] const Drawing& drawing() const { return history_.now(); }
   [[nodiscard]] History& history() { return history_; }
   [[nodiscard]] const History& history() const { return history_; }
@@ -36,12 +40,14 @@ class Editor {
   /// Esc: removes the curve.
   void drop_curve();
 
+  /// Removes any curve, the one that is being drawn too; that one stays if another goes.
+  void remove_curve(std::size_t curve);
+
   // ---- Whole curves; not while a curve is being drawn.
 
   /// Adds a curve from another source: selected vertices, another object, a script. Needs two
   /// points, three when closed; of successive points at one place only the first counts.
   void add_curve(Curve curve);
-  void remove_curve(std::size_t curve);
   void set_closed(std::size_t curve, bool closed);
   void reverse_curve(std::size_t curve);
   /// Removes all curves; the settings stay.

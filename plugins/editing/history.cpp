@@ -7,6 +7,10 @@ namespace talweg::editing {
 
 History::History(std::size_t most) : most_(most) { steps_.push_back({"", {}, numbers_++}); }
 
+History::History(const Settings& settings) : History() {
+  steps_.front().drawing.settings = settings;
+}
+
 void History::add(const std::string& name, Drawing next) {
   if (next == now()) return;
   if (gesture_ == Gesture::kMoved) {

@@ -1,64 +1,17 @@
-// Work on one mesh in a thread of its own: opening it, smoothing drawings on it, putting curves
-// onto it, measuring distances.
+// Work on one mesh in a thread of its own.
 #pragma once
 
-#include <condition_variable>
 #include <cstdint>
-#include <deque>
 #include <functional>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <string>
 #include <thread>
 #include <vector>
 
-#include "mesh_arrays.hpp"
-#include "talweg/loader/talweg_loader.h"
+#include "workplace.hpp"
 
 namespace talweg::editing {
-
-/// The plugins that were found (talweg_loader.h). Must outlive everything that uses them.
-class Plugins {
- public:
-  /// `folders` are separated by ':'; if empty, the loader's own.
-  explicit Plugins(const std::string& folders = "");
-  /// Throws Error that says where the plugin was looked for.
-  [[nodiscard]] const talweg_plugin& find(const char* id) const;
-
- private:
-  struct Close {
-    void operator()(talweg_loader* loader) const { talweg_loader_close(loader); }
-  };
-  std::unique_ptr<talweg_loader, Close> loader_;
-};
-
-enum class Task {
-  kOpen,      ///< opens the mesh; always the first task
-  kSmooth,    ///< smooths a drawing: curves and report
-  kPlace,     ///< puts positions in space onto the mesh: points of a drawing
-  kDistance,  ///< distance and potential at every vertex
-  kDraw,      ///< the drawn curves as they lie on the mesh
-};
-
-/// What the user is doing during a request.
-enum class Hand {
-  kRests,   ///< nothing: the result is final
-  kSlides,  ///< moves a slider: the curve is needed, but no deviation is measured
-  kDrags,   ///< moves a point: as kSlides, and smoothed only near the change if the plugin can
-};
-
-/// The outcome of a task.
-struct Outcome {
-  Task task = Task::kOpen;
-  std::uint64_t ticket = 0;
-  talweg_status status = TALWEG_OK;
-  std::string sentence;            ///< the reason, if the status is not TALWEG_OK
-  host::Results results;           ///< kSmooth, kDistance, kDraw
-  std::vector<Curve> placed;       ///< kPlace
-  std::vector<std::string> notes;  ///< warnings of the plugins
-  double milliseconds = 0;         ///< wall-clock time
-};
 
 /// The progress of the running task.
 struct Progress {
@@ -68,17 +21,19 @@ struct Progress {
   double fraction = 0;
 };
 
-/// Of smoothing requests only the newest counts: a waiting one is replaced, and a running one is
-/// completed if it began less than `patience` ago (so that the curve follows the mouse) and
-/// cancelled otherwise. Other requests are done in the order in which they were made. All methods
-/// must be called from one thread; `wake` is called on another.
+/// A workplace in a thread. Of smoothing requests only the newest counts: a waiting one is
+/// replaced, and a running one is completed if it began less than `patience` ago (so that the curve
+/// follows the mouse) and cancelled otherwise. Other requests are done in the order in which they
+/// were made. All methods must be called from one thread; `wake` is called on another.
 class SmoothingThread {
  public:
   /// Opens the mesh at once. `wake` is called whenever take() has something new; it must only
   /// notify. `plugins` must outlive the object.
   SmoothingThread(const Plugins& plugins, std::shared_ptr<const MeshArrays> mesh,
-                  std::function<void()> wake = {}, double patience_ms = 400);
-  /// Cancels the running task and waits for its end.
+                  std::function<void()> wake = {}, double patience_ms = 400,
+                  Defects defects = Defects::kRefuse);
+  /// Cancels the running task and does not wait for its end; the plugins do, at their own. `wake`
+  /// is called no more.
   ~SmoothingThread();
   SmoothingThread(const SmoothingThread&) = delete;
   SmoothingThread& operator=(const SmoothingThread&) = delete;
@@ -100,30 +55,15 @@ class SmoothingThread {
   void wait();
 
  private:
-  struct Request;
-  struct Workplace;
+  struct Shared;
 
-  std::uint64_t ask(std::unique_ptr<Request> request);
-  void work();
-  std::unique_ptr<Request> next();
-  bool on_progress(const char* stage, double fraction);
+  std::uint64_t ask(Request request);
 
   const Plugins& plugins_;
-  std::shared_ptr<const MeshArrays> mesh_;
-  std::function<void()> wake_;
   double patience_ms_;
-
-  mutable std::mutex mutex_;  // protects all members below
-  std::condition_variable asked_, done_;
-  std::deque<std::unique_ptr<Request>> waiting_;
-  std::deque<Outcome> outcomes_;
-  Progress progress_;
   std::uint64_t tickets_ = 0;
-  double began_ms_ = 0;
-  bool cancelled_ = false;
-  bool closing_ = false;
-
-  std::thread thread_;  // last, so that everything exists when it begins
+  std::shared_ptr<Shared> shared_;  // with the thread, which may outlive this object
+  std::thread thread_;
 };
 
 }  // namespace talweg::editing

@@ -21,6 +21,30 @@ void asked(PolylineDistance& distance, const plugin::Services& services, const W
   }
 }
 
+/// All vertices, those beside the curves first, then their neighbours, and so on: answers are
+/// final about as soon as they are asked for, so that the progress is that of the work.
+std::vector<VertexId> outwards(const Surface& surface, std::span<const SurfaceCurve> curves) {
+  std::vector<VertexId> order;
+  std::vector<bool> reached(surface.vertex_count(), false);
+  const auto reach = [&](VertexId v) {
+    if (reached[v.index()]) return;
+    reached[v.index()] = true;
+    order.push_back(v);
+  };
+  for (const SurfaceCurve& curve : curves) {
+    for (const SurfacePoint& point : curve.points) {
+      for (const VertexId v : surface.corners(any_face(surface, point))) reach(v);
+    }
+  }
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    for (const FaceId f : faces_at(surface, SurfacePoint::at_vertex(surface, order[k]))) {
+      for (const VertexId v : surface.corners(f)) reach(v);
+    }
+  }
+  for (std::size_t v = 0; v < surface.vertex_count(); ++v) reach(VertexId{v});
+  return order;
+}
+
 }  // namespace
 
 PointField deviation_field(const SurfaceMesh& mesh, const SurfaceCurve& drawn,
@@ -48,21 +72,31 @@ PointField curvature_field(const SurfaceMesh& mesh, const SurfaceCurve& curve) {
   return field;
 }
 
+std::vector<NearestOnCurve> nearest_field(const Surface& surface,
+                                          std::span<const SurfaceCurve> curves,
+                                          const plugin::Services& services) {
+  PolylineDistance distance(surface);
+  const std::size_t n = surface.vertex_count();
+  std::vector<NearestOnCurve> nearest(n);
+  asked(distance, services, [&](Asker& asker) {
+    distance.set(curves);
+    std::size_t known = 0;
+    for (const VertexId v : outwards(surface, curves)) {
+      asker.is_at(static_cast<double>(known++) / static_cast<double>(n));
+      asker.did(kOfValue);
+      nearest[v.index()] = distance.at_vertex(v);
+    }
+  });
+  return nearest;
+}
+
 std::vector<double> exact_distance_field(const Surface& surface,
                                          std::span<const SurfaceCurve> curves,
                                          const plugin::Services& services) {
-  PolylineDistance distance(surface);
-  const std::size_t n = surface.vertex_count();
   std::vector<double> values;
-  values.reserve(n);
-  asked(distance, services, [&](Asker& asker) {
-    distance.set(curves);
-    for (std::size_t v = 0; v < n; ++v) {
-      asker.is_at(static_cast<double>(v) / static_cast<double>(n));
-      asker.did(kOfValue);
-      values.push_back(distance.at_vertex(VertexId{v}).distance);
-    }
-  });
+  for (const NearestOnCurve& nearest : nearest_field(surface, curves, services)) {
+    values.push_back(nearest.distance);
+  }
   return values;
 }
 

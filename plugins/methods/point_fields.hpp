@@ -6,6 +6,7 @@
 
 #include "results.hpp"
 #include "talweg/core/mesh/surface_mesh.hpp"
+#include "talweg/intrinsic/exact_distance/nearest_on_curve.hpp"
 #include "talweg/intrinsic/surface/surface_point.hpp"
 
 namespace talweg::plugins {
@@ -19,6 +20,11 @@ PointField deviation_field(const SurfaceMesh& mesh, const SurfaceCurve& drawn,
 /// Turning angle at each point, radians; 0 at the ends of an open curve.
 PointField curvature_field(const SurfaceMesh& mesh, const SurfaceCurve& curve);
 
+/// The nearest point of the curves from each vertex, along the surface. Throws
+/// plugin::Services::cancelled().
+std::vector<NearestOnCurve> nearest_field(const Surface& surface,
+                                          std::span<const SurfaceCurve> curves,
+                                          const plugin::Services& services);
 /// Exact distance along the surface of each vertex to the nearest of the curves, mesh units;
 /// infinite if none can be reached. Throws plugin::Services::cancelled().
 std::vector<double> exact_distance_field(const Surface& surface,

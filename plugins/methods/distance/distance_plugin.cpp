@@ -109,10 +109,13 @@ class Distance : public SmootherWorkspace {
       throw plugin::Services::cancelled();
     }
     slack_ = smoother().slack();
-    distance_ =
-        is_corridor(parameters)
-            ? exact_distance_field(mesh().surface(), drawing().curves, services())
-            : std::vector<double>(smoother().distance().begin(), smoother().distance().end());
+    if (is_corridor(parameters)) {
+      nearest_ = nearest_field(mesh().surface(), drawing().curves, services());
+      for (const NearestOnCurve& nearest : nearest_) distance_.push_back(nearest.distance);
+    } else {
+      nearest_.clear();
+      distance_.assign(smoother().distance().begin(), smoother().distance().end());
+    }
     drawings_ = drawings();
     changes_ = changes;
   }
@@ -144,14 +147,15 @@ class Distance : public SmootherWorkspace {
     distance.set(drawing().curves);
     const Corridor corridor(distance, parameters.number("tau"), valleys);
     std::vector<double> values;
-    for (std::size_t v = 0; v < distance_.size(); ++v) {
-      const auto lift = corridor.at_vertex(VertexId{v});
-      values.push_back(std::isfinite(distance_[v]) ? std::hypot(lift[0], lift[1]) : 0.0);
+    for (const NearestOnCurve& nearest : nearest_) {
+      const auto lift = corridor.lifted(nearest);
+      values.push_back(std::hypot(lift[0], lift[1]));
     }
     return values;
   }
 
   std::vector<double> distance_, slack_;
+  std::vector<NearestOnCurve> nearest_;  // of the corridor
   std::uint64_t drawings_ = 0;
   std::uint64_t changes_ = 0;
 };

@@ -1,4 +1,5 @@
 // The editing model: every edit, what it refuses, undo and redo; selections in order.
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -12,6 +13,7 @@
 
 #include "plugins/editing_drawings.hpp"
 #include "talweg/editing/selection_order.hpp"
+#include "talweg/editing/sight.hpp"
 
 namespace talweg {
 namespace {
@@ -171,6 +173,34 @@ TEST(Editor, RefusesWithASentenceAndChangesNothing) {
   EXPECT_EQ(editor.history().undo_name(), "Add point");
 }
 
+TEST(Editor, ACurveGoesWhileAnotherIsDrawn) {
+  Editor editor;
+  editor.add_curve({{at(1), at(2)}, false});
+  editor.add_curve({{at(3), at(4)}, false});
+  editor.add_point(at(5));
+  editor.add_point(at(6));
+  editor.remove_curve(0);
+  ASSERT_EQ(editor.drawing().curves.size(), 2U);
+  EXPECT_EQ(editor.drawing().curves[0]->points[0].face, 3U);
+  EXPECT_TRUE(editor.is_drawing());
+  EXPECT_EQ(editor.history().undo_name(), "Remove curve");
+  editor.remove_curve(1);  // the one that is drawn
+  EXPECT_FALSE(editor.is_drawing());
+  ASSERT_EQ(editor.drawing().curves.size(), 1U);
+  editor.history().undo();
+  editor.history().undo();
+  EXPECT_EQ(editor.drawing().curves.size(), 3U);
+  EXPECT_TRUE(editor.is_drawing());
+}
+
+TEST(Editor, TheSettingsItBeginsWithAreNoStep) {
+  Editor editor({3.5, 0.25, {}});
+  EXPECT_EQ(editor.drawing().settings.tau, 3.5);
+  EXPECT_EQ(editor.drawing().settings.slack, 0.25);
+  EXPECT_FALSE(editor.history().can_undo());
+  EXPECT_EQ(refusal([] { Editor wrong({-1, {}, {}}); }), "Tau is 0 or more.");
+}
+
 TEST(Editor, PointsKeepTheirPinsAndGo) {
   Editor editor;
   editor.add_curve({{at(1), at(2), at(3)}, true});
@@ -295,6 +325,44 @@ TEST(History, ForgetsTheOldestSteps) {
   while (history.undo()) {
   }
   EXPECT_EQ(history.now().settings.tau, 2);
+}
+
+/// A box from 0 to 1 of two triangles a side: z = 0 has the triangles 0 and 1, z = 1 has 2 and 3.
+editing::MeshArrays box() {
+  editing::MeshArrays mesh;
+  for (const double z : {0.0, 1.0}) {
+    for (const double y : {0.0, 1.0}) {
+      for (const double x : {0.0, 1.0}) mesh.positions.push_back({x, y, z});
+    }
+  }
+  mesh.triangles = {{0, 3, 1}, {0, 2, 3}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
+                    {2, 7, 3}, {2, 6, 7}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
+  return mesh;
+}
+
+TEST(Sight, WhatLiesBehindTheBodyIsHidden) {
+  const editing::MeshArrays mesh = box();
+  const std::array<double, 3> above = {0.4, 0.6, 5};
+  EXPECT_FALSE(is_hidden(mesh, at(2), above));
+  EXPECT_TRUE(is_hidden(mesh, at(0), above));
+  EXPECT_FALSE(is_hidden(mesh, at(0), {0.4, 0.6, -5}));
+  EXPECT_FALSE(is_hidden(mesh, at(0), {0.5, 0.45, 0.5})) << "from inside";
+}
+
+TEST(Sight, PointsOnEdgesAndAtVerticesAreNotHiddenByWhatTouchesThem) {
+  const editing::MeshArrays mesh = box();
+  const editing::Point vertex{2, {1, 0, 0}}, edge{2, {0.5, 0, 0.5}};
+  for (const std::array<double, 3>& from :
+       {std::array<double, 3>{0.3, 0.4, 3}, {-2, 0.5, 2}, {0.5, -2, 2}}) {
+    EXPECT_FALSE(is_hidden(mesh, edge, from));
+    EXPECT_FALSE(is_hidden(mesh, vertex, from));
+  }
+  EXPECT_TRUE(is_hidden(mesh, edge, {0.4, 0.45, -2}));
+  EXPECT_TRUE(is_hidden(mesh, vertex, {0.3, 0.4, -2}));
+}
+
+TEST(Sight, AFaceThatIsNotThereIsTold) {
+  EXPECT_NE(refusal([] { is_hidden(box(), at(12), {0, 0, 5}); }), "no refusal");
 }
 
 TEST(MeshArrays, PointsAtVerticesLieThere) {

@@ -1,6 +1,7 @@
 // Smoothing in a thread: results of the plugin, the newest request wins, cancelling, closing.
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -307,6 +308,115 @@ TEST(EditingThread, TellsWhatIsWrongAndGoesOn) {
   EXPECT_NE(outcome.sentence.find("4000000"), std::string::npos) << outcome.sentence;
   thread.smooth(hills.editor.drawing());
   EXPECT_EQ(all_of(thread).back().status, TALWEG_OK);
+}
+
+/// A sheet whose first face comes twice: its middle column of vertices is a curve.
+struct Defective {
+  std::shared_ptr<editing::MeshArrays> mesh =
+      std::make_shared<editing::MeshArrays>(test::arrays_of(test::grid(8, 8)));
+  editing::Editor editor;
+
+  Defective() {
+    mesh->triangles.insert(mesh->triangles.begin(), mesh->triangles.front());
+    editor.add_curve({editing::points_at(*mesh, {4, 4 + 9 * 4, 4 + 9 * 8}), false});
+  }
+};
+
+TEST(EditingThread, ADefectIsToldWithWhatARepairWouldDo) {
+  Defective sheet;
+  SmoothingThread thread(plugins(), sheet.mesh);
+  const Outcome open = all_of(thread).at(0);
+  EXPECT_EQ(open.status, TALWEG_BAD_MESH);
+  ASSERT_EQ(open.repair.size(), 1U);
+  EXPECT_NE(open.repair[0].find("1 "), std::string::npos) << open.repair[0];
+
+  auto hopeless = std::make_shared<editing::MeshArrays>();
+  hopeless->positions = {{0, 0, 0}, {1, 0, 0}, {2, std::nan(""), 0}};
+  hopeless->triangles = {{0, 1, 2}};
+  SmoothingThread refused(plugins(), hopeless);
+  const Outcome none = all_of(refused).at(0);
+  EXPECT_NE(none.status, TALWEG_OK);
+  EXPECT_TRUE(none.repair.empty());
+}
+
+TEST(EditingThread, RepairedItIsSmoothedInTheNumbersItCameWith) {
+  Defective sheet;
+  SmoothingThread thread(plugins(), sheet.mesh, {}, 400, editing::Defects::kRepair);
+  thread.smooth(sheet.editor.drawing());
+  thread.distance(sheet.editor.drawing());
+  const std::vector<Outcome> outcomes = all_of(thread);
+  ASSERT_EQ(outcomes.size(), 3U);
+  EXPECT_EQ(outcomes[0].status, TALWEG_OK) << outcomes[0].sentence;
+  ASSERT_EQ(outcomes[1].status, TALWEG_OK) << outcomes[1].sentence;
+  const host::Curve& curve = outcomes[1].results.curves.at(0);
+  for (std::size_t k = 0; k < curve.positions.size(); ++k) {
+    const auto at = position_of(*sheet.mesh, {curve.faces[k], curve.barycentrics[k], false});
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      EXPECT_NEAR(at[axis], curve.positions[k][axis], 1e-12);
+    }
+  }
+  ASSERT_EQ(outcomes[2].status, TALWEG_OK) << outcomes[2].sentence;
+  const std::vector<double>& distance = outcomes[2].results.fields.at(0).values;
+  ASSERT_EQ(distance.size(), sheet.mesh->positions.size());
+  for (std::size_t v = 0; v < distance.size(); ++v) {
+    EXPECT_NEAR(distance[v], std::abs(sheet.mesh->positions[v][0] - 4), 1e-12) << v;
+  }
+}
+
+TEST(Workplace, WorksWithoutAThread) {
+  Hills hills;
+  editing::Workplace workplace(plugins(), hills.mesh);
+  editing::Request request;
+  EXPECT_EQ(workplace.work(request).status, TALWEG_OK);
+  request.task = Task::kSmooth;
+  request.ticket = 7;
+  request.drawing = hills.editor.drawing();
+  const Outcome outcome = workplace.work(request);
+  EXPECT_EQ(outcome.ticket, 7U);
+  expect_same(outcome.results.curves, hills.expected(hills.editor.drawing()));
+}
+
+TEST(Workplace, ForAnotherTauTheDistanceIsKept) {
+  Hills hills;
+  bool spreads = false;
+  editing::Workplace workplace(plugins(), hills.mesh, editing::Defects::kRefuse,
+                               [&](const char* stage, double) {
+                                 spreads = spreads || std::string(stage) == "distance";
+                                 return true;
+                               });
+  editing::Request request;
+  request.task = Task::kDistance;
+  request.drawing = hills.editor.drawing();
+  const Outcome first = workplace.work(request);
+  EXPECT_TRUE(spreads);
+  spreads = false;
+  hills.editor.set_tau(4);
+  request.drawing = hills.editor.drawing();
+  const Outcome steeper = workplace.work(request);
+  EXPECT_FALSE(spreads);
+  EXPECT_EQ(steeper.results.fields.at(0).values, first.results.fields.at(0).values);
+  const std::vector<double>&before = first.results.fields.at(1).values,
+        &after = steeper.results.fields.at(1).values;
+  for (std::size_t v = 0; v < before.size(); ++v) {
+    EXPECT_NEAR(after[v], 16 * before[v], 1e-9 * after[v]);  // the square of tau
+  }
+}
+
+TEST(EditingThread, NobodyWaitsForItsEnd) {
+  std::atomic<bool> went_on = false, gone = false;
+  {
+    editing::EndingThreads ending;
+    auto ended = std::make_shared<std::atomic<bool>>(false);
+    ending.take(std::thread([&went_on, &gone, ended] {
+                  while (!gone) std::this_thread::yield();
+                  went_on = true;
+                  *ended = true;
+                }),
+                ended);
+    EXPECT_FALSE(went_on);
+    gone = true;
+  }
+  EXPECT_TRUE(went_on);
 }
 
 std::string bytes_of(const std::filesystem::path& path) {

@@ -42,10 +42,8 @@ Session::Session(HostCalls& host, const editing::Plugins& plugins, TriMeshObject
       mesh_id_(object.id()),
       name_(object.name()),
       arrays_(arrays_of(*object.mesh())),
-      diagonal_(diagonal_of(*arrays_)) {
-  editor_.set_tau(settings.tau);
-  editor_.set_slack(settings.slack);
-  editor_.set_max_deviation(settings.max_deviation);
+      diagonal_(diagonal_of(*arrays_)),
+      editor_(settings) {
   first_number_ = kept_number_ = editor_.history().number();
   if (OpenFlipper::Options::gui()) {
     material_ = new ACG::SceneGraph::MaterialNode(nullptr, "Talweg: look of the drawn points");
@@ -66,8 +64,20 @@ Session::~Session() {
 void Session::open() {
   thread_.reset();
   HostCalls* host = &host_;
-  thread_ = std::make_unique<editing::SmoothingThread>(plugins_, arrays_, [host] { host->wake(); });
+  thread_ = std::make_unique<editing::SmoothingThread>(
+      plugins_, arrays_, [host] { host->wake(); }, 400, defects_);
   asked_ = {};
+  ticket_ = stale_ = 0;
+  problem_.clear();
+  repair_told_.clear();
+}
+
+void Session::repair() {
+  defects_ = editing::Defects::kRepair;
+  work_error_.clear();
+  open();
+  ask();
+  host_.changed();
 }
 
 bool Session::owns(int object_id) const {
@@ -133,6 +143,7 @@ void Session::ask() {
   wanted.point_fields = colour_by_ == ColourBy::kDeviation;
   if (host_curves(now).empty()) {
     thread_->cancel();
+    stale_ = ticket_;
     show_results({}, true);
     return;
   }
@@ -140,24 +151,24 @@ void Session::ask() {
   ticket_ = thread_->smooth(now, wanted, in_gesture() ? moving : editing::Hand::kRests);
 }
 
-/// The host's list of undo gets the state that is there now.
+/// The host's list of undo gets the state that is there now. A new list begins with the one before.
 void Session::keep_backup() {
   const std::uint64_t number = editor_.history().number();
+  if (number == kept_number_) return;
   BaseObjectData* object = nullptr;
-  if (number == kept_number_ || drawing_id_ < 0 ||
-      !PluginFunctions::getObject(drawing_id_, object)) {
-    return;
-  }
-  const auto restore = [self = std::weak_ptr<Session*>(self_)](std::uint64_t to) {
-    return [self, to] {
-      if (const auto session = self.lock()) (*session)->go_to(to);
+  if (drawing_id_ >= 0 && PluginFunctions::getObject(drawing_id_, object)) {
+    const auto restore = [self = std::weak_ptr<Session*>(self_)](std::uint64_t to) {
+      return [self, to] {
+        if (const auto session = self.lock()) (*session)->go_to(to);
+      };
     };
-  };
-  BackupData& backups = backups_of(*object, restore(first_number_));
-  const QString name = in_words(editor_.history().undo_name());
-  backups.storeBackup(new DrawingBackup(object, name, restore(number)));
+    if (!object->hasObjectData(OBJECT_BACKUPS)) first_number_ = kept_number_;
+    BackupData& backups = backups_of(*object, restore(first_number_));
+    const QString name = in_words(editor_.history().undo_name());
+    backups.storeBackup(new DrawingBackup(object, name, restore(number)));
+    host_.push_backup(drawing_id_, name);
+  }
   kept_number_ = number;
-  host_.push_backup(drawing_id_, name);
 }
 
 void Session::go_to(std::uint64_t number) {
@@ -171,9 +182,11 @@ void Session::go_to(std::uint64_t number) {
   host_.changed();
 }
 
+/// Numbers of states grow along the history: those before first_number_ are not on the host's list.
 bool Session::undo() {
   end_gesture();
-  if (drawing_id_ >= 0 && host_.host_undo(drawing_id_)) return true;
+  const bool listed = drawing_id_ >= 0 && editor_.history().number() > first_number_;
+  if (listed && host_.host_undo(drawing_id_)) return true;
   if (!editor_.history().undo()) return false;
   go_to(editor_.history().number());
   return true;
@@ -181,7 +194,8 @@ bool Session::undo() {
 
 bool Session::redo() {
   end_gesture();
-  if (drawing_id_ >= 0 && host_.host_redo(drawing_id_)) return true;
+  const bool listed = drawing_id_ >= 0 && editor_.history().number() >= first_number_;
+  if (listed && host_.host_redo(drawing_id_)) return true;
   if (!editor_.history().redo()) return false;
   go_to(editor_.history().number());
   return true;
@@ -233,6 +247,7 @@ void Session::wait() {
 }
 
 void Session::take() {
+  remove_deleted();
   while (auto outcome = thread_->take()) take(std::move(*outcome));
 }
 
@@ -240,11 +255,11 @@ void Session::take(editing::Outcome outcome) {
   if (outcome.task != editing::Task::kSmooth) {  // those are in its report
     for (const std::string& note : outcome.notes) host_.say(in_words(note));
   }
+  if (outcome.task == editing::Task::kOpen) take_opened(outcome);
   if (outcome.status == TALWEG_CANCELLED) return;
   if (outcome.status != TALWEG_OK) return fail(work_error_, in_words(outcome.sentence));
   switch (outcome.task) {
     case editing::Task::kOpen:
-      host_.say(QString("%1 is open after %2 ms.").arg(name_).arg(outcome.milliseconds, 0, 'f', 0));
       return;
     case editing::Task::kPlace:
       edit_together("Add curves", [&](editing::Editor& editor) {
@@ -254,6 +269,7 @@ void Session::take(editing::Outcome outcome) {
     case editing::Task::kDistance:
       return show_mesh_colours(outcome.results);
     case editing::Task::kSmooth:
+      if (outcome.ticket <= stale_) return;
       last_run_ms_ = outcome.milliseconds;
       work_error_.clear();
       show_results(std::move(outcome.results), outcome.ticket == ticket_);
@@ -261,6 +277,15 @@ void Session::take(editing::Outcome outcome) {
     case editing::Task::kDraw:
       return;
   }
+}
+
+void Session::take_opened(const editing::Outcome& outcome) {
+  if (outcome.status == TALWEG_OK) {
+    host_.say(QString("%1 is open after %2 ms.").arg(name_).arg(outcome.milliseconds, 0, 'f', 0));
+    return;
+  }
+  problem_ = in_words(outcome.sentence);
+  for (const std::string& change : outcome.repair) repair_told_ << in_words(change);
 }
 
 void Session::show_results(host::Results results, bool newest) {
@@ -408,82 +433,44 @@ void Session::mesh_updated() {
 }
 
 void Session::object_deleted(int object_id) {
-  if (object_id == drawing_id_) {
+  if (object_id == drawing_id_) {  // shows the last curve
     drawing_id_ = -1;
-    editor_.history() = editing::History();
-    first_number_ = kept_number_ = 0;
-    show_points();
-    ask();
-    host_.changed();
-    return;
-  }
-  const auto at = std::find(lines_.begin(), lines_.end(), object_id);
-  if (at == lines_.end()) return;
-  const auto curve = static_cast<std::size_t>(at - lines_.begin());
-  lines_.erase(at);
-  edit([curve](editing::Editor& editor) { editor.remove_curve(curve); });
-}
-
-// ---- Reports
-
-namespace {
-
-double degrees(double radians) { return radians * 180 / M_PI; }
-
-QString number(double value) {
-  return std::isfinite(value) ? QString::number(value, 'g', 6) : QString("no bound");
-}
-
-}  // namespace
-
-QString short_report(const Session& session) {
-  const host::Results& r = session.results();
-  if (r.curves.empty()) return "Nothing is drawn yet.";
-  QStringList lines;
-  lines << QString("%1 curve(s), tau %2, slack %3")
-               .arg(r.curves.size())
-               .arg(number(r.number("tau")))
-               .arg(number(r.number("slack")));
-  lines << QString("length %1 -> %2")
-               .arg(number(r.number("length_before")))
-               .arg(number(r.number("length_after")));
-  lines << QString("curvature %1 -> %2")
-               .arg(number(r.number("curvature_before")))
-               .arg(number(r.number("curvature_after")));
-  lines << QString("bending %1 -> %2")
-               .arg(number(r.number("bending_before")))
-               .arg(number(r.number("bending_after")));
-  lines << QString("turn in one edge %1 -> %2 degrees")
-               .arg(degrees(r.number("window_turning_before")), 0, 'f', 0)
-               .arg(degrees(r.number("window_turning_after")), 0, 'f', 0);
-  if (r.text("deviation") == "none") {
-    lines << "deviation: when the hand rests";
+    if (const std::size_t curves = editor_.drawing().curves.size(); curves > 0) {
+      deleted_.push_back(curves - 1);
+    }
   } else {
-    lines << QString("deviation at most %1 (result), %2 (drawing)")
-                 .arg(number(r.number("deviation_to_drawn_max")))
-                 .arg(number(r.number("deviation_from_drawn_max")));
+    const auto at = std::find(lines_.begin(), lines_.end(), object_id);
+    if (at == lines_.end()) return;
+    deleted_.push_back(static_cast<std::size_t>(at - lines_.begin()));
+    lines_.erase(at);
   }
-  lines << QString("%1, %2 ms")
-               .arg(in_words(r.text("termination")))
-               .arg(session.last_run_ms(), 0, 'f', 1);
-  if (const host::ReportEntry* warnings = r.find("warnings")) {
-    for (const std::string& warning : warnings->texts) lines << in_words(warning);
-  }
-  return lines.join('\n');
+  host_.wake();
 }
 
-QString whole_report(const Session& session) {
-  QStringList lines;
-  for (const host::ReportEntry& entry : session.results().report) {
-    QStringList values;
-    for (const double value : entry.numbers) values << QString::number(value, 'g', 17);
-    for (const std::string& text : entry.texts) values << in_words(text);
-    const QString key = in_words(entry.key);
-    lines << QString("%1 = %2")
-                 .arg(entry.curve < 0 ? key : QString("%1.%2").arg(entry.curve).arg(key))
-                 .arg(values.join(' '));
+/// Not while the host deletes, since an edit may add objects.
+void Session::remove_deleted() {
+  if (deleted_.empty()) return;
+  end_gesture();
+  stale_ = ticket_;
+  for (const std::size_t curve : std::exchange(deleted_, {})) {
+    edit([curve](editing::Editor& editor) { editor.remove_curve(curve); });
   }
-  return lines.join('\n');
+}
+
+bool Session::is_hidden(std::size_t curve, std::size_t point, const ACG::Vec3d& eye) const {
+  const editing::Point& at = editor_.drawing().curves.at(curve)->points.at(point);
+  return object_.visible() && editing::is_hidden(*arrays_, at, {eye[0], eye[1], eye[2]});
+}
+
+bool Session::attempt(const std::function<void()>& work) {
+  edit_error_.clear();
+  try {
+    work();
+    return true;
+  } catch (const std::exception& error) {
+    fail(edit_error_, in_words(error.what()));
+    return false;
+  }
 }
 
 }  // namespace talweg::openflipper

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QString>
+#include <QStringList>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -13,6 +14,7 @@
 
 #include "HostMesh.hh"
 #include "talweg/editing/editor.hpp"
+#include "talweg/editing/sight.hpp"
 #include "talweg/editing/smoothing_thread.hpp"
 
 namespace talweg::openflipper {
@@ -74,6 +76,8 @@ class Session {
   /// The same when all of it is done. For scripts.
   void wait();
   void cancel() { thread_->cancel(); }
+  /// Does what may fail with an exception, such as reading a file; a failure is told, and false.
+  bool attempt(const std::function<void()>& work);
   [[nodiscard]] editing::Progress progress() const { return thread_->progress(); }
 
   [[nodiscard]] const host::Results& results() const { return results_; }
@@ -83,16 +87,25 @@ class Session {
     return edit_error_.isEmpty() ? work_error_ : edit_error_;
   }
   [[nodiscard]] const QString& work_error() const { return work_error_; }
+  /// Why nothing can be drawn on the mesh as it is; empty where it can.
+  [[nodiscard]] const QString& problem() const { return problem_; }
+  /// What repair() would do; empty where there is no problem, or no repair helps.
+  [[nodiscard]] const QStringList& repair_told() const { return repair_told_; }
+  /// Opens the mesh again, repaired. The host's mesh stays as it is, and results have its numbers.
+  void repair();
   [[nodiscard]] const std::vector<int>& lines() const { return lines_; }
   [[nodiscard]] int drawing_id() const { return drawing_id_; }
   [[nodiscard]] bool owns(int object_id) const;
 
   /// The host's mesh may have changed: opens it again if it has.
   void mesh_updated();
-  /// An object of ours that a person has deleted.
+  /// An object of ours that a person has deleted: its curve goes, which is an edit, as soon as the
+  /// host is done.
   void object_deleted(int object_id);
 
   [[nodiscard]] std::vector<ACG::Vec3d> drawn_positions(std::size_t curve) const;
+  /// Whether the mesh lies between that point and the eye.
+  [[nodiscard]] bool is_hidden(std::size_t curve, std::size_t point, const ACG::Vec3d& eye) const;
 
  private:
   void open();
@@ -105,6 +118,8 @@ class Session {
   void keep_backup();
   void go_to(std::uint64_t number);
   void take(editing::Outcome outcome);
+  void take_opened(const editing::Outcome& outcome);
+  void remove_deleted();
   void fail(QString& error, const QString& sentence);
 
   // What the host's list of undo knows us by: the line with that list may outlive this object.
@@ -121,15 +136,19 @@ class Session {
 
   editing::Drawing asked_;          // what was asked to be smoothed last
   std::uint64_t ticket_ = 0;        // of that
-  std::uint64_t first_number_ = 0;  // the state before any edit
+  std::uint64_t stale_ = 0;         // results up to this ticket come too late
+  std::uint64_t first_number_ = 0;  // the state with which the host's list begins
   std::uint64_t kept_number_ = 0;   // the state that the host's list has last
   std::vector<int> lines_;          // results, one for each smoothed curve
   int drawing_id_ = -1;             // the line with the points of the curve edited last
   host::Results results_;
   double last_run_ms_ = 0;
-  QString edit_error_, work_error_;
-  bool preview_ = false;   // in a gesture that moves a point
-  bool log_next_ = false;  // a result that is no step of a gesture
+  QString edit_error_, work_error_, problem_;
+  QStringList repair_told_;
+  editing::Defects defects_ = editing::Defects::kRefuse;
+  std::vector<std::size_t> deleted_;  // curves whose objects are gone
+  bool preview_ = false;              // in a gesture that moves a point
+  bool log_next_ = false;             // a result that is no step of a gesture
   ColourBy colour_by_ = ColourBy::kNothing;
   ACG::SceneGraph::MaterialNode* material_ = nullptr;  // the scene's
   ACG::SceneGraph::PointNode* points_ = nullptr;

@@ -2,6 +2,7 @@
 
 #include <QGridLayout>
 #include <QHBoxLayout>
+#include <QLocale>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -14,11 +15,31 @@ constexpr int kSteps = 1000;
 
 }  // namespace
 
+SignificantBox::SignificantBox(QWidget* parent) : QDoubleSpinBox(parent) {
+  setDecimals(12);
+  setRange(0, 1e9);
+  setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
+  setKeyboardTracking(false);
+  setMaximumWidth(90);
+}
+
+QString SignificantBox::textFromValue(double value) const {
+  if (!(value > 0)) return locale().toString(0);
+  const int digits = 3 - static_cast<int>(std::floor(std::log10(value)));
+  QLocale plain = locale();
+  plain.setNumberOptions(QLocale::OmitGroupSeparator);
+  QString text = plain.toString(value, 'f', std::clamp(digits, 0, decimals()));
+  if (!text.contains(plain.decimalPoint())) return text;
+  while (text.endsWith(plain.zeroDigit())) text.chop(1);
+  if (text.endsWith(plain.decimalPoint())) text.chop(1);
+  return text;
+}
+
 NumberRow::NumberRow(const QString& name, const QString& label, const QString& tip, double largest,
                      bool optional, QWidget* parent)
     : QWidget(parent),
       slider_(new QSlider(Qt::Horizontal, this)),
-      box_(new QDoubleSpinBox(this)),
+      box_(new SignificantBox(this)),
       tip_(tip),
       largest_(largest) {
   auto* row = new QHBoxLayout(this);
@@ -34,10 +55,6 @@ NumberRow::NumberRow(const QString& name, const QString& label, const QString& t
   slider_->setRange(0, kSteps);
   slider_->setValue(optional ? kSteps / 3 : 0);
   box_->setObjectName(name + "Box");
-  box_->setDecimals(4);
-  box_->setRange(0, 1e9);
-  box_->setKeyboardTracking(false);
-  box_->setMaximumWidth(90);
   row->addWidget(slider_, 1);
   row->addWidget(box_);
   setToolTip(tip);
@@ -92,6 +109,12 @@ QPushButton* TalwegPanel::button(const QString& name, const QString& text, const
 
 TalwegPanel::TalwegPanel(QWidget* parent) : QWidget(parent) {
   mesh_ = new QLabel(this);
+  problem_ = new QLabel(this);
+  problem_->setObjectName("talwegProblem");
+  problem_->setWordWrap(true);
+  problem_->setStyleSheet("color: #b00000");
+  repair_ = button("Repair", tr("Repair"),
+                   tr("Draws on the mesh as if it was repaired; the mesh itself stays."));
   hint_ = new QLabel(this);
   hint_->setWordWrap(true);
   draw_ = button("Draw", tr("Draw"), tr("Draw on the target mesh: click points or paint."));
@@ -154,6 +177,8 @@ TalwegPanel::TalwegPanel(QWidget* parent) : QWidget(parent) {
   grid->addWidget(cancel_, 4, 2);
   auto* all = new QVBoxLayout(this);
   all->addWidget(mesh_);
+  all->addWidget(problem_);
+  all->addWidget(repair_);
   all->addLayout(grid);
   all->addWidget(tau_);
   all->addWidget(slack_);
@@ -178,6 +203,7 @@ TalwegPanel::TalwegPanel(QWidget* parent) : QWidget(parent) {
   connect(write_drawing_, &QPushButton::clicked, this, &TalwegPanel::write_drawing);
   connect(read_drawing_, &QPushButton::clicked, this, &TalwegPanel::read_drawing);
   connect(cancel_, &QPushButton::clicked, this, &TalwegPanel::cancel);
+  connect(repair_, &QPushButton::clicked, this, &TalwegPanel::repair);
   connect(colours_, QOverload<int>::of(&QComboBox::activated), this, &TalwegPanel::colour_by);
   const auto held = [this](NumberRow* row, const QString& name) {
     connect(row, &NumberRow::begun, this, [this, name] { emit gesture_begun(name); });
@@ -215,9 +241,21 @@ void TalwegPanel::show_state(const PanelState& state) {
                         : QString();
   slack_->show_use(no_stroke);
   bound_->show_use(no_stroke);
+  tau_->show_use(state.settings.max_deviation && !state.all_clicked ? tr("\"At most\" chooses it.")
+                                                                    : QString());
+  show_problem(state);
   colours_->setCurrentIndex(state.coloured_by);
   if (report_->toPlainText() != state.report) report_->setPlainText(state.report);
   hint_->setText(state.hint);
+}
+
+void TalwegPanel::show_problem(const PanelState& state) {
+  problem_->setVisible(!state.problem.isEmpty());
+  repair_->setVisible(!state.repair_told.isEmpty());
+  problem_->setText(state.repair_told.isEmpty()
+                        ? state.problem
+                        : tr("%1\nA repair for drawing would do this: %2")
+                              .arg(state.problem, state.repair_told.join(' ')));
 }
 
 void TalwegPanel::show_progress(bool busy, const QString& stage, int percent) {

@@ -10,11 +10,19 @@
 #include <QProgressBar>
 #include <QPushButton>
 #include <QSlider>
+#include <QStringList>
 #include <QWidget>
 
 #include "talweg/editing/drawing.hpp"
 
 namespace talweg::openflipper {
+
+/// A number with four significant digits, and no exponent.
+class SignificantBox : public QDoubleSpinBox {
+ public:
+  explicit SignificantBox(QWidget* parent);
+  [[nodiscard]] QString textFromValue(double value) const override;
+};
 
 /// A number with a slider, a box and, where it may be absent, a tick.
 class NumberRow : public QWidget {
@@ -59,6 +67,8 @@ struct PanelState {
   int coloured_by = 0;
   QString report;
   QString hint;
+  QString problem;          ///< why nothing can be drawn on the mesh; empty: nothing is wrong
+  QStringList repair_told;  ///< what a repair would do; empty: there is none
 };
 
 class TalwegPanel : public QWidget {
@@ -84,6 +94,7 @@ class TalwegPanel : public QWidget {
   void write_drawing();
   void read_drawing();
   void cancel();
+  void repair();
   void gesture_begun(const QString& name);
   void gesture_ended();
   void tau_changed(double tau);
@@ -92,11 +103,12 @@ class TalwegPanel : public QWidget {
   void colour_by(int what);
 
  private:
+  void show_problem(const PanelState& state);
   QPushButton* button(const QString& name, const QString& text, const QString& tip);
 
-  QLabel *mesh_, *hint_;
+  QLabel *mesh_, *problem_, *hint_;
   QPushButton *draw_, *finish_, *close_, *take_back_, *drop_, *selection_, *lines_, *remove_,
-      *clear_, *undo_, *redo_, *write_result_, *write_drawing_, *read_drawing_, *cancel_;
+      *clear_, *undo_, *redo_, *write_result_, *write_drawing_, *read_drawing_, *cancel_, *repair_;
   NumberRow *tau_, *slack_, *bound_;
   QComboBox* colours_;
   QPlainTextEdit* report_;

@@ -4,11 +4,9 @@
 #include <QApplication>
 #include <QDateTime>
 #include <QFileDialog>
-#include <QKeyEvent>
+#include <QFileInfo>
 #include <QMenu>
 #include <algorithm>
-#include <cmath>
-#include <cstring>
 
 #include <OpenFlipper/BasePlugin/PluginFunctions.hh>
 #include <OpenFlipper/common/GlobalOptions.hh>
@@ -26,7 +24,6 @@ namespace editing = talweg::editing;
 
 namespace {
 
-const char* const kPickMode = "Talweg: draw";
 const char* const kJob = "Talweg";
 
 double now_ms() { return static_cast<double>(QDateTime::currentMSecsSinceEpoch()); }
@@ -45,9 +42,9 @@ void TalwegPlugin::initializePlugin() {
 void TalwegPlugin::pluginsInitialized() {
   describe_slots();
   if (!OpenFlipper::Options::gui()) return;
-  emit addHiddenPickMode(kPickMode);
-  emit setPickModeMouseTracking(kPickMode, true);
-  emit setPickModeCursor(kPickMode, QCursor(Qt::ArrowCursor));
+  emit addHiddenPickMode(TalwegPlugin::kPickMode);
+  emit setPickModeMouseTracking(TalwegPlugin::kPickMode, true);
+  emit setPickModeCursor(TalwegPlugin::kPickMode, QCursor(Qt::ArrowCursor));
   make_menus();
   qApp->installEventFilter(this);
   connect(&timer_, &QTimer::timeout, this, &TalwegPlugin::look_at_progress);
@@ -96,8 +93,13 @@ void TalwegPlugin::connect_panel() {
   connect(panel_, &TalwegPanel::gesture_ended, this, [this] {
     if (Session* session = existing(current_)) session->end_gesture();
   });
-  connect(panel_, &TalwegPanel::tau_changed, this,
-          [this](double tau) { edit_now([tau](Editor& e) { e.set_tau(tau); }); });
+  connect(panel_, &TalwegPanel::tau_changed, this, [this](double tau) {
+    if (existing(current_) == nullptr) return save_settings({tau, {}, {}});
+    edit_now([tau](Editor& e) { e.set_tau(tau); });
+  });
+  connect(panel_, &TalwegPanel::repair, this, [this] {
+    if (Session* session = existing(current_)) session->repair();
+  });
   const auto optional = [](bool set, double value) {
     return set ? std::optional<double>(value) : std::nullopt;
   };
@@ -120,7 +122,10 @@ void TalwegPlugin::make_menus() {
   line_menu_ = new QMenu(tr("Talweg"));
   line_action_ = line_menu_->addAction(tr("Smooth this line on the target mesh"));
   connect(draw_action_, &QAction::triggered, this, [this] {
-    if (session_of(menu_object_) != nullptr) drawMode(true);
+    BaseObjectData* mesh = nullptr;
+    if (session_of(menu_object_) == nullptr) return;
+    if (PluginFunctions::getObject(menu_object_, mesh)) mesh->target(true);
+    drawMode(true);
   });
   connect(selection_action_, &QAction::triggered, this, [this] { fromSelection(menu_object_); });
   connect(line_action_, &QAction::triggered, this, [this] {
@@ -186,7 +191,10 @@ void TalwegPlugin::objectDeleted(int _id) {
     return;
   }
   for (auto& [mesh, session] : sessions_) {
-    if (session->owns(_id)) return session->object_deleted(_id);
+    if (!session->owns(_id)) continue;
+    dragged_.reset();
+    painting_ = false;
+    return session->object_deleted(_id);
   }
 }
 
@@ -272,6 +280,7 @@ void TalwegPlugin::changed() {
   PanelState state;
   state.drawing_mode = in_draw_mode();
   state.hint = hint_;
+  state.settings = saved_settings();
   if (const Session* session = existing(current_)) {
     const editing::History& history = session->editor().history();
     state.mesh = session->name();
@@ -286,6 +295,8 @@ void TalwegPlugin::changed() {
     state.all_clicked = editing::all_clicked(session->editor().drawing());
     state.coloured_by = static_cast<int>(session->coloured_by());
     state.report = short_report(*session);
+    state.problem = session->problem();
+    state.repair_told = session->repair_told();
     save_settings(state.settings);
   }
   panel_->show_state(state);
@@ -359,9 +370,10 @@ void TalwegPlugin::ask_for_file(bool write, bool result) {
   Session* session = write ? existing(current_) : target_session();
   if (session == nullptr) return;
   const QString kinds = tr("Curves (*.json *.vtp *.vtk *.obj *.ply *.mrk.json *.txt)");
-  const QString path = write ? QFileDialog::getSaveFileName(panel_, tr("Write curves"), "", kinds)
-                             : QFileDialog::getOpenFileName(panel_, tr("Read curves"), "", kinds);
+  QString path = write ? QFileDialog::getSaveFileName(panel_, tr("Write curves"), "", kinds)
+                       : QFileDialog::getOpenFileName(panel_, tr("Read curves"), "", kinds);
   if (path.isEmpty()) return;
+  if (write && QFileInfo(path).suffix().isEmpty()) path += ".json";
   if (!write) {
     readDrawing(session->mesh_id(), path);
   } else if (result) {
@@ -369,195 +381,4 @@ void TalwegPlugin::ask_for_file(bool write, bool result) {
   } else {
     writeDrawing(session->mesh_id(), path);
   }
-}
-
-// ---- The mouse
-
-bool TalwegPlugin::in_draw_mode() const {
-  return OpenFlipper::Options::gui() && PluginFunctions::pickMode() == kPickMode &&
-         PluginFunctions::actionMode() == Viewer::PickingMode;
-}
-
-void TalwegPlugin::drawMode(bool on) {
-  if (!OpenFlipper::Options::gui()) return;
-  if (on && target_session() != nullptr) {
-    PluginFunctions::actionMode(Viewer::PickingMode);
-    PluginFunctions::pickMode(kPickMode);
-  } else {
-    PluginFunctions::actionMode(Viewer::ExamineMode);
-  }
-  changed();
-}
-
-void TalwegPlugin::slotPickModeChanged(const std::string& /*_mode*/) { changed(); }
-
-/// The point under the mouse, on the mesh that is drawn on or, where nothing is drawn now, on any
-/// target.
-bool TalwegPlugin::pick(const QPoint& at, Session*& session, editing::Point& point) {
-  size_t node = 0, face = 0;
-  ACG::Vec3d hit;
-  BaseObjectData* object = nullptr;
-  if (!PluginFunctions::scenegraphPick(ACG::SceneGraph::PICK_FACE, at, node, face, &hit) ||
-      !PluginFunctions::getPickedObject(node, object) || !object->dataType(DATA_TRIANGLE_MESH)) {
-    return false;
-  }
-  const Session* now = existing(current_);
-  const bool bound = now != nullptr && (now->editor().is_drawing() || dragged_ || painting_);
-  if (bound && object->id() != current_) return false;
-  if (!bound && !object->target()) {
-    emit showStatusMessage(tr("Make this mesh the target to draw on it."), 3000);
-    return false;
-  }
-  session = session_of(object->id());
-  if (session == nullptr || face >= session->arrays().triangles.size()) return false;
-  try {
-    point = talweg::openflipper::picked_on(session->mesh(), static_cast<unsigned>(face), hit);
-  } catch (const editing::Error&) {
-    return false;
-  }
-  return true;
-}
-
-/// The drawn point within a few pixels of the mouse, the nearest one.
-std::optional<TalwegPlugin::Handle> TalwegPlugin::handle_near(const QPoint& at) const {
-  const auto found = sessions_.find(current_);
-  if (found == sessions_.end()) return std::nullopt;
-  auto& view =
-      PluginFunctions::viewerProperties(static_cast<int>(PluginFunctions::activeExaminer()));
-  std::optional<Handle> nearest;
-  double least = 8;  // pixels
-  const auto& curves = found->second->editor().drawing().curves;
-  for (std::size_t c = 0; c < curves.size(); ++c) {
-    const std::vector<ACG::Vec3d> positions = found->second->drawn_positions(c);
-    for (std::size_t p = 0; p < positions.size(); ++p) {
-      const ACG::Vec3d s = view.glState().project(positions[p]);
-      const double away =
-          std::hypot(s[0] - at.x(), view.glState().context_height() - s[1] - at.y());
-      if (away > least) continue;
-      least = away;
-      nearest = Handle{c, p};
-    }
-  }
-  return nearest;
-}
-
-void TalwegPlugin::slotMouseEvent(QMouseEvent* _event) {
-  if (!in_draw_mode() || (_event->modifiers() & Qt::ControlModifier)) return;
-  switch (_event->type()) {
-    case QEvent::MouseButtonPress:
-      if (_event->button() == Qt::LeftButton) press(*_event);
-      return;
-    case QEvent::MouseMove:
-      return move(*_event);
-    case QEvent::MouseButtonRelease:
-      return release();
-    case QEvent::MouseButtonDblClick:
-      if (_event->button() == Qt::LeftButton) double_click(*_event);
-      return;
-    default:
-      return;
-  }
-}
-
-void TalwegPlugin::press(const QMouseEvent& event) {
-  const QPoint at = talweg::openflipper::position_of(event);
-  const auto handle = handle_near(at);
-  Session* session = existing(current_);
-  if (handle && session != nullptr) {
-    const auto& drawing = session->editor().drawing();
-    const bool on_first = handle->point == 0 && handle->curve + 1 == drawing.curves.size() &&
-                          drawing.unfinished && drawing.curves.back()->points.size() >= 3;
-    if (on_first) {
-      session->edit([](Editor& e) { e.close_curve(); });
-    } else if (event.modifiers() & Qt::ShiftModifier) {
-      session->edit([&](Editor& e) { e.remove_point(handle->curve, handle->point); });
-    } else {
-      dragged_ = handle;
-      session->begin_gesture("Move point", true);
-    }
-    return;
-  }
-  editing::Point point;
-  if (!pick(at, session, point)) return;
-  session->begin_gesture("Draw");
-  session->edit([&](Editor& e) { e.add_point(point); });
-  painting_ = true;
-  last_painted_ = at;
-}
-
-void TalwegPlugin::move(const QMouseEvent& event) {
-  const QPoint at = talweg::openflipper::position_of(event);
-  Session* session = nullptr;
-  editing::Point point;
-  if (dragged_) {
-    if (pick(at, session, point)) {
-      session->edit([&](Editor& e) { e.move_point(dragged_->curve, dragged_->point, point); });
-    }
-  } else if (painting_) {
-    if ((at - last_painted_).manhattanLength() < 6 || !pick(at, session, point)) return;
-    session->edit([&](Editor& e) { e.paint_point(point); });
-    last_painted_ = at;
-  } else {
-    hint(at);
-  }
-}
-
-void TalwegPlugin::release() {
-  if (Session* session = existing(current_); session != nullptr && (dragged_ || painting_)) {
-    session->end_gesture();
-  }
-  dragged_.reset();
-  painting_ = false;
-}
-
-void TalwegPlugin::double_click(const QMouseEvent& event) {
-  const auto handle = handle_near(talweg::openflipper::position_of(event));
-  Session* session = existing(current_);
-  if (!handle || session == nullptr) return;
-  const auto& point = session->editor().drawing().curves[handle->curve]->points[handle->point];
-  const bool pinned = point.pinned;
-  session->edit([&](Editor& e) { e.set_pinned(handle->curve, handle->point, !pinned); });
-}
-
-/// Enter, Esc and Backspace while a curve is drawn; true where the key was ours.
-bool TalwegPlugin::key(int key) {
-  Session* session = existing(current_);
-  if (session == nullptr || !session->editor().is_drawing()) return false;
-  if (session->in_gesture()) release();
-  if (key == Qt::Key_Return || key == Qt::Key_Enter) {
-    session->edit([](Editor& e) { e.finish_curve(); });
-  } else if (key == Qt::Key_Escape) {
-    session->edit([](Editor& e) { e.drop_curve(); });
-  } else if (key == Qt::Key_Backspace) {
-    session->edit([](Editor& e) { e.take_back_point(); });
-  } else {
-    return false;
-  }
-  return true;
-}
-
-bool TalwegPlugin::eventFilter(QObject* watched, QEvent* event) {
-  if (event->type() != QEvent::KeyPress || !in_draw_mode()) return false;
-  const bool writing = watched->inherits("QAbstractSpinBox") || watched->inherits("QLineEdit") ||
-                       watched->inherits("QTextEdit") || watched->inherits("QPlainTextEdit");
-  return !writing && key(static_cast<QKeyEvent*>(event)->key());
-}
-
-void TalwegPlugin::hint(const QPoint& at) {
-  const auto handle = handle_near(at);
-  const Session* session = existing(current_);
-  const bool drawing = session != nullptr && session->editor().is_drawing();
-  QString text = drawing ? tr("Click or paint; Enter ends, the first point closes, Backspace takes "
-                              "back, Esc drops.")
-                         : tr("Click or paint on the target mesh to draw.");
-  if (handle && drawing && handle->point == 0) {
-    text = tr("Click to close the curve.");
-  } else if (handle) {
-    text = tr("Drag to move, double click to pin, Shift-click to remove.");
-  }
-  if (text == hint_) return;
-  hint_ = text;
-  emit showStatusMessage(text);
-  emit setPickModeCursor(kPickMode, QCursor(handle ? Qt::PointingHandCursor : Qt::ArrowCursor));
-  changed();
 }

@@ -127,6 +127,7 @@ class TalwegPlugin : public QObject,
   bool setMaxDeviation(int meshId, double bound);
   bool undoEdit(int meshId);
   bool redoEdit(int meshId);
+  bool repairMesh(int meshId);
   IdList smooth(int meshId);
   QString report(int meshId);
   double measure(int meshId, QString key);
@@ -152,6 +153,7 @@ class TalwegPlugin : public QObject,
 
  private:
   using Session = talweg::openflipper::Session;
+  static constexpr const char* kPickMode = "Talweg: draw";
   struct Handle {
     std::size_t curve, point;
   };

@@ -133,6 +133,15 @@ bool TalwegPlugin::redoEdit(int meshId) {
   return session != nullptr && session->redo();
 }
 
+bool TalwegPlugin::repairMesh(int meshId) {
+  Session* session = session_of(meshId);
+  if (session == nullptr) return false;
+  emit scriptInfo(QString("repairMesh(%1)").arg(meshId));
+  session->repair();
+  session->wait();
+  return session->problem().isEmpty();
+}
+
 IdList TalwegPlugin::smooth(int meshId) {
   Session* session = session_of(meshId);
   if (session == nullptr) return {};
@@ -176,52 +185,31 @@ bool TalwegPlugin::colourBy(int meshId, QString what) {
   return true;
 }
 
-namespace {
-
-/// Runs what reads or writes a file; a failure becomes a sentence.
-template <class Body, class Warn>
-bool with_file(Body body, Warn warn) {
-  try {
-    body();
-    return true;
-  } catch (const std::exception& error) {
-    warn(QString::fromStdString(error.what()));
-    return false;
-  }
-}
-
-}  // namespace
-
 bool TalwegPlugin::writeResult(int meshId, QString filename) {
   Session* session = existing(meshId);
   if (session == nullptr) return false;
   session->wait();
-  return with_file(
-      [&] {
-        editing::write_curves(*plugins_, filename.toStdString(), session->results().curves);
-        say(tr("Wrote %1.").arg(filename));
-      },
-      [this](const QString& sentence) { warn(sentence); });
+  return session->attempt([&] {
+    editing::write_curves(*plugins_, filename.toStdString(), session->results().curves);
+    say(tr("Wrote %1.").arg(filename));
+  });
 }
 
 bool TalwegPlugin::writeDrawing(int meshId, QString filename) {
   Session* session = existing(meshId);
   if (session == nullptr) return false;
-  return with_file(
-      [&] {
-        editing::write_curves(*plugins_, filename.toStdString(),
-                              drawn_curves(session->arrays(), session->editor().drawing()));
-        say(tr("Wrote %1.").arg(filename));
-      },
-      [this](const QString& sentence) { warn(sentence); });
+  return session->attempt([&] {
+    editing::write_curves(*plugins_, filename.toStdString(),
+                          drawn_curves(session->arrays(), session->editor().drawing()));
+    say(tr("Wrote %1.").arg(filename));
+  });
 }
 
 bool TalwegPlugin::readDrawing(int meshId, QString filename) {
   Session* session = session_of(meshId);
   if (session == nullptr) return false;
-  const bool read = with_file(
-      [&] { session->add_curves(editing::read_curves(*plugins_, filename.toStdString())); },
-      [this](const QString& sentence) { warn(sentence); });
+  const bool read = session->attempt(
+      [&] { session->add_curves(editing::read_curves(*plugins_, filename.toStdString())); });
   if (OpenFlipper::Options::nogui()) session->wait();
   return read && session->last_error().isEmpty();
 }
@@ -323,6 +311,9 @@ void TalwegPlugin::describe_slots() {
            "meshId;bound", mesh + tr(";mesh units, 0: no bound"));
   describe("undoEdit(int)", tr("Takes the last edit back."), "meshId", mesh);
   describe("redoEdit(int)", tr("Does it again."), "meshId", mesh);
+  describe("repairMesh(int)",
+           tr("Draws on the mesh as if it was repaired, if it is no surface; the mesh stays."),
+           "meshId", mesh);
   describe("smooth(int)", tr("Waits for the smoothed curves and returns their polylines' ids."),
            "meshId", mesh);
   describe("report(int)", tr("Everything that was measured, one \"key = value\" a line."), "meshId",

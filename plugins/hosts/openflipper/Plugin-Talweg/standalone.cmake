@@ -29,8 +29,9 @@ endif()
 find_package(${qt} REQUIRED COMPONENTS ${parts})
 list(TRANSFORM parts PREPEND ${qt}::)
 
-add_library(Plugin-Talweg MODULE HostMesh.cc Session.cc TalwegPanel.cc TalwegPlugin.cc
-                                 TalwegPanel.hh TalwegPlugin.hh TalwegScripting.cc talweg.qrc)
+add_library(Plugin-Talweg MODULE HostMesh.cc Session.cc SessionReport.cc TalwegMouse.cc
+                                 TalwegPanel.cc TalwegPanel.hh TalwegPlugin.cc TalwegPlugin.hh
+                                 TalwegScripting.cc talweg.qrc)
 target_compile_features(Plugin-Talweg PRIVATE cxx_std_20)
 target_compile_definitions(Plugin-Talweg PRIVATE ENABLE_TRIANGLEMESH_SUPPORT
                                                  ENABLE_POLYLINE_SUPPORT INCLUDE_TEMPLATES)

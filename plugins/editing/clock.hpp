@@ -1,0 +1,14 @@
+// The clock by which work is timed.
+#pragma once
+
+#include <chrono>
+
+namespace talweg::editing {
+
+/// Milliseconds since some time in the past; never goes back.
+inline double now_ms() {
+  const auto since = std::chrono::steady_clock::now().time_since_epoch();
+  return std::chrono::duration<double, std::milli>(since).count();
+}
+
+}  // namespace talweg::editing

@@ -1,0 +1,33 @@
+// Ending threads have been told to stop, and nobody has the time to wait for them.
+#pragma once
+
+#include <atomic>
+#include <memory>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace talweg::editing {
+
+/// May be used from any thread.
+class EndingThreads {
+ public:
+  EndingThreads() = default;
+  /// Waits for all of them.
+  ~EndingThreads();
+  EndingThreads(const EndingThreads&) = delete;
+  EndingThreads& operator=(const EndingThreads&) = delete;
+
+  /// The thread sets `ended` as the last thing that it does. Does not wait for it.
+  void take(std::thread thread, std::shared_ptr<const std::atomic<bool>> ended);
+
+ private:
+  struct Ending {
+    std::thread thread;
+    std::shared_ptr<const std::atomic<bool>> ended;
+  };
+  std::mutex mutex_;
+  std::vector<Ending> threads_;
+};
+
+}  // namespace talweg::editing

@@ -1,0 +1,196 @@
+#include "workplace.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+#include <utility>
+
+#include "clock.hpp"
+
+namespace talweg::editing {
+namespace {
+
+bool has_parameter(const talweg_plugin& plugin, std::string_view id) {
+  const talweg_parameter* const* end = plugin.parameters + plugin.parameter_count;
+  return std::any_of(plugin.parameters, end,
+                     [&](const talweg_parameter* parameter) { return parameter->id == id; });
+}
+
+/// The points that were given, out of a drawn curve that has other points in between.
+Curve given_points(const host::Curve& drawn) {
+  const auto given = std::find_if(drawn.fields.begin(), drawn.fields.end(),
+                                  [](const host::Field& field) { return field.name == "given"; });
+  Curve curve;
+  curve.closed = drawn.closed;
+  for (std::size_t k = 0; k < drawn.faces.size(); ++k) {
+    if (given != drawn.fields.end() && given->values[k] == 0) continue;
+    const double exact = drawn.exact.empty() ? TALWEG_MARK_NONE : drawn.exact[k];
+    curve.points.push_back({drawn.faces[k], drawn.barycentrics[k], false, exact});
+  }
+  return curve;
+}
+
+}  // namespace
+
+Plugins::Plugins(const std::string& folders)
+    : loader_(talweg_loader_open(folders.empty() ? nullptr : folders.c_str())) {
+  if (loader_ == nullptr) throw std::bad_alloc();
+}
+
+const talweg_plugin& Plugins::find(const char* id) const {
+  if (const talweg_plugin* plugin = talweg_loader_find(loader_.get(), id)) return *plugin;
+  throw Error(std::string("The plugin ") + id + " was not found in " +
+              talweg_loader_folders(loader_.get()) +
+              "; TALWEG_PLUGIN_PATH can name another folder.");
+}
+
+Workplace::Workplace(const Plugins& plugins, std::shared_ptr<const MeshArrays> mesh,
+                     Defects defects, Ask ask)
+    : plugins_(plugins),
+      mesh_(std::move(mesh)),
+      defects_(defects),
+      services_("Talweg editing", "1", std::move(ask),
+                [this](std::uint32_t severity, const char* message) {
+                  if (severity >= TALWEG_LOG_WARNING) notes_.emplace_back(message);
+                }) {}
+
+Outcome Workplace::work(const Request& request) {
+  Outcome outcome;
+  outcome.task = request.task;
+  outcome.ticket = request.ticket;
+  const double start = now_ms();
+  try {
+    do_task(request, outcome);
+  } catch (const host::Error& error) {
+    outcome.status = error.status();
+    outcome.sentence = error.what();
+  } catch (const Error& error) {
+    outcome.status = TALWEG_BAD_USAGE;
+    outcome.sentence = error.what();
+  } catch (const std::exception& error) {
+    outcome.status = TALWEG_INTERNAL;
+    outcome.sentence = error.what();
+  }
+  outcome.milliseconds = now_ms() - start;
+  outcome.notes = std::exchange(notes_, {});
+  return outcome;
+}
+
+void Workplace::do_task(const Request& request, Outcome& outcome) {
+  switch (request.task) {
+    case Task::kOpen:
+      return do_open(outcome);
+    case Task::kSmooth:
+      return do_smooth(request, outcome);
+    case Task::kPlace:
+      return do_place(request, outcome);
+    case Task::kDistance:
+      return do_distance(request, outcome);
+    case Task::kDraw:
+      return do_draw(request, outcome);
+  }
+}
+
+host::Instance& Workplace::opened(std::unique_ptr<host::Instance>& instance, const char* id) {
+  if (!instance) {
+    auto made = std::make_unique<host::Instance>(plugins_.find(id), services_);
+    if (defects_ == Defects::kRepair) made->set("repair", 1.0);
+    set_mesh(*made, *mesh_);
+    instance = std::move(made);
+  }
+  return *instance;
+}
+
+void Workplace::do_open(Outcome& outcome) {
+  try {
+    opened(smooth_, "talweg.smooth");
+  } catch (const host::Error& error) {
+    if (error.status() != TALWEG_BAD_MESH) throw;
+    outcome.status = error.status();
+    outcome.sentence = error.what();
+    if (defects_ == Defects::kRefuse) outcome.repair = repair_told();
+  }
+}
+
+/// Empty if the mesh cannot be repaired, or nobody is there who could.
+std::vector<std::string> Workplace::repair_told() {
+  try {
+    host::Instance repair(plugins_.find("talweg.repair"), services_);
+    set_mesh(repair, *mesh_);
+    const host::Results told = repair.run();
+    if (told.text("repair.verdict") != "usable") return {};
+    const host::ReportEntry* changes = told.find("repair.changes");
+    return changes == nullptr ? std::vector<std::string>() : changes->texts;
+  } catch (const std::exception&) {
+    return {};
+  }
+}
+
+void Workplace::do_smooth(const Request& request, Outcome& outcome) {
+  const std::vector<host::Curve> curves = host_curves(request.drawing);
+  if (curves.empty()) return;
+  host::Instance& instance = opened(smooth_, "talweg.smooth");
+  if (!smoothed_ || stage_between(*smoothed_, request.drawing) == Stage::kCurves) {
+    smoothed_.reset();
+    instance.set_curves(curves);
+    smoothed_ = request.drawing;
+  }
+  apply(request.drawing.settings, instance);
+  smoothed_->settings = request.drawing.settings;
+  if (has_parameter(instance.plugin(), "preview")) {
+    instance.set("preview", request.hand == Hand::kDrags ? 1.0 : 0.0);
+  }
+  if (request.hand == Hand::kRests) {
+    instance.reset("deviation");
+  } else {
+    instance.set("deviation", "none");
+  }
+  outcome.results = instance.run(request.wanted);
+}
+
+void Workplace::do_place(const Request& request, Outcome& outcome) {
+  host::Instance& instance = opened(draw_, "talweg.draw");
+  instance.set("straight", 1.0);
+  host::Wanted wanted;
+  wanted.point_fields = true;
+  for (const host::Curve& curve : request.curves) {
+    // A curve that says nothing of its points is a stroke here: nobody has clicked them.
+    if (has_parameter(instance.plugin(), "points")) {
+      instance.set("points", curve.exact.empty() ? "rough" : "exact");
+    }
+    instance.set_curves({curve});
+    outcome.placed.push_back(given_points(instance.run(wanted).curves.at(0)));
+  }
+}
+
+/// The curves are set only if they are others: the distance does not depend on tau.
+void Workplace::do_distance(const Request& request, Outcome& outcome) {
+  const std::vector<host::Curve> curves = host_curves(request.drawing);
+  if (curves.empty()) throw Error("There is no curve to measure the distance to.");
+  host::Instance& instance = opened(distance_, "talweg.distance");
+  if (!measured_ || stage_between(*measured_, request.drawing) == Stage::kCurves) {
+    measured_.reset();
+    instance.set_curves(curves);
+    measured_ = request.drawing;
+  }
+  instance.set("tau", request.drawing.settings.tau);
+  if (request.drawing.settings.slack) {
+    instance.set("slack", *request.drawing.settings.slack);
+  } else {
+    instance.reset("slack");
+  }
+  host::Wanted wanted;
+  wanted.vertex_fields = true;
+  outcome.results = instance.run(wanted);
+}
+
+void Workplace::do_draw(const Request& request, Outcome& outcome) {
+  const std::vector<host::Curve> curves = host_curves(request.drawing);
+  if (curves.empty()) return;
+  host::Instance& instance = opened(draw_, "talweg.draw");
+  instance.set("straight", 1.0);
+  instance.set_curves(curves);
+  outcome.results = instance.run();
+}
+
+}  // namespace talweg::editing
