@@ -14,6 +14,8 @@ folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 "$scenes" "$folder" >/dev/null
 through=$(sed 's/^--through //; s/ .*//' "$folder/vessel.through" | cut -d , -f 1-12)
+printf '%s\n' OFF '7 4 0' '0 0 0' '-1 0 0' '-1 -1 0' '0 -1 0' '1 0 0' '1 1 0' '0 1 0' \
+  '3 0 1 2' '3 0 2 3' '3 0 4 5' '3 0 5 6' >"$folder/bowtie.off"
 
 HOME=$folder/home
 export HOME TALWEG_PLUGIN_PATH="$plugins" QT_QPA_PLATFORM=offscreen XDG_RUNTIME_DIR="$folder"
