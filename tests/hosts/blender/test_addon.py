@@ -72,11 +72,14 @@ class Addon(unittest.TestCase):
                 bpy.data.objects.remove(shown)
 
     def test_what_is_not_ticked_shows_what_was_used(self):
-        panel = types.SimpleNamespace(use_slack=False, slack=1, use_max_deviation=True,
-                                      max_deviation=1)
+        panel = types.SimpleNamespace(use_slack=False, slack=1, shown_slack=1,
+                                      use_max_deviation=True, max_deviation=1, shown_max_deviation=1)
         result = talweg.smooth(*support.hills(), self.drawn)
         parameters.show_used(panel, result.total)
         self.assertEqual((panel.slack, panel.max_deviation), (result.total.slack, 1))
+        panel.slack = 0.25  # typed
+        parameters.show_used(panel, result.total)
+        self.assertEqual(panel.slack, 0.25)
 
     def test_a_loop(self):
         scene.empty()
@@ -88,7 +91,7 @@ class Addon(unittest.TestCase):
         self.assertTrue(curve_objects()[0].data.splines[0].use_cyclic_u)
         # Where a loop begins and which way it runs is not in a selection: the add-on decides.
         self.obj.update_from_editmode()
-        drawn = drawings.selected_edges(self.obj.data)[0].vertices
+        drawn = drawings.selected_edges(self.obj.data).curves[0].vertices
         self.assertEqual(sorted(drawn), sorted(support.ring()))
         self.equal(self.driver(faces, [*drawn, drawn[0]], "--tau", "2"), result.curve)
 

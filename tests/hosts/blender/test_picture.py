@@ -91,7 +91,7 @@ class Picture(unittest.TestCase):
         figure = bpy.context.object
         scene.select_edges(figure, drawn, closed)
         size = max(figure.dimensions)
-        self.assertEqual(bpy.ops.talweg.smooth_edges(tau=2, thickness=size / 350), {"FINISHED"})
+        self.assertEqual(bpy.ops.talweg.smooth_edges(tau=2), {"FINISHED"})
         result = session.last_result()
         self.assertLess(result.total.curvature_after, result.total.curvature_before / 5)
         smooth = next(o for o in bpy.data.objects if o.type == "CURVE")
@@ -109,7 +109,6 @@ class Picture(unittest.TestCase):
 
         figure.data.materials.append(material("Clay", (0.55, 0.5, 0.45)))
         jagged.data.materials.append(material("Red", (0.7, 0.01, 0.01)))
-        smooth.data.materials.append(material("Blue", (0.01, 0.06, 0.7)))
         figure.data.polygons.foreach_set("use_smooth", np.ones(len(figure.data.polygons), bool))
         self.frame(figure, xyz)
         pixels = render(FOLDER / "blender.png")

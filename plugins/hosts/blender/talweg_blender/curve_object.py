@@ -1,21 +1,39 @@
-"""Results as curve objects."""
+"""Results as curve objects: children of the mesh's object, one for each drawing."""
 
 import json
 
 import bpy
 import numpy as np
 
-def _data_of(result, thickness):
-    data = bpy.data.curves.new("Talweg", "CURVE")
-    data.dimensions = "3D"
-    data.bevel_depth = thickness
+_MATERIAL = "Talweg curve"
+_COLOUR = (0.0, 0.12, 0.9, 1.0)
+
+
+def radius(surface, thickness):
+    """Of the bevel: 1 can be seen whether the whole mesh is looked at or one of its faces."""
+    fitting = min(max(surface.edge / 5, surface.size / 600), surface.size / 150)
+    return thickness * fitting
+
+
+def _material():
+    material = bpy.data.materials.get(_MATERIAL)
+    if material is None or material.library is not None:
+        material = bpy.data.materials.new(_MATERIAL)
+        material.diffuse_color = _COLOUR  # of the viewport
+        material.use_nodes = True
+        material.node_tree.nodes["Principled BSDF"].inputs["Base Color"].default_value = _COLOUR
+    return material
+
+
+def _write(data, result, bevel):
+    data.bevel_depth = bevel
+    data.splines.clear()
     for curve in result.curves:
         spline = data.splines.new("POLY")
         spline.points.add(len(curve) - 1)
         points = np.column_stack([curve.positions, np.ones(len(curve))])
         spline.points.foreach_set("co", points.astype(np.float32).ravel())
         spline.use_cyclic_u = curve.closed
-    return data
 
 
 def _report_of(result):
@@ -27,10 +45,31 @@ def _report_of(result):
             "deviation_to_drawn_max": r.deviation_to_drawn_max, "termination": r.termination}
 
 
-def add(obj, result, thickness):
-    """A new curve object of the result, in the place of `obj`."""
-    made = bpy.data.objects.new(obj.name + " curve", _data_of(result, thickness))
+def _made_before(obj, key):
+    """The object of the same drawing on this mesh, if there is one."""
+    return next((one for one in obj.children if one.type == "CURVE" and one.library is None
+                 and one.data.library is None and one.get("talweg_drawing") == key), None)
+
+
+def _new(obj):
+    data = bpy.data.curves.new("Talweg", "CURVE")
+    data.dimensions = "3D"
+    data.bevel_resolution = 2
+    data.use_fill_caps = True
+    data.materials.append(_material())
+    made = bpy.data.objects.new(obj.name + " curve", data)
     (obj.users_collection or (bpy.context.scene.collection,))[0].objects.link(made)
-    made.matrix_world = obj.matrix_world.copy()
+    made.parent = obj  # and no matrix of its own: it follows whatever the mesh does, shear too
+    made.color = _COLOUR
+    made.show_in_front = True
+    return made
+
+
+def put(context, obj, result, key, bevel):
+    """The curve object of the result of a drawing: a new one, or the one that it had."""
+    made = _made_before(obj, key) or _new(obj)
+    _write(made.data, result, bevel)
+    made["talweg_drawing"] = key
     made["talweg_report"] = json.dumps(_report_of(result))
+    context.view_layer.update()
     return made

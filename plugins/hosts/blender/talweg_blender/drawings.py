@@ -1,8 +1,25 @@
-"""What the user has drawn: selected edges, or strokes of the annotation tool."""
+"""What the user has drawn: selected edges, or curve objects."""
+
+import hashlib
+from typing import List, NamedTuple
 
 import numpy as np
 
 from .package import talweg
+
+
+class Drawing(NamedTuple):
+    curves: List[talweg.Curve]
+    key: str  # the same for the same drawing
+    names: List[str] = []  # of each curve, where the user knows it by one
+    warnings: List[str] = []
+
+
+def key_of(kind, *arrays):
+    found = hashlib.sha1()
+    for array in arrays:
+        found.update(str(array.shape).encode() + np.ascontiguousarray(array).tobytes())
+    return f"{kind} {found.hexdigest()}"
 
 
 class MeshArrays:
@@ -32,7 +49,8 @@ class MeshArrays:
 
 
 def selected_edges(mesh):
-    """The selected edges as curves: as long as they can be, to ends and junctions, then loops.
+    """The Drawing of the selected edges: curves as long as they can be, to ends and junctions, then
+    loops.
 
     :raises talweg.BadCurve: if there are none, or one has no face.
     """
@@ -42,7 +60,8 @@ def selected_edges(mesh):
     mesh.edges.foreach_get("vertices", ends.ravel())
     if not chosen.any():
         raise talweg.BadCurve("No edges are selected.")
-    return [talweg.Curve(vertices=chain, closed=closed) for chain, closed in chains(ends[chosen])]
+    curves = [talweg.Curve(vertices=chain, closed=closed) for chain, closed in chains(ends[chosen])]
+    return Drawing(curves, key_of("edges", np.unique(np.sort(ends[chosen], axis=1), axis=0)))
 
 
 def chains(edges):
@@ -77,56 +96,9 @@ def chains(edges):
     return found
 
 
-def mean_edge(arrays):
-    """Over all corners of all triangles, in the object's own units; 0 without triangles."""
-    corners = arrays.vertices[arrays.triangles].astype(float)
-    sides = np.linalg.norm(corners - np.roll(corners, 1, axis=1), axis=2)
-    return float(sides.mean()) if sides.size else 0.0
-
-
-def thinned(points, distance):
-    """Without the points nearer than this to the one kept before; first and last stay.
-
-    A hand that rests draws hooks smaller than a triangle, and a curve must not touch itself."""
-    kept = [0]
-    for k in range(1, len(points)):
-        if not np.linalg.norm(points[k] - points[kept[-1]]) < distance:  # also where it is no number
-            kept.append(k)
-    if len(kept) > 1 and kept[-1] != len(points) - 1:
-        kept[-1] = len(points) - 1
-    return points[kept]
-
-
-def annotation_strokes(context, obj, closed, spacing):
-    """The strokes of the scene's active annotation layer as curves in the object's own space,
-    their points at least `spacing` apart.
-
-    :raises talweg.BadCurve: if there are none on the surface.
-    """
-    data = context.scene.grease_pencil
-    layer = data.layers.active if data and len(data.layers) else None
-    frames = layer.frames if layer else ()
-    shown = [f for f in frames if f.frame_number <= context.scene.frame_current]
-    frame = max(shown, key=lambda f: f.frame_number, default=None)
-    if frame is None or not len(frame.strokes):
-        raise talweg.BadCurve("There are no annotations; draw with the annotation tool first.")
-    to_object = np.array(obj.matrix_world.inverted_safe())
-    curves = []
-    for number, stroke in enumerate(frame.strokes):
-        if stroke.display_mode != "3DSPACE":
-            raise talweg.BadCurve(f"Stroke {number} of the annotation is not on a surface; set the "
-                                  "tool's Placement to Surface before drawing.")
-        points = np.empty((len(stroke.points), 3), np.float32)
-        stroke.points.foreach_get("co", points.ravel())
-        in_object = points @ to_object[:3, :3].T + to_object[:3, 3]
-        curves.append(talweg.Curve(positions=thinned(in_object, spacing),
-                                   closed=closed or stroke.use_cyclic))
-    return curves
-
-
-def curve_objects(context, obj, known):
-    """The splines of all selected curve objects as curves in the object's own space; those that show
-    a known curve on the mesh are exactly that one.
+def curve_objects(context, obj, surface, known):
+    """The Drawing of the splines of all selected curve objects in the object's own space; those that
+    show a known curve on the mesh are exactly that one.
 
     :raises talweg.BadCurve: if no curve object is selected, or one has no points.
     """
@@ -134,14 +106,24 @@ def curve_objects(context, obj, known):
     if not chosen:
         raise talweg.BadCurve("No curve object is selected; select one, then the mesh (Shift-click).")
     to_object = np.array(obj.matrix_world.inverted_safe())
-    curves = []
+    curves, names, warnings = [], [], []
     for one in chosen:
         move = to_object @ np.array(one.matrix_world)
-        for spline in one.data.splines:
+        for number, spline in enumerate(one.data.splines):
             curves.append(_exact(_spline(spline, move, one.name), known))
+            names.append(one.name + (f", spline {number}" if len(one.data.splines) > 1 else ""))
+            warnings += _far(curves[-1], names[-1], surface)
     if not curves:
         raise talweg.BadCurve("The selected curve objects have no splines.")
-    return curves
+    return Drawing(curves, "", names, warnings)
+
+
+def _far(curve, name, surface):
+    """A warning, if there is something to say."""
+    if curve.faces is not None or not np.isfinite(curve.positions).all():
+        return []
+    distance = surface.farthest(curve.positions)
+    return [f"{name} lies {surface.told(distance)}."] if distance > surface.far else []
 
 
 def _spline(spline, move, name):

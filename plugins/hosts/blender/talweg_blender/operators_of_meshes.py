@@ -3,7 +3,9 @@
 import bpy
 
 from . import cutting, drawings, session
+from .naming import named
 from .package import talweg
+from .surface import Surface
 
 #: Points of curve objects are of single precision: so near an edge they are on it.
 _MERGE = 1e-5
@@ -52,12 +54,18 @@ class _OnMesh:
             self.layout.prop(self, name)
 
 
-def _curves(context, obj, arrays):
-    """The curves, and what goes with them."""
+def _drawing(context, obj, arrays):
+    """The drawing of curve objects, and what goes with it."""
     result = session.result_on(arrays)
-    curves = drawings.curve_objects(context, obj, result.curves if result else ())
-    exact = all(curve.faces is not None for curve in curves)
-    return curves, {} if exact else {"merge": _MERGE}
+    drawing = drawings.curve_objects(context, obj, Surface(context, obj, as_shown=False),
+                                     result.curves if result else ())
+    exact = all(curve.faces is not None for curve in drawing.curves)
+    return drawing, {} if exact else {"merge": _MERGE}
+
+
+def _of_report(made):
+    """Without how far curves were moved: the drawing has told it where it mattered."""
+    return [one for one in made.report["warnings"] if "moved onto the mesh" not in one]
 
 
 class TALWEG_OT_cut(_OnMesh, bpy.types.Operator):
@@ -67,10 +75,12 @@ class TALWEG_OT_cut(_OnMesh, bpy.types.Operator):
     bl_label = "Cut Along Curve"
 
     def work(self, context, obj, arrays):
-        curves, how = _curves(context, obj, arrays)
-        made, warnings = cutting.cut(obj, arrays, curves, open=self.open, **how)
+        drawing, how = _drawing(context, obj, arrays)
+        with named(drawing.names):
+            made, warnings = cutting.cut(obj, arrays, drawing.curves, open=self.open, **how)
         context.tool_settings.mesh_select_mode = (False, True, False)
-        return _counted(made.report["cut_faces"], "face") + " cut.", [*warnings, *made.report["warnings"]]
+        return (_counted(made.report["cut_faces"], "face") + " cut.",
+                [*drawing.warnings, *warnings, *_of_report(made)])
 
 
 class TALWEG_OT_separate(_OnMesh, bpy.types.Operator):
@@ -80,11 +90,14 @@ class TALWEG_OT_separate(_OnMesh, bpy.types.Operator):
     bl_label = "Separate Along Curve"
 
     def work(self, context, obj, arrays):
-        curves, how = _curves(context, obj, arrays)
-        pieces, warnings = cutting.separate(obj, arrays, curves, keep=self.keep, cap=self.cap, **how)
+        drawing, how = _drawing(context, obj, arrays)
+        with named(drawing.names):
+            pieces, warnings = cutting.separate(obj, arrays, drawing.curves, keep=self.keep,
+                                                cap=self.cap, **how)
         if len(pieces) == 1 and self.keep == "both":
             warnings.append("The curves do not part the mesh; it was only opened along them.")
-        return f"{_counted(len(pieces), 'object')}: {', '.join(one.name for one in pieces)}.", warnings
+        return (f"{_counted(len(pieces), 'object')}: {', '.join(one.name for one in pieces)}.",
+                [*drawing.warnings, *warnings])
 
 
 class _Borders(_OnMesh):

@@ -2,7 +2,7 @@
 
 import bpy
 
-from . import operators, operators_of_meshes
+from . import operators, operators_of_meshes, surface
 
 EDGES = operators.TALWEG_OT_smooth_edges.bl_idname
 ANNOTATIONS = operators.TALWEG_OT_smooth_annotations.bl_idname
@@ -24,6 +24,8 @@ class VIEW3D_PT_talweg(bpy.types.Panel):
         elif obj.mode == "EDIT":
             layout.label(text="Select edges, then:")
             layout.operator(EDGES)
+            if surface.is_changed(obj):
+                layout.label(text="Without modifiers", icon="ERROR")
         else:
             layout.label(text="Annotate the surface, then:")
             layout.operator(ANNOTATIONS, text="Smooth Annotations")

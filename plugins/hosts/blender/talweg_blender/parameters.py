@@ -10,31 +10,64 @@ from .package import talweg
 SHOWN = ("tau", "slack", "max_deviation", "taus", "slacks", "potential", "relax")
 
 
+#: Shorter words where the plugin's do not fit into the panel, or name a page that is not open here.
+_LABELS = {"relax": "Relaxation", "taus": "Tau of each", "slacks": "Slack of each"}
+_CHOICES = {"corridor": ("Corridor", "Flat within the slack, then the exact distance along the surface"),
+            "paper": ("Paper", "The published one, of the approximate distance; has no slack")}
+
+#: Lengths; beside the number they have a slider in mean edges, which fits meshes of every size.
+_LENGTHS = ("slack", "max_deviation")
+
+
 def described():
     return [talweg.plugin("talweg.smooth").parameters[name] for name in SHOWN]
+
+
+def _start(parameter):
+    """The default, else what the field shows until there is something to show."""
+    if parameter.default is not None:
+        return parameter.default
+    return parameter.soft_minimum + (parameter.soft_maximum - parameter.soft_minimum) / 10
 
 
 def _number(parameter):
     low = math.nextafter(parameter.minimum, math.inf) if parameter.open_minimum \
         else parameter.minimum
-    start = parameter.default
-    if start is None:  # what the slider shows until it is moved
-        start = parameter.soft_minimum + (parameter.soft_maximum - parameter.soft_minimum) / 10
+    start = _start(parameter)
     limits = {"min": max(low, -1e30), "max": min(parameter.maximum, 1e30),
               "soft_min": parameter.soft_minimum, "soft_max": parameter.soft_maximum}
     text = parameter.doc.rstrip(".") + (f" ({parameter.unit})" if parameter.unit else "")
     if parameter.kind == "integer":
-        return bpy.props.IntProperty(name=parameter.label, description=text, default=int(start),
+        return bpy.props.IntProperty(name=_label(parameter), description=text, default=int(start),
                                      **{k: int(min(v, 2**31 - 1)) for k, v in limits.items()})
-    return bpy.props.FloatProperty(name=parameter.label, description=text, default=start,
+    if parameter.id in _LENGTHS:
+        limits["soft_max"] = 1e30  # the mesh may be of any size
+    return bpy.props.FloatProperty(name=_label(parameter), description=text, default=start,
                                    precision=4, step=10, **limits)
+
+
+def _label(parameter):
+    return _LABELS.get(parameter.id, parameter.label)
+
+
+def _in_mean_edges(parameter):
+    """The same length as a slider."""
+    def get(operator):
+        return getattr(operator, parameter.id) / (operator.mean_edge or 1)
+
+    def set(operator, value):
+        setattr(operator, parameter.id, value * (operator.mean_edge or 1))
+
+    return bpy.props.FloatProperty(
+        name="In mean edges", description=f"{parameter.label} in mean edges of the mesh",
+        min=1e-6, soft_min=0, soft_max=10, precision=3, get=get, set=set, options={"SKIP_SAVE"})
 
 
 def _text(parameter):
     """One number for each curve is a text, since how many curves there are is not known before."""
     unit = f" ({parameter.unit})" if parameter.unit else ""
     text = parameter.doc.rstrip(".") + f"{unit}. Separated by spaces or commas, empty: none"
-    return bpy.props.StringProperty(name=parameter.label, description=text, default="")
+    return bpy.props.StringProperty(name=_label(parameter), description=text, default="")
 
 
 def _numbers(parameter, text):
@@ -57,15 +90,20 @@ def annotations():
                 name="Set " + parameter.label.lower(), default=False,
                 description=parameter.doc.rstrip("."))
         if parameter.kind == "choice":
-            items = [(id, label, "") for id, label in
+            items = [(id, *_CHOICES.get(id, (label, ""))) for id, label in
                      zip(parameter.choices, parameter.choice_labels)]
             result[parameter.id] = bpy.props.EnumProperty(
                 name=parameter.label, items=items, default=parameter.default,
-                description=parameter.doc.rstrip("."))
+                description="What keeps the curve close to the drawing")
         elif parameter.kind == "per_curve":
             result[parameter.id] = _text(parameter)
         else:
             result[parameter.id] = _number(parameter)
+    for parameter in described():
+        if parameter.id in _LENGTHS:
+            result[parameter.id + "_in_edges"] = _in_mean_edges(parameter)
+            result["shown_" + parameter.id] = bpy.props.FloatProperty(
+                default=_start(parameter), options={"HIDDEN"})
     return result
 
 
@@ -82,10 +120,14 @@ def values(operator):
 
 
 def show_used(operator, report):
-    """Optional parameters that are not ticked show what was used or reached, to begin from."""
+    """Optional parameters that are not ticked show what was used or reached, to begin from; what was
+    typed there stays."""
     for id, value in (("slack", report.slack), ("max_deviation", report.deviation_to_drawn_max)):
-        if not getattr(operator, "use_" + id) and value is not None and 0 < value < 1e30:
-            setattr(operator, id, value)
+        typed = getattr(operator, id) != getattr(operator, "shown_" + id)
+        if getattr(operator, "use_" + id) or typed or value is None or not 0 < value < 1e30:
+            continue
+        setattr(operator, id, value)
+        setattr(operator, "shown_" + id, value)
 
 
 def draw(layout, operator):
@@ -95,7 +137,10 @@ def draw(layout, operator):
             row = layout.row(heading=parameter.label)
             row.prop(operator, "use_" + parameter.id, text="")
             field = row.row()
-            field.active = getattr(operator, "use_" + parameter.id)
+            is_used = getattr(operator, "use_" + parameter.id)
+            field.active = is_used
             field.prop(operator, parameter.id, text="")
+            if is_used and parameter.id in _LENGTHS:
+                layout.prop(operator, parameter.id + "_in_edges", slider=True)
         else:
             layout.prop(operator, parameter.id)

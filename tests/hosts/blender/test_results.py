@@ -1,0 +1,250 @@
+"""What is seen of a result, where it stays, what is said of drawings astray, and whose fault it was."""
+
+import contextlib
+import io
+import unittest
+from types import SimpleNamespace
+
+import bpy
+import numpy as np
+from mathutils import Matrix
+from talweg_blender import curve_object, operators, parameters, session
+
+import scene
+import support
+
+
+def curve_objects():
+    return [o for o in bpy.data.objects if o.type == "CURVE"]
+
+
+def hill(x, y):
+    return 3 * np.sin(x / 7) * np.cos(y / 5)
+
+
+def line(y, off=0.0):
+    x = np.linspace(5, 50, 60)
+    return np.stack([x, np.full(60, float(y)), hill(x, y) + off], -1)
+
+
+class Results(unittest.TestCase):
+    def setUp(self):
+        scene.empty()
+        self.obj = scene.add_mesh(*support.hills())
+
+    def smooth(self, operator=bpy.ops.talweg.smooth_annotations, **how):
+        """What was reported."""
+        told = io.StringIO()
+        with contextlib.redirect_stdout(told):
+            self.assertEqual(operator(**how), {"FINISHED"})
+        self.told = told.getvalue()
+        return session.last_result()
+
+
+class Seen(Results):
+    def test_width_colour_and_place(self):
+        """At least a hundred-and-fiftieth of what is looked at, at most a coarse mesh's face."""
+        for scale in (1e-2, 1, 1e3):
+            with self.subTest(scale):
+                scene.empty()
+                vertices, faces = support.hills()
+                self.obj = scene.add_mesh(vertices * scale, faces)
+                scene.annotate([line(10) * scale])
+                self.smooth()
+                shown, = curve_objects()
+                size = np.linalg.norm(np.ptp(vertices, axis=0)) * scale
+                self.assertGreater(shown.data.bevel_depth, size / 601)
+                self.assertLess(shown.data.bevel_depth, size / 149)
+                self.assertTrue(shown.show_in_front)
+                material, = shown.data.materials
+                red, green, blue = material.diffuse_color[:3]
+                self.assertGreater(blue, 4 * max(red, green))
+                self.assertEqual(shown.color[:], material.diffuse_color[:])
+
+    def test_width_of_a_coarse_mesh(self):
+        """The mean edge of a cube is larger than its side."""
+        cube = SimpleNamespace(edge=2.28, size=12**0.5)
+        self.assertAlmostEqual(curve_object.radius(cube, 1), 12**0.5 / 150)
+        self.assertAlmostEqual(curve_object.radius(cube, 0.5), 12**0.5 / 300)
+
+    def test_lengths_in_mean_edges(self):
+        slider = parameters.annotations()["slack_in_edges"].keywords
+        self.assertEqual(slider["soft_max"], 10)
+        operator = SimpleNamespace(slack=6.0, mean_edge=3.0)
+        self.assertEqual(slider["get"](operator), 2)
+        slider["set"](operator, 4)
+        self.assertEqual(operator.slack, 12)
+
+    def test_words_fit_into_the_panel(self):
+        for name, made in {**parameters.annotations(), **operators._STROKES}.items():
+            words = made.keywords
+            if not name.startswith("use_"):  # is a box without a text
+                self.assertLess(len(words.get("name", "")), 18, name)
+            for item in words.get("items", ()):
+                self.assertLess(len(item[1]), 16, name)
+            self.assertNotIn("equation", str(words))
+
+
+class Places(Results):
+    def test_it_follows_the_mesh(self):
+        """Through shear, too, which an object has only as a child."""
+        parent = bpy.data.objects.new("Parent", None)
+        bpy.context.scene.collection.objects.link(parent)
+        parent.scale = (1, 3, 1)
+        self.obj.parent = parent
+        self.obj.rotation_euler = (0, 0, 0.5)
+        bpy.context.view_layer.update()
+        matrix = np.array(self.obj.matrix_world)
+        scene.annotate([line(10) @ matrix[:3, :3].T])
+        self.smooth()
+        self.assertIn("scaled unevenly", self.told)
+        shown, = curve_objects()
+        self.assertEqual(shown.matrix_world, self.obj.matrix_world)
+        self.obj.location.x += 7
+        bpy.context.view_layer.update()
+        self.assertEqual(shown.matrix_world, self.obj.matrix_world)
+
+    def test_a_mirror_is_no_uneven_scale(self):
+        self.obj.scale = (-2, 2, 2)
+        bpy.context.view_layer.update()
+        scene.annotate([line(10) * [-2, 2, 2]])
+        self.smooth()
+        self.assertNotIn("unevenly", self.told)
+
+    def test_the_same_drawing_has_one_object(self):
+        scene.annotate([line(10), line(30)])
+        self.smooth(tau=1)
+        shown, = curve_objects()
+        shown.name = "Mine"
+        own = bpy.data.materials.new("Mine")
+        shown.data.materials[0] = own
+        result = self.smooth(tau=4, thin=1)
+        self.assertEqual([o.name for o in curve_objects()], ["Mine"])
+        self.assertEqual(len(bpy.data.curves), 1)
+        self.assertEqual(shown.data.materials[:], [own])
+        np.testing.assert_array_equal(scene.spline_points(shown, 1),
+                                      result.curves[1].positions.astype(np.float32))
+        self.smooth(strokes="1")
+        self.assertEqual(len(curve_objects()), 2)
+        row = [10 * 60 + k for k in range(5, 55)]
+        for tau in (1, 2):
+            scene.select_edges(self.obj, row)
+            self.smooth(bpy.ops.talweg.smooth_edges, tau=tau)
+            self.assertEqual(len(curve_objects()), 3)
+
+    def test_it_lies_on_the_mesh_with_its_modifiers(self):
+        """Cast to a sphere: a cube's points are up to 0.39 off what is shown."""
+        scene.empty()
+        bpy.ops.mesh.primitive_cube_add(size=2)
+        self.obj = bpy.context.object
+        self.obj.modifiers.new("Fine", "SUBSURF").levels = 4
+        cast = self.obj.modifiers.new("Round", "CAST")
+        cast.factor, cast.size, cast.use_radius_as_size = 1, 1, False
+        t = np.linspace(0, 1.5, 40)
+        scene.annotate([np.stack([np.cos(t), np.sin(t), 0.3 * np.sin(3 * t)], -1)
+                        / np.sqrt(1 + 0.09 * np.sin(3 * t) ** 2)[:, None]])
+        self.smooth()
+        shown, = curve_objects()
+        radii = np.linalg.norm(scene.spline_points(shown), axis=1)
+        np.testing.assert_allclose(radii, 1, atol=0.01)
+
+    def test_edges_of_a_modified_mesh(self):
+        self.obj.modifiers.new("Fine", "SUBSURF")
+        scene.select_edges(self.obj, support.staircase())
+        self.smooth(bpy.ops.talweg.smooth_edges)
+        self.assertIn("without its modifiers", self.told)
+        self.obj.modifiers[0].show_viewport = False
+        self.smooth(bpy.ops.talweg.smooth_edges)
+        self.assertNotIn("modifiers", self.told)
+
+
+class Astray(Results):
+    def refused(self, words, operator=bpy.ops.talweg.smooth_annotations, **how):
+        with self.assertRaises(RuntimeError) as caught:
+            operator(**how)
+        for one in words:
+            self.assertIn(one, str(caught.exception))
+
+    def test_rounding_is_not_worth_a_word(self):
+        scene.annotate([line(10)])
+        mesh, faces = support.hills()
+        rounded = mesh[:60].astype(np.float32)
+        scene.annotate([rounded + np.float32(1e-6)])
+        self.smooth()
+        self.assertNotIn("moved onto", self.told)
+        self.assertNotIn("Warning", self.told)
+        self.assertIn("Curvature", self.told)
+
+    def test_far_is_a_warning_behind_the_numbers(self):
+        """The box of the hills has a diagonal of 83.7: far is 2.8, a thirtieth; too far is 10.5."""
+        scene.annotate([line(10, 3.5)])
+        self.smooth()
+        warning, = [one for one in self.told.splitlines() if one.startswith("Warning")]
+        self.assertLess(warning.index("Curvature"), warning.index("Stroke 0 was drawn up to"))
+        self.assertIn("Placement to Surface", warning)
+        scene.annotate([line(10, 0.5)])
+        self.smooth()
+        self.assertNotIn("Stroke 0", self.told)
+
+    def test_too_far_is_refused(self):
+        scene.annotate([line(10, 40)])
+        self.refused(["Stroke 0 lies up to", "away from the mesh", "mean edges", "Placement to Surface"])
+        self.assertEqual(curve_objects(), [])
+
+    def test_strokes_astray_do_not_stop_the_others(self):
+        bad = line(20)
+        bad[7, 1] = np.nan
+        data = scene.annotate([line(10), line(15, 40), bad, line(25)[:1], line(30), line(40)])
+        data.layers[0].frames[0].strokes[5].display_mode = "SCREEN"
+        result = self.smooth()
+        self.assertEqual(len(result.curves), 2)
+        np.testing.assert_allclose(result.curves[1].positions[0], line(30)[0], atol=0.1)
+        for words in ("Left out: Stroke 1 lies", "Stroke 2 has a coordinate", "Stroke 3 has 1 point",
+                      "1 more"):
+            self.assertIn(words, self.told)
+
+    def test_chosen_strokes(self):
+        scene.annotate([line(y) for y in (10, 20, 30, 40)])
+        for chosen, ys in (("", [10, 20, 30, 40]), ("1", [20]), ("0, 2-3", [10, 30, 40]),
+                           ("-1", [40]), ("3 3 0", [10, 40])):
+            with self.subTest(chosen):
+                result = self.smooth(strokes=chosen)
+                starts = [curve.positions[0][1] for curve in result.curves]
+                np.testing.assert_allclose(starts, ys, atol=0.1)
+        self.refused(["'one' is no number or range"], strokes="one")
+        for wrong in ("4", "2-7", "-5"):
+            self.refused(["there is no stroke"], strokes=wrong)
+        self.refused(["'3-1' is no number or range"], strokes="3-1")
+
+    def test_errors_and_warnings_name_the_curve_object(self):
+        for name, positions in (("Good", line(10)), ("Bad", [[1, 1, 0], [np.nan, 5, 0]])):
+            scene_curve(name, positions)
+        self.refused(["Bad: ", "not finite"], bpy.ops.talweg.cut)
+        bpy.data.objects.remove(bpy.data.objects["Good"])
+        self.refused(["Bad: ", "not finite"], bpy.ops.talweg.cut)
+        bpy.data.objects.remove(bpy.data.objects["Bad"])
+        scene_curve("Above", line(10, 3.5))
+        self.smooth(bpy.ops.talweg.cut)
+        self.assertIn("cut. Above lies up to", self.told)
+
+
+def scene_curve(name, positions):
+    data = bpy.data.curves.new(name, "CURVE")
+    data.dimensions = "3D"
+    spline = data.splines.new("POLY")
+    spline.points.add(len(positions) - 1)
+    spline.points.foreach_set("co", np.c_[positions, np.ones(len(positions))].ravel())
+    obj = bpy.data.objects.new(name, data)
+    bpy.context.scene.collection.objects.link(obj)
+    obj.select_set(True)
+
+
+class Matrices(unittest.TestCase):
+    def test_shear_and_mirrors(self):
+        plain = SimpleNamespace(name="Mesh", data=SimpleNamespace(shape_keys=None), modifiers=())
+        for matrix, uneven in ((Matrix.Identity(4), False), (Matrix.Diagonal((1, -1, 1, 1)), False),
+                               (Matrix.Rotation(0.3, 4, "X") @ Matrix.Scale(7, 4), False),
+                               (Matrix.Diagonal((1, 1, 1.01, 1)), True),
+                               (Matrix.Shear("XY", 4, (0.1, 0)), True)):
+            plain.matrix_world = matrix
+            self.assertEqual(len(operators._of_object(plain, True)), uneven)
