@@ -1,7 +1,7 @@
 """Talweg in Blender: smooths curves on meshes while they stay close to what was drawn.
 
 Edit mode: select edges, Edge > Smooth Curve on Surface. Object mode: draw with the annotation tool
-on the surface, Object > Smooth Annotations on Surface. These, cutting, borders of materials and
+on the surface, Object > Smooth Annotations. These, cutting, borders of materials and
 vertex groups, and repair are in the sidebar, tab Talweg.
 """
 

@@ -6,7 +6,7 @@ import bpy
 import numpy as np
 
 _MATERIAL = "Talweg curve"
-_COLOUR = (0.0, 0.12, 0.9, 1.0)
+_COLOUR = (0.02, 0.24, 1.0, 1.0)
 
 
 def radius(surface, thickness):

@@ -33,8 +33,9 @@ class _Smoothing:
             self.report({"ERROR"}, str(error) or "Interrupted.")
             return {"CANCELLED"}
         parameters.show_used(self, result.total)
+        self._first_of_all = [*drawing.warnings, *_of_object(obj, as_shown)]
         self._tell(f"{_sentence(result)} {told}".strip(), [
-            *drawing.warnings, *warnings, *_of_object(obj, as_shown),
+            *self._first_of_all, *warnings,
             *(one for one in result.total.warnings if not _is_measured(one, drawing))])
         return {"FINISHED"}
 
@@ -45,8 +46,9 @@ class _Smoothing:
 
     def invoke(self, context, _event):
         """As execute(); what is to be read before going on is shown where the pointer is."""
+        self._first_of_all = []
         outcome = self.execute(context)
-        lines = self.warned.splitlines()
+        lines = self._first_of_all
         if lines and not bpy.app.background:
             context.window_manager.popup_menu(
                 lambda popup, _: _draw_lines(popup.layout, lines, 80), title="Talweg", icon="ERROR")
@@ -89,10 +91,11 @@ class _Smoothing:
 
 def _draw_lines(layout, lines, width):
     """Warnings, wrapped, since a label is cut off at the width of its panel."""
-    box = layout.box() if lines else None
+    column = layout.column(align=True)
+    column.scale_y = 0.8
     for line in lines:
         for number, part in enumerate(textwrap.wrap(line, width)):
-            box.label(text=part, icon="BLANK1" if number else "ERROR")
+            column.label(text=part, icon="BLANK1" if number else "ERROR")
 
 
 def _of_object(obj, as_shown):
@@ -165,7 +168,7 @@ class TALWEG_OT_smooth_annotations(_Smoothing, bpy.types.Operator):
     """Smooth the strokes of the active annotation layer on the active mesh"""
 
     bl_idname = "talweg.smooth_annotations"
-    bl_label = "Smooth Annotations on Surface"
+    bl_label = "Smooth Annotations"
 
     @classmethod
     def poll(cls, context):

@@ -28,7 +28,7 @@ class VIEW3D_PT_talweg(bpy.types.Panel):
                 layout.label(text="Without modifiers", icon="ERROR")
         else:
             layout.label(text="Annotate the surface, then:")
-            layout.operator(ANNOTATIONS, text="Smooth Annotations")
+            layout.operator(ANNOTATIONS)
             layout.label(text="Select a curve, then this:")
             for operator in OF_CURVES:
                 layout.operator(operator)
