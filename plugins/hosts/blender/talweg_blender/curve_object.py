@@ -6,12 +6,12 @@ import bpy
 import numpy as np
 
 _MATERIAL = "Talweg curve"
-_COLOUR = (0.02, 0.24, 1.0, 1.0)
+_COLOUR = (0.0, 0.38, 1.0, 1.0)
 
 
 def radius(surface, thickness):
     """Of the bevel: 1 can be seen whether the whole mesh is looked at or one of its faces."""
-    fitting = min(max(surface.edge / 5, surface.size / 600), surface.size / 150)
+    fitting = min(max(surface.edge / 5, surface.size / 450), surface.size / 150)
     return thickness * fitting
 
 
@@ -20,6 +20,7 @@ def _material():
     if material is None or material.library is not None:
         material = bpy.data.materials.new(_MATERIAL)
         material.diffuse_color = _COLOUR  # of the viewport
+        material.roughness, material.specular_intensity = 1, 0
         material.use_nodes = True
         material.node_tree.nodes["Principled BSDF"].inputs["Base Color"].default_value = _COLOUR
     return material

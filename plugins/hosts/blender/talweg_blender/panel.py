@@ -25,7 +25,7 @@ class VIEW3D_PT_talweg(bpy.types.Panel):
             layout.label(text="Select edges, then:")
             layout.operator(EDGES)
             if surface.is_changed(obj):
-                layout.label(text="Without modifiers", icon="ERROR")
+                layout.label(text="Without modifiers, shape keys", icon="ERROR")
         else:
             layout.label(text="Annotate the surface, then:")
             layout.operator(ANNOTATIONS)

@@ -3,7 +3,7 @@
 import numpy as np
 from mathutils.bvhtree import BVHTree
 
-from . import drawings
+from . import drawings, session
 from .package import talweg
 
 
@@ -34,7 +34,8 @@ class Surface:
 
     def farthest(self, points):
         """How far the farthest of these points lies from the surface."""
-        return max((self._distance(point) for point in points.tolist()), default=0.0)
+        return session.distance(self.arrays, points, lambda every: max(
+            (self._distance(point) for point in every.tolist()), default=0.0))
 
     def _distance(self, point):
         if self._evaluated is not None:
