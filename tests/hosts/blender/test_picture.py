@@ -109,6 +109,7 @@ class Picture(unittest.TestCase):
 
         figure.data.materials.append(material("Clay", (0.55, 0.5, 0.45)))
         jagged.data.materials.append(material("Red", (0.7, 0.01, 0.01)))
+        smooth.data.materials[0] = material("Blue", (0.01, 0.06, 0.7))
         figure.data.polygons.foreach_set("use_smooth", np.ones(len(figure.data.polygons), bool))
         self.frame(figure, xyz)
         pixels = render(FOLDER / "blender.png")

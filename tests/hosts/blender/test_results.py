@@ -58,7 +58,7 @@ class Seen(Results):
                 self.assertTrue(shown.show_in_front)
                 material, = shown.data.materials
                 red, green, blue = material.diffuse_color[:3]
-                self.assertGreater(blue, 2 * max(red, green))
+                self.assertGreater(min(red, blue), 4 * green)  # magenta
                 self.assertEqual(shown.color[:], material.diffuse_color[:])
 
     def test_width_of_a_coarse_mesh(self):
@@ -118,9 +118,11 @@ class Places(Results):
         shown.name = "Mine"
         own = bpy.data.materials.new("Mine")
         shown.data.materials[0] = own
+        shown.hide_set(True)
         result = self.smooth(tau=4, thin=1)
         self.assertEqual([o.name for o in curve_objects()], ["Mine"])
         self.assertEqual(len(bpy.data.curves), 1)
+        self.assertTrue(shown.visible_get())
         self.assertEqual(shown.data.materials[:], [own])
         np.testing.assert_array_equal(scene.spline_points(shown, 1),
                                       result.curves[1].positions.astype(np.float32))

@@ -6,7 +6,8 @@ import bpy
 import numpy as np
 
 _MATERIAL = "Talweg curve"
-_COLOUR = (0.0, 0.38, 1.0, 1.0)
+#: Neither an annotation's blue nor the orange of what is selected.
+_COLOUR = (0.9, 0.0, 0.4, 1.0)
 
 
 def radius(surface, thickness):
@@ -46,10 +47,14 @@ def _report_of(result):
             "deviation_to_drawn_max": r.deviation_to_drawn_max, "termination": r.termination}
 
 
-def _made_before(obj, key):
-    """The object of the same drawing on this mesh, if there is one."""
-    return next((one for one in obj.children if one.type == "CURVE" and one.library is None
-                 and one.data.library is None and one.get("talweg_drawing") == key), None)
+def _made_before(context, obj, key):
+    """The object of the same drawing on this mesh, shown again; None if there is none."""
+    for one in obj.children:
+        if (one.type == "CURVE" and one.get("talweg_drawing") == key and one.library is None
+                and one.data.library is None and one.name in context.view_layer.objects):
+            one.hide_set(False)
+            return one
+    return None
 
 
 def _new(obj):
@@ -68,7 +73,7 @@ def _new(obj):
 
 def put(context, obj, result, key, bevel):
     """The curve object of the result of a drawing: a new one, or the one that it had."""
-    made = _made_before(obj, key) or _new(obj)
+    made = _made_before(context, obj, key) or _new(obj)
     _write(made.data, result, bevel)
     made["talweg_drawing"] = key
     made["talweg_report"] = json.dumps(_report_of(result))

@@ -25,7 +25,8 @@ class VIEW3D_PT_talweg(bpy.types.Panel):
             layout.label(text="Select edges, then:")
             layout.operator(EDGES)
             if surface.is_changed(obj):
-                layout.label(text="Without modifiers, shape keys", icon="ERROR")
+                layout.label(text="Without modifiers" if obj.modifiers else "Without shape keys",
+                             icon="ERROR")
         else:
             layout.label(text="Annotate the surface, then:")
             layout.operator(ANNOTATIONS)

@@ -43,7 +43,8 @@ def annotated(context, obj, surface, closed, thin, chosen):
             astray.append(f"Stroke {number} {reason}")
             continue
         if distance > surface.far:
-            warnings.append(f"Stroke {number} was drawn {surface.told(distance)}: if that is not meant, {_MEND}.")
+            warnings.append(f"Stroke {number} was drawn {surface.told(distance)}: if that is not meant, "
+                            f"{_MEND}.")
         curves.append(talweg.Curve(positions=points, closed=is_closed))
         names.append(f"Stroke {number}")
     if not curves:
