@@ -188,13 +188,18 @@ class Astray(Results):
         self.smooth()
         self.assertNotIn("Stroke 0", self.told)
 
-    def test_distances_are_measured_once(self):
-        points, asked = line(10), []
-        arrays = [drawings.MeshArrays(self.obj.data) for _ in range(2)]
-        arrays[1].vertices = arrays[1].vertices + 1
-        measure = lambda every: asked.append(len(every)) or 0.5  # noqa: E731
-        for on, times in ((0, 1), (0, 1), (1, 2), (0, 3)):
-            self.assertEqual(session.distance(arrays[on], points, measure), 0.5)
+    def test_what_is_measured_is_measured_once(self):
+        arrays = [drawings.MeshArrays(self.obj.data) for _ in range(3)]
+        arrays[2].vertices = arrays[2].vertices + 1
+        asked = []
+
+        def measure():
+            asked.append(1)
+            return 0.5
+
+        session.forget()
+        for on, what, times in ((0, "a", 1), (1, "a", 1), (1, "b", 2), (2, "a", 3), (0, "a", 4)):
+            self.assertEqual(session.measured(arrays[on], what, measure), 0.5)
             self.assertEqual(len(asked), times)
         session.forget()
 

@@ -2,7 +2,6 @@
 
 import numpy as np
 
-from . import drawings
 from .package import talweg
 
 
@@ -11,13 +10,13 @@ class _Kept:
     workspace = None
     result = None
     measured_on = None
-    distances: dict = {}  # of drawings from it
+    measures: dict = {}
 
 
 def forget():
     """Frees the mesh that was kept."""
     _Kept.arrays = _Kept.workspace = _Kept.result = _Kept.measured_on = None
-    _Kept.distances = {}
+    _Kept.measures = {}
 
 
 def last_result():
@@ -35,15 +34,14 @@ def _is_same(kept, arrays):
             and np.array_equal(kept.triangles, arrays.triangles))
 
 
-def distance(arrays, points, measure):
-    """measure(points), or what it gave before on the same mesh: with a million faces it takes as long
-    as the step of a slider."""
+def measured(arrays, what, measure):
+    """measure(), or what it gave before for the same on the same mesh: with a million faces it takes as
+    long as the step of a slider."""
     if not _is_same(_Kept.measured_on, arrays):
-        _Kept.measured_on, _Kept.distances = arrays, {}
-    key = drawings.key_of("points", points)
-    if key not in _Kept.distances:
-        _Kept.distances[key] = measure(points)
-    return _Kept.distances[key]
+        _Kept.measured_on, _Kept.measures = arrays, {}
+    if what not in _Kept.measures:
+        _Kept.measures[what] = measure()
+    return _Kept.measures[what]
 
 
 def smooth(arrays, curves, parameters, progress=None):

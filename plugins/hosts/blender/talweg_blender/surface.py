@@ -28,14 +28,14 @@ class Surface:
             self.arrays = drawings.MeshArrays(obj.data)
         if not len(self.arrays.triangles):
             raise talweg.BadMesh("The mesh has no faces.")
-        self.edge = mean_edge(self.arrays)
+        self.edge = session.measured(self.arrays, "edge", lambda: mean_edge(self.arrays))
         self.size = float(np.linalg.norm(np.ptp(self.arrays.vertices.astype(float), axis=0)))
         self._tree = None
 
     def farthest(self, points):
         """How far the farthest of these points lies from the surface."""
-        return session.distance(self.arrays, points, lambda every: max(
-            (self._distance(point) for point in every.tolist()), default=0.0))
+        return session.measured(self.arrays, drawings.key_of("points", points), lambda: max(
+            (self._distance(point) for point in points.tolist()), default=0.0))
 
     def _distance(self, point):
         if self._evaluated is not None:
