@@ -75,6 +75,8 @@ class TalwegPlugin : public QObject,
   void startJob(QString _jobId, QString _description, int _min, int _max, bool _blocking = false);
   void setJobState(QString _jobId, int _value);
   void finishJob(QString _jobId);
+  void setJobName(QString _jobId, QString _name);  // not used, but missed by the host
+  void setJobDescription(QString _jobId, QString _description);
   // ScriptInterface
   void scriptInfo(QString _functionName);
   // StatusbarInterface
