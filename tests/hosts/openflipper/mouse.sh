@@ -166,6 +166,27 @@ expect "Drop curve" "Esc drops a curve"
 expect "3 curve(s)" "three are left"
 picture painted
 
+# Keys of a box and of a dialog are theirs, although a curve is being drawn.
+clicks 300,500 310,520
+press talwegTauBox
+mark
+xdotool key ctrl+a BackSpace 3 Return
+expect "tau 3," "Backspace and Enter in a box are the box's"
+press talwegWriteDrawing
+sleep 2
+xdotool key BackSpace Escape
+sleep 1
+click 310 520  # its last point, which gives the viewer the focus
+mark
+xdotool key Return
+expect "Finish curve" "the curve is still there, with both points"
+expect "4 curve(s)" "as the fourth"
+mark
+press talwegUndo
+press talwegUndo
+press talwegUndo
+expect "3 curve(s)" "undo takes it away"
+
 mark
 press talwegColours
 xdotool key Down Return
