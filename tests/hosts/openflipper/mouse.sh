@@ -78,6 +78,7 @@ for _ in $(seq 100); do grep -aq ' : READY' "$log" 2>/dev/null && break; sleep 0
 grep -aq ' : READY' "$log" || fail "the host is ready"
 expect "has changed and is opened again" "the host moves a mesh"
 expect "MOVED \([0-9.]*[0-9]\{9\}\)[0-9]* \1" "its curve has the same length then"
+expect "DELETED 1 true 2 1 true 2 true 1 true 0 false" "deleted lines are curves less, until undo"
 sleep 2
 
 mark

@@ -285,7 +285,9 @@ void Session::take_opened(const editing::Outcome& outcome) {
     return;
   }
   problem_ = in_words(outcome.sentence);
-  for (const std::string& change : outcome.repair) repair_told_ << in_words(change);
+  for (const std::string& change : outcome.repair) {
+    repair_told_ << in_words(change).remove("Repair: ");
+  }
 }
 
 void Session::show_results(host::Results results, bool newest) {
