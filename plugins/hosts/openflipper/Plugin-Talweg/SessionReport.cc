@@ -54,7 +54,11 @@ QString short_report(const Session& session) {
 
 QString whole_report(const Session& session) {
   QStringList lines;
-  for (const host::ReportEntry& entry : session.results().report) {
+  const host::Results& results = session.results();
+  for (const host::ReportEntry& entry : results.report) {
+    // Of a single curve the entries for all curves say the same.
+    const bool said = results.curves.size() == 1 && entry.curve == 0 && results.find(entry.key);
+    if (said) continue;
     QStringList values;
     for (const double value : entry.numbers) values << QString::number(value, 'g', 17);
     for (const std::string& text : entry.texts) values << in_words(text);
