@@ -183,9 +183,7 @@ xdotool key Return
 expect "Finish curve" "the curve is still there, with both points"
 expect "4 curve(s)" "as the fourth"
 mark
-press talwegUndo
-press talwegUndo
-press talwegUndo
+for _ in 1 2 3 4; do press talwegUndo; done  # its end, tau, its two points
 expect "3 curve(s)" "undo takes it away"
 
 mark
