@@ -51,7 +51,10 @@ void TalwegPlugin::pluginsInitialized() {
   timer_.setInterval(100);
 }
 
-void TalwegPlugin::exit() { sessions_.clear(); }
+void TalwegPlugin::exit() {
+  sessions_.clear();
+  plugins_.reset();  // waits for threads that still end: the host may never delete this object
+}
 
 void TalwegPlugin::slotAllCleared() {
   sessions_.clear();
