@@ -41,6 +41,11 @@ class OpenMeshIds {
   [[nodiscard]] FaceId id(OpenMesh::FaceHandle f) const {
     return FaceId{at(face_ids_, f.idx(), "face")};
   }
+  /// Like id(), but invalid for a handle that was not in the mesh, too.
+  [[nodiscard]] VertexId find(OpenMesh::VertexHandle v) const {
+    const bool known = v.idx() >= 0 && static_cast<std::size_t>(v.idx()) < vertex_ids_.size();
+    return known ? id(v) : VertexId();
+  }
   [[nodiscard]] OpenMesh::VertexHandle handle(VertexId v) const {
     return OpenMesh::VertexHandle(vertex_handles_.at(v.index()));
   }

@@ -134,11 +134,7 @@ class CurveKeeper {
   }
 
  private:
-  [[nodiscard]] VertexId kept(VertexId v) const {
-    const OpenMesh::VertexHandle handle = old_.ids.handle(v);
-    if (static_cast<std::size_t>(handle.idx()) >= now_.ids.vertex_handle_count()) return {};
-    return now_.ids.id(handle);
-  }
+  [[nodiscard]] VertexId kept(VertexId v) const { return now_.ids.find(old_.ids.handle(v)); }
 
   /// The triangle with the same corners; invalid if there is none.
   [[nodiscard]] FaceId kept(FaceId f) const {
@@ -154,8 +150,6 @@ class CurveKeeper {
   }
 
   [[nodiscard]] std::optional<SurfacePoint> kept(const SurfacePoint& point) const {
-    const FaceId old_face = any_face(old_.surface, point);
-    if (!old_face.valid()) return std::nullopt;
     for (const FaceId f : faces_at(old_.surface, point)) {
       const FaceId there = kept(f);
       if (there.valid()) return in(f, there, point);

@@ -18,8 +18,8 @@ namespace talweg {
 namespace detail {
 
 inline VertexId drawn_vertex(const OpenMeshIds& ids, OpenMesh::VertexHandle v, std::size_t place) {
-  const auto count = static_cast<int>(ids.vertex_handle_count());
-  if (v.idx() >= 0 && v.idx() < count && ids.id(v).valid()) return ids.id(v);
+  const VertexId id = ids.find(v);
+  if (id.valid()) return id;
   throw Error(ErrorCode::kBadCurve,
               "Point " + std::to_string(place) + " of the curve is the vertex handle " +
                   std::to_string(v.idx()) + ", which the opened mesh does not have.");

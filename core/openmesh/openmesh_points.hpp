@@ -83,10 +83,9 @@ SurfacePoint surface_point(const Mesh& mesh, const OpenMeshIds& ids, const Surfa
                                            " of a point is not of the mesh that was opened.");
   };
   const auto vertex = [&](OpenMesh::VertexHandle v) {
-    const bool known =
-        v.idx() >= 0 && static_cast<std::size_t>(v.idx()) < ids.vertex_handle_count();
-    if (!known || !ids.id(v).valid()) throw refuse("vertex", v.idx());
-    return ids.id(v);
+    const VertexId id = ids.find(v);
+    if (!id.valid()) throw refuse("vertex", v.idx());
+    return id;
   };
   if (const auto* v = std::get_if<OpenMesh::VertexHandle>(&point)) {
     return SurfacePoint::at_vertex(surface, vertex(*v));

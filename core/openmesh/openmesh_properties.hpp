@@ -20,7 +20,7 @@ namespace detail {
 
 /// Throws Error(kBadUsage) if there is a property of that name and another type, which OpenMesh
 /// would leave beside a new one.
-template <class Handle, class Iterator>
+template <class Iterator>
 void check_type(bool has_it, Iterator first, Iterator last, const std::string& name) {
   if (has_it) return;
   for (; first != last; ++first) {
@@ -37,6 +37,21 @@ inline void check_count(std::size_t given, std::size_t expected, const char* wha
                                         std::to_string(expected) + " " + what + ".");
 }
 
+/// Makes or fills a property of elements with this handle; `handles` of them, deleted ones
+/// included.
+template <class T, class Handle, OpenMeshKernel Mesh, class Value>
+auto filled(Mesh& mesh, const OpenMeshIds& ids, std::size_t handles, const std::string& name,
+            const std::vector<Value>& values, PropertyLife life) {
+  auto property = OpenMesh::getOrMakeProperty<Handle, T>(mesh, name.c_str());
+  mesh.property(property.getRawProperty()).set_persistent(life == PropertyLife::kPersistent);
+  for (std::size_t k = 0; k < handles; ++k) {
+    const Handle handle(static_cast<int>(k));
+    const auto id = ids.id(handle);
+    property[handle] = id.valid() ? static_cast<T>(values[id.index()]) : T();
+  }
+  return property;
+}
+
 }  // namespace detail
 
 /// Makes, or fills, the vertex property of that name: `values` has one for each vertex of the
@@ -47,17 +62,10 @@ OpenMesh::VProp<T> vertex_property(Mesh& mesh, const OpenMeshIds& ids, const std
                                    const std::vector<Value>& values,
                                    PropertyLife life = PropertyLife::kTemporary) {
   detail::check_count(values.size(), ids.vertex_count(), "vertices");
-  detail::check_type<OpenMesh::VPropHandleT<T>>(
-      OpenMesh::hasProperty<OpenMesh::VertexHandle, T>(mesh, name.c_str()), mesh.vprops_begin(),
-      mesh.vprops_end(), name);
-  auto property = OpenMesh::getOrMakeProperty<OpenMesh::VertexHandle, T>(mesh, name.c_str());
-  mesh.property(property.getRawProperty()).set_persistent(life == PropertyLife::kPersistent);
-  for (std::size_t k = 0; k < ids.vertex_handle_count(); ++k) {
-    const OpenMesh::VertexHandle v(static_cast<int>(k));
-    const VertexId id = ids.id(v);
-    property[v] = id.valid() ? static_cast<T>(values[id.index()]) : T();
-  }
-  return property;
+  detail::check_type(OpenMesh::hasProperty<OpenMesh::VertexHandle, T>(mesh, name.c_str()),
+                     mesh.vprops_begin(), mesh.vprops_end(), name);
+  return detail::filled<T, OpenMesh::VertexHandle>(mesh, ids, ids.vertex_handle_count(), name,
+                                                   values, life);
 }
 
 /// The same for faces: `values` has one for each triangle of the opened mesh; a polygon gets that
@@ -67,17 +75,10 @@ OpenMesh::FProp<T> face_property(Mesh& mesh, const OpenMeshIds& ids, const std::
                                  const std::vector<Value>& values,
                                  PropertyLife life = PropertyLife::kTemporary) {
   detail::check_count(values.size(), ids.triangle_count(), "triangles");
-  detail::check_type<OpenMesh::FPropHandleT<T>>(
-      OpenMesh::hasProperty<OpenMesh::FaceHandle, T>(mesh, name.c_str()), mesh.fprops_begin(),
-      mesh.fprops_end(), name);
-  auto property = OpenMesh::getOrMakeProperty<OpenMesh::FaceHandle, T>(mesh, name.c_str());
-  mesh.property(property.getRawProperty()).set_persistent(life == PropertyLife::kPersistent);
-  for (std::size_t k = 0; k < ids.face_handle_count(); ++k) {
-    const OpenMesh::FaceHandle f(static_cast<int>(k));
-    const FaceId id = ids.id(f);
-    property[f] = id.valid() ? static_cast<T>(values[id.index()]) : T();
-  }
-  return property;
+  detail::check_type(OpenMesh::hasProperty<OpenMesh::FaceHandle, T>(mesh, name.c_str()),
+                     mesh.fprops_begin(), mesh.fprops_end(), name);
+  return detail::filled<T, OpenMesh::FaceHandle>(mesh, ids, ids.face_handle_count(), name, values,
+                                                 life);
 }
 
 }  // namespace talweg

@@ -200,6 +200,19 @@ std::vector<double> by_corner(const HostAttribute& attribute) {
 
 }  // namespace
 
+std::uint32_t rule_of(Carry carry) {
+  switch (carry) {
+    case Carry::kRounded:
+      return TALWEG_CARRY_ROUNDED;
+    case Carry::kNearest:
+      return TALWEG_CARRY_NEAREST;
+    case Carry::kDirection:
+      return TALWEG_CARRY_DIRECTION;
+    default:
+      return TALWEG_CARRY_LINEAR;
+  }
+}
+
 AttributeView::AttributeView(const HostAttribute& attribute) {
   const bool by_row = attribute.element == TALWEG_OF_CORNERS && !attribute.shared;
   bytes_ = bytes_of(by_row ? by_corner(attribute) : attribute.values, attribute.type);

@@ -15,6 +15,9 @@
 
 namespace talweg::plugins {
 
+/// TALWEG_CARRY_...
+std::uint32_t rule_of(Carry carry);
+
 /// How attributes of the mesh that came in become those of another: by carried_to() and picked().
 using CarryOver = std::function<MeshAttributes(const MeshAttributes& attributes)>;
 

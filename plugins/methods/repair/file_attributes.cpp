@@ -132,12 +132,6 @@ class Grouping {
   std::vector<Group> groups_;
 };
 
-std::uint32_t rule_of(Carry carry) {
-  if (carry == Carry::kRounded) return TALWEG_CARRY_ROUNDED;
-  if (carry == Carry::kNearest) return TALWEG_CARRY_NEAREST;
-  return carry == Carry::kDirection ? TALWEG_CARRY_DIRECTION : TALWEG_CARRY_LINEAR;
-}
-
 void add_groups(const std::vector<AttributeColumn>& columns, std::uint32_t element,
                 std::vector<HostAttribute>& all) {
   for (const Group& group : Grouping(columns).groups()) {

@@ -17,11 +17,16 @@ _MESSAGE_SIZE = 1000
 
 
 def _extension() -> Any:
-    plugin = _plugins.plugin("talweg.draw")
-    address = plugin.table.get_extension(c.CURVE_FILES_2)
+    return extension("talweg.draw", c.CURVE_FILES_2, c.CurveFiles2, "curve files")
+
+
+def extension(plugin_id: str, extension_id: bytes, struct: Any, what: str) -> Any:
+    """The functions of a plugin that reads and writes files."""
+    plugin = _plugins.plugin(plugin_id)
+    address = plugin.table.get_extension(extension_id)
     if not address:
-        raise Unsupported(f"{plugin.path} is too old to read and write curve files.")
-    return c.CurveFiles2.from_address(address)
+        raise Unsupported(f"{plugin.path} is too old to read and write {what}.")
+    return struct.from_address(address)
 
 
 def checked(call: Callable[[Any], Any]) -> None:

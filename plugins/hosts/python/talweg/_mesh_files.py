@@ -10,12 +10,11 @@ from typing import TYPE_CHECKING, Any, Dict, List, Mapping, Optional, Sequence, 
 
 import numpy as np
 
-from . import _arrays, _plugins
+from . import _arrays
 from . import _interface as c
 from ._attributes import Parts
 from ._carrying import fill_of, rule_of, values_of
-from ._errors import Unsupported
-from ._files import Path, checked
+from ._files import Path, checked, extension
 from ._types import Array
 
 if TYPE_CHECKING:
@@ -26,11 +25,7 @@ _MOST_COLUMNS, _MESSAGE_SIZE = 64, 1000
 
 
 def _extension() -> Any:
-    plugin = _plugins.plugin("talweg.repair")
-    address = plugin.table.get_extension(c.MESH_FILES)
-    if not address:
-        raise Unsupported(f"{plugin.path} is too old to read and write mesh files.")
-    return c.MeshFiles.from_address(address)
+    return extension("talweg.repair", c.MESH_FILES, c.MeshFiles, "mesh files")
 
 
 def read_parts(path: Path) -> Parts:
