@@ -11,6 +11,7 @@
 
 #include "commands.hpp"
 #include "file_plan.hpp"
+#include "run_journal.hpp"
 #include "suggestion.hpp"
 #include "talweg/core/io/file_bytes.hpp"
 #include "talweg/intrinsic/error.hpp"
@@ -145,6 +146,7 @@ void check_files(const std::vector<ListedRun>& runs, const std::string& list,
   files.makes_folders();
   files.reads("--batch", list);
   files.writes("--summary", summary);
+  files.writes("--summary", journal_of(summary));
   for (const ListedRun& run : runs) {
     if (run.line > 0) files.at(list, fmt::format("line {}", run.line));
     plan_files(run.options, files);

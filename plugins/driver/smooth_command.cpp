@@ -10,6 +10,7 @@
 #include "output_file.hpp"
 #include "progress_bar.hpp"
 #include "report_table.hpp"
+#include "run_journal.hpp"
 #include "run_list.hpp"
 #include "smooth_many.hpp"
 #include "smooth_options.hpp"
@@ -51,6 +52,9 @@ int finish(const SmoothOptions& options, const GlobalOptions& global, const RunO
 
 int run(SmoothCommand command, const GlobalOptions& global) {
   const ManyOptions& many = command.many;
+  if (many.resume && journal_of(many.summary).empty()) {
+    bad_usage("--resume needs a --summary that is a file.");
+  }
   if (!many.list.empty()) {
     if (!command.one.mesh.empty())
       bad_usage("--batch has the meshes in its list: no MESH beside it.");
@@ -92,6 +96,9 @@ Command add_smooth(CLI::App& app, const GlobalOptions& global) {
       ->capture_default_str();
   command->add_option("--summary", o->many.summary,
                       "All reports as one table (CSV), one line per curve, failures too");
+  command->add_flag("--resume", o->many.resume,
+                    "Keep the outputs of runs that --summary, or what a killed program left of it, "
+                    "says were made from the same files, options and version; make the others");
   return [o, &global] { return run(*o, global); };
 }
 

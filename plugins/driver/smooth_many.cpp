@@ -18,6 +18,8 @@
 #include "failure.hpp"
 #include "output_file.hpp"
 #include "progress_bar.hpp"
+#include "run_journal.hpp"
+#include "run_stamp.hpp"
 #include "shared_work.hpp"
 #include "smooth_run.hpp"
 #include "summary_table.hpp"
@@ -64,25 +66,54 @@ std::string mesh_of(const SmoothOptions& options) { return options.mesh + '\n' +
 /// The outcome of a run; its curves are in its files.
 struct RunRecord {
   bool cancelled = true;  ///< until the run is done
+  bool kept = false;      ///< from an earlier program
+  bool again = false;     ///< an output was there already
   std::optional<Failure> failure;
-  std::vector<SmoothingReport> reports;
-  std::vector<std::size_t> numbers;
   std::vector<CurveFailure> failed_curves;
+  SummaryRun summary;
   std::string moved;  ///< a sentence if the drawing was moved far
 
   [[nodiscard]] int code() const {
     if (cancelled) return kCancelled;
     if (failure) return failure->code;
-    int worst = kDone;
-    for (const SmoothingReport& report : reports) {
-      if (report.termination != Outcome::kConverged) worst = kNotConverged;
-    }
+    const auto converged = [](const SummaryRow& row) {
+      return row.status == to_string(Outcome::kConverged);
+    };
+    int worst = std::ranges::all_of(summary.rows, converged) ? kDone : kNotConverged;
     for (const CurveFailure& curve : failed_curves) {
       if (worst != kInternal) worst = curve.why.code;
     }
     return worst;
   }
 };
+
+std::string curve_name(const SmoothOptions& options) {
+  return options.curves.empty() ? options.labels
+                                : fmt::format("{}", fmt::join(options.curves, " "));
+}
+
+/// The rows of a run, failed curves among them, by number.
+std::vector<SummaryRow> rows_of(const RunOutcome& outcome) {
+  std::vector<SummaryRow> rows;
+  auto failed = outcome.failures.begin();
+  const auto add_failed = [&](std::size_t before) {
+    for (; failed != outcome.failures.end() && failed->curve < before; ++failed) {
+      rows.push_back({std::to_string(failed->curve), "failed", failed->why.message, {}});
+    }
+  };
+  for (std::size_t c = 0; c < outcome.numbers.size(); ++c) {
+    add_failed(outcome.numbers[c]);
+    rows.push_back(row_of(outcome.numbers[c], outcome.result.reports[c]));
+  }
+  add_failed(std::string::npos);
+  return rows;
+}
+
+bool any_output_exists(const SmoothOptions& options) {
+  std::error_code ignored;
+  return std::ranges::any_of(options.outputs,
+                             [&](const std::string& path) { return fs::exists(path, ignored); });
+}
 
 /// Ignores errors, because the writing that follows reports them.
 void make_folder_of(const std::string& output) {
@@ -102,22 +133,31 @@ class ManyRuns {
       const auto [at, is_new] = first.emplace(mesh_of(runs_[i].options), i);
       meshes_[mesh_of(runs_[i].options)].add_run();
       order_.emplace_back(at->second, i);
+      SummaryRun& place = records_[i].summary;
+      place.line = runs_[i].line;
+      place.mesh = runs_[i].options.mesh;
+      place.curve = curve_name(runs_[i].options);
       runs_[i].options.threads = std::max(1U, global.threads / static_cast<unsigned>(options.jobs));
     }
     // Runs on one mesh are consecutive, so that no more meshes are open than there are jobs.
     std::sort(order_.begin(), order_.end());
+    if (!journal_of(options.summary).empty()) {
+      make_folder_of(options.summary);
+      journal_.emplace(options.summary, options.resume);
+    }
   }
 
   void go() {
     std::vector<Desk> desks(options_.jobs);
     share_work(runs_.size(), options_.jobs, [&](std::size_t worker, std::size_t k) {
       const std::size_t i = order_[k].second;
-      if (!interrupted()) work(desks[worker], i);
+      if (!interrupted() && !keep(i)) work(desks[worker], i);
       meshes_.at(mesh_of(runs_[i].options)).finish_run();
       bar_.done(records_[i].failure.has_value() || !records_[i].failed_curves.empty());
     });
   }
 
+  [[nodiscard]] std::optional<RunJournal>& journal() { return journal_; }
   [[nodiscard]] const std::vector<RunRecord>& records() const { return records_; }
   [[nodiscard]] const std::vector<ListedRun>& runs() const { return runs_; }
 
@@ -127,6 +167,23 @@ class ManyRuns {
     std::string mesh;
     std::optional<Workspace> workspace;
   };
+
+  /// Takes the outcome of an earlier program, if the run would do the same again.
+  bool keep(std::size_t i) {
+    if (options_.summary.empty()) return false;
+    const SmoothOptions& options = runs_[i].options;
+    RunRecord& record = records_[i];
+    record.summary.inputs = stamps_.of(options);
+    if (!options_.resume) return false;
+    const SummaryRun* earlier = journal_->earlier(record.summary.inputs, outputs_stamp(options));
+    record.again = earlier == nullptr && any_output_exists(options);
+    if (earlier == nullptr) return false;
+    record.summary.rows = earlier->rows;
+    record.summary.outputs = earlier->outputs;
+    record.kept = true;
+    record.cancelled = false;
+    return true;
+  }
 
   void work(Desk& desk, std::size_t i) {
     const SmoothOptions& options = runs_[i].options;
@@ -148,9 +205,10 @@ class ManyRuns {
       make_folder_of(options.report);
       write_run(options, outcome);
       if (outcome.moved.far) record.moved = outcome.moved.moved;
-      record.reports = std::move(outcome.result.reports);
-      record.numbers = std::move(outcome.numbers);
+      record.summary.rows = rows_of(outcome);
       record.failed_curves = std::move(outcome.failures);
+      if (!options_.summary.empty()) record.summary.outputs = outputs_stamp(options);
+      if (journal_) journal_->add(record.summary);
     } catch (const WaitCancelled&) {
       return;
     } catch (...) {
@@ -164,38 +222,23 @@ class ManyRuns {
   std::vector<RunRecord> records_;
   std::map<std::string, SharedMesh> meshes_;
   std::vector<std::pair<std::size_t, std::size_t>> order_;  // first run on the mesh, run
+  InputStamps stamps_;
+  std::optional<RunJournal> journal_;
   CountedBar bar_;
 };
 
-std::string curve_name(const SmoothOptions& options) {
-  return options.curves.empty() ? options.labels
-                                : fmt::format("{}", fmt::join(options.curves, " "));
-}
-
 std::string summary_of(const ManyRuns& many) {
-  SummaryTable table;
-  for (std::size_t i = 0; i < many.runs().size(); ++i) {
-    const ListedRun& run = many.runs()[i];
-    const RunRecord& record = many.records()[i];
-    const SummaryTable::Place place{run.line, run.options.mesh, curve_name(run.options)};
+  std::string text = summary_header();
+  for (const RunRecord& record : many.records()) {
+    SummaryRun run = record.summary;
     if (record.cancelled) {
-      table.add(place, "", "cancelled", "");
+      run.rows = {{"", "cancelled", "", {}}};
     } else if (record.failure) {
-      table.add(place, "", "failed", record.failure->message);
+      run.rows = {{"", "failed", record.failure->message, {}}};
     }
-    auto failed = record.failed_curves.begin();
-    const auto add_failed = [&](std::size_t before) {
-      for (; failed != record.failed_curves.end() && failed->curve < before; ++failed) {
-        table.add(place, std::to_string(failed->curve), "failed", failed->why.message);
-      }
-    };
-    for (std::size_t c = 0; c < record.reports.size(); ++c) {
-      add_failed(record.numbers[c]);
-      table.add(place, record.numbers[c], record.reports[c]);
-    }
-    add_failed(std::string::npos);
+    text += summary_lines(run);
   }
-  return table.text();
+  return text;
 }
 
 std::string place_of(const ListedRun& run, const ManyOptions& options) {
@@ -246,6 +289,44 @@ std::size_t tell_failures(const ManyRuns& many, const ManyOptions& options) {
   return failed;
 }
 
+int worst_code(const ManyRuns& many) {
+  // From the mildest to the worst outcome.
+  constexpr std::array<int, 6> kSeverity = {kDone,     kNotConverged, kBadUsage,
+                                            kBadInput, kInternal,     kCancelled};
+  const auto severity = [&](int code) {
+    return std::find(kSeverity.begin(), kSeverity.end(), code) - kSeverity.begin();
+  };
+  int worst = kDone;
+  for (const RunRecord& record : many.records()) {
+    if (severity(record.code()) > severity(worst)) worst = record.code();
+  }
+  return worst;
+}
+
+void tell_counts(ManyRuns& many, const ManyOptions& options, std::size_t failed) {
+  const auto number = [&](const auto& is) {
+    return static_cast<std::size_t>(std::ranges::count_if(many.records(), is));
+  };
+  const std::size_t count = many.runs().size();
+  const std::size_t unfinished = number([](const RunRecord& r) { return r.cancelled; });
+  const std::size_t kept = number([](const RunRecord& r) { return r.kept; });
+  std::string before;
+  if (options.resume) {
+    const std::size_t again = number([](const RunRecord& r) { return r.again && !r.cancelled; });
+    before = fmt::format("{} kept as they were, {} made of which {} anew; ", kept,
+                         count - kept - unfinished, again);
+    if (!many.journal()->other_table().empty()) {
+      std::fprintf(stderr, "talweg: nothing could be kept: %s.\n",
+                   many.journal()->other_table().c_str());
+    }
+  }
+  std::fprintf(text_stream(),
+               "%zu run%s: %s%zu done, %zu of them not converged; %zu failed, %zu cancelled\n",
+               count, count == 1 ? "" : "s", before.c_str(), count - failed - unfinished,
+               number([](const RunRecord& r) { return r.code() == kNotConverged; }), failed,
+               unfinished);
+}
+
 }  // namespace
 
 int smooth_many(std::vector<ListedRun> runs, const ManyOptions& options,
@@ -254,33 +335,11 @@ int smooth_many(std::vector<ListedRun> runs, const ManyOptions& options,
   many.go();
   clear_progress_bar();
   if (!global.quiet) tell_moved(many, options);
-  if (!options.summary.empty()) {
-    make_folder_of(options.summary);
-    write_output(options.summary, summary_of(many));
-  }
+  if (!options.summary.empty()) write_output(options.summary, summary_of(many));
+  if (many.journal()) many.journal()->close();
   const std::size_t failed = tell_failures(many, options);
-  // From the mildest to the worst outcome.
-  constexpr std::array<int, 6> kSeverity = {kDone,     kNotConverged, kBadUsage,
-                                            kBadInput, kInternal,     kCancelled};
-  const auto severity = [&](int code) {
-    return std::find(kSeverity.begin(), kSeverity.end(), code) - kSeverity.begin();
-  };
-  int worst = kDone;
-  std::size_t unfinished = 0, not_converged = 0;
-  for (const RunRecord& record : many.records()) {
-    const int code = record.code();
-    if (severity(code) > severity(worst)) worst = code;
-    if (code == kCancelled) ++unfinished;
-    if (code == kNotConverged) ++not_converged;
-  }
-  if (!global.quiet) {
-    const std::size_t count = many.runs().size();
-    std::fprintf(text_stream(),
-                 "%zu run%s: %zu done, %zu of them not converged; %zu failed, %zu cancelled\n",
-                 count, count == 1 ? "" : "s", count - failed - unfinished, not_converged, failed,
-                 unfinished);
-  }
-  return worst;
+  if (!global.quiet) tell_counts(many, options, failed);
+  return worst_code(many);
 }
 
 }  // namespace talweg::driver

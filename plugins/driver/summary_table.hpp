@@ -4,32 +4,41 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "talweg/core/measure/report.hpp"
 
 namespace talweg::driver {
 
-/// Comma-separated, one line per curve, quoted as in RFC 4180. The columns are `line mesh curve
-/// number status message` and the report's names, without times and memory, so that equal results
-/// give equal tables. `status` is the report's termination, "failed" or "cancelled".
-class SummaryTable {
- public:
-  struct Place {
-    std::size_t line = 0;  ///< line in the list; 0 without a list
-    std::string mesh;
-    std::string curve;
-  };
+/// A curve of a run. An empty number means all curves of the run.
+struct SummaryRow {
+  std::string number;
+  std::string status;  ///< the report's termination, "failed" or "cancelled"
+  std::string message;
+  std::vector<std::string> cells;  ///< of the report, by summary_columns(); none without a result
 
-  SummaryTable();
-  void add(const Place& place, std::size_t number, const SmoothingReport& report);
-  /// Adds a curve without a result; an empty number means all curves of the run.
-  void add(const Place& place, const std::string& number, std::string_view status,
-           std::string_view message);
-  [[nodiscard]] const std::string& text() const { return text_; }
-
- private:
-  std::string text_;
-  std::size_t columns_ = 0;  ///< number of report columns
+  bool operator==(const SummaryRow&) const = default;
 };
+
+SummaryRow row_of(std::size_t number, const SmoothingReport& report);
+
+/// All rows of a run.
+struct SummaryRun {
+  std::size_t line = 0;  ///< line in the list; 0 without a list
+  std::string mesh, curve;
+  std::vector<SummaryRow> rows;
+  std::string inputs, outputs;  ///< stamps (run_stamp.hpp); empty where there is none
+};
+
+/// `line mesh curve number status message`, the report's names without times and memory, so that
+/// equal results give equal tables, `curves` (how many rows the run has), `inputs` and `outputs`.
+std::vector<std::string> summary_columns();
+/// The lines of the table as comma-separated values, quoted as in RFC 4180, with line ends.
+std::string summary_header();
+std::string summary_lines(const SummaryRun& run);
+
+/// The reverse: runs from the cells of a table's lines, where they are complete; rows of a run that
+/// are not all there are left out.
+std::vector<SummaryRun> runs_of(const std::vector<std::vector<std::string>>& lines);
 
 }  // namespace talweg::driver

@@ -417,6 +417,109 @@ TEST_F(SmoothMany, TheBarOnATerminalCountsTheRuns) {
   EXPECT_EQ(seen.find("left", seen.find("talweg: ")), std::string::npos);
 }
 
+TEST_F(SmoothMany, ResumingKeepsWhatIsTheSameAndMakesTheRest) {
+  write("list.csv", kList);
+  const std::string command = "smooth --batch list.csv -o 'out/{patient}.json' --summary s.csv";
+  ASSERT_EQ(run(command).code, 0);
+  EXPECT_FALSE(fs::exists(file("s.csv.part")));
+  const auto before = contents("out");
+  const std::string summary = bytes_of(file("s.csv"));
+  const auto resumed = [&](const std::string& counts, const std::string& options = "") {
+    const Outcome outcome = run(command + " --resume" + options);
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_EQ(outcome.out.substr(0, outcome.out.find(';')), "4 runs: " + counts);
+  };
+  const auto untouched = fs::last_write_time(file("out/p1.json"));
+  resumed("4 kept as they were, 0 made of which 0 anew");
+  EXPECT_EQ(fs::last_write_time(file("out/p1.json")), untouched);
+  EXPECT_EQ(bytes_of(file("s.csv")), summary);
+  // An output that is missing or was changed, a drawing that was changed, an option.
+  fs::remove(file("out/p1.json"));
+  write("out/p3.json", "{}");
+  resumed("2 kept as they were, 2 made of which 1 anew");
+  EXPECT_EQ(contents("out"), before);
+  EXPECT_EQ(bytes_of(file("s.csv")), summary);
+  write("up.txt", "320\n351\n382\n383\n414\n445\n446\n");
+  resumed("3 kept as they were, 1 made of which 1 anew");
+  EXPECT_NE(bytes_of(file("out/p3.json")), before.at("p3.json"));
+  // Only one line has no tau of its own.
+  resumed("3 kept as they were, 1 made of which 1 anew", " --tau 5");
+}
+
+TEST_F(SmoothMany, ResumedRowsHaveThePlacesOfTheNewList) {
+  write("list.csv", kList);
+  const std::string command = "smooth --batch list.csv -o 'out/{patient}.json' --summary ";
+  ASSERT_EQ(run(command + "s.csv").code, 0);
+  write("list.csv",
+        "mesh,curve,tau,patient\nball.obj,b.mrk.json,1,p4\nsheet.ply,across.txt,2,p1\n"
+        "sheet.ply,across.txt,3,p5\n");
+  const Outcome outcome = run(command + "s.csv --resume");
+  EXPECT_EQ(outcome.out.substr(0, 38), "3 runs: 2 kept as they were, 1 made of") << outcome.err;
+  ASSERT_EQ(run(command + "fresh.csv").code, 0);
+  EXPECT_EQ(bytes_of(file("s.csv")), bytes_of(file("fresh.csv")));
+}
+
+TEST_F(SmoothMany, FailedRunsAreTriedAgain) {
+  write("list.csv", "mesh,curve\nsheet.ply,across.txt\nsheet.ply,late.txt\n");
+  const std::string command = "smooth --batch list.csv -o '{curve}.json' --summary s.csv";
+  EXPECT_EQ(run(command).code, 2);
+  write("late.txt", bytes_of(file("up.txt")));
+  const Outcome outcome = run(command + " --resume");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(outcome.out,
+            "2 runs: 1 kept as they were, 1 made of which 0 anew; 2 done, 0 of them not "
+            "converged; 0 failed, 0 cancelled\n");
+}
+
+TEST_F(SmoothMany, RefusesToResumeWithoutATable) {
+  write("list.csv", kList);
+  expect_failure("smooth --batch list.csv -o '{patient}.json' --resume", 1, {"--summary"});
+  expect_failure("smooth --batch list.csv -o '{patient}.json' --summary - --resume", 1,
+                 {"--summary"});
+  // A table of another version: everything is made, and the reason told.
+  write("s.csv", "line,mesh\n1,sheet.ply\n");
+  const Outcome outcome =
+      run("smooth --batch list.csv -o '{patient}.json' --summary s.csv --resume");
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_NE(outcome.err.find("s.csv has other columns"), std::string::npos) << outcome.err;
+  EXPECT_EQ(table("s.csv").size(), 4U);
+}
+
+TEST_F(SmoothMany, AKilledProgramGoesOnWhereItWas) {
+  std::string list = "mesh,curve,n\n";
+  for (int i = 0; i < 400; ++i) list += "ball.obj,a.mrk.json," + std::to_string(i) + "\n";
+  write("list.csv", list);
+  const pid_t child = fork();
+  ASSERT_GE(child, 0);
+  if (child == 0) {
+    if (chdir(file("").c_str()) != 0) _exit(99);
+    execl(TALWEG_DRIVER, TALWEG_DRIVER, "-q", "smooth", "--batch", "list.csv", "-o", "out/{n}.json",
+          "--summary", "s.csv", static_cast<char*>(nullptr));
+    _exit(99);
+  }
+  for (int wait = 0; wait < 3000 && !fs::exists(file("out/3.json")); ++wait) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  kill(child, SIGKILL);
+  int status = 0;
+  ASSERT_EQ(waitpid(child, &status, 0), child);
+  EXPECT_FALSE(fs::exists(file("s.csv")));
+  // Half a line, as a machine that lost its power leaves it.
+  write("s.csv.part", bytes_of(file("s.csv.part")) + "17,ball.obj,\"a.mrk");
+  const Outcome outcome = run("smooth --batch list.csv -o 'out/{n}.json' --summary s.csv --resume");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  int kept = 0, made = 0, anew = 0;
+  ASSERT_EQ(std::sscanf(outcome.out.c_str(), "400 runs: %d kept as they were, %d made of which %d",
+                        &kept, &made, &anew),
+            3)
+      << outcome.out;
+  EXPECT_GE(kept, 3);
+  EXPECT_EQ(kept + made, 400);
+  EXPECT_LE(anew, 1);  // written, and killed before its record
+  EXPECT_EQ(table("s.csv").size(), 400U);
+  EXPECT_EQ(contents("out").size(), 400U);
+}
+
 TEST_F(SmoothMany, AnInterruptKeepsWhatIsDoneAndNothingHalf) {
   std::string list = "mesh,curve,n\n";
   for (int i = 0; i < 20000; ++i) list += "ball.obj,a.mrk.json," + std::to_string(i) + "\n";
