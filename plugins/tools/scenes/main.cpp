@@ -8,10 +8,8 @@
 
 #include <CLI/CLI.hpp>
 
-#include "talweg/core/io/mesh_reader.hpp"
-#include "talweg/core/mesh/mesh_inspection.hpp"
-#include "talweg/core/repair/mesh_repair.hpp"
-#include "talweg/intrinsic/error.hpp"
+#include "talweg/talweg.hpp"
+#include "tools/scenes/patients.hpp"
 #include "tools/scenes/ply_writer.hpp"
 #include "tools/scenes/scenes.hpp"
 
@@ -31,6 +29,28 @@ void write_scenes(const std::filesystem::path& folder, const std::vector<DemoSce
     }
     std::printf("%-8s %7zu faces\n", scene.name.c_str(), scene.mesh.triangles.size());
   }
+}
+
+/// NAME.ply, NAME.json with the drawing, and cases.csv with a line for each.
+void write_patients(const std::filesystem::path& folder, std::size_t count) {
+  std::filesystem::create_directories(folder);
+  const Patients patients;
+  std::string cases = "mesh,curve,patient\n";
+  for (std::size_t i = 0; i < count; ++i) {
+    const DemoScene scene = patients.scene(i);
+    const SurfaceMesh mesh = SurfaceMesh::open(scene.mesh);
+    std::vector<SurfacePoint> clicks;
+    for (const std::uint32_t v : scene.through.vertices) {
+      clicks.push_back(SurfacePoint::at_vertex(mesh.surface(), VertexId{v}));
+    }
+    const Drawing drawing = draw(mesh.surface(), clicks, {.closed = true});
+    write_bytes(folder / (scene.name + ".ply"), ply_bytes(scene.mesh));
+    const std::vector<PlacedCurve> curves = {place(mesh, drawing.curve)};
+    write_curves(folder / (scene.name + ".json"), curves);
+    const std::string path = (folder / scene.name).string();
+    cases += path + ".ply," + path + ".json," + scene.name + "\n";
+  }
+  write_bytes(folder / "cases.csv", cases);
 }
 
 /// On what --repair makes of the file's mesh, where it has to; in the file's numbers.
@@ -54,6 +74,11 @@ int run(int argc, char** argv) {
   bool gallery = false;
   app.add_flag("--gallery", gallery,
                "The scenes of ./run gallery instead; the cortex has NAME.labels and no curve");
+  std::size_t patients = 0;
+  app.add_option("--patients", patients,
+                 "Instead: so many vessels of 5,000 to 50,000 faces, each with a drawing, and "
+                 "cases.csv for talweg smooth --batch")
+      ->check(CLI::Range(1, 100000));
   app.add_option("--through-for", mesh, "Print arguments for talweg draw on this mesh instead")
       ->excludes(out);
   try {
@@ -65,6 +90,8 @@ int run(int argc, char** argv) {
   }
   if (!mesh.empty()) {
     std::printf("%s\n", draw_arguments(waypoints_on(mesh)).c_str());
+  } else if (!folder.empty() && patients > 0) {
+    write_patients(folder, patients);
   } else if (!folder.empty()) {
     write_scenes(folder, gallery ? gallery_scenes() : demo_scenes());
   } else {

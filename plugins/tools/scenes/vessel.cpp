@@ -1,3 +1,5 @@
+#include "tools/scenes/vessel.hpp"
+
 #include <cmath>
 #include <numbers>
 
@@ -69,26 +71,33 @@ Point surface_along(const Field& field, const Point& start, const Point& directi
 
 }  // namespace
 
-DemoScene vessel_scene() {
-  DemoScene scene;
-  scene.name = "vessel";
+MeshLists vessel_mesh(double cell) {
   const Field field = vessel();
-  const double cell = 0.0455;
-  scene.mesh = isosurface(field, {-1.60, -1.60, -0.75}, {1.62, 1.60, 0.95}, cell);
-  relax(scene.mesh, field, cell, 5);
+  MeshLists mesh = isosurface(field, {-1.60, -1.60, -0.75}, {1.62, 1.60, 0.95}, cell);
+  relax(mesh, field, cell, 5);
+  return mesh;
+}
 
-  Random hand(5);
+Waypoints vessel_loop(const MeshLists& mesh, std::uint64_t seed, int clicks) {
+  const Field field = vessel();
+  Random hand(seed);
   const Point axis = (kDome - kNeck).normalized();
   const Point side = axis.unitOrthogonal(), other = axis.cross(side);
   std::vector<Point> places;
-  constexpr int kCount = 26;
-  for (int i = 0; i < kCount; ++i) {
-    const double angle = 2 * std::numbers::pi * (i + hand.in(-0.2, 0.2)) / kCount;
+  for (int i = 0; i < clicks; ++i) {
+    const double angle = 2 * std::numbers::pi * (i + hand.in(-0.2, 0.2)) / clicks;
     const Point outwards = std::cos(angle) * side + std::sin(angle) * other;
     const Point middle = kNeck + (0.12 + hand.in(-0.05, 0.05)) * axis;
     places.push_back(surface_along(field, middle, outwards));
   }
-  scene.through = nearest_vertices(scene.mesh, places, true);
+  return nearest_vertices(mesh, places, true);
+}
+
+DemoScene vessel_scene() {
+  DemoScene scene;
+  scene.name = "vessel";
+  scene.mesh = vessel_mesh(kVesselCell);
+  scene.through = vessel_loop(scene.mesh, 5);
   return scene;
 }
 
