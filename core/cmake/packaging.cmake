@@ -1,4 +1,4 @@
-# Debian packages by cpack: libtalweg0.1, libtalweg-dev, talweg (docs/packaging.md).
+# Debian packages by cpack: libtalweg0.2, libtalweg-dev, talweg (docs/packaging.md).
 set(CPACK_PACKAGE_NAME talweg)
 set(CPACK_PACKAGE_VENDOR "The Talweg authors")
 set(CPACK_PACKAGE_CONTACT "The Talweg authors <talweg@example.org>")

@@ -43,5 +43,6 @@ Command add_compare(CLI::App& app, const GlobalOptions& global);
 Command add_plugins(CLI::App& app, const GlobalOptions& global);
 Command add_run(CLI::App& app, const GlobalOptions& global);
 Command add_info(CLI::App& app, const GlobalOptions& global);
+Command add_completion(CLI::App& app, const GlobalOptions& global);
 
 }  // namespace talweg::driver

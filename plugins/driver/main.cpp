@@ -91,6 +91,7 @@ int run(int argc, char** argv) {
   add(add_info);
   add(add_plugins);
   add(add_run);
+  add(add_completion);
   app.allow_extras();  // unknown arguments get our own message
   check_values(app, std::vector<std::string>(argv + 1, argv + argc));
   // An unknown word is reported before the word that is missing because of it.

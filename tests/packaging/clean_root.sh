@@ -25,7 +25,7 @@ add() { # add WHAT PACKAGE...
 apt-get update -qq
 apt-get clean
 
-add "libtalweg0.1 and talweg" /debs/libtalweg0.1_*.deb /debs/talweg_*.deb
+add "libtalweg0.2 and talweg" /debs/libtalweg0.2_*.deb /debs/talweg_*.deb
 talweg --version
 printf 'v 0 0 0\nv 1 0 0\nv 1 1 1\nv 0 1 0\nv 2 0 0\nv 2 1 0\nf 1 2 3\nf 1 3 4\nf 2 5 6\nf 2 6 3\n' >/m.obj
 talweg draw /m.obj --through 0,1,4,5 -o /drawn.json
@@ -43,7 +43,7 @@ g++ -std=c++20 -O2 /consumer/smooth_curve.cpp $(pkg-config --cflags --libs talwe
 /by_pkg_config >/dev/null
 echo "consumer by CMake and by pkg-config: $(($(date +%s) - start)) s"
 
-apt-get purge -y -qq talweg libtalweg0.1 libtalweg-dev >/dev/null 2>&1
+apt-get purge -y -qq talweg libtalweg0.2 libtalweg-dev >/dev/null 2>&1
 left=$(find / -xdev -name '*talweg*' -not -path '/debs/*')
 test -z "$left" || { echo "left behind: $left"; exit 1; }
 INSIDE

@@ -35,6 +35,12 @@ class BuildWithPlugins(build_py):
         target.mkdir(parents=True, exist_ok=True)
         for path in built_plugins():
             shutil.copy(path, target / path.name)
+        # What plugins for any Linux bring (plugins/packages): a library, and the licences of all parts.
+        for path in built_plugins()[0].parent.glob("libtalweg-*.so.*"):
+            shutil.copy(path, target / path.name)
+        licences = built_plugins()[0].parent / "licences"
+        if licences.is_dir():
+            shutil.copytree(licences, target / "licences", dirs_exist_ok=True)
 
 
 class ForOnePlatform(Distribution):
@@ -44,7 +50,7 @@ class ForOnePlatform(Distribution):
 
 class WheelForAnyPython(bdist_wheel):
     def get_tag(self):
-        return "py3", "none", super().get_tag()[2]
+        return "py3", "none", os.environ.get("TALWEG_WHEEL_TAG") or super().get_tag()[2]
 
 
 setup(distclass=ForOnePlatform,

@@ -8,7 +8,7 @@ vertex groups, and repair are in the sidebar, tab Talweg.
 bl_info = {
     "name": "Talweg: smooth curves on surfaces",
     "author": "The Talweg authors",
-    "version": (0, 1, 0),
+    "version": (0, 2, 0),
     "blender": (3, 4, 0),
     "location": "View3D > Sidebar > Talweg; Edge menu; Object menu",
     "description": "Smooth drawn curves on meshes while they stay close to the drawing",

@@ -106,7 +106,7 @@ class TalwegPlugin : public QObject,
   void look_at_progress();
 
  public slots:
-  QString version() { return QString("0.1.0"); }
+  QString version() { return QString("0.2.0"); }
   void noguiSupported() {}
   void exit();
 

@@ -1,0 +1,48 @@
+#!/bin/sh
+# build.sh SYSROOT SUITESPARSE OUT: driver and plugins for any Linux with the sysroot's glibc or a newer
+# one, installed into OUT/tree with the one shared library that they bring.
+set -eu
+here=$(cd "$(dirname "$0")" && pwd)
+sysroot=$(cd "$1" && pwd) suitesparse=$(cd "$2" && pwd)
+mkdir -p "$3"
+out=$(cd "$3" && pwd)
+jobs=${TALWEG_JOBS:-$(nproc)}
+configure() { # configure SOURCE BUILD CMAKE-ARGUMENT...
+  source=$1 build=$2
+  shift 2
+  cmake -S "$source" -B "$build" -DCMAKE_BUILD_TYPE=Release \
+    -DCMAKE_TOOLCHAIN_FILE="$here/toolchain.cmake" -DTALWEG_SYSROOT="$sysroot" \
+    -DTALWEG_SUITESPARSE="$suitesparse" "$@" >"$build.log" 2>&1 ||
+    { tail -n 20 "$build.log" >&2; exit 1; }
+  cmake --build "$build" --parallel "$jobs" >>"$build.log" 2>&1 ||
+    { tail -n 20 "$build.log" >&2; exit 1; }
+}
+configure "$here/cholmod" "$out/cholmod"
+# shellcheck disable=SC2016  # $ORIGIN is the linker's
+configure "$here/../../.." "$out/talweg" -DCMAKE_INSTALL_PREFIX=/opt/talweg -DCMAKE_INSTALL_LIBDIR=lib \
+  -DCMAKE_INSTALL_RPATH='$ORIGIN;$ORIGIN/../lib/talweg/plugins' -DTALWEG_SUPERNODAL=OFF \
+  -DTALWEG_CHOLMOD_BUILD="$out/cholmod" -DTALWEG_BUILD_TESTS=OFF -DTALWEG_BUILD_DEMO=OFF
+rm -rf "$out/tree"
+cmake --install "$out/talweg" --prefix "$out/tree" --component driver --strip >/dev/null
+plugins=$out/tree/lib/talweg/plugins
+cp "$out/cholmod/libtalweg-cholmod.so.3" "$plugins"
+strip --strip-unneeded "$plugins/libtalweg-cholmod.so.3"
+
+# Licences of all that is inside.
+mkdir "$plugins/licences"
+cp "$here/../../../LICENSE" "$plugins/licences/talweg"
+for package in g++-12 libopenmesh-dev libeigen3-dev libfmt-dev libpugixml-dev nlohmann-json3-dev \
+  libcli11-dev libxxhash-dev; do
+  cp "/usr/share/doc/$package/copyright" "$plugins/licences/$package"
+done
+for package in zlib1g-dev libpng-dev; do
+  cp "$sysroot/usr/share/doc/$package/copyright" "$plugins/licences/$package"
+done
+cp "$suitesparse/debian/copyright" "$plugins/licences/suitesparse"
+cp "$suitesparse/CHOLMOD/Core/lesser.txt" "$plugins/licences/LGPL-2.1"
+cat >"$plugins/licences/README" <<'TEXT'
+libtalweg-cholmod.so.3 is CHOLMOD's Core, Check and Cholesky, AMD and COLAMD of SuiteSparse 5.12.0
+(LGPL 2.1 or later, BSD). It may be replaced: compile plugins/packages/portable/cholmod of Talweg's
+sources with changed sources of SuiteSparse 5 (apt-get source suitesparse, Debian 12), and put the
+library in the place of the one beside the plugins. The other files are licences of other parts.
+TEXT

@@ -1,0 +1,10 @@
+# header_only(TARGET [DEFINITION...]): a target with the host's headers that sysroot.sh linked.
+function(header_only target)
+  if(TARGET ${target})
+    return()
+  endif()
+  add_library(${target} INTERFACE IMPORTED GLOBAL)
+  set(include ${TALWEG_SYSROOT}/talweg/include)
+  target_include_directories(${target} SYSTEM INTERFACE ${include} ${include}/eigen3)
+  target_compile_definitions(${target} INTERFACE ${ARGN})
+endfunction()

@@ -1,0 +1,34 @@
+# The host's g++ and its static C++ library against an older glibc, that of a root that sysroot.sh made
+# (TALWEG_SYSROOT): what is built runs wherever glibc is as old as the root's, or newer.
+list(APPEND CMAKE_TRY_COMPILE_PLATFORM_VARIABLES TALWEG_SYSROOT)
+set(CMAKE_SYSTEM_NAME Linux)
+set(CMAKE_SYSTEM_PROCESSOR x86_64)
+set(CMAKE_C_COMPILER gcc-12)
+set(CMAKE_CXX_COMPILER g++-12)
+set(CMAKE_SYSROOT ${TALWEG_SYSROOT})
+set(CMAKE_LIBRARY_ARCHITECTURE x86_64-linux-gnu)
+
+# The compiler would look for its own headers inside the root, and for libraries outside of it.
+set(libraries ${TALWEG_SYSROOT}/usr/lib/x86_64-linux-gnu)
+set(search "-B${libraries} -ffile-prefix-map=${CMAKE_SOURCE_DIR}=.")
+set(CMAKE_C_FLAGS_INIT "${search}")
+set(CMAKE_CXX_FLAGS_INIT "${search} -nostdinc++")
+foreach(folder c++/12 x86_64-linux-gnu/c++/12 c++/12/backward)
+  string(APPEND CMAKE_CXX_FLAGS_INIT " -isystem /usr/include/${folder}")
+endforeach()
+# What refers to a symbol of a newer glibc does not link.
+set(link "-static-libgcc -static-libstdc++ -L${TALWEG_SYSROOT}/talweg -L${libraries} -Wl,-z,defs")
+foreach(kind EXE SHARED MODULE)
+  set(CMAKE_${kind}_LINKER_FLAGS_INIT "${link}")
+endforeach()
+set(CMAKE_CXX_STANDARD_LIBRARIES ${TALWEG_SYSROOT}/talweg/newer_glibc.o)
+
+# Header-only libraries come from the host (sysroot.sh links them into one folder); zlib and libpng are
+# the root's static ones.
+list(PREPEND CMAKE_MODULE_PATH ${CMAKE_CURRENT_LIST_DIR}/find)
+set(ZLIB_LIBRARY ${libraries}/libz.a CACHE FILEPATH "")
+set(PNG_LIBRARY ${libraries}/libpng16.a CACHE FILEPATH "")
+set(CMAKE_FIND_ROOT_PATH_MODE_PROGRAM NEVER)
+set(CMAKE_FIND_ROOT_PATH_MODE_LIBRARY ONLY)
+set(CMAKE_FIND_ROOT_PATH_MODE_INCLUDE ONLY)
+set(CMAKE_FIND_ROOT_PATH_MODE_PACKAGE NEVER)

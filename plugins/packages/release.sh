@@ -1,0 +1,80 @@
+#!/usr/bin/env bash
+# release.sh OUT: everything that is given away, in OUT/out: wheel, archive, Blender add-on, sources of
+# the OpenFlipper plugin; SHA256 sums, an SPDX list, notes. Two runs give the same bytes. Needs root,
+# debootstrap and the network for the first run, g++-12, cmake, python3-setuptools, python3-wheel, zip.
+set -euo pipefail
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+project=$(cd "$here/../.." && pwd)
+mkdir -p "$1/out"
+work=$(cd "$1" && pwd)
+out=$work/out
+version=$(sed -n 's/^project(talweg VERSION \([0-9.]*\).*/\1/p' "$project/CMakeLists.txt")
+SOURCE_DATE_EPOCH=${SOURCE_DATE_EPOCH:-$(git -C "$project" log -1 --format=%ct 2>/dev/null || date +%s)}
+export SOURCE_DATE_EPOCH LC_ALL=C TZ=UTC
+umask 022
+
+suitesparse() { # its sources, by apt, with lists of our own
+  local apt=$work/apt
+  [[ ! -d $work/sources/suitesparse-5.12.0+dfsg ]] || return 0
+  mkdir -p "$apt/lists/partial" "$apt/cache/archives/partial" "$work/sources"
+  echo "deb-src [signed-by=/usr/share/keyrings/debian-archive-keyring.gpg]" \
+    "http://deb.debian.org/debian bookworm main" >"$apt/sources.list"
+  local options=(-qq -o "Dir::Etc::sourcelist=$apt/sources.list" -o Dir::Etc::sourceparts=/dev/null
+    -o "Dir::State::lists=$apt/lists" -o "Dir::Cache=$apt/cache")
+  apt-get "${options[@]}" update
+  (cd "$work/sources" && apt-get "${options[@]}" source --only-source suitesparse=5.12.0+dfsg-2)
+}
+
+# packed FOLDER FILE: with the same bytes for the same files.
+packed() {
+  tar --sort=name --mtime="@$SOURCE_DATE_EPOCH" --owner=0 --group=0 --numeric-owner --format=gnu \
+    -C "$(dirname "$1")" -cf - "$(basename "$1")" | gzip -9n >"$2"
+}
+
+wheel() {
+  local source=$work/python plugins=$work/portable/tree/lib/talweg/plugins
+  rm -rf "$source"
+  cp -r "$project/plugins/hosts/python" "$source"
+  find "$source" -name __pycache__ -prune -exec rm -rf {} +
+  cp "$project/LICENSE" "$source"
+  TALWEG_WHEEL_TAG=$(python3 "$here/wheel_tag.py" "$plugins"/*.so*)
+  export TALWEG_WHEEL_TAG
+  (cd "$source" && TALWEG_PLUGIN_PATH=$plugins /usr/bin/python3 -c \
+    "from setuptools import build_meta; build_meta.build_wheel('$out')") >"$work/wheel.log" 2>&1 ||
+    { tail -n 10 "$work/wheel.log" >&2; exit 1; }
+}
+
+archive() {
+  local tree=$work/talweg-$version-linux-x86_64 program=$work/portable/tree/bin/talweg
+  rm -rf "$tree"
+  cp -r "$work/portable/tree" "$tree"
+  python3 "$here/wheel_tag.py" "$tree"/bin/talweg "$tree"/lib/talweg/plugins/*.so* >/dev/null
+  mkdir -p "$tree"/share/{bash-completion/completions,zsh/site-functions,fish/vendor_completions.d}
+  "$program" completion bash >"$tree/share/bash-completion/completions/talweg"
+  "$program" completion zsh >"$tree/share/zsh/site-functions/_talweg"
+  "$program" completion fish >"$tree/share/fish/vendor_completions.d/talweg.fish"
+  cp "$project"/{LICENSE,CHANGELOG.md,CITATION.cff} "$tree"
+  packed "$tree" "$out/talweg-$version-linux-x86_64.tar.gz"
+  local plugin=$work/talweg-openflipper-$version
+  rm -rf "$plugin"
+  cp -r "$project/plugins/hosts/openflipper" "$plugin"
+  cp "$project/LICENSE" "$plugin"
+  packed "$plugin" "$out/talweg-openflipper-$version.tar.gz"
+}
+
+notes() { # the newest part of the changelog
+  awk '/^## /{ if (seen++) exit } seen' "$project/CHANGELOG.md" >"$out/NOTES.md"
+}
+
+rm -rf "$out"
+mkdir "$out"
+"$here/portable/sysroot.sh" "$work/sysroot"
+suitesparse
+"$here/portable/build.sh" "$work/sysroot" "$work/sources/suitesparse-5.12.0+dfsg" "$work/portable"
+wheel
+archive
+notes
+python3 "$here/spdx.py" "$version" "$SOURCE_DATE_EPOCH" "$out"/*.whl "$out"/*.tar.gz \
+  >"$out/talweg-$version.spdx.json"
+(cd "$out" && sha256sum -- * >SHA256SUMS)
+ls -l "$out"
