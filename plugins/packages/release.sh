@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # release.sh OUT: everything that is given away, in OUT/out: wheel, archive, Blender add-on, sources of
 # the OpenFlipper plugin; SHA256 sums, an SPDX list, notes. Two runs give the same bytes. Needs root,
-# debootstrap and the network for the first run, g++-12, cmake, python3-setuptools, python3-wheel, zip.
+# debootstrap and the network for the first run, g++-12, cmake, python3-setuptools, python3-wheel.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 project=$(cd "$here/../.." && pwd)
@@ -62,6 +62,18 @@ archive() {
   packed "$plugin" "$out/talweg-openflipper-$version.tar.gz"
 }
 
+blender() { # the add-on, with the plugins that run anywhere
+  local stage=$work/blender addon=$work/blender/talweg_blender
+  rm -rf "$stage"
+  mkdir "$stage"
+  cp -r "$project/plugins/hosts/blender/talweg_blender" "$addon"
+  cp -r "$project/plugins/hosts/python/talweg" "$addon/talweg"
+  find "$stage" -name __pycache__ -prune -exec rm -rf {} +
+  cp -r "$work/portable/tree/lib/talweg/plugins" "$addon/talweg/plugins"
+  cp "$project/LICENSE" "$addon"
+  python3 "$here/same_zip.py" "$addon" "$out/talweg_blender-$version.zip" "$SOURCE_DATE_EPOCH"
+}
+
 notes() { # the newest part of the changelog
   awk '/^## /{ if (seen++) exit } seen' "$project/CHANGELOG.md" >"$out/NOTES.md"
 }
@@ -73,8 +85,9 @@ suitesparse
 "$here/portable/build.sh" "$work/sysroot" "$work/sources/suitesparse-5.12.0+dfsg" "$work/portable"
 wheel
 archive
+blender
 notes
-python3 "$here/spdx.py" "$version" "$SOURCE_DATE_EPOCH" "$out"/*.whl "$out"/*.tar.gz \
+python3 "$here/spdx.py" "$version" "$SOURCE_DATE_EPOCH" "$out"/*.whl "$out"/*.tar.gz "$out"/*.zip \
   >"$out/talweg-$version.spdx.json"
 (cd "$out" && sha256sum -- * >SHA256SUMS)
 ls -l "$out"

@@ -7,11 +7,13 @@ import subprocess
 import sys
 import tempfile
 import unittest
+import zipfile
 from pathlib import Path
 
 PROJECT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(PROJECT / "plugins/packages"))
 sys.dont_write_bytecode = True
+import same_zip  # noqa: E402
 import spdx  # noqa: E402
 import wheel_tag  # noqa: E402
 
@@ -60,6 +62,23 @@ class Spdx(unittest.TestCase):
         self.assertEqual(len(ids), len(set(ids)))
         for relation in document["relationships"]:
             self.assertIn(relation["relatedSpdxElement"], ids)
+
+
+class Zip(unittest.TestCase):
+    def test_same_bytes_whenever_it_was_written(self):
+        with tempfile.TemporaryDirectory() as folder:
+            packed = []
+            for seconds in (1_000_000_000, 1_700_000_000):
+                inside = Path(folder, "addon")
+                inside.mkdir(exist_ok=True)
+                (inside / "b.py").write_text("b")
+                (inside / "a.py").write_text("a")
+                os.utime(inside / "a.py", (seconds, seconds))
+                same_zip.pack(inside, Path(folder, "z.zip"), 1_600_000_000)
+                packed.append(Path(folder, "z.zip").read_bytes())
+            self.assertEqual(packed[0], packed[1])
+            with zipfile.ZipFile(Path(folder, "z.zip")) as archive:
+                self.assertEqual(archive.namelist(), ["addon/a.py", "addon/b.py"])
 
 
 class Versions(unittest.TestCase):
