@@ -1,4 +1,4 @@
-# Debian packages by cpack: libtalweg0.2, libtalweg-dev, talweg (docs/packaging.md).
+# Debian packages by cpack: libtalweg0.2, libtalweg-dev, talweg, python3-talweg (docs/packaging.md).
 set(CPACK_PACKAGE_NAME talweg)
 set(CPACK_PACKAGE_VENDOR "The Talweg authors")
 set(CPACK_PACKAGE_CONTACT "The Talweg authors <talweg@example.org>")
@@ -17,6 +17,12 @@ endif()
 if(TALWEG_BUILD_DRIVER)
   list(APPEND CPACK_COMPONENTS_ALL driver)
 endif()
+if(TALWEG_BUILD_DRIVER AND TALWEG_PYTHON)
+  list(APPEND CPACK_COMPONENTS_ALL python)
+  # Debian's Python looks here, whatever the prefix of other programs.
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/plugins/hosts/python/talweg COMPONENT python EXCLUDE_FROM_ALL
+          DESTINATION lib/python3/dist-packages PATTERN "__pycache__" EXCLUDE)
+endif()
 set(CPACK_COMPONENTS_GROUPING IGNORE)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
@@ -30,6 +36,10 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libtalweg-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DRIVER_PACKAGE_NAME talweg)
 set(CPACK_DEBIAN_DRIVER_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-talweg)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_ARCHITECTURE all)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "python3 (>= 3.9), python3-numpy")  # and the driver's package
 
 # What the binaries need is read from them; what the headers need is named here.
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_SHLIBDEPS ON)
@@ -47,6 +57,7 @@ set(CPACK_DEBIAN_RUNTIME_PACKAGE_RECOMMENDS "libopenblas0-serial | libopenblas0"
 if(NOT TALWEG_IS_SHARED)
   set(CPACK_DEBIAN_DRIVER_PACKAGE_RECOMMENDS "${CPACK_DEBIAN_RUNTIME_PACKAGE_RECOMMENDS}")
 endif()
+set(CPACK_COMPONENT_PYTHON_DEPENDS driver)  # it has the plugins
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "libeigen3-dev, libopenmesh-dev")
 if(TALWEG_IS_SHARED)
   set(CPACK_COMPONENT_DEVELOPMENT_DEPENDS runtime)
@@ -72,6 +83,10 @@ set(CPACK_DEBIAN_DRIVER_DESCRIPTION "curves on surface meshes (command line)
 ${about}
 .
 This package holds the program talweg.")
+set(CPACK_DEBIAN_PYTHON_DESCRIPTION "curves on surface meshes (Python 3)
+${about}
+.
+This package holds the Python package, which uses the plugins of talweg.")
 
 # Debian wants the licence and a changelog in every package; a plain installation needs no copies.
 string(TIMESTAMP now "%a, %d %b %Y %H:%M:%S +0000" UTC)

@@ -32,6 +32,13 @@ talweg draw /m.obj --through 0,1,4,5 -o /drawn.json
 talweg smooth /m.obj --curve /drawn.json -o /smooth.vtp
 test -s /smooth.vtp
 
+add "python3-talweg" /debs/python3-talweg_*.deb
+python3 - <<'PYTHON'
+import talweg
+mesh = talweg.read_mesh("/m.obj")
+print(talweg.smooth(mesh, talweg.draw(mesh, [0, 1, 4, 5])).report.termination)
+PYTHON
+
 add "g++, cmake, make, pkg-config" g++ cmake make pkg-config
 add "libtalweg-dev" /debs/libtalweg-dev_*.deb
 start=$(date +%s)
@@ -43,7 +50,7 @@ g++ -std=c++20 -O2 /consumer/smooth_curve.cpp $(pkg-config --cflags --libs talwe
 /by_pkg_config >/dev/null
 echo "consumer by CMake and by pkg-config: $(($(date +%s) - start)) s"
 
-apt-get purge -y -qq talweg libtalweg0.2 libtalweg-dev >/dev/null 2>&1
+apt-get purge -y -qq python3-talweg talweg libtalweg0.2 libtalweg-dev >/dev/null 2>&1
 left=$(find / -xdev -name '*talweg*' -not -path '/debs/*')
 test -z "$left" || { echo "left behind: $left"; exit 1; }
 INSIDE
