@@ -62,6 +62,7 @@ std::string options_text(const SmoothOptions& options) {
                engine, distance, slack_field, max_deviation, heat_time, pins, corners, points,
                tolerance, repeat, tau, slack, finish, relax, threads] = options;
   std::vector<std::string> endings;
+  endings.reserve(outputs.size());
   for (const std::string& output : outputs) endings.push_back(ending(output));
   const auto or_none = [](const std::optional<double>& value) {
     return value ? fmt::format("{}", *value) : "none";

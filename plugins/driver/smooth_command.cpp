@@ -5,6 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include <fmt/format.h>
+
 #include "commands.hpp"
 #include "file_plan.hpp"
 #include "output_file.hpp"

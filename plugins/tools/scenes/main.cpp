@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
 #include "talweg/talweg.hpp"
 #include "tools/scenes/patients.hpp"
@@ -48,7 +49,7 @@ void write_patients(const std::filesystem::path& folder, std::size_t count) {
     const std::vector<PlacedCurve> curves = {place(mesh, drawing.curve)};
     write_curves(folder / (scene.name + ".json"), curves);
     const std::string path = (folder / scene.name).string();
-    cases += path + ".ply," + path + ".json," + scene.name + "\n";
+    cases += fmt::format("{0}.ply,{0}.json,{1}\n", path, scene.name);
   }
   write_bytes(folder / "cases.csv", cases);
 }
