@@ -324,7 +324,7 @@ void Session::show_results(host::Results results, bool newest) {
   }
   if (newest && !in_gesture() && log_next_ && !results_.curves.empty()) {
     log_next_ = false;
-    host_.say(short_report(*this).replace('\n', ", "));
+    host_.say(short_report(*this));
     if (colour_by_ == ColourBy::kDistance || colour_by_ == ColourBy::kPotential) {
       thread_->distance(editor_.drawing());
     }

@@ -13,6 +13,7 @@
 #include <ACG/Scenegraph/PointNode.hh>
 
 #include "HostMesh.hh"
+#include "ResultTable.hh"
 #include "talweg/editing/editor.hpp"
 #include "talweg/editing/sight.hpp"
 #include "talweg/editing/smoothing_thread.hpp"
@@ -154,8 +155,12 @@ class Session {
   ACG::SceneGraph::PointNode* points_ = nullptr;
 };
 
-/// A few lines for people.
+/// A line for the log.
 QString short_report(const Session& session);
+/// What the panel shows of the results: the numbers, a line, and the plugin's warnings.
+std::vector<ResultRow> result_rows(const Session& session);
+QString result_summary(const Session& session);
+QStringList result_notes(const Session& session);
 /// Everything that was measured, "key = value" or "curve.key = value", one a line.
 QString whole_report(const Session& session);
 

@@ -26,6 +26,21 @@ namespace {
 
 const char* const kJob = "Talweg";
 
+/// Names of edits, in the language of the panel. The log keeps the editing model's own.
+QString in_words_of_the_panel(const std::string& name) {
+  return name.empty() ? QString() : QCoreApplication::translate("Edits", name.c_str());
+}
+
+void show_results_of(const Session& session, PanelState& state) {
+  const talweg::host::Results& results = session.results();
+  state.rows = talweg::openflipper::result_rows(session);
+  state.summary = talweg::openflipper::result_summary(session);
+  state.notes = talweg::openflipper::result_notes(session);
+  if (results.curves.empty()) return;
+  state.slack_used = results.number("slack");
+  state.deviation_now = results.number("deviation_to_drawn_max", -1, -1);
+}
+
 double now_ms() { return static_cast<double>(QDateTime::currentMSecsSinceEpoch()); }
 
 }  // namespace
@@ -76,7 +91,7 @@ void TalwegPlugin::connect_panel() {
   connect(panel_, &TalwegPanel::close_curve, this,
           [this] { edit_now([](Editor& e) { e.close_curve(); }); });
   connect(panel_, &TalwegPanel::take_back, this, [this] { key(Qt::Key_Backspace); });
-  connect(panel_, &TalwegPanel::drop, this, [this] { key(Qt::Key_Escape); });
+  connect(panel_, &TalwegPanel::discard, this, [this] { key(Qt::Key_Escape); });
   connect(panel_, &TalwegPanel::from_selection, this, [this] {
     if (Session* session = target_session()) session->add_selection();
   });
@@ -292,12 +307,12 @@ void TalwegPlugin::changed() {
     state.unfinished = session->editor().is_drawing();
     state.can_undo = history.can_undo();
     state.can_redo = history.can_redo();
-    state.undo_name = QString::fromStdString(history.undo_name());
-    state.redo_name = QString::fromStdString(history.redo_name());
+    state.undo_name = in_words_of_the_panel(history.undo_name());
+    state.redo_name = in_words_of_the_panel(history.redo_name());
     state.curves = static_cast<int>(session->editor().drawing().curves.size());
     state.all_clicked = editing::all_clicked(session->editor().drawing());
     state.coloured_by = static_cast<int>(session->coloured_by());
-    state.report = short_report(*session);
+    show_results_of(*session, state);
     state.problem = session->problem();
     state.repair_told = session->repair_told();
     save_settings(state.settings);

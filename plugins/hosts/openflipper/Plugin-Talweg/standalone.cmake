@@ -29,9 +29,8 @@ endif()
 find_package(${qt} REQUIRED COMPONENTS ${parts})
 list(TRANSFORM parts PREPEND ${qt}::)
 
-add_library(Plugin-Talweg MODULE HostMesh.cc Session.cc SessionReport.cc TalwegMouse.cc
-                                 TalwegPanel.cc TalwegPanel.hh TalwegPlugin.cc TalwegPlugin.hh
-                                 TalwegScripting.cc talweg.qrc)
+file(GLOB sources CONFIGURE_DEPENDS *.cc *.hh talweg.qrc)
+add_library(Plugin-Talweg MODULE ${sources})
 target_compile_features(Plugin-Talweg PRIVATE cxx_std_20)
 target_compile_definitions(Plugin-Talweg PRIVATE ENABLE_TRIANGLEMESH_SUPPORT
                                                  ENABLE_POLYLINE_SUPPORT INCLUDE_TEMPLATES)
