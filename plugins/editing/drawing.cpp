@@ -33,44 +33,80 @@ Point picked(std::uint32_t face, const std::array<double, 3>& barycentric) {
   return point;
 }
 
+bool Curve::operator==(const Curve& other) const {
+  return points == other.points && closed == other.closed && tau == other.tau &&
+         tolerance == other.tolerance && name == other.name;
+}
+
 bool Drawing::operator==(const Drawing& other) const {
   return unfinished == other.unfinished && settings == other.settings &&
          std::equal(curves.begin(), curves.end(), other.curves.begin(), other.curves.end(), same);
 }
 
-Stage stage_between(const Drawing& before, const Drawing& after) {
-  if (!std::equal(before.curves.begin(), before.curves.end(), after.curves.begin(),
-                  after.curves.end(), same)) {
-    return Stage::kCurves;
-  }
-  return before.settings == after.settings ? Stage::kNothing : Stage::kRun;
+namespace {
+
+bool same_place(const std::shared_ptr<const Curve>& a, const std::shared_ptr<const Curve>& b) {
+  return a == b ||
+         (a->points == b->points && a->closed == b->closed && a->tolerance == b->tolerance);
 }
 
-namespace {
+bool same_tau(const std::shared_ptr<const Curve>& a, const std::shared_ptr<const Curve>& b) {
+  return a->tau == b->tau;
+}
+
+template <class Same>
+bool all_same(const Drawing& a, const Drawing& b, Same same) {
+  return std::equal(a.curves.begin(), a.curves.end(), b.curves.begin(), b.curves.end(), same);
+}
 
 /// The marks of the points; none if nothing is said of any.
 std::vector<double> marks_of(const Curve& curve) {
   std::vector<double> marks;
-  for (const Point& point : curve.points) marks.push_back(point.exact);
+  for (const Point& point : curve.points) {
+    marks.push_back(point.exact >= 0 ? curve.tolerance.value_or(point.exact) : point.exact);
+  }
   const bool says_nothing =
       std::all_of(marks.begin(), marks.end(), [](double mark) { return mark == TALWEG_MARK_NONE; });
   return says_nothing ? std::vector<double>() : marks;
 }
 
+bool can_be_smoothed(const Curve& curve) { return curve.points.size() >= 2; }
+
+/// A parameter that has a value for each curve, -1 where a curve has none of its own.
+void apply_per_curve(const char* id, const std::vector<std::optional<double>>& values,
+                     host::Instance& smooth) {
+  std::vector<double> own;
+  for (const std::optional<double>& value : values) own.push_back(value.value_or(-1));
+  if (std::all_of(own.begin(), own.end(), [](double value) { return value == -1; })) {
+    smooth.reset(id);
+  } else {
+    smooth.set(id, own);
+  }
+}
+
 }  // namespace
 
+Stage stage_between(const Drawing& before, const Drawing& after) {
+  if (!all_same(before, after, same_place)) return Stage::kCurves;
+  const bool same = before.settings == after.settings && all_same(before, after, same_tau);
+  return same ? Stage::kNothing : Stage::kRun;
+}
+
+bool all_clicked(const Curve& curve) {
+  return std::all_of(curve.points.begin(), curve.points.end(),
+                     [](const Point& point) { return point.exact >= 0; });
+}
+
 bool all_clicked(const Drawing& drawing) {
-  const auto clicked = [](const Point& point) { return point.exact >= 0; };
   const auto& curves = drawing.curves;
-  return !curves.empty() && std::all_of(curves.begin(), curves.end(), [&](const auto& curve) {
-    return std::all_of(curve->points.begin(), curve->points.end(), clicked);
-  });
+  return !curves.empty() && std::all_of(curves.begin(), curves.end(),
+                                        [](const auto& curve) { return all_clicked(*curve); });
 }
 
 std::vector<host::Curve> host_curves(const Drawing& drawing) {
   std::vector<host::Curve> result;
   for (const auto& curve : drawing.curves) {
-    if (curve->points.size() < 2) continue;
+    if (!can_be_smoothed(*curve)) continue;
     host::Curve out;
     out.closed = curve->closed;
     for (std::size_t k = 0; k < curve->points.size(); ++k) {
@@ -84,10 +120,18 @@ std::vector<host::Curve> host_curves(const Drawing& drawing) {
   return result;
 }
 
-void apply(const Settings& settings, host::Instance& smooth) {
-  smooth.set("tau", settings.tau);
-  apply("slack", settings.slack, smooth);
-  apply("max_deviation", settings.max_deviation, smooth);
+void apply(const Drawing& drawing, host::Instance& smooth) {
+  smooth.set("tau", drawing.settings.tau);
+  apply("slack", drawing.settings.slack, smooth);
+  apply("max_deviation", drawing.settings.max_deviation, smooth);
+  std::vector<std::optional<double>> taus, slacks;
+  for (const auto& curve : drawing.curves) {
+    if (!can_be_smoothed(*curve)) continue;
+    taus.push_back(curve->tau);
+    slacks.push_back(all_clicked(*curve) ? std::nullopt : curve->tolerance);
+  }
+  apply_per_curve("taus", taus, smooth);
+  apply_per_curve("slacks", slacks, smooth);
 }
 
 }  // namespace talweg::editing

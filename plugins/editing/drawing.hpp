@@ -43,8 +43,15 @@ Point picked(std::uint32_t face, const std::array<double, 3>& barycentric);
 struct Curve {
   std::vector<Point> points;
   bool closed = false;  ///< joined from the last point back to the first, which is not repeated
+  std::optional<double> tau = {};  ///< >= 0; none: the settings'
+  /// How far the result may pass from what was drawn, mesh units, >= 0: the tolerance of all
+  /// way-points, and the slack of strokes. None: that of each point, and the settings' slack.
+  std::optional<double> tolerance = {};
+  std::string name = {};     ///< for people; empty: it has only its number
+  std::uint32_t number = 0;  ///< tells the curves of a drawing apart; the editor's, from 1
 
-  bool operator==(const Curve&) const = default;
+  /// Compares what curves are; the number is which one it is.
+  bool operator==(const Curve& other) const;
 };
 
 /// Parameters of talweg.smooth that belong to the drawing.
@@ -78,7 +85,11 @@ std::vector<host::Curve> host_curves(const Drawing& drawing);
 /// free between their points. False without curves.
 bool all_clicked(const Drawing& drawing);
 
-/// Sets the settings' parameters of an instance of talweg.smooth. Throws host::Error.
-void apply(const Settings& settings, host::Instance& smooth);
+/// Whether all points of a curve were clicked.
+bool all_clicked(const Curve& curve);
+
+/// Sets the parameters of an instance of talweg.smooth that has these curves: the settings and
+/// what is a curve's own. Throws host::Error.
+void apply(const Drawing& drawing, host::Instance& smooth);
 
 }  // namespace talweg::editing

@@ -76,9 +76,19 @@ void Editor::not_while_drawing() const {
   if (is_drawing()) throw Error("First end the curve that is being drawn.");
 }
 
+std::uint32_t Editor::next_number() const {
+  std::uint32_t largest = 0;
+  for (const auto& curve : drawing().curves) largest = std::max(largest, curve->number);
+  return largest + 1;
+}
+
+/// A curve that is not there yet is added.
 void Editor::replace(const std::string& name, std::size_t curve, Curve by, bool unfinished) {
   Drawing next = drawing();
-  if (curve == next.curves.size()) next.curves.emplace_back();
+  if (curve == next.curves.size()) {
+    next.curves.emplace_back();
+    by.number = next_number();
+  }
   next.curves[curve] = std::make_shared<const Curve>(std::move(by));
   next.unfinished = unfinished;
   history_.add(name, std::move(next));
@@ -96,7 +106,8 @@ void Editor::paint_point(const Point& point) { append(point, TALWEG_MARK_PAINTED
 
 void Editor::append(Point point, double mark) {
   if (point.exact == TALWEG_MARK_NONE) point.exact = mark;
-  Curve curve = is_drawing() ? unfinished() : Curve{};
+  Curve curve;
+  if (is_drawing()) curve = unfinished();
   if (!curve.points.empty() && curve.points.back().same_place(point)) return;
   if (mark == TALWEG_MARK_PAINTED && curve.points.size() == 1) curve.points[0].exact = mark;
   curve.points.push_back(point);
@@ -201,6 +212,42 @@ void Editor::set_pinned(std::size_t curve, std::size_t point, bool pinned) {
   Curve changed = curve_at(curve, point);
   changed.points[point].pinned = pinned;
   replace(pinned ? "Pin point" : "Unpin point", curve, std::move(changed), is_drawing());
+}
+
+void Editor::continue_curve(std::size_t curve) {
+  not_while_drawing();
+  if (curve_at(curve).closed) throw Error("A closed curve has no end to go on at; open it first.");
+  Drawing next = drawing();
+  const auto at = next.curves.begin() + static_cast<std::ptrdiff_t>(curve);
+  std::rotate(at, at + 1, next.curves.end());
+  next.unfinished = true;
+  history_.add("Continue curve", std::move(next));
+}
+
+void Editor::rename_curve(std::size_t curve, const std::string& name) {
+  Curve changed = curve_at(curve);
+  changed.name = name;
+  replace("Rename curve", curve, std::move(changed), is_drawing());
+}
+
+void Editor::set_curve_tau(std::size_t curve, std::optional<double> tau) {
+  Curve changed = curve_at(curve);
+  if (tau) require_bound(*tau, true, "Tau");
+  changed.tau = tau;
+  replace("Tau of curve", curve, std::move(changed), is_drawing());
+}
+
+void Editor::set_curve_tolerance(std::size_t curve, std::optional<double> tolerance) {
+  Curve changed = curve_at(curve);
+  if (tolerance) require_bound(*tolerance, true, "The tolerance");
+  changed.tolerance = tolerance;
+  replace("Tolerance of curve", curve, std::move(changed), is_drawing());
+}
+
+void Editor::pin_curve(std::size_t curve, bool pinned) {
+  Curve changed = curve_at(curve);
+  for (Point& point : changed.points) point.pinned = pinned;
+  replace(pinned ? "Pin curve" : "Unpin curve", curve, std::move(changed), is_drawing());
 }
 
 void Editor::set(const std::string& name, const Settings& settings) {

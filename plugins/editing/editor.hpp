@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -50,8 +51,18 @@ class Editor {
   void add_curve(Curve curve);
   void set_closed(std::size_t curve, bool closed);
   void reverse_curve(std::size_t curve);
+  /// Drawing goes on at the end of an open curve, which becomes the last one.
+  void continue_curve(std::size_t curve);
   /// Removes all curves; the settings stay.
   void clear();
+
+  // ---- What is a curve's own; of any curve.
+
+  void rename_curve(std::size_t curve, const std::string& name);
+  void set_curve_tau(std::size_t curve, std::optional<double> tau);
+  void set_curve_tolerance(std::size_t curve, std::optional<double> tolerance);
+  /// Pins all its points, or lets all go.
+  void pin_curve(std::size_t curve, bool pinned);
 
   // ---- Points of any curve.
 
@@ -75,6 +86,7 @@ class Editor {
   const Curve& unfinished() const;
   void not_while_drawing() const;
   void append(Point point, double mark);
+  [[nodiscard]] std::uint32_t next_number() const;
   void replace(const std::string& name, std::size_t curve, Curve by, bool unfinished);
   void erase(const std::string& name, std::size_t curve);
   void set(const std::string& name, const Settings& settings);

@@ -247,15 +247,53 @@ std::vector<OrderedVertices> order_along_mesh(const MeshArrays& mesh,
   return chains_of(neighbours);
 }
 
-std::vector<OrderedVertices> order_along_edges(
-    const std::vector<std::array<std::uint32_t, 2>>& edges) {
+namespace {
+
+Neighbours neighbours_along(const std::vector<std::array<std::uint32_t, 2>>& edges) {
   Neighbours neighbours;
   for (const auto& [a, b] : edges) {
     if (a == b) throw Error("An edge runs from vertex " + std::to_string(a) + " to itself.");
     neighbours[a].insert(b);
     neighbours[b].insert(a);
   }
-  return chains_of(neighbours);
+  return neighbours;
+}
+
+/// Walks from `start` over `next` to where the edges end or branch, and takes the edges away.
+OrderedVertices taken_walk(const Neighbours& all, Neighbours& left, Vertex start, Vertex next) {
+  OrderedVertices chain;
+  chain.vertices = {start};
+  for (Vertex at = start; true; next = *left[at].begin()) {
+    left[at].erase(next);
+    left[next].erase(at);
+    at = next;
+    chain.closed = at == start;
+    if (!chain.closed) chain.vertices.push_back(at);
+    if (chain.closed || all.at(at).size() != 2) return chain;
+  }
+}
+
+}  // namespace
+
+std::vector<OrderedVertices> order_along_edges(
+    const std::vector<std::array<std::uint32_t, 2>>& edges) {
+  return chains_of(neighbours_along(edges));
+}
+
+std::vector<OrderedVertices> order_between_branches(
+    const std::vector<std::array<std::uint32_t, 2>>& edges) {
+  const Neighbours all = neighbours_along(edges);
+  Neighbours left = all;
+  std::vector<OrderedVertices> result;
+  for (const bool rings : {false, true}) {
+    for (const auto& [vertex, others] : all) {
+      if (!rings && others.size() == 2) continue;
+      while (!left[vertex].empty()) {
+        result.push_back(taken_walk(all, left, vertex, *left[vertex].begin()));
+      }
+    }
+  }
+  return result;
 }
 
 }  // namespace talweg::editing

@@ -33,4 +33,9 @@ std::vector<OrderedVertices> order_along_mesh(const MeshArrays& mesh,
 std::vector<OrderedVertices> order_along_edges(
     const std::vector<std::array<std::uint32_t, 2>>& edges);
 
+/// The same for edges that may branch, as borders between several regions do: curves end where
+/// other than two edges meet, and every edge belongs to one curve.
+std::vector<OrderedVertices> order_between_branches(
+    const std::vector<std::array<std::uint32_t, 2>>& edges);
+
 }  // namespace talweg::editing

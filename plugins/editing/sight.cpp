@@ -1,55 +1,151 @@
 #include "sight.hpp"
 
 #include <algorithm>
-#include <cstdint>
-#include <vector>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <utility>
 
 namespace talweg::editing {
 namespace {
 
-using Vector = std::array<double, 3>;
+constexpr std::uint32_t kLeaf = 8;  // triangles of a box that is not split
 
-Vector minus(const Vector& a, const Vector& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-Vector cross(const Vector& a, const Vector& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+/// Where a way meets a triangle: how far along, and the coordinates there.
+struct Meeting {
+  double at = -1;  // < 0: not at all
+  std::array<double, 3> barycentric = {0, 0, 0};
+};
 
-/// Moeller and Trumbore's intersection: how far along `way` it meets the triangle; -1 if not.
-double meets(const Vector& start, const Vector& way, const Vector& a, const Vector& b,
-             const Vector& c) {
+/// Moeller and Trumbore's intersection.
+Meeting meeting(const Vector& from, const Vector& way, const Vector& a, const Vector& b,
+                const Vector& c) {
   const Vector ab = minus(b, a), ac = minus(c, a);
   const Vector normal = cross(way, ac);
   const double det = dot(ab, normal);
-  if (det == 0) return -1;
-  const Vector from_a = minus(start, a);
+  if (det == 0) return {};
+  const Vector from_a = minus(from, a);
   const double u = dot(from_a, normal) / det;
-  if (u < 0 || u > 1) return -1;
+  if (u < 0 || u > 1) return {};
   const Vector q = cross(from_a, ab);
   const double v = dot(way, q) / det;
-  if (v < 0 || u + v > 1) return -1;
-  return dot(ac, q) / det;
+  if (v < 0 || u + v > 1) return {};
+  return {dot(ac, q) / det, {1 - u - v, u, v}};
 }
 
 }  // namespace
 
-bool is_hidden(const MeshArrays& mesh, const Point& point, const std::array<double, 3>& from) {
-  const Vector start = position_of(mesh, point);
-  const Vector way = minus(from, start);
+Sight::Sight(std::shared_ptr<const MeshArrays> mesh)
+    : mesh_(std::move(mesh)), order_(mesh_->triangles.size()) {
+  if (order_.empty()) return;
+  std::iota(order_.begin(), order_.end(), 0U);
+  std::vector<Vector> middles;
+  middles.reserve(order_.size());
+  for (const auto& t : mesh_->triangles) {
+    Vector sum = plus(plus(mesh_->positions[t[0]], mesh_->positions[t[1]]), mesh_->positions[t[2]]);
+    for (double& x : sum) {
+      if (!std::isfinite(x)) x = 0;  // such a triangle is met by nothing
+    }
+    middles.push_back(sum);
+  }
+  split(0, static_cast<std::uint32_t>(order_.size()), middles);
+}
+
+Sight::Box Sight::box_of(std::uint32_t begin, std::uint32_t end) const {
+  constexpr double kFar = std::numeric_limits<double>::infinity();
+  Box box{{kFar, kFar, kFar}, {-kFar, -kFar, -kFar}, begin, end};
+  for (std::uint32_t k = begin; k < end; ++k) {
+    for (const std::uint32_t v : mesh_->triangles[order_[k]]) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        box.least[i] = std::min(box.least[i], mesh_->positions[v][i]);
+        box.most[i] = std::max(box.most[i], mesh_->positions[v][i]);
+      }
+    }
+  }
+  return box;
+}
+
+/// Halves at the middle triangle along the longest side, so that the depth is the logarithm.
+void Sight::split(std::uint32_t begin, std::uint32_t end, const std::vector<Vector>& middles) {
+  const std::size_t at = boxes_.size();
+  boxes_.push_back(box_of(begin, end));
+  if (end - begin > kLeaf) {
+    const Vector size = minus(boxes_[at].most, boxes_[at].least);
+    const auto axis =
+        static_cast<std::size_t>(std::max_element(size.begin(), size.end()) - size.begin());
+    const std::uint32_t half = begin + (end - begin) / 2;
+    std::nth_element(
+        order_.begin() + begin, order_.begin() + half, order_.begin() + end,
+        [&](std::uint32_t a, std::uint32_t b) { return middles[a][axis] < middles[b][axis]; });
+    split(begin, half, middles);
+    split(half, end, middles);
+  }
+  boxes_[at].next = static_cast<std::uint32_t>(boxes_.size());
+}
+
+/// Calls `met(triangle, meeting)` for what the way may meet before `most`; `met` returns the new
+/// `most`.
+template <class Met>
+void Sight::meet(const Vector& from, const Vector& way, double most, const Met& met) const {
+  const auto crosses = [&](const Box& box) {
+    double first = 0, last = most;
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (way[i] == 0) {
+        if (from[i] < box.least[i] || from[i] > box.most[i]) return false;
+        continue;
+      }
+      const auto [near, far] =
+          std::minmax((box.least[i] - from[i]) / way[i], (box.most[i] - from[i]) / way[i]);
+      // A hair more, so that rounding loses no triangle that lies in a side of its box.
+      first = std::max(first, near - 1e-12 * std::abs(near));
+      last = std::min(last, far + 1e-12 * std::abs(far));
+    }
+    return first <= last;
+  };
+  for (std::uint32_t b = 0; b < boxes_.size();) {
+    const Box& box = boxes_[b];
+    if (!crosses(box)) {
+      b = box.next;
+      continue;
+    }
+    ++b;
+    if (b != box.next) continue;  // others inside it
+    for (std::uint32_t k = box.begin; k < box.end; ++k) {
+      const auto& t = mesh_->triangles[order_[k]];
+      const Meeting m = meeting(from, way, mesh_->positions[t[0]], mesh_->positions[t[1]],
+                                mesh_->positions[t[2]]);
+      if (m.at >= 0 && m.at < most) most = met(order_[k], m);
+    }
+  }
+}
+
+std::optional<Point> Sight::first(const Vector& from, const Vector& way) const {
+  std::optional<Point> found;
+  meet(from, way, std::numeric_limits<double>::infinity(),
+       [&](std::uint32_t triangle, const Meeting& m) {
+         found = Point{triangle, m.barycentric};
+         return m.at;
+       });
+  return found;
+}
+
+bool Sight::is_hidden(const Point& point, const Vector& from) const {
+  const Vector start = position_of(*mesh_, point);
   std::vector<std::uint32_t> own;  // the corners between which the point lies
   for (std::size_t k = 0; k < 3; ++k) {
-    if (point.barycentric[k] > 0) own.push_back(mesh.triangles[point.face][k]);
+    if (point.barycentric[k] > 0) own.push_back(mesh_->triangles[point.face][k]);
   }
   const auto touches = [&own](const std::array<std::uint32_t, 3>& t) {
     return std::all_of(own.begin(), own.end(), [&t](std::uint32_t vertex) {
       return std::find(t.begin(), t.end(), vertex) != t.end();
     });
   };
-  return std::any_of(mesh.triangles.begin(), mesh.triangles.end(), [&](const auto& t) {
-    const double at =
-        meets(start, way, mesh.positions[t[0]], mesh.positions[t[1]], mesh.positions[t[2]]);
-    return at > 0 && at < 1 && !touches(t);
+  bool hidden = false;
+  meet(start, minus(from, start), 1, [&](std::uint32_t triangle, const Meeting& m) {
+    hidden = hidden || (m.at > 0 && !touches(mesh_->triangles[triangle]));
+    return hidden ? 0.0 : 1.0;
   });
+  return hidden;
 }
 
 }  // namespace talweg::editing

@@ -97,17 +97,30 @@ SmoothingThread::~SmoothingThread() {
   plugins_.ending_threads().take(std::move(thread_), shared_->ended);
 }
 
+namespace {
+
+bool only_newest(Task task) {
+  return task == Task::kSmooth || task == Task::kDraw || task == Task::kLeg;
+}
+
+}  // namespace
+
 std::uint64_t SmoothingThread::ask(Request request) {
   const std::uint64_t ticket = request.ticket = ++tickets_;
   {
     const std::scoped_lock lock(shared_->mutex);
-    if (request.task == Task::kSmooth) {
+    if (only_newest(request.task)) {
       std::erase_if(shared_->waiting,
-                    [](const Request& other) { return other.task == Task::kSmooth; });
+                    [&](const Request& other) { return other.task == request.task; });
+    }
+    if (request.task == Task::kSmooth) {
       const bool smooths = shared_->progress.task == Task::kSmooth && shared_->began_ms > 0;
       if (smooths && now_ms() - shared_->began_ms >= patience_ms_) shared_->cancelled = true;
     }
-    shared_->waiting.push_back(std::move(request));
+    auto& waiting = shared_->waiting;
+    const bool opens = !waiting.empty() && waiting.front().task == Task::kOpen;
+    const bool next = request.task == Task::kLeg;
+    waiting.insert(next ? waiting.begin() + (opens ? 1 : 0) : waiting.end(), std::move(request));
     shared_->progress.busy = true;
   }
   shared_->asked.notify_all();
@@ -130,6 +143,14 @@ std::uint64_t SmoothingThread::distance(const Drawing& drawing) {
 std::uint64_t SmoothingThread::draw(const Drawing& drawing) {
   return ask({Task::kDraw, 0, drawing, {}, {}, Hand::kRests});
 }
+
+std::uint64_t SmoothingThread::leg(const Point& from, const Point& to) {
+  Drawing drawing;
+  drawing.curves.push_back(std::make_shared<const Curve>(Curve{{from, to}}));
+  return ask({Task::kLeg, 0, drawing, {}, {}, Hand::kRests});
+}
+
+std::uint64_t SmoothingThread::see() { return ask({Task::kSee, 0, {}, {}, {}, Hand::kRests}); }
 
 std::optional<Outcome> SmoothingThread::take() {
   const std::scoped_lock lock(shared_->mutex);

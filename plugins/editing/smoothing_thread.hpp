@@ -21,10 +21,11 @@ struct Progress {
   double fraction = 0;
 };
 
-/// A workplace in a thread. Of smoothing requests only the newest counts: a waiting one is
-/// replaced, and a running one is completed if it began less than `patience` ago (so that the curve
-/// follows the mouse) and cancelled otherwise. Other requests are done in the order in which they
-/// were made. All methods must be called from one thread; `wake` is called on another.
+/// A workplace in a thread. Of requests to smooth, to draw and for a leg only the newest of each
+/// counts: a waiting one is replaced. A running smooth() is completed if it began less than
+/// `patience` ago (so that the curve follows the mouse) and cancelled otherwise. A leg comes before
+/// everything else that waits; other requests are done in the order in which they were made. All
+/// methods must be called from one thread; `wake` is called on another.
 class SmoothingThread {
  public:
   /// Opens the mesh at once. `wake` is called whenever take() has something new; it must only
@@ -45,6 +46,9 @@ class SmoothingThread {
   std::uint64_t place(std::vector<host::Curve> curves);
   std::uint64_t distance(const Drawing& drawing);
   std::uint64_t draw(const Drawing& drawing);
+  /// A straight line over the mesh from one point to another.
+  std::uint64_t leg(const Point& from, const Point& to);
+  std::uint64_t see();
 
   /// Returns the next outcome, in order; nothing if there is none.
   std::optional<Outcome> take();

@@ -88,6 +88,11 @@ void Workplace::do_task(const Request& request, Outcome& outcome) {
       return do_distance(request, outcome);
     case Task::kDraw:
       return do_draw(request, outcome);
+    case Task::kLeg:
+      return do_leg(request, outcome);
+    case Task::kSee:
+      outcome.sight = std::make_shared<const Sight>(mesh_);
+      return;
   }
 }
 
@@ -133,10 +138,9 @@ void Workplace::do_smooth(const Request& request, Outcome& outcome) {
   if (!smoothed_ || stage_between(*smoothed_, request.drawing) == Stage::kCurves) {
     smoothed_.reset();
     instance.set_curves(curves);
-    smoothed_ = request.drawing;
   }
-  apply(request.drawing.settings, instance);
-  smoothed_->settings = request.drawing.settings;
+  smoothed_ = request.drawing;
+  apply(request.drawing, instance);
   if (has_parameter(instance.plugin(), "preview")) {
     instance.set("preview", request.hand == Hand::kDrags ? 1.0 : 0.0);
   }
@@ -184,13 +188,34 @@ void Workplace::do_distance(const Request& request, Outcome& outcome) {
   outcome.results = instance.run(wanted);
 }
 
-void Workplace::do_draw(const Request& request, Outcome& outcome) {
-  const std::vector<host::Curve> curves = host_curves(request.drawing);
-  if (curves.empty()) return;
+host::Curve Workplace::drawn(const Curve& curve) {
   host::Instance& instance = opened(draw_, "talweg.draw");
   instance.set("straight", 1.0);
-  instance.set_curves(curves);
-  outcome.results = instance.run();
+  Drawing alone;
+  alone.curves.push_back(std::make_shared<const Curve>(curve));
+  instance.set_curves(host_curves(alone));
+  return std::move(instance.run().curves.at(0));
+}
+
+/// Only curves that are new are drawn. Without any the plugin is opened, so that the first is
+/// quick.
+void Workplace::do_draw(const Request& request, Outcome& outcome) {
+  opened(draw_, "talweg.draw");
+  decltype(drawn_) now;
+  for (const auto& curve : request.drawing.curves) {
+    if (curve->points.size() < 2) continue;
+    const auto there = std::find_if(drawn_.begin(), drawn_.end(),
+                                    [&](const auto& known) { return known.first == curve; });
+    now.emplace_back(curve, there == drawn_.end() ? drawn(*curve) : there->second);
+    outcome.results.curves.push_back(now.back().second);
+  }
+  drawn_ = std::move(now);
+}
+
+void Workplace::do_leg(const Request& request, Outcome& outcome) {
+  for (const auto& curve : request.drawing.curves) {
+    outcome.results.curves.push_back(drawn(*curve));
+  }
 }
 
 }  // namespace talweg::editing

@@ -7,10 +7,12 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "ending_threads.hpp"
 #include "mesh_arrays.hpp"
+#include "sight.hpp"
 #include "talweg/loader/talweg_loader.h"
 
 namespace talweg::editing {
@@ -39,6 +41,8 @@ enum class Task {
   kPlace,     ///< puts positions in space onto the mesh: points of a drawing
   kDistance,  ///< distance and potential at every vertex
   kDraw,      ///< the drawn curves as they lie on the mesh
+  kLeg,       ///< the same of one leg that is not drawn yet
+  kSee,       ///< what tells where the mesh is under the mouse
 };
 
 /// What the user is doing during a request.
@@ -57,7 +61,7 @@ enum class Defects {
 struct Request {
   Task task = Task::kOpen;
   std::uint64_t ticket = 0;
-  Drawing drawing;                  ///< kSmooth, kDistance, kDraw
+  Drawing drawing;                  ///< kSmooth, kDistance, kDraw, kLeg
   host::Wanted wanted;              ///< kSmooth
   std::vector<host::Curve> curves;  ///< kPlace
   Hand hand = Hand::kRests;         ///< kSmooth
@@ -68,9 +72,10 @@ struct Outcome {
   Task task = Task::kOpen;
   std::uint64_t ticket = 0;
   talweg_status status = TALWEG_OK;
-  std::string sentence;             ///< the reason, if the status is not TALWEG_OK
-  host::Results results;            ///< kSmooth, kDistance, kDraw
-  std::vector<Curve> placed;        ///< kPlace
+  std::string sentence;                ///< the reason, if the status is not TALWEG_OK
+  host::Results results;               ///< kSmooth, kDistance, kDraw and kLeg (only curves)
+  std::vector<Curve> placed;           ///< kPlace
+  std::shared_ptr<const Sight> sight;  ///< kSee
   std::vector<std::string> repair;  ///< kOpen, TALWEG_BAD_MESH: what a repair would do, a sentence
                                     ///< each; empty if it would not help
   std::vector<std::string> notes;   ///< warnings of the plugins
@@ -99,6 +104,8 @@ class Workplace {
   void do_place(const Request& request, Outcome& outcome);
   void do_distance(const Request& request, Outcome& outcome);
   void do_draw(const Request& request, Outcome& outcome);
+  void do_leg(const Request& request, Outcome& outcome);
+  host::Curve drawn(const Curve& curve);
   host::Instance& opened(std::unique_ptr<host::Instance>& instance, const char* id);
   std::vector<std::string> repair_told();
 
@@ -109,6 +116,8 @@ class Workplace {
   host::Services services_;  // must outlive the instances
   std::unique_ptr<host::Instance> smooth_, draw_, distance_;
   std::optional<Drawing> smoothed_, measured_;  // whose curves the instances have
+  // What was drawn last: curves are the same while their pointers are.
+  std::vector<std::pair<std::shared_ptr<const Curve>, host::Curve>> drawn_;
 };
 
 }  // namespace talweg::editing

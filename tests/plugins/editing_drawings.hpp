@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <memory>
 #include <random>
+#include <string>
 #include <vector>
 
 #include "core/generated_meshes.hpp"
@@ -20,6 +21,20 @@ inline editing::MeshArrays arrays_of(const MeshLists& lists) {
                                 static_cast<std::uint32_t>(t[2])});
   }
   return arrays;
+}
+
+/// A point inside a face.
+inline editing::Point at(std::uint32_t face) { return {face, {0.25, 0.25, 0.5}}; }
+
+/// The sentence with which an edit is refused.
+template <class Edit>
+std::string refusal(Edit edit) {
+  try {
+    edit();
+  } catch (const editing::Error& error) {
+    return error.what();
+  }
+  return "no refusal";
 }
 
 /// A drawing with nothing shared, so that no later edit could reach it.
@@ -78,11 +93,27 @@ class RandomHand {
       case 11:
         return editor.insert_point(c, p, point());
       case 12:
-        return editor.set_pinned(c, p, below(2) == 0);
+        return below(2) == 0 ? editor.set_pinned(c, p, below(2) == 0) : edit_own(editor, c);
       case 13:
         return below(2) == 0 ? editor.remove_point(c, p) : editor.reverse_curve(c);
       default:
         return below(3) == 0 ? editor.remove_curve(c) : editor.set_closed(c, below(2) == 0);
+    }
+  }
+
+  void edit_own(editing::Editor& editor, std::size_t c) {
+    switch (below(5)) {
+      case 0:
+        return editor.set_curve_tau(c, below(3) == 0 ? std::nullopt : std::optional(number()));
+      case 1:
+        return editor.set_curve_tolerance(c,
+                                          below(3) == 0 ? std::nullopt : std::optional(number()));
+      case 2:
+        return editor.pin_curve(c, below(2) == 0);
+      case 3:
+        return editor.rename_curve(c, std::to_string(below(9)));
+      default:
+        return editor.continue_curve(c);
     }
   }
 

@@ -13,7 +13,6 @@
 
 #include "plugins/editing_drawings.hpp"
 #include "talweg/editing/selection_order.hpp"
-#include "talweg/editing/sight.hpp"
 
 namespace talweg {
 namespace {
@@ -22,19 +21,10 @@ using editing::Curve;
 using editing::Drawing;
 using editing::Editor;
 using editing::Stage;
+using test::at;
+using test::refusal;
 
-editing::Point at(std::uint32_t face) { return {face, {0.25, 0.25, 0.5}}; }
 editing::Point clicked_at(std::uint32_t face) { return {face, {0.25, 0.25, 0.5}, false, 0}; }
-
-template <class Edit>
-std::string refusal(Edit edit) {
-  try {
-    edit();
-  } catch (const editing::Error& error) {
-    return error.what();
-  }
-  return "no refusal";
-}
 
 TEST(Editor, DrawsAnOpenCurve) {
   Editor editor;
@@ -325,44 +315,6 @@ TEST(History, ForgetsTheOldestSteps) {
   while (history.undo()) {
   }
   EXPECT_EQ(history.now().settings.tau, 2);
-}
-
-/// A box from 0 to 1 of two triangles a side: z = 0 has the triangles 0 and 1, z = 1 has 2 and 3.
-editing::MeshArrays box() {
-  editing::MeshArrays mesh;
-  for (const double z : {0.0, 1.0}) {
-    for (const double y : {0.0, 1.0}) {
-      for (const double x : {0.0, 1.0}) mesh.positions.push_back({x, y, z});
-    }
-  }
-  mesh.triangles = {{0, 3, 1}, {0, 2, 3}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
-                    {2, 7, 3}, {2, 6, 7}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
-  return mesh;
-}
-
-TEST(Sight, WhatLiesBehindTheBodyIsHidden) {
-  const editing::MeshArrays mesh = box();
-  const std::array<double, 3> above = {0.4, 0.6, 5};
-  EXPECT_FALSE(is_hidden(mesh, at(2), above));
-  EXPECT_TRUE(is_hidden(mesh, at(0), above));
-  EXPECT_FALSE(is_hidden(mesh, at(0), {0.4, 0.6, -5}));
-  EXPECT_FALSE(is_hidden(mesh, at(0), {0.5, 0.45, 0.5})) << "from inside";
-}
-
-TEST(Sight, PointsOnEdgesAndAtVerticesAreNotHiddenByWhatTouchesThem) {
-  const editing::MeshArrays mesh = box();
-  const editing::Point vertex{2, {1, 0, 0}}, edge{2, {0.5, 0, 0.5}};
-  for (const std::array<double, 3>& from :
-       {std::array<double, 3>{0.3, 0.4, 3}, {-2, 0.5, 2}, {0.5, -2, 2}}) {
-    EXPECT_FALSE(is_hidden(mesh, edge, from));
-    EXPECT_FALSE(is_hidden(mesh, vertex, from));
-  }
-  EXPECT_TRUE(is_hidden(mesh, edge, {0.4, 0.45, -2}));
-  EXPECT_TRUE(is_hidden(mesh, vertex, {0.3, 0.4, -2}));
-}
-
-TEST(Sight, AFaceThatIsNotThereIsTold) {
-  EXPECT_NE(refusal([] { is_hidden(box(), at(12), {0, 0, 5}); }), "no refusal");
 }
 
 TEST(MeshArrays, PointsAtVerticesLieThere) {

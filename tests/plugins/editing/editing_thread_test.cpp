@@ -51,7 +51,7 @@ struct Hills {
     host::Instance instance(plugins().find("talweg.smooth"), services);
     set_mesh(instance, *mesh);
     instance.set_curves(host_curves(drawing));
-    apply(drawing.settings, instance);
+    apply(drawing, instance);
     return instance.run().curves;
   }
 };

@@ -187,6 +187,7 @@ bool Session::undo() {
   end_gesture();
   const bool listed = drawing_id_ >= 0 && editor_.history().number() > first_number_;
   if (listed && host_.host_undo(drawing_id_)) return true;
+  if (!editor_.history().can_undo() && born_of_cut_) return host_.host_undo(mesh_id_);
   if (!editor_.history().undo()) return false;
   go_to(editor_.history().number());
   return true;
@@ -199,14 +200,6 @@ bool Session::redo() {
   if (!editor_.history().redo()) return false;
   go_to(editor_.history().number());
   return true;
-}
-
-void Session::add_selection() {
-  edit_together("Curves from selection", [&](editing::Editor& editor) {
-    for (const editing::OrderedVertices& ordered : ordered_selection(mesh(), *arrays_)) {
-      editor.add_curve({editing::points_at(*arrays_, ordered.vertices), ordered.closed});
-    }
-  });
 }
 
 void Session::add_line(const PolyLine& line) { add_curves({positions_of(line)}); }
@@ -324,7 +317,7 @@ void Session::show_results(host::Results results, bool newest) {
   }
   if (newest && !in_gesture() && log_next_ && !results_.curves.empty()) {
     log_next_ = false;
-    host_.say(short_report(*this).replace('\n', ", "));
+    host_.say(short_report(*this));
     if (colour_by_ == ColourBy::kDistance || colour_by_ == ColourBy::kPotential) {
       thread_->distance(editor_.drawing());
     }
@@ -421,7 +414,8 @@ void Session::mesh_updated() {
   } catch (const editing::Error& error) {
     return fail(work_error_, in_words(error.what()));
   }
-  if (*now == *arrays_) return;
+  if (*now == *arrays_ || go_back_to(now)) return;
+  born_of_cut_ = false;
   const bool same_faces = now->triangles == arrays_->triangles;
   arrays_ = std::move(now);
   open();
@@ -451,6 +445,7 @@ void Session::object_deleted(int object_id) {
 
 /// Not while the host deletes, since an edit may add objects.
 void Session::remove_deleted() {
+  for (const int id : std::exchange(to_remove_, {})) host_.remove_object(id);
   if (deleted_.empty()) return;
   end_gesture();
   stale_ = ticket_;

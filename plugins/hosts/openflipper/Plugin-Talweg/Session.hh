@@ -13,9 +13,14 @@
 #include <ACG/Scenegraph/PointNode.hh>
 
 #include "HostMesh.hh"
+#include "ResultTable.hh"
 #include "talweg/editing/editor.hpp"
 #include "talweg/editing/sight.hpp"
 #include "talweg/editing/smoothing_thread.hpp"
+
+namespace talweg {
+struct AppliedPlan;
+}
 
 namespace talweg::openflipper {
 
@@ -26,6 +31,9 @@ class HostCalls {
   virtual int add_line(const QString& name) = 0;
   virtual void show_line(int id) = 0;     ///< its points have changed
   virtual void show_colours(int id) = 0;  ///< its colours have changed
+  virtual void show_selection(int id) = 0;
+  virtual void show_mesh(int id) = 0;  ///< all of it may have changed
+  virtual int add_mesh(const QString& name, TriMesh&& mesh) = 0;
   virtual void remove_object(int id) = 0;
   virtual void push_backup(int id, const QString& name) = 0;
   virtual bool host_undo(int id) = 0;  ///< false where the host has nothing to undo
@@ -66,10 +74,18 @@ class Session {
   bool redo();
 
   void add_selection();
+  void add_face_borders(bool of_selection);  ///< of the selected faces, or of face colours
   void add_line(const PolyLine& line);
   void add_curves(std::vector<host::Curve> curves);  ///< snapped where they are positions
   void colour_by(ColourBy by);
   [[nodiscard]] ColourBy coloured_by() const { return colour_by_; }
+
+  /// Makes the results edges of the mesh, and selects them and, if asked, the faces inside closed
+  /// ones. The drawing goes with the mesh, also when the host takes the cut back.
+  bool cut(bool select_inside);
+  /// Makes a mesh of each part that the results leave.
+  bool split(bool lids, std::vector<int>& parts);
+  [[nodiscard]] bool can_undo() const { return editor_.history().can_undo() || born_of_cut_; }
 
   /// Takes in what the thread has done.
   void take();
@@ -120,6 +136,11 @@ class Session {
   void take(editing::Outcome outcome);
   void take_opened(const editing::Outcome& outcome);
   void remove_deleted();
+  void require_results() const;
+  void go_over(const AppliedPlan& plan);
+  bool go_back_to(const std::shared_ptr<const editing::MeshArrays>& now);
+  void history_begins_with(editing::Editor editor,
+                           std::shared_ptr<const editing::MeshArrays> arrays);
   void fail(QString& error, const QString& sentence);
 
   // What the host's list of undo knows us by: the line with that list may outlive this object.
@@ -147,6 +168,14 @@ class Session {
   QStringList repair_told_;
   editing::Defects defects_ = editing::Defects::kRefuse;
   std::vector<std::size_t> deleted_;  // curves whose objects are gone
+  std::vector<int> to_remove_;        // objects that go when the host is done
+  struct OtherMesh {                  // what the mesh was before a cut, or after one
+    std::shared_ptr<const editing::MeshArrays> arrays;
+    editing::Editor editor;
+    bool born_of_cut;
+  };
+  std::vector<OtherMesh> others_;
+  bool born_of_cut_ = false;  // the mesh is as a cut of ours has left it
   bool preview_ = false;              // in a gesture that moves a point
   bool log_next_ = false;             // a result that is no step of a gesture
   ColourBy colour_by_ = ColourBy::kNothing;
@@ -154,8 +183,12 @@ class Session {
   ACG::SceneGraph::PointNode* points_ = nullptr;
 };
 
-/// A few lines for people.
+/// A line for the log.
 QString short_report(const Session& session);
+/// What the panel shows of the results: the numbers, a line, and the plugin's warnings.
+std::vector<ResultRow> result_rows(const Session& session);
+QString result_summary(const Session& session);
+QStringList result_notes(const Session& session);
 /// Everything that was measured, "key = value" or "curve.key = value", one a line.
 QString whole_report(const Session& session);
 

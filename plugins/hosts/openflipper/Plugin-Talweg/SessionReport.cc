@@ -1,4 +1,5 @@
 // What a session tells of its results.
+#include <QCoreApplication>
 #include <cmath>
 
 #include "Session.hh"
@@ -7,6 +8,8 @@ namespace talweg::openflipper {
 namespace {
 
 QString in_words(const std::string& text) { return QString::fromStdString(text); }
+
+QString tr(const char* text) { return QCoreApplication::translate("Session", text); }
 
 double degrees(double radians) { return radians * 180 / M_PI; }
 
@@ -18,7 +21,6 @@ QString number(double value) {
 
 QString short_report(const Session& session) {
   const host::Results& r = session.results();
-  if (r.curves.empty()) return "Nothing is drawn yet.";
   QStringList lines;
   lines << QString("%1 curve(s), tau %2, slack %3")
                .arg(r.curves.size())
@@ -46,10 +48,56 @@ QString short_report(const Session& session) {
   lines << QString("%1, %2 ms")
                .arg(in_words(r.text("termination")))
                .arg(session.last_run_ms(), 0, 'f', 1);
-  if (const host::ReportEntry* warnings = r.find("warnings")) {
-    for (const std::string& warning : warnings->texts) lines << in_words(warning);
+  lines << result_notes(session);
+  return lines.join(", ");
+}
+
+std::vector<ResultRow> result_rows(const Session& session) {
+  const host::Results& r = session.results();
+  if (r.curves.empty()) return {};
+  const QString length = tr("units"), angle = QString::fromUtf8("°");
+  const auto row = [&](const QString& what, const char* key, double scale, const QString& unit,
+                       const QString& tip) {
+    const auto at = [&](const char* end) {
+      return three_digits(scale * r.number(std::string(key) + end, -1, std::nan("")));
+    };
+    return ResultRow{what, at("_before"), at("_after"), unit, tip};
+  };
+  const double degree = 180 / M_PI;
+  std::vector<ResultRow> rows = {
+      row(tr("Length"), "length", 1, length, tr("Of all curves together, in mesh units.")),
+      row(tr("Turning"), "curvature", degree, angle, tr("All that the curves turn, added up.")),
+      row(tr("Sharpest turn"), "window_turning", degree, angle,
+          tr("The most that a curve turns within the length of a mesh edge.")),
+      row(tr("Bending"), "bending", 1, tr("1/unit"), tr("Curvature squared, along the curves."))};
+  if (r.text("deviation") != "none") {
+    rows.push_back({tr("Deviation"), three_digits(r.number("deviation_from_drawn_max")),
+                    three_digits(r.number("deviation_to_drawn_max")), length,
+                    tr("How far the drawing gets from the result, and the result from the "
+                       "drawing, at most.")});
   }
-  return lines.join('\n');
+  return rows;
+}
+
+QString result_summary(const Session& session) {
+  const host::Results& r = session.results();
+  if (r.curves.empty()) return tr("Nothing is smoothed yet.");
+  const std::string how = r.text("termination");
+  const QString ended = how == "converged"   ? tr("converged")
+                        : how == "collapsed" ? tr("a loop collapsed")
+                        : how == "limit"     ? tr("stopped at its limit")
+                                             : in_words(how);
+  return tr("tau %1, slack %2; %3 after %4 ms")
+      .arg(three_digits(r.number("tau")), three_digits(r.number("slack")), ended)
+      .arg(session.last_run_ms(), 0, 'f', 0);
+}
+
+QStringList result_notes(const Session& session) {
+  QStringList notes;
+  if (const host::ReportEntry* warnings = session.results().find("warnings")) {
+    for (const std::string& warning : warnings->texts) notes << in_words(warning);
+  }
+  return notes;
 }
 
 QString whole_report(const Session& session) {

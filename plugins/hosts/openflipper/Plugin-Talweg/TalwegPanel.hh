@@ -1,63 +1,31 @@
-// The panel is the toolbox: buttons, sliders, report. It knows the drawing only through its signals
-// and show().
+// The panel is the toolbox: buttons, sliders, results. It knows the drawing only through its
+// signals and show().
 #pragma once
 
 #include <QCheckBox>
 #include <QComboBox>
-#include <QDoubleSpinBox>
+#include <QGroupBox>
 #include <QLabel>
-#include <QPlainTextEdit>
 #include <QProgressBar>
-#include <QPushButton>
-#include <QSlider>
 #include <QStringList>
+#include <QToolButton>
+#include <QVBoxLayout>
 #include <QWidget>
+#include <vector>
 
+#include "NumberRow.hh"
+#include "PanelIcons.hh"
+#include "ResultTable.hh"
 #include "talweg/editing/drawing.hpp"
 
 namespace talweg::openflipper {
 
-/// A number with four significant digits, and no exponent.
-class SignificantBox : public QDoubleSpinBox {
- public:
-  explicit SignificantBox(QWidget* parent);
-  [[nodiscard]] QString textFromValue(double value) const override;
-};
-
-/// A number with a slider, a box and, where it may be absent, a tick.
-class NumberRow : public QWidget {
-  Q_OBJECT
- public:
-  /// Slider positions are spaced by the square, so that small values have room.
-  NumberRow(const QString& name, const QString& label, const QString& tip, double largest,
-            bool optional, QWidget* parent);
-  /// Without signals. `largest` > 0 sets the slider's range too.
-  void show_value(std::optional<double> value, double largest = 0);
-  /// Can be used unless there is a sentence on why not, which is then the tip.
-  void show_use(const QString& why_not);
-  [[nodiscard]] QSlider* slider() { return slider_; }
-
- signals:
-  void begun();  ///< the slider is held
-  void ended();  ///< and let go
-  void changed(bool set, double value);
-
- private:
-  void moved(int position);
-  [[nodiscard]] double value_at(int position) const;
-  [[nodiscard]] int position_of(double value) const;
-
-  QCheckBox* tick_ = nullptr;
-  QSlider* slider_;
-  QDoubleSpinBox* box_;
-  QString tip_;
-  double largest_;
-};
-
 struct PanelState {
   QString mesh;  ///< empty: none
   editing::Settings settings;
-  double scale = 1;  ///< of lengths: the largest that sliders offer, mesh units
+  double scale = 1;           ///< of lengths: the largest that sliders offer, mesh units
+  double slack_used = -1;     ///< in the result that is shown; negative: none
+  double deviation_now = -1;  ///< likewise
   bool drawing_mode = false;
   bool unfinished = false;
   bool can_undo = false, can_redo = false;
@@ -65,10 +33,12 @@ struct PanelState {
   int curves = 0;
   bool all_clicked = false;
   int coloured_by = 0;
-  QString report;
-  QString hint;
-  QString problem;          ///< why nothing can be drawn on the mesh; empty: nothing is wrong
-  QStringList repair_told;  ///< what a repair would do; empty: there is none
+  std::vector<ResultRow> rows;  ///< none: nothing is smoothed
+  QString summary;              ///< one line on the result
+  QStringList notes;            ///< what is to be known of it
+  QString hint;                 ///< what a click would do
+  QString problem;              ///< why nothing can be drawn on the mesh; empty: nothing is wrong
+  QStringList repair_told;      ///< what a repair would do; empty: there is none
 };
 
 class TalwegPanel : public QWidget {
@@ -83,8 +53,10 @@ class TalwegPanel : public QWidget {
   void finish();
   void close_curve();
   void take_back();
-  void drop();
+  void discard();
   void from_selection();
+  void from_face_selection();
+  void from_face_colours();
   void from_lines();
   void remove_last();
   void clear();
@@ -93,6 +65,9 @@ class TalwegPanel : public QWidget {
   void write_result();
   void write_drawing();
   void read_drawing();
+  void cut();
+  void split(bool lids);
+  void select_inside();
   void cancel();
   void repair();
   void gesture_begun(const QString& name);
@@ -103,15 +78,29 @@ class TalwegPanel : public QWidget {
   void colour_by(int what);
 
  private:
-  void show_problem(const PanelState& state);
-  QPushButton* button(const QString& name, const QString& text, const QString& tip);
+  using Signal = void (TalwegPanel::*)();
 
-  QLabel *mesh_, *problem_, *hint_;
-  QPushButton *draw_, *finish_, *close_, *take_back_, *drop_, *selection_, *lines_, *remove_,
-      *clear_, *undo_, *redo_, *write_result_, *write_drawing_, *read_drawing_, *cancel_, *repair_;
+  QWidget* make_head();
+  QGroupBox* make_draw_group();
+  QGroupBox* make_curves_group();
+  QGroupBox* make_shape_group();
+  QGroupBox* make_result_group();
+  QWidget* make_foot();
+  QToolButton* button(const QString& name, Sign sign, const QString& text, const QString& tip,
+                      Signal signal);
+  QToolButton* from_button();
+  void connect_number(NumberRow* row, const QString& name);
+  void show_settings(const PanelState& state);
+  void show_problem(const PanelState& state);
+  void show_result(const PanelState& state);
+
+  QLabel *mesh_, *problem_, *summary_, *notes_, *hint_;
+  QToolButton *draw_, *finish_, *close_, *take_back_, *discard_, *remove_, *clear_, *undo_, *redo_,
+      *write_result_, *write_drawing_, *read_, *cut_, *split_, *inside_, *cancel_, *repair_;
+  QCheckBox* lids_;
   NumberRow *tau_, *slack_, *bound_;
   QComboBox* colours_;
-  QPlainTextEdit* report_;
+  ResultTable* table_;
   QProgressBar* progress_;
 };
 

@@ -26,6 +26,21 @@ namespace {
 
 const char* const kJob = "Talweg";
 
+/// Names of edits, in the language of the panel. The log keeps the editing model's own.
+QString in_words_of_the_panel(const std::string& name) {
+  return name.empty() ? QString() : QCoreApplication::translate("Edits", name.c_str());
+}
+
+void show_results_of(const Session& session, PanelState& state) {
+  const talweg::host::Results& results = session.results();
+  state.rows = talweg::openflipper::result_rows(session);
+  state.summary = talweg::openflipper::result_summary(session);
+  state.notes = talweg::openflipper::result_notes(session);
+  if (results.curves.empty()) return;
+  state.slack_used = results.number("slack");
+  state.deviation_now = results.number("deviation_to_drawn_max", -1, -1);
+}
+
 double now_ms() { return static_cast<double>(QDateTime::currentMSecsSinceEpoch()); }
 
 }  // namespace
@@ -76,11 +91,25 @@ void TalwegPlugin::connect_panel() {
   connect(panel_, &TalwegPanel::close_curve, this,
           [this] { edit_now([](Editor& e) { e.close_curve(); }); });
   connect(panel_, &TalwegPanel::take_back, this, [this] { key(Qt::Key_Backspace); });
-  connect(panel_, &TalwegPanel::drop, this, [this] { key(Qt::Key_Escape); });
+  connect(panel_, &TalwegPanel::discard, this, [this] { key(Qt::Key_Escape); });
   connect(panel_, &TalwegPanel::from_selection, this, [this] {
     if (Session* session = target_session()) session->add_selection();
   });
+  const auto from_faces = [this](bool selected) {
+    if (Session* session = target_session()) session->add_face_borders(selected);
+  };
+  connect(panel_, &TalwegPanel::from_face_selection, this, [from_faces] { from_faces(true); });
+  connect(panel_, &TalwegPanel::from_face_colours, this, [from_faces] { from_faces(false); });
   connect(panel_, &TalwegPanel::from_lines, this, &TalwegPlugin::from_lines);
+  connect(panel_, &TalwegPanel::cut, this, [this] { use([](Session& s) { s.cut(false); }); });
+  connect(panel_, &TalwegPanel::select_inside, this,
+          [this] { use([](Session& s) { s.cut(true); }); });
+  connect(panel_, &TalwegPanel::split, this, [this](bool lids) {
+    use([lids](Session& s) {
+      std::vector<int> parts;
+      s.split(lids, parts);
+    });
+  });
   connect(panel_, &TalwegPanel::remove_last, this,
           [this] { edit_now([](Editor& e) { e.remove_curve(e.drawing().curves.size() - 1); }); });
   connect(panel_, &TalwegPanel::clear, this, [this] { edit_now([](Editor& e) { e.clear(); }); });
@@ -231,6 +260,29 @@ void TalwegPlugin::show_colours(int id) {
   updating_ = false;
 }
 
+void TalwegPlugin::show_selection(int id) {
+  updating_ = true;
+  emit updatedObject(id, UPDATE_SELECTION);
+  updating_ = false;
+}
+
+void TalwegPlugin::show_mesh(int id) {
+  updating_ = true;
+  emit updatedObject(id, UPDATE_ALL);
+  updating_ = false;
+}
+
+int TalwegPlugin::add_mesh(const QString& name, TriMesh&& mesh) {
+  int id = -1;
+  emit addEmptyObject(DATA_TRIANGLE_MESH, id);
+  TriMeshObject* object = nullptr;
+  if (!PluginFunctions::getObject(id, object)) return -1;
+  *object->mesh() = std::move(mesh);
+  object->setName(name);
+  show_mesh(id);
+  return id;
+}
+
 void TalwegPlugin::remove_object(int id) { emit deleteObject(id); }
 
 void TalwegPlugin::push_backup(int id, const QString& name) {
@@ -290,14 +342,14 @@ void TalwegPlugin::changed() {
     state.settings = session->editor().drawing().settings;
     state.scale = session->diagonal() / 10;
     state.unfinished = session->editor().is_drawing();
-    state.can_undo = history.can_undo();
+    state.can_undo = session->can_undo();
     state.can_redo = history.can_redo();
-    state.undo_name = QString::fromStdString(history.undo_name());
-    state.redo_name = QString::fromStdString(history.redo_name());
+    state.undo_name = in_words_of_the_panel(history.undo_name());
+    state.redo_name = in_words_of_the_panel(history.redo_name());
     state.curves = static_cast<int>(session->editor().drawing().curves.size());
     state.all_clicked = editing::all_clicked(session->editor().drawing());
     state.coloured_by = static_cast<int>(session->coloured_by());
-    state.report = short_report(*session);
+    show_results_of(*session, state);
     state.problem = session->problem();
     state.repair_told = session->repair_told();
     save_settings(state.settings);
@@ -354,6 +406,15 @@ bool TalwegPlugin::edit(int mesh_id, const std::function<void(Editor&)>& change)
 bool TalwegPlugin::edit_now(const std::function<void(Editor&)>& change) {
   Session* session = existing(current_);
   return session != nullptr && session->edit(change);
+}
+
+/// What takes a moment and is waited for.
+void TalwegPlugin::use(const std::function<void(Session&)>& work) {
+  Session* session = existing(current_);
+  if (session == nullptr) return;
+  QApplication::setOverrideCursor(Qt::WaitCursor);
+  work(*session);
+  QApplication::restoreOverrideCursor();
 }
 
 void TalwegPlugin::from_lines() {

@@ -118,6 +118,8 @@ class TalwegPlugin : public QObject,
   bool takeBackPoint(int meshId);
   bool dropCurve(int meshId);
   bool fromSelection(int meshId);
+  bool fromFaceSelection(int meshId);
+  bool fromFaceColours(int meshId);
   bool fromPolyLine(int meshId, int polyLineId);
   bool removeCurve(int meshId, int curve);
   bool clear(int meshId);
@@ -138,10 +140,10 @@ class TalwegPlugin : public QObject,
   bool writeResult(int meshId, QString filename);
   bool writeDrawing(int meshId, QString filename);
   bool readDrawing(int meshId, QString filename);
-  QString timeTau(int meshId, int steps);
+  bool cut(int meshId);
+  bool selectInside(int meshId);
+  IdList split(int meshId, bool lids);
   void drawMode(bool on);
-  QString screenPosition(int meshId, int vertex);
-  QString widgetPosition(QString name);
 
  public:
   ~TalwegPlugin() override;
@@ -164,6 +166,9 @@ class TalwegPlugin : public QObject,
   int add_line(const QString& name) override;
   void show_line(int id) override;
   void show_colours(int id) override;
+  void show_selection(int id) override;
+  void show_mesh(int id) override;
+  int add_mesh(const QString& name, TriMesh&& mesh) override;
   void remove_object(int id) override;
   void push_backup(int id, const QString& name) override;
   bool host_undo(int id) override;
@@ -183,6 +188,7 @@ class TalwegPlugin : public QObject,
   Session* target_session();
   bool edit(int mesh_id, const std::function<void(talweg::editing::Editor&)>& change);
   bool edit_now(const std::function<void(talweg::editing::Editor&)>& change);
+  void use(const std::function<void(Session&)>& work);
   void from_lines();
   void ask_for_file(bool write, bool result);
   [[nodiscard]] talweg::editing::Settings saved_settings() const;

@@ -1,8 +1,4 @@
 // What scripts can call; the descriptions are what the host's script window shows.
-#include <QApplication>
-#include <QDateTime>
-#include <QElapsedTimer>
-#include <QWidget>
 #include <algorithm>
 #include <cmath>
 
@@ -68,6 +64,20 @@ bool TalwegPlugin::fromSelection(int meshId) {
   Session* session = session_of(meshId);
   if (session == nullptr) return false;
   session->add_selection();
+  return session->last_error().isEmpty();
+}
+
+bool TalwegPlugin::fromFaceSelection(int meshId) {
+  Session* session = session_of(meshId);
+  if (session == nullptr) return false;
+  session->add_face_borders(true);
+  return session->last_error().isEmpty();
+}
+
+bool TalwegPlugin::fromFaceColours(int meshId) {
+  Session* session = session_of(meshId);
+  if (session == nullptr) return false;
+  session->add_face_borders(false);
   return session->last_error().isEmpty();
 }
 
@@ -214,65 +224,30 @@ bool TalwegPlugin::readDrawing(int meshId, QString filename) {
   return read && session->last_error().isEmpty();
 }
 
-/// Steps of the slider as a hand moves it, up and down through tau; each is waited for.
-QString TalwegPlugin::timeTau(int meshId, int steps) {
+bool TalwegPlugin::cut(int meshId) {
   Session* session = existing(meshId);
-  if (session == nullptr || steps < 1) return {};
+  if (session == nullptr) return false;
   session->wait();
-  const double tau = session->editor().drawing().settings.tau;
-  std::vector<double> run, step;
-  session->begin_gesture("Tau");
-  for (int k = 0; k < steps; ++k) {
-    QElapsedTimer clock;
-    clock.start();
-    const double t = 0.5 + 4.0 * (0.5 - 0.5 * std::cos(6.2831853 * k / 40.0));
-    session->edit([&](Editor& e) { e.set_tau(t); });
-    session->wait();
-    step.push_back(static_cast<double>(clock.nsecsElapsed()) / 1e6);
-    run.push_back(session->last_run_ms());
-  }
-  session->edit([&](Editor& e) { e.set_tau(tau); });
-  session->end_gesture();
-  session->wait();
-  const auto describe = [](std::vector<double> ms) {
-    std::sort(ms.begin(), ms.end());
-    return QString("median %1 ms, largest %2 ms")
-        .arg(ms[ms.size() / 2], 0, 'f', 1)
-        .arg(ms.back(), 0, 'f', 1);
-  };
-  return QString("%1 steps: %2 in the thread; %3 until the curve is in the scene")
-      .arg(steps)
-      .arg(describe(run), describe(step));
+  emit scriptInfo(QString("cut(%1)").arg(meshId));
+  return session->cut(false);
 }
 
-QString TalwegPlugin::screenPosition(int meshId, int vertex) {
-  const Session* session = session_of(meshId);
-  if (session == nullptr || OpenFlipper::Options::nogui() || vertex < 0 ||
-      index(vertex) >= session->arrays().positions.size()) {
-    return {};
-  }
-  const auto& p = session->arrays().positions[index(vertex)];
-  auto& view =
-      PluginFunctions::viewerProperties(static_cast<int>(PluginFunctions::activeExaminer()));
-  const ACG::Vec3d s = view.glState().project(ACG::Vec3d(p[0], p[1], p[2]));
-  return QString("%1 %2")
-      .arg(std::lround(s[0]))
-      .arg(std::lround(view.glState().context_height() - s[1]));
+bool TalwegPlugin::selectInside(int meshId) {
+  Session* session = existing(meshId);
+  if (session == nullptr) return false;
+  session->wait();
+  emit scriptInfo(QString("selectInside(%1)").arg(meshId));
+  return session->cut(true);
 }
 
-QString TalwegPlugin::widgetPosition(QString name) {
-  if (OpenFlipper::Options::nogui()) return {};
-  QApplication::processEvents();  // layouts that wait
-  for (const QWidget* widget : QApplication::allWidgets()) {
-    if (widget->objectName() != name) continue;
-    const QPoint at = widget->mapToGlobal(QPoint(0, 0));
-    return QString("%1 %2 %3 %4")
-        .arg(at.x())
-        .arg(at.y())
-        .arg(widget->width())
-        .arg(widget->height());
-  }
-  return {};
+IdList TalwegPlugin::split(int meshId, bool lids) {
+  Session* session = existing(meshId);
+  IdList parts;
+  if (session == nullptr) return parts;
+  session->wait();
+  emit scriptInfo(QString("split(%1, %2)").arg(meshId).arg(lids ? "true" : "false"));
+  session->split(lids, parts);
+  return parts;
 }
 
 void TalwegPlugin::describe_slots() {
@@ -291,6 +266,10 @@ void TalwegPlugin::describe_slots() {
   describe("takeBackPoint(int)", tr("Takes the last point back."), "meshId", mesh);
   describe("dropCurve(int)", tr("Drops the curve that is being drawn."), "meshId", mesh);
   describe("fromSelection(int)", tr("Curves from selected vertices or edges."), "meshId", mesh);
+  describe("fromFaceSelection(int)", tr("Curves along the border of the selected faces."), "meshId",
+           mesh);
+  describe("fromFaceColours(int)", tr("Curves along the borders between face colours."), "meshId",
+           mesh);
   describe("fromPolyLine(int,int)", tr("A curve from a polyline, put onto the mesh."),
            "meshId;polyLineId", mesh + tr(";id of a polyline"));
   describe("removeCurve(int,int)", tr("Removes a curve."), "meshId;curve", mesh + tr(";from 0"));
@@ -330,11 +309,11 @@ void TalwegPlugin::describe_slots() {
            mesh + tr(";as writeResult"));
   describe("readDrawing(int,QString)", tr("Adds the curves of a file."), "meshId;filename",
            mesh + tr(";as writeResult, or .txt"));
-  describe("timeTau(int,int)", tr("Moves tau to and fro and tells the time of a step."),
-           "meshId;steps", mesh + tr(";how many"));
+  describe("cut(int)", tr("Makes the smoothed curves edges of the mesh, and selects them."),
+           "meshId", mesh);
+  describe("selectInside(int)", tr("Cuts, and selects the faces inside the closed curves."),
+           "meshId", mesh);
+  describe("split(int,bool)", tr("Makes a mesh of each part that the smoothed curves leave."),
+           "meshId;lids", mesh + tr(";whether the parts are closed where they were cut"));
   describe("drawMode(bool)", tr("Begins or ends drawing with the mouse."), "on", tr("whether"));
-  describe("screenPosition(int,int)", tr("Where a vertex is in the viewer, \"x y\"."),
-           "meshId;vertex", mesh + tr(";from 0"));
-  describe("widgetPosition(QString)", tr("Where a widget is on the screen, \"x y width height\"."),
-           "name", tr("such as talwegUndo"));
 }

@@ -29,21 +29,31 @@ endif()
 find_package(${qt} REQUIRED COMPONENTS ${parts})
 list(TRANSFORM parts PREPEND ${qt}::)
 
-add_library(Plugin-Talweg MODULE HostMesh.cc Session.cc SessionReport.cc TalwegMouse.cc
-                                 TalwegPanel.cc TalwegPanel.hh TalwegPlugin.cc TalwegPlugin.hh
-                                 TalwegScripting.cc talweg.qrc)
-target_compile_features(Plugin-Talweg PRIVATE cxx_std_20)
-target_compile_definitions(Plugin-Talweg PRIVATE ENABLE_TRIANGLEMESH_SUPPORT
-                                                 ENABLE_POLYLINE_SUPPORT INCLUDE_TEMPLATES)
+option(TALWEG_BUILD_PROBE "Build the plugin that the tests look through" OFF)
+
 set(host ${OPENFLIPPER_SOURCE_DIR})
 file(GLOB types ${host}/Type-*)
-target_include_directories(Plugin-Talweg SYSTEM PRIVATE
-  ${host} ${host}/OpenFlipper/libs_required ${host}/OpenFlipper/libs_required/ACG ${types}
-  ${OPENFLIPPER_BUILD_DIR}/OpenFlipper/PluginLib ${OPENMESH_INCLUDE_DIRS})
-foreach(library ACG OpenFlipperPluginLib TRIANGLEMESH POLYLINE)
-  find_library(OPENFLIPPER_${library} ${library} REQUIRED NO_DEFAULT_PATH
-               PATHS ${OPENFLIPPER_BUILD_DIR}/Build/lib)
-  target_link_libraries(Plugin-Talweg PRIVATE ${OPENFLIPPER_${library}})
-endforeach()
-target_link_libraries(Plugin-Talweg PRIVATE talweg::editing ${parts} OpenMeshCore OpenGL::GL)
-target_link_options(Plugin-Talweg PRIVATE -Wl,--no-undefined)
+function(host_plugin name)
+  add_library(${name} MODULE ${ARGN})
+  target_compile_features(${name} PRIVATE cxx_std_20)
+  target_compile_definitions(${name} PRIVATE ENABLE_TRIANGLEMESH_SUPPORT ENABLE_POLYLINE_SUPPORT
+                                             INCLUDE_TEMPLATES)
+  target_include_directories(${name} SYSTEM PRIVATE
+    ${host} ${host}/OpenFlipper/libs_required ${host}/OpenFlipper/libs_required/ACG ${types}
+    ${OPENFLIPPER_BUILD_DIR}/OpenFlipper/PluginLib ${OPENMESH_INCLUDE_DIRS})
+  foreach(library ACG OpenFlipperPluginLib TRIANGLEMESH POLYLINE)
+    find_library(OPENFLIPPER_${library} ${library} REQUIRED NO_DEFAULT_PATH
+                 PATHS ${OPENFLIPPER_BUILD_DIR}/Build/lib)
+    target_link_libraries(${name} PRIVATE ${OPENFLIPPER_${library}})
+  endforeach()
+  target_link_libraries(${name} PRIVATE ${parts} OpenMeshCore OpenGL::GL)
+  target_link_options(${name} PRIVATE -Wl,--no-undefined)
+endfunction()
+
+file(GLOB sources CONFIGURE_DEPENDS *.cc *.hh talweg.qrc)
+host_plugin(Plugin-Talweg ${sources})
+target_link_libraries(Plugin-Talweg PRIVATE talweg::editing)
+if(TALWEG_BUILD_PROBE)
+  file(GLOB sources CONFIGURE_DEPENDS ../../../../tests/hosts/openflipper/Plugin-TalwegProbe/*.*)
+  host_plugin(Plugin-TalwegProbe ${sources})
+endif()

@@ -1,0 +1,27 @@
+// Panel icons are small drawings in the colour of the panel's text.
+#pragma once
+
+#include <QIcon>
+
+namespace talweg::openflipper {
+
+enum class Sign {
+  kPencil,
+  kTick,
+  kLoop,
+  kBack,
+  kForward,
+  kCross,
+  kBin,
+  kFrom,
+  kRead,
+  kWrite,
+  kScissors,
+  kParts,
+  kInside,
+  kTool,
+};
+
+QIcon icon_of(Sign sign);
+
+}  // namespace talweg::openflipper

@@ -1,0 +1,95 @@
+#include "ProbePlugin.hh"
+
+#include <QApplication>
+#include <QMouseEvent>
+#include <QSlider>
+#include <cmath>
+
+#include <OpenFlipper/BasePlugin/PluginFunctions.hh>
+#include <OpenFlipper/common/GlobalOptions.hh>
+// clang-format off
+#include <OpenFlipper/common/ObjectTypeDLLDefines.hh>
+#include <ObjectTypes/TriangleMesh/TriangleMesh.hh>
+#include <ObjectTypes/TriangleMesh/PluginFunctionsTriangleMesh.hh>
+// clang-format on
+
+namespace {
+
+bool is_view(QObject* watched) {
+  return watched->parent() != nullptr && watched->parent()->inherits("QGraphicsView");
+}
+
+}  // namespace
+
+void ProbePlugin::pluginsInitialized() {
+  clock_.start();
+  if (OpenFlipper::Options::gui()) qApp->installEventFilter(this);
+}
+
+bool ProbePlugin::eventFilter(QObject* watched, QEvent* event) {
+  const bool view = is_view(watched);
+  if (event->type() == QEvent::Paint && view && !painting_) {
+    painting_ = true;
+    const qint64 before = clock_.nsecsElapsed();
+    QCoreApplication::sendEvent(watched, event);
+    paint_ms_ += static_cast<double>(clock_.nsecsElapsed() - before) / 1e6;
+    painting_ = false;
+    return true;
+  }
+  const bool slider = qobject_cast<QSlider*>(watched) != nullptr;
+  if (!what_.isEmpty() || (!view && !slider)) return false;
+  if (event->type() == QEvent::MouseButtonPress && view) what_ = "press";
+  if (event->type() == QEvent::MouseMove && static_cast<QMouseEvent*>(event)->buttons() != 0) {
+    what_ = slider ? "slider" : "move";
+  }
+  began_ms_ = static_cast<double>(clock_.nsecsElapsed()) / 1e6;
+  paint_ms_ = 0;
+  return false;
+}
+
+void ProbePlugin::slotObjectUpdated(int _identifier, const UpdateType& _type) {
+  if (what_.isEmpty() || !_type.contains(UPDATE_GEOMETRY)) return;
+  BaseObjectData* object = nullptr;
+  if (!PluginFunctions::getObject(_identifier, object) || !object->name().contains("smoothed")) {
+    return;
+  }
+  const double ms = static_cast<double>(clock_.nsecsElapsed()) / 1e6 - began_ms_;
+  emit log(LOGINFO, QString("CLOCK %1 %2 ms, besides %3 ms for pictures")
+                        .arg(what_)
+                        .arg(ms - paint_ms_, 0, 'f', 1)
+                        .arg(paint_ms_, 0, 'f', 1));
+  what_.clear();
+}
+
+QString ProbePlugin::widgetPosition(QString name) {
+  if (OpenFlipper::Options::nogui()) return {};
+  QApplication::processEvents();  // layouts that wait
+  for (const QWidget* widget : QApplication::allWidgets()) {
+    if (widget->objectName() != name) continue;
+    const QPoint at = widget->mapToGlobal(QPoint(0, 0));
+    return QString("%1 %2 %3 %4")
+        .arg(at.x())
+        .arg(at.y())
+        .arg(widget->width())
+        .arg(widget->height());
+  }
+  return {};
+}
+
+QString ProbePlugin::screenPosition(int meshId, int vertex) {
+  TriMeshObject* object = nullptr;
+  if (OpenFlipper::Options::nogui() || !PluginFunctions::getObject(meshId, object)) return {};
+  const TriMesh& mesh = *object->mesh();
+  if (vertex < 0 || static_cast<std::size_t>(vertex) >= mesh.n_vertices()) return {};
+  auto& state = PluginFunctions::viewerProperties(0).glState();
+  const ACG::Vec3d s = state.project(mesh.point(TriMesh::VertexHandle(vertex)));
+  QPoint origin;  // of the viewer
+  for (const QWidget* widget : QApplication::allWidgets()) {
+    if (!widget->inherits("QGraphicsView") || !widget->isVisible()) continue;
+    origin = widget->mapToGlobal(QPoint(0, 0));
+    break;
+  }
+  return QString("%1 %2")
+      .arg(origin.x() + std::lround(s[0]))
+      .arg(origin.y() + std::lround(state.context_height() - s[1]));
+}

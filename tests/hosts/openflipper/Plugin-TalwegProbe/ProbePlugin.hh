@@ -1,0 +1,56 @@
+// The probe is a plugin of the host for tests. It looks at Plugin-Talweg from outside: where its
+// widgets are, where a vertex is on the screen, and how long it takes from a movement of the mouse
+// until a smoothed line has changed. Scripts call it "talwegprobe"; the times are in the log.
+#pragma once
+
+#include <QElapsedTimer>
+#include <QObject>
+
+#include <OpenFlipper/BasePlugin/BaseInterface.hh>
+#include <OpenFlipper/BasePlugin/LoggingInterface.hh>
+#include <OpenFlipper/BasePlugin/ScriptInterface.hh>
+#include <OpenFlipper/common/Types.hh>
+
+class ProbePlugin : public QObject, BaseInterface, LoggingInterface, ScriptInterface {
+  Q_OBJECT
+  Q_INTERFACES(BaseInterface)
+  Q_INTERFACES(LoggingInterface)
+  Q_INTERFACES(ScriptInterface)
+  Q_PLUGIN_METADATA(IID "org.OpenFlipper.Plugins.Plugin-TalwegProbe")
+
+ signals:
+  void updateView();
+  void updatedObject(int _identifier, const UpdateType& _type);
+  void setSlotDescription(QString _slotName, QString _slotDescription, QStringList _parameters,
+                          QStringList _descriptions);
+  void log(Logtype _type, QString _message);
+  void log(QString _message);
+  void scriptInfo(QString _functionName);
+
+ private slots:
+  void pluginsInitialized();
+  void slotObjectUpdated(int _identifier, const UpdateType& _type);
+
+ public slots:
+  QString version() { return QString("0.1.0"); }
+  void noguiSupported() {}
+
+  /// "x y width height" on the screen.
+  QString widgetPosition(QString name);
+  /// "x y" in the window of the host.
+  QString screenPosition(int meshId, int vertex);
+
+ public:
+  QString name() { return QString("TalwegProbe"); }
+  QString description() { return QString("For tests of Plugin-Talweg."); }
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  QElapsedTimer clock_;
+  QString what_;          // the movement that no line has followed yet; empty: none
+  double began_ms_ = 0;   // when that was
+  double paint_ms_ = 0;   // what the host's pictures have taken since
+  bool painting_ = false;
+};
