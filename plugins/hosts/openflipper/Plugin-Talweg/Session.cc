@@ -418,6 +418,7 @@ void Session::mesh_updated() {
   born_of_cut_ = false;
   const bool same_faces = now->triangles == arrays_->triangles;
   arrays_ = std::move(now);
+  sight_.reset();
   open();
   host_.warn(QString("%1 has changed and is opened again.").arg(name_));
   if (!same_faces) {
@@ -456,7 +457,9 @@ void Session::remove_deleted() {
 
 bool Session::is_hidden(std::size_t curve, std::size_t point, const ACG::Vec3d& eye) const {
   const editing::Point& at = editor_.drawing().curves.at(curve)->points.at(point);
-  return object_.visible() && editing::is_hidden(*arrays_, at, {eye[0], eye[1], eye[2]});
+  if (!object_.visible()) return false;
+  if (!sight_) sight_ = std::make_unique<editing::Sight>(arrays_);
+  return sight_->is_hidden(at, {eye[0], eye[1], eye[2]});
 }
 
 bool Session::attempt(const std::function<void()>& work) {

@@ -151,6 +151,7 @@ class Session {
   int mesh_id_;
   QString name_;
   std::shared_ptr<const editing::MeshArrays> arrays_;
+  mutable std::unique_ptr<editing::Sight> sight_;  // of arrays_, made when first asked
   double diagonal_;  // of the bounding box, mesh units
   editing::Editor editor_;
   std::unique_ptr<editing::SmoothingThread> thread_;

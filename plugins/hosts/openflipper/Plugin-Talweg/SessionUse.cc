@@ -74,6 +74,7 @@ void Session::history_begins_with(editing::Editor editor,
                                   std::shared_ptr<const editing::MeshArrays> arrays) {
   editor_ = std::move(editor);
   arrays_ = std::move(arrays);
+  sight_.reset();
   self_ = std::make_shared<Session*>(this);
   first_number_ = kept_number_ = editor_.history().number();
   if (drawing_id_ >= 0) to_remove_.push_back(std::exchange(drawing_id_, -1));
