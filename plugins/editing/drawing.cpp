@@ -76,6 +76,7 @@ bool can_be_smoothed(const Curve& curve) { return curve.points.size() >= 2; }
 void apply_per_curve(const char* id, const std::vector<std::optional<double>>& values,
                      host::Instance& smooth) {
   std::vector<double> own;
+  own.reserve(values.size());
   for (const std::optional<double>& value : values) own.push_back(value.value_or(-1));
   if (std::all_of(own.begin(), own.end(), [](double value) { return value == -1; })) {
     smooth.reset(id);
