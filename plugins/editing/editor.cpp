@@ -49,9 +49,11 @@ void require(const Settings& settings) {
 
 }  // namespace
 
-Editor::Editor(const Settings& settings) {
-  require(settings);
-  history_ = History(settings);
+Editor::Editor(const Settings& settings) : Editor(Drawing{{}, false, settings}) {}
+
+Editor::Editor(Drawing drawing) {
+  require(drawing.settings);
+  history_ = History(std::move(drawing));
 }
 
 const Curve& Editor::curve_at(std::size_t curve) const {

@@ -18,6 +18,8 @@ class Editor {
   Editor() = default;
   /// Begins with these settings, which are no step that could be undone. Throws Error.
   explicit Editor(const Settings& settings);
+  /// Begins with this drawing, as that of another editor.
+  explicit Editor(Drawing drawing);
 
   [[nodiscard]] const Drawing& drawing() const { return history_.now(); }
   [[nodiscard]] History& history() { return history_; }

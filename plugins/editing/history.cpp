@@ -7,9 +7,7 @@ namespace talweg::editing {
 
 History::History(std::size_t most) : most_(most) { steps_.push_back({"", {}, numbers_++}); }
 
-History::History(const Settings& settings) : History() {
-  steps_.front().drawing.settings = settings;
-}
+History::History(Drawing first) : History() { steps_.front().drawing = std::move(first); }
 
 void History::add(const std::string& name, Drawing next) {
   if (next == now()) return;

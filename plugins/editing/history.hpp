@@ -15,8 +15,7 @@ class History {
  public:
   /// `most`: the number of steps that can be undone; older ones are forgotten.
   explicit History(std::size_t most = 2000);
-  /// Begins with an empty drawing that has these settings.
-  explicit History(const Settings& settings);
+  explicit History(Drawing first);
 
   [[nodiscard]] const Drawing& now() const { return steps_[at_].drawing; }
   /// Identifies the current state; every state ever created has another number.

@@ -126,14 +126,12 @@ AppliedPlan cut_mesh(const editing::Plugins& plugins, TriMesh& mesh,
   return apply_plan(mesh, division_from(cut.cut_plan()));
 }
 
-editing::Point moved(const editing::MeshArrays& before, const TriMesh& mesh,
-                     const AppliedPlan& cut, const editing::Point& point) {
+editing::Point moved(const editing::MeshArrays& before, const TriMesh& mesh, const AppliedPlan& cut,
+                     const editing::Point& point) {
   const ACG::Vec3d place = vector_at(before, point);
   Face best(static_cast<int>(point.face));
   std::array<double, 3> best_at = barycentric_in(mesh, best, place);
-  const auto least = [](const std::array<double, 3>& b) {
-    return std::min({b[0], b[1], b[2]});
-  };
+  const auto least = [](const std::array<double, 3>& b) { return std::min({b[0], b[1], b[2]}); };
   for (std::size_t k = 0; k < cut.faces.size(); ++k) {
     if (cut.face_from[k].idx() != static_cast<int>(point.face)) continue;
     const std::array<double, 3> at = barycentric_in(mesh, cut.faces[k], place);
@@ -190,9 +188,8 @@ std::vector<TriMesh> parts_of_mesh(const editing::Plugins& plugins, const TriMes
 }
 
 std::vector<editing::OrderedVertices> border_of_selection(const TriMesh& mesh) {
-  auto found = borders(mesh, [&](Face a, Face b) {
-    return mesh.status(a).selected() != mesh.status(b).selected();
-  });
+  auto found = borders(
+      mesh, [&](Face a, Face b) { return mesh.status(a).selected() != mesh.status(b).selected(); });
   if (found.empty()) throw editing::Error("Select some faces of the mesh first, and not all.");
   return found;
 }

@@ -11,14 +11,14 @@
 
 namespace talweg::openflipper {
 
-/// Makes the curves edges of the mesh, in place; all that the mesh knows is kept. `arrays` are those
-/// of the mesh. Throws host::Error or PlanError, and the mesh is then as it was.
+/// Makes the curves edges of the mesh, in place; all that the mesh knows is kept. `arrays` are
+/// those of the mesh. Throws host::Error or PlanError, and the mesh is then as it was.
 AppliedPlan cut_mesh(const editing::Plugins& plugins, TriMesh& mesh,
                      const editing::MeshArrays& arrays, const std::vector<host::Curve>& curves);
 
 /// A drawn point on the mesh after the cut, at the same place.
-editing::Point moved(const editing::MeshArrays& before, const TriMesh& mesh,
-                     const AppliedPlan& cut, const editing::Point& point);
+editing::Point moved(const editing::MeshArrays& before, const TriMesh& mesh, const AppliedPlan& cut,
+                     const editing::Point& point);
 
 /// The faces that the closed chains of a cut enclose: of each the side of smaller area. Throws
 /// editing::Error if no chain is closed, or one does not divide the mesh.

@@ -67,6 +67,7 @@ void Session::open() {
   thread_ = std::make_unique<editing::SmoothingThread>(
       plugins_, arrays_, [host] { host->wake(); }, 400, defects_);
   asked_ = {};
+  sight_.reset();
   ticket_ = stale_ = 0;
   problem_.clear();
   repair_told_.clear();
@@ -267,7 +268,11 @@ void Session::take(editing::Outcome outcome) {
       work_error_.clear();
       show_results(std::move(outcome.results), outcome.ticket == ticket_);
       return;
+    case editing::Task::kSee:
+      sight_ = std::move(outcome.sight);
+      return;
     case editing::Task::kDraw:
+    case editing::Task::kLeg:
       return;
   }
 }
@@ -275,6 +280,7 @@ void Session::take(editing::Outcome outcome) {
 void Session::take_opened(const editing::Outcome& outcome) {
   if (outcome.status == TALWEG_OK) {
     host_.say(QString("%1 is open after %2 ms.").arg(name_).arg(outcome.milliseconds, 0, 'f', 0));
+    if (points_ != nullptr) thread_->see();
     return;
   }
   problem_ = in_words(outcome.sentence);
@@ -418,7 +424,6 @@ void Session::mesh_updated() {
   born_of_cut_ = false;
   const bool same_faces = now->triangles == arrays_->triangles;
   arrays_ = std::move(now);
-  sight_.reset();
   open();
   host_.warn(QString("%1 has changed and is opened again.").arg(name_));
   if (!same_faces) {
@@ -455,10 +460,15 @@ void Session::remove_deleted() {
   }
 }
 
+std::optional<editing::Point> Session::seen(const ACG::Vec3d& eye, const ACG::Vec3d& way) const {
+  return sight_->first({eye[0], eye[1], eye[2]}, {way[0], way[1], way[2]});
+}
+
 bool Session::is_hidden(std::size_t curve, std::size_t point, const ACG::Vec3d& eye) const {
   const editing::Point& at = editor_.drawing().curves.at(curve)->points.at(point);
   if (!object_.visible()) return false;
-  if (!sight_) sight_ = std::make_unique<editing::Sight>(arrays_);
+  if (!sight_)
+    sight_ = std::make_shared<const editing::Sight>(arrays_);  // the thread is not there yet
   return sight_->is_hidden(at, {eye[0], eye[1], eye[2]});
 }
 

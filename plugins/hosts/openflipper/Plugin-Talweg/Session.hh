@@ -120,6 +120,11 @@ class Session {
   void object_deleted(int object_id);
 
   [[nodiscard]] std::vector<ACG::Vec3d> drawn_positions(std::size_t curve) const;
+  /// Whether seen() and is_hidden() can tell already.
+  [[nodiscard]] bool can_see() const { return sight_ != nullptr && object_.visible(); }
+  /// What of the mesh lies first on the way from the eye.
+  [[nodiscard]] std::optional<editing::Point> seen(const ACG::Vec3d& eye,
+                                                   const ACG::Vec3d& way) const;
   /// Whether the mesh lies between that point and the eye.
   [[nodiscard]] bool is_hidden(std::size_t curve, std::size_t point, const ACG::Vec3d& eye) const;
 
@@ -151,10 +156,11 @@ class Session {
   int mesh_id_;
   QString name_;
   std::shared_ptr<const editing::MeshArrays> arrays_;
-  mutable std::unique_ptr<editing::Sight> sight_;  // of arrays_, made when first asked
   double diagonal_;  // of the bounding box, mesh units
   editing::Editor editor_;
   std::unique_ptr<editing::SmoothingThread> thread_;
+  // Of arrays_; null until the thread has made it, or it is needed before.
+  mutable std::shared_ptr<const editing::Sight> sight_;
 
   editing::Drawing asked_;          // what was asked to be smoothed last
   std::uint64_t ticket_ = 0;        // of that
@@ -177,8 +183,8 @@ class Session {
   };
   std::vector<OtherMesh> others_;
   bool born_of_cut_ = false;  // the mesh is as a cut of ours has left it
-  bool preview_ = false;              // in a gesture that moves a point
-  bool log_next_ = false;             // a result that is no step of a gesture
+  bool preview_ = false;      // in a gesture that moves a point
+  bool log_next_ = false;     // a result that is no step of a gesture
   ColourBy colour_by_ = ColourBy::kNothing;
   ACG::SceneGraph::MaterialNode* material_ = nullptr;  // the scene's
   ACG::SceneGraph::PointNode* points_ = nullptr;

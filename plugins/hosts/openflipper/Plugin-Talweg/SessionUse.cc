@@ -40,15 +40,15 @@ bool Session::cut(bool select_inside) {
 /// The drawing as it is on the mesh after a cut. Its history begins anew: states before belong to
 /// the mesh before, and come back with it.
 void Session::go_over(const AppliedPlan& plan) {
-  editing::Editor editor(editor_.drawing().settings);
-  for (const auto& curve : editor_.drawing().curves) {
-    editing::Curve there = *curve;
-    for (editing::Point& point : there.points) point = moved(*arrays_, mesh(), plan, point);
-    editor.add_curve(std::move(there));
+  editing::Drawing drawing = editor_.drawing();
+  for (auto& curve : drawing.curves) {
+    auto there = std::make_shared<editing::Curve>(*curve);
+    for (editing::Point& point : there->points) point = moved(*arrays_, mesh(), plan, point);
+    curve = std::move(there);
   }
   others_.push_back({arrays_, std::move(editor_), born_of_cut_});
   if (others_.size() > 4) others_.erase(others_.begin());
-  history_begins_with(std::move(editor), arrays_of(mesh()));
+  history_begins_with(editing::Editor(std::move(drawing)), arrays_of(mesh()));
   born_of_cut_ = true;
   open();
   after_edit();
@@ -74,7 +74,6 @@ void Session::history_begins_with(editing::Editor editor,
                                   std::shared_ptr<const editing::MeshArrays> arrays) {
   editor_ = std::move(editor);
   arrays_ = std::move(arrays);
-  sight_.reset();
   self_ = std::make_shared<Session*>(this);
   first_number_ = kept_number_ = editor_.history().number();
   if (drawing_id_ >= 0) to_remove_.push_back(std::exchange(drawing_id_, -1));
@@ -89,9 +88,7 @@ bool Session::split(bool lids, std::vector<int>& parts) {
       const QString name = QString("%1 part %2").arg(name_).arg(parts.size() + 1);
       parts.push_back(host_.add_mesh(name, std::move(part)));
     }
-    host_.say(QString("%1 has %2 parts now; itself it is as it was.")
-                  .arg(name_)
-                  .arg(parts.size()));
+    host_.say(QString("%1 has %2 parts now; itself it is as it was.").arg(name_).arg(parts.size()));
   });
 }
 

@@ -43,31 +43,71 @@ void TalwegPlugin::drawMode(bool on) {
 
 void TalwegPlugin::slotPickModeChanged(const std::string& /*_mode*/) { changed(); }
 
-/// The point under the mouse, on the mesh that is drawn on or, where nothing is drawn now, on any
-/// target.
-bool TalwegPlugin::pick(const QPoint& at, Session*& session, editing::Point& point) {
+bool TalwegPlugin::is_target(int id) {
+  BaseObjectData* object = nullptr;
+  return PluginFunctions::getObject(id, object) && object->target();
+}
+
+/// The session whose mesh is the only thing that the mouse can meet, so that its own tree of
+/// triangles says what it meets. The host draws its whole scene for that.
+Session* TalwegPlugin::alone() {
+  Session* session = existing(current_);
+  if (session == nullptr || !session->can_see() || !is_target(current_)) return nullptr;
+  for (PluginFunctions::ObjectIterator it(PluginFunctions::ALL_OBJECTS);
+       it != PluginFunctions::objectsEnd(); ++it) {
+    if (!it->visible() || it->id() == current_ || it->dataType(DATA_POLY_LINE)) continue;
+    if (it->dataType(typeId("Light")) || it->dataType(typeId("Camera"))) continue;
+    return nullptr;
+  }
+  return session;
+}
+
+std::optional<TalwegPlugin::Picked> TalwegPlugin::picked_by_us(const QPoint& at) {
+  Session* session = alone();
+  if (session == nullptr) return std::nullopt;
+  auto& state =
+      PluginFunctions::viewerProperties(static_cast<int>(PluginFunctions::activeExaminer()))
+          .glState();
+  const double y = state.context_height() - at.y();
+  const ACG::Vec3d eye = state.unproject(ACG::Vec3d(at.x(), y, 0));
+  const ACG::Vec3d far = state.unproject(ACG::Vec3d(at.x(), y, 1));
+  return Picked{session, session->seen(eye, far - eye)};
+}
+
+std::optional<TalwegPlugin::Picked> TalwegPlugin::picked_by_host(const QPoint& at) {
   size_t node = 0, face = 0;
   ACG::Vec3d hit;
   BaseObjectData* object = nullptr;
   if (!PluginFunctions::scenegraphPick(ACG::SceneGraph::PICK_FACE, at, node, face, &hit) ||
       !PluginFunctions::getPickedObject(node, object) || !object->dataType(DATA_TRIANGLE_MESH)) {
-    return false;
+    return std::nullopt;
   }
   const Session* now = existing(current_);
   const bool bound = now != nullptr && (now->editor().is_drawing() || dragged_ || painting_);
-  if (bound && object->id() != current_) return false;
+  if (bound && object->id() != current_) return std::nullopt;
   if (!bound && !object->target()) {
     emit showStatusMessage(tr("Make this mesh the target to draw on it."), 3000);
-    return false;
+    return std::nullopt;
   }
-  session = session_of(object->id());
-  if (session == nullptr || face >= session->arrays().triangles.size()) return false;
+  Session* session = session_of(object->id());
+  if (session == nullptr || face >= session->arrays().triangles.size()) return std::nullopt;
+  return Picked{session,
+                talweg::openflipper::picked_on(session->mesh(), static_cast<unsigned>(face), hit)};
+}
+
+/// The point under the mouse, on the mesh that is drawn on or, where nothing is drawn now, on any
+/// target.
+bool TalwegPlugin::pick(const QPoint& at, Session*& session, editing::Point& point) {
   try {
-    point = talweg::openflipper::picked_on(session->mesh(), static_cast<unsigned>(face), hit);
+    auto picked = picked_by_us(at);
+    if (!picked) picked = picked_by_host(at);
+    if (!picked || !picked->point) return false;
+    session = picked->session;
+    point = *picked->point;
+    return true;
   } catch (const editing::Error&) {
     return false;
   }
-  return true;
 }
 
 /// The drawn point within a few pixels of the mouse, the nearest one that can be seen.

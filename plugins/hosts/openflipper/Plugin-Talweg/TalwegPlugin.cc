@@ -201,11 +201,7 @@ Session* TalwegPlugin::session_of(int mesh_id) {
 }
 
 Session* TalwegPlugin::target_session() {
-  BaseObjectData* shown = nullptr;
-  if (existing(current_) != nullptr && PluginFunctions::getObject(current_, shown) &&
-      shown->target()) {
-    return existing(current_);
-  }
+  if (existing(current_) != nullptr && is_target(current_)) return existing(current_);
   for (PluginFunctions::ObjectIterator it(PluginFunctions::TARGET_OBJECTS, DATA_TRIANGLE_MESH);
        it != PluginFunctions::objectsEnd(); ++it) {
     return session_of(it->id());

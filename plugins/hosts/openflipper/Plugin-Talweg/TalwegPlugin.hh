@@ -201,6 +201,14 @@ class TalwegPlugin : public QObject,
   void release();
   void double_click(const QMouseEvent& event);
   bool key(int key);
+  struct Picked {
+    Session* session;
+    std::optional<talweg::editing::Point> point;  // none: beside the mesh
+  };
+  static bool is_target(int id);
+  Session* alone();
+  std::optional<Picked> picked_by_us(const QPoint& at);
+  std::optional<Picked> picked_by_host(const QPoint& at);
   bool pick(const QPoint& at, Session*& session, talweg::editing::Point& point);
   [[nodiscard]] std::optional<Handle> handle_near(const QPoint& at) const;
   void hint(const QPoint& at);

@@ -49,8 +49,8 @@ class ProbePlugin : public QObject, BaseInterface, LoggingInterface, ScriptInter
 
  private:
   QElapsedTimer clock_;
-  QString what_;          // the movement that no line has followed yet; empty: none
-  double began_ms_ = 0;   // when that was
-  double paint_ms_ = 0;   // what the host's pictures have taken since
+  QString what_;         // the movement that no line has followed yet; empty: none
+  double began_ms_ = 0;  // when that was
+  double paint_ms_ = 0;  // what the host's pictures have taken since
   bool painting_ = false;
 };
