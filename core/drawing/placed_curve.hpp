@@ -1,6 +1,7 @@
 // A placed curve is one as other programs take it: faces, barycentrics, positions.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "talweg/core/mesh/mesh_lists.hpp"
@@ -20,6 +21,7 @@ struct PlacedCurve {
   std::vector<Point> positions;  ///< mesh units
   /// The marks of the points (point_marks.hpp); empty if nothing is said of any.
   std::vector<double> exact;
+  std::vector<std::size_t> pins;  ///< indices of points that must stay, ascending
 };
 
 /// Places a curve. From the faces and barycentrics snap() makes the same points again, bit for bit.

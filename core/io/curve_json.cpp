@@ -1,4 +1,6 @@
 // Our own JSON: faces, barycentrics and positions, without loss.
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "talweg/core/drawing/point_marks.hpp"
@@ -28,6 +30,11 @@ std::string exact_member(const PlacedCurve& curve, std::size_t k) {
   return mark == 0 ? ", \"exact\": true" : fmt::format(", \"exact\": {:.17g}", mark);
 }
 
+/// The member `pinned` of a point that must stay.
+std::string pinned_member(const PlacedCurve& curve, std::size_t k) {
+  return std::binary_search(curve.pins.begin(), curve.pins.end(), k) ? ", \"pinned\": true" : "";
+}
+
 CurveInput read_curve(const JsonPlace& curve) {
   CurveInput result;
   result.closed = curve.member("closed").boolean();
@@ -40,6 +47,7 @@ CurveInput read_curve(const JsonPlace& curve) {
         {FaceId{point.member("face").index()}, point.member("barycentric").triple()});
     // The position follows from face and barycentrics, so it only has to be valid.
     if (point.has("xyz")) static_cast<void>(point.member("xyz").triple());
+    if (point.has("pinned") && point.member("pinned").boolean()) result.pins.push_back(k);
     marks.push_back(point.has("exact") ? mark_of(point.member("exact")) : kNotSaid);
   }
   if (coordinates.empty()) points.fail("expected at least one point");
@@ -86,9 +94,9 @@ std::string write_json(std::span<const PlacedCurve> curves, Sides sides) {
       const Point& p = curve.positions[k];
       fmt::format_to(to,
                      "{}\n  {{\"face\": {}, \"barycentric\": [{:.17g}, {:.17g}, {:.17g}], "
-                     "\"xyz\": [{:.17g}, {:.17g}, {:.17g}]{}}}",
+                     "\"xyz\": [{:.17g}, {:.17g}, {:.17g}]{}{}}}",
                      k > 0 ? "," : "", curve.faces[k].face.index(), b[0], b[1], b[2], p.x(), p.y(),
-                     p.z(), exact_member(curve, k));
+                     p.z(), exact_member(curve, k), pinned_member(curve, k));
     }
     fmt::format_to(to, "\n]}}");
   }

@@ -1,4 +1,6 @@
 // 3D Slicer markups (.mrk.json, schema 1.0.3).
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "talweg/core/drawing/length_unit.hpp"
@@ -112,9 +114,10 @@ std::string write_slicer(std::span<const PlacedCurve> curves, const LengthUnit& 
       fmt::format_to(to,
                      "{}\n  {{\"id\": \"{}\", \"label\": \"\", \"description\": \"\", "
                      "\"associatedNodeID\": \"\", \"position\": [{:.17g}, {:.17g}, {:.17g}], "
-                     "\"selected\": true, \"locked\": false, \"visibility\": true, "
+                     "\"selected\": true, \"locked\": {}, \"visibility\": true, "
                      "\"positionStatus\": \"defined\"}}",
-                     k > 0 ? "," : "", k + 1, p.x(), p.y(), p.z());
+                     k > 0 ? "," : "", k + 1, p.x(), p.y(), p.z(),
+                     std::binary_search(curve.pins.begin(), curve.pins.end(), k));
     }
     fmt::format_to(to, "\n]}}");
   }

@@ -43,7 +43,6 @@ std::vector<host::Curve> drawn_curves(const MeshArrays& mesh, const Drawing& dra
     for (std::size_t k = 0; k < curve.faces.size(); ++k) {
       curve.positions.push_back(position_of(mesh, {curve.faces[k], curve.barycentrics[k], false}));
     }
-    curve.pins.clear();  // of the library's formats only Slicer's keeps pins
   }
   return curves;
 }

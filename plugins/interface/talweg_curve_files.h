@@ -20,8 +20,8 @@ extern "C" {
 typedef struct talweg_curve_files {
   uint32_t size;
   /* [any thread] Writes curves as plugins give them: each with faces, barycentrics and positions,
-   * and maybe vertices (.txt needs them) and the field `exact` (talweg_way_points.h; .json, .vtp and
-   * .vtk hold it). The same curves make the same bytes. A file that could not be written is as it
+   * and maybe vertices (.txt needs them), pins (.json and .mrk.json hold them) and the field `exact`
+   * (talweg_way_points.h; .json, .vtp and .vtk hold it). The same curves make the same bytes. A file that could not be written is as it
    * was. `message`, of `message_size` bytes, gets one sentence on a failure, cut where it is too
    * long, and may be null. */
   talweg_status (*write)(const char* path, const talweg_curve* const* curves, uint64_t count,

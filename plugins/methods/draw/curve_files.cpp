@@ -1,5 +1,6 @@
 #include "curve_files.hpp"
 
+#include <algorithm>
 #include <string>
 #include <utility>
 #include <vector>
@@ -28,6 +29,11 @@ PlacedCurve placed(const talweg_curve* curve) {
   PlacedCurve result;
   result.closed = input.closed;
   result.exact = marks_of(input);
+  result.pins = std::move(input.pins);
+  std::sort(result.pins.begin(), result.pins.end());
+  if (!result.pins.empty() && result.pins.back() >= n) {
+    bad_call("A curve to write has a pin at a point that it does not have.");
+  }
   result.faces = std::get<std::vector<FaceCoordinates>>(std::move(input.points));
   const auto numbers = plugin::numbers_of(curve->positions, 3, "The curve's positions");
   for (std::size_t k = 0; k < numbers.size(); k += 3) result.positions.emplace_back(&numbers[k]);

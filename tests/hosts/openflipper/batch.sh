@@ -22,7 +22,8 @@ export HOME TALWEG_PLUGIN_PATH="$plugins" QT_QPA_PLATFORM=offscreen XDG_RUNTIME_
 mkdir -p "$HOME/.OpenFlipper/ACG"
 printf '[PluginControl]\nAdditionalPlugins=%s\n' "$TALWEG_OPENFLIPPER_PLUGIN" \
   >"$HOME/.OpenFlipper/ACG/OpenFlipper.ini"
-sed "s#@FOLDER@#$folder#g; s#@THROUGH@#$through#" "$here/batch.ofs" >"$folder/batch.ofs"
+loop=$(sed 's/^--through //; s/ .*//' "$folder/vessel.through")
+sed "s#@FOLDER@#$folder#g; s#@THROUGH@#$through#; s#@LOOP@#$loop#" "$here/batch.ofs" >"$folder/batch.ofs"
 timeout 300 "$TALWEG_OPENFLIPPER" --batch "$folder/batch.ofs" >"$folder/console" 2>&1 || true
 log=$HOME/.OpenFlipper/OpenFlipper.log
 grep -a ' : ok: \|FAILED\|Talweg\|TALWEG' "$log" | sed "s#$folder#FOLDER#g" || true
@@ -44,6 +45,44 @@ same() {  # NAME OPTION...
 same tau_1
 same tau_6 --tau 6
 same pinned --pin "$pin"
+
+# The host's mesh is cut as the driver cuts it.
+"$talweg" --quiet cut "$folder/vessel.ply" --curve "$folder/loop.json" -o "$folder/driver_cut.off"
+"$talweg" --quiet cut "$folder/vessel.ply" --curve "$folder/loop.json" -o "$folder/driver_part.off" \
+  --split --cap
+/usr/bin/python3 - "$folder" <<'PYTHON'
+import re
+import sys
+
+folder = sys.argv[1]
+
+
+def counts(name):
+    numbers = [w for w in open(f"{folder}/{name}").read(200).split() if w.isdigit()]
+    return int(numbers[0]), int(numbers[1])
+
+
+def area(name):
+    words = [line.split() for line in open(f"{folder}/{name}") if not line.startswith("#")]
+    words = [line for line in words if line and line[0].isdigit() or line and line[0][0] in "-."]
+    vertices, faces = int(words[0][0]), int(words[0][1])
+    points = [tuple(map(float, line[:3])) for line in words[1 : vertices + 1]]
+    total = 0
+    for line in words[vertices + 1 : vertices + 1 + faces]:
+        a, b, c = (points[int(word)] for word in line[1:4])
+        u = [q - p for p, q in zip(a, b)]
+        v = [q - p for p, q in zip(a, c)]
+        n = (u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0])
+        total += sum(x * x for x in n) ** 0.5 / 2
+    return total
+
+
+for host, driver in [("cut", "driver_cut"), ("part_0", "driver_part-0"), ("part_1", "driver_part-1")]:
+    assert counts(f"{host}.off") == counts(f"{driver}.off"), (host, counts(f"{host}.off"))
+    a, b = area(f"{host}.off"), area(f"{driver}.off")
+    assert abs(a - b) < 1e-4 * b, (host, a, b)
+    print(f"{host}.off: {counts(host + '.off')[1]} faces and area {a:.4f}, as the driver's")
+PYTHON
 
 # The host's file has the faces, vertices and edges of the points, and keeps them.
 cmp "$folder/result.pol" "$folder/again.pol"

@@ -4,9 +4,14 @@
 set -eu
 scenes=$2 plugins=$3 pictures=${4:-}
 here=$(cd "$(dirname "$0")" && pwd)
+probe=$(dirname "${TALWEG_OPENFLIPPER_PLUGIN:-}")/libPlugin-TalwegProbe.so
 if [ ! -x "${TALWEG_OPENFLIPPER:-}" ] || [ ! -f "${TALWEG_OPENFLIPPER_PLUGIN:-}" ]; then
   echo "skipped: TALWEG_OPENFLIPPER and TALWEG_OPENFLIPPER_PLUGIN name no OpenFlipper and no" \
     "Plugin-Talweg; docs/openflipper.md tells how to get both"
+  exit 77
+fi
+if [ ! -f "$probe" ]; then
+  echo "skipped: there is no $probe; build the plugin with -DTALWEG_BUILD_PROBE=ON"
   exit 77
 fi
 folder=$(mktemp -d)
@@ -24,7 +29,7 @@ sed "s#@FOLDER@#$folder#g; s#@THROUGH@#$through#" "$here/million.ofs" >"$folder/
 HOME=$folder/home XDG_RUNTIME_DIR=$folder TALWEG_PLUGIN_PATH=$plugins
 export HOME XDG_RUNTIME_DIR TALWEG_PLUGIN_PATH
 mkdir -p "$HOME/.OpenFlipper/ACG"
-printf '[PluginControl]\nAdditionalPlugins=%s\n' "$TALWEG_OPENFLIPPER_PLUGIN" \
+printf '[PluginControl]\nAdditionalPlugins=%s, %s\n' "$TALWEG_OPENFLIPPER_PLUGIN" "$probe" \
   >"$HOME/.OpenFlipper/ACG/OpenFlipper.ini"
 log=$HOME/.OpenFlipper/OpenFlipper.log
 if [ -n "$pictures" ]; then

@@ -6,9 +6,14 @@
 set -eu
 talweg=$1 scenes=$2 plugins=$3 pictures=${4:-}
 here=$(cd "$(dirname "$0")" && pwd)
+probe=$(dirname "${TALWEG_OPENFLIPPER_PLUGIN:-}")/libPlugin-TalwegProbe.so
 if [ ! -x "${TALWEG_OPENFLIPPER:-}" ] || [ ! -f "${TALWEG_OPENFLIPPER_PLUGIN:-}" ]; then
   echo "skipped: TALWEG_OPENFLIPPER and TALWEG_OPENFLIPPER_PLUGIN name no OpenFlipper and no" \
     "Plugin-Talweg; docs/openflipper.md tells how to get both"
+  exit 77
+fi
+if [ ! -f "$probe" ]; then
+  echo "skipped: there is no $probe; build the plugin with -DTALWEG_BUILD_PROBE=ON"
   exit 77
 fi
 for tool in Xvfb xdotool; do
@@ -34,7 +39,7 @@ sleep 2
 DISPLAY=:$number HOME=$folder/home XDG_RUNTIME_DIR=$folder TALWEG_PLUGIN_PATH=$plugins
 export DISPLAY HOME XDG_RUNTIME_DIR TALWEG_PLUGIN_PATH
 mkdir -p "$HOME/.OpenFlipper/ACG"
-printf '[PluginControl]\nAdditionalPlugins=%s\n' "$TALWEG_OPENFLIPPER_PLUGIN" \
+printf '[PluginControl]\nAdditionalPlugins=%s, %s\n' "$TALWEG_OPENFLIPPER_PLUGIN" "$probe" \
   >"$HOME/.OpenFlipper/ACG/OpenFlipper.ini"
 log=$HOME/.OpenFlipper/OpenFlipper.log
 through=$(sed 's/^--through //; s/ .*//' "$folder/vessel.through" | cut -d , -f 1-12)
@@ -166,6 +171,29 @@ xdotool key Escape
 expect "Drop curve" "Esc drops a curve"
 expect "3 curve(s)" "three are left"
 picture painted
+
+# The view moves while one draws, and a curve that is being drawn stays.
+clicks 300,500
+for button in 2 3; do
+  mark
+  xdotool mousemove 500 600 mousedown $button
+  for x in 510 520 530; do xdotool mousemove $x 605; sleep 0.1; done
+  for x in 520 510 500; do xdotool mousemove $x 600; sleep 0.1; done
+  xdotool mouseup $button
+  expect "VIEW CHANGED" "the view follows button $button"
+done
+mark
+xdotool click 4 click 5
+expect "VIEW CHANGED" "and the wheel"
+xdotool key Escape
+mark
+xdotool keydown shift mousemove 300 500 click 1 keyup shift mousemove 500 600 key ctrl+z
+expect "undo\|Undo\|curve(s)" "Ctrl+Z"
+mark
+xdotool key ctrl+y
+sleep 1
+if tail -n "+$((marked + 1))" "$log" | grep -aq "Created backup.*'Draw'"; then fail "Shift and a click beside a point draw nothing"; fi
+echo "ok: Shift and a click beside a point draw nothing"
 
 # Keys of a box and of a dialog are theirs, although a curve is being drawn.
 clicks 300,500 310,520

@@ -459,6 +459,7 @@ TEST(CurveFiles, ADrawingComesBackPointByPoint) {
   const std::vector<host::Curve> read = editing::read_curves(plugins(), path);
   EXPECT_EQ(read.at(0).faces, (std::vector<std::uint32_t>{3, 700}));
   EXPECT_EQ(read.at(0).barycentrics[1], (std::array<double, 3>{0.1, 0.2, 0.7}));
+  EXPECT_EQ(read.at(0).pins, std::vector<std::uint32_t>{1});
   EXPECT_TRUE(read.at(0).exact.empty());
 }
 

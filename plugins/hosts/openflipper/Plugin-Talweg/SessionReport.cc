@@ -9,7 +9,9 @@ namespace {
 
 QString in_words(const std::string& text) { return QString::fromStdString(text); }
 
-QString tr(const char* text) { return QCoreApplication::translate("Session", text); }
+struct Report {
+  Q_DECLARE_TR_FUNCTIONS(Report)
+};
 
 double degrees(double radians) { return radians * 180 / M_PI; }
 
@@ -55,7 +57,7 @@ QString short_report(const Session& session) {
 std::vector<ResultRow> result_rows(const Session& session) {
   const host::Results& r = session.results();
   if (r.curves.empty()) return {};
-  const QString length = tr("units"), angle = QString::fromUtf8("°");
+  const QString length = Report::tr("units"), angle = QString::fromUtf8("°");
   const auto row = [&](const QString& what, const char* key, double scale, const QString& unit,
                        const QString& tip) {
     const auto at = [&](const char* end) {
@@ -65,29 +67,32 @@ std::vector<ResultRow> result_rows(const Session& session) {
   };
   const double degree = 180 / M_PI;
   std::vector<ResultRow> rows = {
-      row(tr("Length"), "length", 1, length, tr("Of all curves together, in mesh units.")),
-      row(tr("Turning"), "curvature", degree, angle, tr("All that the curves turn, added up.")),
-      row(tr("Sharpest turn"), "window_turning", degree, angle,
-          tr("The most that a curve turns within the length of a mesh edge.")),
-      row(tr("Bending"), "bending", 1, tr("1/unit"), tr("Curvature squared, along the curves."))};
+      row(Report::tr("Length"), "length", 1, length,
+          Report::tr("Of all curves together, in mesh units.")),
+      row(Report::tr("Turning"), "curvature", degree, angle,
+          Report::tr("All that the curves turn, added up.")),
+      row(Report::tr("Sharpest turn"), "window_turning", degree, angle,
+          Report::tr("The most that a curve turns within the length of a mesh edge.")),
+      row(Report::tr("Bending"), "bending", 1, Report::tr("1/unit"),
+          Report::tr("Curvature squared, along the curves."))};
   if (r.text("deviation") != "none") {
-    rows.push_back({tr("Deviation"), three_digits(r.number("deviation_from_drawn_max")),
+    rows.push_back({Report::tr("Deviation"), three_digits(r.number("deviation_from_drawn_max")),
                     three_digits(r.number("deviation_to_drawn_max")), length,
-                    tr("How far the drawing gets from the result, and the result from the "
-                       "drawing, at most.")});
+                    Report::tr("How far the drawing gets from the result, and the result from the "
+                               "drawing, at most.")});
   }
   return rows;
 }
 
 QString result_summary(const Session& session) {
   const host::Results& r = session.results();
-  if (r.curves.empty()) return tr("Nothing is smoothed yet.");
+  if (r.curves.empty()) return Report::tr("Nothing is smoothed yet.");
   const std::string how = r.text("termination");
-  const QString ended = how == "converged"   ? tr("converged")
-                        : how == "collapsed" ? tr("a loop collapsed")
-                        : how == "limit"     ? tr("stopped at its limit")
+  const QString ended = how == "converged"   ? Report::tr("converged")
+                        : how == "collapsed" ? Report::tr("a loop collapsed")
+                        : how == "limit"     ? Report::tr("stopped at its limit")
                                              : in_words(how);
-  return tr("tau %1, slack %2; %3 after %4 ms")
+  return Report::tr("tau %1, slack %2; %3 after %4 ms")
       .arg(three_digits(r.number("tau")), three_digits(r.number("slack")), ended)
       .arg(session.last_run_ms(), 0, 'f', 0);
 }

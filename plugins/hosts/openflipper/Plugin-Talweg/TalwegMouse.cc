@@ -27,7 +27,7 @@ bool is_drawing_key(int key) {
 
 bool TalwegPlugin::in_draw_mode() const {
   return OpenFlipper::Options::gui() && PluginFunctions::pickMode() == kPickMode &&
-         PluginFunctions::actionMode() == Viewer::PickingMode;
+         (view_hand_.holds() || PluginFunctions::actionMode() == Viewer::PickingMode);
 }
 
 void TalwegPlugin::drawMode(bool on) {
@@ -186,6 +186,9 @@ void TalwegPlugin::press(const QMouseEvent& event) {
   session->edit([&](Editor& e) { e.add_point(point); });
   painting_ = true;
   last_painted_ = at;
+  // While the host draws its picture Qt drops all movements but the last, and with them the stroke.
+  drops_moves_ = QCoreApplication::testAttribute(Qt::AA_CompressHighFrequencyEvents);
+  QCoreApplication::setAttribute(Qt::AA_CompressHighFrequencyEvents, false);
 }
 
 void TalwegPlugin::move(const QMouseEvent& event) {
@@ -197,7 +200,7 @@ void TalwegPlugin::move(const QMouseEvent& event) {
       session->edit([&](Editor& e) { e.move_point(dragged_->curve, dragged_->point, point); });
     }
   } else if (painting_) {
-    if ((at - last_painted_).manhattanLength() < 6 || !pick(at, session, point)) return;
+    if ((at - last_painted_).manhattanLength() < 4 || !pick(at, session, point)) return;
     session->edit([&](Editor& e) { e.paint_point(point); });
     last_painted_ = at;
   } else {
@@ -209,7 +212,12 @@ void TalwegPlugin::release() {
   if (Session* session = existing(current_); session != nullptr && (dragged_ || painting_)) {
     session->end_gesture();
   }
+  let_go();
+}
+
+void TalwegPlugin::let_go() {
   dragged_.reset();
+  if (painting_) QCoreApplication::setAttribute(Qt::AA_CompressHighFrequencyEvents, drops_moves_);
   painting_ = false;
 }
 
@@ -238,27 +246,52 @@ bool TalwegPlugin::key(int key) {
 }
 
 /// Keys are ours only in the viewer that has the focus: dialogs and boxes have their own use for
-/// them. The host's shortcuts are asked first, unless the override is accepted.
+/// them.
 bool TalwegPlugin::eventFilter(QObject* watched, QEvent* event) {
-  const bool override = event->type() == QEvent::ShortcutOverride;
-  if ((!override && event->type() != QEvent::KeyPress) || !in_draw_mode()) return false;
-  if (watched != QApplication::focusWidget() || !watched->inherits("QGraphicsView")) return false;
-  const int pressed = static_cast<QKeyEvent*>(event)->key();
-  if (!override) return key(pressed);
+  if (event->type() == QEvent::ShortcutOverride || event->type() == QEvent::KeyPress) {
+    return watched == QApplication::focusWidget() && watched->inherits("QGraphicsView") &&
+           key_event(event);
+  }
+  const bool viewer = watched->parent() != nullptr && watched->parent()->inherits("QGraphicsView");
+  return viewer && in_draw_mode() && !painting_ && !dragged_ && view_hand_.take(watched, event);
+}
+
+/// The host's shortcuts are asked first, unless the override is accepted.
+bool TalwegPlugin::key_event(QEvent* event) {
+  const auto& pressed = *static_cast<QKeyEvent*>(event);
   const Session* session = existing(current_);
-  if (session == nullptr || !session->editor().is_drawing() || !is_drawing_key(pressed))
+  if (session == nullptr) return false;
+  const bool again =  // the host knows Ctrl+Z, and Ctrl+Shift+Z only
+      pressed.key() == Qt::Key_Y && pressed.modifiers() == Qt::ControlModifier;
+  const bool drawing =
+      in_draw_mode() && session->editor().is_drawing() && is_drawing_key(pressed.key());
+  if (!again && !drawing) return false;
+  if (event->type() == QEvent::ShortcutOverride) {
+    event->accept();
     return false;
-  event->accept();
-  return true;
+  }
+  return again ? redoEdit(current_) : key(pressed.key());
+}
+
+void TalwegPlugin::give_mouse(bool to_host) {
+  if (to_host) {
+    PluginFunctions::actionMode(Viewer::ExamineMode);
+    return;
+  }
+  PluginFunctions::actionMode(Viewer::PickingMode);
+  PluginFunctions::pickMode(kPickMode);
 }
 
 void TalwegPlugin::hint(const QPoint& at) {
   const auto handle = handle_near(at);
   const Session* session = existing(current_);
   const bool drawing = session != nullptr && session->editor().is_drawing();
-  QString text = drawing ? tr("Click or paint; Enter ends, the first point closes, Backspace takes "
-                              "back, Esc drops.")
-                         : tr("Click or paint on the target mesh to draw.");
+  QString text = drawing
+                     ? tr("Click or paint; Enter ends, the first point closes, Backspace takes "
+                          "back, Esc discards. The wheel zooms, the middle button moves, the "
+                          "right one turns.")
+                     : tr("Click or paint on the target mesh to draw. The wheel zooms, the middle "
+                          "button moves, the right one turns.");
   if (handle && drawing && handle->point == 0) {
     text = tr("Click to close the curve.");
   } else if (handle) {

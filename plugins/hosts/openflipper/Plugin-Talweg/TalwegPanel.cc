@@ -119,10 +119,9 @@ QGroupBox* TalwegPanel::make_curves_group() {
   auto* group = new QGroupBox(tr("Curves"), this);
   read_ = button("ReadDrawing", Sign::kRead, tr("Read"), tr("Adds the curves of a file."),
                  &TalwegPanel::read_drawing);
-  write_drawing_ =
-      button("WriteDrawing", Sign::kWrite, tr("Write drawing"),
-             tr("Writes the drawn points; .json, .vtp and .vtk keep which were clicked."),
-             &TalwegPanel::write_drawing);
+  write_drawing_ = button("WriteDrawing", Sign::kWrite, tr("Write drawing"),
+                          tr("Writes the drawn points; .json keeps which were clicked and pinned."),
+                          &TalwegPanel::write_drawing);
   remove_ = button("Remove", Sign::kCross, tr("Remove last"), tr("Removes the last curve."),
                    &TalwegPanel::remove_last);
   clear_ = button("Clear", Sign::kBin, tr("Remove all"), tr("Removes all curves of this mesh."),

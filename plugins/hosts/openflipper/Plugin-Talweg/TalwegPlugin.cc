@@ -5,6 +5,7 @@
 #include <QDateTime>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QLocale>
 #include <QMenu>
 #include <algorithm>
 
@@ -12,6 +13,7 @@
 #include <OpenFlipper/common/GlobalOptions.hh>
 
 #include "DrawingBackup.hh"
+#include "EditNames.hh"
 #include "HostVersion.hh"
 #include "talweg/editing/curve_files.hpp"
 
@@ -25,11 +27,6 @@ namespace editing = talweg::editing;
 namespace {
 
 const char* const kJob = "Talweg";
-
-/// Names of edits, in the language of the panel. The log keeps the editing model's own.
-QString in_words_of_the_panel(const std::string& name) {
-  return name.empty() ? QString() : QCoreApplication::translate("Edits", name.c_str());
-}
 
 void show_results_of(const Session& session, PanelState& state) {
   const talweg::host::Results& results = session.results();
@@ -51,7 +48,16 @@ TalwegPlugin::~TalwegPlugin() = default;
 
 void TalwegPlugin::initializePlugin() {
   plugins_ = std::make_unique<editing::Plugins>();
+  speak_the_hosts_language();
   if (OpenFlipper::Options::gui()) make_panel();
+}
+
+void TalwegPlugin::speak_the_hosts_language() {
+  const QString set = OpenFlipperSettings().value("Core/Language/Translation", "en_US").toString();
+  const QLocale language = set == "locale" ? QLocale::system() : QLocale(set);
+  if (translator_.load(language, "Plugin-Talweg", "_", ":/talweg")) {
+    QCoreApplication::installTranslator(&translator_);
+  }
 }
 
 void TalwegPlugin::pluginsInitialized() {
@@ -213,15 +219,13 @@ Session* TalwegPlugin::target_session() {
 void TalwegPlugin::objectDeleted(int _id) {
   if (sessions_.erase(_id) > 0) {
     if (current_ == _id) current_ = -1;
-    dragged_.reset();
-    painting_ = false;
+    let_go();
     changed();
     return;
   }
   for (auto& [mesh, session] : sessions_) {
     if (!session->owns(_id)) continue;
-    dragged_.reset();
-    painting_ = false;
+    let_go();
     return session->object_deleted(_id);
   }
 }
@@ -340,8 +344,8 @@ void TalwegPlugin::changed() {
     state.unfinished = session->editor().is_drawing();
     state.can_undo = session->can_undo();
     state.can_redo = history.can_redo();
-    state.undo_name = in_words_of_the_panel(history.undo_name());
-    state.redo_name = in_words_of_the_panel(history.redo_name());
+    state.undo_name = talweg::openflipper::name_of_edit(history.undo_name());
+    state.redo_name = talweg::openflipper::name_of_edit(history.redo_name());
     state.curves = static_cast<int>(session->editor().drawing().curves.size());
     state.all_clicked = editing::all_clicked(session->editor().drawing());
     state.coloured_by = static_cast<int>(session->coloured_by());
@@ -430,9 +434,11 @@ void TalwegPlugin::ask_for_file(bool write, bool result) {
   Session* session = write ? existing(current_) : target_session();
   if (session == nullptr) return;
   const QString kinds = tr("Curves (*.json *.vtp *.vtk *.obj *.ply *.mrk.json *.txt)");
-  QString path = write ? QFileDialog::getSaveFileName(panel_, tr("Write curves"), "", kinds)
-                       : QFileDialog::getOpenFileName(panel_, tr("Read curves"), "", kinds);
+  const QString folder = OpenFlipperSettings().value("Plugin-Talweg/folder").toString();
+  QString path = write ? QFileDialog::getSaveFileName(panel_, tr("Write curves"), folder, kinds)
+                       : QFileDialog::getOpenFileName(panel_, tr("Read curves"), folder, kinds);
   if (path.isEmpty()) return;
+  OpenFlipperSettings().setValue("Plugin-Talweg/folder", QFileInfo(path).absolutePath());
   if (write && QFileInfo(path).suffix().isEmpty()) path += ".json";
   if (!write) {
     readDrawing(session->mesh_id(), path);

@@ -3,6 +3,7 @@
 
 #include <QObject>
 #include <QTimer>
+#include <QTranslator>
 #include <map>
 #include <memory>
 
@@ -21,6 +22,7 @@
 
 #include "Session.hh"
 #include "TalwegPanel.hh"
+#include "ViewHand.hh"
 
 class TalwegPlugin : public QObject,
                      BaseInterface,
@@ -178,6 +180,7 @@ class TalwegPlugin : public QObject,
   void changed() override;
   void wake() override;
 
+  void speak_the_hosts_language();
   void make_panel();
   void connect_panel();
   void make_menus();
@@ -199,8 +202,11 @@ class TalwegPlugin : public QObject,
   void press(const QMouseEvent& event);
   void move(const QMouseEvent& event);
   void release();
+  void let_go();
   void double_click(const QMouseEvent& event);
+  void give_mouse(bool to_host);
   bool key(int key);
+  bool key_event(QEvent* event);
   struct Picked {
     Session* session;
     std::optional<talweg::editing::Point> point;  // none: beside the mesh
@@ -221,11 +227,14 @@ class TalwegPlugin : public QObject,
   QMenu *mesh_menu_ = nullptr, *line_menu_ = nullptr;
   int menu_object_ = -1;
   QTimer timer_;
+  QTranslator translator_;
   double busy_since_ = 0;
   bool job_shown_ = false;
   bool updating_ = false;  // what the host says is updated is our own doing
   std::optional<Handle> dragged_;
   bool painting_ = false;
+  bool drops_moves_ = true;  // whether Qt does, but for a stroke
   QPoint last_painted_;
+  talweg::openflipper::ViewHand view_hand_{[this](bool host) { give_mouse(host); }};
   QString hint_;
 };

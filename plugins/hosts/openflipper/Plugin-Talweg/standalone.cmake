@@ -51,8 +51,11 @@ function(host_plugin name)
 endfunction()
 
 file(GLOB sources CONFIGURE_DEPENDS *.cc *.hh talweg.qrc)
-host_plugin(Plugin-Talweg ${sources})
+include(translations.cmake)
+host_plugin(Plugin-Talweg ${sources} ${translations})
 target_link_libraries(Plugin-Talweg PRIVATE talweg::editing)
+# With -Wall gcc 12 warns at -O2 of vectors of bytes in OpenMesh's own headers.
+set_source_files_properties(MeshUse.cc PROPERTIES COMPILE_OPTIONS -Wno-maybe-uninitialized)
 if(TALWEG_BUILD_PROBE)
   file(GLOB sources CONFIGURE_DEPENDS ../../../../tests/hosts/openflipper/Plugin-TalwegProbe/*.*)
   host_plugin(Plugin-TalwegProbe ${sources})

@@ -9,13 +9,19 @@
 #include <OpenFlipper/BasePlugin/BaseInterface.hh>
 #include <OpenFlipper/BasePlugin/LoggingInterface.hh>
 #include <OpenFlipper/BasePlugin/ScriptInterface.hh>
+#include <OpenFlipper/BasePlugin/ViewInterface.hh>
 #include <OpenFlipper/common/Types.hh>
 
-class ProbePlugin : public QObject, BaseInterface, LoggingInterface, ScriptInterface {
+class ProbePlugin : public QObject,
+                    BaseInterface,
+                    LoggingInterface,
+                    ScriptInterface,
+                    ViewInterface {
   Q_OBJECT
   Q_INTERFACES(BaseInterface)
   Q_INTERFACES(LoggingInterface)
   Q_INTERFACES(ScriptInterface)
+  Q_INTERFACES(ViewInterface)
   Q_PLUGIN_METADATA(IID "org.OpenFlipper.Plugins.Plugin-TalwegProbe")
 
  signals:
@@ -30,6 +36,7 @@ class ProbePlugin : public QObject, BaseInterface, LoggingInterface, ScriptInter
  private slots:
   void pluginsInitialized();
   void slotObjectUpdated(int _identifier, const UpdateType& _type);
+  void slotViewChanged() { emit log(LOGINFO, "VIEW CHANGED"); }
 
  public slots:
   QString version() { return QString("0.1.0"); }

@@ -2,473 +2,744 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de_DE">
 <context>
+    <name>Edits</name>
+    <message>
+        <source>Add curve</source>
+        <translation>Kurve hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add curves</source>
+        <translation>Kurven hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add point</source>
+        <translation>Punkt hinzufügen</translation>
+    </message>
+    <message>
+        <source>Close curve</source>
+        <translation>Kurve schließen</translation>
+    </message>
+    <message>
+        <source>Continue curve</source>
+        <translation>Kurve weiterzeichnen</translation>
+    </message>
+    <message>
+        <source>Curves from faces</source>
+        <translation>Kurven aus Dreiecken</translation>
+    </message>
+    <message>
+        <source>Curves from selection</source>
+        <translation>Kurven aus Auswahl</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>Schneiden</translation>
+    </message>
+    <message>
+        <source>Draw</source>
+        <translation>Zeichnen</translation>
+    </message>
+    <message>
+        <source>Drop curve</source>
+        <translation>Kurve verwerfen</translation>
+    </message>
+    <message>
+        <source>Finish curve</source>
+        <translation>Kurve beenden</translation>
+    </message>
+    <message>
+        <source>Insert point</source>
+        <translation>Punkt einfügen</translation>
+    </message>
+    <message>
+        <source>Largest deviation</source>
+        <translation>Größte Abweichung</translation>
+    </message>
+    <message>
+        <source>Move point</source>
+        <translation>Punkt verschieben</translation>
+    </message>
+    <message>
+        <source>Open curve</source>
+        <translation>Kurve öffnen</translation>
+    </message>
+    <message>
+        <source>Pin curve</source>
+        <translation>Kurve festhalten</translation>
+    </message>
+    <message>
+        <source>Pin point</source>
+        <translation>Punkt festhalten</translation>
+    </message>
+    <message>
+        <source>Remove all curves</source>
+        <translation>Alle Kurven entfernen</translation>
+    </message>
+    <message>
+        <source>Remove curve</source>
+        <translation>Kurve entfernen</translation>
+    </message>
+    <message>
+        <source>Remove point</source>
+        <translation>Punkt entfernen</translation>
+    </message>
+    <message>
+        <source>Rename curve</source>
+        <translation>Kurve umbenennen</translation>
+    </message>
+    <message>
+        <source>Reverse curve</source>
+        <translation>Kurve umkehren</translation>
+    </message>
+    <message>
+        <source>Slack</source>
+        <translation>Spielraum</translation>
+    </message>
+    <message>
+        <source>Take back point</source>
+        <translation>Punkt zurücknehmen</translation>
+    </message>
+    <message>
+        <source>Tau</source>
+        <translation>Tau</translation>
+    </message>
+    <message>
+        <source>Tau of curve</source>
+        <translation>Tau der Kurve</translation>
+    </message>
+    <message>
+        <source>Tolerance of curve</source>
+        <translation>Toleranz der Kurve</translation>
+    </message>
+    <message>
+        <source>Unpin curve</source>
+        <translation>Kurve lösen</translation>
+    </message>
+    <message>
+        <source>Unpin point</source>
+        <translation>Punkt lösen</translation>
+    </message>
+</context>
+<context>
+    <name>Report</name>
+    <message>
+        <source>units</source>
+        <translation>Einh.</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Länge</translation>
+    </message>
+    <message>
+        <source>Of all curves together, in mesh units.</source>
+        <translation>Aller Kurven zusammen, in Einheiten des Netzes.</translation>
+    </message>
+    <message>
+        <source>Turning</source>
+        <translation>Drehung</translation>
+    </message>
+    <message>
+        <source>All that the curves turn, added up.</source>
+        <translation>Alles, was die Kurven sich drehen, zusammengezählt.</translation>
+    </message>
+    <message>
+        <source>Sharpest turn</source>
+        <translation>Schärfste Wendung</translation>
+    </message>
+    <message>
+        <source>The most that a curve turns within the length of a mesh edge.</source>
+        <translation>Wie weit sich eine Kurve höchstens dreht, auf der Länge einer Netzkante.</translation>
+    </message>
+    <message>
+        <source>Bending</source>
+        <translation>Biegung</translation>
+    </message>
+    <message>
+        <source>1/unit</source>
+        <translation>1/Einh.</translation>
+    </message>
+    <message>
+        <source>Curvature squared, along the curves.</source>
+        <translation>Krümmung im Quadrat, entlang der Kurven.</translation>
+    </message>
+    <message>
+        <source>Deviation</source>
+        <translation>Abweichung</translation>
+    </message>
+    <message>
+        <source>How far the drawing gets from the result, and the result from the drawing, at most.</source>
+        <translation>Wie weit sich die Zeichnung höchstens vom Ergebnis entfernt, und das Ergebnis von der Zeichnung.</translation>
+    </message>
+    <message>
+        <source>Nothing is smoothed yet.</source>
+        <translation>Noch ist nichts geglättet.</translation>
+    </message>
+    <message>
+        <source>converged</source>
+        <translation>konvergiert</translation>
+    </message>
+    <message>
+        <source>a loop collapsed</source>
+        <translation>eine Schleife ist zusammengefallen</translation>
+    </message>
+    <message>
+        <source>stopped at its limit</source>
+        <translation>an der Grenze angehalten</translation>
+    </message>
+    <message>
+        <source>tau %1, slack %2; %3 after %4 ms</source>
+        <translation>Tau %1, Spielraum %2; %3 nach %4 ms</translation>
+    </message>
+</context>
+<context>
     <name>TalwegPlugin</name>
     <message>
         <source>Talweg</source>
-        <translation type="unfinished"></translation>
+        <translation>Talweg</translation>
     </message>
     <message>
         <source>Draw on this mesh</source>
-        <translation type="unfinished"></translation>
+        <translation>Auf diesem Netz zeichnen</translation>
     </message>
     <message>
         <source>Curves from its selection</source>
-        <translation type="unfinished"></translation>
+        <translation>Kurven aus seiner Auswahl</translation>
     </message>
     <message>
         <source>Smooth this line on the target mesh</source>
-        <translation type="unfinished"></translation>
+        <translation>Diese Linie auf dem Zielnetz glätten</translation>
     </message>
     <message>
         <source>There is no triangle mesh with the id %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es gibt kein Dreiecksnetz mit der Nummer %1.</translation>
     </message>
     <message>
         <source>Make a triangle mesh the target first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Machen Sie zuerst ein Dreiecksnetz zum Ziel (Target).</translation>
     </message>
     <message>
         <source>Talweg on %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Talweg auf %1</translation>
     </message>
     <message>
         <source>Cancelled.</source>
-        <translation type="unfinished"></translation>
+        <translation>Abgebrochen.</translation>
     </message>
     <message>
         <source>Make a polyline the target first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Machen Sie zuerst eine Linie (Polyline) zum Ziel (Target).</translation>
     </message>
     <message>
         <source>Curves (*.json *.vtp *.vtk *.obj *.ply *.mrk.json *.txt)</source>
-        <translation type="unfinished"></translation>
+        <translation>Kurven (*.json *.vtp *.vtk *.obj *.ply *.mrk.json *.txt)</translation>
     </message>
     <message>
         <source>Write curves</source>
-        <translation type="unfinished"></translation>
+        <translation>Kurven schreiben</translation>
     </message>
     <message>
         <source>Read curves</source>
-        <translation type="unfinished"></translation>
+        <translation>Kurven lesen</translation>
     </message>
     <message>
         <source>Make this mesh the target to draw on it.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Click or paint; Enter ends, the first point closes, Backspace takes back, Esc drops.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Click or paint on the target mesh to draw.</source>
-        <translation type="unfinished"></translation>
+        <translation>Machen Sie dieses Netz zum Ziel (Target), um darauf zu zeichnen.</translation>
     </message>
     <message>
         <source>Click to close the curve.</source>
-        <translation type="unfinished"></translation>
+        <translation>Klick schließt die Kurve.</translation>
     </message>
     <message>
         <source>Drag to move, double click to pin, Shift-click to remove.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ziehen verschiebt, Doppelklick hält fest, Umschalt-Klick entfernt.</translation>
     </message>
     <message>
         <source>There is no polyline with the id %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es gibt keine Linie mit der Nummer %1.</translation>
     </message>
     <message>
         <source>Colours are: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Farben sind: %1.</translation>
     </message>
     <message>
         <source>Wrote %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ist geschrieben.</translation>
     </message>
     <message>
         <source>id of a triangle mesh</source>
-        <translation type="unfinished"></translation>
+        <translation>Nummer eines Dreiecksnetzes</translation>
     </message>
     <message>
         <source>;curve, from 0;point, from 0;</source>
-        <translation type="unfinished"></translation>
+        <translation>;Kurve, ab 0;Punkt, ab 0;</translation>
     </message>
     <message>
         <source>Adds a curve through vertices, straight over the faces.</source>
-        <translation type="unfinished"></translation>
+        <translation>Fügt eine Kurve durch Ecken hinzu, gerade über die Dreiecke.</translation>
     </message>
     <message>
         <source>;vertices from 0;whether it comes back</source>
-        <translation type="unfinished"></translation>
+        <translation>;Ecken ab 0;ob sie zurückkehrt</translation>
     </message>
     <message>
         <source>Adds a point to the curve that is being drawn.</source>
-        <translation type="unfinished"></translation>
+        <translation>Fügt der Kurve, die gezeichnet wird, einen Punkt hinzu.</translation>
     </message>
     <message>
         <source>;face from 0;its coordinates there</source>
-        <translation type="unfinished"></translation>
+        <translation>;Dreieck ab 0;Koordinaten darin</translation>
     </message>
     <message>
         <source>Ends the curve that is being drawn.</source>
-        <translation type="unfinished"></translation>
+        <translation>Beendet die Kurve, die gezeichnet wird.</translation>
     </message>
     <message>
         <source>Closes the curve that is being drawn.</source>
-        <translation type="unfinished"></translation>
+        <translation>Schließt die Kurve, die gezeichnet wird.</translation>
     </message>
     <message>
         <source>Takes the last point back.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nimmt den letzten Punkt zurück.</translation>
     </message>
     <message>
         <source>Drops the curve that is being drawn.</source>
-        <translation type="unfinished"></translation>
+        <translation>Verwirft die Kurve, die gezeichnet wird.</translation>
     </message>
     <message>
         <source>Curves from selected vertices or edges.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kurven aus ausgewählten Ecken oder Kanten.</translation>
     </message>
     <message>
         <source>A curve from a polyline, put onto the mesh.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Kurve aus einer Linie, auf das Netz gelegt.</translation>
     </message>
     <message>
         <source>;id of a polyline</source>
-        <translation type="unfinished"></translation>
+        <translation>;Nummer einer Linie</translation>
     </message>
     <message>
         <source>Removes a curve.</source>
-        <translation type="unfinished"></translation>
+        <translation>Entfernt eine Kurve.</translation>
     </message>
     <message>
         <source>;from 0</source>
-        <translation type="unfinished"></translation>
+        <translation>;ab 0</translation>
     </message>
     <message>
         <source>Removes all curves.</source>
-        <translation type="unfinished"></translation>
+        <translation>Entfernt alle Kurven.</translation>
     </message>
     <message>
         <source>Moves a drawn point.</source>
-        <translation type="unfinished"></translation>
+        <translation>Verschiebt einen gezeichneten Punkt.</translation>
     </message>
     <message>
         <source>face from 0;its coordinates there</source>
-        <translation type="unfinished"></translation>
+        <translation>Dreieck ab 0;Koordinaten darin</translation>
     </message>
     <message>
         <source>Pins a drawn point, or lets it go.</source>
-        <translation type="unfinished"></translation>
+        <translation>Hält einen gezeichneten Punkt fest oder löst ihn.</translation>
     </message>
     <message>
         <source>whether the result passes through it</source>
-        <translation type="unfinished"></translation>
+        <translation>ob das Ergebnis durch ihn geht</translation>
     </message>
     <message>
         <source>Closes or opens a curve.</source>
-        <translation type="unfinished"></translation>
+        <translation>Schließt oder öffnet eine Kurve.</translation>
     </message>
     <message>
         <source>;from 0;whether it comes back</source>
-        <translation type="unfinished"></translation>
+        <translation>;ab 0;ob sie zurückkehrt</translation>
     </message>
     <message>
         <source>0: straight lines; more keeps closer to the drawing.</source>
-        <translation type="unfinished"></translation>
+        <translation>0: gerade Linien; mehr bleibt näher an der Zeichnung.</translation>
     </message>
     <message>
         <source>;0 or more</source>
-        <translation type="unfinished"></translation>
+        <translation>;0 oder mehr</translation>
     </message>
     <message>
         <source>How exact the drawing is.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie genau die Zeichnung ist.</translation>
     </message>
     <message>
         <source>;mesh units; negative: from the drawing</source>
-        <translation type="unfinished"></translation>
+        <translation>;Einheiten des Netzes; negativ: aus der Zeichnung</translation>
     </message>
     <message>
         <source>The largest deviation; chooses tau and slack.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die größte Abweichung; wählt Tau und Spielraum.</translation>
     </message>
     <message>
         <source>;mesh units, 0: no bound</source>
-        <translation type="unfinished"></translation>
+        <translation>;Einheiten des Netzes, 0: keine Grenze</translation>
     </message>
     <message>
         <source>Takes the last edit back.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nimmt die letzte Änderung zurück.</translation>
     </message>
     <message>
         <source>Does it again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Macht sie wieder.</translation>
     </message>
     <message>
         <source>Waits for the smoothed curves and returns their polylines&apos; ids.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wartet auf die geglätteten Kurven und gibt die Nummern ihrer Linien zurück.</translation>
     </message>
     <message>
         <source>Everything that was measured, one &quot;key = value&quot; a line.</source>
-        <translation type="unfinished"></translation>
+        <translation>Alles Gemessene, ein „Schlüssel = Wert“ je Zeile.</translation>
     </message>
     <message>
         <source>One number of the report, for all curves together.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Zahl des Berichts, für alle Kurven zusammen.</translation>
     </message>
     <message>
         <source>;such as length_after</source>
-        <translation type="unfinished"></translation>
+        <translation>;etwa length_after</translation>
     </message>
     <message>
         <source>Why the last edit or smoothing failed; empty if it did not.</source>
-        <translation type="unfinished"></translation>
+        <translation>Warum die letzte Änderung oder Glättung misslang; leer, wenn nicht.</translation>
     </message>
     <message>
         <source>Colours the curves or the mesh.</source>
-        <translation type="unfinished"></translation>
+        <translation>Färbt die Kurven oder das Netz.</translation>
     </message>
     <message>
         <source>;nothing, deviation, distance or potential</source>
-        <translation type="unfinished"></translation>
+        <translation>;nothing, deviation, distance oder potential</translation>
     </message>
     <message>
         <source>Writes the smoothed curves.</source>
-        <translation type="unfinished"></translation>
+        <translation>Schreibt die geglätteten Kurven.</translation>
     </message>
     <message>
         <source>;.json, .vtp, .vtk, .obj, .ply, .mrk.json</source>
-        <translation type="unfinished"></translation>
+        <translation>;.json, .vtp, .vtk, .obj, .ply, .mrk.json</translation>
     </message>
     <message>
         <source>Writes the drawn points.</source>
-        <translation type="unfinished"></translation>
+        <translation>Schreibt die gezeichneten Punkte.</translation>
     </message>
     <message>
         <source>;as writeResult</source>
-        <translation type="unfinished"></translation>
+        <translation>;wie writeResult</translation>
     </message>
     <message>
         <source>Adds the curves of a file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Fügt die Kurven einer Datei hinzu.</translation>
     </message>
     <message>
         <source>;as writeResult, or .txt</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Moves tau to and fro and tells the time of a step.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>;how many</source>
-        <translation type="unfinished"></translation>
+        <translation>;wie writeResult, oder .txt</translation>
     </message>
     <message>
         <source>Begins or ends drawing with the mouse.</source>
-        <translation type="unfinished"></translation>
+        <translation>Beginnt oder beendet das Zeichnen mit der Maus.</translation>
     </message>
     <message>
         <source>whether</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Where a vertex is in the viewer, &quot;x y&quot;.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Where a widget is on the screen, &quot;x y width height&quot;.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>such as talwegUndo</source>
-        <translation type="unfinished"></translation>
+        <translation>ob</translation>
     </message>
     <message>
         <source>Draws curves on meshes and smooths them while they stay close to the drawing.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeichnet Kurven auf Netze und glättet sie nah an der Zeichnung.</translation>
+    </message>
+    <message>
+        <source>Click or paint; Enter ends, the first point closes, Backspace takes back, Esc discards. The wheel zooms, the middle button moves, the right one turns.</source>
+        <translation>Klicken oder malen; Eingabe beendet, der erste Punkt schließt, Rücktaste nimmt zurück, Esc verwirft. Das Rad zoomt, die mittlere Taste verschiebt, die rechte dreht.</translation>
+    </message>
+    <message>
+        <source>Click or paint on the target mesh to draw. The wheel zooms, the middle button moves, the right one turns.</source>
+        <translation>Zum Zeichnen auf das Zielnetz klicken oder malen. Das Rad zoomt, die mittlere Taste verschiebt, die rechte dreht.</translation>
+    </message>
+    <message>
+        <source>Curves along the border of the selected faces.</source>
+        <translation>Kurven am Rand der ausgewählten Dreiecke.</translation>
+    </message>
+    <message>
+        <source>Curves along the borders between face colours.</source>
+        <translation>Kurven an den Grenzen zwischen Dreiecksfarben.</translation>
+    </message>
+    <message>
+        <source>Draws on the mesh as if it was repaired, if it is no surface; the mesh stays.</source>
+        <translation>Zeichnet auf dem Netz, als wäre es repariert, wenn es keine Fläche ist; das Netz bleibt.</translation>
+    </message>
+    <message>
+        <source>Makes the smoothed curves edges of the mesh, and selects them.</source>
+        <translation>Macht die geglätteten Kurven zu Kanten des Netzes und wählt sie aus.</translation>
+    </message>
+    <message>
+        <source>Cuts, and selects the faces inside the closed curves.</source>
+        <translation>Schneidet und wählt die Dreiecke in den geschlossenen Kurven aus.</translation>
+    </message>
+    <message>
+        <source>Makes a mesh of each part that the smoothed curves leave.</source>
+        <translation>Macht aus jedem Teil, den die geglätteten Kurven lassen, ein Netz.</translation>
+    </message>
+    <message>
+        <source>;whether the parts are closed where they were cut</source>
+        <translation>;ob die Teile am Schnitt geschlossen werden</translation>
+    </message>
+</context>
+<context>
+    <name>talweg::openflipper::ResultTable</name>
+    <message>
+        <source>drawn</source>
+        <translation>gezeichnet</translation>
+    </message>
+    <message>
+        <source>smoothed</source>
+        <translation>geglättet</translation>
     </message>
 </context>
 <context>
     <name>talweg::openflipper::TalwegPanel</name>
     <message>
         <source>Draw</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeichnen</translation>
     </message>
     <message>
         <source>Draw on the target mesh: click points or paint.</source>
-        <translation type="unfinished"></translation>
+        <translation>Auf dem Zielnetz zeichnen: Punkte klicken oder malen.</translation>
     </message>
     <message>
         <source>Finish</source>
-        <translation type="unfinished"></translation>
+        <translation>Beenden</translation>
     </message>
     <message>
         <source>Ends the curve, open (Enter).</source>
-        <translation type="unfinished"></translation>
+        <translation>Beendet die Kurve, offen (Eingabe).</translation>
     </message>
     <message>
         <source>Close</source>
-        <translation type="unfinished"></translation>
+        <translation>Schließen</translation>
     </message>
     <message>
         <source>Closes the curve (click its first point).</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Back</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Takes the last point back (Backspace).</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Drop</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Drops the curve that is being drawn (Esc).</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>From selection</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Curves through the selected vertices or edges, ordered along the mesh.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>From lines</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Curves from the target polylines, put onto it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Schließt die Kurve (Klick auf ihren ersten Punkt).</translation>
     </message>
     <message>
         <source>Remove last</source>
-        <translation type="unfinished"></translation>
+        <translation>Letzte entfernen</translation>
     </message>
     <message>
         <source>Removes the last curve.</source>
-        <translation type="unfinished"></translation>
+        <translation>Entfernt die letzte Kurve.</translation>
     </message>
     <message>
         <source>Remove all</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle entfernen</translation>
     </message>
     <message>
         <source>Removes all curves of this mesh.</source>
-        <translation type="unfinished"></translation>
+        <translation>Entfernt alle Kurven dieses Netzes.</translation>
     </message>
     <message>
         <source>Undo</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Takes the last edit back.</source>
-        <translation type="unfinished"></translation>
+        <translation>Rückgängig</translation>
     </message>
     <message>
         <source>Redo</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Does it again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wiederholen</translation>
     </message>
     <message>
         <source>Write result</source>
-        <translation type="unfinished"></translation>
+        <translation>Ergebnis schreiben</translation>
     </message>
     <message>
         <source>Writes the smoothed curves: .json, .vtp, .vtk, .obj, .ply, .mrk.json</source>
-        <translation type="unfinished"></translation>
+        <translation>Schreibt die geglätteten Kurven: .json, .vtp, .vtk, .obj, .ply, .mrk.json</translation>
     </message>
     <message>
         <source>Write drawing</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Writes the drawn points.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeichnung schreiben</translation>
     </message>
     <message>
         <source>Read</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Reads curves from a file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lesen</translation>
     </message>
     <message>
         <source>Cancel</source>
-        <translation type="unfinished"></translation>
+        <translation>Abbrechen</translation>
     </message>
     <message>
         <source>Stops what is being computed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Hält an, was gerechnet wird.</translation>
     </message>
     <message>
         <source>Tau</source>
-        <translation type="unfinished"></translation>
+        <translation>Tau</translation>
     </message>
     <message>
         <source>0: straight lines; more keeps closer to the drawing, and is tighter between clicks.</source>
-        <translation type="unfinished"></translation>
+        <translation>0: gerade Linien; mehr bleibt näher an der Zeichnung und ist zwischen Klicks straffer.</translation>
     </message>
     <message>
         <source>Between clicked points the curve is free; this is for painted ones.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zwischen geklickten Punkten ist die Kurve frei; dies ist für gemalte.</translation>
     </message>
     <message>
         <source>Slack</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>How exact the drawing is, in mesh units; unticked: from its segments.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>At most</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The smoothest curve that stays so near to the drawing, in mesh units; chooses tau and slack.</source>
-        <translation type="unfinished"></translation>
+        <translation>Spielraum</translation>
     </message>
     <message>
         <source>No colours</source>
-        <translation type="unfinished"></translation>
+        <translation>Keine Farben</translation>
     </message>
     <message>
         <source>Deviation on the curve</source>
-        <translation type="unfinished"></translation>
+        <translation>Abweichung auf der Kurve</translation>
     </message>
     <message>
         <source>Distance on the mesh</source>
-        <translation type="unfinished"></translation>
+        <translation>Abstand auf dem Netz</translation>
     </message>
     <message>
         <source>Potential on the mesh</source>
-        <translation type="unfinished"></translation>
+        <translation>Potential auf dem Netz</translation>
     </message>
     <message>
         <source>No drawing yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>Noch keine Zeichnung.</translation>
     </message>
     <message>
-        <source>On %1, %2 curve(s)</source>
-        <translation type="unfinished"></translation>
+        <source>Repair</source>
+        <translation>Reparieren</translation>
     </message>
     <message>
-        <source>Takes the last edit back: %1</source>
-        <translation type="unfinished"></translation>
+        <source>Draws on the mesh as if it was repaired; the mesh itself stays.</source>
+        <translation>Zeichnet auf dem Netz, als wäre es repariert; das Netz selbst bleibt.</translation>
     </message>
     <message>
-        <source>Does it again: %1</source>
-        <translation type="unfinished"></translation>
+        <source>Take back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Removes the last point of the curve (Backspace).</source>
+        <translation>Entfernt den letzten Punkt der Kurve (Rücktaste).</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Verwerfen</translation>
+    </message>
+    <message>
+        <source>Removes the curve that is being drawn (Esc).</source>
+        <translation>Entfernt die Kurve, die gezeichnet wird (Esc).</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>Aus</translation>
+    </message>
+    <message>
+        <source>Curves from what is there already.</source>
+        <translation>Kurven aus dem, was schon da ist.</translation>
+    </message>
+    <message>
+        <source>Selected vertices or edges</source>
+        <translation>Ausgewählte Ecken oder Kanten</translation>
+    </message>
+    <message>
+        <source>Border of the selected faces</source>
+        <translation>Rand der ausgewählten Dreiecke</translation>
+    </message>
+    <message>
+        <source>Borders between face colours</source>
+        <translation>Grenzen zwischen Dreiecksfarben</translation>
+    </message>
+    <message>
+        <source>Target polylines</source>
+        <translation>Ziel-Linien (Polylines)</translation>
+    </message>
+    <message>
+        <source>Curves</source>
+        <translation>Kurven</translation>
+    </message>
+    <message>
+        <source>Adds the curves of a file.</source>
+        <translation>Fügt die Kurven einer Datei hinzu.</translation>
+    </message>
+    <message>
+        <source>Shape</source>
+        <translation>Form</translation>
+    </message>
+    <message>
+        <source>How exact the drawing is, in mesh units. Unticked it comes from the drawing&apos;s segments.</source>
+        <translation>Wie genau die Zeichnung ist, in Einheiten des Netzes. Ohne Haken folgt es aus ihren Strecken.</translation>
+    </message>
+    <message>
+        <source>units</source>
+        <translation>Einh.</translation>
+    </message>
+    <message>
+        <source>Within</source>
+        <translation>Innerhalb</translation>
+    </message>
+    <message>
+        <source>The smoothest curve that stays within this distance of the drawing, in mesh units; chooses tau and slack. Unticked: how far it is now.</source>
+        <translation>Die glatteste Kurve in diesem Abstand von der Zeichnung, in Einheiten des Netzes; wählt Tau und Spielraum. Ohne Haken: wie weit sie jetzt ist.</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>Schneiden</translation>
+    </message>
+    <message>
+        <source>Makes the smoothed curves edges of the mesh, and selects them.</source>
+        <translation>Macht die geglätteten Kurven zu Kanten des Netzes und wählt sie aus.</translation>
+    </message>
+    <message>
+        <source>Split</source>
+        <translation>Teilen</translation>
+    </message>
+    <message>
+        <source>Makes a mesh of each part that the smoothed curves leave.</source>
+        <translation>Macht aus jedem Teil, den die geglätteten Kurven lassen, ein Netz.</translation>
+    </message>
+    <message>
+        <source>with lids</source>
+        <translation>mit Deckeln</translation>
+    </message>
+    <message>
+        <source>Split closes the parts where they were cut.</source>
+        <translation>Teilen schließt die Teile, wo sie geschnitten sind.</translation>
+    </message>
+    <message>
+        <source>Select inside</source>
+        <translation>Inneres wählen</translation>
+    </message>
+    <message>
+        <source>Cuts, and selects the faces inside the closed curves: the smaller side.</source>
+        <translation>Schneidet und wählt die Dreiecke in den geschlossenen Kurven aus: die kleinere Seite.</translation>
+    </message>
+    <message>
+        <source>Takes the last edit back (Ctrl+Z): %1</source>
+        <translation>Nimmt die letzte Änderung zurück (Strg+Z): %1</translation>
+    </message>
+    <message>
+        <source>Does it again (Ctrl+Y): %1</source>
+        <translation>Macht sie wieder (Strg+Y): %1</translation>
+    </message>
+    <message>
+        <source>&quot;Within&quot; chooses it.</source>
+        <translation>„Innerhalb“ wählt es.</translation>
+    </message>
+    <message>
+        <source>%1
+A repair for drawing would do this: %2</source>
+        <translation>%1
+Eine Reparatur zum Zeichnen täte dies: %2</translation>
+    </message>
+    <message>
+        <source>Writes the drawn points; .json keeps which were clicked and pinned.</source>
+        <translation>Schreibt die gezeichneten Punkte; .json behält, welche geklickt und festgehalten sind.</translation>
     </message>
 </context>
 </TS>
