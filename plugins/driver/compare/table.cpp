@@ -164,7 +164,7 @@ std::string comparison_table(const Comparison& c) {
     }
     text += "|\n";
     if (r > 0) continue;
-    for (const std::size_t w : width) text += "|" + std::string(w + 2, '-');
+    for (const std::size_t w : width) text += fmt::format("|{:-<{}}", "", w + 2);
     text += "|\n";
   }
   return text;
