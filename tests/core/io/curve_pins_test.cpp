@@ -37,17 +37,17 @@ TEST_F(CurvePins, OtherFormatsLeaveThemOutAndFilesWithoutPinsSayNothing) {
   EXPECT_EQ(curve_bytes("a.json", plain).find("pinned"), std::string::npos);
 }
 
-std::string json_with(const std::string& pinned) {
+std::string json_pinned(const std::string& pinned) {
   return R"({"format": "talweg-curves", "version": 1, "curves": [{"closed": false, "points": [
     {"face": 0, "barycentric": [1, 0, 0]}, {"face": 0, "barycentric": [0, 1, 0], "pinned": )" +
          pinned + "}]}]}";
 }
 
 TEST_F(CurvePins, AreTrueOrFalse) {
-  EXPECT_EQ(read("a.json", json_with("true")).at(0).pins, Pins{1});
-  EXPECT_EQ(read("a.json", json_with("false")).at(0).pins, Pins());
+  EXPECT_EQ(read("a.json", json_pinned("true")).at(0).pins, Pins{1});
+  EXPECT_EQ(read("a.json", json_pinned("false")).at(0).pins, Pins());
   for (const char* bad : {"1", "null", "\"yes\"", "[true]"}) {
-    expect_refused("a.json", json_with(bad), {"curves[0].points[1].pinned"});
+    expect_refused("a.json", json_pinned(bad), {"curves[0].points[1].pinned"});
   }
 }
 
