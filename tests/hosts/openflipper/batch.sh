@@ -51,25 +51,28 @@ same pinned --pin "$pin"
 "$talweg" --quiet cut "$folder/vessel.ply" --curve "$folder/loop.json" -o "$folder/driver_part.off" \
   --split --cap
 /usr/bin/python3 - "$folder" <<'PYTHON'
-import re
+import struct
 import sys
 
-folder = sys.argv[1]
+
+def mesh(name):
+    """Of an OFF file: the host writes binary ones, with single precision."""
+    data = open(f"{sys.argv[1]}/{name}.off", "rb").read()
+    head, rest = data.split(b"\n", 1)
+    if b"BINARY" not in head:
+        words = iter(data.decode().split()[1:])
+        vertices, faces, _ = (int(next(words)) for _ in range(3))
+        points = [tuple(float(next(words)) for _ in range(3)) for _ in range(vertices)]
+        return points, [[int(next(words)) for _ in range(int(next(words)))] for _ in range(faces)]
+    vertices, faces, _ = struct.unpack_from("<3i", rest)
+    points = list(struct.iter_unpack("<3f", rest[12 : 12 + 12 * vertices]))
+    corners = rest[12 + 12 * vertices : 12 + 12 * vertices + 16 * faces]
+    return points, [face[1:] for face in struct.iter_unpack("<4i", corners)]
 
 
-def counts(name):
-    numbers = [w for w in open(f"{folder}/{name}").read(200).split() if w.isdigit()]
-    return int(numbers[0]), int(numbers[1])
-
-
-def area(name):
-    words = [line.split() for line in open(f"{folder}/{name}") if not line.startswith("#")]
-    words = [line for line in words if line and line[0].isdigit() or line and line[0][0] in "-."]
-    vertices, faces = int(words[0][0]), int(words[0][1])
-    points = [tuple(map(float, line[:3])) for line in words[1 : vertices + 1]]
+def area(points, faces):
     total = 0
-    for line in words[vertices + 1 : vertices + 1 + faces]:
-        a, b, c = (points[int(word)] for word in line[1:4])
+    for a, b, c in ((points[k] for k in face) for face in faces):
         u = [q - p for p, q in zip(a, b)]
         v = [q - p for p, q in zip(a, c)]
         n = (u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0])
@@ -77,11 +80,11 @@ def area(name):
     return total
 
 
-for host, driver in [("cut", "driver_cut"), ("part_0", "driver_part-0"), ("part_1", "driver_part-1")]:
-    assert counts(f"{host}.off") == counts(f"{driver}.off"), (host, counts(f"{host}.off"))
-    a, b = area(f"{host}.off"), area(f"{driver}.off")
-    assert abs(a - b) < 1e-4 * b, (host, a, b)
-    print(f"{host}.off: {counts(host + '.off')[1]} faces and area {a:.4f}, as the driver's")
+for host, driver in ("cut", "driver_cut"), ("part_0", "driver_part-0"), ("part_1", "driver_part-1"):
+    (p, f), (q, g) = mesh(host), mesh(driver)
+    assert (len(p), len(f)) == (len(q), len(g)), (host, len(p), len(f), len(q), len(g))
+    assert abs(area(p, f) - area(q, g)) < 1e-4 * area(q, g), (host, area(p, f), area(q, g))
+    print(f"{host}.off: {len(f)} faces and area {area(p, f):.4f}, as the driver's")
 PYTHON
 
 # The host's file has the faces, vertices and edges of the points, and keeps them.

@@ -19,6 +19,12 @@ bool is_view(QObject* watched) {
   return watched->parent() != nullptr && watched->parent()->inherits("QGraphicsView");
 }
 
+/// "x y width height" on the screen.
+QString place_of(const QWidget& widget) {
+  const QPoint at = widget.mapToGlobal(QPoint(0, 0));
+  return QString("%1 %2 %3 %4").arg(at.x()).arg(at.y()).arg(widget.width()).arg(widget.height());
+}
+
 }  // namespace
 
 void ProbePlugin::pluginsInitialized() {
@@ -27,6 +33,10 @@ void ProbePlugin::pluginsInitialized() {
 }
 
 bool ProbePlugin::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::Move && watched->objectName().startsWith("talweg")) {
+    const auto* widget = static_cast<QWidget*>(watched);
+    emit log(LOGINFO, "WIDGET " + widget->objectName() + " " + place_of(*widget));
+  }
   const bool view = is_view(watched);
   if (event->type() == QEvent::Paint && view && !painting_) {
     painting_ = true;
@@ -65,13 +75,7 @@ QString ProbePlugin::widgetPosition(QString name) {
   if (OpenFlipper::Options::nogui()) return {};
   QApplication::processEvents();  // layouts that wait
   for (const QWidget* widget : QApplication::allWidgets()) {
-    if (widget->objectName() != name) continue;
-    const QPoint at = widget->mapToGlobal(QPoint(0, 0));
-    return QString("%1 %2 %3 %4")
-        .arg(at.x())
-        .arg(at.y())
-        .arg(widget->width())
-        .arg(widget->height());
+    if (widget->objectName() == name) return place_of(*widget);
   }
   return {};
 }

@@ -42,7 +42,7 @@ class ProbePlugin : public QObject,
   QString version() { return QString("0.1.0"); }
   void noguiSupported() {}
 
-  /// "x y width height" on the screen.
+  /// "x y width height" on the screen. The log has it whenever a part of the panel moves.
   QString widgetPosition(QString name);
   /// "x y" in the window of the host.
   QString screenPosition(int meshId, int vertex);
