@@ -51,23 +51,20 @@ same pinned --pin "$pin"
 "$talweg" --quiet cut "$folder/vessel.ply" --curve "$folder/loop.json" -o "$folder/driver_part.off" \
   --split --cap
 /usr/bin/python3 - "$folder" <<'PYTHON'
-import struct
 import sys
 
 
 def mesh(name):
-    """Of an OFF file: the host writes binary ones, with single precision."""
-    data = open(f"{sys.argv[1]}/{name}.off", "rb").read()
-    head, rest = data.split(b"\n", 1)
-    if b"BINARY" not in head:
-        words = iter(data.decode().split()[1:])
-        vertices, faces, _ = (int(next(words)) for _ in range(3))
-        points = [tuple(float(next(words)) for _ in range(3)) for _ in range(vertices)]
-        return points, [[int(next(words)) for _ in range(int(next(words)))] for _ in range(faces)]
-    vertices, faces, _ = struct.unpack_from("<3i", rest)
-    points = list(struct.iter_unpack("<3f", rest[12 : 12 + 12 * vertices]))
-    corners = rest[12 + 12 * vertices : 12 + 12 * vertices + 16 * faces]
-    return points, [face[1:] for face in struct.iter_unpack("<4i", corners)]
+    """Of the host's PLY, in text, or of an OFF file."""
+    lines = open(f"{sys.argv[1]}/{name}").read().splitlines()
+    if name.endswith(".ply"):
+        vertices, faces = (int(line.split()[2]) for line in lines if line.startswith("element "))
+        lines = lines[lines.index("end_header") + 1 :]
+    else:
+        vertices, faces = map(int, lines[1].split()[:2])
+        lines = lines[2:]
+    points = [tuple(map(float, line.split()[:3])) for line in lines[:vertices]]
+    return points, [tuple(map(int, line.split()[1:4])) for line in lines[vertices : vertices + faces]]
 
 
 def area(points, faces):
@@ -81,10 +78,10 @@ def area(points, faces):
 
 
 for host, driver in ("cut", "driver_cut"), ("part_0", "driver_part-0"), ("part_1", "driver_part-1"):
-    (p, f), (q, g) = mesh(host), mesh(driver)
+    (p, f), (q, g) = mesh(f"{host}.ply"), mesh(f"{driver}.off")
     assert (len(p), len(f)) == (len(q), len(g)), (host, len(p), len(f), len(q), len(g))
     assert abs(area(p, f) - area(q, g)) < 1e-4 * area(q, g), (host, area(p, f), area(q, g))
-    print(f"{host}.off: {len(f)} faces and area {area(p, f):.4f}, as the driver's")
+    print(f"{host}.ply: {len(f)} faces and area {area(p, f):.4f}, as the driver's")
 PYTHON
 
 # The host's file has the faces, vertices and edges of the points, and keeps them.
