@@ -14,7 +14,8 @@ class InputStamps {
  public:
   /// A hash of the program's version, of all options that can change a result, and of the contents
   /// of the files that the run reads; their names do not matter, but their endings do. Empty when a
-  /// file cannot be read, or is a pipe, which can be read only once. Each file is read once.
+  /// file cannot be read, or is a pipe, which can be read only once.
+  /// What a file's hash was is kept.
   std::string of(const SmoothOptions& options);
 
  private:

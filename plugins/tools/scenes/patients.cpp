@@ -12,7 +12,7 @@ namespace talweg::scenes {
 namespace {
 
 constexpr int kSizes = 10;
-constexpr double kFacesOfOne = 5000, kDemoFaces = 45000;
+constexpr double kFacesOfOne = 5000, kDemoFaces = 60146;
 constexpr int kClicks = 9;  // few enough that no leg is in the way of another on the coarsest
 
 /// Moves along a smooth random field: wide bends, and dents of a few triangles.

@@ -17,7 +17,7 @@ struct DemoScene {
 };
 
 /// A blood vessel with a bifurcation and an aneurysm, as a segmentation gives it, cut open where it
-/// leaves the scanned volume; the curve goes round the aneurysm's neck. About 45,000 faces.
+/// leaves the scanned volume; the curve goes round the aneurysm's neck. About 60,000 faces.
 DemoScene vessel_scene();
 /// A closed, bumpy clay figure with limbs; the curve runs across the bumps like a sash. About
 /// 80,000 faces.

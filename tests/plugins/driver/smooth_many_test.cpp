@@ -64,6 +64,21 @@ class SmoothMany : public test::DriverRuns {
     return rows;
   }
 
+  /// A program of its own that does list.csv with two jobs, as soon as it has written some outputs.
+  [[nodiscard]] pid_t start_list() const {
+    const pid_t child = fork();
+    if (child == 0) {
+      if (chdir(file("").c_str()) != 0) _exit(99);
+      execl(TALWEG_DRIVER, TALWEG_DRIVER, "-q", "smooth", "--batch", "list.csv", "-o",
+            "out/{n}.json", "--summary", "s.csv", "--jobs", "2", static_cast<char*>(nullptr));
+      _exit(99);
+    }
+    for (int wait = 0; wait < 3000 && !fs::exists(file("out/3.json")); ++wait) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+    return child;
+  }
+
   /// Everything that the files of a folder hold, by name.
   [[nodiscard]] std::map<std::string, std::string> contents(const char* folder) const {
     std::map<std::string, std::string> result;
@@ -489,17 +504,8 @@ TEST_F(SmoothMany, AKilledProgramGoesOnWhereItWas) {
   std::string list = "mesh,curve,n\n";
   for (int i = 0; i < 400; ++i) list += "ball.obj,a.mrk.json," + std::to_string(i) + "\n";
   write("list.csv", list);
-  const pid_t child = fork();
+  const pid_t child = start_list();
   ASSERT_GE(child, 0);
-  if (child == 0) {
-    if (chdir(file("").c_str()) != 0) _exit(99);
-    execl(TALWEG_DRIVER, TALWEG_DRIVER, "-q", "smooth", "--batch", "list.csv", "-o", "out/{n}.json",
-          "--summary", "s.csv", static_cast<char*>(nullptr));
-    _exit(99);
-  }
-  for (int wait = 0; wait < 3000 && !fs::exists(file("out/3.json")); ++wait) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(10));
-  }
   kill(child, SIGKILL);
   int status = 0;
   ASSERT_EQ(waitpid(child, &status, 0), child);
@@ -513,9 +519,9 @@ TEST_F(SmoothMany, AKilledProgramGoesOnWhereItWas) {
                         &kept, &made, &anew),
             3)
       << outcome.out;
-  EXPECT_GE(kept, 3);
+  EXPECT_GE(kept, 2);
   EXPECT_EQ(kept + made, 400);
-  EXPECT_LE(anew, 1);  // written, and killed before its record
+  EXPECT_LE(anew, 2);  // one a job: written, and killed before its record
   EXPECT_EQ(table("s.csv").size(), 400U);
   EXPECT_EQ(contents("out").size(), 400U);
 }
@@ -524,17 +530,8 @@ TEST_F(SmoothMany, AnInterruptKeepsWhatIsDoneAndNothingHalf) {
   std::string list = "mesh,curve,n\n";
   for (int i = 0; i < 20000; ++i) list += "ball.obj,a.mrk.json," + std::to_string(i) + "\n";
   write("list.csv", list);
-  const pid_t child = fork();
+  const pid_t child = start_list();
   ASSERT_GE(child, 0);
-  if (child == 0) {
-    if (chdir(file("").c_str()) != 0) _exit(99);
-    execl(TALWEG_DRIVER, TALWEG_DRIVER, "-q", "smooth", "--batch", "list.csv", "-o", "out/{n}.json",
-          "--summary", "s.csv", "--jobs", "2", static_cast<char*>(nullptr));
-    _exit(99);
-  }
-  for (int wait = 0; wait < 3000 && !fs::exists(file("out/3.json")); ++wait) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(10));
-  }
   kill(child, SIGINT);
   int status = 0;
   ASSERT_EQ(waitpid(child, &status, 0), child);

@@ -13,6 +13,7 @@
 #include <gtest/gtest.h>
 
 #include "plugins/editing_drawings.hpp"
+#include "plugins/found_plugins.hpp"
 #include "plugins/plugin_runs.hpp"
 #include "talweg/core/io/curve_file.hpp"
 #include "talweg/editing/curve_files.hpp"
@@ -25,11 +26,7 @@ using editing::Hand;
 using editing::Outcome;
 using editing::SmoothingThread;
 using editing::Task;
-
-const editing::Plugins& plugins() {
-  static const editing::Plugins plugins(TALWEG_PLUGINS);
-  return plugins;
-}
+using test::found_plugins;
 
 /// Hills with a drawing across them.
 struct Hills {
@@ -48,7 +45,7 @@ struct Hills {
   /// What the plugin gives without a thread.
   [[nodiscard]] std::vector<host::Curve> expected(const editing::Drawing& drawing) const {
     const host::Services services("test", "1");
-    host::Instance instance(plugins().find("talweg.smooth"), services);
+    host::Instance instance(found_plugins().find("talweg.smooth"), services);
     set_mesh(instance, *mesh);
     instance.set_curves(host_curves(drawing));
     apply(drawing, instance);
@@ -71,7 +68,7 @@ void expect_same(const std::vector<host::Curve>& a, const std::vector<host::Curv
 TEST(EditingThread, GivesWhatThePluginGives) {
   Hills hills;
   std::atomic<int> woken = 0;
-  SmoothingThread thread(plugins(), hills.mesh, [&] { ++woken; });
+  SmoothingThread thread(found_plugins(), hills.mesh, [&] { ++woken; });
   std::vector<Outcome> outcomes = all_of(thread);
   ASSERT_EQ(outcomes.size(), 1U);
   EXPECT_EQ(outcomes[0].task, Task::kOpen);
@@ -94,7 +91,7 @@ TEST(EditingThread, GivesWhatThePluginGives) {
 
 TEST(EditingThread, UndoAndRedoBringTheSameCurvesBack) {
   Hills hills;
-  SmoothingThread thread(plugins(), hills.mesh);
+  SmoothingThread thread(found_plugins(), hills.mesh);
   all_of(thread);
   std::vector<std::vector<host::Curve>> seen;
   const auto look = [&] {
@@ -120,7 +117,7 @@ TEST(EditingThread, UndoAndRedoBringTheSameCurvesBack) {
 
 TEST(EditingThread, WhileAPointMovesThereArePreviews) {
   Hills hills;
-  SmoothingThread thread(plugins(), hills.mesh);
+  SmoothingThread thread(found_plugins(), hills.mesh);
   thread.smooth(hills.editor.drawing());
   all_of(thread);
   const editing::Point from = hills.editor.drawing().curves.at(0)->points.at(20);
@@ -142,7 +139,7 @@ TEST(EditingThread, WhileAPointMovesThereArePreviews) {
 
 TEST(EditingThread, UnderASliderTheCurveCountsAndTheDeviationWaits) {
   Hills hills;
-  SmoothingThread thread(plugins(), hills.mesh);
+  SmoothingThread thread(found_plugins(), hills.mesh);
   for (const double tau : {1.0, 1.3, 2.6}) {
     hills.editor.set_tau(tau);
     thread.smooth(hills.editor.drawing(), {}, Hand::kSlides);
@@ -158,7 +155,7 @@ TEST(EditingThread, UnderASliderTheCurveCountsAndTheDeviationWaits) {
 TEST(EditingThread, TheNewestRequestWins) {
   Hills hills;
   for (const double patience : {0.0, 1e9}) {
-    SmoothingThread thread(plugins(), hills.mesh, {}, patience);
+    SmoothingThread thread(found_plugins(), hills.mesh, {}, patience);
     std::uint64_t last = 0;
     for (int k = 0; k < 60; ++k) {
       hills.editor.set_tau(0.1 * k);
@@ -177,7 +174,7 @@ TEST(EditingThread, TheNewestRequestWins) {
 TEST(EditingThread, CancelledWorkSaysSoAndTheNextIsWhole) {
   Hills hills;
   for (int round = 0; round < 20; ++round) {
-    SmoothingThread thread(plugins(), hills.mesh);
+    SmoothingThread thread(found_plugins(), hills.mesh);
     thread.smooth(hills.editor.drawing());
     for (int k = 0; k < 50 * round; ++k) std::this_thread::yield();
     thread.cancel();
@@ -198,7 +195,7 @@ TEST(EditingThread, TheMeshMayGoWhileAJobRuns) {
   Hills hills;
   for (int round = 0; round < 30; ++round) {
     auto thread = std::make_unique<SmoothingThread>(
-        plugins(), std::make_shared<const editing::MeshArrays>(*hills.mesh));
+        found_plugins(), std::make_shared<const editing::MeshArrays>(*hills.mesh));
     hills.editor.set_tau(round);
     thread->smooth(hills.editor.drawing());
     if (round % 3 == 0) thread->distance(hills.editor.drawing());
@@ -210,7 +207,7 @@ TEST(EditingThread, TheMeshMayGoWhileAJobRuns) {
 TEST(EditingThread, PutsPositionsOntoTheMesh) {
   const auto sheet =
       std::make_shared<const editing::MeshArrays>(test::arrays_of(test::grid(30, 20)));
-  SmoothingThread thread(plugins(), sheet);
+  SmoothingThread thread(found_plugins(), sheet);
   host::Curve line;
   line.positions = {{1.25, 2.5, 0.3}, {20.5, 11.25, -1}, {25.5, 3.5, 0}};
   thread.place({line});
@@ -230,7 +227,7 @@ TEST(EditingThread, PutsPositionsOntoTheMesh) {
 TEST(EditingThread, PlacedPointsAreWhatTheFileSays) {
   const auto sheet =
       std::make_shared<const editing::MeshArrays>(test::arrays_of(test::grid(30, 20)));
-  SmoothingThread thread(plugins(), sheet);
+  SmoothingThread thread(found_plugins(), sheet);
   host::Curve silent, clicked, controls;
   silent.positions = {{1.25, 2.5, 0}, {20.5, 11.25, 0}, {25.5, 3.5, 0}};
   clicked = controls = silent;
@@ -252,7 +249,7 @@ TEST(EditingThread, PlacedPointsAreWhatTheFileSays) {
 
 TEST(EditingThread, SmoothsThroughClicks) {
   Hills hills;
-  SmoothingThread thread(plugins(), hills.mesh);
+  SmoothingThread thread(found_plugins(), hills.mesh);
   editing::Editor editor;
   const std::vector<editing::Point> clicks = editing::points_at(*hills.mesh, {200, 760, 1500});
   for (const editing::Point& click : clicks) editor.add_point(click);
@@ -273,7 +270,7 @@ TEST(EditingThread, SmoothsThroughClicks) {
 TEST(EditingThread, MeasuresDistances) {
   const auto sheet =
       std::make_shared<const editing::MeshArrays>(test::arrays_of(test::grid(30, 20)));
-  SmoothingThread thread(plugins(), sheet);
+  SmoothingThread thread(found_plugins(), sheet);
   editing::Editor editor;
   const std::uint32_t row = 31 * 5;  // y = 5
   editor.add_curve({editing::points_at(*sheet, {row, row + 30}), false});
@@ -293,13 +290,13 @@ TEST(EditingThread, MeasuresDistances) {
 TEST(EditingThread, TellsWhatIsWrongAndGoesOn) {
   auto bad = std::make_shared<editing::MeshArrays>(test::arrays_of(test::grid(3, 3)));
   bad->triangles.push_back(bad->triangles.front());
-  SmoothingThread refused(plugins(), bad);
+  SmoothingThread refused(found_plugins(), bad);
   const Outcome open = all_of(refused).at(0);
   EXPECT_EQ(open.status, TALWEG_BAD_MESH);
   EXPECT_NE(open.sentence, "");
 
   Hills hills;
-  SmoothingThread thread(plugins(), hills.mesh);
+  SmoothingThread thread(found_plugins(), hills.mesh);
   editing::Editor wrong;
   wrong.add_curve({{{0, {1, 0, 0}, false}, {4000000, {1, 0, 0}, false}}, false});
   thread.smooth(wrong.drawing());
@@ -324,7 +321,7 @@ struct Defective {
 
 TEST(EditingThread, ADefectIsToldWithWhatARepairWouldDo) {
   Defective sheet;
-  SmoothingThread thread(plugins(), sheet.mesh);
+  SmoothingThread thread(found_plugins(), sheet.mesh);
   const Outcome open = all_of(thread).at(0);
   EXPECT_EQ(open.status, TALWEG_BAD_MESH);
   ASSERT_EQ(open.repair.size(), 1U);
@@ -333,7 +330,7 @@ TEST(EditingThread, ADefectIsToldWithWhatARepairWouldDo) {
   auto hopeless = std::make_shared<editing::MeshArrays>();
   hopeless->positions = {{0, 0, 0}, {1, 0, 0}, {2, std::nan(""), 0}};
   hopeless->triangles = {{0, 1, 2}};
-  SmoothingThread refused(plugins(), hopeless);
+  SmoothingThread refused(found_plugins(), hopeless);
   const Outcome none = all_of(refused).at(0);
   EXPECT_NE(none.status, TALWEG_OK);
   EXPECT_TRUE(none.repair.empty());
@@ -341,7 +338,7 @@ TEST(EditingThread, ADefectIsToldWithWhatARepairWouldDo) {
 
 TEST(EditingThread, RepairedItIsSmoothedInTheNumbersItCameWith) {
   Defective sheet;
-  SmoothingThread thread(plugins(), sheet.mesh, {}, 400, editing::Defects::kRepair);
+  SmoothingThread thread(found_plugins(), sheet.mesh, {}, 400, editing::Defects::kRepair);
   thread.smooth(sheet.editor.drawing());
   thread.distance(sheet.editor.drawing());
   const std::vector<Outcome> outcomes = all_of(thread);
@@ -365,7 +362,7 @@ TEST(EditingThread, RepairedItIsSmoothedInTheNumbersItCameWith) {
 
 TEST(Workplace, WorksWithoutAThread) {
   Hills hills;
-  editing::Workplace workplace(plugins(), hills.mesh);
+  editing::Workplace workplace(found_plugins(), hills.mesh);
   editing::Request request;
   EXPECT_EQ(workplace.work(request).status, TALWEG_OK);
   request.task = Task::kSmooth;
@@ -379,7 +376,7 @@ TEST(Workplace, WorksWithoutAThread) {
 TEST(Workplace, ForAnotherTauTheDistanceIsKept) {
   Hills hills;
   bool spreads = false;
-  editing::Workplace workplace(plugins(), hills.mesh, editing::Defects::kRefuse,
+  editing::Workplace workplace(found_plugins(), hills.mesh, editing::Defects::kRefuse,
                                [&](const char* stage, double) {
                                  spreads = spreads || std::string(stage) == "distance";
                                  return true;
@@ -428,24 +425,25 @@ TEST(CurveFiles, AreTheLibrarys) {
   const std::string folder = testing::TempDir() + "editing_curve_files";
   std::filesystem::create_directories(folder);
   Hills hills;
-  SmoothingThread thread(plugins(), hills.mesh);
+  SmoothingThread thread(found_plugins(), hills.mesh);
   thread.smooth(hills.editor.drawing());
   const std::vector<host::Curve> smoothed = all_of(thread).back().results.curves;
   CurveSmoother smoother(hills.subject.opened);
   smoother.set_curve(hills.subject.drawn);
   const std::vector<SurfaceCurve> expected = {smoother.smooth(1.0).curve()};
   for (const char* ending : {".json", ".vtp", ".vtk", ".obj", ".ply", ".mrk.json"}) {
-    editing::write_curves(plugins(), folder + "/host" + ending, smoothed);
+    editing::write_curves(found_plugins(), folder + "/host" + ending, smoothed);
     write_curves(folder + "/library" + ending, hills.subject.opened->mesh(), expected);
     EXPECT_EQ(bytes_of(folder + "/host" + ending), bytes_of(folder + "/library" + ending))
         << ending;
   }
-  const std::vector<host::Curve> read = editing::read_curves(plugins(), folder + "/host.json");
+  const std::vector<host::Curve> read =
+      editing::read_curves(found_plugins(), folder + "/host.json");
   ASSERT_EQ(read.size(), 1U);
   EXPECT_EQ(read[0].faces, smoothed[0].faces);
   EXPECT_EQ(read[0].barycentrics, smoothed[0].barycentrics);
   std::ofstream(folder + "/loop.txt") << "3 4 5 3\n";
-  const host::Curve loop = editing::read_curves(plugins(), folder + "/loop.txt").at(0);
+  const host::Curve loop = editing::read_curves(found_plugins(), folder + "/loop.txt").at(0);
   EXPECT_EQ(loop.vertices, (std::vector<std::uint32_t>{3, 4, 5}));
   EXPECT_TRUE(loop.closed);
 }
@@ -455,8 +453,8 @@ TEST(CurveFiles, ADrawingComesBackPointByPoint) {
   const editing::MeshArrays sheet = test::arrays_of(test::grid(30, 20));
   editing::Editor editor;
   editor.add_curve({{{3, {0.25, 0.5, 0.25}, false}, {700, {0.1, 0.2, 0.7}, true}}, false});
-  editing::write_curves(plugins(), path, drawn_curves(sheet, editor.drawing()));
-  const std::vector<host::Curve> read = editing::read_curves(plugins(), path);
+  editing::write_curves(found_plugins(), path, drawn_curves(sheet, editor.drawing()));
+  const std::vector<host::Curve> read = editing::read_curves(found_plugins(), path);
   EXPECT_EQ(read.at(0).faces, (std::vector<std::uint32_t>{3, 700}));
   EXPECT_EQ(read.at(0).barycentrics[1], (std::array<double, 3>{0.1, 0.2, 0.7}));
   EXPECT_EQ(read.at(0).pins, std::vector<std::uint32_t>{1});
@@ -472,8 +470,8 @@ TEST(CurveFiles, ClickedAndPaintedPointsComeBack) {
   editor.paint_point({700, {0.1, 0.2, 0.7}});
   editor.add_point({720, {0.1, 0.2, 0.7}});
   editor.finish_curve();
-  editing::write_curves(plugins(), path, drawn_curves(sheet, editor.drawing()));
-  EXPECT_EQ(editing::read_curves(plugins(), path).at(0).exact,
+  editing::write_curves(found_plugins(), path, drawn_curves(sheet, editor.drawing()));
+  EXPECT_EQ(editing::read_curves(found_plugins(), path).at(0).exact,
             (std::vector<double>{0, 0, TALWEG_MARK_PAINTED, 0}));
 }
 
@@ -488,13 +486,16 @@ TEST(CurveFiles, SayWhatIsWrong) {
     return talweg_status{TALWEG_OK};
   };
   const std::vector<host::Curve> none, empty(1);
-  EXPECT_EQ(status_of([&] { editing::read_curves(plugins(), "/nowhere.json"); }), TALWEG_BAD_FILE);
-  EXPECT_EQ(
-      status_of([&] { editing::write_curves(plugins(), testing::TempDir() + "none.json", none); }),
-      TALWEG_BAD_CURVE);
-  EXPECT_EQ(
-      status_of([&] { editing::write_curves(plugins(), testing::TempDir() + "none.json", empty); }),
-      TALWEG_BAD_USAGE);
+  EXPECT_EQ(status_of([&] { editing::read_curves(found_plugins(), "/nowhere.json"); }),
+            TALWEG_BAD_FILE);
+  EXPECT_EQ(status_of([&] {
+              editing::write_curves(found_plugins(), testing::TempDir() + "none.json", none);
+            }),
+            TALWEG_BAD_CURVE);
+  EXPECT_EQ(status_of([&] {
+              editing::write_curves(found_plugins(), testing::TempDir() + "none.json", empty);
+            }),
+            TALWEG_BAD_USAGE);
 }
 
 TEST(EditingThread, MissingPluginsAreToldWithTheirFolder) {

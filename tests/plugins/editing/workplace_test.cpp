@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "plugins/editing_drawings.hpp"
+#include "plugins/found_plugins.hpp"
 #include "talweg/editing/smoothing_thread.hpp"
 
 namespace talweg {
@@ -16,11 +17,7 @@ namespace {
 using editing::Request;
 using editing::Task;
 using editing::Vector;
-
-const editing::Plugins& found_plugins() {
-  static const editing::Plugins plugins(TALWEG_PLUGINS);
-  return plugins;
-}
+using test::found_plugins;
 
 editing::Outcome work(editing::Workplace& place, Task task, const editing::Drawing& drawing = {}) {
   Request request;

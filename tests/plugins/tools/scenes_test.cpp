@@ -12,6 +12,7 @@
 #include "talweg/intrinsic/surface/surface.hpp"
 #include "tools/scenes/isosurface.hpp"
 #include "tools/scenes/noise.hpp"
+#include "tools/scenes/patients.hpp"
 #include "tools/scenes/ply_writer.hpp"
 #include "tools/scenes/relaxation.hpp"
 
@@ -175,6 +176,24 @@ TEST(GalleryScenes, AreCleanAndHaveCurvesOrParcels) {
   EXPECT_TRUE(sheet.on_boundary(VertexId{terrain.through.vertices.front()}));
   EXPECT_TRUE(sheet.on_boundary(VertexId{terrain.through.vertices.back()}));
   EXPECT_FALSE(terrain.through.closed);
+}
+
+TEST(Patients, HaveVesselsOfTenSizesEachOfItsOwnShape) {
+  const Patients patients;
+  for (std::size_t i = 0; i < 10; ++i) {
+    const DemoScene scene = patients.scene(i);
+    const double wanted = 5000.0 * static_cast<double>(i + 1);
+    EXPECT_NEAR(static_cast<double>(scene.mesh.triangles.size()), wanted, 0.1 * wanted) << i;
+    EXPECT_EQ(components_of(surface_of(scene.mesh)).count, 1U) << i;  // refuses what is no surface
+    EXPECT_TRUE(scene.through.closed);
+    EXPECT_GE(scene.through.vertices.size(), 3U);
+  }
+  const DemoScene one = patients.scene(3), other = patients.scene(13);
+  EXPECT_EQ(one.mesh.triangles, other.mesh.triangles);
+  EXPECT_NE(one.mesh.points, other.mesh.points);
+  EXPECT_NE(one.through.vertices, other.through.vertices);
+  EXPECT_EQ(one.mesh.points, patients.scene(3).mesh.points);
+  EXPECT_EQ(other.name, "vessel00013");
 }
 
 }  // namespace
