@@ -1,9 +1,9 @@
 #include "summary_table.hpp"
 
-#include <algorithm>
+#include <array>
 #include <charconv>
 #include <cstddef>
-#include <iterator>
+#include <span>
 #include <utility>
 
 #include <fmt/format.h>
@@ -27,11 +27,12 @@ std::string as_cell(std::string_view cell) {
   return text + '"';
 }
 
-std::string line_of(const std::vector<std::string>& cells) {
-  std::string line;
-  for (const std::string& cell : cells)
-    line += (&cell == &cells.front() ? "" : ",") + as_cell(cell);
-  return line + "\n";
+std::string joined(std::span<const std::string> cells) {
+  std::string text;
+  for (const std::string& cell : cells) {
+    text += (&cell == &cells.front() ? "" : ",") + as_cell(cell);
+  }
+  return text;
 }
 
 std::string cell_of(const ordered_json& value) {
@@ -61,9 +62,9 @@ std::vector<std::pair<std::string, std::string>> cells_of(const SmoothingReport&
 }  // namespace
 
 SummaryRow row_of(std::size_t number, const SmoothingReport& report) {
-  SummaryRow row{std::to_string(number), to_string(report.termination), {}, {}};
-  for (auto& [name, cell] : cells_of(report)) row.cells.push_back(std::move(cell));
-  return row;
+  std::vector<std::string> cells;
+  for (auto& [name, cell] : cells_of(report)) cells.push_back(std::move(cell));
+  return {std::to_string(number), to_string(report.termination), {}, joined(cells)};
 }
 
 std::vector<std::string> summary_columns() {
@@ -73,24 +74,17 @@ std::vector<std::string> summary_columns() {
   return columns;
 }
 
-std::string summary_header() { return line_of(summary_columns()); }
+std::string summary_header() { return joined(summary_columns()) + "\n"; }
 
 std::string summary_lines(const SummaryRun& run) {
-  static const std::size_t kReport = summary_columns().size() - kBefore - kAfter;
+  static const std::string kNone(summary_columns().size() - kBefore - kAfter - 1, ',');
+  const std::string line = run.line > 0 ? std::to_string(run.line) : "";
   std::string lines;
   for (const SummaryRow& row : run.rows) {
-    std::vector<std::string> cells = {run.line > 0 ? std::to_string(run.line) : "",
-                                      run.mesh,
-                                      run.curve,
-                                      row.number,
-                                      row.status,
-                                      row.message};
-    cells.insert(cells.end(), row.cells.begin(), row.cells.end());
-    cells.resize(kBefore + kReport);
-    for (const auto& cell : {std::to_string(run.rows.size()), run.inputs, run.outputs}) {
-      cells.push_back(cell);
-    }
-    lines += line_of(cells);
+    const std::array place = {line, run.mesh, run.curve, row.number, row.status, row.message};
+    const std::array stamps = {std::to_string(run.rows.size()), run.inputs, run.outputs};
+    const std::string& cells = row.cells.empty() ? kNone : row.cells;
+    lines += joined(place) + "," + cells + "," + joined(stamps) + "\n";
   }
   return lines;
 }
@@ -113,8 +107,9 @@ std::vector<SummaryRun> runs_of(const std::vector<std::vector<std::string>>& lin
       std::from_chars(cells[0].data(), cells[0].data() + cells[0].size(), run.line);
       runs.push_back(std::move(run));
     }
-    const auto at = [&](std::size_t c) { return cells.begin() + static_cast<std::ptrdiff_t>(c); };
-    runs.back().rows.push_back({cells[3], cells[4], cells[5], {at(kBefore), at(columns - kAfter)}});
+    const std::span report = std::span(cells).subspan(kBefore, columns - kBefore - kAfter);
+    const bool none = report.front().empty();
+    runs.back().rows.push_back({cells[3], cells[4], cells[5], none ? "" : joined(report)});
   }
   drop_incomplete();
   return runs;

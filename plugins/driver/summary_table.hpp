@@ -15,7 +15,9 @@ struct SummaryRow {
   std::string number;
   std::string status;  ///< the report's termination, "failed" or "cancelled"
   std::string message;
-  std::vector<std::string> cells;  ///< of the report, by summary_columns(); none without a result
+  /// The report's cells, as they stand in a line: of thousands of runs each is one string. Empty
+  /// without a result.
+  std::string cells;
 
   bool operator==(const SummaryRow&) const = default;
 };
