@@ -94,8 +94,8 @@ void Sight::meet(const Vector& from, const Vector& way, double most, const Met& 
         if (from[i] < box.least[i] || from[i] > box.most[i]) return false;
         continue;
       }
-      const auto [near, far] =
-          std::minmax((box.least[i] - from[i]) / way[i], (box.most[i] - from[i]) / way[i]);
+      double near = (box.least[i] - from[i]) / way[i], far = (box.most[i] - from[i]) / way[i];
+      if (near > far) std::swap(near, far);
       // A hair more, so that rounding loses no triangle that lies in a side of its box.
       first = std::max(first, near - 1e-12 * std::abs(near));
       last = std::min(last, far + 1e-12 * std::abs(far));
