@@ -1,0 +1,112 @@
+// What the view and the engine hand to each other. Lengths in mesh units, angles in radians.
+
+export type Vec3 = [number, number, number];
+
+/** A point of a drawing, as `talweg::editing::Point`. */
+export interface Point {
+  face: number;
+  /** Each >= 0, sum 1, in the order of the face's corners. */
+  barycentric: Vec3;
+  /** The smoothed curve passes through it. */
+  pinned: boolean;
+  /** 0 or more at a point that was clicked: its tolerance. Below 0: a mark of talweg_way_points.h. */
+  exact: number;
+}
+
+export interface Curve {
+  points: Point[];
+  /** Joined from the last point back to the first, which is not repeated. */
+  closed: boolean;
+  /** null: the settings'. */
+  tau: number | null;
+  /** How far the result may pass from what was drawn; null: that of each point. */
+  tolerance: number | null;
+  /** For people; empty: the curve has only its number. */
+  name: string;
+  /** Tells the curves of a drawing apart; the editor gives it, from 1. */
+  number: number;
+}
+
+export interface Settings {
+  tau: number;
+  /** null: the method's default. */
+  slack: number | null;
+  /** Chooses tau and slack; null: they are as they are set. */
+  maxDeviation: number | null;
+}
+
+export interface Drawing {
+  curves: Curve[];
+  /** The last curve is still being drawn. */
+  unfinished: boolean;
+  settings: Settings;
+}
+
+/** An opened mesh. The arrays are for showing it; picked faces are those of `triangles`. */
+export interface MeshInfo {
+  vertices: number;
+  faces: number;
+  positions: Float32Array;
+  triangles: Uint32Array;
+  /** Diagonal of the bounding box. */
+  size: number;
+  meanEdge: number;
+  /** The name of the mesh's unit, empty where the file does not tell it. */
+  unit: string;
+  /** What `talweg info` tells. */
+  text: string;
+  /** What a repair would do, a sentence each; empty if there is nothing to do. */
+  repair: string[];
+  /** Why the mesh cannot be drawn on as it is; null if it can. */
+  defects: string | null;
+}
+
+export interface CurveReport {
+  length: number;
+  drawnLength: number;
+  maxDeviation: number;
+  meanDeviation: number;
+  /** Total geodesic curvature. */
+  turning: number;
+  termination: string;
+  warnings: string[];
+  /** Where the deviation is largest. */
+  worst: Vec3 | null;
+}
+
+/** A curve as it lies on the mesh. */
+export interface Line {
+  /** Three numbers per point. */
+  positions: Float64Array;
+  faces: Int32Array;
+  /** Three numbers per point, for `faces`. */
+  barycentric: Float64Array;
+  closed: boolean;
+  /** Geodesic curvature at every point; empty where it was not measured. */
+  turning: Float64Array;
+  /** Distance to what was drawn at every point; empty where it was not measured. */
+  deviation: Float64Array;
+  report: CurveReport;
+}
+
+export interface Smoothed {
+  curves: Line[];
+  notes: string[];
+  milliseconds: number;
+  /** JSON, as the driver's. */
+  report: string;
+}
+
+export interface CutResult {
+  positions: Float32Array;
+  triangles: Uint32Array;
+  /** The part of every face, from 0. */
+  side: Int32Array;
+  parts: number;
+  notes: string[];
+}
+
+export interface SavedFile {
+  name: string;
+  bytes: Uint8Array;
+}
