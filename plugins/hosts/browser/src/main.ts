@@ -1,0 +1,92 @@
+// Puts the page together: the store in the middle, hands and panel that change it, the view that
+// shows it.
+import { Cursor } from './gestures/cursor';
+import { Hand } from './gestures/hand';
+import { Keys } from './gestures/keys';
+import { Pointers } from './gestures/pointers';
+import { Finder } from './gestures/under';
+import { CurvePanel } from './panel/curve_panel';
+import { CutPanel } from './panel/cut_panel';
+import { FilesPanel } from './panel/files_panel';
+import { bindHelp } from './panel/help';
+import { bindHint } from './panel/hint';
+import { bindMeshPanel } from './panel/mesh_panel';
+import { bindActs, byId } from './panel/page';
+import { bindReportPanel } from './panel/report_panel';
+import { SettingsPanel } from './panel/settings_panel';
+import { bindShowPanel, worstOf } from './panel/show_panel';
+import { bindTrouble } from './panel/trouble';
+import { SessionWork } from './session/session_work';
+import { Store } from './state/store';
+import { Stage } from './view/stage';
+import { View } from './view/view';
+import { CutWork } from './work/cut_work';
+import { Desk, sentenceOf } from './work/desk';
+import { DrawingWork } from './work/drawing_work';
+import { FilesWork } from './work/files_work';
+import { Live } from './work/live';
+import { MeshWork } from './work/mesh_work';
+
+async function start(store: Store): Promise<void> {
+  const box = byId('view');
+  const stage = new Stage(box, byId<HTMLCanvasElement>('canvas'));
+  const view = new View(stage, byId('marks'), store);
+  const desk = await Desk.start(store);
+
+  const live = new Live(desk);
+  const drawing = new DrawingWork(desk, live);
+  const meshes = new MeshWork(desk, live, (shape) => view.showShape(shape), () => stage.camera.lookAslant());
+  const cutting = new CutWork(desk, drawing);
+  const files = new FilesWork(desk, drawing, stage);
+  const sessions = new SessionWork(desk, store, live, meshes, stage.camera);
+
+  const viewMoved = () => stage.ask();
+  const finder = new Finder(stage, () => meshes.picker);
+  const hand = new Hand(store, finder, drawing, live, cutting, (touch) => view.partAt(touch.x, touch.y));
+  new Pointers(box, stage.camera, hand, viewMoved);
+  const cursor = new Cursor(store, stage, finder);
+  const keys = new Keys(box, store, stage.camera, cursor, hand, drawing, live, cutting, viewMoved);
+  const help = bindHelp(keys.all);
+  keys.all.push({ keys: ['?'], shown: '?', what: 'this list', act: help });
+
+  const curves = new CurvePanel(store, drawing);
+  const cuts = new CutPanel(store, cutting);
+  new SettingsPanel(store, drawing);
+  bindShowPanel(store, live);
+  const filesPanel = new FilesPanel(desk, store, meshes, files, sessions, cuts);
+  bindActs({
+    ...curves.acts(), ...cuts.acts(), ...filesPanel.acts(),
+    sample: () => meshes.openSample(),
+    repair: () => meshes.repair(),
+    end: () => meshes.endWork(),
+    undo: () => drawing.undo(),
+    redo: () => drawing.redo(),
+    finish: () => drawing.finish(),
+    close: () => drawing.close(),
+    'take-back': () => drawing.takeBack(),
+    drop: () => drawing.drop(),
+    pin: () => keys.pinChosen(),
+    'remove-point': () => keys.removeChosen(),
+    fit: () => {
+      stage.camera.fit();
+      viewMoved();
+    },
+    'go-worst': () => {
+      const worst = worstOf(store.now);
+      if (!worst) return;
+      store.set({ show: { ...store.now.show, worst: true } });
+      view.goTo(worst, meshes.picker);
+    },
+    help,
+    forget: () => sessions.forget(),
+  });
+  await sessions.bringBack();
+  document.documentElement.dataset.ready = 'yes';
+}
+
+const store = new Store();
+bindMeshPanel(store);
+bindReportPanel(store);
+bindHint(store);
+bindTrouble(store);
+start(store).catch((error: unknown) => store.trouble('mesh', `The page cannot work here: ${sentenceOf(error)}`));

@@ -1,0 +1,16 @@
+// The list of keys, made of the keys that there are.
+import type { Key } from '../gestures/keys';
+import { byId, element } from './page';
+
+export function bindHelp(keys: Key[]): () => void {
+  const dialog = byId<HTMLDialogElement>('help');
+  const body = dialog.querySelector('#help-keys tbody');
+  for (const key of keys) {
+    const row = element('tr');
+    const head = element('th', key.shown);
+    head.scope = 'row';
+    row.append(head, element('td', key.what));
+    body?.append(row);
+  }
+  return () => dialog.showModal();
+}

@@ -1,0 +1,33 @@
+// What the panel tells of the mesh, and the repair that it offers.
+import type { State } from '../state/state';
+import { changed, type Store } from '../state/store';
+import { countText, lengthText } from './numbers';
+import { byId, element, fill, setText } from './page';
+
+export function bindMeshPanel(store: Store): void {
+  store.watch((now, before) => {
+    if (changed(now, before, 'mesh')) tell(now);
+  });
+}
+
+function tell({ mesh }: State): void {
+  byId('mesh-told').hidden = mesh === null;
+  byId('start').hidden = mesh !== null;
+  for (const unit of document.querySelectorAll('.unit')) {
+    unit.textContent = `in ${mesh?.info.unit || 'units of the mesh'}`;
+  }
+  if (!mesh) return;
+  const { info } = mesh;
+  setText('mesh-name', mesh.repaired ? `${mesh.name} (repaired)` : mesh.name);
+  setText('mesh-text', info.text);
+  fill('mesh-facts', [
+    ['faces', countText(info.faces)],
+    ['vertices', countText(info.vertices)],
+    ['size', lengthText(info.size, info.unit)],
+    ['edge', lengthText(info.meanEdge, info.unit)],
+  ].flatMap(([name, value]) => [element('dt', name), element('dd', value)]));
+  const offered = info.defects !== null || info.repair.length > 0;
+  byId('repair').hidden = !offered;
+  setText('repair-why', info.defects ?? 'The mesh can be used as it is. A repair would do this:');
+  fill('repair-list', info.repair.map((sentence) => element('li', sentence)));
+}

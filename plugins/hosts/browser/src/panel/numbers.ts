@@ -1,0 +1,23 @@
+// Numbers as people read them.
+
+/** Four digits that count, without a long tail of zeros. */
+export function numberText(value: number): string {
+  if (!Number.isFinite(value)) return '–';
+  if (value === 0) return '0';
+  const size = Math.abs(value);
+  if (size >= 1e6 || size < 1e-4) return value.toExponential(3);
+  return String(Number(value.toPrecision(4)));
+}
+
+export function lengthText(value: number, unit: string): string {
+  return unit ? `${numberText(value)} ${unit}` : numberText(value);
+}
+
+/** An angle in radians, told in degrees. */
+export function angleText(value: number): string {
+  return `${numberText((value * 180) / Math.PI)}°`;
+}
+
+export function countText(value: number): string {
+  return value.toLocaleString('en');
+}

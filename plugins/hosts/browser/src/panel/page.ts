@@ -1,0 +1,56 @@
+// The page's elements, found by their ids, and its buttons, found by what they do.
+
+/** Throws Error for an id that the page does not have. */
+export function byId<T extends HTMLElement>(id: string): T {
+  const element = document.getElementById(id);
+  if (!element) throw new Error(`The page has no element ${id}.`);
+  return element as T;
+}
+
+export function input(id: string): HTMLInputElement {
+  return byId<HTMLInputElement>(id);
+}
+
+/** What the page's buttons do, by the name in their `data-act`. */
+export type Acts = Record<string, () => unknown>;
+
+export function bindActs(acts: Acts): void {
+  document.addEventListener('click', (event) => {
+    const button = (event.target as Element).closest<HTMLElement>('[data-act]');
+    const act = button?.dataset.act;
+    if (act) acts[act]?.();
+  });
+}
+
+export function enable(act: string, enabled: boolean): void {
+  for (const button of document.querySelectorAll<HTMLButtonElement>(`[data-act="${act}"]`)) {
+    button.disabled = !enabled;
+  }
+}
+
+export function setText(id: string, text: string): void {
+  const element = byId(id);
+  if (element.textContent !== text) element.textContent = text;
+}
+
+/** Makes the elements of a list anew. */
+export function fill(id: string, elements: Node[]): void {
+  byId(id).replaceChildren(...elements);
+}
+
+export function element<K extends keyof HTMLElementTagNameMap>(name: K, text = ''): HTMLElementTagNameMap[K] {
+  const made = document.createElement(name);
+  made.textContent = text;
+  return made;
+}
+
+/** Lets the person choose a file. */
+export function chooseFile(accept: string, chosen: (file: File) => void): void {
+  const box = document.createElement('input');
+  box.type = 'file';
+  box.accept = accept;
+  box.addEventListener('change', () => {
+    if (box.files?.[0]) chosen(box.files[0]);
+  });
+  box.click();
+}

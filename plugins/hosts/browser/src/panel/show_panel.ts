@@ -1,0 +1,49 @@
+// What is shown of the curves, and the legend of the colours.
+import { type Colouring, type Show, type State } from '../state/state';
+import { changed, type Store } from '../state/store';
+import { gradient } from '../view/colours';
+import { rangeOf } from '../view/curve_view';
+import type { Live } from '../work/live';
+import { lengthText, numberText } from './numbers';
+import { byId, enable, input, setText } from './page';
+
+export function bindShowPanel(store: Store, live: Live): void {
+  const set = (parts: Partial<Show>) => store.set({ show: { ...store.now.show, ...parts } });
+  const colour = byId<HTMLSelectElement>('colour');
+  colour.addEventListener('change', () => set({ colour: colour.value as Colouring }));
+  input('show-drawing').addEventListener('change', () => set({ drawing: input('show-drawing').checked }));
+  input('show-worst').addEventListener('change', () => set({ worst: input('show-worst').checked }));
+  input('show-comb').addEventListener('change', () => {
+    set({ comb: input('show-comb').checked });
+    void live.combs();
+  });
+  store.watch((now, before) => {
+    if (changed(now, before, 'show', 'smoothed', 'mesh')) update(now);
+  });
+}
+
+function update(state: State): void {
+  const { show, smoothed } = state;
+  byId<HTMLSelectElement>('colour').value = show.colour;
+  input('show-drawing').checked = show.drawing;
+  input('show-comb').checked = show.comb;
+  input('show-worst').checked = show.worst;
+  enable('go-worst', !!smoothed?.curves.some((curve) => curve.report.worst));
+  const range = rangeOf(smoothed?.curves ?? [], show.colour);
+  byId('legend').hidden = range === null;
+  if (!range) return;
+  const unit = state.mesh?.info.unit ?? '';
+  const turning = show.colour === 'turning';
+  setText('legend-title', turning ? `turns right – left, in 1/${unit || 'unit'}` : 'distance to the drawing');
+  const text = (value: number) => (turning ? numberText(value) : lengthText(value, unit));
+  setText('legend-from', text(range.from));
+  setText('legend-to', text(range.to));
+  byId('legend-bar').style.background = gradient(range.from < 0 ? 'twoWay' : 'growing');
+}
+
+/** The curve and place that deviate most; null where nothing was measured. */
+export function worstOf(state: State) {
+  const all = state.smoothed?.curves.map(({ report }) => report).filter((report) => report.worst) ?? [];
+  all.sort((a, b) => b.maxDeviation - a.maxDeviation);
+  return all[0]?.worst ?? null;
+}

@@ -1,0 +1,67 @@
+// Finds where the mesh is under the mouse, with a tree of boxes that a worker has made.
+import { BufferAttribute, BufferGeometry, DoubleSide, Ray, Vector3 } from 'three';
+import { MeshBVH } from 'three-mesh-bvh';
+import type { MeshInfo, Vec3 } from '../engine/types';
+import type { Place } from '../state/state';
+import { barycentricOf, corners, positionOf } from '../view/vectors';
+import type { PrepareAnswer, PrepareRequest } from './prepare_worker';
+import type { Shape } from './shape';
+
+export class Picker {
+  private constructor(private readonly mesh: MeshInfo, private readonly tree: MeshBVH) {}
+
+  /** The first place of the mesh along a ray; null if the ray meets none. */
+  first(ray: Ray): Place | null {
+    const hit = this.tree.raycastFirst(ray, DoubleSide);
+    if (!hit || hit.faceIndex === null || hit.faceIndex === undefined) return null;
+    const barycentric = barycentricOf(this.mesh, hit.faceIndex, hit.point.toArray() as Vec3);
+    const place = { face: hit.faceIndex, barycentric };
+    return { ...place, position: positionOf(this.mesh, place) };
+  }
+
+  /** Whether the mesh lies between the eye and a position on it. */
+  isHidden(position: Vec3, eye: Vector3): boolean {
+    const way = new Vector3(...position).sub(eye);
+    const distance = way.length();
+    const hit = this.tree.raycastFirst(new Ray(eye.clone(), way.normalize()), DoubleSide);
+    // Curves lie in the faces: what is met this close to the position is the place itself.
+    return !!hit && hit.distance < distance - 1e-3 * this.mesh.size;
+  }
+
+  /** Away from the face that is nearest to a position. */
+  normalNear(position: Vec3): Vector3 | null {
+    const found = this.tree.closestPointToPoint(new Vector3(...position));
+    if (!found) return null;
+    const [a, b, c] = corners(this.mesh, found.faceIndex).map((corner) => new Vector3(...corner));
+    return b.sub(a).cross(c.sub(a)).normalize();
+  }
+
+  /** Prepares a mesh; `shown` gets what draws it as soon as that is there. */
+  static prepare(mesh: MeshInfo, shown: (shape: Shape) => void): Promise<Picker> {
+    return prepared(mesh.positions, mesh.triangles, shown, (tree) => {
+      const geometry = new BufferGeometry();
+      geometry.setAttribute('position', new BufferAttribute(mesh.positions, 3));
+      geometry.setIndex(new BufferAttribute(mesh.triangles, 1));
+      return new Picker(mesh, MeshBVH.deserialize(tree, geometry, { setIndex: false }));
+    });
+  }
+}
+
+type Tree = Extract<PrepareAnswer, { kind: 'tree' }>['tree'];
+
+function prepared(positions: Float32Array, triangles: Uint32Array, shown: (shape: Shape) => void,
+                  done: (tree: Tree) => Picker): Promise<Picker> {
+  return new Promise((resolve, reject) => {
+    const worker = new Worker(new URL('prepare_worker.js', document.baseURI), { type: 'module' });
+    worker.onmessage = (event: MessageEvent<PrepareAnswer>) => {
+      if (event.data.kind === 'shape') {
+        shown(event.data.shape);
+        return;
+      }
+      worker.terminate();
+      resolve(done(event.data.tree));
+    };
+    worker.onerror = (event) => reject(new Error(`The mesh could not be prepared: ${event.message}`));
+    worker.postMessage({ positions, triangles } satisfies PrepareRequest);
+  });
+}

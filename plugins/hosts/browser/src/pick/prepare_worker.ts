@@ -1,0 +1,33 @@
+// A worker that makes of a mesh what the page needs to show it and to pick on it.
+import { BufferAttribute, BufferGeometry } from 'three';
+import { MeshBVH } from 'three-mesh-bvh';
+import { shapeOf, type Shape } from './shape';
+
+export interface PrepareRequest {
+  positions: Float32Array;
+  triangles: Uint32Array;
+}
+
+export type PrepareAnswer =
+  | { kind: 'shape'; shape: Shape }
+  | { kind: 'tree'; tree: ReturnType<typeof MeshBVH.serialize> };
+
+interface WorkerSide {
+  onmessage: ((event: MessageEvent<PrepareRequest>) => void) | null;
+  postMessage(answer: PrepareAnswer, transfer: Transferable[]): void;
+}
+const side = self as unknown as WorkerSide;
+
+side.onmessage = (event) => {
+  const { positions, triangles } = event.data;
+  const shape = shapeOf(positions, triangles);
+  side.postMessage({ kind: 'shape', shape },
+    [shape.positions.buffer, shape.normals.buffer, shape.index.buffer] as Transferable[]);
+
+  const geometry = new BufferGeometry();
+  geometry.setAttribute('position', new BufferAttribute(positions, 3));
+  geometry.setIndex(new BufferAttribute(triangles, 1));
+  // Indirect: the faces keep their numbers.
+  const tree = MeshBVH.serialize(new MeshBVH(geometry, { indirect: true }), { cloneBuffers: false });
+  side.postMessage({ kind: 'tree', tree }, []);
+};

@@ -1,0 +1,88 @@
+// What shows a mesh well: smooth where it is smooth, with its sharp edges where it has them. Only
+// corners on sharp edges get points of their own, so a million faces stay small.
+
+export interface Shape {
+  positions: Float32Array;
+  normals: Float32Array;
+  /** Triangles as they were, in the same order. */
+  index: Uint32Array;
+}
+
+/** Edges that turn by more than this are shown sharp. */
+const sharp = Math.cos((40 * Math.PI) / 180);
+
+/** Unit normals of the faces; zero for faces without area. */
+function faceNormals(positions: Float32Array, triangles: Uint32Array): Float32Array {
+  const normals = new Float32Array(triangles.length);
+  for (let f = 0; f < triangles.length; f += 3) {
+    const a = 3 * triangles[f], b = 3 * triangles[f + 1], c = 3 * triangles[f + 2];
+    const x1 = positions[b] - positions[a], y1 = positions[b + 1] - positions[a + 1];
+    const z1 = positions[b + 2] - positions[a + 2];
+    const x2 = positions[c] - positions[a], y2 = positions[c + 1] - positions[a + 1];
+    const z2 = positions[c + 2] - positions[a + 2];
+    const x = y1 * z2 - z1 * y2, y = z1 * x2 - x1 * z2, z = x1 * y2 - y1 * x2;
+    const length = Math.hypot(x, y, z) || 1;
+    normals[f] = x / length;
+    normals[f + 1] = y / length;
+    normals[f + 2] = z / length;
+  }
+  return normals;
+}
+
+/** The corners (3 f + k) at each vertex, one after another, and where each vertex's begin. */
+function cornersAtVertices(triangles: Uint32Array, vertices: number) {
+  const begin = new Uint32Array(vertices + 1);
+  for (const v of triangles) ++begin[v + 1];
+  for (let v = 0; v < vertices; ++v) begin[v + 1] += begin[v];
+  const next = begin.slice();
+  const corners = new Uint32Array(triangles.length);
+  for (let c = 0; c < triangles.length; ++c) corners[next[triangles[c]]++] = c;
+  return { begin, corners };
+}
+
+/** Each corner's normal is the mean over the faces at its vertex that turn little from its own. */
+export function shapeOf(positions: Float32Array, triangles: Uint32Array): Shape {
+  const vertices = positions.length / 3;
+  const faces = faceNormals(positions, triangles);
+  const { begin, corners } = cornersAtVertices(triangles, vertices);
+  const normals: number[] | Float32Array = new Float32Array(positions.length);
+  const index = triangles.slice();
+  const more: number[] = [], moreNormals: number[] = [];
+
+  const cosine = (f: number, g: number) =>
+    faces[f] * faces[g] + faces[f + 1] * faces[g + 1] + faces[f + 2] * faces[g + 2];
+  for (let v = 0; v < vertices; ++v) {
+    // Groups of faces around the vertex; nearly always it is one.
+    let open = Array.from(corners.subarray(begin[v], begin[v + 1]));
+    for (let first = true; open.length > 0; first = false) {
+      const seed = open[0] - (open[0] % 3);
+      const group = open.filter((c) => cosine(seed, c - (c % 3)) >= sharp || c === open[0]);
+      if (group.length < open.length) open = open.filter((c) => !group.includes(c));
+      else open = [];
+      let x = 0, y = 0, z = 0;
+      for (const c of group) {
+        const f = c - (c % 3);
+        x += faces[f];
+        y += faces[f + 1];
+        z += faces[f + 2];
+      }
+      const length = Math.hypot(x, y, z) || 1;
+      if (first) {
+        normals.set([x / length, y / length, z / length], 3 * v);
+        continue;
+      }
+      const id = vertices + more.length / 3;
+      more.push(positions[3 * v], positions[3 * v + 1], positions[3 * v + 2]);
+      moreNormals.push(x / length, y / length, z / length);
+      for (const c of group) index[c] = id;
+    }
+  }
+  return { positions: joined(positions, more), normals: joined(normals, moreNormals), index };
+}
+
+function joined(first: Float32Array, more: number[]): Float32Array {
+  const result = new Float32Array(first.length + more.length);
+  result.set(first);
+  result.set(more, first.length);
+  return result;
+}

@@ -1,0 +1,40 @@
+// A session is what a person would lose: the mesh, the drawing, and how it was looked at. A value.
+import type { CameraState } from '../view/camera';
+import type { Show } from '../state/state';
+import { packed, unpacked } from './bytes';
+
+export interface Session {
+  mesh: { name: string; repaired: boolean; bytes: Uint8Array } | null;
+  /** The editor's state. */
+  drawing: string;
+  camera: CameraState;
+  show: Show;
+}
+
+const format = 'talweg-session';
+
+export async function sessionText(session: Session): Promise<string> {
+  const { mesh, ...others } = session;
+  const file = mesh ? { ...mesh, bytes: await packed(mesh.bytes) } : null;
+  return JSON.stringify({ format, version: 1, mesh: file, ...others });
+}
+
+/** Throws Error with a sentence for text that is no session. */
+export async function sessionOf(name: string, text: string): Promise<Session> {
+  let read: Record<string, unknown>;
+  try {
+    read = JSON.parse(text) as Record<string, unknown>;
+  } catch {
+    throw new Error(`${name} is no session of Talweg: it is not JSON.`);
+  }
+  if (read.format !== format) throw new Error(`${name} is no session of Talweg: its "format" is not "${format}".`);
+  if (read.version !== 1) throw new Error(`${name} has version ${String(read.version)}; this page reads version 1.`);
+  const { mesh, drawing, camera, show } = read as unknown as Omit<Session, 'mesh'> & {
+    mesh: { name: string; repaired: boolean; bytes: string } | null;
+  };
+  try {
+    return { mesh: mesh ? { ...mesh, bytes: await unpacked(mesh.bytes) } : null, drawing, camera, show };
+  } catch {
+    throw new Error(`${name} is damaged: its mesh cannot be unpacked.`);
+  }
+}

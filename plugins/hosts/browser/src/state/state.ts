@@ -1,0 +1,121 @@
+// Everything that the page shows, as one value. Parts of it are replaced, never changed in place.
+import type { Curve, CutResult, Drawing, Line, MeshInfo, Smoothed, Vec3 } from '../engine/types';
+
+/** A place on the mesh. */
+export interface Place {
+  face: number;
+  barycentric: Vec3;
+  position: Vec3;
+}
+
+export interface OpenMesh {
+  /** Tells one opened mesh from the next. */
+  id: number;
+  name: string;
+  /** The file as it came: for the session, and for an engine that had to be ended. */
+  bytes: Uint8Array;
+  repaired: boolean;
+  info: MeshInfo;
+}
+
+/** What is under the mouse, or under the cursor of the keyboard. */
+export type Under =
+  | { kind: 'nothing' }
+  | { kind: 'mesh'; place: Place }
+  | { kind: 'point'; curve: number; point: number; place: Place }
+  | { kind: 'line'; curve: number; segment: number; place: Place };
+
+export type Colouring = 'plain' | 'turning' | 'deviation';
+
+export interface Show {
+  drawing: boolean;
+  comb: boolean;
+  worst: boolean;
+  colour: Colouring;
+}
+
+export interface Chosen {
+  curve: number;
+  /** null: the whole curve. */
+  point: number | null;
+}
+
+/** Comb teeth of one curve: three numbers per root and tip. */
+export interface Comb {
+  roots: Float64Array;
+  tips: Float64Array;
+}
+
+/** The parts of the panel beside which sentences about trouble stand. */
+export type Spot = 'mesh' | 'drawing' | 'settings' | 'cut' | 'files' | 'session';
+
+export interface State {
+  mesh: OpenMesh | null;
+  /** A file that has defects and waits for the person to say "repair". */
+  refused: { name: string; bytes: Uint8Array; info: MeshInfo } | null;
+  drawing: Drawing;
+  undo: string | null;
+  redo: string | null;
+  /** The curves as they were drawn, on the mesh. */
+  drawn: Line[];
+  smoothed: Smoothed | null;
+  /** The next leg, from the last point to the mouse; three numbers per point. */
+  leg: Float64Array | null;
+  combs: Comb[];
+  cut: CutResult | null;
+  /** Which part of the cut is kept alone; null: all are there. */
+  kept: number | null;
+  lids: boolean;
+  chosen: Chosen | null;
+  cursor: Place | null;
+  under: Under;
+  show: Show;
+  busy: { what: string; since: number } | null;
+  trouble: Partial<Record<Spot, string>>;
+  /** What has just happened, for those who cannot see it. */
+  told: string;
+  onMachine: boolean;
+}
+
+export const emptyDrawing: Drawing = {
+  curves: [],
+  unfinished: false,
+  settings: { tau: 1, slack: null, maxDeviation: null },
+};
+
+export const firstState: State = {
+  mesh: null,
+  refused: null,
+  drawing: emptyDrawing,
+  undo: null,
+  redo: null,
+  drawn: [],
+  smoothed: null,
+  leg: null,
+  combs: [],
+  cut: null,
+  kept: null,
+  lids: false,
+  chosen: null,
+  cursor: null,
+  under: { kind: 'nothing' },
+  show: { drawing: true, comb: false, worst: false, colour: 'plain' },
+  busy: null,
+  trouble: {},
+  told: '',
+  onMachine: false,
+};
+
+/** What a person calls the curve. */
+export function nameOf(curve: Curve): string {
+  return curve.name || `Curve ${curve.number}`;
+}
+
+export function wasClicked(exact: number): boolean {
+  return exact >= 0;
+}
+
+/** Slack and largest deviation are for strokes only. */
+export function hasStrokes(drawing: Drawing): boolean {
+  return drawing.curves.some((curve) => curve.points.some((point) => !wasClicked(point.exact)));
+}

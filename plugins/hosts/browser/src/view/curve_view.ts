@@ -1,0 +1,90 @@
+// The curves on the mesh: as drawn, as smoothed, with colours along them, and the next leg.
+import { Color, Group } from 'three';
+import type { Line2 } from 'three/examples/jsm/lines/Line2.js';
+import type { Line } from '../engine/types';
+import type { Chosen, Colouring } from '../state/state';
+import { growingColour, twoWayColour } from './colours';
+import { dispose, fatLine, setDashes } from './fat_line';
+import type { Stage } from './stage';
+
+/** The values at the two ends of a colour scale. */
+export interface Range {
+  from: number;
+  to: number;
+}
+
+/** What turning and deviation are at most, over all curves; null where nothing was measured. */
+export function rangeOf(curves: Line[], colour: Colouring): Range | null {
+  if (colour === 'plain') return null;
+  const values = curves.flatMap((curve) => Array.from(curve[colour])).filter(Number.isFinite);
+  if (values.length === 0) return null;
+  if (colour === 'deviation') return { from: 0, to: Math.max(...values) };
+  // A few sharp corners would leave all else grey: the scale ends where 95 of 100 points are.
+  const sizes = values.map(Math.abs).sort((a, b) => a - b);
+  const most = sizes[Math.floor(0.95 * (sizes.length - 1))] || sizes[sizes.length - 1];
+  return { from: -most, to: most };
+}
+
+export class CurveView {
+  private readonly drawnGroup = new Group();
+  private readonly resultGroup = new Group();
+  private legLine: Line2 | null = null;
+
+  constructor(private readonly stage: Stage) {
+    stage.scene.add(this.drawnGroup, this.resultGroup);
+  }
+
+  showDrawn(curves: Line[], visible: boolean): void {
+    empty(this.drawnGroup);
+    if (visible) {
+      for (const curve of curves) {
+        if (curve.positions.length < 6) continue;
+        const look = { colour: this.stage.colours.drawn, width: 2 };
+        this.drawnGroup.add(fatLine(curve.positions, curve.closed, look));
+      }
+    }
+    this.stage.ask();
+  }
+
+  showResult(curves: Line[], colour: Colouring, chosen: Chosen | null): void {
+    empty(this.resultGroup);
+    const range = rangeOf(curves, colour);
+    curves.forEach((curve, index) => {
+      if (curve.positions.length < 6) return;
+      const width = chosen?.curve === index ? 5.5 : 4;
+      const plain = { colour: this.stage.colours.result, width };
+      // The far side shimmers through, so that loops are seen as loops.
+      const behind = fatLine(curve.positions, curve.closed,
+        { ...plain, width: 2, opacity: 0.16, through: true });
+      behind.renderOrder = 2;
+      const colours = range && colour !== 'plain' && curve[colour].length > 0
+        ? coloursAlong(curve[colour], range) : undefined;
+      this.resultGroup.add(behind, fatLine(curve.positions, curve.closed, { ...plain, colours }));
+    });
+    this.stage.ask();
+  }
+
+  showLeg(positions: Float64Array | null): void {
+    if (this.legLine) dispose(this.legLine);
+    this.legLine = null;
+    if (positions && positions.length >= 6) {
+      const look = { colour: this.stage.colours.leg, width: 2.5, dashed: true };
+      this.legLine = fatLine(positions, false, look);
+      setDashes(this.legLine, this.stage.camera.perPixel(this.stage.camera.state().distance));
+      this.stage.scene.add(this.legLine);
+    }
+    this.stage.ask();
+  }
+}
+
+function empty(group: Group): void {
+  for (const child of [...group.children]) dispose(child);
+}
+
+function coloursAlong(values: Float64Array, range: Range): Color[] {
+  const span = range.to - range.from || 1;
+  return Array.from(values, (value) => {
+    const t = (value - range.from) / span;
+    return range.from < 0 ? twoWayColour(2 * t - 1) : growingColour(t);
+  });
+}

@@ -1,0 +1,86 @@
+// The mesh as a lit body; after a cut, its parts in colours.
+import {
+  Box3, BufferAttribute, BufferGeometry, Color, DoubleSide, Mesh, MeshStandardMaterial, Raycaster, Sphere,
+} from 'three';
+import type { CutResult } from '../engine/types';
+import type { Shape } from '../pick/shape';
+import { sideColour } from './colours';
+import type { Stage } from './stage';
+
+export class MeshView {
+  private readonly plain = surface({ side: DoubleSide });
+  private readonly coloured = surface({ side: DoubleSide, vertexColors: true, flatShading: true });
+  private readonly body = new Mesh(new BufferGeometry(), this.plain);
+  private readonly parts = new Mesh(new BufferGeometry(), this.coloured);
+
+  private cut: CutResult | null = null;
+
+  constructor(private readonly stage: Stage) {
+    stage.scene.add(this.body, this.parts);
+    this.parts.visible = false;
+    this.body.visible = false;
+    // Everything is in view as a rule, and a million faces need no second box.
+    this.body.frustumCulled = false;
+    this.parts.frustumCulled = false;
+    stage.onColours((colours) => this.plain.color.set(colours.mesh));
+  }
+
+  /** Shows another mesh; null: none. */
+  show(shape: Shape | null): void {
+    this.body.geometry.dispose();
+    this.body.geometry = new BufferGeometry();
+    this.body.visible = shape !== null;
+    if (shape) {
+      this.body.geometry.setAttribute('position', new BufferAttribute(shape.positions, 3));
+      this.body.geometry.setAttribute('normal', new BufferAttribute(shape.normals, 3));
+      this.body.geometry.setIndex(new BufferAttribute(shape.index, 1));
+      const ball = new Box3().setFromArray(shape.positions).getBoundingSphere(new Sphere());
+      this.stage.camera.hold(ball.center, ball.radius || 1);
+    }
+    this.showCut(null);
+  }
+
+  /** Shows the parts of a cut mesh in colours; null: the mesh as it was. */
+  showCut(cut: CutResult | null): void {
+    this.parts.geometry.dispose();
+    this.parts.geometry = cut ? partsGeometry(cut) : new BufferGeometry();
+    this.parts.visible = cut !== null;
+    this.cut = cut;
+    this.body.visible = cut === null && this.body.geometry.hasAttribute('position');
+    this.stage.ask();
+  }
+
+  /** The part of a cut mesh that a ray meets first; null: none. Asked only for clicks: O(faces). */
+  partAt(ray: Raycaster): number | null {
+    const hit = this.cut ? ray.intersectObject(this.parts, false)[0] : undefined;
+    return hit?.faceIndex === undefined || hit.faceIndex === null ? null : (this.cut?.side[hit.faceIndex] ?? null);
+  }
+}
+
+function surface(options: object): MeshStandardMaterial {
+  // The offset lets curves lie on the mesh without sinking into it.
+  return new MeshStandardMaterial({
+    roughness: 0.62, metalness: 0, polygonOffset: true, polygonOffsetFactor: 2, polygonOffsetUnits: 2,
+    ...options,
+  });
+}
+
+/** Each face has corners of its own, in its part's colour. */
+function partsGeometry(cut: CutResult): BufferGeometry {
+  const { triangles, positions, side } = cut;
+  const places = new Float32Array(3 * triangles.length);
+  const colours = new Uint8Array(3 * triangles.length);
+  const palette = Array.from({ length: cut.parts }, (_, part) => {
+    const c = new Color(sideColour(part));
+    return [255 * c.r, 255 * c.g, 255 * c.b];
+  });
+  for (let corner = 0; corner < triangles.length; ++corner) {
+    const v = 3 * triangles[corner];
+    places.set(positions.subarray(v, v + 3), 3 * corner);
+    colours.set(palette[side[Math.floor(corner / 3)]] ?? [200, 200, 200], 3 * corner);
+  }
+  const geometry = new BufferGeometry();
+  geometry.setAttribute('position', new BufferAttribute(places, 3));
+  geometry.setAttribute('color', new BufferAttribute(colours, 3, true));
+  return geometry;
+}

@@ -1,0 +1,108 @@
+// The stage holds the canvas, the light and the camera, and draws only when something has changed.
+import {
+  Color, DirectionalLight, Group, HemisphereLight, Raycaster, Scene, SRGBColorSpace, Vector2, Vector3, WebGLRenderer,
+} from 'three';
+import type { Vec3 } from '../engine/types';
+import { ViewCamera } from './camera';
+import { coloursFor, type Colours } from './colours';
+
+export class Stage {
+  readonly camera = new ViewCamera();
+  readonly scene = new Scene();
+  /** What turns with the eye: the light comes over the left shoulder. */
+  private readonly lights = new Group();
+  private readonly renderer: WebGLRenderer;
+  private readonly dark = matchMedia('(prefers-color-scheme: dark)');
+  private asked = false;
+  private afterwards: (() => void)[] = [];
+  private recoloured: ((colours: Colours) => void)[] = [];
+
+  /** Throws Error where the browser has no WebGL. */
+  constructor(private readonly box: HTMLElement, canvas: HTMLCanvasElement) {
+    this.renderer = new WebGLRenderer({ canvas, antialias: true, powerPreference: 'high-performance' });
+    this.renderer.outputColorSpace = SRGBColorSpace;
+    const sun = new DirectionalLight(0xffffff, 2.1);
+    sun.position.set(-0.5, 0.7, 1);
+    const fill = new DirectionalLight(0xdfe8ff, 0.5);
+    fill.position.set(0.9, -0.2, 0.4);
+    this.lights.add(sun, sun.target, fill, fill.target, new HemisphereLight(0xffffff, 0x6b6f7a, 1.0));
+    this.scene.add(this.lights);
+    new ResizeObserver(() => this.resize()).observe(box);
+    this.dark.addEventListener('change', () => this.recolour());
+    canvas.addEventListener('webglcontextrestored', () => this.ask());
+    this.resize();
+    this.recolour();
+  }
+
+  get colours(): Colours {
+    return coloursFor(this.dark.matches);
+  }
+
+  /** Asks for a new picture before the next time the screen is drawn. */
+  ask(): void {
+    if (this.asked) return;
+    this.asked = true;
+    requestAnimationFrame(() => this.draw());
+  }
+
+  /** Called after every picture: what lies over the canvas follows. */
+  afterEach(task: () => void): void {
+    this.afterwards.push(task);
+  }
+
+  /** Called now, and when the page becomes dark or light. */
+  onColours(task: (colours: Colours) => void): void {
+    this.recoloured.push(task);
+    task(this.colours);
+  }
+
+  /** Where a position is on the canvas, in its pixels; null behind the eye. */
+  onScreen(position: Vec3): { x: number; y: number; distance: number } | null {
+    const p = new Vector3(...position);
+    const distance = p.distanceTo(this.camera.three.position);
+    p.project(this.camera.three);
+    if (!(p.z < 1)) return null;
+    return { x: ((p.x + 1) / 2) * this.camera.width, y: ((1 - p.y) / 2) * this.camera.height, distance };
+  }
+
+  /** The way from the eye through a pixel. */
+  rayAt(x: number, y: number): Raycaster {
+    const caster = new Raycaster();
+    const pixel = new Vector2((2 * x) / this.camera.width - 1, 1 - (2 * y) / this.camera.height);
+    caster.setFromCamera(pixel, this.camera.three);
+    return caster;
+  }
+
+  /** A picture of what is seen, as PNG. */
+  picture(): Promise<Blob> {
+    this.draw();
+    return new Promise((resolve, reject) => {
+      this.renderer.domElement.toBlob((blob) => {
+        if (blob) resolve(blob);
+        else reject(new Error('The browser could not make a picture of the view.'));
+      }, 'image/png');
+    });
+  }
+
+  private draw(): void {
+    this.asked = false;
+    this.lights.quaternion.copy(this.camera.three.quaternion);
+    this.renderer.render(this.scene, this.camera.three);
+    for (const task of this.afterwards) task();
+  }
+
+  private resize(): void {
+    const width = Math.max(1, this.box.clientWidth), height = Math.max(1, this.box.clientHeight);
+    // More than two pixels per pixel are not seen, and cost much on phones.
+    this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
+    this.renderer.setSize(width, height, false);
+    this.camera.resize(width, height);
+    this.ask();
+  }
+
+  private recolour(): void {
+    this.scene.background = new Color(this.colours.background);
+    for (const task of this.recoloured) task(this.colours);
+    this.ask();
+  }
+}

@@ -1,0 +1,77 @@
+// The view makes a picture of the state.
+import { Vector3 } from 'three';
+import type { Vec3 } from '../engine/types';
+import type { Picker } from '../pick/picker';
+import type { Shape } from '../pick/shape';
+import { changed, type Store } from '../state/store';
+import type { State } from '../state/state';
+import { CombView } from './comb_view';
+import { CurveView } from './curve_view';
+import { MeshView } from './mesh_view';
+import { Overlay } from './overlay';
+import { PointsView } from './points_view';
+import type { Stage } from './stage';
+import { lengthText } from '../panel/numbers';
+
+export class View {
+  private readonly mesh: MeshView;
+  private readonly curves: CurveView;
+  private readonly points: PointsView;
+  private readonly combs: CombView;
+  private readonly overlay: Overlay;
+
+  constructor(private readonly stage: Stage, box: HTMLElement, store: Store) {
+    this.mesh = new MeshView(stage);
+    this.curves = new CurveView(stage);
+    this.points = new PointsView(stage);
+    this.combs = new CombView(stage);
+    this.overlay = new Overlay(stage, box);
+    store.watch((now, before) => this.update(now, before));
+    stage.onColours(() => this.update(store.now, store.now));
+  }
+
+  showShape(shape: Shape | null): void {
+    this.mesh.show(shape);
+    this.stage.ask();
+  }
+
+  /** The part of the cut mesh under a pixel. */
+  partAt(x: number, y: number): number | null {
+    return this.mesh.partAt(this.stage.rayAt(x, y));
+  }
+
+  /** Turns to a place on the mesh, as seen from outside. */
+  goTo(place: Vec3, picker: Picker | null): void {
+    this.stage.camera.lookAt(new Vector3(...place), picker?.normalNear(place) ?? new Vector3(0, 0, 1));
+    this.stage.ask();
+  }
+
+  private update(now: State, before: State): void {
+    const { show } = now;
+    const whole = now.cut === null;
+    if (changed(now, before, 'cut')) this.mesh.showCut(now.cut);
+    if (changed(now, before, 'drawn', 'show', 'cut')) {
+      this.curves.showDrawn(now.drawn, show.drawing && whole);
+    }
+    if (changed(now, before, 'smoothed', 'show', 'chosen')) {
+      this.curves.showResult(now.smoothed?.curves ?? [], show.colour, now.chosen);
+    }
+    if (changed(now, before, 'drawing', 'mesh', 'chosen', 'show', 'cut')) {
+      const mesh = whole && now.mesh ? now.mesh.info : null;
+      this.points.show(now.drawing, mesh, now.chosen);
+    }
+    if (changed(now, before, 'leg')) this.curves.showLeg(now.leg);
+    if (changed(now, before, 'combs', 'show')) this.combs.show(show.comb ? now.combs : []);
+    if (changed(now, before, 'cursor')) {
+      this.overlay.mark('cursor', now.cursor ? [{ place: now.cursor.position, text: '' }] : []);
+    }
+    if (changed(now, before, 'smoothed', 'show')) this.overlay.mark('worst', worstPlaces(now));
+  }
+}
+
+/** Where each curve is farthest from what was drawn. */
+function worstPlaces(state: State) {
+  if (!state.show.worst || !state.smoothed) return [];
+  return state.smoothed.curves.flatMap(({ report }) => report.worst
+    ? [{ place: report.worst, text: lengthText(report.maxDeviation, state.mesh?.info.unit ?? '') }] : []);
+}

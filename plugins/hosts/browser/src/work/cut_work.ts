@@ -1,0 +1,49 @@
+// Cuts the mesh along the smoothed curves, and keeps parts of it.
+import type { Desk } from './desk';
+import type { DrawingWork } from './drawing_work';
+
+export class CutWork {
+  constructor(private readonly desk: Desk, private readonly drawing: DrawingWork) {}
+
+  async cut(): Promise<void> {
+    const { store, engine } = this.desk;
+    const { drawing } = store.now;
+    const cut = await this.desk.wait('cut', 'Cutting', engine.cut(drawing));
+    if (!cut || store.now.drawing !== drawing) return;
+    store.set({ cut, kept: null, leg: null });
+    this.desk.tell(cut.parts === 1 ? 'The curves do not take the mesh apart.' : `${cut.parts} parts.`);
+  }
+
+  /** Shows one part alone. */
+  async keep(part: number): Promise<void> {
+    const { store, engine } = this.desk;
+    const kept = await this.desk.wait('cut', 'Keeping a part', engine.keep(part, store.now.lids));
+    if (!kept || !store.now.cut) return;
+    store.set({ cut: kept, kept: part });
+    this.desk.tell(`Part ${part + 1} is kept.`);
+  }
+
+  async setLids(lids: boolean): Promise<void> {
+    const { store } = this.desk;
+    store.set({ lids });
+    if (store.now.kept !== null) await this.keep(store.now.kept);
+  }
+
+  /** Back to the whole mesh, to draw on. */
+  uncut(): void {
+    this.desk.store.set({ cut: null, kept: null });
+    this.desk.store.trouble('cut', null);
+    this.desk.tell('The whole mesh.');
+  }
+
+  /** Borders of labels become curves of the drawing. `text`: a number per face; null: the mesh's. */
+  async borders(text: string | null): Promise<void> {
+    const values = text === null ? null : labelsOf(text);
+    const curves = await this.desk.wait('cut', 'Finding borders', this.desk.engine.labels(values));
+    if (curves) this.drawing.addCurves(curves);
+  }
+}
+
+function labelsOf(text: string): Int32Array {
+  return Int32Array.from(text.split(/\s+/).filter(Boolean), Number);
+}

@@ -1,0 +1,131 @@
+// The edits of the drawing. Each is a step that can be undone; each that is refused says why.
+import type { Editor } from '../engine/editor';
+import type { Curve, Line, Point } from '../engine/types';
+import { type Chosen, nameOf, type Place } from '../state/state';
+import { positionOf } from '../view/vectors';
+import { type Desk, sentenceOf } from './desk';
+import type { Hand, Live } from './live';
+
+export class DrawingWork {
+  constructor(private readonly desk: Desk, private readonly live: Live) {}
+
+  /** Does an edit and smooths what comes of it. Returns whether the editor took it. */
+  edit(change: (editor: Editor) => void, told = '', hand: Hand = 'rests'): boolean {
+    const { store, editor } = this.desk;
+    try {
+      change(editor);
+      store.trouble('drawing', null);
+    } catch (error) {
+      store.trouble('drawing', sentenceOf(error));
+      return false;
+    }
+    if (told) this.desk.tell(told);
+    this.live.refresh(hand);
+    return true;
+  }
+
+  /** Edits between this and release() are one step. */
+  grip(): void {
+    this.desk.editor.beginGesture();
+  }
+
+  release(): void {
+    this.desk.editor.endGesture();
+    this.live.refresh();
+  }
+
+  addPoint(place: Place): void {
+    const begins = !this.desk.store.now.drawing.unfinished;
+    this.edit((e) => e.addPoint(bare(place)));
+    const curve = this.current();
+    if (curve) this.desk.tell(begins ? `${nameOf(curve)} begins.` : `Point ${curve.points.length}.`);
+  }
+
+  paintPoint(place: Place): void {
+    this.edit((e) => e.paintPoint(bare(place)), '', 'drags');
+  }
+
+  takeBack(): void {
+    this.edit((e) => e.takeBackPoint(), 'Took back a point.');
+  }
+
+  finish(): void {
+    this.edit((e) => e.finishCurve(), 'The curve is finished.');
+  }
+
+  close(): void {
+    this.edit((e) => e.closeCurve(), 'The curve is closed.');
+  }
+
+  drop(): void {
+    this.edit((e) => e.dropCurve(), 'Dropped the curve.');
+  }
+
+  movePoint(chosen: { curve: number; point: number }, place: Place): void {
+    this.edit((e) => e.movePoint(chosen.curve, chosen.point, bare(place)), '', 'drags');
+  }
+
+  /** Adds a point where the curve was picked; returns which one it is, or null. */
+  insert(curve: number, segment: number, place: Place): number | null {
+    const { drawing, smoothed, drawn, mesh } = this.desk.store.now;
+    const line = smoothed?.curves[curve] ?? drawn[curve];
+    if (!mesh || !line) return null;
+    const given = drawing.curves[curve].points.flatMap((point: Point) => positionOf(mesh.info, point));
+    let before = 0;
+    const took = this.edit((e) => {
+      before = e.legAt(new Float64Array(given), line.positions, line.closed, segment);
+      e.insertPoint(curve, before, bare(place));
+    }, 'Added a point.');
+    return took ? before : null;
+  }
+
+  removePoint({ curve, point }: { curve: number; point: number }): void {
+    if (this.edit((e) => e.removePoint(curve, point), 'Removed the point.')) {
+      this.choose(null);
+    }
+  }
+
+  togglePin({ curve, point }: { curve: number; point: number }): void {
+    const pinned = !this.desk.store.now.drawing.curves[curve].points[point].pinned;
+    this.edit((e) => e.setPinned(curve, point, pinned), pinned ? 'Pinned the point.' : 'Unpinned the point.');
+  }
+
+  addCurves(curves: Curve[]): void {
+    this.grip();
+    for (const curve of curves) this.edit((e) => e.addCurve(curve), '', 'drags');
+    this.release();
+    this.desk.tell(`Added ${curves.length} ${curves.length === 1 ? 'curve' : 'curves'}.`);
+  }
+
+  undo(): void {
+    let name: string | null = null;
+    this.edit((e) => (name = e.undo()));
+    this.desk.tell(name ? `Undid: ${String(name)}.` : 'Nothing to undo.');
+  }
+
+  redo(): void {
+    let name: string | null = null;
+    this.edit((e) => (name = e.redo()));
+    this.desk.tell(name ? `Redid: ${String(name)}.` : 'Nothing to redo.');
+  }
+
+  choose(chosen: Chosen | null): void {
+    this.desk.store.set({ chosen });
+  }
+
+  /** The curve that is being drawn. */
+  current(): Curve | null {
+    const { drawing } = this.desk.store.now;
+    return drawing.unfinished ? (drawing.curves.at(-1) ?? null) : null;
+  }
+
+  /** The lines that can be picked: the smoothed ones, or the drawn ones until those are there. */
+  lines(): Line[] {
+    const { smoothed, drawn } = this.desk.store.now;
+    return smoothed?.curves ?? drawn;
+  }
+}
+
+function bare({ face, barycentric }: Place) {
+  return { face, barycentric };
+}

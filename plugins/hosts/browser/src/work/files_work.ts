@@ -1,0 +1,63 @@
+// Files that go out: curves, cut meshes, pictures, reports. Nothing leaves the machine: the browser
+// saves what was made here.
+import type { SavedFile } from '../engine/types';
+import type { Stage } from '../view/stage';
+import type { Desk } from './desk';
+import type { DrawingWork } from './drawing_work';
+
+export class FilesWork {
+  constructor(private readonly desk: Desk, private readonly drawing: DrawingWork,
+              private readonly stage: Stage) {}
+
+  async saveCurves(format: string): Promise<void> {
+    await this.saveWhen(`Writing ${format}`, this.desk.engine.saveCurves(format));
+  }
+
+  async saveMesh(format: string): Promise<void> {
+    await this.saveWhen(`Writing ${format}`, this.desk.engine.saveMesh(format));
+  }
+
+  async savePicture(): Promise<void> {
+    const blob = await this.desk.wait('files', 'Making a picture', this.stage.picture());
+    if (blob) download(`${this.stem()}.png`, blob);
+  }
+
+  saveReport(): void {
+    const { smoothed } = this.desk.store.now;
+    if (!smoothed) return;
+    download(`${this.stem()}-report.json`, new Blob([smoothed.report], { type: 'application/json' }));
+  }
+
+  async readCurves(file: File): Promise<void> {
+    const work = file.arrayBuffer().then((bytes) => this.desk.engine.readCurves(file.name, bytes));
+    const curves = await this.desk.wait('files', `Reading ${file.name}`, work);
+    if (curves) this.drawing.addCurves(curves);
+  }
+
+  async copyCommand(): Promise<void> {
+    await navigator.clipboard.writeText(this.desk.engine.command());
+    this.desk.tell('Copied the command line.');
+  }
+
+  /** The mesh's name without its extensions. */
+  stem(): string {
+    const name = this.desk.store.now.mesh?.name ?? 'talweg';
+    return name.replace(/\.gz$/i, '').replace(/\.[^.]*$/, '');
+  }
+
+  private async saveWhen(what: string, work: Promise<SavedFile>): Promise<void> {
+    const file = await this.desk.wait('files', what, work);
+    if (!file) return;
+    download(file.name, new Blob([file.bytes as Uint8Array<ArrayBuffer>]));
+    this.desk.tell(`Saved ${file.name}.`);
+  }
+}
+
+export function download(name: string, blob: Blob): void {
+  const link = document.createElement('a');
+  link.href = URL.createObjectURL(blob);
+  link.download = name;
+  link.click();
+  // The browser has begun by then; an address that stays would keep the bytes in memory.
+  setTimeout(() => URL.revokeObjectURL(link.href), 60_000);
+}

@@ -1,0 +1,126 @@
+// Keeps the smoothed curve beside the drawing: after every edit the newest drawing is smoothed.
+import type { Drawing, Line } from '../engine/types';
+import { emptyDrawing, type Comb, type Place } from '../state/state';
+import { type Desk, isGone, sentenceOf } from './desk';
+
+/** What the hand is doing: while it moves, only what is seen at once is computed. */
+export type Hand = 'rests' | 'slides' | 'drags';
+
+export class Live {
+  private round = 0;
+  /** The newest round whose answer is shown; older ones come too late. */
+  private shown = 0;
+  private legRound = 0;
+  private drawnOf: Drawing['curves'] = [];
+
+  constructor(private readonly desk: Desk) {}
+
+  /** Takes the drawing from the editor and smooths it. A cut belongs to the curves before. */
+  refresh(hand: Hand = 'rests'): void {
+    const { editor, store } = this.desk;
+    const drawing = editor.drawing();
+    store.set({
+      drawing, undo: editor.undoName(), redo: editor.redoName(), cut: null, kept: null,
+      chosen: stillThere(store.now.chosen, drawing),
+    });
+    if (!drawing.unfinished) this.dropLeg();
+    if (!drawable(drawing)) {
+      this.shown = ++this.round;
+      this.drawnOf = [];
+      store.set({ drawn: [], smoothed: null, combs: [] });
+      return;
+    }
+    void this.smooth(drawing, hand);
+    if (!sameCurves(this.drawnOf, drawing.curves)) void this.draw(drawing);
+  }
+
+  /** Forgets all that belongs to a mesh. */
+  reset(): void {
+    this.shown = ++this.round;
+    this.drawnOf = [];
+    this.dropLeg();
+    this.desk.store.set({
+      drawing: emptyDrawing, drawn: [], smoothed: null, combs: [], cut: null, kept: null,
+      chosen: null, cursor: null, under: { kind: 'nothing' }, undo: null, redo: null,
+    });
+  }
+
+  /** Shows the leg from the last point to a place. */
+  async leg(to: Place): Promise<void> {
+    const { store, engine } = this.desk;
+    const { drawing } = store.now;
+    const last = drawing.unfinished ? drawing.curves.at(-1)?.points.at(-1) : undefined;
+    if (!last) return;
+    const mine = ++this.legRound;
+    try {
+      const { face, barycentric } = to;
+      const leg = await engine.leg(last, { face, barycentric, pinned: false, exact: 0 });
+      if (mine === this.legRound) store.set({ leg });
+    } catch (error) {
+      // A leg is a preview: where there is none, nothing is shown, and a click says why.
+      if (!isGone(error) && mine === this.legRound) store.set({ leg: null });
+    }
+  }
+
+  dropLeg(): void {
+    ++this.legRound;
+    if (this.desk.store.now.leg) this.desk.store.set({ leg: null });
+  }
+
+  /** Computes the combs, if they are shown. */
+  async combs(): Promise<void> {
+    const { store, engine } = this.desk;
+    const { mesh, show, smoothed } = store.now;
+    if (!show.comb || !mesh || !smoothed) return;
+    try {
+      const spacing = combSpacing(smoothed.curves);
+      const combs: Comb[] = await Promise.all(smoothed.curves.map((_, k) => engine.comb(k, spacing)));
+      if (store.now.smoothed === smoothed) store.set({ combs });
+    } catch (error) {
+      if (!isGone(error)) store.trouble('drawing', sentenceOf(error));
+    }
+  }
+
+  private async smooth(drawing: Drawing, hand: Hand): Promise<void> {
+    const mine = ++this.round;
+    const { store, engine } = this.desk;
+    const work = engine.smooth(drawing, hand);
+    const smoothed = await (hand === 'rests' ? this.desk.wait('drawing', 'Smoothing', work)
+      : work.catch(() => undefined));
+    // An older answer is better than none while the hand moves; after a newer one it is not.
+    if (!smoothed || mine < this.shown) return;
+    this.shown = mine;
+    store.set({ smoothed });
+    void this.combs();
+  }
+
+  private async draw(drawing: Drawing): Promise<void> {
+    this.drawnOf = drawing.curves;
+    try {
+      const drawn = await this.desk.engine.draw(drawing);
+      if (this.drawnOf === drawing.curves) this.desk.store.set({ drawn });
+    } catch (error) {
+      if (!isGone(error)) this.desk.store.trouble('drawing', sentenceOf(error));
+    }
+  }
+}
+
+function drawable(drawing: Drawing): boolean {
+  return drawing.curves.some((curve) => curve.points.length > 1);
+}
+
+function sameCurves(a: Drawing['curves'], b: Drawing['curves']): boolean {
+  return a.length === b.length && JSON.stringify(a) === JSON.stringify(b);
+}
+
+function stillThere<T extends { curve: number; point: number | null }>(chosen: T | null, drawing: Drawing) {
+  const curve = chosen ? drawing.curves[chosen.curve] : undefined;
+  if (!chosen || !curve) return null;
+  if (chosen.point !== null && chosen.point >= curve.points.length) return { ...chosen, point: null };
+  return chosen;
+}
+
+/** About 150 teeth on the longest curve. */
+function combSpacing(curves: Line[]): number {
+  return Math.max(...curves.map((curve) => curve.report.length)) / 150;
+}
