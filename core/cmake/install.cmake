@@ -37,12 +37,14 @@ install(FILES ${PROJECT_BINARY_DIR}/talwegConfig.cmake
 set(talweg_pc_requires "eigen3 openmesh")
 set(talweg_pc_libs "")
 if(NOT TALWEG_IS_SHARED)
-  install(FILES ${PROJECT_SOURCE_DIR}/heat/cmake/FindCHOLMOD.cmake
-          DESTINATION ${talweg_cmake_dir} COMPONENT development)
   string(APPEND talweg_pc_requires " pugixml zlib fmt")
-  if(CHOLMOD_DIR)
+  if(TALWEG_CHOLMOD)
+    install(FILES ${PROJECT_SOURCE_DIR}/heat/cmake/FindCHOLMOD.cmake
+            DESTINATION ${talweg_cmake_dir} COMPONENT development)
+  endif()
+  if(TALWEG_CHOLMOD AND CHOLMOD_DIR)
     string(APPEND talweg_pc_requires " CHOLMOD")
-  else()
+  elseif(TALWEG_CHOLMOD)
     cmake_path(GET CHOLMOD_LIBRARY PARENT_PATH folder)
     if(NOT folder IN_LIST CMAKE_CXX_IMPLICIT_LINK_DIRECTORIES)
       string(APPEND talweg_pc_libs " -L${folder}")
