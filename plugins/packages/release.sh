@@ -71,6 +71,9 @@ blender() { # the add-on, with the plugins that run anywhere
   find "$stage" -name __pycache__ -prune -exec rm -rf {} +
   cp -r "$work/portable/tree/lib/talweg/plugins" "$addon/talweg/plugins"
   cp "$project/LICENSE" "$addon"
+  mkdir -p "$addon/page/pictures" # what its help button shows
+  cp "$project/docs/blender.md" "$addon/page"
+  cp "$project"/docs/pictures/blender*.png "$addon/page/pictures"
   python3 "$here/same_zip.py" "$addon" "$out/talweg_blender-$version.zip" "$SOURCE_DATE_EPOCH"
 }
 

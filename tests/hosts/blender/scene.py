@@ -60,7 +60,10 @@ def vertices_of(obj):
 
 
 def spline_points(curve_object, number=0):
-    spline = curve_object.data.splines[number]
+    return spline_points_of(curve_object.data.splines[number])
+
+
+def spline_points_of(spline):
     values = np.empty(4 * len(spline.points), np.float32)
     spline.points.foreach_get("co", values)
     return values.reshape(-1, 4)[:, :3]

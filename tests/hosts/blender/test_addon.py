@@ -138,15 +138,15 @@ class Addon(unittest.TestCase):
     def test_a_moved_tau_costs_only_its_stage(self):
         scene.select_edges(self.obj, self.drawn)
         first = self.smooth(tau=1).total.time_ms
-        kept = session._Kept.workspace  # pylint: disable=protected-access
+        kept = session._Kept.surfaces[-1]  # pylint: disable=protected-access
         again = self.smooth(tau=2).total.time_ms
-        self.assertIs(session._Kept.workspace, kept)  # pylint: disable=protected-access
+        self.assertIs(session._Kept.surfaces[-1], kept)  # pylint: disable=protected-access
         self.assertEqual((again["open"], again["solve"]), (first["open"], first["solve"]))
         bpy.ops.mesh.select_all(action="SELECT")
         bpy.ops.transform.translate(value=(0, 0, 1))
         scene.select_edges(self.obj, self.drawn)
         self.smooth(tau=2)
-        self.assertIsNot(session._Kept.workspace, kept)  # pylint: disable=protected-access
+        self.assertIsNot(session._Kept.surfaces[-1], kept)  # pylint: disable=protected-access
 
     def test_edges_of_the_mesh(self):
         for quads in (False, True):

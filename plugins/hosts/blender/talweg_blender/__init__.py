@@ -15,17 +15,17 @@ bl_info = {
     "category": "Mesh",
 }
 
-from . import operators, operators_of_meshes, panel, session  # noqa: E402
+from . import again, operators, operators_of_meshes, page, panel, session, settings  # noqa: E402
+from .drawing_tool import tool  # noqa: E402
+
+_PARTS = (session, settings, page, operators, operators_of_meshes, again, tool, panel)
 
 
 def register():
-    operators.register()
-    operators_of_meshes.register()
-    panel.register()
+    for part in _PARTS:
+        part.register()
 
 
 def unregister():
-    panel.unregister()
-    operators_of_meshes.unregister()
-    operators.unregister()
-    session.forget()
+    for part in reversed(_PARTS):
+        part.unregister()

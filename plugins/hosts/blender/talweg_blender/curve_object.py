@@ -5,6 +5,8 @@ import json
 import bpy
 import numpy as np
 
+from . import colours, settings
+
 _MATERIAL = "Talweg curve"
 #: Neither an annotation's blue nor the orange of what is selected.
 _COLOUR = (0.9, 0.0, 0.4, 1.0)
@@ -47,7 +49,7 @@ def _report_of(result):
             "deviation_to_drawn_max": r.deviation_to_drawn_max, "termination": r.termination}
 
 
-def _made_before(context, obj, key):
+def of_drawing(context, obj, key):
     """The object of the same drawing on this mesh, shown again; None if there is none."""
     for one in obj.children:
         if (one.type == "CURVE" and one.get("talweg_drawing") == key and one.library is None
@@ -57,25 +59,45 @@ def _made_before(context, obj, key):
     return None
 
 
-def _new(obj):
+def new(context, obj):
+    """An empty one, a child of the mesh's object."""
     data = bpy.data.curves.new("Talweg", "CURVE")
     data.dimensions = "3D"
     data.bevel_resolution = 2
     data.use_fill_caps = True
     data.materials.append(_material())
     made = bpy.data.objects.new(obj.name + " curve", data)
-    (obj.users_collection or (bpy.context.scene.collection,))[0].objects.link(made)
+    _collection(context, obj).objects.link(made)
     made.parent = obj  # and no matrix of its own: it follows whatever the mesh does, shear too
     made.color = _COLOUR
     made.show_in_front = True
     return made
 
 
-def put(context, obj, result, key, bevel):
-    """The curve object of the result of a drawing: a new one, or the one that it had."""
-    made = _made_before(context, obj, key) or _new(obj)
-    _write(made.data, result, bevel)
-    made["talweg_drawing"] = key
-    made["talweg_report"] = json.dumps(_report_of(result))
+def _collection(context, obj):
+    """That of the mesh's object, unless it belongs to another file."""
+    own = [one for one in obj.users_collection if one.library is None]
+    return own[0] if own else context.scene.collection
+
+
+def write(curve, surface, result):
+    """The result in its object, as wide and coloured as its settings say."""
+    kept = settings.of(curve)
+    bevel = radius(surface, kept.thickness)
+    _write(curve.data, result, bevel)
+    colours.show(curve, kept, result, bevel, surface)
+    curve["talweg_report"] = json.dumps(_report_of(result))
+
+
+def put(context, obj, place, drawing, result, operator, as_shown):
+    """The curve object of the result of a drawing: a new one, or the one that it had.
+
+    :param operator: has the values that the result was made with.
+    """
+    made = of_drawing(context, obj, drawing.key) or new(context, obj)
+    made["talweg_drawing"] = drawing.key
+    made["talweg_number"] = 1 + max(one.get("talweg_number", 0) for one in obj.children)  # the last one
+    settings.keep(made, operator, result.drawn, place, as_shown)
+    write(made, place, result)
     context.view_layer.update()
     return made

@@ -30,13 +30,19 @@ def _saved(obj, arrays):
     return attributes.Attributes(obj, arrays)
 
 
-def cut(obj, arrays, curves, **how):
-    """Curves become selected edges of the mesh. Returns the talweg.Cut, and warnings."""
+def cut(obj, arrays, curves, mark=None, **how):
+    """Curves become selected edges of the mesh. Returns the talweg.Cut, and warnings.
+
+    :param mark: "use_seam" or "use_edge_sharp": what these edges become besides.
+    """
     saved = _saved(obj, arrays)
     made = saved.mesh(arrays, plugin="talweg.cut").cut(curves, **how)
     with object_mode(obj):
         place = remade.rewrite(obj, made.mesh, saved, arrays)[1]
         remade.select_chains(obj, made.mesh, place)
+        if mark:
+            marked = attributes.read(obj.data.edges, mark, 1, bool)
+            attributes.write(obj.data.edges, mark, marked | attributes.read(obj.data.edges, "select", 1, bool))
     return made, objects.warnings(obj, saved.lost)
 
 
@@ -47,13 +53,14 @@ def separate(obj, arrays, curves, **how):
     made = saved.mesh(arrays, plugin="talweg.cut").cut(curves, split=True, **how)
     if not made.meshes:
         raise talweg.BadCurve("Nothing is left of the mesh on that side of the curves.")
-    if objects.others_with_mesh(obj):  # theirs stays whole
-        obj.data = obj.data.copy()
-    pieces = [obj] + [_copy(obj) for _ in made.meshes[1:]]
-    for one, piece in zip(pieces, made.meshes):
-        place = remade.rewrite(one, piece, saved, arrays)[1]
-        remade.select_chains(one, piece, place)
-        one.select_set(True)
+    with object_mode(obj):
+        if objects.others_with_mesh(obj):  # theirs stays whole
+            obj.data = obj.data.copy()
+        pieces = [obj] + [_copy(obj) for _ in made.meshes[1:]]
+        for one, piece in zip(pieces, made.meshes):
+            place = remade.rewrite(one, piece, saved, arrays)[1]
+            remade.select_chains(one, piece, place)
+            one.select_set(True)
     return pieces, objects.warnings(obj, saved.lost)
 
 
@@ -102,5 +109,6 @@ def repair(obj, arrays, steps):
     """Makes a surface of the mesh. Returns the talweg.Repair, and warnings."""
     saved = _saved(obj, arrays)
     fixed = saved.mesh(arrays, plugin="talweg.repair").repair(steps)
-    remade.rewrite(obj, fixed.mesh, saved, arrays, fixed.became)
+    with object_mode(obj):
+        remade.rewrite(obj, fixed.mesh, saved, arrays, fixed.became)
     return fixed, objects.warnings(obj, saved.lost)

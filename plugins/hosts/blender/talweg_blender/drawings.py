@@ -50,9 +50,9 @@ class MeshArrays:
 
 def selected_edges(mesh):
     """The Drawing of the selected edges: curves as long as they can be, to ends and junctions, then
-    loops.
+    loops. Edges without faces are left out, with a warning.
 
-    :raises talweg.BadCurve: if there are none, or one has no face.
+    :raises talweg.BadCurve: if there are none.
     """
     chosen = np.empty(len(mesh.edges), bool)
     mesh.edges.foreach_get("select", chosen)
@@ -60,8 +60,26 @@ def selected_edges(mesh):
     mesh.edges.foreach_get("vertices", ends.ravel())
     if not chosen.any():
         raise talweg.BadCurve("No edges are selected.")
+    has_face = _with_faces(mesh)
+    wire = ends[chosen & ~has_face]
+    chosen &= has_face
+    told = f"{len(wire)} of the selected edges are wire, without a face" if len(wire) != 1 else \
+        "One of the selected edges is wire, without a face"
+    where = f" (first: between vertices {wire[0, 0]} and {wire[0, 1]})" if len(wire) else ""
+    if not chosen.any():
+        raise talweg.BadCurve(f"{told}{where}; a curve needs a surface to lie on.")
     curves = [talweg.Curve(vertices=chain, closed=closed) for chain, closed in chains(ends[chosen])]
-    return Drawing(curves, key_of("edges", np.unique(np.sort(ends[chosen], axis=1), axis=0)))
+    return Drawing(curves, key_of("edges", np.unique(np.sort(ends[chosen], axis=1), axis=0)),
+                   warnings=[f"{told}{where}: left out."] if len(wire) else [])
+
+
+def _with_faces(mesh):
+    """(number of edges,)"""
+    of_loops = np.empty(len(mesh.loops), np.int32)
+    mesh.loops.foreach_get("edge_index", of_loops)
+    found = np.zeros(len(mesh.edges), bool)
+    found[of_loops] = True
+    return found
 
 
 def chains(edges):

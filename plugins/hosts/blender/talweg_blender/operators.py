@@ -1,43 +1,88 @@
-"""Smooth selected edges, or annotations, on a mesh; with a redo panel."""
+"""Smooth selected edges, annotations, or other objects' lines on a mesh; with a redo panel."""
 
-import math
-import textwrap
+import re
 
 import bpy
-import numpy as np
 
-from . import curve_object, cutting, drawings, parameters, session, strokes, surface
+from . import colours, drawings, offers, outcomes, parameters, sentences, session, settings, strokes
+from . import wrapped
 from .naming import named
 from .package import talweg
 
 
 class _Smoothing:
-    """What both operators do with a drawing."""
+    """What the operators do with drawings."""
 
     bl_options = {"REGISTER", "UNDO"}
+    _is_invoked = False
 
-    def smooth(self, context, obj, drawing_on, as_shown):
-        """Smooths drawing_on(surface) and shows the result; what goes wrong becomes an error report.
+    def smooth(self, context, objects, drawing_on, as_shown):
+        """Smooths drawing_on(object, surface) for each object and shows the results. What goes wrong
+        with one does not stop the others; if nothing goes well, it becomes an error report.
 
         :param as_shown: on the mesh with its modifiers.
         """
-        self.warned = ""
-        try:
-            place = surface.Surface(context, obj, as_shown)
-            self.mean_edge = place.edge
-            drawing = drawing_on(place)
-            with named(drawing.names):
-                result = self._result(context, place.arrays, drawing.curves)
-                told, warnings = self._shown(context, obj, place, drawing, result)
-        except (talweg.Error, KeyboardInterrupt) as error:
-            self.report({"ERROR"}, str(error) or "Interrupted.")
-            return {"CANCELLED"}
-        parameters.show_used(self, result.total)
-        self._first_of_all = [*drawing.warnings, *_of_object(obj, as_shown)]
-        self._tell(f"{_sentence(result)} {told}".strip(), [
-            *self._first_of_all, *warnings,
-            *(one for one in result.total.warnings if not _is_measured(one, drawing))])
+        told, first, later, wrong = [], [], [], []
+        for obj in objects:
+            label = f"{obj.name}: " if len(objects) > 1 else ""
+            try:
+                one = self._smooth_one(context, obj, drawing_on, as_shown)
+            except (talweg.Error, KeyboardInterrupt) as error:
+                wrong.append(label + (str(error) or "Interrupted."))
+                continue
+            told.append(label + one[0])
+            first += [label + warning for warning in one[1]]
+            later += [label + warning for warning in one[2]]
+        self._first_of_all = [*wrong, *first] if told else []
+        if not told:
+            return self._refuse(context, wrong)
+        self._tell(" ".join(told), [*self._first_of_all, *later])
         return {"FINISHED"}
+
+    def _refuse(self, context, wrong):
+        """At the pointer it is told with what can be done about it; to a script as an error."""
+        offered = self._is_invoked and offers.is_for(context.object)
+        self.report({"WARNING" if offered else "ERROR"}, " ".join(wrong))
+        if offered:
+            offers.popup(context, context.object)
+        return {"CANCELLED"}
+
+    def _smooth_one(self, context, obj, drawing_on, as_shown):
+        """What is told, warnings to be read first, and others; raises talweg.Error."""
+        outcomes.check(self.output, self.repair)
+        place = session.surface_of(context, obj, as_shown)
+        self.mean_edge = place.edge
+        drawing = drawing_on(obj, place)
+        try:
+            drawing, result = self._result(context, place, drawing)
+            with named(drawing.names):
+                made, warnings = outcomes.make(context, obj, place, drawing, result, self, as_shown)
+        except talweg.BadMesh as error:
+            raise talweg.BadMesh(offers.note(obj, place, error, self.bl_idname)) from None
+        offers.forget(obj)
+        parameters.show_used(self, result.total)
+        self.scaled = "\n".join(sentences.of_scale(obj))
+        return (f"{sentences.of_result(context, result)} {made}".strip(),
+                [*drawing.warnings, *sentences.of_object(obj, as_shown)],
+                [*warnings, *(one for one in result.total.warnings if not _is_measured(one, drawing))])
+
+    def _result(self, context, place, drawing):
+        """The drawing without strokes that the library refuses, and the result of the others."""
+        manager = context.window_manager
+        while True:
+            manager.progress_begin(0, 1)
+            try:
+                with named(drawing.names):
+                    return drawing, session.smooth(
+                        place, drawing.curves, parameters.values(self), repair=self.repair,
+                        key=drawing.key, progress=lambda stage, done: manager.progress_update(done),
+                        **colours.wanted_fields(self))
+            except talweg.BadCurve as error:
+                drawing = _without(drawing, str(error))
+                if drawing is None:
+                    raise
+            finally:
+                manager.progress_end()
 
     def _tell(self, told, warnings):
         """One report: of several the status bar shows only the last. The panel keeps the warnings."""
@@ -46,68 +91,39 @@ class _Smoothing:
 
     def invoke(self, context, _event):
         """As execute(); what is to be read before going on is shown where the pointer is."""
-        self._first_of_all = []
+        self._first_of_all, self._is_invoked = [], not bpy.app.background
         outcome = self.execute(context)
         lines = self._first_of_all
-        if lines and not bpy.app.background:
+        if lines and self._is_invoked:
             context.window_manager.popup_menu(
-                lambda popup, _: _draw_lines(popup.layout, lines, 80), title="Talweg", icon="ERROR")
+                lambda popup, _: wrapped.draw(popup.layout, lines, 80), title="Talweg", icon="ERROR")
         return outcome
-
-    def _shown(self, context, obj, place, drawing, result):
-        """The result as it is asked for: a sentence, and warnings."""
-        if self.output == "EDGES":
-            return "", self._cut(context, obj, place.arrays, result)
-        bevel = curve_object.radius(place, self.thickness)
-        return f"Curve: {curve_object.put(context, obj, result, drawing.key, bevel).name}.", []
-
-    def _result(self, context, arrays, curves):
-        manager = context.window_manager
-        manager.progress_begin(0, 1)
-        try:
-            return session.smooth(arrays, curves, parameters.values(self),
-                                  lambda stage, fraction: manager.progress_update(fraction))
-        finally:
-            manager.progress_end()
-
-    def _cut(self, context, obj, arrays, result):
-        warnings = cutting.cut(obj, arrays, result.curves)[1]
-        context.tool_settings.mesh_select_mode = (False, True, False)
-        return warnings
 
     def draw(self, _context):
         layout = self.layout
-        _draw_lines(layout, self.warned.splitlines(), 44)
+        wrapped.draw(layout, self.warned.splitlines(), 44)
         layout.use_property_split = True
         layout.use_property_decorate = False
-        parameters.draw(layout, self)
         layout.prop(self, "output")
+        parameters.draw(layout, self)
+        wrapped.draw(layout, self.scaled.splitlines(), 44, "INFO")
         if self.output == "CURVE":
-            layout.prop(self, "thickness")
+            settings.draw_own(layout, self)
         for name in _STROKES:
             if hasattr(self, name):
                 layout.prop(self, name)
 
 
-def _draw_lines(layout, lines, width):
-    """Warnings, wrapped, since a label is cut off at the width of its panel."""
-    column = layout.column(align=True)
-    column.scale_y = 0.8
-    for line in lines:
-        for number, part in enumerate(textwrap.wrap(line, width)):
-            column.label(text=part, icon="BLANK1" if number else "ERROR")
-
-
-def _of_object(obj, as_shown):
-    """Warnings of what the numbers and the place of the result do not know."""
-    found = []
-    if not as_shown and surface.is_changed(obj):
-        found.append(f"The result lies on the mesh of {obj.name} without its modifiers and shape keys.")
-    scales = np.linalg.svd(np.array(obj.matrix_world)[:3, :3], compute_uv=False)
-    if scales[0] - scales[-1] > 1e-4 * scales[0]:
-        found.append("The object is scaled unevenly; lengths are those of the unscaled mesh (Ctrl A "
-                     "applies the scale).")
-    return found
+def _without(drawing, sentence):
+    """The drawing without the stroke that an error names, with a warning instead; None if it names none,
+    or the only one."""
+    at = [k for k, name in enumerate(drawing.names) if sentence.startswith(name + ": ")]
+    if not at or len(drawing.curves) < 2:
+        return None
+    k = at[0]
+    return drawing._replace(curves=drawing.curves[:k] + drawing.curves[k + 1:],
+                            names=drawing.names[:k] + drawing.names[k + 1:],
+                            warnings=[*drawing.warnings, f"Left out: {sentence}"])
 
 
 def _is_measured(warning, drawing):
@@ -115,23 +131,11 @@ def _is_measured(warning, drawing):
     return bool(drawing.names) and "moved onto the mesh" in warning
 
 
-def _sentence(result):
-    r = result.total
-    return (f"Curvature {r.curvature_before:.3g} to {r.curvature_after:.3g} rad, "
-            f"bending {r.bending_before:.3g} to {r.bending_after:.3g}, "
-            f"{math.degrees(r.window_turning_after):.0f} degrees in one edge, no farther than "
-            f"{r.deviation_to_drawn_max:.3g} from the drawing.")
-
-
 _COMMON = {
-    "output": bpy.props.EnumProperty(
-        name="Result", default="CURVE",
-        items=[("CURVE", "Curve object", "A curve object on the surface"),
-               ("EDGES", "Edges of the mesh", "Cut into the mesh as selected edges")]),
-    "thickness": bpy.props.FloatProperty(
-        name="Thickness", default=1, min=0, soft_max=4, precision=2, step=10,
-        description="Of the curve object; 1 fits the edges and the size of the mesh"),
+    "output": outcomes.OUTPUT,
+    **settings.own(None),
     "warned": bpy.props.StringProperty(options={"HIDDEN", "SKIP_SAVE"}),
+    "scaled": bpy.props.StringProperty(options={"HIDDEN", "SKIP_SAVE"}),
     "mean_edge": bpy.props.FloatProperty(options={"HIDDEN", "SKIP_SAVE"}),
 }
 
@@ -147,6 +151,13 @@ _STROKES = {
 }
 
 
+def _edited(context):
+    """The meshes in edit mode, the active one first; those that share a mesh count once."""
+    found = [context.object, *(one for one in context.view_layer.objects
+                               if one.mode == "EDIT" and one.type == "MESH" and one != context.object)]
+    return list({one.data: one for one in reversed(found)}.values())[::-1]
+
+
 class TALWEG_OT_smooth_edges(_Smoothing, bpy.types.Operator):
     """Smooth the selected edges as curves on the surface, close to where they are"""
 
@@ -159,35 +170,49 @@ class TALWEG_OT_smooth_edges(_Smoothing, bpy.types.Operator):
             and context.object.type == "MESH"
 
     def execute(self, context):
-        obj = context.object
-        obj.update_from_editmode()
-        return self.smooth(context, obj, lambda _: drawings.selected_edges(obj.data), False)
+        edited = _edited(context)
+        for obj in edited:
+            obj.update_from_editmode()
+        chosen = [obj for obj in edited if obj.data.total_edge_sel] or edited[:1]
+        return self.smooth(context, chosen, lambda obj, _: drawings.selected_edges(obj.data), False)
 
 
-class TALWEG_OT_smooth_annotations(_Smoothing, bpy.types.Operator):
-    """Smooth the strokes of the active annotation layer on the active mesh"""
-
-    bl_idname = "talweg.smooth_annotations"
-    bl_label = "Smooth Annotations"
-
+class _OnActive(_Smoothing):
     @classmethod
     def poll(cls, context):
         return context.object is not None and context.object.mode == "OBJECT" \
             and context.object.type == "MESH"
 
     def execute(self, context):
-        return self.smooth(context, context.object, lambda place: strokes.annotated(
-            context, context.object, place, self.closed, self.thin, self.strokes),
+        return self.smooth(context, [context.object], lambda obj, place: strokes.drawing_of(
+            self.items(context, obj), place, self.closed, self.thin, self.strokes),
             self.output == "CURVE")
 
 
-CLASSES = (TALWEG_OT_smooth_edges, TALWEG_OT_smooth_annotations)
+class TALWEG_OT_smooth_annotations(_OnActive, bpy.types.Operator):
+    """Smooth the strokes of the active annotation layer on the active mesh"""
+
+    bl_idname = "talweg.smooth_annotations"
+    bl_label = "Smooth Annotations"
+    items = staticmethod(strokes.annotations)
+
+
+class TALWEG_OT_smooth_objects(_OnActive, bpy.types.Operator):
+    """Smooth selected curve objects and grease pencil on the active mesh; Bezier points are way-points"""
+
+    bl_idname = "talweg.smooth_objects"
+    bl_label = "Smooth Selected Curves"
+    items = staticmethod(strokes.objects)
+
+
+CLASSES = (TALWEG_OT_smooth_edges, TALWEG_OT_smooth_annotations, TALWEG_OT_smooth_objects)
 
 
 def register():
     for cls in CLASSES:
         cls.__annotations__ = {**parameters.annotations(), **_COMMON}
-    TALWEG_OT_smooth_annotations.__annotations__.update(_STROKES)
+    for cls in CLASSES[1:]:
+        cls.__annotations__.update(_STROKES)
     for cls in CLASSES:
         bpy.utils.register_class(cls)
 

@@ -2,10 +2,9 @@
 
 import bpy
 
-from . import cutting, drawings, session
+from . import cutting, drawings, offers, session
 from .naming import named
 from .package import talweg
-from .surface import Surface
 
 #: Points of curve objects are of single precision: so near an edge they are on it.
 _MERGE = 1e-5
@@ -39,6 +38,7 @@ class _OnMesh:
             and context.object.type == "MESH"
 
     def execute(self, context):
+        context.object.update_from_editmode()
         try:
             told, warnings = self.work(context, context.object, drawings.MeshArrays(context.object.data))
         except (talweg.Error, KeyboardInterrupt) as error:
@@ -54,11 +54,10 @@ class _OnMesh:
             self.layout.prop(self, name)
 
 
-def _drawing(context, obj, arrays):
+def _drawing(context, obj):
     """The drawing of curve objects, and what goes with it."""
-    result = session.result_on(arrays)
-    drawing = drawings.curve_objects(context, obj, Surface(context, obj, as_shown=False),
-                                     result.curves if result else ())
+    place = session.surface_of(context, obj, as_shown=False)
+    drawing = drawings.curve_objects(context, obj, place, place.known_curves())
     exact = all(curve.faces is not None for curve in drawing.curves)
     return drawing, {} if exact else {"merge": _MERGE}
 
@@ -75,7 +74,7 @@ class TALWEG_OT_cut(_OnMesh, bpy.types.Operator):
     bl_label = "Cut Along Curve"
 
     def work(self, context, obj, arrays):
-        drawing, how = _drawing(context, obj, arrays)
+        drawing, how = _drawing(context, obj)
         with named(drawing.names):
             made, warnings = cutting.cut(obj, arrays, drawing.curves, open=self.open, **how)
         context.tool_settings.mesh_select_mode = (False, True, False)
@@ -90,7 +89,7 @@ class TALWEG_OT_separate(_OnMesh, bpy.types.Operator):
     bl_label = "Separate Along Curve"
 
     def work(self, context, obj, arrays):
-        drawing, how = _drawing(context, obj, arrays)
+        drawing, how = _drawing(context, obj)
         with named(drawing.names):
             pieces, warnings = cutting.separate(obj, arrays, drawing.curves, keep=self.keep,
                                                 cap=self.cap, **how)
@@ -137,11 +136,18 @@ class TALWEG_OT_repair(_OnMesh, bpy.types.Operator):
     bl_idname = "talweg.repair"
     bl_label = "Repair for Talweg"
 
+    @classmethod
+    def poll(cls, context):
+        """In edit mode, too, where meshes are refused."""
+        return context.object is not None and context.object.mode in ("OBJECT", "EDIT") \
+            and context.object.type == "MESH"
+
     def work(self, _context, obj, arrays):
         steps = ",".join(name for name in ("weld", "drop", "orient", "split") if getattr(self, name))
         if not steps:
             raise talweg.BadUsage("No step of the repair is chosen.")
         fixed, warnings = cutting.repair(obj, arrays, steps)
+        offers.forget(obj)
         return " ".join(fixed.changes) or "The mesh needs no repair.", warnings
 
 

@@ -2,12 +2,15 @@
 
 import bpy
 
-from . import operators, operators_of_meshes, surface
+from . import again, offers, operators, operators_of_meshes, page, session, settings
+from .drawing_tool import tool
 
 EDGES = operators.TALWEG_OT_smooth_edges.bl_idname
-ANNOTATIONS = operators.TALWEG_OT_smooth_annotations.bl_idname
+OF_DRAWINGS = [operator.bl_idname for operator in operators.CLASSES[1:]]
 OF_CURVES = [operator.bl_idname for operator in operators_of_meshes.CLASSES[:2]]
 OF_MESHES = [operator.bl_idname for operator in operators_of_meshes.CLASSES[2:]]
+DRAW = tool.TALWEG_OT_draw.bl_idname
+INTO_MESH = again.TALWEG_OT_to_mesh.bl_idname
 
 
 class VIEW3D_PT_talweg(bpy.types.Panel):
@@ -16,26 +19,73 @@ class VIEW3D_PT_talweg(bpy.types.Panel):
     bl_space_type = "VIEW_3D"
     bl_region_type = "UI"
 
+    def draw_header_preset(self, _context):
+        self.layout.operator(page.TALWEG_OT_page.bl_idname, text="", icon="HELP", emboss=False)
+
     def draw(self, context):
-        layout = self.layout
         obj = context.object
-        if obj is None or obj.type != "MESH":
-            layout.label(text="Choose a mesh")
+        offers.draw(self.layout, obj)
+        if settings.is_kept(obj):
+            _of_curve(self.layout, obj)
+        elif obj is None or obj.type != "MESH":
+            self.layout.label(text="Choose a mesh, or a curve of Talweg")
         elif obj.mode == "EDIT":
-            layout.label(text="Select edges, then:")
-            layout.operator(EDGES)
-            if surface.is_changed(obj):
-                layout.label(text="Without modifiers" if obj.modifiers else "Without shape keys",
-                             icon="ERROR")
+            _of_edges(self.layout, obj)
         else:
-            layout.label(text="Annotate the surface, then:")
-            layout.operator(ANNOTATIONS)
-            layout.label(text="Select a curve, then this:")
-            for operator in OF_CURVES:
-                layout.operator(operator)
-            layout.label(text="All of the mesh:")
-            for operator in OF_MESHES:
-                layout.operator(operator)
+            _of_mesh(self.layout)
+
+
+class VIEW3D_PT_talweg_curve(bpy.types.Panel):
+    """The curve that was made last of the mesh that is edited: its values move without a step of undo."""
+
+    bl_label = "Last Curve"
+    bl_category = "Talweg"
+    bl_space_type = "VIEW_3D"
+    bl_region_type = "UI"
+
+    @classmethod
+    def poll(cls, context):
+        return _last_curve(context) is not None
+
+    def draw(self, context):
+        curve = _last_curve(context)
+        self.layout.label(text=curve.name, icon="CURVE_DATA")
+        again.draw(self.layout, curve)
+
+
+def _last_curve(context):
+    obj = context.object
+    if obj is None or obj.type != "MESH":
+        return None
+    curves = [one for one in obj.children if settings.is_kept(one) and one.visible_get()]
+    return max(curves, key=lambda one: one.get("talweg_number", 0), default=None)
+
+
+def _of_curve(layout, curve):
+    if curve.mode == "OBJECT":
+        layout.operator(DRAW, text="Edit Curve", icon="GREASEPENCIL")
+    again.draw(layout, curve)
+    if curve.mode == "OBJECT":
+        layout.operator_menu_enum(INTO_MESH, "output")
+
+
+def _of_edges(layout, obj):
+    layout.label(text="Select edges, then:")
+    layout.operator(EDGES)
+    if session.is_changed(obj):
+        layout.label(text="Without modifiers" if obj.modifiers else "Without shape keys", icon="ERROR")
+
+
+def _of_mesh(layout):
+    layout.operator(DRAW, icon="GREASEPENCIL")
+    layout.label(text="Annotate the surface, then:")
+    layout.operator(OF_DRAWINGS[0])
+    layout.label(text="Select a curve, then this:")
+    for operator in (*OF_DRAWINGS[1:], *OF_CURVES):
+        layout.operator(operator)
+    layout.label(text="All of the mesh:")
+    for operator in OF_MESHES:
+        layout.operator(operator)
 
 
 def _edge_menu(self, _context):
@@ -45,13 +95,16 @@ def _edge_menu(self, _context):
 
 def _object_menu(self, _context):
     self.layout.separator()
-    self.layout.operator(ANNOTATIONS)
-    for operator in (*OF_CURVES, *OF_MESHES):
+    for operator in (*OF_DRAWINGS, *OF_CURVES, *OF_MESHES):
         self.layout.operator(operator)
 
 
+CLASSES = (VIEW3D_PT_talweg, VIEW3D_PT_talweg_curve)
+
+
 def register():
-    bpy.utils.register_class(VIEW3D_PT_talweg)
+    for cls in CLASSES:
+        bpy.utils.register_class(cls)
     bpy.types.VIEW3D_MT_edit_mesh_edges.append(_edge_menu)
     bpy.types.VIEW3D_MT_object.append(_object_menu)
 
@@ -59,4 +112,5 @@ def register():
 def unregister():
     bpy.types.VIEW3D_MT_object.remove(_object_menu)
     bpy.types.VIEW3D_MT_edit_mesh_edges.remove(_edge_menu)
-    bpy.utils.unregister_class(VIEW3D_PT_talweg)
+    for cls in reversed(CLASSES):
+        bpy.utils.unregister_class(cls)

@@ -11,7 +11,7 @@ SHOWN = ("tau", "slack", "max_deviation", "taus", "slacks", "potential", "relax"
 
 
 #: Shorter words where the plugin's do not fit into the panel, or name a page that is not open here.
-_LABELS = {"relax": "Relaxation", "taus": "Tau of each", "slacks": "Slack of each"}
+_LABELS = {"relax": "Relaxation", "taus": "Taus", "slacks": "Slacks"}
 _CHOICES = {"corridor": ("Corridor", "Flat within the slack, then the exact distance along the surface"),
             "paper": ("Paper", "The published one, of the approximate distance; has no slack")}
 
@@ -30,7 +30,7 @@ def _start(parameter):
     return parameter.soft_minimum + (parameter.soft_maximum - parameter.soft_minimum) / 10
 
 
-def _number(parameter):
+def _number(parameter, update):
     low = math.nextafter(parameter.minimum, math.inf) if parameter.open_minimum \
         else parameter.minimum
     start = _start(parameter)
@@ -39,11 +39,12 @@ def _number(parameter):
     text = parameter.doc.rstrip(".") + (f" ({parameter.unit})" if parameter.unit else "")
     if parameter.kind == "integer":
         return bpy.props.IntProperty(name=_label(parameter), description=text, default=int(start),
-                                     **{k: int(min(v, 2**31 - 1)) for k, v in limits.items()})
+                                     **{k: int(min(v, 2**31 - 1)) for k, v in limits.items()}, **update)
     if parameter.id in _LENGTHS:
         limits["soft_max"] = 1e30  # the mesh may be of any size
+        limits["unit"] = "LENGTH"
     return bpy.props.FloatProperty(name=_label(parameter), description=text, default=start,
-                                   precision=4, step=10, **limits)
+                                   precision=3, step=10, **limits, **update)
 
 
 def _label(parameter):
@@ -63,11 +64,11 @@ def _in_mean_edges(parameter):
         min=1e-6, soft_min=0, soft_max=10, precision=3, get=get, set=set, options={"SKIP_SAVE"})
 
 
-def _text(parameter):
+def _text(parameter, update):
     """One number for each curve is a text, since how many curves there are is not known before."""
     unit = f" ({parameter.unit})" if parameter.unit else ""
     text = parameter.doc.rstrip(".") + f"{unit}. Separated by spaces or commas, empty: none"
-    return bpy.props.StringProperty(name=_label(parameter), description=text, default="")
+    return bpy.props.StringProperty(name=_label(parameter), description=text, default="", **update)
 
 
 def _numbers(parameter, text):
@@ -81,24 +82,27 @@ def _numbers(parameter, text):
     return result or None
 
 
-def annotations():
-    """Of an operator's class: each parameter's property, and use_NAME before an optional one."""
-    result = {}
+def annotations(changed=None):
+    """Of a class of properties: each parameter's own, and use_NAME before an optional one.
+
+    :param changed: is called as the properties' update.
+    """
+    result, update = {}, {"update": changed} if changed else {}
     for parameter in described():
         if parameter.optional:
             result["use_" + parameter.id] = bpy.props.BoolProperty(
                 name="Set " + parameter.label.lower(), default=False,
-                description=parameter.doc.rstrip("."))
+                description=parameter.doc.rstrip("."), **update)
         if parameter.kind == "choice":
             items = [(id, *_CHOICES.get(id, (label, ""))) for id, label in
                      zip(parameter.choices, parameter.choice_labels)]
             result[parameter.id] = bpy.props.EnumProperty(
                 name=parameter.label, items=items, default=parameter.default,
-                description="What keeps the curve close to the drawing")
+                description="What keeps the curve close to the drawing", **update)
         elif parameter.kind == "per_curve":
-            result[parameter.id] = _text(parameter)
+            result[parameter.id] = _text(parameter, update)
         else:
-            result[parameter.id] = _number(parameter)
+            result[parameter.id] = _number(parameter, update)
     for parameter in described():
         if parameter.id in _LENGTHS:
             result[parameter.id + "_in_edges"] = _in_mean_edges(parameter)
@@ -115,7 +119,7 @@ def _value(operator, parameter):
 
 
 def values(operator):
-    """Of an operator: None for a parameter that is not to be used; raises talweg.BadUsage."""
+    """Of an operator, or of kept settings: None for a parameter that is not to be used; raises talweg.BadUsage."""
     return {p.id: _value(operator, p) for p in described()}
 
 
@@ -131,16 +135,24 @@ def show_used(operator, report):
 
 
 def draw(layout, operator):
-    """The redo panel."""
+    """The fields. A box for each optional parameter has its whole name, whatever the panel's width."""
     for parameter in described():
-        if parameter.optional:
-            row = layout.row(heading=parameter.label)
-            row.prop(operator, "use_" + parameter.id, text="")
-            field = row.row()
-            is_used = getattr(operator, "use_" + parameter.id)
-            field.active = is_used
-            field.prop(operator, parameter.id, text="")
-            if is_used and parameter.id in _LENGTHS:
-                layout.prop(operator, parameter.id + "_in_edges", slider=True)
-        else:
+        if not parameter.optional:
             layout.prop(operator, parameter.id)
+            continue
+        is_used = getattr(operator, "use_" + parameter.id)
+        column = layout.column(align=True)
+        column.use_property_split = False
+        column.prop(operator, "use_" + parameter.id, text=parameter.label)
+        field = column.row(align=True)
+        field.active = is_used
+        field.prop(operator, parameter.id, text="")
+        if is_used and parameter.id in _LENGTHS:
+            column.prop(operator, parameter.id + "_in_edges", slider=True)
+
+
+def copy(source, target):
+    """All values of one class of properties to another."""
+    for name in annotations():
+        if not name.endswith("_in_edges"):
+            setattr(target, name, getattr(source, name))

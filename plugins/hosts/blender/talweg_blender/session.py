@@ -1,22 +1,24 @@
-"""What is kept from one call to the next, so that a moved slider costs only its stage."""
+"""Surfaces that are kept from one call to the next, and whether they are still those of their objects."""
 
+import bpy
 import numpy as np
 
-from .package import talweg
+from .drawings import MeshArrays
+from .surface import Surface
+
+#: So many surfaces, or triangles of all together; the oldest go first, the last one stays.
+_MOST, _MOST_TRIANGLES = 8, 3_000_000
 
 
 class _Kept:
-    arrays = None
-    workspace = None
+    surfaces: list = []
+    unchanged: dict = {}  # by pointers of object and mesh, and whether as shown
     result = None
-    measured_on = None
-    measures: dict = {}
 
 
 def forget():
-    """Frees the mesh that was kept."""
-    _Kept.arrays = _Kept.workspace = _Kept.result = _Kept.measured_on = None
-    _Kept.measures = {}
+    """Frees what was kept."""
+    _Kept.surfaces, _Kept.unchanged, _Kept.result = [], {}, None
 
 
 def last_result():
@@ -24,32 +26,91 @@ def last_result():
     return _Kept.result
 
 
-def result_on(arrays):
-    """The same if it lies on this mesh, as it is now; else None."""
-    return _Kept.result if _is_same(_Kept.arrays, arrays) else None
+def is_changed(obj):
+    """Whether the surface that is shown may be another one than the mesh."""
+    return obj.data.shape_keys is not None or any(one.show_viewport for one in obj.modifiers)
+
+
+def surface_of(context, obj, as_shown, trust=False):
+    """The Surface of an object: with modifiers and shape keys as it is shown, or the mesh itself.
+
+    :param trust: nothing is read where Blender has told of no change since the last time. Of what
+        scripts write into arrays it tells only after ``mesh.update()``.
+    :raises talweg.BadMesh: if there are no faces.
+    """
+    context.view_layer.update()  # tells of what has changed
+    evaluated = None  # what is hidden is not evaluated
+    if obj.mode == "OBJECT" and obj.visible_get() and (as_shown or not is_changed(obj)):
+        evaluated = obj.evaluated_get(context.evaluated_depsgraph_get())
+    key = obj.as_pointer(), obj.data.as_pointer(), evaluated is not None
+    found = _Kept.unchanged.get(key) if trust else None
+    if found is None:
+        if obj.mode == "EDIT":
+            obj.update_from_editmode()
+            context.view_layer.update()  # it tells of this as of a change
+        found = _kept(_read(obj, evaluated))
+    _Kept.unchanged[key] = found
+    found.shown = evaluated
+    return found
+
+
+def _read(obj, evaluated):
+    if evaluated is None or not is_changed(obj):
+        return MeshArrays(obj.data)
+    arrays = MeshArrays(evaluated.to_mesh())
+    evaluated.to_mesh_clear()
+    return arrays
+
+
+def _kept(arrays):
+    """A surface with these arrays, the one that is there if there is one."""
+    found = next((one for one in _Kept.surfaces if _is_same(one.arrays, arrays)), None)
+    if found is None:
+        found = Surface(arrays)
+    _Kept.surfaces = [one for one in _Kept.surfaces if one is not found][1 - _MOST:] + [found]
+    while len(_Kept.surfaces) > 1 and sum(one.triangle_count for one in _Kept.surfaces) > _MOST_TRIANGLES:
+        _Kept.surfaces.pop(0)
+    _Kept.unchanged = {key: one for key, one in _Kept.unchanged.items() if one in _Kept.surfaces}
+    found.arrays = arrays  # polygons may be others though the triangles are the same
+    return found
 
 
 def _is_same(kept, arrays):
-    return (kept is not None and np.array_equal(kept.vertices, arrays.vertices)
+    return (np.array_equal(kept.vertices, arrays.vertices)
             and np.array_equal(kept.triangles, arrays.triangles))
 
 
-def measured(arrays, what, measure):
-    """measure(), or what it gave before for the same on the same mesh: with a million faces it takes as
-    long as the step of a slider."""
-    if not _is_same(_Kept.measured_on, arrays):
-        _Kept.measured_on, _Kept.measures = arrays, {}
-    if what not in _Kept.measures:
-        _Kept.measures[what] = measure()
-    return _Kept.measures[what]
-
-
-def smooth(arrays, curves, parameters, progress=None):
-    """A talweg.Result for curves on a mesh (drawings.MeshArrays); raises talweg.Error."""
-    if not _is_same(_Kept.arrays, arrays):
-        _Kept.arrays = _Kept.workspace = _Kept.result = None  # before another takes its room
-        _Kept.workspace = talweg.Mesh(arrays.vertices, arrays.triangles).workspace()
-        _Kept.arrays = arrays
-    _Kept.workspace.set_curves(curves)  # the same as before: nothing is done anew
-    _Kept.result = _Kept.workspace.smooth(progress=progress, **parameters)
+def smooth(surface, curves, parameters, **how):
+    """As Surface.smooth(); last_result() gives it again."""
+    _Kept.result = None
+    _Kept.result = surface.smooth(curves, parameters, **how)
     return _Kept.result
+
+
+@bpy.app.handlers.persistent
+def _note(_scene, depsgraph=None):
+    if depsgraph is None or not _Kept.unchanged:
+        return
+    changed = {update.id.original.as_pointer() for update in depsgraph.updates
+               if update.is_updated_geometry}
+    _Kept.unchanged = {key: one for key, one in _Kept.unchanged.items() if not changed & set(key[:2])}
+
+
+@bpy.app.handlers.persistent
+def _doubt(*_):
+    _Kept.unchanged = {}
+
+
+_HANDLERS = (("depsgraph_update_post", _note), ("frame_change_post", _doubt), ("undo_post", _doubt),
+             ("redo_post", _doubt), ("load_post", _doubt))
+
+
+def register():
+    for name, function in _HANDLERS:
+        getattr(bpy.app.handlers, name).append(function)
+
+
+def unregister():
+    for name, function in _HANDLERS:
+        getattr(bpy.app.handlers, name).remove(function)
+    forget()

@@ -1,11 +1,13 @@
-"""Strokes of the annotation tool as drawings. One that is astray does not stop the others."""
+"""Annotations, curve objects and grease pencil as drawings. One astray does not stop the others."""
+
+from typing import NamedTuple
 
 import numpy as np
 
 from .drawings import Drawing, key_of
 from .package import talweg
 
-_MEND = "set the annotation tool's Placement to Surface and draw again"
+MEND = "set the annotation tool's Placement to Surface and draw again"
 
 
 def thinned(points, distance):
@@ -21,32 +23,72 @@ def thinned(points, distance):
     return points[kept]
 
 
-def annotated(context, obj, surface, closed, thin, chosen):
-    """The Drawing of the scene's active annotation layer in the object's own space.
+class Item(NamedTuple):
+    """What may become a curve."""
 
-    :param thin: points are at least so many mean edges apart.
-    :param chosen: numbers of strokes such as "0, 2-4, -1"; empty: all.
-    :raises talweg.BadCurve: if there are none on the surface.
-    """
-    every = _strokes(context)
+    name: str
+    points: np.ndarray  # (n, 3), in the mesh object's own space
+    cyclic: bool = False
+    exact: bool = False  # its points were set one by one, and are meant
+    reason: str = ""  # why it is on no surface
+
+
+def annotations(context, obj):
+    """The strokes of the scene's active annotation layer. :raises talweg.BadCurve: if there are none."""
+    data = context.scene.grease_pencil
+    layer = data.layers.active if data and len(data.layers) else None
+    strokes = _shown(layer, context.scene)
+    if not strokes:
+        raise talweg.BadCurve("There are no annotations; draw with the annotation tool first.")
     to_object = np.array(obj.matrix_world.inverted_safe())
+    return [Item(f"Stroke {number}", _points(stroke.points, to_object), stroke.use_cyclic,
+                 reason="" if stroke.display_mode == "3DSPACE" else f"is not on a surface: {MEND}.")
+            for number, stroke in enumerate(strokes)]
+
+
+def objects(context, obj):
+    """Splines of selected curve objects, whose Bezier points are meant exactly, and strokes of selected
+    grease pencil objects. :raises talweg.BadCurve: if there are none."""
+    found = []
+    for one in context.selected_objects:
+        move = np.array(obj.matrix_world.inverted_safe()) @ np.array(one.matrix_world)
+        if one.type == "CURVE":
+            found += [_spline(f"{one.name}, spline {number}" if len(one.data.splines) > 1 else one.name,
+                              spline, move) for number, spline in enumerate(one.data.splines)]
+        elif one.type == "GPENCIL":
+            strokes = [stroke for layer in one.data.layers if not layer.hide
+                       for stroke in _shown(layer, context.scene)]
+            found += [Item(f"{one.name}, stroke {number}", _points(stroke.points, move), stroke.use_cyclic)
+                      for number, stroke in enumerate(strokes)]
+    if not found:
+        raise talweg.BadCurve("No curve or grease pencil object with something drawn is selected; select "
+                              "some, then the mesh (Shift-click).")
+    return found
+
+
+def drawing_of(items, surface, closed, thin, chosen):
+    """The Drawing of items on a surface.
+
+    :param thin: points of strokes are at least so many mean edges apart.
+    :param chosen: numbers of items such as "0, 2-4, -1"; empty: all.
+    :raises talweg.BadCurve: if none is on the surface.
+    """
     curves, names, warnings, astray, raw = [], [], [], [], []
-    for number in _numbers(chosen, len(every)):
-        stroke = every[number]
-        points = _points(stroke, to_object)
-        raw.append(points)
-        points = thinned(points, thin * surface.edge)
-        is_closed = closed or stroke.use_cyclic
+    for number in _numbers(chosen, len(items)):
+        item = items[number]
+        raw.append(item.points)
+        points = item.points if item.exact else thinned(item.points, thin * surface.edge)
+        is_closed = closed or item.cyclic
         distance = surface.farthest(points) if np.isfinite(points).all() else 0.0
-        reason = _astray(stroke, points, is_closed, distance, surface)
+        reason = item.reason or _astray(points, is_closed, distance, surface)
         if reason:
-            astray.append(f"Stroke {number} {reason}")
+            astray.append(f"{item.name} {reason}")
             continue
         if distance > surface.far:
-            warnings.append(f"Stroke {number} was drawn {surface.told(distance)}: if that is not meant, "
-                            f"{_MEND}.")
-        curves.append(talweg.Curve(positions=points, closed=is_closed))
-        names.append(f"Stroke {number}")
+            warnings.append(f"{item.name} was drawn {surface.told(distance)}: if that is not meant, "
+                            f"{MEND}.")
+        curves.append(talweg.Curve(positions=points, closed=is_closed, exact=item.exact or None))
+        names.append(item.name)
     if not curves:
         raise talweg.BadCurve(_listed(astray))
     if astray:
@@ -54,32 +96,36 @@ def annotated(context, obj, surface, closed, thin, chosen):
     return Drawing(curves, key_of("annotation", *raw), names, warnings)
 
 
-def _strokes(context):
-    data = context.scene.grease_pencil
-    layer = data.layers.active if data and len(data.layers) else None
-    frames = layer.frames if layer else ()
-    shown = [f for f in frames if f.frame_number <= context.scene.frame_current]
-    frame = max(shown, key=lambda f: f.frame_number, default=None)
-    if frame is None or not len(frame.strokes):
-        raise talweg.BadCurve("There are no annotations; draw with the annotation tool first.")
-    return frame.strokes
+def _shown(layer, scene):
+    """The strokes of the frame that is seen now."""
+    frames = [f for f in (layer.frames if layer else ()) if f.frame_number <= scene.frame_current]
+    frame = max(frames, key=lambda f: f.frame_number, default=None)
+    return list(frame.strokes) if frame is not None else []
 
 
-def _points(stroke, to_object):
-    points = np.empty((len(stroke.points), 3), np.float32)
-    stroke.points.foreach_get("co", points.ravel())
-    return points @ to_object[:3, :3].T + to_object[:3, 3]
+def _points(points, move):
+    values = np.empty((len(points), 3), np.float32)
+    points.foreach_get("co", values.ravel())
+    return values @ move[:3, :3].T + move[:3, 3]
 
 
-def _astray(stroke, points, closed, distance, surface):
+def _spline(name, spline, move):
+    is_bezier = spline.type == "BEZIER"
+    points = [tuple(point.co)[:3] for point in (spline.bezier_points if is_bezier else spline.points)]
+    values = np.array(points, float).reshape(-1, 3) @ move[:3, :3].T + move[:3, 3]
+    reason = ("is a NURBS curve; convert it to a polygon first (Set Spline Type > Poly)."
+              if spline.type == "NURBS" else "")
+    return Item(name, values, spline.use_cyclic_u, is_bezier, reason)
+
+
+def _astray(points, closed, distance, surface):
     """Why it cannot be used, or nothing."""
-    if stroke.display_mode != "3DSPACE":
-        return f"is not on a surface: {_MEND}."
     if len(points) < (3 if closed else 2):
-        return f"has {len(points)} points that are apart, too few for a curve."
+        counted = "1 point" if len(points) == 1 else f"{len(points)} points"
+        return f"has {counted} apart from each other, too few for a curve."
     if not np.isfinite(points).all():
         return "has a coordinate that is not finite."
-    return f"lies {surface.told(distance)}: {_MEND}." if distance > surface.too_far else ""
+    return f"lies {surface.told(distance)}: {MEND}." if distance > surface.too_far else ""
 
 
 def _listed(sentences):

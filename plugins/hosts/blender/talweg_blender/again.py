@@ -1,0 +1,97 @@
+"""A curve object whose values are changed is smoothed again: only the curve changes, and no undo step
+of the mesh is made for it."""
+
+import bpy
+
+from . import colours, curve_object, outcomes, parameters, sentences, session, settings, wrapped
+from .naming import named
+from .package import talweg
+
+#: Who has a curve object in hand, and smooths it in another way: functions (context, curve) -> bool.
+others = []
+
+_told = {}  # by the name of the curve object: (what went wrong, or nothing; the numbers)
+
+
+def smooth(context, curve, trust=True):
+    """The Surface and the talweg.Result, which the object shows now; raises talweg.Error."""
+    kept, obj = settings.of(curve), curve.parent
+    place = session.surface_of(context, obj, kept.as_shown, trust)
+    drawn = settings.drawn_on(curve, place)
+    with named([curve.name]):
+        result = session.smooth(place, drawn, parameters.values(kept), repair=kept.repair,
+                                key=curve["talweg_drawing"], **colours.wanted_fields(kept))
+    with settings.quietly():
+        parameters.show_used(kept, result.total)
+    curve_object.write(curve, place, result)
+    _told[curve.name] = "", sentences.of_result(context, result)
+    return place, result
+
+
+def _by_hand(context, curve):
+    if not settings.is_kept(curve) or any(take(context, curve) for take in others):
+        return
+    try:
+        smooth(context, curve)
+    except talweg.Error as error:
+        _told[curve.name] = str(error), ""
+
+
+class TALWEG_OT_to_mesh(bpy.types.Operator):
+    """Make the selected curve object edges of its mesh, mark them, or take the mesh apart"""
+
+    bl_idname = "talweg.to_mesh"
+    bl_label = "Into the Mesh"
+    bl_options = {"REGISTER", "UNDO"}
+
+    @classmethod
+    def poll(cls, context):
+        return settings.is_kept(context.object) and context.object.mode == "OBJECT" \
+            and context.object.parent.mode == "OBJECT"
+
+    def execute(self, context):
+        curve = context.object
+        obj = curve.parent
+        try:
+            outcomes.check(self.output, settings.of(curve).repair)
+            if settings.of(curve).as_shown and session.is_changed(obj):
+                raise talweg.BadUsage(f"{curve.name} lies on {obj.name} with its modifiers; apply them "
+                                      "first, and smooth again.")
+            place, result = smooth(context, curve, trust=False)
+            told, warnings = outcomes.of_mesh(context, obj, place, result, self.output)
+        except (talweg.Error, KeyboardInterrupt) as error:
+            self.report({"ERROR"}, str(error) or "Interrupted.")
+            return {"CANCELLED"}
+        self.report({"WARNING"} if warnings else {"INFO"}, " ".join([told or "Cut.", *warnings]))
+        return {"FINISHED"}
+
+
+def draw(layout, curve):
+    """The panel of a curve object."""
+    kept = settings.of(curve)
+    column = layout.column()
+    column.use_property_split = True
+    column.use_property_decorate = False
+    parameters.draw(column, kept)
+    wrapped.draw(column, sentences.of_scale(curve.parent), 40, "INFO")
+    settings.draw_own(column, kept)
+    if kept.colours != "PLAIN" and "talweg_range" in curve:
+        most = curve["talweg_range"]
+        told = f"0 to {sentences.length(bpy.context, most)}" if kept.colours == "DEVIATION" else \
+            f"0 to {most:.3g} rad for each unit of length"
+        column.label(text=f"Dark to bright: {told}", icon="COLOR")
+    wrong, numbers = _told.get(curve.name, ("", ""))
+    wrapped.draw(layout, [wrong] if wrong else [], 40)
+    wrapped.draw(layout, [numbers] if numbers else [], 40, "INFO")
+
+
+def register():
+    TALWEG_OT_to_mesh.__annotations__ = {"output": bpy.props.EnumProperty(
+        name="Result", items=outcomes.ITEMS[1:], default="EDGES")}
+    bpy.utils.register_class(TALWEG_OT_to_mesh)
+    settings.changed_by_hand.append(_by_hand)
+
+
+def unregister():
+    settings.changed_by_hand.remove(_by_hand)
+    bpy.utils.unregister_class(TALWEG_OT_to_mesh)

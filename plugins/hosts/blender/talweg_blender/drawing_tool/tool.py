@@ -1,0 +1,228 @@
+"""The tool in Blender's window: its events, its icon, and how it ends."""
+
+from pathlib import Path
+
+import bpy
+import numpy as np
+
+from .. import offers, outcomes, session, settings
+from ..package import talweg
+from .drawn import Drawn
+from .overlay import Overlay
+from .view import View
+
+_ICON = Path(__file__).parent / "talweg.draw"
+_KEYS = ("Drag: draw | Click: way-point, on the curve a pin | Drag a point: move | P: pin | X: remove | C: close "
+         "| N: next line | Ctrl Wheel: tau | Ctrl Z: undo | Enter: done | Esc: drop")
+_NAVIGATION = ("MIDDLEMOUSE", "WHEELUPMOUSE", "WHEELDOWNMOUSE", "WHEELINMOUSE", "WHEELOUTMOUSE", "TRACKPADPAN",
+               "TRACKPADZOOM", "MOUSEROTATE", "MOUSESMARTZOOM", "HOME")
+
+#: The tool that is at work; there is one at most.
+_now = []
+
+
+def is_at_work():
+    return bool(_now)
+
+
+def _view_of(context, region, space, obj):
+    matrix = np.array(space.region_3d.perspective_matrix) @ np.array(obj.matrix_world)
+    return View(matrix, region.width, region.height)
+
+
+class TALWEG_OT_draw(bpy.types.Operator):
+    """Draw on the active mesh; the smoothed curve is seen meanwhile. Of a curve object: edit it"""
+
+    bl_idname = "talweg.draw"
+    bl_label = "Draw Curve on Surface"
+    bl_options = {"UNDO"}
+
+    @classmethod
+    def poll(cls, context):
+        obj = context.object
+        return (not _now and obj is not None and obj.mode == "OBJECT" and context.area is not None
+                and context.area.type == "VIEW_3D" and (obj.type == "MESH" or settings.is_kept(obj)))
+
+    def invoke(self, context, event):
+        active = context.object
+        curve = active if settings.is_kept(active) else None
+        obj = active.parent if curve else active
+        try:
+            self._drawn = Drawn(context, obj, curve, "CURVE" if curve else self.output, self.repair)
+        except (talweg.Error, KeyboardInterrupt) as error:
+            return self._refuse(context, obj, error)
+        self._area, self._ended = context.area, False
+        self._region = next(one for one in context.area.regions if one.type == "WINDOW")
+        self._overlay = Overlay(self._shown)
+        self._timer = context.window_manager.event_timer_add(1 / 30, window=context.window)
+        context.window_manager.modal_handler_add(self)
+        context.workspace.status_text_set(_KEYS)
+        _now.append(self)
+        self._tell()
+        if event.type == "LEFTMOUSE" and event.value == "PRESS":
+            self._mouse(event)
+        return {"RUNNING_MODAL"}
+
+    def _refuse(self, context, obj, error):
+        if isinstance(error, talweg.BadMesh):
+            error = offers.note(obj, session.surface_of(context, obj, True, trust=True), error, self.bl_idname)
+        offered = offers.is_for(obj)
+        self.report({"WARNING" if offered else "ERROR"}, str(error) or "Interrupted.")
+        if offered:
+            offers.popup(context, obj)
+        return {"CANCELLED"}
+
+    # ---- Events.
+
+    def modal(self, context, event):
+        if not self._drawn.is_there or self._area not in list(context.screen.areas):
+            return self._end(context, self._drawn.drop, {"CANCELLED"})
+        if event.type == "TIMER":
+            if self._drawn.poll():
+                self._tell()
+            return {"PASS_THROUGH"}
+        if event.type == "LEFTMOUSE" and event.value == "RELEASE" or self._drawn.work.hand is not None:
+            return self._mouse(event)
+        if not self._is_inside(event):
+            return {"PASS_THROUGH"}
+        if event.type in _NAVIGATION and not event.ctrl or event.type.startswith(("NUMPAD_", "NDOF")) \
+                and event.type != "NUMPAD_ENTER" or event.alt:
+            return {"PASS_THROUGH"}
+        if event.type in ("LEFTMOUSE", "MOUSEMOVE", "INBETWEEN_MOUSEMOVE"):
+            return self._mouse(event)
+        if event.type in ("RET", "NUMPAD_ENTER") and event.value == "PRESS":
+            return self._finish(context)
+        if event.type == "ESC" and event.value == "PRESS":
+            return self._end(context, self._drawn.drop, {"CANCELLED"})
+        if self._key(event):
+            self._tell()
+        return {"RUNNING_MODAL"}
+
+    def _mouse(self, event):
+        work = self._drawn.work
+        view, mouse = self._view(), self._at(event)
+        if event.type == "LEFTMOUSE" and event.value == "PRESS":
+            if not work.press(view, mouse, event.shift):
+                return {"PASS_THROUGH"}  # beside the mesh
+        elif event.type == "LEFTMOUSE" and event.value == "DOUBLE_CLICK":
+            work.double_click(view, mouse)
+        elif event.type == "LEFTMOUSE" and event.value == "RELEASE":
+            work.release(view, mouse)
+        elif event.type == "ESC" and event.value == "PRESS":
+            work.drop_hand()
+        elif "MOUSEMOVE" in event.type:
+            work.move(view, mouse)
+        self._tell()
+        return {"RUNNING_MODAL"}
+
+    def _key(self, event):
+        """Whether the key is one of ours."""
+        work = self._drawn.work
+        if event.ctrl and event.type in ("WHEELUPMOUSE", "WHEELDOWNMOUSE"):
+            work.turn(1 if event.type == "WHEELUPMOUSE" else -1)
+            return True
+        if event.value != "PRESS":
+            return False
+        view, mouse = self._view(), self._at(event)
+        if event.type == "Z" and event.ctrl:
+            (work.redo if event.shift else work.undo)()
+        elif event.type == "P":
+            work.pin(view, mouse)
+        elif event.type in ("X", "DEL", "BACK_SPACE"):
+            work.remove(view, mouse)
+        elif event.type == "C":
+            work.close()
+        elif event.type == "N":
+            work.next_line()
+        else:
+            return False
+        return True
+
+    def _at(self, event):
+        return np.array([event.mouse_x - self._region.x, event.mouse_y - self._region.y], float)
+
+    def _is_inside(self, event):
+        """In the view, and not over one of the panels before it."""
+        for region in self._area.regions:
+            inside = (region.x <= event.mouse_x < region.x + region.width
+                      and region.y <= event.mouse_y < region.y + region.height)
+            if inside and region.type != "WINDOW" and region.width > 1 and region.height > 1:
+                return False
+            if region.type == "WINDOW" and not inside:
+                return False
+        return True
+
+    # ---- What is seen.
+
+    def _view(self):
+        return _view_of(bpy.context, self._region, self._area.spaces.active, self._drawn.object)
+
+    def _shown(self, context):
+        if self._ended or context.area != self._area or not self._drawn.is_there:
+            return None
+        return self._drawn.work, self._view()
+
+    def _tell(self):
+        drawn = self._drawn
+        tau = drawn.work.editor.state.tau
+        told = drawn.error or drawn.told or "Click way-points, or draw on the surface."
+        self._area.header_text_set(f"Talweg   tau {tau:.3g}   {told}")
+        self._area.tag_redraw()
+
+    # ---- The end.
+
+    def _finish(self, context):
+        try:
+            told, warnings = self._drawn.finish(context)
+        except (talweg.Error, KeyboardInterrupt) as error:
+            self.report({"ERROR"}, str(error) or "Interrupted.")
+            return {"RUNNING_MODAL"}
+        self.report({"WARNING"} if warnings else {"INFO"}, " ".join([told, *warnings]))
+        return self._end(context, lambda: None, {"FINISHED"})
+
+    def _end(self, context, last, outcome):
+        self._ended = True
+        self._overlay.remove()
+        context.window_manager.event_timer_remove(self._timer)
+        context.workspace.status_text_set(None)
+        self._area.header_text_set(None)
+        if self in _now:
+            _now.remove(self)
+        last()
+        if self._area in list(context.screen.areas):
+            self._area.tag_redraw()
+        return outcome
+
+    def cancel(self, context):
+        """Blender ends, or loads another file."""
+        self._end(context, self._drawn.close, None)
+
+
+class DrawTool(bpy.types.WorkSpaceTool):
+    """In the toolbar of object mode."""
+
+    bl_space_type = "VIEW_3D"
+    bl_context_mode = "OBJECT"
+    bl_idname = "talweg.draw_tool"
+    bl_label = "Talweg"
+    bl_description = "Draw on the surface of the active mesh; the curve becomes smooth meanwhile"
+    bl_icon = str(_ICON)
+    bl_keymap = (("talweg.draw", {"type": "LEFTMOUSE", "value": "PRESS"}, None),)
+
+    def draw_settings(_context, layout, tool):
+        properties = tool.operator_properties("talweg.draw")
+        layout.prop(properties, "output")
+
+
+def register():
+    TALWEG_OT_draw.__annotations__ = {
+        "output": outcomes.OUTPUT, "repair": settings.own(None)["repair"]}
+    bpy.utils.register_class(TALWEG_OT_draw)
+    if not bpy.app.background:
+        bpy.utils.register_tool(DrawTool, separator=True)
+
+
+def unregister():
+    if not bpy.app.background:
+        bpy.utils.unregister_tool(DrawTool)
+    bpy.utils.unregister_class(TALWEG_OT_draw)

@@ -1,0 +1,69 @@
+"""Where things are on the screen, and what is under the mouse."""
+
+import numpy as np
+
+
+class View:
+    """A window's picture of an object's own space.
+
+    :param matrix: (4, 4), from that space to clip coordinates.
+    :param width, height: pixels.
+    """
+
+    def __init__(self, matrix, width, height):
+        self.matrix = np.array(matrix, float)
+        self.half = np.array([width, height], float) / 2
+        self._inverse = np.linalg.inv(self.matrix)
+
+    def project(self, points):
+        """(n, 2) pixels; NaN for what is behind the eye."""
+        points = np.asarray(points, float).reshape(-1, 3)
+        clip = points @ self.matrix[:, :3].T + self.matrix[:, 3]
+        with np.errstate(divide="ignore", invalid="ignore"):
+            flat = clip[:, :2] / clip[:, 3:]
+        flat[clip[:, 3] <= 0] = np.nan
+        return (flat + 1) * self.half
+
+    def ray(self, mouse):
+        """Origin and direction (of length 1) through a pixel."""
+        x, y = np.asarray(mouse, float) / self.half - 1
+        near, far = (self._at(x, y, depth) for depth in (-1, 0.9))
+        direction = far - near
+        return near, direction / np.linalg.norm(direction)
+
+    def _at(self, x, y, depth):
+        found = self._inverse @ np.array([x, y, depth, 1])
+        return found[:3] / found[3]
+
+    def pixel_at(self, point):
+        """How large a pixel is where the point is, in the object's units."""
+        here = self.project([point])[0]
+        origin, direction = self.ray(here)
+        beside, aside = self.ray(here + [1, 0])
+        along = np.dot(np.subtract(point, origin), direction)
+        return float(np.linalg.norm(beside + along * aside - origin - along * direction))
+
+
+def nearest_point(projected, mouse, within):
+    """The numbers of points at most so many pixels from the mouse, the nearest first."""
+    off = np.linalg.norm(projected - mouse, axis=1)
+    off[np.isnan(off)] = np.inf
+    order = np.argsort(off, kind="stable")
+    return [int(k) for k in order[:8] if off[k] <= within]
+
+
+def nearest_segment(projected, closed, mouse, within):
+    """Of a polyline: the segment at most so many pixels from the mouse, and how far along it is (0 to 1);
+    None if there is none."""
+    ends = np.vstack([projected, projected[:1]]) if closed else projected
+    a, b = ends[:-1], ends[1:]
+    if not len(a):
+        return None
+    side = b - a
+    with np.errstate(divide="ignore", invalid="ignore"):
+        t = ((mouse - a) * side).sum(axis=1) / (side * side).sum(axis=1)
+    t = np.clip(np.nan_to_num(t), 0, 1)
+    off = np.linalg.norm(a + t[:, None] * side - mouse, axis=1)
+    off[np.isnan(off)] = np.inf
+    k = int(off.argmin())
+    return (k, float(t[k]), float(off[k])) if off[k] <= within else None
