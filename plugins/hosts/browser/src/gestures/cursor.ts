@@ -13,7 +13,7 @@ export class Cursor {
   touch(): Touch | null {
     const place = this.place();
     const at = place ? this.stage.onScreen(place.position) : null;
-    return at ? { x: at.x, y: at.y, reach: 11, shift: false } : null;
+    return at ? { x: at.x, y: at.y, reach: 11, shift: false, time: 0 } : null;
   }
 
   /** Moves it by so many pixels; at the rim of what is seen it stays. */

@@ -21,9 +21,9 @@ type Press =
 
 export class Hand implements DrawingHand {
   private pressed: Press | null = null;
-  private start: Touch = { x: 0, y: 0, reach: 0, shift: false };
+  private start: Touch = { x: 0, y: 0, reach: 0, shift: false, time: 0 };
   private last: Touch = this.start;
-  private clickBefore = { time: 0, x: 0, y: 0 };
+  private clickBefore = { time: -1e9, x: 0, y: 0 };
 
   constructor(private readonly store: Store, private readonly finder: Finder,
               private readonly drawing: DrawingWork, private readonly live: Live,
@@ -169,9 +169,9 @@ export class Hand implements DrawingHand {
   }
 
   private isSecondClick(touch: Touch): boolean {
-    const now = performance.now(), before = this.clickBefore;
-    const again = now - before.time < 400 && Math.hypot(touch.x - before.x, touch.y - before.y) < 2 * still;
-    this.clickBefore = again ? { time: 0, x: 0, y: 0 } : { time: now, x: touch.x, y: touch.y };
+    const before = this.clickBefore;
+    const again = touch.time - before.time < 400 && Math.hypot(touch.x - before.x, touch.y - before.y) < 2 * still;
+    this.clickBefore = again ? { time: 0, x: 0, y: 0 } : { time: touch.time, x: touch.x, y: touch.y };
     return again;
   }
 }

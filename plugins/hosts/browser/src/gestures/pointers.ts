@@ -9,6 +9,8 @@ export interface Touch {
   /** Pixels around a point within which it is grasped. */
   reach: number;
   shift: boolean;
+  /** When the device told it, ms. */
+  time: number;
 }
 
 /** What the drawing hand does. move() comes only after press(). */
@@ -50,6 +52,7 @@ export class Pointers {
       x: event.clientX - box.left, y: event.clientY - box.top,
       reach: event.pointerType === 'touch' ? 24 : event.pointerType === 'pen' ? 14 : 11,
       shift: event.shiftKey,
+      time: event.timeStamp,
     };
   }
 

@@ -67,7 +67,7 @@ export class CurvePanel {
     button.type = 'button';
     button.setAttribute('aria-pressed', String(isChosen));
     const what = isCurrent ? 'being drawn' : curve.closed ? 'closed' : 'open';
-    button.append(element('span', nameOf(curve)), ' ', element('small', `${what}, ${curve.points.length} points`));
+    button.append(element('span', nameOf(curve)), ' ', element('small', `${what}, ${pointsText(curve.points.length)}`));
     button.addEventListener('click', () =>
       this.drawing.choose(isChosen ? null : { curve: index, point: null }));
     item.append(button);
@@ -85,6 +85,10 @@ export class CurvePanel {
     enable('continue-curve', !unfinished && !curve.closed);
     enable('reverse-curve', !unfinished);
   }
+}
+
+function pointsText(count: number): string {
+  return count === 1 ? '1 point' : `${count} points`;
 }
 
 /** Leaves a box alone that a person is writing into. */

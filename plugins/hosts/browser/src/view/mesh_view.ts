@@ -16,13 +16,13 @@ export class MeshView {
   private cut: CutResult | null = null;
 
   constructor(private readonly stage: Stage) {
-    stage.scene.add(this.body, this.parts);
+    stage.backdrop.scene.add(this.body, this.parts);
     this.parts.visible = false;
     this.body.visible = false;
     // Everything is in view as a rule, and a million faces need no second box.
     this.body.frustumCulled = false;
     this.parts.frustumCulled = false;
-    stage.onColours((colours) => this.plain.color.set(colours.mesh));
+    stage.onColours((colours) => this.plain.color.set(colours.mesh));  // the stage draws anew
   }
 
   /** Shows another mesh; null: none. */
@@ -47,6 +47,7 @@ export class MeshView {
     this.parts.visible = cut !== null;
     this.cut = cut;
     this.body.visible = cut === null && this.body.geometry.hasAttribute('position');
+    this.stage.backdrop.invalidate();
     this.stage.ask();
   }
 

@@ -3,11 +3,14 @@ import {
   Color, DirectionalLight, Group, HemisphereLight, Raycaster, Scene, SRGBColorSpace, Vector2, Vector3, WebGLRenderer,
 } from 'three';
 import type { Vec3 } from '../engine/types';
+import { Backdrop } from './backdrop';
 import { ViewCamera } from './camera';
 import { coloursFor, type Colours } from './colours';
 
 export class Stage {
   readonly camera = new ViewCamera();
+  readonly backdrop = new Backdrop();
+  /** What lies on the mesh. */
   readonly scene = new Scene();
   /** What turns with the eye: the light comes over the left shoulder. */
   private readonly lights = new Group();
@@ -26,10 +29,14 @@ export class Stage {
     const fill = new DirectionalLight(0xdfe8ff, 0.5);
     fill.position.set(0.9, -0.2, 0.4);
     this.lights.add(sun, sun.target, fill, fill.target, new HemisphereLight(0xffffff, 0x6b6f7a, 1.0));
-    this.scene.add(this.lights);
+    this.backdrop.scene.add(this.lights);
+    this.renderer.autoClear = false;
     new ResizeObserver(() => this.resize()).observe(box);
     this.dark.addEventListener('change', () => this.recolour());
-    canvas.addEventListener('webglcontextrestored', () => this.ask());
+    canvas.addEventListener('webglcontextrestored', () => {
+      this.backdrop.invalidate();
+      this.ask();
+    });
     this.resize();
     this.recolour();
   }
@@ -87,6 +94,8 @@ export class Stage {
   private draw(): void {
     this.asked = false;
     this.lights.quaternion.copy(this.camera.three.quaternion);
+    this.renderer.clear();
+    this.backdrop.draw(this.renderer, this.camera.three);
     this.renderer.render(this.scene, this.camera.three);
     for (const task of this.afterwards) task();
   }
@@ -101,7 +110,8 @@ export class Stage {
   }
 
   private recolour(): void {
-    this.scene.background = new Color(this.colours.background);
+    this.backdrop.scene.background = new Color(this.colours.background);
+    this.backdrop.invalidate();
     for (const task of this.recoloured) task(this.colours);
     this.ask();
   }

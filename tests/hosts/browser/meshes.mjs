@@ -1,0 +1,52 @@
+// Small meshes for the tests, made here.
+import { mkdtempSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+
+const folder = mkdtempSync(join(tmpdir(), 'talweg-meshes-'));
+
+/** A ball with dents, of rings of triangles. */
+function ball(rings = 24) {
+  const around = 2 * rings, points = [[0, 0, 1]], faces = [];
+  for (let i = 1; i < rings; ++i) {
+    for (let j = 0; j < around; ++j) {
+      const t = (Math.PI * i) / rings, p = (2 * Math.PI * j) / around;
+      const r = 1 + 0.06 * Math.sin(3 * t) * Math.cos(4 * p);
+      points.push([r * Math.sin(t) * Math.cos(p), r * Math.sin(t) * Math.sin(p), r * Math.cos(t)]);
+    }
+  }
+  points.push([0, 0, -1]);
+  const id = (i, j) => (i === 0 ? 0 : i === rings ? points.length - 1 : 1 + (i - 1) * around + (j % around));
+  for (let i = 0; i < rings; ++i) {
+    for (let j = 0; j < around; ++j) {
+      const [a, b, c, d] = [id(i, j), id(i + 1, j), id(i + 1, j + 1), id(i, j + 1)];
+      if (i < rings - 1) faces.push([a, b, c]);
+      if (i > 0) faces.push([a, c, d]);
+    }
+  }
+  return { points, faces };
+}
+
+/** A face that comes twice: no surface, until it is repaired. */
+function twice() {
+  const { points, faces } = ball(8);
+  return { points, faces: [...faces, faces[20]] };
+}
+
+/** A face with a point that does not exist. */
+function broken() {
+  const { points, faces } = ball(4);
+  return { points, faces: [...faces, [0, 1, 100000]] };
+}
+
+const kinds = { ball: () => ball(), twice, broken };
+
+/** The path of an OFF file with this mesh. */
+export function mesh(kind) {
+  const { points, faces } = kinds[kind]();
+  const path = join(folder, `${kind}.off`);
+  const lines = [`OFF`, `${points.length} ${faces.length} 0`, ...points.map((p) => p.join(' ')),
+    ...faces.map((f) => `3 ${f.join(' ')}`)];
+  writeFileSync(path, `${lines.join('\n')}\n`);
+  return path;
+}

@@ -1,0 +1,205 @@
+// The page in a headless Chromium, used as a person uses it: by mouse, fingers and keys. Tests see
+// what a person sees: texts, pictures, and the files that were saved.
+import { existsSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { pathToFileURL } from 'node:url';
+
+const folder = process.env.TALWEG_PAGE;
+const source = process.env.TALWEG_PAGE_SOURCE;
+const require = createRequire(join(source, 'package.json'));
+/** Sanitizers, other tests and slow machines: long, because only a fault waits for its end. */
+const patience = 120_000;
+
+export function skip(why) {
+  console.log(`skipped: ${why}`);
+  process.exit(77);
+}
+
+export function browserPath() {
+  const names = ['chromium', 'chromium-browser', 'google-chrome'];
+  const folders = (process.env.PATH ?? '').split(':');
+  const all = [process.env.TALWEG_CHROMIUM, ...folders.flatMap((f) => names.map((name) => join(f, name)))];
+  return all.find((path) => path && existsSync(path)) ?? skip('there is no chromium');
+}
+
+export function axeSource() {
+  return readFileSync(require.resolve('axe-core/axe.min.js'), 'utf8');
+}
+
+let launched = null;
+
+/** One browser for all tests of a file: starting it is the longest part. */
+async function launch() {
+  if (launched) return launched;
+  if (!existsSync(join(folder, 'main.js'))) skip('the page is not built (./run page)');
+  if (!existsSync(join(source, 'node_modules'))) skip('there are no npm packages (./run page)');
+  const executablePath = browserPath();
+  const { default: puppeteer } = await import(pathToFileURL(require.resolve('puppeteer-core')));
+  const { serve } = await import(pathToFileURL(join(source, 'serve.mjs')));
+  const { server, url } = await serve(folder);
+  const browser = await puppeteer.launch({
+    executablePath, timeout: patience, protocolTimeout: patience,
+    args: ['--no-sandbox', '--no-proxy-server', '--use-gl=angle', '--use-angle=swiftshader',
+      '--enable-unsafe-swiftshader', '--force-color-profile=srgb', '--disable-component-update'],
+  });
+  launched = { browser, server, url };
+  return launched;
+}
+
+export async function endBrowser() {
+  await launched?.browser.close();
+  launched?.server.close();
+}
+
+/** Opens the page as somebody who was never there; `touch` makes it a phone. */
+export async function openPage({ width = 900, height = 600, touch = false, dark = false } = {}) {
+  const { browser, url } = await launch();
+  const context = await browser.createBrowserContext();
+  const page = await context.newPage();
+  page.setDefaultTimeout(patience);
+  page.setDefaultNavigationTimeout(patience);
+  await page.setViewport({ width, height, hasTouch: touch, isMobile: touch });
+  await page.emulateMediaFeatures([{ name: 'prefers-color-scheme', value: dark ? 'dark' : 'light' }]);
+  const opened = new Page(context, page, url);
+  await opened.begin();
+  return opened;
+}
+
+export class Page {
+  requests = [];
+  errors = [];
+  downloads = mkdtempSync(join(tmpdir(), 'talweg-page-'));
+
+  constructor(context, page, url) {
+    Object.assign(this, { context, page, url });
+  }
+
+  async begin() {
+    this.page.on('request', (request) => this.requests.push(request.url()));
+    this.page.on('pageerror', (error) => this.errors.push(error.stack ?? String(error)));
+    this.page.on('console', (message) => {
+      if (message.type() === 'error') this.errors.push(message.text());
+    });
+    const client = await this.page.createCDPSession();
+    await client.send('Browser.setDownloadBehavior', { behavior: 'allow', downloadPath: this.downloads,
+      browserContextId: this.context.id });
+    await this.load();
+  }
+
+  async load() {
+    await this.page.goto(this.url);
+    await this.page.waitForSelector('html[data-ready]');
+  }
+
+  async end() {
+    await this.context.close();
+    rmSync(this.downloads, { recursive: true, force: true });
+  }
+
+  /** Waits until nothing is computed any more. */
+  async rest() {
+    await this.page.waitForSelector('#main[aria-busy="false"]');
+    await this.page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+    await this.page.waitForSelector('#main[aria-busy="false"]');
+  }
+
+  /** Chooses a file in the box that a button opens. */
+  async choose(act, path) {
+    const [chooser] = await Promise.all([this.page.waitForFileChooser(), this.act(act)]);
+    await chooser.accept([path]);
+  }
+
+  async openMesh(path) {
+    await this.choose('choose-mesh', path);
+    await this.page.waitForFunction(() => /Draw on it|comes twice|face/.test(document.getElementById('told').textContent));
+    await this.rest();
+  }
+
+  /** Presses a button of the page, by the name of what it does; one that is hidden or off is a fault. */
+  async act(act) {
+    const buttons = await this.page.$$(`[data-act="${act}"]`);
+    for (const button of buttons) {
+      if (!(await button.isVisible())) continue;
+      if (await button.evaluate((b) => b.disabled)) throw new Error(`The button ${act} is off.`);
+      await button.click();
+      await this.rest();
+      return;
+    }
+    throw new Error(`No button ${act} can be seen.`);
+  }
+
+  /** The middle of the view on the screen. */
+  async middle() {
+    const box = await (await this.page.$('#view')).boundingBox();
+    return { x: box.x + box.width / 2, y: box.y + box.height / 2 };
+  }
+
+  async click(x, y, options) {
+    await this.page.mouse.click(x, y, options);
+    await this.rest();
+  }
+
+  /** Drags with the left button over these pixels. */
+  async drag(points, { button = 'left', steps = 8 } = {}) {
+    const [[x, y], ...others] = points;
+    await this.page.mouse.move(x, y);
+    await this.page.mouse.down({ button });
+    for (const [a, b] of others) await this.page.mouse.move(a, b, { steps });
+    await this.page.mouse.up({ button });
+    await this.rest();
+  }
+
+  async key(...keys) {
+    for (const key of keys) await this.page.keyboard.press(key);
+    await this.rest();
+  }
+
+  text(id) {
+    return this.page.$eval(`#${id}`, (element) => element.textContent.trim());
+  }
+
+  /** What the list tells of the curves, such as "Curve 1 closed, 5 points". */
+  curves() {
+    return this.page.$$eval('#curve-list li', (items) => items.map((item) => item.textContent.trim()));
+  }
+
+  /** A number of the report's table, of the first curve. */
+  async reported(row) {
+    const rows = await this.page.$$eval('#reports table:first-of-type tr',
+      (all) => all.map((r) => [r.cells[0].textContent, r.cells[1].textContent]));
+    const found = rows.find(([name]) => name === row);
+    return found ? Number.parseFloat(found[1]) : NaN;
+  }
+
+  /** Does what saves a file, and gives its path. */
+  async saved(task) {
+    const before = new Set(readdirSync(this.downloads));
+    await task();
+    const end = Date.now() + patience;
+    while (Date.now() < end) {
+      const fresh = readdirSync(this.downloads).filter((f) => !before.has(f) && !f.endsWith('.crdownload')
+        && !f.startsWith('.'));
+      if (fresh.length > 0) return join(this.downloads, fresh[0]);
+      await new Promise((done) => setTimeout(done, 50));
+    }
+    throw new Error(`No file was saved: ${await this.text('trouble-files')}`);
+  }
+
+  /** A picture for people to look at, in the folder of TALWEG_PAGE_PICTURES. */
+  async picture(name) {
+    const pictures = process.env.TALWEG_PAGE_PICTURES;
+    if (!pictures) return;
+    mkdirSync(pictures, { recursive: true });
+    await this.rest();
+    await this.page.screenshot({ path: join(pictures, `${name}.png`) });
+  }
+
+  /** Faults that no test looks for: errors of the page, and requests to another host. */
+  faults() {
+    const strangers = this.requests.filter((url) => !url.startsWith(this.url) && !/^(blob|data):/.test(url));
+    return [...this.errors.map((error) => `The page has an error: ${error}`),
+      ...strangers.map((url) => `The page asks another host: ${url}`)];
+  }
+}

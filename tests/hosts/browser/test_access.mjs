@@ -1,0 +1,70 @@
+// Axe looks at the page in the states that people see, light and dark.
+import assert from 'node:assert/strict';
+import { mesh } from './meshes.mjs';
+import { axeSource, openPage } from './page.mjs';
+import { around, withMesh } from './places.mjs';
+
+async function look(page, where) {
+  // The test's own script comes past the page's content policy, as the browser's tools do.
+  const { violations } = await page.page.evaluate(async (source) => {
+    new Function(source)();
+    return globalThis.axe.run(document, { resultTypes: ['violations'] });
+  }, axeSource()).catch(async () => {
+    await page.page.evaluate(axeSource());
+    return page.page.evaluate(() => globalThis.axe.run(document, { resultTypes: ['violations'] }));
+  });
+  const told = violations.map(({ id, help, nodes }) => `${where}: ${id}: ${help}: ${nodes.map((n) => n.html).join('; ')}`);
+  assert.deepEqual(told, []);
+}
+
+async function everyState(options, name) {
+  const page = await openPage(options);
+  await look(page, `${name}, start`);
+  await page.picture(`${name}-start`);
+  await page.openMesh(mesh('ball'));
+  const [a, b, c, d] = await around(page, 40);
+  await page.drag([a, b, c, d, a]);
+  await page.click(...a);
+  await page.page.select('#colour', 'deviation');
+  await page.page.evaluate(() => document.querySelectorAll('details').forEach((e) => (e.open = true)));
+  await page.rest();
+  await look(page, `${name}, drawn`);
+  await page.picture(`${name}-drawn`);
+  await page.act('help');
+  await look(page, `${name}, help`);
+}
+
+export const light = () => everyState({}, 'light');
+export const dark = () => everyState({ dark: true }, 'dark');
+
+/** A window of 1280 pixels at 200 %. */
+export const large = () => everyState({ width: 640, height: 400 }, 'large');
+
+export async function aBadFileIsToldBesideTheMesh() {
+  const page = await withMesh();
+  await page.choose('choose-mesh', mesh('broken'));
+  await page.page.waitForFunction(() => document.getElementById('trouble-mesh').textContent.length > 0);
+  await page.rest();
+  assert.match(await page.text('trouble-mesh'), /broken\.off/);
+  await look(page, 'a bad file');
+  // The mesh that was there can still be drawn on.
+  const [a, b] = await around(page);
+  await page.click(...a);
+  await page.click(...b);
+  assert.deepEqual(await page.curves(), ['Curve 1 being drawn, 2 points']);
+}
+
+export async function repairIsOffered() {
+  const page = await openPage();
+  await page.openMesh(mesh('twice'));
+  const [a] = await around(page, 20);
+  await page.click(...a);
+  assert.deepEqual(await page.curves(), []);
+  await page.picture('repair');
+  await look(page, 'repair');
+  await page.act('repair');
+  await page.page.waitForFunction(() => document.getElementById('mesh-name').textContent.includes('repaired'));
+  await page.rest();
+  await page.click(...a);
+  assert.deepEqual(await page.curves(), ['Curve 1 being drawn, 1 point']);
+}

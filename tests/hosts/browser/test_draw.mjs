@@ -1,0 +1,130 @@
+// Drawing with the mouse.
+import assert from 'node:assert/strict';
+import { around, findLine, withMesh } from './places.mjs';
+
+export async function anOpenCurveFromClicks() {
+  const page = await withMesh();
+  const [a, b, c] = await around(page);
+  for (const at of [a, b, c]) await page.click(...at);
+  assert.deepEqual(await page.curves(), ['Curve 1 being drawn, 3 points']);
+  await page.page.mouse.move(...(await around(page))[3]);
+  await page.picture('leg');
+  await page.key('Enter');
+  assert.deepEqual(await page.curves(), ['Curve 1 open, 3 points']);
+  assert.ok((await page.reported('length')) > 0);
+  await page.picture('open');
+}
+
+export async function aClickOnTheFirstPointCloses() {
+  const page = await withMesh();
+  const corners = await around(page);
+  for (const at of [...corners, corners[0]]) await page.click(...at);
+  assert.deepEqual(await page.curves(), ['Curve 1 closed, 4 points']);
+}
+
+export async function keysWhileDrawing() {
+  const page = await withMesh();
+  const [a, b, c, d] = await around(page);
+  for (const at of [a, b, c]) await page.click(...at);
+  await page.key('Backspace');
+  assert.deepEqual(await page.curves(), ['Curve 1 being drawn, 2 points']);
+  await page.click(...d);
+  await page.key('Escape');
+  assert.deepEqual(await page.curves(), []);
+  await page.act('undo');
+  assert.deepEqual(await page.curves(), ['Curve 1 being drawn, 3 points']);
+}
+
+export async function aDoubleClickEnds() {
+  const page = await withMesh();
+  const [a, b] = await around(page);
+  await page.click(...a);
+  await page.page.mouse.click(...b, { count: 2 });
+  await page.rest();
+  assert.deepEqual(await page.curves(), ['Curve 1 open, 2 points']);
+}
+
+export async function aPaintedStroke() {
+  const page = await withMesh();
+  const [a, b, c] = await around(page);
+  await page.drag([a, b, c], { steps: 20 });
+  await page.key('Enter');
+  const [told] = await page.curves();
+  assert.match(told, /^Curve 1 open, \d+ points$/);
+  assert.ok(Number(told.match(/(\d+) points/)[1]) > 15, told);
+  assert.ok((await page.reported('farthest from the drawing')) > 0);
+  // A stroke is one step.
+  await page.act('undo');
+  await page.act('undo');
+  assert.deepEqual(await page.curves(), []);
+}
+
+export async function aStrokeThatComesBackCloses() {
+  const page = await withMesh();
+  const corners = await around(page);
+  await page.drag([...corners, corners[0]], { steps: 10 });
+  assert.match((await page.curves())[0], /^Curve 1 closed/);
+  await page.picture('stroke');
+}
+
+export async function theSlider() {
+  const page = await withMesh();
+  const [a, b, c, d] = await around(page);
+  await page.drag([a, c, b, d], { steps: 10 });
+  await page.key('Enter');
+  const before = await page.reported('length');
+  const box = await (await page.page.$('#tau')).boundingBox();
+  const y = box.y + box.height / 2;
+  await page.drag([[box.x + 0.32 * box.width, y], [box.x + 4, y]]);
+  const after = await page.reported('length');
+  assert.ok(after < before, `${after} is not shorter than ${before}`);
+  // The whole slide is one step.
+  await page.act('undo');
+  assert.equal(await page.reported('length'), before);
+}
+
+export async function aDraggedPoint() {
+  const page = await withMesh();
+  const corners = await around(page);
+  for (const at of corners) await page.click(...at);
+  await page.key('Enter');
+  const before = await page.reported('length');
+  const [x, y] = corners[1];
+  await page.drag([[x, y], [x + 30, y - 30]]);
+  const after = await page.reported('length');
+  assert.ok(after > before, `${after} is not longer than ${before}`);
+  await page.act('undo');
+  assert.equal(await page.reported('length'), before);
+  await page.act('redo');
+  assert.equal(await page.reported('length'), after);
+}
+
+export async function insertPinRemove() {
+  const page = await withMesh();
+  const [a, b] = await around(page);
+  await page.click(...a);
+  await page.click(...b);
+  await page.key('Enter');
+  const middle = await findLine(page, (a[0] + b[0]) / 2, a[1]);
+  await page.click(...middle);
+  assert.deepEqual(await page.curves(), ['Curve 1 open, 3 points']);
+  await page.act('pin');
+  assert.equal(await page.page.$eval('[data-act="pin"]', (e) => e.getAttribute('aria-pressed')), 'true');
+  await page.picture('pinned');
+  await page.page.keyboard.down('Shift');
+  await page.click(...middle);
+  await page.page.keyboard.up('Shift');
+  assert.deepEqual(await page.curves(), ['Curve 1 open, 2 points']);
+}
+
+export async function theViewTurnsAndTheDrawingStays() {
+  const page = await withMesh();
+  const [a, b] = await around(page);
+  for (const at of [a, b]) await page.click(...at);
+  await page.key('Enter');
+  const { x, y } = await page.middle();
+  const before = await page.page.screenshot({ encoding: 'base64' });
+  await page.drag([[x, y], [x + 80, y + 10]], { button: 'right' });
+  assert.notEqual(await page.page.screenshot({ encoding: 'base64' }), before);
+  assert.deepEqual(await page.curves(), ['Curve 1 open, 2 points']);
+}

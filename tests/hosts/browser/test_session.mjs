@@ -1,0 +1,62 @@
+// Nothing is lost, and nothing is kept on the machine unasked.
+import assert from 'node:assert/strict';
+import { openPage } from './page.mjs';
+import { around, withMesh } from './places.mjs';
+
+async function drawn(options) {
+  const page = await withMesh(options);
+  for (const at of (await around(page)).slice(0, 3)) await page.click(...at);
+  await page.key('Enter');
+  await page.page.waitForFunction(() => document.getElementById('kept-told').textContent.includes('kept'));
+  return page;
+}
+
+async function again(page) {
+  await page.load();
+  await page.page.waitForFunction(() => document.querySelector('#curve-list li'));
+  await page.rest();
+}
+
+function onMachine(page) {
+  return page.page.evaluate(async () => ({
+    local: localStorage.length, databases: (await indexedDB.databases()).map((one) => one.name),
+  }));
+}
+
+export async function thisTabKeepsIt() {
+  const page = await drawn();
+  const length = await page.reported('length');
+  await again(page);
+  assert.deepEqual(await page.curves(), ['Curve 1 open, 3 points']);
+  assert.equal(await page.reported('length'), length);
+  assert.deepEqual(await onMachine(page), { local: 0, databases: [] });
+}
+
+export async function theMachineKeepsItWhenAsked() {
+  const page = await drawn();
+  await page.page.click('#on-machine');
+  await page.page.waitForFunction(() => document.getElementById('kept-told').textContent.includes('on this device'));
+  assert.deepEqual((await onMachine(page)).databases, ['talweg']);
+  await page.page.evaluate(() => sessionStorage.clear());
+  await again(page);
+  assert.deepEqual(await page.curves(), ['Curve 1 open, 3 points']);
+
+  await Promise.all([page.page.waitForNavigation(), page.act('forget')]);
+  await page.page.waitForSelector('html[data-ready]');
+  assert.deepEqual(await page.curves(), []);
+  assert.deepEqual(await onMachine(page), { local: 0, databases: [] });
+  assert.equal(await page.page.evaluate(() => sessionStorage.length), 0);
+}
+
+export async function aSessionFileOpensAgain() {
+  const page = await drawn();
+  const length = await page.reported('length');
+  const file = await page.saved(() => page.act('save-session'));
+  assert.match(file, /ball\.talweg$/);
+  const other = await openPage();
+  await other.choose('choose-session', file);
+  await other.page.waitForFunction(() => document.querySelector('#curve-list li'));
+  await other.rest();
+  assert.deepEqual(await other.curves(), ['Curve 1 open, 3 points']);
+  assert.equal(await other.reported('length'), length);
+}
