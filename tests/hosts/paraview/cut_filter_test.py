@@ -58,7 +58,7 @@ def curves(*lines):
 
 
 def cut(*lines, **properties):
-    return pv.TalwegCut(Input=source(sheet()), Curve=curves(*lines), **properties)
+    return pv.TalwegCut(Mesh=source(sheet()), Curve=curves(*lines), **properties)
 
 
 def area(data):
@@ -128,7 +128,7 @@ class Pieces(Case):
                    for y in range(SIDE) for x in range(SIDE)]
         data = polydata(POINTS, squares)
         data.GetCellData().AddArray(filled(vtkIntArray, "square", range(len(squares))))
-        filter = pv.TalwegCut(Input=source(data), Curve=curves(LINE))
+        filter = pv.TalwegCut(Mesh=source(data), Curve=curves(LINE))
         self.assertTrue(any("cut into triangles" in text for text in self.update(filter)))
         whole = output(filter, 0).GetBlock(0)
         for k, square in enumerate(cell_values(whole, "square")):
@@ -140,7 +140,7 @@ class Pieces(Case):
         mesh = pv.Sphere(ThetaResolution=24, PhiResolution=24)
         ring = [(0.5 * math.cos(a), 0.5 * math.sin(a), 0.12)
                 for a in [math.tau * k / 40 for k in range(40)]]
-        filter = pv.TalwegCut(Input=mesh, Curve=curves(ring + ring[:1]), Open=1, Split=1,
+        filter = pv.TalwegCut(Mesh=mesh, Curve=curves(ring + ring[:1]), Open=1, Split=1,
                               Cap="auto")
         for piece in self.pieces(filter):
             origins = cell_values(piece, "origin_cell")
@@ -149,13 +149,13 @@ class Pieces(Case):
 
     def test_each_mesh_of_a_composite_has_a_block_with_its_pieces(self):
         both = pv.GroupDatasets(Input=[source(sheet()), source(sheet())])
-        filter = pv.TalwegCut(Input=both, Curve=curves(LINE), Open=1, Split=1)
+        filter = pv.TalwegCut(Mesh=both, Curve=curves(LINE), Open=1, Split=1)
         for pieces in self.pieces(filter):
             self.assertEqual(sorted(round(area(pieces.GetBlock(k)), 12) for k in range(2)),
                              [3.5 * 8, 4.5 * 8])
         self.assertEqual(output(filter, 0).GetNumberOfBlocks(), 2)
         self.assertEqual(output(filter, 1).GetNumberOfLines(), 2)
-        again = pv.TalwegCut(Input=cut(LINE, Open=1, Split=1), Curve=curves(LOOP))
+        again = pv.TalwegCut(Mesh=cut(LINE, Open=1, Split=1), Curve=curves(LOOP))
         areas = [area(block.GetBlock(0)) for block in self.pieces(again)]
         self.assertAlmostEqual(sum(areas), SIDE * SIDE, 12)
 
@@ -198,7 +198,7 @@ class Warnings(Case):
     def test_a_curve_far_from_the_mesh(self):
         above = [(x, y, 6.0) for x, y, _ in LINE]
         for make in (pv.TalwegCut, pv.TalwegMeasure):
-            filter = make(Input=source(sheet()), Curve=curves(above))
+            filter = make(Mesh=source(sheet()), Curve=curves(above))
             self.assertIn("The drawing lies far from the mesh", "".join(self.update(filter)))
             filter.Repair = 1
             self.update(filter)
@@ -214,7 +214,7 @@ class CurvesInBlocks(Case):
         return source(data)
 
     def test_cut(self):
-        filter = pv.TalwegCut(Input=source(sheet()), Curve=self.blocks(LINE, LOOP), Split=1, Open=1)
+        filter = pv.TalwegCut(Mesh=source(sheet()), Curve=self.blocks(LINE, LOOP), Split=1, Open=1)
         self.update(filter)
         together = cut(LINE, LOOP, Split=1, Open=1)
         self.update(together)
@@ -227,11 +227,11 @@ class CurvesInBlocks(Case):
 
     def test_measure_and_smooth(self):
         mesh = source(sheet())
-        table = pv.TalwegMeasure(Input=mesh, Curve=self.blocks(LINE, LOOP), Others=self.blocks(LOOP))
+        table = pv.TalwegMeasure(Mesh=mesh, Curve=self.blocks(LINE, LOOP), Others=self.blocks(LOOP))
         self.update(table)
         self.assertEqual(output(table, 0).GetNumberOfRows(), 3)
         self.assertAlmostEqual(output(table, 0).GetValueByName(2, "length").ToDouble(), 22, 12)
-        smooth = pv.TalwegSmoothCurve(Input=mesh, Curve=self.blocks(LINE, LOOP))
+        smooth = pv.TalwegSmoothCurve(Mesh=mesh, Curve=self.blocks(LINE, LOOP))
         self.update(smooth)
         self.assertEqual(len(lines_of(output(smooth, 0))), 2)
         smooth.Tau = 3
@@ -239,34 +239,34 @@ class CurvesInBlocks(Case):
         self.assertEqual(counts(smooth), (1, 1, 2))
 
     def test_no_block(self):
-        filter = pv.TalwegCut(Input=source(sheet()), Curve=self.blocks())
+        filter = pv.TalwegCut(Mesh=source(sheet()), Curve=self.blocks())
         self.assertIn("The input Curve has no points.", self.error_of(filter))
 
 
 class WrongInput(Case):
     def test_without_a_curve_there_is_one_sentence(self):
-        for make, sentence in ((pv.TalwegCut, "There are no curves: give the input Curve."),
-                               (pv.TalwegMeasure, "There are no curves: give the input Curve."),
-                               (pv.TalwegSmoothCurve, "There is no drawing: give a curve")):
-            filter = make(Input=source(sheet()), Curve=None)
+        for make, sentence in ((pv.TalwegCut, "No curves are given: choose some"),
+                               (pv.TalwegMeasure, "No curves are given: choose some"),
+                               (pv.TalwegSmoothCurve, "No curve is given: choose one")):
+            filter = make(Mesh=source(sheet()), Curve=None)
             self.assertIn(sentence, self.error_of(filter))
             # In the window such a domain says "Index out of range: 0" until there is a curve.
             names = filter.SMProxy.GetProperty("CurveIds")
             self.assertIsNone(names.FindDomain("vtkSMArrayListDomain"))
 
     def test_sentences(self):
-        self.assertIn("no points", self.error_of(pv.TalwegCut(Input=source(sheet()),
+        self.assertIn("no points", self.error_of(pv.TalwegCut(Mesh=source(sheet()),
                                                               Curve=source(polydata([])))))
         self.assertIn("merge", self.error_of(cut(LINE, Merge=-1)))
         self.assertIn("no faces", self.error_of(
-            pv.TalwegCut(Input=source(polydata([(0, 0, 0)])), Curve=curves(LINE))))
+            pv.TalwegCut(Mesh=source(polydata([(0, 0, 0)])), Curve=curves(LINE))))
         far = [(1e5, 0, 0), (1e5, 1, 0)]
         self.assertIn("another unit or place", self.error_of(cut(far)))
 
     def test_a_mesh_that_is_no_surface_is_refused_and_cut_when_repaired(self):
         three = [(0, 1, 2), (1, 0, 3), (0, 1, 4)]
         mesh = source(polydata([(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, -1, 0), (0, 0, 1)], three))
-        filter = pv.TalwegCut(Input=mesh, Curve=curves([(0.1, 0.2, 0), (0.3, 0.2, 0)]))
+        filter = pv.TalwegCut(Mesh=mesh, Curve=curves([(0.1, 0.2, 0), (0.3, 0.2, 0)]))
         self.assertIn("edge", self.error_of(filter))
         filter.Repair = 1
         self.update(filter)
@@ -286,7 +286,7 @@ class Measure(Case):
                 for row in range(data.GetNumberOfRows())]
 
     def test_a_row_for_each_curve_and_one_for_all(self):
-        rows = self.table(pv.TalwegMeasure(Input=source(sheet()), Curve=curves(LINE, LOOP)))
+        rows = self.table(pv.TalwegMeasure(Mesh=source(sheet()), Curve=curves(LINE, LOOP)))
         self.assertEqual([row["# curve"].ToString() for row in rows], ["0", "1", "all"])
         for row, length in zip(rows, (8, 14, 22)):
             self.assertAlmostEqual(row["length"].ToDouble(), length, 12)
@@ -294,7 +294,7 @@ class Measure(Case):
         self.assertEqual([row["closed"].ToDouble() for row in rows[:2]], [0, 1])
 
     def test_the_column_that_a_spreadsheet_shows_first_says_which_curve(self):
-        filter = pv.TalwegMeasure(Input=source(sheet()), Curve=curves(LINE, LOOP))
+        filter = pv.TalwegMeasure(Mesh=source(sheet()), Curve=curves(LINE, LOOP))
         rows = self.table(filter)
         self.assertEqual(min(rows[0], key=str.lower), "# curve")  # in whatever case it sorts
         # What is no measure of curves is in the field data, and every cell has a number.
@@ -308,13 +308,13 @@ class Measure(Case):
 
     def test_others_are_compared_with(self):
         shifted = [(x, y + 0.25, z) for x, y, z in LINE]
-        rows = self.table(pv.TalwegMeasure(Input=source(sheet()), Curve=curves(LINE),
+        rows = self.table(pv.TalwegMeasure(Mesh=source(sheet()), Curve=curves(LINE),
                                            Others=curves(shifted)))
         self.assertAlmostEqual(rows[-1]["deviation_to_other_max"].ToDouble(), 0.25, 9)
         self.assertEqual(len(rows), 2)
 
     def test_sentences(self):
-        filter = pv.TalwegMeasure(Input=source(sheet()), Curve=curves(LINE), Edge=0)
+        filter = pv.TalwegMeasure(Mesh=source(sheet()), Curve=curves(LINE), Edge=0)
         self.assertIn("Edge length (edge)", self.error_of(filter))
 
 

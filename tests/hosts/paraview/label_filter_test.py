@@ -73,15 +73,15 @@ class Labels(Case):
         self.assertGreater(near, 0.5 * len(between))
 
     def test_cells(self):
-        self.check(pv.TalwegLabelBorders(Input=labelled(True), TriangleLabels="tissue"), True)
+        self.check(pv.TalwegLabelBorders(Mesh=labelled(True), TriangleLabels="tissue"), True)
 
     def test_points(self):
-        self.check(pv.TalwegLabelBorders(Input=labelled(False), VertexLabels="tissue"), False)
+        self.check(pv.TalwegLabelBorders(Mesh=labelled(False), VertexLabels="tissue"), False)
 
     def test_a_new_tau_opens_no_mesh_again_and_changed_labels_are_used(self):
         calculator = pv.Calculator(Input=source(polydata(POINTS, TRIANGLES)),
                                    Function="floor(coordsX*1.9)", ResultArrayName="half")
-        filter = pv.TalwegLabelBorders(Input=calculator, VertexLabels="half")
+        filter = pv.TalwegLabelBorders(Mesh=calculator, VertexLabels="half")
         self.update(filter)
         first = places(output(filter, 0))
         filter.Tau = 8
@@ -96,7 +96,7 @@ class Labels(Case):
         self.assertNotEqual(places(output(filter, 0)), first)
 
     def test_abort_gives_nothing_and_is_no_error(self):
-        filter = pv.TalwegLabelBorders(Input=labelled(True), TriangleLabels="tissue")
+        filter = pv.TalwegLabelBorders(Mesh=labelled(True), TriangleLabels="tissue")
         algorithm = filter.GetClientSideObject()
         tag = algorithm.AddObserver("ProgressEvent", lambda caller, _: caller.SetAbortExecute(1))
         self.update(filter)
@@ -109,9 +109,9 @@ class Labels(Case):
         self.assertGreater(output(filter, 0).GetNumberOfPoints(), 1)
 
     def test_sentences(self):
-        none = pv.TalwegLabelBorders(Input=labelled(True))
+        none = pv.TalwegLabelBorders(Mesh=labelled(True))
         self.assertIn("There are no labels", self.error_of(none))
-        missing = pv.TalwegLabelBorders(Input=labelled(True), TriangleLabels="nothing")
+        missing = pv.TalwegLabelBorders(Mesh=labelled(True), TriangleLabels="nothing")
         self.assertIn("The mesh has no cell array nothing.", self.error_of(missing))
         # The panel offers texts, too.
         data = polydata(POINTS, TRIANGLES)
@@ -122,11 +122,11 @@ class Labels(Case):
             data.GetCellData().AddArray(array)
         for name, what in (("name", "texts; numbers are needed."),
                            ("vector", "3 components; one is needed.")):
-            filter = pv.TalwegLabelBorders(Input=source(data), TriangleLabels=name)
+            filter = pv.TalwegLabelBorders(Mesh=source(data), TriangleLabels=name)
             self.assertIn(f"The cell array {name} of the mesh has {what}", self.error_of(filter))
         calculator = pv.Calculator(Input=source(polydata(POINTS, TRIANGLES)),
                                    Function="coordsX", ResultArrayName="half")
-        real = pv.TalwegLabelBorders(Input=calculator, VertexLabels="half")
+        real = pv.TalwegLabelBorders(Mesh=calculator, VertexLabels="half")
         self.assertIn("must be whole numbers", self.error_of(real))
         real.Tau = -2
         self.assertIn("Tau", self.error_of(real))
@@ -135,7 +135,7 @@ class Labels(Case):
         mesh = pv.PLYReader(FileNames=[str(real_mesh("aneurysm_14k.ply"))])
         seg = pv.Calculator(Input=mesh, ResultArrayName="seg",
                             Function="floor(coordsX/6)+10*floor(coordsZ/6)")
-        filter = pv.TalwegLabelBorders(Input=seg, VertexLabels="seg")
+        filter = pv.TalwegLabelBorders(Mesh=seg, VertexLabels="seg")
         self.update(filter)
         borders = output(filter, 0)
         self.assertLess(report(borders, "curvature_after"), report(borders, "curvature_before"))

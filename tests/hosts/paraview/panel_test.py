@@ -49,19 +49,19 @@ class Panel(unittest.TestCase):
         drawing = {"Curve", "CurveIds"}
         smooth = {"DistanceField"}
         self.filters = [  # the plugin, the filter, properties that are no parameters
-            ("talweg.smooth", pv.TalwegSmoothPoints(Input=mesh), smooth | {"Points", "Closed"}),
-            ("talweg.smooth", pv.TalwegSmoothVertices(Input=mesh), smooth | {"PointIds"}),
-            ("talweg.smooth", pv.TalwegSmoothCurve(Input=mesh, Curve=curve), smooth | drawing),
-            ("talweg.cut", pv.TalwegCut(Input=mesh, Curve=curve), drawing),
-            ("talweg.labels", pv.TalwegLabelBorders(Input=mesh), set()),
-            ("talweg.repair", pv.TalwegRepair(Input=mesh), set()),
-            ("talweg.measure", pv.TalwegMeasure(Input=mesh, Curve=curve), drawing | {"Others"})]
+            ("talweg.smooth", pv.TalwegSmoothPoints(Mesh=mesh), smooth | {"Points", "Closed"}),
+            ("talweg.smooth", pv.TalwegSmoothVertices(Mesh=mesh), smooth | {"PointIds"}),
+            ("talweg.smooth", pv.TalwegSmoothCurve(Mesh=mesh, Curve=curve), smooth | drawing),
+            ("talweg.cut", pv.TalwegCut(Mesh=mesh, Curve=curve), drawing),
+            ("talweg.labels", pv.TalwegLabelBorders(Mesh=mesh), set()),
+            ("talweg.repair", pv.TalwegRepair(Mesh=mesh), set()),
+            ("talweg.measure", pv.TalwegMeasure(Mesh=mesh, Curve=curve), drawing | {"Others"})]
 
     def test_every_parameter_has_its_property(self):
         self.assertGreater(len(described()), 25)
         for plugin, filter, more in self.filters:
             with self.subTest(filter=filter.GetXMLName()):
-                own = more | {"Input", "MeshesOpened", "CurvesSet", "Runs"}
+                own = more | {"Mesh", "MeshesOpened", "CurvesSet", "Runs"}
                 properties = set(filter.ListProperties()) - own
                 # The third input says how many these are.
                 options = [option for option, *_ in described(plugin) if option != "others"]

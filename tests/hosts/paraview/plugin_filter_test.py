@@ -28,7 +28,7 @@ def along(vertices):
 
 
 def decimate(curve, parameters):
-    return pv.TalwegPlugin(Input=sheet(), Curve=curve, Plugin="example.decimate",
+    return pv.TalwegPlugin(Mesh=sheet(), Curve=curve, Plugin="example.decimate",
                            Parameters=parameters)
 
 
@@ -67,11 +67,11 @@ class Decimate(Case):
         self.assertIn("has no number", self.error_of(decimate(along(ROW), "share=")))
         for plugin, sentence in (("nobody.there", "There is no plugin nobody.there"),
                                  ("talweg.smooth", "talweg.smooth makes no meshes")):
-            filter = pv.TalwegPlugin(Input=sheet(), Curve=along(ROW), Plugin=plugin)
+            filter = pv.TalwegPlugin(Mesh=sheet(), Curve=along(ROW), Plugin=plugin)
             self.assertIn(sentence, self.error_of(filter))
         three = [(0, 1, 2), (1, 0, 3), (0, 1, 4)]
         mesh = source(polydata([(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, -1, 0), (0, 0, 1)], three))
-        filter = pv.TalwegPlugin(Input=mesh, Curve=along(ROW), Plugin="example.decimate")
+        filter = pv.TalwegPlugin(Mesh=mesh, Curve=along(ROW), Plugin="example.decimate")
         self.assertIn("Face 2 has the edge", self.error_of(filter))
 
 

@@ -28,7 +28,7 @@ def broken():
 
 class Repair(Case):
     def test_a_surface_with_its_arrays(self):
-        filter = pv.TalwegRepair(Input=broken())
+        filter = pv.TalwegRepair(Mesh=broken())
         self.update(filter)
         data = output(filter, 0)
         used = {data.GetCell(k).GetPointId(i) for k in range(2) for i in range(3)}
@@ -40,7 +40,7 @@ class Repair(Case):
         self.assertEqual(cell_values(data, "origin_cell"), [0, 1])
 
     def test_what_was_done_is_in_the_field_data(self):
-        filter = pv.TalwegRepair(Input=broken())
+        filter = pv.TalwegRepair(Mesh=broken())
         self.update(filter)
         data = output(filter, 0)
         self.assertEqual(report(data, "verdict"), "repairable")
@@ -51,7 +51,7 @@ class Repair(Case):
         self.assertEqual(report(data, "repair.duplicate_faces.count"), 1)
 
     def test_without_repair_the_mesh_is_inspected(self):
-        filter = pv.TalwegRepair(Input=broken(), Repair=0)
+        filter = pv.TalwegRepair(Mesh=broken(), Repair=0)
         self.update(filter)
         data = output(filter, 0)
         self.assertEqual((data.GetNumberOfPoints(), data.GetNumberOfPolys()), (6, 3))
@@ -60,7 +60,7 @@ class Repair(Case):
         self.assertIsNone(data.GetFieldData().GetAbstractArray("repair.verdict"))
 
     def test_steps(self):
-        filter = pv.TalwegRepair(Input=broken(), RepairWeld=0)
+        filter = pv.TalwegRepair(Mesh=broken(), RepairWeld=0)
         self.update(filter)
         self.assertEqual(report(output(filter, 0), "repair.welded_vertices.count"), 0)
         filter.RepairWeld = 1
@@ -72,14 +72,14 @@ class Repair(Case):
                                (polydata(POINTS, [(0, 1)]), "Cell 0 of the mesh has 2 corners"),
                                (polydata([(0, 0, 0), (float("nan"), 0, 0), (0, 1, 0)], [(0, 1, 2)]),
                                 "cannot be repaired")):
-            self.assertIn(sentence, self.error_of(pv.TalwegRepair(Input=source(data))))
+            self.assertIn(sentence, self.error_of(pv.TalwegRepair(Mesh=source(data))))
 
     def test_a_real_mesh_that_other_filters_refuse(self):
         mesh = pv.PLYReader(FileNames=[str(real_mesh("car_nonmanifold_251k.ply"))])
-        filter = pv.TalwegRepair(Input=mesh)
+        filter = pv.TalwegRepair(Mesh=mesh)
         self.update(filter)
         self.assertEqual(report(output(filter, 0), "repair.verdict"), "usable")
-        again = pv.TalwegRepair(Input=filter)
+        again = pv.TalwegRepair(Mesh=filter)
         self.update(again)
         self.assertEqual(report(output(again, 0), "verdict"), "usable")
         self.assertEqual(output(again, 0).GetNumberOfPolys(), output(filter, 0).GetNumberOfPolys())

@@ -74,7 +74,7 @@ class SameCurve(Case):
         drawn = self.ids_file(ids)
         for properties, options in parameters:
             with self.subTest(**properties):
-                filter = pv.TalwegSmoothVertices(Input=reader, PointIds=" ".join(map(str, ids)),
+                filter = pv.TalwegSmoothVertices(Mesh=reader, PointIds=" ".join(map(str, ids)),
                                                **properties)
                 run = self.run_plugin if "--no-cap-corners" in options else self.smoothed
                 self.check(filter, run(mesh_file, drawn, *options))
@@ -98,7 +98,7 @@ class SameCurve(Case):
                 ({"MaxDeviation": 0.03}, ("--max-deviation", "0.03")),
                 ({"Pin": f"{ids[8]} {ids[9]}"}, ("--pin", f"{ids[8]},{ids[9]}"))):
             with self.subTest(**properties):
-                filter = pv.TalwegSmoothVertices(Input=source(data),
+                filter = pv.TalwegSmoothVertices(Mesh=source(data),
                                                PointIds=" ".join(map(str, ids)), **properties)
                 run = self.run_plugin if "--no-cap-corners" in options else self.smoothed
                 self.check(filter, run(mesh, drawn, *options))
@@ -121,11 +121,11 @@ class SameCurve(Case):
 
     def test_positions_of_two_curves(self):
         mesh, obj, surface, lines = self.two_curves()
-        self.check(pv.TalwegSmoothCurve(Input=surface, Curve=lines), self.smoothed(mesh, obj))
+        self.check(pv.TalwegSmoothCurve(Mesh=surface, Curve=lines), self.smoothed(mesh, obj))
 
     def test_options_of_each_of_two_curves(self):
         mesh, obj, surface, lines = self.two_curves()
-        filter = pv.TalwegSmoothCurve(Input=surface, Curve=lines)
+        filter = pv.TalwegSmoothCurve(Mesh=surface, Curve=lines)
         taus = self.smoothed(mesh, obj, "--tau", "0.1,4")
         for others in ("0.1", "4", "4,0.1"):  # else the comparison would prove nothing
             self.assertNotEqual(taus, self.smoothed(mesh, obj, "--tau", others))
@@ -171,7 +171,7 @@ class SameCurve(Case):
         through = [500, 3000, 6000, 9000]
         drawn = self.folder / "edges.txt"
         self.driver("draw", rounded, "--through", ",".join(map(str, through)), "-o", drawn)
-        self.check(pv.TalwegSmoothVertices(Input=reader, PointIds=" ".join(map(str, through))),
+        self.check(pv.TalwegSmoothVertices(Mesh=reader, PointIds=" ".join(map(str, through))),
                    self.smoothed(rounded, drawn))
 
 

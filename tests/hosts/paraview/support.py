@@ -96,6 +96,12 @@ def report(data, key):
     return entries[0] if len(entries) == 1 else entries
 
 
+def column(table, name):
+    """A column of a table with numbers or texts."""
+    return [table.GetValueByName(row, name).ToString() if name == "# curve" else
+            table.GetValueByName(row, name).ToDouble() for row in range(table.GetNumberOfRows())]
+
+
 def places(data):
     return [data.GetPoint(k) for k in range(data.GetNumberOfPoints())]
 

@@ -31,6 +31,10 @@ class MeshInput {
   /// Valid until the next update(); the points are not copied if they are float or double.
   [[nodiscard]] talweg_array positions();
   [[nodiscard]] talweg_array triangles() const;
+  /// The corners of each triangle.
+  [[nodiscard]] const std::vector<std::array<std::uint32_t, 3>>& corners() const {
+    return triangles_;
+  }
   /// The triangles with all arrays of the data set.
   void copy_to(vtkPolyData& out) const;
   /// Point arrays of the mesh.

@@ -1,7 +1,9 @@
 #include "results.hpp"
 
+#include <cmath>
 #include <cstdio>
 #include <numbers>
+#include <vector>
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
@@ -12,6 +14,7 @@
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 
+#include "carried_arrays.hpp"
 #include "report_output.hpp"
 
 namespace talweg::paraview {
@@ -62,11 +65,12 @@ void add_lines(const host::Results& results, vtkPolyData& out) {
   out.SetLines(lines);
 }
 
-/// Every curve has the same fields.
+/// Every curve has the same fields. What turns at a point is no curvature to ParaView's users.
 void add_point_fields(const host::Results& results, vtkPolyData& out) {
   if (results.curves.empty()) return;
   for (std::size_t f = 0; f < results.curves.front().fields.size(); ++f) {
-    const auto array = named<vtkDoubleArray>(results.curves.front().fields[f].name.c_str());
+    const std::string& name = results.curves.front().fields[f].name;
+    const auto array = named<vtkDoubleArray>(name == "curvature" ? "turning" : name.c_str());
     for (const host::Curve& curve : results.curves) {
       for (const double value : curve.fields.at(f).values) array->InsertNextValue(value);
     }
@@ -74,14 +78,73 @@ void add_point_fields(const host::Results& results, vtkPolyData& out) {
   }
 }
 
+void add_arc_lengths(const host::Results& results, vtkPolyData& out) {
+  const auto lengths = named<vtkDoubleArray>("arc_length");
+  for (const host::Curve& curve : results.curves) {
+    double length = 0;
+    for (std::size_t k = 0; k < curve.positions.size(); ++k) {
+      const auto& here = curve.positions[k];
+      const auto& before = curve.positions[k == 0 ? 0 : k - 1];
+      length += std::hypot(here[0] - before[0], here[1] - before[1], here[2] - before[2]);
+      lengths->InsertNextValue(length);
+    }
+  }
+  out.GetPointData()->AddArray(lengths);
+}
+
+void add_numbers_of_curves(const host::Results& results, vtkPolyData& out) {
+  const auto numbers = named<vtkIdTypeArray>("curve");
+  for (std::size_t c = 0; c < results.curves.size(); ++c) {
+    numbers->InsertNextValue(static_cast<vtkIdType>(c));
+  }
+  out.GetCellData()->AddArray(numbers);
+}
+
+/// Where the points come from: between the corners of their faces.
+host::Origin origin_of(const host::Results& results, const MeshInput& mesh) {
+  host::Origin origin;
+  for (const host::Curve& curve : results.curves) {
+    for (std::size_t k = 0; k < curve.faces.size(); ++k) {
+      origin.vertices.push_back(mesh.corners().at(curve.faces[k]));
+      origin.weights.push_back(curve.barycentrics[k]);
+    }
+  }
+  return origin;
+}
+
+std::vector<vtkIdType> cells_of(const host::Results& results, const MeshInput& mesh) {
+  std::vector<vtkIdType> cells;
+  for (const host::Curve& curve : results.curves) {
+    for (const std::uint32_t face : curve.faces) cells.push_back(mesh.cells().at(face));
+  }
+  return cells;
+}
+
+/// An array of the cells gives way to one of the points with the same name.
+void add_arrays_of_mesh(const host::Results& results, const MeshInput& mesh, vtkPolyData& out) {
+  vtkPointData& points = *out.GetPointData();
+  carry_points(mesh.arrays(), origin_of(results, mesh), points);
+  vtkNew<vtkPointData> of_cells;
+  carry_cells(mesh.cell_arrays(), cells_of(results, mesh), *of_cells);
+  for (int k = 0; k < of_cells->GetNumberOfArrays(); ++k) {
+    vtkAbstractArray* array = of_cells->GetAbstractArray(k);
+    if (array->GetName() != nullptr && !points.HasArray(array->GetName())) points.AddArray(array);
+  }
+  for (int type = 0; type < vtkDataSetAttributes::NUM_ATTRIBUTES; ++type) {
+    points.SetActiveAttribute(-1, type);
+  }
+}
+
 }  // namespace
 
-void give(const host::Results& results, vtkPolyData& out, const char* group) {
+void give(const host::Results& results, const MeshInput& mesh, vtkPolyData& out) {
   out.Initialize();
+  add_arrays_of_mesh(results, mesh, out);  // first: of the same name the curve's own count
   add_points(results, out);
   add_lines(results, out);
+  add_arc_lengths(results, out);
   add_point_fields(results, out);
-  give_reports_of_curves(results, group, out.GetNumberOfCells(), *out.GetCellData());
+  add_numbers_of_curves(results, out);
   give_report(results, *out.GetFieldData());
 }
 

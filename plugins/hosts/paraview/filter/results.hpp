@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "mesh_input.hpp"
 #include "talweg/plugin/talweg_host.hpp"
 
 class vtkPolyData;
@@ -10,10 +11,12 @@ class vtkPolyData;
 namespace talweg::paraview {
 
 /// A polyline per curve, a closed one with its first point repeated; points in double precision.
-/// Point arrays: face, barycentric (3), vertex (-1: at none), and the fields (deviation,
-/// curvature). Cell arrays: the numbers of each curve's report, also those that the report on all
-/// has under `group` (borders.0.left). Field data: the report on all together.
-void give(const host::Results& results, vtkPolyData& out, const char* group = "");
+/// Point arrays: face, barycentric (3), vertex (-1: at none), arc_length (from the curve's first
+/// point), the fields (deviation, turning), and the arrays of the mesh: those of its points
+/// between the corners of the face, those of its cells as the face has them. None is active, so
+/// that curves have a colour of their own. Cell array: curve, the number of each. Field data: the
+/// report on all together.
+void give(const host::Results& results, const MeshInput& mesh, vtkPolyData& out);
 
 /// One line on what was done, for ParaView's output messages.
 std::string summary(const host::Results& results);

@@ -128,7 +128,10 @@ void vtkTalwegFilter::TakeDrawing(talweg::paraview::Origin origin,
 }
 
 int vtkTalwegFilter::TakeCurves(vtkDataObject* curves, vtkDataObject* others) {
-  if (curves == nullptr) throw std::runtime_error("There are no curves: give the input Curve.");
+  if (curves == nullptr)
+    throw std::runtime_error(
+        "No curves are given: choose some for the input Curve (Change Input... in the menu of the "
+        "filter).");
   Internals& common = *this->Common;
   this->TakeDrawing(talweg::paraview::origin_of(curves, others), [&] {
     std::vector<Curve> all = talweg::paraview::curves_of(*curves, common.CurveIds);

@@ -14,6 +14,7 @@
 #include <vtkSmartPointer.h>
 
 #include "mesh_output.hpp"
+#include "report_output.hpp"
 #include "results.hpp"
 #include "session.hpp"
 
@@ -65,7 +66,10 @@ void vtkTalwegLabels::Work(vtkDataSet& mesh, vtkDataObject*, vtkDataObject*,
       session.run({.point_fields = true, .vertex_fields = true, .meshes = true});
   vtkDataArray* given = session.array_of("triangle_labels");
   if (given == nullptr) given = session.array_of("vertex_labels");
-  talweg::paraview::give(results, *vtkPolyData::GetData(&outputs, 0), "borders");
+  vtkPolyData& borders = *vtkPolyData::GetData(&outputs, 0);
+  talweg::paraview::give(results, session.mesh(), borders);
+  talweg::paraview::give_reports_of_curves(results, "borders", borders.GetNumberOfCells(),
+                                           *borders.GetCellData());
   vtkPolyData& relabelled = *vtkPolyData::GetData(&outputs, 1);
   session.mesh().copy_to(relabelled);
   add_labels(results.fields.at(0).values, *given, relabelled);

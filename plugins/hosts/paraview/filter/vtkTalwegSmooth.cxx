@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdio>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -13,12 +14,15 @@
 #include <vtkObjectFactory.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
+#include <vtkTable.h>
 
 #include "curve_input.hpp"
 #include "number_list.hpp"
 #include "property_text.hpp"
+#include "report_output.hpp"
 #include "results.hpp"
 #include "session.hpp"
+#include "start_points.hpp"
 
 using talweg::host::Curve;
 using talweg::paraview::Session;
@@ -30,13 +34,20 @@ struct vtkTalwegSmooth::Internals {
     const auto vertices = talweg::paraview::vertex_numbers(this->PointIds, "Point Ids");
     if (!vertices.empty()) return {talweg::paraview::curve_through(vertices)};
     if (this->Points.empty()) {
-      throw std::runtime_error("There is no drawing: give a curve, points or vertex numbers.");
+      throw std::runtime_error(this->what_is_missing());
     }
     Curve through;
     through.closed = this->Closed;
     through.positions = this->Points;
     through.exact.assign(this->Points.size(), 0);  // they were clicked
     return {through};
+  }
+
+  [[nodiscard]] std::string what_is_missing() const {
+    if (this->OffersPoints) return "There are no points to join: click some on the mesh.";
+    if (this->OffersVertices) return "There is no drawing: give numbers of vertices as Point Ids.";
+    return "No curve is given: choose one for the input Curve (Change Input... in the menu of the "
+           "filter).";
   }
 
   /// The distance is computed once for each drawing.
@@ -68,6 +79,8 @@ struct vtkTalwegSmooth::Internals {
   bool Closed = false;
   bool WithDistance = false;
   std::uint64_t Edits = 0;  // of the drawing
+  std::string Start;
+  bool OffersPoints = false, OffersVertices = false;  // the filter has such properties
   std::vector<double> Distance;
   std::uint64_t DistanceState = 0;  // of the session, when it was computed
 };
@@ -77,7 +90,7 @@ vtkStandardNewMacro(vtkTalwegSmooth);
 vtkTalwegSmooth::vtkTalwegSmooth()
     : vtkTalwegFilter("talweg.smooth"), Inside(std::make_unique<Internals>()) {
   this->SetNumberOfInputPorts(2);
-  this->SetNumberOfOutputPorts(2);
+  this->SetNumberOfOutputPorts(3);
 }
 
 vtkTalwegSmooth::~vtkTalwegSmooth() = default;
@@ -100,6 +113,7 @@ bool change(Value& value, const Value& to, std::uint64_t& edits) {
 }  // namespace
 
 void vtkTalwegSmooth::SetPointIds(const char* numbers) {
+  this->Inside->OffersVertices = true;
   if (change(this->Inside->PointIds, text_of(numbers), this->Inside->Edits)) this->Modified();
 }
 
@@ -123,7 +137,26 @@ void vtkTalwegSmooth::SetPoint(int index, double x, double y, double z) {
 }
 
 void vtkTalwegSmooth::SetClosed(int closed) {
+  this->Inside->OffersPoints = true;
   if (change(this->Inside->Closed, closed != 0, this->Inside->Edits)) this->Modified();
+}
+
+const char* vtkTalwegSmooth::StartPoints(double x, double y, double z) {
+  std::string& text = this->Inside->Start;
+  text.clear();
+  vtkDataObject* input =
+      this->GetNumberOfInputConnections(0) == 0 ? nullptr : this->GetInputDataObject(0, 0);
+  if (input == nullptr) return text.c_str();
+  for (vtkDataSet* mesh : talweg::paraview::data_sets_of(*input)) {
+    for (const auto& point :
+         talweg::paraview::start_points(*talweg::paraview::polydata_of(*mesh), {x, y, z})) {
+      char numbers[100];
+      std::snprintf(numbers, sizeof numbers, "%.17g %.17g %.17g ", point[0], point[1], point[2]);
+      text += numbers;
+    }
+    if (!text.empty()) break;
+  }
+  return text.c_str();
 }
 
 void vtkTalwegSmooth::SetDistanceField(int on) {
@@ -132,8 +165,8 @@ void vtkTalwegSmooth::SetDistanceField(int on) {
   this->Modified();
 }
 
-int vtkTalwegSmooth::FillOutputPortInformation(int, vtkInformation* info) {
-  info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkPolyData");
+int vtkTalwegSmooth::FillOutputPortInformation(int port, vtkInformation* info) {
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), port == 2 ? "vtkTable" : "vtkPolyData");
   return 1;
 }
 
@@ -147,7 +180,8 @@ void vtkTalwegSmooth::Work(vtkDataSet& mesh, vtkDataObject* curves, vtkDataObjec
     return session.along_edges(this->Inside->drawing(curves, this->GetCurveIds()));
   });
   const talweg::host::Results results = this->Inside->run(session);
-  talweg::paraview::give(results, *vtkPolyData::GetData(&outputs, 0));
+  talweg::paraview::give(results, session.mesh(), *vtkPolyData::GetData(&outputs, 0));
   this->Inside->give_mesh(session, *vtkPolyData::GetData(&outputs, 1));
+  talweg::paraview::give_table(results, *vtkTable::GetData(&outputs, 2));
   this->Log(TALWEG_LOG_INFO, talweg::paraview::summary(results).c_str());
 }

@@ -4,7 +4,7 @@
  *
  * Input 0 is the mesh; the drawing is input 1 (lines, or points in their order), or points, or
  * numbers of vertices. Output 0 is the smoothed curves, output 1 the mesh with the distance to the
- * drawing. The plugin talweg.smooth does the work.
+ * drawing, output 2 a table with the report on each curve. The plugin talweg.smooth does the work.
  */
 #ifndef vtkTalwegSmooth_h
 #define vtkTalwegSmooth_h
@@ -29,6 +29,10 @@ class TALWEGFILTERS_EXPORT vtkTalwegSmooth : public vtkTalwegFilter {
 
   /// Vertices of the mesh, used instead of the points; closed if the first is repeated at the end.
   void SetPointIds(const char* numbers);
+
+  /// Three points on the mesh that comes in, as nine numbers in a text, to begin a drawing with:
+  /// those that are seen in this direction, 0 for any. Empty if there is no mesh yet.
+  const char* StartPoints(double x, double y, double z);
 
   /// Whether output 1 has the point array "distance" (off by default).
   void SetDistanceField(int on);

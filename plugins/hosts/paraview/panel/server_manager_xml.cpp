@@ -13,7 +13,7 @@ namespace {
 
 /// The mesh, whose arrays some parameters name.
 constexpr const char* kMeshInput = R"(
-<InputProperty name="Input" command="SetInputConnection" port_index="0">
+<InputProperty name="Input" label="Mesh" command="SetInputConnection" port_index="0">
   <ProxyGroupDomain name="groups"><Group name="sources"/><Group name="filters"/></ProxyGroupDomain>
   <DataTypeDomain name="input_type"><DataType value="vtkDataSet"/></DataTypeDomain>
   <InputArrayDomain name="arrays" attribute_type="point" number_of_components="1" optional="1"/>
@@ -57,11 +57,11 @@ constexpr const char* kOthersInput = R"(
 constexpr const char* kPoints = R"(
 <DoubleVectorProperty name="Points" command="SetPoint" set_number_command="SetNumberOfPoints"
                       use_index="1" repeat_command="1" number_of_elements_per_command="3"
-                      number_of_elements="6" default_values="0 0 0 1 0 0">
+                      number_of_elements="0">
   <Documentation>Points of the drawing in their order: x, y, z of each. They are moved to the
     nearest points of the mesh and joined straight over the surface. They are meant exactly: the
     curve passes through them and is free between them, and slack and largest deviation do not
-    apply, unless DrawnPoints is rough.</Documentation>
+    apply, unless DrawnPoints is rough. A new filter begins with points on the mesh.</Documentation>
 </DoubleVectorProperty>
 <IntVectorProperty name="Closed" command="SetClosed" number_of_elements="1" default_values="0">
   <BooleanDomain name="bool"/>
@@ -112,10 +112,13 @@ constexpr const char* kCounts = R"(
 constexpr const char* kSmoothEnd = R"(
 <OutputPort index="0" name="Curve"/>
 <OutputPort index="1" name="Mesh"/>
+<OutputPort index="2" name="Report"/>
 <Hints>
   <ShowInMenu category="Talweg"/>
   <Visibility replace_input="0"/>
   <View type="None" port="1"/>
+  <View type="None" port="2"/>
+  <InitializationHelper class="vtkSMTalwegStart" start_points="1" curves="0"/>
 </Hints>
 </SourceProxy>
 )";
@@ -123,7 +126,10 @@ constexpr const char* kSmoothEnd = R"(
 constexpr const char* kCutEnd = R"(
 <OutputPort index="0" name="Pieces"/>
 <OutputPort index="1" name="Chains"/>
-<Hints><ShowInMenu category="Talweg"/></Hints>
+<Hints>
+  <ShowInMenu category="Talweg"/>
+  <InitializationHelper class="vtkSMTalwegStart" curves="1"/>
+</Hints>
 </SourceProxy>
 )";
 
@@ -135,6 +141,7 @@ constexpr const char* kLabelsEnd = R"(
 <Hints>
   <ShowInMenu category="Talweg"/>
   <View type="None" port="1"/>
+  <InitializationHelper class="vtkSMTalwegStart" curves="0"/>
 </Hints>
 </SourceProxy>
 )";

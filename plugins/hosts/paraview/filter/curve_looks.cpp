@@ -1,0 +1,69 @@
+#include "curve_looks.hpp"
+
+#include <set>
+#include <string_view>
+
+#include <vtkCallbackCommand.h>
+#include <vtkCommand.h>
+#include <vtkNew.h>
+#include <vtkPVXMLElement.h>
+#include <vtkSMPropertyHelper.h>
+#include <vtkSMProxyManager.h>
+#include <vtkSMSessionProxyManager.h>
+#include <vtkSMSourceProxy.h>
+
+namespace talweg::paraview {
+namespace {
+
+constexpr double kWidth = 4;                      // pixels
+constexpr double kColour[] = {0.86, 0.12, 0.08};  // seen on white, grey and blue
+
+/// The output with curves; -1 if the filter has none, or is not one of ours.
+int curve_port(vtkSMProxy& filter) {
+  int port = -1;
+  vtkPVXMLElement* hints = filter.GetHints();
+  vtkPVXMLElement* start =
+      hints == nullptr ? nullptr : hints->FindNestedElementByName("InitializationHelper");
+  const char* name = start == nullptr ? nullptr : start->GetAttribute("class");
+  if (name != nullptr && std::string_view(name) == "vtkSMTalwegStart") {
+    start->GetScalarAttribute("curves", &port);
+  }
+  return port;
+}
+
+bool shows_curves(vtkSMProxy& representation) {
+  if (representation.GetProperty("Input") == nullptr) return false;
+  const vtkSMPropertyHelper input(&representation, "Input");
+  vtkSMProxy* filter = input.GetAsProxy();
+  return filter != nullptr && curve_port(*filter) == static_cast<int>(input.GetOutputPort());
+}
+
+void dress(vtkSMProxy& representation) {
+  if (representation.GetProperty("LineWidth") == nullptr) return;
+  vtkSMPropertyHelper(&representation, "LineWidth").Set(kWidth);
+  vtkSMPropertyHelper(&representation, "RenderLinesAsTubes", true).Set(1);
+  vtkSMPropertyHelper(&representation, "AmbientColor", true).Set(kColour, 3);
+  vtkSMPropertyHelper(&representation, "DiffuseColor", true).Set(kColour, 3);
+  representation.UpdateVTKObjects();
+}
+
+void registered(vtkObject* caller, unsigned long, void*, void* data) {
+  const auto* manager = vtkSMSessionProxyManager::SafeDownCast(caller);
+  const auto* info = static_cast<vtkSMProxyManager::RegisteredProxyInformation*>(data);
+  if (manager == nullptr || info == nullptr || info->Proxy == nullptr) return;
+  if (const_cast<vtkSMSessionProxyManager*>(manager)->GetInLoadXMLState()) return;
+  const std::string_view group = info->GroupName == nullptr ? "" : info->GroupName;
+  if (group == "representations" && shows_curves(*info->Proxy)) dress(*info->Proxy);
+}
+
+}  // namespace
+
+void watch_curves(vtkSMSessionProxyManager& manager) {
+  static vtkNew<vtkCallbackCommand> command;
+  command->SetCallback(registered);
+  if (!manager.HasObserver(vtkCommand::RegisterEvent, command)) {
+    manager.AddObserver(vtkCommand::RegisterEvent, command);
+  }
+}
+
+}  // namespace talweg::paraview
