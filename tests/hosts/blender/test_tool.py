@@ -73,11 +73,11 @@ class Lines(unittest.TestCase):
                                 for k in range(count)))
 
     def test_a_dragged_point_takes_the_stroke_along(self):
-        """So far to either side as twice it moves: here 2 units; ends and pins stay."""
+        """So far to either side as it moves: here 2 units; ends and pins stay."""
         line = self.line(20, exact=(8, 10))
-        to = lines.Point(0, (1, 0, 0), (10.0, 1.0, 0.0), True)
+        to = lines.Point(0, (1, 0, 0), (10.0, 2.0, 0.0), True)
         found = [point.position[:2] for point in lines.bent(line, 10, to).points]
-        expected = [(float(k), 0.0) for k in range(9)] + [(10.0, 1.0)] + [(float(k), 0.0) for k in range(13, 20)]
+        expected = [(float(k), 0.0) for k in range(9)] + [(10.0, 2.0)] + [(float(k), 0.0) for k in range(13, 20)]
         self.assertEqual(found, expected)
         far = lines.Point(0, (1, 0, 0), (10.0, 50.0, 0.0), True)
         self.assertEqual([p.position[0] for p in lines.bent(line, 10, far).points], [0, 8, 10, 19])

@@ -73,7 +73,7 @@ def draw(layout, curve):
     column.use_property_split = True
     column.use_property_decorate = False
     parameters.draw(column, kept)
-    wrapped.draw(column, sentences.of_scale(curve.parent), 40, "INFO")
+    wrapped.draw(column, sentences.of_scale(curve.parent), icon="INFO")
     settings.draw_own(column, kept)
     if kept.colours != "PLAIN" and "talweg_range" in curve:
         most = curve["talweg_range"]
@@ -81,8 +81,8 @@ def draw(layout, curve):
             f"0 to {most:.3g} rad for each unit of length"
         column.label(text=f"Dark to bright: {told}", icon="COLOR")
     wrong, numbers = _told.get(curve.name, ("", ""))
-    wrapped.draw(layout, [wrong] if wrong else [], 40)
-    wrapped.draw(layout, [numbers] if numbers else [], 40, "INFO")
+    wrapped.draw(layout, [wrong] if wrong else [])
+    wrapped.draw(layout, [numbers] if numbers else [], icon="INFO")
 
 
 def register():

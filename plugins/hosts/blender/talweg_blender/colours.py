@@ -13,7 +13,7 @@ from .package import talweg
 
 _COUNT = 9
 _NAME = "Talweg colour"
-_WIDER = 1.2  # covers the plain curve
+_WIDER = 1.7  # covers the plain curve, and shows its colours
 
 
 def wanted_fields(settings):

@@ -39,12 +39,13 @@ def note(obj, place, error, operator):
             "On a repaired copy.")
 
 
-def draw(layout, obj):
+def draw(layout, obj, width=None):
     """In a panel or at the pointer, if there is something to offer for the object."""
     if not is_for(obj):
         return
     box = layout.box()
-    wrapped.draw(box, [_Last.sentence], 40)
+    box.operator_context = "INVOKE_DEFAULT"
+    wrapped.draw(box, [_Last.sentence], width)
     if _Last.operator:
         box.operator(_Last.operator, text="Smooth on a Repaired Copy").repair = True
     box.operator("talweg.repair", text="Repair the Mesh")
@@ -53,4 +54,4 @@ def draw(layout, obj):
 def popup(context, obj):
     """At the pointer."""
     if not bpy.app.background and is_for(obj):
-        context.window_manager.popup_menu(lambda menu, _: draw(menu.layout, obj), title="Talweg")
+        context.window_manager.popup_menu(lambda menu, _: draw(menu.layout, obj, 60), title="Talweg")

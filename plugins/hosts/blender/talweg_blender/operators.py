@@ -101,12 +101,12 @@ class _Smoothing:
 
     def draw(self, _context):
         layout = self.layout
-        wrapped.draw(layout, self.warned.splitlines(), 44)
+        wrapped.draw(layout, self.warned.splitlines())
         layout.use_property_split = True
         layout.use_property_decorate = False
         layout.prop(self, "output")
         parameters.draw(layout, self)
-        wrapped.draw(layout, self.scaled.splitlines(), 44, "INFO")
+        wrapped.draw(layout, self.scaled.splitlines(), icon="INFO")
         if self.output == "CURVE":
             settings.draw_own(layout, self)
         for name in _STROKES:

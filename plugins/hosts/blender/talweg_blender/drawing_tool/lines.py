@@ -57,8 +57,8 @@ def without(line, at):
 
 def bent(line, at, to):
     """The line with its point moved, and without the stroke beside it: so far to either side as it
-    moved, and as far again. Points that are exact stay where they are."""
-    reach = 2 * distance(line.points[at], to)
+    moved. Points that are exact stay where they are."""
+    reach = distance(line.points[at], to)
     kept = [to]
     for step in (-1, 1):
         run, last, k = 0.0, line.points[at], at + step

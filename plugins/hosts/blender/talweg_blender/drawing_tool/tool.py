@@ -44,13 +44,15 @@ class TALWEG_OT_draw(bpy.types.Operator):
                 and context.area.type == "VIEW_3D" and (obj.type == "MESH" or settings.is_kept(obj)))
 
     def invoke(self, context, event):
+        self._refused = None
         active = context.object
         curve = active if settings.is_kept(active) else None
         obj = active.parent if curve else active
         try:
             self._drawn = Drawn(context, obj, curve, "CURVE" if curve else self.output, self.repair)
         except (talweg.Error, KeyboardInterrupt) as error:
-            return self._refuse(context, obj, error)
+            return self._refuse(context, obj, error, event)
+        offers.forget(obj)
         self._area, self._ended = context.area, False
         self._region = next(one for one in context.area.regions if one.type == "WINDOW")
         self._overlay = Overlay(self._shown)
@@ -63,20 +65,32 @@ class TALWEG_OT_draw(bpy.types.Operator):
             self._mouse(event)
         return {"RUNNING_MODAL"}
 
-    def _refuse(self, context, obj, error):
+    def _refuse(self, context, obj, error, event):
         if isinstance(error, talweg.BadMesh):
             error = offers.note(obj, session.surface_of(context, obj, True, trust=True), error, self.bl_idname)
-        offered = offers.is_for(obj)
-        self.report({"WARNING" if offered else "ERROR"}, str(error) or "Interrupted.")
-        if offered:
+        if not offers.is_for(obj):
+            self.report({"ERROR"}, str(error) or "Interrupted.")
+            return {"CANCELLED"}
+        self.report({"WARNING"}, str(error))
+        if event.type != "LEFTMOUSE":
             offers.popup(context, obj)
-        return {"CANCELLED"}
+            return {"CANCELLED"}
+        self._refused = obj  # buttons that come up under a pressed mouse would be taken when it is let go
+        context.window_manager.modal_handler_add(self)
+        return {"RUNNING_MODAL"}
 
     # ---- Events.
 
     def modal(self, context, event):
-        if not self._drawn.is_there or self._area not in list(context.screen.areas):
+        if self._refused is not None:
+            if event.type == "LEFTMOUSE" and event.value == "RELEASE":
+                offers.popup(context, self._refused)
+                return {"CANCELLED"}
+            return {"RUNNING_MODAL"}
+        if not self._drawn.is_there:
             return self._end(context, self._drawn.drop, {"CANCELLED"})
+        if self._area not in list(context.screen.areas):  # another workspace: what is drawn stays
+            return self._finish(context, else_drop=True)
         if event.type == "TIMER":
             if self._drawn.poll():
                 self._tell()
@@ -111,7 +125,9 @@ class TALWEG_OT_draw(bpy.types.Operator):
         elif event.type == "ESC" and event.value == "PRESS":
             work.drop_hand()
         elif "MOUSEMOVE" in event.type:
-            work.move(view, mouse)
+            under = work.under
+            if not work.move(view, mouse) and work.under == under:
+                return {"RUNNING_MODAL"}  # nothing looks different
         self._tell()
         return {"RUNNING_MODAL"}
 
@@ -171,10 +187,12 @@ class TALWEG_OT_draw(bpy.types.Operator):
 
     # ---- The end.
 
-    def _finish(self, context):
+    def _finish(self, context, else_drop=False):
         try:
             told, warnings = self._drawn.finish(context)
         except (talweg.Error, KeyboardInterrupt) as error:
+            if else_drop:
+                return self._end(context, self._drawn.drop, {"CANCELLED"})
             self.report({"ERROR"}, str(error) or "Interrupted.")
             return {"RUNNING_MODAL"}
         self.report({"WARNING"} if warnings else {"INFO"}, " ".join([told, *warnings]))
@@ -185,17 +203,18 @@ class TALWEG_OT_draw(bpy.types.Operator):
         self._overlay.remove()
         context.window_manager.event_timer_remove(self._timer)
         context.workspace.status_text_set(None)
-        self._area.header_text_set(None)
         if self in _now:
             _now.remove(self)
         last()
-        if self._area in list(context.screen.areas):
+        if any(self._area in list(screen.areas) for screen in bpy.data.screens):  # it may be gone
+            self._area.header_text_set(None)
             self._area.tag_redraw()
         return outcome
 
     def cancel(self, context):
         """Blender ends, or loads another file."""
-        self._end(context, self._drawn.close, None)
+        if self._refused is None:
+            self._end(context, self._drawn.close, None)
 
 
 class DrawTool(bpy.types.WorkSpaceTool):
