@@ -1,0 +1,168 @@
+"""The tool in Blender's own window: simulated events, from the toolbar to undo after Enter.
+
+xvfb-run -a blender --factory-startup --enable-event-simulate --python tool_in_window.py -- ADDON.zip
+"""
+
+import os
+import shutil
+import sys
+import traceback
+from pathlib import Path
+
+import bpy
+
+try:
+    import numpy as np
+except ImportError:
+    print("SKIPPED: Blender's Python has no numpy (Debian: python3-numpy)", flush=True)
+    os._exit(0)
+
+FOLDER = Path(__file__).parent.parent
+sys.path[:0] = [str(FOLDER.parent / "python"), str(FOLDER)]
+
+
+def hill(x, y):
+    return 3 * np.sin(x / 7) * np.cos(y / 5)
+
+
+def curves():
+    return [one for one in bpy.data.objects if one.type == "CURVE"]
+
+
+class Hand:
+    """Moves and presses at places of the hills, which are seen from above."""
+
+    def __init__(self, window, area, region):
+        self.window, self.area, self.region = window, area, region
+
+    def pixel(self, x, y):
+        matrix = np.array(self.area.spaces.active.region_3d.perspective_matrix)
+        clip = matrix @ np.array([x, y, hill(x, y), 1])
+        return [int(round((value / clip[3] + 1) / 2 * size + start)) for value, size, start in zip(
+            clip[:2], (self.region.width, self.region.height), (self.region.x, self.region.y))]
+
+    def do(self, kind, value, place, **more):
+        x, y = self.pixel(*place)
+        self.window.event_simulate(type=kind, value=value, x=x, y=y, **more)
+
+    def key(self, kind, place, **more):
+        self.do(kind, "PRESS", place, **more)
+        self.do(kind, "RELEASE", place, **more)
+
+    def click(self, place):
+        self.do("MOUSEMOVE", "NOTHING", place)
+        yield
+        self.do("LEFTMOUSE", "PRESS", place)
+        yield
+        self.do("LEFTMOUSE", "RELEASE", place)
+        yield
+
+    def drag(self, one, other):
+        self.do("MOUSEMOVE", "NOTHING", one)
+        yield
+        self.do("LEFTMOUSE", "PRESS", one)
+        yield
+        for t in np.linspace(0, 1, 15)[1:]:
+            self.do("MOUSEMOVE", "NOTHING", np.array(one) * (1 - t) + np.array(other) * t)
+            yield
+        self.do("LEFTMOUSE", "RELEASE", other)
+        yield
+
+
+def until(condition, what):
+    """Waits at most two minutes: the machine may be busy."""
+    for _ in range(1200):
+        if condition():
+            return
+        yield
+    raise AssertionError(f"Waited in vain until {what}.")
+
+
+def passes(place):
+    """Whether the curve passes a place of the hills."""
+    if not curves() or not curves()[0].data.splines:
+        return False
+    import scene
+
+    points = scene.spline_points(curves()[0])
+    return np.linalg.norm(points - [*place, hill(*place)], axis=1).min() < 0.2  # pixels are 0.1 wide
+
+
+def steps():
+    """What is done; each yield lets Blender work."""
+    import scene
+    import support
+
+    scene.empty()
+    name = scene.add_mesh(*support.hills()).name  # undo makes other objects
+    window = bpy.context.window_manager.windows[0]
+    area = next(one for one in window.screen.areas if one.type == "VIEW_3D")
+    region = next(one for one in area.regions if one.type == "WINDOW")
+    with bpy.context.temp_override(window=window, area=area, region=region):
+        bpy.ops.view3d.view_axis(type="TOP")
+        bpy.ops.view3d.view_selected()
+        bpy.ops.wm.tool_set_by_id(name="talweg.draw_tool")
+    bpy.ops.ed.undo_push(message="Begin")
+    hand = Hand(window, area, region)
+    preferences = bpy.context.preferences.view
+    preferences.smooth_view = 0
+    for _ in range(10):
+        yield
+
+    from talweg_blender.drawing_tool import tool
+
+    for place in ((15, 15), (30, 20), (45, 40)):
+        yield from hand.click(place)
+    assert tool.is_at_work(), "the tool has begun"
+    yield from until(lambda: all(map(passes, ((15, 15), (30, 20), (45, 40)))), "way-points are passed")
+    yield from hand.drag((30, 20), (32, 28))
+    yield from until(lambda: passes((32, 28)) and not passes((30, 20)), "the point is moved")
+    for _ in range(2):
+        hand.do("WHEELUPMOUSE", "PRESS", (40, 20), ctrl=True)
+        yield
+    yield from until(lambda: abs(curves()[0].talweg.tau - 1.5625) < 1e-5, "the wheel has turned tau")
+    hand.key("Z", (40, 20), ctrl=True)
+    yield from until(lambda: abs(curves()[0].talweg.tau - 1.25) < 1e-5, "a step is taken back")
+    hand.key("RET", (40, 20))
+    yield from until(lambda: not tool.is_at_work(), "Enter ends it")
+    assert passes((32, 28)) and len(curves()) == 1 and curves()[0].parent.name == name
+    hand.key("Z", (40, 20), ctrl=True)
+    yield from until(lambda: not curves(), "Blender's undo removes the curve")
+    hand.key("Z", (40, 20), ctrl=True, shift=True)
+    yield from until(lambda: len(curves()) == 1, "and brings it back")
+
+    bpy.context.view_layer.objects.active = curves()[0]  # the same tool edits it
+    before = scene.spline_points(curves()[0])
+    yield from hand.drag((32, 28), (30, 35))
+    yield from until(lambda: passes((30, 35)), "the point is moved again")
+    hand.key("ESC", (40, 20))
+    yield from until(lambda: not tool.is_at_work(), "Esc ends it")
+    np.testing.assert_array_equal(scene.spline_points(curves()[0]), before)
+
+    bpy.context.view_layer.objects.active = bpy.data.objects[name]
+    yield from hand.drag((10, 45), (30, 50))
+    yield from until(lambda: len(curves()) == 2, "a stroke begins another curve")
+    hand.key("ESC", (40, 20))
+    yield from until(lambda: len(curves()) == 1, "Esc drops it")
+
+
+def run(work):
+    """A step for each call; the program ends with the work."""
+    try:
+        next(work)
+        return 0.1
+    except StopIteration:
+        print("The tool works in its window.", flush=True)
+        os._exit(0)
+    except BaseException:  # a timer must not go on after a failure
+        traceback.print_exc()
+        sys.stderr.flush()
+        os._exit(1)
+
+
+shutil.rmtree(os.environ["BLENDER_USER_RESOURCES"], ignore_errors=True)
+os.makedirs(os.environ["BLENDER_USER_RESOURCES"])
+bpy.context.preferences.view.show_splash = False
+bpy.ops.preferences.addon_install(filepath=sys.argv[sys.argv.index("--") + 1])
+bpy.ops.preferences.addon_enable(module="talweg_blender")
+bpy.app.timers.register(lambda work=steps(): run(work), first_interval=1)
