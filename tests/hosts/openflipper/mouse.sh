@@ -87,7 +87,14 @@ expect "DELETED 1 true 2 1 true 2 true 1 true 0 false" "deleted lines are curves
 sleep 2
 
 mark
-clicks 178,280 187,320 181,350 190,375 185,395 208,410 222,436 245,422 268,440 290,428 318,468
+clicks 178,280 187,320
+expect "SCENE drawn [1-9]" "what is drawn is a line in the scene"
+mark
+xdotool mousemove 184 335; sleep 0.2; xdotool mousemove 181 350
+expect "SCENE drawn [1-9][0-9]* leg [1-9]" "the next leg follows the mouse before the click"
+clicks 181,350 190,375 185,395 208,410 222,436 245,422 268,440 290,428 318,468
+if grep -aq "OFF THE SURFACE" "$log"; then fail "the drawn lines lie on the surface"; fi
+echo "ok: the drawn lines lie on the surface"
 picture drawing
 xdotool key BackSpace
 expect "1 curve(s)" "an open curve, its last point taken back"

@@ -7,14 +7,11 @@
 #include <OpenFlipper/BasePlugin/PluginFunctions.hh>
 #include <OpenFlipper/common/GlobalOptions.hh>
 
+#include "CurveColours.hh"
 #include "DrawingBackup.hh"
 
 namespace talweg::openflipper {
 namespace {
-
-const ACG::Vec4f kResult(0.15f, 1.0f, 0.35f, 1.0f), kDrawn(0.55f, 0.55f, 0.55f, 1.0f);
-const ACG::Vec4f kPoint(1.0f, 0.75f, 0.1f, 1.0f), kPinned(0.9f, 0.1f, 0.1f, 1.0f);
-const ACG::Vec4f kFirst(0.2f, 0.5f, 1.0f, 1.0f);
 
 double diagonal_of(const editing::MeshArrays& mesh) {
   ACG::Vec3d least(1e300), most(-1e300);
@@ -45,21 +42,11 @@ Session::Session(HostCalls& host, const editing::Plugins& plugins, TriMeshObject
       diagonal_(diagonal_of(*arrays_)),
       editor_(settings) {
   first_number_ = kept_number_ = editor_.history().number();
-  if (OpenFlipper::Options::gui()) {
-    material_ = new ACG::SceneGraph::MaterialNode(nullptr, "Talweg: look of the drawn points");
-    material_->set_point_size(8.0f);
-    points_ = new ACG::SceneGraph::PointNode(material_, "Talweg: drawn points");
-    points_->drawMode(ACG::SceneGraph::DrawModes::POINTS_COLORED);
-    points_->enablePicking(false);
-    PluginFunctions::addGlobalNode(material_);
-  }
+  if (OpenFlipper::Options::gui()) nodes_ = std::make_unique<CurveNodes>();
   open();
 }
 
-Session::~Session() {
-  thread_.reset();
-  if (material_ != nullptr) material_->delete_subtree();
-}
+Session::~Session() = default;
 
 void Session::open() {
   thread_.reset();
@@ -68,9 +55,18 @@ void Session::open() {
       plugins_, arrays_, [host] { host->wake(); }, 400, defects_);
   asked_ = {};
   sight_.reset();
-  ticket_ = stale_ = 0;
+  ticket_ = done_ = stale_ = leg_ticket_ = 0;
+  tickets_.clear();
+  lines_asked_.clear();
   problem_.clear();
   repair_told_.clear();
+}
+
+void Session::cancel() {
+  thread_->cancel();
+  done_ = ticket_;
+  lines_asked_.clear();
+  if (nodes_ && !sight_) thread_->see();
 }
 
 void Session::repair() {
@@ -136,6 +132,11 @@ void Session::after_edit() {
 }
 
 void Session::ask() {
+  ask_to_smooth();
+  ask_for_lines();
+}
+
+void Session::ask_to_smooth() {
   const editing::Drawing& now = editor_.drawing();
   if (now == asked_) return;
   asked_ = now;
@@ -143,13 +144,14 @@ void Session::ask() {
   host::Wanted wanted;
   wanted.point_fields = colour_by_ == ColourBy::kDeviation;
   if (host_curves(now).empty()) {
-    thread_->cancel();
+    if (smooths()) cancel();
     stale_ = ticket_;
-    show_results({}, true);
+    show_results({}, {}, true);
     return;
   }
   const editing::Hand moving = preview_ ? editing::Hand::kDrags : editing::Hand::kSlides;
   ticket_ = thread_->smooth(now, wanted, in_gesture() ? moving : editing::Hand::kRests);
+  tickets_.asked(ticket_, now);
 }
 
 /// The host's list of undo gets the state that is there now. A new list begins with the one before.
@@ -246,12 +248,18 @@ void Session::take() {
 }
 
 void Session::take(editing::Outcome outcome) {
-  if (outcome.task != editing::Task::kSmooth) {  // those are in its report
+  const bool smoothed = outcome.task == editing::Task::kSmooth;
+  const bool drawn = outcome.task == editing::Task::kDraw || outcome.task == editing::Task::kLeg;
+  if (smoothed) done_ = outcome.ticket;
+  if (!smoothed && !drawn) {  // those are in the report
     for (const std::string& note : outcome.notes) host_.say(in_words(note));
   }
   if (outcome.task == editing::Task::kOpen) take_opened(outcome);
   if (outcome.status == TALWEG_CANCELLED) return;
-  if (outcome.status != TALWEG_OK) return fail(work_error_, in_words(outcome.sentence));
+  if (outcome.status != TALWEG_OK) {
+    if (!drawn) fail(work_error_, in_words(outcome.sentence));  // smoothing says the same
+    return;
+  }
   switch (outcome.task) {
     case editing::Task::kOpen:
       return;
@@ -266,21 +274,23 @@ void Session::take(editing::Outcome outcome) {
       if (outcome.ticket <= stale_) return;
       last_run_ms_ = outcome.milliseconds;
       work_error_.clear();
-      show_results(std::move(outcome.results), outcome.ticket == ticket_);
+      show_results(std::move(outcome.results), tickets_.take(outcome.ticket),
+                   outcome.ticket == ticket_);
       return;
     case editing::Task::kSee:
       sight_ = std::move(outcome.sight);
       return;
     case editing::Task::kDraw:
+      return take_drawn(outcome);
     case editing::Task::kLeg:
-      return;
+      return take_leg(outcome);
   }
 }
 
 void Session::take_opened(const editing::Outcome& outcome) {
   if (outcome.status == TALWEG_OK) {
     host_.say(QString("%1 is open after %2 ms.").arg(name_).arg(outcome.milliseconds, 0, 'f', 0));
-    if (points_ != nullptr) thread_->see();
+    if (nodes_) thread_->see();
     return;
   }
   problem_ = in_words(outcome.sentence);
@@ -289,106 +299,7 @@ void Session::take_opened(const editing::Outcome& outcome) {
   }
 }
 
-void Session::show_results(host::Results results, bool newest) {
-  results_ = std::move(results);
-  while (lines_.size() > results_.curves.size()) {
-    const int id = lines_.back();
-    lines_.pop_back();
-    host_.remove_object(id);
-  }
-  double largest = 0;
-  for (const host::Curve& curve : results_.curves) {
-    for (const host::Field& field : curve.fields) {
-      if (field.name != "deviation") continue;
-      for (const double d : field.values) largest = std::max(largest, std::isfinite(d) ? d : 0.0);
-    }
-  }
-  for (std::size_t c = 0; c < results_.curves.size(); ++c) {
-    if (c == lines_.size()) {
-      lines_.push_back(host_.add_line(QString("%1 smoothed %2").arg(name_).arg(c + 1)));
-      if (PolyLineObject* made = PluginFunctions::polyLineObject(lines_.back())) {
-        made->materialNode()->set_color(kResult);
-        made->materialNode()->set_line_width(4.0f);
-        made->materialNode()->set_point_size(1.0f);
-        made->setObjectDrawMode(ACG::SceneGraph::DrawModes::WIREFRAME);
-      }
-    }
-    PolyLine* line = line_of(lines_[c]);
-    if (line == nullptr) continue;
-    fill(*line, mesh(), results_.curves[c]);
-    for (const host::Field& field : results_.curves[c].fields) {
-      if (field.name == "deviation") colour(*line, field.values, largest);
-    }
-    host_.show_line(lines_[c]);
-  }
-  if (newest && !in_gesture() && log_next_ && !results_.curves.empty()) {
-    log_next_ = false;
-    host_.say(short_report(*this));
-    if (colour_by_ == ColourBy::kDistance || colour_by_ == ColourBy::kPotential) {
-      thread_->distance(editor_.drawing());
-    }
-  }
-  host_.changed();
-}
-
-void Session::show_mesh_colours(const host::Results& results) {
-  const char* wanted = colour_by_ == ColourBy::kPotential ? "potential" : "distance";
-  for (const host::Field& field : results.fields) {
-    if (field.name != wanted) continue;
-    colour(mesh(), field.values);
-    object_.setObjectDrawMode(ACG::SceneGraph::DrawModes::SOLID_POINTS_COLORED_SHADED);
-    host_.show_colours(mesh_id_);
-  }
-}
-
-void Session::colour_by(ColourBy by) {
-  const ColourBy before = std::exchange(colour_by_, by);
-  if (before == by) return;
-  const auto on_mesh = [](ColourBy b) {
-    return b == ColourBy::kDistance || b == ColourBy::kPotential;
-  };
-  if (on_mesh(before) && !on_mesh(by)) {
-    object_.setObjectDrawMode(ACG::SceneGraph::DrawModes::SOLID_SMOOTH_SHADED);
-    host_.show_colours(mesh_id_);
-  }
-  for (const int id : lines_) {
-    if (PolyLineObject* line = PluginFunctions::polyLineObject(id)) {
-      line->setObjectDrawMode(by == ColourBy::kDeviation ? ACG::SceneGraph::DrawModes::EDGES_COLORED
-                                                         : ACG::SceneGraph::DrawModes::WIREFRAME);
-    }
-  }
-  if (host_curves(editor_.drawing()).empty()) return;
-  if (on_mesh(by)) thread_->distance(editor_.drawing());
-  if (by == ColourBy::kDeviation) {
-    asked_ = {};
-    ask();
-  }
-  host_.changed();
-}
-
-// ---- The drawing in the scene
-
-void Session::show_drawing() {
-  show_points();
-  const auto& curves = editor_.drawing().curves;
-  if (drawing_id_ < 0) {
-    if (curves.empty()) return;
-    drawing_id_ = host_.add_line(QString("%1 drawing").arg(name_));
-    if (PolyLineObject* made = PluginFunctions::polyLineObject(drawing_id_)) {
-      made->materialNode()->set_color(kDrawn);
-      made->materialNode()->set_line_width(1.0f);
-      made->setObjectDrawMode(ACG::SceneGraph::DrawModes::WIREFRAME);
-    }
-  }
-  PolyLine* line = line_of(drawing_id_);
-  if (line == nullptr) return;
-  if (curves.empty()) {
-    line->clear();
-  } else {
-    fill(*line, mesh(), *arrays_, *curves.back());
-  }
-  host_.show_line(drawing_id_);
-}
+// ---- The host's objects
 
 std::vector<ACG::Vec3d> Session::drawn_positions(std::size_t curve) const {
   std::vector<ACG::Vec3d> positions;
@@ -396,21 +307,6 @@ std::vector<ACG::Vec3d> Session::drawn_positions(std::size_t curve) const {
     positions.push_back(vector_at(*arrays_, point));
   }
   return positions;
-}
-
-void Session::show_points() {
-  if (points_ == nullptr) return;
-  points_->clear();
-  const editing::Drawing& now = editor_.drawing();
-  for (std::size_t c = 0; c < now.curves.size(); ++c) {
-    const bool drawn_now = now.unfinished && c + 1 == now.curves.size();
-    bool first = drawn_now;
-    for (const editing::Point& point : now.curves[c]->points) {
-      points_->add_point(vector_at(*arrays_, point));
-      points_->add_color(point.pinned ? kPinned : first ? kFirst : kPoint);
-      first = false;
-    }
-  }
 }
 
 void Session::mesh_updated() {
@@ -437,13 +333,14 @@ void Session::mesh_updated() {
 void Session::object_deleted(int object_id) {
   if (object_id == drawing_id_) {  // shows the last curve
     drawing_id_ = -1;
-    if (const std::size_t curves = editor_.drawing().curves.size(); curves > 0) {
-      deleted_.push_back(curves - 1);
-    }
+    const auto& curves = editor_.drawing().curves;
+    if (!curves.empty()) deleted_.push_back(curves.back()->number);
   } else {
     const auto at = std::find(lines_.begin(), lines_.end(), object_id);
     if (at == lines_.end()) return;
-    deleted_.push_back(static_cast<std::size_t>(at - lines_.begin()));
+    const auto number = line_numbers_.begin() + (at - lines_.begin());
+    deleted_.push_back(*number);
+    line_numbers_.erase(number);
     lines_.erase(at);
   }
   host_.wake();
@@ -455,8 +352,10 @@ void Session::remove_deleted() {
   if (deleted_.empty()) return;
   end_gesture();
   stale_ = ticket_;
-  for (const std::size_t curve : std::exchange(deleted_, {})) {
-    edit([curve](editing::Editor& editor) { editor.remove_curve(curve); });
+  for (const std::uint32_t number : std::exchange(deleted_, {})) {
+    if (const auto curve = index_of(editor_.drawing(), number)) {
+      edit([curve](editing::Editor& editor) { editor.remove_curve(*curve); });
+    }
   }
 }
 

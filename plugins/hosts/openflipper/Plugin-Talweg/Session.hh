@@ -5,13 +5,13 @@
 #include <QString>
 #include <QStringList>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <vector>
 
-#include <ACG/Scenegraph/MaterialNode.hh>
-#include <ACG/Scenegraph/PointNode.hh>
-
+#include "CurveNodes.hh"
+#include "CurveTickets.hh"
 #include "HostMesh.hh"
 #include "ResultTable.hh"
 #include "talweg/editing/editor.hpp"
@@ -41,6 +41,7 @@ class HostCalls {
   virtual void say(const QString& sentence) = 0;   ///< to the log
   virtual void warn(const QString& sentence) = 0;  ///< to the log and the status bar
   virtual void changed() = 0;                      ///< drawing, results or state: show them
+  virtual void redraw() = 0;                       ///< only the scene has changed
   virtual void wake() = 0;                         ///< from any thread: look at the sessions soon
 };
 
@@ -91,7 +92,9 @@ class Session {
   void take();
   /// The same when all of it is done. For scripts.
   void wait();
-  void cancel() { thread_->cancel(); }
+  void cancel();
+  /// Whether newer results than results() are on their way.
+  [[nodiscard]] bool smooths() const { return done_ < ticket_; }
   /// Does what may fail with an exception, such as reading a file; a failure is told, and false.
   bool attempt(const std::function<void()>& work);
   [[nodiscard]] editing::Progress progress() const { return thread_->progress(); }
@@ -118,6 +121,13 @@ class Session {
   /// An object of ours that a person has deleted: its curve goes, which is an edit, as soon as the
   /// host is done.
   void object_deleted(int object_id);
+  /// The mesh or the drawing's line was hidden or shown: what was drawn goes with both.
+  void visibility_changed() { show_nodes(); }
+
+  void show_points(bool with);
+  [[nodiscard]] bool shows_point(std::size_t curve, std::size_t point) const;
+  /// Shows how the curve that is being drawn would go on to that point, or no more.
+  void reach_for(const std::optional<editing::Point>& to);
 
   [[nodiscard]] std::vector<ACG::Vec3d> drawn_positions(std::size_t curve) const;
   /// Whether seen() and is_hidden() can tell already.
@@ -133,8 +143,17 @@ class Session {
   void after_edit();
   void ask();
   void show_drawing();
-  void show_points();
-  void show_results(host::Results results, bool newest);
+  void fill_drawing_line();
+  void show_nodes();
+  [[nodiscard]] std::vector<PointLook> point_looks() const;
+  [[nodiscard]] std::vector<LineLook> line_looks() const;
+  void ask_for_lines();
+  void take_drawn(editing::Outcome& outcome);
+  void take_leg(const editing::Outcome& outcome);
+  void ask_to_smooth();
+  void show_results(host::Results results, std::vector<std::uint32_t> numbers, bool newest);
+  void keep_lines(std::vector<std::uint32_t> numbers);
+  int add_result_line(std::uint32_t number);
   void show_mesh_colours(const host::Results& results);
   void keep_backup();
   void go_to(std::uint64_t number);
@@ -162,21 +181,23 @@ class Session {
   // Of arrays_; null until the thread has made it, or it is needed before.
   mutable std::shared_ptr<const editing::Sight> sight_;
 
-  editing::Drawing asked_;          // what was asked to be smoothed last
-  std::uint64_t ticket_ = 0;        // of that
-  std::uint64_t stale_ = 0;         // results up to this ticket come too late
-  std::uint64_t first_number_ = 0;  // the state with which the host's list begins
-  std::uint64_t kept_number_ = 0;   // the state that the host's list has last
-  std::vector<int> lines_;          // results, one for each smoothed curve
-  int drawing_id_ = -1;             // the line with the points of the curve edited last
+  editing::Drawing asked_;                   // what was asked to be smoothed last
+  std::uint64_t ticket_ = 0;                 // of that
+  std::uint64_t done_ = 0;                   // the last one that was smoothed, or is not any more
+  std::uint64_t stale_ = 0;                  // results up to this ticket come too late
+  std::uint64_t first_number_ = 0;           // the state with which the host's list begins
+  std::uint64_t kept_number_ = 0;            // the state that the host's list has last
+  std::vector<int> lines_;                   // results, one for each smoothed curve
+  std::vector<std::uint32_t> line_numbers_;  // of the curves that they show
+  int drawing_id_ = -1;                      // the line with the points of the curve edited last
   host::Results results_;
   double last_run_ms_ = 0;
   QString edit_error_, work_error_, problem_;
   QStringList repair_told_;
   editing::Defects defects_ = editing::Defects::kRefuse;
-  std::vector<std::size_t> deleted_;  // curves whose objects are gone
-  std::vector<int> to_remove_;        // objects that go when the host is done
-  struct OtherMesh {                  // what the mesh was before a cut, or after one
+  std::vector<std::uint32_t> deleted_;  // numbers of the curves whose objects are gone
+  std::vector<int> to_remove_;          // objects that go when the host is done
+  struct OtherMesh {                    // what the mesh was before a cut, or after one
     std::shared_ptr<const editing::MeshArrays> arrays;
     editing::Editor editor;
     bool born_of_cut;
@@ -186,8 +207,12 @@ class Session {
   bool preview_ = false;      // in a gesture that moves a point
   bool log_next_ = false;     // a result that is no step of a gesture
   ColourBy colour_by_ = ColourBy::kNothing;
-  ACG::SceneGraph::MaterialNode* material_ = nullptr;  // the scene's
-  ACG::SceneGraph::PointNode* points_ = nullptr;
+  std::unique_ptr<CurveNodes> nodes_;  // null without a window
+  CurveTickets tickets_;
+  std::map<std::uint32_t, host::Curve> drawn_;  // curves as they lie on the mesh, by number
+  std::vector<std::shared_ptr<const editing::Curve>> lines_asked_;  // those that were asked last
+  std::uint64_t leg_ticket_ = 0;                                    // 0: no leg is wanted
+  bool with_points_ = true;
 };
 
 /// A line for the log.

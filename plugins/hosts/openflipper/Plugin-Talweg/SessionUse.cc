@@ -9,7 +9,7 @@ namespace talweg::openflipper {
 
 void Session::require_results() const {
   if (editor_.is_drawing()) throw editing::Error("First end the curve that is being drawn.");
-  if (thread_->progress().busy) throw editing::Error("The curves are still being smoothed.");
+  if (smooths()) throw editing::Error("The curves are still being smoothed.");
   if (results_.curves.empty()) throw editing::Error("There is no smoothed curve to cut along.");
 }
 

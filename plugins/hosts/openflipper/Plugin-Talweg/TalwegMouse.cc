@@ -41,7 +41,10 @@ void TalwegPlugin::drawMode(bool on) {
   changed();
 }
 
-void TalwegPlugin::slotPickModeChanged(const std::string& /*_mode*/) { changed(); }
+void TalwegPlugin::slotPickModeChanged(const std::string& /*_mode*/) {
+  if (!in_draw_mode()) reach_no_more();
+  changed();
+}
 
 bool TalwegPlugin::is_target(int id) {
   BaseObjectData* object = nullptr;
@@ -127,6 +130,7 @@ std::optional<TalwegPlugin::Handle> TalwegPlugin::handle_near(const QPoint& at) 
   for (std::size_t c = 0; c < curves.size(); ++c) {
     const std::vector<ACG::Vec3d> positions = session.drawn_positions(c);
     for (std::size_t p = 0; p < positions.size(); ++p) {
+      if (!session.shows_point(c, p)) continue;
       const ACG::Vec3d s = view.glState().project(positions[p]);
       const double away =
           std::hypot(s[0] - at.x(), view.glState().context_height() - s[1] - at.y());
@@ -204,8 +208,32 @@ void TalwegPlugin::move(const QMouseEvent& event) {
     session->edit([&](Editor& e) { e.paint_point(point); });
     last_painted_ = at;
   } else {
-    hint(at);
+    const auto handle = handle_near(at);
+    hint(handle);
+    reach(at, handle);
   }
+}
+
+/// The leg to the mouse. Where the host would have to draw its scene to tell what is there, that
+/// would cost too much for every movement.
+void TalwegPlugin::reach(const QPoint& at, const std::optional<Handle>& handle) {
+  Session* session = existing(current_);
+  if (session == nullptr || !session->editor().is_drawing()) return reach_no_more();
+  const auto& curve = *session->editor().drawing().curves.back();
+  if (handle && handle->point == 0 && curve.points.size() >= 3) {
+    session->reach_for(curve.points.front());
+  } else if (const auto picked = picked_by_us(at); picked && !handle) {
+    session->reach_for(picked->point);
+  } else {
+    return reach_no_more();
+  }
+  reaching_ = true;
+}
+
+void TalwegPlugin::reach_no_more() {
+  Session* session = existing(current_);
+  if (reaching_ && session != nullptr) session->reach_for(std::nullopt);
+  reaching_ = false;
 }
 
 void TalwegPlugin::release() {
@@ -253,6 +281,7 @@ bool TalwegPlugin::eventFilter(QObject* watched, QEvent* event) {
            key_event(event);
   }
   const bool viewer = watched->parent() != nullptr && watched->parent()->inherits("QGraphicsView");
+  if (viewer && event->type() == QEvent::Leave) reach_no_more();
   return viewer && in_draw_mode() && !painting_ && !dragged_ && view_hand_.take(watched, event);
 }
 
@@ -282,8 +311,7 @@ void TalwegPlugin::give_mouse(bool to_host) {
   PluginFunctions::pickMode(kPickMode);
 }
 
-void TalwegPlugin::hint(const QPoint& at) {
-  const auto handle = handle_near(at);
+void TalwegPlugin::hint(const std::optional<Handle>& handle) {
   const Session* session = existing(current_);
   const bool drawing = session != nullptr && session->editor().is_drawing();
   QString text = drawing

@@ -127,8 +127,13 @@ QGroupBox* TalwegPanel::make_curves_group() {
   clear_ = button("Clear", Sign::kBin, tr("Remove all"), tr("Removes all curves of this mesh."),
                   &TalwegPanel::clear);
   auto* all = tight(group);
+  points_ = new QCheckBox(tr("Show points"), group);
+  points_->setObjectName("talwegPoints");
+  points_->setToolTip(tr("Hidden points cannot be moved; curves show as before."));
+  connect(points_, &QCheckBox::clicked, this, &TalwegPanel::show_points);
   all->addLayout(row_of({read_, write_drawing_}));
   all->addLayout(row_of({remove_, clear_}));
+  all->addWidget(points_);
   return group;
 }
 
@@ -241,6 +246,7 @@ void TalwegPanel::show_state(const PanelState& state) {
   show_settings(state);
   show_problem(state);
   show_result(state);
+  points_->setChecked(state.show_points);
   hint_->setText(state.hint);
 }
 

@@ -32,6 +32,7 @@ struct PanelState {
   QString undo_name, redo_name;
   int curves = 0;
   bool all_clicked = false;
+  bool show_points = true;
   int coloured_by = 0;
   std::vector<ResultRow> rows;  ///< none: nothing is smoothed
   QString summary;              ///< one line on the result
@@ -76,6 +77,7 @@ class TalwegPanel : public QWidget {
   void slack_changed(bool set, double slack);
   void max_deviation_changed(bool set, double bound);
   void colour_by(int what);
+  void show_points(bool with);
 
  private:
   using Signal = void (TalwegPanel::*)();
@@ -97,7 +99,7 @@ class TalwegPanel : public QWidget {
   QLabel *mesh_, *problem_, *summary_, *notes_, *hint_;
   QToolButton *draw_, *finish_, *close_, *take_back_, *discard_, *remove_, *clear_, *undo_, *redo_,
       *write_result_, *write_drawing_, *read_, *cut_, *split_, *inside_, *cancel_, *repair_;
-  QCheckBox* lids_;
+  QCheckBox *lids_, *points_;
   NumberRow *tau_, *slack_, *bound_;
   QComboBox* colours_;
   ResultTable* table_;

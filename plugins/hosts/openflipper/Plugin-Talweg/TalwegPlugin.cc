@@ -49,7 +49,9 @@ TalwegPlugin::~TalwegPlugin() = default;
 void TalwegPlugin::initializePlugin() {
   plugins_ = std::make_unique<editing::Plugins>();
   speak_the_hosts_language();
-  if (OpenFlipper::Options::gui()) make_panel();
+  if (!OpenFlipper::Options::gui()) return;
+  show_points_ = OpenFlipperSettings().value("Plugin-Talweg/points", true).toBool();
+  make_panel();
 }
 
 void TalwegPlugin::speak_the_hosts_language() {
@@ -148,6 +150,7 @@ void TalwegPlugin::connect_panel() {
           [this, optional](bool set, double value) {
             edit_now([&](Editor& e) { e.set_max_deviation(optional(set, value)); });
           });
+  connect(panel_, &TalwegPanel::show_points, this, &TalwegPlugin::showPoints);
   connect(panel_, &TalwegPanel::colour_by, this, [this](int what) {
     if (Session* session = existing(current_)) session->colour_by(static_cast<ColourBy>(what));
   });
@@ -200,6 +203,7 @@ Session* TalwegPlugin::session_of(int mesh_id) {
       warn(QString::fromStdString(error.what()));
       return nullptr;
     }
+    session->show_points(show_points_);
     if (panel_ != nullptr) timer_.start();
   }
   current_ = mesh_id;
@@ -234,6 +238,19 @@ void TalwegPlugin::slotObjectUpdated(int _identifier, const UpdateType& _type) {
   if (updating_) return;
   if (!_type.contains(UPDATE_GEOMETRY) && !_type.contains(UPDATE_TOPOLOGY)) return;
   if (Session* session = existing(_identifier)) session->mesh_updated();
+}
+
+void TalwegPlugin::slotVisibilityChanged(int _identifier) {
+  for (auto& [mesh, session] : sessions_) {
+    if (mesh == _identifier || session->drawing_id() == _identifier) session->visibility_changed();
+  }
+}
+
+void TalwegPlugin::showPoints(bool with) {
+  show_points_ = with;
+  OpenFlipperSettings().setValue("Plugin-Talweg/points", with);
+  for (auto& [mesh, session] : sessions_) session->show_points(with);
+  changed();
 }
 
 // ---- What sessions ask for
@@ -335,6 +352,7 @@ void TalwegPlugin::changed() {
   PanelState state;
   state.drawing_mode = in_draw_mode();
   state.hint = hint_;
+  state.show_points = show_points_;
   state.settings = saved_settings();
   if (const Session* session = existing(current_)) {
     const editing::History& history = session->editor().history();
@@ -373,7 +391,8 @@ void TalwegPlugin::save_settings(const editing::Settings& settings) const {
 
 void TalwegPlugin::look_at_progress() {
   const Session* session = existing(current_);
-  const editing::Progress progress = session == nullptr ? editing::Progress() : session->progress();
+  editing::Progress progress = session == nullptr ? editing::Progress() : session->progress();
+  if (progress.task == editing::Task::kLeg) progress.busy = false;  // one after another
   if (!progress.busy) busy_since_ = 0;
   if (progress.busy && busy_since_ == 0) busy_since_ = now_ms();
   const double busy_ms = progress.busy ? now_ms() - busy_since_ : 0;

@@ -93,6 +93,7 @@ class TalwegPlugin : public QObject,
   void pluginsInitialized();
   void slotObjectUpdated(int _identifier, const UpdateType& _type);
   void slotAllCleared();
+  void slotVisibilityChanged(int _identifier);
   // LoadSaveInterface
   void objectDeleted(int _id);
   // MouseInterface
@@ -178,6 +179,7 @@ class TalwegPlugin : public QObject,
   void say(const QString& sentence) override;
   void warn(const QString& sentence) override;
   void changed() override;
+  void redraw() override { emit updateView(); }
   void wake() override;
 
   void speak_the_hosts_language();
@@ -217,7 +219,10 @@ class TalwegPlugin : public QObject,
   std::optional<Picked> picked_by_host(const QPoint& at);
   bool pick(const QPoint& at, Session*& session, talweg::editing::Point& point);
   [[nodiscard]] std::optional<Handle> handle_near(const QPoint& at) const;
-  void hint(const QPoint& at);
+  void hint(const std::optional<Handle>& handle);
+  void reach(const QPoint& at, const std::optional<Handle>& handle);
+  void reach_no_more();
+  void showPoints(bool with);
 
   std::unique_ptr<talweg::editing::Plugins> plugins_;
   std::map<int, std::unique_ptr<Session>> sessions_;   // by mesh
@@ -233,6 +238,8 @@ class TalwegPlugin : public QObject,
   bool updating_ = false;  // what the host says is updated is our own doing
   std::optional<Handle> dragged_;
   bool painting_ = false;
+  bool show_points_ = true;
+  bool reaching_ = false;    // the scene shows a leg to the mouse
   bool drops_moves_ = true;  // whether Qt does, but for a stroke
   QPoint last_painted_;
   talweg::openflipper::ViewHand view_hand_{[this](bool host) { give_mouse(host); }};

@@ -5,6 +5,8 @@
 #include <QSlider>
 #include <cmath>
 
+#include <ACG/Scenegraph/LineNode.hh>
+#include <ACG/Scenegraph/PointNode.hh>
 #include <OpenFlipper/BasePlugin/PluginFunctions.hh>
 #include <OpenFlipper/common/GlobalOptions.hh>
 // clang-format off
@@ -23,6 +25,35 @@ bool is_view(QObject* watched) {
 QString place_of(const QWidget& widget) {
   const QPoint at = widget.mapToGlobal(QPoint(0, 0));
   return QString("%1 %2 %3 %4").arg(at.x()).arg(at.y()).arg(widget.width()).arg(widget.height());
+}
+
+/// A node of the scene that is shown; null where it or one above it is hidden.
+template <class Node>
+Node* shown(const char* name) {
+  ACG::SceneGraph::BaseNode* found = PluginFunctions::getSceneGraphRootNode()->find(name);
+  for (ACG::SceneGraph::BaseNode* node = found; node != nullptr; node = node->parent()) {
+    if (node->status() == ACG::SceneGraph::BaseNode::HideSubtree) return nullptr;
+  }
+  return dynamic_cast<Node*>(found);
+}
+
+double longest_segment(const ACG::SceneGraph::LineNode& lines) {
+  double longest = 0;
+  for (std::size_t k = 0; k + 1 < lines.n_points(); k += 2) {
+    longest = std::max(longest, (lines.points()[k + 1] - lines.points()[k]).norm());
+  }
+  return longest;
+}
+
+/// On the surface no segment is longer than the longest edge; a chord through the body is.
+double longest_edge() {
+  double longest = 0;
+  for (PluginFunctions::ObjectIterator it(PluginFunctions::ALL_OBJECTS, DATA_TRIANGLE_MESH);
+       it != PluginFunctions::objectsEnd(); ++it) {
+    const TriMesh& mesh = *PluginFunctions::triMesh(*it);
+    for (const auto e : mesh.edges()) longest = std::max(longest, mesh.calc_edge_length(e));
+  }
+  return longest;
 }
 
 }  // namespace
@@ -44,6 +75,7 @@ bool ProbePlugin::eventFilter(QObject* watched, QEvent* event) {
     QCoreApplication::sendEvent(watched, event);
     paint_ms_ += static_cast<double>(clock_.nsecsElapsed() - before) / 1e6;
     painting_ = false;
+    tell_scene();
     return true;
   }
   const bool slider = qobject_cast<QSlider*>(watched) != nullptr;
@@ -69,6 +101,28 @@ void ProbePlugin::slotObjectUpdated(int _identifier, const UpdateType& _type) {
                         .arg(ms - paint_ms_, 0, 'f', 1)
                         .arg(paint_ms_, 0, 'f', 1));
   what_.clear();
+}
+
+/// What the last picture had of the drawing.
+void ProbePlugin::tell_scene() {
+  using ACG::SceneGraph::LineNode;
+  using ACG::SceneGraph::PointNode;
+  const auto* lines = shown<LineNode>("Talweg: drawn lines");
+  const auto* leg = shown<LineNode>("Talweg: next leg");
+  const auto* points = shown<PointNode>("Talweg: points");
+  QString scene = "SCENE nothing drawn";
+  if (lines != nullptr && leg != nullptr && points != nullptr) {
+    scene = QString("SCENE drawn %1 leg %2 points %3")
+                .arg(lines->n_points() / 2)
+                .arg(leg->n_points() / 2)
+                .arg(points->n_points());
+    if (scene == scene_) return;
+    const double longest = std::max(longest_segment(*lines), longest_segment(*leg));
+    emit log(LOGINFO, longest <= longest_edge() * 1.000001 ? "ON THE SURFACE" : "OFF THE SURFACE");
+  }
+  if (scene == scene_) return;
+  scene_ = scene;
+  emit log(LOGINFO, scene);
 }
 
 QString ProbePlugin::widgetPosition(QString name) {

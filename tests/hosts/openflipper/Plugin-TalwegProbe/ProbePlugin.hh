@@ -1,6 +1,7 @@
 // The probe is a plugin of the host for tests. It looks at Plugin-Talweg from outside: where its
-// widgets are, where a vertex is on the screen, and how long it takes from a movement of the mouse
-// until a smoothed line has changed. Scripts call it "talwegprobe"; the times are in the log.
+// widgets are, where a vertex is on the screen, what the scene has of the drawing, and how long it
+// takes from a movement of the mouse until a smoothed line has changed. Scripts call it
+// "talwegprobe"; the scene and the times are in the log.
 #pragma once
 
 #include <QElapsedTimer>
@@ -55,9 +56,11 @@ class ProbePlugin : public QObject,
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
+  void tell_scene();
   QElapsedTimer clock_;
   QString what_;         // the movement that no line has followed yet; empty: none
   double began_ms_ = 0;  // when that was
   double paint_ms_ = 0;  // what the host's pictures have taken since
   bool painting_ = false;
+  QString scene_;  // as it was told last
 };

@@ -1,0 +1,27 @@
+// Curve colours tell the curves of a drawing apart, in the scene and in the panel's list.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include <ACG/Math/VectorT.hh>
+
+namespace talweg::openflipper {
+
+/// Of the smoothed curve with that number, from 1; they repeat after eight.
+inline ACG::Vec4f colour_of_curve(std::uint32_t number) {
+  static const std::array<ACG::Vec4f, 8> kColours = {
+      ACG::Vec4f(0.15f, 1.0f, 0.35f, 1.0f),  ACG::Vec4f(0.25f, 0.75f, 1.0f, 1.0f),
+      ACG::Vec4f(1.0f, 0.6f, 0.15f, 1.0f),   ACG::Vec4f(1.0f, 0.45f, 0.85f, 1.0f),
+      ACG::Vec4f(0.95f, 0.95f, 0.25f, 1.0f), ACG::Vec4f(0.7f, 0.6f, 1.0f, 1.0f),
+      ACG::Vec4f(0.2f, 0.95f, 0.9f, 1.0f),   ACG::Vec4f(1.0f, 0.75f, 0.65f, 1.0f)};
+  return kColours[(number + kColours.size() - 1) % kColours.size()];
+}
+
+/// Of what was drawn: darker, so that both can be seen where they are side by side.
+inline ACG::Vec4f colour_of_drawn(std::uint32_t number) {
+  const ACG::Vec4f result = colour_of_curve(number);
+  return {0.45f * result[0], 0.45f * result[1], 0.45f * result[2], 1.0f};
+}
+
+}  // namespace talweg::openflipper
