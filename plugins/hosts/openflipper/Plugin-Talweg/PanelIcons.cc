@@ -83,6 +83,12 @@ QPainterPath tool() {
   return path;
 }
 
+QPainterPath pin() {
+  QPainterPath path = polygon({{8, 9}, {8, 15}});
+  path.addPath(polygon({{5, 2}, {11, 2}, {10, 3}, {10, 6}, {12, 9}, {4, 9}, {6, 6}, {6, 3}}, true));
+  return path;
+}
+
 QPainterPath path_of(Sign sign) {
   switch (sign) {
     case Sign::kPencil:
@@ -113,6 +119,8 @@ QPainterPath path_of(Sign sign) {
       return loop(true);
     case Sign::kTool:
       return tool();
+    case Sign::kPin:
+      return pin();
   }
   return {};
 }

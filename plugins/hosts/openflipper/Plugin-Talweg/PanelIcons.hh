@@ -20,6 +20,7 @@ enum class Sign {
   kParts,
   kInside,
   kTool,
+  kPin,
 };
 
 QIcon icon_of(Sign sign);

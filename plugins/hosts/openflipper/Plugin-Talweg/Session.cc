@@ -79,12 +79,15 @@ void Session::repair() {
 
 bool Session::owns(int object_id) const {
   return object_id == drawing_id_ ||
-         std::find(lines_.begin(), lines_.end(), object_id) != lines_.end();
+         std::any_of(lines_.begin(), lines_.end(),
+                     [object_id](const ResultLine& line) { return line.id == object_id; });
 }
 
 // ---- Edits
 
+/// A curve that comes of it is the selected one.
 bool Session::edit(const std::function<void(editing::Editor&)>& change) {
+  const std::size_t before = editor_.drawing().curves.size();
   try {
     change(editor_);
   } catch (const editing::Error& error) {
@@ -92,6 +95,8 @@ bool Session::edit(const std::function<void(editing::Editor&)>& change) {
     return false;
   }
   edit_error_.clear();
+  const auto& curves = editor_.drawing().curves;
+  if (curves.size() > before) selected_ = curves.back()->number;
   after_edit();
   return true;
 }
@@ -336,11 +341,11 @@ void Session::object_deleted(int object_id) {
     const auto& curves = editor_.drawing().curves;
     if (!curves.empty()) deleted_.push_back(curves.back()->number);
   } else {
-    const auto at = std::find(lines_.begin(), lines_.end(), object_id);
+    const auto at = std::find_if(lines_.begin(), lines_.end(), [object_id](const ResultLine& line) {
+      return line.id == object_id;
+    });
     if (at == lines_.end()) return;
-    const auto number = line_numbers_.begin() + (at - lines_.begin());
-    deleted_.push_back(*number);
-    line_numbers_.erase(number);
+    deleted_.push_back(at->number);
     lines_.erase(at);
   }
   host_.wake();
@@ -363,12 +368,11 @@ std::optional<editing::Point> Session::seen(const ACG::Vec3d& eye, const ACG::Ve
   return sight_->first({eye[0], eye[1], eye[2]}, {way[0], way[1], way[2]});
 }
 
-bool Session::is_hidden(std::size_t curve, std::size_t point, const ACG::Vec3d& eye) const {
-  const editing::Point& at = editor_.drawing().curves.at(curve)->points.at(point);
+bool Session::is_hidden(const editing::Point& point, const ACG::Vec3d& eye) const {
   if (!object_.visible()) return false;
   if (!sight_)
     sight_ = std::make_shared<const editing::Sight>(arrays_);  // the thread is not there yet
-  return sight_->is_hidden(at, {eye[0], eye[1], eye[2]});
+  return sight_->is_hidden(point, {eye[0], eye[1], eye[2]});
 }
 
 bool Session::attempt(const std::function<void()>& work) {

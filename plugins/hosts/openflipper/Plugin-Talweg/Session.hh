@@ -112,7 +112,13 @@ class Session {
   [[nodiscard]] const QStringList& repair_told() const { return repair_told_; }
   /// Opens the mesh again, repaired. The host's mesh stays as it is, and results have its numbers.
   void repair();
-  [[nodiscard]] const std::vector<int>& lines() const { return lines_; }
+  [[nodiscard]] std::vector<int> lines() const;
+  /// Which of the results is of the curve with that number.
+  [[nodiscard]] std::optional<std::size_t> result_of(std::uint32_t number) const;
+
+  /// The curve that a person has chosen, or has drawn last. No part of the drawing.
+  [[nodiscard]] std::optional<std::size_t> selected() const;
+  void select(std::optional<std::size_t> curve);
   [[nodiscard]] int drawing_id() const { return drawing_id_; }
   [[nodiscard]] bool owns(int object_id) const;
 
@@ -136,7 +142,10 @@ class Session {
   [[nodiscard]] std::optional<editing::Point> seen(const ACG::Vec3d& eye,
                                                    const ACG::Vec3d& way) const;
   /// Whether the mesh lies between that point and the eye.
-  [[nodiscard]] bool is_hidden(std::size_t curve, std::size_t point, const ACG::Vec3d& eye) const;
+  [[nodiscard]] bool is_hidden(const editing::Point& point, const ACG::Vec3d& eye) const;
+  /// A curve as it is smoothed and as it was drawn, as far as that is known. Until the next edit or
+  /// take().
+  [[nodiscard]] std::vector<const host::Curve*> lines_of(std::size_t curve) const;
 
  private:
   void open();
@@ -152,8 +161,10 @@ class Session {
   void take_leg(const editing::Outcome& outcome);
   void ask_to_smooth();
   void show_results(host::Results results, std::vector<std::uint32_t> numbers, bool newest);
-  void keep_lines(std::vector<std::uint32_t> numbers);
-  int add_result_line(std::uint32_t number);
+  void keep_lines(const std::vector<std::uint32_t>& numbers);
+  [[nodiscard]] QString name_of_line(std::uint32_t number) const;
+  int add_result_line(const QString& name, std::uint32_t number);
+  void show_widths() const;
   void show_mesh_colours(const host::Results& results);
   void keep_backup();
   void go_to(std::uint64_t number);
@@ -181,15 +192,20 @@ class Session {
   // Of arrays_; null until the thread has made it, or it is needed before.
   mutable std::shared_ptr<const editing::Sight> sight_;
 
-  editing::Drawing asked_;                   // what was asked to be smoothed last
-  std::uint64_t ticket_ = 0;                 // of that
-  std::uint64_t done_ = 0;                   // the last one that was smoothed, or is not any more
-  std::uint64_t stale_ = 0;                  // results up to this ticket come too late
-  std::uint64_t first_number_ = 0;           // the state with which the host's list begins
-  std::uint64_t kept_number_ = 0;            // the state that the host's list has last
-  std::vector<int> lines_;                   // results, one for each smoothed curve
-  std::vector<std::uint32_t> line_numbers_;  // of the curves that they show
-  int drawing_id_ = -1;                      // the line with the points of the curve edited last
+  editing::Drawing asked_;          // what was asked to be smoothed last
+  std::uint64_t ticket_ = 0;        // of that
+  std::uint64_t done_ = 0;          // the last one that was smoothed, or is not any more
+  std::uint64_t stale_ = 0;         // results up to this ticket come too late
+  std::uint64_t first_number_ = 0;  // the state with which the host's list begins
+  std::uint64_t kept_number_ = 0;   // the state that the host's list has last
+  struct ResultLine {
+    int id;                // of the host's object
+    std::uint32_t number;  // of the curve that it shows
+    QString name;          // as it was given
+  };
+  std::vector<ResultLine> lines_;  // one for each smoothed curve
+  std::uint32_t selected_ = 0;     // the number of a curve, which may be gone
+  int drawing_id_ = -1;            // the line with the points of the curve edited last
   host::Results results_;
   double last_run_ms_ = 0;
   QString edit_error_, work_error_, problem_;

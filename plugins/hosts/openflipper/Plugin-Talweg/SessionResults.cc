@@ -11,7 +11,7 @@
 namespace talweg::openflipper {
 namespace {
 
-constexpr float kWidth = 4.0f;
+constexpr float kWidth = 3.0f, kSelected = 5.0f;  // pixels
 
 const host::Field* field_of(const host::Curve& curve, const char* name) {
   const auto at = std::find_if(curve.fields.begin(), curve.fields.end(),
@@ -41,16 +41,16 @@ void look_like(PolyLineObject& line, ColourBy by) {
 void Session::show_results(host::Results results, std::vector<std::uint32_t> numbers, bool newest) {
   results_ = std::move(results);
   numbers.resize(results_.curves.size());
-  keep_lines(std::move(numbers));
+  keep_lines(numbers);
   const double largest = largest_deviation(results_.curves);
   for (std::size_t c = 0; c < results_.curves.size(); ++c) {
-    PolyLineObject* object = PluginFunctions::polyLineObject(lines_[c]);
+    PolyLineObject* object = PluginFunctions::polyLineObject(lines_[c].id);
     if (object == nullptr) continue;
     fill(*object->line(), mesh(), results_.curves[c]);
     if (const host::Field* deviation = field_of(results_.curves[c], "deviation")) {
       colour(*object->line(), deviation->values, largest);
     }
-    host_.show_line(lines_[c]);
+    host_.show_line(lines_[c].id);
   }
   if (newest && !in_gesture() && log_next_ && !results_.curves.empty()) {
     log_next_ = false;
@@ -61,30 +61,75 @@ void Session::show_results(host::Results results, std::vector<std::uint32_t> num
 }
 
 /// Each curve keeps its line, whichever others come and go.
-void Session::keep_lines(std::vector<std::uint32_t> numbers) {
-  std::vector<int> before = std::exchange(lines_, {});
-  const std::vector<std::uint32_t> numbers_before =
-      std::exchange(line_numbers_, std::move(numbers));
-  for (const std::uint32_t number : line_numbers_) {
-    const auto at = std::find(numbers_before.begin(), numbers_before.end(), number);
-    const auto k = static_cast<std::size_t>(at - numbers_before.begin());
-    const bool there = k < before.size() && before[k] >= 0;
-    lines_.push_back(there ? std::exchange(before[k], -1) : add_result_line(number));
+void Session::keep_lines(const std::vector<std::uint32_t>& numbers) {
+  std::vector<ResultLine> before = std::exchange(lines_, {});
+  for (const std::uint32_t number : numbers) {
+    const QString name = name_of_line(number);
+    const auto old = std::find_if(before.begin(), before.end(), [number](const ResultLine& line) {
+      return line.number == number;
+    });
+    if (old == before.end()) {
+      lines_.push_back({add_result_line(name, number), number, name});
+      continue;
+    }
+    PolyLineObject* object = PluginFunctions::polyLineObject(old->id);
+    if (object != nullptr && name != old->name) object->setName(name);
+    lines_.push_back({old->id, number, name});
+    before.erase(old);
   }
-  for (const int id : before) {
-    if (id >= 0) host_.remove_object(id);
-  }
+  for (const ResultLine& line : before) host_.remove_object(line.id);
+  show_widths();
 }
 
-int Session::add_result_line(std::uint32_t number) {
-  const int id = host_.add_line(QString("%1 smoothed %2").arg(name_).arg(number));
+QString Session::name_of_line(std::uint32_t number) const {
+  const auto& curves = editor_.drawing().curves;
+  const auto at = index_of(editor_.drawing(), number);
+  const bool named = at && !curves[*at]->name.empty();
+  return QString("%1 smoothed %2")
+      .arg(name_, named ? QString::fromStdString(curves[*at]->name) : QString::number(number));
+}
+
+int Session::add_result_line(const QString& name, std::uint32_t number) {
+  const int id = host_.add_line(name);
   if (PolyLineObject* made = PluginFunctions::polyLineObject(id)) {
     made->materialNode()->set_color(colour_of_curve(number));
-    made->materialNode()->set_line_width(kWidth);
     made->materialNode()->set_point_size(1.0f);
     look_like(*made, colour_by_);
   }
   return id;
+}
+
+void Session::show_widths() const {
+  for (const ResultLine& line : lines_) {
+    if (PolyLineObject* object = PluginFunctions::polyLineObject(line.id)) {
+      object->materialNode()->set_line_width(line.number == selected_ ? kSelected : kWidth);
+    }
+  }
+}
+
+std::vector<int> Session::lines() const {
+  std::vector<int> ids;
+  for (const ResultLine& line : lines_) ids.push_back(line.id);
+  return ids;
+}
+
+std::optional<std::size_t> Session::result_of(std::uint32_t number) const {
+  for (std::size_t c = 0; c < std::min(lines_.size(), results_.curves.size()); ++c) {
+    if (lines_[c].number == number) return c;
+  }
+  return std::nullopt;
+}
+
+std::optional<std::size_t> Session::selected() const {
+  return index_of(editor_.drawing(), selected_);
+}
+
+void Session::select(std::optional<std::size_t> curve) {
+  const std::uint32_t before = selected_;
+  selected_ = curve ? editor_.drawing().curves.at(*curve)->number : 0;
+  if (selected_ == before) return;
+  show_widths();
+  host_.changed();
 }
 
 void Session::show_mesh_colours(const host::Results& results) {
@@ -104,8 +149,8 @@ void Session::colour_by(ColourBy by) {
     object_.setObjectDrawMode(ACG::SceneGraph::DrawModes::SOLID_SMOOTH_SHADED);
     host_.show_colours(mesh_id_);
   }
-  for (const int id : lines_) {
-    if (PolyLineObject* line = PluginFunctions::polyLineObject(id)) look_like(*line, by);
+  for (const ResultLine& line : lines_) {
+    if (PolyLineObject* object = PluginFunctions::polyLineObject(line.id)) look_like(*object, by);
   }
   if (host_curves(editor_.drawing()).empty()) return;
   if (on_mesh(by)) thread_->distance(editor_.drawing());

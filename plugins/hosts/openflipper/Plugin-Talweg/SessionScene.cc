@@ -101,6 +101,15 @@ std::vector<LineLook> Session::line_looks() const {
   return looks;
 }
 
+std::vector<const host::Curve*> Session::lines_of(std::size_t curve) const {
+  std::vector<const host::Curve*> lines;
+  const std::uint32_t number = editor_.drawing().curves.at(curve)->number;
+  if (const auto result = result_of(number)) lines.push_back(&results_.curves[*result]);
+  const auto drawn = drawn_.find(number);
+  if (drawn != drawn_.end()) lines.push_back(&drawn->second);
+  return lines;
+}
+
 void Session::ask_for_lines() {
   const editing::Drawing& now = editor_.drawing();
   if (!nodes_ || now.curves == lines_asked_) return;

@@ -9,14 +9,13 @@
 
 #include "HostVersion.hh"
 #include "TalwegPlugin.hh"
+#include "talweg/editing/legs.hpp"
 
 using talweg::editing::Editor;
 using talweg::openflipper::Session;
 namespace editing = talweg::editing;
 
 namespace {
-
-constexpr double kReach = 8;  // pixels
 
 bool is_drawing_key(int key) {
   return key == Qt::Key_Return || key == Qt::Key_Enter || key == Qt::Key_Escape ||
@@ -46,109 +45,8 @@ void TalwegPlugin::slotPickModeChanged(const std::string& /*_mode*/) {
   changed();
 }
 
-bool TalwegPlugin::is_target(int id) {
-  BaseObjectData* object = nullptr;
-  return PluginFunctions::getObject(id, object) && object->target();
-}
-
-/// The session whose mesh is the only thing that the mouse can meet, so that its own tree of
-/// triangles says what it meets. The host draws its whole scene for that.
-Session* TalwegPlugin::alone() {
-  Session* session = existing(current_);
-  if (session == nullptr || !session->can_see() || !is_target(current_)) return nullptr;
-  for (PluginFunctions::ObjectIterator it(PluginFunctions::ALL_OBJECTS);
-       it != PluginFunctions::objectsEnd(); ++it) {
-    if (!it->visible() || it->id() == current_ || it->dataType(DATA_POLY_LINE)) continue;
-    if (it->dataType(typeId("Light")) || it->dataType(typeId("Camera"))) continue;
-    return nullptr;
-  }
-  return session;
-}
-
-std::optional<TalwegPlugin::Picked> TalwegPlugin::picked_by_us(const QPoint& at) {
-  Session* session = alone();
-  if (session == nullptr) return std::nullopt;
-  auto& state =
-      PluginFunctions::viewerProperties(static_cast<int>(PluginFunctions::activeExaminer()))
-          .glState();
-  const double y = state.context_height() - at.y();
-  const ACG::Vec3d eye = state.unproject(ACG::Vec3d(at.x(), y, 0));
-  const ACG::Vec3d far = state.unproject(ACG::Vec3d(at.x(), y, 1));
-  return Picked{session, session->seen(eye, far - eye)};
-}
-
-std::optional<TalwegPlugin::Picked> TalwegPlugin::picked_by_host(const QPoint& at) {
-  size_t node = 0, face = 0;
-  ACG::Vec3d hit;
-  BaseObjectData* object = nullptr;
-  if (!PluginFunctions::scenegraphPick(ACG::SceneGraph::PICK_FACE, at, node, face, &hit) ||
-      !PluginFunctions::getPickedObject(node, object) || !object->dataType(DATA_TRIANGLE_MESH)) {
-    return std::nullopt;
-  }
-  const Session* now = existing(current_);
-  const bool bound = now != nullptr && (now->editor().is_drawing() || dragged_ || painting_);
-  if (bound && object->id() != current_) return std::nullopt;
-  if (!bound && !object->target()) {
-    emit showStatusMessage(tr("Make this mesh the target to draw on it."), 3000);
-    return std::nullopt;
-  }
-  Session* session = session_of(object->id());
-  if (session == nullptr || face >= session->arrays().triangles.size()) return std::nullopt;
-  return Picked{session,
-                talweg::openflipper::picked_on(session->mesh(), static_cast<unsigned>(face), hit)};
-}
-
-/// The point under the mouse, on the mesh that is drawn on or, where nothing is drawn now, on any
-/// target.
-bool TalwegPlugin::pick(const QPoint& at, Session*& session, editing::Point& point) {
-  try {
-    auto picked = picked_by_us(at);
-    if (!picked) picked = picked_by_host(at);
-    if (!picked || !picked->point) return false;
-    session = picked->session;
-    point = *picked->point;
-    return true;
-  } catch (const editing::Error&) {
-    return false;
-  }
-}
-
-/// The drawn point within a few pixels of the mouse, the nearest one that can be seen.
-std::optional<TalwegPlugin::Handle> TalwegPlugin::handle_near(const QPoint& at) const {
-  const auto found = sessions_.find(current_);
-  if (found == sessions_.end()) return std::nullopt;
-  auto& view =
-      PluginFunctions::viewerProperties(static_cast<int>(PluginFunctions::activeExaminer()));
-  struct Candidate {
-    double away;
-    Handle handle;
-    ACG::Vec3d eye;  // where one looks from, on the near plane
-  };
-  std::vector<Candidate> candidates;
-  const Session& session = *found->second;
-  const auto& curves = session.editor().drawing().curves;
-  for (std::size_t c = 0; c < curves.size(); ++c) {
-    const std::vector<ACG::Vec3d> positions = session.drawn_positions(c);
-    for (std::size_t p = 0; p < positions.size(); ++p) {
-      if (!session.shows_point(c, p)) continue;
-      const ACG::Vec3d s = view.glState().project(positions[p]);
-      const double away =
-          std::hypot(s[0] - at.x(), view.glState().context_height() - s[1] - at.y());
-      if (away > kReach) continue;
-      candidates.push_back({away, {c, p}, view.glState().unproject(ACG::Vec3d(s[0], s[1], 0))});
-    }
-  }
-  std::stable_sort(candidates.begin(), candidates.end(),
-                   [](const Candidate& a, const Candidate& b) { return a.away < b.away; });
-  for (const Candidate& candidate : candidates) {
-    const auto [c, p] = candidate.handle;
-    if (!session.is_hidden(c, p, candidate.eye)) return candidate.handle;
-  }
-  return std::nullopt;
-}
-
 void TalwegPlugin::slotMouseEvent(QMouseEvent* _event) {
-  if (!in_draw_mode() || (_event->modifiers() & Qt::ControlModifier)) return;
+  if (!in_draw_mode()) return;
   switch (_event->type()) {
     case QEvent::MouseButtonPress:
       if (_event->button() == Qt::LeftButton) press(*_event);
@@ -169,21 +67,56 @@ void TalwegPlugin::press(const QMouseEvent& event) {
   const QPoint at = talweg::openflipper::position_of(event);
   const auto handle = handle_near(at);
   Session* session = existing(current_);
-  if (handle && session != nullptr) {
-    const auto& drawing = session->editor().drawing();
-    const bool on_first = handle->point == 0 && handle->curve + 1 == drawing.curves.size() &&
-                          drawing.unfinished && drawing.curves.back()->points.size() >= 3;
-    if (on_first) {
-      session->edit([](Editor& e) { e.close_curve(); });
-    } else if (event.modifiers() & Qt::ShiftModifier) {
-      session->edit([&](Editor& e) { e.remove_point(handle->curve, handle->point); });
-    } else {
-      dragged_ = handle;
-      session->begin_gesture("Move point", true);
-    }
+  if (handle && session != nullptr) return press_point(*session, *handle, event.modifiers());
+  const auto curve = curve_near(at);
+  if (event.modifiers() & Qt::ControlModifier) {
+    if (curve) insert_point(*session, *curve, at);
     return;
   }
   if (event.modifiers() & Qt::ShiftModifier) return;  // beside the point to remove
+  pressed_at_ = at;
+  pressed_curve_ = session != nullptr && session->editor().is_drawing() ? std::nullopt : curve;
+  if (!pressed_curve_) begin_stroke(at);
+}
+
+void TalwegPlugin::press_point(Session& session, const Handle& handle,
+                               Qt::KeyboardModifiers modifiers) {
+  const auto& drawing = session.editor().drawing();
+  const bool on_first = handle.point == 0 && handle.curve + 1 == drawing.curves.size() &&
+                        drawing.unfinished && drawing.curves.back()->points.size() >= 3;
+  if (on_first) {
+    session.edit([](Editor& e) { e.close_curve(); });
+  } else if (modifiers & Qt::ShiftModifier) {
+    session.edit([&](Editor& e) { e.remove_point(handle.curve, handle.point); });
+  } else {
+    session.select(handle.curve);
+    dragged_ = handle;
+    session.begin_gesture("Move point", true);
+  }
+}
+
+/// The new point can be dragged at once, which is the same step.
+void TalwegPlugin::insert_point(Session& session, const CurvePlace& place, const QPoint& at) {
+  Session* there = nullptr;
+  editing::Point point;
+  if (!pick(at, there, point) || there != &session) return;
+  session.begin_gesture("Insert point", true);
+  session.edit([&](Editor& e) {
+    const auto& curve = *e.drawing().curves[place.curve];
+    std::vector<editing::Vector> given;
+    for (const editing::Point& p : curve.points) {
+      given.push_back(editing::position_of(session.arrays(), p));
+    }
+    const std::size_t before =
+        editing::leg_at(given, place.line->positions, curve.closed, place.segment);
+    e.insert_point(place.curve, before, point);
+    dragged_ = {place.curve, before};
+  });
+  session.select(place.curve);
+}
+
+void TalwegPlugin::begin_stroke(const QPoint& at) {
+  Session* session = nullptr;
   editing::Point point;
   if (!pick(at, session, point)) return;
   session->begin_gesture("Draw");
@@ -199,6 +132,11 @@ void TalwegPlugin::move(const QMouseEvent& event) {
   const QPoint at = talweg::openflipper::position_of(event);
   Session* session = nullptr;
   editing::Point point;
+  if (pressed_curve_ &&
+      (at - pressed_at_).manhattanLength() >= 4) {  // no click on it, but a stroke
+    pressed_curve_.reset();
+    begin_stroke(pressed_at_);
+  }
   if (dragged_) {
     if (pick(at, session, point)) {
       session->edit([&](Editor& e) { e.move_point(dragged_->curve, dragged_->point, point); });
@@ -207,9 +145,9 @@ void TalwegPlugin::move(const QMouseEvent& event) {
     if ((at - last_painted_).manhattanLength() < 4 || !pick(at, session, point)) return;
     session->edit([&](Editor& e) { e.paint_point(point); });
     last_painted_ = at;
-  } else {
+  } else if (!pressed_curve_) {
     const auto handle = handle_near(at);
-    hint(handle);
+    hint(handle, handle ? std::nullopt : curve_near(at));
     reach(at, handle);
   }
 }
@@ -237,6 +175,7 @@ void TalwegPlugin::reach_no_more() {
 }
 
 void TalwegPlugin::release() {
+  if (pressed_curve_) existing(current_)->select(pressed_curve_->curve);
   if (Session* session = existing(current_); session != nullptr && (dragged_ || painting_)) {
     session->end_gesture();
   }
@@ -245,6 +184,7 @@ void TalwegPlugin::release() {
 
 void TalwegPlugin::let_go() {
   dragged_.reset();
+  pressed_curve_.reset();
   if (painting_) QCoreApplication::setAttribute(Qt::AA_CompressHighFrequencyEvents, drops_moves_);
   painting_ = false;
 }
@@ -311,7 +251,8 @@ void TalwegPlugin::give_mouse(bool to_host) {
   PluginFunctions::pickMode(kPickMode);
 }
 
-void TalwegPlugin::hint(const std::optional<Handle>& handle) {
+void TalwegPlugin::hint(const std::optional<Handle>& handle,
+                        const std::optional<CurvePlace>& curve) {
   const Session* session = existing(current_);
   const bool drawing = session != nullptr && session->editor().is_drawing();
   QString text = drawing
@@ -324,10 +265,15 @@ void TalwegPlugin::hint(const std::optional<Handle>& handle) {
     text = tr("Click to close the curve.");
   } else if (handle) {
     text = tr("Drag to move, double click to pin, Shift-click to remove.");
+  } else if (curve && drawing) {
+    text = tr("Ctrl-click to insert a point.");
+  } else if (curve) {
+    text = tr("Click to select the curve, Ctrl-click to insert a point; paint to draw.");
   }
   if (text == hint_) return;
   hint_ = text;
   emit showStatusMessage(text);
-  emit setPickModeCursor(kPickMode, QCursor(handle ? Qt::PointingHandCursor : Qt::ArrowCursor));
+  emit setPickModeCursor(kPickMode,
+                         QCursor(handle || curve ? Qt::PointingHandCursor : Qt::ArrowCursor));
   changed();
 }

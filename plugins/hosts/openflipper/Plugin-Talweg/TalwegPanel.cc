@@ -4,6 +4,8 @@
 #include <QHBoxLayout>
 #include <QMenu>
 
+#include "PanelParts.hh"
+
 namespace talweg::openflipper {
 namespace {
 
@@ -15,28 +17,14 @@ QLabel* wrapped(const QString& name, QWidget* parent) {
   return label;
 }
 
-/// Buttons side by side, equally wide.
-QHBoxLayout* row_of(std::initializer_list<QWidget*> widgets) {
-  auto* row = new QHBoxLayout;
-  row->setSpacing(3);
-  for (QWidget* widget : widgets) row->addWidget(widget, 1);
-  return row;
-}
-
-QVBoxLayout* tight(QWidget* parent) {
-  auto* all = new QVBoxLayout(parent);
-  all->setContentsMargins(3, 2, 3, 3);
-  all->setSpacing(3);
-  return all;
-}
-
 }  // namespace
 
 TalwegPanel::TalwegPanel(QWidget* parent) : QWidget(parent) {
   auto* all = tight(this);
   all->addWidget(make_head());
   all->addWidget(make_draw_group());
-  all->addWidget(make_curves_group());
+  curves_ = new CurvesBox(this);
+  all->addWidget(curves_);
   all->addWidget(make_shape_group());
   all->addWidget(make_result_group());
   all->addWidget(make_foot());
@@ -46,13 +34,7 @@ TalwegPanel::TalwegPanel(QWidget* parent) : QWidget(parent) {
 
 QToolButton* TalwegPanel::button(const QString& name, Sign sign, const QString& text,
                                  const QString& tip, Signal signal) {
-  auto* made = new QToolButton(this);
-  made->setObjectName("talweg" + name);
-  made->setText(text);
-  made->setIcon(icon_of(sign));
-  made->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-  made->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-  made->setToolTip(tip);
+  QToolButton* made = make_button(this, name, sign, text, tip);
   if (signal != nullptr) connect(made, &QToolButton::clicked, this, signal);
   return made;
 }
@@ -113,28 +95,6 @@ QToolButton* TalwegPanel::from_button() {
   from->setMenu(menu);
   from->setPopupMode(QToolButton::InstantPopup);
   return from;
-}
-
-QGroupBox* TalwegPanel::make_curves_group() {
-  auto* group = new QGroupBox(tr("Curves"), this);
-  read_ = button("ReadDrawing", Sign::kRead, tr("Read"), tr("Adds the curves of a file."),
-                 &TalwegPanel::read_drawing);
-  write_drawing_ = button("WriteDrawing", Sign::kWrite, tr("Write drawing"),
-                          tr("Writes the drawn points; .json keeps which were clicked and pinned."),
-                          &TalwegPanel::write_drawing);
-  remove_ = button("Remove", Sign::kCross, tr("Remove last"), tr("Removes the last curve."),
-                   &TalwegPanel::remove_last);
-  clear_ = button("Clear", Sign::kBin, tr("Remove all"), tr("Removes all curves of this mesh."),
-                  &TalwegPanel::clear);
-  auto* all = tight(group);
-  points_ = new QCheckBox(tr("Show points"), group);
-  points_->setObjectName("talwegPoints");
-  points_->setToolTip(tr("Hidden points cannot be moved; curves show as before."));
-  connect(points_, &QCheckBox::clicked, this, &TalwegPanel::show_points);
-  all->addLayout(row_of({read_, write_drawing_}));
-  all->addLayout(row_of({remove_, clear_}));
-  all->addWidget(points_);
-  return group;
 }
 
 QGroupBox* TalwegPanel::make_shape_group() {
@@ -232,9 +192,8 @@ void TalwegPanel::show_state(const PanelState& state) {
   for (QToolButton* while_drawing : {finish_, close_, take_back_, discard_}) {
     while_drawing->setEnabled(state.unfinished);
   }
-  const bool rests = state.curves > 0 && !state.unfinished;
-  remove_->setEnabled(rests);
-  for (QToolButton* of_curves : {clear_, write_drawing_}) of_curves->setEnabled(state.curves > 0);
+  const bool rests = !state.unfinished;
+  curves_->show_state(state.curves);
   for (QToolButton* of_results : {write_result_, cut_, split_, inside_}) {
     of_results->setEnabled(rests && !state.rows.empty());
   }
@@ -246,7 +205,6 @@ void TalwegPanel::show_state(const PanelState& state) {
   show_settings(state);
   show_problem(state);
   show_result(state);
-  points_->setChecked(state.show_points);
   hint_->setText(state.hint);
 }
 

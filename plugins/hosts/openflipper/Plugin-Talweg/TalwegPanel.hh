@@ -13,6 +13,7 @@
 #include <QWidget>
 #include <vector>
 
+#include "CurvesBox.hh"
 #include "NumberRow.hh"
 #include "PanelIcons.hh"
 #include "ResultTable.hh"
@@ -30,9 +31,8 @@ struct PanelState {
   bool unfinished = false;
   bool can_undo = false, can_redo = false;
   QString undo_name, redo_name;
-  int curves = 0;
+  CurvesState curves;
   bool all_clicked = false;
-  bool show_points = true;
   int coloured_by = 0;
   std::vector<ResultRow> rows;  ///< none: nothing is smoothed
   QString summary;              ///< one line on the result
@@ -47,6 +47,8 @@ class TalwegPanel : public QWidget {
  public:
   explicit TalwegPanel(QWidget* parent = nullptr);
   void show_state(const PanelState& state);
+  /// The part with the curves, and its signals.
+  [[nodiscard]] const CurvesBox* curves() const { return curves_; }
   void show_progress(bool busy, const QString& stage, int percent);
 
  signals:
@@ -59,13 +61,9 @@ class TalwegPanel : public QWidget {
   void from_face_selection();
   void from_face_colours();
   void from_lines();
-  void remove_last();
-  void clear();
   void undo();
   void redo();
   void write_result();
-  void write_drawing();
-  void read_drawing();
   void cut();
   void split(bool lids);
   void select_inside();
@@ -77,14 +75,12 @@ class TalwegPanel : public QWidget {
   void slack_changed(bool set, double slack);
   void max_deviation_changed(bool set, double bound);
   void colour_by(int what);
-  void show_points(bool with);
 
  private:
   using Signal = void (TalwegPanel::*)();
 
   QWidget* make_head();
   QGroupBox* make_draw_group();
-  QGroupBox* make_curves_group();
   QGroupBox* make_shape_group();
   QGroupBox* make_result_group();
   QWidget* make_foot();
@@ -97,9 +93,10 @@ class TalwegPanel : public QWidget {
   void show_result(const PanelState& state);
 
   QLabel *mesh_, *problem_, *summary_, *notes_, *hint_;
-  QToolButton *draw_, *finish_, *close_, *take_back_, *discard_, *remove_, *clear_, *undo_, *redo_,
-      *write_result_, *write_drawing_, *read_, *cut_, *split_, *inside_, *cancel_, *repair_;
-  QCheckBox *lids_, *points_;
+  QToolButton *draw_, *finish_, *close_, *take_back_, *discard_, *undo_, *redo_, *write_result_,
+      *cut_, *split_, *inside_, *cancel_, *repair_;
+  QCheckBox* lids_;
+  CurvesBox* curves_;
   NumberRow *tau_, *slack_, *bound_;
   QComboBox* colours_;
   ResultTable* table_;

@@ -12,6 +12,7 @@
 #include <OpenFlipper/BasePlugin/PluginFunctions.hh>
 #include <OpenFlipper/common/GlobalOptions.hh>
 
+#include "CurveRows.hh"
 #include "DrawingBackup.hh"
 #include "EditNames.hh"
 #include "HostVersion.hh"
@@ -90,6 +91,7 @@ void TalwegPlugin::make_panel() {
   panel_->setObjectName("talwegPanel");
   auto* icon = new QIcon(":/talweg/talweg.png");
   connect_panel();
+  connect_curves();
   emit addToolbox(tr("Talweg"), panel_, icon);
 }
 
@@ -118,21 +120,12 @@ void TalwegPlugin::connect_panel() {
       s.split(lids, parts);
     });
   });
-  connect(panel_, &TalwegPanel::remove_last, this,
-          [this] { edit_now([](Editor& e) { e.remove_curve(e.drawing().curves.size() - 1); }); });
-  connect(panel_, &TalwegPanel::clear, this, [this] { edit_now([](Editor& e) { e.clear(); }); });
   connect(panel_, &TalwegPanel::undo, this, [this] { undoEdit(current_); });
   connect(panel_, &TalwegPanel::redo, this, [this] { redoEdit(current_); });
   connect(panel_, &TalwegPanel::write_result, this, [this] { ask_for_file(true, true); });
-  connect(panel_, &TalwegPanel::write_drawing, this, [this] { ask_for_file(true, false); });
-  connect(panel_, &TalwegPanel::read_drawing, this, [this] { ask_for_file(false, false); });
   connect(panel_, &TalwegPanel::cancel, this, [this] { canceledJob(kJob); });
-  connect(panel_, &TalwegPanel::gesture_begun, this, [this](const QString& name) {
-    if (Session* session = existing(current_)) session->begin_gesture(name.toUtf8().constData());
-  });
-  connect(panel_, &TalwegPanel::gesture_ended, this, [this] {
-    if (Session* session = existing(current_)) session->end_gesture();
-  });
+  connect(panel_, &TalwegPanel::gesture_begun, this, &TalwegPlugin::begin_gesture);
+  connect(panel_, &TalwegPanel::gesture_ended, this, &TalwegPlugin::end_gesture);
   connect(panel_, &TalwegPanel::tau_changed, this, [this](double tau) {
     if (existing(current_) == nullptr) return save_settings({tau, {}, {}});
     edit_now([tau](Editor& e) { e.set_tau(tau); });
@@ -150,7 +143,6 @@ void TalwegPlugin::connect_panel() {
           [this, optional](bool set, double value) {
             edit_now([&](Editor& e) { e.set_max_deviation(optional(set, value)); });
           });
-  connect(panel_, &TalwegPanel::show_points, this, &TalwegPlugin::showPoints);
   connect(panel_, &TalwegPanel::colour_by, this, [this](int what) {
     if (Session* session = existing(current_)) session->colour_by(static_cast<ColourBy>(what));
   });
@@ -244,13 +236,6 @@ void TalwegPlugin::slotVisibilityChanged(int _identifier) {
   for (auto& [mesh, session] : sessions_) {
     if (mesh == _identifier || session->drawing_id() == _identifier) session->visibility_changed();
   }
-}
-
-void TalwegPlugin::showPoints(bool with) {
-  show_points_ = with;
-  OpenFlipperSettings().setValue("Plugin-Talweg/points", with);
-  for (auto& [mesh, session] : sessions_) session->show_points(with);
-  changed();
 }
 
 // ---- What sessions ask for
@@ -352,7 +337,6 @@ void TalwegPlugin::changed() {
   PanelState state;
   state.drawing_mode = in_draw_mode();
   state.hint = hint_;
-  state.show_points = show_points_;
   state.settings = saved_settings();
   if (const Session* session = existing(current_)) {
     const editing::History& history = session->editor().history();
@@ -364,7 +348,7 @@ void TalwegPlugin::changed() {
     state.can_redo = history.can_redo();
     state.undo_name = talweg::openflipper::name_of_edit(history.undo_name());
     state.redo_name = talweg::openflipper::name_of_edit(history.redo_name());
-    state.curves = static_cast<int>(session->editor().drawing().curves.size());
+    state.curves = talweg::openflipper::curves_state(*session);
     state.all_clicked = editing::all_clicked(session->editor().drawing());
     state.coloured_by = static_cast<int>(session->coloured_by());
     show_results_of(*session, state);
@@ -372,6 +356,7 @@ void TalwegPlugin::changed() {
     state.repair_told = session->repair_told();
     save_settings(state.settings);
   }
+  state.curves.show_points = show_points_;
   panel_->show_state(state);
   emit updateView();
 }

@@ -129,6 +129,14 @@ class TalwegPlugin : public QObject,
   bool movePoint(int meshId, int curve, int point, int face, Vector barycentric);
   bool setPinned(int meshId, int curve, int point, bool pinned);
   bool setClosed(int meshId, int curve, bool closed);
+  bool renameCurve(int meshId, int curve, QString name);
+  bool pinCurve(int meshId, int curve, bool pinned);
+  bool continueCurve(int meshId, int curve);
+  bool setCurveTau(int meshId, int curve, double tau);
+  bool setCurveTolerance(int meshId, int curve, double tolerance);
+  bool insertPoint(int meshId, int curve, int before, int face, Vector barycentric);
+  bool removePoint(int meshId, int curve, int point);
+  double measureCurve(int meshId, int curve, QString key);
   bool setTau(int meshId, double tau);
   bool setSlack(int meshId, double slack);
   bool setMaxDeviation(int meshId, double bound);
@@ -185,14 +193,24 @@ class TalwegPlugin : public QObject,
   void speak_the_hosts_language();
   void make_panel();
   void connect_panel();
+  void connect_curves();
   void make_menus();
   void describe_slots();
+  void describe_curve_slots();
+  /// Parameters and their meanings are separated by ';'.
+  void describe(const char* slot, const QString& what, const char* parameters,
+                const QString& meanings);
   /// The drawing on a mesh, begun where there is none; null, and told, where that cannot be.
   Session* session_of(int mesh_id);
   [[nodiscard]] Session* existing(int mesh_id);
   Session* target_session();
   bool edit(int mesh_id, const std::function<void(talweg::editing::Editor&)>& change);
   bool edit_now(const std::function<void(talweg::editing::Editor&)>& change);
+  void edit_selected(
+      const std::function<void(talweg::editing::Editor&, std::size_t curve)>& change);
+  void begin_gesture(const QString& name);
+  void end_gesture();
+  void show_points(bool with);
   void use(const std::function<void(Session&)>& work);
   void from_lines();
   void ask_for_file(bool write, bool result);
@@ -201,7 +219,15 @@ class TalwegPlugin : public QObject,
 
   // Drawing with the mouse.
   [[nodiscard]] bool in_draw_mode() const;
+  struct CurvePlace {
+    std::size_t curve;
+    const talweg::host::Curve* line;  // on which it was met; until the session changes
+    std::size_t segment;              // of that
+  };
   void press(const QMouseEvent& event);
+  void press_point(Session& session, const Handle& handle, Qt::KeyboardModifiers modifiers);
+  void insert_point(Session& session, const CurvePlace& place, const QPoint& at);
+  void begin_stroke(const QPoint& at);
   void move(const QMouseEvent& event);
   void release();
   void let_go();
@@ -219,10 +245,10 @@ class TalwegPlugin : public QObject,
   std::optional<Picked> picked_by_host(const QPoint& at);
   bool pick(const QPoint& at, Session*& session, talweg::editing::Point& point);
   [[nodiscard]] std::optional<Handle> handle_near(const QPoint& at) const;
-  void hint(const std::optional<Handle>& handle);
+  [[nodiscard]] std::optional<CurvePlace> curve_near(const QPoint& at) const;
+  void hint(const std::optional<Handle>& handle, const std::optional<CurvePlace>& curve);
   void reach(const QPoint& at, const std::optional<Handle>& handle);
   void reach_no_more();
-  void showPoints(bool with);
 
   std::unique_ptr<talweg::editing::Plugins> plugins_;
   std::map<int, std::unique_ptr<Session>> sessions_;   // by mesh
@@ -237,6 +263,8 @@ class TalwegPlugin : public QObject,
   bool job_shown_ = false;
   bool updating_ = false;  // what the host says is updated is our own doing
   std::optional<Handle> dragged_;
+  std::optional<CurvePlace> pressed_curve_;  // a click on it if the mouse moves no more
+  QPoint pressed_at_;
   bool painting_ = false;
   bool show_points_ = true;
   bool reaching_ = false;    // the scene shows a leg to the mouse

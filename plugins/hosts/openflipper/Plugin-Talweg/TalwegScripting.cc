@@ -250,11 +250,13 @@ IdList TalwegPlugin::split(int meshId, bool lids) {
   return parts;
 }
 
+void TalwegPlugin::describe(const char* slot, const QString& what, const char* parameters,
+                            const QString& meanings) {
+  emit setSlotDescription(slot, what, QString(parameters).split(';'), meanings.split(';'));
+}
+
 void TalwegPlugin::describe_slots() {
-  const auto describe = [this](const char* slot, const QString& what, const char* parameters,
-                               const QString& meanings) {
-    emit setSlotDescription(slot, what, QString(parameters).split(';'), meanings.split(';'));
-  };
+  describe_curve_slots();
   const QString mesh = tr("id of a triangle mesh");
   const QString curve_point = mesh + tr(";curve, from 0;point, from 0;");
   describe("draw(int,IdList,bool)", tr("Adds a curve through vertices, straight over the faces."),

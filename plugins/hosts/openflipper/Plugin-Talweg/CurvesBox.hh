@@ -1,0 +1,60 @@
+// The curves box is the part of the panel with the curves as things: their list, and what can be
+// done with the selected one.
+#pragma once
+
+#include <QCheckBox>
+#include <QGroupBox>
+#include <QToolButton>
+#include <optional>
+#include <vector>
+
+#include "CurveTable.hh"
+#include "NumberRow.hh"
+
+namespace talweg::openflipper {
+
+struct CurvesState {
+  std::vector<CurveRow> rows;
+  std::uint32_t selected = 0;  ///< a number; 0: none
+  bool unfinished = false;     ///< one of them is being drawn
+  // The selected one.
+  bool closed = false, pinned = false;
+  std::optional<double> tau, tolerance;  ///< its own
+  double general_tau = 1, general_tolerance = 0;
+  double most = 1;  ///< the largest tolerance that the slider offers, mesh units
+  bool show_points = true;
+};
+
+class CurvesBox : public QGroupBox {
+  Q_OBJECT
+ public:
+  explicit CurvesBox(QWidget* parent);
+  void show_state(const CurvesState& state);
+
+ signals:
+  void read();
+  void write();
+  void clear();
+  void selected(unsigned number);
+  void renamed(unsigned number, const QString& name);
+  void show_points(bool with);
+  // Of the selected curve.
+  void remove();
+  void pin(bool pinned);
+  void set_closed(bool closed);
+  void go_on();
+  void gesture_begun(const QString& name);
+  void gesture_ended();
+  void tau_changed(bool set, double tau);
+  void tolerance_changed(bool set, double tolerance);
+
+ private:
+  void make_numbers(QGridLayout* grid);
+
+  CurveTable* table_;
+  QToolButton *write_, *clear_, *remove_, *pin_, *closed_, *go_on_;
+  NumberRow *tau_ = nullptr, *tolerance_ = nullptr;
+  QCheckBox* points_;
+};
+
+}  // namespace talweg::openflipper
