@@ -1,7 +1,8 @@
 // Curve nodes are what the scene shows of a drawing besides the host's own lines: the drawn lines
-// and points, and the leg to the mouse. They know no drawing, only places and colours.
+// and points, the leg to the mouse, combs, a mark. They know no drawing, only places and colours.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include <ACG/Scenegraph/LineNode.hh>
@@ -34,11 +35,13 @@ class CurveNodes {
   void show_points(const std::vector<PointLook>& points);
   void show_lines(const std::vector<LineLook>& lines);
   void show_leg(const LineLook& leg);  ///< without points: none
+  void show_comb(const std::vector<LineLook>& lines);
+  void show_mark(const std::optional<ACG::Vec3d>& at);  ///< before everything else
 
  private:
   ACG::SceneGraph::MaterialNode* root_;  // the scene's, with all below
-  ACG::SceneGraph::PointNode *points_, *faint_points_;
-  ACG::SceneGraph::LineNode *lines_, *leg_;
+  ACG::SceneGraph::PointNode *points_, *faint_points_, *mark_rim_, *mark_;
+  ACG::SceneGraph::LineNode *lines_, *leg_, *comb_, *faint_comb_;
 };
 
 }  // namespace talweg::openflipper

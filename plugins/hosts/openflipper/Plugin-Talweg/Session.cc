@@ -147,7 +147,7 @@ void Session::ask_to_smooth() {
   asked_ = now;
   log_next_ = log_next_ || !in_gesture();
   host::Wanted wanted;
-  wanted.point_fields = colour_by_ == ColourBy::kDeviation;
+  wanted.point_fields = wants_fields();
   if (host_curves(now).empty()) {
     if (smooths()) cancel();
     stale_ = ticket_;

@@ -14,6 +14,7 @@
 #include "CurveTickets.hh"
 #include "HostMesh.hh"
 #include "ResultTable.hh"
+#include "talweg/editing/comb.hpp"
 #include "talweg/editing/editor.hpp"
 #include "talweg/editing/sight.hpp"
 #include "talweg/editing/smoothing_thread.hpp"
@@ -41,11 +42,15 @@ class HostCalls {
   virtual void say(const QString& sentence) = 0;   ///< to the log
   virtual void warn(const QString& sentence) = 0;  ///< to the log and the status bar
   virtual void changed() = 0;                      ///< drawing, results or state: show them
-  virtual void redraw() = 0;                       ///< only the scene has changed
-  virtual void wake() = 0;                         ///< from any thread: look at the sessions soon
+  /// Turns the view to a place, as seen from outside along the normal there.
+  virtual void look_at(const ACG::Vec3d& place, const ACG::Vec3d& normal) = 0;
+  virtual void redraw() = 0;  ///< only the scene has changed
+  virtual void wake() = 0;    ///< from any thread: look at the sessions soon
 };
 
 enum class ColourBy { kNothing, kDeviation, kDistance, kPotential };
+/// What is marked where it is largest.
+enum class Mark { kNothing, kDeviation, kCurvature };
 
 class Session {
  public:
@@ -80,6 +85,24 @@ class Session {
   void add_curves(std::vector<host::Curve> curves);  ///< snapped where they are positions
   void colour_by(ColourBy by);
   [[nodiscard]] ColourBy coloured_by() const { return colour_by_; }
+  struct Scale {
+    double most = 0;  ///< what the last colour stands for; the first for 0
+    QString unit;
+  };
+  [[nodiscard]] Scale scale() const;
+  void show_comb(bool with);
+  [[nodiscard]] bool with_comb() const { return with_comb_; }
+  /// Of the tooth that is longest, 1 / mesh unit; 0: there is no comb.
+  [[nodiscard]] double longest_tooth() const { return most_curved_.curvature; }
+  /// Marks the place where that is largest, now and in results to come, and turns the view to it.
+  void mark_largest(Mark mark);
+  [[nodiscard]] Mark mark() const { return mark_; }
+  struct Marked {
+    std::optional<ACG::Vec3d> at;  ///< none: nothing is marked
+    double value = 0;              ///< mesh units, or 1 / mesh unit
+    std::uint32_t curve = 0;       ///< its number
+  };
+  [[nodiscard]] const Marked& marked() const { return marked_; }
 
   /// Makes the results edges of the mesh, and selects them and, if asked, the faces inside closed
   /// ones. The drawing goes with the mesh, also when the host takes the cut back.
@@ -166,6 +189,13 @@ class Session {
   int add_result_line(const QString& name, std::uint32_t number);
   void show_widths() const;
   void show_mesh_colours(const host::Results& results);
+  void ask_again();
+  [[nodiscard]] bool wants_fields() const;
+  void measure_combs();
+  void show_combs();
+  [[nodiscard]] std::optional<ACG::Vec3d> place_of_largest() const;
+  void find_mark();
+  [[nodiscard]] ACG::Vec3d normal_at(std::uint32_t face) const;
   void keep_backup();
   void go_to(std::uint64_t number);
   void take(editing::Outcome outcome);
@@ -229,8 +259,18 @@ class Session {
   std::vector<std::shared_ptr<const editing::Curve>> lines_asked_;  // those that were asked last
   std::uint64_t leg_ticket_ = 0;                                    // 0: no leg is wanted
   bool with_points_ = true;
+  double line_largest_ = 0, mesh_largest_ = 0;  // what the last colour stands for
+  bool with_comb_ = false;
+  std::vector<std::vector<editing::Tooth>> combs_;  // of the results, where they are wanted
+  editing::Tooth most_curved_ = {};                 // of those
+  Mark mark_ = Mark::kNothing;
+  Marked marked_;
+  bool turn_to_mark_ = false;
 };
 
+/// As the panel writes it.
+QString length_unit();
+QString curvature_unit();
 /// A line for the log.
 QString short_report(const Session& session);
 /// What the panel shows of the results: the numbers, a line, and the plugin's warnings.

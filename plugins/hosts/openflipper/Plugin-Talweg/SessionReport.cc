@@ -21,6 +21,9 @@ QString number(double value) {
 
 }  // namespace
 
+QString length_unit() { return Report::tr("units"); }
+QString curvature_unit() { return Report::tr("1/unit"); }
+
 QString short_report(const Session& session) {
   const host::Results& r = session.results();
   QStringList lines;
@@ -57,7 +60,7 @@ QString short_report(const Session& session) {
 std::vector<ResultRow> result_rows(const Session& session) {
   const host::Results& r = session.results();
   if (r.curves.empty()) return {};
-  const QString length = Report::tr("units"), angle = QString::fromUtf8("°");
+  const QString length = length_unit(), angle = QString::fromUtf8("°");
   const auto row = [&](const QString& what, const char* key, double scale, const QString& unit,
                        const QString& tip) {
     const auto at = [&](const char* end) {
@@ -73,7 +76,7 @@ std::vector<ResultRow> result_rows(const Session& session) {
           Report::tr("All that the curves turn, added up.")),
       row(Report::tr("Sharpest turn"), "window_turning", degree, angle,
           Report::tr("The most that a curve turns within the length of a mesh edge.")),
-      row(Report::tr("Bending"), "bending", 1, Report::tr("1/unit"),
+      row(Report::tr("Bending"), "bending", 1, curvature_unit(),
           Report::tr("Curvature squared, along the curves."))};
   if (r.text("deviation") != "none") {
     rows.push_back({Report::tr("Deviation"), three_digits(r.number("deviation_from_drawn_max")),

@@ -19,12 +19,17 @@ const host::Field* field_of(const host::Curve& curve, const char* name) {
   return at == curve.fields.end() ? nullptr : &*at;
 }
 
+double largest_of(const std::vector<double>& values) {
+  double largest = 0;
+  for (const double value : values) largest = std::max(largest, std::isfinite(value) ? value : 0);
+  return largest;
+}
+
 double largest_deviation(const std::vector<host::Curve>& curves) {
   double largest = 0;
   for (const host::Curve& curve : curves) {
     const host::Field* deviation = field_of(curve, "deviation");
-    if (deviation == nullptr) continue;
-    for (const double d : deviation->values) largest = std::max(largest, std::isfinite(d) ? d : 0);
+    if (deviation != nullptr) largest = std::max(largest, largest_of(deviation->values));
   }
   return largest;
 }
@@ -42,16 +47,19 @@ void Session::show_results(host::Results results, std::vector<std::uint32_t> num
   results_ = std::move(results);
   numbers.resize(results_.curves.size());
   keep_lines(numbers);
-  const double largest = largest_deviation(results_.curves);
+  line_largest_ = largest_deviation(results_.curves);
   for (std::size_t c = 0; c < results_.curves.size(); ++c) {
     PolyLineObject* object = PluginFunctions::polyLineObject(lines_[c].id);
     if (object == nullptr) continue;
     fill(*object->line(), mesh(), results_.curves[c]);
     if (const host::Field* deviation = field_of(results_.curves[c], "deviation")) {
-      colour(*object->line(), deviation->values, largest);
+      colour(*object->line(), deviation->values, line_largest_);
     }
     host_.show_line(lines_[c].id);
   }
+  measure_combs();
+  show_combs();
+  find_mark();
   if (newest && !in_gesture() && log_next_ && !results_.curves.empty()) {
     log_next_ = false;
     host_.say(short_report(*this));
@@ -136,10 +144,12 @@ void Session::show_mesh_colours(const host::Results& results) {
   const char* wanted = colour_by_ == ColourBy::kPotential ? "potential" : "distance";
   for (const host::Field& field : results.fields) {
     if (field.name != wanted) continue;
+    mesh_largest_ = largest_of(field.values);
     colour(mesh(), field.values);
     object_.setObjectDrawMode(ACG::SceneGraph::DrawModes::SOLID_POINTS_COLORED_SHADED);
     host_.show_colours(mesh_id_);
   }
+  host_.changed();
 }
 
 void Session::colour_by(ColourBy by) {
@@ -154,10 +164,7 @@ void Session::colour_by(ColourBy by) {
   }
   if (host_curves(editor_.drawing()).empty()) return;
   if (on_mesh(by)) thread_->distance(editor_.drawing());
-  if (by == ColourBy::kDeviation) {
-    asked_ = {};
-    ask();
-  }
+  if (by == ColourBy::kDeviation) ask_again();
   host_.changed();
 }
 

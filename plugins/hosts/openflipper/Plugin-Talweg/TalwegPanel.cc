@@ -137,11 +137,7 @@ QGroupBox* TalwegPanel::make_result_group() {
   table_ = new ResultTable(group);
   summary_ = wrapped("talwegSummary", group);
   notes_ = wrapped("talwegNotes", group);
-  colours_ = new QComboBox(group);
-  colours_->setObjectName("talwegColours");
-  colours_->addItems({tr("No colours"), tr("Deviation on the curve"), tr("Distance on the mesh"),
-                      tr("Potential on the mesh")});
-  connect(colours_, QOverload<int>::of(&QComboBox::activated), this, &TalwegPanel::colour_by);
+  look_ = new LookBox(group);
   cut_ = button("Cut", Sign::kScissors, tr("Cut"),
                 tr("Makes the smoothed curves edges of the mesh, and selects them."),
                 &TalwegPanel::cut);
@@ -161,7 +157,7 @@ QGroupBox* TalwegPanel::make_result_group() {
   all->addWidget(table_);
   all->addWidget(summary_);
   all->addWidget(notes_);
-  all->addWidget(colours_);
+  all->addWidget(look_);
   all->addLayout(row_of({cut_, split_, lids_}));
   all->addLayout(row_of({inside_, write_result_}));
   return group;
@@ -238,7 +234,7 @@ void TalwegPanel::show_result(const PanelState& state) {
   summary_->setText(state.summary);
   notes_->setText(state.notes.join('\n'));
   notes_->setVisible(!state.notes.isEmpty());
-  colours_->setCurrentIndex(state.coloured_by);
+  look_->show_state(state.look);
 }
 
 void TalwegPanel::show_progress(bool busy, const QString& stage, int percent) {

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <QCheckBox>
-#include <QComboBox>
 #include <QGroupBox>
 #include <QLabel>
 #include <QProgressBar>
@@ -14,6 +13,7 @@
 #include <vector>
 
 #include "CurvesBox.hh"
+#include "LookBox.hh"
 #include "NumberRow.hh"
 #include "PanelIcons.hh"
 #include "ResultTable.hh"
@@ -33,7 +33,7 @@ struct PanelState {
   QString undo_name, redo_name;
   CurvesState curves;
   bool all_clicked = false;
-  int coloured_by = 0;
+  LookState look;
   std::vector<ResultRow> rows;  ///< none: nothing is smoothed
   QString summary;              ///< one line on the result
   QStringList notes;            ///< what is to be known of it
@@ -49,6 +49,8 @@ class TalwegPanel : public QWidget {
   void show_state(const PanelState& state);
   /// The part with the curves, and its signals.
   [[nodiscard]] const CurvesBox* curves() const { return curves_; }
+  /// The part that says how curves look, and its signals.
+  [[nodiscard]] const LookBox* look() const { return look_; }
   void show_progress(bool busy, const QString& stage, int percent);
 
  signals:
@@ -74,7 +76,6 @@ class TalwegPanel : public QWidget {
   void tau_changed(double tau);
   void slack_changed(bool set, double slack);
   void max_deviation_changed(bool set, double bound);
-  void colour_by(int what);
 
  private:
   using Signal = void (TalwegPanel::*)();
@@ -98,7 +99,7 @@ class TalwegPanel : public QWidget {
   QCheckBox* lids_;
   CurvesBox* curves_;
   NumberRow *tau_, *slack_, *bound_;
-  QComboBox* colours_;
+  LookBox* look_;
   ResultTable* table_;
   QProgressBar* progress_;
 };

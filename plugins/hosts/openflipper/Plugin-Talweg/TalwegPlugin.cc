@@ -92,6 +92,7 @@ void TalwegPlugin::make_panel() {
   auto* icon = new QIcon(":/talweg/talweg.png");
   connect_panel();
   connect_curves();
+  connect_look();
   emit addToolbox(tr("Talweg"), panel_, icon);
 }
 
@@ -143,9 +144,6 @@ void TalwegPlugin::connect_panel() {
           [this, optional](bool set, double value) {
             edit_now([&](Editor& e) { e.set_max_deviation(optional(set, value)); });
           });
-  connect(panel_, &TalwegPanel::colour_by, this, [this](int what) {
-    if (Session* session = existing(current_)) session->colour_by(static_cast<ColourBy>(what));
-  });
 }
 
 void TalwegPlugin::make_menus() {
@@ -350,7 +348,7 @@ void TalwegPlugin::changed() {
     state.redo_name = talweg::openflipper::name_of_edit(history.redo_name());
     state.curves = talweg::openflipper::curves_state(*session);
     state.all_clicked = editing::all_clicked(session->editor().drawing());
-    state.coloured_by = static_cast<int>(session->coloured_by());
+    state.look = look_state(*session);
     show_results_of(*session, state);
     state.problem = session->problem();
     state.repair_told = session->repair_told();

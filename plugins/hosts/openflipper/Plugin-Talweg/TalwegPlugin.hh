@@ -148,6 +148,8 @@ class TalwegPlugin : public QObject,
   double measure(int meshId, QString key);
   QString lastError(int meshId);
   bool colourBy(int meshId, QString what);
+  bool showComb(int meshId, bool with);
+  Vector largest(int meshId, QString what);
   bool writeResult(int meshId, QString filename);
   bool writeDrawing(int meshId, QString filename);
   bool readDrawing(int meshId, QString filename);
@@ -188,15 +190,19 @@ class TalwegPlugin : public QObject,
   void warn(const QString& sentence) override;
   void changed() override;
   void redraw() override { emit updateView(); }
+  void look_at(const ACG::Vec3d& place, const ACG::Vec3d& normal) override;
   void wake() override;
 
   void speak_the_hosts_language();
   void make_panel();
   void connect_panel();
   void connect_curves();
+  void connect_look();
   void make_menus();
   void describe_slots();
   void describe_curve_slots();
+  void describe_look_slots();
+  [[nodiscard]] static talweg::openflipper::LookState look_state(const Session& session);
   /// Parameters and their meanings are separated by ';'.
   void describe(const char* slot, const QString& what, const char* parameters,
                 const QString& meanings);

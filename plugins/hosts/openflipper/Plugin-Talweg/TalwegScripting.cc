@@ -9,7 +9,6 @@
 #include "talweg/editing/curve_files.hpp"
 
 using talweg::editing::Editor;
-using talweg::openflipper::ColourBy;
 using talweg::openflipper::Session;
 namespace editing = talweg::editing;
 
@@ -182,19 +181,6 @@ QString TalwegPlugin::lastError(int meshId) {
   return session->last_error();
 }
 
-bool TalwegPlugin::colourBy(int meshId, QString what) {
-  Session* session = existing(meshId);
-  const QStringList names = {"nothing", "deviation", "distance", "potential"};
-  const auto at = names.indexOf(what);
-  if (session == nullptr || at < 0) {
-    warn(tr("Colours are: %1.").arg(names.join(", ")));
-    return false;
-  }
-  session->colour_by(static_cast<ColourBy>(at));
-  session->wait();
-  return true;
-}
-
 bool TalwegPlugin::writeResult(int meshId, QString filename) {
   Session* session = existing(meshId);
   if (session == nullptr) return false;
@@ -257,6 +243,7 @@ void TalwegPlugin::describe(const char* slot, const QString& what, const char* p
 
 void TalwegPlugin::describe_slots() {
   describe_curve_slots();
+  describe_look_slots();
   const QString mesh = tr("id of a triangle mesh");
   const QString curve_point = mesh + tr(";curve, from 0;point, from 0;");
   describe("draw(int,IdList,bool)", tr("Adds a curve through vertices, straight over the faces."),
@@ -303,8 +290,6 @@ void TalwegPlugin::describe_slots() {
            "meshId;key", mesh + tr(";such as length_after"));
   describe("lastError(int)", tr("Why the last edit or smoothing failed; empty if it did not."),
            "meshId", mesh);
-  describe("colourBy(int,QString)", tr("Colours the curves or the mesh."), "meshId;what",
-           mesh + tr(";nothing, deviation, distance or potential"));
   describe("writeResult(int,QString)", tr("Writes the smoothed curves."), "meshId;filename",
            mesh + tr(";.json, .vtp, .vtk, .obj, .ply, .mrk.json"));
   describe("writeDrawing(int,QString)", tr("Writes the drawn points."), "meshId;filename",

@@ -192,6 +192,13 @@
     </message>
 </context>
 <context>
+    <name>Rows</name>
+    <message>
+        <source>Curve %1</source>
+        <translation>Kurve %1</translation>
+    </message>
+</context>
+<context>
     <name>TalwegPlugin</name>
     <message>
         <source>Talweg</source>
@@ -485,6 +492,263 @@
         <source>;whether the parts are closed where they were cut</source>
         <translation>;ob die Teile am Schnitt geschlossen werden</translation>
     </message>
+    <message>
+        <source>Gives a curve a name.</source>
+        <translation>Gibt einer Kurve einen Namen.</translation>
+    </message>
+    <message>
+        <source>;empty: none</source>
+        <translation>;leer: keiner</translation>
+    </message>
+    <message>
+        <source>Pins all points of a curve, or lets all go.</source>
+        <translation>Hält alle Punkte einer Kurve fest oder gibt sie frei.</translation>
+    </message>
+    <message>
+        <source>;whether the result passes through them</source>
+        <translation>;ob das Ergebnis durch sie verläuft</translation>
+    </message>
+    <message>
+        <source>Draws on at the end of a curve, which is the last then.</source>
+        <translation>Zeichnet am Ende einer Kurve weiter, die dann die letzte ist.</translation>
+    </message>
+    <message>
+        <source>Gives a curve a tau of its own.</source>
+        <translation>Gibt einer Kurve ein eigenes Tau.</translation>
+    </message>
+    <message>
+        <source>;0 or more, negative: as all curves</source>
+        <translation>;0 oder mehr, negativ: wie alle Kurven</translation>
+    </message>
+    <message>
+        <source>Gives a curve a tolerance of its own.</source>
+        <translation>Gibt einer Kurve eine eigene Toleranz.</translation>
+    </message>
+    <message>
+        <source>;mesh units, negative: none</source>
+        <translation>;Netzeinheiten, negativ: keine</translation>
+    </message>
+    <message>
+        <source>Inserts a point into a curve.</source>
+        <translation>Fügt einen Punkt in eine Kurve ein.</translation>
+    </message>
+    <message>
+        <source>;the point before which it comes, from 0;face from 0;its coordinates there</source>
+        <translation>;der Punkt, vor den er kommt, ab 0;Dreieck ab 0;seine Koordinaten darin</translation>
+    </message>
+    <message>
+        <source>Removes a point of a curve.</source>
+        <translation>Entfernt einen Punkt einer Kurve.</translation>
+    </message>
+    <message>
+        <source>One number of the report, for one curve.</source>
+        <translation>Eine Zahl des Berichts, für eine Kurve.</translation>
+    </message>
+    <message>
+        <source>longest tooth %1 %2</source>
+        <translation>längster Zahn %1 %2</translation>
+    </message>
+    <message>
+        <source>What is largest is: %1.</source>
+        <translation>Am größten sein kann: %1.</translation>
+    </message>
+    <message>
+        <source>Shows combs of curvature along the curves.</source>
+        <translation>Zeigt Krümmungskämme entlang der Kurven.</translation>
+    </message>
+    <message>
+        <source>;whether</source>
+        <translation>;ob</translation>
+    </message>
+    <message>
+        <source>Marks where it is largest, and tells the place.</source>
+        <translation>Markiert, wo sie am größten ist, und nennt die Stelle.</translation>
+    </message>
+    <message>
+        <source>;nothing, deviation or curvature</source>
+        <translation>;nothing, deviation oder curvature</translation>
+    </message>
+    <message>
+        <source>Ctrl-click to insert a point.</source>
+        <translation>Strg-Klick fügt einen Punkt ein.</translation>
+    </message>
+    <message>
+        <source>Click to select the curve, Ctrl-click to insert a point; paint to draw.</source>
+        <translation>Klick wählt die Kurve aus, Strg-Klick fügt einen Punkt ein; Malen zeichnet.</translation>
+    </message>
+</context>
+<context>
+    <name>talweg::openflipper::CurveTable</name>
+    <message>
+        <source>Curve</source>
+        <translation>Kurve</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Länge</translation>
+    </message>
+    <message>
+        <source>Deviation</source>
+        <translation>Abweichung</translation>
+    </message>
+    <message>
+        <source>Turning</source>
+        <translation>Drehung</translation>
+    </message>
+    <message>
+        <source>Double click a name to change it.</source>
+        <translation>Doppelklick auf einen Namen ändert ihn.</translation>
+    </message>
+    <message>
+        <source>Of the smoothed curve, in mesh units.</source>
+        <translation>Der geglätteten Kurve, in Netzeinheiten.</translation>
+    </message>
+    <message>
+        <source>The largest from what was drawn, in mesh units.</source>
+        <translation>Die größte vom Gezeichneten, in Netzeinheiten.</translation>
+    </message>
+    <message>
+        <source>All that the smoothed curve turns, added up.</source>
+        <translation>Alle Drehungen der geglätteten Kurve zusammen.</translation>
+    </message>
+</context>
+<context>
+    <name>talweg::openflipper::CurvesBox</name>
+    <message>
+        <source>Curves</source>
+        <translation>Kurven</translation>
+    </message>
+    <message>
+        <source>Read</source>
+        <translation>Lesen</translation>
+    </message>
+    <message>
+        <source>Adds the curves of a file.</source>
+        <translation>Fügt die Kurven einer Datei hinzu.</translation>
+    </message>
+    <message>
+        <source>Write drawing</source>
+        <translation>Zeichnung schreiben</translation>
+    </message>
+    <message>
+        <source>Writes the drawn points; .json keeps which were clicked and pinned.</source>
+        <translation>Schreibt die gezeichneten Punkte; .json behält, welche geklickt und festgehalten sind.</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Removes the selected curve (Del).</source>
+        <translation>Entfernt die ausgewählte Kurve (Entf).</translation>
+    </message>
+    <message>
+        <source>Remove all</source>
+        <translation>Alle entfernen</translation>
+    </message>
+    <message>
+        <source>Removes all curves of this mesh.</source>
+        <translation>Entfernt alle Kurven dieses Netzes.</translation>
+    </message>
+    <message>
+        <source>Pin</source>
+        <translation>Festhalten</translation>
+    </message>
+    <message>
+        <source>Pins all points of the selected curve, or lets all go.</source>
+        <translation>Hält alle Punkte der ausgewählten Kurve fest oder gibt sie frei.</translation>
+    </message>
+    <message>
+        <source>Closed</source>
+        <translation>Geschlossen</translation>
+    </message>
+    <message>
+        <source>Closes the selected curve, or opens it.</source>
+        <translation>Schließt die ausgewählte Kurve oder öffnet sie.</translation>
+    </message>
+    <message>
+        <source>Continue</source>
+        <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>Draws on at the end of the selected curve.</source>
+        <translation>Zeichnet am Ende der ausgewählten Kurve weiter.</translation>
+    </message>
+    <message>
+        <source>Show points</source>
+        <translation>Punkte zeigen</translation>
+    </message>
+    <message>
+        <source>Hidden points cannot be moved; curves show as before.</source>
+        <translation>Verborgene Punkte lassen sich nicht bewegen; Kurven bleiben sichtbar.</translation>
+    </message>
+    <message>
+        <source>Own tau</source>
+        <translation>Eigenes Tau</translation>
+    </message>
+    <message>
+        <source>Of the selected curve alone. Unticked: Tau, as of all curves.</source>
+        <translation>Nur der ausgewählten Kurve. Ohne Haken: Tau wie bei allen Kurven.</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>Toleranz</translation>
+    </message>
+    <message>
+        <source>How far the selected curve may pass from its clicked points, and how exact its strokes are. Unticked: clicked points are exact.</source>
+        <translation>Wie weit die ausgewählte Kurve an ihren geklickten Punkten vorbeigehen darf und wie genau ihre Striche sind. Ohne Haken: Geklickte Punkte gelten genau.</translation>
+    </message>
+    <message>
+        <source>units</source>
+        <translation>Einh.</translation>
+    </message>
+    <message>
+        <source>Select a curve in the list or in the scene.</source>
+        <translation>Wählen Sie eine Kurve in der Liste oder in der Szene aus.</translation>
+    </message>
+</context>
+<context>
+    <name>talweg::openflipper::LookBox</name>
+    <message>
+        <source>No colours</source>
+        <translation>Keine Farben</translation>
+    </message>
+    <message>
+        <source>Deviation on the curve</source>
+        <translation>Abweichung auf der Kurve</translation>
+    </message>
+    <message>
+        <source>Distance on the mesh</source>
+        <translation>Abstand auf dem Netz</translation>
+    </message>
+    <message>
+        <source>Potential on the mesh</source>
+        <translation>Potential auf dem Netz</translation>
+    </message>
+    <message>
+        <source>Comb</source>
+        <translation>Kamm</translation>
+    </message>
+    <message>
+        <source>Teeth across the curves, as long as they are curved there.</source>
+        <translation>Zähne quer zu den Kurven, so lang wie sie dort gekrümmt sind.</translation>
+    </message>
+    <message>
+        <source>Mark nothing</source>
+        <translation>Nichts markieren</translation>
+    </message>
+    <message>
+        <source>Largest deviation</source>
+        <translation>Größte Abweichung</translation>
+    </message>
+    <message>
+        <source>Largest curvature</source>
+        <translation>Größte Krümmung</translation>
+    </message>
+    <message>
+        <source>Marks where it is largest, and turns the view to it.</source>
+        <translation>Markiert, wo sie am größten ist, und dreht die Ansicht dorthin.</translation>
+    </message>
 </context>
 <context>
     <name>talweg::openflipper::ResultTable</name>
@@ -524,22 +788,6 @@
         <translation>Schließt die Kurve (Klick auf ihren ersten Punkt).</translation>
     </message>
     <message>
-        <source>Remove last</source>
-        <translation>Letzte entfernen</translation>
-    </message>
-    <message>
-        <source>Removes the last curve.</source>
-        <translation>Entfernt die letzte Kurve.</translation>
-    </message>
-    <message>
-        <source>Remove all</source>
-        <translation>Alle entfernen</translation>
-    </message>
-    <message>
-        <source>Removes all curves of this mesh.</source>
-        <translation>Entfernt alle Kurven dieses Netzes.</translation>
-    </message>
-    <message>
         <source>Undo</source>
         <translation>Rückgängig</translation>
     </message>
@@ -554,14 +802,6 @@
     <message>
         <source>Writes the smoothed curves: .json, .vtp, .vtk, .obj, .ply, .mrk.json</source>
         <translation>Schreibt die geglätteten Kurven: .json, .vtp, .vtk, .obj, .ply, .mrk.json</translation>
-    </message>
-    <message>
-        <source>Write drawing</source>
-        <translation>Zeichnung schreiben</translation>
-    </message>
-    <message>
-        <source>Read</source>
-        <translation>Lesen</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -586,22 +826,6 @@
     <message>
         <source>Slack</source>
         <translation>Spielraum</translation>
-    </message>
-    <message>
-        <source>No colours</source>
-        <translation>Keine Farben</translation>
-    </message>
-    <message>
-        <source>Deviation on the curve</source>
-        <translation>Abweichung auf der Kurve</translation>
-    </message>
-    <message>
-        <source>Distance on the mesh</source>
-        <translation>Abstand auf dem Netz</translation>
-    </message>
-    <message>
-        <source>Potential on the mesh</source>
-        <translation>Potential auf dem Netz</translation>
     </message>
     <message>
         <source>No drawing yet.</source>
@@ -654,14 +878,6 @@
     <message>
         <source>Target polylines</source>
         <translation>Ziel-Linien (Polylines)</translation>
-    </message>
-    <message>
-        <source>Curves</source>
-        <translation>Kurven</translation>
-    </message>
-    <message>
-        <source>Adds the curves of a file.</source>
-        <translation>Fügt die Kurven einer Datei hinzu.</translation>
     </message>
     <message>
         <source>Shape</source>
@@ -736,10 +952,6 @@
 A repair for drawing would do this: %2</source>
         <translation>%1
 Eine Reparatur zum Zeichnen täte dies: %2</translation>
-    </message>
-    <message>
-        <source>Writes the drawn points; .json keeps which were clicked and pinned.</source>
-        <translation>Schreibt die gezeichneten Punkte; .json behält, welche geklickt und festgehalten sind.</translation>
     </message>
 </context>
 </TS>
