@@ -59,12 +59,17 @@ bool all_same(const Drawing& a, const Drawing& b, Same same) {
   return std::equal(a.curves.begin(), a.curves.end(), b.curves.begin(), b.curves.end(), same);
 }
 
+/// What holds of a point that was clicked, and what a stroke says of itself. A pin has no
+/// tolerance.
+double mark_of(const Curve& curve, const Point& point) {
+  if (point.exact < 0) return point.exact;
+  return point.pinned ? 0 : curve.tolerance.value_or(point.exact);
+}
+
 /// The marks of the points; none if nothing is said of any.
 std::vector<double> marks_of(const Curve& curve) {
   std::vector<double> marks;
-  for (const Point& point : curve.points) {
-    marks.push_back(point.exact >= 0 ? curve.tolerance.value_or(point.exact) : point.exact);
-  }
+  for (const Point& point : curve.points) marks.push_back(mark_of(curve, point));
   const bool says_nothing =
       std::all_of(marks.begin(), marks.end(), [](double mark) { return mark == TALWEG_MARK_NONE; });
   return says_nothing ? std::vector<double>() : marks;

@@ -45,7 +45,8 @@ struct Curve {
   bool closed = false;  ///< joined from the last point back to the first, which is not repeated
   std::optional<double> tau = {};  ///< >= 0; none: the settings'
   /// How far the result may pass from what was drawn, mesh units, >= 0: the tolerance of all
-  /// way-points, and the slack of strokes. None: that of each point, and the settings' slack.
+  /// way-points that are not pinned, and the slack of strokes. None: that of each point, and the
+  /// settings' slack.
   std::optional<double> tolerance = {};
   std::string name = {};     ///< for people; empty: it has only its number
   std::uint32_t number = 0;  ///< tells the curves of a drawing apart; the editor's, from 1

@@ -37,7 +37,8 @@ sleep 2
 
 "$scenes" "$folder" >/dev/null
 DISPLAY=:$number HOME=$folder/home XDG_RUNTIME_DIR=$folder TALWEG_PLUGIN_PATH=$plugins
-export DISPLAY HOME XDG_RUNTIME_DIR TALWEG_PLUGIN_PATH
+TALWEG_PROBE=$folder/asked
+export DISPLAY HOME XDG_RUNTIME_DIR TALWEG_PLUGIN_PATH TALWEG_PROBE
 mkdir -p "$HOME/.OpenFlipper/ACG"
 printf '[PluginControl]\nAdditionalPlugins=%s, %s\n' "$TALWEG_OPENFLIPPER_PLUGIN" "$probe" \
   >"$HOME/.OpenFlipper/ACG/OpenFlipper.ini"
@@ -71,11 +72,20 @@ picture() { [ -z "$pictures" ] || { sleep 1; import -window root "$pictures/$1.p
 click() { xdotool mousemove "$1" "$2"; sleep 0.2; xdotool click 1; sleep 0.4; }
 # X Y: from the viewer to the screen. The viewer begins below the menu and the tool bar.
 clicks() { for at in "$@"; do click "${at%,*}" "${at#*,}"; done; }
-widget() {  # NAME: the middle of a widget
-  grep -a " : WIDGET $1 " "$log" | tail -n 1 | sed 's/.*WIDGET [A-Za-z]* //' |
-    awk '{ print int($1 + $3 / 2), int($2 + $4 / 2) }'
+# Asks the probe for a widget: it is scrolled to, and the log has its place and text.
+ask() {
+  echo "$1" >"$TALWEG_PROBE"
+  for _ in $(seq 100); do [ -e "$TALWEG_PROBE" ] || return 0; sleep 0.1; done
+  fail "the probe answers"
 }
-press() { click $(widget "$1"); }
+place() { grep -a " : WIDGET $1 " "$log" | tail -n 1 | sed "s/.*WIDGET $1 //"; }  # x y width height
+middle() { place "$1" | awk '{ print int($1 + $3 / 2), int($2 + $4 / 2) }'; }
+press() { ask "$1"; click $(middle "$1"); }
+row() {  # NUMBER: clicks the name in a row of the list of curves
+  ask talwegCurves
+  set -- "$1" $(place talwegCurves)
+  click "$(($2 + 50))" "$(($3 + 14 + 19 * $1))"
+}
 # Types a file's name into the dialog that is there.
 type_name() { sleep 2; xdotool type --delay 30 "$1"; xdotool key Return; sleep 1; }
 
@@ -125,7 +135,8 @@ expect "2 curve(s)" "with it"
 moved=$(grep -a "curve(s)" "$log" | tail -n 1 | sed 's/.*length //; s/, deviation.*//')
 
 mark
-set -- $(grep -a ' : WIDGET talwegTauSlider ' "$log" | tail -n 1 | sed 's/.*Slider //')
+ask talwegTauSlider
+set -- $(place talwegTauSlider)
 y=$(($2 + $4 / 2))
 xdotool mousemove "$(($1 + $3 / 4 + 3))" "$y" mousedown 1
 for part in 40 50 60 70 80; do xdotool mousemove "$(($1 + $3 * part / 100))" "$y"; sleep 0.2; done

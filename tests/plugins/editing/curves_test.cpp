@@ -109,6 +109,9 @@ TEST(Curves, HaveAToleranceOfTheirOwn) {
   const std::vector<host::Curve> curves = host_curves(editor.drawing());
   EXPECT_TRUE(curves.at(0).exact.empty()) << "a stroke stays one";
   EXPECT_EQ(curves.at(3).exact, (std::vector<double>{0.25, 0.25}));
+  editor.set_pinned(3, 1, true);
+  EXPECT_EQ(host_curves(editor.drawing()).at(3).exact, (std::vector<double>{0.25, 0}));
+  editor.set_pinned(3, 1, false);
   editor.set_curve_tolerance(3, {});
   EXPECT_EQ(host_curves(editor.drawing()).at(3).exact, (std::vector<double>{0, 0}));
   EXPECT_EQ(refusal([&] { editor.set_curve_tolerance(0, std::nan("")); }),

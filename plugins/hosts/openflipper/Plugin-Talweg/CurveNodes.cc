@@ -56,7 +56,7 @@ CurveNodes::CurveNodes()
   auto* always = new DepthNode(GL_ALWAYS, root_, "Talweg: before everything");
   faint_comb_ = line_node(behind, "Talweg: hidden comb", 1.0f);
   faint_points_ = point_node(behind, "Talweg: hidden points");
-  lines_ = line_node(front, "Talweg: drawn lines", 2.0f);
+  lines_ = line_node(front, "Talweg: drawn lines", 1.5f);
   leg_ = line_node(front, "Talweg: next leg", 1.0f);
   comb_ = line_node(front, "Talweg: comb", 1.0f);
   points_ = point_node(front, "Talweg: points");

@@ -7,7 +7,7 @@ namespace talweg::openflipper {
 CurvesBox::CurvesBox(QWidget* parent) : QGroupBox(tr("Curves"), parent) {
   auto* read =
       make_button(this, "ReadDrawing", Sign::kRead, tr("Read"), tr("Adds the curves of a file."));
-  write_ = make_button(this, "WriteDrawing", Sign::kWrite, tr("Write drawing"),
+  write_ = make_button(this, "WriteDrawing", Sign::kWrite, tr("Write"),
                        tr("Writes the drawn points; .json keeps which were clicked and pinned."));
   table_ = new CurveTable(this);
   remove_ = make_button(this, "Remove", Sign::kCross, tr("Remove"),
@@ -18,22 +18,17 @@ CurvesBox::CurvesBox(QWidget* parent) : QGroupBox(tr("Curves"), parent) {
                      tr("Pins all points of the selected curve, or lets all go."));
   closed_ = make_button(this, "Closed", Sign::kLoop, tr("Closed"),
                         tr("Closes the selected curve, or opens it."));
-  go_on_ = make_button(this, "Continue", Sign::kPencil, tr("Continue"),
+  go_on_ = make_button(this, "Continue", Sign::kPencil, tr("Go on"),
                        tr("Draws on at the end of the selected curve."));
   pin_->setCheckable(true);
   closed_->setCheckable(true);
-  points_ = new QCheckBox(tr("Show points"), this);
-  points_->setObjectName("talwegPoints");
-  points_->setToolTip(tr("Hidden points cannot be moved; curves show as before."));
   auto* numbers = new QGridLayout;
   make_numbers(numbers);
   auto* all = tight(this);
-  all->addLayout(row_of({read, write_}));
+  all->addLayout(row_of({read, write_, clear_}));
   all->addWidget(table_);
-  all->addLayout(row_of({remove_, clear_}));
-  all->addLayout(row_of({pin_, closed_, go_on_}));
+  all->addLayout(row_of({remove_, pin_, closed_, go_on_}));
   all->addLayout(numbers);
-  all->addWidget(points_);
   connect(read, &QToolButton::clicked, this, &CurvesBox::read);
   connect(write_, &QToolButton::clicked, this, &CurvesBox::write);
   connect(clear_, &QToolButton::clicked, this, &CurvesBox::clear);
@@ -41,7 +36,6 @@ CurvesBox::CurvesBox(QWidget* parent) : QGroupBox(tr("Curves"), parent) {
   connect(pin_, &QToolButton::clicked, this, &CurvesBox::pin);
   connect(closed_, &QToolButton::clicked, this, &CurvesBox::set_closed);
   connect(go_on_, &QToolButton::clicked, this, &CurvesBox::go_on);
-  connect(points_, &QCheckBox::clicked, this, &CurvesBox::show_points);
   connect(table_, &CurveTable::selected, this, &CurvesBox::selected);
   connect(table_, &CurveTable::renamed, this, &CurvesBox::renamed);
   connect(table_, &CurveTable::remove, this, &CurvesBox::remove);
@@ -79,7 +73,6 @@ void CurvesBox::show_state(const CurvesState& state) {
   closed_->setEnabled(one && !state.unfinished);
   closed_->setChecked(one && state.closed);
   go_on_->setEnabled(one && !state.unfinished && !state.closed);
-  points_->setChecked(state.show_points);
   tau_->show_value(state.tau, state.general_tau);
   tolerance_->show_value(state.tolerance, state.general_tolerance, state.most);
   const QString none = one ? QString() : tr("Select a curve in the list or in the scene.");

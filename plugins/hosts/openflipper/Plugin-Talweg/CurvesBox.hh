@@ -2,7 +2,6 @@
 // done with the selected one.
 #pragma once
 
-#include <QCheckBox>
 #include <QGroupBox>
 #include <QToolButton>
 #include <optional>
@@ -22,7 +21,6 @@ struct CurvesState {
   std::optional<double> tau, tolerance;  ///< its own
   double general_tau = 1, general_tolerance = 0;
   double most = 1;  ///< the largest tolerance that the slider offers, mesh units
-  bool show_points = true;
 };
 
 class CurvesBox : public QGroupBox {
@@ -37,7 +35,6 @@ class CurvesBox : public QGroupBox {
   void clear();
   void selected(unsigned number);
   void renamed(unsigned number, const QString& name);
-  void show_points(bool with);
   // Of the selected curve.
   void remove();
   void pin(bool pinned);
@@ -54,7 +51,6 @@ class CurvesBox : public QGroupBox {
   CurveTable* table_;
   QToolButton *write_, *clear_, *remove_, *pin_, *closed_, *go_on_;
   NumberRow *tau_ = nullptr, *tolerance_ = nullptr;
-  QCheckBox* points_;
 };
 
 }  // namespace talweg::openflipper

@@ -13,8 +13,9 @@ namespace talweg::openflipper {
 
 struct LookState {
   int coloured_by = 0;
-  double most = 0;  ///< what the last colour stands for; 0: there are no colours
-  QString unit;     ///< of that
+  double most = 0;     ///< what the last colour stands for; 0: there are no colours
+  QString unit;        ///< of that
+  bool points = true;  ///< whether drawn points are shown
   bool comb = false;
   QString comb_text;  ///< its scale
   int mark = 0;
@@ -29,12 +30,13 @@ class LookBox : public QWidget {
 
  signals:
   void colour_by(int what);
+  void points(bool with);
   void comb(bool with);
   void mark(int what);
 
  private:
   QComboBox *colours_, *marks_;
-  QCheckBox* comb_;
+  QCheckBox *points_, *comb_;
   QLabel *comb_text_, *mark_text_;
   Legend* legend_;
 };

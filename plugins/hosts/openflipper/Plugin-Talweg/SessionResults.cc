@@ -100,7 +100,10 @@ QString Session::name_of_line(std::uint32_t number) const {
 int Session::add_result_line(const QString& name, std::uint32_t number) {
   const int id = host_.add_line(name);
   if (PolyLineObject* made = PluginFunctions::polyLineObject(id)) {
-    made->materialNode()->set_color(colour_of_curve(number));
+    const ACG::Vec4f colour = colour_of_curve(number);
+    made->materialNode()->set_color(colour);  // the host draws lines in the sum of these two
+    made->materialNode()->set_ambient_color(colour * 0.5f);
+    made->materialNode()->set_diffuse_color(colour * 0.5f);
     made->materialNode()->set_point_size(1.0f);
     look_like(*made, colour_by_);
   }

@@ -30,7 +30,6 @@ void TalwegPlugin::connect_curves() {
   connect(box, &CurvesBox::read, this, [this] { ask_for_file(false, false); });
   connect(box, &CurvesBox::write, this, [this] { ask_for_file(true, false); });
   connect(box, &CurvesBox::clear, this, [this] { edit_now([](Editor& e) { e.clear(); }); });
-  connect(box, &CurvesBox::show_points, this, &TalwegPlugin::show_points);
   connect(box, &CurvesBox::selected, this, [this](unsigned number) {
     if (Session* session = existing(current_)) {
       session->select(talweg::openflipper::index_of(session->editor().drawing(), number));

@@ -20,6 +20,7 @@ void TalwegPlugin::connect_look() {
   connect(box, &LookBox::colour_by, this, [this](int what) {
     if (Session* session = existing(current_)) session->colour_by(static_cast<ColourBy>(what));
   });
+  connect(box, &LookBox::points, this, &TalwegPlugin::show_points);
   connect(box, &LookBox::comb, this, [this](bool with) {
     if (Session* session = existing(current_)) session->show_comb(with);
   });

@@ -354,7 +354,7 @@ void TalwegPlugin::changed() {
     state.repair_told = session->repair_told();
     save_settings(state.settings);
   }
-  state.curves.show_points = show_points_;
+  state.look.points = show_points_;
   panel_->show_state(state);
   emit updateView();
 }

@@ -1,8 +1,12 @@
 #include "ProbePlugin.hh"
 
 #include <QApplication>
+#include <QFile>
+#include <QLabel>
 #include <QMouseEvent>
+#include <QScrollArea>
 #include <QSlider>
+#include <QTreeWidget>
 #include <cmath>
 
 #include <ACG/Scenegraph/LineNode.hh>
@@ -25,6 +29,34 @@ bool is_view(QObject* watched) {
 QString place_of(const QWidget& widget) {
   const QPoint at = widget.mapToGlobal(QPoint(0, 0));
   return QString("%1 %2 %3 %4").arg(at.x()).arg(at.y()).arg(widget.width()).arg(widget.height());
+}
+
+QWidget* widget_of(const QString& name) {
+  for (QWidget* widget : QApplication::allWidgets()) {
+    if (widget->objectName() == name) return widget;
+  }
+  return nullptr;
+}
+
+void scroll_to(QWidget& widget) {
+  for (QWidget* parent = widget.parentWidget(); parent != nullptr;
+       parent = parent->parentWidget()) {
+    if (auto* area = qobject_cast<QScrollArea*>(parent)) area->ensureWidgetVisible(&widget);
+  }
+}
+
+/// What a label says, and the rows of a list.
+QString text_of(const QWidget& widget) {
+  if (const auto* label = qobject_cast<const QLabel*>(&widget)) return label->text();
+  const auto* list = qobject_cast<const QTreeWidget*>(&widget);
+  QStringList rows;
+  for (int row = 0; list != nullptr && row < list->topLevelItemCount(); ++row) {
+    const QTreeWidgetItem* item = list->topLevelItem(row);
+    QStringList cells(item->isSelected() ? "selected" : "row");
+    for (int column = 0; column < list->columnCount(); ++column) cells << item->text(column);
+    rows << cells.join(' ');
+  }
+  return rows.join(", ");
 }
 
 /// A node of the scene that is shown; null where it or one above it is hidden.
@@ -60,7 +92,10 @@ double longest_edge() {
 
 void ProbePlugin::pluginsInitialized() {
   clock_.start();
-  if (OpenFlipper::Options::gui()) qApp->installEventFilter(this);
+  if (!OpenFlipper::Options::gui()) return;
+  qApp->installEventFilter(this);
+  connect(&asked_, &QTimer::timeout, this, &ProbePlugin::answer);
+  if (qEnvironmentVariableIsSet("TALWEG_PROBE")) asked_.start(50);
 }
 
 bool ProbePlugin::eventFilter(QObject* watched, QEvent* event) {
@@ -128,10 +163,22 @@ void ProbePlugin::tell_scene() {
 QString ProbePlugin::widgetPosition(QString name) {
   if (OpenFlipper::Options::nogui()) return {};
   QApplication::processEvents();  // layouts that wait
-  for (const QWidget* widget : QApplication::allWidgets()) {
-    if (widget->objectName() == name) return place_of(*widget);
+  const QWidget* widget = widget_of(name);
+  return widget == nullptr ? QString() : place_of(*widget);
+}
+
+void ProbePlugin::answer() {
+  QFile file(qEnvironmentVariable("TALWEG_PROBE"));
+  if (!file.open(QIODevice::ReadOnly)) return;
+  const QString name = QString::fromUtf8(file.readAll()).trimmed();
+  if (name.isEmpty()) return;  // it is being written
+  if (QWidget* widget = widget_of(name)) {
+    scroll_to(*widget);
+    QApplication::processEvents();
+    emit log(LOGINFO, "WIDGET " + name + " " + place_of(*widget));
+    emit log(LOGINFO, "TEXT " + name + ": " + text_of(*widget));
   }
-  return {};
+  file.remove();
 }
 
 QString ProbePlugin::screenPosition(int meshId, int vertex) {

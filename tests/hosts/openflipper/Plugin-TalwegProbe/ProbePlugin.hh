@@ -1,11 +1,13 @@
 // The probe is a plugin of the host for tests. It looks at Plugin-Talweg from outside: where its
 // widgets are, where a vertex is on the screen, what the scene has of the drawing, and how long it
 // takes from a movement of the mouse until a smoothed line has changed. Scripts call it
-// "talwegprobe"; the scene and the times are in the log.
+// "talwegprobe"; the scene and the times are in the log. A name in the file TALWEG_PROBE asks for a
+// widget: it is scrolled to, and the log has its place and its text.
 #pragma once
 
 #include <QElapsedTimer>
 #include <QObject>
+#include <QTimer>
 
 #include <OpenFlipper/BasePlugin/BaseInterface.hh>
 #include <OpenFlipper/BasePlugin/LoggingInterface.hh>
@@ -57,7 +59,9 @@ class ProbePlugin : public QObject,
 
  private:
   void tell_scene();
+  void answer();
   QElapsedTimer clock_;
+  QTimer asked_;
   QString what_;         // the movement that no line has followed yet; empty: none
   double began_ms_ = 0;  // when that was
   double paint_ms_ = 0;  // what the host's pictures have taken since

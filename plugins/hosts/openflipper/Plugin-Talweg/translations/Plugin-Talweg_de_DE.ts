@@ -627,10 +627,6 @@
         <translation>Fügt die Kurven einer Datei hinzu.</translation>
     </message>
     <message>
-        <source>Write drawing</source>
-        <translation>Zeichnung schreiben</translation>
-    </message>
-    <message>
         <source>Writes the drawn points; .json keeps which were clicked and pinned.</source>
         <translation>Schreibt die gezeichneten Punkte; .json behält, welche geklickt und festgehalten sind.</translation>
     </message>
@@ -667,20 +663,8 @@
         <translation>Schließt die ausgewählte Kurve oder öffnet sie.</translation>
     </message>
     <message>
-        <source>Continue</source>
-        <translation>Weiter</translation>
-    </message>
-    <message>
         <source>Draws on at the end of the selected curve.</source>
         <translation>Zeichnet am Ende der ausgewählten Kurve weiter.</translation>
-    </message>
-    <message>
-        <source>Show points</source>
-        <translation>Punkte zeigen</translation>
-    </message>
-    <message>
-        <source>Hidden points cannot be moved; curves show as before.</source>
-        <translation>Verborgene Punkte lassen sich nicht bewegen; Kurven bleiben sichtbar.</translation>
     </message>
     <message>
         <source>Own tau</source>
@@ -706,24 +690,20 @@
         <source>Select a curve in the list or in the scene.</source>
         <translation>Wählen Sie eine Kurve in der Liste oder in der Szene aus.</translation>
     </message>
+    <message>
+        <source>Write</source>
+        <translation>Schreiben</translation>
+    </message>
+    <message>
+        <source>Go on</source>
+        <translation>Weiter</translation>
+    </message>
 </context>
 <context>
     <name>talweg::openflipper::LookBox</name>
     <message>
         <source>No colours</source>
         <translation>Keine Farben</translation>
-    </message>
-    <message>
-        <source>Deviation on the curve</source>
-        <translation>Abweichung auf der Kurve</translation>
-    </message>
-    <message>
-        <source>Distance on the mesh</source>
-        <translation>Abstand auf dem Netz</translation>
-    </message>
-    <message>
-        <source>Potential on the mesh</source>
-        <translation>Potential auf dem Netz</translation>
     </message>
     <message>
         <source>Comb</source>
@@ -748,6 +728,30 @@
     <message>
         <source>Marks where it is largest, and turns the view to it.</source>
         <translation>Markiert, wo sie am größten ist, und dreht die Ansicht dorthin.</translation>
+    </message>
+    <message>
+        <source>Deviation</source>
+        <translation>Abweichung</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>Potential</source>
+        <translation>Potential</translation>
+    </message>
+    <message>
+        <source>Deviation from the drawing along the curves; distance to the drawing or potential on the mesh.</source>
+        <translation>Abweichung von der Zeichnung entlang der Kurven; Abstand zur Zeichnung oder Potential auf dem Netz.</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>Hidden points cannot be moved; curves show as before.</source>
+        <translation>Verborgene Punkte lassen sich nicht bewegen; Kurven bleiben sichtbar.</translation>
     </message>
 </context>
 <context>
