@@ -1,7 +1,6 @@
 """Curve objects remember what they were made of: values move without the mesh, also tomorrow."""
 
 import json
-import os
 import tempfile
 import unittest
 from pathlib import Path
@@ -9,7 +8,7 @@ from pathlib import Path
 import bmesh
 import bpy
 import numpy as np
-from talweg_blender import colours, curve_object, page, session, settings
+from talweg_blender import colours, drawings, operators, page, session
 from talweg_blender.package import talweg
 
 import scene
@@ -49,6 +48,15 @@ class Again(unittest.TestCase):
                 wanted["max_deviation"] = curve.talweg.max_deviation
             expected = mesh.smooth(support.staircase(), **wanted).curve
             np.testing.assert_array_equal(scene.spline_points(curve), expected.positions.astype(np.float32))
+
+    def test_what_is_not_ticked_shows_what_was_used(self):
+        curve = self.made()
+        total = session.last_result().total
+        self.assertAlmostEqual(curve.talweg.slack, total.slack, places=6)
+        self.assertAlmostEqual(curve.talweg.max_deviation, total.deviation_to_drawn_max, places=6)
+        curve.talweg.tau = 4
+        self.assertAlmostEqual(curve.talweg.max_deviation, session.last_result().total.deviation_to_drawn_max,
+                               places=6)
 
     def test_the_mesh_is_not_read_for_it(self):
         curve = self.made(tau=1)
@@ -315,6 +323,18 @@ class Repaired(unittest.TestCase):
         with self.assertRaises(RuntimeError) as caught:
             bpy.ops.talweg.smooth_annotations()
         self.assertNotIn("repair", str(caught.exception))
+
+
+class Refused(unittest.TestCase):
+    def test_a_stroke_that_the_library_refuses_is_left_out(self):
+        curves = [talweg.Curve(vertices=[k, k + 1]) for k in range(3)]
+        drawing = drawings.Drawing(curves, "key", ["Stroke 0", "Stroke 2", "Stroke 20"], ["first"])
+        left = operators._without(drawing, "Stroke 2: it cannot be done.")
+        self.assertEqual((left.names, left.curves), (["Stroke 0", "Stroke 20"], [curves[0], curves[2]]))
+        self.assertEqual(left.warnings, ["first", "Left out: Stroke 2: it cannot be done."])
+        self.assertIsNone(operators._without(drawing, "Something else."))
+        alone = drawings.Drawing(curves[:1], "key", ["Stroke 0"])
+        self.assertIsNone(operators._without(alone, "Stroke 0: it cannot be done."))
 
 
 class Page(unittest.TestCase):

@@ -55,12 +55,12 @@ class _Smoothing:
         drawing = drawing_on(obj, place)
         try:
             drawing, result = self._result(context, place, drawing)
+            parameters.show_used(self, result.total)  # the curve object is to have them, too
             with named(drawing.names):
                 made, warnings = outcomes.make(context, obj, place, drawing, result, self, as_shown)
         except talweg.BadMesh as error:
             raise talweg.BadMesh(offers.note(obj, place, error, self.bl_idname)) from None
         offers.forget(obj)
-        parameters.show_used(self, result.total)
         self.scaled = "\n".join(sentences.of_scale(obj))
         return (f"{sentences.of_result(context, result)} {made}".strip(),
                 [*drawing.warnings, *sentences.of_object(obj, as_shown)],

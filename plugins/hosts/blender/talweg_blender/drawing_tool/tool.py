@@ -216,6 +216,13 @@ class TALWEG_OT_draw(bpy.types.Operator):
         if self._refused is None:
             self._end(context, self._drawn.close, None)
 
+    def abandon(self):
+        """The add-on goes."""
+        self._ended = True
+        self._overlay.remove()
+        self._drawn.close()
+        _now.remove(self)
+
 
 class DrawTool(bpy.types.WorkSpaceTool):
     """In the toolbar of object mode."""
@@ -229,6 +236,9 @@ class DrawTool(bpy.types.WorkSpaceTool):
     bl_keymap = (("talweg.draw", {"type": "LEFTMOUSE", "value": "PRESS"}, None),)
 
     def draw_settings(_context, layout, tool):
+        obj = bpy.context.object
+        if obj is None or obj.type != "MESH" and not settings.is_kept(obj):
+            layout.label(text="Choose a mesh, or a curve of Talweg", icon="INFO")
         properties = tool.operator_properties("talweg.draw")
         layout.prop(properties, "output")
 
@@ -242,6 +252,8 @@ def register():
 
 
 def unregister():
+    for one in list(_now):
+        one.abandon()
     if not bpy.app.background:
         bpy.utils.unregister_tool(DrawTool)
     bpy.utils.unregister_class(TALWEG_OT_draw)
