@@ -50,3 +50,12 @@ export function mesh(kind) {
   writeFileSync(path, `${lines.join('\n')}\n`);
   return path;
 }
+
+export function meanEdge(kind) {
+  const { points, faces } = kinds[kind]();
+  const lengths = faces.flatMap((face) => face.map((v, k) => {
+    const [p, q] = [points[v], points[face[(k + 1) % 3]]];
+    return Math.hypot(...p.map((x, i) => x - q[i]));
+  }));
+  return lengths.reduce((sum, length) => sum + length, 0) / lengths.length;
+}

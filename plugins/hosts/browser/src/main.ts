@@ -46,8 +46,8 @@ async function start(store: Store): Promise<void> {
   new Pointers(box, stage.camera, hand, viewMoved);
   const cursor = new Cursor(store, stage, finder);
   const keys = new Keys(box, store, stage.camera, cursor, hand, drawing, live, cutting, viewMoved);
+  keys.all.push({ keys: ['?'], shown: '?', what: 'this list', act: () => help() });
   const help = bindHelp(keys.all);
-  keys.all.push({ keys: ['?'], shown: '?', what: 'this list', act: help });
 
   const curves = new CurvePanel(store, drawing);
   const cuts = new CutPanel(store, cutting);

@@ -19,7 +19,8 @@ export class CutWork {
     const { store, engine } = this.desk;
     const kept = await this.desk.wait('cut', 'Keeping a part', engine.keep(part, store.now.lids));
     if (!kept || !store.now.cut) return;
-    store.set({ cut: kept, kept: part });
+    // It keeps the number and the colour that it had among the others.
+    store.set({ cut: { ...kept, side: kept.side.fill(part), parts: part + 1 }, kept: part });
     this.desk.tell(`Part ${part + 1} is kept.`);
   }
 

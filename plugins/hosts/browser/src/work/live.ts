@@ -6,6 +6,9 @@ import { type Desk, isGone, sentenceOf } from './desk';
 /** What the hand is doing: while it moves, only what is seen at once is computed. */
 export type Hand = 'rests' | 'slides' | 'drags';
 
+/** What work is called that makes curves smooth. */
+export const smoothingWords = 'Smoothing';
+
 export class Live {
   private round = 0;
   /** The newest round whose answer is shown; older ones come too late. */
@@ -85,7 +88,7 @@ export class Live {
     const mine = ++this.round;
     const { store, engine } = this.desk;
     const work = engine.smooth(drawing, hand);
-    const smoothed = await (hand === 'rests' ? this.desk.wait('drawing', 'Smoothing', work)
+    const smoothed = await (hand === 'rests' ? this.desk.wait('drawing', smoothingWords, work)
       : work.catch(() => undefined));
     // An older answer is better than none while the hand moves; after a newer one it is not.
     if (!smoothed || mine < this.shown) return;

@@ -6,7 +6,7 @@ import type { Shape } from '../pick/shape';
 import { countText } from '../panel/numbers';
 import type { OpenMesh } from '../state/state';
 import type { Desk } from './desk';
-import type { Live } from './live';
+import { type Live, smoothingWords } from './live';
 
 export class MeshWork {
   /** Finds places on the mesh; null until the mesh is prepared. */
@@ -49,9 +49,12 @@ export class MeshWork {
 
   /** Ends work that takes too long: a new engine gets the mesh again, and the drawing stays. */
   async endWork(): Promise<void> {
+    const smoothing = this.desk.store.now.busy?.what === smoothingWords;
     await this.desk.endEngine();
     this.desk.tell('Ended.');
     await this.reopen();
+    // The new engine knows the curves again, unless just that took too long.
+    if (!smoothing) this.live.refresh();
   }
 
   private read(name: string, bytes: Uint8Array, repaired: boolean): Promise<MeshInfo> {

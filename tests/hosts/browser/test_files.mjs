@@ -1,0 +1,132 @@
+// What the page saves is what the driver makes of the same drawing, and can be read again.
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { basename, dirname, join } from 'node:path';
+import { countIn, curvesIn, farthest, talweg } from './driver.mjs';
+import { mesh, meanEdge } from './meshes.mjs';
+import { around, withMesh } from './places.mjs';
+
+async function saveAs(page, format) {
+  await page.page.select('#curve-format', format);
+  return page.saved(() => page.act('save-curves'));
+}
+
+async function stroked(closed = true) {
+  const page = await withMesh();
+  const [a, b, c, d] = await around(page);
+  await page.drag(closed ? [a, b, c, d, a] : [a, c, b, d], { steps: 9 });
+  if (!closed) await page.key('Enter');
+  await page.rest();
+  return page;
+}
+
+/** The driver smooths the drawing that the page saved; with the page's words. */
+async function bothWays(page) {
+  const drawn = await saveAs(page, 'drawn.json');
+  const ours = await saveAs(page, 'json');
+  const theirs = join(dirname(ours), 'driver.json'), report = join(dirname(ours), 'driver-report.json');
+  await page.page.evaluate(() => (document.getElementById('command-details').open = true));
+  await page.page.waitForFunction(() => document.getElementById('command').textContent.startsWith('talweg'));
+  const words = (await page.text('command')).split(' ').slice(1);
+  const paths = { 'ball.off': mesh('ball'), [basename(drawn)]: drawn };
+  const out = words.indexOf('-o');
+  words[out + 1] = theirs;
+  words[words.indexOf('--report') + 1] = report;
+  talweg(...words.map((word) => paths[word] ?? word));
+  return { ours, theirs, report };
+}
+
+async function agree(page) {
+  const { ours, theirs } = await bothWays(page);
+  const distance = farthest(curvesIn(ours), curvesIn(theirs));
+  // Fair curves are a minimum that is sought until steps are small against the edges.
+  assert.ok(distance <= 1e-4 * meanEdge('ball'), `${distance} of ${meanEdge('ball')}`);
+  talweg('measure', mesh('ball'), ours);
+}
+
+export async function aStrokeAsTheDriverHasIt() {
+  await agree(await stroked(false));
+}
+
+export async function aLoopAsTheDriverHasIt() {
+  await agree(await stroked());
+}
+
+export async function clicksAsTheDriverHasThem() {
+  const page = await withMesh();
+  for (const at of await around(page)) await page.click(...at);
+  await page.act('close');
+  await agree(page);
+}
+
+export async function anotherTauAndABound() {
+  const page = await stroked(false);
+  await page.page.$eval('#tau-number', (box) => {
+    box.value = '3';
+    box.dispatchEvent(new Event('change'));
+  });
+  await page.rest();
+  await agree(page);
+  await page.act('undo');
+  await page.page.click('#most-on');
+  await page.rest();
+  await agree(page);
+}
+
+export async function theReportIsTheDrivers() {
+  const page = await stroked(false);
+  const { report } = await bothWays(page);
+  const ours = JSON.parse(readFileSync(await page.saved(() => page.act('save-report')), 'utf8'));
+  const theirs = JSON.parse(readFileSync(report, 'utf8'));
+  for (const name of ['length_before', 'length_after', 'deviation_to_drawn_max', 'curvature_after']) {
+    const [a, b] = [ours, theirs].map((r) => r[name] ?? r.curves?.[0]?.[name]);
+    assert.ok(Math.abs(a - b) <= 1e-4 * Math.abs(b), `${name}: ${a} and ${b}`);
+  }
+}
+
+export async function everyFormatIsRead() {
+  const page = await stroked(false);
+  const formats = await page.page.$$eval('#curve-format option', (all) => all.map((o) => o.value));
+  for (const format of formats) {
+    const file = await saveAs(page, format);
+    talweg('measure', mesh('ball'), file);
+    const before = (await page.curves()).length;
+    await page.choose('choose-curves', file);
+    await page.page.waitForFunction((n) => document.querySelectorAll('#curve-list li').length > n, {}, before);
+    await page.rest();
+    await page.act('undo');
+    assert.equal((await page.curves()).length, before, format);
+  }
+}
+
+export async function theCutIsTheDrivers() {
+  const page = await stroked();
+  const curve = await saveAs(page, 'json');
+  await page.act('cut');
+  await page.page.waitForSelector('#part-list li');
+  await page.rest();
+  assert.equal((await page.page.$$('#part-list li')).length, 2);
+  await page.picture('cut');
+  const ours = await page.saved(() => page.act('save-mesh'));
+  const theirs = join(dirname(ours), 'driver.ply');
+  talweg('cut', mesh('ball'), '--curve', curve, '--open', '-o', theirs);
+  for (const element of ['vertex', 'face']) assert.equal(countIn(ours, element), countIn(theirs, element), element);
+
+  // One part with a lid is closed.
+  await page.page.click('#lids');
+  await (await page.page.$('#part-list li button')).click();
+  await page.page.waitForFunction(() => document.querySelectorAll('#part-list li').length === 1);
+  await page.rest();
+  await page.picture('kept');
+  const kept = await page.saved(() => page.act('save-mesh'));
+  assert.match(talweg('info', kept), /closed|watertight|no boundary/i);
+  await page.act('uncut');
+  await page.rest();
+  assert.equal((await page.curves()).length, 1);
+}
+
+export async function aPicture() {
+  const page = await stroked();
+  const bytes = readFileSync(await page.saved(() => page.act('save-picture')));
+  assert.equal(bytes.subarray(1, 4).toString(), 'PNG');
+}
