@@ -236,6 +236,39 @@ class Hand(unittest.TestCase):
         self.assertFalse(ground.sees(down, below.position))
         made.drop()
 
+    def test_the_other_side_of_a_coarse_mesh(self):
+        """The edges of a cube are as long as it is."""
+        scene.empty()
+        bpy.ops.mesh.primitive_cube_add(size=2)
+        self.obj = bpy.context.object
+        self.begin()
+        ground = self.work.ground
+        matrix = np.eye(4) / 5
+        matrix[2, 2], matrix[3, 3] = -0.2, 1
+        down = View(matrix, WIDTH, HEIGHT)
+        for z, seen_now in ((1, True), (-1, False)):
+            self.assertEqual(ground.sees(down, ground.nearest((0.3, 0.2, z), True).position), seen_now)
+
+    def test_meshes_of_every_unit(self):
+        for scale in (1e-2, 1e3):
+            with self.subTest(scale):
+                scene.empty()
+                vertices, faces = support.hills()
+                self.obj = scene.add_mesh(vertices * scale, faces)
+                scaled = np.diag([1 / scale] * 3 + [1])
+                self.view = View(from_above().matrix @ scaled, WIDTH, HEIGHT)
+                made = self.begin()
+                self.click(10, 10)
+                self.click(30, 15)
+                self.click(50, 40)
+                self.work.next_line()
+                self.drag((10, 50), (30, 52))
+                made.wait()
+                self.assertEqual(made.error, "")
+                points = np.concatenate(self.positions()) / scale
+                for x, y in ((10, 10), (30, 15), (50, 40), (10, 50)):
+                    self.assertLess(np.linalg.norm(points - [x, y, hill(x, y)], axis=1).min(), 0.05)
+
     def test_wheel_and_undo_of_tau(self):
         made = self.begin()
         self.drag((10, 10), (30, 14), (50, 10))

@@ -32,7 +32,7 @@ class Ground:
         if not found:
             return True
         behind = np.dot(np.subtract(position, place), direction)
-        return behind <= max(pixels * view.pixel_at(position), self.surface.edge)
+        return behind <= max(pixels * view.pixel_at(position), min(self.surface.edge, self.surface.size / 200))
 
     def at(self, face, barycentric, exact=False):
         """The Point of given coordinates."""

@@ -182,7 +182,8 @@ class TALWEG_OT_draw(bpy.types.Operator):
         drawn = self._drawn
         tau = drawn.work.editor.state.tau
         told = drawn.error or drawn.told or "Click way-points, or draw on the surface."
-        self._area.header_text_set(f"Talweg   tau {tau:.3g}   {told}")
+        waits = "   ..." if drawn.live.is_busy else ""
+        self._area.header_text_set(f"Talweg   tau {tau:.3g}   {told}{waits}")
         self._area.tag_redraw()
 
     # ---- The end.
