@@ -47,11 +47,18 @@ std::vector<MetricTriangle> triangles_of(const Surface& surface, const Mollifica
   return triangles(thickened);
 }
 
+// A thread that cannot begin there is waited for without end.
+#if defined(__EMSCRIPTEN__) && !defined(__EMSCRIPTEN_PTHREADS__)
+constexpr bool kHasThreads = false;
+#else
+constexpr bool kHasThreads = true;
+#endif
+
 /// Factors matrices one after the other or two at a time; the factors are the same.
 class Factoring {
  public:
   Factoring(const SymbolicFactor& symbolic, unsigned threads)
-      : symbolic_(symbolic), beside_(threads > 1) {}
+      : symbolic_(symbolic), beside_(kHasThreads && threads > 1) {}
 
   std::future<CholeskyFactor> start(std::shared_ptr<const SymmetricMatrix> matrix) {
     const auto job = [symbolic = symbolic_, kept = std::move(matrix)] {

@@ -149,7 +149,7 @@ class Sinker {
     for (auto at = contacts.begin(); at != contacts.end();) {
       const auto end = std::find_if(at, contacts.end(),
                                     [&](const auto& c) { return c.triangle != at->triangle; });
-      if (choose_up({at, end})) {
+      if (choose_up({&*at, static_cast<std::size_t>(end - at)})) {
         for (auto contact = at; contact != end; ++contact) {
           changed = leave_behind(*contact) || changed;
         }

@@ -32,14 +32,16 @@ Drawing draw(const Surface& surface, std::span<const SurfacePoint> clicks,
   if (options.tolerance && !(*options.tolerance >= 0 && std::isfinite(*options.tolerance))) {
     throw Error(ErrorCode::kBadUsage, "tolerance must be finite and >= 0.");
   }
-  const bool edges =
-      !options.straight && std::ranges::all_of(clicks, [](const auto& p) { return p.is_vertex(); });
+  const bool edges = !options.straight && std::all_of(clicks.begin(), clicks.end(),
+                                                      [](const auto& p) { return p.is_vertex(); });
   Drawing drawing;
   drawing.curve = edges ? along_edges(surface, clicks, options.closed, progress)
                         : StraightLines(surface).join(clicks, options.closed, progress);
   for (const SurfacePoint& click : clicks) {
     const auto known = [&](const WayPoint& way) { return way.point == click; };
-    if (!options.tolerance || std::ranges::any_of(drawing.way_points, known)) continue;
+    if (!options.tolerance ||
+        std::any_of(drawing.way_points.begin(), drawing.way_points.end(), known))
+      continue;
     drawing.way_points.push_back({click, *options.tolerance});
   }
   return drawing;

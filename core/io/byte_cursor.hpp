@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -19,7 +18,9 @@ T load(const char* at, bool swap) {
   std::array<char, sizeof(T)> bytes;
   std::memcpy(bytes.data(), at, sizeof(T));
   if (swap) std::reverse(bytes.begin(), bytes.end());
-  return std::bit_cast<T>(bytes);
+  T value;
+  std::memcpy(&value, bytes.data(), sizeof(T));
+  return value;
 }
 
 /// A number of any type, converted to double. Integers beyond 2^53 are rounded; no index is that

@@ -1,12 +1,13 @@
 #include "talweg/core/io/line_scanner.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <system_error>
 
 #include <fmt/format.h>
+
+#include "talweg/core/io/number_text.hpp"
 
 namespace talweg {
 namespace {
@@ -64,7 +65,7 @@ template <class Value>
 bool LineScanner::take(Value& value) {
   skip_blanks(rest_);
   const char* const last = rest_.data() + rest_.size();
-  const auto [end, error] = std::from_chars(rest_.data(), last, value);
+  const auto [end, error] = from_text(rest_.data(), last, value);
   if (error != std::errc() || (end != last && !is_blank(*end))) return false;
   rest_.remove_prefix(static_cast<std::size_t>(end - rest_.data()));
   return true;

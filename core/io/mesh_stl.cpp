@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstring>
 #include <vector>
 
 #include "talweg/core/io/byte_cursor.hpp"
@@ -37,8 +38,9 @@ class CornerWelder {
   using Bits = std::array<std::uint64_t, 3>;
 
   static Bits bits(const Point& p) {
-    return {std::bit_cast<std::uint64_t>(p.x()), std::bit_cast<std::uint64_t>(p.y()),
-            std::bit_cast<std::uint64_t>(p.z())};
+    Bits bits;
+    std::memcpy(bits.data(), p.data(), sizeof bits);
+    return bits;
   }
   [[nodiscard]] std::size_t find(const Point& p) const {
     std::uint64_t hash = 0;

@@ -1,9 +1,10 @@
 #include "talweg/core/io/text_words.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <limits>
 #include <system_error>
+
+#include "talweg/core/io/number_text.hpp"
 
 namespace talweg {
 namespace {
@@ -17,7 +18,7 @@ std::string_view without_plus(std::string_view word) {
 
 bool parse(std::string_view word, double& value) {
   word = without_plus(word);
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+  const auto [end, error] = from_text(word.data(), word.data() + word.size(), value);
   if (end != word.data() + word.size() || word.empty()) return false;
   if (error == std::errc::result_out_of_range) {
     const bool tiny = word.find("e-") != word.npos || word.find("E-") != word.npos;
@@ -29,7 +30,7 @@ bool parse(std::string_view word, double& value) {
 
 bool parse(std::string_view word, std::int64_t& value) {
   word = without_plus(word);
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+  const auto [end, error] = from_text(word.data(), word.data() + word.size(), value);
   return error == std::errc() && end == word.data() + word.size() && !word.empty();
 }
 

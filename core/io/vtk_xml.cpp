@@ -1,13 +1,13 @@
 #include "talweg/core/io/vtk_xml.hpp"
 
 #include <bit>
-#include <charconv>
 #include <optional>
 #include <stdexcept>
 
 #include <fmt/format.h>
 
 #include "talweg/core/io/file_bytes.hpp"
+#include "talweg/core/io/number_text.hpp"
 #include "talweg/core/io/text_words.hpp"
 #include "talweg/core/io/word_scanner.hpp"
 
@@ -114,7 +114,7 @@ std::vector<double> VtkXml::read_ascii(const pugi::xml_node& array) const {
   for (std::string_view word = scanner.word(); !word.empty(); word = scanner.word()) {
     double value = 0;
     const char* end = word.data() + word.size();
-    const auto parsed = std::from_chars(word.data(), end, value);
+    const auto parsed = from_text(word.data(), end, value);
     if (parsed.ec == std::errc::invalid_argument || parsed.ptr != end) {
       fail(array, "expected a number, found '" + printable(word) + "'");
     }

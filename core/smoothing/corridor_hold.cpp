@@ -220,7 +220,7 @@ std::optional<SampleChain> CorridorHold::fair_from(const FairGroup& group, const
   std::optional<SampleChain> chain;
   if (has_legs(*drawing_, group)) return chain;
   // Below this tau a result may lead anywhere.
-  const bool is_held = *std::ranges::min_element(taus) >= kLeastHeldTau;
+  const bool is_held = *std::min_element(taus.begin(), taus.end()) >= kLeastHeldTau;
   const SurfaceCurve start =
       is_held ? with_cut_off_detours(group, straight) : joined(group.joined, straight.curves);
   Asker asker(progress, "fair");

@@ -303,14 +303,15 @@ SmoothingResult CurveSmoother::drag_whole(std::size_t curve, const Drawing& move
   // A click that has moved on may still lie on the path, which does not make it one.
   const auto is_left = [&](const SurfacePoint& point) {
     for (std::size_t c = 0; c < curves.size() && !moved.way_points.empty(); ++c) {
-      if (c != curve && std::ranges::count(curves[c].points, point) > 0) return false;
+      if (c != curve && std::count(curves[c].points.begin(), curves[c].points.end(), point) > 0)
+        return false;
     }
     return !moved.way_points.empty();
   };
   std::erase_if(own.way_points, [&](const WayPoint& way) {
     const auto is_new = [&](const WayPoint& other) { return other.point == way.point; };
     return is_gone(way.point) || is_left(way.point) ||
-           std::ranges::any_of(moved.way_points, is_new);
+           std::any_of(moved.way_points.begin(), moved.way_points.end(), is_new);
   });
   own.way_points.insert(own.way_points.end(), moved.way_points.begin(), moved.way_points.end());
   SmoothingOptions plain = options;

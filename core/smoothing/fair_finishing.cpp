@@ -85,9 +85,9 @@ void FairFinishing::warn_if_too_long(const FairGroup& group) {
 }
 
 bool FairFinishing::is_redrawn(const FairGroup& group) const {
-  return std::ranges::any_of(group.joined.parts, [&](const JoinedCurves::Part& part) {
-    return (*curves_)[part.curve].path.redrawn > 0;
-  });
+  return std::any_of(
+      group.joined.parts.begin(), group.joined.parts.end(),
+      [&](const JoinedCurves::Part& part) { return (*curves_)[part.curve].path.redrawn > 0; });
 }
 
 void FairFinishing::count_redrawn(const FairGroup& group) {

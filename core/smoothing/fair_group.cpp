@@ -39,9 +39,9 @@ Taus taus_of(const FairGroup& group, const SmoothingOptions& options) {
 }
 
 bool has_legs(const EmbeddedDrawing& drawing, const FairGroup& group) {
-  return std::ranges::any_of(group.joined.parts, [&](const JoinedCurves::Part& part) {
-    return drawing.legs()[part.curve].any();
-  });
+  return std::any_of(
+      group.joined.parts.begin(), group.joined.parts.end(),
+      [&](const JoinedCurves::Part& part) { return drawing.legs()[part.curve].any(); });
 }
 
 std::optional<LegStart> leg_start(const EmbeddedDrawing& drawing, const FairGroup& group,

@@ -135,7 +135,7 @@ Smoothed FairLadder::smooth(CorridorHold& hold, const SmoothingOptions& options,
     const auto has_rung = [&](const auto& part) {
       return rung_of(options, part.curve).has_value();
     };
-    if (std::ranges::all_of(parts, has_rung)) {
+    if (std::all_of(parts.begin(), parts.end(), has_rung)) {
       chains.push_back(chain(g, options, hold, progress));
     } else if (CorridorHold::is_faired(options, parts.front().curve)) {
       chains.push_back(

@@ -37,7 +37,8 @@ class Bends {
   /// The most within so much of a place.
   [[nodiscard]] double near(double arc, double reach) const {
     double most = 0;
-    auto step = std::ranges::lower_bound(steps_, arc - reach, {}, &CurvatureStep::to);
+    auto step = std::lower_bound(steps_.begin(), steps_.end(), arc - reach,
+                                 [](const CurvatureStep& a, double at) { return a.to < at; });
     for (; step != steps_.end() && step->from <= arc + reach; ++step) {
       most = std::max(most, step->curvature * step->curvature);
     }
@@ -64,11 +65,11 @@ CurveTrace FairMending::traced(const HeldCurve& held) const {
   const EmbeddedDrawing& drawing = hold_->drawing();
   std::vector<std::size_t> fixed = held.fixed;
   for (std::size_t i = 0; i < held.curve.points.size(); ++i) {
-    const bool stays =
-        std::ranges::find(drawing.fixed(), held.curve.points[i]) != drawing.fixed().end();
-    if (stays && !std::ranges::binary_search(held.fixed, i)) fixed.push_back(i);
+    const bool stays = std::find(drawing.fixed().begin(), drawing.fixed().end(),
+                                 held.curve.points[i]) != drawing.fixed().end();
+    if (stays && !std::binary_search(held.fixed.begin(), held.fixed.end(), i)) fixed.push_back(i);
   }
-  std::ranges::sort(fixed);
+  std::sort(fixed.begin(), fixed.end());
   CurveTrace trace = trace_through(drawing.surface(), held.curve, fixed);
   std::vector<SurfacePoint> corners = drawing.corners();
   corners.insert(corners.end(), held.corners.begin(), held.corners.end());
@@ -139,7 +140,8 @@ bool FairMending::leaves_drawing(const Setting& setting) const {
   const auto arcs = setting.distance.point_arcs(0);
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (!setting.stretches.contain(arcs[i])) continue;
-    if (std::ranges::find(taut_->points, points[i]) == taut_->points.end()) return true;
+    if (std::find(taut_->points.begin(), taut_->points.end(), points[i]) == taut_->points.end())
+      return true;
   }
   return false;
 }

@@ -39,8 +39,9 @@ bool is_at_boundary(const Surface& surface, const SurfacePoint& point) {
 
 /// How many of a curve's points are at the boundary.
 std::size_t boundary_points(const Surface& surface, const SurfaceCurve& curve) {
-  return static_cast<std::size_t>(std::ranges::count_if(
-      curve.points, [&](const SurfacePoint& point) { return is_at_boundary(surface, point); }));
+  return static_cast<std::size_t>(
+      std::count_if(curve.points.begin(), curve.points.end(),
+                    [&](const SurfacePoint& point) { return is_at_boundary(surface, point); }));
 }
 
 }  // namespace
@@ -108,8 +109,8 @@ std::vector<SurfacePoint> pressed_points(const Surface& surface, const SurfaceCu
                                          const SurfaceCurve& taut) {
   std::vector<SurfacePoint> points;
   if (!is_pressed(surface, fair, taut)) return points;
-  std::ranges::copy_if(fair.points, std::back_inserter(points),
-                       [&](const SurfacePoint& point) { return is_at_boundary(surface, point); });
+  std::copy_if(fair.points.begin(), fair.points.end(), std::back_inserter(points),
+               [&](const SurfacePoint& point) { return is_at_boundary(surface, point); });
   return points;
 }
 

@@ -91,7 +91,7 @@ class Search {
     }
     const auto has_slack = [](const OwnOptions& own) { return own.slack.has_value(); };
     if (options_.slack || !options_.slack_at.empty() ||
-        std::ranges::any_of(options_.per_curve, has_slack)) {
+        std::any_of(options_.per_curve.begin(), options_.per_curve.end(), has_slack)) {
       try_taus();
     } else {
       try_slacks();

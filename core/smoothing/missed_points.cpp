@@ -29,7 +29,7 @@ struct Missed {
 Missed missed_by(const SurfaceMesh& mesh, DeviationMeter& meter, const SurfaceCurve& drawn,
                  const SurfaceCurve& result, const std::vector<WayPoint>& to_pass) {
   const auto is_on = [](const SurfaceCurve& curve, const SurfacePoint& point) {
-    return std::ranges::find(curve.points, point) != curve.points.end();
+    return std::find(curve.points.begin(), curve.points.end(), point) != curve.points.end();
   };
   std::vector<SurfacePoint> points;  // that are no points of the result
   std::vector<double> tolerances;

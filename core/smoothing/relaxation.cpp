@@ -41,7 +41,7 @@ class Sliders {
         const auto* at = std::get_if<OnEdge>(&curves[c].points[i].where());
         if (at == nullptr) continue;
         const bool end = !curves[c].closed && (i == 0 || i + 1 == curves[c].points.size());
-        if (end || std::ranges::find(fixed, curves[c].points[i]) != fixed.end()) {
+        if (end || std::find(fixed.begin(), fixed.end(), curves[c].points[i]) != fixed.end()) {
           places_.push_back({at->edge, at->t, nullptr});
           continue;
         }

@@ -41,7 +41,7 @@ TautStretches::TautStretches(const Surface& surface, const SurfaceCurve& curve)
 }
 
 void TautStretches::merge(std::vector<Part>& parts) {
-  std::ranges::sort(parts, [](const Part& a, const Part& b) {
+  std::sort(parts.begin(), parts.end(), [](const Part& a, const Part& b) {
     return a.from != b.from ? a.from < b.from : a.to < b.to;
   });
   std::vector<Part> merged;
@@ -64,8 +64,8 @@ void TautStretches::add(double arc, double margin) {
 }
 
 bool TautStretches::contain(double arc) const {
-  return std::ranges::any_of(parts_,
-                             [&](const Part& part) { return part.from <= arc && arc <= part.to; });
+  return std::any_of(parts_.begin(), parts_.end(),
+                     [&](const Part& part) { return part.from <= arc && arc <= part.to; });
 }
 
 /// The point of a loop nearest to the middle of the longest way between two stretches.
@@ -83,8 +83,8 @@ std::size_t TautStretches::first_outside() const {
     const double apart = std::abs(arc - middle);
     return std::min(apart, length_ - apart);
   };
-  const auto nearest =
-      std::ranges::min_element(arcs_, [&](double a, double b) { return away(a) < away(b); });
+  const auto nearest = std::min_element(arcs_.begin(), arcs_.end(),
+                                        [&](double a, double b) { return away(a) < away(b); });
   return static_cast<std::size_t>(nearest - arcs_.begin());
 }
 
@@ -186,7 +186,7 @@ HeldCurve TautStretches::marked(const Course& course, const std::vector<Mark>& m
 
 /// The point at a place of the course.
 SurfacePoint TautStretches::at(const Course& course, double arc) const {
-  const auto after = std::ranges::upper_bound(course.arcs, arc);
+  const auto after = std::upper_bound(course.arcs.begin(), course.arcs.end(), arc);
   const auto i = static_cast<std::size_t>(std::max<std::ptrdiff_t>(
       0, std::min(after - course.arcs.begin(), std::ssize(course.arcs) - 1) - 1));
   const CurveSegment& segment = segments_[course.points[i]];

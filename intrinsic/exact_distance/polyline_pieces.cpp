@@ -137,7 +137,8 @@ std::span<const PolylinePiece> PolylinePieces::segments_in(FaceId face) const {
   const auto range = std::equal_range(
       segments.begin(), segments.end(), key,
       [](const PolylinePiece& a, const PolylinePiece& b) { return a.face < b.face; });
-  return {range.first, range.second};
+  const auto first = static_cast<std::size_t>(range.first - segments.begin());
+  return std::span(segments).subspan(first, static_cast<std::size_t>(range.second - range.first));
 }
 
 PolylinePieces pieces_of(const Surface& surface, std::span<const SurfaceCurve> curves) {

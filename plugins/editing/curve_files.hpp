@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "mesh_arrays.hpp"
-#include "smoothing_thread.hpp"
+#include "workplace.hpp"
 
 namespace talweg::editing {
 

@@ -37,6 +37,11 @@ Plugins::Plugins(const std::string& folders)
   if (loader_ == nullptr) throw std::bad_alloc();
 }
 
+Plugins::Plugins(std::span<const talweg_linked_module> modules)
+    : loader_(talweg_loader_open_linked(modules.data(), modules.size(), nullptr)) {
+  if (loader_ == nullptr) throw std::bad_alloc();
+}
+
 const talweg_plugin& Plugins::find(const char* id) const {
   if (const talweg_plugin* plugin = talweg_loader_find(loader_.get(), id)) return *plugin;
   throw Error(std::string("The plugin ") + id + " was not found in " +

@@ -6,6 +6,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -22,6 +23,8 @@ class Plugins {
  public:
   /// `folders` are separated by ':'; if empty, the loader's own.
   explicit Plugins(const std::string& folders = "");
+  /// Those that are linked into the program.
+  explicit Plugins(std::span<const talweg_linked_module> modules);
   /// Throws Error that says where the plugin was looked for.
   [[nodiscard]] const talweg_plugin& find(const char* id) const;
   /// Where threads that use the plugins end; the plugins stay until then.

@@ -25,6 +25,7 @@ struct talweg_loader {
 
   void look_through(const std::string& folder);
   void look_at(const std::string& path);
+  bool take(talweg_plugin_entry_function entry, const std::string& path);
 
   std::string folders;
   std::vector<talweg::loader::SharedLibrary> libraries;
@@ -60,12 +61,17 @@ void talweg_loader::look_at(const std::string& path) {
   }
   talweg_plugin_entry_function entry = nullptr;
   std::memcpy(&entry, &symbol, sizeof entry);  // POSIX gives a data pointer
+  if (take(entry, path)) libraries.push_back(std::move(library));
+}
+
+/// Whether a plugin of the module is used.
+bool talweg_loader::take(talweg_plugin_entry_function entry, const std::string& path) {
   const talweg_module* module = entry(TALWEG_INTERFACE_MAJOR, TALWEG_INTERFACE_MINOR);
   const std::string why =
       talweg::loader::objection(module, TALWEG_INTERFACE_MAJOR, TALWEG_INTERFACE_MINOR);
   if (!why.empty()) {
     refused.push_back({path, why});
-    return;
+    return false;
   }
   bool used = false;
   for (std::uint64_t k = 0; k < module->plugin_count; ++k) {
@@ -81,15 +87,18 @@ void talweg_loader::look_at(const std::string& path) {
     plugins.push_back({plugin, path});
     used = true;
   }
-  if (used) libraries.push_back(std::move(library));
+  return used;
 }
 
-talweg_loader* talweg_loader_open(const char* folders) {
+namespace {
+
+/// `folders` gives the list, which takes memory, too.
+template <class Folders>
+talweg_loader* opened(const talweg_linked_module* modules, std::uint64_t count, Folders folders) {
   try {
-    const auto list =
-        folders == nullptr ? talweg::loader::standard_folders() : talweg::loader::split(folders);
     auto loader = std::make_unique<talweg_loader>();
-    for (const std::string& folder : list) {
+    for (std::uint64_t k = 0; k < count; ++k) loader->take(modules[k].entry, modules[k].name);
+    for (const std::string& folder : folders()) {
       loader->folders.append(loader->folders.empty() ? "" : ":").append(folder);
       loader->look_through(folder);
     }
@@ -97,6 +106,20 @@ talweg_loader* talweg_loader_open(const char* folders) {
   } catch (...) {
     return nullptr;
   }
+}
+
+}  // namespace
+
+talweg_loader* talweg_loader_open(const char* folders) {
+  return opened(nullptr, 0, [&] {
+    return folders == nullptr ? talweg::loader::standard_folders() : talweg::loader::split(folders);
+  });
+}
+
+talweg_loader* talweg_loader_open_linked(const talweg_linked_module* modules, uint64_t count,
+                                         const char* folders) {
+  return opened(modules, count,
+                [&] { return talweg::loader::split(folders == nullptr ? "" : folders); });
 }
 
 void talweg_loader_close(talweg_loader* loader) { delete loader; }

@@ -28,6 +28,18 @@ typedef struct talweg_loader talweg_loader;
  * separated by ':'; null: those above. Null when memory runs out, and only then. */
 talweg_loader *talweg_loader_open(const char *folders);
 
+/* A module that is linked into the program. Each was compiled with a name of its own for the entry
+ * (-Dtalweg_plugin_entry=talweg_plugin_entry_mine), since one program has room for one. */
+typedef struct talweg_linked_module {
+  const char *name; /* takes the place of the file in talweg_loader_path() and reasons */
+  talweg_plugin_entry_function entry;
+} talweg_linked_module;
+
+/* [any thread] The same for programs without plugins in files, or with some beside them: modules come
+ * first, in their order, then `folders`; null: no folder is looked through. */
+talweg_loader *talweg_loader_open_linked(const talweg_linked_module *modules, uint64_t count,
+                                         const char *folders);
+
 /* Unloads all plugins of the loader; null is allowed. No instance of them may be left, and no pointer
  * that came from them may be used any more. */
 void talweg_loader_close(talweg_loader *loader);

@@ -191,7 +191,7 @@ std::vector<double> by_corner(const HostAttribute& attribute) {
   values.reserve(attribute.corners.size() * 3 * attribute.columns);
   for (const auto& corners : attribute.corners) {
     for (const std::uint32_t entry : corners) {
-      const auto row = attribute.values.begin() + std::ptrdiff_t{entry} * attribute.columns;
+      const double* row = &attribute.values[std::size_t{entry} * attribute.columns];
       values.insert(values.end(), row, row + attribute.columns);
     }
   }

@@ -71,6 +71,32 @@ double run_toy(const talweg_plugin& plugin, const talweg_host* host, const char*
   return report.at(key);
 }
 
+extern "C" const talweg_module* toy_linked_entry(std::uint32_t major, std::uint32_t minor);
+
+const talweg_module* no_entry(std::uint32_t, std::uint32_t) { return nullptr; }
+
+TEST_F(LoaderTest, ModulesThatAreLinkedInComeBeforeThoseOfFiles) {
+  put("plain", "plain.so");
+  const talweg_linked_module linked[] = {
+      {"no use", no_entry}, {"linked", toy_linked_entry}, {"again", toy_linked_entry}};
+  const test::Loader alone(talweg_loader_open_linked(linked, 2, nullptr));
+  ASSERT_EQ(talweg_loader_count(alone.get()), 1U);
+  EXPECT_STREQ(talweg_loader_plugin(alone.get(), 0)->id, "toy.linked");
+  EXPECT_STREQ(talweg_loader_path(alone.get(), 0), "linked");
+  EXPECT_STREQ(talweg_loader_folders(alone.get()), "");
+
+  const test::Loader both(talweg_loader_open_linked(linked, 3, file("").c_str()));
+  ASSERT_EQ(talweg_loader_count(both.get()), 2U);
+  const talweg_plugin* plugin = talweg_loader_find(both.get(), "toy.linked");
+  ASSERT_NE(plugin, nullptr);
+  EXPECT_EQ(run_toy(*plugin, nullptr, "vertices"), 3);
+  EXPECT_NE(talweg_loader_find(both.get(), "toy.count"), nullptr);
+  const auto why = refused(both);
+  ASSERT_EQ(why.size(), 2U);
+  EXPECT_NE(why.at("no use").find("does not work with hosts"), std::string::npos);
+  EXPECT_NE(why.at("again").find("found already, in linked"), std::string::npos);
+}
+
 TEST_F(LoaderTest, LoadsWhatItCanUse) {
   put("plain", "plain.so");
   const test::Loader loader = open();
