@@ -28,6 +28,8 @@ constexpr double kFarthestInEdges = 10;
 /// In mean edges. A mesh that was only smoothed or made coarser stays nearer to its drawing than
 /// this.
 constexpr double kMovedFarInEdges = 3;
+/// Positions that were written in few digits are moved by so much, in mean edges.
+constexpr double kRoundingInEdges = 1e-4;
 
 double size_of(const SurfaceMesh& mesh) {
   Point low = mesh.points().front(), high = low;
@@ -316,7 +318,7 @@ bool moved_far(double largest_snap_distance, const SurfaceMesh& mesh) {
 }
 
 std::string snap_warning(double largest_snap_distance, const SurfaceMesh& mesh) {
-  if (!(largest_snap_distance > 0)) return "";
+  if (!(largest_snap_distance > kRoundingInEdges * mesh.mean_edge_length())) return "";
   if (!moved_far(largest_snap_distance, mesh)) {
     return fmt::format("The curve was moved onto the mesh, by up to {:.3g} mesh units.",
                        largest_snap_distance);

@@ -67,7 +67,8 @@ constexpr std::string_view kFarFromMesh = "The drawing lies far from the mesh";
 /// than three mean edges.
 bool moved_far(double largest_snap_distance, const SurfaceMesh& mesh);
 
-/// A sentence on how far a drawing was moved; empty where it was not.
+/// A sentence on how far a drawing was moved; empty where it was not, or by rounding only: at most
+/// 1e-4 mean edges.
 std::string snap_warning(double largest_snap_distance, const SurfaceMesh& mesh);
 
 }  // namespace talweg

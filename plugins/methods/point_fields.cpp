@@ -1,6 +1,9 @@
 #include "point_fields.hpp"
 
+#include <limits>
+
 #include "talweg/core/measure/measures.hpp"
+#include "talweg/intrinsic/exact_distance/marched_distance.hpp"
 #include "talweg/intrinsic/exact_distance/polyline_distance.hpp"
 
 namespace talweg::plugins {
@@ -88,6 +91,27 @@ std::vector<NearestOnCurve> nearest_field(const Surface& surface,
     }
   });
   return nearest;
+}
+
+std::vector<double> quick_distance_field(const Surface& surface,
+                                         std::span<const SurfaceCurve> curves,
+                                         const plugin::Services& services) {
+  constexpr std::size_t kSmall = 100'000, kExact = 20'000;
+  if (surface.vertex_count() <= kSmall) return exact_distance_field(surface, curves, services);
+  PolylineDistance distance(surface);
+  std::vector<double> values(surface.vertex_count(), std::numeric_limits<double>::infinity());
+  asked(distance, services, [&](Asker& asker) {
+    distance.set(curves);
+    std::size_t known = 0;
+    for (const VertexId v : outwards(surface, curves)) {
+      if (known == kExact) break;
+      asker.is_at(0.5 * static_cast<double>(known++) / static_cast<double>(kExact));
+      asker.did(kOfValue);
+      values[v.index()] = distance.at_vertex(v).distance;
+    }
+    march_distance(surface, values, asker);
+  });
+  return values;
 }
 
 std::vector<double> exact_distance_field(const Surface& surface,

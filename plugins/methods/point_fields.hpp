@@ -31,4 +31,11 @@ std::vector<double> exact_distance_field(const Surface& surface,
                                          std::span<const SurfaceCurve> curves,
                                          const plugin::Services& services);
 
+/// The same in seconds on a mesh of a million faces: of more than 100,000 vertices the 20,000
+/// beside the curves have it exactly, and it is carried on from there (march_distance), about a per
+/// cent off.
+std::vector<double> quick_distance_field(const Surface& surface,
+                                         std::span<const SurfaceCurve> curves,
+                                         const plugin::Services& services);
+
 }  // namespace talweg::plugins

@@ -136,6 +136,8 @@ TEST_F(Snapping, WarnsOfPositionsFarFromTheMeshAndRefusesThoseFarther) {
   };
   const double h = fine.mean_edge_length(), diagonal = 100 * std::sqrt(2);
   EXPECT_EQ(snap_warning(snap(fine, at(0)).largest_snap_distance, fine), "");
+  EXPECT_EQ(snap_warning(snap(fine, at(0.9e-4 * h)).largest_snap_distance, fine), "");  // rounding
+  expect_parts(snap_warning(snap(fine, at(1.1e-4 * h)).largest_snap_distance, fine), {"0.000125"});
   const double near = snap(fine, at(2.9 * h)).largest_snap_distance;
   EXPECT_FALSE(moved_far(near, fine));
   expect_parts(snap_warning(near, fine), {"moved onto the mesh", fmt::format("{:.3g}", 2.9 * h)});

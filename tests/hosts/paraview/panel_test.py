@@ -47,7 +47,7 @@ class Panel(unittest.TestCase):
     def setUp(self):
         mesh, curve = pv.Sphere(), pv.Line()
         drawing = {"Curve", "CurveIds"}
-        smooth = {"DistanceField"}
+        smooth = {"DistanceField", "SlackUsed", "DeviationReached"}
         self.filters = [  # the plugin, the filter, properties that are no parameters
             ("talweg.smooth", pv.TalwegSmoothPoints(Mesh=mesh), smooth | {"Points", "Closed"}),
             ("talweg.smooth", pv.TalwegSmoothVertices(Mesh=mesh), smooth | {"PointIds"}),
@@ -61,7 +61,7 @@ class Panel(unittest.TestCase):
         self.assertGreater(len(described()), 25)
         for plugin, filter, more in self.filters:
             with self.subTest(filter=filter.GetXMLName()):
-                own = more | {"Mesh", "MeshesOpened", "CurvesSet", "Runs"}
+                own = more | {"Mesh", "Outcome", "MeshesOpened", "CurvesSet", "Runs"}
                 properties = set(filter.ListProperties()) - own
                 # The third input says how many these are.
                 options = [option for option, *_ in described(plugin) if option != "others"]

@@ -8,8 +8,8 @@ import unittest
 from vtkmodules.vtkCommonCore import vtkLogger
 
 import runner
-from support import (Case, Said, cell_values, column, counts, lines_of, output, places, polydata, pv, real_mesh,
-                     reference_curve, report, source, values, wavy_sheet)
+from support import (Case, Said, cell_values, column, counts, lines_of, output, places, polydata, pv,
+                     real_mesh, reference_curve, report, source, told, values, wavy_sheet)
 
 N = 24
 POINTS, TRIANGLES = wavy_sheet(N)
@@ -221,6 +221,47 @@ class Begin(Case):
         filter = two_curves()
         self.assertEqual([filter.SMProxy.GetProperty(name).GetXMLLabel()
                           for name in ("Input", "Curve")], ["Mesh", "Curve"])
+
+
+class Told(Case):
+    """What the panel shows of the last run."""
+
+    def test_slack_used_and_deviation_reached(self):
+        filter = sheet(PointIds=TEXT)
+        self.assertEqual(told(filter), "")
+        curve = self.curve_of(filter)
+        self.assertEqual(told(filter, "SlackUsed"), report(curve, "slack"))
+        self.assertGreater(told(filter, "SlackUsed"), 0)
+        self.assertEqual(told(filter, "DeviationReached"),
+                         max(report(curve, "deviation_to_drawn_max"),
+                             report(curve, "deviation_from_drawn_max")))
+        self.assertIn(f"at most {report(curve, 'deviation_to_drawn_max'):.4g}", told(filter))
+        filter.Slack = 0.05
+        self.curve_of(filter)
+        self.assertEqual(told(filter, "SlackUsed"), 0.05)
+
+    def test_why_there_is_no_result(self):
+        filter = sheet(PointIds=TEXT, Tau=-1)
+        self.error_of(filter)
+        self.assertEqual(told(filter), "No result: Tau (tau) must be >= 0, not -1.")
+        filter.Tau = 1
+        self.curve_of(filter)
+        self.assertNotIn("No result", told(filter))
+
+    def test_points_far_from_the_mesh(self):
+        """Near it nothing is said of them, farther away it is a warning, then there is no result."""
+        edge = 1 / (N - 1)
+        lifted = lambda height: [c for v in LOOP for c in (*POINTS[v][:2], POINTS[v][2] + height)]
+        filter = sheet(Points=lifted(1e-9))
+        self.assertEqual(self.update(filter), [])
+        self.assertNotIn("moved", told(filter))
+        filter.Points = lifted(6 * edge)
+        (warning,) = self.update(filter)
+        for text in (warning, told(filter)):
+            self.assertRegex(text, r"far from the mesh.*0\.2.* mean edges")
+        filter.Points = lifted(100)
+        self.assertRegex(self.error_of(filter), "in another unit or place.*Transform")
+        self.assertIn("Transform", told(filter))
 
 
 class Drawings(Case):
@@ -583,7 +624,7 @@ class RealMeshes(Case):
         cell = output(mesh, 0).GetCell(1000)
         filter = pv.TalwegSmoothVertices(
             Mesh=mesh, PointIds=f"{cell.GetPointId(0)} {cell.GetPointId(1)}")
-        self.assertRegex(self.error_of(filter), "edge|vertex")
+        self.assertRegex(self.error_of(filter), "(edge|vertex).* Tick Repair")
         filter.Repair = 1
         curve = self.curve_of(filter)
         self.assertEqual(values(curve, "vertex")[0], cell.GetPointId(0))  # the input's numbers

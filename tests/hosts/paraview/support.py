@@ -122,6 +122,12 @@ def counts(filter):
                  for name in ("MeshesOpened", "CurvesSet", "Runs"))
 
 
+def told(filter, name="Outcome"):
+    """What the filter says of its last run, as the panel asks for it."""
+    filter.SMProxy.UpdatePropertyInformation()
+    return filter.SMProxy.GetProperty(name).GetElement(0)
+
+
 class Said:
     """What ParaView's output window was told meanwhile, as (event, text)."""
 

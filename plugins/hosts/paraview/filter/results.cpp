@@ -154,6 +154,26 @@ double degrees(double radians) { return radians * 180 / std::numbers::pi; }
 
 }  // namespace
 
+std::string outcome(const host::Results& results) {
+  const auto number = [&](const char* key) { return results.number(key); };
+  char text[600];
+  int size = std::snprintf(
+      text, sizeof text,
+      "Deviation from the drawing: at most %.4g, %.4g on average. Length: %.6g, drawn %.6g. "
+      "Largest turn in one edge: %.0f degrees, drawn %.0f.",
+      number("deviation_to_drawn_max"), number("deviation_to_drawn_mean"), number("length_after"),
+      number("length_before"), degrees(number("window_turning_after")),
+      degrees(number("window_turning_before")));
+  const std::string ended = results.text("termination");
+  std::string all(text, static_cast<std::size_t>(size));
+  if (number("slack") > 0) {
+    std::snprintf(text, sizeof text, " Slack: %.4g.", number("slack"));
+    all += text;
+  }
+  if (ended != "converged") all += " Ended early: " + ended + ".";
+  return all;
+}
+
 std::string summary(const host::Results& results) {
   char text[400];
   std::snprintf(text, sizeof text,

@@ -18,6 +18,9 @@ namespace talweg::paraview {
 /// report on all together.
 void give(const host::Results& results, const MeshInput& mesh, vtkPolyData& out);
 
+/// What a panel says of the last run: length, deviation, slack and turning, a line each.
+std::string outcome(const host::Results& results);
+
 /// One line on what was done, for ParaView's output messages.
 std::string summary(const host::Results& results);
 

@@ -35,6 +35,8 @@ struct vtkTalwegFilter::Internals {
   std::uint64_t Edits = 0;       // of the name above
   std::size_t Others = 0;        // curves of the last drawing
   std::set<std::string> Warned;  // since the mesh or the drawing changed
+  std::string Told, Warnings;    // of the last run
+  std::string Outcome;           // both, as GetOutcome() gave it
 };
 
 vtkTalwegFilter::vtkTalwegFilter(const char* plugin)
@@ -98,9 +100,21 @@ bool vtkTalwegFilter::GoOn(const char* stage, double done) {
   return !this->GetAbortExecute() && !this->CheckAbort();
 }
 
+void vtkTalwegFilter::Tell(const std::string& text) { this->Common->Told = text; }
+
+const char* vtkTalwegFilter::GetOutcome() {
+  Internals& common = *this->Common;
+  common.Outcome = common.Told + common.Warnings;
+  return common.Outcome.c_str();
+}
+
 /// ParaView opens its messages for every warning, so one is not repeated while a slider moves, and
 /// there is none of what happens to nearly every drawing.
 void vtkTalwegFilter::Log(unsigned int severity, const char* message) {
+  if (severity >= TALWEG_LOG_WARNING) {
+    std::string& all = this->Common->Warnings;
+    if (all.find(message) == std::string::npos) all += std::string("\nNote: ") + message;
+  }
   const bool usual = std::string_view(message).starts_with("The curve was moved onto the mesh");
   if (severity < TALWEG_LOG_WARNING || usual) {
     vtkLog(INFO, "Talweg: " << message);
@@ -161,6 +175,20 @@ void vtkTalwegFilter::WorkOn(vtkDataObject& mesh, vtkDataObject* curves, vtkData
   this->Work(*data, curves, others, outputs);
 }
 
+namespace {
+
+/// The plugin's sentence, and what to do about it here.
+std::string advice(const talweg::host::Error& error, const Session& session) {
+  const std::string sentence = error.what();
+  if (error.status() == TALWEG_BAD_MESH && session.number("repair", 0) == 0) {
+    return sentence + " Tick Repair to mend the mesh, and to be told what is changed.";
+  }
+  if (sentence.find("in another unit or place") == std::string::npos) return sentence;
+  return sentence + ". Bring it there with the filter Transform, or click points on the mesh.";
+}
+
+}  // namespace
+
 int vtkTalwegFilter::RequestData(vtkInformation*, vtkInformationVector** inputs,
                                  vtkInformationVector* outputs) {
   const auto clear = [&] {
@@ -172,6 +200,8 @@ int vtkTalwegFilter::RequestData(vtkInformation*, vtkInformationVector** inputs,
     return port < this->GetNumberOfInputPorts() ? vtkDataObject::GetData(inputs[port]) : nullptr;
   };
   clear();
+  this->Common->Told.clear();
+  this->Common->Warnings.clear();
   try {
     this->WorkOn(*vtkDataObject::GetData(inputs[0]), input(1), input(2), *outputs);
     const std::string& note = this->GetSession().mesh().note();
@@ -179,9 +209,12 @@ int vtkTalwegFilter::RequestData(vtkInformation*, vtkInformationVector** inputs,
   } catch (const talweg::host::Error& error) {
     clear();
     const bool cancelled = error.status() == TALWEG_CANCELLED;  // nothing wrong, nothing there
-    if (!cancelled) vtkErrorMacro(<< error.what());
+    const std::string sentence = advice(error, this->GetSession());
+    this->Tell(cancelled ? "Stopped." : "No result: " + sentence);
+    if (!cancelled) vtkErrorMacro(<< sentence);
   } catch (const std::exception& error) {
     clear();
+    this->Tell(std::string("No result: ") + error.what());
     vtkErrorMacro(<< error.what());
   }
   // Never 0, for which ParaView adds a message of its own, and views would go on showing the last

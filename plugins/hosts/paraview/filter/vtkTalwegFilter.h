@@ -11,6 +11,7 @@
 
 #include <functional>  // for std::function
 #include <memory>      // for std::unique_ptr
+#include <string>      // for std::string
 #include <vector>      // for std::vector
 
 #include <vtkDataObjectAlgorithm.h>
@@ -54,6 +55,9 @@ class TALWEGFILTERS_EXPORT vtkTalwegFilter : public vtkDataObjectAlgorithm {
   /// none.
   void SetCurveIds(const char* array);
 
+  /// What the last run says of itself: what it reached, its warnings, or why there is no result.
+  const char* GetOutcome();
+
   ///@{
   /// How often each stage was done.
   int GetMeshesOpened();
@@ -94,6 +98,8 @@ class TALWEGFILTERS_EXPORT vtkTalwegFilter : public vtkDataObjectAlgorithm {
   /// In ParaView's messages if it is a warning, else in the log. A warning is not repeated until
   /// the mesh or the curves change.
   void Log(unsigned int severity, const char* message);
+  /// Puts a text before the warnings in GetOutcome().
+  void Tell(const std::string& text);
   /// The warnings of a report, for plugins that do not log them.
   void LogWarnings(const talweg::host::Results& results);
 

@@ -17,6 +17,7 @@
 #include <vtkTable.h>
 
 #include "curve_input.hpp"
+#include "mesh_ray.hpp"
 #include "number_list.hpp"
 #include "property_text.hpp"
 #include "report_output.hpp"
@@ -79,7 +80,9 @@ struct vtkTalwegSmooth::Internals {
   bool Closed = false;
   bool WithDistance = false;
   std::uint64_t Edits = 0;  // of the drawing
-  std::string Start;
+  std::string Start, Picked;
+  talweg::paraview::MeshRay Ray;
+  double SlackUsed = 0, DeviationReached = 0;
   bool OffersPoints = false, OffersVertices = false;  // the filter has such properties
   std::vector<double> Distance;
   std::uint64_t DistanceState = 0;  // of the session, when it was computed
@@ -141,6 +144,17 @@ void vtkTalwegSmooth::SetClosed(int closed) {
   if (change(this->Inside->Closed, closed != 0, this->Inside->Edits)) this->Modified();
 }
 
+namespace {
+
+/// With all digits, and a space behind it.
+std::string text_of_place(const std::array<double, 3>& place) {
+  char numbers[100];
+  std::snprintf(numbers, sizeof numbers, "%.17g %.17g %.17g ", place[0], place[1], place[2]);
+  return numbers;
+}
+
+}  // namespace
+
 const char* vtkTalwegSmooth::StartPoints(double x, double y, double z) {
   std::string& text = this->Inside->Start;
   text.clear();
@@ -150,14 +164,31 @@ const char* vtkTalwegSmooth::StartPoints(double x, double y, double z) {
   for (vtkDataSet* mesh : talweg::paraview::data_sets_of(*input)) {
     for (const auto& point :
          talweg::paraview::start_points(*talweg::paraview::polydata_of(*mesh), {x, y, z})) {
-      char numbers[100];
-      std::snprintf(numbers, sizeof numbers, "%.17g %.17g %.17g ", point[0], point[1], point[2]);
-      text += numbers;
+      text += text_of_place(point);
     }
     if (!text.empty()) break;
   }
   return text.c_str();
 }
+
+const char* vtkTalwegSmooth::Pick(double x0, double y0, double z0, double x1, double y1,
+                                  double z1) {
+  std::string& text = this->Inside->Picked;
+  text.clear();
+  vtkDataObject* input =
+      this->GetNumberOfInputConnections(0) == 0 ? nullptr : this->GetInputDataObject(0, 0);
+  if (input == nullptr) return text.c_str();
+  for (vtkDataSet* mesh : talweg::paraview::data_sets_of(*input)) {
+    const auto place = this->Inside->Ray.meet(*mesh, {x0, y0, z0}, {x1, y1, z1});
+    if (!place) continue;
+    text = text_of_place(*place);
+    break;
+  }
+  return text.c_str();
+}
+
+double vtkTalwegSmooth::GetSlackUsed() { return this->Inside->SlackUsed; }
+double vtkTalwegSmooth::GetDeviationReached() { return this->Inside->DeviationReached; }
 
 void vtkTalwegSmooth::SetDistanceField(int on) {
   if (this->Inside->WithDistance == (on != 0)) return;
@@ -173,6 +204,7 @@ int vtkTalwegSmooth::FillOutputPortInformation(int port, vtkInformation* info) {
 void vtkTalwegSmooth::Work(vtkDataSet& mesh, vtkDataObject* curves, vtkDataObject*,
                            vtkInformationVector& outputs) {
   Session& session = this->GetSession();
+  this->Inside->SlackUsed = this->Inside->DeviationReached = 0;
   this->TakeMesh(mesh);
   talweg::paraview::Origin origin = talweg::paraview::origin_of(curves, nullptr);
   origin.edits = this->Inside->Edits;
@@ -180,6 +212,10 @@ void vtkTalwegSmooth::Work(vtkDataSet& mesh, vtkDataObject* curves, vtkDataObjec
     return session.along_edges(this->Inside->drawing(curves, this->GetCurveIds()));
   });
   const talweg::host::Results results = this->Inside->run(session);
+  this->Inside->SlackUsed = results.number("slack");
+  this->Inside->DeviationReached = std::max(results.number("deviation_to_drawn_max"),
+                                            results.number("deviation_from_drawn_max"));
+  this->Tell(talweg::paraview::outcome(results));
   talweg::paraview::give(results, session.mesh(), *vtkPolyData::GetData(&outputs, 0));
   this->Inside->give_mesh(session, *vtkPolyData::GetData(&outputs, 1));
   talweg::paraview::give_table(results, *vtkTable::GetData(&outputs, 2));

@@ -34,6 +34,16 @@ class TALWEGFILTERS_EXPORT vtkTalwegSmooth : public vtkTalwegFilter {
   /// those that are seen in this direction, 0 for any. Empty if there is no mesh yet.
   const char* StartPoints(double x, double y, double z);
 
+  /// Where the mesh that comes in is met first between two places, as three numbers in a text;
+  /// empty if it is not between them.
+  const char* Pick(double x0, double y0, double z0, double x1, double y1, double z1);
+
+  ///@{
+  /// Of the last run, in mesh units; 0 before one, and where there is none.
+  double GetSlackUsed();
+  double GetDeviationReached();
+  ///@}
+
   /// Whether output 1 has the point array "distance" (off by default).
   void SetDistanceField(int on);
 

@@ -1,4 +1,5 @@
-// talweg-paraview-panel PLUGIN-FOLDER FILE.xml: writes ParaView's property panels.
+// talweg-paraview-panel PLUGIN-FOLDER FILE.xml [own-widgets]: writes ParaView's property panels,
+// with our own widgets for them if the plugin has some.
 #include <cstdio>
 #include <exception>
 #include <fstream>
@@ -23,7 +24,9 @@ void write(const std::string& path, const std::string& text) {
 
 int main(int argc, char** argv) {
   try {
-    if (argc != 3) throw std::runtime_error("usage: talweg-paraview-panel PLUGIN-FOLDER FILE.xml");
+    if (argc != 3 && argc != 4) {
+      throw std::runtime_error("usage: talweg-paraview-panel PLUGIN-FOLDER FILE.xml [own-widgets]");
+    }
     const std::unique_ptr<talweg_loader, void (*)(talweg_loader*)> loader(
         talweg_loader_open(argv[1]), talweg_loader_close);
     if (!loader) throw std::bad_alloc();
@@ -32,7 +35,7 @@ int main(int argc, char** argv) {
       if (plugin != nullptr) return *plugin;
       throw std::runtime_error(std::string("There is no plugin ") + id + " in " + argv[1] + ".");
     };
-    write(argv[2], talweg::paraview::server_manager_xml(plugin_named));
+    write(argv[2], talweg::paraview::server_manager_xml(plugin_named, argc == 4));
     return 0;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "talweg-paraview-panel: %s\n", error.what());

@@ -71,6 +71,13 @@ std::string number_domain(const talweg_parameter& p) {
          "</BoundsDomain>";
 }
 
+/// The property that has the value which was used, for the panel.
+std::string in_force(const talweg_parameter& p) {
+  if (std::string_view(p.id) == "slack") return "<InForce property=\"SlackUsed\" says=\"used\"/>";
+  if (std::string_view(p.id) != "max_deviation") return "";
+  return "<InForce property=\"DeviationReached\" says=\"reached\"/>";
+}
+
 std::string number_property(const talweg_parameter& p) {
   const bool optional = (p.flags & TALWEG_OPTIONAL) != 0;
   if (optional && p.minimum < 0) {
@@ -78,10 +85,12 @@ std::string number_property(const talweg_parameter& p) {
   }
   // The domain must not choose the default.
   return fmt::format(
-      "{} default_values=\"{}\">{}{}<Hints><NoDefault/></Hints>"
+      "{}{} default_values=\"{}\">{}{}<Hints><NoDefault/>{}</Hints>"
       "</DoubleVectorProperty>\n",
-      opening(p, "DoubleVectorProperty", "SetNumber"), optional ? -1 : p.default_number,
-      number_domain(p), documentation(p, optional ? " Below 0: not given." : ""));
+      opening(p, "DoubleVectorProperty", "SetNumber"),
+      optional ? " panel_widget=\"TalwegOptional\"" : "", optional ? -1 : p.default_number,
+      number_domain(p), documentation(p, optional ? " Automatic: not given; -1 in scripts." : ""),
+      in_force(p));
 }
 
 std::string integer_property(const talweg_parameter& p) {

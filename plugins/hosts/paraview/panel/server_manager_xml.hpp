@@ -15,7 +15,8 @@ using FindPlugin = std::function<const talweg_plugin&(const char* id)>;
 /// TalwegSmoothCurve takes it as its second input, TalwegSmoothPoints as points that are clicked,
 /// TalwegSmoothVertices as numbers of vertices. Others are TalwegCut, TalwegLabelBorders,
 /// TalwegRepair and TalwegMeasure. Each has one property for each parameter of its plugin.
+/// Without `own_widgets` points are clicked with ParaView's widget for polylines.
 /// Throws what `plugin_named` and property_xml() do.
-std::string server_manager_xml(const FindPlugin& plugin_named);
+std::string server_manager_xml(const FindPlugin& plugin_named, bool own_widgets);
 
 }  // namespace talweg::paraview

@@ -1,0 +1,256 @@
+#include "pqTalwegDrawing.h"
+
+#include <QBoxLayout>
+#include <QCheckBox>
+#include <QGridLayout>
+#include <QLabel>
+#include <QList>
+#include <QVariant>
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <string>
+
+#include <vtkCallbackCommand.h>
+#include <vtkClientServerStream.h>
+#include <vtkCommand.h>
+#include <vtkRenderWindowInteractor.h>
+#include <vtkRenderer.h>
+#include <vtkSMProxy.h>
+#include <vtkSMRenderViewProxy.h>
+#include <vtkSMSession.h>
+
+#include "pqView.h"
+
+namespace {
+
+constexpr double kNear = 9;    // pixels from a point
+constexpr double kOnLine = 5;  // pixels from a line between points
+constexpr double kClick = 3;   // pixels that a click may move
+constexpr float kBeforeOthers = 10;
+
+double distance(const std::array<double, 2>& a, const std::array<double, 2>& b) {
+  return std::hypot(a[0] - b[0], a[1] - b[1]);
+}
+
+/// Of a pixel to the middle part of a segment, whose ends are points of their own.
+double distance_to(const std::array<double, 2>& a, const std::array<double, 2>& b,
+                   const std::array<double, 2>& p) {
+  const double dx = b[0] - a[0], dy = b[1] - a[1];
+  const double squared = dx * dx + dy * dy;
+  const double t = squared > 0 ? ((p[0] - a[0]) * dx + (p[1] - a[1]) * dy) / squared : 0;
+  const double at = std::clamp(t, 0.0, 1.0);
+  return distance(p, {a[0] + at * dx, a[1] + at * dy});
+}
+
+}  // namespace
+
+pqTalwegDrawing::pqTalwegDrawing(vtkSMProxy* proxy, vtkSMPropertyGroup* group, QWidget* parent)
+    : Superclass(proxy, group, pqSplinePropertyWidget::POLYLINE, parent),
+      Draw(new QCheckBox(tr("Draw on the mesh"), this)) {
+  this->Draw->setObjectName("DrawOnMesh");
+  this->Draw->setChecked(true);
+  auto* hint = new QLabel(tr("A click adds a point; a click on the first closes the drawing. Drag "
+                             "points, or the line for a new one. Delete removes the chosen point. "
+                             "Dragging beside them turns the view."),
+                          this);
+  hint->setWordWrap(true);
+  if (auto* box = qobject_cast<QBoxLayout*>(this->layout())) {
+    box->insertWidget(0, this->Draw);
+    box->insertWidget(1, hint);
+  } else if (auto* grid = qobject_cast<QGridLayout*>(this->layout())) {
+    const int row = grid->rowCount();
+    grid->addWidget(this->Draw, row, 0, 1, grid->columnCount());
+    grid->addWidget(hint, row + 1, 0, 1, grid->columnCount());
+  }
+  this->Command->SetClientData(this);
+  this->Command->SetCallback(handle);
+  this->setLineColor(QColor(255, 200, 40));
+}
+
+pqTalwegDrawing::~pqTalwegDrawing() { this->watch(nullptr); }
+
+void pqTalwegDrawing::setView(pqView* view) {
+  this->Superclass::setView(view);
+  this->RenderView =
+      view == nullptr ? nullptr : vtkSMRenderViewProxy::SafeDownCast(view->getProxy());
+  this->watch(this->RenderView == nullptr ? nullptr : this->RenderView->GetInteractor());
+}
+
+void pqTalwegDrawing::watch(vtkRenderWindowInteractor* interactor) {
+  if (interactor == this->Interactor) return;
+  if (this->Interactor != nullptr) this->Interactor->RemoveObserver(this->Command);
+  this->Interactor = interactor;
+  if (interactor == nullptr) return;
+  for (const auto event : {vtkCommand::LeftButtonPressEvent, vtkCommand::MouseMoveEvent,
+                           vtkCommand::LeftButtonReleaseEvent, vtkCommand::KeyPressEvent}) {
+    interactor->AddObserver(event, this->Command, kBeforeOthers);
+  }
+}
+
+void pqTalwegDrawing::handle(vtkObject*, unsigned long event, void* self, void*) {
+  auto& widget = *static_cast<pqTalwegDrawing*>(self);
+  bool taken = false;
+  if (event == vtkCommand::LeftButtonPressEvent) taken = widget.press();
+  if (event == vtkCommand::MouseMoveEvent) taken = widget.move();
+  if (event == vtkCommand::LeftButtonReleaseEvent) taken = widget.release();
+  if (event == vtkCommand::KeyPressEvent) taken = widget.key();
+  widget.Command->SetAbortFlag(taken ? 1 : 0);
+}
+
+bool pqTalwegDrawing::isDrawing() const {
+  return this->Draw->isChecked() && this->isSelected() && this->isWidgetVisible() &&
+         this->isVisible() && this->RenderView != nullptr;
+}
+
+bool pqTalwegDrawing::press() {
+  this->Dragged = -1;
+  this->Down.reset();
+  this->Moved = false;
+  const bool plain = this->Interactor->GetShiftKey() == 0 && this->Interactor->GetControlKey() == 0;
+  if (!this->isDrawing() || !plain) return false;
+  const Pixel at = this->mouse();
+  this->Dragged = this->pointAt(at);
+  if (this->Dragged >= 0) {
+    this->setCurrentRow(this->Dragged);
+    return true;
+  }
+  const int segment = this->segmentAt(at);
+  const std::optional<Point> place = segment < 0 ? std::nullopt : this->onMesh();
+  if (!place) {
+    this->Down = at;  // a click, or the view is turned
+    return false;
+  }
+  std::vector<Point> points = this->clicked();
+  points.insert(points.begin() + segment + 1, *place);
+  this->give(points, segment + 1);
+  this->Dragged = segment + 1;
+  this->Moved = true;
+  return true;
+}
+
+bool pqTalwegDrawing::move() {
+  if (this->Dragged < 0) return false;
+  const std::optional<Point> place = this->onMesh();
+  if (!place) return true;
+  std::vector<Point> points = this->clicked();
+  if (static_cast<std::size_t>(this->Dragged) >= points.size()) return true;
+  if (!this->Moved && distance(this->mouse(), this->seenAt(points[this->Dragged])) <= kClick)
+    return true;
+  points[static_cast<std::size_t>(this->Dragged)] = *place;
+  this->give(points, this->Dragged);
+  this->Moved = true;
+  return true;
+}
+
+bool pqTalwegDrawing::release() {
+  const int dragged = this->Dragged;
+  const std::optional<Pixel> down = this->Down;
+  this->Dragged = -1;
+  this->Down.reset();
+  if (dragged >= 0) {
+    const bool closes = dragged == 0 && !this->Moved && this->clicked().size() > 2;
+    if (closes && this->closedBox() != nullptr) this->closedBox()->setChecked(true);
+    return true;
+  }
+  if (!down || distance(*down, this->mouse()) > kClick) return false;
+  const std::optional<Point> place = this->onMesh();
+  if (!place) return false;
+  std::vector<Point> points = this->clicked();
+  points.push_back(*place);
+  this->give(points, static_cast<int>(points.size()) - 1);
+  return false;  // the view has seen the button go down
+}
+
+bool pqTalwegDrawing::key() {
+  const char* symbol = this->Interactor->GetKeySym();
+  const std::string name = symbol == nullptr ? "" : symbol;
+  if (!this->isDrawing() || (name != "Delete" && name != "BackSpace")) return false;
+  std::vector<Point> points = this->clicked();
+  const int current = this->currentRow();
+  if (current < 0 || static_cast<std::size_t>(current) >= points.size()) return true;
+  points.erase(points.begin() + current);
+  this->give(points, std::max(0, current - 1));
+  return true;
+}
+
+pqTalwegDrawing::Pixel pqTalwegDrawing::mouse() const {
+  const int* at = this->Interactor->GetEventPosition();
+  return {static_cast<double>(at[0]), static_cast<double>(at[1])};
+}
+
+pqTalwegDrawing::Pixel pqTalwegDrawing::seenAt(const Point& point) const {
+  vtkRenderer* renderer = this->RenderView->GetRenderer();
+  renderer->SetWorldPoint(point[0], point[1], point[2], 1);
+  renderer->WorldToDisplay();
+  const double* at = renderer->GetDisplayPoint();
+  return {at[0], at[1]};
+}
+
+std::optional<pqTalwegDrawing::Point> pqTalwegDrawing::onMesh() {
+  vtkRenderer* renderer = this->RenderView->GetRenderer();
+  const Pixel at = this->mouse();
+  vtkClientServerStream stream;
+  stream << vtkClientServerStream::Invoke << VTKOBJECT(this->proxy()) << "Pick";
+  for (const double depth : {0.0, 1.0}) {
+    renderer->SetDisplayPoint(at[0], at[1], depth);
+    renderer->DisplayToWorld();
+    const double* x = renderer->GetWorldPoint();
+    for (int k = 0; k < 3; ++k) stream << x[k] / x[3];
+  }
+  stream << vtkClientServerStream::End;
+  vtkSMSession* session = this->proxy()->GetSession();
+  session->ExecuteStream(this->proxy()->GetLocation(), stream, false);
+  const char* text = nullptr;
+  const auto& result = session->GetLastResult(this->proxy()->GetLocation());
+  if (!result.GetArgument(0, 0, &text) || text == nullptr) return std::nullopt;
+  std::istringstream numbers(text);
+  Point place = {};
+  if (!(numbers >> place[0] >> place[1] >> place[2])) return std::nullopt;
+  return place;
+}
+
+std::vector<pqTalwegDrawing::Point> pqTalwegDrawing::clicked() const {
+  const QList<QVariant> numbers = this->points();
+  std::vector<Point> result;
+  for (int k = 0; k + 2 < numbers.size(); k += 3) {
+    result.push_back({numbers[k].toDouble(), numbers[k + 1].toDouble(), numbers[k + 2].toDouble()});
+  }
+  return result;
+}
+
+void pqTalwegDrawing::give(const std::vector<Point>& points, int current) {
+  QList<QVariant> numbers;
+  for (const Point& point : points) {
+    for (const double x : point) numbers.push_back(x);
+  }
+  this->setPoints(numbers);
+  this->setCurrentRow(current);
+  this->render();
+}
+
+int pqTalwegDrawing::pointAt(const Pixel& mouse) const {
+  const std::vector<Point> points = this->clicked();
+  int found = -1;
+  double nearest = kNear;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const double apart = distance(mouse, this->seenAt(points[k]));
+    if (apart >= nearest) continue;
+    nearest = apart;
+    found = static_cast<int>(k);
+  }
+  return found;
+}
+
+int pqTalwegDrawing::segmentAt(const Pixel& mouse) const {
+  std::vector<Point> points = this->clicked();
+  if (points.size() < 2) return -1;
+  if (this->closedBox() != nullptr && this->closedBox()->isChecked()) points.push_back(points[0]);
+  for (std::size_t k = 0; k + 1 < points.size(); ++k) {
+    const double apart = distance_to(this->seenAt(points[k]), this->seenAt(points[k + 1]), mouse);
+    if (apart < kOnLine) return static_cast<int>(k);
+  }
+  return -1;
+}
+
+QCheckBox* pqTalwegDrawing::closedBox() const { return this->findChild<QCheckBox*>("Closed"); }

@@ -1,0 +1,112 @@
+#include "pqTalwegOutcome.h"
+
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QSignalBlocker>
+#include <QSpinBox>
+#include <QVBoxLayout>
+#include <string>
+
+#include <vtkCommand.h>
+#include <vtkDataObject.h>
+#include <vtkEventQtSlotConnect.h>
+#include <vtkPVXMLElement.h>
+#include <vtkSMPVRepresentationProxy.h>
+#include <vtkSMProperty.h>
+#include <vtkSMPropertyHelper.h>
+#include <vtkSMProxy.h>
+#include <vtkSMSourceProxy.h>
+#include <vtkSMViewProxy.h>
+
+#include "pqView.h"
+
+namespace {
+
+/// The output with curves, as the filter's hints say; -1: none.
+int port_of_curves(vtkSMProxy& filter) {
+  int port = -1;
+  vtkPVXMLElement* hints = filter.GetHints();
+  vtkPVXMLElement* start =
+      hints == nullptr ? nullptr : hints->FindNestedElementByName("InitializationHelper");
+  if (start != nullptr) start->GetScalarAttribute("curves", &port);
+  return port;
+}
+
+}  // namespace
+
+pqTalwegOutcome::pqTalwegOutcome(vtkSMProxy* proxy, vtkSMProperty* property, QWidget* parent)
+    : Superclass(proxy, parent), Text(new QLabel(this)) {
+  this->setProperty(property);
+  this->Text->setObjectName("Outcome");
+  this->Text->setWordWrap(true);
+  this->Text->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->addWidget(this->Text);
+  this->addLooks(port_of_curves(*proxy));
+  this->Events->Connect(proxy, vtkCommand::UpdateDataEvent, this, SLOT(tell()));
+  this->tell();
+}
+
+pqTalwegOutcome::~pqTalwegOutcome() = default;
+
+void pqTalwegOutcome::addLooks(int port) {
+  this->Port = port;
+  if (port < 0) return;
+  auto* width = new QSpinBox(this);
+  width->setObjectName("LineWidth");
+  width->setRange(1, 30);
+  width->setValue(4);
+  auto* colour = new QComboBox(this);
+  colour->setObjectName("CurveColour");
+  colour->addItem(tr("own colour"), "");
+  for (const char* array : {"deviation", "turning", "arc_length"}) colour->addItem(array, array);
+  auto* row = new QHBoxLayout;
+  row->addWidget(new QLabel(tr("Line width"), this));
+  row->addWidget(width);
+  row->addWidget(new QLabel(tr("coloured by"), this));
+  row->addWidget(colour, 1);
+  qobject_cast<QVBoxLayout*>(this->layout())->addLayout(row);
+  QObject::connect(width, QOverload<int>::of(&QSpinBox::valueChanged), this,
+                   [this](int pixels) { this->setWidth(pixels); });
+  QObject::connect(colour, QOverload<int>::of(&QComboBox::activated), this,
+                   [this, colour](int) { this->setColouring(colour->currentData().toString()); });
+}
+
+vtkSMProxy* pqTalwegOutcome::shown() const {
+  auto* view =
+      this->view() == nullptr ? nullptr : vtkSMViewProxy::SafeDownCast(this->view()->getProxy());
+  auto* filter = vtkSMSourceProxy::SafeDownCast(this->proxy());
+  if (view == nullptr || filter == nullptr) return nullptr;
+  return view->FindRepresentation(filter, this->Port);
+}
+
+void pqTalwegOutcome::setWidth(int pixels) {
+  vtkSMProxy* curves = this->shown();
+  if (curves == nullptr || curves->GetProperty("LineWidth") == nullptr) return;
+  vtkSMPropertyHelper(curves, "LineWidth").Set(pixels);
+  curves->UpdateVTKObjects();
+  this->view()->render();
+}
+
+void pqTalwegOutcome::setColouring(const QString& array) {
+  vtkSMProxy* curves = this->shown();
+  if (curves == nullptr) return;
+  const std::string name = array.toStdString();
+  vtkSMPVRepresentationProxy::SetScalarColoring(curves, name.c_str(), vtkDataObject::POINT);
+  if (!name.empty()) vtkSMPVRepresentationProxy::RescaleTransferFunctionToDataRange(curves);
+  this->view()->render();
+}
+
+void pqTalwegOutcome::tell() {
+  this->proxy()->UpdatePropertyInformation(this->property());
+  const char* text = vtkSMPropertyHelper(this->property(), true).GetAsString();
+  this->Text->setText(QString::fromUtf8(text == nullptr ? "" : text));
+  const vtkSMProxy* curves = this->shown();
+  if (curves == nullptr) return;
+  auto* width = this->findChild<QSpinBox*>("LineWidth");
+  if (width == nullptr) return;
+  const QSignalBlocker quiet(width);
+  width->setValue(vtkSMPropertyHelper(const_cast<vtkSMProxy*>(curves), "LineWidth").GetAsInt());
+}

@@ -1,0 +1,41 @@
+/**
+ * The widget for what the last run says of itself: a text that the filter gives. Below it, for
+ * filters that give curves, how wide these are in the view, and by what they are coloured.
+ */
+#ifndef pqTalwegOutcome_h
+#define pqTalwegOutcome_h
+
+#include <vtkNew.h>
+
+#include "pqPropertyWidget.h"
+
+class QComboBox;
+class QLabel;
+class QSpinBox;
+class vtkEventQtSlotConnect;
+class vtkSMProxy;
+
+class pqTalwegOutcome : public pqPropertyWidget {
+  Q_OBJECT
+  typedef pqPropertyWidget Superclass;
+
+ public:
+  pqTalwegOutcome(vtkSMProxy* proxy, vtkSMProperty* property, QWidget* parent = nullptr);
+  ~pqTalwegOutcome() override;
+
+ private Q_SLOTS:
+  void tell();
+
+ private:
+  void addLooks(int port);
+  void setWidth(int pixels);
+  void setColouring(const QString& array);
+  /// Of the curves in the view; null if they are not shown there.
+  [[nodiscard]] vtkSMProxy* shown() const;
+
+  QLabel* Text;
+  int Port = -1;  // of the curves
+  vtkNew<vtkEventQtSlotConnect> Events;
+};
+
+#endif
