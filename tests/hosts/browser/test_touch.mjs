@@ -62,3 +62,20 @@ export async function thePanelIsBelowTheView() {
   const wide = await page.page.evaluate(() => document.documentElement.scrollWidth);
   assert.ok(wide <= phone.width, `the page is ${wide} pixels wide`);
 }
+
+/** The page draws with a pen while a finger, or the ball of the hand, rests on the screen. */
+export async function aPenDrawsAlways() {
+  const page = await withMesh(phone);
+  const client = await page.page.createCDPSession();
+  const pen = (type, [x, y]) => client.send('Input.dispatchMouseEvent',
+    { type, x, y, button: 'left', buttons: 1, clickCount: 1, pointerType: 'pen' });
+  const [a, b, c, d] = await around(page, 40);
+  const finger = await page.page.touchscreen.touchStart(...d);
+  await pen('mousePressed', a);
+  for (let s = 1; s <= 8; ++s) await pen('mouseMoved', [a[0] + ((b[0] - a[0]) * s) / 8, a[1]]);
+  for (let s = 1; s <= 8; ++s) await pen('mouseMoved', [b[0], b[1] + ((c[1] - b[1]) * s) / 8]);
+  await pen('mouseReleased', c);
+  await finger.end();
+  await page.rest();
+  assert.match((await page.curves())[0], /^Curve 1 being drawn, \d\d points$/);
+}

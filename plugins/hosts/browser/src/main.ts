@@ -11,7 +11,7 @@ import { FilesPanel } from './panel/files_panel';
 import { bindHelp } from './panel/help';
 import { bindHint } from './panel/hint';
 import { bindMeshPanel } from './panel/mesh_panel';
-import { bindActs, byId } from './panel/page';
+import { bindActs, byId } from './elements';
 import { bindReportPanel } from './panel/report_panel';
 import { SettingsPanel } from './panel/settings_panel';
 import { bindShowPanel, worstOf } from './panel/show_panel';

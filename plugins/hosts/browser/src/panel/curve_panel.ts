@@ -3,8 +3,8 @@ import type { Curve } from '../engine/types';
 import { nameOf, type State } from '../state/state';
 import { changed, type Store } from '../state/store';
 import type { DrawingWork } from '../work/drawing_work';
-import { numberText } from './numbers';
-import { type Acts, byId, element, enable, input } from './page';
+import { numberText } from '../state/numbers';
+import { type Acts, byId, element, enable, input } from '../elements';
 
 export class CurvePanel {
   constructor(private readonly store: Store, private readonly drawing: DrawingWork) {

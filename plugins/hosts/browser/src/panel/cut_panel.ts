@@ -3,8 +3,8 @@ import type { State } from '../state/state';
 import { changed, type Store } from '../state/store';
 import { sideColour } from '../view/colours';
 import type { CutWork } from '../work/cut_work';
-import { countText } from './numbers';
-import { type Acts, byId, chooseFile, element, enable, fill, input } from './page';
+import { countText } from '../state/numbers';
+import { type Acts, byId, chooseFile, element, enable, fill, input } from '../elements';
 
 export class CutPanel {
   constructor(store: Store, private readonly cutting: CutWork) {

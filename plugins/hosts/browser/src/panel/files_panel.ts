@@ -5,7 +5,7 @@ import type { FilesWork } from '../work/files_work';
 import type { MeshWork } from '../work/mesh_work';
 import type { SessionWork } from '../session/session_work';
 import type { CutPanel } from './cut_panel';
-import { type Acts, byId, chooseFile, enable, setText } from './page';
+import { type Acts, byId, chooseFile, enable, setText } from '../elements';
 
 export const meshFiles = '.obj,.off,.ply,.stl,.om,.gz';
 const curveFiles = '.json,.vtp,.vtk,.obj,.ply,.txt';

@@ -1,6 +1,6 @@
 // The list of keys, made of the keys that there are.
 import type { Key } from '../gestures/keys';
-import { byId, element } from './page';
+import { byId, element } from '../elements';
 
 export function bindHelp(keys: Key[]): () => void {
   const dialog = byId<HTMLDialogElement>('help');

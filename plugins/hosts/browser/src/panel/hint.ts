@@ -1,7 +1,7 @@
 // The line below the mesh that says what a click would do now, and the buttons that go with it.
 import { nameOf, type State } from '../state/state';
 import { changed, type Store } from '../state/store';
-import { byId, enable, setText } from './page';
+import { byId, enable, setText } from '../elements';
 
 export function bindHint(store: Store): void {
   store.watch((now, before) => {

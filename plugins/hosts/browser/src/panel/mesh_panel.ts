@@ -1,8 +1,8 @@
 // What the panel tells of the mesh, and the repair that it offers.
 import type { State } from '../state/state';
 import { changed, type Store } from '../state/store';
-import { countText, lengthText } from './numbers';
-import { byId, element, fill, setText } from './page';
+import { countText, lengthText } from '../state/numbers';
+import { byId, element, fill, setText } from '../elements';
 
 export function bindMeshPanel(store: Store): void {
   store.watch((now, before) => {

@@ -2,8 +2,8 @@
 import type { CurveReport } from '../engine/types';
 import { nameOf, type State } from '../state/state';
 import { changed, type Store } from '../state/store';
-import { angleText, lengthText, numberText } from './numbers';
-import { byId, element, fill } from './page';
+import { angleText, lengthText, numberText } from '../state/numbers';
+import { byId, element, fill } from '../elements';
 
 export function bindReportPanel(store: Store): void {
   store.watch((now, before) => {

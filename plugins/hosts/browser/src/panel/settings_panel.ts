@@ -3,8 +3,8 @@ import type { Editor } from '../engine/editor';
 import { hasStrokes, type State } from '../state/state';
 import { changed, type Store } from '../state/store';
 import type { DrawingWork } from '../work/drawing_work';
-import { numberText } from './numbers';
-import { byId, input } from './page';
+import { numberText } from '../state/numbers';
+import { byId, input } from '../elements';
 import { factors, type Scale, Slider, squares } from './slider';
 
 export class SettingsPanel {

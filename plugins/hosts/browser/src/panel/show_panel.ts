@@ -4,8 +4,8 @@ import { changed, type Store } from '../state/store';
 import { gradient } from '../view/colours';
 import { rangeOf } from '../view/curve_view';
 import type { Live } from '../work/live';
-import { lengthText, numberText } from './numbers';
-import { byId, enable, input, setText } from './page';
+import { lengthText, numberText } from '../state/numbers';
+import { byId, enable, input, setText } from '../elements';
 
 export function bindShowPanel(store: Store, live: Live): void {
   const set = (parts: Partial<Show>) => store.set({ show: { ...store.now.show, ...parts } });

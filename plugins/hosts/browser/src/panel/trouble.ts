@@ -2,7 +2,7 @@
 // and work that takes long can be ended.
 import type { Spot } from '../state/state';
 import { changed, type Store } from '../state/store';
-import { byId, setText } from './page';
+import { byId, setText } from '../elements';
 
 const spots: Spot[] = ['mesh', 'drawing', 'settings', 'cut', 'files', 'session'];
 /** Work that is shorter is not worth a message. */

@@ -5,7 +5,7 @@ import { type Desk, sentenceOf } from '../work/desk';
 import { download } from '../work/files_work';
 import type { Live } from '../work/live';
 import type { MeshWork } from '../work/mesh_work';
-import { byId, input, setText } from '../panel/page';
+import { byId, input, setText } from '../elements';
 import { forgetAll, isKeptOnMachine, keep, keepOnMachine, kept } from './keep';
 import { sessionOf, sessionText, type Session } from './session';
 

@@ -11,7 +11,7 @@ import { MeshView } from './mesh_view';
 import { Overlay } from './overlay';
 import { PointsView } from './points_view';
 import type { Stage } from './stage';
-import { lengthText } from '../panel/numbers';
+import { lengthText } from '../state/numbers';
 
 export class View {
   private readonly mesh: MeshView;

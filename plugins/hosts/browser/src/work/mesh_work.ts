@@ -3,7 +3,7 @@ import type { MeshInfo } from '../engine/types';
 import { Editor } from '../engine/editor';
 import { Picker } from '../pick/picker';
 import type { Shape } from '../pick/shape';
-import { countText } from '../panel/numbers';
+import { countText } from '../state/numbers';
 import type { OpenMesh } from '../state/state';
 import type { Desk } from './desk';
 import { type Live, smoothingWords } from './live';
