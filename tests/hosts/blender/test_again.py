@@ -81,6 +81,21 @@ class Again(unittest.TestCase):
         start = scene.spline_points(curve)[0]
         np.testing.assert_allclose(start, scene.vertices_of(self.obj)[support.staircase()[0]], atol=0.3)
 
+    def test_modifiers_that_are_not_seen_now(self):
+        """The curve does not jump onto the mesh without them."""
+        bpy.ops.object.mode_set(mode="OBJECT")
+        self.obj.modifiers.new("Fine", "SUBSURF")
+        scene.annotate([scene.vertices_of(self.obj)[support.staircase()]])
+        self.assertEqual(bpy.ops.talweg.smooth_annotations(), {"FINISHED"})
+        curve, = curve_objects()
+        before = scene.spline_points(curve)
+        bpy.ops.object.mode_set(mode="EDIT")
+        curve.talweg.tau = 4
+        np.testing.assert_array_equal(scene.spline_points(curve), before)
+        bpy.ops.object.mode_set(mode="OBJECT")
+        curve.talweg.tau = 5
+        self.assertEqual(report(curve)["tau"], 5)
+
     def test_tomorrow(self):
         """After saving and loading the values and the drawing are there, and give the same curve."""
         curve = self.made(tau=2.5, thickness=0.5)
@@ -347,7 +362,8 @@ class Page(unittest.TestCase):
             self.assertTrue((folder / name).is_file(), name)
 
     def test_blocks(self):
-        made = page.as_html("# A *b*\n\n- one `x<y`\n  more\n- two\n\n```sh\na < b\n```\n\n[c](d.md) **e**\n", Path("/"))
+        text = "# A *b*\n\n- one `x<y`\n  more\n- two\n\n```sh\na < b\n```\n\n[c](d.md) **e**\n"
+        made = page.as_html(text, Path("/"))
         for words in ("<h1>A <i>b</i></h1>", "<li>one <code>x&lt;y</code>\n  more</li><li>two</li>",
                       "<pre>a &lt; b\n</pre>", "<p>c <b>e</b></p>"):
             self.assertIn(words, made)

@@ -16,6 +16,9 @@ _told = {}  # by the name of the curve object: (what went wrong, or nothing; the
 def smooth(context, curve, trust=True):
     """The Surface and the talweg.Result, which the object shows now; raises talweg.Error."""
     kept, obj = settings.of(curve), curve.parent
+    if kept.as_shown and session.is_changed(obj) and (obj.mode != "OBJECT" or not obj.visible_get()):
+        raise talweg.BadUsage(f"{curve.name} lies on {obj.name} with its modifiers, which are seen only in "
+                              "object mode while it is not hidden.")
     place = session.surface_of(context, obj, kept.as_shown, trust)
     drawn = settings.drawn_on(curve, place)
     with named([curve.name]):
