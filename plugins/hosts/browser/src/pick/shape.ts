@@ -40,42 +40,55 @@ function cornersAtVertices(triangles: Uint32Array, vertices: number) {
   return { begin, corners };
 }
 
+/** The corners at a vertex in groups whose faces turn little from the group's first; nearly always one. */
+function groupsOf(faces: Float32Array, open: Uint32Array): ArrayLike<number>[] {
+  const turnsLittle = (c: number, d: number) => {
+    const f = c - (c % 3), g = d - (d % 3);
+    return faces[f] * faces[g] + faces[f + 1] * faces[g + 1] + faces[f + 2] * faces[g + 2] >= sharp;
+  };
+  const groups: ArrayLike<number>[] = [];
+  for (let rest: Uint32Array = open; rest.length > 0;) {
+    const seed = rest[0];
+    const belongs = (c: number) => c === seed || turnsLittle(seed, c);
+    if (rest.every(belongs)) return [...groups, rest];
+    groups.push(rest.filter(belongs));
+    rest = rest.filter((c) => !belongs(c));
+  }
+  return groups;
+}
+
+function meanNormal(faces: Float32Array, group: ArrayLike<number>): [number, number, number] {
+  let x = 0, y = 0, z = 0;
+  for (let k = 0; k < group.length; ++k) {
+    const f = group[k] - (group[k] % 3);
+    x += faces[f];
+    y += faces[f + 1];
+    z += faces[f + 2];
+  }
+  const length = Math.hypot(x, y, z) || 1;
+  return [x / length, y / length, z / length];
+}
+
 /** Each corner's normal is the mean over the faces at its vertex that turn little from its own. */
 export function shapeOf(positions: Float32Array, triangles: Uint32Array): Shape {
   const vertices = positions.length / 3;
   const faces = faceNormals(positions, triangles);
   const { begin, corners } = cornersAtVertices(triangles, vertices);
-  const normals: number[] | Float32Array = new Float32Array(positions.length);
+  const normals = new Float32Array(positions.length);
   const index = triangles.slice();
   const more: number[] = [], moreNormals: number[] = [];
-
-  const cosine = (f: number, g: number) =>
-    faces[f] * faces[g] + faces[f + 1] * faces[g + 1] + faces[f + 2] * faces[g + 2];
   for (let v = 0; v < vertices; ++v) {
-    // Groups of faces around the vertex; nearly always it is one.
-    let open = Array.from(corners.subarray(begin[v], begin[v + 1]));
-    for (let first = true; open.length > 0; first = false) {
-      const seed = open[0] - (open[0] % 3);
-      const group = open.filter((c) => cosine(seed, c - (c % 3)) >= sharp || c === open[0]);
-      if (group.length < open.length) open = open.filter((c) => !group.includes(c));
-      else open = [];
-      let x = 0, y = 0, z = 0;
-      for (const c of group) {
-        const f = c - (c % 3);
-        x += faces[f];
-        y += faces[f + 1];
-        z += faces[f + 2];
-      }
-      const length = Math.hypot(x, y, z) || 1;
-      if (first) {
-        normals.set([x / length, y / length, z / length], 3 * v);
-        continue;
+    groupsOf(faces, corners.subarray(begin[v], begin[v + 1])).forEach((group, k) => {
+      const normal = meanNormal(faces, group);
+      if (k === 0) {
+        normals.set(normal, 3 * v);
+        return;
       }
       const id = vertices + more.length / 3;
       more.push(positions[3 * v], positions[3 * v + 1], positions[3 * v + 2]);
-      moreNormals.push(x / length, y / length, z / length);
-      for (const c of group) index[c] = id;
-    }
+      moreNormals.push(...normal);
+      for (let c = 0; c < group.length; ++c) index[group[c]] = id;
+    });
   }
   return { positions: joined(positions, more), normals: joined(normals, moreNormals), index };
 }
