@@ -232,6 +232,69 @@ mark
 for _ in 1 2 3 4; do press talwegUndo; done  # its end, tau, its two points
 expect "3 curve(s)" "undo takes it away"
 
+# Curves as things.
+says() {  # WIDGET PATTERN WHAT
+  mark
+  ask "$1"
+  expect "TEXT $1: $2" "$3"
+}
+row 2
+says talwegCurves "row .*, selected Curve 2 .*, row Curve 3" "a click in the list selects a curve"
+click 245 422  # a pin of the first one
+says talwegCurves "selected Curve 1" "a click on a point selects its curve"
+mark
+click 211 425
+says talwegCurves "selected Curve 1 [^,]*, row Curve 2 [^,]*, row Curve 3 [^,]*$" \
+  "a click on a curve selects it, and draws nothing"
+mark
+xdotool keydown ctrl mousemove 187 336 click 1 keyup ctrl
+expect "Name : 'Insert point'" "Ctrl and a click on a curve insert a point"
+expect "3 curve(s)" "with it"
+mark
+press talwegPin
+expect "Name : 'Pin curve'" "its points are pinned"
+mark
+press talwegOwnTauTick
+expect "Name : 'Tau of curve'" "it gets a tau of its own"
+mark
+press talwegClosed
+expect "Name : 'Close curve'" "it is closed"
+mark
+press talwegClosed
+expect "Name : 'Open curve'" "and opened"
+ask talwegCurves
+set -- $(place talwegCurves)
+mark
+xdotool mousemove "$(($1 + 50))" "$(($2 + 33))" click --repeat 2 --delay 80 1
+sleep 1
+xdotool type --delay 30 "dome"
+xdotool key Return
+expect "Name : 'Rename curve'" "a double click names a curve"
+says talwegCurves "selected dome" "the list has the name"
+mark
+press talwegRemove
+expect "Name : 'Remove curve'" "it is removed"
+expect "2 curve(s)" "two are left"
+mark
+press talwegUndo
+expect "3 curve(s)" "and back again"
+mark
+press talwegPoints
+expect "SCENE drawn [1-9][0-9]* leg 0 points 0 " "points can be hidden"
+press talwegPoints
+
+# Combs, where something is largest, colours.
+mark
+press talwegComb
+expect "comb [1-9]" "a comb of curvature"
+says talwegCombText ".*[1-9].*1/unit" "with its scale"
+mark
+press talwegMark
+xdotool key Down Return
+expect "VIEW CHANGED" "the view turns to the largest deviation"
+says talwegMarkText "[0-9.]* units, Curve 3" "which is told"
+picture comb
+press talwegComb
 mark
 press talwegColours
 xdotool key Down Return

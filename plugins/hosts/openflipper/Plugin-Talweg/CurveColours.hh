@@ -21,7 +21,7 @@ inline ACG::Vec4f colour_of_curve(std::uint32_t number) {
 /// Of what was drawn: darker, so that both can be seen where they are side by side.
 inline ACG::Vec4f colour_of_drawn(std::uint32_t number) {
   const ACG::Vec4f result = colour_of_curve(number);
-  return {0.45f * result[0], 0.45f * result[1], 0.45f * result[2], 1.0f};
+  return {0.25f * result[0], 0.25f * result[1], 0.25f * result[2], 1.0f};
 }
 
 }  // namespace talweg::openflipper

@@ -85,7 +85,14 @@ bool Session::owns(int object_id) const {
 
 // ---- Edits
 
-/// A curve that comes of it is the selected one.
+/// A curve that has come is the selected one, and the last one is where that has gone.
+void Session::select_after(std::size_t curves_before) {
+  const auto& curves = editor_.drawing().curves;
+  const bool gone = selected_ != 0 && !selected();
+  if (curves.empty() || (curves.size() <= curves_before && !gone)) return;
+  selected_ = curves.back()->number;
+}
+
 bool Session::edit(const std::function<void(editing::Editor&)>& change) {
   const std::size_t before = editor_.drawing().curves.size();
   try {
@@ -95,8 +102,7 @@ bool Session::edit(const std::function<void(editing::Editor&)>& change) {
     return false;
   }
   edit_error_.clear();
-  const auto& curves = editor_.drawing().curves;
-  if (curves.size() > before) selected_ = curves.back()->number;
+  select_after(before);
   after_edit();
   return true;
 }
@@ -180,11 +186,13 @@ void Session::keep_backup() {
 }
 
 void Session::go_to(std::uint64_t number) {
+  const std::size_t before = editor_.drawing().curves.size();
   if (!editor_.history().go_to(number)) {
     fail(edit_error_, "This state of the drawing is no longer there.");
     return;
   }
   kept_number_ = number;
+  select_after(before);
   show_drawing();
   ask();
   host_.changed();

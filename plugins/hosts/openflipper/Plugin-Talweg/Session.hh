@@ -172,6 +172,7 @@ class Session {
 
  private:
   void open();
+  void select_after(std::size_t curves_before);
   void after_edit();
   void ask();
   void show_drawing();

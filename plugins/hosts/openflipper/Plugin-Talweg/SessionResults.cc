@@ -101,7 +101,8 @@ int Session::add_result_line(const QString& name, std::uint32_t number) {
   const int id = host_.add_line(name);
   if (PolyLineObject* made = PluginFunctions::polyLineObject(id)) {
     const ACG::Vec4f colour = colour_of_curve(number);
-    made->materialNode()->set_color(colour);  // the host draws lines in the sum of these two
+    made->materialNode()->set_color(colour);
+    // The host draws lines in the sum of these two.
     made->materialNode()->set_ambient_color(colour * 0.5f);
     made->materialNode()->set_diffuse_color(colour * 0.5f);
     made->materialNode()->set_point_size(1.0f);

@@ -145,12 +145,14 @@ void ProbePlugin::tell_scene() {
   const auto* lines = shown<LineNode>("Talweg: drawn lines");
   const auto* leg = shown<LineNode>("Talweg: next leg");
   const auto* points = shown<PointNode>("Talweg: points");
+  const auto* comb = shown<LineNode>("Talweg: comb");
   QString scene = "SCENE nothing drawn";
-  if (lines != nullptr && leg != nullptr && points != nullptr) {
-    scene = QString("SCENE drawn %1 leg %2 points %3")
+  if (lines != nullptr && leg != nullptr && points != nullptr && comb != nullptr) {
+    scene = QString("SCENE drawn %1 leg %2 points %3 comb %4")
                 .arg(lines->n_points() / 2)
                 .arg(leg->n_points() / 2)
-                .arg(points->n_points());
+                .arg(points->n_points())
+                .arg(comb->n_points() / 2);
     if (scene == scene_) return;
     const double longest = std::max(longest_segment(*lines), longest_segment(*leg));
     emit log(LOGINFO, longest <= longest_edge() * 1.000001 ? "ON THE SURFACE" : "OFF THE SURFACE");
