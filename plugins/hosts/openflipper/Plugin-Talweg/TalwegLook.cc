@@ -36,7 +36,7 @@ LookState TalwegPlugin::look_state(const Session& session) {
   state.unit = session.scale().unit;
   state.comb = session.with_comb();
   if (session.with_comb() && session.longest_tooth() > 0) {
-    state.comb_text = tr("longest tooth %1 %2")
+    state.comb_text = tr("up to %1 %2")
                           .arg(talweg::openflipper::three_digits(session.longest_tooth()),
                                talweg::openflipper::curvature_unit());
   }

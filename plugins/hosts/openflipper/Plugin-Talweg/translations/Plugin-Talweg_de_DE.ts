@@ -545,8 +545,8 @@
         <translation>Eine Zahl des Berichts, für eine Kurve.</translation>
     </message>
     <message>
-        <source>longest tooth %1 %2</source>
-        <translation>längster Zahn %1 %2</translation>
+        <source>up to %1 %2</source>
+        <translation>bis %1 %2</translation>
     </message>
     <message>
         <source>What is largest is: %1.</source>
