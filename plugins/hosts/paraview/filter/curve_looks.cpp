@@ -38,10 +38,10 @@ bool shows_curves(vtkSMProxy& representation) {
   return filter != nullptr && curve_port(*filter) == static_cast<int>(input.GetOutputPort());
 }
 
+/// No tubes, half of which is below the mesh: ParaView draws lines in front of faces.
 void dress(vtkSMProxy& representation) {
   if (representation.GetProperty("LineWidth") == nullptr) return;
   vtkSMPropertyHelper(&representation, "LineWidth").Set(kWidth);
-  vtkSMPropertyHelper(&representation, "RenderLinesAsTubes", true).Set(1);
   vtkSMPropertyHelper(&representation, "AmbientColor", true).Set(kColour, 3);
   vtkSMPropertyHelper(&representation, "DiffuseColor", true).Set(kColour, 3);
   representation.UpdateVTKObjects();

@@ -1,6 +1,7 @@
 #include "pqTalwegOutcome.h"
 
 #include <QComboBox>
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QSignalBlocker>
@@ -50,6 +51,11 @@ pqTalwegOutcome::pqTalwegOutcome(vtkSMProxy* proxy, vtkSMProperty* property, QWi
 }
 
 pqTalwegOutcome::~pqTalwegOutcome() = default;
+
+void pqTalwegOutcome::changeEvent(QEvent* event) {
+  this->Superclass::changeEvent(event);
+  if (event->type() == QEvent::EnabledChange && !this->isEnabled()) this->setEnabled(true);
+}
 
 void pqTalwegOutcome::addLooks(int port) {
   this->Port = port;

@@ -23,6 +23,10 @@ class pqTalwegOutcome : public pqPropertyWidget {
   pqTalwegOutcome(vtkSMProxy* proxy, vtkSMProperty* property, QWidget* parent = nullptr);
   ~pqTalwegOutcome() override;
 
+ protected:
+  /// ParaView disables widgets of what scripts cannot set, and the looks of curves with them.
+  void changeEvent(QEvent* event) override;
+
  private Q_SLOTS:
   void tell();
 
