@@ -26,8 +26,11 @@ SurfaceCurve along_edges(const Surface& surface, std::span<const SurfacePoint> c
 
 }  // namespace
 
-Drawing draw(const Surface& surface, std::span<const SurfacePoint> clicks,
+Drawing draw(const Surface& surface, std::span<const SurfacePoint> given,
              const DrawOptions& options, const Progress& progress) {
+  std::vector<SurfacePoint> clicks;
+  clicks.reserve(given.size());
+  for (const SurfacePoint& click : given) clicks.push_back(settled(surface, click));
   if (clicks.size() < 2) throw Error(ErrorCode::kBadCurve, "A curve needs at least two points.");
   if (options.tolerance && !(*options.tolerance >= 0 && std::isfinite(*options.tolerance))) {
     throw Error(ErrorCode::kBadUsage, "tolerance must be finite and >= 0.");

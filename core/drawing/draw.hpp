@@ -27,9 +27,9 @@ struct DrawOptions {
 };
 
 /// Draws through clicked points in their order: straight over the faces or, where all of them are
-/// vertices, along edges, which never passes itself. Throws Error(kBadCurve) for less than two
-/// points, or where the next cannot be reached, Error(kBadUsage) for a negative tolerance, and
-/// Cancelled.
+/// vertices, along edges, which never passes itself. Clicks are settled first (straight_lines.hpp).
+/// Throws Error(kBadCurve) for less than two points, or where the next cannot be reached,
+/// Error(kBadUsage) for a negative tolerance, and Cancelled.
 Drawing draw(const Surface& surface, std::span<const SurfacePoint> clicks,
              const DrawOptions& options = {}, const Progress& progress = {});
 Drawing draw(const Surface& surface, std::span<const VertexId> clicks,

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "talweg/core/drawing/control_points.hpp"
+#include "talweg/core/drawing/straight_lines.hpp"
 #include "talweg/core/mesh/closest_point.hpp"
 #include "talweg/intrinsic/error.hpp"
 
@@ -113,6 +114,26 @@ std::vector<SurfacePoint> snap_coordinates(const Surface& surface,
     }
   }
   return points;
+}
+
+/// Points that were clicked or pinned, and those that share no face with a neighbour, are ends of
+/// straight lines.
+void settle_ends_of_lines(const Surface& surface, const CurveInput& curve,
+                          std::vector<SurfacePoint>& points) {
+  const std::size_t n = points.size();
+  std::vector<bool> ends(n, curve.control_points);
+  const auto mark = [&](std::size_t k) {
+    if (k < n) ends[k] = true;  // keep_marks() refuses others
+  };
+  for (const std::size_t pin : curve.pins) mark(pin);
+  for (const InputWayPoint& way : curve.way_points) mark(way.point);
+  for (std::size_t k = 0; k + (curve.closed ? 0 : 1) < n; ++k) {
+    const std::size_t next = (k + 1) % n;
+    if (!common_face(surface, points[k], points[next]).valid()) ends[k] = ends[next] = true;
+  }
+  for (std::size_t k = 0; k < n; ++k) {
+    if (ends[k]) points[k] = settled(surface, points[k]);
+  }
 }
 
 /// The nearest point, moved to a vertex or else an edge of its face if that lies within `near`.
@@ -264,6 +285,7 @@ SnappedCurve snap_one(const SurfaceMesh& mesh, const ClosestPoint* closest, cons
     points = snap_vertices(mesh.surface(), *ids, curve.closed, options);
   } else if (const auto* at = std::get_if<std::vector<FaceCoordinates>>(&curve.points)) {
     points = snap_coordinates(mesh.surface(), *at);
+    settle_ends_of_lines(mesh.surface(), curve, points);
   } else {
     points = snap_positions(mesh, *closest, std::get<std::vector<Point>>(curve.points),
                             result.largest_snap_distance, asker);

@@ -35,12 +35,14 @@ struct SnappedCurve {
 /// Puts a curve on the mesh.
 ///
 /// Vertex ids must exist, and each must be a neighbour of the one before (unless `connect`). Points
-/// in faces are taken as they are. Positions are moved to the nearest point of the mesh. They are
-/// then moved to a vertex, or else an edge, that lies within 1e-9 of the face's longest side or
-/// within the rounding of single-precision coordinates (1.2e-7 of the largest one, but no more than
-/// 1e-4 of the longest side). So mesh vertices are recognised from files with 9 digits or 32-bit
-/// floats. Points in faces and positions that coincide with the one before are merged; the point
-/// that stays is what any of them was: a way-point with the smallest tolerance, a painted one.
+/// in faces are taken as they are; but pins, way-points, and points that share no face with a
+/// neighbour are settled (straight_lines.hpp). Positions are moved to the nearest point of the
+/// mesh. They are then moved to a vertex, or else an edge, that lies within 1e-9 of the face's
+/// longest side or within the rounding of single-precision coordinates (1.2e-7 of the largest one,
+/// but no more than 1e-4 of the longest side). So mesh vertices are recognised from files with 9
+/// digits or 32-bit floats. Points in faces and positions that coincide with the one before are
+/// merged; the point that stays is what any of them was: a way-point with the smallest tolerance, a
+/// painted one.
 ///
 /// Throws Error(kBadCurve) naming the position in the curve (from 0) and the ids: for an id or face
 /// out of range, neighbours that share no edge, barycentrics out of range, a position that is not

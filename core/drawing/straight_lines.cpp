@@ -152,4 +152,18 @@ SurfaceCurve StraightLines::join(std::span<const SurfacePoint> points, bool clos
   return curve;
 }
 
+SurfacePoint settled(const Surface& surface, const SurfacePoint& point) {
+  constexpr double kBeside = 1e-9;
+  if (const auto* on = std::get_if<OnEdge>(&point.where())) {
+    const HalfedgeId h = halfedge_of(on->edge);
+    if (on->t <= kBeside) return SurfacePoint::at_vertex(surface, surface.tail(h));
+    if (on->t >= 1 - kBeside) return SurfacePoint::at_vertex(surface, surface.head(h));
+  } else if (const auto* in = std::get_if<InFace>(&point.where())) {
+    const auto& [a, b, c] = in->barycentric;
+    if (a > kBeside && b > kBeside && c > kBeside) return point;
+    return SurfacePoint::from_barycentric(surface, in->face, in->barycentric, kBeside);
+  }
+  return point;
+}
+
 }  // namespace talweg

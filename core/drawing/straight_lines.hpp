@@ -68,4 +68,10 @@ class StraightLines {
   std::unique_ptr<Workshop> workshop_;
 };
 
+/// The point itself, or the vertex or else the point on an edge from which it is at most 1e-9 away,
+/// in barycentric coordinates of its face or as a part of its edge. Straight lines cannot be
+/// straightened from a point that lies a rounding beside a vertex: the directions of what lies
+/// between are noise. O(1).
+SurfacePoint settled(const Surface& surface, const SurfacePoint& point);
+
 }  // namespace talweg

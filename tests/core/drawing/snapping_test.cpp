@@ -102,6 +102,28 @@ TEST_F(Snapping, TakesPointsInFaces) {
   EXPECT_TRUE(std::holds_alternative<InFace>(curve.points[2].where()));
 }
 
+TEST_F(Snapping, MovesWhatWasClickedBesideAVertexOrAnEdgeOntoIt) {
+  for (const double beside : {1e-17, 1e-16, 1e-14, 1e-12, 1e-10}) {
+    CurveInput input;
+    input.points = std::vector<FaceCoordinates>{{FaceId{0}, {1 - 2 * beside, beside, beside}},
+                                                {FaceId{0}, {0.25, beside, 0.75 - beside}},
+                                                {FaceId{1}, {0, 1 - beside, beside}},
+                                                {FaceId{1}, {0.5, 0.25, 0.25}}};
+    input.way_points = {{0}, {1}, {3}};
+    input.pins = {2};
+    const SnappedCurve curve = snap(mesh_, input);
+    ASSERT_EQ(curve.points.size(), 4U);
+    EXPECT_TRUE(curve.points[0].is_vertex()) << beside;
+    EXPECT_TRUE(std::holds_alternative<OnEdge>(curve.points[1].where())) << beside;
+    EXPECT_TRUE(curve.points[2].is_vertex()) << beside;
+    EXPECT_TRUE(std::holds_alternative<InFace>(curve.points[3].where()));
+    input.way_points.clear();  // points of a whole line stay where they are
+    if (beside > 1e-15) {
+      EXPECT_FALSE(snap(mesh_, input).points[0].is_vertex());
+    }
+  }
+}
+
 TEST_F(Snapping, RefusesPointsThatAreInNoFace) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const auto with = [](std::size_t face, std::array<double, 3> b) {

@@ -1,5 +1,6 @@
 // Through way-points, the result is a spline: it passes them, without a kink, for every tau.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -7,6 +8,7 @@
 
 #include "core/jagged_curves.hpp"
 #include "core/small_meshes.hpp"
+#include "talweg/core/drawing/draw.hpp"
 #include "talweg/core/measure/measures.hpp"
 #include "talweg/core/smoothing/curve_smoother.hpp"
 #include "talweg/core/smoothing/max_deviation.hpp"
@@ -63,6 +65,29 @@ class WayPointsOnHills : public WayPoints {
 
 const std::vector<std::pair<std::uint32_t, std::uint32_t>> kWave = {
     {5, 10}, {17, 30}, {30, 12}, {40, 33}, {54, 25}};
+
+/// As programs give them that compute barycentric coordinates.
+TEST_F(WayPointsOnHills, MayLieARoundingBesideVertices) {
+  const auto smooth_through = [&](double beside) {
+    std::vector<SurfacePoint> clicks;
+    for (const auto& [x, y] : kWave) {
+      const FaceId face = faces_at(surface(), at(x, y)).front();
+      std::array<double, 3> b = coordinates_in(surface(), at(x, y), face).barycentric;
+      for (double& each : b) each = each == 1 ? 1 - 2 * beside : beside;
+      clicks.push_back(beside > 0 ? SurfacePoint::in_face(surface(), face, b) : at(x, y));
+    }
+    CurveSmoother smoother(opened);
+    smoother.set_curve(talweg::draw(surface(), clicks, {.straight = true}));
+    return smoother.smooth(1).total;
+  };
+  const SmoothingReport there = smooth_through(0);
+  for (const double beside : {1e-16, 1e-13, 1e-11, 1e-9}) {
+    const SmoothingReport report = smooth_through(beside);
+    EXPECT_TRUE(report.warnings.empty()) << beside << ": " << report.warnings.front();
+    EXPECT_NEAR(report.curvature_before, there.curvature_before, 1e-6) << beside;
+    EXPECT_NEAR(report.bending_after, there.bending_after, 1e-3 * there.bending_after) << beside;
+  }
+}
 
 TEST_F(WayPointsOnHills, ArePassedForEveryTauWithoutAKink) {
   draw(kWave, false);
