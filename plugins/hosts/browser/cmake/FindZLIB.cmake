@@ -1,0 +1,15 @@
+# Only what unpacks: nothing here writes packed data.
+if(NOT TARGET ZLIB::ZLIB)
+  include(${CMAKE_CURRENT_LIST_DIR}/debian_source.cmake)
+  debian_source(z/zlib/zlib_1.2.13.dfsg.orig.tar.bz2
+    71feb7947e3c00ef125f83b79a4e529bde31171e5babe48b391f06758d1ab0a1 zlib_source)
+  set(parts adler32 crc32 inffast inflate inftrees uncompr zutil)
+  list(TRANSFORM parts PREPEND ${zlib_source}/)
+  list(TRANSFORM parts APPEND .c)
+  add_library(zlib STATIC ${parts})
+  target_compile_options(zlib PRIVATE -w)
+  set_target_properties(zlib PROPERTIES UNITY_BUILD OFF)
+  target_include_directories(zlib SYSTEM PUBLIC ${zlib_source})
+  add_library(ZLIB::ZLIB ALIAS zlib)
+endif()
+set(ZLIB_FOUND TRUE)

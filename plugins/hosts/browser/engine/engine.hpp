@@ -1,0 +1,63 @@
+// The engine does what the page asks for on one mesh (src/engine/engine.ts).
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "answer.hpp"
+#include "mesh_files.hpp"
+#include "pieces.hpp"
+
+namespace talweg::browser {
+
+/// Everything throws host::Error or editing::Error, with a sentence for the person at the page.
+class Engine {
+ public:
+  explicit Engine(const editing::Plugins& plugins) : plugins_(&plugins) {}
+
+  /// Reads and opens a mesh file: `MeshInfo`. One that cannot be read leaves the mesh that was
+  /// there.
+  Answer open(const std::string& name, std::string_view bytes, bool repair);
+  /// A file with a mesh to begin with.
+  Answer sample() const;
+
+  /// `hand` as in engine.ts.
+  Answer smooth(const editing::Drawing& drawing, const std::string& hand);
+  Answer draw(const editing::Drawing& drawing);
+  Answer leg(const editing::Point& from, const editing::Point& to);
+  /// Teeth along a curve of the last smoothing.
+  Answer comb(std::size_t curve, double spacing) const;
+
+  /// The pieces along the smoothed curves of a drawing: `CutResult`.
+  Answer cut(const editing::Drawing& drawing);
+  Answer keep(std::size_t part, bool lids);
+  /// Borders of labels, one for each face; without any those of the mesh's file.
+  Answer labels(std::optional<std::vector<double>> values) const;
+
+  /// Files have the mesh's name. The format "drawn.json" is the drawing itself.
+  Answer save_curves(const std::string& format) const;
+  Answer save_mesh(const std::string& format) const;
+  Answer read_curves(const std::string& name, std::string_view bytes);
+
+ private:
+  void need_mesh() const;
+  editing::Outcome work(editing::Request request);
+  Answer pieces() const;
+
+  const editing::Plugins* plugins_;
+  std::string stem_;
+  FileMesh mesh_;
+  editing::Defects defects_ = editing::Defects::kRefuse;
+  double mean_edge_ = 0;
+  std::unique_ptr<editing::Workplace> workplace_;
+  std::optional<editing::Drawing> smoothed_;  // of which `results_` are, with the hand at rest
+  editing::Drawing last_;
+  host::Results results_;
+  std::unique_ptr<Pieces> pieces_;
+  bool is_cut_ = false;
+};
+
+}  // namespace talweg::browser

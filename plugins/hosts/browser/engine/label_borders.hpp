@@ -1,0 +1,20 @@
+// Borders between the labels of triangles, as curves to smooth.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "mesh_files.hpp"
+
+namespace talweg::browser {
+
+/// A label for each triangle, from the mesh's own attributes: the first with one whole number for
+/// each. Throws editing::Error where there is none.
+std::vector<double> labels_of(const FileMesh& mesh);
+
+/// Strokes along the edges between triangles of different labels. They end where more than two
+/// labels meet. Throws editing::Error for another number of labels, and where there is no border.
+std::vector<editing::Curve> label_borders(const editing::MeshArrays& mesh,
+                                          const std::vector<double>& labels);
+
+}  // namespace talweg::browser

@@ -1,0 +1,132 @@
+#include "lines.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "report_json.hpp"
+#include "talweg/editing/vectors.hpp"
+
+namespace talweg::browser {
+namespace {
+
+std::vector<double> field(const host::Curve& curve, const char* name) {
+  for (const host::Field& field : curve.fields) {
+    if (field.name == name) return field.values;
+  }
+  return {};
+}
+
+/// Arc length at every point and, of a closed curve, at the first one again.
+std::vector<double> arcs_of(const host::Curve& curve) {
+  const std::size_t n = curve.positions.size();
+  std::vector<double> arcs = {0};
+  for (std::size_t k = 1; k < n + (curve.closed ? 1 : 0); ++k) {
+    const auto step = editing::minus(curve.positions[k % n], curve.positions[k - 1]);
+    arcs.push_back(arcs.back() + editing::length(step));
+  }
+  return arcs;
+}
+
+/// Sum of the turns at points with arcs in [from, to], of a closed curve round and round.
+double turn_within(const std::vector<double>& arcs, const std::vector<double>& sums, double from,
+                   double to) {
+  const auto before = [&](double arc) {
+    const auto end = arcs.begin() + static_cast<std::ptrdiff_t>(sums.size() - 1);
+    return sums[static_cast<std::size_t>(std::lower_bound(arcs.begin(), end, arc) - arcs.begin())];
+  };
+  return before(std::nextafter(to, HUGE_VAL)) - before(from);
+}
+
+std::vector<double> mean_turning(const host::Curve& curve, double window) {
+  const std::vector<double> turns = field(curve, "curvature");
+  const std::size_t n = curve.positions.size();
+  if (turns.size() != n || n < 2) return {};
+  const std::vector<double> arcs = arcs_of(curve);
+  const double length = arcs.back();
+  if (!(length > 0)) return std::vector<double>(n, 0);
+  std::vector<double> sums = {0};
+  for (const double turn : turns) sums.push_back(sums.back() + turn);
+  const double half = std::min(window, length / 4);
+  std::vector<double> result;
+  for (std::size_t k = 0; k < n; ++k) {
+    double from = arcs[k] - half, to = arcs[k] + half;
+    double turn = turn_within(arcs, sums, from, to);
+    if (curve.closed) {
+      if (from < 0) turn += turn_within(arcs, sums, from + length, length);
+      if (to > length) turn += turn_within(arcs, sums, 0, to - length);
+    } else {
+      from = std::max(from, 0.0);
+      to = std::min(to, length);
+    }
+    result.push_back(turn / (to - from));
+  }
+  return result;
+}
+
+Json line_of(const host::Curve& curve, Answer& answer) {
+  Json line;
+  line["positions"] = answer.array(flat(curve.positions));
+  line["faces"] = answer.array(std::vector<std::int32_t>(curve.faces.begin(), curve.faces.end()));
+  line["barycentric"] = answer.array(flat(curve.barycentrics));
+  line["closed"] = curve.closed;
+  return line;
+}
+
+Json texts_of(const host::Results& results, const char* key, std::int64_t curve) {
+  const host::ReportEntry* entry = results.find(key, curve);
+  return entry == nullptr ? Json::array() : Json(entry->texts);
+}
+
+Json report_of(const host::Results& results, std::int64_t curve) {
+  const auto number = [&](const char* key) { return number_or_null(results, key, curve); };
+  const bool measured = results.text("deviation", curve) != "none";
+  const host::ReportEntry* at = measured ? results.find("deviation_at", curve) : nullptr;
+  return {{"length", number("length_after")},
+          {"drawnLength", number("length_before")},
+          {"maxDeviation", measured ? number("deviation_to_drawn_max") : Json(nullptr)},
+          {"meanDeviation", measured ? number("deviation_to_drawn_mean") : Json(nullptr)},
+          {"turning", number("curvature_after")},
+          {"termination", results.text("termination", curve)},
+          {"warnings", texts_of(results, "warnings", curve)},
+          {"worst", at == nullptr ? Json(nullptr) : Json(at->numbers)}};
+}
+
+}  // namespace
+
+std::vector<double> flat(const std::vector<std::array<double, 3>>& rows) {
+  std::vector<double> numbers;
+  numbers.reserve(3 * rows.size());
+  for (const auto& row : rows) numbers.insert(numbers.end(), row.begin(), row.end());
+  return numbers;
+}
+
+Json lines_of(const host::Results& results, double window, Answer& answer) {
+  Json lines = Json::array();
+  for (std::size_t c = 0; c < results.curves.size(); ++c) {
+    const host::Curve& curve = results.curves[c];
+    Json line = line_of(curve, answer);
+    line["turning"] = answer.array(mean_turning(curve, window));
+    line["deviation"] = answer.array(field(curve, "deviation"));
+    line["report"] = report_of(results, static_cast<std::int64_t>(c));
+    lines.push_back(std::move(line));
+  }
+  return lines;
+}
+
+Json drawn_lines(const std::vector<host::Curve>& curves, Answer& answer) {
+  Json lines = Json::array();
+  for (const host::Curve& curve : curves) {
+    Json line = line_of(curve, answer);
+    const double length = arcs_of(curve).back();
+    line["turning"] = answer.array(std::vector<double>());
+    line["deviation"] = answer.array(std::vector<double>());
+    line["report"] = {{"length", length},          {"drawnLength", length},
+                      {"maxDeviation", nullptr},   {"meanDeviation", nullptr},
+                      {"turning", nullptr},        {"termination", ""},
+                      {"warnings", Json::array()}, {"worst", nullptr}};
+    lines.push_back(std::move(line));
+  }
+  return lines;
+}
+
+}  // namespace talweg::browser

@@ -1,0 +1,28 @@
+// Mesh files are read and written through the plugin interface (talweg_mesh_files.h).
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "talweg/editing/mesh_arrays.hpp"
+#include "talweg/editing/workplace.hpp"
+
+namespace talweg::browser {
+
+/// What the page keeps of a file.
+struct FileMesh {
+  std::shared_ptr<const editing::MeshArrays> arrays;
+  std::vector<host::Attribute> attributes;
+  std::vector<std::string> left_out;  ///< what of the file is not read, a few words each
+};
+
+/// Throws host::Error with the library's sentence.
+FileMesh read_mesh(const editing::Plugins& plugins, const std::string& path);
+
+/// Gives what the format does not hold, a few words each. Throws host::Error.
+std::vector<std::string> write_mesh(const editing::Plugins& plugins, const std::string& path,
+                                    const editing::MeshArrays& mesh,
+                                    const std::vector<host::Attribute>& attributes);
+
+}  // namespace talweg::browser

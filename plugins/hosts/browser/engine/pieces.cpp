@@ -1,0 +1,92 @@
+#include "pieces.hpp"
+
+#include <utility>
+
+namespace talweg::browser {
+namespace {
+
+/// Where curves go: of all that they have, the plugin takes one kind of place.
+std::vector<host::Curve> courses(const std::vector<host::Curve>& curves) {
+  std::vector<host::Curve> result;
+  for (const host::Curve& curve : curves) {
+    host::Curve course;
+    course.closed = curve.closed;
+    course.faces = curve.faces;
+    course.barycentrics = curve.barycentrics;
+    result.push_back(std::move(course));
+  }
+  return result;
+}
+
+/// Puts values behind those of the same attribute. Where corners share entries, numbers go up.
+void append(host::Attribute& to, const host::Attribute& more) {
+  const auto before = static_cast<std::uint32_t>(to.values.size() / to.columns);
+  to.values.insert(to.values.end(), more.values.begin(), more.values.end());
+  for (auto corner : more.corners) {
+    for (std::uint32_t& entry : corner) {
+      if (entry != TALWEG_NO_ENTRY) entry += before;
+    }
+    to.corners.push_back(corner);
+  }
+}
+
+}  // namespace
+
+Pieces::Pieces(const editing::Plugins& plugins, FileMesh mesh, editing::Defects defects)
+    : services_("Talweg page", "1", {},
+                [this](std::uint32_t severity, const char* message) {
+                  if (severity >= TALWEG_LOG_WARNING) notes_.emplace_back(message);
+                }),
+      instance_(plugins.find("talweg.cut"), services_) {
+  if (defects == editing::Defects::kRepair) instance_.set("repair", 1.0);
+  editing::set_mesh(instance_, *mesh.arrays);
+  instance_.set_attributes(mesh.attributes);
+  instance_.set("split", 1.0);
+}
+
+void Pieces::cut(const std::vector<host::Curve>& curves) {
+  instance_.set_curves(courses(curves));
+  run(false);
+}
+
+void Pieces::keep(std::size_t part, bool lids) {
+  run(lids);
+  if (part >= meshes_.size()) throw editing::Error("There is no part " + std::to_string(part + 1));
+  meshes_ = {std::move(meshes_[part])};
+  attributes_ = {std::move(attributes_[part])};
+}
+
+void Pieces::run(bool lids) {
+  notes_.clear();
+  instance_.set("cap", lids ? "auto" : "none");
+  host::Wanted wanted;
+  wanted.meshes = true;
+  meshes_ = instance_.run(wanted).meshes;
+  attributes_.clear();
+  for (std::size_t k = 0; k < meshes_.size(); ++k) attributes_.push_back(instance_.attributes(k));
+}
+
+FileMesh Pieces::together() const {
+  auto arrays = std::make_shared<editing::MeshArrays>();
+  FileMesh whole;
+  for (std::size_t k = 0; k < meshes_.size(); ++k) {
+    const auto before = static_cast<std::uint32_t>(arrays->positions.size());
+    const host::Mesh& piece = meshes_[k];
+    arrays->positions.insert(arrays->positions.end(), piece.positions.begin(),
+                             piece.positions.end());
+    for (const auto& [a, b, c] : piece.triangles) {
+      arrays->triangles.push_back({a + before, b + before, c + before});
+    }
+    for (std::size_t i = 0; i < attributes_[k].size(); ++i) {
+      if (k == 0) {
+        whole.attributes.push_back(attributes_[k][i]);
+      } else {
+        append(whole.attributes[i], attributes_[k][i]);
+      }
+    }
+  }
+  whole.arrays = std::move(arrays);
+  return whole;
+}
+
+}  // namespace talweg::browser

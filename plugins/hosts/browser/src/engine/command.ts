@@ -1,0 +1,24 @@
+// The command line that does what the page does.
+import type { Drawing } from './types';
+
+/** For a shell, where that is needed. */
+function quoted(word: string): string {
+  return /^[\w./+-]+$/.test(word) ? word : `'${word.replace(/'/g, "'\\''")}'`;
+}
+
+/** Smooths the drawing, saved as drawn.json, on the mesh. Empty without a mesh. */
+export function commandOf(name: string, repaired: boolean, drawing: Drawing | null): string {
+  if (!name) return '';
+  const mesh = name.replace(/\.gz$/i, '');
+  const stem = mesh.replace(/\.[^.]*$/, '');
+  const words = ['talweg', 'smooth', mesh, '--curve', `${stem}-drawn.json`];
+  if (drawing) {
+    const { tau, slack, maxDeviation } = drawing.settings;
+    if (maxDeviation !== null) words.push('--max-deviation', String(maxDeviation));
+    else words.push('--tau', String(tau));
+    if (slack !== null) words.push('--slack', String(slack));
+  }
+  if (repaired) words.push('--repair');
+  words.push('-o', `${stem}-smooth.vtp`, '--report', `${stem}-report.json`);
+  return words.map(quoted).join(' ');
+}

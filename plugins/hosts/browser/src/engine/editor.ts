@@ -1,0 +1,86 @@
+// The drawing, and all edits of it: `talweg::editing::Editor`.
+import { Module } from './module';
+import type { Curve, Drawing, Vec3 } from './types';
+
+interface Place {
+  face: number;
+  barycentric: Vec3;
+}
+
+/** An editor that nobody has any more goes from the module, too. */
+const gone = new FinalizationRegistry<{ module: Module; number: number }>(
+  ({ module, number }) => module.call(`editor.${number}.end`, []));
+
+/** Each edit is one step that can be undone; one that cannot be done throws Error with a sentence. */
+export class Editor {
+  private constructor(private readonly module: Module, private readonly number: number) {
+    gone.register(this, { module, number });
+  }
+
+  /** An empty drawing. */
+  static async load(): Promise<Editor> {
+    const module = await Module.load();
+    return new Editor(module, module.call<number>('editor.new', []));
+  }
+
+  drawing(): Drawing { return this.call('drawing'); }
+  isDrawing(): boolean { return this.call('isDrawing'); }
+
+  addPoint(p: Place): void { this.call('addPoint', p); }
+  paintPoint(p: Place): void { this.call('paintPoint', p); }
+  takeBackPoint(): void { this.call('takeBackPoint'); }
+  finishCurve(): void { this.call('finishCurve'); }
+  closeCurve(): void { this.call('closeCurve'); }
+  dropCurve(): void { this.call('dropCurve'); }
+
+  removeCurve(curve: number): void { this.call('removeCurve', curve); }
+  addCurve(curve: Curve): void { this.call('addCurve', curve); }
+  setClosed(curve: number, closed: boolean): void { this.call('setClosed', curve, closed); }
+  reverseCurve(curve: number): void { this.call('reverseCurve', curve); }
+  continueCurve(curve: number): void { this.call('continueCurve', curve); }
+  clear(): void { this.call('clear'); }
+  renameCurve(curve: number, name: string): void { this.call('renameCurve', curve, name); }
+  setCurveTau(curve: number, tau: number | null): void { this.call('setCurveTau', curve, tau); }
+  setCurveTolerance(curve: number, tolerance: number | null): void {
+    this.call('setCurveTolerance', curve, tolerance);
+  }
+  pinCurve(curve: number, pinned: boolean): void { this.call('pinCurve', curve, pinned); }
+
+  movePoint(curve: number, point: number, p: Place): void { this.call('movePoint', curve, point, p); }
+  insertPoint(curve: number, before: number, p: Place): void { this.call('insertPoint', curve, before, p); }
+  removePoint(curve: number, point: number): void { this.call('removePoint', curve, point); }
+  setPinned(curve: number, point: number, pinned: boolean): void {
+    this.call('setPinned', curve, point, pinned);
+  }
+
+  setTau(tau: number): void { this.call('setTau', tau); }
+  setSlack(slack: number | null): void { this.call('setSlack', slack); }
+  setMaxDeviation(bound: number | null): void { this.call('setMaxDeviation', bound); }
+
+  /** The name of the step that was undone; null: there was none. */
+  undo(): string | null { return this.call('undo'); }
+  redo(): string | null { return this.call('redo'); }
+  undoName(): string | null { return this.call('undoName'); }
+  redoName(): string | null { return this.call('redoName'); }
+
+  /** Until endGesture() all edits are one step. */
+  beginGesture(name = 'Change'): void { this.call('beginGesture', name); }
+  endGesture(): void { this.call('endGesture'); }
+
+  /** The drawing as JSON, for sessions. */
+  state(): string { return JSON.stringify(this.drawing()); }
+  /** Begins anew with such a drawing. */
+  restore(state: string): void { this.call('restore', JSON.parse(state)); }
+
+  /**
+   * Before which of the given points one belongs that was picked on a line through them, between the
+   * line's points `segment` and `segment + 1`; three numbers per point.
+   */
+  legAt(given: Float64Array, line: Float64Array, closed: boolean, segment: number): number {
+    return this.call('legAt', Array.from(given), Array.from(line), closed, segment);
+  }
+
+  private call<Result>(name: string, ...args: unknown[]): Result {
+    return this.module.call<Result>(`editor.${this.number}.${name}`, args);
+  }
+}

@@ -1,0 +1,136 @@
+// Everything that knows the mesh, in a worker.
+import { commandOf } from './command';
+import type { Curve, CutResult, Drawing, Line, MeshInfo, Point, SavedFile, Smoothed } from './types';
+import type { Reply, Request } from './worker';
+
+/** A newer request of the same kind has taken this one's place. */
+export class Replaced extends Error {}
+/** The engine was ended. */
+export class Ended extends Error {}
+
+interface Waiting {
+  request: Request;
+  resolve(answer: unknown): void;
+  reject(error: Error): void;
+}
+
+const onlyNewest = new Set(['smooth', 'draw', 'leg']);
+
+/**
+ * Requests are done one after the other; a leg comes before what waits. Of smooth(), draw() and leg()
+ * only the newest of each waits: one that it replaces rejects with Replaced.
+ */
+export class Engine {
+  private ids = 0;
+  private waiting: Waiting[] = [];
+  private running: Waiting | null = null;
+  private ended = false;
+  private mesh = { name: '', repaired: false };
+  private last: Drawing | null = null;
+
+  private constructor(private readonly worker: Worker) {}
+
+  static start(): Promise<Engine> {
+    const worker = new Worker(new URL('./worker.js', import.meta.url), { type: 'module' });
+    const engine = new Engine(worker);
+    const failed = 'The engine cannot be loaded: is talweg.wasm beside the page?';
+    return new Promise((resolve, reject) => {
+      engine.running = {
+        request: { id: 0, name: '', args: [] },
+        resolve: () => resolve(engine),
+        reject: (error) => reject(new Error(`${failed} (${error.message})`)),
+      };
+      worker.onmessage = (event: MessageEvent<Reply>) => engine.take(event.data);
+      worker.onerror = (event) => engine.fail(new Error(event.message || failed));
+    });
+  }
+
+  /** OBJ, OFF, PLY, STL or OM, also packed by gzip. Takes the bytes: they are not there any more. */
+  async open(name: string, bytes: ArrayBuffer, repair = false): Promise<MeshInfo> {
+    const info = await this.ask<MeshInfo>('open', [name, repair], bytes);
+    this.mesh = { name, repaired: repair };
+    this.last = null;
+    return info;
+  }
+
+  sample(): Promise<{ name: string; bytes: Uint8Array }> { return this.ask('sample', []); }
+
+  async smooth(drawing: Drawing, hand: 'rests' | 'slides' | 'drags'): Promise<Smoothed> {
+    this.last = drawing;
+    return this.ask('smooth', [drawing, hand]);
+  }
+  draw(drawing: Drawing): Promise<Line[]> { return this.ask('draw', [drawing]); }
+  leg(from: Point, to: Point): Promise<Float64Array> { return this.ask('leg', [from, to]); }
+  /** Teeth of a curve of the last smoothing; none while the hand moves. */
+  comb(curve: number, spacing: number):
+    Promise<{ roots: Float64Array; tips: Float64Array; curvature: Float64Array }> {
+    return this.ask('comb', [curve, spacing]);
+  }
+
+  cut(drawing: Drawing): Promise<CutResult> { return this.ask('cut', [drawing]); }
+  keep(part: number, lids: boolean): Promise<CutResult> { return this.ask('keep', [part, lids]); }
+  /** Borders of a label per face, or of the mesh's own labels. */
+  labels(values: Int32Array | null): Promise<Curve[]> {
+    return this.ask('labels', [values !== null], values?.slice().buffer);
+  }
+
+  /** "drawn.json" is the drawing itself, all others are of the smoothed curves. */
+  saveCurves(format: string): Promise<SavedFile> { return this.ask('saveCurves', [format]); }
+  /** The mesh, or what the last cut left of it. */
+  saveMesh(format: string): Promise<SavedFile> { return this.ask('saveMesh', [format]); }
+  readCurves(name: string, bytes: ArrayBuffer): Promise<Curve[]> {
+    return this.ask('readCurves', [name], bytes);
+  }
+
+  /** The command line that does the same to the saved files. */
+  command(): string { return commandOf(this.mesh.name, this.mesh.repaired, this.last); }
+
+  /** Ends the worker, whatever it does. */
+  end(): void {
+    this.ended = true;
+    this.worker.terminate();
+    this.fail(new Ended('The engine was ended.'));
+  }
+
+  private ask<Result>(name: string, args: unknown[], bytes?: ArrayBuffer): Promise<Result> {
+    if (this.ended) return Promise.reject(new Ended('The engine was ended.'));
+    return new Promise<Result>((resolve, reject) => {
+      const request: Request = { id: ++this.ids, name, args, ...(bytes && { bytes }) };
+      const mine: Waiting = { request, resolve: (answer) => resolve(answer as Result), reject };
+      if (onlyNewest.has(name)) this.replace(name);
+      if (name === 'leg') this.waiting.unshift(mine);
+      else this.waiting.push(mine);
+      this.next();
+    });
+  }
+
+  private replace(name: string): void {
+    const old = this.waiting.filter(({ request }) => request.name === name);
+    this.waiting = this.waiting.filter(({ request }) => request.name !== name);
+    for (const { reject } of old) reject(new Replaced('A newer request has taken its place.'));
+  }
+
+  private next(): void {
+    if (this.running) return;
+    this.running = this.waiting.shift() ?? null;
+    if (!this.running) return;
+    const { request } = this.running;
+    this.worker.postMessage(request, request.bytes ? [request.bytes] : []);
+  }
+
+  private take(reply: Reply): void {
+    const done = this.running;
+    if (!done || done.request.id !== reply.id) return;
+    this.running = null;
+    if ('error' in reply) done.reject(new Error(reply.error));
+    else done.resolve(reply.answer);
+    this.next();
+  }
+
+  private fail(error: Error): void {
+    const all = [...(this.running ? [this.running] : []), ...this.waiting];
+    this.running = null;
+    this.waiting = [];
+    for (const { reject } of all) reject(error);
+  }
+}
