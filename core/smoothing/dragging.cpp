@@ -121,6 +121,7 @@ void Dragging::set(const DragStretch& stretch, const CurveOptions& options,
   };
   std::erase_if(own.pins, is_elsewhere);
   std::erase_if(own.corners, is_elsewhere);
+  std::erase_if(own.painted, is_elsewhere);
   stretch_ = {};
   stretch_.drawing = checked_drawing(memory_.mesh(), std::span(&stretch.curve, 1), own, progress);
   stretch_.embedded.emplace(memory_, stretch_.drawing, own,

@@ -90,6 +90,18 @@ TEST_F(Dragging, GivesAboutWhatTheChangedDrawingGives) {
   }
 }
 
+/// As hosts say of strokes: the points that were painted. Those of the stroke that is smoothed anew
+/// are other ones.
+TEST_F(Dragging, OfAStrokeWhosePointsWerePaintedIsTheSame) {
+  set(wave());
+  smoother.smooth(1);
+  const SurfaceCurve moved = wave(9, 6);
+  const SurfaceCurve expected = smoother.drag(0, moved).curve();
+  smoother.set_curve(wave(), {.painted = wave().points});
+  smoother.smooth(1);
+  EXPECT_EQ(smoother.drag(0, moved).curve().points, expected.points);
+}
+
 TEST_F(Dragging, OfALoopAlsoAtItsSeam) {
   set(ring());
   const SurfaceCurve before = smoother.smooth(1).curve();
