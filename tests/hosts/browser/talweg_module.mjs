@@ -1,5 +1,5 @@
 // The page's WebAssembly module in node, called as src/engine/module.ts does.
-import { readFileSync } from 'node:fs';
+import { existsSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 
@@ -7,6 +7,10 @@ const kinds = [Float64Array, Float32Array, Uint32Array, Int32Array, Uint8Array];
 
 /** call(name, arguments, bytes) of a new module; memory() tells how much it has taken, in MiB. */
 export async function talwegModule(folder) {
+  if (!existsSync(join(folder, 'talweg.js'))) {
+    console.log('skipped: the page is not built (./run page)');
+    process.exit(77);
+  }
   const { default: make } = await import(pathToFileURL(join(folder, 'talweg.js')).href);
   const talweg = await make({ wasmBinary: readFileSync(join(folder, 'talweg.wasm')) });
 
