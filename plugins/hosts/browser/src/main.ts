@@ -20,12 +20,12 @@ import { SessionWork } from './session/session_work';
 import { Store } from './state/store';
 import { Stage } from './view/stage';
 import { View } from './view/view';
-import { CutWork } from './work/cut_work';
-import { Desk, sentenceOf } from './work/desk';
-import { DrawingWork } from './work/drawing_work';
-import { FilesWork } from './work/files_work';
-import { Live } from './work/live';
-import { MeshWork } from './work/mesh_work';
+import { CutWork } from './actions/cut_work';
+import { Desk, sentenceOf } from './actions/desk';
+import { DrawingWork } from './actions/drawing_work';
+import { FilesWork } from './actions/files_work';
+import { Live } from './actions/live';
+import { MeshWork } from './actions/mesh_work';
 
 async function start(store: Store): Promise<void> {
   const box = byId('view');

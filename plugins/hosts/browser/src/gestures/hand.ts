@@ -1,9 +1,9 @@
 // The drawing hand: what a click, a drag and a stroke do, depending on what is under them.
 import type { Under, State } from '../state/state';
 import type { Store } from '../state/store';
-import type { CutWork } from '../work/cut_work';
-import type { DrawingWork } from '../work/drawing_work';
-import type { Live } from '../work/live';
+import type { CutWork } from '../actions/cut_work';
+import type { DrawingWork } from '../actions/drawing_work';
+import type { Live } from '../actions/live';
 import type { DrawingHand, Touch } from './pointers';
 import type { Finder } from './under';
 

@@ -1,9 +1,9 @@
 // What the keys do in the view. The list is also the help: a key that is not told is not there.
 import type { Store } from '../state/store';
 import type { ViewCamera } from '../view/camera';
-import type { DrawingWork } from '../work/drawing_work';
-import type { CutWork } from '../work/cut_work';
-import type { Live } from '../work/live';
+import type { DrawingWork } from '../actions/drawing_work';
+import type { CutWork } from '../actions/cut_work';
+import type { Live } from '../actions/live';
 import type { Cursor } from './cursor';
 import type { Hand } from './hand';
 

@@ -2,7 +2,7 @@
 import type { Curve } from '../engine/types';
 import { nameOf, type State } from '../state/state';
 import { changed, type Store } from '../state/store';
-import type { DrawingWork } from '../work/drawing_work';
+import type { DrawingWork } from '../actions/drawing_work';
 import { numberText } from '../state/numbers';
 import { type Acts, byId, element, enable, input } from '../elements';
 

@@ -2,7 +2,7 @@
 import type { State } from '../state/state';
 import { changed, type Store } from '../state/store';
 import { sideColour } from '../view/colours';
-import type { CutWork } from '../work/cut_work';
+import type { CutWork } from '../actions/cut_work';
 import { countText } from '../state/numbers';
 import { type Acts, byId, chooseFile, element, enable, fill, input } from '../elements';
 

@@ -1,8 +1,8 @@
 // Saving, reading, and what is dropped onto the page.
 import { changed, type Store } from '../state/store';
-import type { Desk } from '../work/desk';
-import type { FilesWork } from '../work/files_work';
-import type { MeshWork } from '../work/mesh_work';
+import type { Desk } from '../actions/desk';
+import type { FilesWork } from '../actions/files_work';
+import type { MeshWork } from '../actions/mesh_work';
 import type { SessionWork } from '../session/session_work';
 import type { CutPanel } from './cut_panel';
 import { type Acts, byId, chooseFile, enable, setText } from '../elements';

@@ -2,7 +2,7 @@
 import type { Editor } from '../engine/editor';
 import { hasStrokes, type State } from '../state/state';
 import { changed, type Store } from '../state/store';
-import type { DrawingWork } from '../work/drawing_work';
+import type { DrawingWork } from '../actions/drawing_work';
 import { numberText } from '../state/numbers';
 import { byId, input } from '../elements';
 import { factors, type Scale, Slider, squares } from './slider';

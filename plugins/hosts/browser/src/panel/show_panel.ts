@@ -3,7 +3,7 @@ import { type Colouring, type Show, type State } from '../state/state';
 import { changed, type Store } from '../state/store';
 import { gradient } from '../view/colours';
 import { rangeOf } from '../view/curve_view';
-import type { Live } from '../work/live';
+import type { Live } from '../actions/live';
 import { lengthText, numberText } from '../state/numbers';
 import { byId, enable, input, setText } from '../elements';
 

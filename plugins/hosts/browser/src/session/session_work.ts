@@ -1,10 +1,10 @@
 // Keeps the session while one works, and brings it back.
 import { changed, type Store } from '../state/store';
 import type { ViewCamera } from '../view/camera';
-import { type Desk, sentenceOf } from '../work/desk';
-import { download } from '../work/files_work';
-import type { Live } from '../work/live';
-import type { MeshWork } from '../work/mesh_work';
+import { type Desk, sentenceOf } from '../actions/desk';
+import { download } from '../actions/files_work';
+import type { Live } from '../actions/live';
+import type { MeshWork } from '../actions/mesh_work';
 import { byId, input, setText } from '../elements';
 import { forgetAll, isKeptOnMachine, keep, keepOnMachine, kept } from './keep';
 import { sessionOf, sessionText, type Session } from './session';
