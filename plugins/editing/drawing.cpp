@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace talweg::editing {
 namespace {
@@ -101,6 +102,18 @@ Stage stage_between(const Drawing& before, const Drawing& after) {
 bool all_clicked(const Curve& curve) {
   return std::all_of(curve.points.begin(), curve.points.end(),
                      [](const Point& point) { return point.exact >= 0; });
+}
+
+std::vector<host::Curve> courses(const std::vector<host::Curve>& curves) {
+  std::vector<host::Curve> result;
+  for (const host::Curve& curve : curves) {
+    host::Curve course;
+    course.closed = curve.closed;
+    course.faces = curve.faces;
+    course.barycentrics = curve.barycentrics;
+    result.push_back(std::move(course));
+  }
+  return result;
 }
 
 bool all_clicked(const Drawing& drawing) {

@@ -82,6 +82,10 @@ Stage stage_between(const Drawing& before, const Drawing& after);
 /// first curves of the drawing, in its order.
 std::vector<host::Curve> host_curves(const Drawing& drawing);
 
+/// Where curves run, by faces and barycentrics, and nothing else of them: a plugin takes one kind
+/// of place.
+std::vector<host::Curve> courses(const std::vector<host::Curve>& curves);
+
 /// Whether all points were clicked. Slack and largest deviation do not apply then: the curves are
 /// free between their points. False without curves.
 bool all_clicked(const Drawing& drawing);

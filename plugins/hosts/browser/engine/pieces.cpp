@@ -5,19 +5,6 @@
 namespace talweg::browser {
 namespace {
 
-/// Where curves go: of all that they have, the plugin takes one kind of place.
-std::vector<host::Curve> courses(const std::vector<host::Curve>& curves) {
-  std::vector<host::Curve> result;
-  for (const host::Curve& curve : curves) {
-    host::Curve course;
-    course.closed = curve.closed;
-    course.faces = curve.faces;
-    course.barycentrics = curve.barycentrics;
-    result.push_back(std::move(course));
-  }
-  return result;
-}
-
 /// Puts values behind those of the same attribute. Where corners share entries, numbers go up.
 void append(host::Attribute& to, const host::Attribute& more) {
   const auto before = static_cast<std::uint32_t>(to.values.size() / to.columns);
@@ -45,7 +32,7 @@ Pieces::Pieces(const editing::Plugins& plugins, FileMesh mesh, editing::Defects 
 }
 
 void Pieces::cut(const std::vector<host::Curve>& curves) {
-  instance_.set_curves(courses(curves));
+  instance_.set_curves(editing::courses(curves));
   run(false);
 }
 

@@ -12,19 +12,6 @@ namespace {
 
 using Face = TriMesh::FaceHandle;
 
-/// Where the curves run, and nothing else of them.
-std::vector<host::Curve> courses(const std::vector<host::Curve>& curves) {
-  std::vector<host::Curve> result;
-  for (const host::Curve& curve : curves) {
-    host::Curve course;
-    course.closed = curve.closed;
-    course.faces = curve.faces;
-    course.barycentrics = curve.barycentrics;
-    result.push_back(std::move(course));
-  }
-  return result;
-}
-
 std::array<double, 3> barycentric_in(const TriMesh& mesh, Face face, const ACG::Vec3d& place) {
   std::array<ACG::Vec3d, 3> corners;
   std::size_t k = 0;
@@ -121,7 +108,7 @@ AppliedPlan cut_mesh(const editing::Plugins& plugins, TriMesh& mesh,
   const host::Services services("OpenFlipper", "Plugin-Talweg");
   host::Instance cut(plugins.find("talweg.cut"), services);
   editing::set_mesh(cut, arrays);
-  cut.set_curves(courses(curves));
+  cut.set_curves(editing::courses(curves));
   cut.run();
   return apply_plan(mesh, division_from(cut.cut_plan()));
 }
@@ -168,7 +155,7 @@ std::vector<TriMesh> parts_of_mesh(const editing::Plugins& plugins, const TriMes
   for (const std::string& left_out : cut.set_attributes(mesh)) {
     say(QString::fromStdString(left_out));
   }
-  cut.instance().set_curves(courses(curves));
+  cut.instance().set_curves(editing::courses(curves));
   cut.set("split", 1.0);
   cut.set("cap", lids ? "auto" : "none");
   host::Wanted wanted;
