@@ -1,7 +1,7 @@
 // Builds the page into a folder: node build.mjs --engine FOLDER --out FOLDER. The first folder has what
 // the C++ side of the engine was compiled to.
 import { cpSync, existsSync, mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
-import { dirname, join } from 'node:path';
+import { dirname, join, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { build } from 'esbuild';
 
@@ -12,8 +12,9 @@ function option(name) {
   return at > 0 ? process.argv[at + 1] : undefined;
 }
 
-const out = option('--out');
-if (!out) throw new Error('usage: node build.mjs --out FOLDER [--engine FOLDER]');
+const given = option('--out');
+if (!given) throw new Error('usage: node build.mjs --out FOLDER [--engine FOLDER]');
+const out = resolve(given);  // esbuild has a working folder of its own
 mkdirSync(out, { recursive: true });
 
 const entries = ['src/main.ts', 'src/pick/prepare_worker.ts', 'src/engine/worker.ts'];

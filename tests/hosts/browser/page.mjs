@@ -1,6 +1,6 @@
 // The page in a headless Chromium, used as a person uses it: by mouse, fingers and keys. Tests see
 // what a person sees: texts, pictures, and the files that were saved.
-import { existsSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync } from 'node:fs';
+import { existsSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, renameSync, rmSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
@@ -173,15 +173,17 @@ export class Page {
     return found ? Number.parseFloat(found[1]) : NaN;
   }
 
-  /** Does what saves a file, and gives its path. */
+  /** Does what saves a file, and gives its path, which no later file of this name takes. */
   async saved(task) {
-    const before = new Set(readdirSync(this.downloads));
     await task();
     const end = Date.now() + patience;
     while (Date.now() < end) {
-      const fresh = readdirSync(this.downloads).filter((f) => !before.has(f) && !f.endsWith('.crdownload')
-        && !f.startsWith('.'));
-      if (fresh.length > 0) return join(this.downloads, fresh[0]);
+      const name = readdirSync(this.downloads).find((f) => !/^saved-|^\.|\.crdownload$/.test(f));
+      if (name) {
+        const path = join(mkdtempSync(join(this.downloads, 'saved-')), name);
+        renameSync(join(this.downloads, name), path);
+        return path;
+      }
       await new Promise((done) => setTimeout(done, 50));
     }
     throw new Error(`No file was saved: ${await this.text('trouble-files')}`);

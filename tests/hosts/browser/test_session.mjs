@@ -41,7 +41,7 @@ export async function theMachineKeepsItWhenAsked() {
   await again(page);
   assert.deepEqual(await page.curves(), ['Curve 1 open, 3 points']);
 
-  await Promise.all([page.page.waitForNavigation(), page.act('forget')]);
+  await Promise.all([page.page.waitForNavigation(), page.page.click('[data-act="forget"]')]);
   await page.page.waitForSelector('html[data-ready]');
   assert.deepEqual(await page.curves(), []);
   assert.deepEqual(await onMachine(page), { local: 0, databases: [] });
