@@ -1,7 +1,9 @@
 #!/usr/bin/env bash
-# release.sh OUT: everything that is given away, in OUT/out: wheel, archive, Blender add-on, sources of
-# the OpenFlipper plugin; SHA256 sums, an SPDX list, notes. Two runs give the same bytes. Needs root,
-# debootstrap and the network for the first run, g++-12, cmake, python3-setuptools, python3-wheel.
+# release.sh OUT: everything that is given away, in OUT/out: wheel, source distribution, archive, Blender
+# add-on, ParaView plugin (for the ParaView that is here), the page (where ./run page has made it),
+# sources of the OpenFlipper plugin; SHA256 sums, an SPDX list, notes. Two runs give the same bytes.
+# Needs root, debootstrap and the network for the first run, g++-12, cmake, python3-setuptools,
+# python3-wheel.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 project=$(cd "$here/../.." && pwd)
@@ -77,6 +79,38 @@ blender() { # the add-on, with the plugins that run anywhere
   python3 "$here/same_zip.py" "$addon" "$out/talweg_blender-$version.zip" "$SOURCE_DATE_EPOCH"
 }
 
+# The filters for ParaView on this kind of system, and the plugins that run anywhere.
+paraview() {
+  local build=$work/paraview tree=$work/talweg-paraview-$version log=$work/paraview.log
+  if ! ls /usr/lib/*/cmake/paraview-*/paraview-config.cmake >/dev/null 2>&1; then
+    echo "No ParaView plugin: there is no paraview-dev (docs/paraview.md says what it needs)"
+    return 0
+  fi
+  { cmake -S "$project" -B "$build" -DCMAKE_BUILD_TYPE=Release -DCMAKE_INSTALL_LIBDIR=lib \
+      -DTALWEG_BUILD_PARAVIEW=ON -DTALWEG_BUILD_TESTS=OFF -DTALWEG_BUILD_DEMO=OFF -DTALWEG_BUILD_DRIVER=OFF &&
+    cmake --build "$build" --parallel "${TALWEG_JOBS:-$(nproc)}" --target talweg-paraview; } >"$log" 2>&1 ||
+    { tail -n 20 "$log" >&2; exit 1; }
+  rm -rf "$tree"
+  cmake --install "$build" --prefix "$tree" --component paraview --strip >/dev/null
+  mkdir -p "$tree/lib/talweg"
+  cp -r "$work/portable/tree/lib/talweg/plugins" "$tree/lib/talweg"
+  cp "$project/LICENSE" "$project/docs/paraview.md" "$tree"
+  local paraview
+  paraview=$(basename "$tree"/lib/paraview-*)
+  packed "$tree" "$out/talweg-$version-$paraview-debian-x86_64.tar.gz"
+}
+
+page() {
+  if [[ ! -e $project/build/page/index.html ]]; then
+    echo "No page: ./run page has not been run"
+    return 0
+  fi
+  rm -rf "$work/talweg-page-$version"
+  cp -r "$project/build/page" "$work/talweg-page-$version"
+  cp "$project/LICENSE" "$work/talweg-page-$version"
+  python3 "$here/same_zip.py" "$work/talweg-page-$version" "$out/talweg-page-$version.zip" "$SOURCE_DATE_EPOCH"
+}
+
 notes() { # the newest part of the changelog
   awk '/^## /{ if (seen++) exit } seen' "$project/CHANGELOG.md" >"$out/NOTES.md"
 }
@@ -87,8 +121,11 @@ mkdir "$out"
 suitesparse
 "$here/portable/build.sh" "$work/sysroot" "$work/sources/suitesparse-5.12.0+dfsg" "$work/portable"
 wheel
+"$here/sdist.sh" "$out"
 archive
 blender
+paraview
+page
 notes
 python3 "$here/spdx.py" "$version" "$SOURCE_DATE_EPOCH" "$out"/*.whl "$out"/*.tar.gz "$out"/*.zip \
   >"$out/talweg-$version.spdx.json"

@@ -22,6 +22,9 @@ PARTS = [("libstdc++ and libgcc", "g++-12", "GPL-3.0-or-later WITH GCC-exception
 FIXED = [("zlib", "1.2.11", "Zlib"), ("libpng", "1.6.37", "libpng-2.0"),
          ("CHOLMOD (Core, Check, Cholesky), AMD, COLAMD of SuiteSparse", "5.12.0",
           "LGPL-2.1-or-later AND BSD-3-Clause")]
+# Only in the page for browsers.
+PAGE = ("libc++, compiler-rt and musl of Emscripten", "emscripten",
+        "MIT AND (Apache-2.0 WITH LLVM-exception)")
 
 
 def debian_version(package):
@@ -37,7 +40,8 @@ def package(number, name, version, licence):
 
 
 def document(version, seconds, files):
-    parts = [(name, debian_version(of), licence) for name, of, licence in PARTS] + FIXED
+    page = [PAGE] if any(path.name.startswith("talweg-page-") for path in files) else []
+    parts = [(name, debian_version(of), licence) for name, of, licence in PARTS + page] + FIXED
     packages = [package(0, "talweg", version, "MIT")]
     packages += [package(k, *part) for k, part in enumerate(parts, 1)]
     sums = [hashlib.sha256(path.read_bytes()).hexdigest() for path in files]

@@ -1,11 +1,14 @@
-"""Puts the built plugins into the wheel, which therefore is for one platform and any Python 3."""
+"""Puts the plugins into the wheel, which therefore is for one platform and any Python 3: those in the
+folders of TALWEG_PLUGIN_PATH, those of a checkout's build, or else compiled from the sources."""
 
 import os
 import shutil
+import sys
 from pathlib import Path
 
 from setuptools import Distribution, setup
 from setuptools.command.build_py import build_py
+from setuptools.command.sdist import sdist
 
 try:
     from setuptools.command.bdist_wheel import bdist_wheel  # setuptools 70 and later
@@ -13,14 +16,22 @@ except ImportError:
     from wheel.bdist_wheel import bdist_wheel
 
 HERE = Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE))
+import native_sources  # noqa: E402  # pylint: disable=wrong-import-position
 
 
-def built_plugins():
-    named = os.environ.get("TALWEG_PLUGIN_PATH", "").split(":")
-    folders = [Path(f) for f in named if f] or [HERE.parents[2] / "build/lib/talweg/plugins"]
+def built_plugins(folders):
     found = [path for folder in folders for path in sorted(folder.glob("talweg_*.so"))]
-    if not any(path.name == "talweg_smooth.so" for path in found):
-        raise SystemExit("talweg: no talweg_smooth.so in " + ", ".join(map(str, folders)) +
+    return found if any(path.name == "talweg_smooth.so" for path in found) else []
+
+
+def plugins(build):
+    named = [Path(f) for f in os.environ.get("TALWEG_PLUGIN_PATH", "").split(":") if f]
+    found = built_plugins(named or [native_sources.CHECKOUT / "build/lib/talweg/plugins"])
+    if not found and not named and native_sources.root():
+        found = built_plugins([native_sources.compile_plugins(build)])
+    if not found:
+        raise SystemExit("talweg: no talweg_smooth.so in " + ", ".join(map(str, named)) +
                          "; build Talweg first (./run build), or name the folder of its plugins "
                          "in TALWEG_PLUGIN_PATH.")
     return found
@@ -33,14 +44,30 @@ class BuildWithPlugins(build_py):
             return  # a checkout finds its own build
         target = Path(self.build_lib) / "talweg" / "plugins"
         target.mkdir(parents=True, exist_ok=True)
-        for path in built_plugins():
+        found = plugins(Path(self.build_lib).resolve().parent / "plugins")
+        for path in found:
             shutil.copy(path, target / path.name)
         # What plugins for any Linux bring (plugins/packages): a library, and the licences of all parts.
-        for path in built_plugins()[0].parent.glob("libtalweg-*.so.*"):
+        for path in found[0].parent.glob("libtalweg-*.so.*"):
             shutil.copy(path, target / path.name)
-        licences = built_plugins()[0].parent / "licences"
+        licences = found[0].parent / "licences"
         if licences.is_dir():
             shutil.copytree(licences, target / "licences", dirs_exist_ok=True)
+
+
+class WithNativeSources(sdist):
+    def make_release_tree(self, base_dir, files):
+        super().make_release_tree(base_dir, files)
+        source = native_sources.root()
+        if source is None:
+            raise SystemExit("talweg: a source distribution is made in a checkout or from another one.")
+        for name in native_sources.needed(source):
+            target = Path(base_dir, "source", name)
+            target.parent.mkdir(parents=True, exist_ok=True)
+            shutil.copy(source / name, target)
+        for name in ("native_sources.py", "LICENSE"):
+            if not Path(base_dir, name).exists():
+                shutil.copy((source if name == "LICENSE" else HERE) / name, base_dir)
 
 
 class ForOnePlatform(Distribution):
@@ -54,4 +81,5 @@ class WheelForAnyPython(bdist_wheel):
 
 
 setup(distclass=ForOnePlatform,
-      cmdclass={"build_py": BuildWithPlugins, "bdist_wheel": WheelForAnyPython})
+      cmdclass={"build_py": BuildWithPlugins, "bdist_wheel": WheelForAnyPython,
+                "sdist": WithNativeSources})

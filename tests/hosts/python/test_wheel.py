@@ -81,6 +81,12 @@ class Wheel(unittest.TestCase):
         self.assertIn("build Talweg first", done.stdout)
         self.assertEqual(list(self.folder.glob("*.whl")), [])
 
+    def test_near_the_root_of_the_file_system(self):
+        # As after pip install --target /opt/there.
+        shutil.copytree(PACKAGE / "talweg", self.folder / "talweg")
+        shutil.copytree(PLUGINS, self.folder / "talweg/plugins")
+        self.finds(self.folder, self.folder / "talweg/plugins")
+
     def test_checkout(self):
         checkout = self.folder / "checkout"
         shutil.copytree(PACKAGE, checkout / "plugins/hosts/python")

@@ -86,7 +86,7 @@ def folders() -> List[Path]:
     here = Path(__file__).resolve().parent
     result = [Path(f) for f in os.environ.get("TALWEG_PLUGIN_PATH", "").split(":") if f]
     result.append(here / "plugins")
-    checkout = here.parents[3]
+    checkout = Path("/", *here.parts[:-4])
     if (checkout / "plugins" / "interface" / "talweg_plugin.h").is_file():
         result.append(checkout / "build" / "lib" / "talweg" / "plugins")
     libs = ["lib", "lib64"]
