@@ -366,6 +366,7 @@ void FairChain::run(SampleChain& chain, SampleTrail* trail, Asker& asker) {
       energies(chain, places_, energies_);
       energy_ = std::accumulate(energies_.begin(), energies_.end(), 0.0);
     }
+    if (asker.ends_early()) return;
     const double last = energy_;
     if (step(chain, trail)) {
       failed = 0;

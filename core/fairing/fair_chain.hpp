@@ -43,7 +43,8 @@ class FairChain {
   }
 
   /// The chain keeps its number of samples; their ways are added to the trail, unless it is null.
-  /// Throws Cancelled.
+  /// Ends early, after a whole step or before the first, when the asker's budget is used up. Throws
+  /// Cancelled.
   void run(SampleChain& chain, SampleTrail* trail, Asker& asker);
   /// Makes the walls stiffer where samples of the chain that run() left are beyond the band's, or
   /// almost; tells whether there are any.

@@ -51,5 +51,6 @@
 #include "talweg/core/io/label_file.hpp"         // read_label_file
 #include "talweg/core/labels/label_network.hpp"  // smooth_labels
 #include "talweg/core/version.hpp"               // version
+#include "talweg/intrinsic/budget.hpp"           // Budget
 #include "talweg/intrinsic/error.hpp"            // Error
 #include "talweg/intrinsic/progress.hpp"         // Progress

@@ -48,6 +48,8 @@ void for_each_field(Report& r, Visit visit) {
   visit("deviation_from_drawn_max", r.deviation_from_drawn_max);
   visit("deviation_from_drawn_mean", r.deviation_from_drawn_mean);
   visit("deviation_at", r.deviation_at);
+  visit("deviation_exact", r.deviation_exact);
+  visit("deviation_at_least", r.deviation_at_least);
   visit("moved", r.moved);
   visit("flips", r.flips);
   visit("iterations", r.iterations);
@@ -66,6 +68,7 @@ void for_each_field(Report& r, Visit visit) {
   visit("time_ms.trace", r.time_ms.trace);
   visit("time_ms.relax", r.time_ms.relax);
   visit("time_ms.fair", r.time_ms.fair);
+  visit("time_ms.measure", r.time_ms.measure);
   visit("time_ms.total", r.time_ms.total);
   visit("peak_memory_mib", r.peak_memory_mib);
 }
@@ -127,6 +130,8 @@ SmoothingReport total_of(const std::vector<SmoothingReport>& reports) {
     total.deviation_to_drawn_max = std::max(total.deviation_to_drawn_max, r.deviation_to_drawn_max);
     total.deviation_from_drawn_max =
         std::max(total.deviation_from_drawn_max, r.deviation_from_drawn_max);
+    total.deviation_exact = total.deviation_exact && r.deviation_exact;
+    total.deviation_at_least = std::max(total.deviation_at_least, r.deviation_at_least);
     mean_to += weighted(r.deviation_to_drawn_mean, r.length_after);
     mean_from += weighted(r.deviation_from_drawn_mean, r.length_before);
     const double own_worst = std::max(r.deviation_to_drawn_max, r.deviation_from_drawn_max);

@@ -23,6 +23,7 @@ struct StageTimes {
   double trace = 0;       ///< tracing back to points on the mesh
   double relax = 0;       ///< the paper's relaxation
   double fair = 0;        ///< fairing
+  double measure = 0;     ///< the report's own measures, mostly the deviation
   double total = 0;       ///< the sum of the above
 };
 
@@ -48,7 +49,7 @@ enum class Outcome {
   kConverged,
   kDeviation,  ///< no curve within the bound was found
   kCollapsed,  ///< the loop shrank below the floor; it is returned as it was at that moment
-  kLimit,      ///< a bound on the work was reached
+  kLimit,      ///< a bound on the work was reached, or a budget used up
   kCancelled,  ///< the caller cancelled it
 };
 
@@ -60,10 +61,10 @@ const char* to_string(DeviationMeasure measure);
 
 /// The report on one curve, or the totals of a set. In totals, counts, lengths, total curvatures
 /// and bendings are sums, maxima are maxima, means are weighted by length, `termination` is the
-/// worst, and `deviation` is kEuclidean if any curve's is. Lengths are in mesh units, angles in
-/// radians. Deviations are infinite if they were not measured, or if the curves lie on parts of the
-/// mesh that are not connected. "Before" and "drawn" mean the curve as it was given, before corners
-/// were capped.
+/// worst, `deviation` is kEuclidean if any curve's is, and exact if all are. Lengths are in mesh
+/// units, angles in radians. Deviations are infinite if they were not measured, or if the curves
+/// lie on parts of the mesh that are not connected. "Before" and "drawn" mean the curve as it was
+/// given, before corners were capped.
 struct SmoothingReport {
   std::string version;              ///< of the library
   std::size_t faces = 0;            ///< of the mesh
@@ -98,6 +99,8 @@ struct SmoothingReport {
   double deviation_from_drawn_max = 0;   ///< mesh units: of the drawing to the result
   double deviation_from_drawn_mean = 0;  ///< mesh units
   Point deviation_at = Point::Zero();    ///< the point with the larger of both maxima
+  bool deviation_exact = true;    ///< false: a budget was used up, and the above are upper bounds
+  double deviation_at_least = 0;  ///< mesh units: the largest distance known to be there
   double moved = HUGE_VAL;     ///< mesh units: from the last result, if its tau differs by <= 5 %
   std::size_t flips = 0;       ///< of the whole run
   std::size_t iterations = 0;  ///< cleared wedges, of the whole run

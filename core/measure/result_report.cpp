@@ -25,6 +25,7 @@ constexpr double kAutomaticTo = 4;  // mesh edges: farther apart, kAutomatic mea
 void warn_if_far(SmoothingReport& report, double far, bool automatic) {
   const bool cut = report.deviation_from_drawn_max > report.deviation_to_drawn_max;
   const double apart = cut ? report.deviation_from_drawn_max : report.deviation_to_drawn_max;
+  if (!report.deviation_exact) return;  // a bound may be far where the result is not
   const bool through_space = automatic && report.deviation == DeviationMeasure::kEuclidean;
   if (!through_space && report.deviation != DeviationMeasure::kAlongSurface) return;
   const bool is_known = through_space && kAutomaticTo * report.edge_length_near > far;
@@ -99,8 +100,14 @@ SmoothingReport report_on_nothing(const SurfaceMesh& mesh, const SurfaceCurve& d
 namespace {
 
 MeasuredDeviation through_space(const Deviation& apart) {
-  return {DeviationMeasure::kEuclidean, apart.to_drawn.max,    apart.to_drawn.mean,
-          apart.from_drawn.max,         apart.from_drawn.mean, apart.at};
+  return {DeviationMeasure::kEuclidean,
+          apart.to_drawn.max,
+          apart.to_drawn.mean,
+          apart.from_drawn.max,
+          apart.from_drawn.mean,
+          apart.at,
+          true,
+          std::max(apart.to_drawn.max, apart.from_drawn.max)};
 }
 
 MeasuredDeviation along_surface(const SurfaceMesh& mesh, const SurfaceDeviation& apart) {
@@ -109,7 +116,9 @@ MeasuredDeviation along_surface(const SurfaceMesh& mesh, const SurfaceDeviation&
           apart.to_drawn.mean,
           apart.from_drawn.max,
           apart.from_drawn.mean,
-          mesh.position(apart.larger().at)};
+          mesh.position(apart.larger().at),
+          apart.is_exact(),
+          std::max(apart.to_drawn.at_least, apart.from_drawn.at_least)};
 }
 
 }  // namespace
@@ -152,8 +161,17 @@ void report_deviation(SmoothingReport& report, const MeasuredDeviation& measured
   report.deviation_from_drawn_max = measured.from_drawn_max;
   report.deviation_from_drawn_mean = measured.from_drawn_mean;
   report.deviation_at = measured.at;
-  if (measured.measure == DeviationMeasure::kAlongSurface &&
-      std::max(measured.to_drawn_max, measured.from_drawn_max) == HUGE_VAL) {
+  report.deviation_exact = measured.exact;
+  report.deviation_at_least = measured.at_least;
+  const double most = std::max(measured.to_drawn_max, measured.from_drawn_max);
+  if (!measured.exact) {
+    report.termination = std::max(report.termination, Outcome::kLimit);
+    report.warnings.push_back(fmt::format(
+        "The budget was used up before the deviation was measured: it is at most {:.6g} and at "
+        "least {:.6g}.",
+        most, measured.at_least));
+  }
+  if (measured.measure == DeviationMeasure::kAlongSurface && most == HUGE_VAL) {
     report.warnings.emplace_back(
         "The result and the drawing lie on parts of the mesh that are not connected.");
   }

@@ -35,19 +35,23 @@ struct MeasuredDeviation {
   double from_drawn_max = HUGE_VAL;
   double from_drawn_mean = HUGE_VAL;
   Point at = Point::Constant(HUGE_VAL);  ///< the point with the larger of both maxima
+  bool exact = true;                     ///< false: maxima and means are bounds
+  double at_least = HUGE_VAL;            ///< the largest distance known
 };
 
-/// Measures the deviation. kAutomatic does what it does below tau = 1/8, with `edge_length_near` as
-/// the mean edge. `to_drawn` may be a distance that is set to the drawing alone; if it is null, the
-/// meter uses its own. Where neither curve reaches the other, the deviation is infinite. Throws
-/// Cancelled when `progress` (stage "measure") says so.
+/// Measures the deviation; along the surface, as far as the budget of `progress` goes. kAutomatic
+/// does what it does below tau = 1/8, with `edge_length_near` as the mean edge. `to_drawn` may be a
+/// distance that is set to the drawing alone; if it is null, the meter uses its own. Where neither
+/// curve reaches the other, the deviation is infinite. Throws Cancelled when `progress` (stage
+/// "measure") says so.
 MeasuredDeviation measure_deviation(DeviationMeasure measure, double edge_length_near,
                                     DeviationMeter& meter, const SurfaceMesh& mesh,
                                     const SurfaceCurve& drawn, const SurfaceCurve& result,
                                     PolylineDistance* to_drawn = nullptr,
                                     const Progress& progress = {});
 
-/// Stores it in the report, with a warning where it is infinite along the surface.
+/// Stores it in the report, with a warning where it is infinite along the surface, and where it is
+/// a bound: then the report says that a limit was reached.
 void report_deviation(SmoothingReport& report, const MeasuredDeviation& measured);
 
 /// The report on a curve that another method made of a drawing. It is measured as our results are:

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "talweg/core/measure/bounded_deviation.hpp"
 #include "talweg/core/measure/curve_segments.hpp"
 #include "talweg/core/measure/face_bounds.hpp"
 #include "talweg/core/measure/local_distance.hpp"
@@ -45,10 +46,12 @@ class Measurement {
     };
     std::vector<Sampled> sampled;
     double length = 0, integral = 0;
+    const std::size_t before = known_.size();
     for (const CurveSegment& s : segments) {
       if (std::isfinite(limit_) && !std::isfinite(max_)) return;
       const SegmentSample a = sample(s, 0), middle = sample(s, 0.5), b = sample(s, 1);
       sampled.push_back({a, middle, b});
+      known_.push_back({a.distance, middle.distance, b.distance});
       length += s.length;
       integral += s.length * simpson(a, middle, b);
     }
@@ -63,12 +66,17 @@ class Measurement {
       samples_left_ = kMostSamples;
       search(segments[i], sampled[i].a, sampled[i].middle);
       search(segments[i], sampled[i].middle, sampled[i].b);
+      if (samples_left_ >= 0) known_[before + i].most = enough_by_now();
     }
   }
+  /// Of the segments that were added, as far as that went.
+  [[nodiscard]] std::span<const KnownSegment> known() const { return known_; }
+  /// The largest distance seen.
+  [[nodiscard]] double largest() const { return max_; }
 
   [[nodiscard]] OneSidedSurfaceDeviation result() const {
     const bool is_mean = std::isfinite(max_) && length_ > 0;
-    return {max_, is_mean ? integral_ / length_ : max_, *at_};
+    return {max_, is_mean ? integral_ / length_ : max_, *at_, true, max_};
   }
   [[nodiscard]] bool is_finite() const { return std::isfinite(max_); }
 
@@ -106,14 +114,23 @@ class Measurement {
            2;
   }
 
+  /// What need not be searched for: hardly more than the largest distance so far.
+  [[nodiscard]] double enough_by_now() const {
+    return max_ + std::max(tolerance_, kTolerance * max_);
+  }
+
   /// Searches between two samples for a larger distance than any seen so far.
   void search(const CurveSegment& s, const SegmentSample& a, const SegmentSample& b,
               int halvings = 0) {
-    const double enough = max_ + std::max(tolerance_, kTolerance * max_);
+    const double enough = enough_by_now();
     const double length = (b.t - a.t) * s.length;
     const double middle_value = (a.distance + b.distance) / 2;
     if (halvings > kMaxHalvings || middle_value + length / 2 <= enough) return;
-    if (samples_left_-- <= 0) return;
+    if (samples_left_ <= 0) {
+      samples_left_ = -1;
+      return;
+    }
+    --samples_left_;
     if (bounds_.by_pieces(s, a, b) <= enough) return;
     // This costs two distances, so it is tried only where halving would go on for long.
     if (middle_value + length / 8 > enough && bounds_.less_by_sides(s, a, b, enough)) return;
@@ -130,8 +147,9 @@ class Measurement {
   Asker* asker_;
   double length_ = 0, integral_ = 0;
   double max_ = 0;
-  int samples_left_ = 0;
+  int samples_left_ = 0;  // -1: more were needed
   std::optional<SurfacePoint> at_;
+  std::vector<KnownSegment> known_;
 };
 
 void refuse_nothing(std::span<const SurfaceCurve> curves) {
@@ -171,41 +189,27 @@ std::size_t end_of_part(std::span<const CurveSegment> segments, std::span<const 
   return end;
 }
 
-OneSidedSurfaceDeviation at_once(const Surface& surface, std::span<const SurfaceCurve> from,
-                                 PolylineDistance& to, std::span<const SurfaceCurve> to_curves,
-                                 double limit, Asker& asker) {
-  const AskedDuring asked(to, asker);
-  const std::vector<CurveSegment> segments = segments_of(surface, from);
-  const PolylinePieces pieces = pieces_of(surface, to_curves);
-  Measurement measurement(surface, to, pieces, tolerance_for(segments, to_curves, pieces.lengths),
-                          limit, asker);
-  for (const SurfaceCurve& curve : from) measurement.see(curve.points.front());
+/// The curves of a one-sided deviation.
+struct Sides {
+  std::span<const SurfaceCurve> from, to;
+};
+
+/// Measures by a distance that is set to the other curves.
+void measure_at_once(const Sides& sides, std::span<const CurveSegment> segments,
+                     Measurement& measurement) {
+  for (const SurfaceCurve& curve : sides.from) measurement.see(curve.points.front());
   measurement.add(segments);
-  return measurement.result();
 }
 
 /// Measures part by part, each with the distance to the nearby parts of the other curves, so that
 /// one far corner does not cost a wide band along all of the curves. If the parts cover the same
 /// faces again and again, as with a drawing that winds far from its result, the rest is measured as
-/// one part.
-OneSidedSurfaceDeviation deviation_by_parts(const SurfaceMesh& mesh,
-                                            std::span<const SurfaceCurve> from,
-                                            std::span<const SurfaceCurve> others,
-                                            PolylineDistance& distance, double limit,
-                                            Asker& asker) {
-  const AskedDuring asked(distance, asker);
-  const Surface& surface = mesh.surface();
-  const std::vector<CurveSegment> segments = segments_of(surface, from);
-  PolylinePieces pieces = pieces_of(surface, others);
-  const bool has_point = std::any_of(
-      from.begin(), from.end(), [](const SurfaceCurve& curve) { return curve.points.size() == 1; });
-  if (segments.empty() || has_point) {
-    distance.set(others);
-    return at_once(surface, from, distance, others, limit, asker);
-  }
-  Measurement measurement(surface, distance, pieces,
-                          tolerance_for(segments, others, pieces.lengths), limit, asker);
-  LocalDistance local(mesh, others, distance, limit);
+/// one part. `pieces` are those that the measurement looks at.
+void measure_by_parts(const SurfaceMesh& mesh, const Sides& sides,
+                      std::span<const CurveSegment> segments, PolylineDistance& distance,
+                      double limit, PolylinePieces& pieces, Measurement& measurement,
+                      Asker& asker) {
+  LocalDistance local(mesh, sides.to, distance, limit);
   std::vector<double> reach;
   reach.reserve(segments.size());
   for (const CurveSegment& segment : segments) {
@@ -214,21 +218,78 @@ OneSidedSurfaceDeviation deviation_by_parts(const SurfaceMesh& mesh,
   }
   std::size_t windows = 0;
   for (std::size_t i = 0, end = 0; i < segments.size() && measurement.is_finite(); i = end) {
-    if (windows > kMostWindows * surface.edge_count()) {
-      pieces = pieces_of(surface, others);
-      distance.set(others);
-      measurement.add(std::span(segments).subspan(i));
+    if (windows > kMostWindows * mesh.surface().edge_count()) {
+      pieces = pieces_of(mesh.surface(), sides.to);
+      distance.set(sides.to);
+      measurement.add(segments.subspan(i));
       break;
     }
     end = end_of_part(segments, reach, i);
-    const auto part = std::span(segments).subspan(i, end - i);
-    asker.did(others.front().points.size());
-    pieces = pieces_of(surface, local.set_near(part, std::span(reach).subspan(i, end - i)));
+    const auto part = segments.subspan(i, end - i);
+    asker.did(sides.to.front().points.size());
+    pieces = pieces_of(mesh.surface(), local.set_near(part, std::span(reach).subspan(i, end - i)));
     measurement.add(part);
     windows += distance.window_count();
   }
-  return measurement.result();
 }
+
+/// One direction of a deviation. What the budget leaves over is bounded.
+class Direction {
+ public:
+  Direction(const SurfaceMesh& mesh, Sides sides, PolylineDistance& distance, double limit,
+            Asker& asker)
+      : mesh_(mesh),
+        sides_(sides),
+        distance_(distance),
+        limit_(limit),
+        asker_(asker),
+        segments_(segments_of(mesh.surface(), sides.from)),
+        pieces_(pieces_of(mesh.surface(), sides.to)),
+        measurement_(mesh.surface(), distance, pieces_,
+                     tolerance_for(segments_, sides.to, pieces_.lengths), limit, asker) {}
+
+  OneSidedSurfaceDeviation by_parts() {
+    return measured([&] {
+      const bool has_point =
+          std::any_of(sides_.from.begin(), sides_.from.end(),
+                      [](const auto& curve) { return curve.points.size() == 1; });
+      if (!segments_.empty() && !has_point) {
+        measure_by_parts(mesh_, sides_, segments_, distance_, limit_, pieces_, measurement_,
+                         asker_);
+        return;
+      }
+      distance_.set(sides_.to);
+      measure_at_once(sides_, segments_, measurement_);
+    });
+  }
+  /// With a distance that is set.
+  OneSidedSurfaceDeviation at_once() {
+    return measured([&] { measure_at_once(sides_, segments_, measurement_); });
+  }
+
+ private:
+  template <class Measure>
+  OneSidedSurfaceDeviation measured(const Measure& measure) {
+    const AskedDuring asked(distance_, asker_);
+    try {
+      asker_.end_with_budget();
+      measure();
+      return measurement_.result();
+    } catch (const BudgetUsedUp&) {
+      return bounded_deviation(mesh_, sides_.from, segments_, sides_.to, measurement_.known(),
+                               measurement_.largest());
+    }
+  }
+
+  const SurfaceMesh& mesh_;
+  Sides sides_;
+  PolylineDistance& distance_;
+  double limit_;
+  Asker& asker_;
+  std::vector<CurveSegment> segments_;
+  PolylinePieces pieces_;
+  Measurement measurement_;
+};
 
 }  // namespace
 
@@ -240,7 +301,13 @@ OneSidedSurfaceDeviation one_sided_deviation(const Surface& surface,
   refuse_nothing(from);
   refuse_nothing(to_curves);
   Asker asker(progress, kStage);
-  return at_once(surface, from, to, to_curves, kNoLimit, asker);
+  const AskedDuring asked(to, asker);
+  const std::vector<CurveSegment> segments = segments_of(surface, from);
+  const PolylinePieces pieces = pieces_of(surface, to_curves);
+  Measurement measurement(surface, to, pieces, tolerance_for(segments, to_curves, pieces.lengths),
+                          kNoLimit, asker);
+  measure_at_once({from, to_curves}, segments, measurement);
+  return measurement.result();
 }
 
 DeviationMeter::DeviationMeter(const SurfaceMesh& mesh) : mesh_(&mesh) {}
@@ -272,8 +339,8 @@ SurfaceDeviation DeviationMeter::measure(std::span<const SurfaceCurve> result,
   refuse_nothing(result);
   refuse_nothing(drawn);
   Asker asker(progress, kStage);
-  return {at_once(mesh_->surface(), result, to_drawn, drawn, kNoLimit, asker),
-          deviation_by_parts(*mesh_, drawn, result, distance(), kNoLimit, asker)};
+  return {Direction(*mesh_, {result, drawn}, to_drawn, kNoLimit, asker).at_once(),
+          Direction(*mesh_, {drawn, result}, distance(), kNoLimit, asker).by_parts()};
 }
 
 std::optional<SurfaceDeviation> DeviationMeter::measure_below(double limit,
@@ -286,9 +353,9 @@ std::optional<SurfaceDeviation> DeviationMeter::measure_below(double limit,
   const auto is_beyond = [&](const OneSidedSurfaceDeviation& side) {
     return std::isfinite(limit) && !std::isfinite(side.max);
   };
-  const auto to_drawn = deviation_by_parts(*mesh_, result, drawn, distance(), limit, asker);
+  const auto to_drawn = Direction(*mesh_, {result, drawn}, distance(), limit, asker).by_parts();
   if (is_beyond(to_drawn)) return std::nullopt;
-  const auto from_drawn = deviation_by_parts(*mesh_, drawn, result, distance(), limit, asker);
+  const auto from_drawn = Direction(*mesh_, {drawn, result}, distance(), limit, asker).by_parts();
   if (is_beyond(from_drawn)) return std::nullopt;
   return SurfaceDeviation{to_drawn, from_drawn};
 }

@@ -15,11 +15,14 @@ namespace talweg {
 
 class PolylineDistance;
 
-/// Distance of all points of some curves to others.
+/// Distance of all points of some curves to others. Where a budget ended the measurement, `max` and
+/// `mean` are bounds: the true ones are not larger.
 struct OneSidedSurfaceDeviation {
-  double max = 0;   ///< mesh units; infinite where no other curve can be reached
-  double mean = 0;  ///< mesh units: over the length of the curves
-  SurfacePoint at;  ///< the point of the curves where the distance is largest
+  double max = 0;       ///< mesh units; infinite where no other curve can be reached
+  double mean = 0;      ///< mesh units: over the length of the curves
+  SurfacePoint at;      ///< the point of the curves where the distance (or its bound) is largest
+  bool exact = true;    ///< whether `max` is a distance, and not a bound
+  double at_least = 0;  ///< mesh units: the largest distance known; `max` if that is exact
 };
 
 /// Both directions are needed: a result that cuts a corner stays near the drawing, but the
@@ -32,6 +35,7 @@ struct SurfaceDeviation {
   [[nodiscard]] const OneSidedSurfaceDeviation& larger() const {
     return to_drawn.max >= from_drawn.max ? to_drawn : from_drawn;
   }
+  [[nodiscard]] bool is_exact() const { return to_drawn.exact && from_drawn.exact; }
 };
 
 /// Exact distances along the surface of every point of the segments of `from`, not only of their
@@ -52,6 +56,7 @@ OneSidedSurfaceDeviation one_sided_deviation(const Surface& surface,
 
 /// Measures both directions any number of times on one mesh. Holds the working memory, O(mesh),
 /// which is allocated when first needed. One thread at a time; the mesh must outlive the object.
+/// Where the budget of `progress` is used up, what is left is bounded: see bounded_deviation.hpp.
 class DeviationMeter {
  public:
   explicit DeviationMeter(const SurfaceMesh& mesh);

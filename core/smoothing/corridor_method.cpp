@@ -69,7 +69,10 @@ void CorridorMethod::hold_doubtful_loops(const Progress& progress) {
   const std::vector<SurfacePoint> pins = drawing_->pins();
   if (!pins.empty()) drawing_->set_pins({}, progress);
   hold_loops(valleys_, drawing_->mesh(), drawing_->drawing(),
-             [&](const SmoothingOptions& options) { return smooth(options, progress); });
+             // What later calls build on is not cut short.
+             [&, whole = progress.without_budget()](const SmoothingOptions& options) {
+               return smooth(options, whole);
+             });
   if (!pins.empty()) drawing_->set_pins(pins, progress);
 }
 

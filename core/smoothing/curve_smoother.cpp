@@ -58,11 +58,17 @@ bool is_small_step(const SmoothingOptions& last, const SmoothingOptions& options
          last.relax_rounds == options.relax_rounds;
 }
 
+/// The options' own budget begins with the call; without one, that of the caller goes on.
+Progress within_budget(const Progress& caller, const SmoothingOptions& options) {
+  return options.budget.any() ? caller.with(options.budget) : caller;
+}
+
 }  // namespace
 
 struct CurveSmoother::Last {
   SmoothingOptions options;
   SmoothingResult result;
+  bool whole = true;  ///< false: a budget ended it early
 };
 
 CurveSmoother::CurveSmoother(std::shared_ptr<const OpenedMesh> mesh)
@@ -195,7 +201,8 @@ void CurveSmoother::check(const SmoothingOptions& options) const {
 }
 
 SmoothingResult CurveSmoother::smooth(const SmoothingOptions& options, const GivenPotential* given,
-                                      const Progress& progress) {
+                                      const Progress& caller) {
+  const Progress progress = within_budget(caller, options);
   try {
     const Asker asked(progress, "straighten");
     return drawing_->as_drawn(
@@ -209,20 +216,26 @@ SmoothingResult CurveSmoother::smooth(const SmoothingOptions& options, const Giv
 SmoothingResult CurveSmoother::smooth_ordered(const SmoothingOptions& options,
                                               const GivenPotential* given,
                                               const Progress& progress) {
-  SmoothingResult result =
-      reported(memory_->opened(), *drawing_, options, sheet_->smooth(options, given, progress));
+  Smoothed smoothed = sheet_->smooth(options, given, progress);
+  const Stopwatch watch;
+  SmoothingResult result = reported(memory_->opened(), *drawing_, options, std::move(smoothed));
   warn_of_missed_points(memory_->mesh(), memory_->meter(), drawing_->curves(), curve_options_,
                         result);
   report_moves(options, result, progress);
+  const double ms = watch.ms();
+  for (SmoothingReport& report : result.reports) {
+    report.time_ms.measure += ms;
+    report.time_ms.total += ms;
+  }
   result.total = total_of(result.reports);
-  last_ = std::make_unique<Last>(Last{options, result});
+  last_ = std::make_unique<Last>(Last{options, result, !has_ended_early(progress)});
   return result;
 }
 
 /// A slider moves tau in small steps, so the result should move in small steps too.
 void CurveSmoother::report_moves(const SmoothingOptions& options, SmoothingResult& result,
                                  const Progress& progress) const {
-  if (!last_ || options.deviation == DeviationMeasure::kNone) return;
+  if (!last_ || !last_->whole || options.deviation == DeviationMeasure::kNone) return;
   for (std::size_t c = 0; c < result.curves.size(); ++c) {
     if (!is_small_step(last_->options, options, c)) continue;
     report_move(result.reports[c], memory_->mesh(), last_->options.tau_of(c),
@@ -236,8 +249,9 @@ SmoothingResult CurveSmoother::drag(std::size_t curve, const SurfaceCurve& moved
 }
 
 SmoothingResult CurveSmoother::drag(std::size_t curve, const Drawing& moved,
-                                    const SmoothingOptions& options, const Progress& progress) {
+                                    const SmoothingOptions& options, const Progress& caller) {
   check(options);
+  const Progress progress = within_budget(caller, options);
   if (curve_options_.method != Method::kCorridor) bad_usage("drag() needs the corridor.");
   if (curve >= drawing_->drawn().size()) bad_usage("drag() is asked for a curve that is not set.");
   const Drawing own = moved;  // NOLINT: may be our own drawing, which changes
@@ -258,7 +272,7 @@ SmoothingResult CurveSmoother::drag(std::size_t curve, const Drawing& moved,
 /// The last result, recomputed if these options ask for another one.
 SmoothingResult CurveSmoother::last_for(const SmoothingOptions& options, const Progress& progress) {
   SmoothingOptions plain = drawing_->ordered(options);
-  if (!last_ || !same_result(last_->options, plain)) {
+  if (!last_ || !last_->whole || !same_result(last_->options, plain)) {
     plain.deviation = DeviationMeasure::kNone;
     smooth_ordered(plain, nullptr, progress);
   }
@@ -276,10 +290,13 @@ SmoothingResult CurveSmoother::drag_now(std::size_t curve, const SurfaceCurve& m
         dragging_->dragged({*drawing_, curve_options_, *sheet_->valleys(), options}, curve, change,
                            result.curves[curve], progress);
   }
+  const double fair_ms = watch.ms();
   SmoothingReport& report = result.reports[curve];
   report = preview_report(memory_->mesh(), memory_->meter(), moved, result.curves[curve],
                           options.of(curve), report, progress);
-  report.time_ms.fair = report.time_ms.total = watch.ms();
+  report.time_ms.fair = fair_ms;
+  report.time_ms.total = watch.ms();
+  report.time_ms.measure = report.time_ms.total - report.time_ms.fair;
   result.total = total_of(result.reports);
   return result;
 }

@@ -29,6 +29,10 @@ constexpr const char* kTooLong =
     "slack allows; they are taken farther apart.";
 constexpr const char* kLeftTaut =
     "The curve could not be made fair within its walls; it is left taut, with kinks.";
+constexpr const char* kEndedTaut =
+    "The budget was used up before the curve was fair; it is left taut, with kinks.";
+constexpr const char* kEndedFair =
+    "The budget was used up while the curve was made fair; it may bend more than it had to.";
 
 }  // namespace
 
@@ -55,8 +59,11 @@ void FairFinishing::run(const std::vector<FairGroup>& groups, const FairChains& 
   }
   for (std::size_t c = 0; c < curves.size(); ++c) {
     curves[c].curve = std::move(now_[c]);
-    const std::string& warning = attempts_[attempt_of_[c]].left_taut;
-    if (!warning.empty()) curves[c].warnings.push_back(warning);
+    const Attempt& attempt = attempts_[attempt_of_[c]];
+    if (!attempt.left_taut.empty()) curves[c].warnings.push_back(attempt.left_taut);
+    if (attempt.tries == 0 || !has_ended_early(*progress_)) continue;
+    curves[c].ended_early = true;
+    if (attempt.tries != kGivenUp) curves[c].warnings.emplace_back(kEndedFair);
   }
 }
 
@@ -101,20 +108,23 @@ void FairFinishing::make_fair(std::size_t number) {
   std::optional<SurfaceCurve> fair;
   Attempt& attempt = attempts_[number];
   const Taus taus = taus_of(attempt.group, *options_);
-  while (!fair && attempt.tries < kTries) {
+  // What begins anew needs more than what is left of a budget that is used up.
+  bool ended = false;
+  while (!fair && attempt.tries < kTries && !ended) {
     fair = tried(attempt, taus);
     if (attempt.tries++ > 0) count_redrawn(attempt.group);
+    ended = !fair && asker_.ends_early();
   }
-  if (!fair) fair = mended(attempt, taus);
+  if (!fair && !ended) fair = mended(attempt, taus);
   const FairGroup group = attempt.group;  // more attempts may come
   const auto curves = parted(group.joined, group.junctions, fair ? *fair : attempt.taut);
   for (std::size_t k = 0; k < curves.size(); ++k) now_[group.joined.parts[k].curve] = curves[k];
   if (fair) return;
   attempt.tries = kGivenUp;
-  if (group.joined.is_joined()) {
+  if (group.joined.is_joined() && !ended) {
     make_fair_apart(group);
   } else {
-    attempt.left_taut = is_smooth(attempt, taus) ? "" : kLeftTaut;
+    attempt.left_taut = is_smooth(attempt, taus) ? "" : ended ? kEndedTaut : kLeftTaut;
   }
 }
 

@@ -148,7 +148,7 @@ Smoothed FairLadder::smooth(CorridorHold& hold, const SmoothingOptions& options,
   FairFinishing(hold, options, progress).run(groups_, chains, result.curves);
   result.time_ms = times;
   result.time_ms.fair = watch.ms();
-  if (whole) clear();
+  if (whole || has_ended_early(progress)) clear();
   return result;
 }
 

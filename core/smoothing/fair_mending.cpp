@@ -183,6 +183,7 @@ std::optional<MendedCurve> FairMending::from(const SurfaceCurve& start) {
   double margin = kMendedMargin * setting.spacing;
   std::optional<HeldCurve> held;
   for (int round = 0; round < kRounds; ++round, margin *= 2) {
+    if (round > 0 && asker_->ends_early()) return std::nullopt;
     Try result = faired(setting, held);
     if (result.bad.empty()) {
       if (!result.curve) return std::nullopt;

@@ -56,8 +56,12 @@ class Search {
       : smoother_(smoother),
         bound_(bound),
         options_(std::move(options)),
-        progress_(std::move(progress)),
+        progress_(options_.budget.any() ? progress.with(options_.budget) : std::move(progress)),
         own_pins_(smoother.pins().begin(), smoother.pins().end()) {
+    options_.budget = {};  // begins once, for the whole search
+    const auto has_slack = [](const OwnOptions& own) { return own.slack.has_value(); };
+    given_slack_ = options_.slack || !options_.slack_at.empty() ||
+                   std::any_of(options_.per_curve.begin(), options_.per_curve.end(), has_slack);
     options_.deviation = DeviationMeasure::kAlongSurface;
     for (OwnOptions& own : options_.per_curve) own.tau.reset();
     for (const SurfaceCurve& drawn : smoother_.drawn()) {
@@ -89,13 +93,12 @@ class Search {
       finish();
       return std::move(best_);
     }
-    const auto has_slack = [](const OwnOptions& own) { return own.slack.has_value(); };
-    if (options_.slack || !options_.slack_at.empty() ||
-        std::any_of(options_.per_curve.begin(), options_.per_curve.end(), has_slack)) {
+    if (given_slack_) {
       try_taus();
     } else {
       try_slacks();
     }
+    if (ended_ && !cancelled_) hold_near();
     if (cancelled_ || best_.curves.empty()) return std::move(last_);
     finish();
     return std::move(best_);
@@ -109,7 +112,7 @@ class Search {
     begin_with(options_.slack);
     const double loose = least_tau(to_drawn);
     const double tight = least_tau(both_ways);
-    if (cancelled_) return;
+    if (is_over()) return;
     if (tight > loose * kFineness * kFineness || both_ways(best_) > bound_) pin_corners(loose);
   }
 
@@ -117,11 +120,11 @@ class Search {
   /// pinned, or the walls are narrowed at them or everywhere.
   void try_slacks() {
     const double loose = widest_slack(kSureSlack * bound_, bound_, to_drawn);
-    if (cancelled_) return;
+    if (is_over()) return;
     begin_with(loose);
     if (measured(kFairTau, both_ways) <= bound_) return;
     narrow_everywhere(loose);
-    if (cancelled_) return;
+    if (is_over()) return;
     begin_with(loose);
     pin_corners(kFairTau);
     for (const Narrowing& way : {kGently, kFirmly}) narrow_at_corners(loose, way);
@@ -129,7 +132,7 @@ class Search {
 
   void narrow_everywhere(double slack) {
     double low = slack, high = slack;
-    for (int halving = 0; halving < kSlackHalvings && !cancelled_; ++halving) {
+    for (int halving = 0; halving < kSlackHalvings && !is_over(); ++halving) {
       high = low;
       low /= 2;
       begin_with(low);
@@ -153,8 +156,7 @@ class Search {
       options_.slack_at.emplace_back(drawn.points.size(), slack);
     }
     double least = HUGE_VAL;
-    for (int round = 0, lost = 0; round < way.rounds && lost < kLostRounds && !cancelled_;
-         ++round) {
+    for (int round = 0, lost = 0; round < way.rounds && lost < kLostRounds && !is_over(); ++round) {
       const double apart = measured(kFairTau, both_ways);
       if (apart <= bound_) break;
       lost = apart < kLostPart * least ? 0 : lost + 1;
@@ -209,7 +211,7 @@ class Search {
   /// The widest slack between these with which the result is within the bound, if the deviation
   /// grows with the slack; it is with the lower one.
   double widest_slack(double low, double high, Measure measure) {
-    while (high > low * kFineness && !cancelled_) {
+    while (high > low * kFineness && !is_over()) {
       const double middle = std::sqrt(low * high);
       begin_with(middle);
       (measured(kFairTau, measure) <= bound_ ? low : high) = middle;
@@ -217,8 +219,25 @@ class Search {
     return low;
   }
 
+  /// Whether nothing more is tried: cancelled, or the budget is used up after at least one try.
+  bool is_over() {
+    ended_ = ended_ || (!best_.curves.empty() && ends_early(progress_));
+    return cancelled_ || ended_;
+  }
+
+  /// A last try where the budget ends the search before a curve within the bound was found: between
+  /// walls at half the bound.
+  void hold_near() {
+    if (both_ways(best_) <= bound_) return;
+    if (!given_slack_) begin_with(kSureSlack / 2 * bound_);
+    measured_now(kFairTau, both_ways);
+  }
+
   double measured(double tau, Measure measure) {
-    if (cancelled_) return HUGE_VAL;
+    if (is_over()) return HUGE_VAL;
+    return measured_now(tau, measure);
+  }
+  double measured_now(double tau, Measure measure) {
     options_.tau = tau;
     last_ = smoother_.smooth(options_, progress_);
     cancelled_ = last_.total.termination == Outcome::kCancelled;
@@ -243,7 +262,7 @@ class Search {
       } while (high <= kMostTau && measured(high, measure) > bound_);
       if (high > kMostTau) return low;
     }
-    while (high > low * kFineness && !cancelled_) {
+    while (high > low * kFineness && !is_over()) {
       const double middle = std::sqrt(low * high);
       (measured(middle, measure) <= bound_ ? high : low) = middle;
     }
@@ -253,7 +272,7 @@ class Search {
   void pin_corners(double tau) {
     std::vector<SurfacePoint> pins = own_pins_;
     if (measured(tau, both_ways) <= bound_) return;
-    for (int round = 0; round < kPinRounds && !cancelled_; ++round) {
+    for (int round = 0; round < kPinRounds && !is_over(); ++round) {
       const std::size_t before = pins.size();
       add_lost_corners(pins);
       if (pins.size() == before || to_drawn(last_) > bound_) tau *= 1.25;
@@ -298,8 +317,12 @@ class Search {
   void keep_better() {
     const auto worse = [this](const SmoothingResult& a, const SmoothingResult& b) {
       const double over_a = std::max(both_ways(a), bound_), over_b = std::max(both_ways(b), bound_);
-      const bool proper_a = a.total.termination == Outcome::kConverged;
-      const bool proper_b = b.total.termination == Outcome::kConverged;
+      const auto is_proper = [this](const SmoothingResult& result) {
+        const Outcome outcome = result.total.termination;
+        return outcome == Outcome::kConverged ||
+               (outcome == Outcome::kLimit && has_ended_early(progress_));
+      };
+      const bool proper_a = is_proper(a), proper_b = is_proper(b);
       if (proper_a != proper_b) return proper_b;
       return over_a != over_b ? over_a > over_b : curvature(a) > curvature(b);
     };
@@ -314,11 +337,18 @@ class Search {
       report.pins_added = best_pinned_;
       const double apart = std::max(report.deviation_to_drawn_max, report.deviation_from_drawn_max);
       if (!(apart <= bound_)) {
-        report.termination = Outcome::kDeviation;
+        const bool limited = report.termination == Outcome::kLimit && has_ended_early(progress_);
+        if (!limited) report.termination = Outcome::kDeviation;
         report.warnings.push_back("No curve within " + std::to_string(bound_) +
                                   " of the drawing was found; this one deviates by " +
+                                  (report.deviation_exact ? "" : "at most ") +
                                   std::to_string(apart) + ".");
       }
+      if (!ended_) return;
+      report.termination = std::max(report.termination, Outcome::kLimit);
+      report.warnings.emplace_back(
+          "The budget was used up during the search: there may be a smoother curve within the "
+          "bound.");
     };
     for (SmoothingReport& report : best_.reports) fill(report);
     fill(best_.total);
@@ -336,7 +366,9 @@ class Search {
   std::optional<PolylineDistance> to_result_;
   SmoothingResult last_, best_;
   std::size_t pinned_ = 0, best_pinned_ = 0;
+  bool given_slack_ = false;
   bool cancelled_ = false;
+  bool ended_ = false;  // by the budget, before all was tried
 };
 
 }  // namespace

@@ -21,10 +21,11 @@ namespace talweg {
 ///
 /// The report has the tau and slack that were found, `max_deviation`, and how many points were
 /// pinned. If no curve within the bound was found, the best one is returned, its `termination` is
-/// "deviation", and a warning says how far off it is. When cancelled, the curves are those drawn,
-/// and `termination` says so. The smoother keeps its curve and its pins.
-/// Throws Error(kBadUsage) when the bound is not > 0, no curve is set, or the curve was set with
-/// another method than the corridor.
+/// "deviation", and a warning says how far off it is. When a budget is used up, the best result so
+/// far is returned, after one more try near the drawing if none was within the bound. When
+/// cancelled, the curves are those drawn, and `termination` says so. The smoother keeps its curve
+/// and its pins. Throws Error(kBadUsage) when the bound is not > 0, no curve is set, or the curve
+/// was set with another method than the corridor.
 SmoothingResult smooth_within(CurveSmoother& smoother, double max_deviation,
                               const SmoothingOptions& options = {}, const Progress& progress = {});
 

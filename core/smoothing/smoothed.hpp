@@ -18,6 +18,7 @@ struct SmoothedCurve {
   SurfaceCurve curve;
   StraightenedPath path;
   bool has_legs = false;                                  ///< may lead far from its drawing there
+  bool ended_early = false;                               ///< fairing, by a budget
   double slack = 0;                                       ///< mesh units; 0 without a corridor
   MeasuredDeviation deviation;                            ///< on the surface where it was smoothed
   std::vector<std::string> warnings;                      ///< sentences about this curve
@@ -31,7 +32,9 @@ struct Smoothed {
   StraighteningCounts counts;
   double mollification = 0;           ///< mesh units
   std::vector<std::string> warnings;  ///< sentences for the user
-  StageTimes time_ms;  ///< `open`: the time beyond opening the mesh; the total is not set
+  /// `open`: the time beyond opening the mesh; `measure` that on the surface where it was smoothed;
+  /// the total is not set.
+  StageTimes time_ms;
   /// Whether a result touched the boundary where its part of the surface was cut off: see
   /// EmbeddedDrawing::Ground.
   bool at_fence = false;

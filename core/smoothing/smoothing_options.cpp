@@ -78,6 +78,7 @@ void SmoothingOptions::validate() const {
   if (length_floor && !(*length_floor >= 0 && std::isfinite(*length_floor))) {
     out_of_range("length_floor must be finite and >= 0.");
   }
+  budget.validate();
 }
 
 }  // namespace talweg

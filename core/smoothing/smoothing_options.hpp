@@ -8,6 +8,7 @@
 #include "talweg/core/drawing/way_point.hpp"
 #include "talweg/core/measure/deviation_measure.hpp"
 #include "talweg/core/smoothing/potential.hpp"
+#include "talweg/intrinsic/budget.hpp"
 #include "talweg/intrinsic/surface/surface_point.hpp"
 
 namespace talweg {
@@ -88,6 +89,10 @@ struct SmoothingOptions {
   /// How the deviation between result and drawing is measured for the report.
   DeviationMeasure deviation = DeviationMeasure::kAutomatic;
   bool prepare_whole_mesh = false;  ///< lay out everything first; slower, same result
+  /// What one call of smooth(), drag() or smooth_within() may use up. When it is used up, fairing,
+  /// the search and the deviation end; the result is the best so far, its `termination` is
+  /// kLimit, and its report says what holds.
+  Budget budget;
 
   /// For one of the curves, in the order in which `per_curve` is.
   [[nodiscard]] double tau_of(std::size_t curve) const;

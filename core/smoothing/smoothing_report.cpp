@@ -1,5 +1,6 @@
 #include "talweg/core/smoothing/smoothing_report.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include <fmt/format.h>
@@ -27,14 +28,14 @@ Outcome outcome_of(Termination termination) {
 }
 
 void warn_of_straightening(SmoothingReport& report, const SmoothingOptions& options,
-                           const Smoothed& smoothed) {
-  if (report.termination == Outcome::kLimit && !options.max_iterations &&
+                           const Smoothed& smoothed, Termination termination) {
+  if (termination == Termination::kLimit && !options.max_iterations &&
       options.min_relative_length == 0) {
     report.warnings.emplace_back(
         "Straightening was given up before the curve was straight: the drawing has too many "
         "points for so few faces.");
   }
-  if (report.termination == Outcome::kCollapsed) {
+  if (termination == Termination::kCollapsed) {
     report.warnings.emplace_back(
         "The loop shrinks to a point; it is returned as it was when it fell below the floor.");
   }
@@ -80,6 +81,7 @@ void add_curve(SmoothingReport& report, const SmoothedCurve& curve) {
   report.lifted_length_before = curve.path.length_before;
   report.lifted_length_after = curve.path.length_after;
   report.termination = outcome_of(curve.path.termination);
+  if (curve.ended_early) report.termination = std::max(report.termination, Outcome::kLimit);
   report.stretches_redrawn = curve.path.redrawn;
   report.crossings_before = curve.crossings_before;
   report.crossings_after = curve.crossings_after;
@@ -92,7 +94,7 @@ SmoothingResult reported(const OpenedMesh& mesh, const OrderedDrawing& drawing,
                          const SmoothingOptions& options, Smoothed smoothed) {
   StageTimes& t = smoothed.time_ms;
   t.open += mesh.open_ms();
-  t.total = t.open + t.solve + t.straighten + t.trace + t.relax + t.fair;
+  t.total = t.open + t.solve + t.straighten + t.trace + t.relax + t.fair + t.measure;
   SmoothingResult result;
   for (std::size_t c = 0; c < smoothed.curves.size(); ++c) {
     const SurfaceCurve& drawn = drawing.curves()[c];
@@ -106,7 +108,7 @@ SmoothingResult reported(const OpenedMesh& mesh, const OrderedDrawing& drawing,
       warn_if_far(report, far_from(mesh.mesh(), drawn, edge, smoothed.engine),
                   options.deviation == DeviationMeasure::kAutomatic);
     }
-    warn_of_straightening(report, options, smoothed);
+    warn_of_straightening(report, options, smoothed, smoothed.curves[c].path.termination);
     warn_of_crossings(report);
   }
   for (SmoothedCurve& curve : smoothed.curves) result.curves.push_back(std::move(curve.curve));

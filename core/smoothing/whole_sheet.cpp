@@ -21,6 +21,8 @@ class StrokesDeviation {
       all_ = one;
     } else {
       if (farthest(one) > farthest(all_)) all_.at = one.at;
+      all_.exact = all_.exact && one.exact;
+      all_.at_least = std::max(all_.at_least, one.at_least);
       all_.to_drawn_max = std::max(all_.to_drawn_max, one.to_drawn_max);
       all_.from_drawn_max = std::max(all_.from_drawn_max, one.from_drawn_max);
       all_.to_drawn_mean = mean(all_.to_drawn_mean, length_, one.to_drawn_mean, length);
@@ -98,7 +100,9 @@ Smoothed WholeSheet::smooth(const SmoothingOptions& options, const GivenPotentia
     result.warnings = paper_->lift().warnings();
   }
   result.at_fence = drawing_.came_to_fence();
+  const Stopwatch watch;
   measure(options, result, progress);
+  result.time_ms.measure = watch.ms();
   return result;
 }
 

@@ -28,7 +28,8 @@ std::string table_of(const SmoothingReport& r) {
        "degrees");
   line("largest turn", degrees(r.curvature_max_before), degrees(r.curvature_max_after), "degrees");
   const bool through_space = r.deviation == DeviationMeasure::kEuclidean;
-  fmt::format_to(std::back_inserter(out), "{:<22}{:>14}{:>14}{}\n", "deviation", "max", "mean",
+  fmt::format_to(std::back_inserter(out), "{:<22}{:>14}{:>14}{}\n",
+                 r.deviation_exact ? "deviation" : "deviation at most", "max", "mean",
                  through_space ? "  through space" : "");
   line("  smoothed to drawn", number(r.deviation_to_drawn_max), number(r.deviation_to_drawn_mean),
        "mesh units");
@@ -45,8 +46,8 @@ std::string table_of(const SmoothingReport& r) {
   const StageTimes& t = r.time_ms;
   fmt::format_to(std::back_inserter(out),
                  "ms: load {:.1f}, open {:.1f}, solve {:.1f}, straighten {:.2f}, trace {:.2f}, "
-                 "relax {:.2f}, fair {:.2f}; memory {:.0f} MiB\n",
-                 t.load, t.open, t.solve, t.straighten, t.trace, t.relax, t.fair,
+                 "relax {:.2f}, fair {:.2f}, measure {:.2f}; memory {:.0f} MiB\n",
+                 t.load, t.open, t.solve, t.straighten, t.trace, t.relax, t.fair, t.measure,
                  r.peak_memory_mib);
   if (r.pins_added > 0) {
     fmt::format_to(std::back_inserter(out), "{} points of the drawing were pinned\n", r.pins_added);

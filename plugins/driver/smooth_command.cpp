@@ -28,6 +28,13 @@ struct SmoothCommand {
   ManyOptions many;
 };
 
+std::string why_not_converged(const SmoothOptions& options, Outcome outcome) {
+  if (outcome == Outcome::kDeviation) return "no curve within --max-deviation was found";
+  const bool budget = options.budget || options.budget_work;
+  if (budget && outcome == Outcome::kLimit) return "the budget was used up";
+  return fmt::format("the result did not converge ({})", to_string(outcome));
+}
+
 int finish(const SmoothOptions& options, const GlobalOptions& global, const RunOutcome& outcome) {
   clear_progress_bar();
   const SmoothingReport& total = outcome.result.total;
@@ -41,11 +48,8 @@ int finish(const SmoothOptions& options, const GlobalOptions& global, const RunO
   if (table && !global.quiet) std::fputs(table_of(total).c_str(), text_stream());
   if (total.termination == Outcome::kConverged) return kDone;
   if (!global.quiet) {
-    const bool far = total.termination == Outcome::kDeviation;
     std::fprintf(stderr, "talweg: %s; the best result was written all the same.\n",
-                 far ? "no curve within --max-deviation was found"
-                     : fmt::format("the result did not converge ({})", to_string(total.termination))
-                           .c_str());
+                 why_not_converged(options, total.termination).c_str());
   }
   return kNotConverged;
 }

@@ -37,6 +37,8 @@ struct SmoothOptions {
   std::vector<double> slack;  ///< none: by default; -1: this curve's is the default
   std::vector<std::string> finish = {"fair"};
   int relax = 0;
+  std::optional<double> budget;       ///< s
+  std::optional<double> budget_work;  ///< counted steps
   unsigned threads = 2;
 };
 

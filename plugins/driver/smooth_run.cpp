@@ -23,9 +23,9 @@ namespace {
 /// The median of each stage over several runs that gave the same result.
 StageTimes median_times(const std::vector<StageTimes>& runs) {
   StageTimes times;
-  for (double StageTimes::*stage :
-       {&StageTimes::load, &StageTimes::open, &StageTimes::solve, &StageTimes::straighten,
-        &StageTimes::trace, &StageTimes::relax, &StageTimes::fair, &StageTimes::total}) {
+  for (double StageTimes::*stage : {&StageTimes::load, &StageTimes::open, &StageTimes::solve,
+                                    &StageTimes::straighten, &StageTimes::trace, &StageTimes::relax,
+                                    &StageTimes::fair, &StageTimes::measure, &StageTimes::total}) {
     std::vector<double> values;
     values.reserve(runs.size());
     for (const StageTimes& run : runs) values.push_back(run.*stage);
@@ -47,6 +47,7 @@ struct Prepared {
   std::vector<std::string> warnings;
   SnappedDrawing moved;  ///< without its curves and pins
   double load_ms = 0;
+  double opened_ms = 0;  ///< what reading and opening all files took
 };
 
 /// The point of a vertex of the file on the mesh; if the vertex was split, the copy on a curve.
@@ -90,6 +91,7 @@ void take_points_of(const SnappedDrawing& drawing, const MeshFromFile& mesh,
 
 Prepared prepare(const MeshFromFile& mesh, DrawingReader& reader, const SmoothOptions& options,
                  const Progress& progress) {
+  const Stopwatch watch;
   const Surface& surface = mesh.mesh().surface();
   SnappedDrawing drawing =
       options.labels.empty()
@@ -120,6 +122,7 @@ Prepared prepare(const MeshFromFile& mesh, DrawingReader& reader, const SmoothOp
     run.slack_field = field_on(mesh, options.slack_field);
   }
   run.moved = std::move(drawing);
+  run.opened_ms = mesh.load_ms + mesh.opened->open_ms() + watch.ms();
   return run;
 }
 
@@ -145,6 +148,7 @@ Prepared alone(const Prepared& run, std::size_t curve) {
   one.warnings = run.warnings;
   one.moved = run.moved;
   one.load_ms = run.load_ms;
+  one.opened_ms = run.opened_ms;
   return one;
 }
 
@@ -187,6 +191,8 @@ plugin::Parameters parameters_of(const Prepared& run) {
   parameters.set_number("tolerance", o.tolerance);
   set_if("max_deviation", o.max_deviation);
   set_if("heat_time", o.heat_time);
+  set_if("budget", o.budget);
+  set_if("budget_work", o.budget_work);
   set_field(parameters, "distance", run.distance);
   set_field(parameters, "slack_field", run.slack_field);
   return parameters;
@@ -211,9 +217,16 @@ bool is_cancelled(const SmoothingReport& total) { return total.termination == Ou
 
 bool is_free(const Prepared& run) { return only_way_points(run.curves, run.points); }
 
+/// What is left of a budget of seconds after reading, opening and setting the curves.
+double left_of(double seconds, const Prepared& run, const Stopwatch& watch) {
+  constexpr double kUsedUp = 1e-9;
+  return std::max(kUsedUp, seconds - (run.opened_ms + watch.ms()) / 1000);
+}
+
 /// Smooths once, starting from the drawing.
 SmoothingResult smooth_once(CurveSmoother& smoother, const Prepared& run,
                             const plugin::Parameters& parameters) {
+  const Stopwatch watch;
   CurveOptions options = plugins::curve_options_of(parameters);
   options.pins = run.pins;
   options.corners = run.corners;
@@ -224,10 +237,10 @@ SmoothingResult smooth_once(CurveSmoother& smoother, const Prepared& run,
     cancelled.total.termination = Outcome::kCancelled;
     return cancelled;
   }
-  return plugins::smooth_by(
-      parameters, smoother,
-      plugins::smoothing_options_of(parameters, smoother.opened().surface(), smoother.drawn()),
-      is_free(run), run.progress);
+  SmoothingOptions own =
+      plugins::smoothing_options_of(parameters, smoother.opened().surface(), smoother.drawn());
+  if (own.budget.seconds) *own.budget.seconds = left_of(*own.budget.seconds, run, watch);
+  return plugins::smooth_by(parameters, smoother, own, is_free(run), run.progress);
 }
 
 SmoothedCurves placed(const SurfaceMesh& mesh, SmoothingResult result) {

@@ -47,6 +47,7 @@ SmoothingReport numbered(double start) {
                                          &SmoothingReport::deviation_to_drawn_mean,
                                          &SmoothingReport::deviation_from_drawn_max,
                                          &SmoothingReport::deviation_from_drawn_mean,
+                                         &SmoothingReport::deviation_at_least,
                                          &SmoothingReport::mollification,
                                          &SmoothingReport::peak_memory_mib}) {
     r.*field = next++;
@@ -55,12 +56,13 @@ SmoothingReport numbered(double start) {
        {&SmoothingReport::faces, &SmoothingReport::vertices, &SmoothingReport::points_before,
         &SmoothingReport::points_after, &SmoothingReport::flips, &SmoothingReport::iterations,
         &SmoothingReport::faces_touched, &SmoothingReport::trace_fallbacks,
-        &SmoothingReport::stretches_redrawn, &SmoothingReport::crossings_before, &SmoothingReport::crossings_after}) {
+        &SmoothingReport::stretches_redrawn, &SmoothingReport::crossings_before,
+        &SmoothingReport::crossings_after}) {
     r.*field = static_cast<std::size_t>(next++);
   }
-  for (double StageTimes::*field :
-       {&StageTimes::load, &StageTimes::open, &StageTimes::solve, &StageTimes::straighten,
-        &StageTimes::trace, &StageTimes::relax, &StageTimes::fair, &StageTimes::total}) {
+  for (double StageTimes::*field : {&StageTimes::load, &StageTimes::open, &StageTimes::solve,
+                                    &StageTimes::straighten, &StageTimes::trace, &StageTimes::relax,
+                                    &StageTimes::fair, &StageTimes::measure, &StageTimes::total}) {
     r.time_ms.*field = next++;
   }
   r.deviation_at = Point(next, next + 1, next + 2);
@@ -101,6 +103,8 @@ TEST(Report, HasItsStableNames) {
                            "deviation_from_drawn_max",
                            "deviation_from_drawn_mean",
                            "deviation_at",
+                           "deviation_exact",
+                           "deviation_at_least",
                            "flips",
                            "iterations",
                            "faces_touched",
@@ -115,7 +119,7 @@ TEST(Report, HasItsStableNames) {
                            "peak_memory_mib"}) {
     EXPECT_TRUE(j.contains(name)) << name;
   }
-  EXPECT_EQ(j["time_ms"].size(), 8U);
+  EXPECT_EQ(j["time_ms"].size(), 9U);
 }
 
 TEST(Report, HasEachNumberUnderItsName) {
@@ -160,7 +164,10 @@ TEST(Report, HasEachNumberUnderItsName) {
   EXPECT_EQ(j["warnings"], nlohmann::json(r.warnings));
   EXPECT_EQ(j["time_ms"]["load"], r.time_ms.load);
   EXPECT_EQ(j["time_ms"]["fair"], r.time_ms.fair);
+  EXPECT_EQ(j["time_ms"]["measure"], r.time_ms.measure);
   EXPECT_EQ(j["time_ms"]["total"], r.time_ms.total);
+  EXPECT_EQ(j["deviation_exact"], true);
+  EXPECT_EQ(j["deviation_at_least"], r.deviation_at_least);
   EXPECT_EQ(j["peak_memory_mib"], r.peak_memory_mib);
 }
 
@@ -198,7 +205,10 @@ TEST(Report, TotalsAreSumsMaximaAndMeansByLength) {
   a.warnings = {"x", "y"};
   b.warnings = {"y", "z"};
   b.termination = Outcome::kCollapsed;
+  a.deviation_exact = false;
   const SmoothingReport total = total_of({a, b});
+  EXPECT_FALSE(total.deviation_exact);
+  EXPECT_EQ(total.deviation_at_least, b.deviation_at_least);
   EXPECT_FALSE(total.closed);
   EXPECT_EQ(total.points_before, a.points_before + b.points_before);
   EXPECT_EQ(total.points_after, a.points_after + b.points_after);

@@ -71,6 +71,8 @@ TEST_F(Driver, ReportsWithStableNames) {
                            "deviation_from_drawn_max",
                            "deviation_from_drawn_mean",
                            "deviation_at",
+                           "deviation_exact",
+                           "deviation_at_least",
                            "flips",
                            "iterations",
                            "faces_touched",
@@ -86,7 +88,7 @@ TEST_F(Driver, ReportsWithStableNames) {
     EXPECT_TRUE(report.contains(name)) << name;
   }
   for (const char* name :
-       {"load", "open", "solve", "straighten", "trace", "relax", "fair", "total"}) {
+       {"load", "open", "solve", "straighten", "trace", "relax", "fair", "measure", "total"}) {
     EXPECT_TRUE(report["time_ms"].contains(name)) << name;
   }
   EXPECT_EQ(report["faces"], 1200);

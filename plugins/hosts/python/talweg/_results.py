@@ -57,6 +57,8 @@ class Report:
     deviation_from_drawn_max: Optional[float] = None
     deviation_from_drawn_mean: Optional[float] = None
     deviation_at: Optional[Tuple[float, ...]] = None  #: (3,), where the largest is
+    deviation_exact: Optional[bool] = None  #: False: a budget was used up; the above are upper bounds
+    deviation_at_least: Optional[float] = None  #: the largest distance known
     moved: Optional[float] = None
     flips: Optional[int] = None
     iterations: Optional[int] = None

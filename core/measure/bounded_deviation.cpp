@@ -1,0 +1,107 @@
+#include "talweg/core/measure/bounded_deviation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include "talweg/core/measure/coarse_distance.hpp"
+#include "talweg/core/space/nearest_segment.hpp"
+
+namespace talweg {
+namespace {
+
+/// Bounds for a stretch of this length with distances of at most a and b at its ends, since a
+/// distance changes no faster than its point moves.
+struct Tent {
+  double most = 0, mean = 0;
+
+  Tent(double a, double b, double length) {
+    const double low = std::min(a, b), high = std::min(std::max(a, b), low + length);
+    most = (low + high + length) / 2;
+    mean = (low + high) / 2;
+    if (length > 0 && std::isfinite(high))
+      mean += (length - (high - low) * (high - low) / length) / 4;
+  }
+};
+
+/// Curves of one point have no segments; they count as one without length.
+std::vector<CurveSegment> points_of(const Surface& surface, std::span<const SurfaceCurve> curves) {
+  std::vector<CurveSegment> points;
+  for (const SurfaceCurve& curve : curves) {
+    if (curve.points.size() != 1) continue;
+    const SurfacePoint& at = curve.points.front();
+    points.push_back(segment_between(surface, at, at, any_face(surface, at)));
+  }
+  return points;
+}
+
+class Bounds {
+ public:
+  Bounds(const SurfaceMesh& mesh, std::span<const SurfaceCurve> others)
+      : mesh_(&mesh), coarse_(mesh.surface(), others), space_(segments_in_space(mesh, others)) {}
+
+  void add(const CurveSegment& segment, const KnownSegment& known) {
+    const CoarseDistance::OnSegment rough = coarse_.on(segment);
+    const Tent whole(rough.first, rough.last, segment.length);
+    double most = std::min({rough.most, whole.most, known.most}), mean = whole.mean;
+    if (std::isfinite(known.first + known.middle + known.last)) {
+      const Tent first(known.first, known.middle, segment.length / 2);
+      const Tent second(known.middle, known.last, segment.length / 2);
+      most = std::min(most, std::max(first.most, second.most));
+      mean = std::min(mean, (first.mean + second.mean) / 2);
+    }
+    const SurfacePoint middle = segment.point(mesh_->surface(), 0.5);
+    least_ = std::max(least_, space_.to(mesh_->position(middle)).distance);
+    if (!at_ || most > most_) {
+      most_ = most;
+      at_ = middle;
+    }
+    length_ += segment.length;
+    integral_ += segment.length > 0 ? segment.length * mean : 0;
+  }
+
+  /// With the largest exact distance.
+  [[nodiscard]] OneSidedSurfaceDeviation result(double largest) const {
+    OneSidedSurfaceDeviation result{std::max(most_, largest),
+                                    length_ > 0 ? integral_ / length_ : most_, *at_};
+    result.exact = false;
+    result.at_least = std::min(std::max(least_, largest), result.max);
+    return result;
+  }
+
+ private:
+  static std::vector<Segment> segments_in_space(const SurfaceMesh& mesh,
+                                                std::span<const SurfaceCurve> curves) {
+    std::vector<Segment> segments;
+    for (const SurfaceCurve& curve : curves) {
+      const auto own = segments_of(positions_of(mesh, curve), curve.closed);
+      segments.insert(segments.end(), own.begin(), own.end());
+    }
+    return segments;
+  }
+
+  const SurfaceMesh* mesh_;
+  CoarseDistance coarse_;
+  NearestSegment space_;
+  double most_ = 0, least_ = 0;
+  double length_ = 0, integral_ = 0;
+  std::optional<SurfacePoint> at_;
+};
+
+}  // namespace
+
+OneSidedSurfaceDeviation bounded_deviation(const SurfaceMesh& mesh,
+                                           std::span<const SurfaceCurve> from,
+                                           std::span<const CurveSegment> segments,
+                                           std::span<const SurfaceCurve> others,
+                                           std::span<const KnownSegment> known, double largest) {
+  Bounds bounds(mesh, others);
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    bounds.add(segments[i], i < known.size() ? known[i] : KnownSegment{});
+  }
+  for (const CurveSegment& point : points_of(mesh.surface(), from)) bounds.add(point, {});
+  return bounds.result(largest);
+}
+
+}  // namespace talweg
