@@ -140,12 +140,14 @@ std::vector<host::Curve> host_curves(const Drawing& drawing) {
 }
 
 void apply(const Drawing& drawing, host::Instance& smooth) {
+  const bool paper = drawing.settings.paper;
   smooth.set("tau", drawing.settings.tau);
-  apply("slack", drawing.settings.slack, smooth);
-  apply("max_deviation", drawing.settings.max_deviation, smooth);
+  smooth.set("potential", paper ? "paper" : "corridor");
+  apply("slack", paper ? std::nullopt : drawing.settings.slack, smooth);
+  apply("max_deviation", paper ? std::nullopt : drawing.settings.max_deviation, smooth);
   std::vector<std::optional<double>> taus, slacks;
   for (const auto& curve : drawing.curves) {
-    if (!can_be_smoothed(*curve)) continue;
+    if (paper || !can_be_smoothed(*curve)) continue;
     taus.push_back(curve->tau);
     slacks.push_back(all_clicked(*curve) ? std::nullopt : curve->tolerance);
   }

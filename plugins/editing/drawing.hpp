@@ -60,6 +60,7 @@ struct Settings {
   double tau = 1;                       ///< >= 0
   std::optional<double> slack;          ///< mesh units, >= 0; none: the plugin's default
   std::optional<double> max_deviation;  ///< mesh units, > 0; chooses tau and slack
+  bool paper = false;  ///< the paper's own potential; then without slack and max_deviation
 
   bool operator==(const Settings&) const = default;
 };

@@ -277,4 +277,10 @@ void Editor::set_max_deviation(std::optional<double> bound) {
   set("Largest deviation", settings);
 }
 
+void Editor::set_paper(bool paper) {
+  Settings settings = drawing().settings;
+  settings.paper = paper;
+  set("Method", settings);
+}
+
 }  // namespace talweg::editing

@@ -81,6 +81,7 @@ class Editor {
   void set_tau(double tau);
   void set_slack(std::optional<double> slack);
   void set_max_deviation(std::optional<double> bound);
+  void set_paper(bool paper);
 
  private:
   const Curve& curve_at(std::size_t curve) const;

@@ -1,5 +1,7 @@
 #include "host_mesh.hpp"
 
+#include <cstring>
+#include <mutex>
 #include <utility>
 
 #include <fmt/format.h>
@@ -52,9 +54,67 @@ std::optional<RepairSteps> repair_of(const plugin::Parameters& parameters) {
                      parameters.flag("repair_orient"), parameters.flag("repair_split")};
 }
 
+namespace {
+
+/// Plugins that are linked into one program get its mesh one after the other; while one has it, the
+/// next does not open it again.
+class LastOpened {
+ public:
+  std::shared_ptr<const HostMesh> get() {
+    const std::scoped_lock lock(mutex_);
+    return mesh_.lock();
+  }
+  void put(const std::shared_ptr<const HostMesh>& mesh) {
+    const std::scoped_lock lock(mutex_);
+    mesh_ = mesh;
+  }
+
+ private:
+  std::mutex mutex_;
+  std::weak_ptr<const HostMesh> mesh_;
+};
+
+LastOpened& last_opened() {
+  static LastOpened only;
+  return only;
+}
+
+/// Bit for bit: 0 and -0 are not the same.
+bool same_bits(std::span<const Point> a, std::span<const Point> b) {
+  return a.size() == b.size() &&
+         (a.empty() || std::memcmp(a.data(), b.data(), a.size_bytes()) == 0);
+}
+
+}  // namespace
+
 std::shared_ptr<const HostMesh> HostMesh::open(MeshLists lists,
                                                const std::optional<RepairSteps>& steps) {
+  if (auto last = last_opened().get(); last && last->is_of(lists, steps)) return last;
+  auto mesh = open_anew(std::move(lists), steps);
+  last_opened().put(mesh);
+  return mesh;
+}
+
+bool HostMesh::is_of(const MeshLists& lists, const std::optional<RepairSteps>& steps) const {
+  if (steps != steps_) return false;
+  if (came_in_)
+    return same_bits(came_in_->points, lists.points) && came_in_->triangles == lists.triangles;
+  const Surface& surface = mesh().surface();
+  if (surface.face_count() != lists.triangles.size()) return false;
+  if (!same_bits(mesh().points(), lists.points)) return false;
+  for (std::size_t f = 0; f < surface.face_count(); ++f) {
+    const auto corners = surface.corners(FaceId{f});
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (lists.triangles[f][k] != corners[k].index()) return false;
+    }
+  }
+  return true;
+}
+
+std::shared_ptr<const HostMesh> HostMesh::open_anew(MeshLists lists,
+                                                    const std::optional<RepairSteps>& steps) {
   auto mesh = std::make_shared<HostMesh>();
+  mesh->steps_ = steps;
   if (!steps) {
     mesh->opened_ = OpenedMesh::open(std::move(lists));
     return mesh;

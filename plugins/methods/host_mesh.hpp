@@ -31,7 +31,8 @@ std::optional<RepairSteps> repair_of(const plugin::Parameters& parameters);
 
 class HostMesh {
  public:
-  /// Throws Error(kBadMesh) as OpenedMesh::open() and repair_to_surface() do.
+  /// Throws Error(kBadMesh) as OpenedMesh::open() and repair_to_surface() do. The mesh that was
+  /// opened last is given again for the same lists, while somebody has it.
   static std::shared_ptr<const HostMesh> open(MeshLists lists,
                                               const std::optional<RepairSteps>& steps);
 
@@ -62,7 +63,12 @@ class HostMesh {
   [[nodiscard]] std::vector<double> given_per_vertex(const std::vector<double>& values) const;
 
  private:
+  static std::shared_ptr<const HostMesh> open_anew(MeshLists lists,
+                                                   const std::optional<RepairSteps>& steps);
+  [[nodiscard]] bool is_of(const MeshLists& lists, const std::optional<RepairSteps>& steps) const;
+
   std::shared_ptr<const OpenedMesh> opened_;
+  std::optional<RepairSteps> steps_;
   std::optional<MeshLists> came_in_;  // if repaired
   std::shared_ptr<const RepairMap> map_;
   std::vector<std::string> changes_;

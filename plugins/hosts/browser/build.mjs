@@ -3,7 +3,7 @@
 import { cpSync, existsSync, mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { dirname, join, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
-import { build } from 'esbuild';
+import { build, transform } from 'esbuild';
 
 const here = dirname(fileURLToPath(import.meta.url));
 
@@ -36,9 +36,29 @@ for (const file of ['index.html', 'style.css', 'icon.svg']) cpSync(join(here, fi
 
 const engine = option('--engine');
 if (engine) {
-  for (const file of readdirSync(engine)) {
-    if (/\.(wasm|js)$/.test(file)) cpSync(join(engine, file), join(out, file));
-  }
+  cpSync(join(engine, 'talweg.wasm'), join(out, 'talweg.wasm'));
+  const script = readFileSync(join(engine, 'talweg.js'), 'utf8');
+  writeFileSync(join(out, 'talweg.js'), (await transform(script, { minify: true, target: 'es2022' })).code);
+}
+
+/** What Debian says of a package's licence: its copyright file. */
+function ofDebian(name) {
+  const path = join('/usr/share/doc', name, 'copyright');
+  if (existsSync(path)) return [`${name}\n\n${readFileSync(path, 'utf8')}`];
+  throw new Error(`${path} is not there; the page gives the licence of ${name} on.`);
+}
+
+/** What is compiled into the engine: header files of this machine, and what CMake has unpacked. */
+function inTheEngine(folder) {
+  const headers = ['libopenmesh-dev', 'libeigen3-dev', 'libfmt-dev', 'nlohmann-json3-dev', 'libfast-float-dev'];
+  const sources = join(folder, '../sources');
+  const texts = { pugixml: 'LICENSE.md', zlib: 'LICENSE' };
+  const unpacked = Object.entries(texts).map(([name, file]) => {
+    const archive = readdirSync(sources).find((one) => one.startsWith(`${name}_`));
+    const inside = join(sources, archive, readdirSync(join(sources, archive))[0]);
+    return `${name}\n\n${readFileSync(join(inside, file), 'utf8')}`;
+  });
+  return [...headers.flatMap((name) => ofDebian(name)), ...unpacked, ...ofDebian('emscripten')];
 }
 
 /** What is in the page and not ours, with its licence. */
@@ -49,6 +69,6 @@ function licences() {
     const { version } = JSON.parse(readFileSync(join(folder, 'package.json'), 'utf8'));
     return `${name} ${version}\n\n${readFileSync(join(folder, 'LICENSE'), 'utf8')}`;
   });
-  return [`Talweg\n\n${ours}`, ...others].join(`\n${'-'.repeat(72)}\n\n`);
+  return [`Talweg\n\n${ours}`, ...others, ...(engine ? inTheEngine(engine) : [])].join(`\n${'-'.repeat(72)}\n\n`);
 }
 writeFileSync(join(out, 'licences.txt'), licences());

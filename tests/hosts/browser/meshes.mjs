@@ -39,7 +39,7 @@ function broken() {
   return { points, faces: [...faces, [0, 1, 100000]] };
 }
 
-const kinds = { ball: () => ball(), twice, broken };
+const kinds = { ball: () => ball(), large: () => ball(400), twice, broken };
 
 /** The path of an OFF file with this mesh. */
 export function mesh(kind) {

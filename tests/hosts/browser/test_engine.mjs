@@ -5,6 +5,7 @@ import { execFileSync } from 'node:child_process';
 import { mkdtempSync, readFileSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
+import { mesh } from './meshes.mjs';
 import { talwegModule } from './talweg_module.mjs';
 
 const page = process.env.TALWEG_PAGE;
@@ -159,4 +160,13 @@ export async function whatIsWrongIsSaid() {
   assert.match(info.defects, /\w/);
   assert.ok(info.repair.length > 0);
   assert.equal(call('open', ['twice.off', true], new TextEncoder().encode(twice)).defects, null);
+}
+
+/** The plugins that draw and smooth are in one module: the second gets the mesh that the first has opened. */
+export async function aMeshIsOpenedOnce() {
+  const { call, memory } = await talwegModule(page);
+  call('open', ['large.off', false], readFileSync(mesh('large')));
+  const opened = memory();
+  call('leg', [at(100), at(200)]);
+  assert.ok(memory() < 1.3 * opened, `${opened} MiB became ${memory()} MiB`);
 }

@@ -62,6 +62,23 @@ export async function carryPinAndRemove() {
   assert.equal(await page.reported('length'), before);
 }
 
+export async function aPointIsInsertedIntoTheCurve() {
+  const page = await withMesh();
+  await page.key('Space');
+  await press(page, 'ArrowRight', 8);
+  await page.key('Space', 'Enter');
+  assert.deepEqual(await page.curves(), ['Curve 1 open, 2 points']);
+  // Back along the curve, which is nearly straight, and up and down finely: the hint says where it is met.
+  await press(page, 'ArrowLeft', 4);
+  const meets = async () => (await page.text('hint')).includes('on the curve');
+  await page.page.keyboard.down('Shift');
+  for (let k = 0; k < 12 && !(await meets()); ++k) await page.key('ArrowUp');
+  for (let k = 0; k < 24 && !(await meets()); ++k) await page.key('ArrowDown');
+  await page.page.keyboard.up('Shift');
+  await page.key('Space');
+  assert.deepEqual(await page.curves(), ['Curve 1 open, 3 points']);
+}
+
 export async function everyControlIsReached() {
   const page = await withMesh();
   const reached = new Set();

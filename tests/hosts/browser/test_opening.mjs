@@ -60,3 +60,40 @@ export async function noOtherHost() {
   page.requests = [];
   page.errors = [];
 }
+
+/** Reading 638,000 faces takes a while. The mesh that was there stays, with its drawing. */
+export async function whatTakesLongCanBeEnded() {
+  const page = await openPage();
+  await page.openMesh(mesh('ball'));
+  await drawTwo(page);
+  const length = await page.reported('length');
+  const [chooser] = await Promise.all([page.page.waitForFileChooser(),
+    page.page.click('#panel [data-act="choose-mesh"]')]);
+  await chooser.accept([mesh('large')]);
+  // Pressed as soon as it is there: what comes after reading is quick.
+  await page.page.waitForFunction(() => {
+    const busy = document.getElementById('busy');
+    if (!busy.hidden) busy.querySelector('button').click();
+    return !busy.hidden;
+  });
+  await page.page.waitForFunction(() => document.getElementById('told').textContent === 'Ended.');
+  await page.rest();
+  assert.equal(await page.text('mesh-name'), 'ball.off');
+  assert.deepEqual(await page.curves(), ['Curve 1 open, 2 points']);
+  assert.equal(await page.reported('length'), length);
+  // It can be drawn on.
+  const [x, y] = (await around(page, 25))[2];
+  await page.click(x, y);
+  assert.equal((await page.curves()).length, 2);
+}
+
+/** What `talweg info` tells is asked for only when somebody wants to read it: it takes longer than opening. */
+export async function allAboutTheMesh() {
+  const page = await openPage();
+  await page.openMesh(mesh('twice'));
+  assert.equal(await page.text('mesh-text'), '');
+  await page.page.click('#mesh-all summary');
+  await page.page.waitForFunction(() => document.getElementById('mesh-text').textContent.includes('there twice'));
+  await page.openMesh(mesh('ball'));
+  await page.page.waitForFunction(() => document.getElementById('mesh-text').textContent.includes('none (closed)'));
+}

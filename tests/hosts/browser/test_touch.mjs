@@ -22,6 +22,10 @@ export async function oneFingerDraws() {
   assert.match((await page.curves())[0], /^Curve 1 being drawn, \d\d points$/);
   await page.act('finish');
   assert.match((await page.curves())[0], /^Curve 1 open/);
+  // What a hand looks for now is in sight, and the hint speaks of fingers.
+  const slider = await (await page.page.$('#tau')).boundingBox();
+  assert.ok(slider.y > 0 && slider.y + slider.height <= phone.height, `τ is at ${slider.y}`);
+  assert.match(await page.text('hint'), /τ below/);
   await page.picture('phone');
 }
 

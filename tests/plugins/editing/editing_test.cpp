@@ -191,6 +191,17 @@ TEST(Editor, TheSettingsItBeginsWithAreNoStep) {
   EXPECT_EQ(refusal([] { Editor wrong({-1, {}, {}}); }), "Tau is 0 or more.");
 }
 
+TEST(Editor, ThePapersMethodIsAStepThatCanBeUndone) {
+  Editor editor;
+  editor.set_paper(true);
+  EXPECT_TRUE(editor.drawing().settings.paper);
+  editor.set_paper(true);
+  EXPECT_EQ(editor.history().undo_name(), "Method");
+  editor.history().undo();
+  EXPECT_FALSE(editor.drawing().settings.paper);
+  EXPECT_FALSE(editor.history().can_undo());
+}
+
 TEST(Editor, PointsKeepTheirPinsAndGo) {
   Editor editor;
   editor.add_curve({{at(1), at(2), at(3)}, true});

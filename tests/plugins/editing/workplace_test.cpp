@@ -128,6 +128,24 @@ TEST(Workplace, SeesTheMesh) {
 }
 
 /// Two strokes around the tube, far apart: each is smoothed as if it was alone.
+/// What it does not know is kept for the other method, and does not stand in its way.
+TEST(Workplace, ThePapersMethodIsChosenByASetting) {
+  Tube tube;
+  tube.click({Tube::vertex(0, 5), Tube::vertex(12, 20), Tube::vertex(24, 10)});
+  tube.editor.finish_curve();
+  tube.editor.set_slack(0.1);
+  tube.editor.set_max_deviation(0.2);
+  tube.editor.set_curve_tau(0, 3.0);
+  const auto potential = [&] {
+    return work(tube.place, Task::kSmooth, tube.editor.drawing()).results.text("potential");
+  };
+  EXPECT_EQ(potential(), "corridor");
+  tube.editor.set_paper(true);
+  EXPECT_EQ(potential(), "paper");
+  tube.editor.set_paper(false);
+  EXPECT_EQ(potential(), "corridor");
+}
+
 TEST(Workplace, ACurvesOwnTauIsItsOwn) {
   Tube tube;
   for (const std::uint32_t row : {8U, 22U}) {

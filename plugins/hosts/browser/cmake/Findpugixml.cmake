@@ -3,6 +3,7 @@ if(NOT TARGET pugixml::pugixml)
   debian_source(p/pugixml/pugixml_1.13.orig.tar.gz
     5c5ad5d7caeb791420408042a7d88c2c6180781bf218feca259fd9d840a888e1 pugixml_source)
   add_library(pugixml STATIC ${pugixml_source}/src/pugixml.cpp)
+  target_compile_options(pugixml PRIVATE -Os)
   set_target_properties(pugixml PROPERTIES UNITY_BUILD OFF)
   target_include_directories(pugixml SYSTEM PUBLIC ${pugixml_source}/src)
   add_library(pugixml::pugixml ALIAS pugixml)

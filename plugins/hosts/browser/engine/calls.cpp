@@ -50,6 +50,7 @@ Answer call_engine(const std::string& name, const Json& a) {
   const std::string bytes = std::exchange(state().bytes, {});
   const auto text = [&](std::size_t k) { return a.at(k).get<std::string>(); };
   if (name == "open") return engine.open(text(0), bytes, a.at(1).get<bool>());
+  if (name == "words") return engine.words();
   if (name == "sample") return engine.sample();
   if (name == "smooth") return engine.smooth(drawing_of(a.at(0)), text(1));
   if (name == "draw") return engine.draw(drawing_of(a.at(0)));

@@ -50,7 +50,7 @@ editing::Drawing drawing_of(const Json& json) {
   drawing.unfinished = json.at("unfinished").get<bool>();
   const Json& settings = json.at("settings");
   drawing.settings = {settings.at("tau").get<double>(), optional_of(settings.at("slack")),
-                      optional_of(settings.at("maxDeviation"))};
+                      optional_of(settings.at("maxDeviation")), settings.value("paper", false)};
   return drawing;
 }
 
@@ -73,7 +73,8 @@ Json json_of(const editing::Drawing& drawing) {
           {"settings",
            {{"tau", drawing.settings.tau},
             {"slack", number_json(drawing.settings.slack)},
-            {"maxDeviation", number_json(drawing.settings.max_deviation)}}}};
+            {"maxDeviation", number_json(drawing.settings.max_deviation)},
+            {"paper", drawing.settings.paper}}}};
 }
 
 }  // namespace talweg::browser

@@ -125,6 +125,8 @@ const std::map<std::string, Call>& calls_of_curves() {
        [](Editor& e, Arguments a) { return done([&] { e.set_tau(a.at(0).get<double>()); }); }},
       {"setSlack",
        [](Editor& e, Arguments a) { return done([&] { e.set_slack(optional_of(a.at(0))); }); }},
+      {"setPaper",
+       [](Editor& e, Arguments a) { return done([&] { e.set_paper(a.at(0).get<bool>()); }); }},
       {"setMaxDeviation", [](Editor& e, Arguments a) {
          return done([&] { e.set_max_deviation(optional_of(a.at(0))); });
        }}};

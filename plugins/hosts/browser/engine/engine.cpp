@@ -92,11 +92,6 @@ Answer Engine::open(const std::string& name, std::string_view bytes, bool repair
   stem_ = stem_of(name);
   mean_edge_ = mean_edge_of(*mesh_.arrays);
   defects_ = repair ? editing::Defects::kRepair : editing::Defects::kRefuse;
-  std::string words = mesh_.arrays->triangles.size() > kInspected
-                          ? words_of(*mesh_.arrays, mean_edge_)
-                          : words_of(inspected(*plugins_, *mesh_.arrays));
-  for (const std::string& note : mesh_.left_out) words += "Not read: " + note + ".\n";
-
   workplace_ = std::make_unique<editing::Workplace>(*plugins_, mesh_.arrays, defects_);
   const editing::Outcome opened = workplace_->work({});
   if (opened.status != TALWEG_OK && opened.status != TALWEG_BAD_MESH) fail(opened);
@@ -109,9 +104,19 @@ Answer Engine::open(const std::string& name, std::string_view bytes, bool repair
                  {"size", size_of(*mesh_.arrays)},
                  {"meanEdge", mean_edge_},
                  {"unit", ""},
-                 {"text", std::move(words)},
                  {"repair", opened.repair},
                  {"defects", opened.sentence.empty() ? Json(nullptr) : Json(opened.sentence)}};
+  return answer;
+}
+
+Answer Engine::words() const {
+  need_mesh();
+  std::string words = mesh_.arrays->triangles.size() > kInspected
+                          ? words_of(*mesh_.arrays, mean_edge_)
+                          : words_of(inspected(*plugins_, *mesh_.arrays));
+  for (const std::string& note : mesh_.left_out) words += "Not read: " + note + ".\n";
+  Answer answer;
+  answer.json = std::move(words);
   return answer;
 }
 

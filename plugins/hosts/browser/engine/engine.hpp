@@ -21,6 +21,8 @@ class Engine {
   /// Reads and opens a mesh file: `MeshInfo`. One that cannot be read leaves the mesh that was
   /// there.
   Answer open(const std::string& name, std::string_view bytes, bool repair);
+  /// What `talweg info` tells of the mesh. It takes several times as long as opening it.
+  Answer words() const;
   /// A file with a mesh to begin with.
   Answer sample() const;
 

@@ -80,6 +80,11 @@ async function start(store: Store): Promise<void> {
     help,
     forget: () => sessions.forget(),
   });
+  const all = byId<HTMLDetailsElement>('mesh-all');
+  all.addEventListener('toggle', () => {
+    meshes.wantsAll = all.open;
+    void meshes.tellAll();
+  });
   await sessions.bringBack();
   document.documentElement.dataset.ready = 'yes';
 }

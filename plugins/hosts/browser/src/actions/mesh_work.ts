@@ -11,6 +11,8 @@ import { type Live, smoothingWords } from './live';
 export class MeshWork {
   /** Finds places on the mesh; null until the mesh is prepared. */
   picker: Picker | null = null;
+  /** Whether all about the mesh is shown. */
+  wantsAll = false;
   private ids = 0;
 
   constructor(private readonly desk: Desk, private readonly live: Live,
@@ -57,6 +59,15 @@ export class MeshWork {
     if (!smoothing) this.live.refresh();
   }
 
+  /** Tells all about the mesh, if a person wants to know it. */
+  async tellAll(): Promise<void> {
+    const { store, engine } = this.desk;
+    const { mesh, words } = store.now;
+    if (!mesh || words !== null || !this.wantsAll) return;
+    const told = await this.desk.wait('mesh', 'Looking at the mesh', engine.words());
+    if (told !== undefined && store.now.mesh === mesh) store.set({ words: told });
+  }
+
   private read(name: string, bytes: Uint8Array, repaired: boolean): Promise<MeshInfo> {
     return this.desk.engine.open(name, bytes.slice().buffer, repaired);
   }
@@ -73,7 +84,7 @@ export class MeshWork {
   private async show(mesh: OpenMesh): Promise<void> {
     const { desk } = this;
     this.picker = null;
-    desk.store.set({ mesh });
+    desk.store.set({ mesh, words: null });
     const picker = await desk.wait('mesh', 'Preparing the view', Picker.prepare(mesh.info, (shape) => {
       if (desk.store.now.mesh !== mesh) return;
       this.showShape(shape);
@@ -81,6 +92,7 @@ export class MeshWork {
     }));
     if (desk.store.now.mesh !== mesh || !picker) return;
     this.picker = picker;
+    void this.tellAll();
     desk.tell(`${mesh.name}: ${countText(mesh.info.faces)} faces. ${mesh.info.defects ?? 'Draw on it.'}`);
   }
 }

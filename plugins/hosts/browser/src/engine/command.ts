@@ -13,10 +13,11 @@ export function commandOf(name: string, repaired: boolean, drawing: Drawing | nu
   const stem = mesh.replace(/\.[^.]*$/, '');
   const words = ['talweg', 'smooth', mesh, '--curve', `${stem}-drawn.json`];
   if (drawing) {
-    const { tau, slack, maxDeviation } = drawing.settings;
-    if (maxDeviation !== null) words.push('--max-deviation', String(maxDeviation));
+    const { tau, slack, maxDeviation, paper } = drawing.settings;
+    if (paper) words.push('--potential', 'paper', '--tau', String(tau));
+    else if (maxDeviation !== null) words.push('--max-deviation', String(maxDeviation));
     else words.push('--tau', String(tau));
-    if (slack !== null) words.push('--slack', String(slack));
+    if (slack !== null && !paper) words.push('--slack', String(slack));
   }
   if (repaired) words.push('--repair');
   words.push('-o', `${stem}-smooth.vtp`, '--report', `${stem}-report.json`);

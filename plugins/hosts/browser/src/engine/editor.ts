@@ -57,6 +57,8 @@ export class Editor {
   setSlack(slack: number | null): void { this.call('setSlack', slack); }
   setMaxDeviation(bound: number | null): void { this.call('setMaxDeviation', bound); }
 
+  setPaper(paper: boolean): void { this.call('setPaper', paper); }
+
   /** The name of the step that was undone; null: there was none. */
   undo(): string | null { return this.call('undo'); }
   redo(): string | null { return this.call('redo'); }

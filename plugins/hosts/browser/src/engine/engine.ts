@@ -53,6 +53,9 @@ export class Engine {
     return info;
   }
 
+  /** What `talweg info` tells. */
+  words(): Promise<string> { return this.ask('words', []); }
+
   sample(): Promise<{ name: string; bytes: Uint8Array }> { return this.ask('sample', []); }
 
   async smooth(drawing: Drawing, hand: 'rests' | 'slides' | 'drags'): Promise<Smoothed> {

@@ -33,6 +33,8 @@ export interface Settings {
   slack: number | null;
   /** Chooses tau and slack; null: they are as they are set. */
   maxDeviation: number | null;
+  /** The paper's own potential: without slack and largest deviation. */
+  paper: boolean;
 }
 
 export interface Drawing {
@@ -53,8 +55,6 @@ export interface MeshInfo {
   meanEdge: number;
   /** The name of the mesh's unit, empty where the file does not tell it. */
   unit: string;
-  /** What `talweg info` tells. */
-  text: string;
   /** What a repair would do, a sentence each; empty if there is nothing to do. */
   repair: string[];
   /** Why the mesh cannot be drawn on as it is; null if it can. */

@@ -25,8 +25,8 @@ export class Cursor {
   }
 
   put(place: Place): void {
-    const under: Under = { kind: 'mesh', place };
-    this.store.set({ cursor: place, under });
+    this.store.set({ cursor: place });
+    this.store.set({ under: this.under() });
   }
 
   hide(): void {

@@ -59,6 +59,8 @@ export class CurvePanel {
     const curve = chosen ? drawing.curves[chosen.curve] : undefined;
     byId('curve-form').hidden = !curve;
     if (curve) this.fillForm(curve, drawing.unfinished);
+    // The paper's method has one τ, and no tolerance.
+    for (const id of ['curve-tau', 'curve-tolerance']) input(id).disabled = drawing.settings.paper;
   }
 
   private item(curve: Curve, index: number, isChosen: boolean, isCurrent: boolean): HTMLLIElement {

@@ -32,27 +32,52 @@ function nameStep(act: string, verb: string, name: string | null): void {
   if (button) button.title = name ? `${verb}: ${name}` : '';
 }
 
+const mouse = {
+  keep: 'Click the part that you want to keep.',
+  point: 'Drag the point. Double click pins it, Shift and click removes it.',
+  line: 'Click for a new point on the curve, or pull it.',
+  another: 'Click or paint another curve, drag points, or move τ.',
+  begin: 'Click points on the mesh, or keep the button pressed and paint.',
+  close: 'Click to close the curve.',
+  finish: 'Click to finish the curve.',
+  second: 'Click the next point, or paint on.',
+  third: 'Click on, or paint. Finish with Enter.',
+  more: 'Click on, or paint. Finish with Enter, close by clicking the first point.',
+};
+const fingers: typeof mouse = {
+  keep: 'Tap the part that you want to keep.',
+  point: 'Drag the point, or pin or remove it.',
+  line: 'Tap for a new point on the curve, or pull it.',
+  another: 'Draw another curve, drag points, or move τ below.',
+  begin: 'Tap points on the mesh, or draw with one finger. Two fingers turn it.',
+  close: 'Tap to close the curve.',
+  finish: 'Tap to finish the curve.',
+  second: 'Tap the next point, or draw on.',
+  third: 'Tap on, or draw. Then finish.',
+  more: 'Tap on, or draw. Then finish, or tap the first point to close.',
+};
+const coarse = matchMedia('(pointer: coarse)');
+
 function hintOf(state: State): string {
   const { mesh, drawing, under, chosen, cut, kept } = state;
+  const words = coarse.matches ? fingers : mouse;
   if (!mesh) return '';
   if (mesh.info.defects) return mesh.info.defects;
-  if (cut) return kept === null ? 'Click the part that you want to keep.' : 'This part is kept. Save it, or go back.';
-  if (drawing.unfinished) return drawingHint(state);
-  if (under.kind === 'point') return 'Drag the point. Double click pins it, Shift and click removes it.';
-  if (under.kind === 'line') return 'Click for a new point on the curve, or pull it.';
+  if (cut) return kept === null ? words.keep : 'This part is kept. Save it, or go back.';
+  if (drawing.unfinished) return drawingHint(state, words);
+  if (under.kind === 'point') return words.point;
+  if (under.kind === 'line') return words.line;
   if (chosen && chosen.point !== null && drawing.curves[chosen.curve]) {
     return `Point ${chosen.point + 1} of ${nameOf(drawing.curves[chosen.curve])}.`;
   }
-  if (drawing.curves.length > 0) return 'Click or paint another curve, drag points, or move τ.';
-  return 'Click points on the mesh, or keep the button pressed and paint.';
+  return drawing.curves.length > 0 ? words.another : words.begin;
 }
 
-function drawingHint({ drawing, under }: State): string {
+function drawingHint({ drawing, under }: State, words: typeof mouse): string {
   const current = drawing.curves.length - 1, points = drawing.curves[current].points.length;
   const isHere = under.kind === 'point' && under.curve === current;
-  if (isHere && under.point === 0 && points > 2) return 'Click to close the curve.';
-  if (isHere && under.point === points - 1 && points > 1) return 'Click to finish the curve.';
-  if (points < 2) return 'Click the next point, or paint on.';
-  if (points < 3) return 'Click on, or paint. Finish with Enter.';
-  return 'Click on, or paint. Finish with Enter, close by clicking the first point.';
+  if (isHere && under.point === 0 && points > 2) return words.close;
+  if (isHere && under.point === points - 1 && points > 1) return words.finish;
+  if (points < 2) return words.second;
+  return points < 3 ? words.third : words.more;
 }

@@ -7,6 +7,7 @@ import { byId, element, fill, setText } from '../elements';
 export function bindMeshPanel(store: Store): void {
   store.watch((now, before) => {
     if (changed(now, before, 'mesh')) tell(now);
+    if (changed(now, before, 'words')) setText('mesh-text', now.words ?? '');
   });
 }
 
@@ -19,7 +20,6 @@ function tell({ mesh }: State): void {
   if (!mesh) return;
   const { info } = mesh;
   setText('mesh-name', mesh.repaired ? `${mesh.name} (repaired)` : mesh.name);
-  setText('mesh-text', info.text);
   fill('mesh-facts', [
     ['faces', countText(info.faces)],
     ['vertices', countText(info.vertices)],

@@ -11,6 +11,7 @@ export class SettingsPanel {
   private readonly tau: Slider;
   private readonly slack: Slider;
   private readonly most: Slider;
+  private wasSeen = false;
 
   constructor(private readonly store: Store, private readonly drawing: DrawingWork) {
     this.tau = this.slider('tau', () => squares(10), (e, v) => e.setTau(v));
@@ -18,15 +19,21 @@ export class SettingsPanel {
     this.most = this.slider('most', () => this.mostScale(), (e, v) => e.setMaxDeviation(v));
     this.bindSwitch('slack-on', (e, on) => e.setSlack(on ? this.edge() : null));
     this.bindSwitch('most-on', (e, on) => e.setMaxDeviation(on ? this.edge() : null));
+    const method = byId<HTMLSelectElement>('method');
+    method.addEventListener('change', () => drawing.edit((e) => e.setPaper(method.value === 'paper')));
     store.watch((now, before) => {
       if (changed(now, before, 'drawing', 'mesh')) this.update(now);
     });
   }
 
   private update({ drawing, mesh }: State): void {
-    const { tau, slack, maxDeviation } = drawing.settings;
+    const { tau, slack, maxDeviation, paper } = drawing.settings;
+    const method = byId<HTMLSelectElement>('method');
+    method.value = paper ? 'paper' : 'fair';
+    method.disabled = !mesh;
+    byId('for-strokes').hidden = paper;
     const strokes = hasStrokes(drawing) || drawing.curves.length === 0;
-    const chosen = strokes && maxDeviation !== null;  // τ and slack are chosen by the bound
+    const chosen = strokes && maxDeviation !== null && !paper;  // τ and slack are chosen by the bound
     this.tau.show(tau, numberText(tau), mesh !== null && !chosen);
     this.slack.show(slack, slack === null ? '' : numberText(slack), strokes && slack !== null && !chosen);
     this.most.show(maxDeviation, maxDeviation === null ? '' : numberText(maxDeviation), chosen);
@@ -34,7 +41,15 @@ export class SettingsPanel {
     input('slack-on').disabled = !mesh || !strokes || chosen;
     input('most-on').checked = maxDeviation !== null;
     input('most-on').disabled = !mesh || !strokes;
-    byId('only-clicks').hidden = strokes;
+    byId('only-clicks').hidden = strokes || paper;
+    this.letTauBeSeen(drawing.curves.length > 0 && !drawing.unfinished);
+  }
+
+  /** In a small window τ is far below. After the first curve it is what a hand looks for. */
+  private letTauBeSeen(hasCurve: boolean): void {
+    if (!hasCurve || this.wasSeen) return;
+    this.wasSeen = true;
+    input('tau').closest('.slider')?.scrollIntoView({ block: 'nearest' });
   }
 
   private slider(id: string, scale: () => Scale, set: (editor: Editor, value: number) => void): Slider {

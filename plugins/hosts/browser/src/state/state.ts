@@ -57,6 +57,8 @@ export interface State {
   undo: string | null;
   redo: string | null;
   /** The curves as they were drawn, on the mesh. */
+  /** What `talweg info` tells of the mesh; null until somebody wants to know. */
+  words: string | null;
   drawn: Line[];
   smoothed: Smoothed | null;
   /** The next leg, from the last point to the mouse; three numbers per point. */
@@ -80,7 +82,7 @@ export interface State {
 export const emptyDrawing: Drawing = {
   curves: [],
   unfinished: false,
-  settings: { tau: 1, slack: null, maxDeviation: null },
+  settings: { tau: 1, slack: null, maxDeviation: null, paper: false },
 };
 
 export const firstState: State = {
@@ -89,6 +91,7 @@ export const firstState: State = {
   drawing: emptyDrawing,
   undo: null,
   redo: null,
+  words: null,
   drawn: [],
   smoothed: null,
   leg: null,
