@@ -19,6 +19,7 @@ set(looked 0)
 foreach(layer intrinsic heat core plugins)
   file(GLOB_RECURSE files RELATIVE ${ROOT} ${ROOT}/${layer}/*.[ch] ${ROOT}/${layer}/*.[ch]pp
        ${ROOT}/${layer}/*.hh)
+  list(FILTER files EXCLUDE REGEX "/node_modules/")  # what ./run page has installed
   foreach(file IN LISTS files)
     math(EXPR looked "${looked} + 1")
     set(height -1)
