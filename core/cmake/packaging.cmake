@@ -19,9 +19,7 @@ if(TALWEG_BUILD_DRIVER)
 endif()
 if(TALWEG_BUILD_DRIVER AND TALWEG_PYTHON)
   list(APPEND CPACK_COMPONENTS_ALL python)
-  # Debian's Python looks here, whatever the prefix of other programs.
-  install(DIRECTORY ${PROJECT_SOURCE_DIR}/plugins/hosts/python/talweg COMPONENT python EXCLUDE_FROM_ALL
-          DESTINATION lib/python3/dist-packages PATTERN "__pycache__" EXCLUDE)
+  include(${CMAKE_CURRENT_LIST_DIR}/python_package.cmake)
 endif()
 set(CPACK_COMPONENTS_GROUPING IGNORE)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
@@ -39,7 +37,9 @@ set(CPACK_DEBIAN_DRIVER_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-talweg)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_ARCHITECTURE all)
-set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "python3 (>= 3.9), python3-numpy")  # and the driver's package
+set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "python3:any (>= 3.9), python3-numpy")  # and the driver's package
+set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA ${PROJECT_BINARY_DIR}/python/postinst
+                                              ${PROJECT_BINARY_DIR}/python/prerm)
 
 # What the binaries need is read from them; what the headers need is named here.
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_SHLIBDEPS ON)

@@ -24,7 +24,7 @@ suitesparse() { # its sources, by apt, with lists of our own
   local options=(-qq -o "Dir::Etc::sourcelist=$apt/sources.list" -o Dir::Etc::sourceparts=/dev/null
     -o "Dir::State::lists=$apt/lists" -o "Dir::Cache=$apt/cache")
   apt-get "${options[@]}" update
-  (cd "$work/sources" && apt-get "${options[@]}" source --only-source suitesparse=5.12.0+dfsg-2)
+  (cd "$work/sources" && apt-get "${options[@]}" source --only-source suitesparse=1:5.12.0+dfsg-2)
 }
 
 # packed FOLDER FILE: with the same bytes for the same files.

@@ -35,8 +35,8 @@ test -s /smooth.vtp
 add "python3-talweg" /debs/python3-talweg_*.deb
 python3 - <<'PYTHON'
 import talweg
-mesh = talweg.read_mesh("/m.obj")
-print(talweg.smooth(mesh, talweg.draw(mesh, [0, 1, 4, 5])).report.termination)
+mesh = talweg.Mesh("/m.obj")
+print(mesh.smooth(mesh.draw([0, 1, 4, 5])).report.termination)
 PYTHON
 
 add "g++, cmake, make, pkg-config" g++ cmake make pkg-config
@@ -54,4 +54,4 @@ apt-get purge -y -qq python3-talweg talweg libtalweg0.2 libtalweg-dev >/dev/null
 left=$(find / -xdev -name '*talweg*' -not -path '/debs/*')
 test -z "$left" || { echo "left behind: $left"; exit 1; }
 INSIDE
-chroot "$root" sh /try.sh
+env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root chroot "$root" sh /try.sh  # nothing of ours gets in

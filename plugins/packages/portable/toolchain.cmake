@@ -16,8 +16,9 @@ set(CMAKE_CXX_FLAGS_INIT "${search} -nostdinc++")
 foreach(folder c++/12 x86_64-linux-gnu/c++/12 c++/12/backward)
   string(APPEND CMAKE_CXX_FLAGS_INIT " -isystem /usr/include/${folder}")
 endforeach()
-# What refers to a symbol of a newer glibc does not link.
-set(link "-static-libgcc -static-libstdc++ -L${TALWEG_SYSROOT}/talweg -L${libraries} -Wl,-z,defs")
+# What refers to a symbol of a newer glibc does not link. The static libstdc++ wants threads behind it,
+# which glibc had in a library of their own before 2.34.
+set(link "-static-libgcc -static-libstdc++ -pthread -L${TALWEG_SYSROOT}/talweg -L${libraries} -Wl,-z,defs")
 foreach(kind EXE SHARED MODULE)
   set(CMAKE_${kind}_LINKER_FLAGS_INIT "${link}")
 endforeach()
