@@ -27,8 +27,7 @@ CurvesBox::CurvesBox(QWidget* parent) : QGroupBox(tr("Curves"), parent) {
   auto* all = tight(this);
   all->addLayout(row_of({read, write_, clear_}));
   all->addWidget(table_);
-  all->addLayout(row_of({remove_, pin_}));
-  all->addLayout(row_of({closed_, go_on_}));
+  all->addLayout(row_of({remove_, pin_, closed_, go_on_}));
   all->addLayout(numbers);
   connect(read, &QToolButton::clicked, this, &CurvesBox::read);
   connect(write_, &QToolButton::clicked, this, &CurvesBox::write);

@@ -273,10 +273,10 @@ class Session {
 QString length_unit();
 QString curvature_unit();
 /// A line for the log.
-QString short_report(const Session& session);
-/// What the panel shows of the results: the numbers, a line, and the plugin's warnings.
+/// What the panel shows of the results: the numbers, a line, with which settings, and the warnings.
 std::vector<ResultRow> result_rows(const Session& session);
 QString result_summary(const Session& session);
+QString result_settings(const Session& session);
 QStringList result_notes(const Session& session);
 /// Everything that was measured, "key = value" or "curve.key = value", one a line.
 QString whole_report(const Session& session);

@@ -95,9 +95,14 @@ QString result_summary(const Session& session) {
                         : how == "collapsed" ? Report::tr("a loop collapsed")
                         : how == "limit"     ? Report::tr("stopped at its limit")
                                              : in_words(how);
-  return Report::tr("tau %1, slack %2; %3 after %4 ms")
-      .arg(three_digits(r.number("tau")), three_digits(r.number("slack")), ended)
-      .arg(session.last_run_ms(), 0, 'f', 0);
+  return Report::tr("%1 after %2 ms").arg(ended).arg(session.last_run_ms(), 0, 'f', 0);
+}
+
+QString result_settings(const Session& session) {
+  const host::Results& r = session.results();
+  if (r.curves.empty()) return {};
+  return Report::tr("tau %1, slack %2")
+      .arg(three_digits(r.number("tau")), three_digits(r.number("slack")));
 }
 
 QStringList result_notes(const Session& session) {

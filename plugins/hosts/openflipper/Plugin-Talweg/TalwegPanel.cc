@@ -155,11 +155,10 @@ QGroupBox* TalwegPanel::make_result_group() {
                          &TalwegPanel::write_result);
   auto* all = tight(group);
   all->addWidget(table_);
-  all->addWidget(summary_);
+  all->addLayout(row_of({summary_, write_result_}));
   all->addWidget(notes_);
   all->addWidget(look_);
-  all->addLayout(row_of({cut_, split_, lids_}));
-  all->addLayout(row_of({inside_, write_result_}));
+  all->addLayout(row_of({cut_, split_, lids_, inside_}));
   return group;
 }
 
@@ -232,6 +231,7 @@ void TalwegPanel::show_problem(const PanelState& state) {
 void TalwegPanel::show_result(const PanelState& state) {
   table_->show_rows(state.rows);
   summary_->setText(state.summary);
+  summary_->setToolTip(state.summary_tip);
   notes_->setText(state.notes.join('\n'));
   notes_->setVisible(!state.notes.isEmpty());
   look_->show_state(state.look);

@@ -36,6 +36,7 @@ struct PanelState {
   LookState look;
   std::vector<ResultRow> rows;  ///< none: nothing is smoothed
   QString summary;              ///< one line on the result
+  QString summary_tip;          ///< with which settings
   QStringList notes;            ///< what is to be known of it
   QString hint;                 ///< what a click would do
   QString problem;              ///< why nothing can be drawn on the mesh; empty: nothing is wrong

@@ -33,6 +33,7 @@ void show_results_of(const Session& session, PanelState& state) {
   const talweg::host::Results& results = session.results();
   state.rows = talweg::openflipper::result_rows(session);
   state.summary = talweg::openflipper::result_summary(session);
+  state.summary_tip = talweg::openflipper::result_settings(session);
   state.notes = talweg::openflipper::result_notes(session);
   if (results.curves.empty()) return;
   state.slack_used = results.number("slack");

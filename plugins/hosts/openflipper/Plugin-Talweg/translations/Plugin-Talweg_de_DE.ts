@@ -187,8 +187,12 @@
         <translation>an der Grenze angehalten</translation>
     </message>
     <message>
-        <source>tau %1, slack %2; %3 after %4 ms</source>
-        <translation>Tau %1, Spielraum %2; %3 nach %4 ms</translation>
+        <source>%1 after %2 ms</source>
+        <translation>%1 nach %2 ms</translation>
+    </message>
+    <message>
+        <source>tau %1, slack %2</source>
+        <translation>Tau %1, Spielraum %2</translation>
     </message>
 </context>
 <context>
