@@ -273,6 +273,7 @@ class Session {
 QString length_unit();
 QString curvature_unit();
 /// A line for the log.
+QString short_report(const Session& session);
 /// What the panel shows of the results: the numbers, a line, with which settings, and the warnings.
 std::vector<ResultRow> result_rows(const Session& session);
 QString result_summary(const Session& session);
