@@ -31,7 +31,7 @@ class Network {
           const LabelNetworkOptions& options, Progress progress)
       : mesh_(std::move(mesh)),
         options_(options),
-        progress_(std::move(progress)),
+        progress_(options.budget.any() ? progress.with(options.budget) : std::move(progress)),
         drawn_(label_borders(mesh_->surface(), labels)),
         parts_(parts_of_regions(mesh_->mesh(), labels, drawn_)),
         rung_(drawn_.size(), 0),
@@ -53,7 +53,8 @@ class Network {
       note_held(regions_.wrong);
       todo = climb(regions_.wrong);
     }
-    if ((options_.free_junctions || options_.sliding_ends) && !balance()) return cancelled();
+    const bool may_move = options_.free_junctions || options_.sliding_ends;
+    if (may_move && !ends_early(progress_) && !balance()) return cancelled();
     return finished();
   }
 
@@ -164,6 +165,8 @@ class Network {
     report.window_turning_2_after = same.window_turning_2_after;
     report.deviation_to_drawn_max = report.deviation_to_drawn_mean = 0;
     report.deviation_from_drawn_max = report.deviation_from_drawn_mean = 0;
+    report.deviation_exact = true;
+    report.deviation_at_least = 0;
     report.slack = 0;
     report.termination = Outcome::kConverged;
     report.warnings = {"A border stays as it was drawn."};
@@ -199,7 +202,8 @@ class Network {
   std::vector<std::size_t> tighten(const std::vector<std::size_t>& borders) {
     std::vector<std::size_t> moved, rest;
     for (const std::size_t c : borders) {
-      if (has_collapsed(c) || tightenings_[c] == kTightenings || rung_[c] == kRungs) {
+      if (has_collapsed(c) || tightenings_[c] == kTightenings || rung_[c] == kRungs ||
+          ends_early(progress_)) {
         rest.push_back(c);
         continue;
       }
@@ -222,12 +226,13 @@ class Network {
     return moved;
   }
 
-  /// Moves these borders to the next rung; returns those that have one.
+  /// Moves these borders to the next rung, or to the last one if the budget is used up; returns
+  /// those that have one.
   std::vector<std::size_t> climb(const std::vector<std::size_t>& borders) {
     std::vector<std::size_t> moved;
     for (const std::size_t c : borders) {
       if (rung_[c] == kRungs) continue;
-      ++rung_[c];
+      rung_[c] = ends_early(progress_) ? kRungs : rung_[c] + 1;
       for (double& slack : slack_[c]) slack *= kNarrower;
       moved.push_back(c);
     }
@@ -281,6 +286,7 @@ class Network {
 
   Walk walk(const State& settled) {
     for (int k = 0; k < kSteps; ++k) {
+      if (k > 0 && ends_early(progress_)) break;
       const std::vector<std::size_t> changed = nodes_->step(curves());
       if (changed.empty()) break;
       if (!smooth(changed)) return Walk::kCancelled;
@@ -381,6 +387,12 @@ class Network {
       reports.push_back(result_[c].report);
     }
     network.total = total_of(reports);
+    if (has_ended_early(progress_)) {
+      network.total.termination = std::max(network.total.termination, Outcome::kLimit);
+      network.total.warnings.emplace_back(
+          "The budget was used up: borders may bend more, and more of them stay as drawn, than "
+          "they had to.");
+    }
     network.borders = std::move(result_);
     for (const std::uint32_t part : regions_.part_of_face) {
       network.cut_labels.push_back(parts_.parts[part].label);
@@ -419,6 +431,7 @@ void LabelNetworkOptions::validate() const {
   if (max_deviation && !(*max_deviation > 0 && std::isfinite(*max_deviation))) {
     bad("max_deviation must be finite and > 0.");
   }
+  budget.validate();
 }
 
 LabelNetwork smooth_labels(const std::shared_ptr<const OpenedMesh>& mesh,

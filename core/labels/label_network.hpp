@@ -15,6 +15,7 @@
 #include "talweg/core/labels/label_regions.hpp"
 #include "talweg/core/measure/report.hpp"
 #include "talweg/core/mesh/opened_mesh.hpp"
+#include "talweg/intrinsic/budget.hpp"
 #include "talweg/intrinsic/progress.hpp"
 
 namespace talweg {
@@ -30,6 +31,9 @@ struct LabelNetworkOptions {
   /// Whether ends on the mesh's boundary slide along it to where the border meets it at a right
   /// angle; by at most the same distance.
   bool sliding_ends = false;
+  /// When it is used up, fairing, measuring and moving junctions end; borders that are not known to
+  /// be sound and within D by then stay as drawn. `total.termination` is kLimit then.
+  Budget budget;
 
   void validate() const;  ///< throws Error(kBadUsage) naming the field and its bound
 };

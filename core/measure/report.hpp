@@ -99,7 +99,7 @@ struct SmoothingReport {
   double deviation_from_drawn_max = 0;   ///< mesh units: of the drawing to the result
   double deviation_from_drawn_mean = 0;  ///< mesh units
   Point deviation_at = Point::Zero();    ///< the point with the larger of both maxima
-  bool deviation_exact = true;    ///< false: a budget was used up, and the above are upper bounds
+  bool deviation_exact = true;    ///< false: measuring ended early, and the above are upper bounds
   double deviation_at_least = 0;  ///< mesh units: the largest distance known to be there
   double moved = HUGE_VAL;     ///< mesh units: from the last result, if its tau differs by <= 5 %
   std::size_t flips = 0;       ///< of the whole run

@@ -37,6 +37,7 @@ struct MeasuredDeviation {
   Point at = Point::Constant(HUGE_VAL);  ///< the point with the larger of both maxima
   bool exact = true;                     ///< false: maxima and means are bounds
   double at_least = HUGE_VAL;            ///< the largest distance known
+  bool spared = false;  ///< not exact since that would take far longer than smoothing
 };
 
 /// Measures the deviation; along the surface, as far as the budget of `progress` goes. kAutomatic
@@ -51,7 +52,7 @@ MeasuredDeviation measure_deviation(DeviationMeasure measure, double edge_length
                                     const Progress& progress = {});
 
 /// Stores it in the report, with a warning where it is infinite along the surface, and where it is
-/// a bound: then the report says that a limit was reached.
+/// a bound: then the report says that a limit was reached, unless measuring was spared.
 void report_deviation(SmoothingReport& report, const MeasuredDeviation& measured);
 
 /// The report on a curve that another method made of a drawing. It is measured as our results are:

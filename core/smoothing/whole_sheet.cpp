@@ -1,6 +1,7 @@
 #include "talweg/core/smoothing/whole_sheet.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <utility>
 
 #include "talweg/core/measure/measures.hpp"
@@ -9,6 +10,9 @@
 
 namespace talweg {
 namespace {
+
+// Of measuring, where the caller leaves it to us: about as long as smoothing takes.
+constexpr std::uint64_t kMostWork = 500'000, kMostWorkOfPoint = 1000;
 
 /// Of several strokes: the largest of their deviations, and their means weighted by length.
 class StrokesDeviation {
@@ -136,9 +140,17 @@ MeasuredDeviation WholeSheet::deviation_of(std::size_t curve, const SurfaceCurve
 
 void WholeSheet::measure(const SmoothingOptions& options, Smoothed& smoothed,
                          const Progress& progress) {
+  // A budget of the caller's says how long measuring may take.
+  const bool spares =
+      options.deviation == DeviationMeasure::kAutomatic && progress.budget() == nullptr;
   for (std::size_t c = 0; c < smoothed.curves.size(); ++c) {
     SmoothedCurve& curve = smoothed.curves[c];
-    curve.deviation = deviation_of(c, curve.curve, options.deviation_measure(c), progress);
+    const std::size_t points = drawing_.drawing().curves()[c].points.size();
+    Budget own;
+    if (spares) own.work = kMostWork + kMostWorkOfPoint * (points + curve.curve.points.size());
+    curve.deviation = deviation_of(c, curve.curve, options.deviation_measure(c),
+                                   spares ? progress.with(own) : progress);
+    curve.deviation.spared = spares && !curve.deviation.exact;
   }
 }
 

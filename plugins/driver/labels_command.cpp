@@ -1,4 +1,6 @@
 // talweg labels: all borders of a segmentation, smoothed together.
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <iterator>
@@ -45,7 +47,24 @@ struct LabelsOptions {
   std::string ends = "stay";
   std::string mesh_units = "mm";
   LabelNetworkOptions network;
+  std::optional<double> budget, budget_work;
 };
+
+/// Checks what was given, and takes off what reading took.
+void set_budget(const LabelsOptions& o, double ms, Budget& budget) {
+  constexpr double kUsedUp = 1e-9, kMostWork = 1e15;
+  if (o.budget_work) {
+    const double work = *o.budget_work;
+    if (!(work >= 1 && work <= kMostWork && work == std::floor(work))) {
+      throw Error(ErrorCode::kBadUsage, "budget_work must be a whole number in [1, 1e+15].");
+    }
+    budget.work = static_cast<std::uint64_t>(work);
+  }
+  if (!o.budget) return;
+  budget.seconds = *o.budget;
+  budget.validate();
+  *budget.seconds = std::max(kUsedUp, *budget.seconds - ms / 1000);
+}
 
 /// One label per line.
 std::string lines_of(const std::vector<std::int64_t>& labels) {
@@ -147,12 +166,14 @@ int run_labels(const LabelsOptions& o, const GlobalOptions& global) {
   LengthUnit::named(o.mesh_units);
   check_files(o);
   MeshAttributes attributes;
+  const Stopwatch since_start;
   ReadMesh read = read_and_repair(o.mesh, o.repair, attributes);
   const bool single = read.lists.single_precision;
   std::vector<std::string> warnings = reading_warnings({}, read.lists.polygon_count);
   const auto mesh = OpenedMesh::open(std::move(read.lists));
   const ReadLabels file = read_labels(o.labels, mesh->surface(), read.map.get(), o.property);
   LabelNetworkOptions options = o.network;
+  set_budget(o, since_start.ms(), options.budget);
   options.free_junctions = o.junctions == "free";
   options.sliding_ends = o.ends == "slide";
   const Stopwatch watch;
@@ -180,7 +201,12 @@ int run_labels(const LabelsOptions& o, const GlobalOptions& global) {
       std::fprintf(text_stream(), "%s\n", warning.c_str());
     }
   }
-  return kDone;
+  if (!options.budget.any() || network.total.termination != Outcome::kLimit) return kDone;
+  if (!global.quiet) {
+    std::fputs("talweg: the budget was used up; the best result was written all the same.\n",
+               stderr);
+  }
+  return kNotConverged;
 }
 
 }  // namespace
@@ -220,6 +246,11 @@ Command add_labels(CLI::App& app, const GlobalOptions& global) {
                    "right angle, as far as junctions may go")
       ->check(CLI::IsMember({"stay", "slide"}))
       ->capture_default_str();
+  command->add_option("--budget", o->budget,
+                      "Seconds, reading included; when they are used up, the best so far is the "
+                      "result");
+  command->add_option("--budget-work", o->budget_work, "The same in counted steps")
+      ->type_name("INT");
   command->add_option("-o,--output", o->outputs,
                       "The borders as curves; the ending chooses the format; may be given several "
                       "times");

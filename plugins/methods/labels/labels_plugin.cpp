@@ -42,7 +42,7 @@ class Labels : public MakesMeshes<MeshWorkspace> {
     return about;
   }
   static std::vector<talweg_parameter> parameters() {
-    using plugin::array, plugin::choice, plugin::number;
+    using plugin::array, plugin::choice, plugin::integer, plugin::number;
     constexpr std::uint32_t kRun = TALWEG_STAGE_RUN;
     return with_repair(
         {array(TALWEG_TRIANGLE_FIELD, "triangle_labels", "Labels of triangles", "",
@@ -62,7 +62,15 @@ class Labels : public MakesMeshes<MeshWorkspace> {
                 "balance."),
          choice("ends", "Ends on the boundary", "stay", kEnds, kEndLabels,
                 "slide: along it to where the border meets it at a right angle, as far as "
-                "junctions may go.")});
+                "junctions may go."),
+         number("budget", "Budget", "s", 10, {0, HUGE_VAL, 0, 60},
+                "What a run may take. When it is used up, fairing, measuring and moving junctions "
+                "end, and the report says so. By default no limit.",
+                kRun, TALWEG_OPTIONAL | TALWEG_ADVANCED | TALWEG_OPEN_MINIMUM),
+         integer("budget_work", "Budget of work", 1e9, {1, 1e15, 1e6, 1e10},
+                 "A budget in counted steps of about 0.1 microseconds: the same result on every "
+                 "machine. By default no limit.",
+                 kRun, TALWEG_OPTIONAL | TALWEG_ADVANCED)});
   }
   static std::vector<talweg_output> outputs() {
     using plugin::output;
@@ -117,6 +125,10 @@ class Labels : public MakesMeshes<MeshWorkspace> {
     options.max_deviation = parameters.optional("max_deviation");
     options.free_junctions = parameters.choice("junctions") == "free";
     options.sliding_ends = parameters.choice("ends") == "slide";
+    options.budget.seconds = parameters.optional("budget");
+    if (const auto work = parameters.optional("budget_work")) {
+      options.budget.work = static_cast<std::uint64_t>(*work);
+    }
     return options;
   }
 

@@ -195,6 +195,37 @@ TEST(LabelNetwork, IsTheSameEveryTime) {
   }
 }
 
+// Whatever a budget leaves over, regions stay whole and borders within the bound.
+TEST(LabelNetwork, WithABudgetIsSoundForAnyWork) {
+  const auto lists = test::hills(40);
+  const auto mesh = OpenedMesh::open(lists);
+  const Labels labels = test::voronoi_labels(mesh->mesh(), 20, 7);
+  LabelNetworkOptions options;
+  options.free_junctions = true;
+  for (const bool bounded : {false, true}) {
+    const double bound = 0.5 * mesh->mesh().mean_edge_length();
+    if (bounded) options.max_deviation = bound;
+    options.budget = {};
+    const LabelNetwork all = smooth_labels(mesh, labels, options);
+    std::size_t ended = 0;
+    for (std::uint64_t work = 1; work < 1'000'000'000; work = 8 * work) {
+      SCOPED_TRACE(work);
+      options.budget.work = work;
+      const LabelNetwork network = smooth_labels(mesh, labels, options);
+      expect_sound(lists, *mesh, labels, network);
+      if (bounded) expect_within(*mesh, labels, network, bound);
+      EXPECT_EQ(smooth_labels(mesh, labels, options).cut_labels, network.cut_labels);
+      if (network.total.termination == Outcome::kConverged) {
+        EXPECT_EQ(network.cut_labels, all.cut_labels);
+        break;
+      }
+      ++ended;
+      EXPECT_EQ(network.total.termination, Outcome::kLimit);
+    }
+    EXPECT_GT(ended, 3U);
+  }
+}
+
 TEST(LabelNetwork, RefusesWhatItCannotDo) {
   const auto mesh = OpenedMesh::open(test::grid(12, 8));
   const auto code = [&](const Labels& labels, double tau, std::optional<double> bound) {

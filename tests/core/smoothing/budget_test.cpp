@@ -9,6 +9,7 @@
 
 #include "core/jagged_curves.hpp"
 #include "core/small_meshes.hpp"
+#include "talweg/core/drawing/edge_dijkstra.hpp"
 #include "talweg/core/measure/measures.hpp"
 #include "talweg/core/measure/surface_deviation.hpp"
 #include "talweg/core/smoothing/curve_smoother.hpp"
@@ -172,6 +173,41 @@ TEST_F(SmoothingBudget, OfASearchWithinABound) {
   }
   EXPECT_LT(curvature, HUGE_VAL);
   EXPECT_GT(ended, 5U);
+}
+
+constexpr std::uint32_t kNeedles = 800;
+
+/// A sheet of needles, 4 by 6, and a drawing that goes around three sides of it.
+MeshLists needle_sheet() {
+  MeshLists lists = test::grid(kNeedles, 6);
+  for (Point& p : lists.points) p.x() *= 4.0 / kNeedles;
+  return lists;
+}
+SurfaceCurve around(const Surface& surface) {
+  const auto at = [](std::uint32_t i, std::uint32_t j) { return VertexId{j * (kNeedles + 1) + i}; };
+  const std::uint32_t left = kNeedles / 4, right = 3 * left;
+  const VertexId way[] = {at(left, 1), at(left, 6), at(right, 6), at(right, 2)};
+  return test::vertex_curve(surface, draw_edge_path(surface, way), false);
+}
+
+// A wide slack lets the result leave the drawing; exact distances would take many times as
+// long as smoothing.
+TEST(SparedDeviation, IsABoundWhereMeasuringWouldTakeFarLongerThanSmoothing) {
+  const auto opened = OpenedMesh::open(needle_sheet());
+  const SurfaceCurve drawn = around(opened->surface());
+  SmoothingOptions options;
+  options.slack = 4;
+  const SmoothingResult spared = smooth_curve(opened, drawn, options);
+  const SmoothingReport& report = spared.report();
+  EXPECT_EQ(report.termination, Outcome::kConverged);
+  EXPECT_FALSE(report.deviation_exact);
+  EXPECT_TRUE(says(report, "far longer to measure"));
+  options.deviation = DeviationMeasure::kAlongSurface;
+  const SmoothingReport exact = smooth_curve(opened, drawn, options).report();
+  EXPECT_TRUE(exact.deviation_exact);
+  EXPECT_GE(report.deviation_to_drawn_max, exact.deviation_to_drawn_max);
+  EXPECT_GE(report.deviation_from_drawn_max, exact.deviation_from_drawn_max);
+  EXPECT_LE(report.deviation_at_least, exact.deviation_at_least * (1 + 1e-3));
 }
 
 TEST(Budget, MustBeMoreThanNothing) {

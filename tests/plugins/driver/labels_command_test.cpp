@@ -88,6 +88,22 @@ TEST_F(LabelsCommand, WritesBordersLabelsTheCutMeshAndAReport) {
   EXPECT_EQ(labels_in("new.txt").size(), labels_.size());
 }
 
+TEST_F(LabelsCommand, EndsWithItsBudget) {
+  for (const char* budget : {"--budget 1e-9", "--budget-work 1"}) {
+    const Outcome outcome =
+        run(std::string("labels hills.ply labels.txt --labels-out new.txt ") + budget);
+    EXPECT_EQ(outcome.code, 3);
+    EXPECT_EQ(outcome.err,
+              "talweg: the budget was used up; the best result was written all the same.\n");
+    EXPECT_EQ(labels_in("new.txt").size(), labels_.size());
+  }
+  EXPECT_EQ(run("labels hills.ply labels.txt --labels-out new.txt --budget 1e6").code, 0);
+  for (const char* bad : {"--budget=0", "--budget=nan", "--budget-work=-1", "--budget-work=2.5"}) {
+    expect_failure(std::string("labels hills.ply labels.txt --labels-out new.txt ") + bad, 1,
+                   {"budget"});
+  }
+}
+
 TEST_F(LabelsCommand, SaysWhatIsWrong) {
   write("few.txt", "1 2 3\n");
   write("half.txt", "1\n2.5\n");
