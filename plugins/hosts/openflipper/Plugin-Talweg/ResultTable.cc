@@ -16,7 +16,9 @@ QString three_digits(double value) {
   if (!std::isfinite(value)) return QString::fromUtf8("–");
   if (value == 0) return QLocale().toString(0);
   const int digits = 2 - static_cast<int>(std::floor(std::log10(std::abs(value))));
-  return QLocale().toString(value, 'f', std::clamp(digits, 0, 12));
+  constexpr int kMostDigits = 8;  // more would not fit beside others
+  if (digits > kMostDigits) return QLocale().toString(value, 'g', 3);
+  return QLocale().toString(value, 'f', std::max(digits, 0));
 }
 
 ResultTable::ResultTable(QWidget* parent) : QWidget(parent) {
