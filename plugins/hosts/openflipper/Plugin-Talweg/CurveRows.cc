@@ -26,15 +26,14 @@ CurveRow row_of_curve(const Session& session, const editing::Curve& curve) {
   row.name = QString::fromStdString(curve.name);
   row.title = default_title(curve);
   const std::optional<std::size_t> result = session.result_of(curve.number);
-  const auto value = [&](const char* key, double scale) {
-    if (!result) return QString();
-    const double number = session.results().number(key, static_cast<int>(*result), std::nan(""));
-    return three_digits(scale * number);
+  if (!result) return row;
+  const auto value = [&](const char* key) {
+    return session.results().number(key, static_cast<int>(*result), std::nan(""));
   };
-  row.length = value("length_after", 1);
-  row.deviation = value("deviation_to_drawn_max", 1);
-  row.turning = value("curvature_after", 180 / M_PI);
-  if (!row.turning.isEmpty()) row.turning += QString::fromUtf8("°");
+  row.length = three_digits(value("length_after"));
+  row.deviation = three_digits(value("deviation_to_drawn_max"));
+  const double degrees = 180 / M_PI * value("curvature_after");
+  row.turning = three_digits_of_degrees(degrees) + QString::fromUtf8("°");
   return row;
 }
 
@@ -66,7 +65,8 @@ CurvesState curves_state(const Session& session) {
   state.tolerance = curve.tolerance;
   // A stroke begins with the slack that it has, so that ticking alone changes nothing.
   const double slack = std::max(session.results().number("slack"), 0.0);
-  state.general_tolerance = editing::all_clicked(curve) ? 0 : drawing.settings.slack.value_or(slack);
+  state.general_tolerance =
+      editing::all_clicked(curve) ? 0 : drawing.settings.slack.value_or(slack);
   return state;
 }
 

@@ -21,6 +21,11 @@ QString three_digits(double value) {
   return QLocale().toString(value, 'f', std::max(digits, 0));
 }
 
+QString three_digits_of_degrees(double value) {
+  constexpr double kRounding = 1e-6;
+  return three_digits(std::abs(value) < kRounding ? 0 : value);
+}
+
 ResultTable::ResultTable(QWidget* parent) : QWidget(parent) {
   auto* grid = new QGridLayout(this);
   grid->setContentsMargins(0, 0, 0, 0);

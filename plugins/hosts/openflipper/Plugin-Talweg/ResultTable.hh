@@ -24,7 +24,9 @@ class ResultTable : public QWidget {
   std::vector<QLabel*> cells_;
 };
 
-/// Three significant digits without exponent; a dash for what is not finite.
+/// Three significant digits, without exponent from 1e-6 on; a dash for what is not finite.
 QString three_digits(double value);
+/// Of an angle: what is no more than a rounding is 0.
+QString three_digits_of_degrees(double value);
 
 }  // namespace talweg::openflipper

@@ -64,7 +64,8 @@ std::vector<ResultRow> result_rows(const Session& session) {
   const auto row = [&](const QString& what, const char* key, double scale, const QString& unit,
                        const QString& tip) {
     const auto at = [&](const char* end) {
-      return three_digits(scale * r.number(std::string(key) + end, -1, std::nan("")));
+      const double number = scale * r.number(std::string(key) + end, -1, std::nan(""));
+      return unit == angle ? three_digits_of_degrees(number) : three_digits(number);
     };
     return ResultRow{what, at("_before"), at("_after"), unit, tip};
   };
