@@ -652,7 +652,7 @@
     </message>
     <message>
         <source>Pin</source>
-        <translation>Festhalten</translation>
+        <translation>Fest</translation>
     </message>
     <message>
         <source>Pins all points of the selected curve, or lets all go.</source>
@@ -929,7 +929,7 @@
     </message>
     <message>
         <source>with lids</source>
-        <translation>mit Deckeln</translation>
+        <translation>Deckel</translation>
     </message>
     <message>
         <source>Split closes the parts where they were cut.</source>
@@ -937,7 +937,7 @@
     </message>
     <message>
         <source>Select inside</source>
-        <translation>Inneres wählen</translation>
+        <translation>Inneres</translation>
     </message>
     <message>
         <source>Cuts, and selects the faces inside the closed curves: the smaller side.</source>
