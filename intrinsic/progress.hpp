@@ -24,7 +24,7 @@ class Progress {
   template <class Called>
   requires(!std::same_as<std::remove_cvref_t<Called>, Progress> &&
            std::constructible_from<Callback, Called>)
-      Progress(
+      Progress(  // NOLINT(bugprone-forwarding-reference-overload): never called with a Progress
           Called&& called)  // NOLINT(google-explicit-constructor): lambdas are passed as they are
       : callback_(std::forward<Called>(called)) {}
 
