@@ -63,7 +63,7 @@ class BudgetUse {
   std::uint64_t most_work_;
   std::optional<Clock::time_point> end_;
   std::atomic<std::uint64_t> work_ = 0;
-  bool has_ended_ = false;
+  std::atomic<bool> has_ended_ = false;
 };
 
 /// Thrown by an Asker that ends with its budget.
