@@ -94,9 +94,7 @@ std::string number_property(const talweg_parameter& p) {
 }
 
 std::string integer_property(const talweg_parameter& p) {
-  if ((p.flags & TALWEG_OPTIONAL) != 0) {
-    throw std::runtime_error(fmt::format("{}: no property for optional integers.", p.id));
-  }
+  if ((p.flags & TALWEG_OPTIONAL) != 0) return number_property(p);  // Talweg says what is not whole
   return fmt::format(
       "{} default_values=\"{}\">"
       "<IntRangeDomain name=\"range\" min=\"{}\" max=\"{}\"/>{}"
