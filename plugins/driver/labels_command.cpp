@@ -1,6 +1,5 @@
 // talweg labels: all borders of a segmentation, smoothed together.
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <iterator>
@@ -15,6 +14,7 @@
 #include "commands.hpp"
 #include "drawing_file.hpp"
 #include "file_plan.hpp"
+#include "methods/budget_choice.hpp"
 #include "output_file.hpp"
 #include "progress_bar.hpp"
 #include "repaired_mesh.hpp"
@@ -50,20 +50,20 @@ struct LabelsOptions {
   std::optional<double> budget, budget_work;
 };
 
-/// Checks what was given, and takes off what reading took.
-void set_budget(const LabelsOptions& o, double ms, Budget& budget) {
-  constexpr double kUsedUp = 1e-9, kMostWork = 1e15;
-  if (o.budget_work) {
-    const double work = *o.budget_work;
-    if (!(work >= 1 && work <= kMostWork && work == std::floor(work))) {
-      throw Error(ErrorCode::kBadUsage, "budget_work must be a whole number in [1, 1e+15].");
-    }
-    budget.work = static_cast<std::uint64_t>(work);
+/// What was given, without what reading took.
+Budget budget_of(const LabelsOptions& o, double ms) {
+  constexpr double kUsedUp = 1e-9;
+  const std::vector<talweg_parameter> descriptions = plugins::budget_parameters();
+  plugin::Parameters parameters(descriptions);
+  try {
+    if (o.budget) parameters.set_number("budget", *o.budget);
+    if (o.budget_work) parameters.set_number("budget_work", *o.budget_work);
+  } catch (const plugin::Failure& failure) {
+    throw Error(ErrorCode::kBadUsage, failure.what());
   }
-  if (!o.budget) return;
-  budget.seconds = *o.budget;
-  budget.validate();
-  *budget.seconds = std::max(kUsedUp, *budget.seconds - ms / 1000);
+  Budget budget = plugins::budget_of(parameters);
+  if (budget.seconds) *budget.seconds = std::max(kUsedUp, *budget.seconds - ms / 1000);
+  return budget;
 }
 
 /// One label per line.
@@ -173,7 +173,7 @@ int run_labels(const LabelsOptions& o, const GlobalOptions& global) {
   const auto mesh = OpenedMesh::open(std::move(read.lists));
   const ReadLabels file = read_labels(o.labels, mesh->surface(), read.map.get(), o.property);
   LabelNetworkOptions options = o.network;
-  set_budget(o, since_start.ms(), options.budget);
+  options.budget = budget_of(o, since_start.ms());
   options.free_junctions = o.junctions == "free";
   options.sliding_ends = o.ends == "slide";
   const Stopwatch watch;

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "methods/budget_choice.hpp"
 #include "methods/made_meshes.hpp"
 #include "methods/mesh_workspace.hpp"
 #include "methods/point_fields.hpp"
@@ -42,35 +43,29 @@ class Labels : public MakesMeshes<MeshWorkspace> {
     return about;
   }
   static std::vector<talweg_parameter> parameters() {
-    using plugin::array, plugin::choice, plugin::integer, plugin::number;
+    using plugin::array, plugin::choice, plugin::number;
     constexpr std::uint32_t kRun = TALWEG_STAGE_RUN;
-    return with_repair(
-        {array(TALWEG_TRIANGLE_FIELD, "triangle_labels", "Labels of triangles", "",
-               "A whole number for each triangle; either these or those of vertices.",
-               TALWEG_STAGE_CURVES),
-         array(TALWEG_FIELD, "vertex_labels", "Labels of vertices", "",
-               "A whole number for each vertex.", TALWEG_STAGE_CURVES),
-         number("tau", "Tau", "", 1, {0, HUGE_VAL, 0, 16}, "More keeps closer to the borders."),
-         number("slack", "Slack", "mesh units", 0, {0, HUGE_VAL, 0, 10},
-                "How exact the labels are. By default as of talweg.smooth, for each border.", kRun,
-                TALWEG_OPTIONAL),
-         number("max_deviation", "Largest deviation", "mesh units", 0, {0, HUGE_VAL, 0, 10},
-                "Each border within so much of where it was, either way. By default no bound.",
-                kRun, TALWEG_OPTIONAL | TALWEG_OPEN_MINIMUM),
-         choice("junctions", "Junctions", "fixed", kJunctions, kJunctionLabels,
-                "free: as far as the slack or 0.75 of the largest deviation to where the borders "
-                "balance."),
-         choice("ends", "Ends on the boundary", "stay", kEnds, kEndLabels,
-                "slide: along it to where the border meets it at a right angle, as far as "
-                "junctions may go."),
-         number("budget", "Budget", "s", 10, {0, HUGE_VAL, 0, 60},
-                "What a run may take. When it is used up, fairing, measuring and moving junctions "
-                "end, and the report says so. By default no limit.",
-                kRun, TALWEG_OPTIONAL | TALWEG_ADVANCED | TALWEG_OPEN_MINIMUM),
-         integer("budget_work", "Budget of work", 1e9, {1, 1e15, 1e6, 1e10},
-                 "A budget in counted steps of about 0.1 microseconds: the same result on every "
-                 "machine. By default no limit.",
-                 kRun, TALWEG_OPTIONAL | TALWEG_ADVANCED)});
+    std::vector<talweg_parameter> own = {
+        array(TALWEG_TRIANGLE_FIELD, "triangle_labels", "Labels of triangles", "",
+              "A whole number for each triangle; either these or those of vertices.",
+              TALWEG_STAGE_CURVES),
+        array(TALWEG_FIELD, "vertex_labels", "Labels of vertices", "",
+              "A whole number for each vertex.", TALWEG_STAGE_CURVES),
+        number("tau", "Tau", "", 1, {0, HUGE_VAL, 0, 16}, "More keeps closer to the borders."),
+        number("slack", "Slack", "mesh units", 0, {0, HUGE_VAL, 0, 10},
+               "How exact the labels are. By default as of talweg.smooth, for each border.", kRun,
+               TALWEG_OPTIONAL),
+        number("max_deviation", "Largest deviation", "mesh units", 0, {0, HUGE_VAL, 0, 10},
+               "Each border within so much of where it was, either way. By default no bound.", kRun,
+               TALWEG_OPTIONAL | TALWEG_OPEN_MINIMUM),
+        choice("junctions", "Junctions", "fixed", kJunctions, kJunctionLabels,
+               "free: as far as the slack or 0.75 of the largest deviation to where the borders "
+               "balance."),
+        choice("ends", "Ends on the boundary", "stay", kEnds, kEndLabels,
+               "slide: along it to where the border meets it at a right angle, as far as "
+               "junctions may go.")};
+    for (const talweg_parameter& parameter : budget_parameters()) own.push_back(parameter);
+    return with_repair(own);
   }
   static std::vector<talweg_output> outputs() {
     using plugin::output;
@@ -125,10 +120,7 @@ class Labels : public MakesMeshes<MeshWorkspace> {
     options.max_deviation = parameters.optional("max_deviation");
     options.free_junctions = parameters.choice("junctions") == "free";
     options.sliding_ends = parameters.choice("ends") == "slide";
-    options.budget.seconds = parameters.optional("budget");
-    if (const auto work = parameters.optional("budget_work")) {
-      options.budget.work = static_cast<std::uint64_t>(*work);
-    }
+    options.budget = budget_of(parameters);
     return options;
   }
 

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "methods/budget_choice.hpp"
 #include "methods/deviation_choice.hpp"
 #include "talweg/core/smoothing/max_deviation.hpp"
 #include "talweg/core/smoothing/slack_field.hpp"
@@ -162,21 +163,6 @@ std::vector<talweg_parameter> further_parameters() {
   };
 }
 
-std::vector<talweg_parameter> budget_parameters() {
-  using plugin::integer, plugin::number;
-  return {
-      number("budget", "Budget", "s", 10, {0, HUGE_VAL, 0, 60},
-             "What a run may take. When it is used up, fairing, the search for the largest "
-             "deviation and measuring end with the best they have, and the report says what "
-             "holds. By default no limit.",
-             kRun, kOptional | kAdvanced | TALWEG_OPEN_MINIMUM),
-      integer("budget_work", "Budget of work", 1e9, {1, 1e15, 1e6, 1e10},
-              "A budget in counted steps of about 0.1 microseconds: the same result on every "
-              "machine. By default no limit.",
-              kRun, kOptional | kAdvanced),
-  };
-}
-
 PotentialOptions potential_options_of(const Parameters& p) {
   PotentialOptions options;
   options.shape = p.choice("potential_shape") == "power" ? PotentialOptions::Shape::kPower
@@ -302,10 +288,7 @@ SmoothingOptions smoothing_options_of(const Parameters& p, const Surface& surfac
   options.min_relative_length = p.number("min_relative_length");
   options.length_floor = p.optional("length_floor");
   options.deviation = deviation_of(p);
-  options.budget.seconds = p.optional("budget");
-  if (const auto work = p.optional("budget_work")) {
-    options.budget.work = static_cast<std::uint64_t>(*work);
-  }
+  options.budget = budget_of(p);
   return options;
 }
 

@@ -1,0 +1,16 @@
+// The budget choice is the two parameters for what a run may take.
+#pragma once
+
+#include <vector>
+
+#include "talweg/intrinsic/budget.hpp"
+#include "talweg/plugin/talweg_plugin.hpp"
+
+namespace talweg::plugins {
+
+/// The descriptions of the parameters "budget" and "budget_work".
+std::vector<talweg_parameter> budget_parameters();
+/// Their values.
+Budget budget_of(const plugin::Parameters& parameters);
+
+}  // namespace talweg::plugins
