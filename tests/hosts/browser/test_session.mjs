@@ -48,6 +48,21 @@ export async function theMachineKeepsItWhenAsked() {
   assert.equal(await page.page.evaluate(() => sessionStorage.length), 0);
 }
 
+export async function whatIsBeingKeptIsForgottenToo() {
+  const page = await drawn();
+  await page.page.click('#on-machine');
+  await page.page.waitForFunction(() => document.getElementById('kept-told').textContent.includes('on this device'));
+  await Promise.all([page.page.waitForNavigation(), page.page.evaluate(() => {
+    Object.defineProperty(document, 'visibilityState', { value: 'hidden' });
+    dispatchEvent(new Event('visibilitychange'));  // keeps at once
+    document.querySelector('[data-act="forget"]').click();
+  })]);
+  await page.page.waitForSelector('html[data-ready]');
+  assert.deepEqual(await page.curves(), []);
+  assert.deepEqual(await onMachine(page), { local: 0, databases: [] });
+  assert.equal(await page.page.evaluate(() => sessionStorage.length), 0);
+}
+
 export async function aSessionFileOpensAgain() {
   const page = await drawn();
   const length = await page.reported('length');

@@ -9,10 +9,12 @@ export async function get<T>(key: string): Promise<T | undefined> {
   return (await inDatabase('readonly', (values) => values.get(key))) as T | undefined;
 }
 
+/** Where another tab has it open, as soon as that one closes it. */
 export function drop(): Promise<void> {
-  return new Promise((resolve) => {
+  return new Promise((resolve, reject) => {
     const request = indexedDB.deleteDatabase(name);
-    request.onsuccess = request.onerror = request.onblocked = () => resolve();
+    request.onsuccess = () => resolve();
+    request.onerror = () => reject(new Error('What is kept on this device could not be removed.'));
   });
 }
 

@@ -10,24 +10,38 @@ const tabRoom = 4_500_000;
 
 let keptInTab: Uint8Array | null = null;
 let keptOnMachine: Uint8Array | null = null;
+let last: Promise<unknown> = Promise.resolve();
+
+/** One after the other, so that what is being kept is forgotten, too. */
+function inTurn<T>(work: () => Promise<T>): Promise<T> {
+  const turn = last.then(work, work);
+  last = turn;
+  return turn;
+}
 
 export function isKeptOnMachine(): boolean {
   return localStorage.getItem(askedKey) === 'yes';
 }
 
 /** Says whether sessions are kept on this machine from now on; what is there is forgotten if not. */
-export async function keepOnMachine(keep: boolean): Promise<void> {
-  if (keep) {
-    localStorage.setItem(askedKey, 'yes');
-    return;
-  }
-  localStorage.removeItem(askedKey);
-  keptOnMachine = null;
-  await database.drop();
+export function keepOnMachine(keep: boolean): Promise<void> {
+  return inTurn(async () => {
+    if (keep) {
+      localStorage.setItem(askedKey, 'yes');
+      return;
+    }
+    localStorage.removeItem(askedKey);
+    keptOnMachine = null;
+    await database.drop();
+  });
 }
 
 /** Returns whether the mesh is kept, too; it may be too large for a tab. */
-export async function keep(session: Session): Promise<boolean> {
+export function keep(session: Session): Promise<boolean> {
+  return inTurn(() => keepWhole(session));
+}
+
+async function keepWhole(session: Session): Promise<boolean> {
   const bytes = session.mesh?.bytes ?? new Uint8Array();
   const drawing = await sessionText(withBytes(session, new Uint8Array()));
   if (isKeptOnMachine()) {
@@ -52,10 +66,12 @@ export async function kept(): Promise<Session | null> {
   return drawing ? read(drawing) : null;
 }
 
-export async function forgetAll(): Promise<void> {
-  sessionStorage.clear();
-  localStorage.clear();
-  await database.drop();
+export function forgetAll(): Promise<void> {
+  return inTurn(async () => {
+    sessionStorage.clear();
+    localStorage.clear();
+    await database.drop();
+  });
 }
 
 async function keepMeshInTab(bytes: Uint8Array): Promise<void> {

@@ -62,13 +62,22 @@ export class SessionWork {
   async forget(): Promise<void> {
     this.forgotten = true;
     clearTimeout(this.timer);
-    await forgetAll();
-    location.reload();
+    try {
+      await forgetAll();
+      location.reload();
+    } catch (error) {
+      this.forgotten = false;
+      this.store.trouble('session', sentenceOf(error));
+    }
   }
 
   private async setOnMachine(on: boolean): Promise<void> {
-    await keepOnMachine(on);
-    this.store.set({ onMachine: on });
+    try {
+      await keepOnMachine(on);
+    } catch (error) {
+      this.store.trouble('session', sentenceOf(error));
+    }
+    this.store.set({ onMachine: isKeptOnMachine() });
     await this.keepNow();
   }
 
