@@ -132,8 +132,10 @@ class OpenBlas {
   int before_ = 1;  // threads, before the first holder
 };
 
+/// Is never destroyed: a thread may still factor while the program's other objects go.
 OpenBlas& open_blas() {
-  static OpenBlas found;
+  alignas(OpenBlas) static std::byte place[sizeof(OpenBlas)];
+  static OpenBlas& found = *new (place) OpenBlas;
   return found;
 }
 

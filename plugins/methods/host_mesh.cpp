@@ -74,10 +74,9 @@ class LastOpened {
   std::weak_ptr<const HostMesh> mesh_;
 };
 
-LastOpened& last_opened() {
-  static LastOpened only;
-  return only;
-}
+/// It is there before a host has the plugin's table, so it goes after what the host ends at its
+/// exit, such as a thread that opens a mesh.
+constinit LastOpened last_opened;
 
 /// Bit for bit: 0 and -0 are not the same.
 bool same_bits(std::span<const Point> a, std::span<const Point> b) {
@@ -89,9 +88,9 @@ bool same_bits(std::span<const Point> a, std::span<const Point> b) {
 
 std::shared_ptr<const HostMesh> HostMesh::open(MeshLists lists,
                                                const std::optional<RepairSteps>& steps) {
-  if (auto last = last_opened().get(); last && last->is_of(lists, steps)) return last;
+  if (auto last = last_opened.get(); last && last->is_of(lists, steps)) return last;
   auto mesh = open_anew(std::move(lists), steps);
-  last_opened().put(mesh);
+  last_opened.put(mesh);
   return mesh;
 }
 

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -202,6 +203,21 @@ TEST(EditingThread, TheMeshMayGoWhileAJobRuns) {
     for (int k = 0; k < 30 * round; ++k) std::this_thread::yield();
     thread.reset();
   }
+}
+
+/// Leaves a thread behind that is about to open a mesh, of which the making of lists takes a while.
+[[noreturn]] void exit_while_a_thread_opens() {
+  const auto large =
+      std::make_shared<const editing::MeshArrays>(test::arrays_of(test::grid(300, 300)));
+  SmoothingThread(found_plugins(), Hills().mesh).wait();
+  { const SmoothingThread opens(found_plugins(), large); }
+  std::exit(0);
+}
+
+/// A sanitizer sees what the plugin destroys too early.
+TEST(EditingThread, TheProgramMayEndWhileAThreadOpens) {
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  EXPECT_EXIT(exit_while_a_thread_opens(), ::testing::ExitedWithCode(0), "");
 }
 
 TEST(EditingThread, PutsPositionsOntoTheMesh) {
