@@ -127,7 +127,7 @@ blender
 paraview
 page
 notes
-python3 "$here/spdx.py" "$version" "$SOURCE_DATE_EPOCH" "$out"/*.whl "$out"/*.tar.gz "$out"/*.zip \
-  >"$out/talweg-$version.spdx.json"
+python3 "$here/spdx.py" "$version" "$SOURCE_DATE_EPOCH" "$work/sysroot" \
+  "$out"/*.whl "$out"/*.tar.gz "$out"/*.zip >"$out/talweg-$version.spdx.json"
 (cd "$out" && sha256sum -- * >SHA256SUMS)
 ls -l "$out"

@@ -1,70 +1,140 @@
 #!/usr/bin/env python3
-"""spdx.py VERSION SECONDS FILE...: what is inside the packages FILE..., and its licences, as SPDX 2.3
-in JSON on the standard output. SECONDS since 1970 are its date."""
+"""spdx.py VERSION SECONDS ROOT FILE...: what is inside the packages FILE..., and its licences, as SPDX 2.3
+in JSON on the standard output. SECONDS since 1970 are its date, ROOT the Debian that the parts for any
+Linux were built against."""
 
 import hashlib
 import json
+import re
 import subprocess
 import sys
 import time
+import urllib.parse
 from pathlib import Path
 
-# What is compiled into what is given away; the versions are those of the Debian packages that it was
-# built from. The last is a shared library of its own.
-PARTS = [("libstdc++ and libgcc", "g++-12", "GPL-3.0-or-later WITH GCC-exception-3.1"),
-         ("OpenMesh", "libopenmesh-dev", "BSD-3-Clause"),
-         ("Eigen", "libeigen3-dev", "MPL-2.0"),
-         ("fmt", "libfmt-dev", "MIT"),
-         ("pugixml", "libpugixml-dev", "MIT"),
-         ("nlohmann-json", "nlohmann-json3-dev", "MIT"),
-         ("CLI11", "libcli11-dev", "BSD-3-Clause"),
-         ("xxHash", "libxxhash-dev", "BSD-2-Clause")]
-FIXED = [("zlib", "1.2.11", "Zlib"), ("libpng", "1.6.37", "libpng-2.0"),
-         ("CHOLMOD (Core, Check, Cholesky), AMD, COLAMD of SuiteSparse", "5.12.0",
-          "LGPL-2.1-or-later AND BSD-3-Clause")]
-# Only in the page for browsers.
-PAGE = ("libc++, compiler-rt and musl of Emscripten", "emscripten",
-        "MIT AND (Apache-2.0 WITH LLVM-exception)")
+PROJECT = Path(__file__).resolve().parents[2]
+BROWSER = PROJECT / "plugins/hosts/browser"
+
+# What is compiled into what is given away, by the package that it is taken from: (name, licence).
+HOST = {"g++-12": ("libstdc++ and libgcc", "GPL-3.0-or-later WITH GCC-exception-3.1"),
+        "libopenmesh-dev": ("OpenMesh", "BSD-3-Clause"),
+        "libeigen3-dev": ("Eigen", "MPL-2.0"),
+        "libfmt-dev": ("fmt", "MIT"),
+        "libpugixml-dev": ("pugixml", "MIT"),
+        "nlohmann-json3-dev": ("nlohmann-json", "MIT"),
+        "libcli11-dev": ("CLI11", "BSD-3-Clause"),
+        "libxxhash-dev": ("xxHash", "BSD-2-Clause"),
+        "libfast-float-dev": ("fast_float", "Apache-2.0 OR MIT"),
+        "emscripten": ("libc++, compiler-rt, musl and dlmalloc of Emscripten",
+                       "MIT AND Apache-2.0 WITH LLVM-exception AND CC0-1.0"),
+        # The Debian packages use it, and have none of it inside.
+        "libcholmod3": ("CHOLMOD with its supernodal module", "GPL-2.0-or-later")}
+ROOT = {"libgcc-10-dev": ("unwinder of libgcc", "GPL-3.0-or-later WITH GCC-exception-3.1"),
+        "zlib1g-dev": ("zlib", "Zlib"),
+        "libpng-dev": ("libpng", "libpng-2.0")}
+SOURCES = {"suitesparse": ("CHOLMOD (Core, Check, Cholesky), AMD, COLAMD of SuiteSparse",
+                           "LGPL-2.1-or-later AND BSD-3-Clause"),
+           "pugixml": ("pugixml", "MIT"),
+           "zlib": ("zlib", "Zlib")}
+NPM = {"three": ("three.js", "MIT"), "three-mesh-bvh": ("three-mesh-bvh", "MIT")}
+
+HEADERS = ["libopenmesh-dev", "libeigen3-dev", "nlohmann-json3-dev"]
+PLUGINS = ["g++-12", *HEADERS, "libfmt-dev", "libpugixml-dev", "libgcc-10-dev", "zlib1g-dev", "suitesparse"]
+PROGRAM = ["libcli11-dev", "libxxhash-dev"]
+PAGE = [*HEADERS, "libfmt-dev", "libfast-float-dev", "emscripten", "pugixml", "zlib", *NPM]
 
 
-def debian_version(package):
-    done = subprocess.run(["dpkg-query", "-W", "-f", "${Version}", package], check=False,
-                          capture_output=True, text=True)
-    return done.stdout or "unknown"
+def inside(name):
+    """What the file of this name has inside."""
+    if name.startswith("talweg-page-"):
+        return PAGE
+    if name.endswith("_amd64.deb"):
+        return HEADERS + (PROGRAM if name.startswith("talweg_") else [])
+    if "-linux-" in name:
+        return [*PLUGINS, *PROGRAM, "libpng-dev"]
+    if name.endswith(".whl") or "blender" in name or "paraview" in name:
+        return PLUGINS
+    return []  # sources, Python
 
 
-def package(number, name, version, licence):
-    return {"SPDXID": f"SPDXRef-part-{number}", "name": name, "versionInfo": version,
-            "licenseDeclared": licence, "licenseConcluded": licence, "copyrightText": "NOASSERTION",
-            "downloadLocation": "NOASSERTION", "filesAnalyzed": False}
+def debian_version(package, root="/"):
+    done = subprocess.run(["dpkg-query", f"--admindir={root}/var/lib/dpkg", "-W", "-f", "${Version}", package],
+                          check=False, capture_output=True, text=True)
+    return done.stdout or sys.exit(f"spdx.py: there is no {package} in {root}, so its version is not known")
 
 
-def document(version, seconds, files):
-    page = [PAGE] if any(path.name.startswith("talweg-page-") for path in files) else []
-    parts = [(name, debian_version(of), licence) for name, of, licence in PARTS + page] + FIXED
-    packages = [package(0, "talweg", version, "MIT")]
-    packages += [package(k, *part) for k, part in enumerate(parts, 1)]
-    sums = [hashlib.sha256(path.read_bytes()).hexdigest() for path in files]
-    inside = hashlib.sha256("".join(sums).encode()).hexdigest()
+def source_version(name):
+    """Of what is compiled from Debian's sources, as the scripts name them."""
+    files = {"suitesparse": PROJECT / "plugins/packages/release.sh",
+             "zlib": BROWSER / "cmake/FindZLIB.cmake", "pugixml": BROWSER / "cmake/Findpugixml.cmake"}
+    return re.search(rf"{name}[_-]([0-9.]*[0-9])", files[name].read_text())[1]
+
+
+def npm_version(name):
+    lock = json.loads((BROWSER / "package-lock.json").read_text())
+    return lock["packages"][f"node_modules/{name}"]["version"]
+
+
+def described(key, root):
+    """(name, version, licence, package URL without the version) of a part."""
+    if key in NPM:
+        return (NPM[key][0], npm_version(key), NPM[key][1], f"npm/{key}")
+    if key in SOURCES:
+        return (SOURCES[key][0], source_version(key), SOURCES[key][1], None)
+    if key in ROOT:
+        return (ROOT[key][0], debian_version(key, root), ROOT[key][1], f"deb/debian/{key}")
+    return (HOST[key][0], debian_version(key), HOST[key][1], f"deb/debian/{key}")
+
+
+def package(number, name, version, licence, url=None):
+    entry = {"SPDXID": f"SPDXRef-part-{number}", "name": name, "versionInfo": version,
+             "licenseDeclared": licence, "licenseConcluded": licence, "copyrightText": "NOASSERTION",
+             "downloadLocation": "NOASSERTION", "filesAnalyzed": False}
+    if url:
+        locator = f"pkg:{urllib.parse.quote(url)}@{urllib.parse.quote(version)}"
+        entry["externalRefs"] = [{"referenceCategory": "PACKAGE-MANAGER", "referenceType": "purl",
+                                  "referenceLocator": locator}]
+    return entry
+
+
+def file_entry(number, path, licences):
+    data = path.read_bytes()
+    licences = dict.fromkeys(one for licence in licences for one in licence.split(" AND "))
+    return {"SPDXID": f"SPDXRef-file-{number}", "fileName": f"./{path.name}",
+            "checksums": [{"algorithm": kind, "checksumValue": hashlib.new(kind.lower(), data).hexdigest()}
+                          for kind in ("SHA1", "SHA256")],  # SPDX wants the former
+            "licenseConcluded": " AND ".join(f"({one})" if " OR " in one else one for one in licences),
+            "copyrightText": "NOASSERTION"}
+
+
+def document(version, seconds, root, files):
+    of_file = {path: inside(path.name) for path in files}
+    used = {path: ["libcholmod3"] for path in files if path.name.endswith("_amd64.deb")}
+    keys = dict.fromkeys(key for found in (*of_file.values(), *used.values()) for key in found)
+    parts = {key: package(k, *described(key, root)) for k, key in enumerate(keys, 1)}
+    talweg = package(0, "talweg", version, "MIT")
+    entries, relations = [], [("SPDXRef-DOCUMENT", "DESCRIBES", talweg["SPDXID"])]
+    for number, (path, found) in enumerate(of_file.items()):
+        licences = [part["licenseConcluded"] for part in (talweg, *(parts[key] for key in found))]
+        entries.append(file_entry(number, path, licences))
+        own = entries[-1]["SPDXID"]
+        relations.append((own, "GENERATED_FROM", talweg["SPDXID"]))
+        relations += [(own, "CONTAINS", parts[key]["SPDXID"]) for key in found]
+        relations += [(own, "DYNAMIC_LINK", parts[key]["SPDXID"]) for key in used.get(path, [])]
+    sums = "".join(entry["checksums"][1]["checksumValue"] for entry in entries)
     return {
         "spdxVersion": "SPDX-2.3", "dataLicense": "CC0-1.0", "SPDXID": "SPDXRef-DOCUMENT",
         "name": f"talweg-{version}",
-        "documentNamespace": f"https://example.org/spdx/talweg-{version}-{inside[:32]}",
+        "documentNamespace": f"https://example.org/spdx/talweg-{version}-"
+                             f"{hashlib.sha256(sums.encode()).hexdigest()[:32]}",
         "creationInfo": {"creators": ["Tool: talweg-spdx"],
                          "created": time.strftime("%Y-%m-%dT%H:%M:%SZ", time.gmtime(seconds))},
-        "packages": packages,
-        "files": [{"SPDXID": f"SPDXRef-file-{k}", "fileName": f"./{path.name}",
-                   "checksums": [{"algorithm": "SHA256", "checksumValue": value}],
-                   "licenseConcluded": "NOASSERTION", "copyrightText": "NOASSERTION"}
-                  for k, (path, value) in enumerate(zip(files, sums))],
-        "relationships": [{"spdxElementId": "SPDXRef-DOCUMENT", "relationshipType": "DESCRIBES",
-                           "relatedSpdxElement": "SPDXRef-part-0"}] +
-                         [{"spdxElementId": "SPDXRef-part-0", "relationshipType": "CONTAINS",
-                           "relatedSpdxElement": f"SPDXRef-part-{k}"}
-                          for k in range(1, len(packages))]}
+        "packages": [talweg, *parts.values()], "files": entries,
+        "relationships": [{"spdxElementId": one, "relationshipType": how, "relatedSpdxElement": other}
+                          for one, how, other in relations]}
 
 
 if __name__ == "__main__":
-    json.dump(document(sys.argv[1], int(sys.argv[2]), [Path(name) for name in sys.argv[3:]]),
+    json.dump(document(sys.argv[1], int(sys.argv[2]), sys.argv[3], [Path(name) for name in sys.argv[4:]]),
               sys.stdout, indent=1)
     print()

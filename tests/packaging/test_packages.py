@@ -9,6 +9,7 @@ import tempfile
 import unittest
 import zipfile
 from pathlib import Path
+from unittest import mock
 
 PROJECT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(PROJECT / "plugins/packages"))
@@ -42,23 +43,78 @@ class WheelTag(unittest.TestCase):
 
 
 class Spdx(unittest.TestCase):
+    FILES = ("talweg-1.2.3-py3-none-manylinux_2_29_x86_64.whl", "talweg-1.2.3-linux-x86_64.tar.gz",
+             "talweg_1.2.3-1_amd64.deb", "talweg-page-1.2.3.zip", "talweg-1.2.3.tar.gz",
+             "talweg-openflipper-1.2.3.tar.gz", "python3-talweg_1.2.3-1_all.deb")
+
+    def setUp(self):
+        # What is not installed on every machine that runs tests.
+        version_of = mock.patch.object(spdx, "debian_version", lambda package, root="/": "1:2.0+b1")
+        version_of.start()
+        self.addCleanup(version_of.stop)
+        temporary = tempfile.TemporaryDirectory()
+        self.addCleanup(temporary.cleanup)
+        folder = Path(temporary.name)
+        for name in self.FILES:
+            (folder / name).write_bytes(b"abc")
+        self.document = spdx.document("1.2.3", 0, "/", [folder / name for name in self.FILES])
+        self.names = {part["SPDXID"]: part["name"] for part in self.document["packages"]}
+        self.files = {entry["fileName"][2:]: entry for entry in self.document["files"]}
+
+    def related(self, name, how):
+        own = self.files[name]["SPDXID"]
+        return {self.names[relation["relatedSpdxElement"]] for relation in self.document["relationships"]
+                if relation["spdxElementId"] == own and relation["relationshipType"] == how}
+
     def test_document(self):
-        with tempfile.TemporaryDirectory() as folder:
-            file = Path(folder, "a.whl")
-            file.write_bytes(b"abc")
-            done = [subprocess.run([sys.executable, PROJECT / "plugins/packages/spdx.py", "1.2.3", "0",
-                                    file], check=True, capture_output=True, text=True).stdout
-                    for _ in range(2)]
-        self.assertEqual(done[0], done[1])
-        document = json.loads(done[0])
-        self.assertEqual(document["creationInfo"]["created"], "1970-01-01T00:00:00Z")
-        # sha256 of "abc", as in FIPS 180-2.
-        self.assertEqual(document["files"][0]["checksums"][0]["checksumValue"],
-                         "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad")
-        ids = [part["SPDXID"] for part in document["packages"]]
+        self.assertEqual(self.document["creationInfo"]["created"], "1970-01-01T00:00:00Z")
+        ids = [*(part["SPDXID"] for part in self.document["packages"]),
+               *(entry["SPDXID"] for entry in self.document["files"]), "SPDXRef-DOCUMENT"]
         self.assertEqual(len(ids), len(set(ids)))
-        for relation in document["relationships"]:
+        for relation in self.document["relationships"]:
+            self.assertIn(relation["spdxElementId"], ids)
             self.assertIn(relation["relatedSpdxElement"], ids)
+
+    def test_sums_of_both_kinds(self):
+        # Of "abc", as in FIPS 180-2. SPDX 2.3 does without the second, not without the first.
+        self.assertEqual({one["algorithm"]: one["checksumValue"] for one in self.document["files"][0]["checksums"]},
+                         {"SHA1": "a9993e364706816aba3e25717850c26c9cd0d89d",
+                          "SHA256": "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad"})
+
+    def test_each_file_has_its_own_parts(self):
+        wheel, archive, deb, page, *sources = self.FILES
+        self.assertIn("unwinder of libgcc", self.related(wheel, "CONTAINS"))
+        self.assertEqual(self.related(archive, "CONTAINS") - self.related(wheel, "CONTAINS"),
+                         {"CLI11", "xxHash", "libpng"})
+        self.assertLess({"three.js", "three-mesh-bvh", "fast_float"}, self.related(page, "CONTAINS"))
+        self.assertNotIn("fmt", self.related(deb, "CONTAINS"))
+        self.assertEqual(self.related(deb, "DYNAMIC_LINK"), {"CHOLMOD with its supernodal module"})
+        self.assertEqual(self.files[deb]["licenseConcluded"],
+                         "MIT AND BSD-3-Clause AND MPL-2.0 AND BSD-2-Clause")
+        self.assertIn(" AND LGPL-2.1-or-later", self.files[wheel]["licenseConcluded"])
+        self.assertIn("(Apache-2.0 OR MIT)", self.files[page]["licenseConcluded"])
+        for name in sources:
+            self.assertEqual(self.related(name, "CONTAINS"), set())
+            self.assertEqual(self.files[name]["licenseConcluded"], "MIT")
+
+    def test_versions(self):
+        versions = {part["name"]: part["versionInfo"] for part in self.document["packages"]}
+        lock = json.loads((PROJECT / "plugins/hosts/browser/package.json").read_text())
+        self.assertEqual(versions["three.js"], lock["dependencies"]["three"])
+        self.assertRegex(versions["CHOLMOD (Core, Check, Cholesky), AMD, COLAMD of SuiteSparse"], r"^5\.\d+\.\d$")
+        for part in self.document["packages"]:
+            if part["name"] == "Eigen":
+                self.assertEqual(part["externalRefs"][0]["referenceLocator"],
+                                 "pkg:deb/debian/libeigen3-dev@1%3A2.0%2Bb1")
+
+    def test_all_that_the_page_depends_on_is_listed(self):
+        page = json.loads((PROJECT / "plugins/hosts/browser/package.json").read_text())
+        self.assertEqual(set(page["dependencies"]), set(spdx.NPM))
+
+    def test_licences_of_all_parts_for_any_linux_are_beside_them(self):
+        script = (PROJECT / "plugins/packages/portable/build.sh").read_text()
+        for key in (*spdx.PLUGINS, *spdx.PROGRAM, "libpng-dev"):
+            self.assertIn(key, script)
 
 
 class Zip(unittest.TestCase):

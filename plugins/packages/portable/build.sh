@@ -10,7 +10,8 @@ jobs=${TALWEG_JOBS:-$(nproc)}
 configure() { # configure SOURCE BUILD CMAKE-ARGUMENT...
   source=$1 build=$2
   shift 2
-  cmake -S "$source" -B "$build" -DCMAKE_BUILD_TYPE=Release \
+  # What ccache remembers of another folder would tell CMake that folder's paths.
+  CCACHE_DISABLE=1 cmake -S "$source" -B "$build" -DCMAKE_BUILD_TYPE=Release \
     -DCMAKE_TOOLCHAIN_FILE="$here/toolchain.cmake" -DTALWEG_SYSROOT="$sysroot" \
     -DTALWEG_SUITESPARSE="$suitesparse" "$@" >"$build.log" 2>&1 ||
     { tail -n 20 "$build.log" >&2; exit 1; }
@@ -35,7 +36,7 @@ for package in g++-12 libopenmesh-dev libeigen3-dev libfmt-dev libpugixml-dev nl
   libcli11-dev libxxhash-dev; do
   cp "/usr/share/doc/$package/copyright" "$plugins/licences/$package"
 done
-for package in zlib1g-dev libpng-dev; do
+for package in libgcc-10-dev zlib1g-dev libpng-dev; do
   cp "$sysroot/usr/share/doc/$package/copyright" "$plugins/licences/$package"
 done
 cp "$suitesparse/debian/copyright" "$plugins/licences/suitesparse"
