@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # release.sh OUT: everything that is given away, in OUT/out: wheel, source distribution, archive, Blender
-# add-on, ParaView plugin (for the ParaView that is here), the page (where ./run page has made it),
-# sources of the OpenFlipper plugin; SHA256 sums, an SPDX list, notes. Two runs give the same bytes.
-# Needs root, debootstrap and the network for the first run, g++-12, cmake, python3-setuptools,
-# python3-wheel.
+# add-on, ParaView plugin and Debian packages (for the ParaView and the Debian that are here), the page
+# (where ./run page has made it), sources of the OpenFlipper plugin; SHA256 sums, an SPDX list, notes.
+# Two runs give the same bytes. Needs root, debootstrap and the network for the first run, g++-12, cmake,
+# ninja, dpkg-dev, python3-setuptools, python3-wheel and the libraries that ./run installs.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 project=$(cd "$here/../.." && pwd)
@@ -22,9 +22,10 @@ suitesparse() { # its sources, by apt, with lists of our own
   echo "deb-src [signed-by=/usr/share/keyrings/debian-archive-keyring.gpg]" \
     "http://deb.debian.org/debian bookworm main" >"$apt/sources.list"
   local options=(-qq -o "Dir::Etc::sourcelist=$apt/sources.list" -o Dir::Etc::sourceparts=/dev/null
-    -o "Dir::State::lists=$apt/lists" -o "Dir::Cache=$apt/cache")
-  apt-get "${options[@]}" update
-  (cd "$work/sources" && apt-get "${options[@]}" source --only-source suitesparse=1:5.12.0+dfsg-2)
+    -o "Dir::State::lists=$apt/lists" -o "Dir::Cache=$apt/cache" -o APT::Sandbox::User=root)
+  (apt-get "${options[@]}" update && cd "$work/sources" &&
+    apt-get "${options[@]}" source --only-source suitesparse=1:5.12.0+dfsg-2) >"$work/sources.log" 2>&1 ||
+    { tail -n 10 "$work/sources.log" >&2; exit 1; }
 }
 
 # packed FOLDER FILE: with the same bytes for the same files.
@@ -100,6 +101,17 @@ paraview() {
   packed "$tree" "$out/talweg-$version-$paraview-debian-x86_64.tar.gz"
 }
 
+# Debian packages, for the system that is here.
+debian() {
+  local build=$work/debian log=$work/debian.log
+  local flags="-ffile-prefix-map=$project=. -ffile-prefix-map=$work=build"
+  rm -rf "$build/packages"
+  { cmake --preset package -S "$project" -B "$build" -DCMAKE_CXX_FLAGS="$flags" &&
+    cmake --build "$build" --parallel "${TALWEG_JOBS:-$(nproc)}" &&
+    (cd "$build" && cpack -G DEB -B packages); } >"$log" 2>&1 || { tail -n 20 "$log" >&2; exit 1; }
+  cp "$build"/packages/*.deb "$out"
+}
+
 page() {
   if [[ ! -e $project/build/page/index.html ]]; then
     echo "No page: ./run page has not been run"
@@ -125,9 +137,10 @@ wheel
 archive
 blender
 paraview
+debian
 page
 notes
 python3 "$here/spdx.py" "$version" "$SOURCE_DATE_EPOCH" "$work/sysroot" \
-  "$out"/*.whl "$out"/*.tar.gz "$out"/*.zip >"$out/talweg-$version.spdx.json"
+  "$out"/*.whl "$out"/*.tar.gz "$out"/*.zip "$out"/*.deb >"$out/talweg-$version.spdx.json"
 (cd "$out" && sha256sum -- * >SHA256SUMS)
 ls -l "$out"

@@ -28,16 +28,20 @@ apt-get clean
 add "libtalweg0.2 and talweg" /debs/libtalweg0.2_*.deb /debs/talweg_*.deb
 talweg --version
 printf 'v 0 0 0\nv 1 0 0\nv 1 1 1\nv 0 1 0\nv 2 0 0\nv 2 1 0\nf 1 2 3\nf 1 3 4\nf 2 5 6\nf 2 6 3\n' >/m.obj
+start=$(date +%s%3N)
 talweg draw /m.obj --through 0,1,4,5 -o /drawn.json
 talweg smooth /m.obj --curve /drawn.json -o /smooth.vtp
+echo "first curve drawn and smoothed in $(($(date +%s%3N) - start)) ms"
 test -s /smooth.vtp
 
 add "python3-talweg" /debs/python3-talweg_*.deb
+start=$(date +%s%3N)
 python3 - <<'PYTHON'
 import talweg
 mesh = talweg.Mesh("/m.obj")
 print(mesh.smooth(mesh.draw([0, 1, 4, 5])).report.termination)
 PYTHON
+echo "the same from Python in $(($(date +%s%3N) - start)) ms"
 
 add "g++, cmake, make, pkg-config" g++ cmake make pkg-config
 add "libtalweg-dev" /debs/libtalweg-dev_*.deb
@@ -50,7 +54,9 @@ g++ -std=c++20 -O2 /consumer/smooth_curve.cpp $(pkg-config --cflags --libs talwe
 /by_pkg_config >/dev/null
 echo "consumer by CMake and by pkg-config: $(($(date +%s) - start)) s"
 
+start=$(date +%s)
 apt-get purge -y -qq python3-talweg talweg libtalweg0.2 libtalweg-dev >/dev/null 2>&1
+echo "removed in $(($(date +%s) - start)) s"
 left=$(find / -xdev -name '*talweg*' -not -path '/debs/*')
 test -z "$left" || { echo "left behind: $left"; exit 1; }
 INSIDE

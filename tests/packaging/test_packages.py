@@ -134,6 +134,21 @@ class Zip(unittest.TestCase):
                 self.assertEqual(archive.namelist(), ["addon/a.py", "addon/b.py"])
 
 
+class Workflows(unittest.TestCase):
+    def test_call_what_is_there(self):
+        commands = re.findall(r"(?m)^([a-z]+)\)", (PROJECT / "run").read_text())
+        made = (PROJECT / "plugins/packages/release.sh").read_text()
+        for workflow in (PROJECT / ".github/workflows").glob("*.yml"):
+            text = workflow.read_text()
+            self.assertTrue(re.search(r"(?m)^on:$", text) and re.search(r"(?m)^jobs:$", text))
+            for command in re.findall(r"\./run ([a-z]+)", text):
+                self.assertIn(command, commands)
+            for script in re.findall(r"run: (\.[a-z]+/\S+)", text):
+                self.assertTrue(os.access(PROJECT / script, os.X_OK), script)
+            for file in re.findall(r"build/release/out/([A-Z]\S+)", text):
+                self.assertIn(f"$out/{file}", made)
+
+
 class Versions(unittest.TestCase):
     def test_everything_has_the_same(self):
         citation = (PROJECT / "CITATION.cff").read_text()
