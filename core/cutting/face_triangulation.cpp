@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
+#include <functional>
+#include <numeric>
+#include <queue>
 
 #include "talweg/intrinsic/error.hpp"
 
@@ -10,6 +13,10 @@ namespace talweg {
 namespace {
 
 using Place = FaceTriangulation::Place;
+
+/// Up to so many places are compared one by one.
+constexpr std::size_t kFew = 32;
+constexpr std::uint32_t kNotThere = 0xFFFFFFFFU;
 
 /// Twice a signed area, exactly: high times 2^21, plus low. Coordinates differ by at most 2^40, so
 /// it has up to 82 bits; products of 21 and 40 bits fit into 64.
@@ -63,6 +70,8 @@ void FaceTriangulation::set(std::uint32_t triangle, const Corners& corners) {
   triangles_[triangle] = corners;
   for (std::size_t k = 0; k < 3; ++k) {
     triangle_of_[directed(corners[k], corners[(k + 1) % 3])] = triangle;
+    if (corners[k] >= corner_of_.size()) corner_of_.resize(corners[k] + std::size_t{1});
+    corner_of_[corners[k]] = triangle;
   }
 }
 
@@ -73,6 +82,10 @@ void FaceTriangulation::add(const Corners& corners) {
 
 void FaceTriangulation::split_inside(std::uint32_t triangle, std::uint32_t p) {
   const auto [a, b, c] = triangles_[triangle];
+  const auto next = static_cast<std::uint32_t>(triangles_.size());
+  if (only_split_) {
+    history_.divide(triangle, {{triangle, {a, b, p}}, {next, {b, c, p}}, {next + 1, {c, a, p}}});
+  }
   set(triangle, {a, b, p});
   add({b, c, p});
   add({c, a, p});
@@ -89,30 +102,74 @@ void FaceTriangulation::split_edge(std::uint32_t a, std::uint32_t b, std::uint32
     if (found == triangle_of_.end()) continue;
     const std::uint32_t triangle = found->second, w = opposite(u, v);
     triangle_of_.erase(found);
+    const auto next = static_cast<std::uint32_t>(triangles_.size());
+    if (only_split_) history_.divide(triangle, {{triangle, {u, p, w}}, {next, {p, v, w}}});
     set(triangle, {u, p, w});
     add({p, v, w});
   }
 }
 
-std::uint32_t FaceTriangulation::insert(const Place& place) {
-  const auto known = std::find(places_.begin(), places_.end(), place);
-  if (known != places_.end()) return static_cast<std::uint32_t>(known - places_.begin());
-  const auto p = static_cast<std::uint32_t>(places_.size());
-  places_.push_back(place);
-  for (std::uint32_t t = 0; t < triangles_.size(); ++t) {
-    const Corners c = triangles_[t];
-    const std::array<int, 3> sides = {side(c[0], c[1], p), side(c[1], c[2], p),
-                                      side(c[2], c[0], p)};
-    if (std::any_of(sides.begin(), sides.end(), [](int s) { return s < 0; })) continue;
-    const auto on = std::find(sides.begin(), sides.end(), 0) - sides.begin();
-    if (on == 3) {
-      split_inside(t, p);
-    } else {
-      split_edge(c[static_cast<std::size_t>(on)], c[static_cast<std::size_t>(on + 1) % 3], p);
-    }
-    return p;
+/// The number of the point at a place, or kNotThere.
+std::uint32_t FaceTriangulation::find(const Place& place) const {
+  if (places_.size() > kFew) {
+    const auto known = number_of_.find(place);
+    return known == number_of_.end() ? kNotThere : known->second;
   }
-  fail();  // outside
+  const auto known = std::find(places_.begin(), places_.end(), place);
+  return known == places_.end() ? kNotThere : static_cast<std::uint32_t>(known - places_.begin());
+}
+
+void FaceTriangulation::remember(const Place& place) {
+  places_.push_back(place);
+  if (places_.size() <= kFew) return;
+  for (std::size_t p = number_of_.size(); p < places_.size(); ++p) {
+    number_of_.emplace(places_[p], static_cast<std::uint32_t>(p));
+  }
+}
+
+std::array<int, 3> FaceTriangulation::sides(const Corners& c, std::uint32_t p) const {
+  return {side(c[0], c[1], p), side(c[1], c[2], p), side(c[2], c[0], p)};
+}
+
+/// The triangle with the point: of two the one with the smaller number.
+std::uint32_t FaceTriangulation::triangle_at(std::uint32_t p) const {
+  const auto holds = [&](const Corners& c) {
+    const std::array<int, 3> s = sides(c, p);
+    return s[0] >= 0 && s[1] >= 0 && s[2] >= 0;
+  };
+  if (!only_split_) {
+    const auto found = std::find_if(triangles_.begin(), triangles_.end(), holds);
+    if (found == triangles_.end()) fail();
+    return static_cast<std::uint32_t>(found - triangles_.begin());
+  }
+  // Points often come in order, each in a triangle at the one before.
+  std::uint32_t t = corner_of_.back();
+  if (!holds(triangles_[t])) t = history_.at(holds);
+  const Corners& c = triangles_[t];
+  if (!holds(c)) fail();  // outside
+  const std::array<int, 3> s = sides(c, p);
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (s[k] != 0) continue;
+    const auto other = triangle_of_.find(directed(c[(k + 1) % 3], c[k]));
+    if (other != triangle_of_.end()) t = std::min(t, other->second);
+  }
+  return t;
+}
+
+std::uint32_t FaceTriangulation::insert(const Place& place) {
+  if (const std::uint32_t known = find(place); known != kNotThere) return known;
+  const auto p = static_cast<std::uint32_t>(places_.size());
+  remember(place);
+  const std::uint32_t t = triangle_at(p);
+  const Corners c = triangles_[t];
+  const std::array<int, 3> s = sides(c, p);
+  const auto on = static_cast<std::size_t>(std::find(s.begin(), s.end(), 0) - s.begin());
+  if (on == 3) {
+    split_inside(t, p);
+  } else {
+    split_edge(c[on], c[(on + 1) % 3], p);
+  }
+  return p;
 }
 
 /// Whether the edge may be replaced by the other diagonal.
@@ -131,56 +188,70 @@ void FaceTriangulation::flip(std::uint32_t a, std::uint32_t b) {
   const std::uint32_t right = triangle_of_.at(directed(b, a));
   triangle_of_.erase(directed(a, b));
   triangle_of_.erase(directed(b, a));
+  only_split_ = false;
   set(left, {a, q, p});
   set(right, {q, b, p});
 }
 
 std::size_t FaceTriangulation::connect(std::uint32_t a, std::uint32_t b) {
   std::vector<std::uint32_t> way{a};
-  connect_part(a, b, way);
+  // What is still to be reached, the next last. Not by recursion: a segment may cross thousands.
+  std::vector<std::uint32_t> ahead{b};
+  while (!ahead.empty()) {
+    if (way.back() != ahead.back()) {
+      const std::uint32_t next = step(way.back(), ahead.back());
+      if (has_edge(way.back(), next)) {
+        fixed_.try_emplace(undirected(way.back(), next));
+        way.push_back(next);
+      } else {
+        ahead.push_back(next);
+      }
+    }
+    if (way.back() == ahead.back()) ahead.pop_back();
+  }
   segments_.push_back(std::move(way));
   return segments_.size() - 1;
 }
 
-/// Appends the points after a, up to and including b.
-void FaceTriangulation::connect_part(std::uint32_t a, std::uint32_t b,
-                                     std::vector<std::uint32_t>& way) {
-  if (a == b) return;
-  if (has_edge(a, b)) {
-    fixed_.try_emplace(undirected(a, b));
-    way.push_back(b);
-    return;
+/// The edge opposite a through which the segment to b leaves the triangles at a, its right end
+/// first; or twice the point opposite a that it passes through.
+std::array<std::uint32_t, 2> FaceTriangulation::leaving(std::uint32_t a, std::uint32_t b) const {
+  const std::uint32_t first = corner_of_[a];
+  for (const bool ccw : {true, false}) {  // clockwise only from a side of the face
+    std::uint32_t t = first;
+    do {
+      const Corners& c = triangles_[t];
+      const auto at = static_cast<std::size_t>(std::find(c.begin(), c.end(), a) - c.begin());
+      const std::uint32_t right = c[(at + 1) % 3], left = c[(at + 2) % 3];
+      const int of_right = side(a, b, right), of_left = side(a, b, left);
+      if (of_right <= 0 && of_left >= 0 && of_right != of_left) {
+        if (of_right == 0) return {right, right};
+        if (of_left == 0) return {left, left};
+        return {right, left};
+      }
+      const auto next = triangle_of_.find(ccw ? directed(a, left) : directed(right, a));
+      if (next == triangle_of_.end()) break;
+      t = next->second;
+    } while (t != first);
   }
-  const auto over = [&](std::uint32_t c) {
-    connect_part(a, c, way);
-    connect_part(c, b, way);
-  };
-  // The segment leaves a through the triangle with u on its right and v on its left.
-  std::uint32_t u = a, v = a;
-  for (const Corners& c : triangles_) {
-    const auto at = std::find(c.begin(), c.end(), a) - c.begin();
-    if (at == 3) continue;
-    const std::uint32_t right = c[static_cast<std::size_t>(at + 1) % 3];
-    const std::uint32_t left = c[static_cast<std::size_t>(at + 2) % 3];
-    const int of_right = side(a, b, right), of_left = side(a, b, left);
-    if (of_right > 0 || of_left < 0 || (of_right == 0 && of_left == 0)) continue;
-    if (of_right == 0) return over(right);
-    if (of_left == 0) return over(left);
-    u = right;
-    v = left;
-  }
-  if (u == v) fail();
+  fail();
+}
+
+/// Goes from a towards b: returns the end of an edge that now leads there, or, where that is no
+/// neighbour of a, a point of the segment that is to be reached first.
+std::uint32_t FaceTriangulation::step(std::uint32_t a, std::uint32_t b) {
+  if (has_edge(a, b)) return b;
+  auto [u, v] = leaving(a, b);
+  if (u == v) return u;
   std::vector<std::array<std::uint32_t, 2>> crossed;
   for (;;) {
-    if (is_fixed(u, v)) return over(cross(a, b, u, v));
+    if (is_fixed(u, v)) return cross(a, b, u, v);
     crossed.push_back({u, v});
     const std::uint32_t w = opposite(v, u);
     const int of_w = w == b ? 0 : side(a, b, w);
     if (of_w == 0) {
       clear_way(a, w, std::move(crossed));
-      fixed_.try_emplace(undirected(a, w));
-      way.push_back(w);
-      return connect_part(w, b, way);
+      return w;
     }
     (of_w > 0 ? v : u) = w;
   }
@@ -200,12 +271,13 @@ std::uint32_t FaceTriangulation::cross(std::uint32_t a, std::uint32_t b, std::ui
   }
   at[0] = kOne - at[1] - at[2];
   const std::uint32_t end = part < 0.5L ? u : v;
-  if (std::find(places_.begin(), places_.end(), at) != places_.end()) return end;
+  if (find(at) != kNotThere) return end;
   const auto x = static_cast<std::uint32_t>(places_.size());
-  places_.push_back(at);
+  remember(at);
   for (const auto& [p, q] : {std::array{u, v}, std::array{v, u}}) {
     const std::uint32_t w = opposite(p, q);
     if (side(p, x, w) > 0 && side(x, q, w) > 0) continue;
+    number_of_.erase(at);
     places_.pop_back();
     return end;
   }
@@ -243,6 +315,17 @@ PlanePoint FaceTriangulation::plane(std::uint32_t p) const {
   return at;
 }
 
+/// The triangles beside a triangle, and it itself at the sides of the face.
+FaceTriangulation::Corners FaceTriangulation::neighbours(std::uint32_t triangle) const {
+  const Corners& c = triangles_[triangle];
+  Corners beside = {triangle, triangle, triangle};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto other = triangle_of_.find(directed(c[(k + 1) % 3], c[k]));
+    if (other != triangle_of_.end()) beside[k] = other->second;
+  }
+  return beside;
+}
+
 /// Whether the angles opposite the edge sum to more than half a turn.
 bool FaceTriangulation::should_flip(std::uint32_t a, std::uint32_t b) const {
   const auto angle = [&](std::uint32_t at) {
@@ -254,18 +337,39 @@ bool FaceTriangulation::should_flip(std::uint32_t a, std::uint32_t b) const {
   return angle(opposite(a, b)) + angle(opposite(b, a)) > kHalfTurn + kRounding;
 }
 
+/// Sweeps over the triangles, again and again. A triangle is passed over if nothing has changed at
+/// it since it was last looked at.
 void FaceTriangulation::improve() {
-  bool changed = true;
-  for (std::size_t round = 0; changed && round < triangles_.size() + 8; ++round) {
-    changed = false;
-    for (std::size_t t = 0; t < triangles_.size(); ++t) {
+  using Waiting = std::priority_queue<std::uint32_t, std::vector<std::uint32_t>, std::greater<>>;
+  std::vector<std::uint32_t> all(triangles_.size());
+  std::iota(all.begin(), all.end(), 0U);
+  Waiting now(std::greater<>(), std::move(all)), later;
+  std::vector<bool> is_in_now(triangles_.size(), true), is_in_later(triangles_.size(), false);
+  const auto has_changed = [&](std::uint32_t t, std::uint32_t looked_at) {
+    std::vector<bool>& is_in = t > looked_at ? is_in_now : is_in_later;
+    if (is_in[t]) return;
+    is_in[t] = true;
+    (t > looked_at ? now : later).push(t);
+  };
+  for (std::size_t round = 0; !now.empty() && round < triangles_.size() + 8; ++round) {
+    while (!now.empty()) {
+      const std::uint32_t t = now.top();
+      now.pop();
+      is_in_now[t] = false;
       for (std::size_t k = 0; k < 3; ++k) {
         const std::uint32_t a = triangles_[t][k], b = triangles_[t][(k + 1) % 3];
         if (!can_flip(a, b) || !should_flip(a, b)) continue;
+        const std::array<std::uint32_t, 2> pair = {triangle_of_.at(directed(a, b)),
+                                                   triangle_of_.at(directed(b, a))};
         flip(a, b);
-        changed = true;
+        for (const std::uint32_t changed : pair) {
+          has_changed(changed, t);
+          for (const std::uint32_t beside : neighbours(changed)) has_changed(beside, t);
+        }
       }
     }
+    std::swap(now, later);
+    std::swap(is_in_now, is_in_later);
   }
 }
 

@@ -7,13 +7,17 @@
 #include <unordered_map>
 #include <vector>
 
+#include "talweg/core/cutting/split_history.hpp"
 #include "talweg/intrinsic/surface/triangle.hpp"
 
 namespace talweg {
 
 /// A triangulation of a triangle in which given segments are chains of edges. Points are integer
 /// barycentrics, so the side of a line on which a point lies is always decided exactly, and two
-/// faces of a mesh always agree on the points of their common edge.
+/// faces of a mesh always agree on the points of their common edge. n points in a mixed order, or
+/// in order along a side, and the segments between neighbours take O((n + flips) log n). Flips may
+/// be n² where many segments cross many sides of triangles: no triangle is improved before
+/// improve().
 class FaceTriangulation {
  public:
   static constexpr std::int64_t kOne = std::int64_t{1} << 40;
@@ -26,7 +30,8 @@ class FaceTriangulation {
   /// triangles.
   explicit FaceTriangulation(const std::array<PlanePoint, 3>& corners);
 
-  /// Adds a point and returns its number, or that of the point that is there already.
+  /// Adds a point and returns its number, or that of the point that is there already. All triangles
+  /// are looked at once segments were connected or triangles improved; before, log n as a rule.
   std::uint32_t insert(const Place& place);
   /// Makes the segment between two points a chain of edges. The chain passes through points that it
   /// meets. Where it crosses another segment, a point is added at the nearest place on the lattice.
@@ -56,20 +61,38 @@ class FaceTriangulation {
   [[nodiscard]] std::uint32_t opposite(std::uint32_t a, std::uint32_t b) const;
   void set(std::uint32_t triangle, const Corners& corners);
   void add(const Corners& corners);
+  [[nodiscard]] std::uint32_t find(const Place& place) const;
+  void remember(const Place& place);
+  [[nodiscard]] std::array<int, 3> sides(const Corners& c, std::uint32_t p) const;
+  [[nodiscard]] std::uint32_t triangle_at(std::uint32_t p) const;
   void split_inside(std::uint32_t triangle, std::uint32_t p);
   void split_edge(std::uint32_t a, std::uint32_t b, std::uint32_t p);
   void flip(std::uint32_t a, std::uint32_t b);
   [[nodiscard]] bool can_flip(std::uint32_t a, std::uint32_t b) const;
-  void connect_part(std::uint32_t a, std::uint32_t b, std::vector<std::uint32_t>& way);
+  [[nodiscard]] std::array<std::uint32_t, 2> leaving(std::uint32_t a, std::uint32_t b) const;
+  std::uint32_t step(std::uint32_t a, std::uint32_t b);
   std::uint32_t cross(std::uint32_t a, std::uint32_t b, std::uint32_t u, std::uint32_t v);
   void clear_way(std::uint32_t a, std::uint32_t b, std::vector<std::array<std::uint32_t, 2>> edges);
+  [[nodiscard]] Corners neighbours(std::uint32_t triangle) const;
   [[nodiscard]] bool should_flip(std::uint32_t a, std::uint32_t b) const;
   [[nodiscard]] PlanePoint plane(std::uint32_t p) const;
 
   std::array<PlanePoint, 3> corners_;
   std::vector<Place> places_;
+  struct PlaceHash {
+    std::size_t operator()(const Place& p) const {
+      // Multiplied by odd numbers (of the golden ratio, and of xxHash), as lattice places line up.
+      const std::uint64_t x = static_cast<std::uint64_t>(p[1]) * 0x9E3779B97F4A7C15U ^
+                              static_cast<std::uint64_t>(p[2]) * 0xC2B2AE3D27D4EB4FU;
+      return static_cast<std::size_t>(x ^ (x >> 32U));
+    }
+  };
+  std::unordered_map<Place, std::uint32_t, PlaceHash> number_of_;  // if there are many
   std::vector<Corners> triangles_;
   std::unordered_map<Key, std::uint32_t> triangle_of_;  // by directed edge
+  std::vector<std::uint32_t> corner_of_;                // of each point one of its triangles
+  SplitHistory history_{{0, 1, 2}};
+  bool only_split_ = true;  // no edge was flipped, so the history tells all
   struct Fixed {
     bool is_split = false;
     std::uint32_t at = 0;

@@ -31,7 +31,8 @@ std::vector<std::vector<std::size_t>> plane_groups(const std::vector<Point>& poi
 
 /// Triangles between a plane loop and the holes in it, without further points: constrained
 /// Delaunay, decided exactly on a lattice of 2^-37 of the loop's extent. They have the orientation
-/// of the first loop. Nothing where the loops touch or cross each other or themselves. O(n²).
+/// of the first loop. Nothing where the loops touch or cross each other or themselves. O(n log n)
+/// as a rule: see FaceTriangulation.
 std::optional<std::vector<Triangle>> fill_plane(const std::vector<Point>& points,
                                                 std::span<const Loop> loops);
 

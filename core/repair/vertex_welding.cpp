@@ -6,8 +6,10 @@
 #include <cstddef>
 #include <limits>
 #include <tuple>
+#include <utility>
 
 #include "talweg/core/mesh/union_find.hpp"
+#include "talweg/core/repair/reach_tree.hpp"
 #include "talweg/core/space/point_distance.hpp"
 
 namespace talweg {
@@ -96,32 +98,39 @@ class Welder {
     return cell;
   }
 
-  /// Joins different positions, with a grid whose cells are twice as wide as the tolerance.
+  /// Joins different positions. Of nearly all vertices a grid with cells twice as wide as the
+  /// tolerance tells that nothing else is near.
   void join_close() {
     grid_.reserve(places_.size());
     for (const std::uint32_t v : places_) grid_.push_back({cell_of(lists_.points[v]), v});
     std::sort(grid_.begin(), grid_.end());
-    const Point reach = Point::Constant(tolerance_);
+    std::vector<std::uint32_t> crowded;
     for (const Placed& placed : grid_) {
-      const Point& p = lists_.points[placed.vertex];
-      const Cell low = cell_of(p - reach);
-      const Cell high = cell_of(p + reach);
-      for (std::int64_t x = low[0]; x <= high[0]; ++x) {
-        for (std::int64_t y = low[1]; y <= high[1]; ++y) {
-          for (std::int64_t z = low[2]; z <= high[2]; ++z) join_in({x, y, z}, placed.vertex);
+      if (!is_alone(placed.vertex)) crowded.push_back(placed.vertex);
+    }
+    std::vector<double> reach(std::move(shortest_));
+    for (double& r : reach) r = std::min(tolerance_, kPartOfEdge * r);
+    ReachTree(lists_.points, reach, std::move(crowded), groups_).join();
+  }
+
+  [[nodiscard]] bool is_alone(std::uint32_t v) const {
+    const Point reach = Point::Constant(tolerance_);
+    const Cell low = cell_of(lists_.points[v] - reach);
+    const Cell high = cell_of(lists_.points[v] + reach);
+    for (std::int64_t x = low[0]; x <= high[0]; ++x) {
+      for (std::int64_t y = low[1]; y <= high[1]; ++y) {
+        for (std::int64_t z = low[2]; z <= high[2]; ++z) {
+          if (has_another({x, y, z}, v)) return false;
         }
       }
     }
+    return true;
   }
 
-  void join_in(const Cell& cell, std::uint32_t v) {
-    // Each pair is visited once, at its larger vertex.
-    for (auto other = std::lower_bound(grid_.begin(), grid_.end(), Placed{cell, 0});
-         other != grid_.end() && other->cell == cell && other->vertex < v; ++other) {
-      const std::uint32_t w = other->vertex;
-      const double bound = std::min(tolerance_, kPartOfEdge * std::min(shortest_[v], shortest_[w]));
-      if (point_distance(lists_.points[v], lists_.points[w]) <= bound) groups_.join(v, w);
-    }
+  [[nodiscard]] bool has_another(const Cell& cell, std::uint32_t v) const {
+    auto at = std::lower_bound(grid_.begin(), grid_.end(), Placed{cell, 0});
+    if (at != grid_.end() && at->vertex == v) ++at;
+    return at != grid_.end() && at->cell == cell;
   }
 
   const MeshLists& lists_;
