@@ -156,7 +156,8 @@ class Outputs(Case):
             vtkLogger.EndLogToFile(str(log))
             self.assertRegex(log.read_text(), "Talweg: length .* curvature .*: converged")
 
-    def test_a_warning_is_given_once_for_a_drawing(self):
+    def test_a_warning_is_not_repeated_while_it_is_so(self):
+        """Each click makes another drawing, and ParaView opens its messages for each warning."""
         filter = pv.TalwegSmoothVertices(Mesh=source(polydata(POINTS, quads())), PointIds=TEXT)
         said = []
         for change in ({"Tau": 1}, {"Tau": 2}, {"PointIds": " ".join(map(str, LOOP))}):
@@ -164,7 +165,17 @@ class Outputs(Case):
             with Said() as now:
                 filter.UpdatePipeline()
             said.append("polygons were cut" in now.text())
-        self.assertEqual(said, [True, False, True])
+        self.assertEqual(said, [True, False, False])
+
+    def test_a_warning_that_was_over_is_given_again(self):
+        edge = 1 / (N - 1)
+        lifted = lambda height: [c for v in LOOP for c in (*POINTS[v][:2], POINTS[v][2] + height)]
+        filter = sheet(Points=lifted(0))
+        said = []
+        for height in (6 * edge, 0, 6 * edge):
+            filter.Points = lifted(height)
+            said.append(len(self.update(filter)))
+        self.assertEqual(said, [1, 0, 1])
 
     def test_a_drawing_that_is_moved_to_the_mesh_is_no_warning_but_reported(self):
         filter = sheet(Points=[c for v in LOOP for c in (*POINTS[v][:2], POINTS[v][2] + 0.01)])
@@ -192,6 +203,19 @@ class Begin(Case):
             for point in clicked:
                 nearest = min(distance(point, place) for place in places(curve))
                 self.assertLess(nearest, 1e-9 * (scale + abs(offset)))
+
+    def test_points_begin_where_a_mesh_with_a_gap_is_seen(self):
+        """The middle of its box is empty, so that what is nearest to it is not seen."""
+        n = 25
+        points, triangles = wavy_sheet(n)
+        kept = [corners for corners in triangles
+                if all(0.3 > points[v][1] or points[v][1] > 0.7 or points[v][0] > 0.9
+                       for v in corners)]
+        mesh = source(polydata(points, kept))
+        mesh.UpdatePipeline()
+        points_of = lambda filter: [filter.Points[k:k + 3] for k in (0, 3, 6)]
+        for _, y, _ in points_of(pv.TalwegSmoothPoints(Mesh=mesh)):
+            self.assertTrue(y < 0.28 or y > 0.72, y)
 
     def test_points_of_a_mesh_in_two_parts_are_on_one(self):
         beside = [(x + 2, y, z) for x, y, z in POINTS[:3 * N]]
@@ -262,6 +286,18 @@ class Told(Case):
         filter.Points = lifted(100)
         self.assertRegex(self.error_of(filter), "in another unit or place.*Transform")
         self.assertIn("Transform", told(filter))
+        self.assertNotIn("..", told(filter))
+
+    def test_points_are_counted_as_in_the_table(self):
+        clicks = [list(POINTS[v]) for v in LOOP]
+        clicks[1][2] += 100
+        filter = sheet(Points=[c for point in clicks for c in point])
+        self.assertRegex(self.error_of(filter), "At point 2: the mesh is")
+
+    def test_where_the_distance_is(self):
+        filter = sheet(PointIds=TEXT, DistanceField=1)
+        self.curve_of(filter)
+        self.assertIn("on the output Mesh", told(filter))
 
 
 class Drawings(Case):

@@ -5,7 +5,11 @@
 
 #include <vtkCallbackCommand.h>
 #include <vtkCommand.h>
+#include <vtkCompositeRepresentation.h>
+#include <vtkGeometryRepresentation.h>
+#include <vtkMapper.h>
 #include <vtkNew.h>
+#include <vtkPVLODActor.h>
 #include <vtkPVXMLElement.h>
 #include <vtkSMPropertyHelper.h>
 #include <vtkSMProxyManager.h>
@@ -16,6 +20,7 @@ namespace talweg::paraview {
 namespace {
 
 constexpr double kWidth = 4;                      // pixels
+constexpr double kForward = -400;                 // steps of the depth that the view has
 constexpr double kColour[] = {0.86, 0.12, 0.08};  // seen on white, grey and blue
 
 /// The output with curves; -1 if the filter has none, or is not one of ours.
@@ -38,6 +43,22 @@ bool shows_curves(vtkSMProxy& representation) {
   return filter != nullptr && curve_port(*filter) == static_cast<int>(input.GetOutputPort());
 }
 
+/// Only a little: of a line several pixels wide half would be behind a slope.
+void bring_forward(vtkSMProxy& representation) {
+  vtkObjectBase* object = representation.GetClientSideObject();
+  if (auto* several = vtkCompositeRepresentation::SafeDownCast(object)) {
+    object = several->GetActiveRepresentation();
+  }
+  auto* geometry = vtkGeometryRepresentation::SafeDownCast(object);
+  if (geometry == nullptr || geometry->GetActor() == nullptr) return;
+  for (vtkMapper* mapper :
+       {geometry->GetActor()->GetMapper(), geometry->GetActor()->GetLODMapper()}) {
+    if (mapper != nullptr) {
+      mapper->SetRelativeCoincidentTopologyLineOffsetParameters(0, kForward);
+    }
+  }
+}
+
 /// No tubes, half of which is below the mesh: ParaView draws lines in front of faces.
 void dress(vtkSMProxy& representation) {
   if (representation.GetProperty("LineWidth") == nullptr) return;
@@ -51,9 +72,11 @@ void registered(vtkObject* caller, unsigned long, void*, void* data) {
   const auto* manager = vtkSMSessionProxyManager::SafeDownCast(caller);
   const auto* info = static_cast<vtkSMProxyManager::RegisteredProxyInformation*>(data);
   if (manager == nullptr || info == nullptr || info->Proxy == nullptr) return;
-  if (const_cast<vtkSMSessionProxyManager*>(manager)->GetInLoadXMLState()) return;
   const std::string_view group = info->GroupName == nullptr ? "" : info->GroupName;
-  if (group == "representations" && shows_curves(*info->Proxy)) dress(*info->Proxy);
+  if (group != "representations" || !shows_curves(*info->Proxy)) return;
+  // A state file says how curves look, but not this.
+  if (!const_cast<vtkSMSessionProxyManager*>(manager)->GetInLoadXMLState()) dress(*info->Proxy);
+  bring_forward(*info->Proxy);
 }
 
 }  // namespace

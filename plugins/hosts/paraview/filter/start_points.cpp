@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
 
 #include <vtkBoundingBox.h>
 #include <vtkGenericCell.h>
@@ -16,6 +18,8 @@ namespace talweg::paraview {
 namespace {
 
 using Vector = std::array<double, 3>;
+
+constexpr double kMiddle = 0.3;  // how much a row in the middle is preferred to one of equal depth
 
 Vector along(const Vector& from, const Vector& direction, double step) {
   return {from[0] + step * direction[0], from[1] + step * direction[1],
@@ -68,20 +72,70 @@ View view_of(const vtkBoundingBox& box, Vector forwards) {
   return {forwards, right, up};
 }
 
-/// Where a ray through this place meets the mesh first, else the mesh's nearest point.
-Vector on_mesh(vtkStaticCellLocator& locator, const Vector& place, const Vector& forwards,
-               double reach) {
-  const Vector from = along(place, forwards, -reach), to = along(place, forwards, reach);
-  Vector found = {};
-  double t = 0, parametric[3] = {};
-  int part = 0;
-  if (locator.IntersectWithLine(from.data(), to.data(), 0, t, found.data(), parametric, part) != 0)
+/// Where rays meet the mesh first, else its nearest point, which may be on the far side.
+class Sight {
+ public:
+  Sight(vtkPolyData& mesh, const Vector& forwards, double reach)
+      : forwards_(forwards), reach_(reach) {
+    locator_->SetDataSet(&mesh);
+    locator_->BuildLocator();
+  }
+
+  [[nodiscard]] std::optional<Vector> meet(const Vector& place) {
+    const Vector from = along(place, forwards_, -reach_), to = along(place, forwards_, reach_);
+    Vector found = {};
+    double t = 0, parametric[3] = {};
+    int part = 0;
+    if (locator_->IntersectWithLine(from.data(), to.data(), 0, t, found.data(), parametric, part) ==
+        0)
+      return std::nullopt;
     return found;
-  vtkIdType cell = 0;
-  double squared = 0;
-  vtkNew<vtkGenericCell> face;
-  locator.FindClosestPoint(place.data(), found.data(), face, cell, part, squared);
-  return found;
+  }
+
+  [[nodiscard]] Vector nearest(const Vector& place) {
+    Vector found = {};
+    vtkIdType cell = 0;
+    int part = 0;
+    double squared = 0;
+    vtkNew<vtkGenericCell> face;
+    locator_->FindClosestPoint(place.data(), found.data(), face, cell, part, squared);
+    return found;
+  }
+
+  /// By how much the points differ in depth.
+  [[nodiscard]] double depth(const std::vector<Vector>& points) const {
+    double least = 0, most = 0;
+    for (const Vector& point : points) {
+      const double behind = vtkMath::Dot(point.data(), forwards_.data()) -
+                            vtkMath::Dot(points[0].data(), forwards_.data());
+      least = std::min(least, behind);
+      most = std::max(most, behind);
+    }
+    return most - least;
+  }
+
+ private:
+  vtkNew<vtkStaticCellLocator> locator_;
+  Vector forwards_;
+  double reach_;
+};
+
+double half_length(const vtkBoundingBox& box, const Vector& direction) {
+  double length = 0;
+  for (int k = 0; k < 3; ++k) {
+    length += std::abs(direction[static_cast<std::size_t>(k)]) * box.GetLength(k) / 2;
+  }
+  return length;
+}
+
+/// Three places side by side, the middle one a little higher.
+std::vector<Vector> places_at(const Vector& centre, const View& view, double reach, double height) {
+  std::vector<Vector> places;
+  for (const double step : {-0.5, 0.0, 0.5}) {
+    const Vector beside = along(centre, view.right, step * reach);
+    places.push_back(along(beside, view.up, height + (step == 0 ? 0.1 * reach : 0.0)));
+  }
+  return places;
 }
 
 }  // namespace
@@ -91,21 +145,28 @@ std::vector<Vector> start_points(vtkPolyData& mesh, const Vector& direction) {
   const vtkSmartPointer<vtkPolyData> part = largest_part(mesh);
   const vtkBoundingBox box(part->GetBounds());
   const View view = view_of(box, direction);
-  vtkNew<vtkStaticCellLocator> locator;
-  locator->SetDataSet(part);
-  locator->BuildLocator();
   Vector centre = {};
   box.GetCenter(centre.data());
   const double size = box.GetDiagonalLength();
-  double reach = 0;  // of the box to the right of its centre
-  for (std::size_t k = 0; k < 3; ++k) {
-    reach += std::abs(view.right[k]) * box.GetLength(static_cast<int>(k)) / 2;
-  }
+  Sight sight(*part, view.forwards, size);
+  const double width = half_length(box, view.right), height = half_length(box, view.up);
+  // Of a mesh with gaps or branches the row that goes least from near to far, all of it seen.
   std::vector<Vector> points;
-  for (const double step : {-0.5, 0.0, 0.5}) {
-    const Vector beside = along(centre, view.right, step * reach);
-    const Vector place = along(beside, view.up, step == 0 ? 0.1 * reach : 0.0);
-    points.push_back(on_mesh(*locator, place, view.forwards, size));
+  double best = std::numeric_limits<double>::infinity();
+  for (const double row : {0.0, 0.2, -0.2, 0.4, -0.4, 0.6, -0.6}) {
+    std::vector<Vector> met;
+    for (const Vector& place : places_at(centre, view, width, row * height)) {
+      if (const std::optional<Vector> point = sight.meet(place)) met.push_back(*point);
+    }
+    const double cost = sight.depth(met) / size + kMiddle * std::abs(row);
+    if (met.size() < 3 || !(cost < best)) continue;
+    best = cost;
+    points = met;
+  }
+  if (points.empty()) {
+    for (const Vector& place : places_at(centre, view, width, 0)) {
+      points.push_back(sight.meet(place).value_or(sight.nearest(place)));
+    }
   }
   const bool apart = points[0] != points[1] && points[1] != points[2] && points[0] != points[2];
   return apart ? points : std::vector<Vector>{};

@@ -34,7 +34,9 @@ struct vtkTalwegFilter::Internals {
   std::string CurveIds;
   std::uint64_t Edits = 0;       // of the name above
   std::size_t Others = 0;        // curves of the last drawing
-  std::set<std::string> Warned;  // since the mesh or the drawing changed
+  std::set<std::string> Warned;  // since the mesh changed, or that is still so
+  std::set<std::string> Before;  // warnings of the run before this one
+  std::set<std::string> Now;     // and of this one
   std::string Told, Warnings;    // of the last run
   std::string Outcome;           // both, as GetOutcome() gave it
 };
@@ -112,6 +114,7 @@ const char* vtkTalwegFilter::GetOutcome() {
 /// there is none of what happens to nearly every drawing.
 void vtkTalwegFilter::Log(unsigned int severity, const char* message) {
   if (severity >= TALWEG_LOG_WARNING) {
+    this->Common->Now.insert(message);
     std::string& all = this->Common->Warnings;
     if (all.find(message) == std::string::npos) all += std::string("\nNote: ") + message;
   }
@@ -138,7 +141,9 @@ void vtkTalwegFilter::TakeMesh(vtkDataSet& mesh) {
 void vtkTalwegFilter::TakeDrawing(talweg::paraview::Origin origin,
                                   const std::function<std::vector<Curve>()>& make) {
   origin.edits += this->Common->Edits;
-  if (this->Common->Work.take_curves(origin, make)) this->Common->Warned.clear();
+  const bool changed = this->Common->Work.take_curves(origin, make);
+  // Each click is another drawing: what was so before it is not said again.
+  if (changed) this->Common->Warned = this->Common->Before;
 }
 
 int vtkTalwegFilter::TakeCurves(vtkDataObject* curves, vtkDataObject* others) {
@@ -179,11 +184,12 @@ namespace {
 
 /// The plugin's sentence, and what to do about it here.
 std::string advice(const talweg::host::Error& error, const Session& session) {
-  const std::string sentence = error.what();
+  std::string sentence = error.what();
   if (error.status() == TALWEG_BAD_MESH && session.number("repair", 0) == 0) {
     return sentence + " Tick Repair to mend the mesh, and to be told what is changed.";
   }
   if (sentence.find("in another unit or place") == std::string::npos) return sentence;
+  if (sentence.ends_with('.')) sentence.pop_back();
   return sentence + ". Bring it there with the filter Transform, or click points on the mesh.";
 }
 
@@ -200,6 +206,7 @@ int vtkTalwegFilter::RequestData(vtkInformation*, vtkInformationVector** inputs,
     return port < this->GetNumberOfInputPorts() ? vtkDataObject::GetData(inputs[port]) : nullptr;
   };
   clear();
+  this->Common->Before = std::exchange(this->Common->Now, {});
   this->Common->Told.clear();
   this->Common->Warnings.clear();
   try {
@@ -210,7 +217,8 @@ int vtkTalwegFilter::RequestData(vtkInformation*, vtkInformationVector** inputs,
     clear();
     const bool cancelled = error.status() == TALWEG_CANCELLED;  // nothing wrong, nothing there
     const std::string sentence = advice(error, this->GetSession());
-    this->Tell(cancelled ? "Stopped." : "No result: " + sentence);
+    this->Tell(cancelled ? "Stopped. Any change, and Apply, runs it again."
+                         : "No result: " + sentence);
     if (!cancelled) vtkErrorMacro(<< sentence);
   } catch (const std::exception& error) {
     clear();

@@ -22,6 +22,7 @@
 #include "property_text.hpp"
 #include "report_output.hpp"
 #include "results.hpp"
+#include "segment_at.hpp"
 #include "session.hpp"
 #include "start_points.hpp"
 
@@ -75,12 +76,20 @@ struct vtkTalwegSmooth::Internals {
     out.GetPointData()->SetActiveScalars("distance");  // setting it would remove the active one
   }
 
+  void keep_curve(const talweg::host::Results& results) {
+    if (!this->OffersPoints || results.curves.size() != 1) return;
+    this->Passed = results.curves[0].positions;
+    this->PassedEdits = this->Edits;
+  }
+
   std::vector<std::array<double, 3>> Points;
   std::string PointIds;
   bool Closed = false;
   bool WithDistance = false;
   std::uint64_t Edits = 0;  // of the drawing
   std::string Start, Picked;
+  std::vector<std::array<double, 3>> Passed;  // of the last run, if it joins the points
+  std::uint64_t PassedEdits = 0;              // of the drawing that it belongs to
   talweg::paraview::MeshRay Ray;
   double SlackUsed = 0, DeviationReached = 0;
   bool OffersPoints = false, OffersVertices = false;  // the filter has such properties
@@ -187,6 +196,13 @@ const char* vtkTalwegSmooth::Pick(double x0, double y0, double z0, double x1, do
   return text.c_str();
 }
 
+int vtkTalwegSmooth::SegmentAt(double x, double y, double z, double within) {
+  const Internals& inside = *this->Inside;
+  if (inside.Passed.empty() || inside.PassedEdits != inside.Edits) return -1;
+  return talweg::paraview::segment_at(inside.Passed, inside.Closed, inside.Points, {x, y, z},
+                                      within);
+}
+
 double vtkTalwegSmooth::GetSlackUsed() { return this->Inside->SlackUsed; }
 double vtkTalwegSmooth::GetDeviationReached() { return this->Inside->DeviationReached; }
 
@@ -201,22 +217,46 @@ int vtkTalwegSmooth::FillOutputPortInformation(int port, vtkInformation* info) {
   return 1;
 }
 
+namespace {
+
+/// Positions are counted from 0, rows of the panel's table from 1.
+std::string with_rows(const std::string& sentence) {
+  unsigned position = 0;
+  int end = 0;
+  if (std::sscanf(sentence.c_str(), "At position %u of the curve:%n", &position, &end) != 1 ||
+      end == 0)
+    return sentence;
+  return "At point " + std::to_string(position + 1) + ":" + sentence.substr(end);
+}
+
+}  // namespace
+
 void vtkTalwegSmooth::Work(vtkDataSet& mesh, vtkDataObject* curves, vtkDataObject*,
                            vtkInformationVector& outputs) {
   Session& session = this->GetSession();
   this->Inside->SlackUsed = this->Inside->DeviationReached = 0;
+  this->Inside->Passed.clear();
   this->TakeMesh(mesh);
   talweg::paraview::Origin origin = talweg::paraview::origin_of(curves, nullptr);
   origin.edits = this->Inside->Edits;
-  this->TakeDrawing(origin, [this, curves, &session] {
-    return session.along_edges(this->Inside->drawing(curves, this->GetCurveIds()));
-  });
+  try {
+    this->TakeDrawing(origin, [this, curves, &session] {
+      return session.along_edges(this->Inside->drawing(curves, this->GetCurveIds()));
+    });
+  } catch (const talweg::host::Error& error) {
+    if (!this->Inside->OffersPoints) throw;
+    throw talweg::host::Error(error.status(), with_rows(error.what()));
+  }
   const talweg::host::Results results = this->Inside->run(session);
   this->Inside->SlackUsed = results.number("slack");
   this->Inside->DeviationReached = std::max(results.number("deviation_to_drawn_max"),
                                             results.number("deviation_from_drawn_max"));
-  this->Tell(talweg::paraview::outcome(results));
+  this->Tell(talweg::paraview::outcome(results) +
+             (this->Inside->WithDistance ? "\nThe distance to the drawing is on the output Mesh: "
+                                           "show it instead of the mesh that came in."
+                                         : ""));
   talweg::paraview::give(results, session.mesh(), *vtkPolyData::GetData(&outputs, 0));
+  this->Inside->keep_curve(results);
   this->Inside->give_mesh(session, *vtkPolyData::GetData(&outputs, 1));
   talweg::paraview::give_table(results, *vtkTable::GetData(&outputs, 2));
   this->Log(TALWEG_LOG_INFO, talweg::paraview::summary(results).c_str());

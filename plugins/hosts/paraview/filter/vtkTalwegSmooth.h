@@ -38,6 +38,10 @@ class TALWEGFILTERS_EXPORT vtkTalwegSmooth : public vtkTalwegFilter {
   /// empty if it is not between them.
   const char* Pick(double x0, double y0, double z0, double x1, double y1, double z1);
 
+  /// Between which of the points of the last run its curve passes this place, within a distance: 0
+  /// behind the first point. -1 if it does not, or if the points have changed since.
+  int SegmentAt(double x, double y, double z, double within);
+
   ///@{
   /// Of the last run, in mesh units; 0 before one, and where there is none.
   double GetSlackUsed();

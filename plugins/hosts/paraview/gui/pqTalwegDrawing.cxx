@@ -11,11 +11,14 @@
 #include <sstream>
 #include <string>
 
+#include <vtkAbstractWidget.h>
 #include <vtkCallbackCommand.h>
 #include <vtkClientServerStream.h>
 #include <vtkCommand.h>
 #include <vtkRenderWindowInteractor.h>
 #include <vtkRenderer.h>
+#include <vtkSMNewWidgetRepresentationProxy.h>
+#include <vtkSMPropertyHelper.h>
 #include <vtkSMProxy.h>
 #include <vtkSMRenderViewProxy.h>
 #include <vtkSMSession.h>
@@ -24,23 +27,27 @@
 
 namespace {
 
-constexpr double kNear = 9;    // pixels from a point
-constexpr double kOnLine = 5;  // pixels from a line between points
-constexpr double kClick = 3;   // pixels that a click may move
+constexpr double kNear = 9;     // pixels from a point
+constexpr double kOnLine = 5;   // pixels from a line between points
+constexpr double kOnCurve = 7;  // pixels from the middle of the curve, which is wider
+constexpr double kClick = 3;    // pixels that a click may move
 constexpr float kBeforeOthers = 10;
+
+double distance(const std::array<double, 3>& a, const std::array<double, 3>& b) {
+  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+}
 
 double distance(const std::array<double, 2>& a, const std::array<double, 2>& b) {
   return std::hypot(a[0] - b[0], a[1] - b[1]);
 }
 
-/// Of a pixel to the middle part of a segment, whose ends are points of their own.
-double distance_to(const std::array<double, 2>& a, const std::array<double, 2>& b,
-                   const std::array<double, 2>& p) {
+/// How far along a segment of pixels what is nearest to another is, from 0 to 1.
+double along(const std::array<double, 2>& a, const std::array<double, 2>& b,
+             const std::array<double, 2>& p) {
   const double dx = b[0] - a[0], dy = b[1] - a[1];
   const double squared = dx * dx + dy * dy;
   const double t = squared > 0 ? ((p[0] - a[0]) * dx + (p[1] - a[1]) * dy) / squared : 0;
-  const double at = std::clamp(t, 0.0, 1.0);
-  return distance(p, {a[0] + at * dx, a[1] + at * dy});
+  return std::clamp(t, 0.0, 1.0);
 }
 
 }  // namespace
@@ -51,7 +58,7 @@ pqTalwegDrawing::pqTalwegDrawing(vtkSMProxy* proxy, vtkSMPropertyGroup* group, Q
   this->Draw->setObjectName("DrawOnMesh");
   this->Draw->setChecked(true);
   auto* hint = new QLabel(tr("A click adds a point; a click on the first closes the drawing. Drag "
-                             "points, or the line for a new one. Delete removes the chosen point. "
+                             "points, or the curve for a new one. Delete removes the chosen point. "
                              "Dragging beside them turns the view."),
                           this);
   hint->setWordWrap(true);
@@ -107,8 +114,11 @@ bool pqTalwegDrawing::press() {
   this->Dragged = -1;
   this->Down.reset();
   this->Moved = false;
-  const bool plain = this->Interactor->GetShiftKey() == 0 && this->Interactor->GetControlKey() == 0;
-  if (!this->isDrawing() || !plain) return false;
+  const bool plain = this->Interactor->GetShiftKey() == 0 &&
+                     this->Interactor->GetControlKey() == 0 && this->Interactor->GetAltKey() == 0;
+  const bool ours = this->isDrawing() && plain;
+  this->setOwnWidgetActive(!ours);
+  if (!ours) return false;
   const Pixel at = this->mouse();
   this->Dragged = this->pointAt(at);
   if (this->Dragged >= 0) {
@@ -187,27 +197,53 @@ pqTalwegDrawing::Pixel pqTalwegDrawing::seenAt(const Point& point) const {
   return {at[0], at[1]};
 }
 
-std::optional<pqTalwegDrawing::Point> pqTalwegDrawing::onMesh() {
-  vtkRenderer* renderer = this->RenderView->GetRenderer();
-  const Pixel at = this->mouse();
+std::string pqTalwegDrawing::ask(const char* question, const std::vector<double>& numbers) const {
   vtkClientServerStream stream;
-  stream << vtkClientServerStream::Invoke << VTKOBJECT(this->proxy()) << "Pick";
-  for (const double depth : {0.0, 1.0}) {
-    renderer->SetDisplayPoint(at[0], at[1], depth);
-    renderer->DisplayToWorld();
-    const double* x = renderer->GetWorldPoint();
-    for (int k = 0; k < 3; ++k) stream << x[k] / x[3];
-  }
+  stream << vtkClientServerStream::Invoke << VTKOBJECT(this->proxy()) << question;
+  for (const double number : numbers) stream << number;
   stream << vtkClientServerStream::End;
   vtkSMSession* session = this->proxy()->GetSession();
   session->ExecuteStream(this->proxy()->GetLocation(), stream, false);
+  const vtkClientServerStream& result = session->GetLastResult(this->proxy()->GetLocation());
   const char* text = nullptr;
-  const auto& result = session->GetLastResult(this->proxy()->GetLocation());
-  if (!result.GetArgument(0, 0, &text) || text == nullptr) return std::nullopt;
-  std::istringstream numbers(text);
+  if (result.GetArgument(0, 0, &text) && text != nullptr) return text;
+  int number = 0;
+  return result.GetArgument(0, 0, &number) ? std::to_string(number) : "";
+}
+
+pqTalwegDrawing::Point pqTalwegDrawing::below(const Pixel& pixel, double depth) const {
+  vtkRenderer* renderer = this->RenderView->GetRenderer();
+  renderer->SetDisplayPoint(pixel[0], pixel[1], depth);
+  renderer->DisplayToWorld();
+  const double* x = renderer->GetWorldPoint();
+  return {x[0] / x[3], x[1] / x[3], x[2] / x[3]};
+}
+
+std::optional<pqTalwegDrawing::Point> pqTalwegDrawing::meet(const Point& from,
+                                                            const Point& to) const {
+  std::istringstream numbers(this->ask("Pick", {from[0], from[1], from[2], to[0], to[1], to[2]}));
   Point place = {};
   if (!(numbers >> place[0] >> place[1] >> place[2])) return std::nullopt;
   return place;
+}
+
+std::optional<pqTalwegDrawing::Point> pqTalwegDrawing::onMesh() const {
+  const Pixel at = this->mouse();
+  return this->meet(this->below(at, 0), this->below(at, 1));
+}
+
+double pqTalwegDrawing::length(double pixels, const Point& place) const {
+  vtkRenderer* renderer = this->RenderView->GetRenderer();
+  renderer->SetWorldPoint(place[0], place[1], place[2], 1);
+  renderer->WorldToDisplay();
+  const std::array<double, 3> at = {renderer->GetDisplayPoint()[0], renderer->GetDisplayPoint()[1],
+                                    renderer->GetDisplayPoint()[2]};
+  return distance(place, this->below({at[0] + pixels, at[1]}, at[2]));
+}
+
+bool pqTalwegDrawing::isHidden(const Point& place) const {
+  const std::optional<Point> before = this->meet(this->below(this->seenAt(place), 0), place);
+  return before && distance(*before, place) > this->length(kNear, place);
 }
 
 std::vector<pqTalwegDrawing::Point> pqTalwegDrawing::clicked() const {
@@ -235,7 +271,7 @@ int pqTalwegDrawing::pointAt(const Pixel& mouse) const {
   double nearest = kNear;
   for (std::size_t k = 0; k < points.size(); ++k) {
     const double apart = distance(mouse, this->seenAt(points[k]));
-    if (apart >= nearest) continue;
+    if (apart >= nearest || this->isHidden(points[k])) continue;
     nearest = apart;
     found = static_cast<int>(k);
   }
@@ -247,10 +283,38 @@ int pqTalwegDrawing::segmentAt(const Pixel& mouse) const {
   if (points.size() < 2) return -1;
   if (this->closedBox() != nullptr && this->closedBox()->isChecked()) points.push_back(points[0]);
   for (std::size_t k = 0; k + 1 < points.size(); ++k) {
-    const double apart = distance_to(this->seenAt(points[k]), this->seenAt(points[k + 1]), mouse);
-    if (apart < kOnLine) return static_cast<int>(k);
+    const Pixel from = this->seenAt(points[k]), to = this->seenAt(points[k + 1]);
+    const double t = along(from, to, mouse);
+    const Pixel near = {from[0] + t * (to[0] - from[0]), from[1] + t * (to[1] - from[1])};
+    if (distance(near, mouse) >= kOnLine) continue;
+    Point place;
+    for (std::size_t i = 0; i < 3; ++i) {
+      place[i] = points[k][i] + t * (points[k + 1][i] - points[k][i]);
+    }
+    if (!this->isHidden(place)) return static_cast<int>(k);
   }
-  return -1;
+  // The lines between points are often below the mesh, and the curve is what is seen.
+  const std::optional<Point> place = this->onMesh();
+  if (!place || !this->isApplied()) return -1;
+  const std::string segment = this->ask(
+      "SegmentAt", {(*place)[0], (*place)[1], (*place)[2], this->length(kOnCurve, *place)});
+  return segment.empty() ? -1 : std::stoi(segment);
+}
+
+bool pqTalwegDrawing::isApplied() const {
+  const vtkSMPropertyHelper given(this->proxy(), "Points");
+  const QList<QVariant> shown = this->points();
+  if (given.GetNumberOfElements() != static_cast<unsigned>(shown.size())) return false;
+  for (int k = 0; k < shown.size(); ++k) {
+    if (given.GetAsDouble(static_cast<unsigned>(k)) != shown[k].toDouble()) return false;
+  }
+  return true;
+}
+
+void pqTalwegDrawing::setOwnWidgetActive(bool active) {
+  vtkSMNewWidgetRepresentationProxy* widget = this->widgetProxy();
+  if (widget == nullptr || widget->GetWidget() == nullptr) return;
+  widget->GetWidget()->SetProcessEvents(active ? 1 : 0);
 }
 
 QCheckBox* pqTalwegDrawing::closedBox() const { return this->findChild<QCheckBox*>("Closed"); }

@@ -9,6 +9,7 @@
 #include <QPointer>
 #include <array>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include <vtkNew.h>
@@ -47,13 +48,27 @@ class pqTalwegDrawing : public pqSplinePropertyWidget {
   [[nodiscard]] bool isDrawing() const;
   [[nodiscard]] Pixel mouse() const;
   [[nodiscard]] Pixel seenAt(const Point& point) const;
-  /// Where the mouse meets the filter's mesh.
-  [[nodiscard]] std::optional<Point> onMesh();
+  /// Asks the filter on its server; empty if it has no answer.
+  [[nodiscard]] std::string ask(const char* question, const std::vector<double>& numbers) const;
+  /// The place under a pixel at a depth from 0 to 1.
+  [[nodiscard]] Point below(const Pixel& pixel, double depth) const;
+  /// Where a ray meets the filter's mesh.
+  [[nodiscard]] std::optional<Point> meet(const Point& from, const Point& to) const;
+  /// Where the mouse meets it.
+  [[nodiscard]] std::optional<Point> onMesh() const;
+  /// Whether the mesh is before a place.
+  [[nodiscard]] bool isHidden(const Point& place) const;
+  /// How long some pixels are there.
+  [[nodiscard]] double length(double pixels, const Point& place) const;
   [[nodiscard]] std::vector<Point> clicked() const;
   void give(const std::vector<Point>& points, int current);
   /// -1: none near the mouse.
   [[nodiscard]] int pointAt(const Pixel& mouse) const;
   [[nodiscard]] int segmentAt(const Pixel& mouse) const;
+  /// Whether the filter has the points that are shown.
+  [[nodiscard]] bool isApplied() const;
+  /// ParaView's own widget would take hold of points and lines behind the mesh.
+  void setOwnWidgetActive(bool active);
   [[nodiscard]] QCheckBox* closedBox() const;
 
   QCheckBox* Draw;

@@ -1,9 +1,12 @@
 #include "pqTalwegOutcome.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QEvent>
-#include <QHBoxLayout>
+#include <QFormLayout>
 #include <QLabel>
+#include <QMetaObject>
+#include <QPushButton>
 #include <QSignalBlocker>
 #include <QSpinBox>
 #include <QVBoxLayout>
@@ -20,6 +23,7 @@
 #include <vtkSMSourceProxy.h>
 #include <vtkSMViewProxy.h>
 
+#include "pqTalwegAbort.h"
 #include "pqView.h"
 
 namespace {
@@ -37,7 +41,10 @@ int port_of_curves(vtkSMProxy& filter) {
 }  // namespace
 
 pqTalwegOutcome::pqTalwegOutcome(vtkSMProxy* proxy, vtkSMProperty* property, QWidget* parent)
-    : Superclass(proxy, parent), Text(new QLabel(this)) {
+    : Superclass(proxy, parent),
+      Text(new QLabel(this)),
+      Mend(new QPushButton(tr("Repair the mesh"), this)),
+      Abort(std::make_unique<pqTalwegAbort>(*proxy)) {
   this->setProperty(property);
   this->Text->setObjectName("Outcome");
   this->Text->setWordWrap(true);
@@ -45,6 +52,10 @@ pqTalwegOutcome::pqTalwegOutcome(vtkSMProxy* proxy, vtkSMProperty* property, QWi
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(this->Text);
+  this->Mend->setObjectName("Mend");
+  this->Mend->setVisible(false);
+  QObject::connect(this->Mend, &QPushButton::clicked, this, [this] { this->repair(); });
+  column->addWidget(this->Mend, 0, Qt::AlignLeft);
   this->addLooks(port_of_curves(*proxy));
   this->Events->Connect(proxy, vtkCommand::UpdateDataEvent, this, SLOT(tell()));
   this->tell();
@@ -68,16 +79,26 @@ void pqTalwegOutcome::addLooks(int port) {
   colour->setObjectName("CurveColour");
   colour->addItem(tr("own colour"), "");
   for (const char* array : {"deviation", "turning", "arc_length"}) colour->addItem(array, array);
-  auto* row = new QHBoxLayout;
-  row->addWidget(new QLabel(tr("Line width"), this));
-  row->addWidget(width);
-  row->addWidget(new QLabel(tr("coloured by"), this));
-  row->addWidget(colour, 1);
-  qobject_cast<QVBoxLayout*>(this->layout())->addLayout(row);
+  auto* rows = new QFormLayout;  // two, so that the panel may be narrow
+  rows->addRow(tr("Line width"), width);
+  rows->addRow(tr("Coloured by"), colour);
+  qobject_cast<QVBoxLayout*>(this->layout())->addLayout(rows);
   QObject::connect(width, QOverload<int>::of(&QSpinBox::valueChanged), this,
                    [this](int pixels) { this->setWidth(pixels); });
   QObject::connect(colour, QOverload<int>::of(&QComboBox::activated), this,
                    [this, colour](int) { this->setColouring(colour->currentData().toString()); });
+}
+
+void pqTalwegOutcome::repair() {
+  QWidget* panel = this->parentWidget();
+  while (panel != nullptr && !panel->inherits("pqPropertiesPanel")) panel = panel->parentWidget();
+  auto* shown = this->parentWidget() == nullptr
+                    ? nullptr
+                    : this->parentWidget()->findChild<QWidget*>("Repair");
+  auto* box = shown == nullptr ? nullptr : shown->findChild<QCheckBox*>();
+  if (panel == nullptr || box == nullptr) return;
+  box->setChecked(true);
+  QMetaObject::invokeMethod(panel, "apply");
 }
 
 vtkSMProxy* pqTalwegOutcome::shown() const {
@@ -109,6 +130,7 @@ void pqTalwegOutcome::tell() {
   this->proxy()->UpdatePropertyInformation(this->property());
   const char* text = vtkSMPropertyHelper(this->property(), true).GetAsString();
   this->Text->setText(QString::fromUtf8(text == nullptr ? "" : text));
+  this->Mend->setVisible(this->Text->text().contains("Tick Repair"));
   const vtkSMProxy* curves = this->shown();
   if (curves == nullptr) return;
   auto* width = this->findChild<QSpinBox*>("LineWidth");

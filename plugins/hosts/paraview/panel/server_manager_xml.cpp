@@ -218,6 +218,7 @@ struct Filter {
   const char* class_name;
   std::vector<const char*> inputs, more;  ///< properties before and behind the parameters
   const char* end;
+  const char* first = "";  ///< a parameter that is moved often, before an input with a long table
 };
 
 std::string xml_of(const Filter& filter, const talweg_plugin& plugin) {
@@ -227,11 +228,16 @@ std::string xml_of(const Filter& filter, const talweg_plugin& plugin) {
       "<Documentation short_help=\"{}\" long_help=\"{}\">{}</Documentation>",
       filter.name, filter.class_name, filter.label, doc, doc, doc);
   xml += kOutcome;
+  const auto parameters = [&](bool first) {
+    for (std::uint32_t k = 0; k < plugin.parameter_count; ++k) {
+      const talweg_parameter& parameter = *plugin.parameters[k];
+      if ((std::string_view(parameter.id) == filter.first) != first) continue;
+      if (!is_given_by_an_input(plugin, parameter)) xml += property_xml(parameter);
+    }
+  };
+  parameters(true);
   for (const char* property : filter.inputs) xml += property;
-  for (std::uint32_t k = 0; k < plugin.parameter_count; ++k) {
-    const talweg_parameter& parameter = *plugin.parameters[k];
-    if (!is_given_by_an_input(plugin, parameter)) xml += property_xml(parameter);
-  }
+  parameters(false);
   for (const char* property : filter.more) xml += property;
   return xml + kCounts + filter.end;
 }
@@ -250,7 +256,8 @@ const std::vector<Filter>& filters() {
                                            "vtkTalwegSmooth",
                                            {kMeshInput, kPoints},
                                            {kDistance, kReached},
-                                           kSmoothEnd},
+                                           kSmoothEnd,
+                                           "tau"},
                                           {"talweg.smooth",
                                            "TalwegSmoothVertices",
                                            "Talweg Smooth Vertices",

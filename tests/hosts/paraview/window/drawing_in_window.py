@@ -1,0 +1,142 @@
+"""The widget that draws on the mesh, in ParaView's own window: events of its view, from clicks to
+abort.
+
+xvfb-run -a paraview --dr --script=drawing_in_window.py
+"""
+
+import math
+import os
+import sys
+import traceback
+
+from paraview import simple as pv
+
+pv.LoadPlugin(os.environ["TALWEG_PARAVIEW"], remote=False, ns=vars(pv))
+
+
+class Hand:
+    """Moves and presses in a view, at places of space."""
+
+    def __init__(self, view):
+        self.view = view
+        self.interactor = view.GetInteractor()
+
+    def pixel(self, place):
+        renderer = self.view.GetRenderer()
+        renderer.SetWorldPoint(*place, 1)
+        renderer.WorldToDisplay()
+        return [round(x) for x in renderer.GetDisplayPoint()[:2]]
+
+    def do(self, event, pixel, key=""):
+        self.interactor.SetEventInformation(*pixel, 0, 0, "\0", 0, key)
+        self.interactor.InvokeEvent(event)
+
+    def click(self, place):
+        pixel = self.pixel(place)
+        self.do("MouseMoveEvent", pixel)
+        self.do("LeftButtonPressEvent", pixel)
+        self.do("LeftButtonReleaseEvent", pixel)
+
+    def drag(self, one, other):
+        start, end = self.pixel(one), self.pixel(other)
+        self.do("MouseMoveEvent", start)
+        self.do("LeftButtonPressEvent", start)
+        for k in range(1, 11):
+            self.do("MouseMoveEvent", [round(a + (b - a) * k / 10) for a, b in zip(start, end)])
+        self.do("LeftButtonReleaseEvent", end)
+
+
+def clicked(filter):
+    return [tuple(filter.Points[k:k + 3]) for k in range(0, len(filter.Points), 3)]
+
+
+def near(a, b):
+    return math.dist(a, b) < 0.05
+
+
+def until(condition, what):
+    """Waits at most two minutes: the machine may be busy."""
+    for _ in range(1200):
+        if condition():
+            return
+        yield
+    raise AssertionError(f"Waited in vain until {what}.")
+
+
+def look(view, z):
+    """At the origin, from a place on the z axis."""
+    view.CameraPosition = [0, 0, z]
+    view.CameraFocalPoint = [0, 0, 0]
+    view.CameraViewUp = [0, 1, 0]
+    pv.Render(view)
+
+
+def ball(x, y):
+    """On the unit sphere, seen from +z."""
+    return (x, y, math.sqrt(1 - x * x - y * y))
+
+
+def steps():
+    """What is done; each yield lets ParaView work."""
+    pv.GetSettingsProxy("GeneralSettings").AutoApply = 1
+    sphere = pv.Sphere(Radius=1, ThetaResolution=64, PhiResolution=64)
+    view = pv.GetActiveViewOrCreate("RenderView")
+    pv.Show(sphere, view)
+    look(view, 6)
+    yield
+    filter = pv.TalwegSmoothPoints(Mesh=sphere, Points=[c for p in ((-0.5, 0), (0, 0.3), (0.5, 0))
+                                                        for c in ball(*p)])
+    pv.Show(filter, view)
+    pv.SetActiveSource(filter)
+    pv.Render(view)
+    hand = Hand(view)
+    for _ in range(10):
+        yield
+
+    hand.click(ball(0.4, -0.5))
+    yield from until(lambda: len(clicked(filter)) == 4, "a click adds a point")
+    assert near(clicked(filter)[3], ball(0.4, -0.5)), clicked(filter)
+    hand.drag(ball(0.4, -0.5), ball(0.2, -0.6))
+    yield from until(lambda: near(clicked(filter)[3], ball(0.2, -0.6)), "a point is dragged")
+    assert len(clicked(filter)) == 4
+
+    # The line between the points is in the ball; what is seen is the curve on it.
+    curve = pv.servermanager.Fetch(filter, idx=0)
+    places = [curve.GetPoint(k) for k in range(curve.GetNumberOfPoints())]
+    third = min(range(len(places)), key=lambda k: math.dist(places[k], ball(0.5, 0)))
+    middle = places[(third + len(places)) // 2]
+    chord = [(a + b) / 2 for a, b in zip(*clicked(filter)[2:])]
+    assert math.dist(hand.pixel(middle), hand.pixel(chord)) > 8, "the curve is beside its line"
+    hand.drag(middle, ball(0.6, -0.5))
+    yield from until(lambda: len(clicked(filter)) == 5, "dragging the curve makes a point")
+    assert near(clicked(filter)[3], ball(0.6, -0.5)), clicked(filter)
+
+    # Seen from behind, nothing of the other side is taken hold of.
+    before = clicked(filter)
+    look(view, -6)
+    yield
+    hand.drag(before[1], (before[1][0] + 0.1, *before[1][1:]))
+    for _ in range(10):
+        yield
+    assert clicked(filter) == before, (before, clicked(filter))
+
+
+def run(work, interactor):
+    """A step for each call; the program ends with the work."""
+
+    def step(*_):
+        try:
+            next(work)
+        except StopIteration:
+            print("The drawing works in its window.", flush=True)
+            os._exit(0)
+        except BaseException:  # a timer must not go on after a failure
+            traceback.print_exc()
+            sys.stderr.flush()
+            os._exit(1)
+
+    interactor.AddObserver("TimerEvent", step)
+    interactor.CreateRepeatingTimer(100)
+
+
+run(steps(), pv.GetActiveViewOrCreate("RenderView").GetInteractor())
