@@ -106,7 +106,9 @@ debian() {
   local build=$work/debian log=$work/debian.log
   local flags="-ffile-prefix-map=$project=. -ffile-prefix-map=$work=build"
   rm -rf "$build/packages"
-  { cmake --preset package -S "$project" -B "$build" -DCMAKE_CXX_FLAGS="$flags" &&
+  # A run path that is taken away leaves space of its length, so it must not depend on the folder.
+  { cmake --preset package -S "$project" -B "$build" -DCMAKE_CXX_FLAGS="$flags" \
+      -DCMAKE_BUILD_RPATH_USE_ORIGIN=ON &&
     cmake --build "$build" --parallel "${TALWEG_JOBS:-$(nproc)}" &&
     (cd "$build" && cpack -G DEB -B packages); } >"$log" 2>&1 || { tail -n 20 "$log" >&2; exit 1; }
   cp "$build"/packages/*.deb "$out"

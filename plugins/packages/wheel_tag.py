@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 """wheel_tag.py FILE...: the oldest glibc on which these programs and libraries run, by their symbols,
 as a wheel's tag (manylinux_2_31_x86_64). Fails where one needs a library that is neither glibc's nor
-beside it, or looks for libraries elsewhere than near itself."""
+beside it, looks for libraries elsewhere than near itself, or names a file of this checkout."""
 
+import os
 import re
 import subprocess
 import sys
@@ -23,6 +24,12 @@ def problems(dynamic, bundled):
     return found
 
 
+def files_named(data, folder):
+    """Paths in the folder that stand in a program: they differ from checkout to checkout."""
+    start = rb"(?<![\w./-])" + re.escape(os.fsencode(folder)) + rb"/[\x21-\x7e]*"
+    return [f"names {os.fsdecode(found)}" for found in re.findall(start, data)]
+
+
 def newest_glibc(versions):
     """(major, minor) of the newest symbol's version in what `readelf -V` tells."""
     found = re.findall(r"\bGLIBC_(\d+)\.(\d+)", versions)
@@ -36,7 +43,8 @@ def readelf(option, path):
 
 def tag(paths):
     bundled = {path.name for path in paths}
-    wrong = [f"{path} {what}" for path in paths for what in problems(readelf("-d", path), bundled)]
+    wrong = [f"{path} {what}" for path in paths for what in problems(readelf("-d", path), bundled) +
+             files_named(path.read_bytes(), Path(__file__).resolve().parents[2])]
     if wrong:
         sys.exit("\n".join(wrong))
     major, minor = max(newest_glibc(readelf("-V", path)) for path in paths)

@@ -37,6 +37,12 @@ class WheelTag(unittest.TestCase):
         self.assertEqual(wheel_tag.problems(text, {"libtalweg-cholmod.so.3"}),
                          ["needs libstdc++.so.6", "looks for libraries in \"/usr/local/lib\""])
 
+    def test_files_of_the_checkout_are_refused(self):
+        data = b"\0/home/a/talweg/build/sources/b.c\0./src/c.cpp\0/home/a/talweg-2/d.c\0x=/home/a/talweg/e.c\0"
+        self.assertEqual(wheel_tag.files_named(data, Path("/home/a/talweg")),
+                         ["names /home/a/talweg/build/sources/b.c", "names /home/a/talweg/e.c"])
+        self.assertEqual(wheel_tag.files_named(data, Path("/src")), [])
+
     def test_a_program_for_this_machine_only_is_refused(self):
         with self.assertRaisesRegex(SystemExit, "needs libstdc"):
             wheel_tag.tag([Path(os.environ["TALWEG_DRIVER"])])

@@ -19,8 +19,10 @@ configure() { # configure SOURCE BUILD CMAKE-ARGUMENT...
     { tail -n 20 "$build.log" >&2; exit 1; }
 }
 configure "$here/cholmod" "$out/cholmod"
+# Run paths are final from the start: when CMake replaces them, the space of the longer ones stays.
 # shellcheck disable=SC2016  # $ORIGIN is the linker's
 configure "$here/../../.." "$out/talweg" -DCMAKE_INSTALL_PREFIX=/opt/talweg -DCMAKE_INSTALL_LIBDIR=lib \
+  -DCMAKE_BUILD_WITH_INSTALL_RPATH=ON \
   -DCMAKE_INSTALL_RPATH='$ORIGIN;$ORIGIN/../lib/talweg/plugins' -DTALWEG_SUPERNODAL=OFF \
   -DTALWEG_CHOLMOD_BUILD="$out/cholmod" -DTALWEG_BUILD_TESTS=OFF -DTALWEG_BUILD_DEMO=OFF
 rm -rf "$out/tree"
