@@ -13,7 +13,12 @@ const talweg_curve_files& files_of(const Plugins& plugins) {
 }
 
 talweg_status append(void* context, const talweg_curve* curve) {
-  return host::detail::append(*static_cast<std::vector<host::Curve>*>(context), *curve);
+  try {
+    static_cast<std::vector<host::Curve>*>(context)->push_back(host::detail::copy(*curve));
+    return TALWEG_OK;
+  } catch (...) {
+    return TALWEG_INTERNAL;
+  }
 }
 
 }  // namespace

@@ -1,11 +1,27 @@
 #include "ending_threads.hpp"
 
+#include <chrono>
 #include <utility>
 
 namespace talweg::editing {
+namespace {
+
+constexpr std::chrono::milliseconds kPatience(1500);  // a host closes within two seconds
+
+}  // namespace
 
 EndingThreads::~EndingThreads() {
-  for (Ending& ending : threads_) ending.thread.join();
+  const auto deadline = std::chrono::steady_clock::now() + kPatience;
+  for (Ending& ending : threads_) {
+    while (!*ending.ended && std::chrono::steady_clock::now() < deadline) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    }
+    if (*ending.ended) {
+      ending.thread.join();
+    } else {
+      ending.thread.detach();
+    }
+  }
 }
 
 void EndingThreads::take(std::thread thread, std::shared_ptr<const std::atomic<bool>> ended) {

@@ -13,12 +13,14 @@ namespace talweg::editing {
 class EndingThreads {
  public:
   EndingThreads() = default;
-  /// Waits for all of them.
+  /// Waits for all of them, but no longer than 1.5 s: a thread in a plugin that never returns is
+  /// left to itself.
   ~EndingThreads();
   EndingThreads(const EndingThreads&) = delete;
   EndingThreads& operator=(const EndingThreads&) = delete;
 
-  /// The thread sets `ended` as the last thing that it does. Does not wait for it.
+  /// The thread sets `ended` as the last thing that it does. Does not wait for it. The thread must
+  /// own what it uses.
   void take(std::thread thread, std::shared_ptr<const std::atomic<bool>> ended);
 
  private:

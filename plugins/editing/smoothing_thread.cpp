@@ -17,6 +17,7 @@ struct SmoothingThread::Shared {
   std::deque<Outcome> outcomes;
   Progress progress;
   double began_ms = 0;  // of the running task; 0: none runs
+  double ended_ms = 0;  // when it was cancelled by the user; 0: it was not
   bool cancelled = false;
   bool closing = false;
 
@@ -41,7 +42,7 @@ bool SmoothingThread::Shared::on_progress(const char* stage, double fraction) {
 std::optional<Request> SmoothingThread::Shared::next() {
   std::unique_lock lock(mutex);
   progress.busy = !waiting.empty();
-  began_ms = 0;
+  began_ms = ended_ms = 0;
   if (!progress.busy) done.notify_all();
   asked.wait(lock, [this] { return closing || !waiting.empty(); });
   if (closing) return std::nullopt;
@@ -71,14 +72,13 @@ SmoothingThread::SmoothingThread(const Plugins& plugins, std::shared_ptr<const M
   shared_->wake = std::move(wake);
   shared_->waiting.emplace_back();
   shared_->progress.busy = true;
-  thread_ = std::thread([&plugins, shared = shared_, mesh = std::move(mesh), defects]() mutable {
-    {
-      Workplace workplace(plugins, std::move(mesh), defects,
-                          [&shared = *shared](const char* stage, double fraction) {
-                            return shared.on_progress(stage, fraction);
-                          });
-      shared->work(workplace);
-    }
+  Shared* const asked = shared_.get();
+  auto workplace = std::make_unique<Workplace>(
+      plugins, std::move(mesh), defects,
+      [asked](const char* stage, double fraction) { return asked->on_progress(stage, fraction); });
+  thread_ = std::thread([shared = shared_, workplace = std::move(workplace)]() mutable {
+    shared->work(*workplace);
+    workplace.reset();
     *shared->ended = true;
   });
 }
@@ -162,7 +162,9 @@ std::optional<Outcome> SmoothingThread::take() {
 
 Progress SmoothingThread::progress() const {
   const std::scoped_lock lock(shared_->mutex);
-  return shared_->progress;
+  Progress progress = shared_->progress;
+  if (shared_->ended_ms > 0) progress.cancelled_ms = now_ms() - shared_->ended_ms;
+  return progress;
 }
 
 void SmoothingThread::cancel() {
@@ -170,6 +172,7 @@ void SmoothingThread::cancel() {
   shared_->waiting.clear();
   if (shared_->began_ms > 0) {
     shared_->cancelled = true;
+    if (shared_->ended_ms == 0) shared_->ended_ms = now_ms();
   } else {  // the worker has not taken the request and never will
     shared_->progress.busy = false;
     shared_->done.notify_all();

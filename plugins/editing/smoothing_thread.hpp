@@ -19,6 +19,7 @@ struct Progress {
   Task task = Task::kOpen;
   std::string stage;  ///< the plugin's name for the current stage
   double fraction = 0;
+  double cancelled_ms = 0;  ///< how long ago cancel() ended the running task; 0 if it did not
 };
 
 /// A workplace in a thread. Of requests to smooth, to draw and for a leg only the newest of each
@@ -33,8 +34,8 @@ class SmoothingThread {
   SmoothingThread(const Plugins& plugins, std::shared_ptr<const MeshArrays> mesh,
                   std::function<void()> wake = {}, double patience_ms = 400,
                   Defects defects = Defects::kRefuse);
-  /// Cancels the running task and does not wait for its end; the plugins do, at their own. `wake`
-  /// is called no more.
+  /// Cancels the running task and does not wait for its end; the plugins do for a while, at their
+  /// own. `wake` is called no more.
   ~SmoothingThread();
   SmoothingThread(const SmoothingThread&) = delete;
   SmoothingThread& operator=(const SmoothingThread&) = delete;
@@ -53,7 +54,9 @@ class SmoothingThread {
   /// Returns the next outcome, in order; nothing if there is none.
   std::optional<Outcome> take();
   [[nodiscard]] Progress progress() const;
-  /// Ends the running task soon, as cancelled, and drops waiting requests.
+  /// Ends the running task soon, as cancelled, and drops waiting requests. A faulty plugin may
+  /// never end it: then progress() tells how long it has taken, and another SmoothingThread can be
+  /// made.
   void cancel();
   /// Waits until nothing runs or waits any more. For scripts and tests.
   void wait();

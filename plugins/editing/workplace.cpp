@@ -32,17 +32,17 @@ Curve given_points(const host::Curve& drawn) {
 
 }  // namespace
 
-Plugins::Plugins(const std::string& folders)
-    : loader_(talweg_loader_open(folders.empty() ? nullptr : folders.c_str())) {
+LoadedPlugins::LoadedPlugins(talweg_loader* loader) : loader_(loader, talweg_loader_close) {
   if (loader_ == nullptr) throw std::bad_alloc();
 }
+
+Plugins::Plugins(const std::string& folders)
+    : loaded_(talweg_loader_open(folders.empty() ? nullptr : folders.c_str())) {}
 
 Plugins::Plugins(std::span<const talweg_linked_module> modules)
-    : loader_(talweg_loader_open_linked(modules.data(), modules.size(), nullptr)) {
-  if (loader_ == nullptr) throw std::bad_alloc();
-}
+    : loaded_(talweg_loader_open_linked(modules.data(), modules.size(), nullptr)) {}
 
-const talweg_plugin& Plugins::find(const char* id) const {
+const talweg_plugin& LoadedPlugins::find(const char* id) const {
   if (const talweg_plugin* plugin = talweg_loader_find(loader_.get(), id)) return *plugin;
   throw Error(std::string("The plugin ") + id + " was not found in " +
               talweg_loader_folders(loader_.get()) +
@@ -51,7 +51,7 @@ const talweg_plugin& Plugins::find(const char* id) const {
 
 Workplace::Workplace(const Plugins& plugins, std::shared_ptr<const MeshArrays> mesh,
                      Defects defects, Ask ask)
-    : plugins_(plugins),
+    : plugins_(plugins.loaded()),
       mesh_(std::move(mesh)),
       defects_(defects),
       services_("Talweg editing", "1", std::move(ask),
@@ -101,6 +101,23 @@ void Workplace::do_task(const Request& request, Outcome& outcome) {
   }
 }
 
+const char* plugin_of(Task task) {
+  switch (task) {
+    case Task::kOpen:
+    case Task::kSmooth:
+      return "talweg.smooth";
+    case Task::kPlace:
+    case Task::kDraw:
+    case Task::kLeg:
+      return "talweg.draw";
+    case Task::kDistance:
+      return "talweg.distance";
+    case Task::kSee:
+      return "";
+  }
+  return "";
+}
+
 host::Instance& Workplace::opened(std::unique_ptr<host::Instance>& instance, const char* id) {
   if (!instance) {
     auto made = std::make_unique<host::Instance>(plugins_.find(id), services_);
@@ -113,7 +130,7 @@ host::Instance& Workplace::opened(std::unique_ptr<host::Instance>& instance, con
 
 void Workplace::do_open(Outcome& outcome) {
   try {
-    opened(smooth_, "talweg.smooth");
+    opened(smooth_, plugin_of(Task::kOpen));
   } catch (const host::Error& error) {
     if (error.status() != TALWEG_BAD_MESH) throw;
     outcome.status = error.status();
@@ -139,7 +156,7 @@ std::vector<std::string> Workplace::repair_told() {
 void Workplace::do_smooth(const Request& request, Outcome& outcome) {
   const std::vector<host::Curve> curves = host_curves(request.drawing);
   if (curves.empty()) return;
-  host::Instance& instance = opened(smooth_, "talweg.smooth");
+  host::Instance& instance = opened(smooth_, plugin_of(Task::kSmooth));
   if (!smoothed_ || stage_between(*smoothed_, request.drawing) == Stage::kCurves) {
     smoothed_.reset();
     instance.set_curves(curves);
@@ -158,7 +175,7 @@ void Workplace::do_smooth(const Request& request, Outcome& outcome) {
 }
 
 void Workplace::do_place(const Request& request, Outcome& outcome) {
-  host::Instance& instance = opened(draw_, "talweg.draw");
+  host::Instance& instance = opened(draw_, plugin_of(Task::kDraw));
   instance.set("straight", 1.0);
   host::Wanted wanted;
   wanted.point_fields = true;
@@ -176,7 +193,7 @@ void Workplace::do_place(const Request& request, Outcome& outcome) {
 void Workplace::do_distance(const Request& request, Outcome& outcome) {
   const std::vector<host::Curve> curves = host_curves(request.drawing);
   if (curves.empty()) throw Error("There is no curve to measure the distance to.");
-  host::Instance& instance = opened(distance_, "talweg.distance");
+  host::Instance& instance = opened(distance_, plugin_of(Task::kDistance));
   if (!measured_ || stage_between(*measured_, request.drawing) == Stage::kCurves) {
     measured_.reset();
     instance.set_curves(curves);
@@ -194,7 +211,7 @@ void Workplace::do_distance(const Request& request, Outcome& outcome) {
 }
 
 host::Curve Workplace::drawn(const Curve& curve) {
-  host::Instance& instance = opened(draw_, "talweg.draw");
+  host::Instance& instance = opened(draw_, plugin_of(Task::kDraw));
   instance.set("straight", 1.0);
   Drawing alone;
   alone.curves.push_back(std::make_shared<const Curve>(curve));
@@ -205,7 +222,7 @@ host::Curve Workplace::drawn(const Curve& curve) {
 /// Only curves that are new are drawn. Without any the plugin is opened, so that the first is
 /// quick.
 void Workplace::do_draw(const Request& request, Outcome& outcome) {
-  opened(draw_, "talweg.draw");
+  opened(draw_, plugin_of(Task::kDraw));
   decltype(drawn_) now;
   for (const auto& curve : request.drawing.curves) {
     if (curve->points.size() < 2) continue;

@@ -18,6 +18,18 @@
 
 namespace talweg::editing {
 
+/// Plugins that are there as long as a copy of this object is.
+class LoadedPlugins {
+ public:
+  /// Takes the loader over. Throws std::bad_alloc if it is null.
+  explicit LoadedPlugins(talweg_loader* loader);
+  /// Throws Error that says where the plugin was looked for.
+  [[nodiscard]] const talweg_plugin& find(const char* id) const;
+
+ private:
+  std::shared_ptr<talweg_loader> loader_;
+};
+
 /// The plugins that were found (talweg_loader.h). Must outlive everything that uses them.
 class Plugins {
  public:
@@ -26,18 +38,18 @@ class Plugins {
   /// Those that are linked into the program.
   explicit Plugins(std::span<const talweg_linked_module> modules);
   /// Throws Error that says where the plugin was looked for.
-  [[nodiscard]] const talweg_plugin& find(const char* id) const;
-  /// Where threads that use the plugins end; the plugins stay until then.
+  [[nodiscard]] const talweg_plugin& find(const char* id) const { return loaded_.find(id); }
+  /// What keeps the plugins loaded.
+  [[nodiscard]] const LoadedPlugins& loaded() const { return loaded_; }
+  /// Where threads that use the plugins end.
   [[nodiscard]] EndingThreads& ending_threads() const { return ending_; }
 
  private:
-  struct Close {
-    void operator()(talweg_loader* loader) const { talweg_loader_close(loader); }
-  };
-  std::unique_ptr<talweg_loader, Close> loader_;
+  LoadedPlugins loaded_;
   mutable EndingThreads ending_;  // after what its threads use
 };
 
+/// What is done in a workplace.
 enum class Task {
   kOpen,      ///< opens the mesh; always the first task of a thread
   kSmooth,    ///< smooths a drawing: curves and report
@@ -60,6 +72,9 @@ enum class Defects {
   kRefuse,  ///< it cannot be opened; the outcome tells what a repair would do
   kRepair,  ///< it is repaired; results keep the numbers of the mesh as it came
 };
+
+/// The id of the plugin that does it; "" if none does.
+const char* plugin_of(Task task);
 
 struct Request {
   Task task = Task::kOpen;
@@ -91,7 +106,7 @@ class Workplace {
   /// Gets the plugin's name for the stage and a fraction; false cancels. May come from any thread.
   using Ask = std::function<bool(const char* stage, double fraction)>;
 
-  /// `plugins` must outlive the object. Opens nothing yet.
+  /// Keeps the plugins loaded. Opens nothing yet.
   Workplace(const Plugins& plugins, std::shared_ptr<const MeshArrays> mesh,
             Defects defects = Defects::kRefuse, Ask ask = {});
   Workplace(const Workplace&) = delete;
@@ -112,7 +127,7 @@ class Workplace {
   host::Instance& opened(std::unique_ptr<host::Instance>& instance, const char* id);
   std::vector<std::string> repair_told();
 
-  const Plugins& plugins_;
+  LoadedPlugins plugins_;
   std::shared_ptr<const MeshArrays> mesh_;
   Defects defects_;
   std::vector<std::string> notes_;

@@ -11,10 +11,12 @@
 //   }
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <cstring>
 #include <functional>
+#include <new>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -24,8 +26,10 @@
 
 #include "talweg_arrays.hpp"
 #include "talweg_cut_plan.h"
+#include "talweg_given.hpp"
 #include "talweg_meshes.h"
 #include "talweg_plugin.h"
+#include "talweg_results.hpp"
 #include "talweg_way_points.h"
 
 namespace talweg::host {
@@ -100,96 +104,6 @@ class Services {
   talweg_host host_ = {};
 };
 
-struct Field {
-  std::string name, unit;
-  std::vector<double> values;
-};
-
-/// Input has `vertices`, or `faces` and `barycentrics`, or `positions`. Output has all of them.
-struct Curve {
-  bool closed = false;
-  std::vector<std::uint32_t> vertices;  ///< out: TALWEG_NO_VERTEX if the point is not at a vertex
-  std::vector<std::uint32_t> faces;
-  std::vector<std::array<double, 3>> barycentrics;
-  std::vector<std::array<double, 3>> positions;
-  std::vector<std::uint32_t> pins;  ///< in: indices of points
-  std::vector<Field> fields;        ///< out: values per point
-  /// Marks of way-points and painted points, one for each point (talweg_way_points.h); empty if
-  /// nothing is said of any. Out: those of the field with this name.
-  std::vector<double> exact = {};
-};
-
-struct Mesh {
-  std::vector<std::array<double, 3>> positions;
-  std::vector<std::array<std::uint32_t, 3>> triangles;
-  std::vector<Field> fields;
-};
-
-/// Values at vertices, triangles or corners of a mesh (talweg_meshes.h).
-struct Attribute {
-  std::string name;
-  std::uint32_t element = TALWEG_OF_VERTICES;
-  std::uint32_t carry = TALWEG_CARRY_LINEAR;
-  double fill = 0;
-  std::uint32_t columns = 1;
-  std::vector<double> values;                         ///< rows side by side
-  std::vector<std::array<std::uint32_t, 3>> corners;  ///< of shared entries; else empty
-  std::uint32_t type = TALWEG_FLOAT64;                ///< out: of the numbers that came
-};
-
-/// Where a mesh that a run gave comes from; as talweg_origin.
-struct Origin {
-  std::vector<std::array<std::uint32_t, 3>> vertices;
-  std::vector<std::array<double, 3>> weights;
-  std::vector<std::uint32_t> triangles;
-  std::vector<std::uint32_t> closed, lengths;
-  std::vector<std::array<std::uint32_t, 3>> chains;
-};
-
-/// What a cut changes; as talweg_cut_plan.
-struct CutPlan {
-  std::uint64_t vertex_count = 0, triangle_count = 0;
-  std::vector<std::array<std::uint32_t, 3>> vertices;
-  std::vector<std::array<double, 3>> weights, positions;
-  std::vector<std::uint32_t> divided, parts;
-  std::vector<std::array<std::uint32_t, 3>> triangles;
-  std::vector<std::uint32_t> closed, lengths, chains;
-};
-
-struct ReportEntry {
-  std::int64_t curve = -1;
-  std::string key;
-  std::uint32_t type = TALWEG_VALUE_NUMBER;
-  bool is_list = false;
-  std::vector<double> numbers;
-  std::vector<std::string> texts;
-};
-
-struct Results {
-  std::vector<Curve> curves;
-  std::vector<Field> fields;  ///< per vertex or triangle of the mesh
-  std::vector<ReportEntry> report;
-  std::vector<Mesh> meshes;
-
-  /// Null if there is no such entry. `curve` -1: the entry for all curves.
-  [[nodiscard]] const ReportEntry* find(std::string_view key, std::int64_t curve = -1) const {
-    for (const ReportEntry& entry : report) {
-      if (entry.curve == curve && entry.key == key) return &entry;
-    }
-    return nullptr;
-  }
-  /// The entry's only value, or the default if there is none.
-  [[nodiscard]] double number(std::string_view key, std::int64_t curve = -1,
-                              double otherwise = 0) const {
-    const ReportEntry* entry = find(key, curve);
-    return entry == nullptr || entry->numbers.empty() ? otherwise : entry->numbers.front();
-  }
-  [[nodiscard]] std::string text(std::string_view key, std::int64_t curve = -1) const {
-    const ReportEntry* entry = find(key, curve);
-    return entry == nullptr || entry->texts.empty() ? "" : entry->texts.front();
-  }
-};
-
 /// The results that run() computes besides the curves and the report.
 struct Wanted {
   bool point_fields = false;
@@ -254,38 +168,6 @@ class CurveViews {
   std::vector<const talweg_curve*> list_;
 };
 
-template <std::size_t n>
-std::vector<std::array<double, n>> rows_of(const talweg_array& array, const char* what) {
-  plugin::check_array(array, n, what);
-  std::vector<std::array<double, n>> rows(plugin::count_of(array, 1));
-  if (!rows.empty()) plugin::copy_numbers(array, n, what, rows.front().data());
-  return rows;
-}
-
-inline Field copy(const talweg_field& field) {
-  return {field.name, field.unit, plugin::numbers_of(field.values, 1, "A field")};
-}
-
-inline std::vector<Field> copy(const talweg_field* const* fields, std::uint32_t count) {
-  std::vector<Field> result;
-  for (std::uint32_t k = 0; k < count; ++k) result.push_back(copy(*fields[k]));
-  return result;
-}
-
-/// Accepts TALWEG_NO_VERTEX as an index.
-inline std::vector<std::uint32_t> vertices_of(const talweg_array& array) {
-  plugin::check_array(array, 1, "The vertices");
-  const auto* values = static_cast<const std::uint32_t*>(array.data);
-  if (array.rows == 0) return {};
-  return {values, values + array.rows};
-}
-inline std::vector<std::array<std::uint32_t, 3>> triples_of(const talweg_array& array) {
-  plugin::check_array(array, 3, "The triples");
-  std::vector<std::array<std::uint32_t, 3>> rows(plugin::count_of(array, 1));
-  if (!rows.empty()) std::memcpy(rows.data(), array.data, sizeof rows[0] * rows.size());
-  return rows;
-}
-
 inline talweg_attribute view_of(const Attribute& attribute) {
   const std::uint64_t rows =
       attribute.columns == 0 ? 0 : attribute.values.size() / attribute.columns;
@@ -301,85 +183,42 @@ inline talweg_attribute view_of(const Attribute& attribute) {
           view(attribute.values.data(), rows, attribute.columns),
           corners};
 }
-inline Attribute copy(const talweg_attribute& attribute) {
-  return {attribute.name,
-          attribute.element,
-          attribute.carry,
-          attribute.fill,
-          attribute.values.columns,
-          plugin::numbers_of(attribute.values, attribute.values.columns, "An attribute"),
-          triples_of(attribute.corners),
-          attribute.values.type};
-}
-inline Origin copy(const talweg_origin& origin) {
-  return {triples_of(origin.vertices),   rows_of<3>(origin.weights, "The weights"),
-          vertices_of(origin.triangles), vertices_of(origin.closed),
-          vertices_of(origin.lengths),   triples_of(origin.chains)};
-}
 
-inline CutPlan copy(const talweg_cut_plan& plan) {
-  return {plan.vertex_count,
-          plan.triangle_count,
-          triples_of(plan.vertices),
-          rows_of<3>(plan.weights, "The weights"),
-          rows_of<3>(plan.positions, "The positions"),
-          vertices_of(plan.divided),
-          vertices_of(plan.parts),
-          triples_of(plan.triangles),
-          vertices_of(plan.closed),
-          vertices_of(plan.lengths),
-          vertices_of(plan.chains)};
-}
+/// What a plugin gives in one call. Its first mistake ends the call, and counts even where the
+/// plugin goes on.
+class Taken {
+ public:
+  explicit Taken(const Limits& mesh) : limits_(mesh) {}
 
-inline Curve copy(const talweg_curve& curve) {
-  Curve result{curve.closed != 0,
-               vertices_of(curve.vertices),
-               plugin::indices_of(curve.faces, 1, "The faces"),
-               rows_of<3>(curve.barycentrics, "The barycentrics"),
-               rows_of<3>(curve.positions, "The positions"),
-               plugin::indices_of(curve.pins, 1, "The pins"),
-               copy(curve.fields, curve.field_count),
-               {}};
-  for (const Field& field : result.fields) {
-    if (field.name == TALWEG_EXACT) result.exact = field.values;
-  }
-  return result;
-}
-
-inline Mesh copy(const talweg_mesh& mesh) {
-  Mesh result;
-  result.positions = rows_of<3>(mesh.positions, "The positions");
-  plugin::check_array(mesh.triangles, 3, "The triangles");
-  result.triangles.resize(plugin::count_of(mesh.triangles, 1));
-  if (!result.triangles.empty()) {
-    plugin::copy_indices(mesh.triangles, 3, "The triangles", result.triangles.front().data());
-  }
-  result.fields = copy(mesh.fields, mesh.field_count);
-  return result;
-}
-
-inline ReportEntry copy(const talweg_report_entry& entry) {
-  ReportEntry result{entry.curve, entry.key, entry.type, entry.is_list != 0, {}, {}};
-  for (std::uint32_t k = 0; k < entry.count; ++k) {
-    if (entry.type == TALWEG_VALUE_TEXT) {
-      result.texts.emplace_back(entry.texts[k]);
-    } else {
-      result.numbers.push_back(entry.numbers[k]);
+  template <class List, class View>
+  talweg_status append(List& list, const View* view) noexcept {
+    try {
+      if (failed()) return TALWEG_INTERNAL;
+      list.push_back(given(plugin::checked(view, "A result"), limits_));
+      return TALWEG_OK;
+    } catch (const plugin::Failure& failure) {
+      mistake_ = failure.what();
+    } catch (...) {
+      no_memory_ = true;
     }
-  }
-  return result;
-}
-
-/// Copies a result into the list; if memory runs out, the run ends with TALWEG_HOST_FAILED.
-template <class List, class View>
-talweg_status append(List& list, const View& view) noexcept {
-  try {
-    list.push_back(copy(view));
-    return TALWEG_OK;
-  } catch (...) {
     return TALWEG_INTERNAL;
   }
-}
+  void count_curve() { limits_.curves = std::max(limits_.curves, ++given_curves_); }
+  /// Throws Error that names the plugin, or std::bad_alloc.
+  void check(const talweg_plugin& plugin) const {
+    if (no_memory_) throw std::bad_alloc();
+    if (mistake_.empty()) return;
+    throw Error(TALWEG_INTERNAL,
+                "The plugin " + std::string(plugin.id) + " gave nonsense. " + mistake_);
+  }
+
+ private:
+  [[nodiscard]] bool failed() const { return no_memory_ || !mistake_.empty(); }
+  Limits limits_;
+  std::uint64_t given_curves_ = 0;
+  std::string mistake_;
+  bool no_memory_ = false;
+};
 
 }  // namespace detail
 
@@ -403,11 +242,16 @@ class Instance {
   void set_mesh(const talweg_array& positions, const talweg_array& triangles) {
     const talweg_mesh mesh = {sizeof mesh, 0, positions, triangles, nullptr};
     check(plugin_->set_mesh(instance_, &mesh));
+    limits_ = {positions.rows, triangles.rows, 0};
   }
-  void share_mesh(const Instance& other) { check(plugin_->share_mesh(instance_, other.instance_)); }
+  void share_mesh(const Instance& other) {
+    check(plugin_->share_mesh(instance_, other.instance_));
+    limits_ = other.limits_;
+  }
   void set_curves(const std::vector<Curve>& curves) {
     const detail::CurveViews views(curves);
     check(plugin_->set_curves(instance_, views.data(), views.size()));
+    limits_.curves = curves.size();
   }
 
   /// Throws Error(TALWEG_UNSUPPORTED) if the plugin takes none.
@@ -426,14 +270,13 @@ class Instance {
   /// The attributes of a mesh of the last run that gave meshes.
   [[nodiscard]] std::vector<Attribute> attributes(std::uint64_t mesh) const {
     if ((meshes().takes & TALWEG_TAKES_ATTRIBUTES) == 0) unsupported("gives no attributes");
-    std::vector<Attribute> result;
-    check(meshes().attributes(instance_, mesh, on_given<talweg_attribute, Attribute>, &result));
-    return result;
+    return all_given<Attribute, talweg_attribute>([&](auto take, void* context) {
+      return meshes().attributes(instance_, mesh, take, context);
+    });
   }
   [[nodiscard]] Origin origin(std::uint64_t mesh) const {
-    std::vector<Origin> result;
-    check(meshes().origin(instance_, mesh, on_given<talweg_origin, Origin>, &result));
-    return std::move(result.at(0));
+    return one_given<Origin, talweg_origin>(
+        [&](auto take, void* context) { return meshes().origin(instance_, mesh, take, context); });
   }
 
   /// The plan of the last run of talweg.cut.
@@ -441,9 +284,8 @@ class Instance {
     const auto* found =
         static_cast<const talweg_cut_plans*>(plugin_->get_extension(TALWEG_CUT_PLAN));
     if (found == nullptr || found->size < sizeof *found) unsupported("gives no plan of a cut");
-    std::vector<CutPlan> result;
-    check(found->plan(instance_, on_given<talweg_cut_plan, CutPlan>, &result));
-    return std::move(result.at(0));
+    return one_given<CutPlan, talweg_cut_plan>(
+        [&](auto take, void* context) { return found->plan(instance_, take, context); });
   }
 
   void set(const char* id, double value) { check(plugin_->set_number(instance_, id, value)); }
@@ -460,16 +302,18 @@ class Instance {
   void reset(const char* id) { check(plugin_->reset(instance_, id)); }
 
   Results run(const Wanted& wanted = {}) {
-    Results results;
+    Gathering<Results> gathering{{}, detail::Taken(limits_)};
     talweg_sink sink = {sizeof sink,
                         wanted.point_fields ? TALWEG_WANT_POINT_FIELDS : 0,
-                        &results,
+                        &gathering,
                         on_curve,
                         wanted.vertex_fields ? on_field : nullptr,
                         on_report,
                         wanted.meshes ? on_mesh : nullptr};
-    check(plugin_->run(instance_, &sink));
-    return results;
+    const talweg_status status = plugin_->run(instance_, &sink);
+    gathering.taken.check(*plugin_);
+    check(status);
+    return std::move(gathering.list);
   }
   /// May be called from any thread: a running call ends soon, with Error of TALWEG_CANCELLED.
   void cancel() { plugin_->cancel(instance_); }
@@ -483,29 +327,61 @@ class Instance {
   [[noreturn]] void unsupported(const char* what) const {
     throw Error(TALWEG_UNSUPPORTED, std::string(plugin_->id) + " " + what + ".");
   }
-  template <class Given, class Own>
-  static talweg_status on_given(void* context, const Given* given) {
-    return detail::append(*static_cast<std::vector<Own>*>(context), *given);
+
+  template <class List>
+  struct Gathering {
+    List list;
+    detail::Taken taken;
+  };
+  /// What an extension's function gives one by one.
+  template <class Own, class Given, class Call>
+  std::vector<Own> all_given(const Call& call) const {
+    using List = Gathering<std::vector<Own>>;
+    List gathering{{}, detail::Taken(limits_)};
+    const talweg_status status = call(
+        [](void* context, const Given* given) {
+          auto& to = *static_cast<List*>(context);
+          return to.taken.append(to.list, given);
+        },
+        &gathering);
+    gathering.taken.check(*plugin_);
+    check(status);
+    return std::move(gathering.list);
   }
-  static Results& results(void* context) { return *static_cast<Results*>(context); }
+  template <class Own, class Given, class Call>
+  Own one_given(const Call& call) const {
+    std::vector<Own> all = all_given<Own, Given>(call);
+    if (all.empty()) unsupported("gives none of them");
+    return std::move(all.front());
+  }
+  static Gathering<Results>& own(void* context) {
+    return *static_cast<Gathering<Results>*>(context);
+  }
   static talweg_status on_curve(void* context, const talweg_curve* curve) {
-    return detail::append(results(context).curves, *curve);
+    own(context).taken.count_curve();
+    return own(context).taken.append(own(context).list.curves, curve);
   }
   static talweg_status on_field(void* context, const talweg_field* field) {
-    return detail::append(results(context).fields, *field);
+    return own(context).taken.append(own(context).list.fields, field);
   }
   static talweg_status on_report(void* context, const talweg_report_entry* entry) {
-    return detail::append(results(context).report, *entry);
+    return own(context).taken.append(own(context).list.report, entry);
   }
   static talweg_status on_mesh(void* context, const talweg_mesh* mesh) {
-    return detail::append(results(context).meshes, *mesh);
+    return own(context).taken.append(own(context).list.meshes, mesh);
   }
   void check(talweg_status status) const {
-    if (status != TALWEG_OK) throw Error(status, plugin_->last_error(instance_));
+    if (status == TALWEG_OK) return;
+    const char* why = plugin_->last_error(instance_);
+    throw Error(status, why != nullptr && *why != 0
+                            ? std::string(why)
+                            : "The plugin " + std::string(plugin_->id) + " gave the status " +
+                                  std::to_string(status) + " and no reason.");
   }
 
   const talweg_plugin* plugin_;
   talweg_instance* instance_ = nullptr;
+  detail::Limits limits_;
 };
 
 }  // namespace talweg::host

@@ -157,6 +157,27 @@ TEST_F(Faults, ASecondSignalEndsAtOnceWhatHearsNone) {
   EXPECT_EQ(WEXITSTATUS(status), 4);
 }
 
+TEST_F(Faults, ASecondSignalEndsAPluginThatNeverReturns) {
+  ASSERT_EQ(setenv("TALWEG_PLUGIN_PATH", TALWEG_TOYS, 1), 0);
+  for (const char* fault : {"never_opens", "never_runs"}) {
+    const pid_t child = start({"run", "toy.hostile", "mesh.ply", "--curve", "drawn.obj", "--fault",
+                               fault, "-o", "out.obj"});
+    int status = 0;
+    const auto runs = [&] { return waitpid(child, &status, WNOHANG) == 0; };
+    sleep_us(1'000'000);
+    kill(child, SIGINT);
+    sleep_us(700'000);
+    EXPECT_TRUE(runs()) << fault;
+    kill(child, SIGINT);
+    for (int k = 0; k < 200 && runs(); ++k) sleep_us(20'000);
+    if (runs()) kill(child, SIGKILL);
+    EXPECT_TRUE(WIFEXITED(status)) << fault;
+    EXPECT_EQ(WEXITSTATUS(status), 4) << fault;
+    EXPECT_FALSE(std::filesystem::exists(file("out.obj")));
+  }
+  unsetenv("TALWEG_PLUGIN_PATH");
+}
+
 TEST_F(Faults, APipeWithoutAReaderIsLeftAtTheFirstSignal) {
   const std::string pipe = file("pipe.json");
   ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);

@@ -1,6 +1,7 @@
 // Smoothing in a thread: results of the plugin, the newest request wins, cancelling, closing.
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -218,6 +219,39 @@ TEST(EditingThread, TheMeshMayGoWhileAJobRuns) {
 TEST(EditingThread, TheProgramMayEndWhileAThreadOpens) {
   GTEST_FLAG_SET(death_test_style, "threadsafe");
   EXPECT_EXIT(exit_while_a_thread_opens(), ::testing::ExitedWithCode(0), "");
+}
+
+/// The plugins among the toys have a talweg.smooth that never opens a mesh.
+const editing::Plugins& endless_plugins() {
+  static const editing::Plugins plugins(TALWEG_TOYS);
+  return plugins;
+}
+
+TEST(EditingThread, APluginThatNeverEndsIsTold) {
+  Hills hills;
+  SmoothingThread thread(endless_plugins(), hills.mesh);
+  while (thread.progress().stage != "endless") std::this_thread::yield();
+  EXPECT_EQ(thread.progress().cancelled_ms, 0);
+  thread.cancel();
+  std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  EXPECT_TRUE(thread.progress().busy);
+  EXPECT_GE(thread.progress().cancelled_ms, 20);
+  EXPECT_STREQ(editing::plugin_of(thread.progress().task), "talweg.smooth");
+}
+
+/// A host that closes: the plugins go while a thread is in one of them for ever.
+[[noreturn]] void exit_while_a_plugin_never_ends() {
+  {
+    const editing::Plugins plugins(TALWEG_TOYS);
+    SmoothingThread thread(plugins, Hills().mesh);
+    while (thread.progress().stage != "endless") std::this_thread::yield();
+  }
+  std::exit(0);
+}
+
+TEST(EditingThread, TheProgramEndsWhereAPluginNeverDoes) {
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  EXPECT_EXIT(exit_while_a_plugin_never_ends(), ::testing::ExitedWithCode(0), "");
 }
 
 TEST(EditingThread, PutsPositionsOntoTheMesh) {

@@ -13,6 +13,8 @@
 namespace talweg::openflipper {
 namespace {
 
+constexpr double kPatienceMs = 2000;  // with a task that was cancelled
+
 double diagonal_of(const editing::MeshArrays& mesh) {
   ACG::Vec3d least(1e300), most(-1e300);
   for (const auto& p : mesh.positions) {
@@ -67,6 +69,17 @@ void Session::cancel() {
   done_ = ticket_;
   lines_asked_.clear();
   if (nodes_ && !sight_) thread_->see();
+}
+
+void Session::leave_what_never_ends() {
+  const editing::Progress progress = thread_->progress();
+  if (progress.cancelled_ms < kPatienceMs) return;
+  fail(work_error_,
+       QString("The plugin %1 has not ended two seconds after it was cancelled, and is "
+               "given up; the mesh is opened again.")
+           .arg(editing::plugin_of(progress.task)));
+  open();
+  asked_ = editor_.drawing();  // what never ended is not begun again by itself
 }
 
 void Session::repair() {

@@ -116,6 +116,8 @@ class Session {
   /// The same when all of it is done. For scripts.
   void wait();
   void cancel();
+  /// A faulty plugin may not end a task that was cancelled: it is left to itself, and named.
+  void leave_what_never_ends();
   /// Whether newer results than results() are on their way.
   [[nodiscard]] bool smooths() const { return done_ < ticket_; }
   /// Does what may fail with an exception, such as reading a file; a failure is told, and false.

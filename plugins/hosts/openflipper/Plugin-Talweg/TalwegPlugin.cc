@@ -78,7 +78,7 @@ void TalwegPlugin::pluginsInitialized() {
 
 void TalwegPlugin::exit() {
   sessions_.clear();
-  plugins_.reset();  // waits for threads that still end: the host may never delete this object
+  plugins_.reset();  // waits for threads, not for ever: the host may never delete this object
 }
 
 void TalwegPlugin::slotAllCleared() {
@@ -374,6 +374,7 @@ void TalwegPlugin::save_settings(const editing::Settings& settings) const {
 // ---- Progress
 
 void TalwegPlugin::look_at_progress() {
+  for (auto& [mesh, session] : sessions_) session->leave_what_never_ends();
   const Session* session = existing(current_);
   editing::Progress progress = session == nullptr ? editing::Progress() : session->progress();
   if (progress.task == editing::Task::kLeg) progress.busy = false;  // one after another

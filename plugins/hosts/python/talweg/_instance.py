@@ -8,10 +8,10 @@ import weakref
 from ctypes import byref, c_void_p, sizeof
 from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple
 
-from . import _arrays, _curves, _interruptible, _results
+from . import _arrays, _curves, _given, _interruptible, _results
 from . import _interface as c
 from ._curves import Curve
-from ._errors import BadUsage, Unsupported, error_of
+from ._errors import BadUsage, Internal, Unsupported, error_of
 from ._plugins import Parameter, Plugin
 from ._types import Array, Progress
 
@@ -22,6 +22,7 @@ _LEVELS = {c.LOG_DEBUG: logging.DEBUG, c.LOG_INFO: logging.INFO, c.LOG_WARNING: 
 
 
 Lists = Tuple[Array, Array]  # vertices and faces
+_GIVEN_UP: List["Instance"] = []  # there until the program ends
 
 
 class _Host:
@@ -58,7 +59,9 @@ class _Host:
 class _Collector:
     """The sink's other side: copies what comes."""
 
-    def __init__(self) -> None:
+    def __init__(self, plugin: str, limits: _given.Limits) -> None:
+        self._plugin = plugin
+        self._limits = limits
         self.curves: List[Curve] = []
         self.meshes: List[Lists] = []
         self.fields: Dict[str, Array] = {}
@@ -66,29 +69,40 @@ class _Collector:
         self.failure: Optional[BaseException] = None
 
     def _taken(self, take: Callable[[Any], None]) -> Callable[[Any, Any], int]:
+        checked = _given.guarded(self._plugin, take)
+
         def function(_context: Any, given: Any) -> int:
+            if self.failure is not None:
+                return c.HOST_FAILED
             try:
-                take(given.contents)
+                checked(given.contents)
                 return c.OK
-            except BaseException as error:  # most likely MemoryError; raised again after the run
+            except BaseException as error:  # raised again after the run
                 self.failure = error
                 return c.HOST_FAILED
 
         return function
 
+    def _curve(self, given: c.Curve) -> None:
+        self.curves.append(_given.check_curve(_curves.copied(given), self._limits))
+
     def _field(self, given: c.Field) -> None:
-        self.fields[given.name.decode()] = _arrays.copied(given.values)
+        name = given.name.decode()
+        self.fields[name] = _given.check_field(name, _arrays.copied(given.values), self._limits)
 
     def _entry(self, given: c.ReportEntry) -> None:
+        _given.check_entry(given, max(len(self.curves), self._limits.curves))
         self.entries.setdefault(given.curve, {})[given.key.decode()] = _results.value_of(given)
 
     def _mesh(self, given: c.Mesh) -> None:
-        self.meshes.append((_arrays.copied(given.positions), _arrays.copied_indices(given.triangles)))
+        vertices, faces = _arrays.copied(given.positions), _arrays.copied_indices(given.triangles)
+        _given.check_mesh(vertices, faces)
+        self.meshes.append((vertices, faces))
 
     def sink(self, point_fields: bool, vertex_fields: bool, meshes: bool) -> c.Sink:
         field = c.FieldSink(self._taken(self._field)) if vertex_fields else ctypes.cast(0, c.FieldSink)
         return c.Sink(sizeof(c.Sink), c.WANT_POINT_FIELDS if point_fields else 0, None,
-                      c.CurveSink(self._taken(lambda k: self.curves.append(_curves.copied(k)))),
+                      c.CurveSink(self._taken(self._curve)),
                       field, c.ReportSink(self._taken(self._entry)),
                       c.MeshSink(self._taken(self._mesh)) if meshes else ctypes.cast(0, c.MeshSink))
 
@@ -110,8 +124,10 @@ class Instance:
         if status != c.OK:
             raise error_of(status, f"{plugin.id}: an instance could not be made.")
         self._calls: List[object] = []  # at most one works; others are on their way to be refused
+        self.limits = _given.Limits()
+        self._given_up = False
         # The host's struct must outlive the instance, so it is handed over as well.
-        weakref.finalize(self, _destroy, plugin.table.destroy, self._handle, self._host)
+        self._end = weakref.finalize(self, _destroy, plugin.table.destroy, self._handle, self._host)
 
     def cancel(self) -> None:
         """From any thread: a call that runs ends soon, with Cancelled."""
@@ -121,9 +137,11 @@ class Instance:
                  progress: Optional[Progress]) -> None:
         mesh = c.Mesh(sizeof(c.Mesh), 0, _arrays.view(vertices), _arrays.view(faces))
         self._long(lambda: self.plugin.table.set_mesh(self._handle, byref(mesh)), progress)
+        self.limits = _given.Limits(len(vertices), len(faces))
 
     def share_mesh(self, other: "Instance") -> None:
         self._short(lambda: self.plugin.table.share_mesh(self._handle, other._handle))
+        self.limits = other.limits
 
     def set_curves(self, curves: Sequence[Curve],
                    progress: Optional[Progress]) -> None:
@@ -131,6 +149,7 @@ class Instance:
         self._long(lambda: self.plugin.table.set_curves(self._handle, pointers, len(curves)),
                    progress)
         del kept  # until here
+        self.limits = self.limits._replace(curves=len(curves))
 
     def set(self, parameter: Parameter, value: Any) -> None:
         """A value as the parameter's description wants it; None is none, or the default."""
@@ -182,10 +201,11 @@ class Instance:
 
     def _take(self, ask: Any, mesh: int, kind: Any, take: Callable[[Any], None]) -> None:
         failures: List[BaseException] = []
+        checked = _given.guarded(self.plugin.id, take)
 
         def taken(_context: Any, given: Any) -> int:
             try:
-                take(given.contents)
+                checked(given.contents)
                 return c.OK
             except BaseException as error:  # raised again below
                 failures.append(error)
@@ -195,20 +215,22 @@ class Instance:
         try:
             self._short(lambda: ask(self._handle, mesh, function, None))
         except Exception:
-            if failures:
-                raise failures[0] from None
-            raise
+            if not failures:
+                raise
+        if failures:
+            raise failures[0]
 
     def _run(self, point_fields: bool, vertex_fields: bool, meshes: bool,
              progress: Optional[Progress]) -> _Collector:
-        collector = _Collector()
+        collector = _Collector(self.plugin.id, self.limits)
         sink = collector.sink(point_fields, vertex_fields, meshes)
         try:
             self._long(lambda: self.plugin.table.run(self._handle, byref(sink)), progress)
         except Exception:
-            if collector.failure is not None:
-                raise collector.failure from None
-            raise
+            if collector.failure is None:
+                raise
+        if collector.failure is not None:
+            raise collector.failure
         return collector
 
     def _long(self, function: Callable[[], Any],
@@ -224,13 +246,25 @@ class Instance:
             finally:
                 self._host.progress = self._host.failure = None
 
-        self._exclusively(lambda: _interruptible.call(work, self.cancel, progress))
+        ends = _interruptible.Ends(self.cancel, self._give_up)
+        self._exclusively(lambda: _interruptible.call(work, ends, progress))
+
+    def _give_up(self) -> None:
+        """The call goes on in its thread for ever: what it uses must stay."""
+        _log.error("The plugin %s did not end when it was cancelled, and is given up.",
+                   self.plugin.id)
+        self._given_up = True
+        self._end.detach()
+        _GIVEN_UP.append(self)
 
     def _short(self, function: Callable[[], Any]) -> None:
         self._exclusively(lambda: self._checked(function))
 
     def _exclusively(self, body: Callable[[], Any]) -> None:
         # No lock: Ctrl-C between acquiring it and the next line would leave it locked for good.
+        if self._given_up:
+            raise Internal(f"The plugin {self.plugin.id} has never ended its last call here; make a "
+                           "new mesh or workspace.")
         me = object()
         try:
             self._calls.append(me)

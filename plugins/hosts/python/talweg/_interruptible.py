@@ -3,13 +3,15 @@
 Python runs signal handlers on the main thread only, and only between its own instructions. So a
 call from the main thread works on a thread of its own while the main thread waits, where Ctrl-C
 reaches it at once; it then cancels the work, and raises KeyboardInterrupt when the work has ended.
+Work that never ends, such as a faulty plugin's, is left to itself at the next Ctrl-C.
 """
 
 from __future__ import annotations
 
 import queue
 import threading
-from typing import Any, Callable, Optional
+import time
+from typing import Any, Callable, NamedTuple, Optional
 
 from ._types import Progress
 
@@ -68,25 +70,39 @@ class _Task:
             self.messages.put(None)
 
 
-def _stop(task: _Task, cancel: Callable[[], None]) -> None:
-    """Returns when the work has ended. A cancel() before the plugin is at work is lost, so again."""
+class Ends(NamedTuple):
+    """The two ways in which work ends before its time."""
+
+    cancel: Callable[[], None]  #: asks it to
+    give_up: Callable[[], None]  #: what is to be done when it is left to itself
+
+
+_TWICE_IS_MEANT = 0.5  # seconds; timeout(1) and others send a signal twice in quick succession
+
+
+def _stop(task: _Task, ends: Ends) -> None:
+    """Returns when the work has ended, or is given up. A cancel() before the plugin is at work is
+    lost, so again."""
+    began = time.monotonic()
     while True:
         try:
             task.abandoned = True
             while task.running and not task.done.wait(0.02):
                 task.answers.put(False)
-                cancel()
+                ends.cancel()
             return
-        except KeyboardInterrupt:  # it is ending already
-            continue
+        except KeyboardInterrupt:
+            if time.monotonic() - began >= _TWICE_IS_MEANT:
+                ends.give_up()
+                return
 
 
-def call(work: Callable[[Optional[Progress]], Any], cancel: Callable[[], None],
+def call(work: Callable[[Optional[Progress]], Any], ends: Ends,
          progress: Optional[Progress]) -> Any:
     """work(progress), with progress called on the caller's thread. What progress raises, and
     Ctrl-C, end the work and come out of here."""
     if threading.current_thread() is threading.main_thread():
-        result = _interruptibly(work, cancel, progress)
+        result = _interruptibly(work, ends, progress)
     else:
         result = work(progress)
     if isinstance(progress, _Bar):
@@ -94,7 +110,7 @@ def call(work: Callable[[Optional[Progress]], Any], cancel: Callable[[], None],
     return result
 
 
-def _interruptibly(work: Callable[[Optional[Progress]], Any], cancel: Callable[[], None],
+def _interruptibly(work: Callable[[Optional[Progress]], Any], ends: Ends,
                    progress: Optional[Progress]) -> Any:
     task = _Task(work, progress is not None)
     try:
@@ -109,7 +125,7 @@ def _interruptibly(work: Callable[[Optional[Progress]], Any], cancel: Callable[[
             assert progress is not None
             task.answers.put(progress(*message) is not False)
     except BaseException:
-        _stop(task, cancel)
+        _stop(task, ends)
         raise
     if task.error is not None:
         raise task.error.with_traceback(None)  # the other thread's frames tell nothing

@@ -7,7 +7,7 @@ from typing import Any, List, Mapping, Optional, Tuple
 
 import numpy as np
 
-from . import _arrays
+from . import _arrays, _given
 from ._carrying import Carrier
 from ._instance import Instance, Lists
 from ._mesh import Mesh
@@ -87,7 +87,7 @@ def made_meshes(instance: Instance, carrier: Carrier, lists: List[Lists]) -> Lis
 def _made(instance: Instance, carrier: Carrier, number: int, vertices: Array,
           faces: Array) -> MadeMesh:
     came: List[Any] = []
-    instance.take_origin(number, lambda origin: came.append(_origin_of(origin)))
+    instance.take_origin(number, lambda origin: came.append(_origin_of(origin, instance.limits)))
     origin, chains = came[0]
     at_vertices, at_faces, at_corners = carrier.of_mesh(number)
     mesh = MadeMesh.__new__(MadeMesh)
@@ -98,10 +98,11 @@ def _made(instance: Instance, carrier: Carrier, number: int, vertices: Array,
     return mesh
 
 
-def _origin_of(given: Any) -> Any:
+def _origin_of(given: Any, limits: _given.Limits) -> Any:
     origin = Origin(_arrays.copied_indices(given.vertices).reshape(-1, 3),
                     _arrays.copied(given.weights).reshape(-1, 3),
                     _arrays.copied_indices(given.triangles))
+    _given.check_origin(origin, limits)
     closed, lengths = _arrays.copied(given.closed), _arrays.copied(given.lengths)
     rows = _arrays.copied_indices(given.chains).reshape(-1, 3)
     bounds = np.searchsorted(rows[:, 0], np.arange(given.curve_count + 1))
