@@ -59,12 +59,12 @@ slurm_test() {
   page_file submit.sh
   mkdir -p slurm
   . ./submit.sh
-  wait_for 60 "task at work on n1" task_on n1
+  wait_for 60 "task at work on n1" task_on n1 >/dev/null
   local task
   task=$(task_on n1)
   say "Slurm: task $task is started again after $(wc -l <slurm/"$task".csv.part) lines"
   scontrol requeue "${job}_$task"
-  wait_for 60 "task at work on n2" task_on n2
+  wait_for 60 "task at work on n2" task_on n2 >/dev/null
   say "Slurm: node n2 dies during task $(task_on n2)"
   kill_node n2
   wait_for 60 "node that is down" eval '[[ $(sinfo -h -N -n n2 -o %t) == down* ]]'
