@@ -13,7 +13,7 @@ namespace talweg::editing {
 class EndingThreads {
  public:
   EndingThreads() = default;
-  /// Waits for all of them, but no longer than 1.5 s: a thread in a plugin that never returns is
+  /// Waits for all of them, but no longer than 0.7 s: a thread in a plugin that never returns is
   /// left to itself.
   ~EndingThreads();
   EndingThreads(const EndingThreads&) = delete;
