@@ -1,0 +1,13 @@
+// Bytes that the process has from the allocator.
+#pragma once
+
+#include <cstddef>
+
+namespace talweg::test {
+
+[[nodiscard]] std::size_t live_bytes();
+/// The most since begin_peak().
+[[nodiscard]] std::size_t peak_bytes();
+void begin_peak();
+
+}  // namespace talweg::test
