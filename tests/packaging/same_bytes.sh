@@ -10,6 +10,7 @@ folder=$(cd "$1" && pwd)
 for clone in one a/longer/path/two; do
   start=$(date +%s) log=$folder/$(basename "$clone").log
   git clone -q "$project" "$folder/$clone"
+  project=$folder/one # the same commit, whatever is done here meanwhile
   (cd "$folder/$clone" && ./run page && plugins/packages/release.sh build/release) >"$log" 2>&1 ||
     { tail -n 20 "$log" >&2; exit 1; }
   echo "$clone: $(($(date +%s) - start)) s"
