@@ -30,6 +30,10 @@ async function everyState(options, name) {
   await page.rest();
   await look(page, `${name}, drawn`);
   await page.picture(`${name}-drawn`);
+  await page.act('cut');
+  await page.page.waitForSelector('#part-list li');
+  await page.rest();
+  await look(page, `${name}, cut`);
   await page.act('help');
   await look(page, `${name}, help`);
 }
