@@ -5,9 +5,13 @@
 #include <cmath>
 #include <map>
 #include <string>
+#include <tuple>
+#include <unordered_map>
 #include <utility>
 
 #include "talweg/core/cutting/face_triangulation.hpp"
+#include "talweg/core/cutting/mixed_order.hpp"
+#include "talweg/core/cutting/no_element.hpp"
 #include "talweg/core/cutting/point_merging.hpp"
 #include "talweg/intrinsic/error.hpp"
 #include "talweg/intrinsic/exact_distance/polyline_pieces.hpp"
@@ -67,6 +71,8 @@ class Planner {
   [[nodiscard]] EdgeId edge_of_both(const SurfacePoint& p, const SurfacePoint& q) const;
   void go_along(EdgeId edge, const Placed& from, const Placed& to, const Where& where);
   [[nodiscard]] std::vector<FaceId> touched_faces() const;
+  [[nodiscard]] std::vector<std::pair<FaceTriangulation::Place, std::uint32_t>> places_in(
+      FaceId face) const;
   void cut_up(FaceId face);
   void cut_up_touched();
   void collect_chains();
@@ -138,19 +144,34 @@ void Planner::place_on_edges(std::vector<std::pair<OnEdge, Where>>& points) {
   }
 }
 
+/// Points that are one lie in the same or neighbouring cells of a grid over their face.
 void Planner::place_in_faces(std::vector<std::pair<InFace, Where>>& points) {
+  using Cell = std::tuple<FaceId, std::int64_t, std::int64_t>;
+  std::map<Cell, std::vector<std::uint32_t>> cells;
   for (const auto& [at, where] : points) {
-    std::vector<std::uint32_t>& there = in_faces_[at.face];
-    const auto same = std::find_if(there.begin(), there.end(), [&, in = &at](std::uint32_t v) {
-      return merging_.same(face_point(v), *in);
-    });
+    const std::array<double, 3> reach = merging_.in(at.face);
+    const auto cell = [&, in = &at](std::size_t k) {
+      constexpr double kWider = 1.001;  // so that rounding puts nothing two cells away
+      return static_cast<std::int64_t>(std::floor(in->barycentric[k] / (kWider * reach[k])));
+    };
+    const std::int64_t x = cell(1), y = cell(2);
     std::uint32_t& vertex = placed_[where.first][where.second].vertex;
-    if (same != there.end()) {
-      vertex = *same;
-    } else {
-      vertex = add(placed_[where.first][where.second].point);
-      there.push_back(vertex);
+    std::uint32_t same = kNoVertex;  // the first of several
+    for (std::int64_t i = x - 1; i <= x + 1; ++i) {
+      for (std::int64_t k = y - 1; k <= y + 1; ++k) {
+        const auto there = cells.find({at.face, i, k});
+        if (there == cells.end()) continue;
+        for (const std::uint32_t v : there->second) {
+          if (v < same && merging_.same(face_point(v), at)) same = v;
+        }
+      }
     }
+    if (same == kNoVertex) {
+      same = add(placed_[where.first][where.second].point);
+      in_faces_[at.face].push_back(same);
+      cells[{at.face, x, y}].push_back(same);
+    }
+    vertex = same;
   }
 }
 
@@ -180,10 +201,12 @@ void Planner::go_along(EdgeId edge, const Placed& from, const Placed& to, const 
   const auto there = on_edges_.find(edge);
   if (there == on_edges_.end()) return;
   std::vector<std::uint32_t>& between = between_[where];
-  for (const OnOneEdge& point : there->second) {
-    const bool inside = point.t > std::min(a, b) && point.t < std::max(a, b);
-    if (inside && point.vertex != from.vertex && point.vertex != to.vertex) {
-      between.push_back(point.vertex);
+  const std::vector<OnOneEdge>& points = there->second;  // by t
+  auto point = std::upper_bound(points.begin(), points.end(), std::min(a, b),
+                                [](double t, const OnOneEdge& p) { return t < p.t; });
+  for (; point != points.end() && point->t < std::max(a, b); ++point) {
+    if (point->vertex != from.vertex && point->vertex != to.vertex) {
+      between.push_back(point->vertex);
     }
   }
   if (b < a) std::reverse(between.begin(), between.end());
@@ -230,14 +253,11 @@ std::int64_t on_lattice(double part) {
                                   1, FaceTriangulation::kOne - 1);
 }
 
-void Planner::cut_up(FaceId face) {
+/// The new vertices on the sides of a face and in it, in the order in which they were found.
+std::vector<std::pair<FaceTriangulation::Place, std::uint32_t>> Planner::places_in(
+    FaceId face) const {
   constexpr std::int64_t kOne = FaceTriangulation::kOne;
-  const SideFrame frame = side_frame(surface_, face, 0);
-  FaceTriangulation triangulation({PlanePoint{0, 0}, PlanePoint{frame.length, 0}, frame.apex});
-  std::vector<std::uint32_t> global;
-  for (const VertexId v : surface_.corners(face)) {
-    global.push_back(static_cast<std::uint32_t>(v.index()));
-  }
+  std::vector<std::pair<FaceTriangulation::Place, std::uint32_t>> points;
   HalfedgeId h = surface_.halfedge(face);
   for (std::size_t k = 0; k < 3; ++k, h = surface_.next(h)) {
     const auto there = on_edges_.find(edge_of(h));
@@ -247,8 +267,7 @@ void Planner::cut_up(FaceId face) {
       const std::int64_t along = on_lattice(point.t);
       place[(k + 1) % 3] = h == halfedge_of(edge_of(h)) ? along : kOne - along;
       place[k] = kOne - place[(k + 1) % 3];
-      triangulation.insert(place);
-      global.push_back(point.vertex);
+      points.emplace_back(place, point.vertex);
     }
   }
   if (const auto inside = in_faces_.find(face); inside != in_faces_.end()) {
@@ -256,11 +275,36 @@ void Planner::cut_up(FaceId face) {
       const auto& b = face_point(v).barycentric;
       FaceTriangulation::Place place{0, on_lattice(b[1]), on_lattice(b[2])};
       place[0] = kOne - place[1] - place[2];
-      triangulation.insert(place);
-      global.push_back(v);
+      points.emplace_back(place, v);
     }
   }
+  return points;
+}
+
+void Planner::cut_up(FaceId face) {
+  constexpr std::int64_t kOne = FaceTriangulation::kOne;
+  const SideFrame frame = side_frame(surface_, face, 0);
+  FaceTriangulation triangulation({PlanePoint{0, 0}, PlanePoint{frame.length, 0}, frame.apex});
+  std::vector<std::uint32_t> global;
+  for (const VertexId v : surface_.corners(face)) {
+    global.push_back(static_cast<std::uint32_t>(v.index()));
+  }
+  const auto points = places_in(face);
+  constexpr std::size_t kFew = 32;
+  const bool many = points.size() > kFew;
+  const MixedOrder mixed(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const auto& [place, vertex] = points[many ? mixed[i] : i];
+    triangulation.insert(place);
+    global.push_back(vertex);
+  }
+  std::unordered_map<std::uint32_t, std::uint32_t> number;  // in the face, if there are many points
+  if (many) {
+    for (std::uint32_t i = 0; i < global.size(); ++i) number.emplace(global[i], i);
+    triangulation.improve();  // segments cross fewer edges then
+  }
   const auto local = [&](std::uint32_t v) {
+    if (!number.empty()) return number.at(v);
     return static_cast<std::uint32_t>(std::find(global.begin(), global.end(), v) - global.begin());
   };
   const std::vector<Segment>& segments = segments_[face];

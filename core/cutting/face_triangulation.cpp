@@ -17,6 +17,9 @@ using Place = FaceTriangulation::Place;
 /// Up to so many places are compared one by one.
 constexpr std::size_t kFew = 32;
 constexpr std::uint32_t kNotThere = 0xFFFFFFFFU;
+/// Beyond so many, new points are improved around at once: otherwise flips would be n². Fewer are
+/// only improved in the end.
+constexpr std::size_t kMany = 1024;
 
 /// Twice a signed area, exactly: high times 2^21, plus low. Coordinates differ by at most 2^40, so
 /// it has up to 82 bits; products of 21 and 40 bits fit into 64.
@@ -83,7 +86,7 @@ void FaceTriangulation::add(const Corners& corners) {
 void FaceTriangulation::split_inside(std::uint32_t triangle, std::uint32_t p) {
   const auto [a, b, c] = triangles_[triangle];
   const auto next = static_cast<std::uint32_t>(triangles_.size());
-  if (only_split_) {
+  if (has_history_) {
     history_.divide(triangle, {{triangle, {a, b, p}}, {next, {b, c, p}}, {next + 1, {c, a, p}}});
   }
   set(triangle, {a, b, p});
@@ -103,7 +106,7 @@ void FaceTriangulation::split_edge(std::uint32_t a, std::uint32_t b, std::uint32
     const std::uint32_t triangle = found->second, w = opposite(u, v);
     triangle_of_.erase(found);
     const auto next = static_cast<std::uint32_t>(triangles_.size());
-    if (only_split_) history_.divide(triangle, {{triangle, {u, p, w}}, {next, {p, v, w}}});
+    if (has_history_) history_.divide(triangle, {{triangle, {u, p, w}}, {next, {p, v, w}}});
     set(triangle, {u, p, w});
     add({p, v, w});
   }
@@ -137,7 +140,7 @@ std::uint32_t FaceTriangulation::triangle_at(std::uint32_t p) const {
     const std::array<int, 3> s = sides(c, p);
     return s[0] >= 0 && s[1] >= 0 && s[2] >= 0;
   };
-  if (!only_split_) {
+  if (!has_history_) {
     const auto found = std::find_if(triangles_.begin(), triangles_.end(), holds);
     if (found == triangles_.end()) fail();
     return static_cast<std::uint32_t>(found - triangles_.begin());
@@ -169,6 +172,10 @@ std::uint32_t FaceTriangulation::insert(const Place& place) {
   } else {
     split_edge(c[on], c[(on + 1) % 3], p);
   }
+  if (has_history_ && places_.size() > kMany) {
+    if (places_.size() == kMany + 1) improve();
+    improve_around(p);
+  }
   return p;
 }
 
@@ -186,14 +193,45 @@ void FaceTriangulation::flip(std::uint32_t a, std::uint32_t b) {
   const std::uint32_t p = opposite(a, b), q = opposite(b, a);
   const std::uint32_t left = triangle_of_.at(directed(a, b));
   const std::uint32_t right = triangle_of_.at(directed(b, a));
+  if (has_history_) history_.flip({left, {a, q, p}}, {right, {q, b, p}});
   triangle_of_.erase(directed(a, b));
   triangle_of_.erase(directed(b, a));
-  only_split_ = false;
   set(left, {a, q, p});
   set(right, {q, b, p});
 }
 
+/// Flips edges opposite a point until none should be (C. Lawson, "Software for C1 surface
+/// interpolation", 1977).
+void FaceTriangulation::improve_around(std::uint32_t p) {
+  std::vector<std::array<std::uint32_t, 2>> open;
+  const std::uint32_t first = corner_of_[p];
+  for (const bool ccw : {true, false}) {
+    std::uint32_t t = first;
+    do {
+      const Corners& c = triangles_[t];
+      const auto at = static_cast<std::size_t>(std::find(c.begin(), c.end(), p) - c.begin());
+      const std::uint32_t right = c[(at + 1) % 3], left = c[(at + 2) % 3];
+      open.push_back({right, left});
+      const auto next = triangle_of_.find(ccw ? directed(p, left) : directed(right, p));
+      if (next == triangle_of_.end()) break;
+      t = next->second;
+    } while (t != first);
+    if (t == first && open.size() > 1) break;  // all around
+  }
+  while (!open.empty()) {
+    const auto [a, b] = open.back();
+    open.pop_back();
+    if (!can_flip(a, b) || opposite(a, b) != p || !should_flip(a, b)) continue;
+    const std::uint32_t q = opposite(b, a);
+    flip(a, b);
+    open.push_back({a, q});
+    open.push_back({q, b});
+  }
+}
+
 std::size_t FaceTriangulation::connect(std::uint32_t a, std::uint32_t b) {
+  if (has_history_) history_.forget();
+  has_history_ = false;
   std::vector<std::uint32_t> way{a};
   // What is still to be reached, the next last. Not by recursion: a segment may cross thousands.
   std::vector<std::uint32_t> ahead{b};

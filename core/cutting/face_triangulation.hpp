@@ -14,10 +14,9 @@ namespace talweg {
 
 /// A triangulation of a triangle in which given segments are chains of edges. Points are integer
 /// barycentrics, so the side of a line on which a point lies is always decided exactly, and two
-/// faces of a mesh always agree on the points of their common edge. n points in a mixed order, or
-/// in order along a side, and the segments between neighbours take O((n + flips) log n). Flips may
-/// be n² where many segments cross many sides of triangles: no triangle is improved before
-/// improve().
+/// faces of a mesh always agree on the points of their common edge. O((n + flips) log n) as a rule
+/// for n points and for segments between neighbours. The flips are about n, since beyond 1024
+/// points each new one is improved around at once; more for segments across many others.
 class FaceTriangulation {
  public:
   static constexpr std::int64_t kOne = std::int64_t{1} << 40;
@@ -30,8 +29,8 @@ class FaceTriangulation {
   /// triangles.
   explicit FaceTriangulation(const std::array<PlanePoint, 3>& corners);
 
-  /// Adds a point and returns its number, or that of the point that is there already. All triangles
-  /// are looked at once segments were connected or triangles improved; before, log n as a rule.
+  /// Adds a point and returns its number, or that of the point that is there already. O(log n) as a
+  /// rule, O(n) once segments were connected.
   std::uint32_t insert(const Place& place);
   /// Makes the segment between two points a chain of edges. The chain passes through points that it
   /// meets. Where it crosses another segment, a point is added at the nearest place on the lattice.
@@ -68,6 +67,7 @@ class FaceTriangulation {
   void split_inside(std::uint32_t triangle, std::uint32_t p);
   void split_edge(std::uint32_t a, std::uint32_t b, std::uint32_t p);
   void flip(std::uint32_t a, std::uint32_t b);
+  void improve_around(std::uint32_t p);
   [[nodiscard]] bool can_flip(std::uint32_t a, std::uint32_t b) const;
   [[nodiscard]] std::array<std::uint32_t, 2> leaving(std::uint32_t a, std::uint32_t b) const;
   std::uint32_t step(std::uint32_t a, std::uint32_t b);
@@ -92,7 +92,7 @@ class FaceTriangulation {
   std::unordered_map<Key, std::uint32_t> triangle_of_;  // by directed edge
   std::vector<std::uint32_t> corner_of_;                // of each point one of its triangles
   SplitHistory history_{{0, 1, 2}};
-  bool only_split_ = true;  // no edge was flipped, so the history tells all
+  bool has_history_ = true;
   struct Fixed {
     bool is_split = false;
     std::uint32_t at = 0;

@@ -5,11 +5,11 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <numeric>
 #include <set>
 #include <utility>
 
 #include "talweg/core/cutting/face_triangulation.hpp"
+#include "talweg/core/cutting/mixed_order.hpp"
 #include "talweg/intrinsic/error.hpp"
 
 namespace talweg {
@@ -96,11 +96,10 @@ class PlaneFiller {
   bool insert() {
     std::vector<std::uint32_t> all;
     for (const Loop& loop : loops_) all.insert(all.end(), loop.begin(), loop.end());
-    std::size_t step = static_cast<std::size_t>(0.618 * static_cast<double>(all.size())) + 1;
-    while (std::gcd(step, all.size()) != 1) ++step;
+    const MixedOrder mixed(all.size());
     number_ = {0, 0, 0};  // the triangle's own corners
     for (std::size_t k = 0; k < all.size(); ++k) {
-      const std::uint32_t v = all[k * step % all.size()];
+      const std::uint32_t v = all[mixed[k]];
       if (triangulation_.insert(place(points_[v])) != number_.size()) return false;
       local_[v] = static_cast<std::uint32_t>(number_.size());
       number_.push_back(v);

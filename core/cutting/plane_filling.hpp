@@ -25,7 +25,7 @@ double distance_from_plane(const std::vector<Point>& points, const Loop& loop);
 /// Groups the plane loops: each outer loop with its holes. Holes are the loops in the same plane
 /// that turn the other way and lie inside the outer one, with no other loop in between and no point
 /// in common. Every plane loop is in one group; groups are in the order of their first loops, which
-/// are the outer ones.
+/// are the outer ones. O(loops² + points), and their points again for each two around each other.
 std::vector<std::vector<std::size_t>> plane_groups(const std::vector<Point>& points,
                                                    std::span<const Loop> loops);
 

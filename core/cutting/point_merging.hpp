@@ -17,14 +17,14 @@ class PointMerging {
 
   /// How near, as a part of this edge.
   [[nodiscard]] double on(EdgeId edge) const { return at_least(surface_.length(edge)); }
+  /// How near, in barycentrics, two points of one face must be at least to be one.
+  [[nodiscard]] std::array<double, 3> in(FaceId face) const;
   /// Whether two points of one face are one.
   [[nodiscard]] bool same(const InFace& p, const InFace& q) const;
   /// Moves a point to a vertex or an edge if it lies near it.
   [[nodiscard]] SurfacePoint settled(const SurfacePoint& point) const;
 
  private:
-  /// For each corner, how near to the side opposite it.
-  [[nodiscard]] std::array<double, 3> in(FaceId face) const;
   [[nodiscard]] double at_least(double size) const;
 
   const Surface& surface_;

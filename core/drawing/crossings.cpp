@@ -4,6 +4,7 @@
 #include <array>
 #include <string>
 
+#include "talweg/core/space/box_tree.hpp"
 #include "talweg/intrinsic/error.hpp"
 
 namespace talweg {
@@ -26,6 +27,34 @@ bool cross(const FaceSegment& p, const FaceSegment& q) {
   };
   return apart(orient(p.from, p.to, q.from), orient(p.from, p.to, q.to)) &&
          apart(orient(q.from, q.to, p.from), orient(q.from, q.to, p.to));
+}
+
+/// A box around a segment in the plane of two barycentrics, wider than what cross() may take for a
+/// crossing.
+SpaceBox box_of(const FaceSegment& s) {
+  constexpr double kWider = 1e-9;
+  const std::array<Point, 2> ends = {Point(s.from[0], s.from[1], 0), Point(s.to[0], s.to[1], 0)};
+  SpaceBox box = SpaceBox::around(ends);
+  box.low.array() -= kWider;
+  box.high.array() += kWider;
+  return box;
+}
+
+/// Calls found() with each two segments of a face that cross; many are looked up in a tree.
+template <class Found>
+void find_crossings(std::span<const FaceSegment> segments, const Found& found) {
+  constexpr std::size_t kMany = 32;
+  const auto meet = [&](std::size_t i, std::size_t k) {
+    if (cross(segments[i], segments[k])) found(segments[i], segments[k]);
+  };
+  if (segments.size() > kMany) {
+    const BoxTree::BoxOf box = [&](std::uint32_t i) { return box_of(segments[i]); };
+    BoxTree(segments.size(), box).visit_pairs(box, meet);
+    return;
+  }
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    for (std::size_t k = i + 1; k < segments.size(); ++k) meet(i, k);
+  }
 }
 
 /// Where a segment lies: most faces have one only, for which no more needs to be known.
@@ -181,11 +210,7 @@ void find_crossings(const Surface& surface, std::span<const SurfaceCurve> curves
     for (std::size_t i = first; i < last; ++i) {
       segments.push_back(segment_at(surface, curves, places[i]));
     }
-    for (std::size_t i = 0; i < segments.size(); ++i) {
-      for (std::size_t k = i + 1; k < segments.size(); ++k) {
-        if (cross(segments[i], segments[k])) found(segments[i], segments[k]);
-      }
-    }
+    find_crossings(segments, found);
   }
 }
 

@@ -26,8 +26,8 @@ PathContacts path_contacts(const SignpostTriangulation& triangulation,
                            std::span<const EdgePath> paths);
 
 /// The curves (ascending indices) of which two segments, of the same or of different curves, cross
-/// inside a face. Touching does not count. O(segments log segments); more only where many segments
-/// share one face. Throws Error(kBadCurve) when a segment lies in no face.
+/// inside a face. Touching does not count. O(segments log segments); more only where many long
+/// segments share one face. Throws Error(kBadCurve) when a segment lies in no face.
 std::vector<std::size_t> crossing_curves(const Surface& surface,
                                          std::span<const SurfaceCurve> curves);
 

@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <utility>
 #include <vector>
 
+#include "talweg/intrinsic/exact_distance/edge_bounds.hpp"
 #include "talweg/intrinsic/exact_distance/polyline_window.hpp"
 #include "talweg/intrinsic/surface/ids.hpp"
 
@@ -15,7 +17,7 @@ namespace talweg {
 /// Nearly every edge has only a few windows, which form a list through EdgeWindow::next. The long
 /// sides of needles can have thousands, of which a new window meets two or three. For such edges
 /// the windows' extents are stored side by side, so that a search does not fetch all windows from
-/// memory.
+/// memory, and bounds tell at once where a new window is not shorter.
 class WindowLists {
  public:
   using Id = std::uint32_t;
@@ -40,7 +42,9 @@ class WindowLists {
     windows_.push_back(window);
     Id& first = first_[edge.index()];
     if (is_crowd(first)) {
-      crowds_[first & ~kCrowd].push_back({window.begin, window.end, id});
+      Crowd& crowd = crowds_[first & ~kCrowd];
+      crowd.extents.push_back({window.begin, window.end, id});
+      if (crowd.bounds) crowd.bounds->add(window);
     } else {
       if (first == kNone) touched_.push_back(edge);
       windows_.back().next = std::exchange(first, id);
@@ -53,8 +57,8 @@ class WindowLists {
   void each(EdgeId edge, Use use) const {
     const Id first = first_[edge.index()];
     if (is_crowd(first)) {
-      const auto& crowd = crowds_[first & ~kCrowd];
-      for (std::size_t i = crowd.size(); i-- > 0;) use(windows_[crowd[i].id]);
+      const auto& extents = crowds_[first & ~kCrowd].extents;
+      for (std::size_t i = extents.size(); i-- > 0;) use(windows_[extents[i].id]);
     } else {
       for (Id i = first; i != kNone; i = windows_[i].next) use(windows_[i]);
     }
@@ -66,6 +70,17 @@ class WindowLists {
     [[nodiscard]] bool is_empty() const { return end < begin; }
     [[nodiscard]] bool meets(double from, double to) const { return from <= end && begin <= to; }
   };
+  /// The range of a new window without parts at its ends where ways that are known are shorter by
+  /// more than `same`. Only looked for where there are many windows.
+  Range not_longer(EdgeId edge, const EdgeWindow& window, double length, double same) {
+    const Id first = first_[edge.index()];
+    constexpr double kShort = 1e-290;  // so short edges cannot be divided into parts
+    if (!is_crowd(first) || length < kShort) return {window.begin, window.end};
+    Crowd& crowd = crowds_[first & ~kCrowd];
+    if (!crowd.bounds || crowd.bounds->parts() < crowd.extents.size()) bound(crowd, length);
+    const auto [begin, end] = crowd.bounds->not_longer(window, same);
+    return {begin, end};
+  }
   /// Calls use(EdgeWindow&) for the windows that meet a range. It returns the range to continue
   /// with, and may cut the window, which is removed when it is empty.
   template <class Use>
@@ -90,7 +105,10 @@ class WindowLists {
     double begin, end;
     Id id;
   };
-  using Crowd = std::vector<Extent>;  // the newest is last
+  struct Crowd {
+    std::vector<Extent> extents;  // the newest is last
+    std::optional<EdgeBounds> bounds;
+  };
 
   static bool is_crowd(Id first) { return first != kNone && (first & kCrowd) != 0; }
 
@@ -112,25 +130,34 @@ class WindowLists {
 
   template <class Use>
   void each_in(Crowd& crowd, Range range, Use& use) {
-    for (std::size_t i = crowd.size(); !range.is_empty() && i-- > 0;) {
-      Extent& extent = crowd[i];
+    std::vector<Extent>& extents = crowd.extents;
+    for (std::size_t i = extents.size(); !range.is_empty() && i-- > 0;) {
+      Extent& extent = extents[i];
       if (!range.meets(extent.begin, extent.end)) continue;
       EdgeWindow& window = windows_[extent.id];
       range = use(window);
       extent.begin = window.begin;
       extent.end = window.end;
-      if (window.is_empty()) crowd.erase(crowd.begin() + static_cast<std::ptrdiff_t>(i));
+      if (window.is_empty()) extents.erase(extents.begin() + static_cast<std::ptrdiff_t>(i));
     }
   }
 
   void make_crowd(EdgeId edge) {
     Crowd crowd;
     each(edge, [&](const EdgeWindow& w) {
-      crowd.push_back({w.begin, w.end, static_cast<Id>(&w - windows_.data())});
+      crowd.extents.push_back({w.begin, w.end, static_cast<Id>(&w - windows_.data())});
     });
-    std::reverse(crowd.begin(), crowd.end());
+    std::reverse(crowd.extents.begin(), crowd.extents.end());
     crowds_.push_back(std::move(crowd));
     first_[edge.index()] = kCrowd | static_cast<Id>(crowds_.size() - 1);
+  }
+
+  /// Makes bounds of four parts a window, so that they serve until there are as many windows more.
+  void bound(Crowd& crowd, double length) {
+    std::size_t parts = 1;
+    while (parts < 4 * crowd.extents.size()) parts *= 2;
+    crowd.bounds.emplace(length, parts);
+    for (const Extent& extent : crowd.extents) crowd.bounds->add(windows_[extent.id]);
   }
 
   std::vector<Id> first_;  // per edge

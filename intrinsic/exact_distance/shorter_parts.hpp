@@ -11,20 +11,22 @@
 
 namespace talweg {
 
-/// At first one part, the whole window. Each older window of the edge then takes away what it
-/// reaches by a way at least as short, and is cut where the new window is shorter. Borders are
-/// found to kBorder; there neighbouring windows overlap by a few times that, so that no point of
-/// the edge falls between two.
+/// At first one part, the whole window or a part of it. Each older window of the edge then takes
+/// away what it reaches by a way at least as short, and is cut where the new window is shorter.
+/// Borders are found to kBorder; there neighbouring windows overlap by a few times that, so that no
+/// point of the edge falls between two.
 class ShorterParts {
  public:
   using Part = std::array<double, 2>;  // from, to
 
   /// `length` is that of the edge. The new window counts as shorter where it is so by more than
-  /// `same`. It must outlive the object.
-  ShorterParts(const EdgeWindow& window, double length, double same)
+  /// `same`. It must outlive the object. `whole`: where it can be shorter at all.
+  ShorterParts(const EdgeWindow& window, double length, double same, const Part& whole)
       : window_(&window), length_(length), same_(same), size_(size_of(window, length)) {
-    parts_.add(window.begin, window.end);
+    parts_.add(whole[0], whole[1]);
   }
+  ShorterParts(const EdgeWindow& window, double length, double same)
+      : ShorterParts(window, length, same, {window.begin, window.end}) {}
 
   void compare_with(EdgeWindow& other);
 

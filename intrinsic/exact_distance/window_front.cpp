@@ -180,8 +180,10 @@ void WindowFront::insert(const EdgeWindow& window) {
   if (to_head < vertices_[head].distance) {
     lower(head, {to_head, window.curve, window.arc_at(window.end)});
   }
-  ShorterParts shorter(window, length, same);
-  windows_.each_meeting({window.begin, window.end}, edge, [&](EdgeWindow& other) {
+  const WindowLists::Range whole = windows_.not_longer(edge, window, length, same);
+  if (whole.is_empty()) return;
+  ShorterParts shorter(window, length, same, {whole.begin, whole.end});
+  windows_.each_meeting(whole, edge, [&](EdgeWindow& other) {
     work_.add(1);
     shorter.compare_with(other);
     if (shorter.empty()) return WindowLists::Range{};

@@ -22,7 +22,7 @@ std::vector<MetricTriangle> metric_triangles(const Surface& surface);
 /// The triangles of the intrinsic Delaunay triangulation of the surface: same vertices, same
 /// metric, cotan weights of all inner edges >= 0 up to rounding (Bobenko & Springborn 2007).
 /// `flips`, if given, receives the number of flips. Edges that no flip can improve (in zero-area
-/// diamonds) stay as they are, so the algorithm always ends.
+/// diamonds) stay as they are, so the algorithm always ends. O(faces + flips).
 std::vector<MetricTriangle> delaunay_triangles(const Surface& surface,
                                                std::size_t* flips = nullptr);
 

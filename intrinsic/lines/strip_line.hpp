@@ -34,7 +34,7 @@ struct StripLine {
 /// every vertex around which that is shorter. Points on the edges that the strip begins or ends
 /// with pass to the next face, so that `from` and `to` may be other coordinates of the same points.
 /// `found` is false where coordinates are not finite (faces without area) or the strip does not
-/// settle.
+/// settle. O(faces of the strip) for each flip of the strip to another side of a vertex.
 class StripLines {
  public:
   explicit StripLines(const Surface& surface) : surface_(&surface) {}

@@ -1,0 +1,106 @@
+// Edge bounds tell how long the known ways to the points of an edge are at most.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+#include "talweg/intrinsic/exact_distance/polyline_window.hpp"
+
+namespace talweg {
+
+/// A new window of an edge is seldom shorter than thousands of known ones but in a small part. Here
+/// are the shortest known ways to places evenly spread over the edge; along the edge they lead on
+/// to all points in between. Bounds of ever longer parts rule most of a new window out in O(log n)
+/// steps. Ways only become shorter, so a bound that held once holds for ever.
+class EdgeBounds {
+ public:
+  /// `parts`: a power of 2.
+  EdgeBounds(double length, std::size_t parts)
+      : length_(length),
+        parts_(parts),
+        at_(parts + 1, std::numeric_limits<double>::infinity()),
+        most_(2 * parts, std::numeric_limits<double>::infinity()) {}
+
+  [[nodiscard]] std::size_t parts() const { return parts_; }
+
+  /// Takes the ways of a window into account. It has `begin` <= `end`.
+  void add(const EdgeWindow& window) {
+    const double size = length_ / static_cast<double>(parts_);
+    const auto before = std::min(parts_ - 1, static_cast<std::size_t>(window.begin / size));
+    std::size_t last = before;
+    for (std::size_t i = before; i <= parts_; last = i++) {
+      const double bend = std::clamp(place(i), window.begin, window.end);
+      const double way = window.value(bend) + std::abs(place(i) - bend);
+      at_[i] = std::min(at_[i], way);
+      if (place(i) >= window.end && i > before) break;
+    }
+    update(before == 0 ? 0 : before - 1, std::min(parts_ - 1, last + 1));
+  }
+
+  struct Stretch {
+    double begin, end;
+    [[nodiscard]] bool is_empty() const { return end < begin; }
+  };
+  /// A stretch of a window, without parts at its ends where known ways are shorter by more than
+  /// `same`.
+  [[nodiscard]] Stretch not_longer(const EdgeWindow& window, double same) const {
+    const Asked asked{&window, same};
+    const std::size_t first = find(asked, 1, 0, parts_, false);
+    if (first == parts_) return {1, 0};
+    const std::size_t last = find(asked, 1, 0, parts_, true);
+    return {std::max(window.begin, place(first)), std::min(window.end, place(last + 1))};
+  }
+
+ private:
+  struct Asked {
+    const EdgeWindow* window;
+    double same;
+  };
+
+  [[nodiscard]] double place(std::size_t i) const {
+    return i == parts_ ? length_ : length_ / static_cast<double>(parts_) * static_cast<double>(i);
+  }
+
+  void update(std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i <= last; ++i) {
+      most_[parts_ + i] = (at_[i] + at_[i + 1] + (place(i + 1) - place(i))) / 2;
+    }
+    for (std::size_t i = (parts_ + first) / 2, k = (parts_ + last) / 2; i > 0; i /= 2, k /= 2) {
+      for (std::size_t j = i; j <= k; ++j) most_[j] = std::max(most_[2 * j], most_[2 * j + 1]);
+    }
+  }
+
+  /// The smallest distance of a window between two places, if it reached there.
+  static double lowest_between(const EdgeWindow& window, double from, double to) {
+    if (!window.from_point()) return std::min(window.value(from), window.value(to));
+    return window.value(std::clamp(window.px, from, to));
+  }
+
+  /// The first or the last part, of `count` from `first` on, in which the window may be shorter;
+  /// parts() for none.
+  [[nodiscard]] std::size_t find(const Asked& asked, std::size_t node, std::size_t first,
+                                 std::size_t count, bool last) const {
+    const double from = std::max(asked.window->begin, place(first));
+    const double to = std::min(asked.window->end, place(first + count));
+    if (to < from) return parts_;
+    if (lowest_between(*asked.window, from, to) > most_[node] + asked.same) return parts_;
+    if (count == 1) return first;
+    const std::size_t half = count / 2;
+    for (const bool right : {last, !last}) {
+      const std::size_t found =
+          find(asked, 2 * node + (right ? 1 : 0), first + (right ? half : 0), half, last);
+      if (found != parts_) return found;
+    }
+    return parts_;
+  }
+
+  double length_;
+  std::size_t parts_;
+  std::vector<double> at_;    // the shortest known way to each place
+  std::vector<double> most_;  // of a part, of two parts, ...: a heap whose root is 1
+};
+
+}  // namespace talweg
