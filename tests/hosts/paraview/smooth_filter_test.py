@@ -259,7 +259,7 @@ class Told(Case):
         self.assertEqual(told(filter, "DeviationReached"),
                          max(report(curve, "deviation_to_drawn_max"),
                              report(curve, "deviation_from_drawn_max")))
-        self.assertIn(f"at most {report(curve, 'deviation_to_drawn_max'):.4g}", told(filter))
+        self.assertIn(f"at most {told(filter, 'DeviationReached'):.4g},", told(filter))
         filter.Slack = 0.05
         self.curve_of(filter)
         self.assertEqual(told(filter, "SlackUsed"), 0.05)

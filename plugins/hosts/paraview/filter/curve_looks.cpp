@@ -50,12 +50,11 @@ void bring_forward(vtkSMProxy& representation) {
     object = several->GetActiveRepresentation();
   }
   auto* geometry = vtkGeometryRepresentation::SafeDownCast(object);
-  if (geometry == nullptr || geometry->GetActor() == nullptr) return;
-  for (vtkMapper* mapper :
-       {geometry->GetActor()->GetMapper(), geometry->GetActor()->GetLODMapper()}) {
-    if (mapper != nullptr) {
-      mapper->SetRelativeCoincidentTopologyLineOffsetParameters(0, kForward);
-    }
+  vtkPVLODActor* actor = geometry == nullptr ? nullptr : geometry->GetActor();
+  if (actor == nullptr) return;
+  // Of its two mappers its own function gives the one that has something to draw.
+  for (vtkMapper* mapper : {actor->vtkActor::GetMapper(), actor->GetLODMapper()}) {
+    if (mapper != nullptr) mapper->SetRelativeCoincidentTopologyLineOffsetParameters(0, kForward);
   }
 }
 

@@ -156,14 +156,19 @@ double degrees(double radians) { return radians * 180 / std::numbers::pi; }
 
 std::string outcome(const host::Results& results) {
   const auto number = [&](const char* key) { return results.number(key); };
+  const auto larger = [&](const char* one, const char* other) {
+    return std::max(number(one), number(other));
+  };
   char text[600];
-  int size = std::snprintf(
-      text, sizeof text,
-      "Deviation from the drawing: at most %.4g, %.4g on average. Length: %.6g, drawn %.6g. "
-      "Largest turn in one edge: %.0f degrees, drawn %.0f.",
-      number("deviation_to_drawn_max"), number("deviation_to_drawn_mean"), number("length_after"),
-      number("length_before"), degrees(number("window_turning_after")),
-      degrees(number("window_turning_before")));
+  int size = std::snprintf(text, sizeof text,
+                           "Deviation from the drawing, both ways: at most %.4g, on average %.4g. "
+                           "Length: %.6g, drawn %.6g. "
+                           "Largest turn in one edge: %.0f degrees, drawn %.0f.",
+                           larger("deviation_to_drawn_max", "deviation_from_drawn_max"),
+                           larger("deviation_to_drawn_mean", "deviation_from_drawn_mean"),
+                           number("length_after"), number("length_before"),
+                           degrees(number("window_turning_after")),
+                           degrees(number("window_turning_before")));
   const std::string ended = results.text("termination");
   std::string all(text, static_cast<std::size_t>(size));
   if (number("slack") > 0) {

@@ -12,9 +12,13 @@
 #include <string>
 
 #include <vtkAbstractWidget.h>
+#include <vtkActor.h>
 #include <vtkCallbackCommand.h>
 #include <vtkClientServerStream.h>
 #include <vtkCommand.h>
+#include <vtkMapper.h>
+#include <vtkProp.h>
+#include <vtkPropCollection.h>
 #include <vtkRenderWindowInteractor.h>
 #include <vtkRenderer.h>
 #include <vtkSMNewWidgetRepresentationProxy.h>
@@ -27,10 +31,11 @@
 
 namespace {
 
-constexpr double kNear = 9;     // pixels from a point
-constexpr double kOnLine = 5;   // pixels from a line between points
-constexpr double kOnCurve = 7;  // pixels from the middle of the curve, which is wider
-constexpr double kClick = 3;    // pixels that a click may move
+constexpr double kNear = 9;        // pixels from a point
+constexpr double kOnLine = 5;      // pixels from a line between points
+constexpr double kOnCurve = 7;     // pixels from the middle of the curve, which is wider
+constexpr double kClick = 3;       // pixels that a click may move
+constexpr double kForward = -800;  // steps of depth; the curve has half of it
 constexpr float kBeforeOthers = 10;
 
 double distance(const std::array<double, 3>& a, const std::array<double, 3>& b) {
@@ -73,12 +78,15 @@ pqTalwegDrawing::pqTalwegDrawing(vtkSMProxy* proxy, vtkSMPropertyGroup* group, Q
   this->Command->SetClientData(this);
   this->Command->SetCallback(handle);
   this->setLineColor(QColor(255, 200, 40));
+  QObject::connect(this, &pqSplinePropertyWidget::pointsChanged, this,
+                   [this] { this->bringForward(); });  // other points are other actors
 }
 
 pqTalwegDrawing::~pqTalwegDrawing() { this->watch(nullptr); }
 
 void pqTalwegDrawing::setView(pqView* view) {
   this->Superclass::setView(view);
+  this->bringForward();
   this->RenderView =
       view == nullptr ? nullptr : vtkSMRenderViewProxy::SafeDownCast(view->getProxy());
   this->watch(this->RenderView == nullptr ? nullptr : this->RenderView->GetInteractor());
@@ -309,6 +317,20 @@ bool pqTalwegDrawing::isApplied() const {
     if (given.GetAsDouble(static_cast<unsigned>(k)) != shown[k].toDouble()) return false;
   }
   return true;
+}
+
+void pqTalwegDrawing::bringForward() {
+  vtkSMNewWidgetRepresentationProxy* widget = this->widgetProxy();
+  vtkSMProxy* shown = widget == nullptr ? nullptr : widget->GetRepresentationProxy();
+  auto* prop = shown == nullptr ? nullptr : vtkProp::SafeDownCast(shown->GetClientSideObject());
+  if (prop == nullptr) return;
+  vtkNew<vtkPropCollection> parts;
+  prop->GetActors(parts);
+  for (int k = 0; k < parts->GetNumberOfItems(); ++k) {
+    auto* part = vtkActor::SafeDownCast(parts->GetItemAsObject(k));
+    if (part == nullptr || part->GetMapper() == nullptr) continue;
+    part->GetMapper()->SetRelativeCoincidentTopologyPolygonOffsetParameters(0, kForward);
+  }
 }
 
 void pqTalwegDrawing::setOwnWidgetActive(bool active) {

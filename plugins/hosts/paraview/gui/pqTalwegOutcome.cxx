@@ -82,6 +82,10 @@ void pqTalwegOutcome::addLooks(int port) {
   auto* rows = new QFormLayout;  // two, so that the panel may be narrow
   rows->addRow(tr("Line width"), width);
   rows->addRow(tr("Coloured by"), colour);
+  // Only smoothed curves have these arrays.
+  const bool smooths = this->proxy()->GetProperty("DistanceField") != nullptr;
+  colour->setVisible(smooths);
+  rows->labelForField(colour)->setVisible(smooths);
   qobject_cast<QVBoxLayout*>(this->layout())->addLayout(rows);
   QObject::connect(width, QOverload<int>::of(&QSpinBox::valueChanged), this,
                    [this](int pixels) { this->setWidth(pixels); });

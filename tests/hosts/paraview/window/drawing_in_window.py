@@ -10,6 +10,7 @@ import sys
 import traceback
 
 from paraview import simple as pv
+from vtkmodules.vtkCommonCore import reference
 
 pv.LoadPlugin(os.environ["TALWEG_PARAVIEW"], remote=False, ns=vars(pv))
 
@@ -76,6 +77,14 @@ def ball(x, y):
     return (x, y, math.sqrt(1 - x * x - y * y))
 
 
+def forward(representation):
+    """By how much lines are drawn before what lies at their depth."""
+    shown = representation.SMProxy.GetClientSideObject().GetActiveRepresentation()
+    factor, units = reference(0.0), reference(0.0)
+    shown.GetActor().GetMapper().GetRelativeCoincidentTopologyLineOffsetParameters(factor, units)
+    return -units
+
+
 def steps():
     """What is done; each yield lets ParaView work."""
     pv.GetSettingsProxy("GeneralSettings").AutoApply = 1
@@ -86,12 +95,14 @@ def steps():
     yield
     filter = pv.TalwegSmoothPoints(Mesh=sphere, Points=[c for p in ((-0.5, 0), (0, 0.3), (0.5, 0))
                                                         for c in ball(*p)])
-    pv.Show(filter, view)
+    curves = pv.Show(filter, view)
     pv.SetActiveSource(filter)
     pv.Render(view)
     hand = Hand(view)
     for _ in range(10):
         yield
+
+    assert forward(curves) > 100, "half of a wide line would be behind slopes"
 
     hand.click(ball(0.4, -0.5))
     yield from until(lambda: len(clicked(filter)) == 4, "a click adds a point")
