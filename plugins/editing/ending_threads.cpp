@@ -10,7 +10,9 @@ constexpr std::chrono::milliseconds kPatience(700);  // a host closes within two
 
 }  // namespace
 
-EndingThreads::~EndingThreads() {
+bool EndingThreads::end() {
+  const std::scoped_lock lock(mutex_);
+  bool all = true;
   const auto deadline = std::chrono::steady_clock::now() + kPatience;
   for (Ending& ending : threads_) {
     while (!*ending.ended && std::chrono::steady_clock::now() < deadline) {
@@ -20,8 +22,11 @@ EndingThreads::~EndingThreads() {
       ending.thread.join();
     } else {
       ending.thread.detach();
+      all = false;
     }
   }
+  threads_.clear();
+  return all;
 }
 
 void EndingThreads::take(std::thread thread, std::shared_ptr<const std::atomic<bool>> ended) {

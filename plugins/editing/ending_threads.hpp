@@ -13,15 +13,16 @@ namespace talweg::editing {
 class EndingThreads {
  public:
   EndingThreads() = default;
-  /// Waits for all of them, but no longer than 0.7 s: a thread in a plugin that never returns is
-  /// left to itself.
-  ~EndingThreads();
+  ~EndingThreads() { end(); }
   EndingThreads(const EndingThreads&) = delete;
   EndingThreads& operator=(const EndingThreads&) = delete;
 
   /// The thread sets `ended` as the last thing that it does. Does not wait for it. The thread must
   /// own what it uses.
   void take(std::thread thread, std::shared_ptr<const std::atomic<bool>> ended);
+  /// Waits for all of them, but no longer than 0.7 s: a thread in a plugin that never returns is
+  /// left to itself. False if there is one.
+  bool end();
 
  private:
   struct Ending {

@@ -42,6 +42,11 @@ Plugins::Plugins(const std::string& folders)
 Plugins::Plugins(std::span<const talweg_linked_module> modules)
     : loaded_(talweg_loader_open_linked(modules.data(), modules.size(), nullptr)) {}
 
+Plugins::~Plugins() {
+  static std::vector<LoadedPlugins>& never_unloaded = *new std::vector<LoadedPlugins>;
+  if (!ending_.end()) never_unloaded.push_back(loaded_);
+}
+
 const talweg_plugin& LoadedPlugins::find(const char* id) const {
   if (const talweg_plugin* plugin = talweg_loader_find(loader_.get(), id)) return *plugin;
   throw Error(std::string("The plugin ") + id + " was not found in " +

@@ -37,6 +37,11 @@ class Plugins {
   explicit Plugins(const std::string& folders = "");
   /// Those that are linked into the program.
   explicit Plugins(std::span<const talweg_linked_module> modules);
+  /// Waits for its threads as EndingThreads::end() does; one that is left to itself keeps the
+  /// plugins loaded for ever.
+  ~Plugins();
+  Plugins(const Plugins&) = delete;
+  Plugins& operator=(const Plugins&) = delete;
   /// Throws Error that says where the plugin was looked for.
   [[nodiscard]] const talweg_plugin& find(const char* id) const { return loaded_.find(id); }
   /// What keeps the plugins loaded.

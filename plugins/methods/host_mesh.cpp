@@ -60,23 +60,44 @@ namespace {
 /// next does not open it again.
 class LastOpened {
  public:
+  constexpr LastOpened() : mesh_() {}
+  ~LastOpened() {}  // NOLINT(modernize-use-equals-default): close() has done it
+  LastOpened(const LastOpened&) = delete;
+  LastOpened& operator=(const LastOpened&) = delete;
+
   std::shared_ptr<const HostMesh> get() {
     const std::scoped_lock lock(mutex_);
-    return mesh_.lock();
+    return closed_ ? nullptr : mesh_.lock();
   }
   void put(const std::shared_ptr<const HostMesh>& mesh) {
     const std::scoped_lock lock(mutex_);
-    mesh_ = mesh;
+    if (!closed_) mesh_ = mesh;
+  }
+  /// At the program's end. A thread that is left to itself may still come afterwards.
+  void close() {
+    const std::scoped_lock lock(mutex_);
+    closed_ = true;
+    mesh_.reset();
   }
 
  private:
   std::mutex mutex_;
-  std::weak_ptr<const HostMesh> mesh_;
+  bool closed_ = false;
+  union {  // so that it is there as long as the memory
+    std::weak_ptr<const HostMesh> mesh_;
+  };
 };
 
 /// It is there before a host has the plugin's table, so it goes after what the host ends at its
 /// exit, such as a thread that opens a mesh.
 constinit LastOpened last_opened;
+struct CloseLastOpened {
+  CloseLastOpened() = default;
+  ~CloseLastOpened() { last_opened.close(); }
+  CloseLastOpened(const CloseLastOpened&) = delete;
+  CloseLastOpened& operator=(const CloseLastOpened&) = delete;
+};
+const CloseLastOpened close_last_opened;
 
 /// Bit for bit: 0 and -0 are not the same.
 bool same_bits(std::span<const Point> a, std::span<const Point> b) {

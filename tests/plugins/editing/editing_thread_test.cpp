@@ -209,7 +209,7 @@ TEST(EditingThread, TheMeshMayGoWhileAJobRuns) {
 /// Leaves a thread behind that is about to open a mesh, of which the making of lists takes a while.
 [[noreturn]] void exit_while_a_thread_opens() {
   const auto large =
-      std::make_shared<const editing::MeshArrays>(test::arrays_of(test::grid(300, 300)));
+      std::make_shared<const editing::MeshArrays>(test::arrays_of(test::grid(90, 90)));
   SmoothingThread(found_plugins(), Hills().mesh).wait();
   { const SmoothingThread opens(found_plugins(), large); }
   std::exit(0);
