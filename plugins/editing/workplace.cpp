@@ -43,7 +43,7 @@ Plugins::Plugins(std::span<const talweg_linked_module> modules)
     : loaded_(talweg_loader_open_linked(modules.data(), modules.size(), nullptr)) {}
 
 Plugins::~Plugins() {
-  static std::vector<LoadedPlugins>& never_unloaded = *new std::vector<LoadedPlugins>;
+  static auto& never_unloaded = *std::make_unique<std::vector<LoadedPlugins>>().release();
   if (!ending_.end()) never_unloaded.push_back(loaded_);
 }
 
