@@ -72,7 +72,7 @@ class Addon(unittest.TestCase):
                 bpy.data.objects.remove(shown)
 
     def test_what_is_not_ticked_shows_what_was_used(self):
-        panel = types.SimpleNamespace(use_slack=False, slack=1, shown_slack=1,
+        panel = types.SimpleNamespace(mean_edge=0, use_slack=False, slack=1, shown_slack=1,
                                       use_max_deviation=True, max_deviation=1, shown_max_deviation=1)
         result = talweg.smooth(*support.hills(), self.drawn)
         parameters.show_used(panel, result.total)

@@ -2,13 +2,14 @@
 
 import contextlib
 import io
+import json
 import unittest
 from types import SimpleNamespace
 
 import bpy
 import numpy as np
 from mathutils import Matrix
-from talweg_blender import curve_object, operators, parameters, sentences, session
+from talweg_blender import curve_object, operators, operators_of_meshes, parameters, sentences, session
 
 import scene
 import support
@@ -76,13 +77,25 @@ class Seen(Results):
         self.assertEqual(operator.slack, 12)
 
     def test_words_fit_into_the_panel(self):
-        for name, made in {**parameters.annotations(), **operators._STROKES}.items():
+        of_meshes = [one for each in operators_of_meshes._properties().values() for one in each.items()]
+        for name, made in [*parameters.annotations().items(), *operators._STROKES.items(), *of_meshes]:
             words = made.keywords
             if not name.startswith("use_"):  # is a box without a text
                 self.assertLess(len(words.get("name", "")), 18, name)
             for item in words.get("items", ()):
                 self.assertLess(len(item[1]), 16, name)
             self.assertNotIn("equation", str(words))
+        bound = operators_of_meshes._properties()[operators_of_meshes.TALWEG_OT_material_borders]["max_deviation"]
+        self.assertEqual(bound.keywords["unit"], "LENGTH")  # of meshes of every unit
+
+    def test_rounding_is_no_curvature(self):
+        scene.annotate([line(10)])
+        self.smooth(tau=0)
+        report = json.loads(curve_objects()[0]["talweg_report"])
+        report.update(curvature_after=4.8e-15, bending_after=7e-30)
+        told = sentences.of_report(bpy.context, report)
+        self.assertIn(f"Curvature {report['curvature_before']:.3g} to 0 rad", told)
+        self.assertIn(" to 0, ", told)
 
 
 class Places(Results):
@@ -205,7 +218,7 @@ class Astray(Results):
 
     def test_too_far_is_refused(self):
         scene.annotate([line(10, 40)])
-        self.refused(["Stroke 0 lies up to", "away from the mesh", "mean edges", "Placement to Surface"])
+        self.refused(["Stroke 0 lies up to 38.6 m away from the mesh", "mean edges", "Placement to Surface"])
         self.assertEqual(curve_objects(), [])
 
     def test_strokes_astray_do_not_stop_the_others(self):

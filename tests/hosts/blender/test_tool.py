@@ -6,7 +6,7 @@ from pathlib import Path
 
 import bpy
 import numpy as np
-from talweg_blender import session
+from talweg_blender import again, panel, session
 from talweg_blender.drawing_tool import drawn, lines, tool
 from talweg_blender.drawing_tool import view as seen
 from talweg_blender.drawing_tool.live import Live, Request
@@ -293,6 +293,24 @@ class Hand(unittest.TestCase):
         made.wait()
         self.assertEqual(made.result.total.tau, 4)
 
+    def test_the_sidebar_shows_what_is_drawn(self):
+        """Not the curve that was made before; lengths begin with those of the mesh."""
+        bpy.context.view_layer.objects.active = self.obj
+        for number in range(2):
+            made = self.begin()
+            self.assertEqual(panel._last_curve(bpy.context), made.curve)
+            edge = made.place.edge
+            self.assertAlmostEqual(made.curve.talweg.slack, edge, places=5)
+            self.click(10, 10 + number)
+            self.click(30, 20 + number)
+            self.click(50, 10 + number)
+            made.wait()
+            self.assertAlmostEqual(made.curve.talweg.slack, edge, places=5)  # way-points have used none
+            self.assertAlmostEqual(made.curve.talweg.max_deviation, made.result.total.deviation_to_drawn_max,
+                                   places=5)
+            told, _ = made.finish(bpy.context)
+            self.assertIn(again.numbers(bpy.context, made.curve), told)
+
     def test_finished_it_is_the_drivers_curve_and_can_be_edited_tomorrow(self):
         made = self.begin()
         for x, y in ((10, 10), (30, 15), (50, 40)):
@@ -305,16 +323,16 @@ class Hand(unittest.TestCase):
         before = scene.spline_points(curve)
         points = self.work.editor.lines[0].points
         session.forget()
-        again = self.begin(curve)
+        edited = self.begin(curve)
         self.assertEqual(self.work.editor.lines[0].points, points)
-        again.wait()
+        edited.wait()
         np.testing.assert_array_equal(scene.spline_points(curve), before)
         self.drag((30, 15), (30, 25))
-        again.drop()  # Esc: as it was
+        edited.drop()  # Esc: as it was
         np.testing.assert_array_equal(scene.spline_points(curve_objects()[0]), before)
-        again = self.begin(curve_objects()[0])
+        edited = self.begin(curve_objects()[0])
         self.drag((30, 15), (30, 25))
-        again.finish(bpy.context)
+        edited.finish(bpy.context)
         self.assertEqual(len(curve_objects()), 1)
         self.assertFalse(np.array_equal(scene.spline_points(curve_objects()[0]), before))
 

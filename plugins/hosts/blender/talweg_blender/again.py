@@ -1,16 +1,18 @@
 """A curve object whose values are changed is smoothed again: only the curve changes, and no undo step
 of the mesh is made for it."""
 
+import json
+
 import bpy
 
-from . import colours, curve_object, outcomes, parameters, sentences, session, settings, wrapped
+from . import colours, curve_object, lengths, outcomes, parameters, sentences, session, settings, wrapped
 from .naming import named
 from .package import talweg
 
 #: Who has a curve object in hand, and smooths it in another way: functions (context, curve) -> bool.
 others = []
 
-_told = {}  # by the name of the curve object: (what went wrong, or nothing; the numbers)
+_wrong = {}  # by the name of the curve object: why a value could not be taken
 
 
 def smooth(context, curve, trust=True):
@@ -27,7 +29,7 @@ def smooth(context, curve, trust=True):
     with settings.quietly():
         parameters.show_used(kept, result.total)
     curve_object.write(curve, place, result)
-    _told[curve.name] = "", sentences.of_result(context, result)
+    _wrong.pop(curve.name, None)
     return place, result
 
 
@@ -37,7 +39,7 @@ def _by_hand(context, curve):
     try:
         smooth(context, curve)
     except talweg.Error as error:
-        _told[curve.name] = str(error), ""
+        _wrong[curve.name] = str(error)
 
 
 class TALWEG_OT_to_mesh(bpy.types.Operator):
@@ -69,6 +71,19 @@ class TALWEG_OT_to_mesh(bpy.types.Operator):
         return {"FINISHED"}
 
 
+def numbers(context, curve):
+    """What is said of the curve that is shown; nothing where there is none yet."""
+    return sentences.of_report(context, json.loads(curve["talweg_report"])) if "talweg_report" in curve else ""
+
+
+def _colours(context, curve):
+    """What dark and bright are."""
+    most = curve["talweg_range"]
+    if settings.of(curve).colours == "DEVIATION":
+        return f"Dark to bright: 0 to {lengths.told(context, most)}"
+    return f"Dark to bright: 0 to {most:.3g} rad for each unit of length"
+
+
 def draw(layout, curve):
     """The panel of a curve object."""
     kept = settings.of(curve)
@@ -79,13 +94,12 @@ def draw(layout, curve):
     wrapped.draw(column, sentences.of_scale(curve.parent), icon="INFO")
     settings.draw_own(column, kept)
     if kept.colours != "PLAIN" and "talweg_range" in curve:
-        most = curve["talweg_range"]
-        told = f"0 to {sentences.length(bpy.context, most)}" if kept.colours == "DEVIATION" else \
-            f"0 to {most:.3g} rad for each unit of length"
-        column.label(text=f"Dark to bright: {told}", icon="COLOR")
-    wrong, numbers = _told.get(curve.name, ("", ""))
-    wrapped.draw(layout, [wrong] if wrong else [])
-    wrapped.draw(layout, [numbers] if numbers else [], icon="INFO")
+        wrapped.draw(layout, [_colours(bpy.context, curve)], icon="COLOR")
+    wrong = _wrong.get(curve.name)
+    if wrong:
+        wrapped.draw(layout, [wrong])
+    else:
+        wrapped.draw(layout, [numbers(bpy.context, curve)], icon="INFO")
 
 
 def register():

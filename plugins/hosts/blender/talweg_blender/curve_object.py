@@ -70,8 +70,14 @@ def new(context, obj):
     _collection(context, obj).objects.link(made)
     made.parent = obj  # and no matrix of its own: it follows whatever the mesh does, shear too
     made.color = _COLOUR
+    number(made)
     made.show_in_front = True
     return made
+
+
+def number(curve):
+    """It is the last one of its mesh now."""
+    curve["talweg_number"] = 1 + max(one.get("talweg_number", 0) for one in curve.parent.children)
 
 
 def _collection(context, obj):
@@ -96,7 +102,7 @@ def put(context, obj, place, drawing, result, operator, as_shown):
     """
     made = of_drawing(context, obj, drawing.key) or new(context, obj)
     made["talweg_drawing"] = drawing.key
-    made["talweg_number"] = 1 + max(one.get("talweg_number", 0) for one in obj.children)  # the last one
+    number(made)
     settings.keep(made, operator, result.drawn, place, as_shown)
     write(made, place, result)
     context.view_layer.update()

@@ -10,17 +10,25 @@ from .package import talweg
 _MERGE = 1e-5
 
 
+#: Shorter words where the plugin's do not fit into the panel.
+_LABELS = {"ends": "Ends"}
+_CHOICES = {"fixed": "Stay", "free": "Move", "slide": "Slide", "auto": "Automatic",
+            "left": "Left", "right": "Right"}
+
+
 def _choice(plugin, name):
     parameter = talweg.plugin(plugin).parameters[name]
     return bpy.props.EnumProperty(
-        name=parameter.label, default=parameter.default, description=parameter.doc.rstrip("."),
-        items=[(id, label, "") for id, label in zip(parameter.choices, parameter.choice_labels)])
+        name=_LABELS.get(name, parameter.label), default=parameter.default,
+        description=f"{parameter.label}. {parameter.doc}".rstrip("."),
+        items=[(id, _CHOICES.get(id, label), label) for id, label in
+               zip(parameter.choices, parameter.choice_labels)])
 
 
 def _number(plugin, name, default, low, high, **more):
     parameter = talweg.plugin(plugin).parameters[name]
     return bpy.props.FloatProperty(name=parameter.label, description=parameter.doc.rstrip("."),
-                                   default=default, min=low, soft_max=high, precision=4, **more)
+                                   default=default, min=low, soft_max=high, precision=3, step=10, **more)
 
 
 def _counted(number, word):
@@ -50,6 +58,7 @@ class _OnMesh:
 
     def draw(self, _context):
         self.layout.use_property_split = True
+        self.layout.use_property_decorate = False
         for name in type(self).__annotations__:
             self.layout.prop(self, name)
 
@@ -157,7 +166,7 @@ CLASSES = (TALWEG_OT_cut, TALWEG_OT_separate, TALWEG_OT_material_borders, TALWEG
 
 def _properties():
     borders = {"tau": _number("talweg.labels", "tau", 1, 0, 16),
-               "max_deviation": _number("talweg.labels", "max_deviation", 0, 0, 10),
+               "max_deviation": _number("talweg.labels", "max_deviation", 0, 0, 1e30, unit="LENGTH"),
                "junctions": _choice("talweg.labels", "junctions"),
                "ends": _choice("talweg.labels", "ends")}
     threshold = bpy.props.FloatProperty(name="Inside from", default=0.5, min=0, max=1, precision=3,

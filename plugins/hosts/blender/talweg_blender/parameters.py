@@ -123,12 +123,14 @@ def values(operator):
     return {p.id: _value(operator, p) for p in described()}
 
 
-def show_used(operator, report):
-    """Optional parameters that are not ticked show what was used or reached, to begin from; what was
-    typed there stays."""
-    for id, value in (("slack", report.slack), ("max_deviation", report.deviation_to_drawn_max)):
+def show_used(operator, report=None):
+    """Lengths that are not ticked show what was used or reached, to begin from, and a mean edge where that
+    is nothing; what was typed there stays."""
+    used = {"slack": report.slack, "max_deviation": report.deviation_to_drawn_max} if report else {}
+    for id in _LENGTHS:
+        value = used.get(id) or operator.mean_edge
         typed = getattr(operator, id) != getattr(operator, "shown_" + id)
-        if getattr(operator, "use_" + id) or typed or value is None or not 0 < value < 1e30:
+        if getattr(operator, "use_" + id) or typed or not 0 < value < 1e30:
             continue
         setattr(operator, id, value)
         setattr(operator, "shown_" + id, value)

@@ -2,27 +2,30 @@
 
 import math
 
-import bpy
 import numpy as np
 
-from . import session
+from . import lengths, session
+
+#: Radians: a straight line turns by no more, and that is not worth a number.
+_ROUNDING = 1e-9
 
 
-def length(context, value):
-    """In the units of the scene, if it has some."""
-    units = context.scene.unit_settings
-    if units.system == "NONE":
-        return f"{value:.3g}"
-    return bpy.utils.units.to_string(units.system, "LENGTH", value * units.scale_length, precision=3)
+def of_report(context, values):
+    """The numbers in one sentence.
+
+    :param values: by the names of the report.
+    """
+    shown = {name: f"{values[name]:.3g}" if abs(values[name]) > _ROUNDING else "0"
+             for name in ("curvature_before", "curvature_after", "bending_before", "bending_after")}
+    return (f"Curvature {shown['curvature_before']} to {shown['curvature_after']} rad, "
+            f"bending {shown['bending_before']} to {shown['bending_after']}, "
+            f"{math.degrees(values['window_turning_after']):.0f} degrees in one edge, no farther than "
+            f"{lengths.told(context, values['deviation_to_drawn_max'])} from the drawing.")
 
 
 def of_result(context, result):
-    """The numbers in one sentence."""
-    r = result.total
-    return (f"Curvature {r.curvature_before:.3g} to {r.curvature_after:.3g} rad, "
-            f"bending {r.bending_before:.3g} to {r.bending_after:.3g}, "
-            f"{math.degrees(r.window_turning_after):.0f} degrees in one edge, no farther than "
-            f"{length(context, r.deviation_to_drawn_max)} from the drawing.")
+    """The same of a result."""
+    return of_report(context, vars(result.total))
 
 
 def of_object(obj, as_shown):

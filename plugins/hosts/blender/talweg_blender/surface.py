@@ -2,9 +2,11 @@
 
 import hashlib
 
+import bpy
 import numpy as np
 from mathutils.bvhtree import BVHTree
 
+from . import lengths
 from .package import talweg
 
 #: So many results are known on a surface, so that curve objects are exactly what they show.
@@ -101,7 +103,8 @@ class Surface:
 
     def told(self, distance):
         """The distance in both units."""
-        return f"up to {distance:.3g} away from the mesh, {distance / self.edge:.2g} mean edges"
+        return (f"up to {lengths.told(bpy.context, distance)} away from the mesh, "
+                f"{distance / self.edge:.2g} mean edges")
 
 
 def mean_edge(arrays):

@@ -145,6 +145,17 @@ def steps():
     hand.key("ESC", (40, 20))
     yield from until(lambda: len(curves()) == 1, "Esc drops it")
 
+    bpy.ops.mesh.primitive_cube_add(size=6, location=(-12, 20, 0))
+    cube = bpy.context.object.name
+    bpy.context.view_layer.objects.active = bpy.data.objects[name]
+    yield
+    for _ in range(2):  # the first selects it
+        yield from hand.click((-12, 20))
+    yield from until(tool.is_at_work, "a click on another mesh begins there")
+    assert tool._now[0]._drawn.object_name == cube == bpy.context.object.name, bpy.context.object.name
+    hand.key("ESC", (40, 20))
+    yield from until(lambda: not tool.is_at_work(), "Esc ends it again")
+
 
 def run(work):
     """A step for each call; the program ends with the work."""

@@ -44,6 +44,7 @@ class Drawn:
             settings.keep(curve, None, [], self.place, as_shown)
             with settings.quietly():
                 settings.of(curve).repair = repair
+                parameters.show_used(settings.of(curve))
             state = State(tau=settings.of(curve).tau)
         else:
             state = State(lines_of(settings.drawn_on(curve, self.place), ground), settings.of(curve).tau)
@@ -99,6 +100,7 @@ class Drawn:
         self.result, self.error, self.told = None, "", ""
         self.work.show([], [])
         self.curve.data.splines.clear()
+        self.curve.pop("talweg_report", None)
         colours.remove(self.curve)
 
     def poll(self):
@@ -138,7 +140,6 @@ class Drawn:
         settings.keep(curve, None, self.result.drawn, self.place, self.as_shown)
         if "talweg_drawing" not in curve:
             curve["talweg_drawing"] = "tool " + curve.name
-            curve["talweg_number"] = 1 + max((one.get("talweg_number", 0) for one in obj.children), default=0)
         self.place.know(curve["talweg_drawing"], self.result)
         warnings = [*sentences.of_object(obj, self.as_shown), *self.result.total.warnings]
         if self.output == "CURVE":

@@ -55,15 +55,21 @@ class TALWEG_OT_draw(bpy.types.Operator):
         offers.forget(obj)
         self._area, self._ended = context.area, False
         self._region = next(one for one in context.area.regions if one.type == "WINDOW")
+        if self._begins_beside(event):
+            self._drawn.drop()
+            return {"CANCELLED", "PASS_THROUGH"}  # Blender selects what is there
         self._overlay = Overlay(self._shown)
         self._timer = context.window_manager.event_timer_add(1 / 30, window=context.window)
         context.window_manager.modal_handler_add(self)
         context.workspace.status_text_set(_KEYS)
         _now.append(self)
         self._tell()
-        if event.type == "LEFTMOUSE" and event.value == "PRESS":
-            self._mouse(event)
         return {"RUNNING_MODAL"}
+
+    def _begins_beside(self, event):
+        """Whether the press that called the tool is not on the mesh; on it, it is the first of the drawing."""
+        return event.type == "LEFTMOUSE" and event.value == "PRESS" \
+            and not self._drawn.work.press(self._view(), self._at(event), event.shift)
 
     def _refuse(self, context, obj, error, event):
         if isinstance(error, talweg.BadMesh):
