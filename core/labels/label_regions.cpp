@@ -24,10 +24,16 @@ double area_of(const SurfaceMesh& mesh, FaceId face) {
   return (mesh.point(c[1]) - a).cross(mesh.point(c[2]) - a).norm() / 2;
 }
 
-/// Numbers the sets in the order of their first elements.
-void number_parts(UnionFind& sets, std::span<const std::int64_t> labels, RegionParts& result) {
+/// Numbers the sets in the order of their first elements, but for those that are `left_out`.
+template <class LeftOut>
+void number_parts(UnionFind& sets, std::span<const std::int64_t> labels, const LeftOut& left_out,
+                  RegionParts& result) {
   std::vector<std::uint32_t> number(labels.size(), kNoIndex);
   for (std::uint32_t i = 0; i < labels.size(); ++i) {
+    if (left_out(i)) {
+      result.of_element.push_back(kNoIndex);
+      continue;
+    }
     std::uint32_t& part = number[sets.find(i)];
     if (part == kNoIndex) {
       part = static_cast<std::uint32_t>(result.parts.size());
@@ -58,7 +64,8 @@ RegionParts parts_by_face(const SurfaceMesh& mesh, std::span<const std::int64_t>
     if (labels[f] == labels[g]) sets.join(f, g);
   }
   RegionParts result;
-  number_parts(sets, labels, result);
+  number_parts(
+      sets, labels, [](std::uint32_t) { return false; }, result);
   for (std::size_t f = 0; f < labels.size(); ++f) {
     result.parts[result.of_element[f]].area += area_of(mesh, FaceId{f});
   }
@@ -88,7 +95,8 @@ RegionParts parts_by_vertex(const SurfaceMesh& mesh, std::span<const std::int64_
   }
   RegionParts result;
   result.by_face = false;
-  number_parts(sets, labels, result);
+  const auto is_isolated = [&](std::uint32_t v) { return !surface.halfedge(VertexId{v}).valid(); };
+  number_parts(sets, labels, is_isolated, result);
   for (std::size_t f = 0; f < surface.face_count(); ++f) {
     const auto corners = surface.corners(FaceId{f});
     std::array<std::uint32_t, 3> parts{};

@@ -20,9 +20,10 @@ struct RegionParts {
     std::int64_t label = 0;
     double area = 0;  ///< squared mesh units, with faces divided as label_borders() does
   };
-  bool by_face = true;                    ///< whether labels are per face; otherwise per vertex
-  std::vector<Part> parts;                ///< in the order of their first face or vertex
-  std::vector<std::uint32_t> of_element;  ///< per face or vertex, according to by_face
+  bool by_face = true;      ///< whether labels are per face; otherwise per vertex
+  std::vector<Part> parts;  ///< in the order of their first face or vertex
+  /// Per face or vertex, according to by_face; vertices without faces are of no part (UINT32_MAX).
+  std::vector<std::uint32_t> of_element;
   std::vector<std::array<std::uint32_t, 2>> beside;  ///< per border: left and right of it
 };
 

@@ -105,6 +105,23 @@ TEST(LabelNetwork, ABorderBeyondTheBoundIsTightenedOnlyThere) {
   }
 }
 
+// They have no area, and no cut could show that they stay.
+TEST(LabelNetwork, VerticesWithoutFacesAreNoParts) {
+  MeshLists lists = test::grid(12, 8);
+  lists.points.emplace_back(3, 3, 5);
+  lists.points.emplace_back(4, 3, 5);
+  const auto mesh = OpenedMesh::open(lists);
+  Labels labels = test::on_vertices(mesh->surface(), test::voronoi_labels(mesh->mesh(), 2, 1));
+  labels[labels.size() - 2] = labels.front();
+  labels[labels.size() - 1] = 7;
+  const LabelNetwork network = smoothed(mesh, labels, 1);
+  ASSERT_EQ(network.regions.size(), 2U);  // none of label 7
+  for (const LabelRegion& region : network.regions) {
+    EXPECT_EQ(region.parts_before, 1U) << region.label;
+    EXPECT_EQ(region.parts_after, 1U) << region.label;
+  }
+}
+
 /// A sheet of labels 0 and 1 with something of label 2 in it.
 template <class Rule>
 Labels on_sheet(const OpenedMesh& mesh, const Rule& is_two) {
