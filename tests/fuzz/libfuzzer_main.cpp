@@ -13,6 +13,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     for (const auto& t : talweg::fuzz::targets()) std::fprintf(stderr, "  %s\n", t.name.c_str());
     std::exit(1);
   }();
-  target->run(*target, data, size);
+  talweg::fuzz::run(*target, data, size);
   return 0;
 }

@@ -1,5 +1,6 @@
 // fuzz_replay TARGET COUNT [FILE...]: without a fuzzer, the files, the target's seeds, and COUNT
 // changed copies of these. fuzz_replay --seeds TARGET FOLDER writes the seeds for libFuzzer.
+// fuzz_replay --costs TARGET FILE...: what the files cost.
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -8,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "cost_table.hpp"
 #include "fuzz_target.hpp"
 
 namespace talweg::fuzz {
@@ -16,7 +18,7 @@ namespace {
 using Inputs = std::vector<std::string>;
 
 void run(const Target& target, const std::string& bytes) {
-  target.run(target, reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
+  run(target, reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
 }
 
 /// A few changes such as hostile or broken files have.
@@ -86,12 +88,19 @@ int replay(const Target& target, int count, const Inputs& files) {
 int main(int argc, char** argv) {
   const std::vector<std::string> words(argv + 1, argv + argc);
   const bool seeds = words.size() == 3 && words[0] == "--seeds";
+  const bool costs = words.size() >= 2 && words[0] == "--costs";
   const auto* target =
-      words.size() < 2 ? nullptr : talweg::fuzz::target_named(words[seeds ? 1 : 0]);
+      words.size() < 2 ? nullptr : talweg::fuzz::target_named(words[seeds || costs ? 1 : 0]);
   if (target == nullptr) {
-    std::fprintf(stderr, "usage: fuzz_replay TARGET COUNT [FILE...] | --seeds TARGET FOLDER\n");
+    std::fprintf(stderr,
+                 "usage: fuzz_replay TARGET COUNT [FILE...] | --seeds TARGET FOLDER | "
+                 "--costs TARGET FILE...\n");
     return 1;
   }
+  const std::vector<std::string> files(words.begin() + 2, words.end());
   if (seeds) return talweg::fuzz::write_seeds(*target, words[2]);
-  return talweg::fuzz::replay(*target, std::stoi(words[1]), {words.begin() + 2, words.end()});
+  if (!costs) return talweg::fuzz::replay(*target, std::stoi(words[1]), files);
+  talweg::fuzz::print_costs(files, [&](const std::uint8_t* data, std::size_t size) {
+    return talweg::fuzz::run(*target, data, size);
+  });
 }

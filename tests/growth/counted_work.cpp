@@ -3,19 +3,7 @@
 #include <cmath>
 #include <cstdio>
 
-namespace {
-
-thread_local std::uint64_t blocks = 0;
-
-}  // namespace
-
-/// Called at the begin of each basic block of what is compiled with -fsanitize-coverage=trace-pc.
-extern "C" void __sanitizer_cov_trace_pc();  // NOLINT: the compilers' name
-extern "C" void __sanitizer_cov_trace_pc() { ++blocks; }
-
 namespace talweg::test {
-
-std::uint64_t blocks_run() { return blocks; }
 
 double exponent(const char* name, std::span<const Growth> growth) {
   const Growth &first = growth[growth.size() - 2], &last = growth.back();

@@ -8,10 +8,9 @@
 
 #include <gtest/gtest.h>
 
-namespace talweg::test {
+#include "growth/counted_blocks.hpp"
 
-/// The basic blocks of the libraries that this thread has run so far.
-std::uint64_t blocks_run();
+namespace talweg::test {
 
 struct Growth {
   std::size_t n = 0;

@@ -10,9 +10,11 @@
 
 #include <fmt/format.h>
 
+#include "stress/budgeted_curves.hpp"
 #include "stress/capped_pieces.hpp"
 #include "stress/planted_defects.hpp"
 #include "stress/random_curves.hpp"
+#include "stress/random_labels.hpp"
 #include "stress/redrawn_curves.hpp"
 #include "talweg/core/drawing/snapping.hpp"
 #include "talweg/core/drawing/straight_lines.hpp"
@@ -151,12 +153,18 @@ void check_way_points(const CurveSmoother& smoother, const SmoothingResult& resu
   }
 }
 
+void allow(double smoothings, std::size_t faces, std::size_t points, RunOutcome& outcome) {
+  outcome.most_seconds +=
+      smoothings * 10 * (static_cast<double>(faces) / 100'000 + static_cast<double>(points) / 1000);
+}
+
 void check(const CurveSmoother& smoother, const SmoothingResult& result, RunOutcome& outcome,
            Hash& hash, double smoothings = 1) {
   const SurfaceMesh& mesh = smoother.opened().mesh();
   const SmoothingReport& total = result.total;
   outcome.work += smoothings * static_cast<double>(total.faces + total.faces_touched + total.flips +
                                                    total.points_before + total.points_after);
+  allow(smoothings, total.faces, total.points_before, outcome);
   if (result.curves.size() != smoother.drawn().size()) outcome.broken = "curves are missing";
   for (std::size_t c = 0; c < result.curves.size() && outcome.broken.empty(); ++c) {
     check_curve(mesh, smoother.drawn()[c], result.curves[c], outcome);
@@ -192,6 +200,7 @@ SmoothingOptions random_options(const SurfaceMesh& mesh, Random& random, std::st
 /// Cuts along the result, and closes what that leaves.
 void cap(const SurfaceMesh& mesh, const SmoothingResult& result, Random& random,
          RunOutcome& outcome) {
+  allow(1, result.total.faces, result.total.points_after, outcome);
   try {
     const CappedPieces capped = cap_pieces(mesh, result.curves, random);
     outcome.broken = capped.broken;
@@ -216,8 +225,13 @@ void mark_some(const SurfaceMesh& mesh, const SnappedCurve& snapped, Random& ran
   }
 }
 
-void smooth_random(const std::shared_ptr<const OpenedMesh>& opened, Random& random, Random clicks,
-                   unsigned threads, RunOutcome& outcome) {
+/// What is drawn does not depend on them.
+struct OtherChoices {
+  Random clicks, budgets, labels;
+};
+
+void smooth_random(const std::shared_ptr<const OpenedMesh>& opened, Random& random,
+                   OtherChoices& others, unsigned threads, RunOutcome& outcome) {
   const SurfaceMesh& mesh = opened->mesh();
   const RandomDrawing drawing = random_drawing(mesh, random);
   outcome.what += " | " + drawing.kind + "| ";
@@ -228,7 +242,7 @@ void smooth_random(const std::shared_ptr<const OpenedMesh>& opened, Random& rand
   if (random.one_in(20)) curve_options.bump_radius = random.scale(0.1, 5) * mesh.mean_edge_length();
   curve_options.cap_corners = !random.one_in(4);
   if (curve_options.method == Method::kPaper) outcome.what += "paper ";
-  const bool clicked = curve_options.method == Method::kCorridor && clicks.one_in(4);
+  const bool clicked = curve_options.method == Method::kCorridor && others.clicks.one_in(4);
   if (clicked) outcome.what += "clicks ";
   const SmoothingOptions options = random_options(mesh, random, outcome.what);
 
@@ -241,7 +255,7 @@ void smooth_random(const std::shared_ptr<const OpenedMesh>& opened, Random& rand
         curve_options.pins.push_back(snapped.points[pin]);
       }
       curves.push_back(lines.join(snapped.points, snapped.closed));
-      if (clicked) mark_some(mesh, snapped, clicks, curve_options);
+      if (clicked) mark_some(mesh, snapped, others.clicks, curve_options);
     }
     smoother.set_curves(curves, curve_options);
   } catch (const Error& error) {
@@ -263,15 +277,43 @@ void smooth_random(const std::shared_ptr<const OpenedMesh>& opened, Random& rand
   }
   if (outcome.broken.empty() && random.one_in(4)) cap(mesh, result, random, outcome);
   outcome.bytes = hash.value;
+  const std::size_t points = result.total.points_before;
+  const bool corridor = curve_options.method == Method::kCorridor;
+  const auto any_bound = [&](Random& from) {
+    return corridor && from.one_in(2) ? from.scale(0.1, 30) * mesh.mean_edge_length() : 0;
+  };
   if (outcome.broken.empty() && random.one_in(3)) {
-    const double bound = curve_options.method == Method::kCorridor && random.one_in(2)
-                             ? random.scale(0.1, 30) * mesh.mean_edge_length()
-                             : 0;
+    const double bound = any_bound(random);
     if (bound > 0) outcome.what += fmt::format(" redrawn within {:.3g}", bound);
     outcome.broken = differs_when_redrawn(smoother, curve_options, options, bound, random);
-    outcome.work += (bound > 0 ? 2 * RunOutcome::kSearch : 2) *
-                    static_cast<double>(mesh.surface().face_count());
+    const double smoothings = bound > 0 ? 2 * RunOutcome::kSearch : 2;
+    outcome.work += smoothings * static_cast<double>(mesh.surface().face_count());
+    allow(smoothings, mesh.surface().face_count(), points, outcome);
   }
+  if (outcome.broken.empty() && others.budgets.one_in(5)) {
+    outcome.had_budget = true;
+    const double bound = others.budgets.one_in(3) ? any_bound(others.budgets) : 0;
+    outcome.what += fmt::format(" budget within {:.3g}", bound);
+    outcome.broken = breaks_its_budget(smoother, options, bound, others.budgets);
+    const double smoothings = bound > 0 ? 4 * RunOutcome::kSearch : 4;
+    outcome.work += smoothings * static_cast<double>(mesh.surface().face_count());
+    allow(smoothings, mesh.surface().face_count(), points, outcome);
+  }
+}
+
+void smooth_labels_too(const std::shared_ptr<const OpenedMesh>& opened, Random& random,
+                       RunOutcome& outcome) {
+  const LabelRun run = random_label_run(opened, random);
+  constexpr double kSmoothings = 8;  // up to four rungs, with a cut for each
+  const std::size_t faces = opened->surface().face_count();
+  outcome.what += " | labels " + run.what;
+  outcome.broken = run.broken;
+  outcome.borders = run.borders;
+  outcome.work += kSmoothings * static_cast<double>(faces + run.points);
+  allow(kSmoothings, faces, run.points, outcome);
+  Hash hash{outcome.bytes};
+  hash.add(run.cut_labels.data(), run.cut_labels.size() * sizeof(std::int64_t));
+  outcome.bytes = hash.value;
 }
 
 }  // namespace
@@ -286,8 +328,13 @@ RunOutcome random_run(std::uint64_t seed, unsigned threads) {
   if (opened == nullptr) {
     outcome.end = End::kMeshRefused;
   } else if (outcome.broken.empty()) {
-    const Random clicks(seed * 0xD1B54A32D192ED03U + 1);  // the rest is as without them
-    smooth_random(opened, random, clicks, threads, outcome);
+    OtherChoices others{Random(seed * 0xD1B54A32D192ED03U + 1),
+                        Random(seed * 0xA0761D6478BD642FU + 1),
+                        Random(seed * 0xE7037ED1A0B428DBU + 1)};
+    smooth_random(opened, random, others, threads, outcome);
+    if (outcome.broken.empty() && others.labels.one_in(4)) {
+      smooth_labels_too(opened, others.labels, outcome);
+    }
   }
   return outcome;
 }

@@ -10,7 +10,7 @@ class RandomRuns : public testing::TestWithParam<std::uint64_t> {};
 
 TEST_P(RandomRuns, WhateverComesInSomethingSensibleComesOut) {
   std::size_t smoothed = 0, lids = 0;
-  constexpr std::uint64_t kRuns = 60;
+  constexpr std::uint64_t kRuns = 45;
   for (std::uint64_t seed = GetParam(); seed < GetParam() + kRuns; ++seed) {
     const RunOutcome outcome = random_run(seed);
     EXPECT_EQ(outcome.broken, "") << "seed " << seed << ": " << outcome.what << ' '
