@@ -88,7 +88,7 @@ std::string fault_of_regions(const SurfaceMesh& mesh, const MeshLists& lists, co
     area_before += region.area_before;
     area_after += region.area_after;
   }
-  if (!(std::abs(area_after - area_before) <= 1e-9 * area_before)) {
+  if (!(std::abs(area_after - area_before) <= 1e-7 * area_before)) {
     return fmt::format("area {} became {}", area_before, area_after);
   }
   if (network.face_labels.size() != lists.triangles.size()) return "not a label for each face";
