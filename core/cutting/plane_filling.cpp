@@ -10,6 +10,7 @@
 
 #include "talweg/core/cutting/face_triangulation.hpp"
 #include "talweg/core/cutting/mixed_order.hpp"
+#include "talweg/core/space/box_tree.hpp"
 #include "talweg/intrinsic/error.hpp"
 
 namespace talweg {
@@ -173,6 +174,34 @@ class PlaneFiller {
   std::set<std::pair<std::uint32_t, std::uint32_t>> rims_;
 };
 
+/// Wider than what kPlaneTolerance lets a loop's plane and its holes be off.
+SpaceBox box_around(const std::vector<Point>& points, const Loop& loop, double extent) {
+  const double wider = 8 * kPlaneTolerance * extent;
+  SpaceBox box{points[loop[0]], points[loop[0]]};
+  for (const std::uint32_t i : loop) box = box.with({points[i], points[i]});
+  box.low.array() -= wider;
+  box.high.array() += wider;
+  return box;
+}
+
+/// Each loop that is no hole, with the loops that are holes of it.
+std::vector<std::vector<std::size_t>> grouped(std::vector<std::size_t> plane_loops,
+                                              const std::vector<std::size_t>& hole_of) {
+  std::sort(plane_loops.begin(), plane_loops.end());
+  std::vector<std::vector<std::size_t>> groups;
+  std::vector<std::size_t> group_of(hole_of.size());
+  const auto is_hole = [&](std::size_t i) { return hole_of[i] < hole_of.size(); };
+  for (const std::size_t i : plane_loops) {
+    if (is_hole(i)) continue;
+    group_of[i] = groups.size();
+    groups.push_back({i});
+  }
+  for (const std::size_t i : plane_loops) {
+    if (is_hole(i)) groups[group_of[hole_of[i]]].push_back(i);
+  }
+  return groups;
+}
+
 }  // namespace
 
 double distance_from_plane(const std::vector<Point>& points, const Loop& loop) {
@@ -199,25 +228,22 @@ std::vector<std::vector<std::size_t>> plane_groups(const std::vector<Point>& poi
            !meet(points, loops[outer], loops[inner]);
   };
   constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
+  std::vector<std::size_t> around(by_area.size(), kNone);  // the smallest loop around each
+  const auto box_of = [&](std::uint32_t k) {
+    return box_around(points, loops[by_area[k]], planes[by_area[k]].extent);
+  };
+  BoxTree(by_area.size(), box_of).visit_pairs(box_of, [&](std::size_t j, std::size_t k) {
+    if (around[k] != kNone && around[k] > j) return;
+    if (is_around(by_area[j], by_area[k])) around[k] = j;
+  });
   std::vector<std::size_t> hole_of(loops.size(), kNone);
   for (std::size_t k = 0; k < by_area.size(); ++k) {
-    for (std::size_t j = k; j-- > 0;) {  // the smallest loop around it
-      if (!is_around(by_area[j], by_area[k])) continue;
-      // A loop inside a hole gets a lid of its own.
-      if (hole_of[by_area[j]] == kNone) hole_of[by_area[k]] = by_area[j];
-      break;
-    }
+    if (around[k] == kNone) continue;
+    // A loop inside a hole gets a lid of its own.
+    const std::size_t outer = by_area[around[k]];
+    if (hole_of[outer] == kNone) hole_of[by_area[k]] = outer;
   }
-  std::sort(by_area.begin(), by_area.end());
-  std::vector<std::vector<std::size_t>> groups;
-  for (const std::size_t i : by_area) {
-    if (hole_of[i] != kNone) continue;
-    groups.push_back({i});
-    for (const std::size_t j : by_area) {
-      if (hole_of[j] == i) groups.back().push_back(j);
-    }
-  }
-  return groups;
+  return grouped(std::move(by_area), hole_of);
 }
 
 std::optional<std::vector<Triangle>> fill_plane(const std::vector<Point>& points,

@@ -25,7 +25,8 @@ double distance_from_plane(const std::vector<Point>& points, const Loop& loop);
 /// Groups the plane loops: each outer loop with its holes. Holes are the loops in the same plane
 /// that turn the other way and lie inside the outer one, with no other loop in between and no point
 /// in common. Every plane loop is in one group; groups are in the order of their first loops, which
-/// are the outer ones. O(loops² + points), and their points again for each two around each other.
+/// are the outer ones. O(points + loops log loops), and their points again for each two whose boxes
+/// overlap.
 std::vector<std::vector<std::size_t>> plane_groups(const std::vector<Point>& points,
                                                    std::span<const Loop> loops);
 
