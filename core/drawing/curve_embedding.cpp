@@ -7,6 +7,7 @@
 
 #include "talweg/intrinsic/error.hpp"
 #include "talweg/intrinsic/flips/point_insertion.hpp"
+#include "talweg/intrinsic/surface/point_lookup.hpp"
 
 namespace talweg {
 namespace {
@@ -83,13 +84,14 @@ EmbeddedCurves embed_curves(SignpostTriangulation& triangulation,
   Asker asker(progress, "embed");
   PointInsertion insertion(triangulation);
   EmbeddedCurves embedded;
+  const PointLookup pinned(pins);
   std::vector<std::vector<VertexId>> vertices(curves.size());
   for (std::size_t c = 0; c < curves.size(); ++c) {
     for (const SurfacePoint& point : curves[c].points) {
       asker.did(kOfPoint);
       const VertexId v = insertion.insert(point);
       // Between slivers, inserting a point a second time may give another vertex.
-      if (std::find(pins.begin(), pins.end(), point) != pins.end()) embedded.pinned.push_back(v);
+      if (pinned.contains(point)) embedded.pinned.push_back(v);
       if (vertices[c].empty() || vertices[c].back() != v) vertices[c].push_back(v);
     }
     if (curves[c].closed && vertices[c].size() > 1 && vertices[c].front() == vertices[c].back()) {

@@ -6,6 +6,7 @@
 
 #include "talweg/core/drawing/capping.hpp"
 #include "talweg/intrinsic/error.hpp"
+#include "talweg/intrinsic/surface/point_lookup.hpp"
 
 namespace talweg {
 namespace {
@@ -36,11 +37,13 @@ SurfaceCurve capped_curve(const Surface& surface, const SurfaceCurve& curve,
 
 void check_pins(std::span<const SurfaceCurve> curves, std::span<const SurfacePoint> pins,
                 std::string_view name) {
+  if (pins.empty()) return;
+  PointLookup passed;
+  for (const SurfaceCurve& curve : curves) {
+    for (const SurfacePoint& point : curve.points) passed.add(point);
+  }
   for (std::size_t i = 0; i < pins.size(); ++i) {
-    const bool passed = std::any_of(curves.begin(), curves.end(), [&](const SurfaceCurve& c) {
-      return std::find(c.points.begin(), c.points.end(), pins[i]) != c.points.end();
-    });
-    if (passed) continue;
+    if (passed.contains(pins[i])) continue;
     const auto* v = std::get_if<AtVertex>(&pins[i].where());
     throw Error(ErrorCode::kBadUsage,
                 fmt::format("The {} {} is not a point of the curve.", name,

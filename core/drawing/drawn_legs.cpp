@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <utility>
+
+#include "talweg/intrinsic/surface/point_lookup.hpp"
 
 namespace talweg {
 namespace {
@@ -17,15 +20,17 @@ struct Mark {
 std::vector<Mark> marks_on(const SurfaceCurve& curve, std::span<const SurfacePoint> pins,
                            std::span<const WayPoint> way_points) {
   std::vector<Mark> marks;
+  PointLookup exact_points;
+  for (const WayPoint& way_point : way_points) exact_points.add(way_point.point);
+  const PointLookup pinned(pins);
   const std::size_t n = curve.points.size();
   for (std::size_t i = 0; i < n; ++i) {
     const SurfacePoint& point = curve.points[i];
-    const auto exact = std::find_if(way_points.begin(), way_points.end(),
-                                    [&](const WayPoint& w) { return w.point == point; });
-    const bool is_way_point = exact != way_points.end();
+    const std::optional<std::size_t> exact = exact_points.find(point);
+    const bool is_way_point = exact.has_value();
     const bool is_end = !curve.closed && (i == 0 || i + 1 == n);
-    if (is_way_point || is_end || std::find(pins.begin(), pins.end(), point) != pins.end()) {
-      marks.push_back({i, is_way_point, is_way_point ? exact->tolerance : 0});
+    if (is_way_point || is_end || pinned.contains(point)) {
+      marks.push_back({i, is_way_point, is_way_point ? way_points[*exact].tolerance : 0});
     }
   }
   return marks;
@@ -50,10 +55,11 @@ DrawnLegs legs_of(const SurfaceCurve& curve, std::span<const SurfacePoint> pins,
   const std::size_t stretches = m == 0 ? 0 : curve.closed ? m : m - 1;
   const auto exact = static_cast<std::size_t>(
       std::count_if(marks.begin(), marks.end(), [](const Mark& k) { return k.is_way_point; }));
+  const PointLookup by_hand(painted);
   const auto is_painted = [&](std::size_t stretch) {
     const std::size_t to = marks[(stretch + 1) % m].point;
     for (std::size_t i = (marks[stretch].point + 1) % n; i != to; i = (i + 1) % n) {
-      if (std::find(painted.begin(), painted.end(), curve.points[i]) != painted.end()) return true;
+      if (by_hand.contains(curve.points[i])) return true;
     }
     return false;
   };

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "talweg/intrinsic/error.hpp"
+#include "talweg/intrinsic/surface/point_lookup.hpp"
 
 namespace talweg {
 
@@ -73,8 +74,9 @@ void CurveTrace::add(const CurveSegment& segment) {
 void CurveTrace::set_corners(std::span<const SurfacePoint> points) {
   if (points.empty()) return;
   corners.clear();
+  const PointLookup at_corner(points);
   for (const SurfacePoint& point : fixed_points) {
-    corners.push_back(std::find(points.begin(), points.end(), point) != points.end());
+    corners.push_back(at_corner.contains(point));
   }
 }
 
@@ -108,8 +110,9 @@ FaceCoordinates CurveTrace::point(std::size_t piece, double arc) const {
 CurveTrace trace_of(const Surface& surface, const SurfaceCurve& curve,
                     std::span<const SurfacePoint> fixed) {
   std::vector<std::size_t> places;
+  const PointLookup stays(fixed);
   for (std::size_t i = 0; i < curve.points.size() && !fixed.empty(); ++i) {
-    if (std::find(fixed.begin(), fixed.end(), curve.points[i]) != fixed.end()) places.push_back(i);
+    if (stays.contains(curve.points[i])) places.push_back(i);
   }
   return trace_through(surface, curve, places);
 }

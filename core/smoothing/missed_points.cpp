@@ -1,10 +1,11 @@
 #include "talweg/core/smoothing/missed_points.hpp"
 
-#include <algorithm>
 #include <cstddef>
 #include <vector>
 
 #include <fmt/format.h>
+
+#include "talweg/intrinsic/surface/point_lookup.hpp"
 
 namespace talweg {
 namespace {
@@ -28,13 +29,11 @@ struct Missed {
 
 Missed missed_by(const SurfaceMesh& mesh, DeviationMeter& meter, const SurfaceCurve& drawn,
                  const SurfaceCurve& result, const std::vector<WayPoint>& to_pass) {
-  const auto is_on = [](const SurfaceCurve& curve, const SurfacePoint& point) {
-    return std::find(curve.points.begin(), curve.points.end(), point) != curve.points.end();
-  };
+  const PointLookup on_drawn(drawn.points), on_result(result.points);
   std::vector<SurfacePoint> points;  // that are no points of the result
   std::vector<double> tolerances;
   for (const WayPoint& way : to_pass) {
-    if (!is_on(drawn, way.point) || is_on(result, way.point)) continue;
+    if (!on_drawn.contains(way.point) || on_result.contains(way.point)) continue;
     points.push_back(way.point);
     tolerances.push_back(way.tolerance);
   }
