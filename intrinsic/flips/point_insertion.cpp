@@ -14,14 +14,9 @@
 namespace talweg {
 namespace {
 
-constexpr double kOnSide = 1e-10;  // relative to a piece's extent
+constexpr double kOnSide = FlatFlips::kOnSide;  // relative to a piece's extent
 
 using Weights = std::array<double, 3>;
-
-/// Twice the signed area of a triangle, in units of the face (barycentrics are affine).
-double orient(const Weights& a, const Weights& b, const Weights& c) {
-  return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
-}
 
 Weights mix(const Weights& a, const Weights& b, double t) {
   return {(1 - t) * a[0] + t * b[0], (1 - t) * a[1] + t * b[1], (1 - t) * a[2] + t * b[2]};
@@ -39,27 +34,84 @@ std::vector<HalfedgeId>& PointInsertion::pieces(FaceId face) {
 }
 
 Weights PointInsertion::barycentric(VertexId v, FaceId face) const {
-  return coordinates_in(triangulation_->surface(), triangulation_->location(v), face).barycentric;
+  return weights_in(*triangulation_, v, face);
+}
+
+/// The point's place in the piece of this side, inside it or not; none in one without area.
+PointInsertion::Place PointInsertion::place_in(HalfedgeId side, FaceId face,
+                                               const Weights& point) const {
+  const Weights a = barycentric(triangulation_->tail(side), face);
+  const Weights b = barycentric(triangulation_->tail(triangulation_->next(side)), face);
+  const Weights c = barycentric(triangulation_->tail(triangulation_->prev(side)), face);
+  const double area = orient(a, b, c);
+  if (!(area > 0)) return {};
+  return {side,
+          {orient(point, b, c) / area, orient(a, point, c) / area, orient(a, b, point) / area}};
 }
 
 PointInsertion::Place PointInsertion::locate(FaceId face, const Weights& point) {
+  if (crowded_.contains(face)) {
+    if (const Place place = walk(face, point); place.side.valid()) return place;
+  }
   Place best;
   double best_margin = -std::numeric_limits<double>::infinity();
   for (const HalfedgeId side : pieces(face)) {
-    const Weights a = barycentric(triangulation_->tail(side), face);
-    const Weights b = barycentric(triangulation_->tail(triangulation_->next(side)), face);
-    const Weights c = barycentric(triangulation_->tail(triangulation_->prev(side)), face);
-    const double area = orient(a, b, c);
-    if (!(area > 0)) continue;
-    const Weights weight = {orient(point, b, c) / area, orient(a, point, c) / area,
-                            orient(a, b, point) / area};
-    const double margin = std::min({weight[0], weight[1], weight[2]});
+    const Place place = place_in(side, face, point);
+    if (!place.side.valid()) continue;
+    const double margin = std::min({place.weight[0], place.weight[1], place.weight[2]});
     if (margin > best_margin) {
       best_margin = margin;
-      best = {side, weight};
+      best = place;
     }
   }
   return best;
+}
+
+/// From the newest piece, since points come in the order of a drawing. Among Delaunay pieces it
+/// cannot turn in circles, but for rounding.
+PointInsertion::Place PointInsertion::walk(FaceId face, const Weights& point) {
+  const SignpostTriangulation& t = *triangulation_;
+  HalfedgeId at = pieces(face).back();
+  for (std::size_t left = pieces(face).size(); left > 0; --left) {
+    const Place place = place_in(at, face, point);
+    if (!place.side.valid()) return {};
+    const auto least = std::min_element(place.weight.begin(), place.weight.end());
+    if (*least >= 0) return place;
+    const std::array<HalfedgeId, 3> opposite = {t.next(at), t.prev(at), at};
+    const HalfedgeId side = opposite[static_cast<std::size_t>(least - place.weight.begin())];
+    if (!flips_.is_inside(side)) return {};
+    at = twin(side);
+  }
+  return {};
+}
+
+/// Where many points were inserted, what the new vertex has changed becomes Delaunay.
+void PointInsertion::improve_around(VertexId v) {
+  const SignpostTriangulation& t = *triangulation_;
+  std::vector<HalfedgeId> edges;
+  const HalfedgeId first = t.halfedge(v);
+  HalfedgeId h = first;
+  do {
+    if (t.has_face(h)) {
+      const FaceId face = t.surface_face(h);
+      const std::vector<HalfedgeId>& list = pieces(face);
+      if (list.size() > kCrowd && crowded_.insert(face).second) {
+        for (const HalfedgeId side : list)
+          edges.insert(edges.end(), {side, t.next(side), t.prev(side)});
+      } else if (list.size() > kCrowd) {
+        edges.insert(edges.end(), {h, t.next(h)});
+      }
+    }
+    if (!t.has_face(h)) break;
+    h = t.turn_ccw(h);
+  } while (h != first);
+  flips_.improve(std::move(edges));
+}
+
+/// Both pieces keep their places in the list, by the edge that is going to turn.
+void PointInsertion::before_turn(HalfedgeId h) {
+  const FaceId face = triangulation_->surface_face(h);
+  for (const HalfedgeId side : {h, twin(h)}) replace_pieces(face, side, std::span(&side, 1));
 }
 
 /// Used if every piece of the face is a sliver.
@@ -101,8 +153,15 @@ void PointInsertion::replace_pieces(FaceId face, HalfedgeId old,
 }
 
 VertexId PointInsertion::insert(const SurfacePoint& point) {
-  const Surface& surface = triangulation_->surface();
   if (const auto* v = std::get_if<AtVertex>(&point.where())) return v->vertex;
+  const std::size_t before = triangulation_->vertex_count();
+  const VertexId v = insert_new(point);
+  if (triangulation_->vertex_count() > before) improve_around(v);
+  return v;
+}
+
+VertexId PointInsertion::insert_new(const SurfacePoint& point) {
+  const Surface& surface = triangulation_->surface();
   if (std::holds_alternative<OnEdge>(point.where())) return insert_on_edge(point);
   const FaceId face = any_face(surface, point);
   const Weights weights = coordinates_in(surface, point, face).barycentric;
@@ -195,11 +254,24 @@ VertexId PointInsertion::insert_on_side(HalfedgeId side, double t, const Surface
   const VertexId middle = triangulation_->split_edge(side, split, location);
   const HalfedgeId rest = triangulation_->next(twin(triangulation_->next(side)));
   splits_[edge_of(side)].push_back({split_count_++, side, rest});
+  if (flips_.is_fixed(edge_of(side))) flips_.fix(edge_of(rest));
   return middle;
 }
 
+/// The edge from the tail of h straight to the next vertex on the way to `to`, or to where that
+/// meets another segment. h bounds the piece in which the way begins. Invalid if there is no need
+/// or no way to flip.
+HalfedgeId PointInsertion::flip_way(HalfedgeId h, VertexId to, FaceId face) {
+  const VertexId from = triangulation_->tail(h);
+  const FlatFlips::Way way = flips_.way(h, to, face);
+  if (way.crossed.empty()) return {};
+  VertexId end = way.end;
+  if (!end.valid() && way.stop.valid()) end = insert_on_side(way.stop, way.part);
+  return end.valid() ? flips_.clear(way, from, end, face) : HalfedgeId{};
+}
+
 /// The halfedge from `from` towards `to` inside the face; inserts its end if necessary.
-HalfedgeId PointInsertion::step(VertexId from, VertexId to, FaceId face) {
+HalfedgeId PointInsertion::step(VertexId from, VertexId to, FaceId face, bool may_flip) {
   SignpostTriangulation& t = *triangulation_;
   const Weights p = barycentric(from, face), q = barycentric(to, face);
   const HalfedgeId first = t.halfedge(from);
@@ -218,6 +290,10 @@ HalfedgeId PointInsertion::step(VertexId from, VertexId to, FaceId face) {
           orient(b, c, q) <= kOnSide * size) {
         if (right_of <= kOnSide * (right_of + left_of)) return h;
         if (left_of <= kOnSide * (right_of + left_of)) return twin(t.prev(h));
+        if (may_flip && crowded_.contains(face)) {
+          const HalfedgeId way = flip_way(h, to, face);
+          return way.valid() ? way : step(from, to, face, false);
+        }
         return t.find_halfedge(from, insert_on_side(t.next(h), right_of / (right_of + left_of)));
       }
     }
@@ -246,6 +322,7 @@ void PointInsertion::connect(VertexId from, VertexId to, std::vector<HalfedgeId>
     const HalfedgeId h = step(from, to, face);
     if (!h.valid()) break;
     path.push_back(h);
+    flips_.fix(edge_of(h));
     from = triangulation_->head(h);
   }
   if (from != to) go_along_edges(from, to, face, path);
@@ -289,7 +366,10 @@ void PointInsertion::go_along_edges(VertexId from, VertexId to, FaceId face,
                 "The pieces of face " + std::to_string(face.index()) + " do not hang together.");
   }
   const auto first = static_cast<std::ptrdiff_t>(path.size());
-  for (VertexId at = to; at != from; at = t.tail(path.back())) path.push_back(reached[at].by);
+  for (VertexId at = to; at != from; at = t.tail(path.back())) {
+    path.push_back(reached[at].by);
+    flips_.fix(edge_of(path.back()));
+  }
   std::reverse(path.begin() + first, path.end());
 }
 

@@ -5,8 +5,10 @@
 #include <array>
 #include <span>
 #include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
+#include "talweg/intrinsic/flips/flat_flips.hpp"
 #include "talweg/intrinsic/flips/signpost_triangulation.hpp"
 #include "talweg/intrinsic/surface/surface_point.hpp"
 
@@ -18,16 +20,23 @@ namespace talweg {
 class PointInsertion {
  public:
   /// The triangulation must outlive this object and have no inserted vertices yet.
-  explicit PointInsertion(SignpostTriangulation& triangulation) : triangulation_(&triangulation) {}
+  explicit PointInsertion(SignpostTriangulation& triangulation)
+      : triangulation_(&triangulation),
+        flips_(triangulation, [this](HalfedgeId h) { before_turn(h); }) {}
+  PointInsertion(const PointInsertion&) = delete;
+  PointInsertion& operator=(const PointInsertion&) = delete;
 
   /// The vertex at the point; inserts one if there is none. The vertex lies in every face that
-  /// contains the point. O(pieces of the face).
+  /// contains the point. O(pieces of the face); beyond 64 pieces, which are kept Delaunay then, few
+  /// for a point near the one before.
   VertexId insert(const SurfacePoint& point);
 
   /// Appends to `path` the halfedges of the straight segment between two vertices that lie in a
-  /// common face of the surface; where it crosses an edge inside the face, a vertex is inserted. If
-  /// rounding leaves no such way (in slivers among many points), the shortest way along the edges
-  /// inside the face is used. Throws Error(kBadCurve) when the vertices have no face in common.
+  /// common face of the surface; where it crosses an edge inside the face, a vertex is inserted,
+  /// but in a face of more than 64 pieces the edge makes way unless it belongs to another segment.
+  /// If rounding leaves no such way (in slivers among many points), the shortest way along the
+  /// edges inside the face is used. Throws Error(kBadCurve) when the vertices have no face in
+  /// common.
   void connect(VertexId from, VertexId to, std::vector<HalfedgeId>& path);
 
   /// The number of edges split so far.
@@ -38,6 +47,10 @@ class PointInsertion {
                                             std::size_t since) const;
 
  private:
+  /// A face with more pieces than this has them Delaunay, since needles cost most where many meet.
+  /// Below, the pieces are what they have always been.
+  static constexpr std::size_t kCrowd = 64;
+
   struct Place {
     HalfedgeId side;  ///< of the piece that contains the point
     std::array<double, 3> weight{};
@@ -45,13 +58,20 @@ class PointInsertion {
 
   std::vector<HalfedgeId>& pieces(FaceId face);
   std::array<double, 3> barycentric(VertexId v, FaceId face) const;
+  [[nodiscard]] Place place_in(HalfedgeId side, FaceId face,
+                               const std::array<double, 3>& point) const;
+  Place walk(FaceId face, const std::array<double, 3>& point);
   Place locate(FaceId face, const std::array<double, 3>& point);
   VertexId nearest_vertex(FaceId face, const std::array<double, 3>& point);
   double distance(VertexId v, FaceId face, const std::array<double, 3>& point) const;
   VertexId insert_on_edge(const SurfacePoint& point);
   VertexId insert_on_side(HalfedgeId side, double t, const SurfacePoint* exact = nullptr);
   void replace_pieces(FaceId face, HalfedgeId old, std::span<const HalfedgeId> fresh);
-  HalfedgeId step(VertexId from, VertexId to, FaceId face);
+  VertexId insert_new(const SurfacePoint& point);
+  void improve_around(VertexId v);
+  void before_turn(HalfedgeId h);
+  HalfedgeId flip_way(HalfedgeId h, VertexId to, FaceId face);
+  HalfedgeId step(VertexId from, VertexId to, FaceId face, bool may_flip = true);
   void go_along_edges(VertexId from, VertexId to, FaceId face, std::vector<HalfedgeId>& path);
   void append_now(HalfedgeId h, std::size_t since, std::vector<HalfedgeId>& path) const;
 
@@ -66,6 +86,8 @@ class PointInsertion {
   std::unordered_map<HalfedgeId, std::size_t> slot_;
   std::unordered_map<EdgeId, std::vector<Split>> splits_;
   std::size_t split_count_ = 0;
+  std::unordered_set<FaceId> crowded_;
+  FlatFlips flips_;
 };
 
 }  // namespace talweg

@@ -288,6 +288,20 @@ VertexId SignpostTriangulation::split_face(HalfedgeId h, const std::array<double
   return m;
 }
 
+void SignpostTriangulation::turn_inside(EdgeId e, double length) {
+  assert(log_.empty() && e.index() >= surface_->edge_count());
+  forget();
+  const HalfedgeId h = halfedge_of(e), t = twin(h);
+  const HalfedgeId h1 = next(h), h2 = next(h1), t1 = next(t), t2 = next(t1);
+  if (halfedge(tail(h)) == h) vertex_halfedge_[tail(h).index()] = t1;
+  if (halfedge(tail(t)) == t) vertex_halfedge_[tail(t).index()] = h1;
+  rotate_ccw(h);
+  surface_length_[e.index()] = length;
+  for (const HalfedgeId side : {h1, h2, t1, t2}) {
+    if (edge_of(side).index() < surface_->edge_count()) note_change(side);
+  }
+}
+
 void SignpostTriangulation::remove_inserted() {
   assert(log_.empty());
   const std::size_t edges = surface_->edge_count();

@@ -93,6 +93,10 @@ class SignpostTriangulation {
   /// Splits the face of h; the distances go to the tails of h, next(h) and prev(h).
   VertexId split_face(HalfedgeId h, const std::array<double, 3>& lengths,
                       const SurfacePoint& location);
+  /// Replaces an edge inside a face of the surface by the other diagonal of its two faces, which
+  /// must be convex, for as long as the inserted vertices stay. It is no flip that is undone or
+  /// traced.
+  void turn_inside(EdgeId e, double length);
   /// Removes every inserted vertex; the metric is then the surface's own again. O(inserted).
   void remove_inserted();
   [[nodiscard]] std::size_t inserted_count() const {

@@ -85,12 +85,51 @@ TEST(Growth, SmoothingPointsInOneFace) {
     const bool corridor = method == Method::kCorridor;
     expect_growth(
         corridor ? "smooth, points in a face, corridor" : "smooth, points in a face, paper",
-        corridor ? 1.6 : 2.1, {100, 300, 900}, [&](std::size_t n) {
+        corridor ? 1.6 : 2.0, {100, 300, 900}, [&](std::size_t n) {
           return [&mesh, method, curve = stroke_in(mesh->surface(), FaceId{12}, n)] {
             (void)smooth_curve(mesh, curve, {}, {.method = method});
           };
         });
   }
+}
+
+/// n points by turns on two sides of a face, a narrow zigzag that does not cross itself.
+SurfaceCurve zigzag_in(const Surface& surface, FaceId face, std::size_t n) {
+  SurfaceCurve curve;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double b = 0.1 + 0.4 * (static_cast<double>(i) + 0.5) / static_cast<double>(n);
+    const double c = i % 2 == 0 ? 0.1 : 0.4;
+    curve.points.push_back(SurfacePoint::in_face(surface, face, {1 - b - c, b, c}));
+  }
+  return curve;
+}
+
+/// Without Delaunay pieces each of its segments would cross the needles of all points before it,
+/// with n^4 flips.
+TEST(Growth, SmoothingAZigzagInOneFace) {
+  const auto mesh = OpenedMesh::open(grid(4, 4));
+  expect_growth("smooth, zigzag in a face, paper", 2.5, {100, 300, 900}, [&](std::size_t n) {
+    return [&mesh, curve = zigzag_in(mesh->surface(), FaceId{12}, n)] {
+      (void)smooth_curve(mesh, curve, {}, {.method = Method::kPaper});
+    };
+  });
+}
+
+TEST(Growth, ManyWayPoints) {
+  expect_growth("smooth, way-points", 1.3, {500, 2000, 8000}, [](std::size_t n) {
+    const auto mesh = OpenedMesh::open(grid(static_cast<std::uint32_t>(n), 2));
+    SurfaceCurve curve;
+    CurveOptions options;
+    for (std::size_t i = 0; i < n; ++i) {
+      curve.points.push_back(SurfacePoint::at_vertex(mesh->surface(), VertexId{n + 1 + i}));
+      options.way_points.push_back({curve.points.back()});
+    }
+    return [mesh, curve, options] {
+      CurveSmoother smoother(mesh);
+      smoother.set_curve(curve, options);
+      (void)smoother.smooth(1.0);
+    };
+  });
 }
 
 /// n curves along the rows of a sheet.
