@@ -9,7 +9,7 @@
 namespace talweg {
 
 /// A curve along mesh edges through these vertices; a list that ends with its first vertex is
-/// closed. Throws Error(kBadCurve) as check_drawn does.
+/// closed. Throws Error(kBadCurve) as check_drawn does. O(vertices).
 SurfaceCurve curve_through(const Surface& surface, std::span<const VertexId> vertices);
 
 }  // namespace talweg

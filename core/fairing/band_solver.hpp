@@ -27,7 +27,7 @@ class BandSystem {
   /// Makes an unknown 0.
   void hold(std::size_t i);
   /// By LDLᵀ in the system's own memory: its coefficients are lost. False where it is not positive
-  /// definite.
+  /// definite. O(n).
   bool solve(std::vector<double>& solution);
 
  private:

@@ -26,6 +26,7 @@ struct FairedCurve {
 /// Fairs a curve in the band of its drawing, and on legs by their tension. Samples are a slack
 /// apart at first, then half of it (on a leg, a sixth and a twelfth of its length), but never
 /// nearer than an eighth of an edge, nor more than 100,000. All functions throw Cancelled.
+/// Cost: a few runs of FairChain on each level.
 class CurveFairing {
  public:
   /// `edge`: mean edge near the curve, mesh units. The band may be null where every stretch is a

@@ -41,6 +41,8 @@ struct BandPlace {
 
 /// The band of a curve that a PolylineDistance is set to, or of several that are joined: of these
 /// it is as wide as that of the nearest one. Refers to the distance.
+/// Cost of at(): the drawing's segments in the face and the windows on its sides that are near.
+/// Worse: thousands of points in one face.
 class DrawnBand {
  public:
   DrawnBand(PolylineDistance& distance, std::size_t curve, const BandWidth& width)

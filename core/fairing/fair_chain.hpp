@@ -28,6 +28,8 @@ struct FairOptions {
 /// κ₀ the mean curvature of a loop, 0 for an open chain and for a loop with corners, where turns
 /// cost nothing. On legs there is no drawing: t · length, their tension, stands for the terms with
 /// δ. docs/algorithm.md has all of it.
+/// Cost of an iteration, of which there are at most 60: samples + the faces that joins and steps
+/// pass, and a DrawnBand::at() for each sample that moves.
 class FairChain {
  public:
   /// The band may be null where every stretch is a leg.

@@ -16,7 +16,7 @@ struct KeptPoint {
 
 /// Drops points that are nearer than `near` (mesh units) to a neighbour along the curve of
 /// `length`, where their neighbours share a face: on so short a way rounding makes a turn of any
-/// size. Of several that are near each other one at a vertex is kept.
+/// size. Of several that are near each other one at a vertex is kept. O(points).
 void drop_near_points(const Surface& surface, bool closed, double length, double near,
                       std::vector<KeptPoint>& points);
 

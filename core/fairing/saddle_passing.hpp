@@ -18,7 +18,8 @@ class SaddlePassing {
   explicit SaddlePassing(const Surface& surface) : surface_(&surface), lines_(surface) {}
 
   /// The curve of these points, led past the saddle vertices at which it need not stay. Its
-  /// points and the next share a face, as they do before. The ends of an open curve stay.
+  /// points and the next share a face, as they do before. The ends of an open curve stay. O(points
+  /// + degrees of the vertices that it passes).
   SurfaceCurve led_past(const std::vector<KeptPoint>& points, bool closed);
 
  private:

@@ -20,6 +20,7 @@ namespace talweg {
 /// each curve's own to its own tau; joined curves go together. Between two rungs the samples lie on
 /// the ways between theirs. The result therefore follows tau without jumping between several nearly
 /// equal curves, and it does not depend on what was asked for before.
+/// Cost: a fairing for each power of two from tau to 1.
 class FairLadder {
  public:
   /// The rung at or next to a curve's tau, towards 1; none where it is straightened on its own.
