@@ -318,13 +318,16 @@ PolylineDistance& DeviationMeter::distance() {
   return *distance_;
 }
 
-std::vector<double> DeviationMeter::distances(std::span<const SurfacePoint> points,
-                                              const SurfaceCurve& curve) {
+std::vector<bool> DeviationMeter::are_near(std::span<const SurfacePoint> points,
+                                           std::span<const double> limits,
+                                           const SurfaceCurve& curve) {
   distance().set(std::span(&curve, 1));
-  std::vector<double> distances;
-  distances.reserve(points.size());
-  for (const SurfacePoint& point : points) distances.push_back(distance().at(point).distance);
-  return distances;
+  std::vector<bool> near;
+  near.reserve(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    near.push_back(std::isfinite(distance().below(limits[i], points[i])));
+  }
+  return near;
 }
 
 SurfaceDeviation DeviationMeter::measure(std::span<const SurfaceCurve> result,

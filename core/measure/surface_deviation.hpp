@@ -77,8 +77,10 @@ class DeviationMeter {
                                                 std::span<const SurfaceCurve> drawn,
                                                 const Progress& progress = {});
 
-  /// How far these points are from a curve, along the surface, mesh units.
-  std::vector<double> distances(std::span<const SurfacePoint> points, const SurfaceCurve& curve);
+  /// For each point whether the curve comes nearer than its limit (mesh units), along the surface.
+  /// It costs only what lies nearer than that.
+  std::vector<bool> are_near(std::span<const SurfacePoint> points, std::span<const double> limits,
+                             const SurfaceCurve& curve);
 
  private:
   PolylineDistance& distance();

@@ -63,6 +63,7 @@ Straightened CorridorHold::straighten(const SmoothingOptions& options,
     }
     result.time_ms.straighten += flat.time_ms.straighten;
     result.time_ms.trace += flat.time_ms.trace;
+    result.at_fence = result.at_fence || flat.at_fence;
   };
   const auto legs = drawing_->straighten_legs(options, progress);
   if (legs) put_in(*legs);

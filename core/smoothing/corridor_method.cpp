@@ -71,7 +71,9 @@ void CorridorMethod::hold_doubtful_loops(const Progress& progress) {
   hold_loops(valleys_, drawing_->mesh(), drawing_->drawing(),
              // What later calls build on is not cut short.
              [&, whole = progress.without_budget()](const SmoothingOptions& options) {
-               return smooth(options, whole);
+               Smoothed trial = smooth(options, whole);
+               tried_at_fence_ = tried_at_fence_ || trial.at_fence;
+               return trial;
              });
   if (!pins.empty()) drawing_->set_pins(pins, progress);
 }
@@ -96,6 +98,7 @@ Smoothed CorridorMethod::smooth_in(const std::vector<Corridor::Valley>& valleys,
                              : smooth_for_itself(hold, options, progress);
   result.potential = PotentialKind::kCorridor;
   result.engine = Engine::kLocal;
+  result.at_fence = result.at_fence || tried_at_fence_;
   for (std::size_t c = 0; c < result.curves.size(); ++c) {
     result.curves[c].slack = largest_slack(valleys[c]);
     result.curves[c].has_legs = drawing_->legs()[c].any();

@@ -52,6 +52,7 @@ class CorridorMethod {
   EmbeddedDrawing* drawing_;
   std::vector<Corridor::Valley> valleys_;
   FairLadder ladder_;
+  bool tried_at_fence_ = false;  // by a trial run, on which the valleys depend
 };
 
 }  // namespace talweg

@@ -107,19 +107,14 @@ std::optional<Straightened> EmbeddedDrawing::straighten_legs(const SmoothingOpti
 Straightened EmbeddedDrawing::straighten_flat(const SmoothingOptions& options,
                                               const Progress& progress) {
   const Straightening::Options own = straightening_options(options);
-  if (flat_ && flat_->options == own) {
-    at_fence_ = at_fence_ || flat_->at_fence;
-    return flat_->straight;
-  }
+  if (flat_ && flat_->options == own) return flat_->straight;
   flat_.reset();
   std::optional<Straightened> result;
   if (all_legs()) result = straighten_legs(options, progress);
   if (result && legs_meet(surface(), result->curves, legs_)) result.reset();
-  const bool before = std::exchange(at_fence_, false);
   if (!result) result = straighten(options, unlifted_length, progress);
-  flat_ = Flat{own, *result, at_fence_};
+  flat_ = Flat{own, *result};
   flat_->straight.time_ms = {};
-  at_fence_ = at_fence_ || before;
   return *std::move(result);
 }
 
@@ -131,9 +126,9 @@ Straightened EmbeddedDrawing::straighten(const SmoothingOptions& options,
       memory_->straightening().run(std::move(metric), straightening_options(options), progress);
   if (ground_.fence == nullptr) return result;
   const std::vector<bool>& fence = *ground_.fence;
-  at_fence_ = at_fence_ ||
-              std::any_of(result.touched.begin(), result.touched.end(),
-                          [&](VertexId v) { return v.index() < fence.size() && fence[v.index()]; });
+  result.at_fence = std::any_of(result.touched.begin(), result.touched.end(), [&](VertexId v) {
+    return v.index() < fence.size() && fence[v.index()];
+  });
   return result;
 }
 

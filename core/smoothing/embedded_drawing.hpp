@@ -74,15 +74,12 @@ class EmbeddedDrawing {
   /// Straightens the curves without a lift. That depends on no tau, so it is kept; the times of one
   /// that is known are 0. Throws Cancelled.
   Straightened straighten_flat(const SmoothingOptions& options, const Progress& progress);
-  /// Whether a straightening has touched the fence since the last call.
-  bool came_to_fence() { return std::exchange(at_fence_, false); }
 
  private:
   /// The curves straightened without a lift, and the options that matter for it.
   struct Flat {
     Straightening::Options options;
     Straightened straight;
-    bool at_fence = false;
   };
   void embed(const Progress& progress);
   void embed_curves(const Progress& progress);
@@ -98,7 +95,6 @@ class EmbeddedDrawing {
   std::vector<DrawnLegs> legs_;
   bool is_embedded_ = false;  // not while the legs are straightened, each for itself
   std::optional<Flat> flat_;
-  bool at_fence_ = false;
 };
 
 }  // namespace talweg

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "talweg/core/space/nearest_segment.hpp"
 #include "talweg/intrinsic/surface/point_lookup.hpp"
 
 namespace talweg {
@@ -23,7 +24,7 @@ std::vector<WayPoint> points_to_pass(const CurveOptions& options) {
 
 struct Missed {
   std::size_t points = 0;
-  double farthest = 0;  ///< mesh units
+  double farthest = 0;  ///< mesh units, through space
   Point at = Point::Zero();
 };
 
@@ -31,21 +32,25 @@ Missed missed_by(const SurfaceMesh& mesh, DeviationMeter& meter, const SurfaceCu
                  const SurfaceCurve& result, const std::vector<WayPoint>& to_pass) {
   const PointLookup on_drawn(drawn.points), on_result(result.points);
   std::vector<SurfacePoint> points;  // that are no points of the result
-  std::vector<double> tolerances;
+  std::vector<double> limits;
   for (const WayPoint& way : to_pass) {
     if (!on_drawn.contains(way.point) || on_result.contains(way.point)) continue;
     points.push_back(way.point);
-    tolerances.push_back(way.tolerance);
+    limits.push_back(way.tolerance + kRounding * mesh.mean_edge_length());
   }
   Missed missed;
   if (points.empty()) return missed;
-  const std::vector<double> distances = meter.distances(points, result);
+  const std::vector<bool> passed = meter.are_near(points, limits, result);
+  // What is missed may lie so far off that the exact distance would take longer than all else.
+  const NearestSegment nearest(segments_of(positions_of(mesh, result), result.closed));
   for (std::size_t i = 0; i < points.size(); ++i) {
-    if (distances[i] <= tolerances[i] + kRounding * mesh.mean_edge_length()) continue;
+    if (passed[i]) continue;
     ++missed.points;
-    if (distances[i] <= missed.farthest) continue;
-    missed.farthest = distances[i];
-    missed.at = mesh.position(points[i]);
+    const Point at = mesh.position(points[i]);
+    const double distance = nearest.to(at).distance;
+    if (distance <= missed.farthest) continue;
+    missed.farthest = distance;
+    missed.at = at;
   }
   return missed;
 }
@@ -61,8 +66,9 @@ void warn_of_missed_points(const SurfaceMesh& mesh, DeviationMeter& meter,
     if (missed.points == 0) continue;
     const Point& at = missed.at;
     result.reports[c].warnings.push_back(fmt::format(
-        "The result misses {} of the points that it was to pass, by up to {:.3g} at ({:.6g}, "
-        "{:.6g}, {:.6g}): a drawing that meets itself loses small loops and ways back.",
+        "The result misses {} of the points that it was to pass, by up to {:.3g} through "
+        "space, at ({:.6g}, {:.6g}, {:.6g}): a drawing that meets itself loses small loops and "
+        "ways back.",
         missed.points, missed.farthest, at.x(), at.y(), at.z()));
   }
 }

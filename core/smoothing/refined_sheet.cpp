@@ -40,19 +40,6 @@ std::vector<double> values_on(const RefinedMesh& mesh, const Surface& original,
   return result;
 }
 
-/// Whether a result might have gone beyond the boundary of the part.
-bool is_at_cut(const RefinedMesh& mesh, const Surface& fine, const Smoothed& result) {
-  const auto cut = [&](VertexId v) { return mesh.at_cut[v.index()]; };
-  const auto touches = [&](const SurfacePoint& point) {
-    const auto corners = fine.corners(any_face(fine, point));
-    return std::any_of(corners.begin(), corners.end(), cut);
-  };
-  return result.at_fence ||
-         std::any_of(result.curves.begin(), result.curves.end(), [&](const SmoothedCurve& c) {
-           return std::any_of(c.curve.points.begin(), c.curve.points.end(), touches);
-         });
-}
-
 }  // namespace
 
 std::vector<FaceId> faces_to_divide(const SurfaceMesh& mesh, const OrderedDrawing& drawing,
@@ -150,7 +137,7 @@ Smoothed RefinedSheet::smooth(const SmoothingOptions& options, const GivenPotent
     if (k == parts_.size()) parts_.push_back(part_within(reach, progress));
     const Part& part = *parts_[k];
     Smoothed result = smooth_on(part, lazy, given, progress);
-    if (is_at_cut(part.mesh, part.memory->surface(), result)) continue;
+    if (may_leave(part.mesh.at_cut, part.memory->surface(), result)) continue;
     if (options.prepare_whole_mesh) result = smooth_on(part, options, given, progress);
     return coarse(part, std::move(result));
   }

@@ -10,6 +10,18 @@
 
 namespace talweg {
 
+bool may_leave(const std::vector<bool>& at_cut, const Surface& part, const Smoothed& result) {
+  const auto cut = [&](VertexId v) { return at_cut[v.index()]; };
+  const auto touches = [&](const SurfacePoint& point) {
+    const auto corners = part.corners(any_face(part, point));
+    return std::any_of(corners.begin(), corners.end(), cut);
+  };
+  return result.at_fence ||
+         std::any_of(result.curves.begin(), result.curves.end(), [&](const SmoothedCurve& c) {
+           return std::any_of(c.curve.points.begin(), c.curve.points.end(), touches);
+         });
+}
+
 std::unique_ptr<Sheet> sheet_for(SmoothingMemory& memory, const OrderedDrawing& drawing,
                                  const CurveOptions& options, SheetSetup setup,
                                  const Progress& progress) {

@@ -62,6 +62,9 @@ CurveOptions options_there(const CurveOptions& options, const Copies& copies) {
   return there;
 }
 
+/// Whether a result might go on beyond a part of the surface that was cut off at these vertices.
+bool may_leave(const std::vector<bool>& at_cut, const Surface& part, const Smoothed& result);
+
 /// Which kinds of sheet are allowed, and what is known of the mesh.
 struct SheetSetup {
   bool may_divide = true;  ///< whether too large faces may be divided

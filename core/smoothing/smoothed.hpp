@@ -50,6 +50,7 @@ inline Smoothed smoothed_from(Straightened straight) {
   }
   smoothed.counts = straight.counts;
   smoothed.time_ms = straight.time_ms;
+  smoothed.at_fence = straight.at_fence;
   return smoothed;
 }
 

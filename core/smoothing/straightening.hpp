@@ -38,6 +38,7 @@ struct Straightened {
   std::vector<StraightenedPath> paths;  ///< one for each curve
   StraighteningCounts counts;
   std::vector<VertexId> touched;  ///< vertices whose directions were laid out
+  bool at_fence = false;          ///< see EmbeddedDrawing::Ground; set by EmbeddedDrawing
   StageTimes time_ms;             ///< straighten, trace
 };
 

@@ -2,16 +2,21 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <functional>
 #include <queue>
+#include <unordered_map>
 #include <utility>
+
+#include "talweg/core/measure/measures.hpp"
 
 namespace talweg {
 namespace {
 
 constexpr std::uint32_t kOpen = 0xFFFFFFFFU;
 constexpr std::size_t kOfUnrolledFace = 8;  // units of work
+constexpr double kStraighter = 0.8;         // a way across faces, beside one along edges
 
 /// A strip of copies of faces. Corner 3 c + k is corner k of copy c; side 3 c + k runs from there
 /// to the next corner of the copy.
@@ -27,6 +32,14 @@ class Strip {
   [[nodiscard]] std::span<const std::uint32_t> across() const { return across_; }
   /// For each segment of the curve the copy that it lies in.
   [[nodiscard]] std::span<const std::uint32_t> copies_along() const { return along_; }
+  /// See UnrolledMesh.
+  [[nodiscard]] double near() const { return near_; }
+  [[nodiscard]] bool may_grow() const { return may_grow_; }
+  /// Whether these corners, all of them at one vertex, are farther from the curve than that.
+  [[nodiscard]] bool is_at_cut(std::span<const std::uint32_t> corners) const {
+    return std::all_of(corners.begin(), corners.end(),
+                       [&](Index corner) { return distance_[corner] > near_; });
+  }
 
  private:
   using Index = std::uint32_t;
@@ -57,27 +70,42 @@ class Strip {
   };
   [[nodiscard]] Fan fan_at(Index corner) const;
   bool close_at(Index side, bool at_tail);
+  bool join_around_handle(Index side);
   [[nodiscard]] bool may_join(Index a, Index b) const;
   Index cross(Index side, bool at_tail, bool at_head);
   bool walk(const SurfacePoint& around, Index& copy, FaceId to, Index last);
   void complete_around(Index corner);
   [[nodiscard]] std::vector<FaceId> faces_along(const SurfaceCurve& curve) const;
+  [[nodiscard]] std::vector<double> arcs_along(const SurfaceCurve& curve) const;
   static std::vector<std::size_t> starts_of(const SurfaceCurve& curve,
                                             std::span<const FaceId> faces);
-  bool lay_from(const SurfaceCurve& curve, std::span<const FaceId> faces, std::size_t start);
+  bool lay_from(const SurfaceCurve& curve, std::span<const FaceId> faces,
+                std::span<const double> arcs, std::size_t start);
 
   const Surface& surface_;
   Asker& asker_;
   std::vector<FaceId> faces_;
   std::vector<Index> across_;
+  std::vector<Index> older_;                       // per copy: the one before it of its face
+  std::unordered_map<std::size_t, Index> newest_;  // per face that has any: its last copy
+  std::vector<double> place_;                      // per copy: where on the curve it is nearest
+  double length_ = 0, here_ = 0;                   // of the curve; where copies are added now
+  bool closed_ = false;
   std::vector<Index> along_;
+  std::vector<double> distance_;  // from the curve, per corner of a copy
+  double near_ = HUGE_VAL;
+  bool may_grow_ = false;
 };
 
 Strip::Index Strip::add(FaceId face) {
   asker_.did(kOfUnrolledFace);
   faces_.push_back(face);
   across_.insert(across_.end(), 3, kOpen);
-  return static_cast<Index>(faces_.size() - 1);
+  place_.push_back(here_);
+  const auto copy = static_cast<Index>(faces_.size() - 1);
+  const auto [of_face, is_first] = newest_.try_emplace(face.index(), copy);
+  older_.push_back(is_first ? kOpen : std::exchange(of_face->second, copy));
+  return copy;
 }
 
 std::size_t Strip::degree(VertexId v) const {
@@ -130,6 +158,27 @@ bool Strip::close_at(Index side, bool at_tail) {
   if (!may_join(side, other)) return false;
   glue(side, other);
   return true;
+}
+
+/// Joins a side with one of another copy, both as far out as the strip has grown, where the ways
+/// from there back to the curve end near each other on it. Such copies have met around a handle of
+/// the surface, or a tube, and not because the curve comes back. Without it, a strip beside small
+/// handles would grow exponentially with its reach.
+bool Strip::join_around_handle(Index side) {
+  const HalfedgeId h = twin(halfedge(side));
+  const auto found = newest_.find(surface_.face(h).index());
+  if (found == newest_.end()) return false;
+  const auto out = [&](Index at) { return std::min(distance_[at], distance_[next(at)]); };
+  for (Index copy = found->second; copy != kOpen; copy = older_[copy]) {
+    const Index other = side_of(copy, h);
+    if (across_[other] != kOpen) continue;
+    double apart = std::abs(place_[copy] - place_[side / 3]);
+    if (closed_) apart = std::min(apart, length_ - apart);
+    if (apart > out(side) + out(other) || !may_join(side, other)) continue;
+    glue(side, other);
+    return true;
+  }
+  return false;
 }
 
 /// The side beyond this one; adds a copy of the face there if none is joined yet.
@@ -215,6 +264,17 @@ std::vector<FaceId> Strip::faces_along(const SurfaceCurve& curve) const {
   return faces;
 }
 
+/// Where on the curve each segment begins, and the curve's length.
+std::vector<double> Strip::arcs_along(const SurfaceCurve& curve) const {
+  const std::size_t n = curve.points.size(), segments = n - (curve.closed ? 0 : 1);
+  std::vector<double> arcs{0};
+  for (std::size_t i = 0; i < segments; ++i) {
+    const SurfaceCurve segment{false, {curve.points[i], curve.points[(i + 1) % n]}};
+    arcs.push_back(arcs.back() + curve_length(surface_, segment));
+  }
+  return arcs;
+}
+
 /// The segments at which a closed strip may be closed: those where the curve enters another face.
 /// Closing does not succeed where the curve only dips into a face and comes back, so several
 /// segments, far apart, are returned.
@@ -231,15 +291,21 @@ std::vector<std::size_t> Strip::starts_of(const SurfaceCurve& curve,
   return starts;
 }
 
-bool Strip::lay_from(const SurfaceCurve& curve, std::span<const FaceId> faces, std::size_t start) {
+bool Strip::lay_from(const SurfaceCurve& curve, std::span<const FaceId> faces,
+                     std::span<const double> arcs, std::size_t start) {
   const std::size_t segments = faces.size();
   faces_.clear();
   across_.clear();
+  older_.clear();
+  newest_.clear();
+  place_.clear();
+  here_ = arcs[start];
   along_.assign(segments, 0);
   Index copy = add(faces[start]);
   along_[start] = copy;
   for (std::size_t k = 1; k < segments; ++k) {
     const std::size_t i = (start + k) % segments;
+    here_ = arcs[i];
     if (!walk(curve.points[i], copy, faces[i], kOpen)) return false;
     along_[i] = copy;
   }
@@ -249,13 +315,17 @@ bool Strip::lay_from(const SurfaceCurve& curve, std::span<const FaceId> faces, s
 bool Strip::lay_along(const SurfaceCurve& curve) {
   const std::vector<FaceId> faces = faces_along(curve);
   const std::vector<std::size_t> starts = starts_of(curve, faces);
+  const std::vector<double> arcs = arcs_along(curve);
+  closed_ = curve.closed;
+  length_ = arcs.back();
   if (std::none_of(starts.begin(), starts.end(),
-                   [&](std::size_t start) { return lay_from(curve, faces, start); })) {
+                   [&](std::size_t start) { return lay_from(curve, faces, arcs, start); })) {
     return false;
   }
   const std::size_t n = curve.points.size(), segments = faces.size();
   // First add all faces around the curve's own vertices, one vertex at a time.
   for (std::size_t i = 0; i < segments; ++i) {
+    here_ = arcs[i];
     for (const std::size_t end : {i, (i + 1) % n}) {
       const auto* v = std::get_if<AtVertex>(&curve.points[end].where());
       for (Index corner = 3 * along_[i]; v != nullptr && corner < 3 * along_[i] + 3; ++corner) {
@@ -285,20 +355,19 @@ void Strip::grow(double reach) {
   // Around handles and holes a covering grows without end, hence the limit; nearer faces come
   // first.
   const std::size_t most = 2 * surface_.face_count() + 32 * faces_.size();
-  std::vector<double> distance(3 * faces_.size(), 0.0);  // per corner of a copy
+  distance_.assign(3 * faces_.size(), 0.0);
   using Item = std::pair<double, Index>;
   std::priority_queue<Item, std::vector<Item>, std::greater<>> queue;
   const auto push = [&](Index side) {
     if (across_[side] == kOpen) {
-      queue.emplace(std::min(distance[side], distance[next(side)]), side);
+      queue.emplace(std::min(distance_[side], distance_[next(side)]), side);
     }
   };
   for (Index side = 0; side < across_.size(); ++side) push(side);
-  while (!queue.empty() && faces_.size() < most) {
+  while (!queue.empty()) {
     const auto [near, side] = queue.top();
     queue.pop();
     asker_.did(kOfUnrolledFace);
-    if (near > reach) break;
     if (across_[side] != kOpen || !surface_.has_face(twin(halfedge(side)))) continue;
     if (close_at(side, true) || close_at(side, false)) continue;
     const HalfedgeId h = halfedge(side);
@@ -306,14 +375,21 @@ void Strip::grow(double reach) {
         fan_at(next(side)).count >= degree(surface_.head(h))) {
       continue;  // joining here would turn around the vertex once more
     }
+    if (near > reach || faces_.size() >= most) {
+      near_ = kStraighter * std::min(near, reach);
+      may_grow_ = faces_.size() < most;
+      break;
+    }
+    if (join_around_handle(side)) continue;
+    here_ = place_[side / 3];
     const Index there = cross(side, false, false);
-    distance.resize(3 * faces_.size());
+    distance_.resize(3 * faces_.size());
     const Index apex = prev(there);
-    distance[there] = distance[next(side)];
-    distance[next(there)] = distance[side];
-    distance[apex] =
-        std::min(distance[there] + surface_.length(edge_of(halfedge(apex))),
-                 distance[next(there)] + surface_.length(edge_of(halfedge(next(there)))));
+    distance_[there] = distance_[next(side)];
+    distance_[next(there)] = distance_[side];
+    distance_[apex] =
+        std::min(distance_[there] + surface_.length(edge_of(halfedge(apex))),
+                 distance_[next(there)] + surface_.length(edge_of(halfedge(next(there)))));
     push(next(there));
     push(apex);
   }
@@ -336,7 +412,7 @@ bool append(const SurfaceMesh& mesh, const Strip& strip, UnrolledMesh& result) {
   const std::size_t vertices = result.vertex_of.size(), faces = result.face_of.size();
   const auto across = strip.across();
   constexpr std::uint32_t kNone = kOpen;
-  std::vector<std::uint32_t> vertex(across.size(), kNone);  // per corner
+  std::vector<std::uint32_t> vertex(across.size(), kNone), fan;  // per corner; corners
   const auto next = [](std::uint32_t side) { return side % 3 == 2 ? side - 2 : side + 1; };
   const auto prev = [](std::uint32_t side) { return side % 3 == 0 ? side + 2 : side - 1; };
   for (std::uint32_t corner = 0; corner < across.size(); ++corner) {
@@ -345,16 +421,18 @@ bool append(const SurfaceMesh& mesh, const Strip& strip, UnrolledMesh& result) {
     const VertexId v = mesh.surface().corners(strip.faces()[corner / 3])[corner % 3];
     result.lists.points.push_back(mesh.point(v));
     result.vertex_of.push_back(v);
+    fan.clear();
     std::uint32_t at = corner;
     do {  // counterclockwise
-      vertex[at] = id;
+      fan.push_back(at);
       at = across[prev(at)];
     } while (at != kOpen && at != corner);
-    if (at == corner) continue;
-    for (at = corner; across[at] != kOpen;) {
-      at = next(across[at]);
-      vertex[at] = id;
+    for (std::uint32_t last = corner; at != corner && across[last] != kOpen;) {
+      last = next(across[last]);
+      fan.push_back(last);
     }
+    for (const std::uint32_t each : fan) vertex[each] = id;
+    result.at_cut.push_back(strip.is_at_cut(fan));
   }
   for (std::size_t copy = 0; copy < strip.faces().size(); ++copy) {
     result.lists.triangles.push_back(
@@ -364,6 +442,7 @@ bool append(const SurfaceMesh& mesh, const Strip& strip, UnrolledMesh& result) {
   if (!has_repeated_side(std::span(result.lists.triangles).subspan(faces))) return true;
   result.lists.points.resize(vertices);
   result.vertex_of.resize(vertices);
+  result.at_cut.resize(vertices);
   result.lists.triangles.resize(faces);
   result.face_of.resize(faces);
   return false;
@@ -376,6 +455,7 @@ void append_whole(const SurfaceMesh& mesh, UnrolledMesh& result) {
     result.lists.points.push_back(mesh.point(VertexId{v}));
     result.vertex_of.emplace_back(v);
   }
+  result.at_cut.resize(result.vertex_of.size(), false);
   for (std::size_t f = 0; f < surface.face_count(); ++f) {
     Triangle t{};
     const auto corners = surface.corners(FaceId{f});
@@ -431,6 +511,9 @@ UnrolledMesh unroll(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curve
       together.push_back(c);
       continue;
     }
+    result.near = std::min(result.near, strip.near());
+    result.may_grow = result.may_grow || strip.may_grow();
+    result.faces_of_strips = result.face_of.size();
     const auto along = strip.copies_along();
     for (std::size_t i = 0; i < curves[c].points.size(); ++i) {
       const std::size_t copy = along[std::min(i, along.size() - 1)];

@@ -1,7 +1,8 @@
 // An unrolled mesh has a strip of surface for a curve that crosses itself, where it does not.
 #pragma once
 
-#include <optional>
+#include <cmath>
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -16,6 +17,12 @@ struct UnrolledMesh {
   MeshLists lists;
   std::vector<FaceId> face_of;      ///< per face of `lists`: the face it is a copy of
   std::vector<VertexId> vertex_of;  ///< per vertex, likewise
+  /// Ways from the curves that are no longer lie on the strips, mesh units; infinite where no strip
+  /// was cut off.
+  double near = HUGE_VAL;
+  bool may_grow = false;     ///< whether a longer reach would have given more faces
+  std::vector<bool> at_cut;  ///< per vertex: whether it is farther from its curve than `near`
+  std::size_t faces_of_strips = 0;  ///< the others are those of a whole copy
   struct Place {
     FaceId face;         ///< of `lists`
     SurfacePoint point;  ///< on the original mesh, in the face that this one is a copy of
@@ -36,10 +43,11 @@ struct UnrolledMesh {
 /// faces there. Only faces around one vertex of the strip are joined as they are on the mesh. So
 /// the strip is a covering of the curve's neighbourhood, on which loops of more than a few edges
 /// are apart from each other. A strip that turns around a vertex more than once is left open there.
-/// Curves without `alone` share one whole copy of the mesh. So do a closed curve of so few faces
-/// that its strip does not close, and a curve whose strip turns around two neighbouring vertices
-/// more than once.
-/// O(faces of the strips, log). Throws Cancelled when `progress` (stage "solve") says so.
+/// Sides that meet at the end of equally long ways from one place of the curve are joined, so that
+/// a handle is laid out once. Curves without `alone` share one whole copy of the mesh. So do a
+/// closed curve of so few faces that its strip does not close, and a curve whose strip turns around
+/// two neighbouring vertices more than once. O(faces of the strips, log). Throws Cancelled when
+/// `progress` (stage "solve") says so.
 UnrolledMesh unroll(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves,
                     const std::vector<bool>& alone, double reach, const Progress& progress = {});
 

@@ -7,12 +7,24 @@
 #include <fmt/format.h>
 
 #include "talweg/core/drawing/crossings.hpp"
+#include "talweg/core/drawing/drawn_legs.hpp"
 #include "talweg/core/measure/measures.hpp"
 #include "talweg/core/smoothing/corridor_width.hpp"
 #include "talweg/core/smoothing/joined_curves.hpp"
 #include "talweg/intrinsic/stopwatch.hpp"
 
 namespace talweg {
+namespace {
+
+constexpr std::size_t kFewFaces = 200'000;  // on a strip, for the exact distances of a second
+
+std::string limited_to(double distance) {
+  return fmt::format(
+      "The drawing meets itself, and the result was looked for no farther than {:.3g} from it.",
+      distance);
+}
+
+}  // namespace
 
 UnrolledSheet::UnrolledSheet(SmoothingMemory& memory, const OrderedDrawing& drawing,
                              CurveOptions options, const std::vector<bool>& alone,
@@ -20,6 +32,7 @@ UnrolledSheet::UnrolledSheet(SmoothingMemory& memory, const OrderedDrawing& draw
     : memory_(&memory),
       drawing_(&drawing),
       options_(std::move(options)),
+      alone_(alone),
       lift_(memory.opened(), memory.straightening()) {
   const Stopwatch watch;
   // Crossings of each curve with itself and with those drawn after it.
@@ -33,20 +46,50 @@ UnrolledSheet::UnrolledSheet(SmoothingMemory& memory, const OrderedDrawing& draw
     lift_.solve(capped_curves(memory.surface(), drawing.curves(), options_), options_, progress);
   }
   close_rings();
-  mesh_ = unroll(memory.mesh(), curves_, alone, reach(alone), progress);
-  strips_ = std::make_unique<SmoothingMemory>(OpenedMesh::open(mesh_.lists));
-  const std::vector<SurfaceCurve> curves =
-      mesh_.unrolled(memory.mesh(), strips_->surface(), curves_);
-  const CurveOptions own = options_on(curves);
-  on_strips_ = checked_drawing(strips_->mesh(), curves, own, progress);
-  sheet_ = std::make_unique<WholeSheet>(*strips_, on_strips_, own,
-                                        EmbeddedDrawing::Ground{Loops::kErase, nullptr}, progress);
-  if (paper) {
-    sheet_->set_distance(copies_of({lift_.distance(), 1}));
-  } else {
-    sheet_->solve(progress);
-  }
   solve_ms_ = watch.ms() - lift_.open_ms();
+  set_reach();
+  add_strips(progress);
+}
+
+/// How far the first strips reach: as far as results mostly come. Later ones reach twice as far
+/// each time, until a result stays inside. Below tau = 1/8 it may lead anywhere, and its exact
+/// distances cost far more than the strip; so it is held where the strip has many faces. Legs need
+/// no distances.
+void UnrolledSheet::set_reach() {
+  constexpr double kOfSlack = 2, kOfEdge = 6;
+  const Surface& surface = memory_->surface();
+  bool all_free = true;
+  for (std::size_t c = 0; c < drawing_->curves().size(); ++c) {
+    if (!alone_[c]) continue;
+    const SurfaceCurve& curve = drawing_->curves()[c];
+    const bool free = legs_of(curve, options_.pins, options_.way_points, options_.painted).all();
+    all_free = all_free && free;
+    const double slack = free ? 0 : default_slack(surface, curve);
+    reach_ = std::max(reach_, kOfSlack * slack + kOfEdge * drawing_->edges_near()[c]);
+  }
+  most_faces_ = std::max(kFewFaces, surface.face_count() / (all_free ? 1 : 8));
+}
+
+void UnrolledSheet::add_strips(const Progress& progress) {
+  const Stopwatch watch;
+  auto strips = std::make_unique<Strips>();
+  strips->mesh = unroll(memory_->mesh(), curves_, alone_, reach_, progress);
+  strips->memory = std::make_unique<SmoothingMemory>(OpenedMesh::open(strips->mesh.lists));
+  const std::vector<SurfaceCurve> curves =
+      strips->mesh.unrolled(memory_->mesh(), strips->memory->surface(), curves_);
+  const CurveOptions own = options_on(curves);
+  strips->drawing = checked_drawing(strips->memory->mesh(), curves, own, progress);
+  strips->sheet = std::make_unique<WholeSheet>(
+      *strips->memory, strips->drawing, own,
+      EmbeddedDrawing::Ground{Loops::kErase, &strips->mesh.at_cut}, progress);
+  if (options_.method == Method::kPaper) {
+    strips->sheet->set_distance(copies_of(*strips, {lift_.distance(), 1}));
+  } else {
+    strips->sheet->solve(progress);
+  }
+  strips_.push_back(std::move(strips));
+  reach_ *= 2;
+  solve_ms_ += watch.ms();
 }
 
 void UnrolledSheet::close_rings() {
@@ -73,19 +116,20 @@ CurveOptions UnrolledSheet::options_on(std::span<const SurfaceCurve> curves) con
   return there;
 }
 
-SmoothingOptions UnrolledSheet::options_on(SmoothingOptions options) const {
+SmoothingOptions UnrolledSheet::options_on(const Strips& strips, SmoothingOptions options) const {
+  if (options_.method == Method::kPaper) return with_length_of_mesh(options);
   for (std::size_t c = 0; c < options.slack_at.size(); ++c) {
     if (is_ring_[c]) options.slack_at[c].pop_back();
   }
-  return on_strips_.ordered(std::move(options));
+  return strips.drawing.ordered(std::move(options));
 }
 
 /// Results on the strips in the order of the drawing; rings are open again.
-Smoothed UnrolledSheet::opened(Smoothed smoothed) const {
+Smoothed UnrolledSheet::opened(const Strips& strips, Smoothed smoothed) const {
   for (std::size_t c = 0; c < smoothed.curves.size(); ++c) {
     if (!is_ring_[c]) continue;
     SurfaceCurve& curve = smoothed.curves[c].curve;
-    const SurfacePoint& end = on_strips_.drawn()[c].points.front();
+    const SurfacePoint& end = strips.drawing.drawn()[c].points.front();
     std::rotate(curve.points.begin(), std::find(curve.points.begin(), curve.points.end(), end),
                 curve.points.end());
     curve.points.push_back(curve.points.front());
@@ -94,19 +138,9 @@ Smoothed UnrolledSheet::opened(Smoothed smoothed) const {
   return smoothed;
 }
 
-double UnrolledSheet::reach(const std::vector<bool>& alone) const {
-  double reach = 0;
-  for (std::size_t c = 0; c < drawing_->curves().size(); ++c) {
-    if (!alone[c]) continue;
-    reach = std::max(
-        reach, corridor_reach(memory_->mesh(), drawing_->curves()[c], drawing_->edges_near()[c]));
-  }
-  return reach;
-}
-
-std::vector<double> UnrolledSheet::copies_of(const GivenPotential& given) const {
+std::vector<double> UnrolledSheet::copies_of(const Strips& strips, const GivenPotential& given) {
   std::vector<double> copies;
-  for (const VertexId v : mesh_.vertex_of) {
+  for (const VertexId v : strips.mesh.vertex_of) {
     const auto values = given.values.subspan(v.index() * given.components, given.components);
     copies.insert(copies.end(), values.begin(), values.end());
   }
@@ -129,25 +163,63 @@ std::vector<SurfacePoint> UnrolledSheet::copies_on(std::span<const SurfaceCurve>
 
 void UnrolledSheet::set_pins(std::span<const SurfacePoint> pins, const Progress& progress) {
   options_.pins.assign(pins.begin(), pins.end());
-  sheet_->set_pins(options_on(on_strips_.drawn()).pins, progress);
+  for (const std::unique_ptr<Strips>& strips : strips_) {
+    strips->sheet->set_pins(options_on(strips->drawing.drawn()).pins, progress);
+  }
 }
 
 std::vector<double> UnrolledSheet::slack() const {
-  const std::vector<double> slack = sheet_->slack();
-  return slack.empty() ? slack : on_strips_.in_drawn_order(slack);
+  const std::vector<double> slack = strips_.front()->sheet->slack();
+  return slack.empty() ? slack : strips_.front()->drawing.in_drawn_order(slack);
 }
 
 Smoothed UnrolledSheet::smooth(const SmoothingOptions& options, const GivenPotential* given,
                                const Progress& progress) {
-  if (given != nullptr) {
-    const std::vector<double> values = copies_of(*given);
-    const GivenPotential there{values, given->components};
-    return folded(opened(as_drawn(on_strips_, sheet_->smooth(options, &there, progress))),
-                  progress);
+  for (std::size_t k = 0;; ++k) {
+    if (k == strips_.size()) add_strips(progress);
+    const Strips& strips = *strips_[k];
+    SmoothingOptions own = options_on(strips, options);
+    own.prepare_whole_mesh = false;  // only what is touched decides
+    Smoothed result = curves_on(strips, own, given, progress);
+    const bool leaves = may_leave(strips.mesh.at_cut, strips.memory->surface(), result);
+    const auto may_grow_to = [&](std::size_t faces) {
+      return strips.mesh.may_grow && strips.mesh.faces_of_strips <= faces;
+    };
+    if (leaves && may_grow_to(most_faces_)) continue;
+    if (options.prepare_whole_mesh) {
+      own.prepare_whole_mesh = true;
+      result = curves_on(strips, own, given, progress);
+    }
+    strips.sheet->measure(own, result, progress);
+    if (bound_deviation(strips, result) && may_grow_to(kFewFaces)) continue;
+    if (leaves) result.warnings.push_back(limited_to(strips.mesh.near));
+    return folded(strips, as_drawn(strips.drawing, std::move(result)), progress);
   }
-  const SmoothingOptions own =
-      options_.method == Method::kPaper ? with_length_of_mesh(options) : options_on(options);
-  return folded(opened(as_drawn(on_strips_, sheet_->smooth(own, nullptr, progress))), progress);
+}
+
+/// The result on the strips, not yet measured.
+Smoothed UnrolledSheet::curves_on(const Strips& strips, const SmoothingOptions& options,
+                                  const GivenPotential* given, const Progress& progress) {
+  if (given == nullptr) return strips.sheet->curves(options, nullptr, progress);
+  const std::vector<double> values = copies_of(strips, *given);
+  const GivenPotential there{values, given->components};
+  return strips.sheet->curves(options, &there, progress);
+}
+
+/// Ways from the drawing that are longer than those on the strips for sure might be shorter on
+/// strips that reach farther. Returns whether there are such.
+bool UnrolledSheet::bound_deviation(const Strips& strips, Smoothed& result) {
+  bool any = false;
+  for (SmoothedCurve& curve : result.curves) {
+    MeasuredDeviation& deviation = curve.deviation;
+    if (deviation.measure != DeviationMeasure::kAlongSurface) continue;
+    if (!(deviation.from_drawn_max > strips.mesh.near)) continue;
+    any = true;
+    deviation.spared = deviation.spared || deviation.exact;
+    deviation.exact = false;
+    deviation.at_least = std::min(deviation.at_least, strips.mesh.near);
+  }
+  return any;
 }
 
 /// Sets L to its value on the whole mesh.
@@ -197,10 +269,11 @@ std::vector<std::string> UnrolledSheet::lost_pins(const Smoothed& smoothed) cons
 }
 
 /// Moves results from the strips back to the mesh.
-Smoothed UnrolledSheet::folded(Smoothed smoothed, const Progress& progress) {
+Smoothed UnrolledSheet::folded(const Strips& strips, Smoothed smoothed, const Progress& progress) {
+  smoothed = opened(strips, std::move(smoothed));
   std::vector<SurfaceCurve> curves;
   for (SmoothedCurve& curve : smoothed.curves) {
-    curve.curve = mesh_.folded(strips_->surface(), memory_->surface(), curve.curve);
+    curve.curve = strips.mesh.folded(strips.memory->surface(), memory_->surface(), curve.curve);
     curves.push_back(curve.curve);
   }
   const std::vector<std::size_t> after =
@@ -209,8 +282,10 @@ Smoothed UnrolledSheet::folded(Smoothed smoothed, const Progress& progress) {
     smoothed.curves[c].crossings_before = crossings_[drawing_->numbers()[c]];
     smoothed.curves[c].crossings_after = after[drawing_->numbers()[c]];
   }
+  smoothed.at_fence = false;  // the last strips' cut is as far as the result can come
   smoothed.mollification = lift_.mollification();
-  smoothed.warnings = lift_.warnings();
+  const std::vector<std::string> of_lift = lift_.warnings();
+  smoothed.warnings.insert(smoothed.warnings.end(), of_lift.begin(), of_lift.end());
   const std::vector<std::string> lost = lost_pins(smoothed);
   smoothed.warnings.insert(smoothed.warnings.end(), lost.begin(), lost.end());
   smoothed.time_ms.open = lift_.open_ms();

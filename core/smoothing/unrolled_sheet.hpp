@@ -32,29 +32,41 @@ class UnrolledSheet final : public Sheet {
   [[nodiscard]] std::span<const double> distance() const override { return lift_.distance(); }
 
  private:
+  /// The strips up to some reach, and the curves on them.
+  struct Strips {
+    UnrolledMesh mesh;
+    std::unique_ptr<SmoothingMemory> memory;
+    OrderedDrawing drawing;
+    std::unique_ptr<WholeSheet> sheet;
+  };
   void close_rings();
+  void set_reach();
+  void add_strips(const Progress& progress);
   [[nodiscard]] CurveOptions options_on(std::span<const SurfaceCurve> curves) const;
-  [[nodiscard]] SmoothingOptions options_on(SmoothingOptions options) const;
-  [[nodiscard]] Smoothed opened(Smoothed smoothed) const;
-  [[nodiscard]] double reach(const std::vector<bool>& alone) const;
-  [[nodiscard]] std::vector<double> copies_of(const GivenPotential& given) const;
+  [[nodiscard]] SmoothingOptions options_on(const Strips& strips, SmoothingOptions options) const;
+  static Smoothed curves_on(const Strips& strips, const SmoothingOptions& options,
+                            const GivenPotential* given, const Progress& progress);
+  static bool bound_deviation(const Strips& strips, Smoothed& result);
+  [[nodiscard]] static std::vector<double> copies_of(const Strips& strips,
+                                                     const GivenPotential& given);
+  [[nodiscard]] Smoothed opened(const Strips& strips, Smoothed smoothed) const;
   [[nodiscard]] std::vector<SurfacePoint> copies_on(std::span<const SurfaceCurve> curves,
                                                     std::span<const SurfacePoint> points) const;
   [[nodiscard]] SmoothingOptions with_length_of_mesh(const SmoothingOptions& options) const;
   [[nodiscard]] std::vector<std::string> lost_pins(const Smoothed& smoothed) const;
-  Smoothed folded(Smoothed smoothed, const Progress& progress);
+  Smoothed folded(const Strips& strips, Smoothed smoothed, const Progress& progress);
 
   SmoothingMemory* memory_;
   const OrderedDrawing* drawing_;
   CurveOptions options_;
+  std::vector<bool> alone_;  // per drawn curve: whether it needs a strip of its own
   PaperLift lift_;
   std::vector<SurfaceCurve> curves_;    // as they are unrolled
   std::vector<bool> is_ring_;           // of these, whether they were drawn open
   std::vector<std::size_t> crossings_;  // of the drawing, per drawn curve
-  UnrolledMesh mesh_;
-  std::unique_ptr<SmoothingMemory> strips_;
-  OrderedDrawing on_strips_;
-  std::unique_ptr<WholeSheet> sheet_;
+  double reach_ = 0;                    // of the next strips, mesh units
+  std::size_t most_faces_ = 0;          // of strips that are followed by larger ones
+  std::vector<std::unique_ptr<Strips>> strips_;
   double solve_ms_ = 0;
 };
 

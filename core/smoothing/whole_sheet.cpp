@@ -93,6 +93,13 @@ void WholeSheet::need_distance(const Progress& progress) {
 
 Smoothed WholeSheet::smooth(const SmoothingOptions& options, const GivenPotential* given,
                             const Progress& progress) {
+  Smoothed result = curves(options, given, progress);
+  measure(options, result, progress);
+  return result;
+}
+
+Smoothed WholeSheet::curves(const SmoothingOptions& options, const GivenPotential* given,
+                            const Progress& progress) {
   Smoothed result = given != nullptr ? smooth_in(drawing_, *given, options, progress)
                     : corridor_      ? corridor_->smooth(options, progress)
                                      : paper_->smooth(options, progress);
@@ -103,10 +110,6 @@ Smoothed WholeSheet::smooth(const SmoothingOptions& options, const GivenPotentia
     result.mollification = paper_->lift().mollification();
     result.warnings = paper_->lift().warnings();
   }
-  result.at_fence = drawing_.came_to_fence();
-  const Stopwatch watch;
-  measure(options, result, progress);
-  result.time_ms.measure = watch.ms();
   return result;
 }
 
@@ -140,6 +143,7 @@ MeasuredDeviation WholeSheet::deviation_of(std::size_t curve, const SurfaceCurve
 
 void WholeSheet::measure(const SmoothingOptions& options, Smoothed& smoothed,
                          const Progress& progress) {
+  const Stopwatch watch;
   // A budget of the caller's says how long measuring may take.
   const bool spares =
       options.deviation == DeviationMeasure::kAutomatic && progress.budget() == nullptr;
@@ -152,6 +156,7 @@ void WholeSheet::measure(const SmoothingOptions& options, Smoothed& smoothed,
                                    spares ? progress.with(own) : progress);
     curve.deviation.spared = spares && !curve.deviation.exact;
   }
+  smoothed.time_ms.measure = watch.ms();
 }
 
 }  // namespace talweg

@@ -26,6 +26,11 @@ class WholeSheet final : public Sheet {
 
   Smoothed smooth(const SmoothingOptions& options, const GivenPotential* given,
                   const Progress& progress) override;
+  /// The two parts of smooth(): the result, and what is measured of it.
+  Smoothed curves(const SmoothingOptions& options, const GivenPotential* given,
+                  const Progress& progress);
+  void measure(const SmoothingOptions& options, Smoothed& smoothed, const Progress& progress);
+
   void set_pins(std::span<const SurfacePoint> pins, const Progress& progress) override;
   [[nodiscard]] std::vector<double> slack() const override;
   [[nodiscard]] std::span<const double> distance() const override;
@@ -37,7 +42,6 @@ class WholeSheet final : public Sheet {
  private:
   [[nodiscard]] MeasuredDeviation deviation_of(std::size_t curve, const SurfaceCurve& result,
                                                DeviationMeasure measure, const Progress& progress);
-  void measure(const SmoothingOptions& options, Smoothed& smoothed, const Progress& progress);
 
   SmoothingMemory* memory_;
   EmbeddedDrawing drawing_;

@@ -115,6 +115,89 @@ TEST(CrossingCurves, WhereverTheDrawingBeginsNoTurnIsLost) {
   }
 }
 
+/// A plate of cubes of size 1 whose middle of every three by three is missing, so that it has as
+/// many handles as holes; `size` must be a multiple of 3. The vertices of the upper side come
+/// first.
+MeshLists plate_with_holes(std::uint32_t size) {
+  MeshLists lists;
+  const std::uint32_t columns = size + 1, upper = columns * columns;
+  for (const double z : {1.0, 0.0}) {
+    for (std::uint32_t v = 0; v < upper; ++v)
+      lists.points.emplace_back(v % columns, v / columns, z);
+  }
+  const auto quad = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
+    lists.triangles.push_back({a, b, c});
+    lists.triangles.push_back({a, c, d});
+  };
+  const auto is_there = [&](std::uint32_t x, std::uint32_t y) {  // also where x or y is -1
+    return x < size && y < size && !(x % 3 == 1 && y % 3 == 1);
+  };
+  const auto wall = [&](std::uint32_t a, std::uint32_t b) { quad(b, a, a + upper, b + upper); };
+  for (std::uint32_t y = 0; y < size; ++y) {
+    for (std::uint32_t x = 0; x < size; ++x) {
+      if (!is_there(x, y)) continue;
+      const std::uint32_t a = y * columns + x, b = a + 1, c = b + columns, d = a + columns;
+      quad(a, b, c, d);
+      quad(d + upper, c + upper, b + upper, a + upper);
+      if (!is_there(x, y - 1)) wall(a, b);
+      if (!is_there(x + 1, y)) wall(b, c);
+      if (!is_there(x, y + 1)) wall(c, d);
+      if (!is_there(x - 1, y)) wall(d, a);
+    }
+  }
+  return lists;
+}
+
+/// Along rows and columns of the vertices of a square grid, from one corner to the next.
+std::vector<VertexId> along_grid(std::uint32_t columns,
+                                 const std::vector<std::array<std::uint32_t, 2>>& corners) {
+  std::vector<VertexId> way;
+  auto [x, y] = corners.front();
+  const auto step = [](std::uint32_t from, std::uint32_t to) {
+    return from < to ? from + 1 : from > to ? from - 1 : from;
+  };
+  for (const auto& [to_x, to_y] : corners) {
+    for (; x != to_x || y != to_y; x = step(x, to_x), y = step(y, to_y)) {
+      way.emplace_back(y * columns + x);
+    }
+  }
+  way.emplace_back(y * columns + x);
+  return way;
+}
+
+// The ways around a handle come back to where they were, and not to another copy of it.
+TEST(CrossingCurves, HandlesAreLaidOutOnce) {
+  const MeshLists lists = plate_with_holes(36);
+  const SurfaceMesh mesh = SurfaceMesh::open(lists);
+  ASSERT_EQ(2 * mesh.surface().edge_count(), 3 * lists.triangles.size());  // it is closed
+  const SurfaceCurve drawn = vertex_curve(
+      mesh.surface(), along_grid(37, {{{3, 9}, {30, 9}, {30, 30}, {18, 30}, {18, 3}}}), false);
+  const UnrolledMesh strip = unroll(mesh, std::span(&drawn, 1), {true}, 5);
+  EXPECT_GT(strip.faces_of_strips, lists.triangles.size() / 2);
+  EXPECT_LT(strip.faces_of_strips, 3 * lists.triangles.size() / 2);
+}
+
+// The strip is as wide as the result needs, wherever that leads.
+TEST(CrossingCurves, ALegFarFromItsDrawingIsStraight) {
+  const auto opened = OpenedMesh::open(grid(60, 60));
+  const Surface& surface = opened->surface();
+  const std::array curves = {
+      vertex_curve(surface, along_grid(61, {{{5, 5}, {5, 35}, {45, 35}, {45, 5}}}), false),
+      vertex_curve(surface, along_grid(61, {{{25, 20}, {25, 50}}}), false)};
+  CurveOptions options;
+  for (const SurfaceCurve& curve : curves) {
+    options.way_points.push_back({curve.points.front()});
+    options.way_points.push_back({curve.points.back()});
+  }
+  CurveSmoother smoother(opened);
+  smoother.set_curves(curves, options);
+  const SmoothingResult result = smoother.smooth(1.0);
+  EXPECT_EQ(result.total.crossings_before, 1U);
+  EXPECT_EQ(result.total.crossings_after, 0U);
+  EXPECT_NEAR(result.reports[0].length_after, 40, 1e-9);
+  EXPECT_NEAR(result.reports[1].length_after, 30, 1e-9);
+}
+
 TEST(CrossingCurves, CurvesThatCrossAreSmoothedAsIfAlone) {
   const auto opened = OpenedMesh::open(hills(40));
   const SurfaceCurve wave = wave_on_hills(opened->mesh());

@@ -50,7 +50,8 @@ class MissedPoints : public testing::Test {
     const std::vector<std::string> warnings = said(result);
     ASSERT_EQ(warnings.size(), 1);
     EXPECT_NE(warnings[0].find("misses 1 of the points"), std::string::npos) << warnings[0];
-    EXPECT_NE(warnings[0].find("by up to 6 at (20, 10, 0)"), std::string::npos) << warnings[0];
+    EXPECT_NE(warnings[0].find("by up to 6 through space, at (20, 10, 0)"), std::string::npos)
+        << warnings[0];
   }
   const std::shared_ptr<const OpenedMesh> opened = OpenedMesh::open(test::grid(30, 30));
 };
