@@ -1,7 +1,6 @@
 // A refined mesh has faces along a drawing divided until they are as fine as it is.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <span>
@@ -27,10 +26,6 @@ struct RefinedMesh {
   };
   /// Per vertex of `lists`: whether the original surface goes on there beyond this part.
   std::vector<bool> at_cut;
-  /// Whether the part is not cut off anywhere.
-  [[nodiscard]] bool is_whole() const {
-    return std::find(at_cut.begin(), at_cut.end(), true) == at_cut.end();
-  }
   /// Per curve its points: those of the drawing, in their order, and those where it crosses new
   /// edges.
   std::vector<std::vector<Place>> curves;
