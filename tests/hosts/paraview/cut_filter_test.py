@@ -9,7 +9,7 @@ from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet
 
 import runner
 from support import (Case, cell_values, counts, lines_of, output, places, polydata, pv, report, source,
-                     values)
+                     told, values)
 
 SIDE = 8
 # A flat sheet, triangles of squares of side 1, and a straight line through it between vertices.
@@ -76,6 +76,14 @@ class Pieces(Case):
         data = output(filter, 0)
         self.assertEqual(data.GetClassName(), "vtkMultiBlockDataSet")
         return [data.GetBlock(k) for k in range(data.GetNumberOfBlocks())]
+
+    def test_the_outcome_counts_pieces(self):
+        filter = cut(LINE)
+        self.pieces(filter)
+        self.assertEqual(told(filter), "One piece.")
+        filter.Split = 1
+        self.pieces(filter)
+        self.assertEqual(told(filter), "2 pieces.")
 
     def test_one_mesh_with_the_curve_as_edges(self):
         (whole,) = self.pieces(cut(LINE))
@@ -305,6 +313,11 @@ class Measure(Case):
                     self.assertFalse(math.isnan(value.ToDouble()), name)
         data = output(filter, 0)
         self.assertEqual(report(data, "faces"), sheet().GetNumberOfPolys())
+
+    def test_the_outcome_tells_the_length(self):
+        filter = pv.TalwegMeasure(Mesh=source(sheet()), Curve=curves(LINE))
+        self.update(filter)
+        self.assertEqual(told(filter), "1 curve, length 8. The rest is in the table.")
 
     def test_others_are_compared_with(self):
         shifted = [(x, y + 0.25, z) for x, y, z in LINE]

@@ -5,8 +5,8 @@ import unittest
 from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkStringArray, vtkUnsignedCharArray
 
 import runner
-from support import (Case, cell_values, lines_of, output, places, polydata, pv, real_mesh, report,
-                     source, values, wavy_sheet)
+from support import (Case, cell_values, column, lines_of, output, places, polydata, pv, real_mesh, report,
+                     source, told, values, wavy_sheet)
 
 N = 24
 POINTS, TRIANGLES = wavy_sheet(N)
@@ -35,6 +35,19 @@ def labelled(of_cells, kind=vtkUnsignedCharArray):
         for x, y, _ in POINTS:
             array.InsertNextValue(3 if left_of(x, y) else 7)
         data.GetPointData().AddArray(array)
+    return source(data)
+
+
+def striped(of_cells_too=False):
+    """Four stripes: three borders."""
+    data = polydata(POINTS, TRIANGLES)
+    for name, places, out in (("stripe", POINTS, data.GetPointData()),
+                              *([("row", range(len(TRIANGLES)), data.GetCellData())] * of_cells_too)):
+        array = vtkUnsignedCharArray()
+        array.SetName(name)
+        for place in places:
+            array.InsertNextValue(int(3.99 * place[0]) if name == "stripe" else place % 2)
+        out.AddArray(array)
     return source(data)
 
 
@@ -78,6 +91,33 @@ class Labels(Case):
     def test_points(self):
         self.check(pv.TalwegLabelBorders(Mesh=labelled(False), VertexLabels="tissue"), False)
 
+    def test_reports_are_a_table(self):
+        filter = pv.TalwegLabelBorders(Mesh=striped())
+        filter.VertexLabels = "stripe"
+        self.update(filter)
+        borders, table = output(filter, 0), output(filter, 3)
+        count = len(lines_of(borders))
+        self.assertEqual(count, 3)
+        self.assertEqual(column(table, "# curve"), ["0", "1", "2", "all"])
+        for side in ("left", "right"):
+            self.assertEqual(column(table, side)[:-1], cell_values(borders, side))
+        lengths = column(table, "length_after")
+        self.assertAlmostEqual(lengths[-1], sum(lengths[:-1]), 9)
+        self.assertEqual(report(table, "regions.label"), [0, 1, 2, 3])
+        cells = borders.GetCellData()
+        self.assertEqual({cells.GetArrayName(k) for k in range(cells.GetNumberOfArrays())},
+                         {"curve", "left", "right"})  # the rest is in the table
+
+    def test_the_outcome_tells_what_was_reached(self):
+        filter = pv.TalwegLabelBorders(Mesh=striped(), VertexLabels="stripe")
+        self.update(filter)
+        reached = max(report(output(filter, 0), f"deviation_{way}_drawn_max") for way in ("to", "from"))
+        self.assertRegex(told(filter), "^3 borders between 4 regions, 0 junctions. Deviation from the drawing")
+        self.assertIn(f"at most {reached:.4g},", told(filter))
+        filter = pv.TalwegLabelBorders(Mesh=labelled(True), TriangleLabels="tissue")
+        self.update(filter)
+        self.assertIn("1 border between 2 regions, 0 junctions. ", told(filter))
+
     def test_a_new_tau_opens_no_mesh_again_and_changed_labels_are_used(self):
         calculator = pv.Calculator(Input=source(polydata(POINTS, TRIANGLES)),
                                    Function="floor(coordsX*1.9)", ResultArrayName="half")
@@ -102,6 +142,7 @@ class Labels(Case):
         self.update(filter)
         for port in range(3):
             self.assertEqual(output(filter, port).GetNumberOfPoints(), 0)
+        self.assertEqual(output(filter, 3).GetNumberOfRows(), 0)
         algorithm.RemoveObserver(tag)
         algorithm.SetAbortExecute(0)
         filter.Tau = 2
@@ -110,7 +151,11 @@ class Labels(Case):
 
     def test_sentences(self):
         none = pv.TalwegLabelBorders(Mesh=labelled(True))
-        self.assertIn("There are no labels", self.error_of(none))
+        self.assertIn("There are no labels: choose an array as Triangle Labels or as Vertex Labels.",
+                      self.error_of(none))
+        both = pv.TalwegLabelBorders(Mesh=striped(True), TriangleLabels="row", VertexLabels="stripe")
+        self.assertIn("Triangle Labels and Vertex Labels are both chosen; one is enough.",
+                      self.error_of(both))
         missing = pv.TalwegLabelBorders(Mesh=labelled(True), TriangleLabels="nothing")
         self.assertIn("The mesh has no cell array nothing.", self.error_of(missing))
         # The panel offers texts, too.
@@ -127,7 +172,7 @@ class Labels(Case):
         calculator = pv.Calculator(Input=source(polydata(POINTS, TRIANGLES)),
                                    Function="coordsX", ResultArrayName="half")
         real = pv.TalwegLabelBorders(Mesh=calculator, VertexLabels="half")
-        self.assertIn("must be whole numbers", self.error_of(real))
+        self.assertIn("Vertex Labels must be whole numbers", self.error_of(real))
         real.Tau = -2
         self.assertIn("Tau", self.error_of(real))
 

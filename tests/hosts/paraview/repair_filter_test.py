@@ -5,7 +5,7 @@ import unittest
 from vtkmodules.vtkCommonCore import vtkIntArray, vtkStringArray
 
 import runner
-from support import Case, cell_values, output, polydata, pv, real_mesh, report, source, values
+from support import Case, cell_values, output, polydata, pv, real_mesh, report, source, told, values
 
 # Two triangles that should share an edge, and one of them again: two vertices are there twice.
 POINTS = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)]
@@ -58,6 +58,21 @@ class Repair(Case):
         self.assertEqual(report(data, "verdict"), "repairable")
         self.assertEqual(report(data, "defects.duplicate_faces.count"), 1)
         self.assertIsNone(data.GetFieldData().GetAbstractArray("repair.verdict"))
+
+    def test_the_outcome_tells_what_was_done(self):
+        filter = pv.TalwegRepair(Mesh=broken())
+        self.update(filter)
+        self.assertEqual(told(filter).split("\n"), report(output(filter, 0), "repair.changes"))
+        again = pv.TalwegRepair(Mesh=filter)
+        self.update(again)
+        self.assertEqual(told(again), "The mesh needs no repair.")
+        filter.Repair = 0
+        self.update(filter)
+        self.assertRegex(told(filter), "^Not repaired. .+")
+        again.Repair = 0
+        filter.Repair = 1
+        self.update(again)
+        self.assertEqual(told(again), "Not repaired. The mesh is a consistently oriented manifold surface.")
 
     def test_steps(self):
         filter = pv.TalwegRepair(Mesh=broken(), RepairWeld=0)

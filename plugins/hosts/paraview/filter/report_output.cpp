@@ -4,12 +4,10 @@
 #include <cctype>
 #include <cmath>
 #include <cstdint>
-#include <map>
 #include <set>
 #include <string>
 #include <vector>
 
-#include <vtkDataSetAttributes.h>
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
 #include <vtkNew.h>
@@ -33,19 +31,6 @@ std::string without_places(const std::string& key) {
 
 bool is_one_number(const host::ReportEntry& entry) {
   return entry.type != TALWEG_VALUE_TEXT && !entry.is_list && entry.numbers.size() == 1;
-}
-
-/// By the keys: what each curve has under it, in the order of the curves.
-using Values = std::map<std::string, std::vector<double>>;
-
-void add_columns(const Values& values, vtkIdType count, vtkDataSetAttributes& out) {
-  for (const auto& [key, numbers] : values) {
-    if (static_cast<vtkIdType>(numbers.size()) != count) continue;  // some curves have none
-    vtkNew<vtkDoubleArray> array;
-    array->SetName(key.c_str());
-    for (const double number : numbers) array->InsertNextValue(number);
-    out.AddArray(array);
-  }
 }
 
 /// How a column of the table holds an entry.
@@ -116,23 +101,34 @@ void give_report(const host::Results& results, vtkFieldData& out) {
   }
 }
 
-void give_reports_of_curves(const host::Results& results, const char* group, vtkIdType count,
-                            vtkDataSetAttributes& out) {
-  const std::string name = group;
-  Values values;
+std::vector<double> numbers_of_group(const host::Results& results, const std::string& group,
+                                     const std::string& key) {
+  std::vector<double> numbers;
   for (const host::ReportEntry& entry : results.report) {
-    if (!is_one_number(entry)) continue;
-    const std::string key = without_places(entry.key);
-    if (entry.curve >= 0) {
-      values[entry.key].push_back(entry.numbers.front());
-    } else if (!name.empty() && key != entry.key && key.starts_with(name + ".")) {
-      values[key.substr(name.size() + 1)].push_back(entry.numbers.front());
-    }
+    if (!is_one_number(entry) || without_places(entry.key) != group + "." + key) continue;
+    numbers.push_back(entry.numbers.front());
   }
-  add_columns(values, count, out);
+  return numbers;
 }
 
-void give_table(const host::Results& results, vtkTable& out) {
+namespace {
+
+/// The entry as one of a curve, if it is of a list of groups of this name: borders.2.left is left
+/// of curve 2.
+host::ReportEntry of_its_curve(const host::ReportEntry& entry, const std::string& group) {
+  host::ReportEntry own = entry;
+  const std::string start = group + ".";
+  if (group.empty() || entry.curve >= 0 || !entry.key.starts_with(start)) return own;
+  const std::size_t end = entry.key.find('.', start.size());
+  if (end == std::string::npos || without_places(entry.key) == entry.key) return own;
+  own.curve = std::stoll(entry.key.substr(start.size(), end - start.size()));
+  own.key = entry.key.substr(end + 1);
+  return own;
+}
+
+}  // namespace
+
+void give_table(const host::Results& results, vtkTable& out, const std::string& group) {
   std::int64_t curves = 0;
   for (const host::ReportEntry& entry : results.report) curves = std::max(curves, entry.curve + 1);
   const vtkIdType rows = curves + 1;
@@ -141,8 +137,9 @@ void give_table(const host::Results& results, vtkTable& out) {
   for (std::int64_t c = 0; c < curves; ++c) names->InsertNextValue(std::to_string(c));
   names->InsertNextValue("all");
   out.AddColumn(names);
-  for (const host::ReportEntry& entry : results.report) {
-    if (kind_of(entry) == Kind::kNone || is_of_no_curve(entry)) continue;
+  for (const host::ReportEntry& given : results.report) {
+    const host::ReportEntry entry = of_its_curve(given, group);
+    if (kind_of(entry) == Kind::kNone || is_of_no_curve(entry) || entry.curve >= curves) continue;
     vtkSmartPointer<vtkAbstractArray> column = out.GetColumnByName(entry.key.c_str());
     if (column == nullptr) {
       column = column_for(entry, rows);

@@ -1,11 +1,11 @@
 // Reports of plugins as arrays and tables.
 #pragma once
 
-#include <vtkType.h>
+#include <string>
+#include <vector>
 
 #include "talweg/plugin/talweg_host.hpp"
 
-class vtkDataSetAttributes;
 class vtkFieldData;
 class vtkTable;
 
@@ -15,14 +15,15 @@ namespace talweg::paraview {
 /// are one array (parts.faces).
 void give_report(const host::Results& results, vtkFieldData& out);
 
-/// A number for each of `count` curves: the entries that every curve has, and those of `group`
-/// (borders.0.left), if it is not empty.
-void give_reports_of_curves(const host::Results& results, const char* group, vtkIdType count,
-                            vtkDataSetAttributes& out);
+/// The numbers under `key` of each group of a list (borders.0.left, borders.1.left), in their
+/// order.
+std::vector<double> numbers_of_group(const host::Results& results, const std::string& group,
+                                     const std::string& key);
 
 /// A row for each curve and a last one, all, for them together; the column "# curve" says which.
 /// Columns are the numbers, the three coordinates of a place, and the texts; what a row has not is
-/// NaN or empty. The field data have the report on all.
-void give_table(const host::Results& results, vtkTable& out);
+/// NaN or empty. If the report has a group for each curve (borders.0.left), its name makes columns
+/// of it, too. The field data have the report on all.
+void give_table(const host::Results& results, vtkTable& out, const std::string& group = {});
 
 }  // namespace talweg::paraview

@@ -52,6 +52,10 @@ void add_block(vtkMultiBlockDataSet& blocks, vtkDataObject& block, const std::st
   blocks.GetMetaData(number)->Set(vtkCompositeDataSet::NAME(), name.c_str());
 }
 
+std::string pieces_told(unsigned int count) {
+  return count == 1 ? "One piece." : std::to_string(count) + " pieces.";
+}
+
 }  // namespace
 
 void vtkTalwegCut::Cut(vtkDataSet& mesh, vtkDataObject* curves, vtkMultiBlockDataSet& pieces,
@@ -75,8 +79,9 @@ void vtkTalwegCut::Cut(vtkDataSet& mesh, vtkDataObject* curves, vtkMultiBlockDat
 
 void vtkTalwegCut::Work(vtkDataSet& mesh, vtkDataObject* curves, vtkDataObject*,
                         vtkInformationVector& outputs) {
-  this->Cut(mesh, curves, *vtkMultiBlockDataSet::GetData(&outputs, 0),
-            *vtkPolyData::GetData(&outputs, 1));
+  auto& pieces = *vtkMultiBlockDataSet::GetData(&outputs, 0);
+  this->Cut(mesh, curves, pieces, *vtkPolyData::GetData(&outputs, 1));
+  this->Tell(pieces_told(pieces.GetNumberOfBlocks()));
 }
 
 void vtkTalwegCut::WorkOn(vtkDataObject& mesh, vtkDataObject* curves, vtkDataObject* others,
@@ -85,6 +90,7 @@ void vtkTalwegCut::WorkOn(vtkDataObject& mesh, vtkDataObject* curves, vtkDataObj
   if (composite == nullptr) return this->Superclass::WorkOn(mesh, curves, others, outputs);
   auto& blocks = *vtkMultiBlockDataSet::GetData(&outputs, 0);
   vtkNew<vtkAppendPolyData> all_chains;
+  unsigned int count = 0;
   const auto leaf = vtk::TakeSmartPointer(composite->NewIterator());
   for (leaf->InitTraversal(); !leaf->IsDoneWithTraversal(); leaf->GoToNextItem()) {
     auto* data = vtkDataSet::SafeDownCast(leaf->GetCurrentDataObject());
@@ -92,10 +98,12 @@ void vtkTalwegCut::WorkOn(vtkDataObject& mesh, vtkDataObject* curves, vtkDataObj
     vtkNew<vtkMultiBlockDataSet> pieces;
     vtkNew<vtkPolyData> chains;
     this->Cut(*data, curves, *pieces, *chains);
+    count += pieces->GetNumberOfBlocks();
     add_block(blocks, *pieces, "mesh " + std::to_string(blocks.GetNumberOfBlocks()));
     all_chains->AddInputData(chains);
   }
   if (blocks.GetNumberOfBlocks() == 0) throw std::runtime_error("The input has no mesh.");
+  this->Tell(pieces_told(count));
   all_chains->Update();
   vtkPolyData::GetData(&outputs, 1)->ShallowCopy(all_chains->GetOutput());
 }

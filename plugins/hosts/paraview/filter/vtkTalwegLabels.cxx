@@ -1,5 +1,6 @@
 #include "vtkTalwegLabels.h"
 
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -7,11 +8,14 @@
 #include <vtkDataArray.h>
 #include <vtkDataObject.h>
 #include <vtkDataSet.h>
+#include <vtkDoubleArray.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
+#include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
+#include <vtkTable.h>
 
 #include "mesh_output.hpp"
 #include "report_output.hpp"
@@ -24,11 +28,11 @@ vtkStandardNewMacro(vtkTalwegLabels);
 
 vtkTalwegLabels::vtkTalwegLabels() : vtkTalwegFilter("talweg.labels") {
   this->SetNumberOfInputPorts(1);
-  this->SetNumberOfOutputPorts(3);
+  this->SetNumberOfOutputPorts(4);
 }
 
-int vtkTalwegLabels::FillOutputPortInformation(int, vtkInformation* info) {
-  info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkPolyData");
+int vtkTalwegLabels::FillOutputPortInformation(int port, vtkInformation* info) {
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), port == 3 ? "vtkTable" : "vtkPolyData");
   return 1;
 }
 
@@ -56,24 +60,73 @@ std::vector<double> exact_labels(Session& session) {
   return {};
 }
 
+/// The labels beside each border.
+void add_sides(const talweg::host::Results& results, vtkPolyData& borders) {
+  for (const char* side : {"left", "right"}) {
+    vtkNew<vtkDoubleArray> labels;
+    labels->SetName(side);
+    for (const double label : talweg::paraview::numbers_of_group(results, "borders", side)) {
+      labels->InsertNextValue(label);
+    }
+    borders.GetCellData()->AddArray(labels);
+  }
+}
+
+std::string counted(double count, const char* word) {
+  return std::to_string(static_cast<long long>(count)) + " " + word + (count == 1 ? "" : "s");
+}
+
+std::string outcome(const talweg::host::Results& results) {
+  const auto regions = talweg::paraview::numbers_of_group(results, "regions", "label").size();
+  return counted(results.number("network.borders"), "border") + " between " +
+         counted(static_cast<double>(regions), "region") + ", " +
+         counted(results.number("network.junctions"), "junction") + ". " +
+         talweg::paraview::outcome(results);
+}
+
+/// The plugin's sentences on labels, with the names of the panel.
+std::string with_names_of_panel(const std::string& sentence) {
+  if (sentence == "There are no labels: set triangle_labels or vertex_labels.") {
+    return "There are no labels: choose an array as Triangle Labels or as Vertex Labels.";
+  }
+  if (sentence == "There are labels of triangles and of vertices; one is enough.") {
+    return "Triangle Labels and Vertex Labels are both chosen; one is enough.";
+  }
+  for (const auto& [theirs, ours] :
+       {std::pair<std::string, std::string>{"Labels of triangles (triangle_labels)",
+                                            "Triangle Labels"},
+        {"Labels of vertices (vertex_labels)", "Vertex Labels"}}) {
+    if (sentence.starts_with(theirs)) return ours + sentence.substr(theirs.size());
+  }
+  return sentence;
+}
+
+talweg::host::Results run(Session& session) {
+  try {
+    return session.run({.point_fields = true, .vertex_fields = true, .meshes = true});
+  } catch (const talweg::host::Error& error) {
+    throw talweg::host::Error(error.status(), with_names_of_panel(error.what()));
+  }
+}
+
 }  // namespace
 
 void vtkTalwegLabels::Work(vtkDataSet& mesh, vtkDataObject*, vtkDataObject*,
                            vtkInformationVector& outputs) {
   Session& session = this->GetSession();
   this->TakeMesh(mesh);
-  const talweg::host::Results results =
-      session.run({.point_fields = true, .vertex_fields = true, .meshes = true});
+  const talweg::host::Results results = run(session);
   vtkDataArray* given = session.array_of("triangle_labels");
   if (given == nullptr) given = session.array_of("vertex_labels");
   vtkPolyData& borders = *vtkPolyData::GetData(&outputs, 0);
   talweg::paraview::give(results, session.mesh(), borders);
-  talweg::paraview::give_reports_of_curves(results, "borders", borders.GetNumberOfCells(),
-                                           *borders.GetCellData());
+  add_sides(results, borders);
   vtkPolyData& relabelled = *vtkPolyData::GetData(&outputs, 1);
   session.mesh().copy_to(relabelled);
   add_labels(results.fields.at(0).values, *given, relabelled);
   vtkPolyData& cut = *vtkPolyData::GetData(&outputs, 2);
   talweg::paraview::give(results.meshes.at(0), session.instance().origin(0), session.mesh(), cut);
   add_labels(exact_labels(session), *given, cut);
+  talweg::paraview::give_table(results, *vtkTable::GetData(&outputs, 3), "borders");
+  this->Tell(outcome(results));
 }

@@ -4,7 +4,7 @@
  *
  * Input 0 is the mesh with labels of cells or points. Output 0 is the smoothed borders, output 1
  * the mesh with new labels of its cells, output 2 the mesh cut along the borders, with exact
- * labels. The plugin talweg.labels does the work.
+ * labels, output 3 a table with the report on each border. The plugin talweg.labels does the work.
  */
 #ifndef vtkTalwegLabels_h
 #define vtkTalwegLabels_h

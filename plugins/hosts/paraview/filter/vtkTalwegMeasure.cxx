@@ -1,5 +1,8 @@
 #include "vtkTalwegMeasure.h"
 
+#include <cstdio>
+#include <string>
+
 #include <vtkDataObject.h>
 #include <vtkDataSet.h>
 #include <vtkInformation.h>
@@ -24,6 +27,18 @@ int vtkTalwegMeasure::FillOutputPortInformation(int, vtkInformation* info) {
   return 1;
 }
 
+namespace {
+
+std::string outcome(const talweg::host::Results& results, vtkIdType curves) {
+  char text[100];
+  std::snprintf(text, sizeof text, "%lld %s, length %.6g. The rest is in the table.",
+                static_cast<long long>(curves), curves == 1 ? "curve" : "curves",
+                results.number("length"));
+  return text;
+}
+
+}  // namespace
+
 void vtkTalwegMeasure::Work(vtkDataSet& mesh, vtkDataObject* curves, vtkDataObject* others,
                             vtkInformationVector& outputs) {
   Session& session = this->GetSession();
@@ -31,6 +46,8 @@ void vtkTalwegMeasure::Work(vtkDataSet& mesh, vtkDataObject* curves, vtkDataObje
   const int count = this->TakeCurves(curves, others);
   session.set("others", static_cast<double>(count));
   const talweg::host::Results results = session.run({});
-  talweg::paraview::give_table(results, *vtkTable::GetData(&outputs, 0));
+  vtkTable& table = *vtkTable::GetData(&outputs, 0);
+  talweg::paraview::give_table(results, table);
+  this->Tell(outcome(results, table.GetNumberOfRows() - 1));
   this->LogWarnings(results);
 }

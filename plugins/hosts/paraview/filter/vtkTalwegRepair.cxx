@@ -29,6 +29,22 @@ int vtkTalwegRepair::FillOutputPortInformation(int, vtkInformation* info) {
   return 1;
 }
 
+namespace {
+
+/// A line for each change.
+std::string outcome(const talweg::host::Results& results) {
+  const talweg::host::ReportEntry* changes = results.find("repair.changes");
+  if (changes == nullptr) {
+    return "Not repaired. " + results.text("reason");
+  }
+  if (changes->texts.empty()) return "The mesh needs no repair.";
+  std::string all;
+  for (const std::string& change : changes->texts) all += (all.empty() ? "" : "\n") + change;
+  return all;
+}
+
+}  // namespace
+
 void vtkTalwegRepair::Work(vtkDataSet& mesh, vtkDataObject*, vtkDataObject*,
                            vtkInformationVector& outputs) {
   Session& session = this->GetSession();
@@ -44,6 +60,7 @@ void vtkTalwegRepair::Work(vtkDataSet& mesh, vtkDataObject*, vtkDataObject*,
     throw std::runtime_error("The mesh cannot be repaired: " + results.text("reason"));
   }
   talweg::paraview::give_report(results, *out.GetFieldData());
+  this->Tell(outcome(results));
   const talweg::host::ReportEntry* changes = results.find("repair.changes");
   if (changes == nullptr) return;
   for (const std::string& change : changes->texts) this->Log(TALWEG_LOG_INFO, change.c_str());

@@ -162,9 +162,11 @@ constexpr const char* kLabelsEnd = R"(
 <OutputPort index="0" name="Borders"/>
 <OutputPort index="1" name="Mesh"/>
 <OutputPort index="2" name="Cut Mesh"/>
+<OutputPort index="3" name="Report"/>
 <Hints>
   <ShowInMenu category="Talweg"/>
   <View type="None" port="1"/>
+  <View type="None" port="3"/>
   <InitializationHelper class="vtkSMTalwegStart" curves="0"/>
 </Hints>
 </SourceProxy>
