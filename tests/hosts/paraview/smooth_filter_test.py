@@ -217,6 +217,21 @@ class Begin(Case):
         for _, y, _ in points_of(pv.TalwegSmoothPoints(Mesh=mesh)):
             self.assertTrue(y < 0.28 or y > 0.72, y)
 
+    def test_points_begin_where_they_are_seen_from_close_by(self):
+        """Of a ball the view from near shows a small cap only."""
+        ball = pv.Sphere(Radius=1, ThetaResolution=64, PhiResolution=64)
+        ball.UpdatePipeline()
+        view = pv.CreateView("RenderView")
+        view.CameraPosition, view.CameraFocalPoint = [0, 0, 1.1], [0, 0, 0]
+        points = pv.TalwegSmoothPoints(Mesh=ball).Points
+        self.assertGreater(distance(points[:3], points[6:]), 0.05)
+        for height in points[2::3]:
+            self.assertGreater(height, 1 / 1.1 - 0.01)
+        view.CameraParallelProjection = 1
+        for height in pv.TalwegSmoothPoints(Mesh=ball).Points[2::3]:
+            self.assertGreater(height, 0)
+        pv.Delete(view)
+
     def test_points_of_a_mesh_in_two_parts_are_on_one(self):
         beside = [(x + 2, y, z) for x, y, z in POINTS[:3 * N]]
         parts = TRIANGLES + [tuple(v + len(POINTS) for v in corners) for corners in TRIANGLES

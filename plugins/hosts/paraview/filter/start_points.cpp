@@ -75,18 +75,20 @@ View view_of(const vtkBoundingBox& box, Vector forwards) {
 /// Where rays meet the mesh first, else its nearest point, which may be on the far side.
 class Sight {
  public:
-  Sight(vtkPolyData& mesh, const Vector& forwards, double reach)
-      : forwards_(forwards), reach_(reach) {
+  Sight(vtkPolyData& mesh, const Vector& eye, const Vector& forwards, double reach)
+      : eye_(eye), forwards_(forwards), reach_(reach) {
     locator_->SetDataSet(&mesh);
     locator_->BuildLocator();
   }
 
   [[nodiscard]] std::optional<Vector> meet(const Vector& place) {
-    const Vector from = along(place, forwards_, -reach_), to = along(place, forwards_, reach_);
+    Vector ray = along(place, eye_, -1);
+    if (vtkMath::Normalize(ray.data()) == 0) return std::nullopt;
+    const Vector to = along(place, ray, reach_);
     Vector found = {};
     double t = 0, parametric[3] = {};
     int part = 0;
-    if (locator_->IntersectWithLine(from.data(), to.data(), 0, t, found.data(), parametric, part) ==
+    if (locator_->IntersectWithLine(eye_.data(), to.data(), 0, t, found.data(), parametric, part) ==
         0)
       return std::nullopt;
     return found;
@@ -116,7 +118,7 @@ class Sight {
 
  private:
   vtkNew<vtkStaticCellLocator> locator_;
-  Vector forwards_;
+  Vector eye_, forwards_;
   double reach_;
 };
 
@@ -140,15 +142,16 @@ std::vector<Vector> places_at(const Vector& centre, const View& view, double rea
 
 }  // namespace
 
-std::vector<Vector> start_points(vtkPolyData& mesh, const Vector& direction) {
+std::vector<Vector> start_points(vtkPolyData& mesh, const Vector& eye, const Vector& focus) {
   if (mesh.GetNumberOfPolys() + mesh.GetNumberOfStrips() == 0) return {};
   const vtkSmartPointer<vtkPolyData> part = largest_part(mesh);
   const vtkBoundingBox box(part->GetBounds());
-  const View view = view_of(box, direction);
+  const View view = view_of(box, along(focus, eye, -1));
   Vector centre = {};
   box.GetCenter(centre.data());
   const double size = box.GetDiagonalLength();
-  Sight sight(*part, view.forwards, size);
+  Sight sight(*part, eye == focus ? along(centre, view.forwards, -1000 * size) : eye, view.forwards,
+              size);
   const double width = half_length(box, view.right), height = half_length(box, view.up);
   // Of a mesh with gaps or branches the row that goes least from near to far, all of it seen.
   std::vector<Vector> points;

@@ -21,23 +21,33 @@ vtkStandardNewMacro(vtkSMTalwegStart);
 
 namespace {
 
-/// Where the camera of the active view looks; 0 without one.
-std::array<double, 3> direction_of_view(vtkSMSessionProxyManager& manager) {
+/// The eye of the active view and where it looks; one place without a view. The rays of a parallel
+/// projection come from far away.
+struct Camera {
+  std::array<double, 3> eye = {}, focus = {};
+};
+
+Camera camera_of_view(vtkSMSessionProxyManager& manager) {
   vtkSMProxySelectionModel* active = manager.GetSelectionModel("ActiveView");
   vtkSMProxy* view = active == nullptr ? nullptr : active->GetCurrentProxy();
-  std::array<double, 3> direction = {};
-  if (view == nullptr || view->GetProperty("CameraPosition") == nullptr) return direction;
+  Camera camera;
+  if (view == nullptr || view->GetProperty("CameraPosition") == nullptr) return camera;
+  const bool parallel = vtkSMPropertyHelper(view, "CameraParallelProjection").GetAsInt() != 0;
   const vtkSMPropertyHelper from(view, "CameraPosition"), to(view, "CameraFocalPoint");
-  for (unsigned k = 0; k < 3; ++k) direction[k] = to.GetAsDouble(k) - from.GetAsDouble(k);
-  return direction;
+  for (unsigned k = 0; k < 3; ++k) {
+    camera.focus[k] = to.GetAsDouble(k);
+    camera.eye[k] =
+        camera.focus[k] + (parallel ? 1000 : 1) * (from.GetAsDouble(k) - camera.focus[k]);
+  }
+  return camera;
 }
 
 /// The filter, which may be on a server, looks at its mesh.
 std::vector<double> start_points(vtkSMProxy& filter) {
-  const auto d = direction_of_view(*filter.GetSessionProxyManager());
+  const auto [eye, focus] = camera_of_view(*filter.GetSessionProxyManager());
   vtkClientServerStream stream;
-  stream << vtkClientServerStream::Invoke << VTKOBJECT(&filter) << "StartPoints" << d[0] << d[1]
-         << d[2] << vtkClientServerStream::End;
+  stream << vtkClientServerStream::Invoke << VTKOBJECT(&filter) << "StartPoints" << eye[0] << eye[1]
+         << eye[2] << focus[0] << focus[1] << focus[2] << vtkClientServerStream::End;
   filter.GetSession()->ExecuteStream(filter.GetLocation(), stream, false);
   const char* text = nullptr;
   const vtkClientServerStream& result = filter.GetSession()->GetLastResult(filter.GetLocation());

@@ -164,15 +164,16 @@ std::string text_of_place(const std::array<double, 3>& place) {
 
 }  // namespace
 
-const char* vtkTalwegSmooth::StartPoints(double x, double y, double z) {
+const char* vtkTalwegSmooth::StartPoints(double x, double y, double z, double focus_x,
+                                         double focus_y, double focus_z) {
   std::string& text = this->Inside->Start;
   text.clear();
   vtkDataObject* input =
       this->GetNumberOfInputConnections(0) == 0 ? nullptr : this->GetInputDataObject(0, 0);
   if (input == nullptr) return text.c_str();
   for (vtkDataSet* mesh : talweg::paraview::data_sets_of(*input)) {
-    for (const auto& point :
-         talweg::paraview::start_points(*talweg::paraview::polydata_of(*mesh), {x, y, z})) {
+    for (const auto& point : talweg::paraview::start_points(
+             *talweg::paraview::polydata_of(*mesh), {x, y, z}, {focus_x, focus_y, focus_z})) {
       text += text_of_place(point);
     }
     if (!text.empty()) break;

@@ -31,8 +31,10 @@ class TALWEGFILTERS_EXPORT vtkTalwegSmooth : public vtkTalwegFilter {
   void SetPointIds(const char* numbers);
 
   /// Three points on the mesh that comes in, as nine numbers in a text, to begin a drawing with:
-  /// those that are seen in this direction, 0 for any. Empty if there is no mesh yet.
-  const char* StartPoints(double x, double y, double z);
+  /// those that an eye at x, y, z sees, which looks at the focus; from anywhere if these are one
+  /// place. Empty if there is no mesh yet.
+  const char* StartPoints(double x, double y, double z, double focus_x, double focus_y,
+                          double focus_z);
 
   /// Where the mesh that comes in is met first between two places, as three numbers in a text;
   /// empty if it is not between them.

@@ -16,6 +16,7 @@
 #include <vtkCallbackCommand.h>
 #include <vtkClientServerStream.h>
 #include <vtkCommand.h>
+#include <vtkCurveRepresentation.h>
 #include <vtkMapper.h>
 #include <vtkProp.h>
 #include <vtkPropCollection.h>
@@ -324,6 +325,8 @@ void pqTalwegDrawing::bringForward() {
   vtkSMProxy* shown = widget == nullptr ? nullptr : widget->GetRepresentationProxy();
   auto* prop = shown == nullptr ? nullptr : vtkProp::SafeDownCast(shown->GetClientSideObject());
   if (prop == nullptr) return;
+  auto* curve = vtkCurveRepresentation::SafeDownCast(prop);
+  if (curve != nullptr) curve->SetDirectional(false);
   vtkNew<vtkPropCollection> parts;
   prop->GetActors(parts);
   for (int k = 0; k < parts->GetNumberOfItems(); ++k) {

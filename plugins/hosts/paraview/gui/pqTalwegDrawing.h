@@ -67,7 +67,8 @@ class pqTalwegDrawing : public pqSplinePropertyWidget {
   [[nodiscard]] int segmentAt(const Pixel& mouse) const;
   /// Whether the filter has the points that are shown.
   [[nodiscard]] bool isApplied() const;
-  /// Points are drawn before the curve, which is drawn before the mesh.
+  /// Points are drawn before the curve, which is drawn before the mesh. The last one is a ball as
+  /// the others are: ParaView's cone would point into the mesh.
   void bringForward();
   /// ParaView's own widget would take hold of points and lines behind the mesh.
   void setOwnWidgetActive(bool active);

@@ -85,6 +85,14 @@ def forward(representation):
     return -units
 
 
+def balls_at_ends(view):
+    """ParaView marks the last point by a cone that points along the line, often into the mesh."""
+    props = view.GetRenderer().GetViewProps()
+    drawings = [props.GetItemAsObject(k) for k in range(props.GetNumberOfItems())
+                if props.GetItemAsObject(k).IsA("vtkCurveRepresentation")]
+    return len(drawings) == 1 and not drawings[0].GetDirectional()
+
+
 def steps():
     """What is done; each yield lets ParaView work."""
     pv.GetSettingsProxy("GeneralSettings").AutoApply = 1
@@ -103,6 +111,8 @@ def steps():
         yield
 
     assert forward(curves) > 100, "half of a wide line would be behind slopes"
+
+    assert balls_at_ends(view), "the cone of the last point is in the mesh"
 
     hand.click(ball(0.4, -0.5))
     yield from until(lambda: len(clicked(filter)) == 4, "a click adds a point")
