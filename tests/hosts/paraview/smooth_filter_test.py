@@ -232,6 +232,20 @@ class Begin(Case):
             self.assertGreater(height, 0)
         pv.Delete(view)
 
+    def test_no_ray_falls_between_faces(self):
+        """In the middle plane of a mesh a rounded number decides where a ray is looked for."""
+        points, triangles = wavy_sheet(25)
+        mesh = source(polydata([(x + 0.3, y + 0.3, z) for x, y, z in points], triangles))
+        mesh.UpdatePipeline()
+        view = pv.CreateView("RenderView")
+        middles = set()
+        for k in range(-8, 9):
+            x = 0.8 + k * math.ulp(0.8)
+            view.CameraPosition, view.CameraFocalPoint = [x, 0.8, 5], [x, 0.8, 0]
+            middles.add(tuple(round(number, 9) for number in pv.TalwegSmoothPoints(Mesh=mesh).Points[3:6]))
+        self.assertEqual(len(middles), 1, middles)
+        pv.Delete(view)
+
     def test_points_of_a_mesh_in_two_parts_are_on_one(self):
         beside = [(x + 2, y, z) for x, y, z in POINTS[:3 * N]]
         parts = TRIANGLES + [tuple(v + len(POINTS) for v in corners) for corners in TRIANGLES

@@ -27,8 +27,8 @@ std::optional<std::array<double, 3>> MeshRay::meet(vtkDataSet& mesh,
   std::array<double, 3> found = {};
   double t = 0, parametric[3] = {};
   int part = 0;
-  const int hit =
-      locator_->IntersectWithLine(from.data(), to.data(), 0, t, found.data(), parametric, part);
+  const int hit = locator_->IntersectWithLine(
+      from.data(), to.data(), kNoGap * surface_->GetLength(), t, found.data(), parametric, part);
   if (hit == 0) return std::nullopt;
   return found;
 }

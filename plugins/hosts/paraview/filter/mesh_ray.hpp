@@ -13,6 +13,10 @@ class vtkStaticCellLocator;
 
 namespace talweg::paraview {
 
+/// Rays meet faces within so much of the mesh's diagonal: between two faces, or at a vertex, there
+/// is no gap that a rounded number falls into.
+constexpr double kNoGap = 1e-9;
+
 /// Finds where rays meet a mesh first. The search structure is kept while the mesh is the same.
 class MeshRay {
  public:

@@ -14,6 +14,8 @@
 #include <vtkSmartPointer.h>
 #include <vtkStaticCellLocator.h>
 
+#include "mesh_ray.hpp"
+
 namespace talweg::paraview {
 namespace {
 
@@ -88,8 +90,8 @@ class Sight {
     Vector found = {};
     double t = 0, parametric[3] = {};
     int part = 0;
-    if (locator_->IntersectWithLine(eye_.data(), to.data(), 0, t, found.data(), parametric, part) ==
-        0)
+    if (locator_->IntersectWithLine(eye_.data(), to.data(), within_, t, found.data(), parametric,
+                                    part) == 0)
       return std::nullopt;
     return found;
   }
@@ -120,6 +122,7 @@ class Sight {
   vtkNew<vtkStaticCellLocator> locator_;
   Vector eye_, forwards_;
   double reach_;
+  double within_ = kNoGap * reach_;
 };
 
 double half_length(const vtkBoundingBox& box, const Vector& direction) {
