@@ -125,8 +125,13 @@ void pqTalwegOutcome::setColouring(const QString& array) {
   vtkSMProxy* curves = this->shown();
   if (curves == nullptr) return;
   const std::string name = array.toStdString();
+  vtkSMProxy* view = this->view()->getProxy();
+  vtkSMPVRepresentationProxy::SetScalarBarVisibility(curves, view, false);  // of the array before
   vtkSMPVRepresentationProxy::SetScalarColoring(curves, name.c_str(), vtkDataObject::POINT);
-  if (!name.empty()) vtkSMPVRepresentationProxy::RescaleTransferFunctionToDataRange(curves);
+  if (!name.empty()) {
+    vtkSMPVRepresentationProxy::RescaleTransferFunctionToDataRange(curves);
+    vtkSMPVRepresentationProxy::SetScalarBarVisibility(curves, view, true);
+  }
   this->view()->render();
 }
 
