@@ -74,10 +74,11 @@ def _copy(obj):
 
 def smooth_materials(obj, arrays, **how):
     """The borders between materials become smooth edges of the mesh. Returns the talweg.Labels, and
-    warnings."""
+    warnings. Steps of jobs."""
     saved = _saved(obj, arrays)
-    found = saved.mesh(arrays, plugin="talweg.labels").labels(
-        saved.at_faces["flag:material_index"][arrays.polygons], of="faces", **how)
+    materials = saved.at_faces["flag:material_index"][arrays.polygons]
+    found = yield lambda progress: saved.mesh(arrays, plugin="talweg.labels", progress=progress).labels(
+        materials, of="faces", progress=progress, **how)
     layout, place = remade.rewrite(obj, found.mesh, saved, arrays)
     attributes.write(obj.data.polygons, "material_index",
                      found.mesh.face_attributes["label"][layout.triangle_of].astype(np.int32))
@@ -88,14 +89,15 @@ def smooth_materials(obj, arrays, **how):
 
 def smooth_group(obj, arrays, threshold, **how):
     """The border of the active vertex group becomes smooth edges of the mesh; vertices inside and on
-    it have the weight 1, and others are no members any more. Returns the talweg.Labels, and warnings."""
+    it have the weight 1, and others are no members any more. Returns the talweg.Labels, and warnings.
+    Steps of jobs."""
     number = obj.vertex_groups.active_index
     if not 0 <= number < len(obj.vertex_groups):
         raise talweg.BadUsage("The object has no vertex group.")
     saved = _saved(obj, arrays)
     inside = saved.at_vertices["groups"][:, number] >= threshold
-    found = saved.mesh(arrays, plugin="talweg.labels").labels(inside.astype(np.int32), of="vertices",
-                                                              **how)
+    found = yield lambda progress: saved.mesh(arrays, plugin="talweg.labels", progress=progress).labels(
+        inside.astype(np.int32), of="vertices", progress=progress, **how)
     made = found.mesh
     weights = made.vertex_attributes["groups"]
     weights[:, number] = 0

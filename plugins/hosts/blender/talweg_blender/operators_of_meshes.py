@@ -2,7 +2,7 @@
 
 import bpy
 
-from . import cutting, drawings, offers, session
+from . import cutting, drawings, jobs, offers, session
 from .naming import named
 from .package import talweg
 
@@ -47,8 +47,13 @@ class _OnMesh:
 
     def execute(self, context):
         context.object.update_from_editmode()
+        return self.reported(lambda: self.work(context, context.object,
+                                               drawings.MeshArrays(context.object.data)))
+
+    def reported(self, work):
+        """:param work: gives a sentence, and warnings."""
         try:
-            told, warnings = self.work(context, context.object, drawings.MeshArrays(context.object.data))
+            told, warnings = work()
         except (talweg.Error, KeyboardInterrupt) as error:
             self.report({"ERROR"}, str(error) or "Interrupted.")
             return {"CANCELLED"}
@@ -108,7 +113,61 @@ class TALWEG_OT_separate(_OnMesh, bpy.types.Operator):
                 [*drawing.warnings, *warnings])
 
 
+#: Passed on while a job is at work, so that the view can be turned.
+_NAVIGATION = ("MIDDLEMOUSE", "WHEELUPMOUSE", "WHEELDOWNMOUSE", "MOUSEMOVE", "TRACKPADPAN", "TRACKPADZOOM")
+
+
 class _Borders(_OnMesh):
+    """A button begins a job, which Esc ends; what comes soon is there at once. Scripts and the redo panel
+    wait."""
+
+    def work(self, _context, obj, arrays):
+        return jobs.now(self.steps(obj, arrays))
+
+    def invoke(self, context, _event):
+        if bpy.app.background or context.window is None:
+            return self.execute(context)
+        self._timer = None
+        obj = context.object
+        try:
+            self._steps = self.steps(obj, drawings.MeshArrays(obj.data))
+            self._job = jobs.Job(next(self._steps))
+        except talweg.Error as error:
+            self.report({"ERROR"}, str(error))
+            return {"CANCELLED"}
+        if self._job.is_done(wait=0.3):
+            return self._finish(context)
+        manager = context.window_manager
+        self._timer = manager.event_timer_add(0.1, window=context.window)
+        manager.modal_handler_add(self)
+        return {"RUNNING_MODAL"}
+
+    def modal(self, context, event):
+        if event.type == "ESC" and event.value == "PRESS":
+            self.cancel(context)
+            self.report({"INFO"}, f"{self.bl_label} was stopped; nothing has changed.")
+            return {"CANCELLED"}
+        if event.type != "TIMER":
+            return {"PASS_THROUGH"} if event.type in _NAVIGATION else {"RUNNING_MODAL"}
+        if self._job.is_done():
+            return self._finish(context)
+        context.workspace.status_text_set(f"{self.bl_label}: {self._job.told}   |   Esc: stop")
+        return {"RUNNING_MODAL"}
+
+    def cancel(self, context):
+        """Esc, or Blender ends."""
+        self._job.stop()
+        self._clear(context)
+
+    def _clear(self, context):
+        if self._timer is not None:
+            context.window_manager.event_timer_remove(self._timer)
+            context.workspace.status_text_set(None)
+
+    def _finish(self, context):
+        self._clear(context)
+        return self.reported(lambda: jobs.after(self._steps, self._job.given()))
+
     def smoothed(self):
         how = {"tau": self.tau, "junctions": self.junctions, "ends": self.ends}
         if self.max_deviation > 0:
@@ -125,8 +184,8 @@ class TALWEG_OT_material_borders(_Borders, bpy.types.Operator):
     bl_idname = "talweg.material_borders"
     bl_label = "Smooth Material Borders"
 
-    def work(self, _context, obj, arrays):
-        return self.told(*cutting.smooth_materials(obj, arrays, **self.smoothed()))
+    def steps(self, obj, arrays):
+        return self.told(*(yield from cutting.smooth_materials(obj, arrays, **self.smoothed())))
 
 
 class TALWEG_OT_group_borders(_Borders, bpy.types.Operator):
@@ -135,8 +194,8 @@ class TALWEG_OT_group_borders(_Borders, bpy.types.Operator):
     bl_idname = "talweg.group_borders"
     bl_label = "Smooth Vertex-Group Borders"
 
-    def work(self, _context, obj, arrays):
-        return self.told(*cutting.smooth_group(obj, arrays, self.threshold, **self.smoothed()))
+    def steps(self, obj, arrays):
+        return self.told(*(yield from cutting.smooth_group(obj, arrays, self.threshold, **self.smoothed())))
 
 
 class TALWEG_OT_repair(_OnMesh, bpy.types.Operator):

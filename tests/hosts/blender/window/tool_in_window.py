@@ -1,4 +1,5 @@
-"""The tool in Blender's own window: simulated events, from the toolbar to undo after Enter.
+"""The tool in Blender's own window: simulated events, from the toolbar to undo after Enter; and long work that
+Esc ends.
 
 xvfb-run -a blender --factory-startup --enable-event-simulate --python tool_in_window.py -- ADDON.zip
 """
@@ -6,6 +7,8 @@ xvfb-run -a blender --factory-startup --enable-event-simulate --python tool_in_w
 import os
 import shutil
 import sys
+import threading
+import time
 import traceback
 from pathlib import Path
 
@@ -155,6 +158,62 @@ def steps():
     assert tool._now[0]._drawn.object_name == cube == bpy.context.object.name, bpy.context.object.name
     hand.key("ESC", (40, 20))
     yield from until(lambda: not tool.is_at_work(), "Esc ends it again")
+    yield from border_steps(window, area, region)
+
+
+def specks(segments, rings):
+    """A ball with two materials, by chance for each face."""
+    bpy.ops.mesh.primitive_uv_sphere_add(segments=segments, ring_count=rings, radius=5)
+    mesh = bpy.context.object.data
+    for name in ("one", "other"):
+        mesh.materials.append(bpy.data.materials.new(name))
+    chance = np.random.default_rng(1)
+    mesh.polygons.foreach_set("material_index", chance.integers(0, 2, len(mesh.polygons)))
+    mesh.update()
+    return bpy.context.object.name
+
+
+def at_work():
+    """Threads of the add-on that are alive."""
+    return [one for one in threading.enumerate() if one.name == "talweg"]
+
+
+def border_steps(window, area, region):
+    """Smooth Material Borders: Blender lives meanwhile, Esc ends it, and what is done can be undone."""
+    import scene
+
+    hand = Hand(window, area, region)
+
+    def count(name):
+        return len(bpy.data.objects[name].data.polygons)
+
+    def begin():
+        with bpy.context.temp_override(window=window, area=area, region=region):
+            bpy.ops.ed.undo_push(message="Begin")
+            return bpy.ops.talweg.material_borders("INVOKE_DEFAULT")
+
+    scene.empty()
+    long = specks(96, 80)
+    before, began = count(long), time.monotonic()
+    assert begin() == {"RUNNING_MODAL"}
+    assert time.monotonic() - began < 5, "Blender waits"
+    for _ in range(10):
+        yield
+    assert at_work() and count(long) == before
+    hand.key("ESC", (0, 0))
+    yield from until(lambda: not at_work(), "Esc ends the work")
+    for _ in range(10):
+        yield
+    assert count(long) == before
+
+    scene.empty()
+    short = specks(32, 24)
+    before = count(short)
+    begin()
+    yield from until(lambda: count(short) > before, "borders are edges")
+    yield
+    hand.key("Z", (0, 0), ctrl=True)
+    yield from until(lambda: count(short) == before, "undo takes them back")
 
 
 def run(work):
