@@ -1,6 +1,7 @@
 """The drawing tool without a window: its hand on a view, its undo, its thread, and how it ends."""
 
 import runpy
+import threading
 import unittest
 from pathlib import Path
 
@@ -403,6 +404,41 @@ class Threads(unittest.TestCase):
         self.assertIsInstance(live.wait().error, talweg.BadCurve)
         live.close()
         self.assertFalse(live._thread.is_alive())  # pylint: disable=protected-access
+
+    def test_enter_does_not_wait_for_what_is_not_asked_any_more(self):
+        slow = _Slow()
+        live = Live(slow)
+        live.ask(Request([], {}, tag="old"))
+        self.assertTrue(slow.at_work.wait(10))
+        live.ask(Request([], {}, tag="new"))
+        slow.is_slow = False
+        answer = live.wait()
+        self.assertEqual((answer.request.tag, answer.result), ("new", "done"))
+        self.assertTrue(slow.cancelled.is_set())
+        live.close()
+
+
+class _Slow:
+    """A mesh and its workspace, whose first run ends when it is cancelled, or after ten seconds."""
+
+    def __init__(self):
+        self.at_work, self.cancelled = threading.Event(), threading.Event()
+        self.is_slow = True
+
+    def workspace(self):
+        return self
+
+    def set_curves(self, curves):
+        pass
+
+    def smooth(self, **_):
+        slow, _ = self.is_slow, self.at_work.set()
+        if slow and self.cancelled.wait(10):
+            raise talweg.Cancelled("Cancelled.")
+        return "done"
+
+    def cancel(self):
+        self.cancelled.set()
 
 
 class Icon(unittest.TestCase):

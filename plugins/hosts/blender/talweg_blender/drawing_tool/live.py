@@ -44,8 +44,11 @@ class Live:
             return answer
 
     def wait(self):
-        """The answer to what was asked last, or None if all answers were taken."""
+        """The answer to what was asked last, or None if all answers were taken. What is at work for an
+        earlier drawing is not waited for."""
         with self._changed:
+            if self._asked is not None and self._at_work is not None:
+                self._workspace.cancel()
             self._changed.wait_for(lambda: self._asked is None and self._at_work is None)
         return self.poll()
 
