@@ -3,6 +3,7 @@
 import runpy
 import threading
 import unittest
+import unittest.mock
 from pathlib import Path
 
 import bpy
@@ -311,6 +312,16 @@ class Hand(unittest.TestCase):
                                    places=5)
             told, _ = made.finish(bpy.context)
             self.assertIn(again.numbers(bpy.context, made.curve), told)
+
+    def test_enter_does_not_smooth_again_what_is_seen(self):
+        made = self.begin()
+        self.click(10, 10)
+        self.click(30, 15)
+        made.wait()
+        with unittest.mock.patch.object(made.live, "ask") as ask:
+            made.finish(bpy.context)
+        ask.assert_not_called()
+        self.assertTrue(scene.spline_points(curve_objects()[0]).size)
 
     def test_finished_it_is_the_drivers_curve_and_can_be_edited_tomorrow(self):
         made = self.begin()

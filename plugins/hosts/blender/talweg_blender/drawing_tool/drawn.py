@@ -50,6 +50,7 @@ class Drawn:
             state = State(lines_of(settings.drawn_on(curve, self.place), ground), settings.of(curve).tau)
             self._before = _saved(curve)
         self.curve_name = curve.name
+        self._asked = None  # what was asked for last
         self._begun = state
         self.work = Work(ground, state, self.ask)
         again.others.append(self._take)
@@ -93,6 +94,7 @@ class Drawn:
         if not curves:
             self._empty()
             return
+        self._asked = None if self.work.is_dragging else self.work.editor.drawn
         self.live.ask(Request(curves, parameters.values(kept), colours.wanted_fields(kept),
                               self.work.is_dragging, of_lines))
 
@@ -130,7 +132,8 @@ class Drawn:
     def finish(self, context):
         """A sentence, and warnings; raises talweg.Error, and everything stays as it is then."""
         self.work.editor.finish()
-        self.ask()
+        if self._asked != self.work.editor.drawn:
+            self.ask()
         self.wait()
         if self.error:
             raise talweg.BadCurve(self.error)

@@ -132,6 +132,11 @@ class Editor:
 
     # ---- For Talweg.
 
+    @property
+    def drawn(self):
+        """Equal when the result is the same."""
+        return [(line.points, line.closed) for line in self.lines if line.is_curve], self.state.tau
+
     def curves(self):
         """talweg.Curves, and the line of each."""
         numbers = [number for number, line in enumerate(self.lines) if line.is_curve]
