@@ -43,7 +43,7 @@ def draw(layout, obj, width=None):
     """In a panel or at the pointer, if there is something to offer for the object."""
     if not is_for(obj):
         return
-    box = layout.box()
+    box = layout.box() if width is None else layout  # a menu would indent it
     box.operator_context = "INVOKE_DEFAULT"
     wrapped.draw(box, [_Last.sentence], width)
     if _Last.operator:
