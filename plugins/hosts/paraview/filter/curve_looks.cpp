@@ -1,8 +1,9 @@
 #include "curve_looks.hpp"
 
-#include <set>
+#include <algorithm>
 #include <string_view>
 
+#include <vtkBoundingBox.h>
 #include <vtkCallbackCommand.h>
 #include <vtkCommand.h>
 #include <vtkCompositeRepresentation.h>
@@ -11,16 +12,20 @@
 #include <vtkNew.h>
 #include <vtkPVLODActor.h>
 #include <vtkPVXMLElement.h>
+#include <vtkRenderer.h>
 #include <vtkSMPropertyHelper.h>
+#include <vtkSMProxyIterator.h>
 #include <vtkSMProxyManager.h>
+#include <vtkSMRenderViewProxy.h>
 #include <vtkSMSessionProxyManager.h>
 #include <vtkSMSourceProxy.h>
+
+#include "depth_offset.hpp"
 
 namespace talweg::paraview {
 namespace {
 
 constexpr double kWidth = 4;                      // pixels
-constexpr double kForward = -400;                 // steps of the depth that the view has
 constexpr double kColour[] = {0.86, 0.12, 0.08};  // seen on white, grey and blue
 
 /// The output with curves; -1 if the filter has none, or is not one of ours.
@@ -43,18 +48,22 @@ bool shows_curves(vtkSMProxy& representation) {
   return filter != nullptr && curve_port(*filter) == static_cast<int>(input.GetOutputPort());
 }
 
-/// Only a little: of a line several pixels wide half would be behind a slope.
-void bring_forward(vtkSMProxy& representation) {
+/// By its width: of a line several pixels wide half would be behind a slope.
+void bring_forward(vtkSMProxy& representation, vtkRenderer& renderer) {
   vtkObjectBase* object = representation.GetClientSideObject();
   if (auto* several = vtkCompositeRepresentation::SafeDownCast(object)) {
     object = several->GetActiveRepresentation();
   }
   auto* geometry = vtkGeometryRepresentation::SafeDownCast(object);
   vtkPVLODActor* actor = geometry == nullptr ? nullptr : geometry->GetActor();
-  if (actor == nullptr) return;
+  if (actor == nullptr || actor->GetBounds() == nullptr) return;
+  double middle[3];
+  vtkBoundingBox(actor->GetBounds()).GetCenter(middle);
+  const double width = vtkSMPropertyHelper(&representation, "LineWidth", true).GetAsDouble();
+  const double units = forward_by(std::max(width, kWidth), middle, renderer);
   // Of its two mappers its own function gives the one that has something to draw.
   for (vtkMapper* mapper : {actor->vtkActor::GetMapper(), actor->GetLODMapper()}) {
-    if (mapper != nullptr) mapper->SetRelativeCoincidentTopologyLineOffsetParameters(0, kForward);
+    if (mapper != nullptr) mapper->SetRelativeCoincidentTopologyLineOffsetParameters(0, units);
   }
 }
 
@@ -67,15 +76,41 @@ void dress(vtkSMProxy& representation) {
   representation.UpdateVTKObjects();
 }
 
+/// Before each picture, since it goes with the camera.
+void rendering(vtkObject* caller, unsigned long, void* manager, void*) {
+  vtkNew<vtkSMProxyIterator> all;
+  all->SetSessionProxyManager(static_cast<vtkSMSessionProxyManager*>(manager));
+  for (all->Begin("representations"); !all->IsAtEnd(); all->Next()) {
+    if (shows_curves(*all->GetProxy())) {
+      bring_forward(*all->GetProxy(), *static_cast<vtkRenderer*>(caller));
+    }
+  }
+}
+
+void watch_views(vtkSMSessionProxyManager& manager) {
+  static vtkNew<vtkCallbackCommand> command;
+  command->SetCallback(rendering);
+  command->SetClientData(&manager);
+  vtkNew<vtkSMProxyIterator> all;
+  all->SetSessionProxyManager(&manager);
+  for (all->Begin("views"); !all->IsAtEnd(); all->Next()) {
+    auto* view = vtkSMRenderViewProxy::SafeDownCast(all->GetProxy());
+    vtkRenderer* renderer = view == nullptr ? nullptr : view->GetRenderer();
+    if (renderer != nullptr && renderer->HasObserver(vtkCommand::StartEvent, command) == 0) {
+      renderer->AddObserver(vtkCommand::StartEvent, command);
+    }
+  }
+}
+
 void registered(vtkObject* caller, unsigned long, void*, void* data) {
-  const auto* manager = vtkSMSessionProxyManager::SafeDownCast(caller);
+  auto* manager = vtkSMSessionProxyManager::SafeDownCast(caller);
   const auto* info = static_cast<vtkSMProxyManager::RegisteredProxyInformation*>(data);
   if (manager == nullptr || info == nullptr || info->Proxy == nullptr) return;
   const std::string_view group = info->GroupName == nullptr ? "" : info->GroupName;
   if (group != "representations" || !shows_curves(*info->Proxy)) return;
   // A state file says how curves look, but not this.
-  if (!const_cast<vtkSMSessionProxyManager*>(manager)->GetInLoadXMLState()) dress(*info->Proxy);
-  bring_forward(*info->Proxy);
+  if (!manager->GetInLoadXMLState()) dress(*info->Proxy);
+  watch_views(*manager);
 }
 
 }  // namespace

@@ -28,15 +28,16 @@
 #include <vtkSMRenderViewProxy.h>
 #include <vtkSMSession.h>
 
+#include "../filter/depth_offset.hpp"
 #include "pqView.h"
 
 namespace {
 
-constexpr double kNear = 9;        // pixels from a point
-constexpr double kOnLine = 5;      // pixels from a line between points
-constexpr double kOnCurve = 7;     // pixels from the middle of the curve, which is wider
-constexpr double kClick = 3;       // pixels that a click may move
-constexpr double kForward = -800;  // steps of depth; the curve has half of it
+constexpr double kNear = 9;     // pixels from a point
+constexpr double kOnLine = 5;   // pixels from a line between points
+constexpr double kOnCurve = 7;  // pixels from the middle of the curve, which is wider
+constexpr double kClick = 3;    // pixels that a click may move
+constexpr double kForward = 8;  // pixels; the curve has half of it
 constexpr float kBeforeOthers = 10;
 
 double distance(const std::array<double, 3>& a, const std::array<double, 3>& b) {
@@ -87,17 +88,22 @@ pqTalwegDrawing::~pqTalwegDrawing() { this->watch(nullptr); }
 
 void pqTalwegDrawing::setView(pqView* view) {
   this->Superclass::setView(view);
-  this->bringForward();
   this->RenderView =
       view == nullptr ? nullptr : vtkSMRenderViewProxy::SafeDownCast(view->getProxy());
+  this->bringForward();
   this->watch(this->RenderView == nullptr ? nullptr : this->RenderView->GetInteractor());
 }
 
 void pqTalwegDrawing::watch(vtkRenderWindowInteractor* interactor) {
   if (interactor == this->Interactor) return;
   if (this->Interactor != nullptr) this->Interactor->RemoveObserver(this->Command);
+  if (this->Rendered != nullptr) this->Rendered->RemoveObserver(this->Command);
   this->Interactor = interactor;
+  this->Rendered = interactor == nullptr ? nullptr : this->RenderView->GetRenderer();
   if (interactor == nullptr) return;
+  if (this->Rendered != nullptr) {
+    this->Rendered->AddObserver(vtkCommand::StartEvent, this->Command);
+  }
   for (const auto event : {vtkCommand::LeftButtonPressEvent, vtkCommand::MouseMoveEvent,
                            vtkCommand::LeftButtonReleaseEvent, vtkCommand::KeyPressEvent}) {
     interactor->AddObserver(event, this->Command, kBeforeOthers);
@@ -106,6 +112,7 @@ void pqTalwegDrawing::watch(vtkRenderWindowInteractor* interactor) {
 
 void pqTalwegDrawing::handle(vtkObject*, unsigned long event, void* self, void*) {
   auto& widget = *static_cast<pqTalwegDrawing*>(self);
+  if (event == vtkCommand::StartEvent) return widget.bringForward();
   bool taken = false;
   if (event == vtkCommand::LeftButtonPressEvent) taken = widget.press();
   if (event == vtkCommand::MouseMoveEvent) taken = widget.move();
@@ -327,12 +334,15 @@ void pqTalwegDrawing::bringForward() {
   if (prop == nullptr) return;
   auto* curve = vtkCurveRepresentation::SafeDownCast(prop);
   if (curve != nullptr) curve->SetDirectional(false);
+  vtkRenderer* renderer = this->RenderView == nullptr ? nullptr : this->RenderView->GetRenderer();
+  if (renderer == nullptr) return;
   vtkNew<vtkPropCollection> parts;
   prop->GetActors(parts);
   for (int k = 0; k < parts->GetNumberOfItems(); ++k) {
     auto* part = vtkActor::SafeDownCast(parts->GetItemAsObject(k));
     if (part == nullptr || part->GetMapper() == nullptr) continue;
-    part->GetMapper()->SetRelativeCoincidentTopologyPolygonOffsetParameters(0, kForward);
+    const double units = talweg::paraview::forward_by(kForward, part->GetCenter(), *renderer);
+    part->GetMapper()->SetRelativeCoincidentTopologyPolygonOffsetParameters(0, units);
   }
 }
 

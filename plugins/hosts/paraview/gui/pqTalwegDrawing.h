@@ -21,6 +21,7 @@ class QCheckBox;
 class vtkCallbackCommand;
 class vtkObject;
 class vtkRenderWindowInteractor;
+class vtkRenderer;
 class vtkSMRenderViewProxy;
 
 class pqTalwegDrawing : public pqSplinePropertyWidget {
@@ -77,6 +78,7 @@ class pqTalwegDrawing : public pqSplinePropertyWidget {
   QCheckBox* Draw;
   vtkNew<vtkCallbackCommand> Command;
   vtkWeakPointer<vtkRenderWindowInteractor> Interactor;
+  vtkWeakPointer<vtkRenderer> Rendered;
   vtkWeakPointer<vtkSMRenderViewProxy> RenderView;
   int Dragged = -1;           // the point that follows the mouse
   bool Moved = false;         // since the button went down

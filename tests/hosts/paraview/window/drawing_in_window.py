@@ -111,6 +111,10 @@ def steps():
         yield
 
     assert forward(curves) > 100, "half of a wide line would be behind slopes"
+    view.CameraPosition = [0.9, 0.9, 0.9]  # beside the ball, in its box: depth begins at the camera
+    pv.Render(view)
+    assert 0 < forward(curves) < 50, "the line would be seen through the mesh"
+    look(view, 6)
 
     assert balls_at_ends(view), "the cone of the last point is in the mesh"
 
