@@ -126,7 +126,9 @@ void pqTalwegOutcome::setColouring(const QString& array) {
   if (curves == nullptr) return;
   const std::string name = array.toStdString();
   vtkSMProxy* view = this->view()->getProxy();
-  vtkSMPVRepresentationProxy::SetScalarBarVisibility(curves, view, false);  // of the array before
+  if (vtkSMPVRepresentationProxy::GetUsingScalarColoring(curves)) {
+    vtkSMPVRepresentationProxy::SetScalarBarVisibility(curves, view, false);  // of the array before
+  }
   vtkSMPVRepresentationProxy::SetScalarColoring(curves, name.c_str(), vtkDataObject::POINT);
   if (!name.empty()) {
     vtkSMPVRepresentationProxy::RescaleTransferFunctionToDataRange(curves);
