@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
+#include <map>
 #include <string>
+#include <utility>
 
 #include "talweg/core/space/box_tree.hpp"
 #include "talweg/intrinsic/error.hpp"
@@ -122,6 +125,17 @@ class Paths {
     }
     return false;
   }
+  /// The halfedges that leave the passage's vertex, counted counterclockwise.
+  [[nodiscard]] std::map<HalfedgeId, std::size_t> turns_around(const Passage& p) const {
+    const HalfedgeId first = onward(p).valid() ? onward(p) : back(p);
+    std::map<HalfedgeId, std::size_t> turns;
+    HalfedgeId h = first;
+    do {
+      turns.emplace(h, turns.size());
+      h = turned(h);
+    } while (h != first);
+    return turns;
+  }
   /// Whether the paths, which come from different vertices, change sides at this vertex or at the
   /// end of a common stretch.
   [[nodiscard]] bool cross_from(Passage a, Passage b) const {
@@ -161,38 +175,126 @@ class Paths {
   std::span<const EdgePath> paths_;
 };
 
+/// Passages of one vertex that come over the same edge and leave over the same: what they have
+/// before and after them alone tells whether they cross those that use none of their edges.
+struct PassageClass {
+  HalfedgeId back, onward;
+  std::size_t back_turn = 0, onward_turn = 0;  // counterclockwise, from any edge
+  std::vector<std::uint32_t> members = {};     // ascending
+
+  [[nodiscard]] bool is_left(std::size_t turn) const {
+    const bool after = turn > onward_turn, before = turn < back_turn;
+    return onward_turn < back_turn ? after && before : after || before;
+  }
+  /// Of one that uses none of its edges.
+  [[nodiscard]] bool crosses(const PassageClass& other) const {
+    return is_left(other.back_turn) != is_left(other.onward_turn);
+  }
+};
+
+/// Counts the crossings of paths at the vertices that they pass, vertex by vertex.
+class ContactCounter {
+ public:
+  ContactCounter(const SignpostTriangulation& triangulation, std::span<const EdgePath> paths)
+      : course_(triangulation, paths) {
+    result_.crossings.assign(paths.size(), 0);
+    result_.tangled.assign(paths.size(), false);
+  }
+
+  /// All passages of a vertex, in the order of the paths.
+  void count(std::span<const Passage> passages) {
+    passages_ = passages;
+    for (std::size_t i = 0; i + 1 < passages.size(); ++i) {
+      if (passages[i].path == passages[i + 1].path) result_.tangled[passages[i].path] = true;
+    }
+    set_classes();
+    for (std::size_t i = 0; i < classes_.size(); ++i) {
+      for (std::size_t k = i + 1; k < classes_.size(); ++k) meet(classes_[i], classes_[k]);
+    }
+  }
+
+  PathContacts result() && { return std::move(result_); }
+
+ private:
+  /// Ends cross nothing.
+  void set_classes() {
+    classes_.clear();
+    const std::map<HalfedgeId, std::size_t> turns = course_.turns_around(passages_.front());
+    std::map<std::pair<HalfedgeId, HalfedgeId>, std::size_t> known;
+    for (std::uint32_t i = 0; i < passages_.size(); ++i) {
+      const HalfedgeId back = course_.back(passages_[i]), onward = course_.onward(passages_[i]);
+      if (!back.valid() || !onward.valid()) continue;
+      const auto [at, is_new] = known.try_emplace({back, onward}, classes_.size());
+      if (is_new) classes_.push_back({back, onward, turns.at(back), turns.at(onward)});
+      classes_[at->second].members.push_back(i);
+    }
+  }
+
+  void meet(const PassageClass& x, const PassageClass& y) {
+    if (x.back == y.back) return;
+    if (x.onward == y.onward || x.onward == y.back || x.back == y.onward) {
+      compare_all(x, y);
+    } else if (x.crosses(y)) {
+      all_cross(x, y);
+      all_cross(y, x);
+    }
+  }
+
+  /// Whether they cross shows at the end of what they have in common.
+  void compare_all(const PassageClass& x, const PassageClass& y) {
+    for (const std::uint32_t i : x.members) {
+      for (const std::uint32_t k : y.members) {
+        const Passage a = passages_[std::min(i, k)];
+        Passage b = passages_[std::max(i, k)];
+        bool crossing = course_.cross_from(a, b);
+        b.against = true;  // for a common stretch that they pass in opposite directions
+        crossing |= course_.onward(a) == course_.onward(b) && course_.cross_from(a, b);
+        if (!crossing) continue;
+        ++result_.crossings[a.path];
+        result_.tangled[a.path] = result_.tangled[b.path] = true;
+      }
+    }
+  }
+
+  /// Counts, for the paths of x, the passages of y that come later.
+  void all_cross(const PassageClass& x, const PassageClass& y) {
+    auto later = y.members.begin();
+    for (const std::uint32_t i : x.members) {
+      later = std::lower_bound(later, y.members.end(), i);
+      const std::size_t path = passages_[i].path;
+      result_.crossings[path] += static_cast<std::size_t>(y.members.end() - later);
+      result_.tangled[path] = true;
+    }
+  }
+
+  Paths course_;
+  std::span<const Passage> passages_;
+  std::vector<PassageClass> classes_;
+  PathContacts result_;
+};
+
 }  // namespace
 
 PathContacts path_contacts(const SignpostTriangulation& triangulation,
                            std::span<const EdgePath> paths) {
-  PathContacts result;
-  result.crossings.assign(paths.size(), 0);
-  result.tangled.assign(paths.size(), false);
-  std::vector<std::pair<VertexId, Passage>> passages;
+  std::vector<std::pair<VertexId, Passage>> visits;
   for (std::size_t p = 0; p < paths.size(); ++p) {
     const auto h = paths[p].halfedges();
-    for (std::size_t i = 0; i < h.size(); ++i)
-      passages.push_back({triangulation.tail(h[i]), {p, i}});
-    if (!paths[p].closed()) passages.push_back({triangulation.head(h.back()), {p, h.size()}});
+    for (std::size_t i = 0; i < h.size(); ++i) visits.push_back({triangulation.tail(h[i]), {p, i}});
+    if (!paths[p].closed()) visits.push_back({triangulation.head(h.back()), {p, h.size()}});
   }
-  std::stable_sort(passages.begin(), passages.end(),
+  std::stable_sort(visits.begin(), visits.end(),
                    [](const auto& a, const auto& b) { return a.first < b.first; });
-  const Paths course(triangulation, paths);
-  for (std::size_t i = 0; i < passages.size(); ++i) {
-    for (std::size_t k = i + 1; k < passages.size() && passages[k].first == passages[i].first;
-         ++k) {
-      const Passage a = passages[i].second;
-      Passage b = passages[k].second;
-      if (a.path == b.path) result.tangled[a.path] = true;
-      bool crossing = course.cross_from(a, b);
-      b.against = true;  // for a common stretch that they pass in opposite directions
-      crossing |= course.onward(a) == course.onward(b) && course.cross_from(a, b);
-      if (!crossing) continue;
-      ++result.crossings[a.path];
-      result.tangled[a.path] = result.tangled[b.path] = true;
-    }
+  ContactCounter counter(triangulation, paths);
+  std::vector<Passage> passages;
+  for (std::size_t i = 0; i < visits.size();) {
+    passages.clear();
+    const VertexId vertex = visits[i].first;
+    for (; i < visits.size() && visits[i].first == vertex; ++i)
+      passages.push_back(visits[i].second);
+    if (passages.size() > 1) counter.count(passages);
   }
-  return result;
+  return std::move(counter).result();
 }
 
 namespace {

@@ -21,7 +21,9 @@ struct PathContacts {
 };
 
 /// Where two paths run along the same edges for a while, that counts as one crossing or none. A
-/// path that ends on another does not cross it. O(passages of a vertex, squared).
+/// path that ends on another does not cross it. O(n) for n passages of all vertices, times the ways
+/// in which one vertex is passed; passages that have an edge in common, but not the one before, are
+/// compared pair by pair.
 PathContacts path_contacts(const SignpostTriangulation& triangulation,
                            std::span<const EdgePath> paths);
 

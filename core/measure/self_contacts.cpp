@@ -7,8 +7,8 @@
 #include <optional>
 #include <utility>
 
+#include "talweg/core/measure/face_items.hpp"
 #include "talweg/core/mesh/union_find.hpp"
-#include "talweg/core/space/box_tree.hpp"
 #include "talweg/intrinsic/exact_distance/polyline_pieces.hpp"
 
 namespace talweg {
@@ -16,13 +16,6 @@ namespace {
 
 constexpr double kSame = 1e-9;  // of the longest side of the face
 constexpr double kLoop = 1e-6;
-
-/// A segment or a point (a == b) of a curve, laid out in its face.
-struct Item {
-  const PolylinePiece* piece;
-  PlanePoint a, b;
-  double length = 0;
-};
 
 /// What two passages have in common; `arc` is given on each of them, in the order of the first.
 struct Meeting {
@@ -36,19 +29,19 @@ struct Meeting {
   SurfacePoint at;
 };
 
-double along(const Item& item, PlanePoint x) {
+double along(const FaceItem& item, PlanePoint x) {
   if (!(item.length > 0)) return 0;
   const double ux = (item.b.x - item.a.x) / item.length, uy = (item.b.y - item.a.y) / item.length;
   return std::clamp((x.x - item.a.x) * ux + (x.y - item.a.y) * uy, 0.0, item.length);
 }
 
-PlanePoint at_length(const Item& item, double s) {
+PlanePoint at_length(const FaceItem& item, double s) {
   const double t = item.length > 0 ? s / item.length : 0;
   return {item.a.x + t * (item.b.x - item.a.x), item.a.y + t * (item.b.y - item.a.y)};
 }
 
 /// How far a point lies to the left of an item's line.
-double aside(const Item& item, PlanePoint x) {
+double aside(const FaceItem& item, PlanePoint x) {
   const double ux = (item.b.x - item.a.x) / item.length, uy = (item.b.y - item.a.y) / item.length;
   return ux * (x.y - item.a.y) - uy * (x.x - item.a.x);
 }
@@ -69,7 +62,7 @@ struct Common {
   }
 };
 
-Common common_of(const Item& p, const Item& q, double same) {
+Common common_of(const FaceItem& p, const FaceItem& q, double same) {
   Common common;
   for (const double s : {0.0, p.length}) {
     const PlanePoint x = at_length(p, s);
@@ -126,25 +119,21 @@ class Finder {
     const double longest = std::max({frame.length, std::hypot(frame.apex.x, frame.apex.y),
                                      std::hypot(frame.apex.x - frame.length, frame.apex.y)});
     const double same = kSame * longest;
-    std::vector<Item> items;
-    std::vector<SpaceBox> boxes;
+    std::vector<FaceItem> items;
     for (const PolylinePiece* piece : pieces) {
-      Item item{piece, frame.at(piece->from, 0), frame.at(piece->to, 0), 0};
+      FaceItem item{piece, frame.at(piece->from, 0), frame.at(piece->to, 0), 0};
       item.length = std::hypot(item.b.x - item.a.x, item.b.y - item.a.y);
       items.push_back(item);
-      const Point a(item.a.x, item.a.y, 0), b(item.b.x, item.b.y, 0), margin(same, same, 0);
-      boxes.push_back({a.cwiseMin(b) - margin, a.cwiseMax(b) + margin});
     }
-    const auto box_of = [&](std::uint32_t i) { return boxes[i]; };
-    BoxTree(boxes.size(), box_of).visit_pairs(box_of, [&](std::uint32_t i, std::uint32_t k) {
+    visit_item_pairs(items, same, [&](std::uint32_t i, std::uint32_t k) {
       meet(items[i], items[k], same, kLoop * longest);
     });
   }
 
-  void meet(const Item& p, const Item& q, double same, double loop) {
+  void meet(const FaceItem& p, const FaceItem& q, double same, double loop) {
     const Common common = common_of(p, q, same);
     if (common.count == 0) return;
-    const auto arc = [](const Item& item, double s) { return item.piece->arc + s; };
+    const auto arc = [](const FaceItem& item, double s) { return item.piece->arc + s; };
     std::array<Meeting::Passage, 2> passages{{{p.piece->curve, {}}, {q.piece->curve, {}}}};
     const auto last = static_cast<std::size_t>(common.count - 1);
     for (std::size_t k = 0; k < 2; ++k) {
@@ -157,12 +146,12 @@ class Finder {
       for (auto& passage : passages) std::swap(passage.arc[0], passage.arc[1]);
     }
     const std::size_t first = first_of(passages);
-    const Item& item = first == 0 ? p : q;
+    const FaceItem& item = first == 0 ? p : q;
     const double s = std::min(passages[first].arc[0], passages[first].arc[1]) - item.piece->arc;
     meetings_.push_back({passages, common.count == 2, same, point_on(item, s)});
   }
 
-  [[nodiscard]] SurfacePoint point_on(const Item& item, double s) const {
+  [[nodiscard]] SurfacePoint point_on(const FaceItem& item, double s) const {
     const double t = item.length > 0 ? std::clamp(s / item.length, 0.0, 1.0) : 0;
     std::array<double, 3> b{};
     for (std::size_t k = 0; k < 3; ++k) {

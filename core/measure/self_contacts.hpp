@@ -23,7 +23,7 @@ struct SelfContact {
 /// of successive segments is not a contact.
 ///
 /// Points within 1e-9 of their face's longest side of each other count as one; loops shorter than
-/// 1e-6 of it are not found. O(n log n) for n points that are not all at one place.
+/// 1e-6 of it are not found. O(n log n) for n points, and what meets inside faces.
 /// Throws Error(kBadCurve) when a curve has no points or two neighbours share no face.
 std::vector<SelfContact> self_contacts(const Surface& surface,
                                        std::span<const SurfaceCurve> curves);

@@ -3,85 +3,274 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <utility>
 
-#include <Eigen/Geometry>
-
-#include "talweg/core/measure/local_distance.hpp"
+#include "talweg/core/space/nearest_segment.hpp"
 #include "talweg/intrinsic/exact_distance/polyline_distance.hpp"
+#include "talweg/intrinsic/surface/point_lookup.hpp"
 
 namespace talweg {
 namespace {
 
-using PieceBox = Eigen::AlignedBox3d;
+using Numbers = std::vector<std::uint32_t>;
 
-PieceBox box_of(std::span<const Point> points, double margin) {
-  PieceBox box;
-  for (const Point& p : points) box.extend(p);
-  const Point out = Point::Constant(margin);
-  return {box.min() - out, box.max() + out};
+void sort_numbers(Numbers& numbers) {
+  std::sort(numbers.begin(), numbers.end());
+  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
 }
 
-/// The gap from the points of one curve to the other, if it is below `limit`. The points that are
-/// nearest in space come first, so the distance is needed only up to the smallest gap found so far.
-double gap(const SurfaceMesh& mesh, const SurfaceCurve& from, const SurfaceCurve& to, double limit,
-           std::optional<PolylineDistance>& distance, Asker& asker) {
-  constexpr std::size_t kOfPoint = 16;  // units of work
-  asker.did(kOfPoint * to.points.size());
-  const NearParts other(mesh, std::span(&to, 1));
+/// Per curve the numbers of the points that other curves pass, too; ascending.
+std::vector<Numbers> common_points(std::span<const SurfaceCurve> curves) {
+  constexpr std::uint32_t kCommon = UINT32_MAX;
+  PointLookup lookup;
+  std::vector<std::uint32_t> owner;  // by the number of the first equal point
+  std::vector<Numbers> passed(curves.size());
+  for (std::uint32_t c = 0; c < curves.size(); ++c) {
+    for (const SurfacePoint& point : curves[c].points) {
+      lookup.add(point);
+      owner.push_back(c);
+      const auto first = static_cast<std::uint32_t>(*lookup.find(point));
+      passed[c].push_back(first);
+      if (owner[first] != c) owner[first] = kCommon;
+    }
+  }
+  for (Numbers& numbers : passed) {
+    std::erase_if(numbers, [&](std::uint32_t point) { return owner[point] != kCommon; });
+    sort_numbers(numbers);
+  }
+  return passed;
+}
+
+bool have_common(const Numbers& a, const Numbers& b) {
+  auto p = a.begin();
+  auto q = b.begin();
+  while (p != a.end() && q != b.end()) {
+    if (*p == *q) return true;
+    *p < *q ? ++p : ++q;
+  }
+  return false;
+}
+
+/// The segments of all curves of a set, in a tree.
+class SegmentsOfSet {
+ public:
+  SegmentsOfSet(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves) : curves_(curves) {
+    for (std::uint32_t c = 0; c < curves.size(); ++c) {
+      first_.push_back(static_cast<std::uint32_t>(owner_.size()));
+      positions_.push_back(positions_of(mesh, curves[c]));
+      for (const Segment& s : talweg::segments_of(positions_.back(), curves[c].closed)) {
+        boxes_.push_back(SpaceBox{s.a, s.a}.with({s.b, s.b}));
+        segments_.push_back(s);
+        owner_.push_back(c);
+      }
+    }
+    first_.push_back(static_cast<std::uint32_t>(owner_.size()));
+    tree_.emplace(boxes_.size(), box_of());
+  }
+
+  /// Calls visit(segment) with those whose boxes are nearer than `reach` to that of this one.
+  template <class Visit>
+  void visit_near(std::uint32_t segment, double reach, const Visit& visit) const {
+    const Point margin = Point::Constant(reach);
+    tree_->visit(SpaceBox{boxes_[segment].low - margin, boxes_[segment].high + margin}, box_of(),
+                 visit);
+  }
+  [[nodiscard]] std::uint32_t first(std::uint32_t curve) const { return first_[curve]; }
+  [[nodiscard]] std::uint32_t owner(std::uint32_t segment) const { return owner_[segment]; }
+  [[nodiscard]] double box_distance(std::uint32_t s, std::uint32_t t) const {
+    const SpaceBox &a = boxes_[s], &b = boxes_[t];
+    return (a.low - b.high).cwiseMax(b.low - a.high).cwiseMax(0.0).norm();
+  }
+  [[nodiscard]] std::array<std::uint32_t, 2> ends(std::uint32_t segment) const {
+    const std::uint32_t c = owner_[segment], i = segment - first_[c];
+    return {i, (i + 1) % static_cast<std::uint32_t>(positions_[c].size())};
+  }
+  [[nodiscard]] double distance(std::uint32_t segment, std::uint32_t curve,
+                                std::uint32_t point) const {
+    return distance_to(segments_[segment], positions_[curve][point]);
+  }
+  [[nodiscard]] const SurfacePoint& point(std::uint32_t curve, std::uint32_t i) const {
+    return curves_[curve].points[i];
+  }
+  /// Ascending segments of a curve, those that follow each other joined.
+  [[nodiscard]] std::vector<SurfaceCurve> as_curves(const Numbers& segments) const {
+    std::vector<SurfaceCurve> parts;
+    for (std::size_t k = 0; k < segments.size(); ++k) {
+      const std::uint32_t c = owner_[segments[k]];
+      const auto [from, to] = ends(segments[k]);
+      if (k == 0 || segments[k] != segments[k - 1] + 1) parts.push_back({false, {point(c, from)}});
+      if (from != to) parts.back().points.push_back(point(c, to));
+    }
+    return parts;
+  }
+
+ private:
+  [[nodiscard]] BoxTree::BoxOf box_of() const {
+    return [this](std::uint32_t i) { return boxes_[i]; };
+  }
+
+  std::span<const SurfaceCurve> curves_;
+  std::vector<std::vector<Point>> positions_;
+  std::vector<Segment> segments_;
+  std::vector<SpaceBox> boxes_;
+  Numbers owner_, first_;
+  std::optional<BoxTree> tree_;
+};
+
+class GapSearch {
+ public:
+  GapSearch(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves, double limit,
+            Asker& asker)
+      : mesh_(&mesh),
+        set_(mesh, curves),
+        common_(common_points(curves)),
+        limit_(limit),
+        asker_(&asker),
+        gaps_(curves.size(), HUGE_VAL) {}
+
+  /// Around each curve as far as its gap, which is not known: twice as far each time.
+  std::vector<double> gaps() {
+    constexpr double kFirst = 1.0 / 64;  // of the limit
+    std::vector<bool> known(gaps_.size(), false);
+    for (double radius = kFirst * limit_;; radius = std::min(2 * radius, limit_)) {
+      for (std::uint32_t c = 0; c < gaps_.size(); ++c) {
+        if (known[c]) continue;
+        look_around(c, radius);
+        known[c] = gaps_[c] < radius;
+      }
+      if (radius >= limit_) break;
+    }
+    return std::move(gaps_);
+  }
+
+ private:
+  /// Segments of two curves whose boxes are near each other.
   struct Near {
-    double through_space;
-    const SurfacePoint* point;
+    std::uint32_t other, own_segment, other_segment;
   };
-  std::vector<Near> near;
-  std::vector<PieceBox> boxes;
-  for (const SurfacePoint& point : from.points) {
-    asker.did(kOfPoint);
-    const Point p = mesh.position(point);
-    const double through_space = other.distance(p);
-    if (!(through_space < limit)) continue;
-    near.push_back({through_space, &point});
-    boxes.push_back(box_of(std::array{p}, limit));
+
+  struct Other {
+    double at_least;  ///< how far their boxes are apart
+    std::span<const Near> near;
+  };
+
+  void look_around(std::uint32_t curve, double radius) {
+    for (const Other& other : others_near(curve, std::min(radius, gaps_[curve]))) {
+      const double most = std::min(radius, gaps_[curve]);
+      if (other.at_least >= most) break;
+      const double apart = gap(curve, other.near, most);
+      if (!(apart < most) || apart <= 1e-9 * limit_) continue;
+      gaps_[curve] = apart;
+      double& gap_of_other = gaps_[other.near.front().other];
+      gap_of_other = std::min(gap_of_other, apart);
+    }
   }
-  if (near.empty()) return HUGE_VAL;
-  std::sort(near.begin(), near.end(),
-            [](const Near& a, const Near& b) { return a.through_space < b.through_space; });
-  if (!distance) distance.emplace(mesh.surface());
-  const AskedDuring asked(*distance, asker);
-  distance->set(other.meeting(boxes));
-  double least = HUGE_VAL;
-  for (const Near& n : near) {
-    if (n.through_space >= least) break;
-    least = std::min(least, distance->below(std::min(limit, least), *n.point));
+
+  /// Those that do not touch the curve, the nearest first. Refers to near_.
+  std::vector<Other> others_near(std::uint32_t curve, double reach) {
+    set_near(curve, reach);
+    std::vector<Other> others;
+    for (std::size_t i = 0, end = 0; i < near_.size(); i = end) {
+      double at_least = HUGE_VAL;
+      for (; end < near_.size() && near_[end].other == near_[i].other; ++end) {
+        const double apart = set_.box_distance(near_[end].own_segment, near_[end].other_segment);
+        at_least = std::min(at_least, apart);
+      }
+      if (have_common(common_[curve], common_[near_[i].other])) continue;
+      others.push_back({at_least, std::span(near_).subspan(i, end - i)});
+    }
+    std::stable_sort(others.begin(), others.end(),
+                     [](const Other& a, const Other& b) { return a.at_least < b.at_least; });
+    return others;
   }
-  return least;
-}
+
+  void set_near(std::uint32_t curve, double reach) {
+    constexpr std::size_t kOfSegment = 16;  // units of work
+    near_.clear();
+    for (std::uint32_t s = set_.first(curve); s < set_.first(curve + 1); ++s) {
+      asker_->did(kOfSegment);
+      set_.visit_near(s, reach, [&](std::uint32_t t) {
+        asker_->did(1);
+        if (set_.owner(t) != curve) near_.push_back({set_.owner(t), s, t});
+      });
+    }
+    std::stable_sort(near_.begin(), near_.end(),
+                     [](const Near& a, const Near& b) { return a.other < b.other; });
+  }
+
+  double gap(std::uint32_t curve, std::span<const Near> near, double most) {
+    Numbers own, others;
+    for (const Near& n : near) {
+      own.push_back(n.own_segment);
+      others.push_back(n.other_segment);
+    }
+    sort_numbers(own);
+    sort_numbers(others);
+    const std::uint32_t other = near.front().other;
+    std::vector<NearPoint> points;
+    for (const Near& n : near) add_ends(n.own_segment, n.other_segment, curve, points);
+    const double there = least_of(points, curve, others, most);
+    points.clear();
+    for (const Near& n : near) add_ends(n.other_segment, n.own_segment, other, points);
+    return std::min(there, least_of(points, other, own, std::min(most, there)));
+  }
+
+  struct NearPoint {
+    double through_space;
+    std::uint32_t point;
+  };
+
+  void add_ends(std::uint32_t segment, std::uint32_t to, std::uint32_t curve,
+                std::vector<NearPoint>& points) const {
+    for (const std::uint32_t end : set_.ends(segment)) {
+      points.push_back({set_.distance(to, curve, end), end});
+    }
+  }
+
+  /// From points of a curve to segments of another, if it is below `most`. The points that are
+  /// nearest in space come first, so the distance is needed only up to the smallest found so far.
+  double least_of(std::vector<NearPoint>& points, std::uint32_t curve, const Numbers& segments,
+                  double most) {
+    std::erase_if(points, [&](const NearPoint& p) { return !(p.through_space < most); });
+    if (points.empty()) return HUGE_VAL;
+    std::sort(points.begin(), points.end(), [](const NearPoint& a, const NearPoint& b) {
+      return a.through_space != b.through_space ? a.through_space < b.through_space
+                                                : a.point < b.point;
+    });
+    if (!distance_) distance_.emplace(mesh_->surface());
+    const AskedDuring asked(*distance_, *asker_);
+    distance_->set(set_.as_curves(segments));
+    double least = HUGE_VAL;
+    std::vector<bool> seen;
+    for (const NearPoint& p : points) {
+      if (p.through_space >= least) break;
+      if (p.point >= seen.size()) seen.resize(p.point + 1, false);
+      if (seen[p.point]) continue;
+      seen[p.point] = true;
+      least = std::min(least, distance_->below(std::min(most, least), set_.point(curve, p.point)));
+    }
+    return least;
+  }
+
+  const SurfaceMesh* mesh_;
+  SegmentsOfSet set_;
+  std::vector<Numbers> common_;
+  double limit_;
+  Asker* asker_;
+  std::vector<double> gaps_;
+  std::vector<Near> near_;
+  std::optional<PolylineDistance> distance_;
+};
 
 }  // namespace
 
 std::vector<double> gaps_to_others(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves,
                                    double limit, const Progress& progress) {
   Asker asker(progress, "solve");
-  std::vector<double> gaps(curves.size(), HUGE_VAL);
-  std::vector<PieceBox> boxes;
-  for (const SurfaceCurve& curve : curves) {
-    boxes.push_back(box_of(positions_of(mesh, curve), limit / 2));
-  }
-  std::optional<PolylineDistance> distance;
-  for (std::size_t i = 0; i < curves.size(); ++i) {
-    asker.did(curves.size());
-    for (std::size_t j = i + 1; j < curves.size(); ++j) {
-      if (!boxes[i].intersects(boxes[j])) continue;
-      const double there = gap(mesh, curves[i], curves[j], limit, distance, asker);
-      const double back = gap(mesh, curves[j], curves[i], std::min(limit, there), distance, asker);
-      const double apart = std::min(there, back);
-      if (!(apart < limit) || apart <= 1e-9 * limit) continue;
-      gaps[i] = std::min(gaps[i], apart);
-      gaps[j] = std::min(gaps[j], apart);
-    }
-  }
-  return gaps;
+  return GapSearch(mesh, curves, limit, asker).gaps();
 }
 
 }  // namespace talweg
