@@ -16,6 +16,7 @@
 #include "talweg/core/smoothing/smoothing_report.hpp"
 #include "talweg/intrinsic/error.hpp"
 #include "talweg/intrinsic/stopwatch.hpp"
+#include "talweg/intrinsic/surface/point_lookup.hpp"
 
 namespace talweg {
 namespace {
@@ -301,6 +302,32 @@ SmoothingResult CurveSmoother::drag_now(std::size_t curve, const SurfaceCurve& m
   return result;
 }
 
+/// The options of curves of which one has moved, with its new way-points.
+CurveOptions CurveSmoother::options_of_moved(std::span<const SurfaceCurve> curves,
+                                             std::size_t moved,
+                                             std::span<const WayPoint> way_points) const {
+  CurveOptions own = curve_options_;
+  PointLookup others, here, is_new;
+  for (std::size_t c = 0; c < curves.size(); ++c)
+    (c == moved ? here : others).add_all(curves[c].points);
+  for (const WayPoint& way : way_points) is_new.add(way.point);
+  const auto is_gone = [&](const SurfacePoint& point) {
+    return !here.contains(point) && !others.contains(point);
+  };
+  std::erase_if(own.pins, is_gone);
+  std::erase_if(own.corners, is_gone);
+  std::erase_if(own.painted, is_gone);
+  // A click that has moved on may still lie on the path, which does not make it one.
+  const auto is_left = [&](const SurfacePoint& point) {
+    return !way_points.empty() && !others.contains(point);
+  };
+  std::erase_if(own.way_points, [&](const WayPoint& way) {
+    return is_gone(way.point) || is_left(way.point) || is_new.contains(way.point);
+  });
+  own.way_points.insert(own.way_points.end(), way_points.begin(), way_points.end());
+  return own;
+}
+
 /// Smooths everything anew, where a stretch is not enough: legs, strips that meet, or faces that
 /// are divided.
 SmoothingResult CurveSmoother::drag_whole(std::size_t curve, const Drawing& moved,
@@ -308,29 +335,7 @@ SmoothingResult CurveSmoother::drag_whole(std::size_t curve, const Drawing& move
                                           const Progress& progress) {
   std::vector<SurfaceCurve> curves = drawing_->drawn();
   curves[curve] = moved.curve;
-  CurveOptions own = curve_options_;
-  const auto is_gone = [&](const SurfacePoint& point) {
-    return std::none_of(curves.begin(), curves.end(), [&](const SurfaceCurve& c) {
-      return std::find(c.points.begin(), c.points.end(), point) != c.points.end();
-    });
-  };
-  std::erase_if(own.pins, is_gone);
-  std::erase_if(own.corners, is_gone);
-  std::erase_if(own.painted, is_gone);
-  // A click that has moved on may still lie on the path, which does not make it one.
-  const auto is_left = [&](const SurfacePoint& point) {
-    for (std::size_t c = 0; c < curves.size() && !moved.way_points.empty(); ++c) {
-      if (c != curve && std::count(curves[c].points.begin(), curves[c].points.end(), point) > 0)
-        return false;
-    }
-    return !moved.way_points.empty();
-  };
-  std::erase_if(own.way_points, [&](const WayPoint& way) {
-    const auto is_new = [&](const WayPoint& other) { return other.point == way.point; };
-    return is_gone(way.point) || is_left(way.point) ||
-           std::any_of(moved.way_points.begin(), moved.way_points.end(), is_new);
-  });
-  own.way_points.insert(own.way_points.end(), moved.way_points.begin(), moved.way_points.end());
+  const CurveOptions own = options_of_moved(curves, curve, moved.way_points);
   SmoothingOptions plain = options;
   plain.slack_at.clear();  // it belongs to the drawing that is set
   if (!previewer_) previewer_ = std::make_unique<CurveSmoother>(memory_->shared());

@@ -90,8 +90,8 @@ class CurveSmoother {
                        const SmoothingOptions& options = {}, const Progress& progress = {});
 
   /// The same where clicks are moved: the way-points of this curve are those of `moved`. The curve
-  /// is faired as a whole, and legs that are drawn anew are straightened, so that the preview is the
-  /// final result.
+  /// is faired as a whole, and legs that are drawn anew are straightened, so that the preview is
+  /// the final result.
   SmoothingResult drag(std::size_t curve, const Drawing& moved,
                        const SmoothingOptions& options = {}, const Progress& progress = {});
 
@@ -121,6 +121,9 @@ class CurveSmoother {
                     const Progress& progress) const;
   SmoothingResult drag_now(std::size_t curve, const SurfaceCurve& moved,
                            const SmoothingOptions& options, const Progress& progress);
+  [[nodiscard]] CurveOptions options_of_moved(std::span<const SurfaceCurve> curves,
+                                              std::size_t moved,
+                                              std::span<const WayPoint> way_points) const;
   SmoothingResult drag_whole(std::size_t curve, const Drawing& moved,
                              const SmoothingOptions& options, const Progress& progress);
   SmoothingResult last_for(const SmoothingOptions& options, const Progress& progress);

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "talweg/core/smoothing/corridor_valleys.hpp"
+#include "talweg/intrinsic/surface/point_lookup.hpp"
 
 namespace talweg {
 namespace {
@@ -115,10 +116,8 @@ std::vector<Corridor::Valley> dragged_valleys(const Dragging::Setting& setting, 
 void Dragging::set(const DragStretch& stretch, const CurveOptions& options,
                    const Progress& progress) {
   CurveOptions own = options;
-  const auto is_elsewhere = [&](const SurfacePoint& pin) {
-    const Points& points = stretch.curve.points;
-    return std::find(points.begin(), points.end(), pin) == points.end();
-  };
+  const PointLookup here(stretch.curve.points);
+  const auto is_elsewhere = [&](const SurfacePoint& pin) { return !here.contains(pin); };
   std::erase_if(own.pins, is_elsewhere);
   std::erase_if(own.corners, is_elsewhere);
   std::erase_if(own.painted, is_elsewhere);

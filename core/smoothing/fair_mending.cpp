@@ -10,6 +10,7 @@
 #include "talweg/core/measure/measures.hpp"
 #include "talweg/core/measure/turning_windows.hpp"
 #include "talweg/core/smoothing/fair_verdict.hpp"
+#include "talweg/intrinsic/surface/point_lookup.hpp"
 
 namespace talweg {
 namespace {
@@ -138,10 +139,9 @@ std::vector<SurfacePoint> FairMending::most_bent(Setting& setting,
 bool FairMending::leaves_drawing(const Setting& setting) const {
   const std::vector<SurfacePoint>& points = setting.start->points;
   const auto arcs = setting.distance.point_arcs(0);
+  const PointLookup taut(taut_->points);
   for (std::size_t i = 0; i < points.size(); ++i) {
-    if (!setting.stretches.contain(arcs[i])) continue;
-    if (std::find(taut_->points.begin(), taut_->points.end(), points[i]) == taut_->points.end())
-      return true;
+    if (setting.stretches.contain(arcs[i]) && !taut.contains(points[i])) return true;
   }
   return false;
 }

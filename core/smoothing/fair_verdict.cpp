@@ -6,6 +6,7 @@
 
 #include "talweg/core/measure/measures.hpp"
 #include "talweg/core/measure/turning_windows.hpp"
+#include "talweg/intrinsic/surface/point_lookup.hpp"
 
 namespace talweg {
 namespace {
@@ -49,9 +50,8 @@ std::size_t boundary_points(const Surface& surface, const SurfaceCurve& curve) {
 double bending_between(const Surface& surface, const SurfaceCurve& curve,
                        std::span<const SurfacePoint> corners, double edge) {
   const std::size_t n = curve.points.size();
-  const auto is_corner = [&](std::size_t i) {
-    return std::find(corners.begin(), corners.end(), curve.points[i % n]) != corners.end();
-  };
+  const PointLookup turns_freely(corners);
+  const auto is_corner = [&](std::size_t i) { return turns_freely.contains(curve.points[i % n]); };
   std::size_t first = 0;
   while (curve.closed && first < n && !is_corner(first)) ++first;
   if (corners.empty() || first == n) return bending(turns_of(surface, curve), edge);
@@ -74,9 +74,10 @@ template <class Look>
 void look_at_turns(const Surface& surface, const SurfaceCurve& curve,
                    std::span<const SurfacePoint> corners, const Look& look) {
   const std::size_t n = curve.points.size();
+  const PointLookup turns_freely(corners);
   const auto point = [&](std::size_t i) -> const SurfacePoint& { return curve.points[i % n]; };
   for (std::size_t i = curve.closed ? 0 : 1; i + (curve.closed ? 0 : 1) < n; ++i) {
-    if (std::find(corners.begin(), corners.end(), point(i)) != corners.end()) continue;
+    if (turns_freely.contains(point(i))) continue;
     if (!look(turning_angle(surface, point(i + n - 1), point(i), point(i + 1)))) return;
   }
 }

@@ -83,9 +83,7 @@ std::unique_ptr<RefinedSheet::Part> RefinedSheet::part_within(double reach,
   part->memory = std::make_unique<SmoothingMemory>(OpenedMesh::open(part->mesh.lists));
   const std::vector<SurfaceCurve> curves =
       part->mesh.refined(part->memory->surface(), drawing_->curves());
-  const CurveOptions options = options_there(options_, [&](std::span<const SurfacePoint> points) {
-    return copies_on(part->mesh, curves, points);
-  });
+  const CurveOptions options = options_there(options_, copies_on(part->mesh, curves));
   part->drawing = checked_drawing(part->memory->mesh(), curves, options, progress);
   SheetSetup setup;
   setup.may_divide = false;
@@ -95,26 +93,23 @@ std::unique_ptr<RefinedSheet::Part> RefinedSheet::part_within(double reach,
   return part;
 }
 
-std::vector<SurfacePoint> RefinedSheet::copies_on(const RefinedMesh& mesh,
-                                                  std::span<const SurfaceCurve> curves,
-                                                  std::span<const SurfacePoint> points) const {
-  std::vector<SurfacePoint> result;
+PointCopies RefinedSheet::copies_on(const RefinedMesh& mesh,
+                                    std::span<const SurfaceCurve> curves) const {
+  PointCopies copies;
   for (std::size_t c = 0; c < curves.size(); ++c) {
     for (std::size_t i = 0; i < curves[c].points.size(); ++i) {
       const RefinedMesh::Place& place = mesh.curves[c][i];
       if (place.part > 0) continue;
-      const SurfacePoint& drawn = drawing_->curves()[c].points[place.drawn];
-      if (std::find(points.begin(), points.end(), drawn) == points.end()) continue;
-      result.push_back(curves[c].points[i]);
+      copies.add(drawing_->curves()[c].points[place.drawn], curves[c].points[i]);
     }
   }
-  return result;
+  return copies;
 }
 
 void RefinedSheet::set_pins(std::span<const SurfacePoint> pins, const Progress& progress) {
   options_.pins.assign(pins.begin(), pins.end());
   for (const std::unique_ptr<Part>& part : parts_) {
-    part->sheet->set_pins(copies_on(part->mesh, part->drawing.drawn(), options_.pins), progress);
+    part->sheet->set_pins(copies_on(part->mesh, part->drawing.drawn()).of(options_.pins), progress);
   }
 }
 

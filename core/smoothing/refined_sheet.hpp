@@ -38,9 +38,8 @@ class RefinedSheet final : public Sheet {
   };
   [[nodiscard]] double reach() const;
   std::unique_ptr<Part> part_within(double reach, const Progress& progress);
-  [[nodiscard]] std::vector<SurfacePoint> copies_on(const RefinedMesh& mesh,
-                                                    std::span<const SurfaceCurve> curves,
-                                                    std::span<const SurfacePoint> points) const;
+  [[nodiscard]] PointCopies copies_on(const RefinedMesh& mesh,
+                                      std::span<const SurfaceCurve> curves) const;
   [[nodiscard]] std::vector<double> slack_on(const Part& part, std::size_t curve,
                                              const std::vector<double>& drawn) const;
   Smoothed smooth_on(const Part& part, const SmoothingOptions& options, const GivenPotential* given,

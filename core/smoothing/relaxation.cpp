@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "talweg/intrinsic/error.hpp"
+#include "talweg/intrinsic/surface/point_lookup.hpp"
 
 namespace talweg {
 namespace {
@@ -35,13 +36,14 @@ struct SlidingPoint {
 class Sliders {
  public:
   Sliders(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves,
-          std::span<const SurfacePoint> fixed) {
+          std::span<const SurfacePoint> fixed_points) {
+    const PointLookup fixed(fixed_points);
     for (std::size_t c = 0; c < curves.size(); ++c) {
       for (std::size_t i = 0; i < curves[c].points.size(); ++i) {
         const auto* at = std::get_if<OnEdge>(&curves[c].points[i].where());
         if (at == nullptr) continue;
         const bool end = !curves[c].closed && (i == 0 || i + 1 == curves[c].points.size());
-        if (end || std::find(fixed.begin(), fixed.end(), curves[c].points[i]) != fixed.end()) {
+        if (end || fixed.contains(curves[c].points[i])) {
           places_.push_back({at->edge, at->t, nullptr});
           continue;
         }

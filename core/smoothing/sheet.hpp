@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "talweg/core/drawing/point_copies.hpp"
 #include "talweg/core/smoothing/corridor.hpp"
 #include "talweg/core/smoothing/ordered_drawing.hpp"
 #include "talweg/core/smoothing/paper_method.hpp"
@@ -46,16 +47,15 @@ inline SmoothingOptions ordered_for(Method method, const OrderedDrawing& drawing
   return method == Method::kCorridor ? drawing.ordered(options) : options;
 }
 
-/// The options on another surface: `copies` gives the points that points of the drawing are there.
-template <class Copies>
-CurveOptions options_there(const CurveOptions& options, const Copies& copies) {
+/// The options on another surface, where points of the drawing have copies.
+inline CurveOptions options_there(const CurveOptions& options, const PointCopies& copies) {
   CurveOptions there = options;
-  there.pins = copies(options.pins);
-  there.corners = copies(options.corners);
-  there.painted = copies(options.painted);
+  there.pins = copies.of(options.pins);
+  there.corners = copies.of(options.corners);
+  there.painted = copies.of(options.painted);
   there.way_points.clear();
   for (const WayPoint& way_point : options.way_points) {
-    for (const SurfacePoint& point : copies(std::span(&way_point.point, 1))) {
+    for (const SurfacePoint& point : copies.of(std::span(&way_point.point, 1))) {
       there.way_points.push_back({point, way_point.tolerance});
     }
   }

@@ -12,6 +12,7 @@
 #include "talweg/core/smoothing/corridor_width.hpp"
 #include "talweg/core/smoothing/joined_curves.hpp"
 #include "talweg/intrinsic/stopwatch.hpp"
+#include "talweg/intrinsic/surface/point_lookup.hpp"
 
 namespace talweg {
 namespace {
@@ -108,8 +109,7 @@ void UnrolledSheet::close_rings() {
 }
 
 CurveOptions UnrolledSheet::options_on(std::span<const SurfaceCurve> curves) const {
-  CurveOptions there = options_there(
-      options_, [&](std::span<const SurfacePoint> points) { return copies_on(curves, points); });
+  CurveOptions there = options_there(options_, copies_on(curves));
   for (std::size_t c = 0; c < curves.size(); ++c) {
     if (is_ring_[c]) there.pins.push_back(curves[c].points.front());
   }
@@ -147,18 +147,14 @@ std::vector<double> UnrolledSheet::copies_of(const Strips& strips, const GivenPo
   return copies;
 }
 
-/// The copies on the strips of these points of the drawing.
-std::vector<SurfacePoint> UnrolledSheet::copies_on(std::span<const SurfaceCurve> curves,
-                                                   std::span<const SurfacePoint> points) const {
-  std::vector<SurfacePoint> result;
+/// Of the drawing's points on the strips.
+PointCopies UnrolledSheet::copies_on(std::span<const SurfaceCurve> curves) const {
+  PointCopies copies;
   for (std::size_t c = 0; c < curves_.size(); ++c) {
     const std::vector<SurfacePoint>& drawn = curves_[c].points;
-    for (std::size_t i = 0; i < drawn.size(); ++i) {
-      if (std::find(points.begin(), points.end(), drawn[i]) == points.end()) continue;
-      result.push_back(curves[c].points[i]);
-    }
+    for (std::size_t i = 0; i < drawn.size(); ++i) copies.add(drawn[i], curves[c].points[i]);
   }
-  return result;
+  return copies;
 }
 
 void UnrolledSheet::set_pins(std::span<const SurfacePoint> pins, const Progress& progress) {
@@ -245,7 +241,10 @@ std::vector<std::string> UnrolledSheet::lost_pins(const Smoothed& smoothed) cons
   std::vector<std::string> sentences;
   std::vector<SurfacePoint> pins = options_.pins;
   pins.insert(pins.end(), options_.corners.begin(), options_.corners.end());
+  PointLookup passed;
+  for (const SmoothedCurve& curve : smoothed.curves) passed.add_all(curve.curve.points);
   for (const SurfacePoint& pin : pins) {
+    if (passed.contains(pin)) continue;  // nearly all are
     const auto passes = [&](const SurfacePoint& p) {
       const FaceId face = common_face(surface, pin, p);
       return face.valid() && distance_in_face(surface, coordinates_in(surface, pin, face),

@@ -50,8 +50,7 @@ class UnrolledSheet final : public Sheet {
   [[nodiscard]] static std::vector<double> copies_of(const Strips& strips,
                                                      const GivenPotential& given);
   [[nodiscard]] Smoothed opened(const Strips& strips, Smoothed smoothed) const;
-  [[nodiscard]] std::vector<SurfacePoint> copies_on(std::span<const SurfaceCurve> curves,
-                                                    std::span<const SurfacePoint> points) const;
+  [[nodiscard]] PointCopies copies_on(std::span<const SurfaceCurve> curves) const;
   [[nodiscard]] SmoothingOptions with_length_of_mesh(const SmoothingOptions& options) const;
   [[nodiscard]] std::vector<std::string> lost_pins(const Smoothed& smoothed) const;
   Smoothed folded(const Strips& strips, Smoothed smoothed, const Progress& progress);

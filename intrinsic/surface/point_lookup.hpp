@@ -18,11 +18,12 @@ namespace talweg {
 class PointLookup {
  public:
   PointLookup() = default;
-  explicit PointLookup(std::span<const SurfacePoint> points) {
-    for (const SurfacePoint& point : points) add(point);
-  }
+  explicit PointLookup(std::span<const SurfacePoint> points) { add_all(points); }
   /// Points are numbered as they are added.
   void add(const SurfacePoint& point) { first_.try_emplace(point, count_++); }
+  void add_all(std::span<const SurfacePoint> points) {
+    for (const SurfacePoint& point : points) add(point);
+  }
 
   [[nodiscard]] bool contains(const SurfacePoint& point) const { return first_.contains(point); }
   /// The number of the first equal point.
