@@ -308,7 +308,13 @@ void Planner::cut_up(FaceId face) {
     return static_cast<std::uint32_t>(std::find(global.begin(), global.end(), v) - global.begin());
   };
   const std::vector<Segment>& segments = segments_[face];
-  for (const Segment& s : segments) triangulation.connect(local(s.from), local(s.to));
+  constexpr std::size_t kManySegments = 256;
+  const MixedOrder order(segments.size());
+  std::vector<std::size_t> connected(segments.size());
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    const std::size_t s = segments.size() > kManySegments ? order[i] : i;
+    connected[s] = triangulation.connect(local(segments[s].from), local(segments[s].to));
+  }
   triangulation.improve();
   const auto& places = triangulation.places();
   for (std::size_t i = global.size(); i < places.size(); ++i) {
@@ -320,7 +326,7 @@ void Planner::cut_up(FaceId face) {
     ++plan_.crossings;
   }
   for (std::size_t s = 0; s < segments.size(); ++s) {
-    const std::vector<std::uint32_t> chain = triangulation.chain(s);
+    const std::vector<std::uint32_t> chain = triangulation.chain(connected[s]);
     std::vector<std::uint32_t>& between = between_[segments[s].where];
     for (std::size_t i = 1; i + 1 < chain.size(); ++i) between.push_back(global[chain[i]]);
   }

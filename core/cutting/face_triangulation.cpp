@@ -281,14 +281,14 @@ std::uint32_t FaceTriangulation::step(std::uint32_t a, std::uint32_t b) {
   if (has_edge(a, b)) return b;
   auto [u, v] = leaving(a, b);
   if (u == v) return u;
-  std::vector<std::array<std::uint32_t, 2>> crossed;
+  Edges crossed;
   for (;;) {
     if (is_fixed(u, v)) return cross(a, b, u, v);
     crossed.push_back({u, v});
     const std::uint32_t w = opposite(v, u);
     const int of_w = w == b ? 0 : side(a, b, w);
     if (of_w == 0) {
-      clear_way(a, w, std::move(crossed));
+      clear_way(a, w, crossed);
       return w;
     }
     (of_w > 0 ? v : u) = w;
@@ -324,9 +324,14 @@ std::uint32_t FaceTriangulation::cross(std::uint32_t a, std::uint32_t b, std::ui
 }
 
 /// Flips the edges that the segment from a to b crosses until it is an edge (S. W. Sloan, "A fast
-/// algorithm for generating constrained Delaunay triangulations", 1993).
-void FaceTriangulation::clear_way(std::uint32_t a, std::uint32_t b,
-                                  std::vector<std::array<std::uint32_t, 2>> edges) {
+/// algorithm for generating constrained Delaunay triangulations", 1993). Many would take the square
+/// of their number of flips.
+void FaceTriangulation::clear_way(std::uint32_t a, std::uint32_t b, const Edges& edges) {
+  constexpr std::size_t kManyEdges = 64;
+  if (edges.size() > kManyEdges) {
+    refill(a, b, edges);
+    return;
+  }
   std::deque<std::array<std::uint32_t, 2>> crossed(edges.begin(), edges.end());
   std::size_t left = 64 * (crossed.size() + 4) * (crossed.size() + 4);
   for (; !crossed.empty(); --left) {
@@ -340,6 +345,67 @@ void FaceTriangulation::clear_way(std::uint32_t a, std::uint32_t b,
     const std::uint32_t p = opposite(u, v), q = opposite(v, u);
     flip(u, v);
     if (side(a, b, p) * side(a, b, q) < 0) crossed.push_back({p, q});
+  }
+}
+
+/// Takes out the triangles that the segment from a to b crosses, and fills what is left on both
+/// sides of it.
+void FaceTriangulation::refill(std::uint32_t a, std::uint32_t b, const Edges& edges) {
+  std::vector<std::uint32_t> free{triangle_of_.at(directed(edges[0][0], edges[0][1]))};
+  std::vector<std::uint32_t> left{a}, right{a};
+  for (const auto& [u, v] : edges) {
+    free.push_back(triangle_of_.at(directed(v, u)));
+    if (right.back() != u) right.push_back(u);
+    if (left.back() != v) left.push_back(v);
+  }
+  left.push_back(b);
+  right.push_back(b);
+  for (const auto& [u, v] : edges) {
+    triangle_of_.erase(directed(u, v));
+    triangle_of_.erase(directed(v, u));
+  }
+  fixed_.try_emplace(undirected(a, b));
+  Edges made;
+  fill(left, true, free, made);
+  fill(right, false, free, made);
+  if (!free.empty()) fail();
+  improve(std::move(made));
+}
+
+/// Between a chain and the segment that joins its ends, which sees all of it: three coins (G.
+/// Toussaint and D. Avis, "On a convex hull algorithm for polygons and its application to
+/// triangulation problems", 1982). Takes triangles from `free`, adds the edges to `made`.
+void FaceTriangulation::fill(const std::vector<std::uint32_t>& chain, bool on_left,
+                             std::vector<std::uint32_t>& free, Edges& made) {
+  std::vector<std::uint32_t> open;
+  for (const std::uint32_t w : chain) {
+    while (open.size() > 1) {
+      const std::uint32_t p = open[open.size() - 2], q = open.back();
+      const int turn = side(p, q, w);
+      if (on_left ? turn >= 0 : turn <= 0) break;
+      if (free.empty()) fail();
+      set(free.back(), on_left ? Corners{w, q, p} : Corners{p, q, w});
+      free.pop_back();
+      open.pop_back();
+      made.push_back({p, w});
+    }
+    open.push_back(w);
+  }
+  if (open.size() != 2) fail();
+}
+
+/// Flips these edges, and those around what was flipped, until none should be.
+void FaceTriangulation::improve(Edges open) {
+  while (!open.empty()) {
+    const auto [a, b] = open.back();
+    open.pop_back();
+    if (!can_flip(a, b) || !should_flip(a, b)) continue;
+    const std::uint32_t p = opposite(a, b), q = opposite(b, a);
+    flip(a, b);
+    for (const std::uint32_t end : {a, b}) {
+      open.push_back({end, p});
+      open.push_back({end, q});
+    }
   }
 }
 

@@ -16,7 +16,8 @@ namespace talweg {
 /// barycentrics, so the side of a line on which a point lies is always decided exactly, and two
 /// faces of a mesh always agree on the points of their common edge. O((n + flips) log n) as a rule
 /// for n points and for segments between neighbours. The flips are about n, since beyond 1024
-/// points each new one is improved around at once; more for segments across many others.
+/// points each new one is improved around at once; segments across many others make a point for
+/// each.
 class FaceTriangulation {
  public:
   static constexpr std::int64_t kOne = std::int64_t{1} << 40;
@@ -72,7 +73,12 @@ class FaceTriangulation {
   [[nodiscard]] std::array<std::uint32_t, 2> leaving(std::uint32_t a, std::uint32_t b) const;
   std::uint32_t step(std::uint32_t a, std::uint32_t b);
   std::uint32_t cross(std::uint32_t a, std::uint32_t b, std::uint32_t u, std::uint32_t v);
-  void clear_way(std::uint32_t a, std::uint32_t b, std::vector<std::array<std::uint32_t, 2>> edges);
+  using Edges = std::vector<std::array<std::uint32_t, 2>>;
+  void clear_way(std::uint32_t a, std::uint32_t b, const Edges& edges);
+  void refill(std::uint32_t a, std::uint32_t b, const Edges& edges);
+  void fill(const std::vector<std::uint32_t>& chain, bool on_left, std::vector<std::uint32_t>& free,
+            Edges& made);
+  void improve(Edges open);
   [[nodiscard]] Corners neighbours(std::uint32_t triangle) const;
   [[nodiscard]] bool should_flip(std::uint32_t a, std::uint32_t b) const;
   [[nodiscard]] PlanePoint plane(std::uint32_t p) const;

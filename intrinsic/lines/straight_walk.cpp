@@ -6,7 +6,7 @@
 namespace talweg {
 namespace {
 
-constexpr int kMostFaces = 10000;
+constexpr int kMostFaces = 2000;
 constexpr double kInside = 1e-9;
 
 /// Where a ray leaves its face: by which side, and after which distance.

@@ -18,7 +18,7 @@ struct WalkEnd {
 /// Walks from a point of a face in a unit direction of its frame. Appends the halfedges that are
 /// crossed, each in the face that is left, to `crossed`. The walk ends inside a face: barycentrics
 /// are at least 1e-9, also where it stops at the boundary. `walked` is -1 where no straight way is
-/// found (faces without area, or more than 10,000 faces). O(faces crossed).
+/// found (faces without area, or more than 2,000 faces). O(faces crossed).
 WalkEnd walk_straight(const Surface& surface, const FaceCoordinates& from, PlanePoint direction,
                       double distance, std::vector<HalfedgeId>& crossed);
 

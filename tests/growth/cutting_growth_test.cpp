@@ -120,6 +120,28 @@ TEST(Growth, SegmentsAcrossAFace) {
   expect_growth("FaceTriangulation, parallel segments", 1.4, {100, 1000, 10000}, segments);
 }
 
+/// Flipping the way free would take the square of the edges in it.
+TEST(Growth, ASegmentAcrossParallelOnes) {
+  const auto segments = [](std::size_t n) {
+    return [n] {
+      FaceTriangulation face({PlanePoint{0, 0}, PlanePoint{1, 0}, PlanePoint{0, 1}});
+      std::vector<std::array<std::uint32_t, 2>> ends(n);
+      const MixedOrder mixed(n);
+      for (std::size_t k = 0; k < n; ++k) {
+        const double at = 0.5 * static_cast<double>(mixed[k] + 1) / static_cast<double>(n + 1);
+        ends[mixed[k]] = {face.insert(place(0.1, at)), face.insert(place(0.4, at))};
+      }
+      const std::uint32_t low = face.insert(place(0.25, 0)), high = face.insert(place(0.26, 0.6));
+      face.improve();
+      face.connect(low, high);
+      for (std::size_t k = 0; k < n; ++k) face.connect(ends[mixed[k]][0], ends[mixed[k]][1]);
+      face.improve();
+    };
+  };
+  expect_growth("FaceTriangulation, a segment across parallel ones", 1.5, {100, 1000, 10000},
+                segments);
+}
+
 TEST(Growth, CuttingAlongAStrokeInOneFace) {
   const SurfaceMesh mesh = SurfaceMesh::open(grid(3, 3));
   expect_growth("plan_cut, points in a face", 1.5, {100, 400, 1600, 6400}, [&](std::size_t n) {

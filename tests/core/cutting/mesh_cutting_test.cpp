@@ -353,6 +353,29 @@ TEST_F(MeshCutting, RefusesWhatIsNoCurveAndNoMerge) {
   EXPECT_EQ(cut_along(mesh, {}).new_vertices, 0U);
 }
 
+/// The triangles fill the face without overlap, and segments are edges.
+void expect_cut_up(const FaceTriangulation& face, const std::vector<std::size_t>& segments) {
+  constexpr std::int64_t kOne = FaceTriangulation::kOne;
+  std::set<std::pair<std::uint32_t, std::uint32_t>> edges;
+  Wide sum = 0;
+  for (const auto& [a, b, c] : face.triangles()) {
+    const auto &p = face.places()[a], &q = face.places()[b], &r = face.places()[c];
+    const Wide twice = Wide{q[1] - p[1]} * (r[2] - p[2]) - Wide{q[2] - p[2]} * (r[1] - p[1]);
+    EXPECT_TRUE(twice > 0);
+    sum += twice;
+    for (const auto& [u, v] : {std::pair{a, b}, {b, c}, {c, a}})
+      EXPECT_TRUE(edges.insert({u, v}).second);
+  }
+  EXPECT_TRUE(sum == Wide{kOne} * kOne);
+  for (const std::size_t s : segments) {
+    const auto chain = face.chain(s);
+    for (std::size_t i = 0; i + 1 < chain.size(); ++i) {
+      EXPECT_TRUE(edges.count({chain[i], chain[i + 1]}) + edges.count({chain[i + 1], chain[i]}) >
+                  0);
+    }
+  }
+}
+
 TEST(FaceTriangulation, CutsUpAFaceFullOfCrossingSegments) {
   constexpr std::int64_t kOne = FaceTriangulation::kOne;
   std::mt19937_64 random(5);
@@ -372,24 +395,35 @@ TEST(FaceTriangulation, CutsUpAFaceFullOfCrossingSegments) {
       if (a != b) segments.push_back(face.connect(a, b));
     }
     face.improve();
-    std::set<std::pair<std::uint32_t, std::uint32_t>> edges;
-    Wide sum = 0;
-    for (const auto& [a, b, c] : face.triangles()) {
-      const auto &p = face.places()[a], &q = face.places()[b], &r = face.places()[c];
-      const Wide twice = Wide{q[1] - p[1]} * (r[2] - p[2]) - Wide{q[2] - p[2]} * (r[1] - p[1]);
-      EXPECT_TRUE(twice > 0);
-      sum += twice;
-      for (const auto& [u, v] : {std::pair{a, b}, {b, c}, {c, a}})
-        EXPECT_TRUE(edges.insert({u, v}).second);
+    expect_cut_up(face, segments);
+  }
+}
+
+// Segments that cross hundreds of edges: among points without order, in rows (where many lie on one
+// line), and where no flips have made the triangles better.
+TEST(FaceTriangulation, CutsUpAFaceFullOfPoints) {
+  constexpr std::int64_t kOne = FaceTriangulation::kOne;
+  std::mt19937_64 random(6);
+  for (int run = 0; run < 12; ++run) {
+    FaceTriangulation face({PlanePoint{0, 0}, PlanePoint{3, 0}, PlanePoint{1, 2}});
+    const std::int64_t rows = std::int64_t{1} << (run % 3 == 0 ? 39 : 3 + run % 6);
+    const int count = run % 2 == 0 ? 3000 : 900;
+    std::vector<std::uint32_t> points = {0, 1, 2};
+    for (int k = 0; k < count; ++k) {
+      const std::int64_t step = kOne / 2 / rows;
+      const auto a = static_cast<std::int64_t>(random() % static_cast<std::uint64_t>(rows)) * step;
+      const auto b = static_cast<std::int64_t>(random() % static_cast<std::uint64_t>(rows)) * step;
+      points.push_back(face.insert({kOne - a - b, a, b}));
     }
-    EXPECT_TRUE(sum == Wide{kOne} * kOne);
-    for (const std::size_t s : segments) {
-      const auto chain = face.chain(s);
-      for (std::size_t i = 0; i + 1 < chain.size(); ++i) {
-        EXPECT_TRUE(edges.count({chain[i], chain[i + 1]}) + edges.count({chain[i + 1], chain[i]}) >
-                    0);
-      }
+    std::vector<std::size_t> segments;
+    for (int k = 0; k < 20; ++k) {
+      const std::uint32_t a = points[random() % points.size()],
+                          b = points[random() % points.size()];
+      if (a != b) segments.push_back(face.connect(a, b));
     }
+    expect_cut_up(face, segments);
+    face.improve();
+    expect_cut_up(face, segments);
   }
 }
 
