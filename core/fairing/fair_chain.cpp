@@ -313,6 +313,7 @@ bool FairChain::step(SampleChain& chain, SampleTrail* trail) {
     for (double& d : left) d *= part;
     if (last) take_over(chain, *last, left);
     auto move = maker_->moved_left(chain, left, last ? &*last : nullptr);
+    passed_ += move ? move->chain.crossed.size() + move->walks.size() : chain.crossed.size();
     if (!move) {
       part /= 2;
       continue;
@@ -358,9 +359,13 @@ void FairChain::run(SampleChain& chain, SampleTrail* trail, Asker& asker) {
   damping_ = 1e-2;
   measure(chain, offsets_, std::vector<bool>(chain.size(), true), places_);
   const double tolerance = has_legs() ? options_.leg_tolerance : options_.tolerance;
+  // Around a vertex that is far away, a step passes thousands of needles.
+  constexpr std::size_t kMostPassed = 5'000;  // faces, for each sample
+  passed_ = 0;
   int failed = 0;
   for (int iteration = 0; iteration < options_.max_iterations && failed < 3; ++iteration) {
-    asker.did(chain.size());
+    if (passed_ > kMostPassed * chain.size()) return;
+    asker.did(chain.size() + chain.crossed.size() / 4);
     if (iteration == 0 || has_legs()) {
       balance(chain);
       energies(chain, places_, energies_);

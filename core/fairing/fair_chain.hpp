@@ -28,8 +28,8 @@ struct FairOptions {
 /// κ₀ the mean curvature of a loop, 0 for an open chain and for a loop with corners, where turns
 /// cost nothing. On legs there is no drawing: t · length, their tension, stands for the terms with
 /// δ. docs/algorithm.md has all of it.
-/// Cost of an iteration, of which there are at most 60: samples + the faces that joins and steps
-/// pass, and a DrawnBand::at() for each sample that moves.
+/// Cost of an iteration: samples + the faces that joins and steps pass, and a DrawnBand::at() for
+/// each sample that moves. It ends after 60 iterations, or 5,000 such faces for each sample.
 class FairChain {
  public:
   /// The band may be null where every stretch is a leg.
@@ -98,6 +98,7 @@ class FairChain {
   std::vector<double> offsets_;
   double damping_ = 1e-2;
   std::vector<BandPlace> places_;
+  std::size_t passed_ = 0;        // faces, by joins and steps since run() began
   double energy_ = 0;             // 1 / mesh units
   std::vector<double> energies_;  // per sample
   std::vector<Row> rows_;
