@@ -1,7 +1,9 @@
 #include "talweg/core/drawing/curve_embedding.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <map>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -26,31 +28,48 @@ std::string name(const SurfacePoint& point) {
   return "a point in face " + std::to_string(std::get<InFace>(point.where()).face.index());
 }
 
-/// Leaves out the part between two passages of a vertex; of a closed path the shorter part.
+double length_of(const SignpostTriangulation& t, std::span<const HalfedgeId> path) {
+  double length = 0;
+  for (const HalfedgeId h : path) length += t.surface_length(edge_of(h));
+  return length;
+}
+
+/// Whether a part of a path is longer than two others together. Looks only as far along these as it
+/// takes to tell.
+bool is_longer(const SignpostTriangulation& t, std::span<const HalfedgeId> part,
+               std::span<const HalfedgeId> before, std::span<const HalfedgeId> after) {
+  const double length = length_of(t, part);
+  double sum = 0;
+  for (const std::span<const HalfedgeId> other : {before, after}) {
+    double own = 0;
+    for (std::size_t i = 0; i < other.size() && own < length; ++i)
+      own += t.surface_length(edge_of(other[i]));
+    sum += own;
+  }
+  return length > sum;
+}
+
+/// Leaves out the part between two passages of a vertex; of a closed path the shorter part. O(n log
+/// n) for n halfedges.
 void erase_loops(const SignpostTriangulation& t, std::vector<HalfedgeId>& path, bool closed) {
-  const auto length_of = [&](const HalfedgeId* from, const HalfedgeId* to) {
-    double length = 0;
-    for (; from != to; ++from) length += t.surface_length(edge_of(*from));
-    return length;
-  };
   std::vector<HalfedgeId> kept;
   std::map<VertexId, std::size_t> passed;  // with the number of halfedges kept before
-  for (const HalfedgeId& h : path) {       // the address gives the place in the path
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    const HalfedgeId h = path[i];
     passed.emplace(t.tail(h), kept.size());
     kept.push_back(h);
     const auto again = passed.find(t.head(h));
     if (again == passed.end()) continue;
     const std::size_t from = again->second;
-    const HalfedgeId* data = kept.data();
-    if (closed && from == 0 && &h == &path.back()) break;  // the path closes here
-    if (closed && length_of(data + from, data + kept.size()) >
-                      length_of(data, data + from) + length_of(&h + 1, path.data() + path.size())) {
+    if (closed && from == 0 && i + 1 == path.size()) break;  // the path closes here
+    const std::span<const HalfedgeId> all(kept);
+    if (closed &&
+        is_longer(t, all.subspan(from), all.first(from), std::span(path).subspan(i + 1))) {
       kept.erase(kept.begin(), kept.begin() + static_cast<std::ptrdiff_t>(from));
       break;
     }
+    for (const HalfedgeId gone : all.subspan(from)) passed.erase(t.tail(gone));
     kept.resize(from);
-    std::erase_if(passed, [&](const auto& entry) { return entry.second > from; });
-    passed.erase(t.head(h));
   }
   path = std::move(kept);
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <utility>
@@ -27,45 +28,41 @@ class NearParts {
     std::vector<Segment> segments;
     for (const SurfaceCurve& curve : curves) {
       const auto own = segments_of(positions_of(mesh, curve), curve.closed);
-      counts_.push_back(own.size());
+      first_.push_back(static_cast<std::uint32_t>(segments.size()));
       segments.insert(segments.end(), own.begin(), own.end());
     }
-    for (const Segment& s : segments) boxes_.push_back(Eigen::AlignedBox3d(s.a).extend(s.b));
     tree_.emplace(std::move(segments));
   }
 
   /// Distance through space.
   [[nodiscard]] double distance(const Point& p) const { return tree_->to(p).distance; }
 
-  /// The segments whose boxes meet one of these boxes, as curves.
+  /// The segments whose boxes meet one of these boxes, as curves. O(log n) for a box, and what it
+  /// meets.
   [[nodiscard]] std::vector<SurfaceCurve> meeting(
       std::span<const Eigen::AlignedBox3d> boxes) const {
-    Eigen::AlignedBox3d all;
-    for (const Eigen::AlignedBox3d& box : boxes) all.extend(box);
+    std::vector<std::uint32_t> near;
+    for (const Eigen::AlignedBox3d& box : boxes) {
+      if (box.isEmpty()) continue;
+      tree_->visit_near({box.min(), box.max()}, [&](std::uint32_t i) { near.push_back(i); });
+    }
+    std::sort(near.begin(), near.end());
+    near.erase(std::unique(near.begin(), near.end()), near.end());
     std::vector<SurfaceCurve> parts;
-    std::size_t first = 0;
-    for (std::size_t c = 0; c < curves_.size(); first += counts_[c++]) {
-      const auto& points = curves_[c].points;
-      bool joined = false;
-      for (std::size_t i = 0; i < counts_[c]; ++i) {
-        const Eigen::AlignedBox3d& box = boxes_[first + i];
-        const bool near =
-            all.intersects(box) && std::any_of(boxes.begin(), boxes.end(),
-                                               [&](const auto& b) { return b.intersects(box); });
-        if (near && !joined) parts.push_back({false, {points[i]}});
-        if (near && points.size() > 1) {
-          parts.back().points.push_back(points[(i + 1) % points.size()]);
-        }
-        joined = near;
-      }
+    for (std::size_t k = 0; k < near.size(); ++k) {
+      const auto next = std::upper_bound(first_.begin(), first_.end(), near[k]);
+      const auto& points = curves_[static_cast<std::size_t>(next - first_.begin() - 1)].points;
+      const std::uint32_t first = *(next - 1), i = near[k] - first;
+      const bool joined = k > 0 && i > 0 && near[k - 1] + 1 == near[k];
+      if (!joined) parts.push_back({false, {points[i]}});
+      if (points.size() > 1) parts.back().points.push_back(points[(i + 1) % points.size()]);
     }
     return parts;
   }
 
  private:
   std::span<const SurfaceCurve> curves_;
-  std::vector<std::size_t> counts_;  // number of segments of each curve
-  std::vector<Eigen::AlignedBox3d> boxes_;
+  std::vector<std::uint32_t> first_;  // of each curve its first segment
   std::optional<NearestSegment> tree_;
 };
 

@@ -56,10 +56,7 @@ std::vector<Segment> checked(std::vector<Segment> segments) {
 NearestSegment::NearestSegment(std::vector<Segment> segments)
     : segments_(checked(std::move(segments))),
       tree_(
-          segments_.size(),
-          [this](std::uint32_t i) {
-            return SpaceBox{segments_[i].a, segments_[i].a}.with({segments_[i].b, segments_[i].b});
-          },
+          segments_.size(), [this](std::uint32_t i) { return box_of(i); },
           BoxTree::Halving::kFast) {}
 
 NearestSegment::Result NearestSegment::to(const Point& point) const {

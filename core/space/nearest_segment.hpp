@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -34,9 +35,20 @@ class NearestSegment {
   /// The exact nearest segment. O(log n) as a rule.
   [[nodiscard]] Result to(const Point& point) const;
 
+  /// Calls visit(i) for every segment whose box overlaps this one, always in the same order.
+  template <class Visit>
+  void visit_near(const SpaceBox& box, const Visit& visit) const {
+    tree_.visit(
+        box, [this](std::uint32_t i) { return box_of(i); }, visit);
+  }
+
   [[nodiscard]] std::span<const Segment> segments() const { return segments_; }
 
  private:
+  [[nodiscard]] SpaceBox box_of(std::uint32_t i) const {
+    return SpaceBox{segments_[i].a, segments_[i].a}.with({segments_[i].b, segments_[i].b});
+  }
+
   std::vector<Segment> segments_;
   BoxTree tree_;
 };
