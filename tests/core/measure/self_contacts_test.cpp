@@ -196,5 +196,37 @@ TEST(SelfContacts, GoAroundATorusOnce) {
       2U);
 }
 
+/// From a vertex of the sheet in a direction of its plane, for a length of less than 1.
+SurfacePoint spoke_end(const SurfaceMesh& mesh, const Point& middle, double angle, double length) {
+  CurveInput input;
+  input.points =
+      std::vector<Point>{middle, middle + length * Point(std::cos(angle), std::sin(angle), 0)};
+  return snap(mesh, input).points.back();
+}
+
+// A hundred curves from one vertex into the faces there: one place. There is a stretch if two of
+// them, of different lengths, have one direction, and wherever the shorter one stands in the list.
+TEST_F(Contacts, AFanAtAVertexIsOnePlace) {
+  const Point middle(10, 10, 0);
+  const SurfacePoint vertex = SurfacePoint::at_vertex(mesh_.surface(), VertexId{10 * 21 + 10});
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> unit(0, 1);
+  for (const std::size_t doubled : {0U, 1U, 40U}) {
+    std::vector<SurfaceCurve> curves;
+    for (std::size_t k = 0; k < 100; ++k) {
+      const double angle = 2 * std::numbers::pi * unit(random);
+      const double length = 0.1 + 0.5 * unit(random);
+      curves.push_back({false, {vertex, spoke_end(mesh_, middle, angle, length)}});
+      if (k >= doubled) continue;
+      curves.push_back({false, {spoke_end(mesh_, middle, angle, 0.05), vertex}});
+    }
+    std::shuffle(curves.begin(), curves.end(), random);
+    const std::vector<SelfContact> places = self_contacts(mesh_.surface(), curves);
+    ASSERT_EQ(places.size(), 1U) << doubled;
+    EXPECT_EQ(places[0].curve, 0U);
+    EXPECT_EQ(places[0].stretch, doubled > 0) << doubled;
+  }
+}
+
 }  // namespace
 }  // namespace talweg

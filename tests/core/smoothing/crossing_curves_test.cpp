@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <random>
 
 #include <gtest/gtest.h>
 
@@ -10,6 +11,7 @@
 #include "core/jagged_curves.hpp"
 #include "core/small_meshes.hpp"
 #include "talweg/core/drawing/crossings.hpp"
+#include "talweg/core/drawing/curve_embedding.hpp"
 #include "talweg/core/drawing/snapping.hpp"
 #include "talweg/core/drawing/straight_lines.hpp"
 #include "talweg/core/measure/measures.hpp"
@@ -325,6 +327,57 @@ TEST(PathContacts, CountsWhatChangesSides) {
   EXPECT_EQ(crossings({ids({10, 11, 12, 13, 18, 17, 12, 7, 2})}), Counts({1}));
   // The same loop twice.
   EXPECT_EQ(crossings({ids({6, 7, 12, 6}), ids({6, 7, 12, 6})}), Counts({0, 0}));
+}
+
+/// A random walk along edges, with ways back and along what was walked before.
+std::vector<VertexId> random_walk(const Surface& surface, std::mt19937& random, std::size_t n) {
+  std::vector<VertexId> walk{VertexId{random() % surface.vertex_count()}};
+  while (walk.size() < n) {
+    std::vector<VertexId> next;
+    const HalfedgeId first = surface.halfedge(walk.back());
+    for (HalfedgeId h = first; h.valid();) {
+      next.push_back(surface.head(h));
+      if (!surface.has_face(h)) break;
+      h = surface.turn_ccw(h);
+      if (h == first) break;
+    }
+    walk.push_back(next[random() % next.size()]);
+  }
+  return walk;
+}
+
+// How often two paths cross does not depend on which others there are, though all passages of a
+// vertex are counted at once.
+TEST(PathContacts, OfASetAreThoseOfItsPairs) {
+  const SurfaceMesh mesh = SurfaceMesh::open(grid(4, 4));
+  std::mt19937 random(11);
+  for (int run = 0; run < 20; ++run) {
+    std::vector<SurfaceCurve> curves;
+    for (int c = 0; c < 12; ++c) {
+      curves.push_back(
+          vertex_curve(mesh.surface(), random_walk(mesh.surface(), random, 12), false));
+    }
+    SignpostTriangulation triangulation(mesh.surface());
+    const std::vector<EdgePath> paths = embed_curves(triangulation, curves).paths;
+    const PathContacts all = path_contacts(triangulation, paths);
+    std::vector<std::size_t> alone(paths.size()), sum(paths.size());
+    std::vector<bool> tangled(paths.size());
+    for (std::size_t p = 0; p < paths.size(); ++p) {
+      const PathContacts own = path_contacts(triangulation, std::span(&paths[p], 1));
+      sum[p] = alone[p] = own.crossings[0];
+      tangled[p] = own.tangled[0];
+    }
+    for (std::size_t p = 0; p < paths.size(); ++p) {
+      for (std::size_t q = p + 1; q < paths.size(); ++q) {
+        const std::vector<EdgePath> pair{paths[p], paths[q]};
+        const std::size_t crossings = path_contacts(triangulation, pair).crossings[0] - alone[p];
+        sum[p] += crossings;
+        if (crossings > 0) tangled[p] = tangled[q] = true;
+      }
+    }
+    EXPECT_EQ(all.crossings, sum) << run;
+    EXPECT_EQ(all.tangled, tangled) << run;
+  }
 }
 
 }  // namespace

@@ -1,12 +1,19 @@
 // How far apart the curves of a set are, where the answer is known.
 #include "talweg/core/smoothing/curve_gaps.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <random>
+#include <utility>
 
 #include <gtest/gtest.h>
 
+#include "core/generated_meshes.hpp"
 #include "core/small_meshes.hpp"
+#include "talweg/core/drawing/snapping.hpp"
+#include "talweg/core/drawing/straight_lines.hpp"
 #include "talweg/core/smoothing/curve_smoother.hpp"
+#include "talweg/intrinsic/exact_distance/polyline_distance.hpp"
 
 namespace talweg {
 namespace {
@@ -41,6 +48,55 @@ TEST(CurveGaps, CurvesThatTouchDoNotCountForEachOther) {
   EXPECT_NEAR(gaps[0], 3, 1e-12);
   EXPECT_NEAR(gaps[1], std::hypot(3, 3), 1e-12);
   EXPECT_NEAR(gaps[2], 3, 1e-12);
+}
+
+/// The gap of two curves by exact distances of all points of each to the other.
+double gap_of_pair(const SurfaceMesh& mesh, const SurfaceCurve& a, const SurfaceCurve& b) {
+  PolylineDistance distance(mesh.surface());
+  double least = HUGE_VAL;
+  for (const auto& [from, to] : {std::pair(&a, &b), std::pair(&b, &a)}) {
+    distance.set(std::span(to, 1));
+    for (const SurfacePoint& p : from->points) least = std::min(least, distance.at(p).distance);
+  }
+  return least;
+}
+
+// Short and long curves between random points, many of which cross or touch.
+TEST(CurveGaps, OfRandomCurvesAreThoseOfAllPairs) {
+  const SurfaceMesh mesh = SurfaceMesh::open(test::hills(24));
+  StraightLines lines(mesh.surface());
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> unit(0, 1);
+  for (int run = 0; run < 4; ++run) {
+    std::vector<SurfaceCurve> curves;
+    for (int c = 0; c < 14; ++c) {
+      CurveInput input;
+      std::vector<Point> points;
+      const double x = 24 * unit(random), y = 24 * unit(random);
+      const double length = c % 4 == 0 ? 14 : 1.5;
+      for (int k = 0; k < 3; ++k) {
+        points.emplace_back(std::clamp(x + length * unit(random), 0.0, 24.0),
+                            std::clamp(y + length * unit(random), 0.0, 24.0), 0);
+      }
+      input.points = points;
+      curves.push_back(lines.join(snap(mesh, input).points, false));
+    }
+    const double limit = run % 2 == 0 ? 3 : 9;
+    const std::vector<double> gaps = gaps_to_others(mesh, curves, limit);
+    for (std::size_t i = 0; i < curves.size(); ++i) {
+      double least = HUGE_VAL;
+      for (std::size_t j = 0; j < curves.size(); ++j) {
+        if (i == j) continue;
+        const double gap = gap_of_pair(mesh, curves[i], curves[j]);
+        if (gap > 1e-9 * limit && gap < limit) least = std::min(least, gap);
+      }
+      if (std::isinf(least)) {
+        EXPECT_EQ(gaps[i], least) << run << ", curve " << i;
+      } else {
+        EXPECT_NEAR(gaps[i], least, 1e-9) << run << ", curve " << i;
+      }
+    }
+  }
 }
 
 // Two sheets a hundredth apart, not connected: near in space, not on the surface.
