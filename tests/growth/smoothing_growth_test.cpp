@@ -57,7 +57,7 @@ TEST(Growth, PassagesOfOneVertex) {
         return
             [triangulation, paths = embedded.paths] { (void)path_contacts(*triangulation, paths); };
       });
-  expect_growth("self_contacts, passages of one vertex", 2.2, {25, 50, 100, 200},
+  expect_growth("self_contacts, passages of one vertex", 1.4, {25, 50, 100, 200},
                 [&](std::size_t n) {
                   return [&mesh, curve = through_the_middle(mesh.surface(), n)] {
                     (void)self_contacts(mesh.surface(), std::span(&curve, 1));
@@ -159,7 +159,7 @@ TEST(Growth, CurvesInASet) {
       (void)smoother.smooth(1.0);
     };
   });
-  expect_growth("gaps_to_others, curves in a set", 1.6, {8, 32, 128}, [&](std::size_t n) {
+  expect_growth("gaps_to_others, curves in a set", 1.3, {8, 32, 128}, [&](std::size_t n) {
     const auto mesh = OpenedMesh::open(grid(kColumns, static_cast<std::uint32_t>(2 * n + 2)));
     return [mesh, curves = rows(mesh->surface(), kColumns, n)] {
       (void)gaps_to_others(mesh->mesh(), curves, 1.0);
