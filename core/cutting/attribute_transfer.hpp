@@ -26,22 +26,23 @@ double fill_of(const AttributeColumn& column);
 ///   (in barycentrics; the first of equals).
 /// Values at corners are interpolated, and normals among them made as long as one. Throws
 /// Error(kBadUsage) where the attributes do not have as many vertices and faces as the old mesh.
+/// O(values of the cut mesh), log for those at new corners.
 MeshAttributes carried_to(const CutMesh& cut, const Surface& old, const MeshAttributes& attributes);
 
 /// Converts one value per vertex of the old mesh to one per vertex of the new, linear in each old
-/// face.
+/// face. O(vertices).
 std::vector<double> carried_to(const CutMesh& cut, const Surface& old,
                                std::span<const double> per_vertex);
 
 /// The attributes of a mesh whose vertices and faces are picked from this one, each any number of
 /// times. Faces and vertices from none (kNoFace, kNoVertex), such as those of lids, have the
 /// column's `fill`, or else 0, and white in columns of colours; they have no texture coordinates,
-/// normals or names.
+/// normals or names. O(what is picked), but all values at corners are looked through.
 MeshAttributes picked(const MeshAttributes& attributes, std::span<const std::uint32_t> vertices,
                       std::span<const std::uint32_t> faces);
 
 /// The attributes of a repaired mesh. `differing`: how many vertices were welded onto one with
-/// other values; their own values are lost.
+/// other values; their own values are lost. O(vertices + faces) for each column.
 MeshAttributes of_repaired(const MeshAttributes& attributes, const RepairMap& map,
                            std::size_t& differing);
 

@@ -8,6 +8,7 @@
 
 namespace talweg {
 
+/// Tells which points of a cut are one. O(1) for a point.
 class PointMerging {
  public:
   /// `merge`: a part of an edge, in barycentrics; `resolution`: a distance, 0 for none. The surface

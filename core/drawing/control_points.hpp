@@ -16,6 +16,7 @@ constexpr double kLeastSpacing = 2;
 
 /// An empty text if a curve's control points can have been clicked; otherwise a sentence on why
 /// they are a stroke. `points` are those on the mesh, and h is the mean edge length near them.
+/// O(points), of which there are at most 200.
 std::string why_no_clicks(const SurfaceMesh& mesh, std::span<const SurfacePoint> points,
                           bool closed);
 

@@ -20,7 +20,8 @@ struct DrawnLegs {
 };
 
 /// Between two way-points there is a leg, unless a painted point lies there. A loop with fewer than
-/// three way-points has no legs: nothing would hold it open. O(points of all kinds).
+/// three way-points has no legs: nothing would hold it open. O(points of all kinds), those of other
+/// curves too: for all curves their number times the way-points and painted points of all.
 DrawnLegs legs_of(const SurfaceCurve& curve, std::span<const SurfacePoint> pins,
                   std::span<const WayPoint> way_points, std::span<const SurfacePoint> painted);
 

@@ -10,7 +10,8 @@
 
 namespace talweg {
 
-/// A mark of 0 or more is that of a way-point: its tolerance in mesh units. There are three others.
+/// All functions here are O(points). A mark of 0 or more is that of a way-point: its tolerance in
+/// mesh units. There are three others.
 constexpr double kNotSaid = -1;
 constexpr double kPainted = -2;
 constexpr double kControl = -3;  ///< see CurveInput::control_points; not in files

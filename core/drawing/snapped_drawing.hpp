@@ -27,7 +27,7 @@ struct SnappedDrawing {
   JoinedGaps gaps;
 
   /// Adds curves whose points are joined straight over the surface. Throws as
-  /// StraightLines::join().
+  /// StraightLines::join(). O(points log points), and the lines over gaps.
   void add(const SurfaceMesh& mesh, std::span<const SnappedCurve> snapped, StraightLines& lines,
            const Progress& progress = {});
   /// Warnings for the user: that the drawing was moved onto the mesh, and that gaps were joined.

@@ -49,7 +49,9 @@ struct SnappedCurve {
 /// finite or lies farther from the mesh than both an eighth of the diagonal of its box and ten mean
 /// edges, a pin, way-point or painted point that is no point of the curve, a tolerance below 0,
 /// fewer than two points, or a closed curve with fewer than three. Throws Cancelled when
-/// `progress` (stage "snap") says so.
+/// `progress` (stage "snap") says so. O(degree) for a vertex and O(log faces) for a position, for
+/// which a ClosestPoint is built first. Worse: each painted point is compared with each way-point
+/// of its curve.
 SnappedCurve snap(const SurfaceMesh& mesh, const CurveInput& curve, const SnapOptions& options = {},
                   const Progress& progress = {});
 

@@ -30,11 +30,13 @@ struct TakenPoints {
 
   bool operator==(const TakenPoints&) const = default;
 };
+/// O(points).
 TakenPoints take_points(const SnappedDrawing& drawing, const PointsTaken& taken);
 /// Sentences on control points that were taken as a stroke.
 std::vector<std::string> stroke_warnings(const SnappedDrawing& drawing, const PointsTaken& taken);
 
-/// Whether the curves have nothing but legs (DrawnLegs).
+/// Whether the curves have nothing but legs (DrawnLegs). A run of legs_of() for each curve, up to
+/// the first that has a stroke.
 bool only_way_points(std::span<const SurfaceCurve> curves, const TakenPoints& points);
 
 }  // namespace talweg

@@ -19,6 +19,7 @@ struct Source {
   LengthUnit mesh_unit;
 };
 
+/// Readers and writers take one pass, O(bytes), but for read_json(): see parsed_json().
 std::vector<CurveInput> read_obj(const Source& source);
 std::vector<CurveInput> read_ply(const Source& source);
 std::vector<CurveInput> read_vtp(const Source& source);

@@ -13,7 +13,8 @@
 
 namespace talweg::formats {
 
-/// The input of a writer, and its descriptions of what its format cannot hold.
+/// The input of a writer, and its descriptions of what its format cannot hold. Readers and writers
+/// of meshes and labels take one pass, O(bytes).
 struct MeshContent {
   const MeshLists& lists;
   const MeshAttributes& attributes;

@@ -15,7 +15,8 @@ namespace talweg {
 
 using LabelNames = std::map<std::int64_t, std::string>;  ///< of labels that have one
 
-/// A sentence for each region that smoothing would have lost or torn apart.
+/// A sentence for each region that smoothing would have lost or torn apart. All functions here are
+/// O(regions + borders), log for names.
 std::vector<std::string> warnings_of(const LabelNetwork& network, const LabelNames& names = {});
 
 /// The totals as of any smoothing, with these warnings; what was done to the network, and every

@@ -32,7 +32,7 @@ struct CurveSegment {
 };
 
 /// The segment between two points of a face. Throws Error(kBadCurve) where it does not contain
-/// them.
+/// them. O(1).
 inline CurveSegment segment_between(const Surface& surface, const SurfacePoint& p,
                                     const SurfacePoint& q, FaceId face) {
   const FaceCoordinates a = coordinates_in(surface, p, face), b = coordinates_in(surface, q, face);
@@ -40,7 +40,7 @@ inline CurveSegment segment_between(const Surface& surface, const SurfacePoint& 
 }
 
 /// The segments of all curves; those without length are left out. Throws Error(kBadCurve) naming
-/// the first point that shares no face with the next.
+/// the first point that shares no face with the next. O(points · degree).
 inline std::vector<CurveSegment> segments_of(const Surface& surface,
                                              std::span<const SurfaceCurve> curves) {
   std::vector<CurveSegment> segments;

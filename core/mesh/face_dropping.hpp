@@ -18,11 +18,12 @@ struct DroppedFaces {
 
 /// Finds faces that name a vertex twice, repeat the vertices of an earlier one, or have zero area
 /// and leave no gap when dropped: none of their edges has just one other face, or only one edge
-/// joins them to the rest at the boundary. Every index must be in range.
+/// joins them to the rest at the boundary. Every index must be in range. O(faces log degree).
+/// Worse: many flat faces at one edge, the square of their number.
 DroppedFaces faces_to_drop(const MeshLists& lists);
 
 /// Faces with the same three vertices as an earlier one; faces that are not `proper` are skipped.
-/// Ascending.
+/// Ascending. O(faces log degree).
 std::vector<RepeatPlace> duplicate_faces(const MeshLists& lists, const std::vector<bool>& proper);
 
 }  // namespace talweg

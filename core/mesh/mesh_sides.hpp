@@ -30,7 +30,8 @@ inline std::uint32_t corner_at(const MeshLists& lists, const FaceSide& s, std::u
   return tail(lists, s) == vertex ? s.side : 3 * s.face() + (s.side % 3 + 1) % 3;
 }
 
-/// Stable sort of items by a key in [0, keys), and among equal keys by `less`.
+/// Stable sort of items by a key in [0, keys), and among equal keys by `less`. O(keys + n log of
+/// the items that share a key).
 template <class Item, class Key, class Less>
 std::vector<Item> bucket_sort(const std::vector<Item>& items, std::size_t keys, Key key,
                               Less less) {
@@ -47,7 +48,7 @@ std::vector<Item> bucket_sort(const std::vector<Item>& items, std::size_t keys, 
 }
 
 /// The sides of the faces that are `proper` (three different vertices that exist), grouped by edge
-/// and within an edge by ascending face.
+/// and within an edge by ascending face. O(vertices + faces log degree).
 inline std::vector<FaceSide> sorted_sides(const MeshLists& lists, const std::vector<bool>& proper) {
   std::vector<FaceSide> sides;
   sides.reserve(3 * lists.triangles.size());

@@ -16,7 +16,7 @@ namespace talweg {
 using HandleChain = std::vector<OpenMesh::HalfedgeHandle>;
 
 /// Throws Error(kBadCurve) naming chain and place of a handle that is none of the mesh, or does not
-/// begin where the one before it ends.
+/// begin where the one before it ends. O(halfedges).
 template <class Mesh>
 void check_chains(const Mesh& mesh, std::span<const HandleChain> chains) {
   const auto refuse = [](std::size_t chain, std::size_t place, const char* why) {

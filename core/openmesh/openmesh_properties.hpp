@@ -54,9 +54,9 @@ auto filled(Mesh& mesh, const OpenMeshIds& ids, std::size_t handles, const std::
 
 }  // namespace detail
 
-/// Makes, or fills, the vertex property of that name: `values` has one for each vertex of the
-/// opened mesh. Deleted vertices get T(). Throws Error(kBadUsage) for another number of values, and
-/// if a property of that name has another type; the mesh is then as it was.
+/// O(vertices). Makes, or fills, the vertex property of that name: `values` has one for each vertex
+/// of the opened mesh. Deleted vertices get T(). Throws Error(kBadUsage) for another number of
+/// values, and if a property of that name has another type; the mesh is then as it was.
 template <class T, OpenMeshKernel Mesh, class Value>
 OpenMesh::VProp<T> vertex_property(Mesh& mesh, const OpenMeshIds& ids, const std::string& name,
                                    const std::vector<Value>& values,

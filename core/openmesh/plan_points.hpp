@@ -28,6 +28,7 @@ struct EdgePoint {
 };
 
 /// Turns a plan's numbers into handles, of elements to come too, and says so where they are none.
+/// O(n log n) for n new vertices, O(log n) for an edge.
 template <class Mesh, class Numbers>
 class PlanPoints {
  public:

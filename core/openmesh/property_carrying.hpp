@@ -13,7 +13,8 @@
 namespace talweg {
 
 /// Writes to new elements first, which may fail, and to old ones last, which cannot: where a
-/// halfedge gets a new head, the values at its corner change.
+/// halfedge gets a new head, the values at its corner change. O(changed elements) for each
+/// property.
 template <class Mesh>
 class PropertyCarrier {
  public:

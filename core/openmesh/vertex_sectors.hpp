@@ -28,6 +28,7 @@ struct VertexSector {
 };
 
 /// The sectors of a vertex; the one with the least face comes first. `is_seam` of an edge.
+/// O(degree), log of its sectors.
 template <class Mesh, class IsSeam>
 std::vector<VertexSector> sectors_of(const Mesh& mesh, OpenMesh::VertexHandle v,
                                      const IsSeam& is_seam) {

@@ -24,7 +24,9 @@ using FairChains = std::vector<std::optional<SampleChain>>;
 
 /// Holds a drawing in its valleys and runs one step of the method at a time, for one tau. Refers to
 /// the objects it is made from; the distance is set to the curves of the valleys. All functions
-/// throw Cancelled.
+/// throw Cancelled. Each costs what it runs, a Straightening or a CurveFairing. Worse: a group that
+/// starts from the straightened curves copies those of all groups, so that groups cost their number
+/// times all points.
 class CorridorHold {
  public:
   CorridorHold(EmbeddedDrawing& drawing, PolylineDistance& distance,

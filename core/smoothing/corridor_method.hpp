@@ -16,6 +16,8 @@
 namespace talweg {
 
 /// Refers to the memory, whose distance it uses, and to the drawing. All functions throw Cancelled.
+/// A smoothing costs a straightening at one tau and the fairings of FairLadder and FairFinishing;
+/// loops that may collapse have up to eight such smoothings before.
 class CorridorMethod {
  public:
   CorridorMethod(SmoothingMemory& memory, EmbeddedDrawing& drawing)

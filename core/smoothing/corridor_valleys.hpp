@@ -14,14 +14,15 @@
 namespace talweg {
 
 /// The valleys that follow from the drawing: default_slack(), narrowed where needed to keep each
-/// curve apart from the others. Throws Cancelled (stage "solve").
+/// curve apart from the others. Throws Cancelled (stage "solve"). O(n log n) for n points, and what
+/// gaps_to_others() costs.
 std::vector<Corridor::Valley> valleys_of(const SurfaceMesh& mesh, const OrderedDrawing& drawing,
                                          const Progress& progress);
 
 /// Narrows the valleys of loops that collapse within their own corridor because they are thin, or
 /// small compared with their slack. Whether a loop collapses is found out by a trial run of
 /// `smooth` in these valleys at tau = 1/4, the smallest tau at which it must not collapse. Where no
-/// slack holds a loop, its valley is made steeper too.
+/// slack holds a loop, its valley is made steeper too. Cost: up to eight runs of `smooth`.
 void hold_loops(std::vector<Corridor::Valley>& valleys, const SurfaceMesh& mesh,
                 const OrderedDrawing& drawing,
                 const std::function<Smoothed(const SmoothingOptions&)>& smooth);

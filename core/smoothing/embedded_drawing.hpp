@@ -24,6 +24,7 @@ std::vector<SurfaceCurve> capped_curves(const Surface& surface,
                                         const CurveOptions& options);
 
 /// The part that all smoothing methods share. Refers to the memory and the drawing it is made from.
+/// Costs legs_of() for each curve, and what Straightening needs to embed the curves and to run.
 class EmbeddedDrawing {
  public:
   struct Ground {

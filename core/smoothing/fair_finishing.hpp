@@ -20,7 +20,9 @@ namespace talweg {
 /// curves start from the drawing, in a narrower band; if nothing helps those
 /// stretches of them that fail stay straightened (fair_mending.hpp), or all of them, with a
 /// warning. Curves that are not faired stay too. Joined curves that fail are faired each for
-/// itself. Refers to the objects it is made from.
+/// itself. Refers to the objects it is made from. Cost: up to four tries of a CurveFairing for each
+/// group, and FairMending; one bad place anywhere makes the whole group try again. Worse: a group
+/// that is mended copies all curves and looks for their crossings in every round.
 class FairFinishing {
  public:
   FairFinishing(CorridorHold& hold, const SmoothingOptions& options, const Progress& progress)

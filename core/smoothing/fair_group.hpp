@@ -21,19 +21,20 @@ struct FairGroup {
   std::vector<SurfacePoint> junctions;  ///< where they meet
   double edge = 0;                      ///< mean edge near them, mesh units
 
-  /// Per stretch of a chain between fixed samples, to which of the curves it belongs.
+  /// Per stretch of a chain between fixed samples, to which of the curves it belongs. O(fixed
+  /// samples · junctions).
   [[nodiscard]] std::vector<std::size_t> parts_of_stretches(const SampleChain& chain) const;
 };
 
 /// For each of the curves of a group.
 using Taus = std::vector<double>;
 
-/// The group of these curves of the drawing.
+/// The group of these curves of the drawing. O(points).
 FairGroup fair_group(const EmbeddedDrawing& drawing, JoinedCurves curves);
 Taus taus_of(const FairGroup& group, const SmoothingOptions& options);
 bool has_legs(const EmbeddedDrawing& drawing, const FairGroup& group);
 /// Where the straightened curve of a group has its legs; none where it does not pass their ends in
-/// their order.
+/// their order. O(points).
 std::optional<LegStart> leg_start(const EmbeddedDrawing& drawing, const FairGroup& group,
                                   const SurfaceCurve& taut, double relative);
 

@@ -11,6 +11,7 @@
 namespace talweg {
 
 /// The bending of a curve (CurveMeasures::bending with this `edge`) without its turns at corners.
+/// All functions here are O(points · degree + corners).
 double bending_between(const Surface& surface, const SurfaceCurve& curve,
                        std::span<const SurfacePoint> corners, double edge);
 

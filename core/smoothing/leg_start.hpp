@@ -12,7 +12,8 @@
 namespace talweg {
 
 /// The legs of a curve and the strokes of another, which pass the same fixed points; the latter
-/// curve where they do not.
+/// curve where they do not. All functions here are O(points); worse: for a loop as often as it
+/// passes its first fixed point without the others in order.
 SurfaceCurve with_legs(const DrawnLegs& legs, const SurfaceCurve& strokes,
                        const SurfaceCurve& straight);
 

@@ -9,7 +9,7 @@
 namespace talweg {
 
 /// Equation 7 of the paper for a potential of any number of components: √(|p−q|² + |Φp−Φq|²).
-/// Whatever Φ, the lengths of a triangle's sides satisfy the triangle inequality.
+/// Whatever Φ, the lengths of a triangle's sides satisfy the triangle inequality. O(components).
 inline double lifted_length(double length, std::span<const double> at_p,
                             std::span<const double> at_q) {
   double squared = length * length;

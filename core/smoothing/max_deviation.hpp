@@ -17,7 +17,7 @@ namespace talweg {
 /// for the smallest tau with that slack instead. The search works on the curves in their canonical
 /// order, so a drawing that is reversed, begun elsewhere or listed in another order has the same
 /// result. Every tau of the options and `options.deviation` are ignored. Takes up to 60 runs of
-/// smooth().
+/// smooth(); each point that is pinned is compared with all pins.
 ///
 /// The report has the tau and slack that were found, `max_deviation`, and how many points were
 /// pinned. If no curve within the bound was found, the best one is returned, its `termination` is

@@ -26,7 +26,7 @@ struct PotentialOptions {
   void validate() const;
 };
 
-/// φ as a function of the distance.
+/// φ as a function of the distance. O(1).
 class Potential {
  public:
   /// tau in [0, infinity), characteristic_length L > 0 in mesh units.

@@ -63,6 +63,7 @@ inline CurveOptions options_there(const CurveOptions& options, const PointCopies
 }
 
 /// Whether a result might go on beyond a part of the surface that was cut off at these vertices.
+/// O(points).
 bool may_leave(const std::vector<bool>& at_cut, const Surface& part, const Smoothed& result);
 
 /// Which kinds of sheet are allowed, and what is known of the mesh.
@@ -75,7 +76,9 @@ struct SheetSetup {
 };
 /// Divides faces where the drawing is finer than they are, unrolls curves that cross themselves or
 /// each other, and takes the mesh as it is otherwise. Refers to the memory and the drawing. Throws
-/// as embed_curves() does, and Cancelled.
+/// as embed_curves() does, and Cancelled. Cost: that of embedding the curves and of
+/// path_contacts(); of dividing or unrolling where it is needed, after which they are embedded
+/// again.
 std::unique_ptr<Sheet> sheet_for(SmoothingMemory& memory, const OrderedDrawing& drawing,
                                  const CurveOptions& options, SheetSetup setup,
                                  const Progress& progress);

@@ -11,7 +11,7 @@ namespace talweg {
 
 /// Samples a field on the mesh vertices, linear in each face, at the drawing's points, for
 /// SmoothingOptions::slack_at. Throws Error(kBadUsage) when there is not one value per vertex, or a
-/// value that is used is not finite and >= 0.
+/// value that is used is not finite and >= 0. O(points).
 std::vector<double> slack_along(const Surface& surface, const SurfaceCurve& drawn,
                                 std::span<const double> per_vertex);
 

@@ -16,7 +16,9 @@ namespace talweg {
 
 /// Each curve is smoothed separately. The corridor's distance is to the curve's own part on its
 /// strip; the paper's distance is that on the mesh. In the corridor an open curve that ends where
-/// it begins is smoothed as a loop that is pinned there, so that it closes without a kink.
+/// it begins is smoothed as a loop that is pinned there, so that it closes without a kink. Cost:
+/// that of WholeSheet on strips that reach twice as far each time, up to where the result does not
+/// leave them. Worse: pins that are lost are compared with all points of the results.
 class UnrolledSheet final : public Sheet {
  public:
   /// Takes a drawing that is embedded in the memory's triangulation out of it. `alone`: per curve

@@ -12,6 +12,9 @@
 
 namespace talweg {
 
+/// The drawing smoothed on the mesh itself. Cost: that of its method, and of measuring the
+/// deviation, which has a budget that grows with the points unless the caller says how it is
+/// measured.
 class WholeSheet final : public Sheet {
  public:
   /// Embeds the drawing; solve() or set_distance() must be called next.

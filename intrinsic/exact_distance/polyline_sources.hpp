@@ -21,11 +21,12 @@ EdgeWindow window_of_point(const PolylinePiece& point, const SideFrame& frame, s
 std::optional<EdgeWindow> window_of_segment(const PolylinePiece& segment, const SideFrame& frame,
                                             std::size_t k);
 
-/// Sends all windows of the curves, and starts from those of their points that are vertices.
+/// Sends all windows of the curves, and starts from those of their points that are vertices. Up to
+/// three windows for each piece, and what inserting them costs (window_front.hpp).
 void send_pieces(const Surface& surface, const PolylinePieces& pieces, WindowFront& front);
 
 /// A good step for the front: an eighth of the mean side of the curves' faces. It affects only the
-/// amount of superfluous work, not the result.
+/// amount of superfluous work, not the result. O(pieces).
 double step_width(const Surface& surface, const PolylinePieces& pieces);
 
 }  // namespace talweg

@@ -40,6 +40,7 @@ struct WaysIntoFace {
     const LedIn* window = nullptr;
     const PolylinePiece* segment = nullptr;  ///< if both are null: from the corner of that side
   };
+  /// At most O(windows + segments of the face).
   [[nodiscard]] Hit hit(const Barycentric& b) const;
 
   /// How the answer at b changes along a direction, one of the plane of frames[0].
