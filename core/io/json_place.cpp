@@ -9,14 +9,32 @@ namespace talweg::formats {
 
 using nlohmann::json;
 
-json parsed_json(const Source& source) {
+namespace {
+
+/// Not by the parser's callback, with which it looks at all elements of an array after each.
+void check_depth(const Source& source) {
   constexpr int kDeepest = 64;
-  const auto check_depth = [&](int depth, json::parse_event_t, json&) {
-    if (depth > kDeepest) cannot_read(source.path, "its JSON nests deeper than 64 levels");
-    return true;
-  };
+  int depth = 0;
+  bool in_string = false;
+  for (std::size_t i = 0; i < source.bytes.size(); ++i) {
+    const char c = source.bytes[i];
+    if (c == '"') in_string = !in_string;
+    if (in_string) {
+      if (c == '\\') ++i;
+    } else if (c == '[' || c == '{') {
+      if (++depth > kDeepest) cannot_read(source.path, "its JSON nests deeper than 64 levels");
+    } else if (c == ']' || c == '}') {
+      --depth;
+    }
+  }
+}
+
+}  // namespace
+
+json parsed_json(const Source& source) {
+  check_depth(source);
   try {
-    return json::parse(source.bytes, check_depth);
+    return json::parse(source.bytes);
   } catch (const json::parse_error& error) {
     const std::size_t at = error.byte > 0 ? error.byte - 1 : 0;
     const std::size_t line = line_of(source.bytes, at);
