@@ -73,9 +73,9 @@ class FlatFaces {
     return shared == 0 || (shared == 1 && boundary == 2);
   }
 
-  /// An edge has one face less, so its flat faces may now be droppable.
+  /// An edge has one face less. Where one is left, that may now be droppable.
   void leave(std::uint32_t edge) {
-    --edges_[edge].faces;
+    if (--edges_[edge].faces != 1) return;
     for (const FaceSide& s : edges_[edge].sides) {
       if (kept_[s.face()] && flat_[s.face()]) waiting_.push_back(s.face());
     }

@@ -60,5 +60,23 @@ TEST(Growth, RepairAndInspectionOfACrowd) {
   });
 }
 
+/// n faces without area at one edge, and a face that has some.
+MeshLists flat_fan(std::size_t n) {
+  MeshLists lists;
+  lists.points = {Point(0, 0, 0), Point(1, 0, 0), Point(0, 1, 0)};
+  lists.triangles.push_back({0, 1, 2});
+  for (std::size_t i = 0; i < n; ++i) {
+    const auto at = static_cast<std::uint32_t>(lists.points.size());
+    lists.points.emplace_back(static_cast<double>(i + 1) / static_cast<double>(n + 1), 0, 0);
+    lists.triangles.push_back({1, 0, at});
+  }
+  return lists;
+}
+
+TEST(Growth, FlatFacesAtOneEdge) {
+  expect_growth("repair, flat faces at an edge", 1.2, {500, 4000, 32000},
+                [](std::size_t n) { return [lists = flat_fan(n)] { (void)repair(lists); }; });
+}
+
 }  // namespace
 }  // namespace talweg::test
