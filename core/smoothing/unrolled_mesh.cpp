@@ -355,8 +355,8 @@ void Strip::grow(double reach) {
   // Around handles and holes a covering grows without end, and a face of a strip takes up to 2 KB
   // in the end, hence the limits; nearer faces come first.
   constexpr std::size_t kMost = 1'000'000;
-  const std::size_t most = std::min(2 * surface_.face_count() + 32 * faces_.size(),
-                                    std::max(kMost, 2 * faces_.size()));
+  const std::size_t most =
+      std::min(2 * surface_.face_count() + 32 * faces_.size(), std::max(kMost, 2 * faces_.size()));
   distance_.assign(3 * faces_.size(), 0.0);
   using Item = std::pair<double, Index>;
   std::priority_queue<Item, std::vector<Item>, std::greater<>> queue;
