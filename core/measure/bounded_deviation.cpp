@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "talweg/core/measure/coarse_distance.hpp"
-#include "talweg/core/space/nearest_segment.hpp"
+#include "talweg/core/measure/segments_in_space.hpp"
 
 namespace talweg {
 namespace {
@@ -39,7 +39,7 @@ std::vector<CurveSegment> points_of(const Surface& surface, std::span<const Surf
 class Bounds {
  public:
   Bounds(const SurfaceMesh& mesh, std::span<const SurfaceCurve> others)
-      : mesh_(&mesh), coarse_(mesh.surface(), others), space_(segments_in_space(mesh, others)) {}
+      : mesh_(&mesh), coarse_(mesh.surface(), others), space_(mesh, others) {}
 
   void add(const CurveSegment& segment, const KnownSegment& known) {
     const CoarseDistance::OnSegment rough = coarse_.on(segment);
@@ -52,7 +52,7 @@ class Bounds {
       mean = std::min(mean, (first.mean + second.mean) / 2);
     }
     const SurfacePoint middle = segment.point(mesh_->surface(), 0.5);
-    least_ = std::max(least_, space_.to(mesh_->position(middle)).distance);
+    least_ = std::max(least_, space_.tree().to(mesh_->position(middle)).distance);
     if (!at_ || most > most_) {
       most_ = most;
       at_ = middle;
@@ -71,19 +71,9 @@ class Bounds {
   }
 
  private:
-  static std::vector<Segment> segments_in_space(const SurfaceMesh& mesh,
-                                                std::span<const SurfaceCurve> curves) {
-    std::vector<Segment> segments;
-    for (const SurfaceCurve& curve : curves) {
-      const auto own = segments_of(positions_of(mesh, curve), curve.closed);
-      segments.insert(segments.end(), own.begin(), own.end());
-    }
-    return segments;
-  }
-
   const SurfaceMesh* mesh_;
   CoarseDistance coarse_;
-  NearestSegment space_;
+  SegmentsInSpace space_;
   double most_ = 0, least_ = 0;
   double length_ = 0, integral_ = 0;
   std::optional<SurfacePoint> at_;

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -14,8 +13,8 @@
 #include <Eigen/Geometry>
 
 #include "talweg/core/measure/curve_segments.hpp"
+#include "talweg/core/measure/segments_in_space.hpp"
 #include "talweg/core/mesh/surface_mesh.hpp"
-#include "talweg/core/space/nearest_segment.hpp"
 #include "talweg/intrinsic/exact_distance/polyline_distance.hpp"
 
 namespace talweg {
@@ -25,18 +24,11 @@ namespace talweg {
 /// once.
 class NearParts {
  public:
-  NearParts(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves) : curves_(curves) {
-    std::vector<Segment> segments;
-    for (const SurfaceCurve& curve : curves) {
-      const auto own = segments_of(positions_of(mesh, curve), curve.closed);
-      first_.push_back(static_cast<std::uint32_t>(segments.size()));
-      segments.insert(segments.end(), own.begin(), own.end());
-    }
-    tree_.emplace(std::move(segments));
-  }
+  NearParts(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves)
+      : segments_(mesh, curves) {}
 
   /// Distance through space.
-  [[nodiscard]] double distance(const Point& p) const { return tree_->to(p).distance; }
+  [[nodiscard]] double distance(const Point& p) const { return segments_.tree().to(p).distance; }
 
   /// The segments whose boxes meet one of these boxes, as curves. O(log n) for a box, and what it
   /// meets.
@@ -44,27 +36,16 @@ class NearParts {
       std::span<const Eigen::AlignedBox3d> boxes) const {
     std::vector<std::uint32_t> near;
     for (const Eigen::AlignedBox3d& box : boxes) {
-      if (box.isEmpty()) continue;
-      tree_->visit_near({box.min(), box.max()}, [&](std::uint32_t i) { near.push_back(i); });
+      segments_.tree().visit_near({box.min(), box.max()},
+                                  [&](std::uint32_t i) { near.push_back(i); });
     }
     std::sort(near.begin(), near.end());
     near.erase(std::unique(near.begin(), near.end()), near.end());
-    std::vector<SurfaceCurve> parts;
-    for (std::size_t k = 0; k < near.size(); ++k) {
-      const auto next = std::upper_bound(first_.begin(), first_.end(), near[k]);
-      const auto& points = curves_[static_cast<std::size_t>(next - first_.begin() - 1)].points;
-      const std::uint32_t first = *(next - 1), i = near[k] - first;
-      const bool joined = k > 0 && i > 0 && near[k - 1] + 1 == near[k];
-      if (!joined) parts.push_back({false, {points[i]}});
-      if (points.size() > 1) parts.back().points.push_back(points[(i + 1) % points.size()]);
-    }
-    return parts;
+    return segments_.as_curves(near);
   }
 
  private:
-  std::span<const SurfaceCurve> curves_;
-  std::vector<std::uint32_t> first_;  // of each curve its first segment
-  std::optional<NearestSegment> tree_;
+  SegmentsInSpace segments_;
 };
 
 /// Sets a distance to the parts of the curves that can be nearest to some segments.

@@ -1,14 +1,13 @@
 #include "talweg/core/smoothing/curve_gaps.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <utility>
 
-#include "talweg/core/space/nearest_segment.hpp"
+#include "talweg/core/measure/segments_in_space.hpp"
 #include "talweg/intrinsic/exact_distance/polyline_distance.hpp"
 #include "talweg/intrinsic/surface/point_lookup.hpp"
 
@@ -54,77 +53,18 @@ bool have_common(const Numbers& a, const Numbers& b) {
   return false;
 }
 
-/// The segments of all curves of a set, in a tree.
-class SegmentsOfSet {
- public:
-  SegmentsOfSet(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves) : curves_(curves) {
-    for (std::uint32_t c = 0; c < curves.size(); ++c) {
-      first_.push_back(static_cast<std::uint32_t>(owner_.size()));
-      positions_.push_back(positions_of(mesh, curves[c]));
-      for (const Segment& s : talweg::segments_of(positions_.back(), curves[c].closed)) {
-        boxes_.push_back(SpaceBox{s.a, s.a}.with({s.b, s.b}));
-        segments_.push_back(s);
-        owner_.push_back(c);
-      }
-    }
-    first_.push_back(static_cast<std::uint32_t>(owner_.size()));
-    tree_.emplace(boxes_.size(), box_of());
-  }
+SpaceBox box_of(const Segment& s) { return SpaceBox{s.a, s.a}.with({s.b, s.b}); }
 
-  /// Calls visit(segment) with those whose boxes are nearer than `reach` to that of this one.
-  template <class Visit>
-  void visit_near(std::uint32_t segment, double reach, const Visit& visit) const {
-    const Point margin = Point::Constant(reach);
-    tree_->visit(SpaceBox{boxes_[segment].low - margin, boxes_[segment].high + margin}, box_of(),
-                 visit);
-  }
-  [[nodiscard]] std::uint32_t first(std::uint32_t curve) const { return first_[curve]; }
-  [[nodiscard]] std::uint32_t owner(std::uint32_t segment) const { return owner_[segment]; }
-  [[nodiscard]] double box_distance(std::uint32_t s, std::uint32_t t) const {
-    const SpaceBox &a = boxes_[s], &b = boxes_[t];
-    return (a.low - b.high).cwiseMax(b.low - a.high).cwiseMax(0.0).norm();
-  }
-  [[nodiscard]] std::array<std::uint32_t, 2> ends(std::uint32_t segment) const {
-    const std::uint32_t c = owner_[segment], i = segment - first_[c];
-    return {i, (i + 1) % static_cast<std::uint32_t>(positions_[c].size())};
-  }
-  [[nodiscard]] double distance(std::uint32_t segment, std::uint32_t curve,
-                                std::uint32_t point) const {
-    return distance_to(segments_[segment], positions_[curve][point]);
-  }
-  [[nodiscard]] const SurfacePoint& point(std::uint32_t curve, std::uint32_t i) const {
-    return curves_[curve].points[i];
-  }
-  /// Ascending segments of a curve, those that follow each other joined.
-  [[nodiscard]] std::vector<SurfaceCurve> as_curves(const Numbers& segments) const {
-    std::vector<SurfaceCurve> parts;
-    for (std::size_t k = 0; k < segments.size(); ++k) {
-      const std::uint32_t c = owner_[segments[k]];
-      const auto [from, to] = ends(segments[k]);
-      if (k == 0 || segments[k] != segments[k - 1] + 1) parts.push_back({false, {point(c, from)}});
-      if (from != to) parts.back().points.push_back(point(c, to));
-    }
-    return parts;
-  }
-
- private:
-  [[nodiscard]] BoxTree::BoxOf box_of() const {
-    return [this](std::uint32_t i) { return boxes_[i]; };
-  }
-
-  std::span<const SurfaceCurve> curves_;
-  std::vector<std::vector<Point>> positions_;
-  std::vector<Segment> segments_;
-  std::vector<SpaceBox> boxes_;
-  Numbers owner_, first_;
-  std::optional<BoxTree> tree_;
-};
+double distance_between(const SpaceBox& a, const SpaceBox& b) {
+  return (a.low - b.high).cwiseMax(b.low - a.high).cwiseMax(0.0).norm();
+}
 
 class GapSearch {
  public:
   GapSearch(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves, double limit,
             Asker& asker)
       : mesh_(&mesh),
+        curves_(curves),
         set_(mesh, curves),
         common_(common_points(curves)),
         limit_(limit),
@@ -176,7 +116,8 @@ class GapSearch {
     for (std::size_t i = 0, end = 0; i < near_.size(); i = end) {
       double at_least = HUGE_VAL;
       for (; end < near_.size() && near_[end].other == near_[i].other; ++end) {
-        const double apart = set_.box_distance(near_[end].own_segment, near_[end].other_segment);
+        const double apart = distance_between(box_of(set_.segment(near_[end].own_segment)),
+                                              box_of(set_.segment(near_[end].other_segment)));
         at_least = std::min(at_least, apart);
       }
       if (have_common(common_[curve], common_[near_[i].other])) continue;
@@ -192,9 +133,12 @@ class GapSearch {
     near_.clear();
     for (std::uint32_t s = set_.first(curve); s < set_.first(curve + 1); ++s) {
       asker_->did(kOfSegment);
-      set_.visit_near(s, reach, [&](std::uint32_t t) {
+      const SpaceBox box = box_of(set_.segment(s));
+      const Point margin = Point::Constant(reach);
+      set_.tree().visit_near({box.low - margin, box.high + margin}, [&](std::uint32_t t) {
         asker_->did(1);
-        if (set_.owner(t) != curve) near_.push_back({set_.owner(t), s, t});
+        const std::uint32_t other = set_.curve_of(t);
+        if (other != curve) near_.push_back({other, s, t});
       });
     }
     std::stable_sort(near_.begin(), near_.end(),
@@ -226,7 +170,8 @@ class GapSearch {
   void add_ends(std::uint32_t segment, std::uint32_t to, std::uint32_t curve,
                 std::vector<NearPoint>& points) const {
     for (const std::uint32_t end : set_.ends(segment)) {
-      points.push_back({set_.distance(to, curve, end), end});
+      const Point at = mesh_->position(curves_[curve].points[end]);
+      points.push_back({distance_to(set_.segment(to), at), end});
     }
   }
 
@@ -250,13 +195,15 @@ class GapSearch {
       if (p.point >= seen.size()) seen.resize(p.point + 1, false);
       if (seen[p.point]) continue;
       seen[p.point] = true;
-      least = std::min(least, distance_->below(std::min(most, least), set_.point(curve, p.point)));
+      least =
+          std::min(least, distance_->below(std::min(most, least), curves_[curve].points[p.point]));
     }
     return least;
   }
 
   const SurfaceMesh* mesh_;
-  SegmentsOfSet set_;
+  std::span<const SurfaceCurve> curves_;
+  SegmentsInSpace set_;
   std::vector<Numbers> common_;
   double limit_;
   Asker* asker_;
@@ -270,6 +217,7 @@ class GapSearch {
 std::vector<double> gaps_to_others(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves,
                                    double limit, const Progress& progress) {
   Asker asker(progress, "solve");
+  if (curves.size() < 2) return std::vector<double>(curves.size(), HUGE_VAL);
   return GapSearch(mesh, curves, limit, asker).gaps();
 }
 

@@ -376,6 +376,17 @@ void expect_cut_up(const FaceTriangulation& face, const std::vector<std::size_t>
   }
 }
 
+std::vector<std::size_t> connect_some(FaceTriangulation& face,
+                                      const std::vector<std::uint32_t>& points, int count,
+                                      std::mt19937_64& random) {
+  std::vector<std::size_t> segments;
+  for (int k = 0; k < count; ++k) {
+    const std::uint32_t a = points[random() % points.size()], b = points[random() % points.size()];
+    if (a != b) segments.push_back(face.connect(a, b));
+  }
+  return segments;
+}
+
 TEST(FaceTriangulation, CutsUpAFaceFullOfCrossingSegments) {
   constexpr std::int64_t kOne = FaceTriangulation::kOne;
   std::mt19937_64 random(5);
@@ -388,12 +399,7 @@ TEST(FaceTriangulation, CutsUpAFaceFullOfCrossingSegments) {
       if (k % 3 == 0) a = 0;
       points.push_back(face.insert({kOne - a - b, a, b}));
     }
-    std::vector<std::size_t> segments;
-    for (int k = 0; k < 10; ++k) {
-      const std::uint32_t a = points[random() % points.size()],
-                          b = points[random() % points.size()];
-      if (a != b) segments.push_back(face.connect(a, b));
-    }
+    const auto segments = connect_some(face, points, 10, random);
     face.improve();
     expect_cut_up(face, segments);
   }
@@ -415,12 +421,7 @@ TEST(FaceTriangulation, CutsUpAFaceFullOfPoints) {
       const auto b = static_cast<std::int64_t>(random() % static_cast<std::uint64_t>(rows)) * step;
       points.push_back(face.insert({kOne - a - b, a, b}));
     }
-    std::vector<std::size_t> segments;
-    for (int k = 0; k < 20; ++k) {
-      const std::uint32_t a = points[random() % points.size()],
-                          b = points[random() % points.size()];
-      if (a != b) segments.push_back(face.connect(a, b));
-    }
+    const auto segments = connect_some(face, points, 20, random);
     expect_cut_up(face, segments);
     face.improve();
     expect_cut_up(face, segments);
