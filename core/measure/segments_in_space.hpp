@@ -25,8 +25,6 @@ class SegmentsInSpace {
   [[nodiscard]] const Segment& segment(std::uint32_t number) const {
     return tree_.segments()[number];
   }
-  /// The number of a curve's first segment; for the number of curves, that of all segments.
-  [[nodiscard]] std::uint32_t first(std::size_t curve) const { return first_[curve]; }
   [[nodiscard]] std::uint32_t curve_of(std::uint32_t segment) const {
     const auto next = std::upper_bound(first_.begin(), first_.end(), segment);
     return static_cast<std::uint32_t>(next - first_.begin() - 1);
@@ -58,12 +56,11 @@ class SegmentsInSpace {
       const auto own = segments_of(positions_of(mesh, curve), curve.closed);
       segments.insert(segments.end(), own.begin(), own.end());
     }
-    first.push_back(static_cast<std::uint32_t>(segments.size()));
     return segments;
   }
 
   std::span<const SurfaceCurve> curves_;
-  std::vector<std::uint32_t> first_;  // per curve, and the number of all segments
+  std::vector<std::uint32_t> first_;  // per curve
   NearestSegment tree_;
 };
 

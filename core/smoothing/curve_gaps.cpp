@@ -4,8 +4,11 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <optional>
+#include <unordered_set>
 #include <utility>
+#include <vector>
 
 #include "talweg/core/measure/segments_in_space.hpp"
 #include "talweg/intrinsic/exact_distance/polyline_distance.hpp"
@@ -53,10 +56,9 @@ bool have_common(const Numbers& a, const Numbers& b) {
   return false;
 }
 
-SpaceBox box_of(const Segment& s) { return SpaceBox{s.a, s.a}.with({s.b, s.b}); }
-
-double distance_between(const SpaceBox& a, const SpaceBox& b) {
-  return (a.low - b.high).cwiseMax(b.low - a.high).cwiseMax(0.0).norm();
+SpaceBox widened(const SpaceBox& box, double reach) {
+  const Point margin = Point::Constant(reach);
+  return {box.low - margin, box.high + margin};
 }
 
 class GapSearch {
@@ -65,11 +67,16 @@ class GapSearch {
             Asker& asker)
       : mesh_(&mesh),
         curves_(curves),
-        set_(mesh, curves),
         common_(common_points(curves)),
         limit_(limit),
         asker_(&asker),
-        gaps_(curves.size(), HUGE_VAL) {}
+        gaps_(curves.size(), HUGE_VAL) {
+    for (const SurfaceCurve& curve : curves) {
+      boxes_.push_back(SpaceBox::around(positions_of(mesh, curve)));
+      segments_.emplace_back(mesh, std::span(&curve, 1));
+    }
+    tree_.emplace(boxes_.size(), [&](std::uint32_t i) { return boxes_[i]; });
+  }
 
   /// Around each curve as far as its gap, which is not known: twice as far each time.
   std::vector<double> gaps() {
@@ -87,128 +94,112 @@ class GapSearch {
   }
 
  private:
-  /// Segments of two curves whose boxes are near each other.
-  struct Near {
-    std::uint32_t other, own_segment, other_segment;
-  };
-
-  struct Other {
-    double at_least;  ///< how far their boxes are apart
-    std::span<const Near> near;
-  };
-
   void look_around(std::uint32_t curve, double radius) {
-    for (const Other& other : others_near(curve, std::min(radius, gaps_[curve]))) {
-      const double most = std::min(radius, gaps_[curve]);
-      if (other.at_least >= most) break;
-      const double apart = gap(curve, other.near, most);
-      if (!(apart < most) || apart <= 1e-9 * limit_) continue;
-      gaps_[curve] = apart;
-      double& gap_of_other = gaps_[other.near.front().other];
-      gap_of_other = std::min(gap_of_other, apart);
+    std::vector<std::pair<double, std::uint32_t>> others;  // how far their boxes are apart
+    const auto box_of = [&](std::uint32_t i) { return boxes_[i]; };
+    tree_->visit(widened(boxes_[curve], radius), box_of, [&](std::uint32_t other) {
+      asker_->did(1);
+      if (other != curve) others.emplace_back(distance_between(curve, other), other);
+    });
+    std::sort(others.begin(), others.end());
+    for (const auto& [at_least, other] : others) {
+      if (at_least < std::max(gaps_[curve], gaps_[other])) measure(curve, other);
     }
   }
 
-  /// Those that do not touch the curve, the nearest first. Refers to near_.
-  std::vector<Other> others_near(std::uint32_t curve, double reach) {
-    set_near(curve, reach);
-    std::vector<Other> others;
-    for (std::size_t i = 0, end = 0; i < near_.size(); i = end) {
-      double at_least = HUGE_VAL;
-      for (; end < near_.size() && near_[end].other == near_[i].other; ++end) {
-        const double apart = distance_between(box_of(set_.segment(near_[end].own_segment)),
-                                              box_of(set_.segment(near_[end].other_segment)));
-        at_least = std::min(at_least, apart);
-      }
-      if (have_common(common_[curve], common_[near_[i].other])) continue;
-      others.push_back({at_least, std::span(near_).subspan(i, end - i)});
-    }
-    std::stable_sort(others.begin(), others.end(),
-                     [](const Other& a, const Other& b) { return a.at_least < b.at_least; });
-    return others;
+  [[nodiscard]] double distance_between(std::uint32_t a, std::uint32_t b) const {
+    const SpaceBox &p = boxes_[a], &q = boxes_[b];
+    return (p.low - q.high).cwiseMax(q.low - p.high).cwiseMax(0.0).norm();
   }
 
-  void set_near(std::uint32_t curve, double reach) {
-    constexpr std::size_t kOfSegment = 16;  // units of work
-    near_.clear();
-    for (std::uint32_t s = set_.first(curve); s < set_.first(curve + 1); ++s) {
-      asker_->did(kOfSegment);
-      const SpaceBox box = box_of(set_.segment(s));
-      const Point margin = Point::Constant(reach);
-      set_.tree().visit_near({box.low - margin, box.high + margin}, [&](std::uint32_t t) {
-        asker_->did(1);
-        const std::uint32_t other = set_.curve_of(t);
-        if (other != curve) near_.push_back({other, s, t});
-      });
-    }
-    std::stable_sort(near_.begin(), near_.end(),
-                     [](const Near& a, const Near& b) { return a.other < b.other; });
-  }
-
-  double gap(std::uint32_t curve, std::span<const Near> near, double most) {
-    Numbers own, others;
-    for (const Near& n : near) {
-      own.push_back(n.own_segment);
-      others.push_back(n.other_segment);
-    }
-    sort_numbers(own);
-    sort_numbers(others);
-    const std::uint32_t other = near.front().other;
-    std::vector<NearPoint> points;
-    for (const Near& n : near) add_ends(n.own_segment, n.other_segment, curve, points);
-    const double there = least_of(points, curve, others, most);
-    points.clear();
-    for (const Near& n : near) add_ends(n.other_segment, n.own_segment, other, points);
-    return std::min(there, least_of(points, other, own, std::min(most, there)));
+  /// Once for a pair.
+  void measure(std::uint32_t a, std::uint32_t b) {
+    if (!measured_.insert(std::uint64_t{std::min(a, b)} << 32U | std::max(a, b)).second) return;
+    if (have_common(common_[a], common_[b])) return;
+    const double most = std::min(limit_, std::max(gaps_[a], gaps_[b]));
+    const double there = least_of(a, b, most);
+    const double apart = std::min(there, least_of(b, a, std::min(most, there)));
+    if (!(apart < most) || apart <= 1e-9 * limit_) return;
+    gaps_[a] = std::min(gaps_[a], apart);
+    gaps_[b] = std::min(gaps_[b], apart);
   }
 
   struct NearPoint {
     double through_space;
     std::uint32_t point;
+    auto operator<=>(const NearPoint&) const = default;
   };
 
-  void add_ends(std::uint32_t segment, std::uint32_t to, std::uint32_t curve,
-                std::vector<NearPoint>& points) const {
-    for (const std::uint32_t end : set_.ends(segment)) {
-      const Point at = mesh_->position(curves_[curve].points[end]);
-      points.push_back({distance_to(set_.segment(to), at), end});
-    }
-  }
-
-  /// From points of a curve to segments of another, if it is below `most`. The points that are
+  /// From the points of a curve to another curve, if it is below `most`. The points that are
   /// nearest in space come first, so the distance is needed only up to the smallest found so far.
-  double least_of(std::vector<NearPoint>& points, std::uint32_t curve, const Numbers& segments,
-                  double most) {
-    std::erase_if(points, [&](const NearPoint& p) { return !(p.through_space < most); });
+  double least_of(std::uint32_t from, std::uint32_t to, double most) {
+    const std::vector<NearPoint> points = points_near(from, to, most);
     if (points.empty()) return HUGE_VAL;
-    std::sort(points.begin(), points.end(), [](const NearPoint& a, const NearPoint& b) {
-      return a.through_space != b.through_space ? a.through_space < b.through_space
-                                                : a.point < b.point;
-    });
     if (!distance_) distance_.emplace(mesh_->surface());
     const AskedDuring asked(*distance_, *asker_);
-    distance_->set(set_.as_curves(segments));
+    distance_->set(segments_[to].as_curves(segments_near(to, from, most)));
     double least = HUGE_VAL;
-    std::vector<bool> seen;
     for (const NearPoint& p : points) {
       if (p.through_space >= least) break;
-      if (p.point >= seen.size()) seen.resize(p.point + 1, false);
-      if (seen[p.point]) continue;
-      seen[p.point] = true;
       least =
-          std::min(least, distance_->below(std::min(most, least), curves_[curve].points[p.point]));
+          std::min(least, distance_->below(std::min(most, least), curves_[from].points[p.point]));
     }
     return least;
   }
 
+  /// The points of a curve that are nearer than `most` to another, the nearest first.
+  [[nodiscard]] std::vector<NearPoint> points_near(std::uint32_t curve, std::uint32_t other,
+                                                   double most) const {
+    Numbers ends;
+    for (const std::uint32_t segment : segments_beside(curve, other, most)) {
+      for (const std::uint32_t end : segments_[curve].ends(segment)) ends.push_back(end);
+    }
+    sort_numbers(ends);
+    std::vector<NearPoint> near;
+    for (const std::uint32_t end : ends) {
+      const double distance = to_curve(other, mesh_->position(curves_[curve].points[end]));
+      if (distance < most) near.push_back({distance, end});
+    }
+    std::sort(near.begin(), near.end());
+    return near;
+  }
+
+  /// The segments of a curve to which a point of the other may be nearer than `most`, ascending.
+  [[nodiscard]] Numbers segments_near(std::uint32_t curve, std::uint32_t other, double most) const {
+    Numbers near = segments_beside(curve, other, most);
+    std::erase_if(near, [&](std::uint32_t i) {
+      const Segment& s = segments_[curve].segment(i);
+      return to_curve(other, s.a) >= most + (s.b - s.a).norm();
+    });
+    return near;
+  }
+
+  /// Those whose boxes are nearer to that of the other curve, ascending.
+  [[nodiscard]] Numbers segments_beside(std::uint32_t curve, std::uint32_t other,
+                                        double most) const {
+    Numbers beside;
+    segments_[curve].tree().visit_near(widened(boxes_[other], most),
+                                       [&](std::uint32_t i) { beside.push_back(i); });
+    std::sort(beside.begin(), beside.end());
+    return beside;
+  }
+
+  [[nodiscard]] double to_curve(std::uint32_t curve, const Point& at) const {
+    constexpr std::size_t kOfPoint = 16;  // units of work
+    asker_->did(kOfPoint);
+    return segments_[curve].tree().to(at).distance;
+  }
+
   const SurfaceMesh* mesh_;
   std::span<const SurfaceCurve> curves_;
-  SegmentsInSpace set_;
   std::vector<Numbers> common_;
   double limit_;
   Asker* asker_;
   std::vector<double> gaps_;
-  std::vector<Near> near_;
+  std::unordered_set<std::uint64_t> measured_;  // pairs
+  std::vector<SpaceBox> boxes_;                 // per curve
+  std::deque<SegmentsInSpace> segments_;        // per curve; a deque does not move them
+  std::optional<BoxTree> tree_;                 // of the curves' boxes
   std::optional<PolylineDistance> distance_;
 };
 

@@ -12,10 +12,10 @@ namespace talweg {
 
 /// Per curve the length of the shortest way along the surface to another curve, mesh units;
 /// infinite where that is `limit` or more. Curves that touch (at nodes of a network) do not count
-/// for each other. O(n log n) for n points in all, and for each curve what lies within twice its
-/// gap in space, and the band of that width on the surface between it and those curves; all of this
-/// as far as `limit` where a curve has no gap. Throws Cancelled when `progress` (stage "solve")
-/// says so.
+/// for each other. O(n log n) for n points in all, and what is measured: for each curve those whose
+/// boxes may be within twice its gap, their segments beside its box times log n, and the band
+/// between them on the surface; as far as `limit` where a curve has no gap. Throws Cancelled when
+/// `progress` (stage "solve") says so.
 std::vector<double> gaps_to_others(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves,
                                    double limit, const Progress& progress = {});
 
