@@ -3,11 +3,12 @@ import assert from 'node:assert/strict';
 import { openPage } from './page.mjs';
 import { around, withMesh } from './places.mjs';
 
+/** A curve that was drawn a moment ago, on a mesh that is kept. */
 async function drawn(options) {
   const page = await withMesh(options);
+  await page.page.waitForFunction(() => document.getElementById('kept-told').textContent.includes('kept'));
   for (const at of (await around(page)).slice(0, 3)) await page.click(...at);
   await page.key('Enter');
-  await page.page.waitForFunction(() => document.getElementById('kept-told').textContent.includes('kept'));
   return page;
 }
 
@@ -30,6 +31,18 @@ export async function thisTabKeepsIt() {
   assert.deepEqual(await page.curves(), ['Curve 1 open, 3 points']);
   assert.equal(await page.reported('length'), length);
   assert.deepEqual(await onMachine(page), { local: 0, databases: [] });
+}
+
+/** A browser that leaves a page waits for nothing that is still to come. */
+export async function leavingKeepsAtOnce() {
+  const page = await drawn();
+  const drawings = await page.page.evaluate(() => {
+    sessionStorage.removeItem('talweg.session');
+    Object.defineProperty(document, 'visibilityState', { value: 'hidden' });
+    dispatchEvent(new Event('visibilitychange'));
+    return Object.keys(sessionStorage).filter((key) => key === 'talweg.session');
+  });
+  assert.deepEqual(drawings, ['talweg.session']);
 }
 
 export async function theMachineKeepsItWhenAsked() {

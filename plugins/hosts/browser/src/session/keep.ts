@@ -2,7 +2,7 @@
 // Drawings are small and kept often; a mesh is kept once.
 import { packed, unpacked } from './bytes';
 import * as database from './database';
-import { sessionOf, sessionText, type Session } from './session';
+import { drawingText, sessionOf, type Session } from './session';
 
 const drawingKey = 'talweg.session', meshKey = 'talweg.mesh', askedKey = 'talweg.keep';
 /** What browsers let a tab keep, in characters, less some air. */
@@ -36,20 +36,21 @@ export function keepOnMachine(keep: boolean): Promise<void> {
   });
 }
 
-/** Returns whether the mesh is kept, too; it may be too large for a tab. */
-export function keep(session: Session): Promise<boolean> {
-  return inTurn(() => keepWhole(session));
+/** The tab has the drawing when this returns; whether the mesh is kept, too (a tab may lack the room), is told later. */
+export async function keep(session: Session): Promise<boolean> {
+  const bytes = session.mesh?.bytes ?? new Uint8Array();
+  const drawing = drawingText(session);
+  if (bytes !== keptInTab) sessionStorage.removeItem(meshKey);
+  sessionStorage.setItem(drawingKey, drawing);
+  return inTurn(() => keepWhole(bytes, drawing));
 }
 
-async function keepWhole(session: Session): Promise<boolean> {
-  const bytes = session.mesh?.bytes ?? new Uint8Array();
-  const drawing = await sessionText(withBytes(session, new Uint8Array()));
+async function keepWhole(bytes: Uint8Array, drawing: string): Promise<boolean> {
   if (isKeptOnMachine()) {
     if (bytes !== keptOnMachine) await database.put('mesh', bytes);
     keptOnMachine = bytes;
     await database.put('session', drawing);
   }
-  sessionStorage.setItem(drawingKey, drawing);
   if (bytes !== keptInTab) await keepMeshInTab(bytes);
   keptInTab = bytes;
   return isKeptOnMachine() || sessionStorage.getItem(meshKey) !== null;

@@ -14,9 +14,16 @@ export interface Session {
 const format = 'talweg-session';
 
 export async function sessionText(session: Session): Promise<string> {
-  const { mesh, ...others } = session;
-  const file = mesh ? { ...mesh, bytes: await packed(mesh.bytes) } : null;
-  return JSON.stringify({ format, version: 1, mesh: file, ...others });
+  return textOf(session, session.mesh ? await packed(session.mesh.bytes) : '');
+}
+
+/** The session without the mesh's bytes, at once: a page that is being left does not wait. */
+export function drawingText(session: Session): string {
+  return textOf(session, '');
+}
+
+function textOf({ mesh, ...others }: Session, bytes: string): string {
+  return JSON.stringify({ format, version: 1, mesh: mesh ? { ...mesh, bytes } : null, ...others });
 }
 
 /** Throws Error with a sentence for text that is no session. */
@@ -33,8 +40,12 @@ export async function sessionOf(name: string, text: string): Promise<Session> {
     mesh: { name: string; repaired: boolean; bytes: string } | null;
   };
   try {
-    return { mesh: mesh ? { ...mesh, bytes: await unpacked(mesh.bytes) } : null, drawing, camera, show };
+    return { mesh: mesh ? { ...mesh, bytes: await bytesOf(mesh.bytes) } : null, drawing, camera, show };
   } catch {
     throw new Error(`${name} is damaged: its mesh cannot be unpacked.`);
   }
+}
+
+async function bytesOf(text: string): Promise<Uint8Array> {
+  return text ? unpacked(text) : new Uint8Array();
 }
