@@ -4,7 +4,8 @@ import unittest
 
 import bpy
 import numpy as np
-from talweg_blender import attributes, objects, session
+from talweg_blender import attributes, jobs, objects, session
+from talweg_blender.naming import named
 from talweg_blender.package import talweg
 
 import scene
@@ -260,6 +261,19 @@ class Meshes(Dressed):
         normals = attributes.read(self.obj.data.polygons, "normal", 3)
         self.assertTrue((normals[:, 2] > 0).all() or (normals[:, 2] < 0).all())
 
+    def test_edit_mode(self):
+        """What the mesh has survives there, too."""
+        self.obj.data.polygons[100].flip()
+        self.obj.data.update()
+        bpy.ops.object.mode_set(mode="EDIT")
+        self.assertEqual(bpy.ops.talweg.repair(), {"FINISHED"})
+        self.assertEqual(self.obj.mode, "EDIT")
+        scene.select_edges(self.obj, [N * 20 + k for k in range(10, 40)])
+        self.assertEqual(bpy.ops.talweg.smooth_edges(output="EDGES"), {"FINISHED"})
+        self.assertEqual(self.obj.mode, "EDIT")
+        bpy.ops.object.mode_set(mode="OBJECT")
+        self.check(self.obj)
+
     def test_bad_input(self):
         ops = bpy.ops.talweg
         for operator in (ops.cut, ops.separate):
@@ -296,6 +310,20 @@ class Meshes(Dressed):
             self.assertEqual(getattr(bpy.ops.talweg, name)(), {"FINISHED"})
             self.assertEqual(talweg.inspect(support_arrays(self.obj))["verdict"], "usable", name)
 
+    def test_errors_of_jobs_name_the_curve(self):
+        """The work ends with an error on its thread; the steps tell which curve it was."""
+
+        def fails(_progress):
+            raise talweg.BadCurve("Curve 0: it is bad.")
+
+        def steps():
+            with named(["Line"]):
+                yield fails
+
+        for end in (lambda: jobs.now(steps()), lambda: finished(steps())):
+            with self.assertRaisesRegex(talweg.BadCurve, "^Line: it is bad"):
+                end()
+
     def test_objects_with_the_same_mesh(self):
         twin = bpy.data.objects.new("Twin", self.obj.data)
         bpy.context.scene.collection.objects.link(twin)
@@ -306,6 +334,13 @@ class Meshes(Dressed):
         self.assertEqual(objects.warnings(twin, []), [])
         other = bpy.data.objects.new("Other", twin.data)
         self.assertEqual(objects.warnings(twin, []), ["Other shows the same mesh and changed, too."])
+
+
+def finished(steps):
+    """What such steps return, with the work on its thread."""
+    job = jobs.Job(next(steps))
+    job.is_done(wait=60)
+    return jobs.after(steps, job.given)
 
 
 def support_arrays(obj):

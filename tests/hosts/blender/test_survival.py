@@ -6,7 +6,7 @@ from pathlib import Path
 import bmesh
 import bpy
 import numpy as np
-from talweg_blender import attributes, cutting, drawings
+from talweg_blender import attributes, cutting, drawings, jobs
 
 import scene
 import test_pieces
@@ -103,7 +103,7 @@ class Survival(test_pieces.Dressed):
     def test_what_is_lost_is_said(self):
         self.obj.data.attributes.new("Note", "STRING", "POINT")
         arrays = drawings.MeshArrays(self.obj.data)
-        self.assertEqual(cutting.repair(self.obj, arrays, "drop")[1],
+        self.assertEqual(jobs.now(cutting.repair(self.obj, arrays, "drop"))[1],
                          ["Lost are the string attribute Note."])
 
 

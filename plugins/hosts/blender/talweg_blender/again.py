@@ -5,7 +5,8 @@ import json
 
 import bpy
 
-from . import colours, curve_object, lengths, outcomes, parameters, sentences, session, settings, wrapped
+from . import beside, colours, curve_object, lengths, outcomes, parameters, sentences, session, settings
+from . import wrapped
 from .naming import named
 from .package import talweg
 
@@ -42,7 +43,7 @@ def _by_hand(context, curve):
         _wrong[curve.name] = str(error)
 
 
-class TALWEG_OT_to_mesh(bpy.types.Operator):
+class TALWEG_OT_to_mesh(beside.Beside, bpy.types.Operator):
     """Make the selected curve object edges of its mesh, mark them, or take the mesh apart"""
 
     bl_idname = "talweg.to_mesh"
@@ -54,21 +55,18 @@ class TALWEG_OT_to_mesh(bpy.types.Operator):
         return settings.is_kept(context.object) and context.object.mode == "OBJECT" \
             and context.object.parent.mode == "OBJECT"
 
-    def execute(self, context):
+    def subject(self, context):
+        return context.object.parent
+
+    def steps(self, context, obj):
         curve = context.object
-        obj = curve.parent
-        try:
-            outcomes.check(self.output, settings.of(curve).repair)
-            if settings.of(curve).as_shown and session.is_changed(obj):
-                raise talweg.BadUsage(f"{curve.name} lies on {obj.name} with its modifiers; apply them "
-                                      "first, and smooth again.")
-            place, result = smooth(context, curve, trust=False)
-            told, warnings = outcomes.of_mesh(context, obj, place, result, self.output)
-        except (talweg.Error, KeyboardInterrupt) as error:
-            self.report({"ERROR"}, str(error) or "Interrupted.")
-            return {"CANCELLED"}
-        self.report({"WARNING"} if warnings else {"INFO"}, " ".join([told or "Cut.", *warnings]))
-        return {"FINISHED"}
+        outcomes.check(self.output, settings.of(curve).repair)
+        if settings.of(curve).as_shown and session.is_changed(obj):
+            raise talweg.BadUsage(f"{curve.name} lies on {obj.name} with its modifiers; apply them "
+                                  "first, and smooth again.")
+        place, result = smooth(context, curve, trust=False)
+        told, warnings = yield from outcomes.of_mesh(context, obj, place, result, self.output)
+        return told or "Cut.", warnings
 
 
 def numbers(context, curve):

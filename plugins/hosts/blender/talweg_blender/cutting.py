@@ -27,16 +27,22 @@ def _saved(obj, arrays):
     objects.check(obj)
     if not len(arrays.triangles):
         raise talweg.BadMesh("The mesh has no faces.")
-    return attributes.Attributes(obj, arrays)
+    with object_mode(obj):  # in edit mode Blender shows no values of attributes
+        return attributes.Attributes(obj, arrays)
+
+
+def _cutting(saved, arrays, curves, how):
+    return lambda progress: saved.mesh(arrays, plugin="talweg.cut", progress=progress).cut(
+        curves, progress=progress, **how)
 
 
 def cut(obj, arrays, curves, mark=None, **how):
-    """Curves become selected edges of the mesh. Returns the talweg.Cut, and warnings.
+    """Curves become selected edges of the mesh. Steps of jobs; they return the talweg.Cut, and warnings.
 
     :param mark: "use_seam" or "use_edge_sharp": what these edges become besides.
     """
     saved = _saved(obj, arrays)
-    made = saved.mesh(arrays, plugin="talweg.cut").cut(curves, **how)
+    made = yield _cutting(saved, arrays, curves, how)
     with object_mode(obj):
         place = remade.rewrite(obj, made.mesh, saved, arrays)[1]
         remade.select_chains(obj, made.mesh, place)
@@ -48,9 +54,9 @@ def cut(obj, arrays, curves, mark=None, **how):
 
 def separate(obj, arrays, curves, **how):
     """An object for each piece, in the place of this one, which becomes the first of them.
-    Returns them, and warnings."""
+    Steps of jobs; they return the objects, and warnings."""
     saved = _saved(obj, arrays)
-    made = saved.mesh(arrays, plugin="talweg.cut").cut(curves, split=True, **how)
+    made = yield _cutting(saved, arrays, curves, {**how, "split": True})
     if not made.meshes:
         raise talweg.BadCurve("Nothing is left of the mesh on that side of the curves.")
     with object_mode(obj):
@@ -73,8 +79,8 @@ def _copy(obj):
 
 
 def smooth_materials(obj, arrays, **how):
-    """The borders between materials become smooth edges of the mesh. Returns the talweg.Labels, and
-    warnings. Steps of jobs."""
+    """The borders between materials become smooth edges of the mesh. Steps of jobs; they return
+    the talweg.Labels, and warnings."""
     saved = _saved(obj, arrays)
     materials = saved.at_faces["flag:material_index"][arrays.polygons]
     found = yield lambda progress: saved.mesh(arrays, plugin="talweg.labels", progress=progress).labels(
@@ -89,8 +95,8 @@ def smooth_materials(obj, arrays, **how):
 
 def smooth_group(obj, arrays, threshold, **how):
     """The border of the active vertex group becomes smooth edges of the mesh; vertices inside and on
-    it have the weight 1, and others are no members any more. Returns the talweg.Labels, and warnings.
-    Steps of jobs."""
+    it have the weight 1, and others are no members any more. Steps of jobs;
+    they return the talweg.Labels, and warnings."""
     number = obj.vertex_groups.active_index
     if not 0 <= number < len(obj.vertex_groups):
         raise talweg.BadUsage("The object has no vertex group.")
@@ -108,9 +114,10 @@ def smooth_group(obj, arrays, threshold, **how):
 
 
 def repair(obj, arrays, steps):
-    """Makes a surface of the mesh. Returns the talweg.Repair, and warnings."""
+    """Makes a surface of the mesh. Steps of jobs; they return the talweg.Repair, and warnings."""
     saved = _saved(obj, arrays)
-    fixed = saved.mesh(arrays, plugin="talweg.repair").repair(steps)
+    fixed = yield lambda progress: saved.mesh(arrays, plugin="talweg.repair", progress=progress).repair(
+        steps, progress=progress)
     with object_mode(obj):
         remade.rewrite(obj, fixed.mesh, saved, arrays, fixed.became)
     return fixed, objects.warnings(obj, saved.lost)

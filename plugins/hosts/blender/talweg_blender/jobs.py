@@ -12,13 +12,22 @@ from .package import talweg
 
 def now(steps):
     """What such a generator returns; the work is done here, and Blender waits."""
-    return after(steps, next(steps)(None))
+    work = next(steps)
+    return after(steps, lambda: work(None))
 
 
-def after(steps, given):
-    """What it returns, once its work has given this."""
+def after(steps, give):
+    """What it returns. An error of its work reaches it, too: it may know more of it.
+
+    :param give: gives what the work gave, or raises what ended it.
+    """
     try:
-        steps.send(given)
+        try:
+            given = give()
+        except BaseException as error:
+            steps.throw(error)
+        else:
+            steps.send(given)
     except StopIteration as end:
         return end.value
     raise AssertionError("the steps yield once")

@@ -2,7 +2,7 @@
 
 import bpy
 
-from . import cutting, drawings, jobs, offers, session
+from . import beside, cutting, drawings, offers, session
 from .naming import named
 from .package import talweg
 
@@ -35,7 +35,7 @@ def _counted(number, word):
     return f"{number} {word}" + ("" if number == 1 else "s")
 
 
-class _OnMesh:
+class _OnMesh(beside.Beside):
     """In object mode, on the active mesh."""
 
     bl_options = {"REGISTER", "UNDO"}
@@ -45,21 +45,8 @@ class _OnMesh:
         return context.object is not None and context.object.mode == "OBJECT" \
             and context.object.type == "MESH"
 
-    def execute(self, context):
-        context.object.update_from_editmode()
-        return self.reported(lambda: self.work(context, context.object,
-                                               drawings.MeshArrays(context.object.data)))
-
-    def reported(self, work):
-        """:param work: gives a sentence, and warnings."""
-        try:
-            told, warnings = work()
-        except (talweg.Error, KeyboardInterrupt) as error:
-            self.report({"ERROR"}, str(error) or "Interrupted.")
-            return {"CANCELLED"}
-        # One report: of several the status bar shows only the last.
-        self.report({"WARNING"} if warnings else {"INFO"}, " ".join([told, *warnings]))
-        return {"FINISHED"}
+    def subject(self, context):
+        return context.object
 
     def draw(self, _context):
         self.layout.use_property_split = True
@@ -69,11 +56,11 @@ class _OnMesh:
 
 
 def _drawing(context, obj):
-    """The drawing of curve objects, and what goes with it."""
+    """The drawing of curve objects, the arrays of the mesh, and what goes with it."""
     place = session.surface_of(context, obj, as_shown=False)
     drawing = drawings.curve_objects(context, obj, place, place.known_curves())
     exact = all(curve.faces is not None for curve in drawing.curves)
-    return drawing, {} if exact else {"merge": _MERGE}
+    return drawing, place.arrays, {} if exact else {"merge": _MERGE}
 
 
 def _of_report(made):
@@ -87,10 +74,10 @@ class TALWEG_OT_cut(_OnMesh, bpy.types.Operator):
     bl_idname = "talweg.cut"
     bl_label = "Cut Along Curve"
 
-    def work(self, context, obj, arrays):
-        drawing, how = _drawing(context, obj)
+    def steps(self, context, obj):
+        drawing, arrays, how = _drawing(context, obj)
         with named(drawing.names):
-            made, warnings = cutting.cut(obj, arrays, drawing.curves, open=self.open, **how)
+            made, warnings = yield from cutting.cut(obj, arrays, drawing.curves, open=self.open, **how)
         context.tool_settings.mesh_select_mode = (False, True, False)
         return (_counted(made.report["cut_faces"], "face") + " cut.",
                 [*drawing.warnings, *warnings, *_of_report(made)])
@@ -102,80 +89,27 @@ class TALWEG_OT_separate(_OnMesh, bpy.types.Operator):
     bl_idname = "talweg.separate"
     bl_label = "Separate Along Curve"
 
-    def work(self, context, obj, arrays):
-        drawing, how = _drawing(context, obj)
+    def steps(self, context, obj):
+        drawing, arrays, how = _drawing(context, obj)
         with named(drawing.names):
-            pieces, warnings = cutting.separate(obj, arrays, drawing.curves, keep=self.keep,
-                                                cap=self.cap, **how)
+            pieces, warnings = yield from cutting.separate(obj, arrays, drawing.curves, keep=self.keep,
+                                                           cap=self.cap, **how)
         if len(pieces) == 1 and self.keep == "both":
             warnings.append("The curves do not part the mesh; it was only opened along them.")
         return (f"{_counted(len(pieces), 'object')}: {', '.join(one.name for one in pieces)}.",
                 [*drawing.warnings, *warnings])
 
 
-#: Passed on while a job is at work, so that the view can be turned.
-_NAVIGATION = ("MIDDLEMOUSE", "WHEELUPMOUSE", "WHEELDOWNMOUSE", "MOUSEMOVE", "TRACKPADPAN", "TRACKPADZOOM")
-
-
 class _Borders(_OnMesh):
-    """A button begins a job, which Esc ends; what comes soon is there at once. Scripts and the redo panel
-    wait."""
+    def steps(self, _context, obj):
+        found, warnings = yield from self.smoothed(obj, drawings.MeshArrays(obj.data), **self.values())
+        return _counted(len(found.borders), "border") + ".", [*warnings, *found.report["warnings"]]
 
-    def work(self, _context, obj, arrays):
-        return jobs.now(self.steps(obj, arrays))
-
-    def invoke(self, context, _event):
-        if bpy.app.background or context.window is None:
-            return self.execute(context)
-        self._timer = None
-        obj = context.object
-        try:
-            self._steps = self.steps(obj, drawings.MeshArrays(obj.data))
-            self._job = jobs.Job(next(self._steps))
-        except talweg.Error as error:
-            self.report({"ERROR"}, str(error))
-            return {"CANCELLED"}
-        if self._job.is_done(wait=0.3):
-            return self._finish(context)
-        manager = context.window_manager
-        self._timer = manager.event_timer_add(0.1, window=context.window)
-        manager.modal_handler_add(self)
-        return {"RUNNING_MODAL"}
-
-    def modal(self, context, event):
-        if event.type == "ESC" and event.value == "PRESS":
-            self.cancel(context)
-            self.report({"INFO"}, f"{self.bl_label} was stopped; nothing has changed.")
-            return {"CANCELLED"}
-        if event.type != "TIMER":
-            return {"PASS_THROUGH"} if event.type in _NAVIGATION else {"RUNNING_MODAL"}
-        if self._job.is_done():
-            return self._finish(context)
-        context.workspace.status_text_set(f"{self.bl_label}: {self._job.told}   |   Esc: stop")
-        return {"RUNNING_MODAL"}
-
-    def cancel(self, context):
-        """Esc, or Blender ends."""
-        self._job.stop()
-        self._clear(context)
-
-    def _clear(self, context):
-        if self._timer is not None:
-            context.window_manager.event_timer_remove(self._timer)
-            context.workspace.status_text_set(None)
-
-    def _finish(self, context):
-        self._clear(context)
-        return self.reported(lambda: jobs.after(self._steps, self._job.given()))
-
-    def smoothed(self):
+    def values(self):
         how = {"tau": self.tau, "junctions": self.junctions, "ends": self.ends}
         if self.max_deviation > 0:
             how["max_deviation"] = self.max_deviation
         return how
-
-    def told(self, found, warnings):
-        return _counted(len(found.borders), "border") + ".", [*warnings, *found.report["warnings"]]
 
 
 class TALWEG_OT_material_borders(_Borders, bpy.types.Operator):
@@ -184,8 +118,7 @@ class TALWEG_OT_material_borders(_Borders, bpy.types.Operator):
     bl_idname = "talweg.material_borders"
     bl_label = "Smooth Material Borders"
 
-    def steps(self, obj, arrays):
-        return self.told(*(yield from cutting.smooth_materials(obj, arrays, **self.smoothed())))
+    smoothed = staticmethod(cutting.smooth_materials)
 
 
 class TALWEG_OT_group_borders(_Borders, bpy.types.Operator):
@@ -194,8 +127,8 @@ class TALWEG_OT_group_borders(_Borders, bpy.types.Operator):
     bl_idname = "talweg.group_borders"
     bl_label = "Smooth Vertex-Group Borders"
 
-    def steps(self, obj, arrays):
-        return self.told(*(yield from cutting.smooth_group(obj, arrays, self.threshold, **self.smoothed())))
+    def smoothed(self, obj, arrays, **how):
+        return cutting.smooth_group(obj, arrays, self.threshold, **how)
 
 
 class TALWEG_OT_repair(_OnMesh, bpy.types.Operator):
@@ -210,11 +143,12 @@ class TALWEG_OT_repair(_OnMesh, bpy.types.Operator):
         return context.object is not None and context.object.mode in ("OBJECT", "EDIT") \
             and context.object.type == "MESH"
 
-    def work(self, _context, obj, arrays):
+    def steps(self, _context, obj):
         steps = ",".join(name for name in ("weld", "drop", "orient", "split") if getattr(self, name))
         if not steps:
             raise talweg.BadUsage("No step of the repair is chosen.")
-        fixed, warnings = cutting.repair(obj, arrays, steps)
+        obj.update_from_editmode()
+        fixed, warnings = yield from cutting.repair(obj, drawings.MeshArrays(obj.data), steps)
         offers.forget(obj)
         return " ".join(fixed.changes) or "The mesh needs no repair.", warnings
 

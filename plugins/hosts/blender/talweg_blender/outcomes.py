@@ -2,7 +2,7 @@
 
 import bpy
 
-from . import curve_object, cutting
+from . import curve_object, cutting, jobs
 from .package import talweg
 
 ITEMS = [("CURVE", "Curve object", "A curve object on the surface, which can be changed later"),
@@ -27,18 +27,18 @@ def make(context, obj, place, drawing, result, operator, as_shown):
     if operator.output == "CURVE":
         made = curve_object.put(context, obj, place, drawing, result, operator, as_shown)
         return f"Curve: {made.name}.", []
-    return of_mesh(context, obj, place, result, operator.output)
+    return jobs.now(of_mesh(context, obj, place, result, operator.output))
 
 
 def of_mesh(context, obj, place, result, output):
-    """The same of all others; without modifiers the surface must be the mesh itself."""
+    """The same of all others, as steps of jobs; without modifiers the surface must be the mesh itself."""
     if output == "SEPARATE":
-        pieces, warnings = cutting.separate(obj, place.arrays, result.curves)
+        pieces, warnings = yield from cutting.separate(obj, place.arrays, result.curves)
         if len(pieces) == 1:
             warnings.append("The curves do not part the mesh; it was only opened along them.")
         return f"Objects: {', '.join(one.name for one in pieces)}.", warnings
     mark = {"SEAM": "use_seam", "SHARP": "use_edge_sharp"}.get(output)
     how = {"open": True} if output == "OPEN" else {}
-    warnings = cutting.cut(obj, place.arrays, result.curves, mark=mark, **how)[1]
+    warnings = (yield from cutting.cut(obj, place.arrays, result.curves, mark=mark, **how))[1]
     context.tool_settings.mesh_select_mode = (False, True, False)
     return "", warnings

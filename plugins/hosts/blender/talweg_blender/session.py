@@ -14,6 +14,7 @@ class _Kept:
     surfaces: list = []
     unchanged: dict = {}  # by pointers of object and mesh, and whether as shown
     result = None
+    watched: list = []
 
 
 def forget():
@@ -87,12 +88,33 @@ def smooth(surface, curves, parameters, **how):
     return _Kept.result
 
 
+class Watched:
+    """Whether Blender has told of a change of an object's mesh, or taken a step back, since it was made.
+
+    After that the object may be no more, and must not be touched."""
+
+    def __init__(self, context, obj):
+        context.view_layer.update()  # tells of what has changed before
+        self.has_changed = False
+        self._pointers = {obj.as_pointer(), obj.data.as_pointer()}
+        _Kept.watched.append(self)
+
+    def note(self, changed):
+        self.has_changed |= bool(self._pointers & changed)
+
+    def end(self):
+        if self in _Kept.watched:
+            _Kept.watched.remove(self)
+
+
 @bpy.app.handlers.persistent
 def _note(_scene, depsgraph=None):
-    if depsgraph is None or not _Kept.unchanged:
+    if depsgraph is None or not _Kept.unchanged and not _Kept.watched:
         return
     changed = {update.id.original.as_pointer() for update in depsgraph.updates
                if update.is_updated_geometry}
+    for one in _Kept.watched:
+        one.note(changed)
     _Kept.unchanged = {key: one for key, one in _Kept.unchanged.items() if not changed & set(key[:2])}
 
 
@@ -101,8 +123,16 @@ def _doubt(*_):
     _Kept.unchanged = {}
 
 
-_HANDLERS = (("depsgraph_update_post", _note), ("frame_change_post", _doubt), ("undo_post", _doubt),
-             ("redo_post", _doubt), ("load_post", _doubt))
+@bpy.app.handlers.persistent
+def _others(*_):
+    """Objects are other ones now, if they are there at all."""
+    _doubt()
+    for one in _Kept.watched:
+        one.has_changed = True
+
+
+_HANDLERS = (("depsgraph_update_post", _note), ("frame_change_post", _doubt), ("undo_post", _others),
+             ("redo_post", _others), ("load_post", _others))
 
 
 def register():

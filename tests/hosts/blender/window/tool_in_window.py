@@ -158,6 +158,7 @@ def steps():
     assert tool._now[0]._drawn.object_name == cube == bpy.context.object.name, bpy.context.object.name
     hand.key("ESC", (40, 20))
     yield from until(lambda: not tool.is_at_work(), "Esc ends it again")
+    yield from all_beside_steps(window, area, region)
     yield from border_steps(window, area, region)
 
 
@@ -176,6 +177,137 @@ def specks(segments, rings):
 def at_work():
     """Threads of the add-on that are alive."""
     return [one for one in threading.enumerate() if one.name == "talweg"]
+
+
+class Held:
+    """Calls of a function of talweg.Mesh wait until they are let go, or stopped, or for a minute."""
+
+    def __init__(self, name):
+        from talweg_blender.package import talweg
+
+        self.mesh, self.name, self.is_free = talweg.Mesh, name, False
+        self.whole = getattr(talweg.Mesh, name)
+
+        def held(mesh, *of, progress=None, **how):
+            began = time.monotonic()
+            while not self.is_free and time.monotonic() - began < 60:
+                time.sleep(0.01)
+                if progress is not None and progress("held", 0.5) is False:
+                    raise talweg.Cancelled("Cancelled.")
+            return self.whole(mesh, *of, progress=progress, **how)
+
+        setattr(talweg.Mesh, name, held)
+
+    def restore(self):
+        setattr(self.mesh, self.name, self.whole)
+
+
+def ball():
+    """The name of a ball, with a selected curve that goes round it."""
+    import scene
+
+    scene.empty()
+    bpy.ops.mesh.primitive_uv_sphere_add(segments=32, ring_count=24, radius=5)
+    obj = bpy.context.object
+    obj.data.uv_layers.new(name="Survives")
+    turn = np.linspace(0, 2 * np.pi, 40, endpoint=False)
+    curve = bpy.data.curves.new("Round", "CURVE")
+    curve.dimensions = "3D"
+    spline = curve.splines.new("POLY")
+    spline.points.add(len(turn) - 1)
+    spline.use_cyclic_u = True
+    spline.points.foreach_set("co", np.stack([5 * np.cos(turn), 5 * np.sin(turn), 0.3 + 0 * turn,
+                                              1 + 0 * turn], -1).astype(np.float32).ravel())
+    along = bpy.data.objects.new("Round", curve)
+    bpy.context.scene.collection.objects.link(along)
+    along.select_set(True)
+    return obj.name
+
+
+def counts():
+    """(objects, vertices, faces) of all meshes."""
+    found = [one.data for one in bpy.data.objects if one.type == "MESH"]
+    return len(found), sum(len(one.vertices) for one in found), sum(len(one.polygons) for one in found)
+
+
+def all_beside_steps(window, area, region):
+    """Operators of meshes: Blender lives meanwhile, Esc ends them, and what is done can be undone."""
+    import scene
+
+    hand = Hand(window, area, region)
+
+    def begin(name):
+        with bpy.context.temp_override(window=window, area=area, region=region):
+            bpy.ops.ed.undo_push(message="Begin")
+            return getattr(bpy.ops.talweg, name)("INVOKE_DEFAULT")
+
+    def turned(name):
+        """With a face that disagrees, in edit mode: that is where such a mesh is refused."""
+        obj = bpy.data.objects[name]
+        obj.data.polygons[40].flip()
+        obj.data.update()
+        bpy.ops.object.mode_set(mode="EDIT")
+
+    for name, function, mode in (("cut", "cut", "OBJECT"), ("separate", "cut", "OBJECT"),
+                                 ("repair", "repair", "EDIT")):
+        obj = ball()
+        if name == "repair":
+            turned(obj)
+        held, before = Held(function), counts()
+        assert begin(name) == {"RUNNING_MODAL"}, name
+        for _ in range(10):
+            yield
+        assert at_work() and counts() == before, name
+        hand.key("ESC", (30, 30))
+        yield from until(lambda: not at_work(), f"Esc ends {name}")
+        for _ in range(5):
+            yield
+        assert counts() == before and bpy.context.object.mode == mode, name
+
+        assert begin(name) == {"RUNNING_MODAL"}, name
+        held.is_free = True
+        yield from until(lambda: not at_work(), f"{name} has worked")
+        for _ in range(5):
+            yield
+        assert bpy.context.object.mode == mode and "Survives" in bpy.data.objects[obj].data.uv_layers, name
+        if name == "repair":
+            bpy.ops.object.mode_set(mode="OBJECT")
+            assert not is_turned(bpy.data.objects[obj].data)
+            hand.key("Z", (30, 30), ctrl=True)  # the change of mode
+            yield
+        else:
+            assert counts()[1] > before[1], name
+        hand.key("Z", (30, 30), ctrl=True)
+        for _ in range(5):
+            yield
+        assert counts() == before, f"undo takes {name} back"
+        if name == "repair":
+            bpy.ops.object.mode_set(mode="OBJECT")
+            assert is_turned(bpy.data.objects[obj].data), "undo takes the repair back"
+
+        held.is_free = False  # a script changes the mesh meanwhile
+        bpy.ops.object.mode_set(mode="OBJECT")
+        assert begin(name) == {"RUNNING_MODAL"}, name
+        yield
+        bpy.data.objects[obj].data.vertices[0].co.z += 1
+        bpy.data.objects[obj].data.update()
+        yield
+        held.is_free = True
+        yield from until(lambda: not at_work(), f"{name} has worked again")
+        for _ in range(5):
+            yield
+        assert counts() == before, f"{name} leaves what was changed"
+        hand.key("ESC", (30, 30))  # closes the error at the pointer
+        yield
+        held.restore()
+    scene.empty()
+
+
+def is_turned(mesh):
+    """Whether an edge is passed twice in one direction."""
+    passed = [(a, b) for polygon in mesh.polygons for a, b in
+              zip(polygon.vertices, [*polygon.vertices[1:], polygon.vertices[0]])]
+    return len(set(passed)) < len(passed)
 
 
 def border_steps(window, area, region):

@@ -4,7 +4,7 @@ import json
 
 import bpy
 
-from .. import again, colours, curve_object, outcomes, parameters, sentences, session, settings
+from .. import again, colours, curve_object, jobs, outcomes, parameters, sentences, session, settings
 from ..naming import named
 from ..package import talweg
 from .editor import State
@@ -149,7 +149,7 @@ class Drawn:
             self.close()
             return f"{self.told} Curve: {curve.name}.", warnings
         with named([curve.name]):
-            told, more = outcomes.of_mesh(context, obj, self.place, self.result, self.output)
+            told, more = jobs.now(outcomes.of_mesh(context, obj, self.place, self.result, self.output))
         self.close()
         _remove(curve)
         return f"{self.told} {told}".strip(), warnings + more

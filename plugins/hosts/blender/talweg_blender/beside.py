@@ -1,0 +1,79 @@
+"""Operators whose long work goes on beside Blender: the status bar tells how far it is, and Esc ends it."""
+
+import bpy
+
+from . import jobs, session
+from .package import talweg
+
+#: Passed on while a job is at work, so that the view can be turned.
+_NAVIGATION = ("MIDDLEMOUSE", "WHEELUPMOUSE", "WHEELDOWNMOUSE", "MOUSEMOVE", "TRACKPADPAN", "TRACKPADZOOM")
+
+
+class Beside:
+    """A button begins a job; what comes soon is there at once. Scripts and the redo panel wait.
+
+    Who inherits has ``steps(context, obj)``, steps of jobs that return a sentence and warnings, and
+    ``subject(context)``, the object with the mesh that they change.
+    """
+
+    def execute(self, context):
+        return self._reported(lambda: jobs.now(self.steps(context, self.subject(context))))
+
+    def invoke(self, context, _event):
+        if bpy.app.background or context.window is None:
+            return self.execute(context)
+        self._timer, obj = None, self.subject(context)
+        self._steps = self.steps(context, obj)
+        try:
+            self._job = jobs.Job(next(self._steps))
+        except (talweg.Error, KeyboardInterrupt) as error:
+            return self._refused(error)
+        self._watched = session.Watched(context, obj)
+        if self._job.is_done(wait=0.3):
+            return self._finish(context)
+        manager = context.window_manager
+        self._timer = manager.event_timer_add(0.1, window=context.window)
+        manager.modal_handler_add(self)
+        return {"RUNNING_MODAL"}
+
+    def modal(self, context, event):
+        if event.type == "ESC" and event.value == "PRESS":
+            self.cancel(context)
+            self.report({"INFO"}, f"{self.bl_label} was stopped; the mesh is as it was.")
+            return {"CANCELLED"}
+        if event.type != "TIMER":
+            return {"PASS_THROUGH"} if event.type in _NAVIGATION else {"RUNNING_MODAL"}
+        if self._job.is_done():
+            return self._finish(context)
+        context.workspace.status_text_set(f"{self.bl_label}: {self._job.told}   |   Esc: stop")
+        return {"RUNNING_MODAL"}
+
+    def cancel(self, context):
+        """Esc, or Blender ends."""
+        self._job.stop()
+        self._clear(context)
+
+    def _clear(self, context):
+        self._watched.end()
+        if self._timer is not None:
+            context.window_manager.event_timer_remove(self._timer)
+            context.workspace.status_text_set(None)
+
+    def _finish(self, context):
+        self._clear(context)
+        if self._watched.has_changed:  # in another window, or by a script
+            return self._refused("The mesh was changed meanwhile; try again.")
+        return self._reported(lambda: jobs.after(self._steps, self._job.given))
+
+    def _refused(self, error):
+        self.report({"ERROR"}, str(error) or "Interrupted.")
+        return {"CANCELLED"}
+
+    def _reported(self, work):
+        try:
+            told, warnings = work()
+        except (talweg.Error, KeyboardInterrupt) as error:
+            return self._refused(error)
+        # One report: of several the status bar shows only the last.
+        self.report({"WARNING"} if warnings else {"INFO"}, " ".join([told, *warnings]))
+        return {"FINISHED"}
