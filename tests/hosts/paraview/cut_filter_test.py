@@ -265,7 +265,7 @@ class WrongInput(Case):
     def test_sentences(self):
         self.assertIn("no points", self.error_of(pv.TalwegCut(Mesh=source(sheet()),
                                                               Curve=source(polydata([])))))
-        self.assertIn("merge", self.error_of(cut(LINE, Merge=-1)))
+        self.assertIn("Merge must be", self.error_of(cut(LINE, Merge=-1)))
         self.assertIn("no faces", self.error_of(
             pv.TalwegCut(Mesh=source(polydata([(0, 0, 0)])), Curve=curves(LINE))))
         far = [(1e5, 0, 0), (1e5, 1, 0)]
@@ -328,7 +328,7 @@ class Measure(Case):
 
     def test_sentences(self):
         filter = pv.TalwegMeasure(Mesh=source(sheet()), Curve=curves(LINE), Edge=0)
-        self.assertIn("Edge length (edge)", self.error_of(filter))
+        self.assertIn("Edge must be", self.error_of(filter))
 
 
 if __name__ == "__main__":

@@ -151,10 +151,10 @@ class Labels(Case):
 
     def test_sentences(self):
         none = pv.TalwegLabelBorders(Mesh=labelled(True))
-        self.assertIn("There are no labels: choose an array as Triangle Labels or as Vertex Labels.",
+        self.assertIn("There are no labels: set Triangle Labels or Vertex Labels.",
                       self.error_of(none))
         both = pv.TalwegLabelBorders(Mesh=striped(True), TriangleLabels="row", VertexLabels="stripe")
-        self.assertIn("Triangle Labels and Vertex Labels are both chosen; one is enough.",
+        self.assertIn("There are labels of triangles and of vertices; one is enough.",
                       self.error_of(both))
         missing = pv.TalwegLabelBorders(Mesh=labelled(True), TriangleLabels="nothing")
         self.assertIn("The mesh has no cell array nothing.", self.error_of(missing))

@@ -6,7 +6,7 @@ import subprocess
 import unittest
 
 import runner
-from support import pv
+from support import pv, told
 
 OPTION = re.compile(r"^  --([a-z-]+)(,--no-[a-z-]+\{false\})?(?: (FLOAT|INT|UINT|TEXT)\S*?(?:=(\S+))?)?"
                     r"( \.\.\.)?(?:\s|$)")
@@ -87,6 +87,29 @@ class Panel(unittest.TestCase):
                         self.assertEqual(value, float(default))
                     shown = filter.SMProxy.GetProperty(name).GetPanelVisibility()
                     self.assertEqual(shown, "advanced" if advanced else "default")
+
+    def test_errors_have_the_names_of_the_panel(self):
+        """Of each number that has a bound, for each filter: what is said of a value beyond it."""
+        tried = 0
+        for plugin, filter, _ in self.filters:
+            for option, kind, default, _ in described(plugin):
+                name = property_name(option)
+                optional = default is None
+                if kind not in ("FLOAT", "INT", "UINT") or option == "others":
+                    continue
+                with self.subTest(filter=filter.GetXMLName(), property=name):
+                    before = filter.GetPropertyValue(name)
+                    setattr(filter, name, 0 if optional else -7)
+                    filter.UpdatePipeline()
+                    sentence = told(filter)
+                    setattr(filter, name, before)
+                    self.assertNotRegex(sentence, r"[a-z]_[a-z]|\([a-z]+\)")
+                    if "must be" not in sentence:  # 0 is a value of it
+                        continue
+                    tried += 1
+                    label = filter.SMProxy.GetProperty(name).GetXMLLabel()
+                    self.assertIn(f"{label} must be", sentence)
+        self.assertGreater(tried, 10)
 
     def test_documentation(self):
         for plugin, filter, _ in self.filters:

@@ -296,7 +296,7 @@ class Told(Case):
     def test_why_there_is_no_result(self):
         filter = sheet(PointIds=TEXT, Tau=-1)
         self.error_of(filter)
-        self.assertEqual(told(filter), "No result: Tau (tau) must be >= 0, not -1.")
+        self.assertEqual(told(filter), "No result: Tau must be >= 0, not -1.")
         filter.Tau = 1
         self.curve_of(filter)
         self.assertNotIn("No result", told(filter))
@@ -500,8 +500,8 @@ class WrongInput(Case):
         filter = sheet(PointIds=TEXT)
         self.curve_of(filter)
         for name, value, good, sentence in (
-                ("Tau", -1, 1, "Tau (tau) must be >= 0, not -1."),
-                ("MaxDeviation", 0, -1, "max_deviation"),
+                ("Tau", -1, 1, "Tau must be >= 0, not -1."),
+                ("MaxDeviation", 0, -1, "Max Deviation must be > 0, not 0."),
                 ("Pin", "3 x", "", "'x' is no vertex number"),
                 ("Pin", "99999", "", "99999"),
                 ("PointIds", "1 2 99999", TEXT, "99999"),
@@ -516,14 +516,14 @@ class WrongInput(Case):
         filter = two_curves()
         before = places(self.curve_of(filter))
         for name, value, sentence in (
-                ("Taus", "0.1", "Tau of each curve (taus) has 1 values for 2 curves."),
-                ("Taus", "0.1 4 1", "Tau of each curve (taus) has 3 values for 2 curves."),
-                ("Taus", "1 -3", "Tau of each curve (taus) must be -1 or >= 0 for curve 1, not -3."),
-                ("Taus", "0.1 much", "Tau of each curve: 'much' is no number."),
-                ("Slacks", "0.1 0.2x", "Slack of each curve: '0.2x' is no number."),
-                ("Slacks", "nan 1", "Slack of each curve"),
-                ("Finishes", "0 0.5", "Finish of each curve (finishes) must be whole."),
-                ("Finishes", "fair taut", "Finish of each curve: 'fair' is no number.")):
+                ("Taus", "0.1", "Taus has 1 values for 2 curves."),
+                ("Taus", "0.1 4 1", "Taus has 3 values for 2 curves."),
+                ("Taus", "1 -3", "Taus must be -1 or >= 0 for curve 1, not -3."),
+                ("Taus", "0.1 much", "Taus: 'much' is no number."),
+                ("Slacks", "0.1 0.2x", "Slacks: '0.2x' is no number."),
+                ("Slacks", "nan 1", "Slacks"),
+                ("Finishes", "0 0.5", "Finishes must be whole."),
+                ("Finishes", "fair taut", "Finishes: 'fair' is no number.")):
             setattr(filter, name, value)
             self.assertIn(sentence, self.error_of(filter))
             setattr(filter, name, "")

@@ -30,14 +30,14 @@ bool parse(std::string_view word, Number& number) {
   return parsed.ec == std::errc{} && parsed.ptr == end;
 }
 
-[[noreturn]] void refuse(std::string_view word, const char* what, const char* wanted) {
+[[noreturn]] void refuse(std::string_view word, std::string_view what, const char* wanted) {
   throw std::runtime_error(std::string(what) + ": '" + std::string(word) + "' is no " + wanted +
                            ".");
 }
 
 }  // namespace
 
-std::vector<std::uint32_t> vertex_numbers(const std::string& text, const char* what) {
+std::vector<std::uint32_t> vertex_numbers(const std::string& text, std::string_view what) {
   std::vector<std::uint32_t> result;
   for (const std::string_view word : words_of(text)) {
     std::uint32_t number = 0;
@@ -47,7 +47,7 @@ std::vector<std::uint32_t> vertex_numbers(const std::string& text, const char* w
   return result;
 }
 
-std::vector<double> numbers(const std::string& text, const char* what) {
+std::vector<double> numbers(const std::string& text, std::string_view what) {
   std::vector<double> result;
   for (const std::string_view word : words_of(text)) {
     double number = 0;

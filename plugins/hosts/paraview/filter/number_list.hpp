@@ -3,15 +3,16 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace talweg::paraview {
 
 /// Numbers from 0. Throws std::runtime_error that quotes what is none; `what` is the name of the
 /// list.
-std::vector<std::uint32_t> vertex_numbers(const std::string& text, const char* what);
+std::vector<std::uint32_t> vertex_numbers(const std::string& text, std::string_view what);
 
 /// Numbers with or without fractions. Throws as vertex_numbers() does.
-std::vector<double> numbers(const std::string& text, const char* what);
+std::vector<double> numbers(const std::string& text, std::string_view what);
 
 }  // namespace talweg::paraview

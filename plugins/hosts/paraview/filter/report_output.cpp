@@ -23,7 +23,7 @@ std::string without_places(const std::string& key) {
   for (std::size_t at = 0; at < key.size();) {
     const std::size_t end = std::min(key.find('.', at), key.size());
     const bool is_place = std::isdigit(static_cast<unsigned char>(key[at])) != 0;
-    if (!is_place) result += (result.empty() ? "" : ".") + key.substr(at, end - at);
+    if (!is_place) result.append(result.empty() ? "" : ".").append(key, at, end - at);
     at = end + 1;
   }
   return result;

@@ -11,6 +11,7 @@
 
 #include "curve_input.hpp"
 #include "number_list.hpp"
+#include "panel_names.hpp"
 #include "talweg_plugins.hpp"
 
 namespace talweg::paraview {
@@ -69,9 +70,10 @@ Origin origin_of(vtkDataObject* curves, vtkDataObject* others) {
 Session::Session(const char* plugin, host::Services::Progress progress, host::Services::Log log)
     : id_(plugin), services_("ParaView", "VTK " VTK_VERSION, std::move(progress), std::move(log)) {}
 
+const talweg_plugin& Session::plugin() const { return plugin_named(id_.c_str()); }
+
 host::Instance& Session::instance() {
-  if (!instance_)
-    instance_ = std::make_unique<host::Instance>(plugin_named(id_.c_str()), services_);
+  if (!instance_) instance_ = std::make_unique<host::Instance>(plugin(), services_);
   return *instance_;
 }
 
@@ -221,7 +223,7 @@ void Session::apply(const talweg_parameter& parameter, const Setting& value) {
   if (const auto* choice = std::get_if<Choice>(&value))
     return instance().set(parameter.id, choice->id);
   if (const auto* list = std::get_if<VertexList>(&value)) {
-    return instance().set(parameter.id, vertex_numbers(list->numbers, parameter.label));
+    return instance().set(parameter.id, vertex_numbers(list->numbers, panel_name(parameter.id)));
   }
   if (const auto* list = std::get_if<CurveNumbers>(&value)) {
     return apply_curve_numbers(parameter, list->numbers);
@@ -236,7 +238,7 @@ void Session::apply_number(const talweg_parameter& parameter, double value) {
 }
 
 void Session::apply_curve_numbers(const talweg_parameter& parameter, const std::string& text) {
-  const std::vector<double> values = numbers(text, parameter.label);
+  const std::vector<double> values = numbers(text, panel_name(parameter.id));
   if (values.empty()) return instance().reset(parameter.id);
   instance().set(parameter.id, values);
 }

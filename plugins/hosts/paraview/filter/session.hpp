@@ -78,6 +78,7 @@ class Session {
   [[nodiscard]] MeshInput& mesh() { return mesh_; }
   /// The array of the mesh that a parameter names; null if there is none.
   [[nodiscard]] vtkDataArray* array_of(const std::string& id) const;
+  [[nodiscard]] const talweg_plugin& plugin() const;
   /// The plugin's, to set what is no property and to ask for what belongs to meshes.
   host::Instance& instance();
   /// Counts what changes more than a run: meshes, curves and parameters of these stages.

@@ -14,6 +14,7 @@
 #include <vtkLogger.h>
 
 #include "curve_input.hpp"
+#include "panel_names.hpp"
 #include "property_text.hpp"
 #include "session.hpp"
 
@@ -112,18 +113,23 @@ const char* vtkTalwegFilter::GetOutcome() {
 
 /// ParaView opens its messages for every warning, so one is not repeated while a slider moves, and
 /// there is none of what happens to nearly every drawing.
-void vtkTalwegFilter::Log(unsigned int severity, const char* message) {
+void vtkTalwegFilter::Log(unsigned int severity, const char* sentence) {
+  const std::string message = this->InWordsOfPanel(sentence);
   if (severity >= TALWEG_LOG_WARNING) {
     this->Common->Now.insert(message);
     std::string& all = this->Common->Warnings;
     if (all.find(message) == std::string::npos) all += std::string("\nNote: ") + message;
   }
-  const bool usual = std::string_view(message).starts_with("The curve was moved onto the mesh");
+  const bool usual = message.starts_with("The curve was moved onto the mesh");
   if (severity < TALWEG_LOG_WARNING || usual) {
     vtkLog(INFO, "Talweg: " << message);
   } else if (this->Common->Warned.insert(message).second) {
     vtkWarningMacro(<< message);
   }
+}
+
+std::string vtkTalwegFilter::InWordsOfPanel(const std::string& sentence) {
+  return talweg::paraview::in_words_of_panel(sentence, this->GetSession().plugin());
 }
 
 void vtkTalwegFilter::LogWarnings(const talweg::host::Results& results) {
@@ -183,9 +189,8 @@ void vtkTalwegFilter::WorkOn(vtkDataObject& mesh, vtkDataObject* curves, vtkData
 namespace {
 
 /// The plugin's sentence, and what to do about it here.
-std::string advice(const talweg::host::Error& error, const Session& session) {
-  std::string sentence = error.what();
-  if (error.status() == TALWEG_BAD_MESH && session.number("repair", 0) == 0) {
+std::string advice(std::string sentence, std::int32_t status, const Session& session) {
+  if (status == TALWEG_BAD_MESH && session.number("repair", 0) == 0) {
     return sentence + " Tick Repair to mend the mesh, and to be told what is changed.";
   }
   if (sentence.find("in another unit or place") == std::string::npos) return sentence;
@@ -216,7 +221,8 @@ int vtkTalwegFilter::RequestData(vtkInformation*, vtkInformationVector** inputs,
   } catch (const talweg::host::Error& error) {
     clear();
     const bool cancelled = error.status() == TALWEG_CANCELLED;  // nothing wrong, nothing there
-    const std::string sentence = advice(error, this->GetSession());
+    const std::string sentence =
+        advice(this->InWordsOfPanel(error.what()), error.status(), this->GetSession());
     this->Tell(cancelled ? "Stopped. Any change, and Apply, runs it again."
                          : "No result: " + sentence);
     if (!cancelled) vtkErrorMacro(<< sentence);

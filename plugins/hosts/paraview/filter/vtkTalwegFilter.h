@@ -100,6 +100,8 @@ class TALWEGFILTERS_EXPORT vtkTalwegFilter : public vtkDataObjectAlgorithm {
   void Log(unsigned int severity, const char* message);
   /// Puts a text before the warnings in GetOutcome().
   void Tell(const std::string& text);
+  /// A sentence of the plugin with the names of this filter's panel.
+  virtual std::string InWordsOfPanel(const std::string& sentence);
   /// The warnings of a report, for plugins that do not log them.
   void LogWarnings(const talweg::host::Results& results);
 

@@ -84,38 +84,14 @@ std::string outcome(const talweg::host::Results& results) {
          talweg::paraview::outcome(results);
 }
 
-/// The plugin's sentences on labels, with the names of the panel.
-std::string with_names_of_panel(const std::string& sentence) {
-  if (sentence == "There are no labels: set triangle_labels or vertex_labels.") {
-    return "There are no labels: choose an array as Triangle Labels or as Vertex Labels.";
-  }
-  if (sentence == "There are labels of triangles and of vertices; one is enough.") {
-    return "Triangle Labels and Vertex Labels are both chosen; one is enough.";
-  }
-  for (const auto& [theirs, ours] :
-       {std::pair<std::string, std::string>{"Labels of triangles (triangle_labels)",
-                                            "Triangle Labels"},
-        {"Labels of vertices (vertex_labels)", "Vertex Labels"}}) {
-    if (sentence.starts_with(theirs)) return ours + sentence.substr(theirs.size());
-  }
-  return sentence;
-}
-
-talweg::host::Results run(Session& session) {
-  try {
-    return session.run({.point_fields = true, .vertex_fields = true, .meshes = true});
-  } catch (const talweg::host::Error& error) {
-    throw talweg::host::Error(error.status(), with_names_of_panel(error.what()));
-  }
-}
-
 }  // namespace
 
 void vtkTalwegLabels::Work(vtkDataSet& mesh, vtkDataObject*, vtkDataObject*,
                            vtkInformationVector& outputs) {
   Session& session = this->GetSession();
   this->TakeMesh(mesh);
-  const talweg::host::Results results = run(session);
+  const talweg::host::Results results =
+      session.run({.point_fields = true, .vertex_fields = true, .meshes = true});
   vtkDataArray* given = session.array_of("triangle_labels");
   if (given == nullptr) given = session.array_of("vertex_labels");
   vtkPolyData& borders = *vtkPolyData::GetData(&outputs, 0);

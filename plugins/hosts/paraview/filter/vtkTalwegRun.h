@@ -32,6 +32,9 @@ class TALWEGFILTERS_EXPORT vtkTalwegRun : public vtkTalwegCut {
   void WorkOn(vtkDataObject& mesh, vtkDataObject* curves, vtkDataObject* others,
               vtkInformationVector& outputs) override;
 
+  /// Parameters have their ids here.
+  std::string InWordsOfPanel(const std::string& sentence) override { return sentence; }
+
  private:
   vtkTalwegRun(const vtkTalwegRun&) = delete;
   void operator=(const vtkTalwegRun&) = delete;

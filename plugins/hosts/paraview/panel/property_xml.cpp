@@ -1,9 +1,10 @@
 #include "property_xml.hpp"
 
-#include <cctype>
 #include <stdexcept>
 
 #include <fmt/format.h>
+
+#include "../filter/panel_names.hpp"
 
 namespace talweg::paraview {
 
@@ -31,18 +32,6 @@ std::string escaped(std::string_view text) {
 }
 
 namespace {
-
-/// max_deviation: MaxDeviation. One filter has points of its own, which are called so.
-std::string property_name(std::string_view id) {
-  if (id == "points") return "DrawnPoints";
-  std::string result;
-  bool first = true;
-  for (const char c : id) {
-    if (c != '_') result += first ? static_cast<char>(std::toupper(c)) : c;
-    first = c == '_';
-  }
-  return result;
-}
 
 /// What the property and its command are called, before its default value and its domain. Scripts
 /// name properties by their labels, so there is none: ParaView makes it from the name.
