@@ -494,6 +494,19 @@ class Meshes(Case):
         self.assertEqual(places(curves.GetBlock(0)), alone)
         self.assertEqual(curves.GetBlock(1).GetNumberOfPoints(), len(alone))
 
+    def test_a_drawing_for_each_block(self):
+        """A block cannot have the other's curve; as one mesh they have both, smoothed together."""
+        far = [(x + 5, y, z) for x, y, z in POINTS]
+        blocks, drawings = (
+            pv.GroupDatasets(Input=[source(polydata(points, *cells)) for points in (POINTS, far)])
+            for cells in ((TRIANGLES,), ((), [ZIGZAG])))
+        with Said() as said:
+            pv.TalwegSmoothCurve(Mesh=blocks, Curve=drawings).UpdatePipeline()
+        self.assertIn("the filter Merge Blocks makes one mesh of them.", said.text())
+        merged = pv.TalwegSmoothCurve(Mesh=pv.MergeBlocks(Input=blocks, OutputDataSetType="Polygonal Mesh"),
+                                      Curve=drawings)
+        self.assertEqual(len(lines_of(self.curve_of(merged))), 2)
+
 
 class WrongInput(Case):
     def test_parameters(self):
