@@ -7,8 +7,6 @@
 #include <utility>
 #include <vector>
 
-#include <vtkAlgorithmOutput.h>
-#include <vtkCompositeDataSet.h>
 #include <vtkDataObject.h>
 #include <vtkDataSet.h>
 #include <vtkInformation.h>
@@ -191,26 +189,15 @@ void vtkTalwegFilter::WorkOn(vtkDataObject& mesh, vtkDataObject* curves, vtkData
 namespace {
 
 /// The plugin's sentence, and what to do about it here.
-std::string advice(std::string sentence, std::int32_t status, const Session& session,
-                   bool is_block) {
+std::string advice(std::string sentence, std::int32_t status, const Session& session) {
   if (status == TALWEG_BAD_MESH && session.number("repair", 0) == 0) {
     return sentence + " Tick Repair to mend the mesh, and to be told what is changed.";
   }
   if (sentence.find("in another unit or place") == std::string::npos) return sentence;
-  if (is_block) {
-    return sentence +
-           " Each block of the mesh is given the whole drawing: the filter Merge Blocks makes one "
-           "mesh of them.";
-  }
   if (sentence.ends_with('.')) sentence.pop_back();
-  return sentence + ". Bring it there with the filter Transform, or click points on the mesh.";
-}
-
-/// Whether the filter's first input is composite, of which it is given a block at a time.
-bool works_on_blocks(vtkAlgorithm& filter) {
-  vtkAlgorithmOutput* from = filter.GetInputConnection(0, 0);
-  return from != nullptr && vtkCompositeDataSet::SafeDownCast(
-                                from->GetProducer()->GetOutputDataObject(from->GetIndex()));
+  return sentence +
+         ". Bring it there with the filter Transform, or click points on the mesh. Each block of a "
+         "mesh is given the whole drawing; the filter Merge Blocks makes one mesh of them.";
 }
 
 }  // namespace
@@ -236,8 +223,8 @@ int vtkTalwegFilter::RequestData(vtkInformation*, vtkInformationVector** inputs,
   } catch (const talweg::host::Error& error) {
     clear();
     const bool cancelled = error.status() == TALWEG_CANCELLED;  // nothing wrong, nothing there
-    const std::string sentence = advice(this->InWordsOfPanel(error.what()), error.status(),
-                                        this->GetSession(), works_on_blocks(*this));
+    const std::string sentence =
+        advice(this->InWordsOfPanel(error.what()), error.status(), this->GetSession());
     this->Tell(cancelled ? "Stopped. Any change, and Apply, runs it again."
                          : "No result: " + sentence);
     if (!cancelled) vtkErrorMacro(<< sentence);
