@@ -30,6 +30,15 @@ class Looks(Case):
         mesh = shown(filter, 1)
         self.assertEqual(mesh.LineWidth, 1)
 
+    def test_the_colours_of_the_mesh_are_not_taken_over(self):
+        """ParaView colours by what the mesh is coloured by, where the curve would not be seen."""
+        mesh = pv.Elevation(Input=source(polydata(POINTS, TRIANGLES)))
+        view = pv.CreateView("RenderView")
+        pv.ColorBy(pv.Show(mesh, view), ("POINTS", "Elevation"))
+        filter = pv.TalwegSmoothVertices(Mesh=mesh, PointIds="0 5 80")
+        filter.UpdatePipeline()
+        self.assertEqual(pv.Show(pv.OutputPort(filter, 0), view).ColorArrayName[1], "")
+
     def test_what_a_state_file_says_stays(self):
         filter = pv.TalwegSmoothVertices(Mesh=pv.Sphere(), PointIds="0 5 40")
         filter.UpdatePipeline()

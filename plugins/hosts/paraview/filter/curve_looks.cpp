@@ -7,12 +7,14 @@
 #include <vtkCallbackCommand.h>
 #include <vtkCommand.h>
 #include <vtkCompositeRepresentation.h>
+#include <vtkDataObject.h>
 #include <vtkGeometryRepresentation.h>
 #include <vtkMapper.h>
 #include <vtkNew.h>
 #include <vtkPVLODActor.h>
 #include <vtkPVXMLElement.h>
 #include <vtkRenderer.h>
+#include <vtkSMPVRepresentationProxy.h>
 #include <vtkSMPropertyHelper.h>
 #include <vtkSMProxyIterator.h>
 #include <vtkSMProxyManager.h>
@@ -73,6 +75,8 @@ void dress(vtkSMProxy& representation) {
   vtkSMPropertyHelper(&representation, "LineWidth").Set(kWidth);
   vtkSMPropertyHelper(&representation, "AmbientColor", true).Set(kColour, 3);
   vtkSMPropertyHelper(&representation, "DiffuseColor", true).Set(kColour, 3);
+  // ParaView takes over the array that the mesh is coloured by, where the curve would not be seen.
+  vtkSMPVRepresentationProxy::SetScalarColoring(&representation, "", vtkDataObject::POINT);
   representation.UpdateVTKObjects();
 }
 

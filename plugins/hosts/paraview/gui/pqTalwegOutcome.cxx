@@ -142,10 +142,17 @@ void pqTalwegOutcome::tell() {
   const char* text = vtkSMPropertyHelper(this->property(), true).GetAsString();
   this->Text->setText(QString::fromUtf8(text == nullptr ? "" : text));
   this->Mend->setVisible(this->Text->text().contains("Tick Repair"));
-  const vtkSMProxy* curves = this->shown();
+  vtkSMProxy* curves = this->shown();
   if (curves == nullptr) return;
   auto* width = this->findChild<QSpinBox*>("LineWidth");
   if (width == nullptr) return;
   const QSignalBlocker quiet(width);
-  width->setValue(vtkSMPropertyHelper(const_cast<vtkSMProxy*>(curves), "LineWidth").GetAsInt());
+  width->setValue(vtkSMPropertyHelper(curves, "LineWidth").GetAsInt());
+  auto* colour = this->findChild<QComboBox*>("CurveColour");
+  const char* array =
+      vtkSMPVRepresentationProxy::GetUsingScalarColoring(curves)
+          ? vtkSMPropertyHelper(curves, "ColorArrayName").GetInputArrayNameToProcess()
+          : "";
+  if (colour->findData(array) < 0) colour->addItem(array, array);  // chosen under Coloring
+  colour->setCurrentIndex(colour->findData(array));
 }
