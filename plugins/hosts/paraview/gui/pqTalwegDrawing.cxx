@@ -18,6 +18,7 @@
 #include <vtkCommand.h>
 #include <vtkCurveRepresentation.h>
 #include <vtkMapper.h>
+#include <vtkPVGeneralSettings.h>
 #include <vtkProp.h>
 #include <vtkPropCollection.h>
 #include <vtkRenderWindowInteractor.h>
@@ -29,7 +30,9 @@
 #include <vtkSMSession.h>
 
 #include "../filter/depth_offset.hpp"
+#include "pqUndoStack.h"
 #include "pqView.h"
+#include "properties_panel.hpp"
 
 namespace {
 
@@ -84,7 +87,10 @@ pqTalwegDrawing::pqTalwegDrawing(vtkSMProxy* proxy, vtkSMPropertyGroup* group, Q
                    [this] { this->bringForward(); });  // other points are other actors
 }
 
-pqTalwegDrawing::~pqTalwegDrawing() { this->watch(nullptr); }
+pqTalwegDrawing::~pqTalwegDrawing() {
+  this->Step.reset();
+  this->watch(nullptr);
+}
 
 void pqTalwegDrawing::setView(pqView* view) {
   this->Superclass::setView(view);
@@ -96,6 +102,7 @@ void pqTalwegDrawing::setView(pqView* view) {
 
 void pqTalwegDrawing::watch(vtkRenderWindowInteractor* interactor) {
   if (interactor == this->Interactor) return;
+  this->letGo();
   if (this->Interactor != nullptr) this->Interactor->RemoveObserver(this->Command);
   if (this->Rendered != nullptr) this->Rendered->RemoveObserver(this->Command);
   this->Interactor = interactor;
@@ -126,8 +133,22 @@ bool pqTalwegDrawing::isDrawing() const {
          this->isVisible() && this->RenderView != nullptr;
 }
 
-bool pqTalwegDrawing::press() {
+void pqTalwegDrawing::take(int point) {
+  this->Dragged = point;
+  this->Step = std::make_unique<pqScopedUndoSet>(tr("Move a point"));
+}
+
+void pqTalwegDrawing::letGo() {
   this->Dragged = -1;
+  if (!this->Step) return;
+  if (vtkPVGeneralSettings::GetInstance()->GetAutoApply() && !this->isApplied()) {
+    apply_panel_of(*this);  // later it would be another step
+  }
+  this->Step.reset();
+}
+
+bool pqTalwegDrawing::press() {
+  this->letGo();
   this->Down.reset();
   this->Moved = false;
   const bool plain = this->Interactor->GetShiftKey() == 0 &&
@@ -136,9 +157,10 @@ bool pqTalwegDrawing::press() {
   this->setOwnWidgetActive(!ours);
   if (!ours) return false;
   const Pixel at = this->mouse();
-  this->Dragged = this->pointAt(at);
-  if (this->Dragged >= 0) {
-    this->setCurrentRow(this->Dragged);
+  const int point = this->pointAt(at);
+  if (point >= 0) {
+    this->take(point);
+    this->setCurrentRow(point);
     return true;
   }
   const int segment = this->segmentAt(at);
@@ -149,8 +171,8 @@ bool pqTalwegDrawing::press() {
   }
   std::vector<Point> points = this->clicked();
   points.insert(points.begin() + segment + 1, *place);
+  this->take(segment + 1);
   this->give(points, segment + 1);
-  this->Dragged = segment + 1;
   this->Moved = true;
   return true;
 }
@@ -172,7 +194,7 @@ bool pqTalwegDrawing::move() {
 bool pqTalwegDrawing::release() {
   const int dragged = this->Dragged;
   const std::optional<Pixel> down = this->Down;
-  this->Dragged = -1;
+  this->letGo();
   this->Down.reset();
   if (dragged >= 0) {
     const bool closes = dragged == 0 && !this->Moved && this->clicked().size() > 2;

@@ -8,6 +8,7 @@
 
 #include <QPointer>
 #include <array>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -18,6 +19,7 @@
 #include "pqSplinePropertyWidget.h"
 
 class QCheckBox;
+class pqScopedUndoSet;
 class vtkCallbackCommand;
 class vtkObject;
 class vtkRenderWindowInteractor;
@@ -44,6 +46,10 @@ class pqTalwegDrawing : public pqSplinePropertyWidget {
   bool move();
   bool release();
   bool key();
+  /// From now on a point follows the mouse; Auto Apply shows the curve meanwhile, and one step of
+  /// undo takes all of it back.
+  void take(int point);
+  void letGo();
 
   void watch(vtkRenderWindowInteractor* interactor);
   [[nodiscard]] bool isDrawing() const;
@@ -80,9 +86,10 @@ class pqTalwegDrawing : public pqSplinePropertyWidget {
   vtkWeakPointer<vtkRenderWindowInteractor> Interactor;
   vtkWeakPointer<vtkRenderer> Rendered;
   vtkWeakPointer<vtkSMRenderViewProxy> RenderView;
-  int Dragged = -1;           // the point that follows the mouse
-  bool Moved = false;         // since the button went down
-  std::optional<Pixel> Down;  // where it did, beside all points
+  int Dragged = -1;                       // the point that follows the mouse
+  bool Moved = false;                     // since the button went down
+  std::optional<Pixel> Down;              // where it did, beside all points
+  std::unique_ptr<pqScopedUndoSet> Step;  // all of a drag
 };
 
 #endif

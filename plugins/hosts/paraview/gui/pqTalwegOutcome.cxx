@@ -5,7 +5,6 @@
 #include <QEvent>
 #include <QFormLayout>
 #include <QLabel>
-#include <QMetaObject>
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QSpinBox>
@@ -25,6 +24,7 @@
 
 #include "pqTalwegAbort.h"
 #include "pqView.h"
+#include "properties_panel.hpp"
 
 namespace {
 
@@ -94,15 +94,13 @@ void pqTalwegOutcome::addLooks(int port) {
 }
 
 void pqTalwegOutcome::repair() {
-  QWidget* panel = this->parentWidget();
-  while (panel != nullptr && !panel->inherits("pqPropertiesPanel")) panel = panel->parentWidget();
   auto* shown = this->parentWidget() == nullptr
                     ? nullptr
                     : this->parentWidget()->findChild<QWidget*>("Repair");
   auto* box = shown == nullptr ? nullptr : shown->findChild<QCheckBox*>();
-  if (panel == nullptr || box == nullptr) return;
+  if (box == nullptr) return;
   box->setChecked(true);
-  QMetaObject::invokeMethod(panel, "apply");
+  apply_panel_of(*this);
 }
 
 vtkSMProxy* pqTalwegOutcome::shown() const {
@@ -144,8 +142,22 @@ void pqTalwegOutcome::tell() {
   this->Mend->setVisible(this->Text->text().contains("Tick Repair"));
   vtkSMProxy* curves = this->shown();
   if (curves == nullptr) return;
+  if (curves != this->Watched) {  // what is chosen under Coloring and Styling, or taken back
+    this->Watched = curves;
+    for (const char* name : {"ColorArrayName", "LineWidth"}) {
+      vtkSMProperty* looks = curves->GetProperty(name);
+      if (looks != nullptr) {
+        this->Events->Connect(looks, vtkCommand::ModifiedEvent, this, SLOT(tellLooks()));
+      }
+    }
+  }
+  this->tellLooks();
+}
+
+void pqTalwegOutcome::tellLooks() {
+  vtkSMProxy* curves = this->shown();
   auto* width = this->findChild<QSpinBox*>("LineWidth");
-  if (width == nullptr) return;
+  if (curves == nullptr || width == nullptr || curves->GetProperty("LineWidth") == nullptr) return;
   const QSignalBlocker quiet(width);
   width->setValue(vtkSMPropertyHelper(curves, "LineWidth").GetAsInt());
   auto* colour = this->findChild<QComboBox*>("CurveColour");

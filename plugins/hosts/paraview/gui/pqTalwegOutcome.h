@@ -9,6 +9,7 @@
 #include <memory>
 
 #include <vtkNew.h>
+#include <vtkWeakPointer.h>
 
 #include "pqPropertyWidget.h"
 
@@ -34,6 +35,7 @@ class pqTalwegOutcome : public pqPropertyWidget {
 
  private Q_SLOTS:
   void tell();
+  void tellLooks();
 
  private:
   void addLooks(int port);
@@ -46,7 +48,8 @@ class pqTalwegOutcome : public pqPropertyWidget {
 
   QLabel* Text;
   QPushButton* Mend;
-  int Port = -1;  // of the curves
+  int Port = -1;                       // of the curves
+  vtkWeakPointer<vtkSMProxy> Watched;  // the curves in the view
   vtkNew<vtkEventQtSlotConnect> Events;
   std::unique_ptr<pqTalwegAbort> Abort;
 };
