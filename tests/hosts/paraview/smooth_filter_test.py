@@ -185,6 +185,21 @@ class Outputs(Case):
         self.assertIn("moved onto the mesh", report(output(filter, 0), "warnings"))
 
 
+    def test_a_bound_instead_of_a_deviation_is_no_warning_but_reported(self):
+        """Around three sides of a sheet of needles, where measuring takes far longer than smoothing."""
+        wide, high = 800, 6
+        points = [(4 * i / wide, j, 0) for j in range(high + 1) for i in range(wide + 1)]
+        corners = [(wide + 1) * j + i for j in range(high) for i in range(wide)]
+        triangles = [triangle for a in corners for triangle in (
+            (a, a + 1, a + wide + 2), (a, a + wide + 2, a + wide + 1))]
+        way = [(wide + 1) * j + i for i, j in ((200, 1), (200, 6), (600, 6), (600, 2))]
+        filter = pv.TalwegSmoothVertices(Mesh=source(polydata(points, triangles)),
+                                         PointIds=" ".join(map(str, way)), Slack=4)
+        self.assertEqual(self.update(filter), [])
+        self.assertIn("far longer to measure", told(filter))
+        self.assertEqual(report(output(filter, 0), "deviation_exact"), 0)
+
+
 class Begin(Case):
     """What a new filter shows before anything was set."""
 

@@ -111,8 +111,18 @@ const char* vtkTalwegFilter::GetOutcome() {
   return common.Outcome.c_str();
 }
 
+namespace {
+
+/// What is so for many good drawings: nothing to mend.
+bool is_usual(const std::string& message) {
+  return message.starts_with("The curve was moved onto the mesh") ||
+         message.starts_with("The deviation would take far longer");
+}
+
+}  // namespace
+
 /// ParaView opens its messages for every warning, so one is not repeated while a slider moves, and
-/// there is none of what happens to nearly every drawing.
+/// there is none of what is usual.
 void vtkTalwegFilter::Log(unsigned int severity, const char* sentence) {
   const std::string message = this->InWordsOfPanel(sentence);
   if (severity >= TALWEG_LOG_WARNING) {
@@ -120,8 +130,7 @@ void vtkTalwegFilter::Log(unsigned int severity, const char* sentence) {
     std::string& all = this->Common->Warnings;
     if (all.find(message) == std::string::npos) all += std::string("\nNote: ") + message;
   }
-  const bool usual = message.starts_with("The curve was moved onto the mesh");
-  if (severity < TALWEG_LOG_WARNING || usual) {
+  if (severity < TALWEG_LOG_WARNING || is_usual(message)) {
     vtkLog(INFO, "Talweg: " << message);
   } else if (this->Common->Warned.insert(message).second) {
     vtkWarningMacro(<< message);
