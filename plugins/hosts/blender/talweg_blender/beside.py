@@ -22,7 +22,7 @@ class Beside:
     def invoke(self, context, _event):
         if bpy.app.background or context.window is None:
             return self.execute(context)
-        self._timer, obj = None, self.subject(context)
+        self._timer, self._told, obj = None, "", self.subject(context)
         self._steps = self.steps(context, obj)
         try:
             self._job = jobs.Job(next(self._steps))
@@ -45,7 +45,10 @@ class Beside:
             return {"PASS_THROUGH"} if event.type in _NAVIGATION else {"RUNNING_MODAL"}
         if self._job.is_done():
             return self._finish(context)
-        context.workspace.status_text_set(f"{self.bl_label}: {self._job.told}   |   Esc: stop")
+        told = f"{self.bl_label}: {self._job.told}   |   Esc: stop"
+        if told != self._told:  # each is drawn
+            self._told = told
+            context.workspace.status_text_set(told)
         return {"RUNNING_MODAL"}
 
     def cancel(self, context):
