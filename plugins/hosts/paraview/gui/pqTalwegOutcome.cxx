@@ -53,6 +53,7 @@ pqTalwegOutcome::pqTalwegOutcome(vtkSMProxy* proxy, vtkSMProperty* property, QWi
   column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(this->Text);
   this->Mend->setObjectName("Mend");
+  this->Mend->setFocusPolicy(Qt::NoFocus);  // it goes, and Ctrl-Z is for who has the focus then
   this->Mend->setVisible(false);
   QObject::connect(this->Mend, &QPushButton::clicked, this, [this] { this->repair(); });
   column->addWidget(this->Mend, 0, Qt::AlignLeft);
