@@ -226,8 +226,8 @@ void measure_by_parts(const SurfaceMesh& mesh, const Sides& sides,
     }
     end = end_of_part(segments, reach, i);
     const auto part = segments.subspan(i, end - i);
-    asker.did(sides.to.front().points.size());
     pieces = pieces_of(mesh.surface(), local.set_near(part, std::span(reach).subspan(i, end - i)));
+    asker.did(pieces.segments.size());
     measurement.add(part);
     windows += distance.window_count();
   }

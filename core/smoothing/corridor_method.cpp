@@ -50,7 +50,7 @@ void CorridorMethod::set(std::span<const SurfaceCurve> near, std::vector<Corrido
   valleys_ = std::move(valleys);
   Asker asker(progress, "solve");
   const AskedDuring asked(memory_->distance(), asker);
-  memory_->distance().set(near);
+  memory_->distance().set_with_few_windows(near);
 }
 
 void CorridorMethod::solve(const Progress& progress) {

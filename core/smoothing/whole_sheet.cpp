@@ -1,8 +1,11 @@
 #include "talweg/core/smoothing/whole_sheet.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <utility>
+
+#include <fmt/format.h>
 
 #include "talweg/core/measure/measures.hpp"
 #include "talweg/core/smoothing/leg_start.hpp"
@@ -12,7 +15,7 @@ namespace talweg {
 namespace {
 
 // Of measuring, where the caller leaves it to us: about as long as smoothing takes.
-constexpr std::uint64_t kMostWork = 500'000, kMostWorkOfPoint = 700;
+constexpr std::uint64_t kMostWork = 500'000, kMostWorkOfPoint = 500;
 
 /// Of several strokes: the largest of their deviations, and their means weighted by length.
 class StrokesDeviation {
@@ -104,6 +107,7 @@ Smoothed WholeSheet::curves(const SmoothingOptions& options, const GivenPotentia
                     : corridor_      ? corridor_->smooth(options, progress)
                                      : paper_->smooth(options, progress);
   result.time_ms.solve = solve_ms_;
+  if (corridor_ && given == nullptr) warn_of_upper_bounds(result);
   if (paper_) {
     result.time_ms.open = paper_->lift().open_ms();
     result.time_ms.solve = paper_->lift().solve_ms();
@@ -111,6 +115,18 @@ Smoothed WholeSheet::curves(const SmoothingOptions& options, const GivenPotentia
     result.warnings = paper_->lift().warnings();
   }
   return result;
+}
+
+/// Told here, since a corridor's trials look for other warnings.
+void WholeSheet::warn_of_upper_bounds(Smoothed& result) const {
+  const double exact = memory_->distance().exact_within();
+  const std::vector<double> slacks = slack();
+  if (slacks.empty() || exact >= *std::max_element(slacks.begin(), slacks.end())) return;
+  result.warnings.push_back(
+      fmt::format("Exact distances would take far too long here: farther than {:.4g} from the "
+                  "drawing they were "
+                  "taken longer than they are, and the result may stay nearer to it than it need.",
+                  exact));
 }
 
 /// A leg is nowhere near its drawing, so only strokes count where there are any.
@@ -129,7 +145,8 @@ MeasuredDeviation WholeSheet::deviation_of(std::size_t curve, const SurfaceCurve
   const std::vector<SurfaceCurve> to = mixed ? strokes_of(legs, result) : std::vector{result};
   if (from.size() == 1 || from.size() != to.size()) {
     const bool whole = from.size() != to.size();
-    const bool band_is_there = corridor_ && drawing.curves().size() == 1 && !legs.any();
+    const bool band_is_there = corridor_ && drawing.curves().size() == 1 && !legs.any() &&
+                               std::isinf(memory_->distance().exact_within());
     return between(whole ? drawn : from[0], whole ? result : to[0],
                    band_is_there ? &memory_->distance() : nullptr);
   }

@@ -43,6 +43,7 @@ class WholeSheet final : public Sheet {
   }
 
  private:
+  void warn_of_upper_bounds(Smoothed& result) const;
   [[nodiscard]] MeasuredDeviation deviation_of(std::size_t curve, const SurfaceCurve& result,
                                                DeviationMeasure measure, const Progress& progress);
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "talweg/intrinsic/exact_distance/polyline_window.hpp"
+#include "talweg/intrinsic/exact_distance/window_crowd.hpp"
 
 namespace talweg {
 
@@ -40,17 +41,15 @@ class EdgeBounds {
     update(before == 0 ? 0 : before - 1, std::min(parts_ - 1, last + 1));
   }
 
-  struct Stretch {
-    double begin, end;
-    [[nodiscard]] bool is_empty() const { return end < begin; }
-  };
   /// A stretch of a window, without parts at its ends where known ways are shorter by more than
-  /// `same`.
-  [[nodiscard]] Stretch not_longer(const EdgeWindow& window, double same) const {
-    const Asked asked{&window, same};
+  /// `same`. Adds what was looked at.
+  [[nodiscard]] EdgeRange not_longer(const EdgeWindow& window, double same,
+                                     std::size_t& looked_at) const {
+    Asked asked{&window, same};
     const std::size_t first = find(asked, 1, 0, parts_, false);
-    if (first == parts_) return {1, 0};
-    const std::size_t last = find(asked, 1, 0, parts_, true);
+    const std::size_t last = first == parts_ ? first : find(asked, 1, 0, parts_, true);
+    looked_at += asked.looked_at;
+    if (first == parts_) return {};
     return {std::max(window.begin, place(first)), std::min(window.end, place(last + 1))};
   }
 
@@ -58,6 +57,7 @@ class EdgeBounds {
   struct Asked {
     const EdgeWindow* window;
     double same;
+    std::size_t looked_at = 0;
   };
 
   [[nodiscard]] double place(std::size_t i) const {
@@ -81,8 +81,10 @@ class EdgeBounds {
 
   /// The first or the last part, of `count` from `first` on, in which the window may be shorter;
   /// parts() for none.
-  [[nodiscard]] std::size_t find(const Asked& asked, std::size_t node, std::size_t first,
+  [[nodiscard]] std::size_t find(Asked& asked, std::size_t node, std::size_t first,
                                  std::size_t count, bool last) const {
+    constexpr std::size_t kLooks = 4;  // a root, and memory that lies anywhere
+    asked.looked_at += kLooks;
     const double from = std::max(asked.window->begin, place(first));
     const double to = std::min(asked.window->end, place(first + count));
     if (to < from) return parts_;

@@ -12,6 +12,11 @@ namespace {
 
 using Nearest = PolylineDistance::Nearest;
 
+// Among ordinary faces an edge has 3 to 15 windows, among needles hundreds. One takes 64 bytes and
+// about a microsecond.
+constexpr std::size_t kWindows = 100'000, kWindowsOfPoint = 32, kWindowsOfEdge = 16,
+                      kMostWindows = 8'000'000;
+
 }  // namespace
 
 PolylineDistance::PolylineDistance(const Surface& surface)
@@ -21,21 +26,27 @@ PolylineDistance::PolylineDistance(const Surface& surface)
       faces_(surface),
       edge_ways_(surface) {}
 
-void PolylineDistance::forget(double step) {
-  front_.reset(step);
+void PolylineDistance::forget(double step, const WindowFront::Room& room) {
+  front_.reset(step, room);
   components_.clear();
   faces_.clear();
   edge_ways_.clear();
 }
 
-void PolylineDistance::set(std::span<const SurfaceCurve> curves) {
+void PolylineDistance::set_with_few_windows(std::span<const SurfaceCurve> curves) {
+  std::size_t points = 0;
+  for (const SurfaceCurve& curve : curves) points += curve.points.size();
+  set(curves, {kWindows + kWindowsOfPoint * points, kWindowsOfEdge, kMostWindows});
+}
+
+void PolylineDistance::set(std::span<const SurfaceCurve> curves, const WindowFront::Room& room) {
   PolylinePieces pieces = pieces_of(*surface_, curves);
-  forget(step_width(*surface_, pieces));
+  forget(step_width(*surface_, pieces), room);
   pieces_ = std::move(pieces);
   try {
     send_pieces(*surface_, pieces_, front_);
   } catch (...) {
-    forget(1);
+    forget(1, {});
     pieces_ = {};
     throw;
   }

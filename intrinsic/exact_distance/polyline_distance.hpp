@@ -36,7 +36,10 @@ class PolylineDistance {
   /// Sets the curves to measure from. O(points of the curves + what the last ones had touched). A
   /// curve of one point is a point. Throws Error(kBadCurve) naming the curve and the point when a
   /// curve has no points or two neighbours have no common face; then no curves are set.
-  void set(std::span<const SurfaceCurve> curves);
+  void set(std::span<const SurfaceCurve> curves) { set(curves, WindowFront::Room{}); }
+  /// The same with few windows for each point, and for each edge on the way, for callers that can
+  /// do with upper bounds where these are used up: see exact_within().
+  void set_with_few_windows(std::span<const SurfaceCurve> curves);
 
   /// Sets the asker that is asked while windows spread; null for none. With an asker, set() and
   /// every query may throw Cancelled. Then set() leaves no curves set, and an interrupted query
@@ -83,11 +86,16 @@ class PolylineDistance {
   }
   /// All distances below this are already known.
   [[nodiscard]] double front() const { return front_.distance(); }
+  /// Distances (mesh units) up to this are exact, those beyond are upper bounds, all of them
+  /// lengths of ways along the surface. Infinite unless there are few windows and they were used
+  /// up.
+  [[nodiscard]] double exact_within() const { return front_.exact_within(); }
   /// The number of windows made since set(), which measures the cost.
   [[nodiscard]] std::size_t window_count() const { return front_.windows().size(); }
 
  private:
-  void forget(double step);
+  void set(std::span<const SurfaceCurve> curves, const WindowFront::Room& room);
+  void forget(double step, const WindowFront::Room& room);
   [[nodiscard]] Nearest finish(Nearest nearest) const;
   [[nodiscard]] bool is_final_at(VertexId beside, double distance);
   [[nodiscard]] VertexId vertex_beside(const SurfacePoint& point) const;

@@ -1,8 +1,9 @@
-// The queue of windows is ordered by distance, in steps of one width.
+// The queue of windows is ordered by distance, in steps.
 #pragma once
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -10,8 +11,10 @@
 
 namespace talweg {
 
-/// Items leave in order of floor(key / step), and within one step in the order in which they were
-/// pushed. Keys far ahead wait in a separate list. Amortised O(1) for items within kRing steps.
+/// Items leave in order of their step, and within one step in the order in which they were pushed.
+/// kEven steps have the same width; then the widths of as many are twice as large, and so on: steps
+/// that are narrow enough near the sources would be too many far away. Keys far ahead wait in a
+/// separate list. Amortised O(1) for items within kRing steps.
 class StepQueue {
  public:
   struct Item {
@@ -20,7 +23,7 @@ class StepQueue {
     std::uint32_t kind;
   };
 
-  /// Empties the queue; `step` > 0 in the unit of the keys.
+  /// Empties the queue; `step` > 0, the first width, in the unit of the keys.
   void reset(double step) {
     for (auto& bucket : ring_) bucket.clear();
     later_.clear();
@@ -34,8 +37,7 @@ class StepQueue {
   [[nodiscard]] double step() const { return step_; }
   /// Every item in the queue has at least this key; infinite when the queue is empty.
   [[nodiscard]] double front() const {
-    return empty() ? std::numeric_limits<double>::infinity()
-                   : static_cast<double>(current_) * step_;
+    return empty() ? std::numeric_limits<double>::infinity() : begin_of(current_);
   }
   /// Whether an item with this key would leave after the current step.
   [[nodiscard]] bool is_later(double key) const { return number_of(key) > current_; }
@@ -76,11 +78,26 @@ class StepQueue {
 
  private:
   static constexpr std::uint64_t kRing = 256;
+  static constexpr std::uint64_t kEven = 2048;
   static constexpr std::uint64_t kFarthest = std::uint64_t{1} << 62U;
 
+  /// Doubling k begins with step kEven k, at kEven (2^k - 1) first widths.
   [[nodiscard]] std::uint64_t number_of(double key) const {
-    const double number = key / step_;
-    return number < static_cast<double>(kFarthest) ? static_cast<std::uint64_t>(number) : kFarthest;
+    constexpr double kWidths = kEven;
+    const double widths = std::max(0.0, key / step_);
+    if (widths < kWidths) return static_cast<std::uint64_t>(widths);
+    if (!std::isfinite(widths)) return kFarthest;
+    const int doubling = std::ilogb(widths / kWidths + 1);
+    const double beyond = std::ldexp(widths + kWidths, -doubling) - kWidths;
+    const double most = kWidths - 1;  // rounding may be about to double once more
+    return kEven * static_cast<std::uint64_t>(doubling) +
+           static_cast<std::uint64_t>(std::clamp(beyond, 0.0, most));
+  }
+  [[nodiscard]] double begin_of(std::uint64_t number) const {
+    constexpr double kWidths = kEven;
+    const int doubling = static_cast<int>(number / kEven);
+    const double beyond = static_cast<double>(number % kEven);
+    return (std::ldexp(kWidths + beyond, doubling) - kWidths) * step_;
   }
 
   void advance() {

@@ -72,23 +72,39 @@ void send_pieces(const Surface& surface, const PolylinePieces& pieces, WindowFro
   }
 }
 
+namespace {
+
+/// How far apart the sides of a face are: about its mean side, but less in a needle, where so wide
+/// a step would spread windows over a thousand others at once.
+double width_of(const Surface& surface, FaceId face) {
+  constexpr double kLeast = 1.0 / 4096;  // in faces without area
+  const HalfedgeId h = surface.halfedge(face);
+  const double a = surface.length(edge_of(h)), b = surface.length(edge_of(surface.next(h))),
+               c = surface.length(edge_of(surface.prev(h)));
+  const double mean = (a + b + c) / 3, longest = std::max({a, b, c});
+  if (!(longest > 0)) return 0;
+  const double height = 2 * triangle_area(a, b, c) / longest;
+  return std::min(mean, std::max(2 * height, kLeast * mean));
+}
+
+}  // namespace
+
 double step_width(const Surface& surface, const PolylinePieces& pieces) {
   double sum = 0;
   std::size_t count = 0;
-  const auto add = [&](HalfedgeId h) {
-    sum += surface.length(edge_of(h));
-    ++count;
-  };
-  const auto add_face = [&](const PolylinePiece& piece) {
-    if (piece.face.valid()) {
-      const HalfedgeId h = surface.halfedge(piece.face);
-      for (const HalfedgeId side : {h, surface.next(h), surface.prev(h)}) add(side);
-    } else if (const HalfedgeId h = surface.halfedge(piece.vertex); h.valid()) {
-      add(h);
+  for (const auto* kind : {&pieces.segments, &pieces.points}) {
+    for (const PolylinePiece& piece : *kind) {
+      if (piece.face.valid()) {
+        sum += width_of(surface, piece.face);
+      } else if (const HalfedgeId h = surface.halfedge(piece.vertex); h.valid()) {
+        sum +=
+            surface.has_face(h) ? width_of(surface, surface.face(h)) : surface.length(edge_of(h));
+      } else {
+        continue;
+      }
+      ++count;
     }
-  };
-  for (const PolylinePiece& piece : pieces.segments) add_face(piece);
-  for (const PolylinePiece& piece : pieces.points) add_face(piece);
+  }
   if (sum > 0) return sum / static_cast<double>(count) / 8;
   const auto lengths = surface.lengths();
   const auto longest = std::max_element(lengths.begin(), lengths.end());

@@ -1,7 +1,6 @@
 // The window lists hold the windows of all edges, by edge.
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -10,23 +9,24 @@
 
 #include "talweg/intrinsic/exact_distance/edge_bounds.hpp"
 #include "talweg/intrinsic/exact_distance/polyline_window.hpp"
+#include "talweg/intrinsic/exact_distance/window_crowd.hpp"
+#include "talweg/intrinsic/exact_distance/window_store.hpp"
 #include "talweg/intrinsic/surface/ids.hpp"
 
 namespace talweg {
 
 /// Nearly every edge has only a few windows, which form a list through EdgeWindow::next. The long
-/// sides of needles can have thousands, of which a new window meets two or three. For such edges
-/// the windows' extents are stored side by side, so that a search does not fetch all windows from
-/// memory, and bounds tell at once where a new window is not shorter.
+/// sides of needles can have thousands, of which a new window meets two or three: there a crowd
+/// finds these, and bounds tell at once where a new window is not shorter.
 class WindowLists {
  public:
-  using Id = std::uint32_t;
+  using Id = WindowStore::Id;
 
-  explicit WindowLists(std::size_t edge_count) : first_(edge_count, kNone) {}
+  explicit WindowLists(std::size_t edge_count) : first_(edge_count, kUntouched) {}
 
   /// O(edges that had windows).
   void clear() {
-    for (const EdgeId e : touched_) first_[e.index()] = kNone;
+    for (const EdgeId e : touched_) first_[e.index()] = kUntouched;
     touched_.clear();
     crowds_.clear();
     windows_.clear();
@@ -34,63 +34,73 @@ class WindowLists {
 
   /// The number of windows added since clear(); an id is at most this.
   [[nodiscard]] std::size_t size() const { return windows_.size(); }
+  /// The number of edges that have had windows since clear().
+  [[nodiscard]] std::size_t edge_count() const { return touched_.size(); }
   /// Also valid for windows that were removed.
   [[nodiscard]] const EdgeWindow& operator[](Id id) const { return windows_[id]; }
 
   Id add(EdgeId edge, const EdgeWindow& window) {
-    const auto id = static_cast<Id>(windows_.size());
-    windows_.push_back(window);
+    const Id id = windows_.add(window);
     Id& first = first_[edge.index()];
     if (is_crowd(first)) {
       Crowd& crowd = crowds_[first & ~kCrowd];
-      crowd.extents.push_back({window.begin, window.end, id});
+      crowd.extents.add({window.begin, window.end}, id);
       if (crowd.bounds) crowd.bounds->add(window);
-    } else {
-      if (first == kNone) touched_.push_back(edge);
-      windows_.back().next = std::exchange(first, id);
+      looked_at_ += kLooksOfAdding;
+      return id;
     }
+    if (first == kUntouched) {
+      touched_.push_back(edge);
+      first = kNone;
+    }
+    windows_[id].next = std::exchange(first, id);
     return id;
   }
 
-  /// Calls use(const EdgeWindow&) for all windows of an edge, the newest first.
+  /// Calls use(const EdgeWindow&) for all windows of an edge.
   template <class Use>
   void each(EdgeId edge, Use use) const {
     const Id first = first_[edge.index()];
     if (is_crowd(first)) {
-      const auto& extents = crowds_[first & ~kCrowd].extents;
-      for (std::size_t i = extents.size(); i-- > 0;) use(windows_[extents[i].id]);
+      crowds_[first & ~kCrowd].extents.each([&](Id id) { use(windows_[id]); });
     } else {
-      for (Id i = first; i != kNone; i = windows_[i].next) use(windows_[i]);
+      for (Id i = first; !is_end(i); i = windows_[i].next) use(windows_[i]);
     }
   }
 
-  /// A range along an edge; empty where end < begin.
-  struct Range {
-    double begin = 1, end = 0;
-    [[nodiscard]] bool is_empty() const { return end < begin; }
-    [[nodiscard]] bool meets(double from, double to) const { return from <= end && begin <= to; }
-  };
   /// The range of a new window without parts at its ends where ways that are known are shorter by
   /// more than `same`. Only looked for where there are many windows.
-  Range not_longer(EdgeId edge, const EdgeWindow& window, double length, double same) {
+  EdgeRange not_longer(EdgeId edge, const EdgeWindow& window, double length, double same) {
     const Id first = first_[edge.index()];
     constexpr double kShort = 1e-290;  // so short edges cannot be divided into parts
     if (!is_crowd(first) || length < kShort) return {window.begin, window.end};
     Crowd& crowd = crowds_[first & ~kCrowd];
     if (!crowd.bounds || crowd.bounds->parts() < crowd.extents.size()) bound(crowd, length);
-    const auto [begin, end] = crowd.bounds->not_longer(window, same);
-    return {begin, end};
+    return crowd.bounds->not_longer(window, same, looked_at_);
   }
   /// Calls use(EdgeWindow&) for the windows that meet a range. It returns the range to continue
   /// with, and may cut the window, which is removed when it is empty.
   template <class Use>
-  void each_meeting(Range range, EdgeId edge, Use use) {
-    const Id first = first_[edge.index()];
+  void each_meeting(EdgeRange range, EdgeId edge, Use use) {
+    Id& first = first_[edge.index()];
     if (is_crowd(first)) {
-      each_in(crowds_[first & ~kCrowd], range, use);
-    } else if (each_in(&first_[edge.index()], range, use) > kMany) {
+      looked_at_ +=
+          crowds_[first & ~kCrowd].extents.each_meeting(range, [&](Id id, EdgeRange& extent) {
+            const EdgeRange rest = use(windows_[id]);
+            extent = {windows_[id].begin, windows_[id].end};
+            return rest;
+          });
+    } else if (each_in(&first, range, use) > kMany) {
       make_crowd(edge);
     }
+  }
+
+  /// What searching in crowds has cost since this was last called, in units of work.
+  std::size_t take_work() {
+    constexpr std::size_t kOfUnit = 32;  // extents that are looked at
+    const std::size_t units = looked_at_ / kOfUnit;
+    looked_at_ %= kOfUnit;
+    return units;
   }
 
   /// Prefetches the memory that the next call for this edge needs.
@@ -98,27 +108,25 @@ class WindowLists {
   void fetch(Id window) const { __builtin_prefetch(&windows_[window]); }
 
  private:
-  static constexpr Id kNone = 0xFFFFFFFFU;
+  static constexpr Id kNone = 0xFFFFFFFFU, kUntouched = kNone - 1;
   static constexpr Id kCrowd = 0x80000000U;  // the other bits are the index of the crowd
   static constexpr std::size_t kMany = 32;
-  struct Extent {
-    double begin, end;
-    Id id;
-  };
+  static constexpr std::size_t kLooksOfAdding = 128;  // to a crowd: memory that lies anywhere
   struct Crowd {
-    std::vector<Extent> extents;  // the newest is last
+    WindowCrowd extents;
     std::optional<EdgeBounds> bounds;
   };
 
-  static bool is_crowd(Id first) { return first != kNone && (first & kCrowd) != 0; }
+  static bool is_end(Id id) { return id >= kUntouched; }
+  static bool is_crowd(Id first) { return !is_end(first) && (first & kCrowd) != 0; }
 
   /// Returns the number of windows visited.
   template <class Use>
-  std::size_t each_in(Id* link, Range range, Use& use) {
+  std::size_t each_in(Id* link, EdgeRange range, Use& use) {
     std::size_t count = 0;
-    for (; !range.is_empty() && *link != kNone; ++count) {
+    for (; !range.is_empty() && !is_end(*link); ++count) {
       EdgeWindow& window = windows_[*link];
-      if (range.meets(window.begin, window.end)) range = use(window);
+      if (range.meets({window.begin, window.end})) range = use(window);
       if (window.is_empty()) {
         *link = window.next;
       } else {
@@ -128,42 +136,30 @@ class WindowLists {
     return count;
   }
 
-  template <class Use>
-  void each_in(Crowd& crowd, Range range, Use& use) {
-    std::vector<Extent>& extents = crowd.extents;
-    for (std::size_t i = extents.size(); !range.is_empty() && i-- > 0;) {
-      Extent& extent = extents[i];
-      if (!range.meets(extent.begin, extent.end)) continue;
-      EdgeWindow& window = windows_[extent.id];
-      range = use(window);
-      extent.begin = window.begin;
-      extent.end = window.end;
-      if (window.is_empty()) extents.erase(extents.begin() + static_cast<std::ptrdiff_t>(i));
-    }
-  }
-
   void make_crowd(EdgeId edge) {
     Crowd crowd;
-    each(edge, [&](const EdgeWindow& w) {
-      crowd.extents.push_back({w.begin, w.end, static_cast<Id>(&w - windows_.data())});
-    });
-    std::reverse(crowd.extents.begin(), crowd.extents.end());
+    for (Id i = first_[edge.index()]; !is_end(i); i = windows_[i].next) {
+      crowd.extents.add({windows_[i].begin, windows_[i].end}, i);
+    }
     crowds_.push_back(std::move(crowd));
     first_[edge.index()] = kCrowd | static_cast<Id>(crowds_.size() - 1);
   }
 
-  /// Makes bounds of four parts a window, so that they serve until there are as many windows more.
+  /// Makes bounds of two to four parts a window; they serve until there are as many windows as
+  /// parts.
   void bound(Crowd& crowd, double length) {
     std::size_t parts = 1;
-    while (parts < 4 * crowd.extents.size()) parts *= 2;
+    while (parts < 2 * crowd.extents.size()) parts *= 2;
     crowd.bounds.emplace(length, parts);
-    for (const Extent& extent : crowd.extents) crowd.bounds->add(windows_[extent.id]);
+    crowd.extents.each([&](Id id) { crowd.bounds->add(windows_[id]); });
+    looked_at_ += crowd.extents.size();
   }
 
   std::vector<Id> first_;  // per edge
   std::vector<Crowd> crowds_;
-  std::vector<EdgeWindow> windows_;
+  WindowStore windows_;
   std::vector<EdgeId> touched_;
+  std::size_t looked_at_ = 0;
 };
 
 }  // namespace talweg

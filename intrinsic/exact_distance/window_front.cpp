@@ -15,10 +15,12 @@ WindowFront::WindowFront(const Surface& surface)
       vertices_(surface.vertex_count()),
       windows_(surface.edge_count()) {}
 
-void WindowFront::reset(double step) {
+void WindowFront::reset(double step, const Room& room) {
   vertices_.clear();
   windows_.clear();
   queue_.reset(step);
+  room_ = room;
+  exact_within_ = HUGE_VAL;
 }
 
 void WindowFront::send(const EdgeWindow& window) {
@@ -71,7 +73,7 @@ void WindowFront::march() {
   constexpr std::size_t kOfItem = 4;  // units of work
   StepQueue::Item item{};
   for (work_.tell(); queue_.pop(item); work_.tell()) {
-    work_.add(kOfItem);
+    work_.add(kOfItem + windows_.take_work());
     fetch_ahead();
     if (item.kind == kVertexItem) {
       const VertexId v{item.id};
@@ -180,14 +182,15 @@ void WindowFront::insert(const EdgeWindow& window) {
   if (to_head < vertices_[head].distance) {
     lower(head, {to_head, window.curve, window.arc_at(window.end)});
   }
-  const WindowLists::Range whole = windows_.not_longer(edge, window, length, same);
+  if (!has_room()) return;
+  const EdgeRange whole = windows_.not_longer(edge, window, length, same);
   if (whole.is_empty()) return;
   ShorterParts shorter(window, length, same, {whole.begin, whole.end});
   windows_.each_meeting(whole, edge, [&](EdgeWindow& other) {
     work_.add(1);
     shorter.compare_with(other);
-    if (shorter.empty()) return WindowLists::Range{};
-    return WindowLists::Range{shorter.parts().front()[0], shorter.parts().back()[1]};
+    if (shorter.empty()) return EdgeRange{};
+    return EdgeRange{shorter.parts().front()[0], shorter.parts().back()[1]};
   });
   for (const auto& [begin, end] : shorter.parts()) {
     EdgeWindow part = window;
@@ -195,6 +198,17 @@ void WindowFront::insert(const EdgeWindow& window) {
     part.end = end;
     queue_.push({part.lowest(), windows_.add(edge, part), kWindowItem});
   }
+}
+
+/// What has no room would have led to distances behind the front.
+bool WindowFront::has_room() {
+  if (!std::isinf(exact_within_)) return false;
+  const std::size_t count = windows_.size();
+  const bool suffices = count < room_.windows ||
+                        count - room_.windows <= room_.windows_of_edge * windows_.edge_count();
+  if (suffices && count < room_.most) return true;
+  exact_within_ = std::isinf(distance()) ? 0 : distance();
+  return false;
 }
 
 void WindowFront::lower(VertexId v, const NearestOnCurve& way) {

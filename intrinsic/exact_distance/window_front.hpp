@@ -1,6 +1,7 @@
 // The window front spreads windows over the surface, in the order of their distance.
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 
@@ -23,8 +24,16 @@ class WindowFront {
  public:
   explicit WindowFront(const Surface& surface);
 
+  /// How many windows there may be. Among needles their number grows with the square of the number
+  /// of edges, elsewhere there are a few for each.
+  struct Room {
+    std::size_t windows = SIZE_MAX;   ///< besides
+    std::size_t windows_of_edge = 0;  ///< for each edge that has windows
+    std::size_t most = SIZE_MAX;      ///< in any case
+  };
   /// Forgets all sources, windows and distances. `step` > 0, mesh units.
-  void reset(double step);
+  void reset(double step, const Room& room);
+  void reset(double step) { reset(step, Room{}); }
 
   /// Adds a window of a source inside a face. It is laid out along the halfedge of that face, whose
   /// twin is window.into.
@@ -48,6 +57,10 @@ class WindowFront {
   }
   [[nodiscard]] bool is_done() const { return queue_.empty(); }
 
+  /// Distances up to this are exact; those farther out are not less than the exact ones. Infinite
+  /// while there is room for windows; then only ways along edges lead on.
+  [[nodiscard]] double exact_within() const { return exact_within_; }
+
   /// The best known values, which are final where is_final() says so.
   [[nodiscard]] const VertexDistances& vertices() const { return vertices_; }
   /// x from the tail of the edge's own halfedge.
@@ -66,6 +79,7 @@ class WindowFront {
   void spread_from(VertexId v);
   void spread_across(HalfedgeId spoke, const NearestOnCurve& from);
   void insert(const EdgeWindow& window);
+  bool has_room();
   void lower(VertexId v, const NearestOnCurve& way);
 
   const Surface* surface_;
@@ -74,6 +88,8 @@ class WindowFront {
   WindowLists windows_;
   StepQueue queue_;
   WorkTally work_;
+  Room room_;
+  double exact_within_ = HUGE_VAL;
 };
 
 }  // namespace talweg

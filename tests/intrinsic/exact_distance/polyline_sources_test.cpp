@@ -78,5 +78,15 @@ TEST_F(SourcesInAFace, AStepIsAnEighthOfTheMeanSide) {
   EXPECT_NEAR(step_width(surface_, {}), diagonal_, 1e-15);  // the longest edge
 }
 
+TEST(StepWidth, IsNotMuchMoreThanTheHeightOfANeedle) {
+  const double height = 1e-3;
+  const Surface surface = test::surface_of({{{0, 0, 0}, {2, 0, 0}, {1, height, 0}}, {{0, 1, 2}}});
+  PolylinePieces pieces;
+  pieces.segments.push_back({FaceId{0}, 0, {0.5, 0.25, 0.25}, {0.25, 0.5, 0.25}});
+  EXPECT_NEAR(step_width(surface, pieces), height / 4, 1e-9);
+  const Surface flat = test::surface_of({{{0, 0, 0}, {2, 0, 0}, {1, 0, 0}}, {{0, 1, 2}}});
+  EXPECT_GT(step_width(flat, pieces), 1e-5);
+}
+
 }  // namespace
 }  // namespace talweg

@@ -78,6 +78,30 @@ TEST_F(MarchOnAGrid, WindowsCanBeSourcesAndAreForgotten) {
   EXPECT_NEAR(front_.vertices()[VertexId{1}].distance, std::hypot(0.25, 0.5), kMarched);
 }
 
+TEST_F(MarchOnAGrid, WithoutRoomDistancesFartherOutAreLonger) {
+  front_.reset(0.25, {12, 0, 1000});
+  front_.start_at(VertexId{0}, {0, 0, 0});
+  EXPECT_TRUE(std::isinf(front_.exact_within()));
+  march_to_the_end(front_);
+  EXPECT_LE(front_.windows().size(), 13U);
+  const double exact = front_.exact_within();
+  EXPECT_GT(exact, 0.2);
+  EXPECT_LT(exact, 6);
+  int longer = 0;
+  for (std::size_t v = 0; v < surface_.vertex_count(); ++v) {
+    const double known = front_.vertices()[VertexId{v}].distance, true_one = from_origin(v);
+    if (true_one <= exact) {
+      EXPECT_NEAR(known, true_one, kMarched);
+    }
+    EXPECT_GE(known, true_one - kMarched);
+    EXPECT_LE(known, true_one * std::sqrt(2.0) + kMarched);  // along edges at most
+    if (known > true_one + 0.1) ++longer;
+  }
+  EXPECT_GT(longer, 0);
+  front_.reset(0.25);
+  EXPECT_TRUE(std::isinf(front_.exact_within()));
+}
+
 TEST_F(MarchOnAGrid, ContinuesWhereItWasInterrupted) {
   WindowFront whole(surface_);
   for (WindowFront* front : {&whole, &front_}) {

@@ -1,0 +1,108 @@
+// A window crowd holds the extents of the many windows of one edge, so that those in a place are
+// found.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace talweg {
+
+/// A range along an edge; empty where end < begin.
+struct EdgeRange {
+  double begin = 1, end = 0;
+  [[nodiscard]] bool is_empty() const { return end < begin; }
+  [[nodiscard]] bool meets(const EdgeRange& other) const {
+    return other.begin <= end && begin <= other.end;
+  }
+};
+
+/// The extents lie in heaps of up to kMost, side by side along the edge. Windows of one edge hardly
+/// overlap, so a range meets few heaps beside those that it contains. For n windows, adding one
+/// costs O(kMost + n / kMost), and so does a search, beside what it finds.
+class WindowCrowd {
+ public:
+  using Id = std::uint32_t;
+
+  [[nodiscard]] std::size_t size() const { return size_; }
+
+  void add(const EdgeRange& extent, Id id) {
+    if (heaps_.empty()) heaps_.emplace_back();
+    auto after =
+        std::upper_bound(heaps_.begin(), heaps_.end(), extent.begin,
+                         [](double begin, const Heap& heap) { return begin < heap.reach.begin; });
+    const auto at = after == heaps_.begin() ? after : after - 1;
+    at->add({extent, id});
+    ++size_;
+    if (at->extents.size() == kMost) split(static_cast<std::size_t>(at - heaps_.begin()));
+  }
+
+  /// Calls use(Id) for all windows.
+  template <class Use>
+  void each(Use use) const {
+    for (const Heap& heap : heaps_) {
+      for (const Extent& extent : heap.extents) use(extent.id);
+    }
+  }
+
+  /// Calls use(Id, EdgeRange&) for the windows that meet a range. It returns the range to continue
+  /// with, and may make the extent smaller; a window whose extent is then empty is taken out.
+  /// Returns how many extents were looked at.
+  template <class Use>
+  std::size_t each_meeting(EdgeRange range, Use use) {
+    std::size_t looked_at = 0;
+    for (std::size_t h = 0; h < heaps_.size() && !range.is_empty(); ++h) {
+      ++looked_at;
+      if (!range.meets(heaps_[h].reach)) continue;
+      std::vector<Extent>& extents = heaps_[h].extents;
+      looked_at += extents.size();
+      for (std::size_t i = 0; i < extents.size() && !range.is_empty();) {
+        if (range.meets(extents[i].range)) range = use(extents[i].id, extents[i].range);
+        if (!extents[i].range.is_empty()) {
+          ++i;
+          continue;
+        }
+        extents[i] = extents.back();
+        extents.pop_back();
+        --size_;
+      }
+    }
+    return looked_at;
+  }
+
+ private:
+  static constexpr std::size_t kMost = 64;
+  struct Extent {
+    EdgeRange range;
+    Id id;
+  };
+  struct Heap {
+    EdgeRange reach{std::numeric_limits<double>::infinity(),
+                    -std::numeric_limits<double>::infinity()};
+    std::vector<Extent> extents;
+
+    void add(const Extent& extent) {
+      extents.push_back(extent);
+      reach.begin = std::min(reach.begin, extent.range.begin);
+      reach.end = std::max(reach.end, extent.range.end);
+    }
+  };
+
+  void split(std::size_t at) {
+    std::vector<Extent> all = std::exchange(heaps_[at], {}).extents;
+    const auto middle = all.begin() + kMost / 2;
+    std::nth_element(all.begin(), middle, all.end(), [](const Extent& a, const Extent& b) {
+      return a.range.begin < b.range.begin;
+    });
+    heaps_.insert(heaps_.begin() + static_cast<std::ptrdiff_t>(at) + 1, Heap{});
+    for (auto i = all.begin(); i != all.end(); ++i) heaps_[i < middle ? at : at + 1].add(*i);
+  }
+
+  std::vector<Heap> heaps_;  // by reach.begin
+  std::size_t size_ = 0;
+};
+
+}  // namespace talweg
