@@ -15,7 +15,7 @@ namespace talweg {
 namespace {
 
 // Of measuring, where the caller leaves it to us: about as long as smoothing takes.
-constexpr std::uint64_t kMostWork = 500'000, kMostWorkOfPoint = 500;
+constexpr std::uint64_t kMostWork = 500'000, kMostWorkOfPoint = 700;
 
 /// Of several strokes: the largest of their deviations, and their means weighted by length.
 class StrokesDeviation {

@@ -83,6 +83,37 @@ TEST(Growth, DistanceAmongNeedles) {
   EXPECT_LE(growth.back().blocks, 4 * growth[1].blocks);
 }
 
+/// Exact distances have windows of each strip on most edges: n^1.84.
+TEST(Growth, DistanceOfADrawingAcrossNeedles) {
+  expect_growth(
+      "PolylineDistance, few windows, across needles", 1.3, {1000, 2000, 4000}, [](std::size_t n) {
+        const double width = 40.0 / static_cast<double>(n);
+        MeshLists lists = grid(static_cast<std::uint32_t>(n), 1);
+        for (Point& p : lists.points) {
+          p = Point(width * p.x(), 20 * p.y(), 0.3 * width * std::cos(3 * p.x()));
+        }
+        const Surface surface = surface_of_lists(lists);
+        SurfaceCurve curve;
+        const auto add = [&](std::size_t from, std::size_t to, double t) {
+          const HalfedgeId h = surface.find_halfedge(VertexId{from}, VertexId{to});
+          const bool along = halfedge_of(edge_of(h)) == h;
+          curve.points.push_back(SurfacePoint::on_edge(surface, edge_of(h), along ? t : 1 - t));
+        };
+        const auto height = [n](std::size_t i) {
+          return 0.5 + 0.2 * std::sin(12 * static_cast<double>(i) / static_cast<double>(n));
+        };
+        for (std::size_t i = 0; i <= n; ++i) {
+          add(i, n + 1 + i, height(i));
+          if (i < n) add(i, n + 2 + i, (height(i) + height(i + 1)) / 2);
+        }
+        return [surface, curve] {
+          PolylineDistance distance(surface);
+          distance.set_with_few_windows(std::span(&curve, 1));
+          distance.reach(8);
+        };
+      });
+}
+
 TEST(Growth, DeviationOfStrokesInOneFace) {
   const SurfaceMesh mesh = SurfaceMesh::open(grid(4, 4));
   expect_growth("DeviationMeter, points in a face", 2.1, {60, 250, 1000}, [&](std::size_t n) {

@@ -115,39 +115,6 @@ TEST(Growth, SmoothingAZigzagInOneFace) {
   });
 }
 
-/// Strips as long as a drawing that winds across all n of them: exact distances have windows for
-/// each strip on each edge.
-TEST(Growth, SmoothingAcrossNeedles) {
-  expect_growth("smooth, across needles", 1.3, {1000, 2000, 4000}, [](std::size_t n) {
-    const double width = 40.0 / static_cast<double>(n);
-    MeshLists lists = grid(static_cast<std::uint32_t>(n), 1);
-    for (Point& p : lists.points) p = Point(width * p.x(), 20 * p.y(), 0.2 * std::cos(p.x()));
-    const auto mesh = OpenedMesh::open(lists);
-    const Surface& surface = mesh->surface();
-    SurfaceCurve curve;
-    const auto add = [&](std::size_t from, std::size_t to, double t) {
-      const HalfedgeId h = surface.find_halfedge(VertexId{from}, VertexId{to});
-      const bool along = halfedge_of(edge_of(h)) == h;
-      curve.points.push_back(SurfacePoint::on_edge(surface, edge_of(h), along ? t : 1 - t));
-    };
-    const auto height = [n](std::size_t i) {
-      return 0.5 + 0.2 * std::sin(12 * static_cast<double>(i) / static_cast<double>(n));
-    };
-    for (std::size_t i = 0; i <= n; ++i) {
-      add(i, n + 1 + i, height(i));
-      if (i < n) add(i, n + 2 + i, (height(i) + height(i + 1)) / 2);
-    }
-    return [mesh, curve] {
-      CurveSmoother smoother(mesh);
-      smoother.set_curve(curve, {});
-      SmoothingOptions options;
-      options.tau = 1;
-      options.slack = 4;
-      (void)smoother.smooth(options);
-    };
-  });
-}
-
 TEST(Growth, ManyWayPoints) {
   expect_growth("smooth, way-points", 1.3, {500, 2000, 8000}, [](std::size_t n) {
     const auto mesh = OpenedMesh::open(grid(static_cast<std::uint32_t>(n), 2));
