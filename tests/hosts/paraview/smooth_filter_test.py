@@ -576,6 +576,18 @@ class WrongInput(Case):
         filter = pv.TalwegSmoothVertices(Mesh=source(polydata(infinite, [(0, 1, 2)])), PointIds="0 1")
         self.assertIn("finite", self.error_of(filter))
 
+    def test_repair_is_offered_only_where_it_helps(self):
+        def refusal(points, polygons):
+            mesh = source(polydata(points, polygons))
+            return self.error_of(pv.TalwegSmoothVertices(Mesh=mesh, PointIds="0 1"))
+
+        points = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1), (1, 1, 1)]
+        self.assertIn("Tick Repair", refusal(points, [(0, 1, 2), (1, 0, 3), (0, 1, 4)]))
+        ribbon = [(0, 1, 2), (1, 3, 2), (2, 3, 4), (3, 0, 4), (4, 0, 1)]  # one-sided
+        for polygons in ([], ribbon):
+            self.assertNotIn("Tick Repair", refusal(points, polygons))
+        self.assertIn("Mesh must be a surface", refusal(points, []))
+
     def test_a_curve_without_points(self):
         filter = pv.TalwegSmoothCurve(Mesh=source(polydata(POINTS, TRIANGLES)),
                                       Curve=source(polydata([])))

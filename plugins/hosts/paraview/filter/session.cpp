@@ -154,6 +154,13 @@ host::Results Session::run(const host::Wanted& wanted) {
   return results;
 }
 
+bool Session::can_be_repaired() {
+  host::Instance inspection(plugin_named("talweg.repair"), services_);
+  inspection.set("repair", 0.0);
+  inspection.set_mesh(mesh_.positions(), mesh_.triangles());
+  return inspection.run().text("verdict") == "repairable";
+}
+
 void Session::apply_settings() {
   for (const auto& [id, setting] : settings_) {
     apply_if_new(parameter_named(instance().plugin(), id), setting);

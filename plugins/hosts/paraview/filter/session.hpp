@@ -75,6 +75,10 @@ class Session {
   void apply_settings();
   host::Results run(const host::Wanted& wanted);
 
+  /// Of the mesh that was taken last, or refused: it is no surface, but the plugin talweg.repair
+  /// makes one of it.
+  [[nodiscard]] bool can_be_repaired();
+
   [[nodiscard]] MeshInput& mesh() { return mesh_; }
   /// The array of the mesh that a parameter names; null if there is none.
   [[nodiscard]] vtkDataArray* array_of(const std::string& id) const;

@@ -197,11 +197,19 @@ void vtkTalwegFilter::WorkOn(vtkDataObject& mesh, vtkDataObject* curves, vtkData
 
 namespace {
 
-/// The plugin's sentence, and what to do about it here.
-std::string advice(std::string sentence, std::int32_t status, const Session& session) {
-  if (status == TALWEG_BAD_MESH && session.number("repair", 0) == 0) {
-    return sentence + " Tick Repair to mend the mesh, and to be told what is changed.";
+/// What to do about a mesh that is refused.
+std::string advice_on_mesh(Session& session) {
+  if (session.mesh().corners().empty()) {
+    return " Mesh must be a surface of triangles or polygons; Change Input... (right button, in "
+           "the Pipeline Browser) chooses another.";
   }
+  const bool tick = session.number("repair", 0) == 0 && session.can_be_repaired();
+  return tick ? " Tick Repair to mend the mesh, and to be told what is changed." : "";
+}
+
+/// The plugin's sentence, and what to do about it here.
+std::string advice(std::string sentence, std::int32_t status, Session& session) {
+  if (status == TALWEG_BAD_MESH) return sentence + advice_on_mesh(session);
   if (sentence.find("in another unit or place") == std::string::npos) return sentence;
   if (sentence.ends_with('.')) sentence.pop_back();
   return sentence +
