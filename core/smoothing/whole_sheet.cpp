@@ -120,8 +120,9 @@ Smoothed WholeSheet::curves(const SmoothingOptions& options, const GivenPotentia
 /// Told here, since a corridor's trials look for other warnings.
 void WholeSheet::warn_of_upper_bounds(Smoothed& result) const {
   const double exact = memory_->distance().exact_within();
-  const std::vector<double> slacks = slack();
-  if (slacks.empty() || exact >= *std::max_element(slacks.begin(), slacks.end())) return;
+  double slack = 0;
+  for (const SmoothedCurve& curve : result.curves) slack = std::max(slack, curve.slack);
+  if (exact >= slack) return;
   result.warnings.push_back(
       fmt::format("Exact distances would take far too long here: farther than {:.4g} from the "
                   "drawing they were "

@@ -20,8 +20,8 @@ struct EdgeRange {
   }
 };
 
-/// The extents lie in heaps of up to kMost, side by side along the edge. Windows of one edge hardly
-/// overlap, so a range meets few heaps beside those that it contains. For n windows, adding one
+/// The extents lie in bins of up to kMost, side by side along the edge. Windows of one edge hardly
+/// overlap, so a range meets few bins beside those that it contains. For n windows, adding one
 /// costs O(kMost + n / kMost), and so does a search, beside what it finds.
 class WindowCrowd {
  public:
@@ -30,21 +30,21 @@ class WindowCrowd {
   [[nodiscard]] std::size_t size() const { return size_; }
 
   void add(const EdgeRange& extent, Id id) {
-    if (heaps_.empty()) heaps_.emplace_back();
+    if (bins_.empty()) bins_.emplace_back();
     auto after =
-        std::upper_bound(heaps_.begin(), heaps_.end(), extent.begin,
-                         [](double begin, const Heap& heap) { return begin < heap.reach.begin; });
-    const auto at = after == heaps_.begin() ? after : after - 1;
+        std::upper_bound(bins_.begin(), bins_.end(), extent.begin,
+                         [](double begin, const Bin& bin) { return begin < bin.reach.begin; });
+    const auto at = after == bins_.begin() ? after : after - 1;
     at->add({extent, id});
     ++size_;
-    if (at->extents.size() == kMost) split(static_cast<std::size_t>(at - heaps_.begin()));
+    if (at->extents.size() == kMost) split(static_cast<std::size_t>(at - bins_.begin()));
   }
 
   /// Calls use(Id) for all windows.
   template <class Use>
   void each(Use use) const {
-    for (const Heap& heap : heaps_) {
-      for (const Extent& extent : heap.extents) use(extent.id);
+    for (const Bin& bin : bins_) {
+      for (const Extent& extent : bin.extents) use(extent.id);
     }
   }
 
@@ -54,10 +54,10 @@ class WindowCrowd {
   template <class Use>
   std::size_t each_meeting(EdgeRange range, Use use) {
     std::size_t looked_at = 0;
-    for (std::size_t h = 0; h < heaps_.size() && !range.is_empty(); ++h) {
+    for (std::size_t h = 0; h < bins_.size() && !range.is_empty(); ++h) {
       ++looked_at;
-      if (!range.meets(heaps_[h].reach)) continue;
-      std::vector<Extent>& extents = heaps_[h].extents;
+      if (!range.meets(bins_[h].reach)) continue;
+      std::vector<Extent>& extents = bins_[h].extents;
       looked_at += extents.size();
       for (std::size_t i = 0; i < extents.size() && !range.is_empty();) {
         if (range.meets(extents[i].range)) range = use(extents[i].id, extents[i].range);
@@ -79,7 +79,7 @@ class WindowCrowd {
     EdgeRange range;
     Id id;
   };
-  struct Heap {
+  struct Bin {
     EdgeRange reach{std::numeric_limits<double>::infinity(),
                     -std::numeric_limits<double>::infinity()};
     std::vector<Extent> extents;
@@ -92,16 +92,16 @@ class WindowCrowd {
   };
 
   void split(std::size_t at) {
-    std::vector<Extent> all = std::exchange(heaps_[at], {}).extents;
+    std::vector<Extent> all = std::exchange(bins_[at], {}).extents;
     const auto middle = all.begin() + kMost / 2;
     std::nth_element(all.begin(), middle, all.end(), [](const Extent& a, const Extent& b) {
       return a.range.begin < b.range.begin;
     });
-    heaps_.insert(heaps_.begin() + static_cast<std::ptrdiff_t>(at) + 1, Heap{});
-    for (auto i = all.begin(); i != all.end(); ++i) heaps_[i < middle ? at : at + 1].add(*i);
+    bins_.insert(bins_.begin() + static_cast<std::ptrdiff_t>(at) + 1, Bin{});
+    for (auto i = all.begin(); i != all.end(); ++i) bins_[i < middle ? at : at + 1].add(*i);
   }
 
-  std::vector<Heap> heaps_;  // by reach.begin
+  std::vector<Bin> bins_;  // by reach.begin
   std::size_t size_ = 0;
 };
 
