@@ -4,7 +4,7 @@ import unittest
 
 import bpy
 import numpy as np
-from talweg_blender import attributes, jobs, objects, session
+from talweg_blender import attributes, jobs, objects, session, told
 from talweg_blender.naming import named
 from talweg_blender.package import talweg
 
@@ -260,6 +260,17 @@ class Meshes(Dressed):
         self.check(self.obj)
         normals = attributes.read(self.obj.data.polygons, "normal", 3)
         self.assertTrue((normals[:, 2] > 0).all() or (normals[:, 2] < 0).all())
+
+    def test_the_sidebar_tells_what_was_done(self):
+        self.obj.data.polygons[100].flip()
+        self.obj.data.update()
+        bpy.ops.talweg.repair()
+        self.assertRegex(told.of(self.obj)[0], "2 faces were turned")
+        self.assertEqual(told.of(None), ("", ()))
+        bpy.ops.talweg.repair()
+        self.assertIn("needs no repair", told.of(self.obj)[0])
+        told._forget()
+        self.assertEqual(told.of(self.obj)[0], "")
 
     def test_edit_mode(self):
         """What the mesh has survives there, too."""

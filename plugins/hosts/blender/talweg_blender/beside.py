@@ -2,7 +2,7 @@
 
 import bpy
 
-from . import jobs, session
+from . import jobs, session, told
 from .package import talweg
 
 #: Passed on while a job is at work, so that the view can be turned.
@@ -17,12 +17,14 @@ class Beside:
     """
 
     def execute(self, context):
-        return self._reported(lambda: jobs.now(self.steps(context, self.subject(context))))
+        obj = self.subject(context)
+        return self._reported(obj.name, lambda: jobs.now(self.steps(context, obj)))
 
     def invoke(self, context, _event):
         if bpy.app.background or context.window is None:
             return self.execute(context)
         self._timer, self._told, obj = None, "", self.subject(context)
+        self._name = obj.name
         self._steps = self.steps(context, obj)
         try:
             self._job = jobs.Job(next(self._steps))
@@ -45,10 +47,10 @@ class Beside:
             return {"PASS_THROUGH"} if event.type in _NAVIGATION else {"RUNNING_MODAL"}
         if self._job.is_done():
             return self._finish(context)
-        told = f"{self.bl_label}: {self._job.told}   |   Esc: stop"
-        if told != self._told:  # each is drawn
-            self._told = told
-            context.workspace.status_text_set(told)
+        line = f"{self.bl_label}: {self._job.told}   |   Esc: stop"
+        if line != self._told:  # each is drawn
+            self._told = line
+            context.workspace.status_text_set(line)
         return {"RUNNING_MODAL"}
 
     def cancel(self, context):
@@ -66,17 +68,18 @@ class Beside:
         self._clear(context)
         if self._watched.has_changed:  # in another window, or by a script
             return self._refused("The mesh was changed meanwhile; try again.")
-        return self._reported(lambda: jobs.after(self._steps, self._job.given))
+        return self._reported(self._name, lambda: jobs.after(self._steps, self._job.given))
 
     def _refused(self, error):
         self.report({"ERROR"}, str(error) or "Interrupted.")
         return {"CANCELLED"}
 
-    def _reported(self, work):
+    def _reported(self, name, work):
         try:
-            told, warnings = work()
+            done, warnings = work()
         except (talweg.Error, KeyboardInterrupt) as error:
             return self._refused(error)
         # One report: of several the status bar shows only the last.
-        self.report({"WARNING"} if warnings else {"INFO"}, " ".join([told, *warnings]))
+        self.report({"WARNING"} if warnings else {"INFO"}, " ".join([done, *warnings]))
+        told.note(name, done, warnings)
         return {"FINISHED"}

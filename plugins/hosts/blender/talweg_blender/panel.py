@@ -2,7 +2,7 @@
 
 import bpy
 
-from . import again, offers, operators, operators_of_meshes, page, session, settings
+from . import again, offers, operators, operators_of_meshes, page, session, settings, told
 from .drawing_tool import tool
 
 EDGES = operators.TALWEG_OT_smooth_edges.bl_idname
@@ -33,6 +33,7 @@ class VIEW3D_PT_talweg(bpy.types.Panel):
             _of_edges(self.layout, obj)
         else:
             _of_mesh(self.layout)
+        told.draw(self.layout, obj)
 
 
 class VIEW3D_PT_talweg_curve(bpy.types.Panel):
