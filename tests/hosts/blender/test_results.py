@@ -9,7 +9,7 @@ from types import SimpleNamespace
 import bpy
 import numpy as np
 from mathutils import Matrix
-from talweg_blender import curve_object, operators, operators_of_meshes, parameters, sentences, session
+from talweg_blender import curve_object, lengths, operators, operators_of_meshes, parameters, sentences, session
 
 import scene
 import support
@@ -67,6 +67,11 @@ class Seen(Results):
         cube = SimpleNamespace(edge=2.28, size=12**0.5)
         self.assertAlmostEqual(curve_object.radius(cube, 1), 12**0.5 / 150)
         self.assertAlmostEqual(curve_object.radius(cube, 0.5), 12**0.5 / 300)
+
+    def test_large_numbers_have_no_exponent(self):
+        self.assertEqual([lengths.number(value, 2) for value in (7.24, 32.4, 99.7, 450.4)], ["7.2", "32", "100", "450"])
+        self.assertEqual([lengths.number(value) for value in (0.01234, 1234.5, 1e12, np.inf)],
+                         ["0.0123", "1234", "1e+12", "inf"])
 
     def test_lengths_in_mean_edges(self):
         slider = parameters.annotations()["slack_in_edges"].keywords

@@ -15,7 +15,7 @@ def of_report(context, values):
 
     :param values: by the names of the report.
     """
-    shown = {name: f"{values[name]:.3g}" if abs(values[name]) > _ROUNDING else "0"
+    shown = {name: lengths.number(values[name]) if abs(values[name]) > _ROUNDING else "0"
              for name in ("curvature_before", "curvature_after", "bending_before", "bending_after")}
     return (f"Curvature {shown['curvature_before']} to {shown['curvature_after']} rad, "
             f"bending {shown['bending_before']} to {shown['bending_after']}, "

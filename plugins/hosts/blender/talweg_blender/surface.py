@@ -104,7 +104,7 @@ class Surface:
     def told(self, distance):
         """The distance in both units."""
         return (f"up to {lengths.told(bpy.context, distance)} away from the mesh, "
-                f"{distance / self.edge:.2g} mean edges")
+                f"{lengths.number(distance / self.edge, 2)} mean edges")
 
 
 def mean_edge(arrays):
