@@ -9,7 +9,8 @@ from types import SimpleNamespace
 import bpy
 import numpy as np
 from mathutils import Matrix
-from talweg_blender import curve_object, lengths, operators, operators_of_meshes, parameters, sentences, session
+from talweg_blender import curve_object, lengths, operators, operators_of_meshes, panel, parameters, \
+    sentences, session
 
 import scene
 import support
@@ -67,6 +68,17 @@ class Seen(Results):
         cube = SimpleNamespace(edge=2.28, size=12**0.5)
         self.assertAlmostEqual(curve_object.radius(cube, 1), 12**0.5 / 150)
         self.assertAlmostEqual(curve_object.radius(cube, 0.5), 12**0.5 / 300)
+
+    def test_the_sidebar_says_what_is_without_modifiers(self):
+        said = []
+        layout = SimpleNamespace(label=lambda text, icon="": said.append(text), operator=lambda *_, **__: None)
+        panel._of_mesh(layout, self.obj)
+        self.assertNotIn("Cuts are without modifiers", said)
+        self.obj.modifiers.new("Wave", "WAVE")
+        panel._of_mesh(layout, self.obj)
+        self.assertIn("Cuts are without modifiers", said)
+        panel._of_edges(layout, self.obj)
+        self.assertIn("Without modifiers", said)
 
     def test_large_numbers_have_no_exponent(self):
         self.assertEqual([lengths.number(value, 2) for value in (7.24, 32.4, 99.7, 450.4)], ["7.2", "32", "100", "450"])

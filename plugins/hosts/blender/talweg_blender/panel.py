@@ -32,7 +32,7 @@ class VIEW3D_PT_talweg(bpy.types.Panel):
         elif obj.mode == "EDIT":
             _of_edges(self.layout, obj)
         else:
-            _of_mesh(self.layout)
+            _of_mesh(self.layout, obj)
         told.draw(self.layout, obj)
 
 
@@ -73,16 +73,25 @@ def _of_curve(layout, curve):
 def _of_edges(layout, obj):
     layout.label(text="Select edges, then:")
     layout.operator(EDGES)
+    _say_without(layout, obj, "")
+
+
+def _say_without(layout, obj, what):
+    """Where the mesh itself is worked on, though something else is shown."""
     if session.is_changed(obj):
-        layout.label(text="Without modifiers" if obj.modifiers else "Without shape keys", icon="ERROR")
+        without = "without modifiers" if obj.modifiers else "without shape keys"
+        layout.label(text=f"{what} {without}".strip().capitalize(), icon="ERROR")
 
 
-def _of_mesh(layout):
+def _of_mesh(layout, obj):
     layout.operator(DRAW, icon="GREASEPENCIL")
     layout.label(text="Annotate the surface, then:")
     layout.operator(OF_DRAWINGS[0])
     layout.label(text="Select a curve, then this:")
-    for operator in (*OF_DRAWINGS[1:], *OF_CURVES):
+    for operator in OF_DRAWINGS[1:]:
+        layout.operator(operator)
+    _say_without(layout, obj, "Cuts are")
+    for operator in OF_CURVES:
         layout.operator(operator)
     layout.label(text="All of the mesh:")
     for operator in OF_MESHES:
