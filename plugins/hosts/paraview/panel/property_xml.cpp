@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "../filter/panel_names.hpp"
+#include "panel_names.hpp"
 
 namespace talweg::paraview {
 
