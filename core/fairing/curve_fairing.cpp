@@ -18,6 +18,8 @@ constexpr double kJoinsOfLeg = 6, kMostOnLeg = 2;  // edges
 constexpr int kSwingRounds = 8;
 constexpr double kEarlier = 0.95, kStiffer = 4, kFarBeyond = 0.25;
 constexpr double kUneven = 2, kMostSamples = 1e5;
+constexpr std::size_t kLong = 4'096;  // samples; where less is to be done anew, more must not be
+constexpr std::size_t kEase = 32;     // samples beside what is faired anew
 constexpr double kCoarseTolerance = 2e-2;  // finer samples change the energy by as much
 
 /// Nearly a quarter of the shortest of a leg and its neighbours, since offsets of samples leave
@@ -33,9 +35,11 @@ double allowed_swing(const std::vector<double>& lengths, std::size_t leg, bool c
 
 }  // namespace
 
-std::vector<double> CurveFairing::spacings(const CurveTrace& trace, int level) const {
+/// `length`: of all that is sampled, mesh units.
+std::vector<double> CurveFairing::spacings(const CurveTrace& trace, double length,
+                                           int level) const {
   const double finer = level == 0 ? 1 : 2;
-  const double least = std::max(edge_ / (4 * finer), trace.length / kMostSamples);
+  const double least = std::max(edge_ / (4 * finer), length / kMostSamples);
   std::vector<double> spacings = trace.stretch_lengths();
   for (std::size_t k = 0; k < spacings.size(); ++k) {
     const bool is_leg = k < legs_.is_leg.size() && legs_.is_leg[k];
@@ -71,10 +75,46 @@ FairChain CurveFairing::chain_fairing(const FairOptions& options) {
 }
 
 std::optional<SampleChain> CurveFairing::from_curve(const CurveTrace& start, Asker& asker) {
+  return from_curve(start, nullptr, asker);
+}
+
+std::optional<SampleChain> CurveFairing::part_from(const CurveTrace& start, const ChainFrame& frame,
+                                                   Asker& asker) {
+  const std::optional<double> mean = options_.mean;
+  options_.mean = FairChain::mean_curvature(*frame.chain);
+  std::optional<SampleChain> part = from_curve(start, &frame, asker);
+  auto faired = part ? curve_of(*part, asker) : std::nullopt;
+  options_.mean = mean;
+  return faired ? std::move(faired->chain) : std::move(part);
+}
+
+/// Samples of a trace, with those of the frame about them.
+std::optional<SampleChain> CurveFairing::sampled(const CurveTrace& trace, const ChainFrame* frame,
+                                                 int level) {
+  if (frame == nullptr) return maker_.sampled(trace, spacings(trace, trace.length, level));
+  auto chain = maker_.sampled(trace, spacings(trace, frame->chain->length(), level));
+  if (chain) chain = framed(*surface_, *std::move(chain), *frame);
+  if (chain) maker_.set_turns(*chain);
+  return chain;
+}
+
+/// The trace of the chain on a finer cubic; none where it cannot be divided.
+std::optional<CurveTrace> CurveFairing::traced(const SampleChain& chain, const ChainFrame* frame) {
+  const std::optional<SampleChain> divided = maker_.divided(chain, kResamplingParts);
+  if (!divided) return std::nullopt;
+  if (frame == nullptr) return maker_.trace_of(*divided);
+  const auto off = [](bool any) { return any ? static_cast<std::size_t>(kResamplingParts) : 0; };
+  const ChainRange inside{off(frame->has_first()), divided->size() - 1 - off(frame->has_last())};
+  return maker_.trace_of(part_of(*surface_, *divided, inside));
+}
+
+/// The whole curve, or a part of a chain in its frame.
+std::optional<SampleChain> CurveFairing::from_curve(const CurveTrace& start,
+                                                    const ChainFrame* frame, Asker& asker) {
   CurveTrace trace = start;
   std::optional<SampleChain> chain;
   for (int level = 0; level < kLevels; ++level) {
-    chain = maker_.sampled(trace, spacings(trace, level));
+    chain = sampled(trace, frame, level);
     if (!chain) return chain;
     for (int sampling = 0;; ++sampling) {
       FairOptions options = options_;
@@ -90,11 +130,11 @@ std::optional<SampleChain> CurveFairing::from_curve(const CurveTrace& start, Ask
         enough = is_even(*chain) || sampling == kSamplings;
         if (enough) return loosened(*std::move(chain), asker);
       }
-      const std::optional<SampleChain> divided = maker_.divided(*chain, kResamplingParts);
-      if (!divided) return std::nullopt;
-      trace = maker_.trace_of(*divided);
+      std::optional<CurveTrace> finer = traced(*chain, frame);
+      if (!finer) return std::nullopt;
+      trace = *std::move(finer);
       if (enough) break;
-      chain = maker_.sampled(trace, spacings(trace, level));
+      chain = sampled(trace, frame, level);
       if (!chain) return chain;
     }
   }
@@ -186,9 +226,33 @@ std::optional<SampleChain> CurveFairing::evened(const SampleChain& chain, Asker&
 /// What is beyond a wall is drawn in by stiffer walls.
 void CurveFairing::keep_within(FairChain& fair, SampleChain& chain, SampleTrail* trail,
                                Asker& asker) {
+  if (chain.size() > kLong && trail == nullptr && !legs_.any() &&
+      keep_parts_within(fair.near_walls(chain), fair.options(), chain, asker)) {
+    return;
+  }
   for (int round = 0; round < kTightenings && fair.stiffen(chain); ++round) {
     fair.run(chain, trail, asker);
   }
+}
+
+/// The same for parts of a long chain about these samples; false where they are too many.
+bool CurveFairing::keep_parts_within(const std::vector<std::size_t>& samples, FairOptions options,
+                                     SampleChain& chain, Asker& asker) {
+  if (samples.empty()) return true;
+  const auto ranges = ranges_about(samples, kEase, chain.size());
+  if (!is_little(ranges, chain.size())) return false;
+  options.mean = FairChain::mean_curvature(chain);
+  std::vector<SampleChain> parts;
+  for (const ChainRange& range : ranges) {
+    auto part = part_of_chain(chain, range);
+    if (!part) return false;
+    FairChain fair(maker_, band_, *curvature_, options);
+    fair.run(*part, nullptr, asker);
+    keep_within(fair, *part, nullptr, asker);
+    parts.push_back(*std::move(part));
+  }
+  chain = with_parts(chain, ranges, parts);
+  return true;
 }
 
 /// Whether a sample is between the walls of a stroke.
@@ -290,18 +354,71 @@ std::vector<int> CurveFairing::result_parts(const SampleChain& chain) {
   return parts;
 }
 
+/// Fairs those parts of a long chain on whose curve (which has been divided into so many joins for
+/// each) comes near to the walls; false where they are too many.
+bool CurveFairing::draw_in(const SampleChain& dense, const std::vector<int>& joins,
+                           SampleChain& chain, Asker& asker) {
+  constexpr double kAlmost = 0.98;
+  std::vector<std::size_t> samples;
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < joins.size(); ++i) {
+    bool near = false;
+    for (int k = 0; k < joins[i]; ++k, ++next) {
+      if (near || dense.fixed[next]) continue;
+      const BandPlace place = band_->at(dense.samples[next], {1, 0});
+      near = place.distance > kAlmost * place.wall;
+    }
+    if (near) samples.push_back(i);
+  }
+  const auto ranges = ranges_about(samples, kEase, chain.size());
+  if (ranges.empty() || !is_little(ranges, chain.size())) return false;
+  const std::optional<double> mean = options_.mean;
+  options_.mean = FairChain::mean_curvature(chain);
+  std::vector<ChainRange> replaced;
+  std::vector<SampleChain> parts;
+  for (const ChainRange& range : ranges) {
+    auto part = part_of_chain(chain, range);
+    auto faired = part ? curve_of(*std::move(part), asker) : std::nullopt;
+    if (!faired) continue;
+    replaced.push_back(range);
+    parts.push_back(std::move(faired->chain));
+  }
+  options_.mean = mean;
+  chain = with_parts(chain, replaced, parts);
+  return !parts.empty();
+}
+
+/// A part of a chain in its frame, as it is.
+std::optional<SampleChain> CurveFairing::part_of_chain(const SampleChain& chain, ChainRange range) {
+  const ChainFrame frame{&chain, range};
+  auto part = framed(*surface_, part_of(*surface_, chain, frame.inside()), frame);
+  if (part) maker_.set_turns(*part);
+  return part;
+}
+
 /// What lies between samples may be beyond a wall where they are not: walls are then felt earlier.
 /// That helps where it is half as far beyond after each round.
 std::optional<FairedCurve> CurveFairing::curve_of(SampleChain chain, Asker& asker) {
   if (band_ != nullptr && !keeps_within(chain)) return std::nullopt;
   FairOptions options = options_;
   for (int round = 0;; ++round) {
-    const std::optional<SampleChain> dense = maker_.divided(chain, result_parts(chain));
+    const std::vector<int> parts = result_parts(chain);
+    const std::optional<SampleChain> dense = maker_.divided(chain, parts);
     if (!dense) return std::nullopt;
-    FairedCurve result{talweg::curve_of(*surface_, maker_, *dense, edge_)};
+    FairedCurve result{talweg::curve_of(*surface_, maker_, *dense, edge_), {}};
     result.farthest = legs_.any() ? farthest(*dense) : farthest(result.curve);
     const double beyond = result.farthest - 1, allowed = kFarBeyond * std::exp2(-round);
-    if (beyond <= 0 || beyond > allowed || round == kTightenings) return result;
+    if (beyond <= 0 || beyond > allowed || round == kTightenings) {
+      result.chain = std::move(chain);
+      return result;
+    }
+    if (chain.size() > kLong && !legs_.any()) {
+      if (round > 0 || !draw_in(*dense, parts, chain, asker)) {
+        result.chain = std::move(chain);
+        return result;
+      }
+      continue;
+    }
     options.felt *= kEarlier;
     options.stiffness *= kStiffer;
     FairChain fair = chain_fairing(options);

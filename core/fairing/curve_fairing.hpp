@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "talweg/core/fairing/chain_parts.hpp"
 #include "talweg/core/fairing/curve_trace.hpp"
 #include "talweg/core/fairing/drawn_band.hpp"
 #include "talweg/core/fairing/fair_chain.hpp"
@@ -20,6 +21,7 @@ namespace talweg {
 
 struct FairedCurve {
   SurfaceCurve curve;
+  SampleChain chain;    ///< its own: that it was made from, faired on
   double farthest = 0;  ///< largest distance to the drawing, in distances of the wall there
 };
 
@@ -52,6 +54,10 @@ class CurveFairing {
   }
   /// A fair chain that starts from a curve; none where samples cannot be joined.
   std::optional<SampleChain> from_curve(const CurveTrace& start, Asker& asker);
+  /// The same for a part of a chain, without legs: what the frame has inside is replaced by a curve
+  /// that begins and ends where that does. With the samples of the frame, for with_parts().
+  std::optional<SampleChain> part_from(const CurveTrace& start, const ChainFrame& frame,
+                                       Asker& asker);
   /// A fair chain that starts from one of another band. The ways of its samples are added to the
   /// trail.
   SampleChain from_chain(SampleChain chain, SampleTrail& trail, Asker& asker);
@@ -71,7 +77,12 @@ class CurveFairing {
  private:
   [[nodiscard]] static bool is_even(const SampleChain& chain);
   [[nodiscard]] static std::vector<int> result_parts(const SampleChain& chain);
-  [[nodiscard]] std::vector<double> spacings(const CurveTrace& trace, int level) const;
+  [[nodiscard]] std::vector<double> spacings(const CurveTrace& trace, double length,
+                                             int level) const;
+  std::optional<SampleChain> sampled(const CurveTrace& trace, const ChainFrame* frame, int level);
+  std::optional<CurveTrace> traced(const SampleChain& chain, const ChainFrame* frame);
+  std::optional<SampleChain> from_curve(const CurveTrace& start, const ChainFrame* frame,
+                                        Asker& asker);
   [[nodiscard]] double reach_of_corner(std::size_t leg) const;
   [[nodiscard]] FairChain chain_fairing(const FairOptions& options);
   void hold_swings(FairChain& fair, SampleChain& chain, const CurveTrace& legs, Asker& asker);
@@ -82,6 +93,11 @@ class CurveFairing {
   template <class Look>
   void look_along(const SurfaceCurve& curve, const Look& look) const;
   void keep_within(FairChain& fair, SampleChain& chain, SampleTrail* trail, Asker& asker);
+  std::optional<SampleChain> part_of_chain(const SampleChain& chain, ChainRange range);
+  bool draw_in(const SampleChain& dense, const std::vector<int>& joins, SampleChain& chain,
+               Asker& asker);
+  bool keep_parts_within(const std::vector<std::size_t>& samples, FairOptions options,
+                         SampleChain& chain, Asker& asker);
 
   const Surface* surface_;
   StripCurvature* curvature_;

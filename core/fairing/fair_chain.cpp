@@ -36,10 +36,15 @@ void take_over(const SampleChain& chain, const ChainMove& other, std::vector<dou
 
 /// Loops keep their size: what counts is how far their curvature is from its mean. A loop that
 /// bends little would grow until it meets its outer wall. One with a corner is as an open curve.
-double FairChain::mean_curvature(const SampleChain& chain) const {
-  if (!chain.closed || has_legs()) return 0;
+double FairChain::mean_curvature(const SampleChain& chain) {
+  if (!chain.closed) return 0;
   if (std::find(chain.corners.begin(), chain.corners.end(), true) != chain.corners.end()) return 0;
   return std::accumulate(chain.turns.begin(), chain.turns.end(), 0.0) / chain.length();
+}
+
+double FairChain::mean_of(const SampleChain& chain) const {
+  if (has_legs()) return 0;
+  return options_.mean ? *options_.mean : mean_curvature(chain);
 }
 
 bool FairChain::is_on_leg(const SampleChain& chain, std::size_t i) const {
@@ -118,7 +123,7 @@ void FairChain::energies(const SampleChain& chain, const std::vector<BandPlace>&
     energies[i] += half;
     energies[chain.after(i)] += half;
   }
-  const double mean = mean_curvature(chain);
+  const double mean = mean_of(chain);
   for (std::size_t i = 0; i < chain.size(); ++i) {
     energies[i] += pull_at(chain, i);
     if (chain.turns_freely(i)) continue;
@@ -138,7 +143,7 @@ void FairChain::set_rows(const SampleChain& chain) {
   rows_.assign(chain.size(), {});
   std::vector<double> gauss(chain.size(), 0);
   if (has_legs()) gauss = curvature_->along(chain);
-  const double mean = mean_curvature(chain);
+  const double mean = mean_of(chain);
   for (std::size_t i = 0; i < chain.size(); ++i) {
     if (chain.turns_freely(i)) continue;
     const ChainJoin &in = chain.join_before(i), &out = chain.join_after(i);
@@ -274,7 +279,7 @@ bool FairChain::hold_at_jumps(const SampleChain& chain, const SampleChain& moved
                               const std::vector<double>& left, const std::vector<double>& now) {
   const std::size_t n = chain.size();
   std::vector<double> jumps(n, 0);
-  const double mean = mean_curvature(chain);
+  const double mean = mean_of(chain);
   for (std::size_t i = 0; i < n; ++i) {
     if (chain.turns_freely(i)) continue;
     const Row& row = rows_[i];
@@ -338,19 +343,27 @@ bool FairChain::step(SampleChain& chain, SampleTrail* trail) {
   return false;
 }
 
-bool FairChain::stiffen(const SampleChain& chain) {
-  constexpr double kAlmost = 0.98, kStiffer = 10;
-  std::vector<bool> beyond(chain.size(), false);
-  bool any = false;
+std::vector<std::size_t> FairChain::near_walls(const SampleChain& chain) const {
+  constexpr double kAlmost = 0.98;
+  std::vector<std::size_t> samples;
   for (std::size_t i = 0; i < chain.size(); ++i) {
     if (chain.fixed[i] || places_[i].distance <= kAlmost * places_[i].wall) continue;
-    any = true;
+    samples.push_back(i);
+  }
+  return samples;
+}
+
+bool FairChain::stiffen(const SampleChain& chain) {
+  constexpr double kStiffer = 10;
+  const std::vector<std::size_t> samples = near_walls(chain);
+  std::vector<bool> beyond(chain.size(), false);
+  for (const std::size_t i : samples) {
     beyond[chain.before(i)] = beyond[i] = beyond[chain.after(i)] = true;
   }
   for (std::size_t i = 0; i < chain.size(); ++i) {
     if (beyond[i]) stiffness_[i] *= kStiffer;
   }
-  return any;
+  return !samples.empty();
 }
 
 void FairChain::run(SampleChain& chain, SampleTrail* trail, Asker& asker) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -21,6 +22,7 @@ struct FairOptions {
   double tolerance = 3e-3;      ///< relative gain in energy below which it ends
   double leg_tolerance = 1e-4;  ///< the same for a chain with legs
   int max_iterations = 60;
+  std::optional<double> mean;  ///< κ₀ of the chain that this one is a part of, 1 / mesh units
 };
 
 /// Minimises E = Σ wᵢ (θᵢ / wᵢ − κ₀)² + β Σ wᵢ δᵢ² / εᵢ⁴ + ρ Σ wᵢ max(0, δᵢ − Wᵢ)² / εᵢ⁴ over the
@@ -51,6 +53,11 @@ class FairChain {
   /// Makes the walls stiffer where samples of the chain that run() left are beyond the band's, or
   /// almost; tells whether there are any.
   bool stiffen(const SampleChain& chain);
+  /// Those samples, ascending.
+  [[nodiscard]] std::vector<std::size_t> near_walls(const SampleChain& chain) const;
+  [[nodiscard]] const FairOptions& options() const { return options_; }
+  /// κ₀ of a chain without legs, 1 / mesh units.
+  [[nodiscard]] static double mean_curvature(const SampleChain& chain);
   /// Per sample: how far it has moved to the left in all, mesh units.
   [[nodiscard]] const std::vector<double>& offsets() const { return offsets_; }
   /// The tension t of the legs whose own is not stronger, 1 / mesh units².
@@ -66,7 +73,7 @@ class FairChain {
     return !chain.loose.empty() && chain.loose[i];
   }
   [[nodiscard]] bool is_on_leg(const SampleChain& chain, std::size_t i) const;
-  [[nodiscard]] double mean_curvature(const SampleChain& chain) const;
+  [[nodiscard]] double mean_of(const SampleChain& chain) const;
   [[nodiscard]] BandPlace place_of(const SampleChain& chain, std::size_t i, double offset) const;
   void measure(const SampleChain& chain, const std::vector<double>& offsets,
                const std::vector<bool>& anew, std::vector<BandPlace>& places) const;

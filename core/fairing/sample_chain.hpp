@@ -123,13 +123,14 @@ class ChainMaker {
   }
   /// The lines of the chain.
   CurveTrace trace_of(const SampleChain& chain);
+  /// Measures the turns of a chain that was put together.
+  void set_turns(SampleChain& chain) const;
 
  private:
   bool move(const SampleChain& chain, std::span<const SampleStep> steps, const ChainMove* other,
             ChainMove& move);
   bool walk(const SampleChain& chain, std::span<const SampleStep> steps, const ChainMove* other,
             ChainMove& move);
-  void set_turns(SampleChain& chain) const;
   [[nodiscard]] double turn_between(const ChainJoin& in, const ChainJoin& out) const;
   [[nodiscard]] double turn_at(VertexId bend, double in_strip) const;
   bool add_join(SampleChain& chain, const FaceCoordinates& from, const FaceCoordinates& to,

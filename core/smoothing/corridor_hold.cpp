@@ -9,6 +9,7 @@
 #include "talweg/core/measure/measures.hpp"
 #include "talweg/core/smoothing/corridor_valleys.hpp"
 #include "talweg/core/smoothing/cut_off_detours.hpp"
+#include "talweg/core/smoothing/fair_patching.hpp"
 #include "talweg/core/smoothing/leg_start.hpp"
 #include "talweg/core/smoothing/lifted_lengths.hpp"
 #include "talweg/core/smoothing/straight_legs.hpp"
@@ -229,6 +230,7 @@ std::optional<SampleChain> CorridorHold::fair_from(const FairGroup& group, const
     chain = fairing.from_curve(traced(group, start), asker);
     // What straightening has cut off may lie beyond walls that no step leads back through.
     if (chain && fairing.keeps_within(*chain)) return;
+    if (chain && is_held && patch(group, taus, straight, *chain, fairing, asker)) return;
     std::optional<SampleChain> again = fairing.from_curve(traced(group, group.drawn), asker);
     if (!again) return;
     chain = std::move(again);
@@ -237,6 +239,23 @@ std::optional<SampleChain> CorridorHold::fair_from(const FairGroup& group, const
     }
   });
   return chain;
+}
+
+/// Fairs stretches anew that are beyond the walls; false if some still are.
+bool CorridorHold::patch(const FairGroup& group, const Taus& taus, Straightened& straight,
+                         SampleChain& chain, const CurveFairing& fairing, Asker& asker) {
+  if (group.joined.is_joined()) return false;
+  const std::size_t c = group.joined.parts.front().curve;
+  FairPatching patching(*this, group, taus, straight.curves[c], asker);
+  SampleChain own = chain;
+  for (auto bad = fairing.beyond(own); !bad.empty(); bad = fairing.beyond(own)) {
+    auto patched = asker.ends_early() ? std::nullopt : patching.next(own, bad, false);
+    if (!patched) return false;
+    own = *std::move(patched);
+  }
+  straight.paths[c].redrawn += patching.redrawn();
+  chain = std::move(own);
+  return true;
 }
 
 SampleChain CorridorHold::fair_from(const FairGroup& group, const Taus& taus,

@@ -104,6 +104,8 @@ class CorridorHold {
  private:
   [[nodiscard]] Corridor corridor(const SmoothingOptions& options) const;
   [[nodiscard]] double exact_for_walls() const;
+  bool patch(const FairGroup& group, const Taus& taus, Straightened& straight, SampleChain& chain,
+             const CurveFairing& fairing, Asker& asker);
   Straightened straighten_lifted(const SmoothingOptions& options, const std::vector<Walls>& walls,
                                  const Progress& progress);
   [[nodiscard]] CurveTrace traced(const SurfaceCurve& curve,

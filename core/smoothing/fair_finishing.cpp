@@ -9,6 +9,7 @@
 #include "talweg/core/fairing/curve_fairing.hpp"
 #include "talweg/core/measure/measures.hpp"
 #include "talweg/core/smoothing/fair_mending.hpp"
+#include "talweg/core/smoothing/fair_patching.hpp"
 #include "talweg/core/smoothing/fair_verdict.hpp"
 #include "talweg/core/smoothing/leg_start.hpp"
 
@@ -110,9 +111,11 @@ void FairFinishing::make_fair(std::size_t number) {
   const Taus taus = taus_of(attempt.group, *options_);
   // What begins anew needs more than what is left of a budget that is used up.
   bool ended = false;
+  if (attempt.tries == 1) fair = patched(attempt, taus);
   while (!fair && attempt.tries < kTries && !ended) {
     fair = tried(attempt, taus);
     if (attempt.tries++ > 0) count_redrawn(attempt.group);
+    if (!fair && attempt.tries == 1) fair = patched(attempt, taus);
     ended = !fair && asker_.ends_early();
   }
   if (!fair && !ended) fair = mended(attempt, taus);
@@ -126,6 +129,73 @@ void FairFinishing::make_fair(std::size_t number) {
   } else {
     attempt.left_taut = is_smooth(attempt, taus) ? "" : ended ? kEndedTaut : kLeftTaut;
   }
+}
+
+/// The curve of the chain with stretches faired anew where it fails; none where that is not enough.
+std::optional<SurfaceCurve> FairFinishing::patched(Attempt& attempt, const Taus& taus) {
+  const FairGroup& group = attempt.group;
+  if (attempt.patched || !attempt.chain || group.joined.is_joined() ||
+      taus.front() < kLeastHeldTau || has_legs(hold_->drawing(), group)) {
+    return std::nullopt;
+  }
+  attempt.patched = true;
+  FairPatching patching(*hold_, group, taus, attempt.taut, asker_);
+  SampleChain chain = *attempt.chain;
+  while (!asker_.ends_early()) {
+    std::optional<SurfaceCurve> curve;
+    const std::vector<SurfacePoint> bad = fails_at(attempt, taus, chain, curve);
+    if (bad.empty()) {
+      if (!curve || bends_more(attempt, taus, *curve)) return std::nullopt;
+      (*curves_)[group.joined.parts.front().curve].path.redrawn += patching.redrawn();
+      return curve;
+    }
+    std::optional<SampleChain> next = patching.next(chain, bad, curve.has_value());
+    if (!next) return std::nullopt;
+    chain = *std::move(next);
+  }
+  return std::nullopt;
+}
+
+/// Where the curve of a chain leaves its walls, crosses or lies along the boundary.
+std::vector<SurfacePoint> FairFinishing::fails_at(const Attempt& attempt, const Taus& taus,
+                                                  SampleChain& chain,
+                                                  std::optional<SurfaceCurve>& curve) {
+  const FairGroup& group = attempt.group;
+  const Surface& surface = hold_->drawing().surface();
+  std::vector<SurfacePoint> bad;
+  hold_->with_fairing(group, taus, 1, {}, asker_, [&](CurveFairing& fairing) {
+    bad = fairing.beyond(chain);
+    if (!bad.empty()) return;
+    auto faired = fairing.curve_of(chain, asker_);
+    if (!faired) return;
+    if (faired->farthest > 1) bad = fairing.beyond(faired->curve);
+    chain = std::move(faired->chain);
+    curve = std::move(faired->curve);
+  });
+  if (!curve) return bad;
+  std::vector<SurfaceCurve> all = now_;
+  const std::size_t c = group.joined.parts.front().curve;
+  all[c] = *curve;
+  for (const auto& more :
+       {crossed_points(surface, all, c), pressed_points(surface, *curve, attempt.taut)}) {
+    bad.insert(bad.end(), more.begin(), more.end());
+  }
+  return bad;
+}
+
+/// Whether a curve bends more than what it started from.
+bool FairFinishing::bends_more(const Attempt& attempt, const Taus& taus,
+                               const SurfaceCurve& curve) {
+  const EmbeddedDrawing& drawing = hold_->drawing();
+  const FairGroup& group = attempt.group;
+  const auto bending = [&](const SurfaceCurve& c) {
+    return bending_between(drawing.surface(), c, drawing.corners(), group.edge);
+  };
+  const double own = bending(curve);
+  if (own <= bending(attempt.taut)) return false;
+  const bool from_taut =
+      has_legs(drawing, group) || (!attempt.redrawn && keeps_within(group, taus, attempt.taut));
+  return from_taut || own > bending(group.drawn);
 }
 
 void FairFinishing::make_fair_apart(const FairGroup& group) {
@@ -179,7 +249,7 @@ bool FairFinishing::is_smooth(const Attempt& attempt, const Taus& taus) {
 /// The fair curve of one try: from the chain, then from the drawing in ever narrower bands; with
 /// legs from the taut curve, ever tighter. None if it is beyond its walls or worse than the curve
 /// it started from.
-std::optional<SurfaceCurve> FairFinishing::tried(const Attempt& attempt, const Taus& taus) {
+std::optional<SurfaceCurve> FairFinishing::tried(Attempt& attempt, const Taus& taus) {
   const EmbeddedDrawing& drawing = hold_->drawing();
   const Surface& surface = drawing.surface();
   const FairGroup& group = attempt.group;
@@ -204,17 +274,12 @@ std::optional<SurfaceCurve> FairFinishing::tried(const Attempt& attempt, const T
         !any_legs && attempt.tries == 0 ? attempt.chain : fairing.from_curve(start(), asker_);
     if (!own) return;
     auto faired = fairing.curve_of(*own, asker_);
-    if (faired && faired->farthest <= 1) result = std::move(faired->curve);
+    if (!faired) return;
+    if (attempt.tries == 0 && attempt.chain) attempt.chain = std::move(faired->chain);
+    if (faired->farthest <= 1) result = std::move(faired->curve);
   });
   if (!result) return result;
-  const auto bending = [&](const SurfaceCurve& curve) {
-    return bending_between(surface, curve, drawing.corners(), group.edge);
-  };
-  const double own = bending(*result);
-  if (own > bending(taut)) {
-    const bool from_taut = any_legs || (!attempt.redrawn && keeps_within(group, taus, taut));
-    if (from_taut || own > bending(group.drawn)) return std::nullopt;
-  }
+  if (bends_more(attempt, taus, *result)) return std::nullopt;
   return is_pressed(surface, *result, taut) ? std::nullopt : result;
 }
 

@@ -17,12 +17,13 @@ namespace talweg {
 
 /// Replaces straightened curves by those of their chains, one group after the other, until none
 /// crosses another. Where that would leave the walls, or cross what the drawing does not cross,
-/// curves start from the drawing, in a narrower band; if nothing helps those
-/// stretches of them that fail stay straightened (fair_mending.hpp), or all of them, with a
-/// warning. Curves that are not faired stay too. Joined curves that fail are faired each for
-/// itself. Refers to the objects it is made from. Cost: up to four tries of a CurveFairing for each
-/// group, and FairMending; one bad place anywhere makes the whole group try again. Worse: a group
-/// that is mended copies all curves and looks for their crossings in every round.
+/// stretches of them are faired anew (fair_patching.hpp), or the curves start from the drawing, in
+/// a narrower band; if nothing helps those stretches of them that fail stay straightened
+/// (fair_mending.hpp), or all of them, with a warning. Curves that are not faired stay too. Joined
+/// curves that fail are faired each for itself. Refers to the objects it is made from. Cost:
+/// FairPatching, or up to four tries of a CurveFairing for each group, and FairMending: a bad place
+/// that no stretch cures makes all of it try again. Worse: a group that is mended copies all curves
+/// and looks for their crossings in every round.
 class FairFinishing {
  public:
   FairFinishing(CorridorHold& hold, const SmoothingOptions& options, const Progress& progress)
@@ -39,6 +40,7 @@ class FairFinishing {
     SurfaceCurve taut;
     bool redrawn = false;  ///< whether the chain has started from the drawing somewhere
     std::size_t tries = 0;
+    bool patched = false;   ///< whether that has been tried
     std::string left_taut;  ///< a warning
   };
   void begin(const FairGroup& group, const std::optional<SampleChain>& chain);
@@ -47,9 +49,14 @@ class FairFinishing {
   void count_redrawn(const FairGroup& group);
   void make_fair(std::size_t number);
   void make_fair_apart(const FairGroup& group);
+  std::optional<SurfaceCurve> patched(Attempt& attempt, const Taus& taus);
+  std::vector<SurfacePoint> fails_at(const Attempt& attempt, const Taus& taus, SampleChain& chain,
+                                     std::optional<SurfaceCurve>& curve);
+  [[nodiscard]] bool bends_more(const Attempt& attempt, const Taus& taus,
+                                const SurfaceCurve& curve);
   std::optional<SurfaceCurve> mended(Attempt& attempt, const Taus& taus);
   [[nodiscard]] bool is_smooth(const Attempt& attempt, const Taus& taus);
-  std::optional<SurfaceCurve> tried(const Attempt& attempt, const Taus& taus);
+  std::optional<SurfaceCurve> tried(Attempt& attempt, const Taus& taus);
   [[nodiscard]] bool keeps_within(const FairGroup& group, const Taus& taus,
                                   const SurfaceCurve& curve);
 
