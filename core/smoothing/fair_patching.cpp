@@ -15,8 +15,8 @@ namespace {
 constexpr std::size_t kLeast = 1000;  // samples: with fewer, to try again as a whole costs little
 constexpr std::size_t kEase = 32;     // samples on either side of what is replaced
 using From = FairPatch::From;
-constexpr FairPatch kPatchings[] = {{From::kDrawing, 1, 8},    {From::kTaut, 1, 16},
-                                    {From::kDrawing, 1, 32},   {From::kTaut, 1, 64},
+constexpr FairPatch kPatchings[] = {{From::kTaut, 1, 16},      {From::kDrawing, 1, 16},
+                                    {From::kTaut, 1, 64},      {From::kDrawing, 1, 64},
                                     {From::kDrawing, 0.7, 16}, {From::kDrawing, 0.4, 32}};
 
 /// Where a loop begins farthest from what is bad.
