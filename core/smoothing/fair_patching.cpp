@@ -12,7 +12,7 @@ namespace talweg {
 
 namespace {
 
-constexpr std::size_t kLeast = 1000;  // samples: with fewer, to try again as a whole costs little
+constexpr std::size_t kLeast = 2048;  // samples: trying again as a whole costs little with fewer
 constexpr std::size_t kEase = 32;     // samples on either side of what is replaced
 using From = FairPatch::From;
 constexpr FairPatch kPatchings[] = {{From::kTaut, 1, 16},      {From::kDrawing, 1, 16},

@@ -36,7 +36,7 @@ class FairPatching {
 
   /// With less that is bad than in the rounds before, the chain is what the next ones begin with;
   /// one without a curve is worse than others. One round after the other from another curve, or in
-  /// a narrower band, with wider margins. None where the chain has fewer than 1,000 samples, a
+  /// a narrower band, with wider margins. None where the chain has fewer than 2,048 samples, a
   /// quarter of them or more would be faired anew, no stretch could be, or all rounds are over.
   /// Throws Cancelled.
   std::optional<SampleChain> next(const SampleChain& chain, std::span<const SurfacePoint> bad,
