@@ -125,8 +125,8 @@ void WholeSheet::warn_of_upper_bounds(Smoothed& result) const {
   if (exact >= slack) return;
   result.warnings.push_back(
       fmt::format("Exact distances would take far too long here: farther than {:.4g} from the "
-                  "drawing they were "
-                  "taken longer than they are, and the result may stay nearer to it than it need.",
+                  "drawing they were taken longer than they are, and the result may be another one "
+                  "than with them.",
                   exact));
 }
 

@@ -12,9 +12,9 @@ namespace {
 
 using Nearest = PolylineDistance::Nearest;
 
-// Among ordinary faces an edge has 3 to 15 windows, among needles hundreds. One takes 64 bytes and
+// Among ordinary faces an edge has 3 to 20 windows, among needles hundreds. One takes 64 bytes and
 // about a microsecond.
-constexpr std::size_t kWindows = 100'000, kWindowsOfPoint = 32, kWindowsOfEdge = 16,
+constexpr std::size_t kWindows = 100'000, kWindowsOfPoint = 32, kWindowsOfEdge = 32,
                       kMostWindows = 8'000'000;
 
 }  // namespace
