@@ -72,11 +72,13 @@ TEST(CurveGaps, OfRandomCurvesAreThoseOfAllPairs) {
     for (int c = 0; c < 14; ++c) {
       CurveInput input;
       std::vector<Point> points;
-      const double x = 24 * unit(random), y = 24 * unit(random);
       const double length = c % 4 == 0 ? 14 : 1.5;
+      const double x = (24 - length) * unit(random);
+      const double y = (24 - length) * unit(random);
       for (int k = 0; k < 3; ++k) {
-        points.emplace_back(std::clamp(x + length * unit(random), 0.0, 24.0),
-                            std::clamp(y + length * unit(random), 0.0, 24.0), 0);
+        const double across = length * unit(random);  // one statement each: the order is given
+        const double along = length * unit(random);
+        points.emplace_back(x + across, y + along, 0);
       }
       input.points = points;
       curves.push_back(lines.join(snap(mesh, input).points, false));
