@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <iterator>
 #include <map>
 #include <string>
 #include <utility>
@@ -12,11 +13,6 @@
 
 namespace talweg {
 namespace {
-
-struct FaceSegment {
-  std::size_t curve = 0, number = 0;
-  std::array<double, 3> from{}, to{};  // barycentrics
-};
 
 double orient(const std::array<double, 3>& a, const std::array<double, 3>& b,
               const std::array<double, 3>& c) {
@@ -66,28 +62,35 @@ struct SegmentPlace {
   std::size_t curve = 0, number = 0;
 };
 
+/// Calls use() with the number and the face of each segment.
+template <class Use>
+void each_segment(const Surface& surface, const SurfaceCurve& curve, const Use& use) {
+  const auto& points = curve.points;
+  for (std::size_t i = 0; i + (curve.closed ? 0 : 1) < points.size(); ++i) {
+    const FaceId face = common_face(surface, points[i], points[(i + 1) % points.size()]);
+    if (!face.valid()) {
+      throw Error(ErrorCode::kBadCurve,
+                  "Segment " + std::to_string(i + 1) + " of the curve lies in no face.");
+    }
+    use(i, face);
+  }
+}
+
 std::vector<SegmentPlace> segments_by_face(const Surface& surface,
                                            std::span<const SurfaceCurve> curves) {
   std::vector<SegmentPlace> places;
   for (std::size_t c = 0; c < curves.size(); ++c) {
-    const auto& points = curves[c].points;
-    for (std::size_t i = 0; i + (curves[c].closed ? 0 : 1) < points.size(); ++i) {
-      const FaceId face = common_face(surface, points[i], points[(i + 1) % points.size()]);
-      if (!face.valid()) {
-        throw Error(ErrorCode::kBadCurve,
-                    "Segment " + std::to_string(i + 1) + " of the curve lies in no face.");
-      }
+    each_segment(surface, curves[c], [&](std::size_t i, FaceId face) {
       places.push_back({face, c, i});
-    }
+    });
   }
   std::stable_sort(places.begin(), places.end(),
                    [](const auto& a, const auto& b) { return a.face < b.face; });
   return places;
 }
 
-FaceSegment segment_at(const Surface& surface, std::span<const SurfaceCurve> curves,
-                       const SegmentPlace& at) {
-  const auto& points = curves[at.curve].points;
+FaceSegment segment_at(const Surface& surface, const SurfaceCurve& curve, const SegmentPlace& at) {
+  const auto& points = curve.points;
   const auto in_face = [&](std::size_t i) {
     return coordinates_in(surface, points[i % points.size()], at.face).barycentric;
   };
@@ -310,7 +313,7 @@ void find_crossings(const Surface& surface, std::span<const SurfaceCurve> curves
     if (last == first + 1) continue;
     segments.clear();
     for (std::size_t i = first; i < last; ++i) {
-      segments.push_back(segment_at(surface, curves, places[i]));
+      segments.push_back(segment_at(surface, curves[places[i].curve], places[i]));
     }
     find_crossings(segments, found);
   }
@@ -334,18 +337,54 @@ std::vector<std::size_t> crossing_curves(const Surface& surface,
   return crossing;
 }
 
-std::vector<SurfacePoint> crossed_points(const Surface& surface,
-                                         std::span<const SurfaceCurve> curves, std::size_t curve) {
-  std::vector<std::size_t> crossed;
-  find_crossings(surface, curves, [&](const FaceSegment& p, const FaceSegment& q) {
-    for (const FaceSegment* segment : {&p, &q}) {
-      if (segment->curve == curve) crossed.push_back(segment->number);
-    }
+CurvesByFace::CurvesByFace(const Surface& surface, std::span<const SurfaceCurve> curves)
+    : surface_(&surface), passed_(curves.size()) {
+  for (std::size_t c = 0; c < curves.size(); ++c) add(c, curves[c]);
+}
+
+CurvesByFace::Faces CurvesByFace::faces_of(std::size_t number, const SurfaceCurve& curve) const {
+  Faces faces;
+  each_segment(*surface_, curve, [&](std::size_t i, FaceId face) {
+    faces[face].push_back(segment_at(*surface_, curve, {face, number, i}));
   });
+  return faces;
+}
+
+void CurvesByFace::add(std::size_t number, const SurfaceCurve& curve) {
+  for (const auto& [face, segments] : faces_of(number, curve)) {
+    std::vector<FaceSegment>& there = faces_[face];
+    there.insert(there.end(), segments.begin(), segments.end());
+    passed_[number].push_back(face);
+  }
+}
+
+void CurvesByFace::replace(std::size_t number, const SurfaceCurve& curve) {
+  for (const FaceId face : passed_[number]) {
+    std::erase_if(faces_[face], [&](const FaceSegment& s) { return s.curve == number; });
+  }
+  passed_[number].clear();
+  add(number, curve);
+}
+
+std::vector<SurfacePoint> CurvesByFace::crossed_points(std::size_t number,
+                                                       const SurfaceCurve& curve) const {
+  std::vector<std::size_t> crossed;
+  Faces own = faces_of(number, curve);
+  for (auto& [face, segments] : own) {
+    if (const auto there = faces_.find(face); there != faces_.end()) {
+      std::copy_if(there->second.begin(), there->second.end(), std::back_inserter(segments),
+                   [&](const FaceSegment& s) { return s.curve != number; });
+    }
+    find_crossings(segments, [&](const FaceSegment& p, const FaceSegment& q) {
+      for (const FaceSegment* segment : {&p, &q}) {
+        if (segment->curve == number) crossed.push_back(segment->number);
+      }
+    });
+  }
   sort_once(crossed);
   std::vector<SurfacePoint> points;
   points.reserve(crossed.size());
-  for (const std::size_t i : crossed) points.push_back(curves[curve].points[i]);
+  for (const std::size_t i : crossed) points.push_back(curve.points[i]);
   return points;
 }
 

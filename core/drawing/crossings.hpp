@@ -1,8 +1,10 @@
 // Crossings are where curves pass through themselves or each other.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <span>
+#include <unordered_map>
 #include <vector>
 
 #include "talweg/intrinsic/flips/edge_path.hpp"
@@ -33,9 +35,35 @@ PathContacts path_contacts(const SignpostTriangulation& triangulation,
 std::vector<std::size_t> crossing_curves(const Surface& surface,
                                          std::span<const SurfaceCurve> curves);
 
-/// The points of one of these curves at which a segment begins that crosses another segment, of the
-/// same or of another curve, as for crossing_curves().
-std::vector<SurfacePoint> crossed_points(const Surface& surface,
-                                         std::span<const SurfaceCurve> curves, std::size_t curve);
+/// A segment of a curve in a face.
+struct FaceSegment {
+  std::size_t curve = 0, number = 0;
+  std::array<double, 3> from{}, to{};  ///< barycentrics
+};
+
+/// The segments of curves by their faces, to look for what one of them crosses while they change.
+/// The surface must outlive the object.
+class CurvesByFace {
+ public:
+  /// O(segments). Throws Error(kBadCurve) when a segment lies in no face, as all functions do.
+  CurvesByFace(const Surface& surface, std::span<const SurfaceCurve> curves);
+
+  /// O(segments of both curves), and what lies in the faces of the one that goes.
+  void replace(std::size_t number, const SurfaceCurve& curve);
+  /// The points of a curve at which a segment begins that crosses another one of its segments, or
+  /// one of another curve than that number, as for crossing_curves(). O(its segments, and those in
+  /// their faces).
+  [[nodiscard]] std::vector<SurfacePoint> crossed_points(std::size_t number,
+                                                         const SurfaceCurve& curve) const;
+
+ private:
+  using Faces = std::unordered_map<FaceId, std::vector<FaceSegment>>;
+  [[nodiscard]] Faces faces_of(std::size_t number, const SurfaceCurve& curve) const;
+  void add(std::size_t number, const SurfaceCurve& curve);
+
+  const Surface* surface_;
+  Faces faces_;
+  std::vector<std::vector<FaceId>> passed_;  // per curve
+};
 
 }  // namespace talweg

@@ -82,9 +82,11 @@ class DeviationMeter {
   std::vector<bool> are_near(std::span<const SurfacePoint> points, std::span<const double> limits,
                              const SurfaceCurve& curve);
 
- private:
+  /// What it measures with, for others to use until its next measurement. They take their asker
+  /// away again.
   PolylineDistance& distance();
 
+ private:
   const SurfaceMesh* mesh_;
   std::unique_ptr<PolylineDistance> distance_;
 };

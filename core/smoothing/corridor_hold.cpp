@@ -201,7 +201,7 @@ void CorridorHold::with_fairing(const FairGroup& group, const Taus& taus, double
 
 SurfaceCurve CorridorHold::with_cut_off_detours(const FairGroup& group,
                                                 Straightened& straight) const {
-  std::vector<SurfaceCurve> curves = straight.curves;
+  std::vector<SurfaceCurve> parts;
   for (const JoinedCurves::Part& part : group.joined.parts) {
     const std::size_t c = part.curve;
     const Corridor::Valley& valley = (*valleys_)[c];
@@ -209,11 +209,11 @@ SurfaceCurve CorridorHold::with_cut_off_detours(const FairGroup& group,
     const double slack = valley.slack_at.empty() ? valley.trembling : largest_slack(valley);
     const double least = kLeastSlack * drawing_->drawing().edges_near()[c];
     const std::vector<double> far(drawn.points.size(), kDetour * std::max(slack, least));
-    WithDetours start = with_detours(drawing_->mesh(), curves[c], drawn, far);
-    curves[c] = std::move(start.curve);
+    WithDetours start = with_detours(drawing_->mesh(), straight.curves[c], drawn, far);
+    parts.push_back(std::move(start.curve));
     straight.paths[c].redrawn = start.stretches;
   }
-  return joined(group.joined, curves);
+  return joined_parts(group.joined, std::move(parts));
 }
 
 std::optional<SampleChain> CorridorHold::fair_from(const FairGroup& group, const Taus& taus,

@@ -12,6 +12,7 @@
 #include "talweg/core/smoothing/embedded_drawing.hpp"
 #include "talweg/core/smoothing/fair_group.hpp"
 #include "talweg/core/smoothing/smoothed.hpp"
+#include "talweg/core/smoothing/smoothing_memory.hpp"
 #include "talweg/core/smoothing/smoothing_options.hpp"
 #include "talweg/core/smoothing/straightening.hpp"
 #include "talweg/intrinsic/exact_distance/polyline_distance.hpp"
@@ -23,15 +24,13 @@ namespace talweg {
 using FairChains = std::vector<std::optional<SampleChain>>;
 
 /// Holds a drawing in its valleys and runs one step of the method at a time, for one tau. Refers to
-/// the objects it is made from; the distance is set to the curves of the valleys. All functions
-/// throw Cancelled. Each costs what it runs, a Straightening or a CurveFairing. Worse: a group that
-/// starts from the straightened curves copies those of all groups, so that groups cost their number
-/// times all points.
+/// the objects it is made from; the memory's distance is set to the curves of the valleys. All
+/// functions throw Cancelled. Each costs what it runs, a Straightening or a CurveFairing.
 class CorridorHold {
  public:
-  CorridorHold(EmbeddedDrawing& drawing, PolylineDistance& distance,
+  CorridorHold(EmbeddedDrawing& drawing, SmoothingMemory& memory,
                const std::vector<Corridor::Valley>& valleys)
-      : drawing_(&drawing), distance_(&distance), valleys_(&valleys) {}
+      : drawing_(&drawing), memory_(&memory), distance_(&memory.distance()), valleys_(&valleys) {}
 
   [[nodiscard]] const EmbeddedDrawing& drawing() const { return *drawing_; }
   [[nodiscard]] const std::vector<Corridor::Valley>& valleys() const { return *valleys_; }
@@ -95,6 +94,8 @@ class CorridorHold {
   /// The straightened curves of a group, with the detours of the drawing that they have cut off.
   [[nodiscard]] SurfaceCurve with_cut_off_detours(const FairGroup& group,
                                                   Straightened& straight) const;
+  /// A distance that nothing else uses while curves are held.
+  [[nodiscard]] PolylineDistance& free_distance() { return memory_->meter().distance(); }
   /// Whether the curve's band is too narrow to be faired in.
   [[nodiscard]] bool is_narrow(std::size_t curve) const;
   /// What a curve becomes that is_narrow(): the taut curve or the drawing.
@@ -115,6 +116,7 @@ class CorridorHold {
                              const Progress& progress) const;
 
   EmbeddedDrawing* drawing_;
+  SmoothingMemory* memory_;
   PolylineDistance* distance_;
   const std::vector<Corridor::Valley>* valleys_;
 };

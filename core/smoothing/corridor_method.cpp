@@ -89,7 +89,7 @@ Smoothed CorridorMethod::smooth_in_own_valleys(const SmoothingOptions& options,
 
 Smoothed CorridorMethod::smooth_in(const std::vector<Corridor::Valley>& valleys,
                                    const SmoothingOptions& options, const Progress& progress) {
-  CorridorHold hold(*drawing_, memory_->distance(), valleys);
+  CorridorHold hold(*drawing_, *memory_, valleys);
   bool laddered = false;
   for (std::size_t c = 0; c < drawing_->drawing().curves().size(); ++c) {
     laddered = laddered || (FairLadder::rung_of(options, c) && !drawing_->all_legs());
@@ -108,14 +108,14 @@ Smoothed CorridorMethod::smooth_in(const std::vector<Corridor::Valley>& valleys,
 
 std::vector<SurfaceCurve> CorridorMethod::taut(const SmoothingOptions& options,
                                                const Progress& progress) {
-  CorridorHold hold(*drawing_, memory_->distance(), valleys_);
+  CorridorHold hold(*drawing_, *memory_, valleys_);
   return FairLadder::straightened(hold, options, progress).curves;
 }
 
 std::optional<SurfaceCurve> CorridorMethod::fair(double tau, const SurfaceCurve& curve,
                                                  std::span<const SurfacePoint> fixed,
                                                  const Progress& progress) {
-  return CorridorHold(*drawing_, memory_->distance(), valleys_).fair(tau, curve, fixed, progress);
+  return CorridorHold(*drawing_, *memory_, valleys_).fair(tau, curve, fixed, progress);
 }
 
 }  // namespace talweg

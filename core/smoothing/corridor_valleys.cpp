@@ -43,6 +43,16 @@ std::vector<bool> doubtful_loops(const std::vector<Corridor::Valley>& valleys,
   return doubtful;
 }
 
+/// What a trial run does not need to know is not faired.
+std::vector<OwnOptions> fair_where(const std::vector<bool>& flags) {
+  if (std::find(flags.begin(), flags.end(), false) == flags.end()) return {};
+  std::vector<OwnOptions> own(flags.size());
+  for (std::size_t c = 0; c < flags.size(); ++c) {
+    if (!flags[c]) own[c].finish = Finish::kTaut;
+  }
+  return own;
+}
+
 bool any(const std::vector<bool>& flags) {
   return std::find(flags.begin(), flags.end(), true) != flags.end();
 }
@@ -80,6 +90,7 @@ void hold_loops(std::vector<Corridor::Valley>& valleys, const SurfaceMesh& mesh,
   SmoothingOptions options;
   options.tau = kLeastTau;
   for (int k = 0; k < kHalvings && any(doubtful); ++k) {
+    options.per_curve = fair_where(doubtful);
     const Smoothed tried = smooth(options);
     for (std::size_t c = 0; c < valleys.size(); ++c) {
       const SmoothedCurve& result = tried.curves[c];

@@ -40,8 +40,9 @@ constexpr const char* kEndedFair =
 void FairFinishing::run(const std::vector<FairGroup>& groups, const FairChains& chains,
                         std::vector<SmoothedCurve>& curves) {
   curves_ = &curves;
-  for (const SmoothedCurve& curve : curves) taut_.push_back(curve.curve);
-  now_ = taut_;
+  for (const SmoothedCurve& curve : curves) taut_.curves.push_back(curve.curve);
+  taut_.paths.resize(curves.size());
+  now_ = taut_.curves;
   attempt_of_.resize(curves.size());
   for (std::size_t g = 0; g < groups.size(); ++g) begin(groups[g], chains[g]);
   // Each group is faired separately, so that curves near each other, or strands of one, may
@@ -71,11 +72,11 @@ void FairFinishing::run(const std::vector<FairGroup>& groups, const FairChains& 
 void FairFinishing::begin(const FairGroup& group, const std::optional<SampleChain>& chain) {
   const std::size_t a = attempts_.size();
   for (const JoinedCurves::Part& part : group.joined.parts) attempt_of_[part.curve] = a;
-  attempts_.push_back({group, chain, joined(group.joined, taut_), is_redrawn(group)});
+  attempts_.push_back({group, chain, joined(group.joined, taut_.curves), is_redrawn(group)});
   const std::size_t c = group.joined.parts.front().curve;
   if (!CorridorHold::is_faired(*options_, c)) return;
   if (hold_->is_narrow(c) && !has_legs(hold_->drawing(), group)) {
-    now_[c] = hold_->in_narrow_band(options_->tau_of(c), c, taut_[c], asker_);
+    set(c, hold_->in_narrow_band(options_->tau_of(c), c, taut_.curves[c], asker_));
   } else if (turns_by(kNoTurn, hold_->drawing().surface(), attempts_[a].taut,
                       hold_->drawing().corners())) {  // else it is fair
     warn_if_too_long(group);
@@ -121,7 +122,7 @@ void FairFinishing::make_fair(std::size_t number) {
   if (!fair && !ended) fair = mended(attempt, taus);
   const FairGroup group = attempt.group;  // more attempts may come
   const auto curves = parted(group.joined, group.junctions, fair ? *fair : attempt.taut);
-  for (std::size_t k = 0; k < curves.size(); ++k) now_[group.joined.parts[k].curve] = curves[k];
+  for (std::size_t k = 0; k < curves.size(); ++k) set(group.joined.parts[k].curve, curves[k]);
   if (fair) return;
   attempt.tries = kGivenUp;
   if (group.joined.is_joined() && !ended) {
@@ -173,14 +174,23 @@ std::vector<SurfacePoint> FairFinishing::fails_at(const Attempt& attempt, const 
     curve = std::move(faired->curve);
   });
   if (!curve) return bad;
-  std::vector<SurfaceCurve> all = now_;
-  const std::size_t c = group.joined.parts.front().curve;
-  all[c] = *curve;
-  for (const auto& more :
-       {crossed_points(surface, all, c), pressed_points(surface, *curve, attempt.taut)}) {
+  for (const auto& more : {crossed_points(group.joined.parts.front().curve, *curve),
+                           pressed_points(surface, *curve, attempt.taut)}) {
     bad.insert(bad.end(), more.begin(), more.end());
   }
   return bad;
+}
+
+/// Where a curve of that number would cross itself or the others as they are now.
+std::vector<SurfacePoint> FairFinishing::crossed_points(std::size_t number,
+                                                        const SurfaceCurve& curve) {
+  if (!by_face_) by_face_.emplace(hold_->drawing().surface(), now_);
+  return by_face_->crossed_points(number, curve);
+}
+
+void FairFinishing::set(std::size_t number, SurfaceCurve curve) {
+  if (by_face_) by_face_->replace(number, curve);
+  now_[number] = std::move(curve);
 }
 
 /// Whether a curve bends more than what it started from.
@@ -201,9 +211,9 @@ bool FairFinishing::bends_more(const Attempt& attempt, const Taus& taus,
 void FairFinishing::make_fair_apart(const FairGroup& group) {
   for (const JoinedCurves::Part& part : group.joined.parts) {
     const FairGroup one = fair_group(hold_->drawing(), {{{part.curve, false}}});
-    Straightened straight{taut_, std::vector<StraightenedPath>(taut_.size())};
-    const auto chain = hold_->fair_from(one, taus_of(one, *options_), straight, *progress_);
-    (*curves_)[part.curve].path.redrawn = straight.paths[part.curve].redrawn;
+    taut_.paths[part.curve].redrawn = 0;
+    const auto chain = hold_->fair_from(one, taus_of(one, *options_), taut_, *progress_);
+    (*curves_)[part.curve].path.redrawn = taut_.paths[part.curve].redrawn;
     begin(one, chain);
   }
 }
@@ -219,20 +229,18 @@ std::optional<SurfaceCurve> FairFinishing::mended(Attempt& attempt, const Taus& 
   attempt.tries = kMended;
   const std::size_t c = group.joined.parts.front().curve;
   const FairMending::Crossed crossed = [&](const SurfaceCurve& curve) {
-    std::vector<SurfaceCurve> all = now_;
-    all[c] = curve;
-    return crossed_points(hold_->drawing().surface(), all, c);
+    return crossed_points(c, curve);
   };
   FairMending mending(*hold_, group, taus, attempt.taut, crossed, asker_);
-  Straightened straight{taut_, std::vector<StraightenedPath>(taut_.size())};
-  const SurfaceCurve start = hold_->with_cut_off_detours(group, straight);
+  const SurfaceCurve start = hold_->with_cut_off_detours(group, taut_);
+  std::size_t& redrawn = taut_.paths[c].redrawn;
   std::optional<MendedCurve> mended = mending.from(start);
-  if (!mended && straight.paths[c].redrawn > 0) {
-    straight.paths[c].redrawn = 0;
+  if (!mended && redrawn > 0) {
+    redrawn = 0;
     mended = mending.from(attempt.taut);
   }
   if (!mended) return std::nullopt;
-  (*curves_)[c].path.redrawn = straight.paths[c].redrawn;
+  (*curves_)[c].path.redrawn = redrawn;
   attempt.left_taut = std::move(mended->warning);
   return std::move(mended->curve);
 }

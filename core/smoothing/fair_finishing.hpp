@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "talweg/core/drawing/crossings.hpp"
 #include "talweg/core/fairing/sample_chain.hpp"
 #include "talweg/core/smoothing/corridor_hold.hpp"
 #include "talweg/core/smoothing/fair_group.hpp"
@@ -22,8 +23,8 @@ namespace talweg {
 /// (fair_mending.hpp), or all of them, with a warning. Curves that are not faired stay too. Joined
 /// curves that fail are faired each for itself. Refers to the objects it is made from. Cost:
 /// FairPatching, or up to four tries of a CurveFairing for each group, and FairMending: a bad place
-/// that no stretch cures makes all of it try again. Worse: a group that is mended copies all curves
-/// and looks for their crossings in every round.
+/// that no stretch cures makes all of it try again; and the segments of all curves in each round in
+/// which some cross.
 class FairFinishing {
  public:
   FairFinishing(CorridorHold& hold, const SmoothingOptions& options, const Progress& progress)
@@ -52,6 +53,8 @@ class FairFinishing {
   std::optional<SurfaceCurve> patched(Attempt& attempt, const Taus& taus);
   std::vector<SurfacePoint> fails_at(const Attempt& attempt, const Taus& taus, SampleChain& chain,
                                      std::optional<SurfaceCurve>& curve);
+  std::vector<SurfacePoint> crossed_points(std::size_t number, const SurfaceCurve& curve);
+  void set(std::size_t number, SurfaceCurve curve);
   [[nodiscard]] bool bends_more(const Attempt& attempt, const Taus& taus,
                                 const SurfaceCurve& curve);
   std::optional<SurfaceCurve> mended(Attempt& attempt, const Taus& taus);
@@ -65,7 +68,9 @@ class FairFinishing {
   const Progress* progress_;
   Asker asker_;
   std::vector<SmoothedCurve>* curves_ = nullptr;
-  std::vector<SurfaceCurve> taut_, now_;
+  Straightened taut_;  // `redrawn` is of the last fairing alone
+  std::vector<SurfaceCurve> now_;
+  std::optional<CurvesByFace> by_face_;  // those of now_, once they are needed
   std::vector<Attempt> attempts_;
   std::vector<std::size_t> attempt_of_;  // per curve
 };

@@ -55,7 +55,7 @@ class Bends {
 /// What stays the same from round to round, and the stretches so far.
 struct FairMending::Setting {
   const SurfaceCurve* start;
-  PolylineDistance distance;  // to the start
+  PolylineDistance* distance;  // to the start
   TautStretches stretches;
   double most_bending;
   double spacing = 0;  // of samples, mesh units
@@ -103,7 +103,7 @@ void FairMending::judge(Setting& setting, Try& result) const {
   if (!result.bad.empty()) return;
   result.bad = pressed_points(drawing.surface(), curve, *taut_);
   std::erase_if(result.bad, [&](const SurfacePoint& point) {  // the taut curve's own
-    return setting.stretches.contain(setting.distance.at(point).arc_length);
+    return setting.stretches.contain(setting.distance->at(point).arc_length);
   });
   if (!result.bad.empty()) return;
   const double own = bending_between(drawing.surface(), curve, drawing.corners(), group_->edge);
@@ -121,7 +121,7 @@ std::vector<SurfacePoint> FairMending::most_bent(Setting& setting,
   std::vector<SurfacePoint> most;
   double excess = 0, arc = 0;
   for (std::size_t i = 0; i < curve.points.size(); ++i) {
-    const double place = setting.distance.at(curve.points[i]).arc_length;
+    const double place = setting.distance->at(curve.points[i]).arc_length;
     const double more = after.near(arc, 0) - before.near(place, window);
     if (more > excess && !setting.stretches.contain(place)) {
       excess = more;
@@ -138,7 +138,7 @@ std::vector<SurfacePoint> FairMending::most_bent(Setting& setting,
 /// Whether a stretch has something that is drawn, and not straightened.
 bool FairMending::leaves_drawing(const Setting& setting) const {
   const std::vector<SurfacePoint>& points = setting.start->points;
-  const auto arcs = setting.distance.point_arcs(0);
+  const auto arcs = setting.distance->point_arcs(0);
   const PointLookup taut(taut_->points);
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (setting.stretches.contain(arcs[i]) && !taut.contains(points[i])) return true;
@@ -163,14 +163,12 @@ FairMending::Setting FairMending::setting_for(const SurfaceCurve& start) {
   const auto bending = [&](const SurfaceCurve& curve) {
     return bending_between(surface, curve, hold_->drawing().corners(), group_->edge);
   };
-  Setting setting{&start, PolylineDistance(surface), TautStretches(surface, start),
-                  bending(*taut_)};
-  setting.distance.ask(asker_);
-  setting.distance.set(std::span(&start, 1));
+  Setting setting{&start, &hold_->free_distance(), TautStretches(surface, start), bending(*taut_)};
+  setting.distance->set(std::span(&start, 1));
   bool within = false;
   hold_->with_fairing(*group_, *taus_, 1, {}, *asker_, [&](const CurveFairing& fairing) {
     within = fairing.farthest(*taut_) <= 1;
-    setting.spacing = fairing.least_spacing(setting.distance.curve_length(0));
+    setting.spacing = fairing.least_spacing(setting.distance->curve_length(0));
   });
   if (!within || start.points != taut_->points) {
     setting.most_bending = std::max(setting.most_bending, bending(group_->drawn));
@@ -179,6 +177,7 @@ FairMending::Setting FairMending::setting_for(const SurfaceCurve& start) {
 }
 
 std::optional<MendedCurve> FairMending::from(const SurfaceCurve& start) {
+  const AskedDuring asked(hold_->free_distance(), *asker_);
   Setting setting = setting_for(start);
   double margin = kMendedMargin * setting.spacing;
   std::optional<HeldCurve> held;
@@ -194,7 +193,7 @@ std::optional<MendedCurve> FairMending::from(const SurfaceCurve& start) {
       return mended;
     }
     for (const SurfacePoint& point : result.bad) {
-      setting.stretches.add(setting.distance.at(point).arc_length, margin);
+      setting.stretches.add(setting.distance->at(point).arc_length, margin);
     }
     held = setting.stretches.held(setting.spacing);
     if (!held || held->share > kMostTaut || leaves_drawing(setting)) return std::nullopt;

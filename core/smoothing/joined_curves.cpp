@@ -137,18 +137,25 @@ std::vector<JoinedCurves> joined_curves(
   return groups;
 }
 
-SurfaceCurve joined(const JoinedCurves& joined, std::span<const SurfaceCurve> curves) {
-  if (!joined.is_joined()) return curves[joined.parts.front().curve];
+SurfaceCurve joined_parts(const JoinedCurves& joined, std::vector<SurfaceCurve> parts) {
+  if (!joined.is_joined()) return std::move(parts.front());
   SurfaceCurve result;
-  for (const JoinedCurves::Part& part : joined.parts) {
-    std::vector<SurfacePoint> points = curves[part.curve].points;
-    if (part.reversed) std::reverse(points.begin(), points.end());
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    std::vector<SurfacePoint>& points = parts[k].points;
+    if (joined.parts[k].reversed) std::reverse(points.begin(), points.end());
     if (!result.points.empty()) result.points.pop_back();
     result.points.insert(result.points.end(), points.begin(), points.end());
   }
   result.closed = joined.is_ring;
   if (joined.is_ring) result.points.pop_back();
   return result;
+}
+
+SurfaceCurve joined(const JoinedCurves& joined, std::span<const SurfaceCurve> curves) {
+  std::vector<SurfaceCurve> parts;
+  parts.reserve(joined.parts.size());
+  for (const JoinedCurves::Part& part : joined.parts) parts.push_back(curves[part.curve]);
+  return joined_parts(joined, std::move(parts));
 }
 
 std::vector<SurfacePoint> junctions(const JoinedCurves& joined,

@@ -34,7 +34,10 @@ std::vector<JoinedCurves> joined_curves(
     std::span<const SurfacePoint> corners,
     const std::function<bool(std::size_t, std::size_t)>& may_join);
 
-/// As one curve. A ring is closed, and begins where its first part does.
+/// The curves of the parts, in their order, as one. A ring is closed, and begins where its first
+/// part does.
+SurfaceCurve joined_parts(const JoinedCurves& joined, std::vector<SurfaceCurve> parts);
+/// The same, of all curves of the set.
 SurfaceCurve joined(const JoinedCurves& joined, std::span<const SurfaceCurve> curves);
 /// Where parts meet: after each part but the last; of a ring, before each.
 std::vector<SurfacePoint> junctions(const JoinedCurves& joined,

@@ -10,6 +10,7 @@
 #include "talweg/core/drawing/crossings.hpp"
 #include "talweg/core/drawing/curve_embedding.hpp"
 #include "talweg/core/labels/label_borders.hpp"
+#include "talweg/core/labels/label_network.hpp"
 #include "talweg/core/measure/self_contacts.hpp"
 #include "talweg/core/smoothing/curve_gaps.hpp"
 #include "talweg/core/smoothing/curve_smoother.hpp"
@@ -159,6 +160,16 @@ TEST(Growth, CurvesInASet) {
       (void)smoother.smooth(1.0);
     };
   });
+  expect_growth("CurvesByFace, curves in a set", 1.2, {8, 32, 128}, [&](std::size_t n) {
+    const auto mesh = OpenedMesh::open(grid(kColumns, static_cast<std::uint32_t>(2 * n + 2)));
+    return [mesh, curves = rows(mesh->surface(), kColumns, n)] {
+      CurvesByFace by_face(mesh->surface(), curves);
+      for (std::size_t c = 0; c < curves.size(); ++c) {
+        (void)by_face.crossed_points(c, curves[c]);
+        by_face.replace(c, curves[c]);
+      }
+    };
+  });
   expect_growth("gaps_to_others, curves in a set", 1.3, {8, 32, 128}, [&](std::size_t n) {
     const auto mesh = OpenedMesh::open(grid(kColumns, static_cast<std::uint32_t>(2 * n + 2)));
     return [mesh, curves = rows(mesh->surface(), kColumns, n)] {
@@ -173,6 +184,24 @@ TEST(Growth, LabelsAtOneVertex) {
     std::vector<std::int64_t> labels(2 * n);
     for (std::size_t f = 0; f < labels.size(); ++f) labels[f] = static_cast<std::int64_t>(f / 2);
     return [mesh, labels] { (void)label_borders(mesh.surface(), labels); };
+  });
+}
+
+/// n specks of one vertex's faces each, in the middle of a column of squares of 8.
+TEST(Growth, SpecksOfLabels) {
+  constexpr std::uint32_t kColumns = 8;
+  expect_growth("smooth_labels, specks", 1.3, {8, 32, 128}, [](std::size_t n) {
+    const auto rows = static_cast<std::uint32_t>(kColumns * n);
+    const auto mesh = OpenedMesh::open(grid(kColumns, rows));
+    std::vector<std::int64_t> labels(mesh->surface().face_count());
+    for (std::uint32_t k = 0; k < n; ++k) {
+      const VertexId middle{(kColumns * k + 4) * (kColumns + 1) + 4};
+      for (const FaceId face :
+           faces_at(mesh->surface(), SurfacePoint::at_vertex(mesh->surface(), middle))) {
+        labels[face.index()] = 1;
+      }
+    }
+    return [mesh, labels] { (void)smooth_labels(mesh, labels); };
   });
 }
 
