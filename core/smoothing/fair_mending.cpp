@@ -64,11 +64,11 @@ struct FairMending::Setting {
 /// The trace from which the rest is faired.
 CurveTrace FairMending::traced(const HeldCurve& held) const {
   const EmbeddedDrawing& drawing = hold_->drawing();
+  const PointLookup stays(drawing.fixed());
   std::vector<std::size_t> fixed = held.fixed;
   for (std::size_t i = 0; i < held.curve.points.size(); ++i) {
-    const bool stays = std::find(drawing.fixed().begin(), drawing.fixed().end(),
-                                 held.curve.points[i]) != drawing.fixed().end();
-    if (stays && !std::binary_search(held.fixed.begin(), held.fixed.end(), i)) fixed.push_back(i);
+    if (!stays.contains(held.curve.points[i])) continue;
+    if (!std::binary_search(held.fixed.begin(), held.fixed.end(), i)) fixed.push_back(i);
   }
   std::sort(fixed.begin(), fixed.end());
   CurveTrace trace = trace_through(drawing.surface(), held.curve, fixed);

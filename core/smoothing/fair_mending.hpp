@@ -23,8 +23,7 @@ struct MendedCurve {
 /// Makes a curve fair from its taut curve. Where that leaves the walls, crosses, lies along the
 /// boundary or bends more than before, the taut curve stays, with a margin that is doubled from
 /// round to round, and the rest is faired on from it. For groups of one curve, without legs. Refers
-/// to all that it is made from. Cost: at most 8 fairings of the whole curve. Worse: each point is
-/// compared with all fixed points, and what is left taut with all points of the taut curve.
+/// to all that it is made from. Cost: at most 8 fairings of the whole curve.
 class FairMending {
  public:
   /// Where a curve crosses itself or others of its set.
