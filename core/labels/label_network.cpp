@@ -14,6 +14,7 @@
 #include "talweg/core/measure/surface_deviation.hpp"
 #include "talweg/core/smoothing/curve_smoother.hpp"
 #include "talweg/intrinsic/error.hpp"
+#include "talweg/intrinsic/stopwatch.hpp"
 
 namespace talweg {
 namespace {
@@ -125,12 +126,32 @@ class Network {
     }
     SmoothingResult smoothed = smoother_.smooth(options, progress_);
     if (smoothed.total.termination == Outcome::kCancelled) return false;
+    add_times(smoothed.total.time_ms);
     for (std::size_t i = 0; i < members.size(); ++i) {
       LabelBorder& border = drawings[i].border;
       border.curve = std::move(smoothed.curves[i]);
       result_[members[i]] = {std::move(border), std::move(smoothed.reports[i]), false};
     }
     return true;
+  }
+
+  void add_times(const StageTimes& of_set) {
+    spent_.open = of_set.open;  // once
+    for (double StageTimes::*stage :
+         {&StageTimes::solve, &StageTimes::straighten, &StageTimes::trace, &StageTimes::relax,
+          &StageTimes::fair, &StageTimes::measure, &StageTimes::total}) {
+      spent_.*stage += of_set.*stage;
+    }
+    spent_.total -= of_set.open;
+  }
+
+  /// Whatever is not smoothing checks its results.
+  [[nodiscard]] StageTimes times() const {
+    StageTimes all = spent_;
+    const double elapsed = std::max(watch_.ms(), spent_.total);
+    all.measure += elapsed - spent_.total;
+    all.total = all.open + elapsed;
+    return all;
   }
 
   [[nodiscard]] double mean_segment(std::size_t border) const {
@@ -387,6 +408,7 @@ class Network {
       reports.push_back(result_[c].report);
     }
     network.total = total_of(reports);
+    network.total.time_ms = times();
     if (has_ended_early(progress_)) {
       network.total.termination = std::max(network.total.termination, Outcome::kLimit);
       network.total.warnings.emplace_back(
@@ -402,6 +424,7 @@ class Network {
     return network;
   }
 
+  const Stopwatch watch_;
   std::shared_ptr<const OpenedMesh> mesh_;
   LabelNetworkOptions options_;
   Progress progress_;
@@ -420,6 +443,7 @@ class Network {
   CutMesh cut_;
   CutRegions regions_;
   std::vector<bool> held_;  // per part
+  StageTimes spent_;        // by smoothing; the total without opening the mesh
 };
 
 }  // namespace

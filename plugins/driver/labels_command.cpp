@@ -172,6 +172,7 @@ int run_labels(const LabelsOptions& o, const GlobalOptions& global) {
   std::vector<std::string> warnings = reading_warnings({}, read.lists.polygon_count);
   const auto mesh = OpenedMesh::open(std::move(read.lists));
   const ReadLabels file = read_labels(o.labels, mesh->surface(), read.map.get(), o.property);
+  const double load_ms = since_start.ms() - mesh->open_ms();
   LabelNetworkOptions options = o.network;
   options.budget = budget_of(o, since_start.ms());
   options.free_junctions = o.junctions == "free";
@@ -194,6 +195,8 @@ int run_labels(const LabelsOptions& o, const GlobalOptions& global) {
   warnings.insert(warnings.end(), read.changes.begin(), read.changes.end());
   warnings.insert(warnings.end(), held.begin(), held.end());
   network.cut.lists.single_precision = single;
+  network.total.time_ms.load = load_ms;
+  network.total.time_ms.total += load_ms;
   write(o, network, mesh->mesh(), read.map.get(), attributes, warnings, file);
   if (!global.quiet) {
     std::fputs(summary_of(network, ms).c_str(), text_stream());

@@ -17,6 +17,7 @@
 #include "core/small_meshes.hpp"
 #include "core/voronoi_labels.hpp"
 #include "talweg/intrinsic/error.hpp"
+#include "talweg/intrinsic/stopwatch.hpp"
 
 namespace talweg {
 namespace {
@@ -103,6 +104,22 @@ TEST(LabelNetwork, ABorderBeyondTheBoundIsTightenedOnlyThere) {
       }
     }
   }
+}
+
+// Borders are smoothed several times, and the mesh is cut each time.
+TEST(LabelNetwork, TimesAreOfAllRuns) {
+  const auto mesh = OpenedMesh::open(test::hills(60));
+  LabelNetworkOptions options;
+  options.free_junctions = true;
+  const Labels labels = test::voronoi_labels(mesh->mesh(), 40, 1);
+  const Stopwatch watch;
+  const StageTimes t = smooth_labels(mesh, labels, options).total.time_ms;
+  const double elapsed = watch.ms();
+  EXPECT_NEAR(t.total,
+              t.load + t.open + t.solve + t.straighten + t.trace + t.relax + t.fair + t.measure,
+              1e-6 * t.total);
+  EXPECT_LE(t.total - t.open, elapsed);
+  EXPECT_GE(t.total - t.open, elapsed / 2);  // of all of it
 }
 
 // They have no area, and no cut could show that they stay.

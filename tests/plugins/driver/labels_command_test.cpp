@@ -66,6 +66,8 @@ TEST_F(LabelsCommand, WritesBordersLabelsTheCutMeshAndAReport) {
             0.2 * report["curvature_before"].get<double>());
   EXPECT_EQ(report["borders"].size(), read_curves(file("borders.vtp")).size());
   EXPECT_EQ(report["regions"].size(), 12U);
+  EXPECT_GT(report["time_ms"]["load"].get<double>(), 0);
+  EXPECT_GT(report["time_ms"]["measure"].get<double>(), 0);
 
   const MeshLists cut = read_mesh(file("cut.ply"));
   const auto exact = labels_in("exact.txt");
