@@ -71,8 +71,7 @@ void UnrolledSheet::set_reach() {
   most_faces_ = std::max(kFewFaces, surface.face_count() / (all_free ? 1 : 8));
 }
 
-void UnrolledSheet::add_strips(const Progress& progress) {
-  const Stopwatch watch;
+std::unique_ptr<UnrolledSheet::Strips> UnrolledSheet::laid_strips(const Progress& progress) const {
   auto strips = std::make_unique<Strips>();
   strips->mesh = unroll(memory_->mesh(), curves_, alone_, reach_, progress);
   strips->memory = std::make_unique<SmoothingMemory>(OpenedMesh::open(strips->mesh.lists));
@@ -83,6 +82,34 @@ void UnrolledSheet::add_strips(const Progress& progress) {
   strips->sheet = std::make_unique<WholeSheet>(
       *strips->memory, strips->drawing, own,
       EmbeddedDrawing::Ground{Loops::kErase, &strips->mesh.at_cut}, progress);
+  return strips;
+}
+
+/// Opens the rings whose ends lie on a spike, which has gone. Returns whether there are such.
+bool UnrolledSheet::open_lost_rings(const Strips& strips) {
+  const Straightening& straightening = strips.memory->straightening();
+  bool any = false;
+  for (std::size_t c = 0; c < curves_.size(); ++c) {
+    if (!is_ring_[c]) continue;
+    const auto path = straightening.paths()[strips.drawing.place_of(c)].halfedges();
+    const SurfacePoint& end = strips.drawing.drawn()[c].points.front();
+    if (std::any_of(path.begin(), path.end(), [&](HalfedgeId h) {
+          const SignpostTriangulation& triangulation = straightening.triangulation();
+          return triangulation.location(triangulation.tail(h)) == end;
+        })) {
+      continue;
+    }
+    any = true;
+    is_ring_[c] = false;
+    curves_[c] = drawing_->curves()[c];
+  }
+  return any;
+}
+
+void UnrolledSheet::add_strips(const Progress& progress) {
+  const Stopwatch watch;
+  auto strips = laid_strips(progress);
+  if (open_lost_rings(*strips)) strips = laid_strips(progress);
   if (options_.method == Method::kPaper) {
     strips->sheet->set_distance(copies_of(*strips, {lift_.distance(), 1}));
   } else {

@@ -42,6 +42,8 @@ class UnrolledSheet final : public Sheet {
     std::unique_ptr<WholeSheet> sheet;
   };
   void close_rings();
+  [[nodiscard]] std::unique_ptr<Strips> laid_strips(const Progress& progress) const;
+  bool open_lost_rings(const Strips& strips);
   void set_reach();
   void add_strips(const Progress& progress);
   [[nodiscard]] CurveOptions options_on(std::span<const SurfaceCurve> curves) const;

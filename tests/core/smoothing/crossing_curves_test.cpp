@@ -235,6 +235,25 @@ bool warns_of(const SmoothingReport& report, const char* words) {
                      [&](const std::string& w) { return w.find(words) != std::string::npos; });
 }
 
+// Along a stem to a figure eight, around it, and back along the stem to where it began.
+TEST(CrossingCurves, AnEndOnASpikeThatGoesStays) {
+  const auto opened = OpenedMesh::open(hills(40));
+  std::vector<Point> points{Point(20, 2, 0), Point(20, 10, 0)};
+  for (const Point& p : eight(Point(20, 20, 0), 12, 48)) points.push_back(p);
+  points.push_back(points[1]);
+  points.push_back(points[0]);
+  const SurfaceCurve drawn = through(opened->mesh(), points, false);
+  CurveSmoother smoother(opened);
+  smoother.set_curve(drawn);
+  for (const double tau : {0.0, 0.25, 1.0, 4.0}) {
+    const SmoothingResult result = smoother.smooth(tau);
+    EXPECT_FALSE(result.curve().closed);
+    EXPECT_EQ(result.curve().points.front(), drawn.points.front()) << tau;
+    EXPECT_EQ(result.curve().points.back(), drawn.points.back()) << tau;
+    EXPECT_GT(result.report().length_after, result.report().length_before / 2) << tau;
+  }
+}
+
 TEST(CrossingCurves, APinOnASpikeIsLostAndTold) {
   const auto opened = OpenedMesh::open(grid(12, 12));
   const auto way = ids({66, 67, 68, 81, 94, 81, 68, 69, 70, 71});
