@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <iterator>
 #include <map>
@@ -28,30 +29,51 @@ bool cross(const FaceSegment& p, const FaceSegment& q) {
          apart(orient(q.from, q.to, p.from), orient(q.from, q.to, p.to));
 }
 
-/// A box around a segment in the plane of two barycentrics, wider than what cross() may take for a
-/// crossing.
-SpaceBox box_of(const FaceSegment& s) {
+/// Boxes around segments in the plane of two barycentrics, wider than what cross() may take for a
+/// crossing. They lie along the segments' mean direction, so that long ones beside each other do
+/// not overlap.
+std::vector<SpaceBox> boxes_of(std::span<const FaceSegment> segments) {
   constexpr double kWider = 1e-9;
-  const std::array<Point, 2> ends = {Point(s.from[0], s.from[1], 0), Point(s.to[0], s.to[1], 0)};
-  SpaceBox box = SpaceBox::around(ends);
-  box.low.array() -= kWider;
-  box.high.array() += kWider;
-  return box;
+  double cosines = 0, sines = 0;  // of twice the angle: directions have no sign
+  for (const FaceSegment& s : segments) {
+    const double x = s.to[0] - s.from[0], y = s.to[1] - s.from[1];
+    cosines += x * x - y * y;
+    sines += 2 * x * y;
+  }
+  const double angle = std::atan2(sines, cosines) / 2, c = std::cos(angle), d = std::sin(angle);
+  const auto turned = [&](const std::array<double, 3>& b) {
+    return Point(c * b[0] + d * b[1], c * b[1] - d * b[0], 0);
+  };
+  std::vector<SpaceBox> boxes;
+  boxes.reserve(segments.size());
+  for (const FaceSegment& s : segments) {
+    SpaceBox& box = boxes.emplace_back(SpaceBox::around(std::array{turned(s.from), turned(s.to)}));
+    box.low.array() -= kWider;
+    box.high.array() += kWider;
+  }
+  return boxes;
 }
 
-/// Calls found() with each two segments of a face that cross; many are looked up in a tree.
+/// Calls found() with each two segments of a face that cross, the first of them among the first
+/// `own`; many are looked up in a tree.
 template <class Found>
-void find_crossings(std::span<const FaceSegment> segments, const Found& found) {
+void find_crossings(std::span<const FaceSegment> segments, std::size_t own, const Found& found) {
   constexpr std::size_t kMany = 32;
   const auto meet = [&](std::size_t i, std::size_t k) {
     if (cross(segments[i], segments[k])) found(segments[i], segments[k]);
   };
   if (segments.size() > kMany) {
-    const BoxTree::BoxOf box = [&](std::uint32_t i) { return box_of(segments[i]); };
-    BoxTree(segments.size(), box).visit_pairs(box, meet);
+    const std::vector<SpaceBox> boxes = boxes_of(segments);
+    const BoxTree::BoxOf box = [&](std::uint32_t i) { return boxes[i]; };
+    const BoxTree tree(segments.size(), box);
+    for (std::size_t i = 0; i < own; ++i) {
+      tree.visit(boxes[i], box, [&](std::size_t k) {
+        if (k > i) meet(i, k);
+      });
+    }
     return;
   }
-  for (std::size_t i = 0; i < segments.size(); ++i) {
+  for (std::size_t i = 0; i < own; ++i) {
     for (std::size_t k = i + 1; k < segments.size(); ++k) meet(i, k);
   }
 }
@@ -315,7 +337,7 @@ void find_crossings(const Surface& surface, std::span<const SurfaceCurve> curves
     for (std::size_t i = first; i < last; ++i) {
       segments.push_back(segment_at(surface, curves[places[i].curve], places[i]));
     }
-    find_crossings(segments, found);
+    find_crossings(segments, segments.size(), found);
   }
 }
 
@@ -371,11 +393,12 @@ std::vector<SurfacePoint> CurvesByFace::crossed_points(std::size_t number,
   std::vector<std::size_t> crossed;
   Faces own = faces_of(number, curve);
   for (auto& [face, segments] : own) {
+    const std::size_t count = segments.size();
     if (const auto there = faces_.find(face); there != faces_.end()) {
       std::copy_if(there->second.begin(), there->second.end(), std::back_inserter(segments),
                    [&](const FaceSegment& s) { return s.curve != number; });
     }
-    find_crossings(segments, [&](const FaceSegment& p, const FaceSegment& q) {
+    find_crossings(segments, count, [&](const FaceSegment& p, const FaceSegment& q) {
       for (const FaceSegment* segment : {&p, &q}) {
         if (segment->curve == number) crossed.push_back(segment->number);
       }
