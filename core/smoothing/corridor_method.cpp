@@ -75,7 +75,9 @@ void CorridorMethod::hold_doubtful_loops(const Progress& progress) {
                tried_at_fence_ = tried_at_fence_ || trial.at_fence;
                return trial;
              });
-  if (!pins.empty()) drawing_->set_pins(pins, progress);
+  if (pins.empty()) return;
+  drawing_->set_pins(pins, progress);
+  pins_changed();  // the trials' curves do not pass them
 }
 
 Smoothed CorridorMethod::smooth(const SmoothingOptions& options, const Progress& progress) {

@@ -128,7 +128,12 @@ void FairFinishing::make_fair(std::size_t number) {
   if (group.joined.is_joined() && !ended) {
     make_fair_apart(group);
   } else {
-    attempt.left_taut = is_smooth(attempt, taus) ? "" : ended ? kEndedTaut : kLeftTaut;
+    const bool smooth = is_smooth(attempt, taus);
+    if (ended) {
+      attempt.left_taut = smooth ? kEndedFair : kEndedTaut;
+    } else if (!smooth) {
+      attempt.left_taut = kLeftTaut;
+    }
   }
 }
 

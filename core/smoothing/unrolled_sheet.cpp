@@ -71,13 +71,17 @@ void UnrolledSheet::set_reach() {
   most_faces_ = std::max(kFewFaces, surface.face_count() / (all_free ? 1 : 8));
 }
 
-std::unique_ptr<UnrolledSheet::Strips> UnrolledSheet::laid_strips(const Progress& progress) const {
+std::unique_ptr<UnrolledSheet::Strips> UnrolledSheet::laid_strips(
+    const std::vector<SurfaceCurve>& drawn, const std::vector<bool>& is_ring,
+    const Progress& progress) const {
   auto strips = std::make_unique<Strips>();
-  strips->mesh = unroll(memory_->mesh(), curves_, alone_, reach_, progress);
+  strips->drawn = drawn;
+  strips->is_ring = is_ring;
+  strips->mesh = unroll(memory_->mesh(), drawn, alone_, reach_, progress);
   strips->memory = std::make_unique<SmoothingMemory>(OpenedMesh::open(strips->mesh.lists));
   const std::vector<SurfaceCurve> curves =
-      strips->mesh.unrolled(memory_->mesh(), strips->memory->surface(), curves_);
-  const CurveOptions own = options_on(curves);
+      strips->mesh.unrolled(memory_->mesh(), strips->memory->surface(), drawn);
+  const CurveOptions own = options_on(*strips, curves);
   strips->drawing = checked_drawing(strips->memory->mesh(), curves, own, progress);
   strips->sheet = std::make_unique<WholeSheet>(
       *strips->memory, strips->drawing, own,
@@ -86,11 +90,11 @@ std::unique_ptr<UnrolledSheet::Strips> UnrolledSheet::laid_strips(const Progress
 }
 
 /// Opens the rings whose ends lie on a spike, which has gone. Returns whether there are such.
-bool UnrolledSheet::open_lost_rings(const Strips& strips) {
+bool UnrolledSheet::open_lost_rings(Strips& strips) const {
   const Straightening& straightening = strips.memory->straightening();
   bool any = false;
-  for (std::size_t c = 0; c < curves_.size(); ++c) {
-    if (!is_ring_[c]) continue;
+  for (std::size_t c = 0; c < strips.is_ring.size(); ++c) {
+    if (!strips.is_ring[c]) continue;
     const auto path = straightening.paths()[strips.drawing.place_of(c)].halfedges();
     const SurfacePoint& end = strips.drawing.drawn()[c].points.front();
     if (std::any_of(path.begin(), path.end(), [&](HalfedgeId h) {
@@ -100,16 +104,16 @@ bool UnrolledSheet::open_lost_rings(const Strips& strips) {
       continue;
     }
     any = true;
-    is_ring_[c] = false;
-    curves_[c] = drawing_->curves()[c];
+    strips.is_ring[c] = false;
+    strips.drawn[c] = drawing_->curves()[c];
   }
   return any;
 }
 
 void UnrolledSheet::add_strips(const Progress& progress) {
   const Stopwatch watch;
-  auto strips = laid_strips(progress);
-  if (open_lost_rings(*strips)) strips = laid_strips(progress);
+  auto strips = laid_strips(curves_, is_ring_, progress);
+  if (open_lost_rings(*strips)) strips = laid_strips(strips->drawn, strips->is_ring, progress);
   if (options_.method == Method::kPaper) {
     strips->sheet->set_distance(copies_of(*strips, {lift_.distance(), 1}));
   } else {
@@ -135,10 +139,11 @@ void UnrolledSheet::close_rings() {
   }
 }
 
-CurveOptions UnrolledSheet::options_on(std::span<const SurfaceCurve> curves) const {
-  CurveOptions there = options_there(options_, copies_on(curves));
+CurveOptions UnrolledSheet::options_on(const Strips& strips,
+                                       std::span<const SurfaceCurve> curves) const {
+  CurveOptions there = options_there(options_, copies_on(strips, curves));
   for (std::size_t c = 0; c < curves.size(); ++c) {
-    if (is_ring_[c]) there.pins.push_back(curves[c].points.front());
+    if (strips.is_ring[c]) there.pins.push_back(curves[c].points.front());
   }
   return there;
 }
@@ -146,15 +151,15 @@ CurveOptions UnrolledSheet::options_on(std::span<const SurfaceCurve> curves) con
 SmoothingOptions UnrolledSheet::options_on(const Strips& strips, SmoothingOptions options) const {
   if (options_.method == Method::kPaper) return with_length_of_mesh(options);
   for (std::size_t c = 0; c < options.slack_at.size(); ++c) {
-    if (is_ring_[c]) options.slack_at[c].pop_back();
+    if (strips.is_ring[c]) options.slack_at[c].pop_back();
   }
   return strips.drawing.ordered(std::move(options));
 }
 
 /// Results on the strips in the order of the drawing; rings are open again.
-Smoothed UnrolledSheet::opened(const Strips& strips, Smoothed smoothed) const {
+Smoothed UnrolledSheet::opened(const Strips& strips, Smoothed smoothed) {
   for (std::size_t c = 0; c < smoothed.curves.size(); ++c) {
-    if (!is_ring_[c]) continue;
+    if (!strips.is_ring[c]) continue;
     SurfaceCurve& curve = smoothed.curves[c].curve;
     const SurfacePoint& end = strips.drawing.drawn()[c].points.front();
     std::rotate(curve.points.begin(), std::find(curve.points.begin(), curve.points.end(), end),
@@ -175,10 +180,10 @@ std::vector<double> UnrolledSheet::copies_of(const Strips& strips, const GivenPo
 }
 
 /// Of the drawing's points on the strips.
-PointCopies UnrolledSheet::copies_on(std::span<const SurfaceCurve> curves) const {
+PointCopies UnrolledSheet::copies_on(const Strips& strips, std::span<const SurfaceCurve> curves) {
   PointCopies copies;
-  for (std::size_t c = 0; c < curves_.size(); ++c) {
-    const std::vector<SurfacePoint>& drawn = curves_[c].points;
+  for (std::size_t c = 0; c < strips.drawn.size(); ++c) {
+    const std::vector<SurfacePoint>& drawn = strips.drawn[c].points;
     for (std::size_t i = 0; i < drawn.size(); ++i) copies.add(drawn[i], curves[c].points[i]);
   }
   return copies;
@@ -187,7 +192,7 @@ PointCopies UnrolledSheet::copies_on(std::span<const SurfaceCurve> curves) const
 void UnrolledSheet::set_pins(std::span<const SurfacePoint> pins, const Progress& progress) {
   options_.pins.assign(pins.begin(), pins.end());
   for (const std::unique_ptr<Strips>& strips : strips_) {
-    strips->sheet->set_pins(options_on(strips->drawing.drawn()).pins, progress);
+    strips->sheet->set_pins(options_on(*strips, strips->drawing.drawn()).pins, progress);
   }
 }
 

@@ -36,25 +36,31 @@ class UnrolledSheet final : public Sheet {
  private:
   /// The strips up to some reach, and the curves on them.
   struct Strips {
+    std::vector<SurfaceCurve> drawn;  ///< as they are unrolled
+    std::vector<bool> is_ring;        ///< of these, whether they were drawn open
     UnrolledMesh mesh;
     std::unique_ptr<SmoothingMemory> memory;
     OrderedDrawing drawing;
     std::unique_ptr<WholeSheet> sheet;
   };
   void close_rings();
-  [[nodiscard]] std::unique_ptr<Strips> laid_strips(const Progress& progress) const;
-  bool open_lost_rings(const Strips& strips);
+  [[nodiscard]] std::unique_ptr<Strips> laid_strips(const std::vector<SurfaceCurve>& drawn,
+                                                    const std::vector<bool>& is_ring,
+                                                    const Progress& progress) const;
+  bool open_lost_rings(Strips& strips) const;
   void set_reach();
   void add_strips(const Progress& progress);
-  [[nodiscard]] CurveOptions options_on(std::span<const SurfaceCurve> curves) const;
+  [[nodiscard]] CurveOptions options_on(const Strips& strips,
+                                        std::span<const SurfaceCurve> curves) const;
   [[nodiscard]] SmoothingOptions options_on(const Strips& strips, SmoothingOptions options) const;
   static Smoothed curves_on(const Strips& strips, const SmoothingOptions& options,
                             const GivenPotential* given, const Progress& progress);
   static bool bound_deviation(const Strips& strips, Smoothed& result);
   [[nodiscard]] static std::vector<double> copies_of(const Strips& strips,
                                                      const GivenPotential& given);
-  [[nodiscard]] Smoothed opened(const Strips& strips, Smoothed smoothed) const;
-  [[nodiscard]] PointCopies copies_on(std::span<const SurfaceCurve> curves) const;
+  [[nodiscard]] static Smoothed opened(const Strips& strips, Smoothed smoothed);
+  [[nodiscard]] static PointCopies copies_on(const Strips& strips,
+                                             std::span<const SurfaceCurve> curves);
   [[nodiscard]] SmoothingOptions with_length_of_mesh(const SmoothingOptions& options) const;
   [[nodiscard]] std::vector<std::string> lost_pins(const Smoothed& smoothed) const;
   Smoothed folded(const Strips& strips, Smoothed smoothed, const Progress& progress);
@@ -64,7 +70,7 @@ class UnrolledSheet final : public Sheet {
   CurveOptions options_;
   std::vector<bool> alone_;  // per drawn curve: whether it needs a strip of its own
   PaperLift lift_;
-  std::vector<SurfaceCurve> curves_;    // as they are unrolled
+  std::vector<SurfaceCurve> curves_;    // those that may be rings are closed
   std::vector<bool> is_ring_;           // of these, whether they were drawn open
   std::vector<std::size_t> crossings_;  // of the drawing, per drawn curve
   double reach_ = 0;                    // of the next strips, mesh units

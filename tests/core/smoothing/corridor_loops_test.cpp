@@ -57,6 +57,26 @@ SurfaceCurve on_grid(const Surface& surface, std::uint32_t columns,
   return test::vertex_curve(surface, draw_edge_path(surface, vertices, true), true);
 }
 
+/// Trials of thin and of small loops are made without pins.
+TEST(CorridorLoops, ThatAreInDoubtPassTheirPins) {
+  constexpr std::uint32_t kAcross = 24;
+  using Way = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
+  const auto opened = OpenedMesh::open(grid(kAcross, kAcross));
+  for (const Way& way :
+       {Way{{4, 10}, {20, 10}, {20, 11}, {4, 11}}, Way{{10, 10}, {12, 10}, {12, 12}},
+        Way{{10, 10}, {11, 11}, {12, 12}, {12, 11}, {11, 10}},
+        Way{{10, 10}, {11, 11}, {11, 12}, {10, 11}}, Way{{4, 4}, {20, 20}, {20, 19}, {5, 4}}}) {
+    const SurfaceCurve drawn = on_grid(opened->surface(), kAcross, way);
+    CurveSmoother smoother(opened);
+    smoother.set_curve(drawn, {.pins = {drawn.points.front()}});
+    for (const double tau : kTaus) {
+      const std::vector<SurfacePoint> points = smoother.smooth(tau).curve().points;
+      EXPECT_NE(std::find(points.begin(), points.end(), drawn.points.front()), points.end())
+          << tau << ", " << way.size();
+    }
+  }
+}
+
 TEST(CorridorLoops, OnAPlaneFromTwelveEdgesUpToTheSizeOfTheMesh) {
   const auto opened = OpenedMesh::open(grid(60, 60));
   for (const double radius : {2.0, 3.0, 5.0, 9.0, 16.0, 29.0}) {
