@@ -136,7 +136,7 @@ class NibabelLabels : public TemporaryFolder {
 
 TEST_F(NibabelLabels, WritesWhatIsRead) {
   if (!python("import nibabel.freesurfer")) {
-    GTEST_SKIP() << "SKIPPED: there is no nibabel (Debian: python3-nibabel)";
+    GTEST_SKIP() << "skipped: there is no nibabel (Debian: python3-nibabel)";
   }
   ASSERT_TRUE(
       python("import numpy, nibabel.freesurfer as fs\n"
