@@ -123,6 +123,7 @@ std::optional<SampleChain> CurveFairing::from_curve(const CurveTrace& start,
       fair.run(*chain, nullptr, asker);
       if (level == 0 && sampling == 0) hold_swings(fair, *chain, start, asker);
       tension_ = fair.tension();
+      if (chain->length() > most_length_) return std::nullopt;
       const bool last = level + 1 == kLevels;
       bool enough = is_even(*chain) || sampling == kSamplings;
       if (last && enough) {
@@ -210,10 +211,12 @@ bool CurveFairing::is_even(const SampleChain& chain) {
   });
 }
 
-SampleChain CurveFairing::from_chain(SampleChain chain, SampleTrail& trail, Asker& asker) {
+std::optional<SampleChain> CurveFairing::from_chain(SampleChain chain, SampleTrail& trail,
+                                                    Asker& asker) {
   FairChain fair = chain_fairing(options_);
   fair.run(chain, &trail, asker);
   keep_within(fair, chain, &trail, asker);
+  if (chain.length() > most_length_) return std::nullopt;
   return chain;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <utility>
@@ -52,15 +53,18 @@ class CurveFairing {
   void leave_out(std::vector<std::array<SurfacePoint, 2>> stretches) {
     left_out_ = std::move(stretches);
   }
-  /// A fair chain that starts from a curve; none where samples cannot be joined.
+  /// From this length on (mesh units) a chain is lost: it winds to and fro between walls, or has
+  /// left them, and would only become longer.
+  void give_up_beyond(double length) { most_length_ = length; }
+  /// A fair chain that starts from a curve; none where samples cannot be joined, or it is lost.
   std::optional<SampleChain> from_curve(const CurveTrace& start, Asker& asker);
   /// The same for a part of a chain, without legs: what the frame has inside is replaced by a curve
   /// that begins and ends where that does. With the samples of the frame, for with_parts().
   std::optional<SampleChain> part_from(const CurveTrace& start, const ChainFrame& frame,
                                        Asker& asker);
-  /// A fair chain that starts from one of another band. The ways of its samples are added to the
-  /// trail.
-  SampleChain from_chain(SampleChain chain, SampleTrail& trail, Asker& asker);
+  /// A fair chain that starts from one of another band; none where it is lost. The ways of its
+  /// samples are added to the trail.
+  std::optional<SampleChain> from_chain(SampleChain chain, SampleTrail& trail, Asker& asker);
   /// The chain sampled anew, and faired, if its joins have become too uneven to start from.
   std::optional<SampleChain> evened(const SampleChain& chain, Asker& asker);
   /// Whether no sample lies beyond a wall.
@@ -108,6 +112,7 @@ class CurveFairing {
   LegTension legs_;
   std::vector<std::array<SurfacePoint, 2>> left_out_;
   double tension_ = 0;  // of the legs at last, 1 / mesh units²
+  double most_length_ = HUGE_VAL;
 };
 
 }  // namespace talweg

@@ -26,7 +26,8 @@ double walls_of(double tau) { return 1.25 * (1 + 0.2 / tau); }
 
 constexpr double kLeastSlack = 1.0 / 8;  // edges
 constexpr double kRounding = 1e-9;       // edges
-constexpr double kDetour = 6;  // slacks: a part of the drawing that far away is no trembling
+constexpr double kDetour = 6;      // slacks: a part of the drawing that far away is no trembling
+constexpr double kMostGrowth = 8;  // of a curve's length, when it is faired
 constexpr int kHalvings = 8;
 
 }  // namespace
@@ -183,6 +184,7 @@ void CorridorHold::with_fairing(const FairGroup& group, const Taus& taus, double
   options.middle *= middle(taus.front());
   std::vector<BandCurve> curves;
   bool all_legs = true;
+  double widest = 0;  // walls
   for (std::size_t k = 0; k < taus.size(); ++k) {
     const std::size_t c = group.joined.parts[k].curve;
     const Corridor::Valley& valley = (*valleys_)[c];
@@ -191,11 +193,13 @@ void CorridorHold::with_fairing(const FairGroup& group, const Taus& taus, double
                     valley.apart};
     if (taus[k] != taus.front()) width.middle = middle(taus[k]) / middle(taus.front());
     curves.push_back({c, width});
+    widest = std::max(widest, width.walls * std::max(largest_slack(valley), width.least_slack));
     all_legs = all_legs && drawing_->legs()[c].all();
   }
   std::optional<DrawnBand> band;
   if (!all_legs) band.emplace(*distance_, curves);
   CurveFairing fairing(drawing_->curvature(), band ? &*band : nullptr, group.edge, options, legs);
+  fairing.give_up_beyond(kMostGrowth * (group.length + 2 * widest));
   use(fairing);
 }
 
@@ -258,11 +262,11 @@ bool CorridorHold::patch(const FairGroup& group, const Taus& taus, Straightened&
   return true;
 }
 
-SampleChain CorridorHold::fair_from(const FairGroup& group, const Taus& taus,
-                                    const SampleChain& chain, SampleTrail& trail,
-                                    const Progress& progress) {
+std::optional<SampleChain> CorridorHold::fair_from(const FairGroup& group, const Taus& taus,
+                                                   const SampleChain& chain, SampleTrail& trail,
+                                                   const Progress& progress) {
   Asker asker(progress, "fair");
-  SampleChain result;
+  std::optional<SampleChain> result;
   with_fairing(group, taus, 1, {}, asker,
                [&](CurveFairing& fairing) { result = fairing.from_chain(chain, trail, asker); });
   return result;

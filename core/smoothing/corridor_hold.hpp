@@ -60,9 +60,11 @@ class CorridorHold {
   /// no rung leads.
   std::optional<SampleChain> fair_from(const FairGroup& group, const Taus& taus,
                                        Straightened& straight, const Progress& progress);
-  /// A fair chain that starts from that of another tau, and the ways of its samples.
-  SampleChain fair_from(const FairGroup& group, const Taus& taus, const SampleChain& chain,
-                        SampleTrail& trail, const Progress& progress);
+  /// A fair chain that starts from that of another tau, and the ways of its samples; none where it
+  /// has become eight times as long as what was drawn.
+  std::optional<SampleChain> fair_from(const FairGroup& group, const Taus& taus,
+                                       const SampleChain& chain, SampleTrail& trail,
+                                       const Progress& progress);
   /// Whether the curve of a chain is between its walls.
   bool stands(const FairGroup& group, const Taus& taus, const SampleChain& chain,
               const Progress& progress);

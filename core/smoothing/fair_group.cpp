@@ -21,11 +21,14 @@ std::vector<std::size_t> FairGroup::parts_of_stretches(const SampleChain& chain)
 
 FairGroup fair_group(const EmbeddedDrawing& embedded, JoinedCurves curves) {
   const OrderedDrawing& drawing = embedded.drawing();
-  FairGroup group{std::move(curves), {}, {}, 0};
+  FairGroup group{std::move(curves), {}, {}, 0, 0};
   group.drawn = joined(group.joined, drawing.curves());
   group.junctions = junctions(group.joined, drawing.curves());
   const auto& parts = group.joined.parts;
-  for (const JoinedCurves::Part& part : parts) group.edge += drawing.edges_near()[part.curve];
+  for (const JoinedCurves::Part& part : parts) {
+    group.edge += drawing.edges_near()[part.curve];
+    group.length += drawing.measures()[part.curve].length;
+  }
   group.edge /= static_cast<double>(parts.size());
   return group;
 }

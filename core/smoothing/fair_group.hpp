@@ -20,6 +20,7 @@ struct FairGroup {
   SurfaceCurve drawn;                   ///< all of them
   std::vector<SurfacePoint> junctions;  ///< where they meet
   double edge = 0;                      ///< mean edge near them, mesh units
+  double length = 0;                    ///< of all of them, mesh units
 
   /// Per stretch of a chain between fixed samples, to which of the curves it belongs. O(fixed
   /// samples · junctions).

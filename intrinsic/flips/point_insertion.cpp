@@ -22,6 +22,17 @@ Weights mix(const Weights& a, const Weights& b, double t) {
   return {(1 - t) * a[0] + t * b[0], (1 - t) * a[1] + t * b[1], (1 - t) * a[2] + t * b[2]};
 }
 
+/// Which part of the way from a to b it is to the foot of a point, in [0, 1]. Weights in a piece
+/// would tell that, too, but not in a sliver.
+double part_along(const Weights& a, const Weights& b, const Weights& point) {
+  double along = 0, whole = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    along += (point[k] - a[k]) * (b[k] - a[k]);
+    whole += (b[k] - a[k]) * (b[k] - a[k]);
+  }
+  return whole > 0 ? std::clamp(along / whole, 0.0, 1.0) : 0;
+}
+
 }  // namespace
 
 std::vector<HalfedgeId>& PointInsertion::pieces(FaceId face) {
@@ -177,8 +188,12 @@ VertexId PointInsertion::insert_new(const SurfacePoint& point) {
   }
   for (std::size_t k = 0; k < 3; ++k) {
     if (!zero[k]) continue;
-    const double from = place.weight[(k + 1) % 3], to = place.weight[(k + 2) % 3];
-    return insert_on_side(side[(k + 1) % 3], to / (from + to), &point);
+    const HalfedgeId on = side[(k + 1) % 3];
+    const VertexId tail = triangulation_->tail(on), head = triangulation_->head(on);
+    const double t = part_along(barycentric(tail, face), barycentric(head, face), weights);
+    if (!(t > kOnSide)) return tail;
+    if (!(t < 1 - kOnSide)) return head;
+    return insert_on_side(on, t, &point);
   }
 
   std::array<double, 3> lengths{};

@@ -31,6 +31,7 @@ TEST(RandomFaults, StayMended) {
            301188,  // the same, of one curve
            310189,  // a budget that was used up was not told
            310339,  // a loop in doubt did not pass its pin
+           409190,  // an end moved on the side of a sliver
        }) {
     const RunOutcome outcome = random_run(seed);
     EXPECT_EQ(outcome.broken, "") << "seed " << seed << ": " << outcome.what;

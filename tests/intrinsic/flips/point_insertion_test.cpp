@@ -116,6 +116,20 @@ TEST(PointInsertion, PointsNearVerticesAndEdgesFallOnThem) {
   expect_planar(t, mesh, 1e-10);
 }
 
+TEST(PointInsertion, PointsOnTheSideOfASliverKeepTheirPlaces) {
+  const Surface s = surface_of(grid(1, 1));
+  for (double thin = 1e-2; thin > 1e-10; thin /= 10) {
+    SignpostTriangulation t(s);
+    PointInsertion insertion(t);
+    insertion.insert(SurfacePoint::in_face(s, FaceId{0}, {0.6, 0.4 - thin, thin}));
+    for (const double at : {0.1, 0.3, 0.7, 0.95}) {
+      const VertexId v = insertion.insert(SurfacePoint::in_face(s, FaceId{0}, {1 - at, at, 5e-18}));
+      const auto found = coordinates_in(s, t.location(v), FaceId{0}).barycentric;
+      EXPECT_NEAR(found[1], at, 1e-15) << thin;
+    }
+  }
+}
+
 TEST(PointInsertion, AVertexLiesInEveryFaceOfItsPoint) {
   // Among slivers a vertex inside a face may be as near to a point of the face's side as rounding.
   // The point is not to become that vertex: the face on the other side does not have it.
