@@ -170,12 +170,12 @@ double LidClearance::depth(const Lid& lid, std::span<const Contact> contacts,
 bool LidClearance::pierces(std::uint32_t a, std::uint32_t b, double tolerance) const {
   const Point &p = piece_.points[a], &q = piece_.points[b];
   const std::uint32_t part = part_of_vertex_.at(a);
-  bool found = false;
   asker_.did(kOfVisit);
-  visit_near(BoxesAtTriangle(p, q, q), [&](std::uint32_t k) {
-    found = found || (near_part_[k] == part && piercing_depth(p, q, near_face(k)) > tolerance);
-  });
-  return found;
+  return tree_.any_of(
+      BoxesAtTriangle(p, q, q), [this](std::uint32_t k) { return near_box(k); },
+      [&](std::uint32_t k) {
+        return near_part_[k] == part && piercing_depth(p, q, near_face(k)) > tolerance;
+      });
 }
 
 std::vector<Chord> LidClearance::taken(const Lid& lid) const {

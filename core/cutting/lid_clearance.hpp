@@ -106,8 +106,9 @@ class LidClearance {
   template <class Visit>
   void visit_near(const BoxesAtTriangle& place, Visit visit) const {
     tree_.visit(
-        place, [this](std::uint32_t k) { return SpaceBox::around(near_face(k)); }, visit);
+        place, [this](std::uint32_t k) { return near_box(k); }, visit);
   }
+  [[nodiscard]] SpaceBox near_box(std::uint32_t k) const { return SpaceBox::around(near_face(k)); }
 
   void add_edges(const Triangle& triangle);
   [[nodiscard]] double reach_through(const PointTriangle& t,

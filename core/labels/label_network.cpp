@@ -52,7 +52,7 @@ class Network {
       if (!todo.empty()) continue;
       cut();
       note_held(regions_.wrong);
-      todo = climb(regions_.wrong);
+      todo = climb_for(regions_.wrong);
     }
     const bool may_move = options_.free_junctions || options_.sliding_ends;
     if (may_move && !ends_early(progress_) && !balance()) return cancelled();
@@ -258,6 +258,23 @@ class Network {
       moved.push_back(c);
     }
     return moved;
+  }
+
+  /// Moves wrong borders to the next rung. Where all of them are as drawn already, others have come
+  /// to lie around them wrongly: those beside the same parts.
+  std::vector<std::size_t> climb_for(const std::vector<std::size_t>& wrong) {
+    std::vector<std::size_t> moved = climb(wrong);
+    if (!moved.empty() || wrong.empty()) return moved;
+    std::vector<bool> has_part(parts_.parts.size(), false);
+    for (const std::size_t c : wrong) {
+      for (const std::uint32_t part : parts_.beside[c]) has_part[part] = true;
+    }
+    std::vector<std::size_t> around;
+    for (std::size_t c = 0; c < drawn_.size(); ++c) {
+      const auto [left, right] = parts_.beside[c];
+      if (has_part[left] || has_part[right]) around.push_back(c);
+    }
+    return climb(around);
   }
 
   [[nodiscard]] std::vector<SurfaceCurve> curves() const {

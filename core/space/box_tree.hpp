@@ -9,6 +9,7 @@
 #include <functional>
 #include <limits>
 #include <span>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -91,7 +92,15 @@ class BoxTree {
   /// say so of a box around one that it overlaps, too. For example a SpaceBox.
   template <class Place, class Visit>
   void visit(const Place& place, const BoxOf& box_of, Visit visit) const {
-    if (!nodes_.empty()) visit_node(0, place, box_of, visit);
+    std::ignore = any_of(place, box_of, [&](std::uint32_t i) {
+      visit(i);
+      return false;
+    });
+  }
+  /// Whether is_one(i) holds for any of these; it is not asked for more once it does.
+  template <class Place, class IsOne>
+  [[nodiscard]] bool any_of(const Place& place, const BoxOf& box_of, IsOne is_one) const {
+    return !nodes_.empty() && any_in(0, place, box_of, is_one);
   }
 
   /// Calls visit(i, k), i < k, once for everything whose boxes overlap or touch, always in the same
@@ -159,18 +168,17 @@ class BoxTree {
     return std::span(order_).subspan(node.begin, node.end - node.begin);
   }
 
-  template <class Place, class Visit>
-  void visit_node(std::uint32_t id, const Place& place, const BoxOf& box_of, Visit& visit) const {
+  template <class Place, class IsOne>
+  bool any_in(std::uint32_t id, const Place& place, const BoxOf& box_of, IsOne& is_one) const {
     const Node& node = nodes_[id];
-    if (!place.overlaps(node.box)) return;
+    if (!place.overlaps(node.box)) return false;
     if (node.right != 0) {
-      visit_node(id + 1, place, box_of, visit);
-      visit_node(node.right, place, box_of, visit);
-      return;
+      return any_in(id + 1, place, box_of, is_one) || any_in(node.right, place, box_of, is_one);
     }
-    for (const std::uint32_t i : things(node)) {
-      if (place.overlaps(box_of(i))) visit(i);
-    }
+    const std::span<const std::uint32_t> here = things(node);
+    return std::any_of(here.begin(), here.end(), [&](std::uint32_t i) {
+      return place.overlaps(box_of(i)) && is_one(i);
+    });
   }
 
   template <class Visit>
