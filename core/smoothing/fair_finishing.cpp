@@ -129,7 +129,7 @@ void FairFinishing::make_fair(std::size_t number) {
     make_fair_apart(group);
   } else {
     const bool smooth = is_smooth(attempt, taus);
-    if (ended) {
+    if (ended || has_ended_early(*progress_)) {  // mending ends with the budget, too
       attempt.left_taut = smooth ? kEndedFair : kEndedTaut;
     } else if (!smooth) {
       attempt.left_taut = kLeftTaut;

@@ -32,6 +32,7 @@ TEST(RandomFaults, StayMended) {
            310189,  // a budget that was used up was not told
            310339,  // a loop in doubt did not pass its pin
            409190,  // an end moved on the side of a sliver
+           414354,  // a budget that was used up was told as a curve that cannot be fair
            415480,  // a border as drawn came to lie on the other side of another one
        }) {
     const RunOutcome outcome = random_run(seed);
