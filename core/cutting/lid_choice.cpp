@@ -18,6 +18,9 @@ namespace {
 
 /// If the first lid does not fit, all triangulations of rims up to this many points are considered.
 constexpr std::size_t kWhole = 640;
+/// Where finding out which of their chords go through the mesh takes more faces than these, a few
+/// seconds, no others are used: chords pass the boxes of most faces where these are long.
+constexpr std::size_t kMostFaces = 10'000'000;
 
 double extent_of(const std::vector<Point>& points, const Loop& rim) {
   SpaceBox box{points[rim[0]], points[rim[0]]};
@@ -109,10 +112,12 @@ bool LidChooser::offer_other_triangulations() {
   left_out.whole = kWhole;
   left_out.asker = &asker_;
   std::unordered_map<std::uint64_t, bool> known;
+  const std::size_t most = clearance_.faces_seen() + kMostFaces;
   left_out.chord = [&](std::uint32_t a, std::uint32_t b) {
     const auto [found, is_new] = known.try_emplace((std::uint64_t{a} << 32U) | b);
     if (is_new) {
       found->second = points_[a] == points_[b] || clearance_.has_edge(a, b) ||
+                      clearance_.faces_seen() >= most ||
                       clearance_.pierces(a, b, kTolerance * extent_);
     }
     return found->second;

@@ -68,6 +68,8 @@ class LidClearance {
   /// Whether the segment between two points of a rim goes through a face of its part, by more than
   /// `tolerance`.
   [[nodiscard]] bool pierces(std::uint32_t a, std::uint32_t b, double tolerance) const;
+  /// How many faces pierces() has looked at so far.
+  [[nodiscard]] std::size_t faces_seen() const { return faces_seen_; }
 
   /// Whether there is an edge between two vertices.
   [[nodiscard]] bool has_edge(std::uint32_t a, std::uint32_t b) const {
@@ -117,6 +119,7 @@ class LidClearance {
 
   const MeshLists& piece_;
   Asker& asker_;
+  mutable std::size_t faces_seen_ = 0;
   std::map<std::uint32_t, std::uint32_t> part_of_vertex_;  // vertices of the rims
   std::set<Chord> edges_;                                  // between vertices of rims
   std::set<Chord> rims_;
