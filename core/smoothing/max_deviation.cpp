@@ -62,7 +62,6 @@ class Search {
     const auto has_slack = [](const OwnOptions& own) { return own.slack.has_value(); };
     given_slack_ = options_.slack || !options_.slack_at.empty() ||
                    std::any_of(options_.per_curve.begin(), options_.per_curve.end(), has_slack);
-    options_.deviation = DeviationMeasure::kAlongSurface;
     for (OwnOptions& own : options_.per_curve) own.tau.reset();
     for (const SurfaceCurve& drawn : smoother_.drawn()) {
       orders_.push_back(canonical_order(smoother_.opened().mesh(), drawn));
@@ -239,6 +238,9 @@ class Search {
   }
   double measured_now(double tau, Measure measure) {
     options_.tau = tau;
+    // Bounds are enough, but what is through space proves nothing.
+    const bool held = tau >= kLeastTau;
+    options_.deviation = held ? DeviationMeasure::kAutomatic : DeviationMeasure::kAlongSurface;
     last_ = smoother_.smooth(options_, progress_);
     cancelled_ = last_.total.termination == Outcome::kCancelled;
     if (!cancelled_) keep_better();
