@@ -172,11 +172,7 @@ bool LidClearance::pierces(std::uint32_t a, std::uint32_t b, double tolerance) c
   const std::uint32_t part = part_of_vertex_.at(a);
   asker_.did(kOfVisit);
   return tree_.any_of(
-      BoxesAtTriangle(p, q, q),
-      [this](std::uint32_t k) {
-        ++faces_seen_;
-        return near_box(k);
-      },
+      BoxesAtTriangle(p, q, q), [this](std::uint32_t k) { return near_box(k); },
       [&](std::uint32_t k) {
         return near_part_[k] == part && piercing_depth(p, q, near_face(k)) > tolerance;
       });

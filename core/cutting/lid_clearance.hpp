@@ -68,7 +68,7 @@ class LidClearance {
   /// Whether the segment between two points of a rim goes through a face of its part, by more than
   /// `tolerance`.
   [[nodiscard]] bool pierces(std::uint32_t a, std::uint32_t b, double tolerance) const;
-  /// How many faces pierces() has looked at so far.
+  /// How many faces near rims all searches together have looked at.
   [[nodiscard]] std::size_t faces_seen() const { return faces_seen_; }
 
   /// Whether there is an edge between two vertices.
@@ -110,7 +110,10 @@ class LidClearance {
     tree_.visit(
         place, [this](std::uint32_t k) { return near_box(k); }, visit);
   }
-  [[nodiscard]] SpaceBox near_box(std::uint32_t k) const { return SpaceBox::around(near_face(k)); }
+  [[nodiscard]] SpaceBox near_box(std::uint32_t k) const {
+    ++faces_seen_;
+    return SpaceBox::around(near_face(k));
+  }
 
   void add_edges(const Triangle& triangle);
   [[nodiscard]] double reach_through(const PointTriangle& t,

@@ -130,9 +130,11 @@ class Sinker {
 
   double run() {
     constexpr int kRounds = 64;
+    constexpr std::size_t kMostFaces = 4'000'000;  // about a second; for the rounds that follow
+    const std::size_t most = clearance_.faces_seen() + kMostFaces;
     double moved = 0;
     for (int round = 0; round < kRounds && moved <= extent_; ++round) {
-      if (!move_once()) break;
+      if (clearance_.faces_seen() >= most || !move_once()) break;
       for (std::size_t i = 0; i < start_.size(); ++i) {
         moved = std::max(moved, (lid_.inner[i] - start_[i]).norm());
       }

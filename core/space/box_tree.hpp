@@ -176,9 +176,8 @@ class BoxTree {
       return any_in(id + 1, place, box_of, is_one) || any_in(node.right, place, box_of, is_one);
     }
     const std::span<const std::uint32_t> here = things(node);
-    return std::any_of(here.begin(), here.end(), [&](std::uint32_t i) {
-      return place.overlaps(box_of(i)) && is_one(i);
-    });
+    return std::any_of(here.begin(), here.end(),
+                       [&](std::uint32_t i) { return place.overlaps(box_of(i)) && is_one(i); });
   }
 
   template <class Visit>
