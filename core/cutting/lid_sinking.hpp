@@ -21,7 +21,7 @@ Lid with_inner_points(const LidClearance& clearance, const Lid& lid, std::span<c
 /// by a thousandth of `extent`, and by proportionally less nearer to the rim. Moves by at most
 /// `extent`, in at most 64 rounds; the lid may still meet something afterwards. Returns how far the
 /// farthest point has moved. Cost of a round: LidClearance::contacts_with_piece(), and what it
-/// finds.
+/// finds; none begins after 4 million faces that were looked at.
 double sink(Lid& lid, const LidClearance& clearance, const std::set<std::uint32_t>& parts,
             const std::optional<Point>& direction, double extent);
 

@@ -16,8 +16,9 @@ namespace talweg {
 /// gives the smoother result. If the options have a slack, for all curves or for one, it searches
 /// for the smallest tau with that slack instead. The search works on the curves in their canonical
 /// order, so a drawing that is reversed, begun elsewhere or listed in another order has the same
-/// result. Every tau of the options and `options.deviation` are ignored. Takes up to 60 runs of
-/// smooth(); each point that is pinned is compared with all pins.
+/// result. Every tau of the options and `options.deviation` are ignored; where exact deviations
+/// would take far longer than smoothing, upper bounds of them must be within the bound. Takes up to
+/// 60 runs of smooth(); each point that is pinned is compared with all pins.
 ///
 /// The report has the tau and slack that were found, `max_deviation`, and how many points were
 /// pinned. If no curve within the bound was found, the best one is returned, its `termination` is
