@@ -157,6 +157,31 @@ TEST(CurveFairing, ACurveIsTooLongWhereItsSamplesWouldBeTooMany) {
   EXPECT_TRUE(fairing.is_too_long(1.001e5 * edge / 8));
 }
 
+// Among needles chains wound to and fro, each try longer than the one before, up to 20,000 times as
+// long as what was drawn.
+TEST(CurveFairing, AChainThatIsFarTooLongIsGivenUp) {
+  const auto opened = OpenedMesh::open(test::hills(40));
+  const SurfaceCurve drawn = test::wave_on_hills(opened->mesh());
+  const double length = curve_length(opened->surface(), drawn);
+  const double edge = opened->mesh().mean_edge_length();
+  PolylineDistance distance(opened->surface());
+  distance.set(std::span(&drawn, 1));
+  const DrawnBand band(distance, 0, {edge, {}, edge / 8, 1.5});
+  StripCurvature curvature(opened->surface());
+  const CurveTrace start = trace_of(opened->surface(), drawn);
+  Asker asker({}, "fair");
+  CurveFairing fairing(curvature, &band, edge, {});
+  fairing.give_up_beyond(2 * length);
+  const auto chain = fairing.from_curve(start, asker);
+  ASSERT_TRUE(chain.has_value());
+  EXPECT_LT(chain->length(), 2 * length);
+  SampleTrail trail;
+  EXPECT_TRUE(fairing.from_chain(*chain, trail, asker).has_value());
+  fairing.give_up_beyond(chain->length() / 2);
+  EXPECT_FALSE(fairing.from_curve(start, asker).has_value());
+  EXPECT_FALSE(fairing.from_chain(*chain, trail, asker).has_value());
+}
+
 TEST(FairCurve, StrandsBesideEachOtherDoNotCross) {
   const auto opened = OpenedMesh::open(test::grid(60, 60));
   std::vector<SurfaceCurve> curves;
