@@ -199,7 +199,7 @@ TEST(PointInsertion, ConnectsAlongMeshEdgesAndCorners) {
   const HalfedgeId h = s.find_halfedge(VertexId{0}, VertexId{1});
   const bool along = h == halfedge_of(edge_of(h));
   const VertexId a = insertion.insert(SurfacePoint::on_edge(s, edge_of(h), along ? 0.25 : 0.75));
-  const VertexId b = insertion.insert(SurfacePoint::on_edge(s, edge_of(h), along ? 0.5 : 0.5));
+  const VertexId b = insertion.insert(SurfacePoint::on_edge(s, edge_of(h), 0.5));
   std::vector<HalfedgeId> path;
   insertion.connect(VertexId{0}, VertexId{1}, path);
   EXPECT_EQ(path.size(), 3U);
