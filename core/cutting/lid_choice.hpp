@@ -17,8 +17,8 @@ namespace talweg {
 
 /// Makes the lids of a piece, one after the other; each keeps clear of the earlier ones. Cost of a
 /// lid: a run of fill_plane(), or for other rims up to six of fill_loop(), and where all of these
-/// meet the mesh up to six of sink(). Its rim is compared with all earlier ones. What looks for other
-/// lids than the first one ends after some millions of faces that are looked at.
+/// meet the mesh up to six of sink(). Its rim is compared with all earlier ones. What looks for
+/// other lids than the first one ends after some millions of faces that are looked at.
 class LidChooser {
  public:
   /// `origin` maps the piece's vertex numbers to those of the cut mesh, which the chains use. Two

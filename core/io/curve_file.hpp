@@ -37,7 +37,8 @@ namespace talweg {
 /// - `.json`: ours (below). A `.json` that holds Slicer's markups is read as such.
 ///
 /// Way-points and painted points are read from our JSON, `.vtp` and `.vtk` as write_curves() writes
-/// them, and pins from our JSON. Control points of Slicer become way-points when they are snapped, see CurveInput.
+/// them, and pins from our JSON. Control points of Slicer become way-points when they are snapped,
+/// see CurveInput.
 ///
 /// Throws Error(kBadFile) with one sentence that names the file, the place (line, or byte in binary
 /// data) and what was expected. The result has at least one curve, every index in it is in range of
@@ -63,8 +64,8 @@ std::vector<CurveInput> read_curves(const std::filesystem::path& path, std::stri
 /// `exact`: true at a way-point, or its tolerance in mesh units if that is more than 0; false at a
 /// painted point. `.vtp` and `.vtk` then have point data `exact`: a tolerance of 0 or more at
 /// way-points, -1 where nothing is said, -2 at painted points. The other formats leave it out.
-/// A pin (PlacedCurve::pins) has the member `pinned`: true, and is a locked point in `.mrk.json`; the
-/// other formats leave it out.
+/// A pin (PlacedCurve::pins) has the member `pinned`: true, and is a locked point in `.mrk.json`;
+/// the other formats leave it out.
 ///
 /// Throws Error(kBadFile) when the file cannot be written (an old file is then as it was) or the
 /// format cannot hold the curves: `.txt` only vertices. Throws Error(kBadCurve) when there is no

@@ -15,6 +15,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "places.hpp"
 #include "talweg/core/mesh/surface_mesh.hpp"
 
 namespace talweg::test {
@@ -22,7 +23,7 @@ namespace talweg::test {
 /// Where the real meshes are; the reference data lies beside that folder.
 inline std::filesystem::path mesh_folder() {
   if (const char* given = std::getenv("TALWEG_MESHES")) return given;
-  return std::filesystem::path(TALWEG_SOURCE_DIR).parent_path() / "shared" / "meshes";
+  return std::filesystem::path(source_folder()).parent_path() / "shared" / "meshes";
 }
 inline std::filesystem::path reference_folder() {
   return (mesh_folder() / "..").lexically_normal() / "reference";

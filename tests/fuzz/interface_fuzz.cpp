@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "fuzz_bytes.hpp"
+#include "places.hpp"
 #include "talweg/loader/talweg_loader.h"
 #include "talweg/plugin/talweg_arrays.hpp"
 #include "talweg/plugin/talweg_cut_plan.h"
@@ -298,7 +299,7 @@ void run(Bytes& bytes, const talweg_plugin& plugin, talweg_instance* instance, S
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  static const talweg_loader* const loader = talweg_loader_open(TALWEG_PLUGINS);
+  static const talweg_loader* const loader = talweg_loader_open(talweg::test::plugin_folder());
   Bytes bytes(data, size);
   const std::uint64_t count = talweg_loader_count(loader);
   require(count > 0, "there are plugins");

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "places.hpp"
 #include "talweg/core/mesh/opened_mesh.hpp"
 #include "talweg/loader/talweg_loader.h"
 #include "talweg/plugin/talweg_arrays.hpp"
@@ -63,7 +64,7 @@ int main() {
                             talweg::plugin::view(triangles.data(), triangles.size() / 3, 3),
                             nullptr};
   const int own = blocks_of_opening(xyz, triangles);
-  talweg_loader* loader = talweg_loader_open(TALWEG_PLUGINS);
+  talweg_loader* loader = talweg_loader_open(talweg::test::plugin_folder());
   int wrong = talweg_loader_count(loader) == 0 ? 1 : 0;
   for (std::uint64_t k = 0; k < talweg_loader_count(loader); ++k) {
     const talweg_plugin& plugin = *talweg_loader_plugin(loader, k);

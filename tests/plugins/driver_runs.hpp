@@ -10,6 +10,7 @@
 #include <sys/wait.h>
 
 #include "core/temporary_folder.hpp"
+#include "places.hpp"
 
 namespace talweg::test {
 
@@ -25,7 +26,7 @@ class DriverRuns : public TemporaryFolder {
   [[nodiscard]] Outcome run(const std::string& arguments, const std::string& before = ":") const {
     std::string command("cd '");
     command.append(file("").string()).append("' && ").append(before);
-    command.append(" && '" TALWEG_DRIVER "' ").append(arguments);
+    command.append(" && '").append(driver_program()).append("' ").append(arguments);
     command.append(" >out.log 2>err.log </dev/null");
     const int status = std::system(command.c_str());
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, bytes_of(file("out.log")),

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/jagged_curves.hpp"
+#include "places.hpp"
 #include "talweg/core/drawing/placed_curve.hpp"
 #include "talweg/core/smoothing/curve_smoother.hpp"
 #include "talweg/loader/talweg_loader.h"
@@ -20,7 +21,7 @@ struct CloseLoader {
 using Loader = std::unique_ptr<talweg_loader, CloseLoader>;
 
 /// The plugins of this build.
-inline Loader open_loader() { return Loader(talweg_loader_open(TALWEG_PLUGINS)); }
+inline Loader open_loader() { return Loader(talweg_loader_open(plugin_folder())); }
 
 /// There until the program ends.
 inline const talweg_plugin& plugin_of_this_build(const char* id) {

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/generated_meshes.hpp"
+#include "places.hpp"
 #include "plugins/driver_runs.hpp"
 #include "talweg/core/io/mesh_writer.hpp"
 #include "talweg/core/version.hpp"
@@ -115,8 +116,8 @@ TEST_F(DriverHabits, WhatCannotBePrintedIsAnError) {
   for (const char* words :
        {"--help", "--version", "smooth --help", "run talweg.smooth --help", "plugins",
         "info mesh.ply", "measure mesh.ply a.txt", "measure mesh.ply a.txt --report -"}) {
-    const std::string command = "cd '" + file("").string() + "' && '" TALWEG_DRIVER "' " + words +
-                                " >/dev/full 2>err.txt </dev/null";
+    const std::string command = "cd '" + file("").string() + "' && '" + test::driver_program() +
+                                "' " + words + " >/dev/full 2>err.txt </dev/null";
     EXPECT_EQ(WEXITSTATUS(std::system(command.c_str())), 2) << words;
     EXPECT_NE(bytes_of(file("err.txt")).find("standard output"), std::string::npos) << words;
   }

@@ -18,6 +18,7 @@
 
 #include "core/generated_meshes.hpp"
 #include "memory_limits.hpp"
+#include "places.hpp"
 #include "plugins/driver_runs.hpp"
 #include "talweg/core/io/curve_file.hpp"
 #include "talweg/core/io/file_bytes.hpp"
@@ -44,14 +45,14 @@ class Faults : public DriverRuns {
   [[nodiscard]] pid_t start(const std::vector<std::string>& words) const {
     const pid_t child = fork();
     if (child != 0) return child;
-    std::vector<char*> arguments{const_cast<char*>(TALWEG_DRIVER)};
+    std::vector<char*> arguments{const_cast<char*>(driver_program())};
     for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
     arguments.push_back(nullptr);
     if (chdir(file("").c_str()) != 0 || std::freopen("/dev/null", "w", stderr) == nullptr ||
         std::freopen("/dev/null", "w", stdout) == nullptr) {
       _exit(126);
     }
-    execv(TALWEG_DRIVER, arguments.data());
+    execv(driver_program(), arguments.data());
     _exit(127);
   }
   static int wait_for(pid_t child) {
@@ -158,7 +159,7 @@ TEST_F(Faults, ASecondSignalEndsAtOnceWhatHearsNone) {
 }
 
 TEST_F(Faults, ASecondSignalEndsAPluginThatNeverReturns) {
-  ASSERT_EQ(setenv("TALWEG_PLUGIN_PATH", TALWEG_TOYS, 1), 0);
+  ASSERT_EQ(setenv("TALWEG_PLUGIN_PATH", toy_folder(), 1), 0);
   for (const char* fault : {"never_opens", "never_runs"}) {
     const pid_t child = start({"run", "toy.hostile", "mesh.ply", "--curve", "drawn.obj", "--fault",
                                fault, "-o", "out.obj"});

@@ -15,6 +15,7 @@
 #include <unistd.h>
 
 #include "core/generated_meshes.hpp"
+#include "places.hpp"
 #include "plugins/driver_runs.hpp"
 #include "talweg/core/io/curve_file.hpp"
 #include "talweg/core/io/mesh_reader.hpp"
@@ -251,8 +252,7 @@ TEST_F(Outputs, WithTheNameOfAStrokeAreTheStandardOutput) {
 
 TEST_F(Outputs, TheStandardOutputIsOfTheFilesThatAreLookedAt) {
   const std::string before = bytes_of(file("curve.json"));
-  const std::string command = "cd '" + file("").string() +
-                              "' && '" TALWEG_DRIVER
+  const std::string command = "cd '" + file("").string() + "' && '" + driver_program() +
                               "' smooth mesh.ply --curve curve.json --report - "
                               ">>curve.json 2>err.txt </dev/null";
   EXPECT_EQ(WEXITSTATUS(std::system(command.c_str())), 1);

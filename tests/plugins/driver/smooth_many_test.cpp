@@ -18,6 +18,7 @@
 
 #include "core/generated_meshes.hpp"
 #include "core/small_meshes.hpp"
+#include "places.hpp"
 #include "plugins/driver_runs.hpp"
 #include "talweg/core/io/mesh_writer.hpp"
 
@@ -69,8 +70,8 @@ class SmoothMany : public test::DriverRuns {
     const pid_t child = fork();
     if (child == 0) {
       if (chdir(file("").c_str()) != 0) _exit(99);
-      execl(TALWEG_DRIVER, TALWEG_DRIVER, "-q", "smooth", "--batch", "list.csv", "-o",
-            "out/{n}.json", "--summary", "s.csv", "--jobs", "2", static_cast<char*>(nullptr));
+      execl(test::driver_program(), test::driver_program(), "-q", "smooth", "--batch", "list.csv",
+            "-o", "out/{n}.json", "--summary", "s.csv", "--jobs", "2", static_cast<char*>(nullptr));
       _exit(99);
     }
     for (int wait = 0; wait < 3000 && !fs::exists(file("out/3.json")); ++wait) {
@@ -396,8 +397,8 @@ TEST_F(SmoothMany, TheBarOnATerminalCountsTheRuns) {
   ASSERT_GE(child, 0);
   if (child == 0) {
     if (chdir(file("").c_str()) != 0) _exit(99);
-    execl(TALWEG_DRIVER, TALWEG_DRIVER, "smooth", "--batch", "list.csv", "-o", "out/{n}.json",
-          "--jobs", "2", static_cast<char*>(nullptr));
+    execl(test::driver_program(), test::driver_program(), "smooth", "--batch", "list.csv", "-o",
+          "out/{n}.json", "--jobs", "2", static_cast<char*>(nullptr));
     _exit(99);
   }
   std::string seen;

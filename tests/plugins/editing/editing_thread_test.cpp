@@ -14,6 +14,7 @@
 
 #include <gtest/gtest.h>
 
+#include "places.hpp"
 #include "plugins/editing_drawings.hpp"
 #include "plugins/found_plugins.hpp"
 #include "plugins/plugin_runs.hpp"
@@ -223,7 +224,7 @@ TEST(EditingThread, TheProgramMayEndWhileAThreadOpens) {
 
 /// The plugins among the toys have a talweg.smooth that never opens a mesh.
 const editing::Plugins& endless_plugins() {
-  static const editing::Plugins plugins(TALWEG_TOYS);
+  static const editing::Plugins plugins(test::toy_folder());
   return plugins;
 }
 
@@ -242,7 +243,7 @@ TEST(EditingThread, APluginThatNeverEndsIsTold) {
 /// A host that closes: the plugins go while a thread is in one of them for ever.
 [[noreturn]] void exit_while_a_plugin_never_ends() {
   {
-    const editing::Plugins plugins(TALWEG_TOYS);
+    const editing::Plugins plugins(test::toy_folder());
     SmoothingThread thread(plugins, Hills().mesh);
     while (thread.progress().stage != "endless") std::this_thread::yield();
   }

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "core/generated_meshes.hpp"
+#include "places.hpp"
 #include "plugins/driver_runs.hpp"
 #include "plugins/plugin_runs.hpp"
 #include "talweg/core/io/mesh_writer.hpp"
@@ -41,7 +42,7 @@ const std::map<std::string, std::string> kFaults = {
 
 class HostilePlugin : public DriverRuns {
  protected:
-  HostilePlugin() : loader_(talweg_loader_open(TALWEG_TOYS)), lists_(grid(30, 20)) {}
+  HostilePlugin() : loader_(talweg_loader_open(toy_folder())), lists_(grid(30, 20)) {}
 
   [[nodiscard]] host::Results run_hostile(const std::string& fault) const {
     const host::Services services("test", "1");
@@ -89,7 +90,7 @@ TEST_F(HostilePlugin, TheDriverTellsItAndWritesNothing) {
     const Outcome outcome =
         run("run toy.hostile mesh.ply --curve drawn.obj -o out.obj --report out.json --fault " +
                 std::string(fault),
-            "export TALWEG_PLUGIN_PATH='" TALWEG_TOYS "'");
+            "export TALWEG_PLUGIN_PATH='" + std::string(toy_folder()) + "'");
     EXPECT_EQ(outcome.code, 5) << outcome.err;
     EXPECT_NE(outcome.err.find(kFaults.at(fault)), std::string::npos) << outcome.err;
     EXPECT_FALSE(std::filesystem::exists(file("out.obj"))) << fault;

@@ -12,6 +12,7 @@
 
 #include <gtest/gtest.h>
 
+#include "places.hpp"
 #include "plugins/plugin_runs.hpp"
 
 namespace talweg {
@@ -22,7 +23,7 @@ namespace {
 std::vector<std::string> all_plugins() {
   const std::string first = "talweg_";
   std::vector<std::string> ids;
-  for (const auto& file : std::filesystem::directory_iterator(TALWEG_PLUGINS)) {
+  for (const auto& file : std::filesystem::directory_iterator(test::plugin_folder())) {
     const std::string stem = file.path().stem().string();
     if (stem.rfind(first, 0) == 0) ids.push_back("talweg." + stem.substr(first.size()));
   }

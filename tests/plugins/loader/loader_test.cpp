@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "core/temporary_folder.hpp"
+#include "places.hpp"
 #include "plugins/plugin_runs.hpp"
 
 namespace talweg {
@@ -20,7 +21,7 @@ class LoaderTest : public test::TemporaryFolder {
  protected:
   void put(const char* toy, const std::string& name) const {
     fs::create_directories(file(name).parent_path());
-    fs::copy_file(fs::path(TALWEG_TOYS) / (std::string(toy) + ".so"), file(name));
+    fs::copy_file(fs::path(test::toy_folder()) / (std::string(toy) + ".so"), file(name));
   }
   [[nodiscard]] test::Loader open() const {
     return test::Loader(talweg_loader_open(file("").c_str()));
@@ -151,7 +152,7 @@ TEST_F(LoaderTest, RefusesWhatIsNoPluginAndGoesOn) {
   write("notes.txt", "not looked at");
   fs::create_directory(file("folder.so"));
   fs::create_symlink(file("nowhere"), file("dangling.so"));
-  const std::string whole = bytes_of(fs::path(TALWEG_TOYS) / "plain.so");
+  const std::string whole = bytes_of(fs::path(test::toy_folder()) / "plain.so");
   write("half.so", whole.substr(0, 5000));  // what is loaded ends later, debug information or not
   write("header.so", whole.substr(0, 40));
   std::string other_machine = whole;
@@ -186,7 +187,7 @@ TEST_F(LoaderTest, RefusesWhatIsNoPluginAndGoesOn) {
 }
 
 TEST_F(LoaderTest, CutOffLibrariesAreRefusedWhereverTheyEnd) {
-  const std::string whole = bytes_of(fs::path(TALWEG_TOYS) / "plain.so");
+  const std::string whole = bytes_of(fs::path(test::toy_folder()) / "plain.so");
   for (std::size_t bytes = 0; bytes < whole.size(); bytes += 1 + whole.size() / 60) {
     write("a.so", whole.substr(0, bytes));
     const test::Loader loader = open();  // section headers at the end are not needed

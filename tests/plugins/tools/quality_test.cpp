@@ -10,6 +10,7 @@
 #include <sys/wait.h>
 
 #include "core/temporary_folder.hpp"
+#include "places.hpp"
 #include "talweg/core/drawing/curve_embedding.hpp"
 #include "talweg/intrinsic/error.hpp"
 #include "tools/paper/ball.hpp"
@@ -377,7 +378,11 @@ class QualityProgram : public TemporaryFolder {
  protected:
   [[nodiscard]] int run(const std::string& arguments) const {
     std::string command("cd '");
-    command.append(file("").string()).append("' && '" TALWEG_QUALITY "' ").append(arguments);
+    command.append(file("").string())
+        .append("' && '")
+        .append(test::quality_program())
+        .append("' ")
+        .append(arguments);
     command.append(" >out.log 2>err.log </dev/null");
     const int status = std::system(command.c_str());
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;

@@ -12,7 +12,12 @@ import traceback
 from paraview import simple as pv
 from vtkmodules.vtkCommonCore import reference
 
-pv.LoadPlugin(os.environ["TALWEG_PARAVIEW"], remote=False, ns=vars(pv))
+try:
+    pv.LoadPlugin(os.environ["TALWEG_PARAVIEW"], remote=False, ns=vars(pv))
+except Exception:  # else the window would wait for its user
+    traceback.print_exc()
+    sys.stderr.flush()
+    os._exit(1)
 
 
 class Hand:

@@ -1,0 +1,114 @@
+# shellcheck shell=bash
+# What .ci/run and .ci/nightly share. A script that sources this defines functions, then calls
+# run_steps with lines "NAME  WHAT" of its steps in order; a step is the function step_NAME.
+# A step that fails does not keep the later ones from running.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+export DEBIAN_FRONTEND=noninteractive
+export TALWEG_CMAKE_ARGS="-DTALWEG_WERROR=ON ${TALWEG_CMAKE_ARGS:-}"
+jobs=${TALWEG_JOBS:-$(nproc)}
+SECONDS=0
+
+# Where this machine remembers what passed.
+memory=${XDG_CACHE_HOME:-$HOME/.cache}/talweg
+
+root=()
+if ((EUID != 0)); then root=(sudo); fi
+
+# Fails with what apt-get said.
+quiet_apt() {
+  local log
+  log=$(mktemp)
+  "${root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get "$@" >"$log" 2>&1 || {
+    tail -n 20 "$log"
+    rm -f "$log"
+    return 1
+  }
+  rm -f "$log"
+}
+
+# install PACKAGE...: those that are missing; NAME- is one that has to go.
+install() {
+  local package missing=()
+  for package; do
+    if [[ $package == *- ]]; then
+      if is_installed "${package%-}"; then missing+=("$package"); fi
+    elif ! is_installed "$package"; then
+      missing+=("$package")
+    fi
+  done
+  ((${#missing[@]} > 0)) || return 0
+  quiet_apt update -qq
+  quiet_apt install -y -qq --no-install-recommends "${missing[@]}"
+}
+
+is_installed() { [[ $(dpkg-query -W -f='${db:Status-Abbrev}' "$1" 2>/dev/null) == ii* ]]; }
+
+# configure PRESET CMAKE-ARGUMENT...
+configure() { cmake --preset "$1" -DTALWEG_WERROR=ON "${@:2}" >/dev/null; }
+
+# test_in FOLDER ALLOWED-SKIPS CTEST-ARGUMENT...
+test_in() {
+  local status=0
+  ctest --test-dir "$1" --output-on-failure --parallel "$jobs" --output-junit tests.xml \
+    --test-output-size-passed 1000000 --timeout 600 "${@:3}" || status=$?
+  .ci/skips "$1/tests.xml" "$2" || status=1
+  return $status
+}
+
+# What may be skipped at all: for want of a mesh only where there are none; what Debian does not have.
+not_here='OpenFlipper|trimesh|pyvista|OpenBLAS with threads'
+meshes=${TALWEG_MESHES:-../shared/meshes}
+if [[ ! -d $meshes || ! -d $meshes/../reference ]]; then not_here+='|TALWEG_MESHES'; fi
+
+# The one that ./run installs; the factor's tests ask for the others by name.
+use_serial_openblas() {
+  local arch library
+  arch=$(g++ -print-multiarch)
+  for library in lib{blas,lapack}.so.3 libopenblas.so.0; do
+    "${root[@]}" update-alternatives --quiet --set "$library-$arch" \
+      "/usr/lib/$arch/openblas-serial/$library"
+  done
+}
+
+table=()
+failed=0
+
+# run_step NAME WHAT: in a shell of its own, so that -e ends the step and nothing else.
+run_step() {
+  local begin=$SECONDS status=0 outcome=ok
+  printf '\n== %s: %s (%d min %02d s so far)\n' "$1" "$2" $((SECONDS / 60)) $((SECONDS % 60))
+  set +e
+  (
+    set -e
+    "step_$1"
+  )
+  status=$?
+  set -e
+  if ((status != 0)); then
+    outcome=FAILED
+    failed=1
+  fi
+  local seconds=$((SECONDS - begin))
+  table+=("$(printf '%-7s %3d min %02d s  %s: %s' $outcome $((seconds / 60)) $((seconds % 60)) "$1" "$2")")
+}
+
+# run_steps "WANTED NAMES" <steps: all of them, or those that are wanted; a table at the end.
+run_steps() {
+  local wanted=$1 name what known=' ' steps=()
+  while read -r name what; do
+    [[ -n $name ]] || continue
+    known+="$name "
+    if [[ -z $wanted || " $wanted " == *" $name "* ]]; then steps+=("$name $what"); fi
+  done
+  for name in $wanted; do
+    [[ $known == *" $name "* ]] || {
+      echo "There is no step $name, but these:$known" >&2
+      exit 2
+    }
+  done
+  for what in "${steps[@]}"; do run_step "${what%% *}" "${what#* }"; done
+  printf '\n== %d min %02d s\n' $((SECONDS / 60)) $((SECONDS % 60))
+  printf '%s\n' "${table[@]}"
+  return $failed
+}
