@@ -61,6 +61,8 @@ not_here='OpenFlipper|trimesh|pyvista|OpenBLAS with threads'
 meshes=${TALWEG_MESHES:-../shared/meshes}
 if [[ ! -d $meshes || ! -d $meshes/../reference ]]; then not_here+='|TALWEG_MESHES'; fi
 
+slow_under_sanitizers='TheResultFollowsTau|Reference|RealMesh|RealBuildings'
+
 # The one that ./run installs; the factor's tests ask for the others by name.
 use_serial_openblas() {
   local arch library
@@ -81,6 +83,7 @@ run_step() {
   set +e
   (
     set -e
+    source .ci/cache.sh  # which an earlier step may have installed
     "step_$1"
   )
   status=$?
@@ -93,7 +96,8 @@ run_step() {
   table+=("$(printf '%-7s %3d min %02d s  %s: %s' $outcome $((seconds / 60)) $((seconds % 60)) "$1" "$2")")
 }
 
-# run_steps "WANTED NAMES" <steps: all of them, or those that are wanted; a table at the end.
+# run_steps "WANTED NAMES" <steps: all of them, or those that are wanted; a table at the end. `failed` is 1
+# where a step has failed. Not to be called where a failure is caught: the steps would not end at theirs.
 run_steps() {
   local wanted=$1 name what known=' ' steps=()
   while read -r name what; do
@@ -110,5 +114,4 @@ run_steps() {
   for what in "${steps[@]}"; do run_step "${what%% *}" "${what#* }"; done
   printf '\n== %d min %02d s\n' $((SECONDS / 60)) $((SECONDS % 60))
   printf '%s\n' "${table[@]}"
-  return $failed
 }

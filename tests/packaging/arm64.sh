@@ -1,6 +1,6 @@
 #!/bin/sh
 # arm64.sh ROOT [MIRROR]: compiles `intrinsic` and its tests for 64-bit ARM in a new minimal Debian 12 and
-# runs them by qemu. In a root of its own, since Debian's cross compiler and the g++-multilib of .ci/run
+# runs them by qemu. In a root of its own, since Debian's cross compiler and the g++-multilib of .ci/nightly
 # exclude each other. Needs root, debootstrap and the network. Not part of CI.
 set -eu
 root=$1 mirror=${2:-http://deb.debian.org/debian}
