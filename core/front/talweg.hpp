@@ -33,8 +33,10 @@
 
 // Measured.
 #include "talweg/core/measure/curve_measurement.hpp"  // measure_curves
+#include "talweg/core/measure/deviation.hpp"          // deviation
 #include "talweg/core/measure/measures.hpp"           // curve_length, measure_curve
 #include "talweg/core/measure/report.hpp"             // SmoothingReport, Outcome, to_json
+#include "talweg/core/measure/self_contacts.hpp"      // self_contacts
 #include "talweg/core/measure/surface_deviation.hpp"  // DeviationMeter
 #include "talweg/heat/curve_sources.hpp"              // curve_sources
 #include "talweg/heat/heat_distance.hpp"              // HeatDistance

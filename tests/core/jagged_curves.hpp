@@ -66,4 +66,16 @@ inline double apart(const SurfaceMesh& mesh, const SurfaceCurve& a, const Surfac
   return apart(mesh, std::span(&a, 1), std::span(&b, 1));
 }
 
+inline SurfaceCurve jagged_circle(const SurfaceMesh& mesh, std::uint32_t columns, double radius) {
+  std::vector<VertexId> way;
+  const double centre = columns / 2.0;
+  for (int k = 0; k < 8; ++k) {
+    const double angle = std::numbers::pi * k / 4;
+    const auto x = static_cast<std::uint32_t>(std::lround(centre + radius * std::cos(angle)));
+    const auto y = static_cast<std::uint32_t>(std::lround(centre + radius * std::sin(angle)));
+    way.emplace_back(y * (columns + 1) + x);
+  }
+  return vertex_curve(mesh.surface(), draw_edge_path(mesh.surface(), way, true), true);
+}
+
 }  // namespace talweg::test

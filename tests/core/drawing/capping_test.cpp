@@ -6,8 +6,7 @@
 
 #include "core/reference_data.hpp"
 #include "core/small_meshes.hpp"
-#include "talweg/core/drawing/edge_dijkstra.hpp"
-#include "talweg/intrinsic/error.hpp"
+#include "talweg/talweg.hpp"
 
 namespace talweg {
 namespace {

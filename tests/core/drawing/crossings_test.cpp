@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "core/small_meshes.hpp"
-#include "talweg/intrinsic/error.hpp"
+#include "talweg/talweg.hpp"
 
 namespace talweg {
 namespace {
@@ -101,6 +101,22 @@ TEST(CurvesByFace, RefuseASegmentOutsideTheFaces) {
   EXPECT_THROW(CurvesByFace(surface, std::vector{across}), Error);
   EXPECT_THROW((void)CurvesByFace(surface, std::vector<SurfaceCurve>(1)).crossed_points(0, across),
                Error);
+}
+
+TEST(Crossings, AreFoundAndTouchingIsNone) {
+  const auto opened = OpenedMesh::open(test::grid(4, 4));
+  const Surface& surface = opened->surface();
+  const auto at = [&](std::uint32_t face, double a, double b) {
+    return SurfacePoint::in_face(surface, FaceId{face}, {a, b, 1 - a - b});
+  };
+  const std::vector<SurfaceCurve> crossing = {{false, {at(3, 0.1, 0.2), at(3, 0.7, 0.2)}},
+                                              {false, {at(3, 0.4, 0.1), at(3, 0.3, 0.6)}},
+                                              {false, {at(5, 0.4, 0.1), at(5, 0.3, 0.6)}}};
+  EXPECT_EQ(crossing_curves(surface, crossing), (std::vector<std::size_t>{0, 1}));
+  const SurfacePoint shared = at(3, 0.3, 0.3);
+  const std::vector<SurfaceCurve> touching = {{false, {at(3, 0.1, 0.2), shared, at(3, 0.2, 0.1)}},
+                                              {false, {at(3, 0.6, 0.3), shared}}};
+  EXPECT_TRUE(crossing_curves(surface, touching).empty());
 }
 
 }  // namespace

@@ -1,6 +1,4 @@
 // Drawing by clicks: a curve and its way-points in one call.
-#include "talweg/core/drawing/draw.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -9,9 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "core/small_meshes.hpp"
-#include "talweg/core/measure/measures.hpp"
-#include "talweg/core/smoothing/curve_smoother.hpp"
-#include "talweg/intrinsic/error.hpp"
+#include "talweg/talweg.hpp"
 
 namespace talweg {
 namespace {

@@ -1,5 +1,3 @@
-#include "talweg/core/drawing/edge_dijkstra.hpp"
-
 #include <algorithm>
 #include <random>
 #include <string>
@@ -8,7 +6,7 @@
 
 #include "core/jagged_curves.hpp"
 #include "core/small_meshes.hpp"
-#include "talweg/intrinsic/error.hpp"
+#include "talweg/talweg.hpp"
 
 namespace talweg {
 namespace {

@@ -1,5 +1,3 @@
-#include "talweg/core/drawing/snapping.hpp"
-
 #include <cmath>
 #include <limits>
 #include <string>
@@ -8,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "core/small_meshes.hpp"
-#include "talweg/intrinsic/error.hpp"
+#include "talweg/talweg.hpp"
 
 namespace talweg {
 namespace {

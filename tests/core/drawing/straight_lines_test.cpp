@@ -1,12 +1,10 @@
-#include "talweg/core/drawing/straight_lines.hpp"
-
 #include <array>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include "core/small_meshes.hpp"
-#include "talweg/intrinsic/error.hpp"
+#include "talweg/talweg.hpp"
 
 namespace talweg {
 namespace {

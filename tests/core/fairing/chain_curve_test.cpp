@@ -8,8 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "core/small_meshes.hpp"
-#include "talweg/core/measure/measures.hpp"
-#include "talweg/core/mesh/surface_mesh.hpp"
+#include "talweg/talweg.hpp"
 
 namespace talweg {
 namespace {

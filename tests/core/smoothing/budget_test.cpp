@@ -1,6 +1,4 @@
 // Smoothing with a budget: for every amount of work a whole result, and a report that holds.
-#include "talweg/intrinsic/budget.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -9,12 +7,7 @@
 
 #include "core/jagged_curves.hpp"
 #include "core/small_meshes.hpp"
-#include "talweg/core/drawing/edge_dijkstra.hpp"
-#include "talweg/core/measure/measures.hpp"
-#include "talweg/core/measure/surface_deviation.hpp"
-#include "talweg/core/smoothing/curve_smoother.hpp"
-#include "talweg/core/smoothing/max_deviation.hpp"
-#include "talweg/intrinsic/error.hpp"
+#include "talweg/talweg.hpp"
 
 namespace talweg {
 namespace {

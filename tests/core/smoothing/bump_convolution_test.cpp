@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "core/small_meshes.hpp"
-#include "talweg/intrinsic/error.hpp"
+#include "talweg/talweg.hpp"
 
 namespace talweg {
 namespace {

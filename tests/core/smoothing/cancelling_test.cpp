@@ -13,14 +13,8 @@
 #include "core/jagged_curves.hpp"
 #include "core/small_meshes.hpp"
 #include "core/voronoi_labels.hpp"
-#include "talweg/core/drawing/edge_dijkstra.hpp"
-#include "talweg/core/drawing/snapping.hpp"
-#include "talweg/core/drawing/straight_lines.hpp"
-#include "talweg/core/labels/label_network.hpp"
-#include "talweg/core/smoothing/curve_smoother.hpp"
-#include "talweg/core/smoothing/max_deviation.hpp"
-#include "talweg/intrinsic/error.hpp"
 #include "talweg/intrinsic/exact_distance/polyline_distance.hpp"
+#include "talweg/talweg.hpp"
 
 namespace talweg {
 namespace {

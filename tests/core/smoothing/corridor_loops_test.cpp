@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <string_view>
 
 #include <gtest/gtest.h>
 
@@ -9,10 +10,7 @@
 #include "core/jagged_curves.hpp"
 #include "core/reference_data.hpp"
 #include "talweg/core/drawing/crossings.hpp"
-#include "talweg/core/drawing/curve_through.hpp"
-#include "talweg/core/drawing/edge_dijkstra.hpp"
-#include "talweg/core/measure/measures.hpp"
-#include "talweg/core/measure/self_contacts.hpp"
+#include "talweg/talweg.hpp"
 
 namespace talweg {
 namespace {
@@ -55,6 +53,49 @@ SurfaceCurve on_grid(const Surface& surface, std::uint32_t columns,
   vertices.reserve(way.size());
   for (const auto& [i, j] : way) vertices.emplace_back(j * (columns + 1) + i);
   return test::vertex_curve(surface, draw_edge_path(surface, vertices, true), true);
+}
+
+/// A set with a loop in doubt asks while it makes curves fair about what its curves ask each for
+/// itself: the trials for the loop make no other curve fair.
+TEST(CorridorLoops, OneInDoubtHoldsAndCostsOthersNothing) {
+  constexpr std::uint32_t kAcross = 60;
+  const auto opened = OpenedMesh::open(grid(kAcross, kAcross));
+  std::vector<SurfaceCurve> lines;
+  for (std::uint32_t y = 20; y < kAcross; y += 8) {
+    std::vector<VertexId> zigzag;
+    for (std::uint32_t x = 1; x < kAcross; x += 2) {
+      zigzag.emplace_back((y + x / 2 % 2) * (kAcross + 1) + x);
+    }
+    lines.push_back(test::vertex_curve(opened->surface(),
+                                       draw_edge_path(opened->surface(), zigzag, false), false));
+  }
+  const SurfaceCurve thin =
+      on_grid(opened->surface(), kAcross, {{4, 10}, {20, 10}, {20, 11}, {4, 11}});
+  struct Fair {
+    SmoothingResult result;
+    std::size_t asked = 0;
+  };
+  const auto fair = [&](const std::vector<SurfaceCurve>& curves) {
+    Fair made;
+    const Progress progress = [&](const char* stage, double) {
+      made.asked += std::string_view(stage) == "fair" ? 1U : 0U;
+      return true;
+    };
+    CurveSmoother smoother(opened);
+    smoother.set_curves(curves, {}, progress);
+    made.result = smoother.smooth(SmoothingOptions{.tau = 0.25}, progress);
+    return made;
+  };
+  const Fair without = fair(lines), alone = fair({thin});
+  std::vector<SurfaceCurve> all = lines;
+  all.push_back(thin);
+  const Fair set = fair(all);
+  expect_held(set.result.reports.back(), curve_length(opened->surface(), thin));
+  for (std::size_t c = 0; c < lines.size(); ++c) {
+    EXPECT_EQ(set.result.curves[c].points, without.result.curves[c].points) << c;
+  }
+  EXPECT_GT(alone.asked, without.asked / lines.size());  // it is tried more than once
+  EXPECT_LT(set.asked, without.asked + alone.asked + without.asked / 2);
 }
 
 /// Trials of thin and of small loops are made without pins.

@@ -7,9 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "core/jagged_curves.hpp"
-#include "talweg/core/drawing/edge_dijkstra.hpp"
-#include "talweg/core/measure/deviation.hpp"
-#include "talweg/core/measure/measures.hpp"
+#include "talweg/talweg.hpp"
 
 namespace talweg {
 namespace {

@@ -10,19 +10,13 @@
 #include "core/generated_meshes.hpp"
 #include "core/jagged_curves.hpp"
 #include "core/small_meshes.hpp"
-#include "talweg/core/drawing/crossings.hpp"
-#include "talweg/core/drawing/curve_embedding.hpp"
-#include "talweg/core/drawing/snapping.hpp"
-#include "talweg/core/drawing/straight_lines.hpp"
-#include "talweg/core/measure/measures.hpp"
-#include "talweg/core/smoothing/curve_smoother.hpp"
-#include "talweg/core/smoothing/unrolled_mesh.hpp"
-#include "talweg/intrinsic/flips/signpost_triangulation.hpp"
+#include "talweg/talweg.hpp"
 
 namespace talweg {
 namespace {
 
 using namespace test;
+
 constexpr double kPi = std::numbers::pi;
 
 /// Straight lines through these positions, put on the mesh.
@@ -97,59 +91,6 @@ TEST(CrossingCurves, TwiceAroundATube) {
   EXPECT_GT(result.report().length_after, 0.98 * 4 * kPi);
 }
 
-// The strip is closed where the drawing begins, unless it only dips into a face there.
-TEST(CrossingCurves, WhereverTheDrawingBeginsNoTurnIsLost) {
-  const MeshLists lists = tube(48, 60, 8);
-  const SurfaceMesh mesh = SurfaceMesh::open(lists);
-  const SurfaceCurve drawn = through(mesh, twice_around(), true);
-  const double whole = curve_length(mesh.surface(), drawn);
-  for (std::size_t start = 0; start < drawn.points.size(); start += 16) {
-    SurfaceCurve turned = drawn;
-    std::rotate(turned.points.begin(), turned.points.begin() + static_cast<std::ptrdiff_t>(start),
-                turned.points.end());
-    const UnrolledMesh strip = unroll(mesh, std::span(&turned, 1), {true}, 2);
-    // Not a whole copy of the mesh instead, on which the turns cannot be told apart.
-    EXPECT_NE(strip.face_of.size(), lists.triangles.size()) << start;
-    const SurfaceMesh laid = SurfaceMesh::open(strip.lists);
-    const std::vector<SurfaceCurve> there =
-        strip.unrolled(mesh, laid.surface(), std::span(&turned, 1));
-    EXPECT_NEAR(curve_length(laid.surface(), there.front()), whole, 1e-9 * whole) << start;
-  }
-}
-
-/// A plate of cubes of size 1 whose middle of every three by three is missing, so that it has as
-/// many handles as holes; `size` must be a multiple of 3. The vertices of the upper side come
-/// first.
-MeshLists plate_with_holes(std::uint32_t size) {
-  MeshLists lists;
-  const std::uint32_t columns = size + 1, upper = columns * columns;
-  for (const double z : {1.0, 0.0}) {
-    for (std::uint32_t v = 0; v < upper; ++v)
-      lists.points.emplace_back(v % columns, v / columns, z);
-  }
-  const auto quad = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
-    lists.triangles.push_back({a, b, c});
-    lists.triangles.push_back({a, c, d});
-  };
-  const auto is_there = [&](std::uint32_t x, std::uint32_t y) {  // also where x or y is -1
-    return x < size && y < size && !(x % 3 == 1 && y % 3 == 1);
-  };
-  const auto wall = [&](std::uint32_t a, std::uint32_t b) { quad(b, a, a + upper, b + upper); };
-  for (std::uint32_t y = 0; y < size; ++y) {
-    for (std::uint32_t x = 0; x < size; ++x) {
-      if (!is_there(x, y)) continue;
-      const std::uint32_t a = y * columns + x, b = a + 1, c = b + columns, d = a + columns;
-      quad(a, b, c, d);
-      quad(d + upper, c + upper, b + upper, a + upper);
-      if (!is_there(x, y - 1)) wall(a, b);
-      if (!is_there(x + 1, y)) wall(b, c);
-      if (!is_there(x, y + 1)) wall(c, d);
-      if (!is_there(x - 1, y)) wall(d, a);
-    }
-  }
-  return lists;
-}
-
 /// Along rows and columns of the vertices of a square grid, from one corner to the next.
 std::vector<VertexId> along_grid(std::uint32_t columns,
                                  const std::vector<std::array<std::uint32_t, 2>>& corners) {
@@ -165,18 +106,6 @@ std::vector<VertexId> along_grid(std::uint32_t columns,
   }
   way.emplace_back(y * columns + x);
   return way;
-}
-
-// The ways around a handle come back to where they were, and not to another copy of it.
-TEST(CrossingCurves, HandlesAreLaidOutOnce) {
-  const MeshLists lists = plate_with_holes(36);
-  const SurfaceMesh mesh = SurfaceMesh::open(lists);
-  ASSERT_EQ(2 * mesh.surface().edge_count(), 3 * lists.triangles.size());  // it is closed
-  const SurfaceCurve drawn = vertex_curve(
-      mesh.surface(), along_grid(37, {{{3, 9}, {30, 9}, {30, 30}, {18, 30}, {18, 3}}}), false);
-  const UnrolledMesh strip = unroll(mesh, std::span(&drawn, 1), {true}, 5);
-  EXPECT_GT(strip.faces_of_strips, lists.triangles.size() / 2);
-  EXPECT_LT(strip.faces_of_strips, 3 * lists.triangles.size() / 2);
 }
 
 // The strip is as wide as the result needs, wherever that leads.
@@ -312,91 +241,6 @@ TEST(CrossingCurves, DraggedAndHeldByPins) {
   const SmoothingResult preview = smoother.drag(0, moved);
   EXPECT_EQ(preview.report().engine, Engine::kPreview);
   EXPECT_EQ(preview.report().crossings_after, 1U);
-}
-
-/// Crossings of paths along the edges of a (4 x 4) sheet.
-std::vector<std::size_t> crossings(const std::vector<std::vector<VertexId>>& ways) {
-  const Surface surface = surface_of_lists(grid(4, 4));
-  const SignpostTriangulation t(surface);
-  std::vector<EdgePath> paths;
-  for (const auto& way : ways) {
-    const bool closed = way.front() == way.back();
-    std::vector<HalfedgeId> h;
-    for (std::size_t i = 0; i + 1 < way.size(); ++i) {
-      h.push_back(surface.find_halfedge(way[i], way[i + 1]));
-    }
-    paths.push_back(EdgePath::make(t, h, closed));
-  }
-  return path_contacts(t, paths).crossings;
-}
-
-TEST(PathContacts, CountsWhatChangesSides) {
-  using Counts = std::vector<std::size_t>;
-  EXPECT_EQ(crossings({ids({10, 11, 12, 13, 14}), ids({2, 7, 12, 17, 22})}), Counts({1, 0}));
-  // Together for an edge, in the same direction and against it; across and to the same side.
-  EXPECT_EQ(crossings({ids({10, 11, 12, 13}), ids({6, 11, 12, 17})}), Counts({1, 0}));
-  EXPECT_EQ(crossings({ids({10, 11, 12, 13}), ids({17, 12, 11, 6})}), Counts({1, 0}));
-  EXPECT_EQ(crossings({ids({10, 11, 12, 13}), ids({6, 11, 12, 7})}), Counts({0, 0}));
-  EXPECT_EQ(crossings({ids({10, 11, 12, 13}), ids({7, 12, 11, 6})}), Counts({0, 0}));
-  // What ends on another does not cross it.
-  EXPECT_EQ(crossings({ids({10, 11, 12, 13}), ids({2, 7, 12})}), Counts({0, 0}));
-  EXPECT_EQ(crossings({ids({10, 11, 12, 13}), ids({2, 7, 12, 13})}), Counts({0, 0}));
-  // One path, across itself.
-  EXPECT_EQ(crossings({ids({10, 11, 12, 13, 18, 12, 17, 22})}), Counts({0}));
-  EXPECT_EQ(crossings({ids({10, 11, 12, 13, 18, 17, 12, 7, 2})}), Counts({1}));
-  // The same loop twice.
-  EXPECT_EQ(crossings({ids({6, 7, 12, 6}), ids({6, 7, 12, 6})}), Counts({0, 0}));
-}
-
-/// A random walk along edges, with ways back and along what was walked before.
-std::vector<VertexId> random_walk(const Surface& surface, std::mt19937& random, std::size_t n) {
-  std::vector<VertexId> walk{VertexId{random() % surface.vertex_count()}};
-  while (walk.size() < n) {
-    std::vector<VertexId> next;
-    const HalfedgeId first = surface.halfedge(walk.back());
-    for (HalfedgeId h = first; h.valid();) {
-      next.push_back(surface.head(h));
-      if (!surface.has_face(h)) break;
-      h = surface.turn_ccw(h);
-      if (h == first) break;
-    }
-    walk.push_back(next[random() % next.size()]);
-  }
-  return walk;
-}
-
-// How often two paths cross does not depend on which others there are, though all passages of a
-// vertex are counted at once.
-TEST(PathContacts, OfASetAreThoseOfItsPairs) {
-  const SurfaceMesh mesh = SurfaceMesh::open(grid(4, 4));
-  std::mt19937 random(11);
-  for (int run = 0; run < 20; ++run) {
-    std::vector<SurfaceCurve> curves;
-    for (int c = 0; c < 12; ++c) {
-      curves.push_back(
-          vertex_curve(mesh.surface(), random_walk(mesh.surface(), random, 12), false));
-    }
-    SignpostTriangulation triangulation(mesh.surface());
-    const std::vector<EdgePath> paths = embed_curves(triangulation, curves).paths;
-    const PathContacts all = path_contacts(triangulation, paths);
-    std::vector<std::size_t> alone(paths.size()), sum(paths.size());
-    std::vector<bool> tangled(paths.size());
-    for (std::size_t p = 0; p < paths.size(); ++p) {
-      const PathContacts own = path_contacts(triangulation, std::span(&paths[p], 1));
-      sum[p] = alone[p] = own.crossings[0];
-      tangled[p] = own.tangled[0];
-    }
-    for (std::size_t p = 0; p < paths.size(); ++p) {
-      for (std::size_t q = p + 1; q < paths.size(); ++q) {
-        const std::vector<EdgePath> pair{paths[p], paths[q]};
-        const std::size_t crossings = path_contacts(triangulation, pair).crossings[0] - alone[p];
-        sum[p] += crossings;
-        if (crossings > 0) tangled[p] = tangled[q] = true;
-      }
-    }
-    EXPECT_EQ(all.crossings, sum) << run;
-    EXPECT_EQ(all.tangled, tangled) << run;
-  }
 }
 
 }  // namespace

@@ -10,10 +10,8 @@
 
 #include "core/generated_meshes.hpp"
 #include "core/small_meshes.hpp"
-#include "talweg/core/drawing/snapping.hpp"
-#include "talweg/core/drawing/straight_lines.hpp"
-#include "talweg/core/smoothing/curve_smoother.hpp"
 #include "talweg/intrinsic/exact_distance/polyline_distance.hpp"
+#include "talweg/talweg.hpp"
 
 namespace talweg {
 namespace {

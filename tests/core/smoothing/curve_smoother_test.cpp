@@ -1,5 +1,3 @@
-#include "talweg/core/smoothing/curve_smoother.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -11,14 +9,7 @@
 
 #include "core/reference_data.hpp"
 #include "core/small_meshes.hpp"
-#include "talweg/core/drawing/curve_through.hpp"
-#include "talweg/core/drawing/edge_dijkstra.hpp"
-#include "talweg/core/drawing/snapping.hpp"
-#include "talweg/core/drawing/straight_lines.hpp"
-#include "talweg/core/io/mesh_reader.hpp"
-#include "talweg/core/measure/measures.hpp"
-#include "talweg/core/repair/mesh_repair.hpp"
-#include "talweg/intrinsic/error.hpp"
+#include "talweg/talweg.hpp"
 
 namespace talweg {
 namespace {

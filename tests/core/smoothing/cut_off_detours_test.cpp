@@ -7,9 +7,7 @@
 
 #include "core/generated_meshes.hpp"
 #include "core/jagged_curves.hpp"
-#include "talweg/core/drawing/edge_dijkstra.hpp"
-#include "talweg/core/measure/measures.hpp"
-#include "talweg/core/smoothing/curve_smoother.hpp"
+#include "talweg/talweg.hpp"
 
 namespace talweg {
 namespace {
@@ -94,28 +92,6 @@ TEST_F(CutOffDetours, NothingIsPutBackFromElsewhere) {
   const SurfaceCurve ring = through({at(10, 5), at(20, 5), at(20, 9), at(10, 9)}, true);
   const SurfaceCurve other = through({at(40, 15), at(50, 15), at(50, 25), at(40, 25)}, true);
   EXPECT_EQ(beyond(3, ring, other).stretches, 0U);
-}
-
-// Where the feet of a detour lie within the walls, fairing may still give it up.
-TEST_F(CutOffDetours, AFairCurveStartsFromThem) {
-  std::vector<VertexId> way;
-  for (std::uint32_t k = 2; k <= 28; k += 2) way.push_back(at(k, 12 + k / 2 % 2));
-  for (const auto& [i, j] : {std::pair(29U, 12U), {29U, 24U}, {31U, 24U}, {31U, 12U}}) {
-    way.push_back(at(i, j));
-  }
-  for (std::uint32_t k = 32; k <= 58; k += 2) way.push_back(at(k, 12 + k / 2 % 2));
-  const SurfaceCurve drawn = through(way);
-  CurveSmoother smoother(opened);
-  smoother.set_curve(drawn);
-  SmoothingOptions options;
-  const SmoothingResult fair = smoother.smooth(options);
-  options.finish = Finish::kTaut;
-  const SmoothingResult straightened = smoother.smooth(options);
-  EXPECT_GT(straightened.report().deviation_from_drawn_max, 6);
-  EXPECT_EQ(straightened.report().stretches_redrawn, 0U);
-  EXPECT_EQ(fair.report().stretches_redrawn, 1U);
-  EXPECT_LE(fair.report().deviation_to_drawn_max, 1.5 * fair.report().slack * (1 + 1e-3));
-  EXPECT_LT(fair.report().bending_after, fair.report().bending_before / 4);
 }
 
 }  // namespace

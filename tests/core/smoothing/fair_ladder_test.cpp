@@ -7,9 +7,7 @@
 
 #include "core/jagged_curves.hpp"
 #include "core/small_meshes.hpp"
-#include "talweg/core/drawing/edge_dijkstra.hpp"
-#include "talweg/core/smoothing/curve_smoother.hpp"
-#include "talweg/intrinsic/error.hpp"
+#include "talweg/talweg.hpp"
 
 namespace talweg {
 namespace {

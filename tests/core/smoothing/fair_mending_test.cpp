@@ -1,4 +1,3 @@
-#include "talweg/core/smoothing/fair_mending.hpp"
 
 #include <algorithm>
 #include <array>
@@ -11,10 +10,8 @@
 #include <gtest/gtest.h>
 
 #include "core/generated_meshes.hpp"
-#include "talweg/core/drawing/edge_dijkstra.hpp"
-#include "talweg/core/measure/measures.hpp"
-#include "talweg/core/smoothing/curve_smoother.hpp"
 #include "talweg/intrinsic/exact_distance/polyline_distance.hpp"
+#include "talweg/talweg.hpp"
 
 namespace talweg {
 namespace {

@@ -1,4 +1,3 @@
-#include "talweg/core/smoothing/fair_patching.hpp"
 
 #include <algorithm>
 #include <cstdint>
@@ -6,8 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "core/small_meshes.hpp"
-#include "talweg/core/measure/self_contacts.hpp"
-#include "talweg/core/smoothing/curve_smoother.hpp"
+#include "talweg/talweg.hpp"
 
 namespace talweg {
 namespace {

@@ -1,5 +1,3 @@
-#include "talweg/core/smoothing/max_deviation.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -8,8 +6,7 @@
 
 #include "core/jagged_curves.hpp"
 #include "core/reference_data.hpp"
-#include "talweg/core/drawing/edge_dijkstra.hpp"
-#include "talweg/intrinsic/error.hpp"
+#include "talweg/talweg.hpp"
 
 namespace talweg {
 namespace {

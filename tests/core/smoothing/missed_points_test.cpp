@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "core/small_meshes.hpp"
-#include "talweg/core/smoothing/curve_smoother.hpp"
+#include "talweg/talweg.hpp"
 
 namespace talweg {
 namespace {

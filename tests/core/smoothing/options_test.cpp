@@ -7,11 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "core/small_meshes.hpp"
-#include "talweg/core/smoothing/bump_convolution.hpp"
-#include "talweg/core/smoothing/curve_smoother.hpp"
-#include "talweg/core/smoothing/relaxation.hpp"
-#include "talweg/intrinsic/error.hpp"
-#include "talweg/intrinsic/flips/flip_out.hpp"
+#include "talweg/talweg.hpp"
 
 namespace talweg {
 namespace {
@@ -69,19 +65,6 @@ TEST(Options, OfSmoothing) {
       {"min_relative_length", [](auto& o) { o.min_relative_length = kNaN; }},
       {"length_floor", [](auto& o) { o.length_floor = -1; }},
       {"length_floor", [](auto& o) { o.length_floor = kInf; }},
-  });
-}
-
-TEST(Options, OfFlipOut) {
-  expect_refused<FlipOutOptions>({
-      {"angle_tolerance", [](auto& o) { o.angle_tolerance = 0; }},
-      {"angle_tolerance", [](auto& o) { o.angle_tolerance = 1; }},
-      {"min_relative_length", [](auto& o) { o.min_relative_length = -0.1; }},
-      {"length_floor", [](auto& o) { o.length_floor = kNaN; }},
-      {"sorted",
-       [](auto& o) {
-         o.pinned = test::ids({3, 1});
-       }},
   });
 }
 

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "talweg/core/smoothing/lifted_lengths.hpp"
-#include "talweg/intrinsic/error.hpp"
+#include "talweg/talweg.hpp"
 
 namespace talweg {
 namespace {

@@ -7,8 +7,7 @@
 
 #include "core/reference_data.hpp"
 #include "core/small_meshes.hpp"
-#include "talweg/core/measure/measures.hpp"
-#include "talweg/intrinsic/error.hpp"
+#include "talweg/talweg.hpp"
 
 namespace talweg {
 namespace {

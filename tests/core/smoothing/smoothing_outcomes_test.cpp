@@ -6,10 +6,7 @@
 
 #include "core/generated_meshes.hpp"
 #include "core/small_meshes.hpp"
-#include "talweg/core/drawing/curve_through.hpp"
-#include "talweg/core/drawing/edge_dijkstra.hpp"
-#include "talweg/core/smoothing/curve_smoother.hpp"
-#include "talweg/intrinsic/error.hpp"
+#include "talweg/talweg.hpp"
 
 namespace talweg {
 namespace {

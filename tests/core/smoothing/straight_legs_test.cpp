@@ -1,7 +1,6 @@
 // Straight legs are geodesic each for itself, and only those that are drawn anew are made anew.
-#include "talweg/core/smoothing/straight_legs.hpp"
-
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,8 +9,7 @@
 #include "core/jagged_curves.hpp"
 #include "core/small_meshes.hpp"
 #include "talweg/core/drawing/crossings.hpp"
-#include "talweg/core/drawing/draw.hpp"
-#include "talweg/core/smoothing/curve_smoother.hpp"
+#include "talweg/talweg.hpp"
 
 namespace talweg {
 namespace {
@@ -26,23 +24,20 @@ class StraightLegsOnHills : public testing::Test {
   }
   /// How many legs are embedded to straighten this drawing.
   std::size_t straightened(const Drawing& drawing) {
-    const DrawnLegs own = legs_of(drawing.curve, {}, drawing.way_points, {});
     std::size_t embedded = 0;
     const Progress progress = [&](const char* stage, double /*fraction*/) {
       if (std::string(stage) == "embed") ++embedded;
       return true;
     };
-    last = legs.straightened(opened->mesh(), straightening, std::span(&drawing.curve, 1),
-                             std::span(&own, 1), {}, progress);
-    EXPECT_TRUE(last);
+    smoother->set_curve(drawing);
+    last = smoother->smooth(SmoothingOptions{.tau = 0}, progress);
     return embedded;
   }
   static VertexId at(std::uint32_t x, std::uint32_t y) { return VertexId{y * columns + x}; }
 
   const std::shared_ptr<const OpenedMesh> opened = OpenedMesh::open(test::hills(60));
-  Straightening straightening{opened->surface()};
-  StraightLegs legs;
-  std::optional<Straightened> last;
+  std::optional<CurveSmoother> smoother{std::in_place, opened};
+  SmoothingResult last;
 };
 
 TEST_F(StraightLegsOnHills, OnlyTheLegsBesideAMovedPointAreMadeAnew) {
@@ -66,13 +61,13 @@ TEST_F(StraightLegsOnHills, WhatIsKeptIsWhatWouldBeMade) {
   straightened(through(clicks));
   clicks.push_back(at(50, 50));
   EXPECT_EQ(straightened(through(clicks)), 1U);
-  const Straightened kept = *last;
-  legs = {};
+  const SmoothingResult kept = last;
+  smoother.emplace(opened);
   EXPECT_EQ(straightened(through(clicks)), 4U);
-  EXPECT_EQ(kept.curves[0].points, last->curves[0].points);
-  EXPECT_EQ(kept.paths[0].length_after, last->paths[0].length_after);
-  EXPECT_EQ(kept.counts.flips, last->counts.flips);
-  EXPECT_EQ(kept.counts.faces_touched, last->counts.faces_touched);
+  EXPECT_EQ(kept.curve().points, last.curve().points);
+  EXPECT_EQ(kept.report().length_after, last.report().length_after);
+  EXPECT_EQ(kept.report().flips, last.report().flips);
+  EXPECT_EQ(kept.report().faces_touched, last.report().faces_touched);
 }
 
 class StraightLegsOnAPlane : public testing::Test {

@@ -8,9 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "core/generated_meshes.hpp"
-#include "talweg/core/drawing/edge_dijkstra.hpp"
-#include "talweg/core/measure/measures.hpp"
-#include "talweg/core/mesh/opened_mesh.hpp"
+#include "talweg/talweg.hpp"
 
 namespace talweg {
 namespace {

@@ -8,12 +8,8 @@
 
 #include "core/jagged_curves.hpp"
 #include "core/small_meshes.hpp"
-#include "talweg/core/drawing/draw.hpp"
-#include "talweg/core/measure/measures.hpp"
-#include "talweg/core/smoothing/curve_smoother.hpp"
-#include "talweg/core/smoothing/max_deviation.hpp"
-#include "talweg/intrinsic/error.hpp"
 #include "talweg/intrinsic/exact_distance/polyline_distance.hpp"
+#include "talweg/talweg.hpp"
 
 namespace talweg {
 namespace {

@@ -1,6 +1,7 @@
 // Pins, limits, cancellation; what must not change a result.
 #include <cmath>
 #include <limits>
+#include <string>
 
 #include <gtest/gtest.h>
 
@@ -68,23 +69,27 @@ TEST(FlipOutOptions, OptionsAreChecked) {
   const Surface s = surface_of(grid(1, 1));
   SignpostTriangulation t(s);
   const EdgePath path = path_through(t, {0, 1});
+  // The sentence names the field.
+  const auto expect_refused = [&](const FlipOutOptions& options, const char* field) {
+    try {
+      straighten_with(t, path, options);
+      ADD_FAILURE() << field;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), ErrorCode::kBadUsage);
+      EXPECT_NE(std::string(error.what()).find(field), std::string::npos) << error.what();
+    }
+  };
   const double nan = std::numeric_limits<double>::quiet_NaN();
+  const double infinity = std::numeric_limits<double>::infinity();
   for (const double bad : {0.0, -1.0, 1.0, nan}) {
-    FlipOutOptions o;
-    o.angle_tolerance = bad;
-    EXPECT_THROW(straighten_with(t, path, o), Error);
+    expect_refused({.angle_tolerance = bad}, "angle_tolerance");
   }
   for (const double bad : {-0.1, 1.0, nan}) {
-    FlipOutOptions o;
-    o.min_relative_length = bad;
-    EXPECT_THROW(straighten_with(t, path, o), Error);
-    o.min_relative_length = 0;
-    o.length_floor = bad == 1.0 ? std::numeric_limits<double>::infinity() : bad;
-    EXPECT_THROW(straighten_with(t, path, o), Error);
+    expect_refused({.min_relative_length = bad}, "min_relative_length");
   }
-  FlipOutOptions o;
-  o.pinned = {VertexId{3}, VertexId{1}};
-  EXPECT_THROW(straighten_with(t, path, o), Error);
+  for (const double bad : {-0.1, infinity, nan})
+    expect_refused({.length_floor = bad}, "length_floor");
+  expect_refused({.pinned = {VertexId{3}, VertexId{1}}}, "sorted");
 }
 
 TEST(FlipOutOptions, NoPathsAndSingleEdges) {

@@ -1,0 +1,168 @@
+// The slack that a curve has where none is given: as wide as its drawing trembles.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+#include "core/generated_meshes.hpp"
+#include "core/small_meshes.hpp"
+#include "talweg/talweg.hpp"
+
+namespace talweg::slack_test {
+namespace {
+
+using test::grid;
+
+constexpr std::uint32_t kColumns = 60;
+
+constexpr double kTiny = 1e-12;  // relative: some hundred sums of lengths
+
+VertexId at(std::uint32_t i, std::uint32_t j) { return VertexId{j * (kColumns + 1) + i}; }
+
+/// From column to column over row 5 of a grid, `heights` in [0, 1) above it.
+SurfaceCurve over_row(const Surface& surface, const std::vector<double>& heights) {
+  SurfaceCurve curve;
+  for (std::uint32_t i = 0; i < heights.size(); ++i) {
+    const double here = heights[i];
+    const auto low = static_cast<std::uint32_t>(at(i, 5).index());
+    const auto high = static_cast<std::uint32_t>(at(i, 6).index());
+    curve.points.push_back(here > 0 ? test::between(surface, low, high, here)
+                                    : SurfacePoint::at_vertex(surface, at(i, 5)));
+    if (i + 1 == heights.size()) break;
+    // Where it crosses the diagonal from (i, 5) to (i + 1, 6).
+    const double across = here / (1 - heights[i + 1] + here);
+    if (across > 0) curve.points.push_back(test::between(surface, low, high + 1, across));
+  }
+  return curve;
+}
+
+/// Runs of `run` to the right, with steps of `step` up and down in between.
+SurfaceCurve square_wave(const Surface& surface, std::uint32_t run, std::uint32_t step) {
+  std::vector<VertexId> way;
+  for (std::uint32_t k = 0; k * run < kColumns; ++k) {
+    const std::uint32_t j = 3 + k % 2 * step;
+    way.push_back(at(k * run, j));
+    way.push_back(at((k + 1) * run, j));
+  }
+  return test::vertex_curve(surface, draw_edge_path(surface, way), false);
+}
+
+double slack_of(const std::shared_ptr<const OpenedMesh>& opened, const SurfaceCurve& curve) {
+  CurveSmoother smoother(opened);
+  smoother.set_curve(curve);
+  return smoother.slack()[0];
+}
+
+class DefaultSlack : public testing::Test {
+ protected:
+  const std::shared_ptr<const OpenedMesh> opened = OpenedMesh::open(test::grid(kColumns, 20));
+  const SurfaceMesh& mesh = opened->mesh();
+  const Surface& surface = opened->surface();
+};
+
+TEST_F(DefaultSlack, ASquareWaveIsSevenTenthsOfItsStepWide) {
+  for (const std::uint32_t step : {1U, 2U, 3U}) {
+    const SurfaceCurve wave = square_wave(surface, step, step);
+    EXPECT_NEAR(slack_of(opened, wave), 0.7 * step, kTiny) << step;
+  }
+  // The runs of 4 and steps of 2 are equally many but for one run more.
+  EXPECT_NEAR(slack_of(opened, square_wave(surface, 4, 2)), 0.7 * 4, kTiny);
+}
+
+TEST_F(DefaultSlack, AZigzagIsSevenTenthsOfItsSegmentsWide) {
+  std::vector<double> heights(kColumns + 1, 0);
+  for (std::size_t i = 1; i < heights.size(); i += 2) heights[i] = 0.5;
+  const SurfaceCurve zigzag = over_row(surface, heights);
+  EXPECT_NEAR(slack_of(opened, zigzag), 0.7 * std::hypot(1, 0.5), kTiny);
+}
+
+TEST_F(DefaultSlack, AWaverOfLessThanATenthRadianIsStraight) {
+  std::vector<double> heights(kColumns + 1, 0);
+  for (std::size_t i = 1; i < heights.size(); i += 2) heights[i] = 0.04;  // turns by 0.08
+  const SurfaceCurve straight = over_row(surface, heights);
+  const double length = kColumns * std::hypot(1, 0.04);
+  EXPECT_NEAR(slack_of(opened, straight), length / 24, 1e-9);
+  for (double& h : heights) h *= 0.06 / 0.04;  // 0.12
+  // Up to 0.2 rad segments count in proportion.
+  EXPECT_NEAR(slack_of(opened, over_row(surface, heights)),
+              0.7 * std::hypot(1, 0.06) * (2 * std::atan(0.06) / 0.2), 1e-9);
+}
+
+TEST_F(DefaultSlack, LongStraightRunsDoNotMakeItLarge) {
+  // Twelve teeth between two runs of 24.
+  std::vector<double> heights(kColumns + 1, 0);
+  for (std::size_t i = 25; i < 37; i += 2) heights[i] = 0.5;
+  EXPECT_NEAR(slack_of(opened, over_row(surface, heights)), 0.7 * std::hypot(1, 0.5), 1e-9);
+  // Where there is nothing else it is bounded by the length.
+  const SurfaceCurve row = over_row(surface, std::vector<double>(kColumns + 1, 0));
+  EXPECT_NEAR(slack_of(opened, row), kColumns / 24.0, 1e-9);
+}
+
+TEST_F(DefaultSlack, RefusesACurveThatLeavesTheMesh) {
+  const SurfaceCurve apart = test::vertex_curve(surface, std::vector{at(4, 4), at(9, 4)}, false);
+  EXPECT_THROW(slack_of(opened, apart), Error);
+}
+
+TEST_F(DefaultSlack, AFieldOfSlackIsLinearInEachFace) {
+  std::vector<double> field;
+  for (const Point& p : mesh.points()) field.push_back(1 + 0.25 * p.x() + 0.5 * p.y());
+  std::vector<double> heights(kColumns + 1, 0);
+  for (std::size_t i = 1; i < heights.size(); i += 2) heights[i] = 0.3;
+  const SurfaceCurve curve = over_row(surface, heights);
+  const std::vector<double> along = slack_along(surface, curve, field);
+  ASSERT_EQ(along.size(), curve.points.size());
+  for (std::size_t i = 0; i < along.size(); ++i) {
+    const Point p = mesh.position(curve.points[i]);
+    EXPECT_NEAR(along[i], 1 + 0.25 * p.x() + 0.5 * p.y(), 1e-12);
+  }
+}
+
+TEST_F(DefaultSlack, AFieldOfSlackMustFitTheMesh) {
+  const SurfaceCurve curve = test::vertex_curve(surface, std::vector{at(4, 4), at(5, 4)}, false);
+  const auto message = [&](const std::vector<double>& field) -> std::string {
+    try {
+      slack_along(surface, curve, field);
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), ErrorCode::kBadUsage);
+      return error.what();
+    }
+    return "";
+  };
+  std::vector<double> field(surface.vertex_count(), 1);
+  EXPECT_EQ(message(field), "");
+  EXPECT_EQ(message({1, 2}), "There are 2 slacks for 1281 vertices.");
+  // What the curve does not touch is not looked at.
+  field[at(20, 20).index()] = std::nan("");
+  EXPECT_EQ(message(field), "");
+  for (const double bad : {-1.0, HUGE_VAL, std::nan("")}) {
+    field[at(5, 4).index()] = bad;
+    EXPECT_EQ(message(field), "The slack of vertex 249 must be finite and >= 0.");
+  }
+}
+
+/// A smooth drawing turns nowhere by much, however finely it is given; it does in all.
+TEST_F(DefaultSlack, SlackOfASmoothDrawingFollowsItsBends) {
+  for (const std::uint32_t count :
+       {10U, 60U}) {  // squares: also where it is not along edges at all
+    MeshLists lists = grid(count, count);
+    for (Point& p : lists.points) p *= 10.0 / count;
+    const auto opened = OpenedMesh::open(lists);
+    const SurfaceMesh& sheet = opened->mesh();
+    for (const int points : {200, 1000}) {
+      std::vector<Point> circle;
+      for (int k = 0; k < points; ++k) {
+        const double angle = 2 * std::numbers::pi * k / points;
+        circle.emplace_back(5.1 + 3 * std::cos(angle), 5.2 + 3 * std::sin(angle), 0);
+      }
+      const SurfaceCurve drawn =
+          StraightLines(sheet.surface()).join(snap(sheet, {true, circle, {}}).points, true);
+      // 0.7 of stretches that turn by 0.1, or one segment more, times that; the cap is 0.26 radii
+      EXPECT_GT(slack_of(opened, drawn), 0.0069 * 3) << points;
+      EXPECT_LT(slack_of(opened, drawn), 0.012 * 3) << points;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace talweg::slack_test

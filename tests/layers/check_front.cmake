@@ -1,0 +1,54 @@
+# Tests of drawing, fairing and smoothing go through the front door: of the library they include
+# talweg/talweg.hpp only, so that they hold whatever is behind it. The test of an algorithm with a
+# contract of its own includes that algorithm's header, too, and results are measured by instruments with
+# such a contract. cmake -D ROOT=project -P check_front.cmake
+cmake_minimum_required(VERSION 3.25)
+set(algorithms
+  drawing/canonical_order drawing/capping drawing/curve_embedding drawing/drawn_legs drawing/path_contacts
+  drawing/taken_points
+  fairing/band_solver fairing/chain_curve fairing/chain_parts fairing/curve_fairing fairing/near_points
+  fairing/saddle_passing
+  smoothing/bump_convolution smoothing/corridor smoothing/corridor_width smoothing/curve_gaps
+  smoothing/cut_off_detours smoothing/drawing_change smoothing/joined_curves smoothing/potential
+  smoothing/refined_mesh smoothing/relaxation smoothing/taut_stretches smoothing/touched_edges
+  smoothing/unrolled_mesh)
+set(instruments core/drawing/crossings intrinsic/exact_distance/polyline_distance)
+# What such a test needs to make the algorithm's input, or to compare with.
+set(drawing/curve_embedding_needs intrinsic/flips/signpost_triangulation)
+set(drawing/path_contacts_needs core/drawing/curve_embedding intrinsic/flips/signpost_triangulation)
+set(smoothing/potential_needs core/smoothing/lifted_lengths)
+set(smoothing/touched_edges_needs core/smoothing/corridor core/smoothing/corridor_width
+    core/smoothing/lifted_lengths)
+
+set(wrong "")
+set(looked 0)
+foreach(room drawing fairing smoothing)
+  file(GLOB files RELATIVE ${ROOT}/tests/core ${ROOT}/tests/core/${room}/*_test.cpp)
+  foreach(file IN LISTS files)
+    math(EXPR looked "${looked} + 1")
+    string(REPLACE "_test.cpp" "" name ${file})
+    set(may talweg openmesh ${instruments})
+    if(name IN_LIST algorithms)
+      list(APPEND may core/${name} ${${name}_needs})
+    endif()
+    file(STRINGS ${ROOT}/tests/core/${file} includes REGEX "^#include \"talweg/")
+    foreach(line IN LISTS includes)
+      string(REGEX REPLACE ".*\"talweg/(.*)\\.hp*\".*" "\\1" header "${line}")
+      if(NOT header IN_LIST may)
+        string(APPEND wrong "  tests/core/${file} includes talweg/${header}.hpp\n")
+      endif()
+    endforeach()
+  endforeach()
+endforeach()
+foreach(name IN LISTS algorithms)
+  if(NOT EXISTS ${ROOT}/tests/core/${name}_test.cpp)
+    string(APPEND wrong "  tests/core/${name}_test.cpp is listed and not there\n")
+  endif()
+endforeach()
+if(looked LESS 40)
+  message(FATAL_ERROR "Only ${looked} tests were looked at.")
+endif()
+if(wrong)
+  message(FATAL_ERROR "Tests that do not go through the front door (talweg/talweg.hpp):\n${wrong}")
+endif()
+message(STATUS "${looked} tests go through the front door")
