@@ -42,12 +42,13 @@ def mypy(*arguments, folder):
 
 
 class Types(unittest.TestCase):
-    def setUp(self):
+    @classmethod
+    def setUpClass(cls):
         if importlib.util.find_spec("mypy") is None:
-            self.skipTest("no mypy (Debian: mypy)")
+            raise unittest.SkipTest("no mypy (Debian: mypy)")
         folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = folder.name
+        cls.addClassCleanup(folder.cleanup)
+        cls.folder = folder.name  # with mypy's cache: numpy's types are read once
 
     def test_package(self):
         self.assertTrue((PACKAGE / "talweg/py.typed").is_file())

@@ -60,6 +60,24 @@ class Faults : public DriverRuns {
     waitpid(child, &status, 0);
     return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
   }
+  /// A driver that waits for something, and what it ended with.
+  struct Waiting {
+    std::string name;
+    pid_t id = 0;
+    int status = 0;
+    bool ended = false;
+
+    [[nodiscard]] bool runs() {
+      ended = ended || waitpid(id, &status, WNOHANG) != 0;
+      return !ended;
+    }
+  };
+  static void expect_end_by_signal(Waiting& child) {
+    for (int k = 0; k < 200 && child.runs(); ++k) sleep_us(20'000);
+    if (child.runs()) kill(child.id, SIGKILL);
+    EXPECT_TRUE(WIFEXITED(child.status)) << child.name;
+    EXPECT_EQ(WEXITSTATUS(child.status), 4) << child.name;
+  }
   static void sleep_us(long us) { std::this_thread::sleep_for(std::chrono::microseconds(us)); }
 };
 
@@ -160,45 +178,40 @@ TEST_F(Faults, ASecondSignalEndsAtOnceWhatHearsNone) {
 
 TEST_F(Faults, ASecondSignalEndsAPluginThatNeverReturns) {
   ASSERT_EQ(setenv("TALWEG_PLUGIN_PATH", toy_folder(), 1), 0);
+  std::vector<Waiting> children;
   for (const char* fault : {"never_opens", "never_runs"}) {
-    const pid_t child = start({"run", "toy.hostile", "mesh.ply", "--curve", "drawn.obj", "--fault",
-                               fault, "-o", "out.obj"});
-    int status = 0;
-    const auto runs = [&] { return waitpid(child, &status, WNOHANG) == 0; };
-    sleep_us(1'000'000);
-    kill(child, SIGINT);
-    sleep_us(700'000);
-    EXPECT_TRUE(runs()) << fault;
-    kill(child, SIGINT);
-    for (int k = 0; k < 200 && runs(); ++k) sleep_us(20'000);
-    if (runs()) kill(child, SIGKILL);
-    EXPECT_TRUE(WIFEXITED(status)) << fault;
-    EXPECT_EQ(WEXITSTATUS(status), 4) << fault;
-    EXPECT_FALSE(std::filesystem::exists(file("out.obj")));
+    children.push_back({fault, start({"run", "toy.hostile", "mesh.ply", "--curve", "drawn.obj",
+                                      "--fault", fault, "-o", "out.obj"})});
   }
+  sleep_us(1'000'000);
+  for (Waiting& child : children) kill(child.id, SIGINT);
+  sleep_us(700'000);
+  for (Waiting& child : children) {
+    EXPECT_TRUE(child.runs()) << child.name;
+    kill(child.id, SIGINT);
+  }
+  for (Waiting& child : children) expect_end_by_signal(child);
+  EXPECT_FALSE(std::filesystem::exists(file("out.obj")));
   unsetenv("TALWEG_PLUGIN_PATH");
 }
 
 TEST_F(Faults, APipeWithoutAReaderIsLeftAtTheFirstSignal) {
-  const std::string pipe = file("pipe.json");
-  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
-  const std::vector<std::vector<std::string>> lines = {
-      {"draw", "mesh.ply", "--through", "64,400", "-o", "pipe.json"},
-      {"smooth", "mesh.ply", "--curve", "drawn.obj", "--report", "pipe.json"},
-      {"smooth", "mesh.ply", "--curve", "drawn.obj", "--summary", "s.csv", "-o", "pipe.json"},
-      {"cut", "mesh.ply", "--curve", "drawn.obj", "-o", "cut.ply", "--map", "pipe.json"}};
-  for (const std::vector<std::string>& words : lines) {
-    const pid_t child = start(words);
-    int status = 0;
-    const auto runs = [&] { return waitpid(child, &status, WNOHANG) == 0; };
-    sleep_us(1'000'000);
-    EXPECT_TRUE(runs()) << words[0];  // it waits for a reader
-    kill(child, SIGINT);
-    for (int k = 0; k < 200 && runs(); ++k) sleep_us(20'000);
-    if (runs()) kill(child, SIGKILL);
-    EXPECT_TRUE(WIFEXITED(status)) << words[0];
-    EXPECT_EQ(WEXITSTATUS(status), 4) << words[0];
+  for (const char* pipe : {"1.json", "2.json", "3.json", "4.json"}) {
+    ASSERT_EQ(mkfifo(file(pipe).c_str(), 0600), 0);
   }
+  const std::vector<std::vector<std::string>> lines = {
+      {"draw", "mesh.ply", "--through", "64,400", "-o", "1.json"},
+      {"smooth", "mesh.ply", "--curve", "drawn.obj", "--report", "2.json"},
+      {"smooth", "mesh.ply", "--curve", "drawn.obj", "--summary", "s.csv", "-o", "3.json"},
+      {"cut", "mesh.ply", "--curve", "drawn.obj", "-o", "cut.ply", "--map", "4.json"}};
+  std::vector<Waiting> children;
+  for (const std::vector<std::string>& words : lines) children.push_back({words[0], start(words)});
+  sleep_us(1'000'000);
+  for (Waiting& child : children) {
+    EXPECT_TRUE(child.runs()) << child.name;  // it waits for a reader
+    kill(child.id, SIGINT);
+  }
+  for (Waiting& child : children) expect_end_by_signal(child);
 }
 
 TEST_F(Faults, APipeWhoseReaderDoesNotReadIsLeftAtTheFirstSignal) {

@@ -74,7 +74,8 @@ class Hand:
 
 def until(condition, what):
     """Waits at most two minutes: the machine may be busy."""
-    for _ in range(1200):
+    begin = time.monotonic()
+    while time.monotonic() - begin < 120:
         if condition():
             return
         yield
@@ -352,7 +353,7 @@ def run(work):
     """A step for each call; the program ends with the work."""
     try:
         next(work)
-        return 0.1
+        return 0.05
     except StopIteration:
         print("The tool works in its window.", flush=True)
         os._exit(0)
