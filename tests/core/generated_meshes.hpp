@@ -155,4 +155,11 @@ inline MeshLists with_isolated_vertices(MeshLists lists, std::size_t count) {
   return lists;
 }
 
+/// The sheet [0, 8]² in count² squares.
+inline MeshLists sheet(std::uint32_t count) {
+  MeshLists lists = grid(count, count);
+  for (Point& p : lists.points) p *= 8.0 / count;
+  return lists;
+}
+
 }  // namespace talweg::test

@@ -1,6 +1,7 @@
 // Jagged curves are drawings, measured here without the report.
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <numbers>
@@ -9,6 +10,8 @@
 
 #include "core/small_meshes.hpp"
 #include "talweg/core/drawing/edge_dijkstra.hpp"
+#include "talweg/core/drawing/snapping.hpp"
+#include "talweg/core/drawing/straight_lines.hpp"
 #include "talweg/core/measure/surface_deviation.hpp"
 #include "talweg/core/smoothing/curve_smoother.hpp"
 
@@ -76,6 +79,54 @@ inline SurfaceCurve jagged_circle(const SurfaceMesh& mesh, std::uint32_t columns
     way.emplace_back(y * (columns + 1) + x);
   }
   return vertex_curve(mesh.surface(), draw_edge_path(mesh.surface(), way, true), true);
+}
+
+/// Straight lines through these positions, put on the mesh.
+inline SurfaceCurve straight_through(const SurfaceMesh& mesh, std::vector<Point> points,
+                                     bool closed) {
+  const CurveInput input{closed, std::move(points), {}};
+  return StraightLines(mesh.surface()).join(snap(mesh, input).points, closed);
+}
+
+/// Two turns around a tube, the second higher than the first.
+inline std::vector<Point> twice_around() {
+  std::vector<Point> points;
+  for (int k = 0; k < 80; ++k) {
+    const double t = 4 * std::numbers::pi * k / 80;
+    points.emplace_back(std::cos(t), std::sin(t), 4 - std::cos(t / 2) + (k % 2 == 0 ? 0.1 : -0.1));
+  }
+  return points;
+}
+
+/// Along rows and columns of the vertices of a square grid, from one corner to the next.
+inline std::vector<VertexId> along_grid(std::uint32_t columns,
+                                        const std::vector<std::array<std::uint32_t, 2>>& corners) {
+  std::vector<VertexId> way;
+  auto [x, y] = corners.front();
+  const auto step = [](std::uint32_t from, std::uint32_t to) {
+    return from < to ? from + 1 : from > to ? from - 1 : from;
+  };
+  for (const auto& [to_x, to_y] : corners) {
+    for (; x != to_x || y != to_y; x = step(x, to_x), y = step(y, to_y)) {
+      way.emplace_back(y * columns + x);
+    }
+  }
+  way.emplace_back(y * columns + x);
+  return way;
+}
+
+/// On a grid of this many columns: runs of `run` to the right, with steps of `step` up and down in
+/// between.
+inline SurfaceCurve square_wave(const Surface& surface, std::uint32_t columns, std::uint32_t run,
+                                std::uint32_t step) {
+  const auto at = [&](std::uint32_t i, std::uint32_t j) { return VertexId{j * (columns + 1) + i}; };
+  std::vector<VertexId> way;
+  for (std::uint32_t k = 0; k * run < columns; ++k) {
+    const std::uint32_t j = 3 + k % 2 * step;
+    way.push_back(at(k * run, j));
+    way.push_back(at((k + 1) * run, j));
+  }
+  return vertex_curve(surface, draw_edge_path(surface, way), false);
 }
 
 }  // namespace talweg::test

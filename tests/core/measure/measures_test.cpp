@@ -123,12 +123,14 @@ TEST(Measures, ClosedCurvesTurnByTwoPiInThePlane) {
   const auto path = ids({6, 7, 8, 13, 18, 17, 16, 11});
   const CurveMeasures measures = measure_curve(surface, vertex_curve(surface, path, true));
   EXPECT_NEAR(measures.length, 8, 1e-14);
+  EXPECT_NEAR(curve_length(surface, vertex_curve(surface, path, true)), 8, 1e-14);
   EXPECT_NEAR(measures.total_curvature, 2 * kHalfTurn, 1e-13);
   EXPECT_NEAR(measures.max_curvature, kHalfTurn / 2, 1e-14);
   EXPECT_EQ(measures.max_at, 0U);
   // Open, the same points miss the last segment and the two turns at its ends.
   const CurveMeasures open = measure_curve(surface, vertex_curve(surface, path, false));
   EXPECT_NEAR(open.length, 7, 1e-14);
+  EXPECT_NEAR(curve_length(surface, vertex_curve(surface, path, false)), 7, 1e-14);
   EXPECT_NEAR(open.total_curvature, 1.5 * kHalfTurn, 1e-13);
 }
 

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "core/generated_meshes.hpp"
+#include "core/jagged_curves.hpp"
 #include "core/small_meshes.hpp"
 #include "talweg/talweg.hpp"
 
@@ -34,17 +35,6 @@ void expect_same(const Scale& a, const Scale& b, double factor = 1) {
   EXPECT_NEAR(a.slack * factor, b.slack, kTiny * b.slack);
   EXPECT_NEAR(a.length * factor, b.length, kTiny * b.length);
   EXPECT_NEAR(a.width * factor, b.width, kTiny * (b.width + b.length));
-}
-
-/// Runs of `run` to the right, with steps of `step` up and down in between.
-SurfaceCurve square_wave(const Surface& surface, std::uint32_t run, std::uint32_t step) {
-  std::vector<VertexId> way;
-  for (std::uint32_t k = 0; k * run < kColumns; ++k) {
-    const std::uint32_t j = 3 + k % 2 * step;
-    way.push_back(at(k * run, j));
-    way.push_back(at((k + 1) * run, j));
-  }
-  return test::vertex_curve(surface, draw_edge_path(surface, way), false);
 }
 
 SurfaceCurve rectangle(const Surface& surface, std::uint32_t a, std::uint32_t b) {
@@ -104,7 +94,8 @@ TEST_F(CorridorScale, ACircleInClosedForm) {
 }
 
 TEST_F(CorridorScale, FollowsTheDrawingAndNotItsPoints) {
-  const SurfaceCurve curves[] = {square_wave(surface, 2, 2), rectangle(surface, 12, 5)};
+  const SurfaceCurve curves[] = {test::square_wave(surface, kColumns, 2, 2),
+                                 rectangle(surface, 12, 5)};
   MeshLists large = grid(kColumns, 20);
   for (Point& p : large.points) p *= 1e5;
   const SurfaceMesh larger = SurfaceMesh::open(large);

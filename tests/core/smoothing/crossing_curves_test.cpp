@@ -19,12 +19,6 @@ using namespace test;
 
 constexpr double kPi = std::numbers::pi;
 
-/// Straight lines through these positions, put on the mesh.
-SurfaceCurve through(const SurfaceMesh& mesh, std::vector<Point> points, bool closed) {
-  const CurveInput input{closed, std::move(points), {}};
-  return StraightLines(mesh.surface()).join(snap(mesh, input).points, closed);
-}
-
 /// Every third position is moved off by this much, to and fro.
 void shake(std::vector<Point>& points, const Point& off) {
   for (std::size_t k = 0; k < points.size(); k += 3) points[k] += k % 2 == 0 ? off : Point(-off);
@@ -43,7 +37,7 @@ TEST(CrossingCurves, AFigureEightKeepsItsCrossing) {
   const auto opened = OpenedMesh::open(hills(40));
   std::vector<Point> points = eight(Point(20, 20, 0), 14, 90);
   shake(points, Point(0, 0.7, 0));
-  const SurfaceCurve drawn = through(opened->mesh(), points, true);
+  const SurfaceCurve drawn = straight_through(opened->mesh(), points, true);
   CurveSmoother smoother(opened);
   smoother.set_curve(drawn);
   for (const double tau : {0.25, 1.0, 4.0}) {
@@ -62,7 +56,7 @@ TEST(CrossingCurves, InThePlaneAFigureEightTurnsLittleMoreThanItMust) {
   std::vector<Point> points = eight(Point(30.2, 30.3, 0), 22, 120);
   shake(points, Point(0, 0.6, 0));
   CurveSmoother smoother(opened);
-  smoother.set_curve(through(opened->mesh(), points, true));
+  smoother.set_curve(straight_through(opened->mesh(), points, true));
   const SmoothingReport report = smoother.smooth(2.0).report();
   // Each loop of that curve turns by 3 pi / 2 (it crosses itself at a right angle).
   EXPECT_LT(report.curvature_after, 1.1 * 3 * kPi);
@@ -70,42 +64,15 @@ TEST(CrossingCurves, InThePlaneAFigureEightTurnsLittleMoreThanItMust) {
   EXPECT_EQ(report.crossings_after, 1U);
 }
 
-/// Two turns around a tube, the second higher than the first.
-std::vector<Point> twice_around() {
-  std::vector<Point> points;
-  for (int k = 0; k < 80; ++k) {
-    const double t = 4 * kPi * k / 80;
-    points.emplace_back(std::cos(t), std::sin(t), 4 - std::cos(t / 2) + (k % 2 == 0 ? 0.1 : -0.1));
-  }
-  return points;
-}
-
 TEST(CrossingCurves, TwiceAroundATube) {
   const auto opened = OpenedMesh::open(tube(48, 60, 8));
   CurveSmoother smoother(opened);
-  smoother.set_curve(through(opened->mesh(), twice_around(), true));
+  smoother.set_curve(straight_through(opened->mesh(), twice_around(), true));
   const SmoothingResult result = smoother.smooth(1.0);
   EXPECT_EQ(result.report().crossings_before, 1U);
   EXPECT_EQ(result.report().crossings_after, 1U);
   EXPECT_LT(result.report().curvature_after, result.report().curvature_before / 5);
   EXPECT_GT(result.report().length_after, 0.98 * 4 * kPi);
-}
-
-/// Along rows and columns of the vertices of a square grid, from one corner to the next.
-std::vector<VertexId> along_grid(std::uint32_t columns,
-                                 const std::vector<std::array<std::uint32_t, 2>>& corners) {
-  std::vector<VertexId> way;
-  auto [x, y] = corners.front();
-  const auto step = [](std::uint32_t from, std::uint32_t to) {
-    return from < to ? from + 1 : from > to ? from - 1 : from;
-  };
-  for (const auto& [to_x, to_y] : corners) {
-    for (; x != to_x || y != to_y; x = step(x, to_x), y = step(y, to_y)) {
-      way.emplace_back(y * columns + x);
-    }
-  }
-  way.emplace_back(y * columns + x);
-  return way;
 }
 
 // The strip is as wide as the result needs, wherever that leads.
@@ -171,7 +138,7 @@ TEST(CrossingCurves, AnEndOnASpikeThatGoesStays) {
   for (const Point& p : eight(Point(20, 20, 0), 12, 48)) points.push_back(p);
   points.push_back(points[1]);
   points.push_back(points[0]);
-  const SurfaceCurve drawn = through(opened->mesh(), points, false);
+  const SurfaceCurve drawn = straight_through(opened->mesh(), points, false);
   CurveSmoother smoother(opened);
   smoother.set_curve(drawn);
   for (const double tau : {0.0, 0.25, 1.0, 4.0}) {
@@ -205,7 +172,7 @@ TEST(CrossingCurves, TouchingItselfAtAVertexIsNoCrossing) {
       points.emplace_back(8 + side * 3.5 * (1 - std::cos(t)), 8 - side * 3.5 * std::sin(t), 0);
     }
   }
-  const SurfaceCurve drawn = through(opened->mesh(), points, true);
+  const SurfaceCurve drawn = straight_through(opened->mesh(), points, true);
   const SmoothingReport report = smooth_curve(opened, drawn).report();
   EXPECT_EQ(report.crossings_before, 0U);
   EXPECT_LT(report.curvature_after, report.curvature_before * 1.01);
@@ -215,7 +182,7 @@ TEST(CrossingCurves, TouchingItselfAtAVertexIsNoCrossing) {
 TEST(CrossingCurves, TheSameFromBothEndsAndWithThePapersMethod) {
   const auto opened = OpenedMesh::open(hills(40));
   std::vector<Point> points = eight(Point(20, 20, 0), 14, 90);
-  const SurfaceCurve drawn = through(opened->mesh(), points, true);
+  const SurfaceCurve drawn = straight_through(opened->mesh(), points, true);
   SurfaceCurve turned = drawn;
   std::reverse(turned.points.begin(), turned.points.end());
   const SurfaceCurve one = smooth_curve(opened, drawn).curve();
@@ -229,7 +196,8 @@ TEST(CrossingCurves, TheSameFromBothEndsAndWithThePapersMethod) {
 
 TEST(CrossingCurves, DraggedAndHeldByPins) {
   const auto opened = OpenedMesh::open(hills(40));
-  const SurfaceCurve drawn = through(opened->mesh(), eight(Point(20, 20, 0), 14, 60), true);
+  const SurfaceCurve drawn =
+      straight_through(opened->mesh(), eight(Point(20, 20, 0), 14, 60), true);
   CurveSmoother smoother(opened);
   smoother.set_curve(drawn);
   const std::array pins = {drawn.points[drawn.points.size() / 8]};
@@ -237,7 +205,8 @@ TEST(CrossingCurves, DraggedAndHeldByPins) {
   const SurfaceCurve held = smoother.smooth(0.5).curve();
   EXPECT_NE(std::find(held.points.begin(), held.points.end(), pins[0]), held.points.end());
 
-  const SurfaceCurve moved = through(opened->mesh(), eight(Point(21, 20, 0), 14, 60), true);
+  const SurfaceCurve moved =
+      straight_through(opened->mesh(), eight(Point(21, 20, 0), 14, 60), true);
   const SmoothingResult preview = smoother.drag(0, moved);
   EXPECT_EQ(preview.report().engine, Engine::kPreview);
   EXPECT_EQ(preview.report().crossings_after, 1U);

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "core/generated_meshes.hpp"
+#include "core/jagged_curves.hpp"
 #include "core/small_meshes.hpp"
 #include "talweg/talweg.hpp"
 
@@ -37,17 +38,6 @@ SurfaceCurve over_row(const Surface& surface, const std::vector<double>& heights
   return curve;
 }
 
-/// Runs of `run` to the right, with steps of `step` up and down in between.
-SurfaceCurve square_wave(const Surface& surface, std::uint32_t run, std::uint32_t step) {
-  std::vector<VertexId> way;
-  for (std::uint32_t k = 0; k * run < kColumns; ++k) {
-    const std::uint32_t j = 3 + k % 2 * step;
-    way.push_back(at(k * run, j));
-    way.push_back(at((k + 1) * run, j));
-  }
-  return test::vertex_curve(surface, draw_edge_path(surface, way), false);
-}
-
 double slack_of(const std::shared_ptr<const OpenedMesh>& opened, const SurfaceCurve& curve) {
   CurveSmoother smoother(opened);
   smoother.set_curve(curve);
@@ -63,11 +53,11 @@ class DefaultSlack : public testing::Test {
 
 TEST_F(DefaultSlack, ASquareWaveIsSevenTenthsOfItsStepWide) {
   for (const std::uint32_t step : {1U, 2U, 3U}) {
-    const SurfaceCurve wave = square_wave(surface, step, step);
+    const SurfaceCurve wave = test::square_wave(surface, kColumns, step, step);
     EXPECT_NEAR(slack_of(opened, wave), 0.7 * step, kTiny) << step;
   }
   // The runs of 4 and steps of 2 are equally many but for one run more.
-  EXPECT_NEAR(slack_of(opened, square_wave(surface, 4, 2)), 0.7 * 4, kTiny);
+  EXPECT_NEAR(slack_of(opened, test::square_wave(surface, kColumns, 4, 2)), 0.7 * 4, kTiny);
 }
 
 TEST_F(DefaultSlack, AZigzagIsSevenTenthsOfItsSegmentsWide) {

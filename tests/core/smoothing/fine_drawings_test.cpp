@@ -21,17 +21,6 @@ using namespace test;
 
 constexpr double kStraightAngle = std::numbers::pi;
 
-/// The sheet [0, 8]² in count² squares.
-MeshLists sheet(std::uint32_t count) {
-  MeshLists lists = grid(count, count);
-  for (Point& p : lists.points) p *= 8.0 / count;
-  return lists;
-}
-
-SurfaceCurve drawn_on(const SurfaceMesh& mesh, const std::vector<Point>& points, bool closed) {
-  return StraightLines(mesh.surface()).join(snap(mesh, {closed, points, {}}).points, closed);
-}
-
 /// A wave that trembles by `off` from point to point.
 std::vector<Point> wave(std::size_t count, double off) {
   std::vector<Point> points;
@@ -55,7 +44,7 @@ TEST(FineDrawings, GiveTheSameOnMeshesOfAnyResolution) {
     std::vector<SurfaceCurve> results;
     for (const std::uint32_t count : {1U, 3U, 8U}) {
       const auto opened = OpenedMesh::open(sheet(count));
-      const SurfaceCurve drawn = drawn_on(opened->mesh(), points, closed);
+      const SurfaceCurve drawn = straight_through(opened->mesh(), points, closed);
       CurveSmoother smoother(opened);
       smoother.set_curve(drawn);
       const double slack = smoother.slack().front();
@@ -65,8 +54,8 @@ TEST(FineDrawings, GiveTheSameOnMeshesOfAnyResolution) {
       EXPECT_LT(result.report().deviation_from_drawn_max, 2.6 * slack) << count;
       EXPECT_LT(result.report().curvature_after, closed ? 8 : 7.5) << count;
       EXPECT_TRUE(result.report().warnings.empty()) << result.report().warnings.front();
-      results.push_back(
-          drawn_on(reference->mesh(), positions_of(opened->mesh(), result.curve()), closed));
+      results.push_back(straight_through(reference->mesh(),
+                                         positions_of(opened->mesh(), result.curve()), closed));
       EXPECT_LT(apart(reference->mesh(), results.front(), results.back()), 0.5 * slack) << count;
     }
   }
@@ -78,7 +67,7 @@ TEST(FineDrawings, CostAboutTheirPointsNotTheirSquare) {
   for (const std::size_t count : {1000U, 8000U}) {
     CurveSmoother smoother(opened);
     smoother.set_curve(
-        drawn_on(opened->mesh(), wave(count, 30.0 / static_cast<double>(count)), false));
+        straight_through(opened->mesh(), wave(count, 30.0 / static_cast<double>(count)), false));
     flips.push_back(static_cast<double>(smoother.smooth(1.0).report().flips));
   }
   EXPECT_LT(flips[1], 24 * flips[0]);  // 64 times as many, and more, without
@@ -86,7 +75,7 @@ TEST(FineDrawings, CostAboutTheirPointsNotTheirSquare) {
 
 TEST(FineDrawings, GeodesicsStayStraight) {
   const auto opened = OpenedMesh::open(sheet(2));
-  const SurfaceCurve drawn = drawn_on(opened->mesh(), wave(200, 0.05), false);
+  const SurfaceCurve drawn = straight_through(opened->mesh(), wave(200, 0.05), false);
   CurveSmoother smoother(opened);
   smoother.set_curve(drawn);
   const SmoothingResult result = smoother.smooth(0.0);
@@ -98,7 +87,7 @@ TEST(FineDrawings, GeodesicsStayStraight) {
 
 TEST(FineDrawings, ResultsDoNotDependOnWhatWasAskedBefore) {
   const auto opened = OpenedMesh::open(sheet(2));
-  const SurfaceCurve drawn = drawn_on(opened->mesh(), wave(200, 0.05), false);
+  const SurfaceCurve drawn = straight_through(opened->mesh(), wave(200, 0.05), false);
   CurveSmoother smoother(opened), other(opened);
   smoother.set_curve(drawn);
   other.set_curve(drawn);
@@ -110,9 +99,9 @@ TEST(FineDrawings, ResultsDoNotDependOnWhatWasAskedBefore) {
 TEST(FineDrawings, FromTheOtherEndGiveTheSameTurnedRound) {
   const auto opened = OpenedMesh::open(sheet(2));
   std::vector<Point> points = wave(200, 0.05);
-  const SurfaceCurve drawn = drawn_on(opened->mesh(), points, false);
+  const SurfaceCurve drawn = straight_through(opened->mesh(), points, false);
   std::reverse(points.begin(), points.end());
-  const SurfaceCurve turned = drawn_on(opened->mesh(), points, false);
+  const SurfaceCurve turned = straight_through(opened->mesh(), points, false);
   const SmoothingResult one = smooth_curve(opened, drawn), other = smooth_curve(opened, turned);
   EXPECT_LT(apart(opened->mesh(), one.curve(), other.curve()), 1e-9);
   EXPECT_LT((opened->mesh().position(one.curve().points.front()) -
@@ -123,7 +112,7 @@ TEST(FineDrawings, FromTheOtherEndGiveTheSameTurnedRound) {
 
 TEST(FineDrawings, PassTheirPins) {
   const auto opened = OpenedMesh::open(sheet(1));
-  const SurfaceCurve drawn = drawn_on(opened->mesh(), wave(101, 0.2), false);
+  const SurfaceCurve drawn = straight_through(opened->mesh(), wave(101, 0.2), false);
   CurveSmoother smoother(opened);
   smoother.set_curve(drawn);
   const std::vector<SurfacePoint> pins = {drawn.points[30], drawn.points[61]};
@@ -146,7 +135,7 @@ TEST(FineDrawings, PassTheirPins) {
 
 TEST(FineDrawings, FollowASlackAlongTheDrawing) {
   const auto opened = OpenedMesh::open(sheet(1));
-  const SurfaceCurve drawn = drawn_on(opened->mesh(), wave(161, 0.06), false);
+  const SurfaceCurve drawn = straight_through(opened->mesh(), wave(161, 0.06), false);
   CurveSmoother smoother(opened);
   smoother.set_curve(drawn);
   SmoothingOptions options;
@@ -170,7 +159,7 @@ TEST(FineDrawings, FollowASlackAlongTheDrawing) {
 
 TEST(FineDrawings, StayWithinABound) {
   const auto opened = OpenedMesh::open(sheet(1));
-  const SurfaceCurve drawn = drawn_on(opened->mesh(), wave(161, 0), false);
+  const SurfaceCurve drawn = straight_through(opened->mesh(), wave(161, 0), false);
   CurveSmoother smoother(opened);
   smoother.set_curve(drawn);
   const SmoothingResult result = smooth_within(smoother, 0.1);
@@ -189,7 +178,7 @@ TEST(FineDrawings, KeepTheirCrossings) {
     points.push_back(Point(4.2, 3.9, 0) + 3 * Point(std::sin(t), std::sin(t) * std::cos(t), 0) +
                      Point(k % 2 == 0 ? 0.05 : 0, 0, 0));
   }
-  const SurfaceCurve drawn = drawn_on(opened->mesh(), points, true);
+  const SurfaceCurve drawn = straight_through(opened->mesh(), points, true);
   const SmoothingReport report = smooth_curve(opened, drawn).report();
   EXPECT_EQ(report.crossings_before, 1U);
   EXPECT_EQ(report.crossings_after, 1U);
@@ -200,8 +189,8 @@ TEST(FineDrawings, OfASetDoNotCross) {
   const auto opened = OpenedMesh::open(sheet(1));
   std::vector<Point> above = wave(161, 0.06);
   for (Point& p : above) p.y() += 0.3;
-  const std::vector<SurfaceCurve> drawn = {drawn_on(opened->mesh(), wave(161, 0.06), false),
-                                           drawn_on(opened->mesh(), above, false)};
+  const std::vector<SurfaceCurve> drawn = {straight_through(opened->mesh(), wave(161, 0.06), false),
+                                           straight_through(opened->mesh(), above, false)};
   CurveSmoother smoother(opened);
   smoother.set_curves(drawn);
   const SmoothingResult result = smoother.smooth(1.0);
@@ -222,7 +211,7 @@ TEST(FineDrawings, CostWhatTheyComeToWhateverTheMesh) {
     for (Point& p : lists.points) p *= 2;  // the sheet of 4 x 4 squares and more around it
     const auto opened = OpenedMesh::open(lists);
     CurveSmoother smoother(opened);
-    smoother.set_curve(drawn_on(opened->mesh(), wave(161, 0.06), false));
+    smoother.set_curve(straight_through(opened->mesh(), wave(161, 0.06), false));
     std::size_t asked = 0;
     SmoothingOptions options;
     options.tau = 0.05;
@@ -249,7 +238,7 @@ TEST(FineDrawings, ThatLeadFarAreFollowed) {
   }
   points.insert(points.erase(points.begin() + 200), trembling.begin(), trembling.end());
   CurveSmoother smoother(opened);
-  smoother.set_curve(drawn_on(opened->mesh(), points, false));
+  smoother.set_curve(straight_through(opened->mesh(), points, false));
   std::size_t dividing = 0;
   SmoothingOptions options;
   options.tau = 0;
@@ -267,9 +256,9 @@ TEST(FineDrawings, ThatLeadFarAreFollowed) {
 TEST(FineDrawings, CanBeDragged) {
   const auto opened = OpenedMesh::open(sheet(1));
   std::vector<Point> points = wave(161, 0.06);
-  const SurfaceCurve drawn = drawn_on(opened->mesh(), points, false);
+  const SurfaceCurve drawn = straight_through(opened->mesh(), points, false);
   for (std::size_t k = 70; k < 90; ++k) points[k].y() += 0.4;
-  const SurfaceCurve moved = drawn_on(opened->mesh(), points, false);
+  const SurfaceCurve moved = straight_through(opened->mesh(), points, false);
   CurveSmoother smoother(opened);
   smoother.set_curve(drawn);
   const SmoothingResult preview = smoother.drag(0, moved);
@@ -279,7 +268,7 @@ TEST(FineDrawings, CanBeDragged) {
 
 TEST(FineDrawings, TakeAPotentialOfTheCaller) {
   const auto opened = OpenedMesh::open(sheet(4));
-  const SurfaceCurve drawn = drawn_on(opened->mesh(), wave(161, 0.06), false);
+  const SurfaceCurve drawn = straight_through(opened->mesh(), wave(161, 0.06), false);
   CurveSmoother smoother(opened);
   smoother.set_curve(drawn);
   const std::vector<double> flat(opened->surface().vertex_count(), 3.0);

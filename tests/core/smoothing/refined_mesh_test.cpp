@@ -21,17 +21,6 @@ using namespace test;
 
 constexpr double kEverywhere = std::numeric_limits<double>::infinity();
 
-/// The sheet [0, 8]² in count² squares.
-MeshLists sheet(std::uint32_t count) {
-  MeshLists lists = grid(count, count);
-  for (Point& p : lists.points) p *= 8.0 / count;
-  return lists;
-}
-
-SurfaceCurve drawn_on(const SurfaceMesh& mesh, const std::vector<Point>& points, bool closed) {
-  return StraightLines(mesh.surface()).join(snap(mesh, {closed, points, {}}).points, closed);
-}
-
 TEST(RefinedMesh, IsTheSameSurfaceInSmallerFaces) {
   for (const MeshLists& lists : {sheet(1), box(), tube(5, 3, 2), torus(7, 5)}) {
     const SurfaceMesh mesh = SurfaceMesh::open(lists);
@@ -105,7 +94,8 @@ TEST(RefinedMesh, IsTheSameSurfaceInSmallerFaces) {
 
 TEST(RefinedMesh, TakesWhatIsInReachOnly) {
   const SurfaceMesh mesh = SurfaceMesh::open(grid(100, 100));
-  const SurfaceCurve drawn = drawn_on(mesh, {Point(50.1, 50.2, 0), Point(50.5, 50.3, 0)}, false);
+  const SurfaceCurve drawn =
+      straight_through(mesh, {Point(50.1, 50.2, 0), Point(50.5, 50.3, 0)}, false);
   const double longest = 0.1;
   const std::vector<FaceId> faces = {any_face(mesh.surface(), drawn.points.front())};
   const RefinedMesh refined =
@@ -116,7 +106,7 @@ TEST(RefinedMesh, TakesWhatIsInReachOnly) {
 TEST(RefinedMesh, OfPlacesThatTouchIsASurface) {
   const SurfaceMesh mesh = SurfaceMesh::open(sheet(16));
   const auto speck = [&](double x, double y) {
-    return drawn_on(mesh, {Point(x, y, 0), Point(x + 0.01, y, 0)}, false);
+    return straight_through(mesh, {Point(x, y, 0), Point(x + 0.01, y, 0)}, false);
   };
   for (double x = 2.1; x < 6; x += 0.5) {
     for (double y = 2.1; y < 6; y += 0.5) {

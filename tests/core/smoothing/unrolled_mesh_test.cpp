@@ -21,27 +21,11 @@ using namespace test;
 
 constexpr double kPi = std::numbers::pi;
 
-/// Straight lines through these positions, put on the mesh.
-SurfaceCurve through(const SurfaceMesh& mesh, std::vector<Point> points, bool closed) {
-  const CurveInput input{closed, std::move(points), {}};
-  return StraightLines(mesh.surface()).join(snap(mesh, input).points, closed);
-}
-
-/// Two turns around a tube, the second higher than the first.
-std::vector<Point> twice_around() {
-  std::vector<Point> points;
-  for (int k = 0; k < 80; ++k) {
-    const double t = 4 * kPi * k / 80;
-    points.emplace_back(std::cos(t), std::sin(t), 4 - std::cos(t / 2) + (k % 2 == 0 ? 0.1 : -0.1));
-  }
-  return points;
-}
-
 // The strip is closed where the drawing begins, unless it only dips into a face there.
 TEST(UnrolledMesh, WhereverTheDrawingBeginsNoTurnIsLost) {
   const MeshLists lists = tube(48, 60, 8);
   const SurfaceMesh mesh = SurfaceMesh::open(lists);
-  const SurfaceCurve drawn = through(mesh, twice_around(), true);
+  const SurfaceCurve drawn = straight_through(mesh, twice_around(), true);
   const double whole = curve_length(mesh.surface(), drawn);
   for (std::size_t start = 0; start < drawn.points.size(); start += 16) {
     SurfaceCurve turned = drawn;
@@ -88,23 +72,6 @@ MeshLists plate_with_holes(std::uint32_t size) {
     }
   }
   return lists;
-}
-
-/// Along rows and columns of the vertices of a square grid, from one corner to the next.
-std::vector<VertexId> along_grid(std::uint32_t columns,
-                                 const std::vector<std::array<std::uint32_t, 2>>& corners) {
-  std::vector<VertexId> way;
-  auto [x, y] = corners.front();
-  const auto step = [](std::uint32_t from, std::uint32_t to) {
-    return from < to ? from + 1 : from > to ? from - 1 : from;
-  };
-  for (const auto& [to_x, to_y] : corners) {
-    for (; x != to_x || y != to_y; x = step(x, to_x), y = step(y, to_y)) {
-      way.emplace_back(y * columns + x);
-    }
-  }
-  way.emplace_back(y * columns + x);
-  return way;
 }
 
 // The ways around a handle come back to where they were, and not to another copy of it.
