@@ -17,6 +17,7 @@ import test_pieces
 
 FOLDER = Path(os.environ["TALWEG_PICTURE_FOLDER"])
 WIDTH, HEIGHT = 600, 366
+SAMPLES = int(os.environ.get("TALWEG_PICTURE_SAMPLES", 4))  # 16 for the pictures of the pages
 
 
 def material(name, colour, roughness=0.6):
@@ -52,7 +53,7 @@ def render(path):
     settings = bpy.context.scene
     settings.render.engine = "CYCLES"
     settings.cycles.device = "CPU"
-    settings.cycles.samples = 16
+    settings.cycles.samples = SAMPLES
     settings.cycles.use_denoising = False
     settings.cycles.max_bounces = 0
     settings.view_settings.view_transform = "Standard"
