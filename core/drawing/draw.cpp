@@ -35,8 +35,9 @@ Drawing draw(const Surface& surface, std::span<const SurfacePoint> given,
   if (options.tolerance && !(*options.tolerance >= 0 && std::isfinite(*options.tolerance))) {
     throw Error(ErrorCode::kBadUsage, "tolerance must be finite and >= 0.");
   }
-  const bool edges = !options.straight && std::all_of(clicks.begin(), clicks.end(),
-                                                      [](const auto& p) { return p.is_vertex(); });
+  const bool straight = options.straight.value_or(options.tolerance.has_value());
+  const bool edges = !straight && std::all_of(clicks.begin(), clicks.end(),
+                                              [](const auto& p) { return p.is_vertex(); });
   Drawing drawing;
   drawing.curve = edges ? along_edges(surface, clicks, options.closed, progress)
                         : StraightLines(surface).join(clicks, options.closed, progress);

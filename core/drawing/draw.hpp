@@ -19,15 +19,17 @@ struct Drawing {
 };
 
 struct DrawOptions {
-  bool closed = false;    ///< leads back to the first click
-  bool straight = false;  ///< straight over the faces; by default along edges between vertices
+  bool closed = false;  ///< leads back to the first click
+  /// Straight over the faces, or along edges where all clicks are vertices. By default straight
+  /// between way-points, which say nothing of the way, and along edges in a stroke.
+  std::optional<bool> straight;
   /// Mesh units, >= 0: how far from each click a result may pass. Without a value the clicks are no
   /// way-points, and the whole path is a stroke.
   std::optional<double> tolerance = 0;
 };
 
-/// Draws through clicked points in their order: straight over the faces or, where all of them are
-/// vertices, along edges, which never passes itself. Clicks are settled first (straight_lines.hpp).
+/// Draws through clicked points in their order: straight over the faces, where legs may cross, or
+/// along edges, where it never passes itself. Clicks are settled first (straight_lines.hpp).
 /// Throws Error(kBadCurve) for less than two points, or where the next cannot be reached,
 /// Error(kBadUsage) for a negative tolerance, and Cancelled. O(vertices) for memory, and a way of
 /// EdgeDijkstra or StraightLines to each click. Worse: each click is compared with all others

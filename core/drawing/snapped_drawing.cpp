@@ -29,6 +29,8 @@ void SnappedDrawing::add(const SurfaceMesh& mesh, std::span<const SnappedCurve> 
     }
     for (const std::size_t k : curve.painted) painted.push_back(curve.points[k]);
     if (!curve.why_stroke.empty()) strokes.push_back(curve.why_stroke);
+    told.insert(told.end(), curve.told.begin(), curve.told.end());
+    may_be_loop.push_back(curve.may_be_loop);
     curves.push_back(lines.join(curve.points, curve.closed, progress));
     gaps.add(lines.gaps());
     largest_snap_distance = std::max(largest_snap_distance, curve.largest_snap_distance);
@@ -40,6 +42,7 @@ void SnappedDrawing::add(const SurfaceMesh& mesh, std::span<const SnappedCurve> 
 std::vector<std::string> SnappedDrawing::warnings() const {
   std::vector<std::string> sentences;
   if (!moved.empty()) sentences.push_back(moved);
+  sentences.insert(sentences.end(), told.begin(), told.end());
   if (gaps.count > 0) sentences.push_back(gap_warning(gaps));
   return sentences;
 }

@@ -16,11 +16,13 @@ namespace talweg {
 
 struct SnappedDrawing {
   std::vector<SurfaceCurve> curves;
+  std::vector<bool> may_be_loop;  ///< per curve, see SnappedCurve; or none
   std::vector<SurfacePoint> pins;
   std::vector<WayPoint> way_points;   ///< that the drawing names
   std::vector<WayPoint> all_exact;    ///< instead, if a curve that names none has all its points
   std::vector<SurfacePoint> painted;  ///< that the drawing names
   std::vector<std::string> strokes;   ///< sentences on control points that are no way-points
+  std::vector<std::string> told;      ///< sentences on points that were put elsewhere
   double largest_snap_distance = 0;   ///< largest move of a position onto the mesh, mesh units
   std::string moved;                  ///< a sentence about that; empty if nothing was moved
   bool far = false;  ///< whether it was moved so far that the sentence must come first

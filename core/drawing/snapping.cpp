@@ -9,7 +9,9 @@
 #include <fmt/format.h>
 
 #include "talweg/core/drawing/control_points.hpp"
+#include "talweg/core/drawing/sheet_matching.hpp"
 #include "talweg/core/drawing/straight_lines.hpp"
+#include "talweg/core/drawing/stroke_spikes.hpp"
 #include "talweg/core/mesh/closest_point.hpp"
 #include "talweg/intrinsic/error.hpp"
 
@@ -177,29 +179,64 @@ SurfacePoint settled(const SurfaceMesh& mesh, const ClosestPoint::Result& found,
   return SurfacePoint::from_barycentric(surface, found.face, *on_side);
 }
 
-std::vector<SurfacePoint> snap_positions(const SurfaceMesh& mesh, const ClosestPoint& closest,
-                                         const std::vector<Point>& positions, double& largest,
-                                         Asker& asker) {
+/// The nearest point of the mesh to each position, one by one.
+std::vector<ClosestPoint::Result> nearest_to(const SurfaceMesh& mesh, const ClosestPoint& closest,
+                                             const std::vector<Point>& positions, Asker& asker) {
   constexpr std::size_t kOfPoint = 64;  // units of work
-  std::vector<SurfacePoint> points;
+  std::vector<ClosestPoint::Result> nearest;
   const double size = size_of(mesh);
   const double farthest =
       std::max(kFarthestOfSize * size, kFarthestInEdges * mesh.mean_edge_length());
   for (std::size_t k = 0; k < positions.size(); ++k) {
     asker.did(kOfPoint);
     try {
-      const ClosestPoint::Result found = closest.nearest(positions[k]);
-      if (found.distance > farthest) {
+      nearest.push_back(closest.nearest(positions[k]));
+      if (nearest.back().distance > farthest) {
         bad_curve(fmt::format(
             "the mesh is {:.3g} away and {:.3g} large, and at most {:.3g} is taken: the "
             "curve seems to be in another unit or place",
-            found.distance, size, farthest));
+            nearest.back().distance, size, farthest));
       }
-      points.push_back(settled(mesh, found, positions[k]));
     } catch (const Error& error) {
       throw Error(error.code(), "At " + at_position(k) + ": " + error.what());
     }
-    largest = std::max(largest, (mesh.position(points.back()) - positions[k]).norm());
+  }
+  return nearest;
+}
+
+std::string at_place(const Point& p) {
+  return fmt::format("({:.6g}, {:.6g}, {:.6g})", p.x(), p.y(), p.z());
+}
+
+void tell_matching(const SheetMatching& matching, const std::vector<Point>& positions,
+                   SnappedCurve& curve) {
+  if (matching.moved > 0) {
+    curve.told.push_back(fmt::format(
+        "{} of {} points of a curve {} nearer to another side of a thin wall than to that of the "
+        "others, and {} put there, the first at {}.",
+        matching.moved, positions.size(), matching.moved == 1 ? "is" : "are",
+        matching.moved == 1 ? "was" : "were", at_place(positions[matching.first_moved])));
+  }
+  if (matching.jumps > 0) {
+    curve.told.push_back(fmt::format(
+        "A curve goes through space in {} {} where the surface is no way as short, the first at "
+        "{}.",
+        matching.jumps, matching.jumps == 1 ? "place" : "places",
+        at_place(positions[matching.first_jump])));
+  }
+}
+
+std::vector<SurfacePoint> snap_positions(const SurfaceMesh& mesh, const ClosestPoint& closest,
+                                         const std::vector<Point>& positions, SnappedCurve& curve,
+                                         Asker& asker) {
+  SheetMatching matching = matched_to_sheets(mesh, closest, positions, curve.closed,
+                                             nearest_to(mesh, closest, positions, asker));
+  tell_matching(matching, positions, curve);
+  std::vector<SurfacePoint> points;
+  for (std::size_t k = 0; k < positions.size(); ++k) {
+    points.push_back(settled(mesh, matching.points[k], positions[k]));
+    curve.largest_snap_distance =
+        std::max(curve.largest_snap_distance, (mesh.position(points.back()) - positions[k]).norm());
   }
   return points;
 }
@@ -276,9 +313,38 @@ void take_control_points(const SurfaceMesh& mesh, SnappedCurve& curve) {
   for (std::size_t k = 0; k < curve.points.size(); ++k) curve.way_points.push_back({k, 0});
 }
 
-SnappedCurve snap_one(const SurfaceMesh& mesh, const ClosestPoint* closest, const CurveInput& curve,
+bool has_positions(const CurveInput& curve) {
+  return std::holds_alternative<std::vector<Point>>(curve.points);
+}
+
+/// A stroke of positions without its spikes; tells of these. None where there are none.
+std::optional<CurveInput> without_spikes(const CurveInput& curve, std::vector<std::string>& told) {
+  const auto* samples = std::get_if<std::vector<Point>>(&curve.points);
+  const bool is_stroke = samples != nullptr && !curve.control_points && curve.pins.empty() &&
+                         curve.way_points.empty() && curve.painted.empty();
+  if (!is_stroke) return std::nullopt;
+  const std::vector<std::size_t> spikes = spikes_of(*samples, curve.closed);
+  if (spikes.empty()) return std::nullopt;
+  std::vector<Point> kept;
+  for (std::size_t k = 0; k < samples->size(); ++k) {
+    if (!std::binary_search(spikes.begin(), spikes.end(), k)) kept.push_back((*samples)[k]);
+  }
+  told.push_back(fmt::format(
+      "{} of {} points of a curve {} far from those before and after {}, as of a tracker that was "
+      "disturbed, and {} left out, the first at {}.",
+      spikes.size(), samples->size(), spikes.size() == 1 ? "lies" : "lie",
+      spikes.size() == 1 ? "it" : "them", spikes.size() == 1 ? "was" : "were",
+      at_place((*samples)[spikes.front()])));
+  CurveInput rest = curve;
+  rest.points = std::move(kept);
+  return rest;
+}
+
+SnappedCurve snap_one(const SurfaceMesh& mesh, const ClosestPoint* closest, const CurveInput& given,
                       const SnapOptions& options, Asker& asker) {
   SnappedCurve result;
+  const std::optional<CurveInput> rest = without_spikes(given, result.told);
+  const CurveInput& curve = rest ? *rest : given;
   result.closed = curve.closed;
   std::vector<SurfacePoint> points;
   if (const auto* ids = std::get_if<std::vector<VertexId>>(&curve.points)) {
@@ -287,18 +353,16 @@ SnappedCurve snap_one(const SurfaceMesh& mesh, const ClosestPoint* closest, cons
     points = snap_coordinates(mesh.surface(), *at);
     settle_ends_of_lines(mesh.surface(), curve, points);
   } else {
-    points = snap_positions(mesh, *closest, std::get<std::vector<Point>>(curve.points),
-                            result.largest_snap_distance, asker);
+    points =
+        snap_positions(mesh, *closest, std::get<std::vector<Point>>(curve.points), result, asker);
   }
   const std::vector<std::size_t> kept = merge_equal(points, result);
   check_length(result.points.size(), result.closed);
   keep_marks(curve, kept, result);
   if (curve.control_points && curve.way_points.empty()) take_control_points(mesh, result);
+  result.may_be_loop =
+      has_positions(curve) && !curve.closed && !curve.control_points && result.way_points.empty();
   return result;
-}
-
-bool has_positions(const CurveInput& curve) {
-  return std::holds_alternative<std::vector<Point>>(curve.points);
 }
 
 }  // namespace

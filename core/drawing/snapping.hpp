@@ -29,7 +29,9 @@ struct SnappedCurve {
   std::vector<std::size_t> pins;     ///< indices of points, ascending
   std::vector<InputWayPoint> way_points;  ///< ascending; each index once
   std::vector<std::size_t> painted;       ///< ascending; no way-points
-  std::string why_stroke;  ///< a sentence if control points were not taken for way-points
+  bool may_be_loop = false;  ///< an open stroke that was given as positions, without way-points
+  std::vector<std::string> told;  ///< sentences on points that were put elsewhere
+  std::string why_stroke;         ///< a sentence if control points were not taken for way-points
 };
 
 /// Puts a curve on the mesh.
@@ -40,9 +42,10 @@ struct SnappedCurve {
 /// mesh. They are then moved to a vertex, or else an edge, that lies within 1e-9 of the face's
 /// longest side or within the rounding of single-precision coordinates (1.2e-7 of the largest one,
 /// but no more than 1e-4 of the longest side). So mesh vertices are recognised from files with 9
-/// digits or 32-bit floats. Points in faces and positions that coincide with the one before are
-/// merged; the point that stays is what any of them was: a way-point with the smallest tolerance, a
-/// painted one.
+/// digits or 32-bit floats. Those of a stroke are first rid of spikes (stroke_spikes.hpp), and put
+/// on one side of thin walls (sheet_matching.hpp). Points in faces and positions that coincide with
+/// the one before are merged; the point that stays is what any of them was: a way-point with the
+/// smallest tolerance, a painted one.
 ///
 /// Throws Error(kBadCurve) naming the position in the curve (from 0) and the ids: for an id or face
 /// out of range, neighbours that share no edge, barycentrics out of range, a position that is not

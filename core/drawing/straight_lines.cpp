@@ -1,5 +1,7 @@
 #include "talweg/core/drawing/straight_lines.hpp"
 
+#include <algorithm>
+#include <numeric>
 #include <string>
 
 #include <fmt/format.h>
@@ -16,7 +18,7 @@ namespace talweg {
 std::string gap_warning(const JoinedGaps& gaps) {
   if (gaps.count == 0) return "";
   return fmt::format(
-      "{} {} of the drawing, over four times as long as its median segment, {} joined straight "
+      "{} {} of the drawing, over four times as long as its usual segment, {} joined straight "
       "over the surface, the longest over {:.3g} mesh units.",
       gaps.count, gaps.count == 1 ? "gap" : "gaps", gaps.count == 1 ? "was" : "were", gaps.longest);
 }
@@ -112,11 +114,17 @@ void StraightLines::append_line(const SurfacePoint& from, const SurfacePoint& to
 void StraightLines::find_gaps() {
   gaps_ = {};
   if (joined_.empty()) return;
-  constexpr double kUnusual = 4;
-  const auto middle = legs_.begin() + static_cast<std::ptrdiff_t>((legs_.size() - 1) / 2);
-  std::nth_element(legs_.begin(), middle, legs_.end());
+  constexpr double kUnusual = 4, kOfLength = 0.25;
+  std::sort(legs_.begin(), legs_.end());
+  const double whole = std::accumulate(legs_.begin(), legs_.end(), 0.0);
+  double usual = 0, before = 0;
+  for (const double length : legs_) {
+    usual = length;
+    before += length;
+    if (before >= kOfLength * whole) break;
+  }
   for (const double length : joined_) {
-    if (length > kUnusual * *middle) gaps_.add({1, length});
+    if (length > kUnusual * usual) gaps_.add({1, length});
   }
 }
 

@@ -14,7 +14,8 @@
 namespace talweg {
 
 /// Gaps in a drawing: consecutive points that share no face and lie more than four times as far
-/// apart as the median of its points, which suggests that something is missing there. Clicked
+/// apart as usual, which suggests that something is missing there. A quarter of the drawing's
+/// length lies in segments no longer than usual, so that rests of the hand do not count. Clicked
 /// points are all far apart, so they have no gaps.
 struct JoinedGaps {
   std::size_t count = 0;

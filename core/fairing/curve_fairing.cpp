@@ -149,7 +149,7 @@ void CurveFairing::hold_swings(FairChain& fair, SampleChain& chain, const CurveT
   if (!legs_.any()) return;
   const std::vector<double> lengths = legs.stretch_lengths();
   const std::size_t n = lengths.size();
-  legs_.stronger.assign(n, 1);
+  legs_.stronger.resize(n, 1);
   for (int round = 0; round < kSwingRounds; ++round) {
     std::vector<double> swings(n, 0);
     for (std::size_t i = 0; i < chain.size(); ++i) {

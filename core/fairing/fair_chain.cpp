@@ -93,20 +93,55 @@ double FairChain::bend_at(const SampleChain& chain, std::size_t join) const {
   return (j.first_turn * j.first_turn + (j.bends_once ? 0 : j.last_turn * j.last_turn)) / j.length;
 }
 
-/// Sets the tension to c ∫κ² ds / length of the legs as they are. Lower energy at this tension
-/// means a lower product ∫κ² ds · length^c, too.
-void FairChain::balance(const SampleChain& chain) {
-  if (!has_legs()) return;
-  double bending = 0, length = 0;
+/// ∫κ² ds and length of each leg.
+std::vector<FairChain::LegBending> FairChain::bendings_of_legs(const SampleChain& chain) const {
+  std::vector<LegBending> legs;
+  const auto leg = [&](const ChainJoin& join) -> LegBending& {
+    if (legs.size() <= join.stretch) legs.resize(join.stretch + 1);
+    return legs[join.stretch];
+  };
   for (std::size_t i = 0; i < chain.size(); ++i) {
     if (i < chain.joins.size() && legs_->is_on_leg(chain.joins[i])) {
-      length += chain.joins[i].length;
-      bending += bend_at(chain, i);
+      leg(chain.joins[i]).length += chain.joins[i].length;
+      leg(chain.joins[i]).bending += bend_at(chain, i);
     }
     if (!is_on_leg(chain, i) || chain.turns_freely(i)) continue;
-    bending += 2 * chain.turns[i] * chain.turns[i] /
-               (chain.join_before(i).length + chain.join_after(i).length);
+    const ChainJoin &in = chain.join_before(i), &out = chain.join_after(i);
+    const double half = chain.turns[i] * chain.turns[i] / (in.length + out.length);
+    if (legs_->is_on_leg(in)) leg(in).bending += half;
+    if (legs_->is_on_leg(out)) leg(out).bending += half;
+    if (legs_->is_on_leg(in) != legs_->is_on_leg(out)) {
+      leg(legs_->is_on_leg(in) ? in : out).bending += half;
+    }
   }
+  return legs;
+}
+
+/// Sets the tension to c ∫κ² ds / length of the legs as they are. Lower energy at this tension
+/// means a lower product ∫κ² ds · length^c, too. A hard place, as where two clicks lie beside each
+/// other, must not draw all other legs tight: no leg counts for more than five times as much as
+/// the median one does for its length, or than a turn of 1.8 rad on a leg of the mean length.
+void FairChain::balance(const SampleChain& chain) {
+  if (!has_legs()) return;
+  constexpr double kOfMedian = 5, kTurn = 1.8;  // rad
+  std::vector<LegBending> legs = bendings_of_legs(chain);
+  std::erase_if(legs, [](const LegBending& leg) { return !(leg.length > 0); });
+  std::sort(legs.begin(), legs.end(), [](const LegBending& a, const LegBending& b) {
+    return a.bending * b.length < b.bending * a.length;
+  });
+  double length = 0, squares = 0, before = 0, bending = 0, most = 0;
+  for (const LegBending& leg : legs) {
+    length += leg.length;
+    squares += leg.length * leg.length;
+  }
+  for (const LegBending& leg : legs) {
+    before += leg.length;
+    if (before < length / 2) continue;
+    most = kOfMedian * leg.bending / leg.length;
+    break;
+  }
+  if (length > 0) most = std::max(most, kTurn * kTurn * length * length / (squares * squares));
+  for (const LegBending& leg : legs) bending += std::min(leg.bending, most * leg.length);
   common_pull_ = legs_->tension.value_or(legs_->relative * bending / length);
   pull_.assign(chain.joins.size(), 0);
   for (std::size_t i = 0; i < pull_.size(); ++i) {

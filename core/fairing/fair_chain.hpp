@@ -79,6 +79,10 @@ class FairChain {
                const std::vector<bool>& anew, std::vector<BandPlace>& places) const;
   [[nodiscard]] double pull_at(const SampleChain& chain, std::size_t i) const;
   [[nodiscard]] double bend_at(const SampleChain& chain, std::size_t join) const;
+  struct LegBending {
+    double bending = 0, length = 0;  ///< 1 / mesh units, mesh units
+  };
+  [[nodiscard]] std::vector<LegBending> bendings_of_legs(const SampleChain& chain) const;
   void balance(const SampleChain& chain);
   /// Per sample.
   void energies(const SampleChain& chain, const std::vector<BandPlace>& places,

@@ -22,6 +22,7 @@
 #include "talweg/core/drawing/snapping.hpp"            // snap
 #include "talweg/core/drawing/straight_lines.hpp"      // StraightLines
 #include "talweg/core/io/curve_file.hpp"               // read_curves, write_curves
+#include "talweg/core/strokes/loop_closing.hpp"        // closed_loop
 #include "talweg/intrinsic/surface/surface_point.hpp"  // SurfaceCurve, SurfacePoint
 
 // Smoothed, for one tau after another.

@@ -1,5 +1,8 @@
 #include "talweg/core/io/polylines.hpp"
 
+#include <algorithm>
+#include <tuple>
+#include <unordered_map>
 #include <utility>
 
 namespace talweg::formats {
@@ -16,11 +19,36 @@ std::vector<double> marks_along(const Line& line, bool closed, std::span<const d
   return result;
 }
 
+/// Gives segments of two points that meet at a place the same point there, so that they are joined
+/// like those that share its number.
+void join_segments(std::span<const Point> points, std::vector<Line>& lines) {
+  std::vector<std::uint32_t> ends;
+  for (const Line& line : lines) {
+    if (line.size() == 2) ends.insert(ends.end(), line.begin(), line.end());
+  }
+  const auto before = [&](std::uint32_t a, std::uint32_t b) {
+    const Point &p = points[a], &q = points[b];
+    return std::tuple(p.x(), p.y(), p.z(), a) < std::tuple(q.x(), q.y(), q.z(), b);
+  };
+  std::sort(ends.begin(), ends.end(), before);
+  std::unordered_map<std::uint32_t, std::uint32_t> first;
+  for (std::size_t k = 0; k < ends.size(); ++k) {
+    const bool same = k > 0 && points[ends[k]] == points[ends[k - 1]];
+    first.emplace(ends[k], same ? first.at(ends[k - 1]) : ends[k]);
+  }
+  for (Line& line : lines) {
+    if (line.size() != 2) continue;
+    const std::uint32_t a = first.at(line[0]), b = first.at(line[1]);
+    if (a != b) line = {a, b};
+  }
+}
+
 }  // namespace
 
 std::vector<CurveInput> curves_of(std::span<const Point> points, std::vector<Line> lines,
                                   std::span<const double> marks) {
   std::vector<CurveInput> curves;
+  join_segments(points, lines);
   for (const Line& line : joined(std::move(lines))) {
     CurveInput curve;
     const bool same_index = line.front() == line.back();

@@ -24,7 +24,8 @@ inline std::optional<std::uint32_t> index_below(double value, std::size_t count)
   return static_cast<std::uint32_t>(value);
 }
 
-/// The joined lines as curves. A curve is closed if it ends where it began: at the same index, or
+/// The joined lines as curves; segments of two points are joined by their places, others by the
+/// numbers of their ends. A curve is closed if it ends where it began: at the same index, or
 /// with at least four points at the same coordinates. All indices must be in range. `marks`, if
 /// any, are those of the points (point_marks.hpp).
 std::vector<CurveInput> curves_of(std::span<const Point> points, std::vector<Line> lines,

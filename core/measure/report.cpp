@@ -20,6 +20,9 @@ void for_each_field(Report& r, Visit visit) {
   visit("vertices", r.vertices);
   visit("tau", r.tau);
   visit("slack", r.slack);
+  visit("slack_from", r.slack_from);
+  visit("left_out", r.left_out);
+  visit("left_out_max", r.left_out_max);
   visit("max_deviation", r.max_deviation);
   visit("pins_added", r.pins_added);
   visit("edge_length_near", r.edge_length_near);
@@ -86,8 +89,14 @@ const char* to_string(Engine engine) {
 }
 
 const char* to_string(Outcome outcome) {
-  constexpr std::array kNames = {"converged", "deviation", "collapsed", "limit", "cancelled"};
+  constexpr std::array kNames = {"converged", "missed", "deviation",
+                                 "collapsed", "limit",  "cancelled"};
   return kNames[static_cast<std::size_t>(outcome)];
+}
+
+const char* to_string(SlackSource source) {
+  constexpr std::array kNames = {"none", "given", "edges", "trembling", "segments"};
+  return kNames[static_cast<std::size_t>(source)];
 }
 
 const char* to_string(DeviationMeasure measure) {
@@ -110,6 +119,8 @@ SmoothingReport total_of(const std::vector<SmoothingReport>& reports) {
     total.closed = total.closed && r.closed;
     total.points_before += r.points_before;
     total.points_after += r.points_after;
+    total.left_out += r.left_out;
+    total.left_out_max = std::max(total.left_out_max, r.left_out_max);
     total.stretches_redrawn += r.stretches_redrawn;
     total.length_before += r.length_before;
     total.length_after += r.length_after;

@@ -47,16 +47,27 @@ enum class Engine {
 /// How the smoothing of a curve ended, from best to worst.
 enum class Outcome {
   kConverged,
+  kMissed,     ///< it misses a point that it was to pass
   kDeviation,  ///< no curve within the bound was found
   kCollapsed,  ///< the loop shrank below the floor; it is returned as it was at that moment
   kLimit,      ///< a bound on the work was reached, or a budget used up
   kCancelled,  ///< the caller cancelled it
 };
 
+/// What a curve's slack is made of.
+enum class SlackSource {
+  kNone,       ///< there is none
+  kGiven,      ///< the caller's
+  kEdges,      ///< the segments of a drawing along edges of the mesh
+  kTrembling,  ///< the width of the hand's trembling
+  kSegments,   ///< the segments of a drawing in which no trembling stands out
+};
+
 /// The names used in reports; those of DeviationMeasure are "surface", "euclidean" and "none".
 const char* to_string(PotentialKind potential);
 const char* to_string(Engine engine);
 const char* to_string(Outcome outcome);
+const char* to_string(SlackSource source);
 const char* to_string(DeviationMeasure measure);
 
 /// The report on one curve, or the totals of a set. In totals, counts, lengths, total curvatures
@@ -66,11 +77,14 @@ const char* to_string(DeviationMeasure measure);
 /// lie on parts of the mesh that are not connected. "Before" and "drawn" mean the curve as it was
 /// given, before corners were capped.
 struct SmoothingReport {
-  std::string version;              ///< of the library
-  std::size_t faces = 0;            ///< of the mesh
-  std::size_t vertices = 0;         ///< of the mesh
-  double tau = 0;                   ///< as requested
-  double slack = 0;                 ///< mesh units; 0 for the paper's method
+  std::string version;       ///< of the library
+  std::size_t faces = 0;     ///< of the mesh
+  std::size_t vertices = 0;  ///< of the mesh
+  double tau = 0;            ///< as requested
+  double slack = 0;          ///< mesh units; 0 for the paper's method
+  SlackSource slack_from = SlackSource::kNone;
+  std::size_t left_out = 0;         ///< points of the drawing that say nothing beside others
+  double left_out_max = 0;          ///< mesh units: how far these lie from what was smoothed
   double max_deviation = HUGE_VAL;  ///< mesh units: the bound of smooth_within(), if any
   std::size_t pins_added = 0;       ///< by smooth_within()
   double edge_length_near = 0;      ///< mesh units: mean edge within two rings of the drawing

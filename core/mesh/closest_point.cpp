@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <unordered_map>
+#include <utility>
 
 #include "talweg/intrinsic/error.hpp"
 
@@ -97,6 +99,50 @@ ClosestPoint::Result ClosestPoint::nearest(const Point& position) const {
   const std::array<double, 3> barycentric = on(best.index).barycentric;
   return {SurfacePoint::from_barycentric(mesh_->surface(), face, barycentric), face, barycentric,
           std::sqrt(best.squared_distance)};
+}
+
+double distance_to_face(const SurfaceMesh& mesh, FaceId face, const Point& position) {
+  return std::sqrt(
+      nearest_on_triangle(corner_points(mesh, face.index()), position).squared_distance);
+}
+
+std::vector<ClosestPoint::Result> ClosestPoint::on_sheets(const Point& position, double reach,
+                                                          std::size_t most) const {
+  const Surface& surface = mesh_->surface();
+  const auto box_of = [&](std::uint32_t face) {
+    return SpaceBox::around(corner_points(*mesh_, face));
+  };
+  std::unordered_map<FaceId, double> near;
+  const Point extent = Point::Constant(reach);
+  tree_.visit(SpaceBox{position - extent, position + extent}, box_of, [&](std::uint32_t face) {
+    const double distance = distance_to_face(*mesh_, FaceId{face}, position);
+    if (distance <= reach) near.emplace(FaceId{face}, distance);
+  });
+  const auto is_least = [&](FaceId face, double distance) {
+    for (const VertexId v : surface.corners(face)) {
+      for (const FaceId other : faces_at(surface, SurfacePoint::at_vertex(surface, v))) {
+        const auto found = near.find(other);
+        if (found != near.end() && std::pair(found->second, other) < std::pair(distance, face)) {
+          return false;
+        }
+      }
+    }
+    return true;
+  };
+  std::vector<std::pair<double, FaceId>> least;
+  for (const auto& [face, distance] : near) {
+    if (is_least(face, distance)) least.emplace_back(distance, face);
+  }
+  if (least.empty()) return {nearest(position)};
+  std::sort(least.begin(), least.end());
+  if (least.size() > most) least.resize(most);
+  std::vector<Result> results;
+  for (const auto& [distance, face] : least) {
+    const std::array<double, 3> b =
+        nearest_on_triangle(corner_points(*mesh_, face.index()), position).barycentric;
+    results.push_back({SurfacePoint::from_barycentric(surface, face, b), face, b, distance});
+  }
+  return results;
 }
 
 }  // namespace talweg

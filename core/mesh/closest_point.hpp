@@ -2,11 +2,16 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
+#include <vector>
 
 #include "talweg/core/mesh/surface_mesh.hpp"
 #include "talweg/core/space/box_tree.hpp"
 
 namespace talweg {
+
+/// The distance of a position to a face, mesh units. O(1).
+double distance_to_face(const SurfaceMesh& mesh, FaceId face, const Point& position);
 
 /// Building takes O(faces) time and about 25 bytes per face; a query is O(log faces) for positions
 /// near the mesh. It is immutable, so many threads may use it. The mesh must outlive it.
@@ -25,6 +30,10 @@ class ClosestPoint {
   /// The nearest point. Zero-area triangles count as segments.
   /// Throws Error(kBadCurve) when the position is not finite, or too far away to square distances.
   [[nodiscard]] Result nearest(const Point& position) const;
+  /// The nearest point of every sheet that comes within `reach` (mesh units) of the position: where
+  /// no face beside it comes nearer. The nearest first, at most `most`. Throws as nearest().
+  [[nodiscard]] std::vector<Result> on_sheets(const Point& position, double reach,
+                                              std::size_t most) const;
 
  private:
   const SurfaceMesh* mesh_;

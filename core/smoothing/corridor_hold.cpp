@@ -14,6 +14,7 @@
 #include "talweg/core/smoothing/lifted_lengths.hpp"
 #include "talweg/core/smoothing/straight_legs.hpp"
 #include "talweg/core/smoothing/touched_edges.hpp"
+#include "talweg/core/space/nearest_segment.hpp"
 
 namespace talweg {
 namespace {
@@ -132,11 +133,32 @@ std::optional<Straightened> CorridorHold::unlifted(const SmoothingOptions& optio
   return options.prepare_whole_mesh ? straighten_flat(options, progress) : std::move(flat);
 }
 
-void CorridorHold::hold_thin_loops(const SmoothingOptions& options, Straightened& straight) const {
+/// Whether straightening has cut off an open curve as a whole, because its ends lie close together.
+bool CorridorHold::has_lost_all(const SmoothingOptions& options, const Straightened& straight,
+                                std::size_t curve) const {
+  constexpr double kLost = 0.25;  // of the drawing's length
+  const SurfaceCurve& drawn = drawing_->drawing().curves()[curve];
+  if (drawing_->erases_loops()) return false;  // what they leave is what was meant
+  if (drawn.closed || drawing_->legs()[curve].any() || options.tau_of(curve) < kLeastHeldTau) {
+    return false;
+  }
+  const double length = curve_length(drawing_->surface(), straight.curves[curve]);
+  if (length > kLost * drawing_->drawing().measures()[curve].length) return false;
+  const NearestSegment taut(
+      segments_of(positions_of(drawing_->mesh(), straight.curves[curve]), false));
+  const double far = kDetour * largest_slack((*valleys_)[curve]);
+  const std::vector<Point> points = positions_of(drawing_->mesh(), drawn);
+  return std::any_of(points.begin(), points.end(),
+                     [&](const Point& p) { return taut.to(p).distance > far; });
+}
+
+void CorridorHold::hold_lost_curves(const SmoothingOptions& options, Straightened& straight) const {
   for (std::size_t c = 0; c < drawing_->capped().size(); ++c) {
     if (!is_faired(options, c)) continue;
     StraightenedPath& path = straight.paths[c];
-    if (!drawing_->capped()[c].closed || path.termination != Termination::kCollapsed) continue;
+    const bool collapsed =
+        drawing_->capped()[c].closed && path.termination == Termination::kCollapsed;
+    if (!collapsed && !has_lost_all(options, straight, c)) continue;
     straight.curves[c] = drawing_->drawing().curves()[c];  // capping can cut through it
     path.length_after = path.length_before;
     path.termination = Termination::kConverged;

@@ -44,11 +44,12 @@ class CorridorHold {
   /// The curves straightened without a lift, which needs no distance; none if the lift would change
   /// them.
   std::optional<Straightened> unlifted(const SmoothingOptions& options, const Progress& progress);
-  /// Resets loops that collapsed because no vertex lies inside them to their drawing. FlipOut sees
+  /// Resets open curves of which straightening has left less than a quarter, far from the drawing,
+  /// and loops that collapsed because no vertex lies inside them, to their drawing. FlipOut sees
   /// the potential at the mesh's vertices only, so it collapses these loops whatever tau is.
   /// Fairing measures the distance everywhere, so it starts from the drawing instead. Only for
   /// curves that are faired().
-  void hold_thin_loops(const SmoothingOptions& options, Straightened& straight) const;
+  void hold_lost_curves(const SmoothingOptions& options, Straightened& straight) const;
   /// Whether a curve is to be fair and is not straight anyway.
   [[nodiscard]] static bool is_faired(const SmoothingOptions& options, std::size_t curve) {
     return options.finish_of(curve) == Finish::kFair && options.tau_of(curve) > 0;
@@ -105,6 +106,8 @@ class CorridorHold {
                                                    const SurfaceCurve& taut, Asker& asker);
 
  private:
+  [[nodiscard]] bool has_lost_all(const SmoothingOptions& options, const Straightened& straight,
+                                  std::size_t curve) const;
   [[nodiscard]] Corridor corridor(const SmoothingOptions& options) const;
   [[nodiscard]] double exact_for_walls() const;
   bool patch(const FairGroup& group, const Taus& taus, Straightened& straight, SampleChain& chain,

@@ -30,7 +30,7 @@ Smoothed smooth_for_itself(CorridorHold& hold, const SmoothingOptions& options,
   straight.time_ms.relax = watch.lap();
   // What no wall holds is straight already.
   if (flat) return smoothed_from(std::move(straight));
-  hold.hold_thin_loops(options, straight);
+  hold.hold_lost_curves(options, straight);
   const std::vector<FairGroup> groups = hold.groups(options);
   FairChains chains(groups.size());
   for (std::size_t g = 0; g < groups.size(); ++g) {
@@ -81,7 +81,8 @@ void CorridorMethod::hold_doubtful_loops(const Progress& progress) {
 }
 
 Smoothed CorridorMethod::smooth(const SmoothingOptions& options, const Progress& progress) {
-  return smooth_in(with_options(valleys_, drawing_->drawing(), options), options, progress);
+  return smooth_in(with_options(valleys_, drawing_->mesh(), drawing_->drawing(), options), options,
+                   progress);
 }
 
 Smoothed CorridorMethod::smooth_in_own_valleys(const SmoothingOptions& options,

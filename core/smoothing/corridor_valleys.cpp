@@ -53,6 +53,15 @@ std::vector<OwnOptions> fair_where(const std::vector<bool>& flags) {
   return own;
 }
 
+/// What the hand is along a curve, narrowed as the valley was.
+std::vector<double> own_field(const Corridor::Valley& valley, const SurfaceMesh& mesh,
+                              const OrderedDrawing& drawing, std::size_t curve) {
+  const StrokeSlack& slack = drawing.slacks()[curve];
+  std::vector<double> field = slack_at_points(mesh, drawing.curves()[curve], slack);
+  for (double& value : field) value *= valley.slack / slack.slack;
+  return field;
+}
+
 bool any(const std::vector<bool>& flags) {
   return std::find(flags.begin(), flags.end(), true) != flags.end();
 }
@@ -64,11 +73,12 @@ std::vector<Corridor::Valley> valleys_of(const SurfaceMesh& mesh, const OrderedD
   constexpr std::size_t kOfPoint = 16;  // units of work
   Asker asker(progress, "solve");
   std::vector<Corridor::Valley> valleys;
-  for (const SurfaceCurve& curve : drawing.curves()) {
+  for (std::size_t c = 0; c < drawing.curves().size(); ++c) {
+    const SurfaceCurve& curve = drawing.curves()[c];
     asker.did(kOfPoint * curve.points.size());
     Corridor::Valley& valley = valleys.emplace_back();
     valley.closed = curve.closed;
-    valley.slack = default_slack(mesh.surface(), curve);
+    valley.slack = drawing.slacks()[c].slack;
     valley.trembling = valley.slack;
     valley.length = corridor_length(mesh, curve);
   }
@@ -107,12 +117,13 @@ void hold_loops(std::vector<Corridor::Valley>& valleys, const SurfaceMesh& mesh,
 }
 
 std::vector<Corridor::Valley> with_options(std::vector<Corridor::Valley> valleys,
-                                           const OrderedDrawing& drawing,
+                                           const SurfaceMesh& mesh, const OrderedDrawing& drawing,
                                            const SmoothingOptions& options) {
   for (std::size_t c = 0; c < valleys.size(); ++c) {
     Corridor::Valley& valley = valleys[c];
     valley.given = options.slack_of(c) || !options.slack_at.empty();
     if (const auto slack = options.slack_of(c)) valley.slack = *slack;
+    if (!valley.given) valley.slack_at = own_field(valley, mesh, drawing, c);
     if (!options.slack_at.empty()) valley.slack_at = options.slack_at[c];
     if (valley.given) valley.trembling = valley.slack;
     // With fewer points per turn the phase could not follow the loop.

@@ -13,7 +13,7 @@
 
 namespace talweg {
 
-/// The valleys that follow from the drawing: default_slack(), narrowed where needed to keep each
+/// The valleys that follow from the drawing: stroke_slack(), narrowed where needed to keep each
 /// curve apart from the others. Throws Cancelled (stage "solve"). O(n log n) for n points, and what
 /// gaps_to_others() costs.
 std::vector<Corridor::Valley> valleys_of(const SurfaceMesh& mesh, const OrderedDrawing& drawing,
@@ -33,7 +33,7 @@ bool has_doubtful_loop(const std::vector<Corridor::Valley>& valleys, const Surfa
 
 /// The valleys with the slack and the turns that the options ask for.
 std::vector<Corridor::Valley> with_options(std::vector<Corridor::Valley> valleys,
-                                           const OrderedDrawing& drawing,
+                                           const SurfaceMesh& mesh, const OrderedDrawing& drawing,
                                            const SmoothingOptions& options);
 
 /// The largest ε along the curve, mesh units.

@@ -1,16 +1,10 @@
-// The corridor's width follows from how exact a drawing is, and its length from how large it is.
+// The corridor's length follows from how large a drawing is.
 #pragma once
 
 #include "talweg/core/mesh/surface_mesh.hpp"
 #include "talweg/intrinsic/surface/surface_point.hpp"
 
 namespace talweg {
-
-/// How exact the drawing is: seven tenths of the median length of its segments, and at most 1/24 of
-/// its length. Segments that together turn by less than 0.1 rad are merged first. Segments that end
-/// in a turn below 0.2 rad, or have turned little by little, count less. Depends on the drawing,
-/// not on the mesh. Mesh units. Throws Error(kBadCurve) as turning_angle() does.
-double default_slack(const Surface& surface, const SurfaceCurve& drawn);
 
 /// The corridor's characteristic length L: a quarter of the largest distance of the drawing's
 /// points from their centre of mass (along the curve). With it, tau means the same for a small loop

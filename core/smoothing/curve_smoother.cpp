@@ -9,6 +9,7 @@
 #include "talweg/core/drawing/curve_embedding.hpp"
 #include "talweg/core/drawing/drawn_curves.hpp"
 #include "talweg/core/measure/result_report.hpp"
+#include "talweg/core/smoothing/cleaned_drawing.hpp"
 #include "talweg/core/smoothing/dragging.hpp"
 #include "talweg/core/smoothing/missed_points.hpp"
 #include "talweg/core/smoothing/sheet.hpp"
@@ -46,6 +47,13 @@ bool same_result(const SmoothingOptions& a, const SmoothingOptions& b) {
          a.min_relative_length == b.min_relative_length && a.length_floor == b.length_floor;
 }
 
+bool are_points_of(std::span<const SurfaceCurve> curves, std::span<const SurfacePoint> points) {
+  PointLookup passed;
+  for (const SurfaceCurve& curve : curves) passed.add_all(curve.points);
+  return std::all_of(points.begin(), points.end(),
+                     [&](const SurfacePoint& point) { return passed.contains(point); });
+}
+
 /// Whether only tau has changed for a curve, by a step as small as a slider makes.
 bool is_small_step(const SmoothingOptions& last, const SmoothingOptions& options,
                    std::size_t curve) {
@@ -74,6 +82,7 @@ struct CurveSmoother::Last {
 
 CurveSmoother::CurveSmoother(std::shared_ptr<const OpenedMesh> mesh)
     : memory_(std::make_unique<SmoothingMemory>(std::move(mesh))),
+      cleaned_(std::make_unique<CleanedDrawing>()),
       drawing_(std::make_unique<OrderedDrawing>()) {}
 
 CurveSmoother::~CurveSmoother() = default;
@@ -83,6 +92,8 @@ const OpenedMesh& CurveSmoother::opened() const { return memory_->opened(); }
 void CurveSmoother::forget() {
   sheet_.reset();
   memory_->straightening().clear();
+  given_.clear();
+  *cleaned_ = {};
   *drawing_ = {};
   last_.reset();
 }
@@ -117,11 +128,18 @@ bool CurveSmoother::set(std::span<const SurfaceCurve> curves, const CurveOptions
   forget();
   if (distance) PaperLift::check(memory_->surface(), *distance);
   try {
-    *drawing_ = checked_drawing(memory_->mesh(), own, options, progress);
+    check_drawing(memory_->mesh(), own, options, progress);
+    *cleaned_ = cleaned_drawing(memory_->mesh(), own, options, {}, progress);
+    CurveOptions cleaned = options;
+    cleaned.painted = cleaned_->painted;
+    cleaned.way_points = cleaned_->way_points;
+    *drawing_ =
+        checked_drawing(memory_->mesh(), cleaned_->drawn(), cleaned_->slacks(), cleaned, progress);
+    given_ = own;
     curve_options_ = options;
     SheetSetup setup;
     setup.distance = std::move(distance);
-    sheet_ = sheet_for(*memory_, *drawing_, curve_options_, std::move(setup), progress);
+    sheet_ = sheet_for(*memory_, *drawing_, cleaned, std::move(setup), progress);
   } catch (const Cancelled&) {
     forget();
     return false;
@@ -135,8 +153,13 @@ bool CurveSmoother::set(std::span<const SurfaceCurve> curves, const CurveOptions
 bool CurveSmoother::set_pins(std::span<const SurfacePoint> pins, const Progress& progress) {
   if (!sheet_) bad_usage("No curve is set.");
   if (curve_options_.method != Method::kCorridor) bad_usage("set_pins() needs the corridor.");
-  check_pins(drawing_->drawn(), pins);
+  check_pins(given_, pins);
   const std::vector<SurfacePoint> own(pins.begin(), pins.end());  // may be our own pins
+  if (!are_points_of(drawing_->drawn(), own)) {  // some were left out, and must not be
+    CurveOptions options = curve_options_;
+    options.pins = own;
+    return set(given_, options, std::nullopt, progress);
+  }
   try {
     sheet_->set_pins(own, progress);
   } catch (const Cancelled&) {
@@ -165,7 +188,7 @@ std::span<const double> CurveSmoother::distance() const {
   return sheet_ ? sheet_->distance() : std::span<const double>{};
 }
 
-std::span<const SurfaceCurve> CurveSmoother::drawn() const { return drawing_->drawn(); }
+std::span<const SurfaceCurve> CurveSmoother::drawn() const { return given_; }
 
 std::vector<double> CurveSmoother::slack() const {
   if (!sheet_) return {};
@@ -194,6 +217,25 @@ SmoothingResult CurveSmoother::smooth(const SmoothingOptions& options,
   return smooth(options, &given, progress);
 }
 
+/// Fields along the curves that were given, along what is left of these.
+SmoothingOptions CurveSmoother::on_cleaned(SmoothingOptions options) const {
+  for (std::size_t c = 0; c < options.slack_at.size() && c < given_.size(); ++c) {
+    std::vector<double>& values = options.slack_at[c];
+    if (values.size() != given_[c].points.size()) continue;
+    values = cleaned_->curves[c].values(values, given_[c].closed);
+  }
+  return options;
+}
+
+/// A curve that was changed, cleaned like the one that is set.
+SurfaceCurve CurveSmoother::cleaned_as(std::size_t curve, const SurfaceCurve& moved,
+                                       const Progress& progress) const {
+  const std::span known(&cleaned_->curves[curve].slack, 1);
+  return cleaned_drawing(memory_->mesh(), std::span(&moved, 1), curve_options_, known, progress)
+      .curves[0]
+      .curve;
+}
+
 void CurveSmoother::check(const SmoothingOptions& options) const {
   options.validate();
   if (!sheet_) bad_usage("No curve is set.");
@@ -206,10 +248,12 @@ SmoothingResult CurveSmoother::smooth(const SmoothingOptions& options, const Giv
   const Progress progress = within_budget(caller, options);
   try {
     const Asker asked(progress, "straighten");
-    return drawing_->as_drawn(
-        smooth_ordered(ordered_for(curve_options_.method, *drawing_, options), given, progress));
+    return drawing_->as_drawn(smooth_ordered(
+        ordered_for(curve_options_.method, *drawing_, on_cleaned(options)), given, progress));
   } catch (const Cancelled&) {
-    return cancelled_result(memory_->mesh(), *drawing_, options);
+    SmoothingResult result = cancelled_result(memory_->mesh(), *drawing_, options);
+    result.curves = given_;
+    return result;
   }
 }
 
@@ -220,8 +264,13 @@ SmoothingResult CurveSmoother::smooth_ordered(const SmoothingOptions& options,
   Smoothed smoothed = sheet_->smooth(options, given, progress);
   const Stopwatch watch;
   SmoothingResult result = reported(memory_->opened(), *drawing_, options, std::move(smoothed));
-  warn_of_missed_points(memory_->mesh(), memory_->meter(), drawing_->curves(), curve_options_,
-                        result);
+  CurveOptions cleaned = curve_options_;
+  cleaned.way_points = cleaned_->way_points;
+  warn_of_missed_points(memory_->mesh(), memory_->meter(), drawing_->curves(), cleaned, result);
+  for (std::size_t c = 0; c < result.reports.size(); ++c) {
+    const std::size_t given_number = drawing_->numbers()[c];
+    report_cleaning(cleaned_->curves[given_number], given_[given_number], result.reports[c]);
+  }
   report_moves(options, result, progress);
   const double ms = watch.ms();
   for (SmoothingReport& report : result.reports) {
@@ -250,8 +299,9 @@ SmoothingResult CurveSmoother::drag(std::size_t curve, const SurfaceCurve& moved
 }
 
 SmoothingResult CurveSmoother::drag(std::size_t curve, const Drawing& moved,
-                                    const SmoothingOptions& options, const Progress& caller) {
-  check(options);
+                                    const SmoothingOptions& given, const Progress& caller) {
+  check(given);
+  const SmoothingOptions options = on_cleaned(given);
   const Progress progress = within_budget(caller, options);
   if (curve_options_.method != Method::kCorridor) bad_usage("drag() needs the corridor.");
   if (curve >= drawing_->drawn().size()) bad_usage("drag() is asked for a curve that is not set.");
@@ -261,10 +311,11 @@ SmoothingResult CurveSmoother::drag(std::size_t curve, const Drawing& moved,
     const Asker asked(progress, "straighten");
     const bool by_stretch =
         sheet_->valleys() != nullptr && curve_options_.way_points.empty() && own.way_points.empty();
-    return by_stretch ? drag_now(curve, own.curve, options, progress)
+    return by_stretch ? drag_now(curve, cleaned_as(curve, own.curve, progress), options, progress)
                       : drag_whole(curve, own, options, progress);
   } catch (const Cancelled&) {
     SmoothingResult result = cancelled_result(memory_->mesh(), *drawing_, options);
+    result.curves = given_;
     result.curves[curve] = own.curve;
     return result;
   }
@@ -333,7 +384,7 @@ CurveOptions CurveSmoother::options_of_moved(std::span<const SurfaceCurve> curve
 SmoothingResult CurveSmoother::drag_whole(std::size_t curve, const Drawing& moved,
                                           const SmoothingOptions& options,
                                           const Progress& progress) {
-  std::vector<SurfaceCurve> curves = drawing_->drawn();
+  std::vector<SurfaceCurve> curves = given_;
   curves[curve] = moved.curve;
   const CurveOptions own = options_of_moved(curves, curve, moved.way_points);
   SmoothingOptions plain = options;

@@ -17,6 +17,7 @@
 namespace talweg {
 
 class Dragging;
+struct CleanedDrawing;
 class OrderedDrawing;
 class Sheet;
 class SmoothingMemory;
@@ -98,18 +99,21 @@ class CurveSmoother {
   [[nodiscard]] const OpenedMesh& opened() const;
   /// The distance per mesh vertex that was given or has been computed so far: see need_distance().
   [[nodiscard]] std::span<const double> distance() const;
-  /// The curves as they were set.
+  /// The curves as they were set, before anything was left out of them.
   [[nodiscard]] std::span<const SurfaceCurve> drawn() const;
   /// The points of the drawing that every result passes through.
   [[nodiscard]] std::span<const SurfacePoint> pins() const { return curve_options_.pins; }
   /// As they were set, with the pins of now.
   [[nodiscard]] const CurveOptions& curve_options() const { return curve_options_; }
-  /// The corridor's slack for each curve where the options give none, mesh units: default_slack(),
-  /// less for loops that would collapse at tau = 1/4. Empty for the paper's method.
+  /// The corridor's slack for each curve where the options give none, mesh units:
+  /// stroke_slack(), less for loops that would collapse at tau = 1/4. Empty for the paper's method.
   [[nodiscard]] std::vector<double> slack() const;
 
  private:
   void forget();
+  [[nodiscard]] SmoothingOptions on_cleaned(SmoothingOptions options) const;
+  [[nodiscard]] SurfaceCurve cleaned_as(std::size_t curve, const SurfaceCurve& moved,
+                                        const Progress& progress) const;
   void check(const SmoothingOptions& options) const;
   bool set(std::span<const SurfaceCurve> curves, const CurveOptions& options,
            std::optional<std::vector<double>> distance, const Progress& progress);
@@ -130,7 +134,9 @@ class CurveSmoother {
 
   struct Last;
   std::unique_ptr<SmoothingMemory> memory_;
-  std::unique_ptr<OrderedDrawing> drawing_;
+  std::vector<SurfaceCurve> given_;
+  std::unique_ptr<CleanedDrawing> cleaned_;  // of those that were given
+  std::unique_ptr<OrderedDrawing> drawing_;  // of what is left of them
   CurveOptions curve_options_;
   std::unique_ptr<Sheet> sheet_;              // null where no curve is set
   std::unique_ptr<Last> last_;                // the last result of smooth(), on the ordered curves

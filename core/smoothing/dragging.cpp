@@ -97,13 +97,17 @@ std::vector<double> carried_over(const std::vector<double>& drawn, const Surface
 }
 
 /// The valleys of the changed drawing, in the order as drawn. Slack and L are those of the drawing
-/// that is set.
-std::vector<Corridor::Valley> dragged_valleys(const Dragging::Setting& setting, std::size_t curve,
+/// that is set; that of a hand that changes along it is one, while it is being dragged.
+std::vector<Corridor::Valley> dragged_valleys(const SurfaceMesh& mesh,
+                                              const Dragging::Setting& setting, std::size_t curve,
                                               const DrawingChange& change) {
   const OrderedDrawing& drawing = setting.drawing;
   const SmoothingOptions& options = setting.options;
-  std::vector<Corridor::Valley> valleys =
-      drawing.in_drawn_order(with_options(setting.valleys, drawing, drawing.ordered(options)));
+  std::vector<Corridor::Valley> valleys = drawing.in_drawn_order(
+      with_options(setting.valleys, mesh, drawing, drawing.ordered(options)));
+  if (options.slack_at.empty()) {
+    for (Corridor::Valley& valley : valleys) valley.slack_at.clear();
+  }
   for (std::size_t c = 0; c < options.slack_at.size(); ++c) {
     valleys[c].slack_at = c == curve ? carried_over(options.slack_at[c], drawing.drawn()[c], change)
                                      : options.slack_at[c];
@@ -122,7 +126,8 @@ void Dragging::set(const DragStretch& stretch, const CurveOptions& options,
   std::erase_if(own.corners, is_elsewhere);
   std::erase_if(own.painted, is_elsewhere);
   stretch_ = {};
-  stretch_.drawing = checked_drawing(memory_.mesh(), std::span(&stretch.curve, 1), own, progress);
+  stretch_.drawing =
+      checked_drawing(memory_.mesh(), std::span(&stretch.curve, 1), {}, own, progress);
   stretch_.embedded.emplace(memory_, stretch_.drawing, own,
                             EmbeddedDrawing::Ground{Loops::kErase, nullptr}, progress);
   stretch_.method.emplace(memory_, *stretch_.embedded);
@@ -212,7 +217,8 @@ SurfaceCurve Dragging::dragged(const Setting& setting, std::size_t curve,
   const OrderedDrawing& drawing = setting.drawing;
   std::vector<SurfaceCurve> curves = drawing.drawn();
   curves[curve] = change.after;
-  const std::vector<Corridor::Valley> valleys = dragged_valleys(setting, curve, change);
+  const std::vector<Corridor::Valley> valleys =
+      dragged_valleys(memory_.mesh(), setting, curve, change);
   const std::size_t place = drawing.place_of(curve);
   const double segment =
       drawing.measures()[place].length / static_cast<double>(change.before.points.size());

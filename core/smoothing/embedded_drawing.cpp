@@ -86,7 +86,19 @@ Straightening::Options EmbeddedDrawing::straightening_options(
   own.flip_out.min_relative_length = options.min_relative_length;
   own.flip_out.length_floor = length_floor(options);
   own.prepare_whole_mesh = options.prepare_whole_mesh;
+  if (may_cross_) {  // nothing but whole legs will do
+    own.flip_out.max_iterations.reset();
+    own.flip_out.min_relative_length = 0;
+  }
   return own;
+}
+
+bool EmbeddedDrawing::let_legs_cross(std::size_t crossings, const Progress& progress) {
+  if (!all_legs()) return false;
+  crossings_ = crossings;
+  may_cross_ = true;
+  may_cross_ = straighten_legs({}, progress).has_value();
+  return may_cross_;
 }
 
 /// Where FlipOut may stop early, it counts what all curves have come to.
@@ -111,7 +123,7 @@ Straightened EmbeddedDrawing::straighten_flat(const SmoothingOptions& options,
   flat_.reset();
   std::optional<Straightened> result;
   if (all_legs()) result = straighten_legs(options, progress);
-  if (result && legs_meet(surface(), result->curves, legs_)) result.reset();
+  if (result && !may_cross_ && legs_meet(surface(), result->curves, legs_)) result.reset();
   if (!result) result = straighten(options, unlifted_length, progress);
   flat_ = Flat{own, *result};
   flat_->straight.time_ms = {};

@@ -39,6 +39,16 @@ class EmbeddedDrawing {
   /// Embeds the curves once more, with these pins. Throws Cancelled.
   void set_pins(std::vector<SurfacePoint> pins, const Progress& progress);
 
+  /// Lets curves that are all legs cross themselves and each other from now on, because their legs
+  /// are straightened each for itself. False, and nothing changes, where that is not possible.
+  /// Throws Cancelled.
+  bool let_legs_cross(std::size_t crossings, const Progress& progress);
+  [[nodiscard]] bool may_cross() const { return may_cross_; }
+  /// How often they cross as they are drawn, in all.
+  [[nodiscard]] std::size_t crossings() const { return crossings_; }
+
+  /// Whether loops of the curves are erased.
+  [[nodiscard]] bool erases_loops() const { return ground_.loops == Loops::kErase; }
   [[nodiscard]] const SurfaceMesh& mesh() const { return memory_->mesh(); }
   [[nodiscard]] const Surface& surface() const { return memory_->surface(); }
   [[nodiscard]] const Straightening& straightening() const {
@@ -94,6 +104,8 @@ class EmbeddedDrawing {
   std::vector<SurfaceCurve> capped_;
   std::vector<SurfacePoint> fixed_;
   std::vector<DrawnLegs> legs_;
+  bool may_cross_ = false;
+  std::size_t crossings_ = 0;
   bool is_embedded_ = false;  // not while the legs are straightened, each for itself
   std::optional<Flat> flat_;
 };

@@ -12,6 +12,7 @@
 #include "talweg/core/smoothing/fair_patching.hpp"
 #include "talweg/core/smoothing/fair_verdict.hpp"
 #include "talweg/core/smoothing/leg_start.hpp"
+#include "talweg/intrinsic/surface/point_lookup.hpp"
 
 namespace talweg {
 namespace {
@@ -35,6 +36,27 @@ constexpr const char* kEndedTaut =
 constexpr const char* kEndedFair =
     "The budget was used up while the curve was made fair; it may bend more than it had to.";
 
+/// The two stretches of a curve that meet at one of its fixed points.
+SurfaceCurve about_fixed(const std::vector<SurfacePoint>& fixed, std::size_t point,
+                         const SurfaceCurve& curve) {
+  const std::vector<std::size_t> stretches = stretches_along(fixed, curve);
+  const std::size_t n = curve.points.size(), m = fixed.size();
+  SurfaceCurve part;
+  if (stretches.empty() || m < 3 || (!curve.closed && (point == 0 || point + 1 == m))) return part;
+  const std::size_t before = (point + m - 1) % m;
+  std::size_t first = 0;
+  while (!(curve.points[first] == fixed[before] && stretches[first] == before)) {
+    if (++first == n) return part;
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::size_t k = (first + i) % n;
+    if (stretches[k] != before && stretches[k] != point) break;
+    part.points.push_back(curve.points[k]);
+    if (!curve.closed && k + 1 == n) break;
+  }
+  return part;
+}
+
 }  // namespace
 
 void FairFinishing::run(const std::vector<FairGroup>& groups, const FairChains& chains,
@@ -52,9 +74,12 @@ void FairFinishing::run(const std::vector<FairGroup>& groups, const FairChains& 
     std::vector<bool> done(attempts_.size(), false);
     for (const std::size_t c : crossing_curves(hold_->drawing().surface(), now_)) {
       const std::size_t a = attempt_of_[c];
-      if (a >= done.size() || done[a]) continue;
+      if (a >= done.size() || done[a] || crosses_as_drawn(c)) continue;
       if (attempts_[a].tries == 0 || attempts_[a].tries == kGivenUp) continue;
       done[a] = true;
+      if (has_legs(hold_->drawing(), attempts_[a].group)) {
+        tighten(attempts_[a], crossed_points(c, now_[c]), now_[c]);
+      }
       make_fair(a);
       again = true;
     }
@@ -67,6 +92,16 @@ void FairFinishing::run(const std::vector<FairGroup>& groups, const FairChains& 
     curves[c].ended_early = true;
     if (attempt.tries != kGivenUp) curves[c].warnings.emplace_back(kEndedFair);
   }
+}
+
+/// Whether a curve that may cross does so no more often than the taut one, or a tenth more than the
+/// drawing: at a crossing, two segments begin.
+bool FairFinishing::crosses_as_drawn(std::size_t curve) {
+  if (!hold_->drawing().may_cross()) return false;
+  if (!taut_by_face_) taut_by_face_.emplace(hold_->drawing().surface(), taut_.curves);
+  const std::size_t now = crossed_points(curve, now_[curve]).size();
+  return now <= taut_by_face_->crossed_points(curve, taut_.curves[curve]).size() ||
+         now <= 2 * hold_->drawing().crossings() + hold_->drawing().crossings() / 5;
 }
 
 void FairFinishing::begin(const FairGroup& group, const std::optional<SampleChain>& chain) {
@@ -213,6 +248,53 @@ bool FairFinishing::bends_more(const Attempt& attempt, const Taus& taus,
   return from_taut || own > bending(group.drawn);
 }
 
+/// The fixed points about which a curve bends more than the taut one.
+std::vector<SurfacePoint> FairFinishing::bends_more_at(const Attempt& attempt,
+                                                       const SurfaceCurve& curve) const {
+  const EmbeddedDrawing& drawing = hold_->drawing();
+  const FairGroup& group = attempt.group;
+  const auto legs = leg_start(drawing, group, attempt.taut, 1);
+  std::vector<SurfacePoint> bad;
+  if (!legs) return bad;
+  std::vector<SurfacePoint> fixed;
+  for (const std::size_t i : legs->fixed) fixed.push_back(attempt.taut.points[i]);
+  for (std::size_t k = 0; k < fixed.size(); ++k) {
+    const SurfaceCurve own = about_fixed(fixed, k, curve),
+                       taut = about_fixed(fixed, k, attempt.taut);
+    if (own.points.size() < 3 || taut.points.size() < 3) continue;
+    const auto bending = [&](const SurfaceCurve& c) {
+      return bending_between(drawing.surface(), c, drawing.corners(), group.edge);
+    };
+    if (bending(own) > bending(taut)) bad.push_back(fixed[k]);
+  }
+  return bad;
+}
+
+/// Draws the stretches tighter that lie at these points of a curve, and all where that is not
+/// known.
+void FairFinishing::tighten(Attempt& attempt, std::span<const SurfacePoint> at,
+                            const SurfaceCurve& curve) {
+  const auto legs = leg_start(hold_->drawing(), attempt.group, attempt.taut, 1);
+  if (!legs) return;
+  const std::size_t n = legs->tension.is_leg.size();
+  attempt.tighter.resize(n, 1);
+  std::vector<SurfacePoint> fixed;
+  for (const std::size_t i : legs->fixed) fixed.push_back(attempt.taut.points[i]);
+  const std::vector<std::size_t> stretches = stretches_along(fixed, curve);
+  std::vector<bool> bad(n, at.empty() || stretches.empty());
+  const PointLookup places(at);
+  for (std::size_t i = 0; i < stretches.size(); ++i) {
+    if (!places.contains(curve.points[i])) continue;
+    const std::size_t k = stretches[i];
+    bad[k] = true;
+    const bool begins = i == 0 ? curve.closed : stretches[i - 1] != k;
+    if (begins && (curve.closed || k > 0)) bad[(k + n - 1) % n] = true;
+  }
+  for (std::size_t k = 0; k < n; ++k) {
+    if (bad[k]) attempt.tighter[k] *= kTighter;
+  }
+}
+
 void FairFinishing::make_fair_apart(const FairGroup& group) {
   for (const JoinedCurves::Part& part : group.joined.parts) {
     const FairGroup one = fair_group(hold_->drawing(), {{{part.curve, false}}});
@@ -271,8 +353,8 @@ std::optional<SurfaceCurve> FairFinishing::tried(Attempt& attempt, const Taus& t
   const bool any_legs = has_legs(drawing, group);
   std::optional<LegStart> legs = LegStart{};
   if (any_legs) {
-    legs = leg_start(drawing, group, taut,
-                     tension_of(taus.front()) * std::pow(kTighter, attempt.tries));
+    legs = leg_start(drawing, group, taut, tension_of(taus.front()));
+    if (legs) legs->tension.stronger = attempt.tighter;
   }
   if (!legs) return result;
   const double band = attempt.tries == 0 ? 1 : kBands[attempt.tries - 1];
@@ -291,9 +373,16 @@ std::optional<SurfaceCurve> FairFinishing::tried(Attempt& attempt, const Taus& t
     if (attempt.tries == 0 && attempt.chain) attempt.chain = std::move(faired->chain);
     if (faired->farthest <= 1) result = std::move(faired->curve);
   });
-  if (!result) return result;
-  if (bends_more(attempt, taus, *result)) return std::nullopt;
-  return is_pressed(surface, *result, taut) ? std::nullopt : result;
+  std::vector<SurfacePoint> bad;
+  if (result && bends_more(attempt, taus, *result)) {
+    bad = bends_more_at(attempt, *result);
+  } else if (result && is_pressed(surface, *result, taut)) {
+    bad = pressed_points(surface, *result, taut);
+  } else if (result) {
+    return result;
+  }
+  if (any_legs) tighten(attempt, bad, result ? *result : taut);
+  return std::nullopt;
 }
 
 /// Whether a curve is between the walls.

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -19,12 +20,12 @@ namespace talweg {
 /// Replaces straightened curves by those of their chains, one group after the other, until none
 /// crosses another. Where that would leave the walls, or cross what the drawing does not cross,
 /// stretches of them are faired anew (fair_patching.hpp), or the curves start from the drawing, in
-/// a narrower band; if nothing helps those stretches of them that fail stay straightened
-/// (fair_mending.hpp), or all of them, with a warning. Curves that are not faired stay too. Joined
-/// curves that fail are faired each for itself. Refers to the objects it is made from. Cost:
-/// FairPatching, or up to four tries of a CurveFairing for each group, and FairMending: a bad place
-/// that no stretch cures makes all of it try again; and the segments of all curves in each round in
-/// which some cross.
+/// a narrower band; of legs those that fail are drawn tighter; if nothing helps those stretches of
+/// them that fail stay straightened (fair_mending.hpp), or all of them, with a warning. Curves that
+/// are not faired stay too. Joined curves that fail are faired each for itself. Refers to the
+/// objects it is made from. Cost: FairPatching, or up to four tries of a CurveFairing for each
+/// group, and FairMending: a bad place that no stretch cures makes all of it try again; and the
+/// segments of all curves in each round in which some cross.
 class FairFinishing {
  public:
   FairFinishing(CorridorHold& hold, const SmoothingOptions& options, const Progress& progress)
@@ -41,7 +42,9 @@ class FairFinishing {
     SurfaceCurve taut;
     bool redrawn = false;  ///< whether the chain has started from the drawing somewhere
     std::size_t tries = 0;
-    bool patched = false;   ///< whether that has been tried
+    bool patched = false;  ///< whether that has been tried
+    /// Of a curve with legs: per stretch, how much tighter it is drawn since it failed.
+    std::vector<double> tighter;
     std::string left_taut;  ///< a warning
   };
   void begin(const FairGroup& group, const std::optional<SampleChain>& chain);
@@ -55,6 +58,10 @@ class FairFinishing {
                                      std::optional<SurfaceCurve>& curve);
   std::vector<SurfacePoint> crossed_points(std::size_t number, const SurfaceCurve& curve);
   void set(std::size_t number, SurfaceCurve curve);
+  [[nodiscard]] bool crosses_as_drawn(std::size_t curve);
+  void tighten(Attempt& attempt, std::span<const SurfacePoint> at, const SurfaceCurve& curve);
+  [[nodiscard]] std::vector<SurfacePoint> bends_more_at(const Attempt& attempt,
+                                                        const SurfaceCurve& curve) const;
   [[nodiscard]] bool bends_more(const Attempt& attempt, const Taus& taus,
                                 const SurfaceCurve& curve);
   std::optional<SurfaceCurve> mended(Attempt& attempt, const Taus& taus);
@@ -70,7 +77,8 @@ class FairFinishing {
   std::vector<SmoothedCurve>* curves_ = nullptr;
   Straightened taut_;  // `redrawn` is of the last fairing alone
   std::vector<SurfaceCurve> now_;
-  std::optional<CurvesByFace> by_face_;  // those of now_, once they are needed
+  std::optional<CurvesByFace> by_face_;       // those of now_, once they are needed
+  std::optional<CurvesByFace> taut_by_face_;  // the same of the taut curves
   std::vector<Attempt> attempts_;
   std::vector<std::size_t> attempt_of_;  // per curve
 };

@@ -52,7 +52,7 @@ Straightened FairLadder::straightened(CorridorHold& hold, const SmoothingOptions
   }
   const std::size_t curves = hold.drawing().drawing().curves().size();
   Straightened straight = hold.straighten(straightening(options, curves), walls, progress);
-  hold.hold_thin_loops(options, straight);
+  hold.hold_lost_curves(options, straight);
   return straight;
 }
 

@@ -86,6 +86,19 @@ std::vector<bool> on_strokes(const DrawnLegs& legs, const SurfaceCurve& curve) {
   return on;
 }
 
+std::vector<std::size_t> stretches_along(const std::vector<SurfacePoint>& fixed,
+                                         const SurfaceCurve& curve) {
+  const std::vector<std::size_t> places = places_of(fixed, curve);
+  if (places.empty()) return {};
+  const std::size_t n = curve.points.size(), m = places.size();
+  std::vector<std::size_t> stretches(n, 0);
+  for (std::size_t k = 0; k + (curve.closed ? 0 : 1) < m; ++k) {
+    for (std::size_t i = places[k]; i != places[(k + 1) % m]; i = (i + 1) % n) stretches[i] = k;
+  }
+  if (!curve.closed && m > 1) stretches[places.back()] = m - 2;
+  return stretches;
+}
+
 std::optional<LegStart> start_on(const DrawnLegs& legs, const SurfaceCurve& curve,
                                  double relative) {
   LegStart start;

@@ -35,6 +35,11 @@ struct LegStart {
 /// None where the curve does not pass the fixed points in their order.
 std::optional<LegStart> start_on(const DrawnLegs& legs, const SurfaceCurve& curve, double relative);
 
+/// Per point of a curve that passes fixed points in their order: the stretch it lies on, or begins.
+/// Empty where it does not pass them.
+std::vector<std::size_t> stretches_along(const std::vector<SurfacePoint>& fixed,
+                                         const SurfaceCurve& curve);
+
 /// The same for the open curve of `points` points in the other direction.
 LegStart reversed(LegStart start, std::size_t points);
 /// Appends that of the next curve to one that ends at point `last`, where the next one begins.

@@ -1,5 +1,6 @@
 #include "talweg/core/smoothing/missed_points.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -65,7 +66,9 @@ void warn_of_missed_points(const SurfaceMesh& mesh, DeviationMeter& meter,
     const Missed missed = missed_by(mesh, meter, drawn[c], result.curves[c], points);
     if (missed.points == 0) continue;
     const Point& at = missed.at;
-    result.reports[c].warnings.push_back(fmt::format(
+    SmoothingReport& report = result.reports[c];
+    report.termination = std::max(report.termination, Outcome::kMissed);
+    report.warnings.push_back(fmt::format(
         "The result misses {} of the points that it was to pass, by up to {:.3g} through "
         "space, at ({:.6g}, {:.6g}, {:.6g}): a drawing that meets itself loses small loops and "
         "ways back.",

@@ -10,11 +10,12 @@
 
 namespace talweg {
 
-/// Adds a warning to the report of each curve that misses some of its way-points (by more than
-/// their tolerance), pins or corners: how many, and by how much and where the worst. That happens
-/// where a drawing that meets itself is smoothed on a strip: loops too small to be laid out
-/// there, and ways back, are left out (Loops::kErase). `drawn` and the results are in one order.
-/// O(points), and an exact distance for each way-point that is no point of the result.
+/// Adds a warning to the report of each curve, and ends it as Outcome::kMissed, that misses some
+/// of its way-points (by more than their tolerance), pins or corners: how many, and by how much and
+/// where the worst. That happens where a drawing that meets itself is smoothed on a strip: loops
+/// too small to be laid out there, and ways back, are left out (Loops::kErase). `drawn` and the
+/// results are in one order. O(points), and an exact distance for each way-point that is no point
+/// of the result.
 void warn_of_missed_points(const SurfaceMesh& mesh, DeviationMeter& meter,
                            std::span<const SurfaceCurve> drawn, const CurveOptions& options,
                            SmoothingResult& result);

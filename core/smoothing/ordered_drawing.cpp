@@ -28,7 +28,7 @@ constexpr std::size_t kOfPoint = 8;  // units of work to measure or to check a p
 }  // namespace
 
 OrderedDrawing::OrderedDrawing(const SurfaceMesh& mesh, std::span<const SurfaceCurve> drawn,
-                               Asker& asker)
+                               std::span<const StrokeSlack> slacks, Asker& asker)
     : drawn_(drawn.begin(), drawn.end()) {
   const Surface& surface = mesh.surface();
   std::vector<CurveOrder> orders;
@@ -47,6 +47,8 @@ OrderedDrawing::OrderedDrawing(const SurfaceMesh& mesh, std::span<const SurfaceC
     places_[c] = ordered_.size();
     orders_.push_back(orders[c]);
     const SurfaceCurve& curve = ordered_.emplace_back(std::move(ordered[c]));
+    slacks_.push_back(slacks.empty() ? StrokeSlack{}
+                                     : talweg::in_order(slacks[c], mesh, drawn_[c], orders[c]));
     const auto next = [&] { asker.did(kOfPoint * curve.points.size()); };
     next();
     edges_near_.push_back(edge_length_near(surface, curve));
@@ -106,8 +108,8 @@ SmoothingResult OrderedDrawing::as_drawn(SmoothingResult result) const {
   return result;
 }
 
-OrderedDrawing checked_drawing(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves,
-                               const CurveOptions& options, const Progress& progress) {
+void check_drawing(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves,
+                   const CurveOptions& options, const Progress& progress) {
   if (curves.empty()) throw Error(ErrorCode::kBadUsage, "There is no curve to smooth.");
   options.validate();
   Asker asker(progress, "embed");
@@ -121,7 +123,14 @@ OrderedDrawing checked_drawing(const SurfaceMesh& mesh, std::span<const SurfaceC
   for (const WayPoint& way_point : options.way_points) exact.push_back(way_point.point);
   check_pins(curves, exact, "way-point");
   check_pins(curves, options.painted, "painted point");
-  return {mesh, curves, asker};
+}
+
+OrderedDrawing checked_drawing(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves,
+                               std::span<const StrokeSlack> slacks, const CurveOptions& options,
+                               const Progress& progress) {
+  check_drawing(mesh, curves, options, progress);
+  Asker asker(progress, "embed");
+  return {mesh, curves, slacks, asker};
 }
 
 }  // namespace talweg

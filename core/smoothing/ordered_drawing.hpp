@@ -10,6 +10,7 @@
 #include "talweg/core/mesh/surface_mesh.hpp"
 #include "talweg/core/smoothing/smoothing_options.hpp"
 #include "talweg/core/smoothing/smoothing_result.hpp"
+#include "talweg/core/strokes/stroke_slack.hpp"
 #include "talweg/intrinsic/progress.hpp"
 
 namespace talweg {
@@ -24,13 +25,16 @@ class OrderedDrawing {
   OrderedDrawing() = default;
   /// The curves must pass check_drawn(). Throws Error(kBadCurve) for a curve without length,
   /// Cancelled.
-  OrderedDrawing(const SurfaceMesh& mesh, std::span<const SurfaceCurve> drawn, Asker& asker);
+  OrderedDrawing(const SurfaceMesh& mesh, std::span<const SurfaceCurve> drawn,
+                 std::span<const StrokeSlack> slacks, Asker& asker);
 
   /// The curves as they were drawn.
   [[nodiscard]] const std::vector<SurfaceCurve>& drawn() const { return drawn_; }
   /// The curves and their points in canonical order; the numbers below refer to this order.
   [[nodiscard]] const std::vector<SurfaceCurve>& curves() const { return ordered_; }
   [[nodiscard]] const std::vector<CurveMeasures>& measures() const { return measures_; }
+  /// How exact the curves are, unless somebody says otherwise.
+  [[nodiscard]] const std::vector<StrokeSlack>& slacks() const { return slacks_; }
   /// The length of the mesh's edges near each curve, mesh units.
   [[nodiscard]] const std::vector<double>& edges_near() const { return edges_near_; }
   /// For each ordered curve the number of the drawn one, and (place_of()) the reverse.
@@ -59,11 +63,18 @@ class OrderedDrawing {
   std::vector<std::size_t> numbers_, places_;
   std::vector<CurveOrder> orders_;  // from drawn to ordered points
   std::vector<CurveMeasures> measures_;
+  std::vector<StrokeSlack> slacks_;
   std::vector<double> edges_near_;
 };
 
-/// Checks curves and options and puts the curves in order. Throws as CurveSmoother::set_curves().
+/// Checks curves and options. Throws as CurveSmoother::set_curves(), Cancelled.
+void check_drawing(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves,
+                   const CurveOptions& options, const Progress& progress);
+
+/// Checks curves and options and puts the curves in order. `slacks` has one entry per curve, or
+/// none where nobody will ask. Throws as check_drawing().
 OrderedDrawing checked_drawing(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves,
-                               const CurveOptions& options, const Progress& progress);
+                               std::span<const StrokeSlack> slacks, const CurveOptions& options,
+                               const Progress& progress);
 
 }  // namespace talweg

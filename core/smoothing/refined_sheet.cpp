@@ -14,9 +14,8 @@ namespace {
 /// The longest allowed edge: twice the slack, which is about the edge length of meshes on whose
 /// edges people draw. It is shorter if a curve would have too few edges to look smooth, unless the
 /// slack is wider than all of its bends.
-double longest_edge(const Surface& surface, const SurfaceCurve& drawn) {
+double longest_edge(const Surface& surface, const SurfaceCurve& drawn, double slack) {
   constexpr double kEdges = 200;
-  const double slack = default_slack(surface, drawn);
   return std::max(std::min(2 * slack, curve_length(surface, drawn) / kEdges), slack / 4);
 }
 
@@ -45,11 +44,11 @@ std::vector<double> values_on(const RefinedMesh& mesh, const Surface& original,
 std::vector<FaceId> faces_to_divide(const SurfaceMesh& mesh, const OrderedDrawing& drawing,
                                     const CurveOptions& options) {
   std::vector<FaceId> faces;
-  for (const SurfaceCurve& curve : drawing.curves()) {
+  for (std::size_t c = 0; c < drawing.curves().size(); ++c) {
+    const SurfaceCurve& curve = drawing.curves()[c];
     // Legs are free, however fine the way between two clicks is.
     if (legs_of(curve, options.pins, options.way_points, options.painted).all()) continue;
-    const double slack = default_slack(mesh.surface(), curve);
-    const std::vector<FaceId> own = too_large_faces(mesh, curve, slack);
+    const std::vector<FaceId> own = too_large_faces(mesh, curve, drawing.slacks()[c].slack);
     faces.insert(faces.end(), own.begin(), own.end());
   }
   return faces;
@@ -75,8 +74,10 @@ std::unique_ptr<RefinedSheet::Part> RefinedSheet::part_within(double reach,
                                                               const Progress& progress) {
   const Stopwatch watch;
   std::vector<double> longest;
-  for (const SurfaceCurve& curve : drawing_->curves())
-    longest.push_back(longest_edge(mesh_->surface(), curve));
+  for (std::size_t c = 0; c < drawing_->curves().size(); ++c) {
+    longest.push_back(
+        longest_edge(mesh_->surface(), drawing_->curves()[c], drawing_->slacks()[c].slack));
+  }
   auto part = std::make_unique<Part>();
   part->mesh = refine_along(*mesh_, drawing_->curves(),
                             faces_to_divide(*mesh_, *drawing_, options_), longest, reach, progress);
@@ -84,7 +85,8 @@ std::unique_ptr<RefinedSheet::Part> RefinedSheet::part_within(double reach,
   const std::vector<SurfaceCurve> curves =
       part->mesh.refined(part->memory->surface(), drawing_->curves());
   const CurveOptions options = options_there(options_, copies_on(part->mesh, curves));
-  part->drawing = checked_drawing(part->memory->mesh(), curves, options, progress);
+  part->drawing =
+      checked_drawing(part->memory->mesh(), curves, drawing_->slacks(), options, progress);
   SheetSetup setup;
   setup.may_divide = false;
   setup.fence = &part->mesh.at_cut;

@@ -1,6 +1,7 @@
 #include "talweg/core/smoothing/sheet.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 #include "talweg/core/drawing/crossings.hpp"
@@ -35,7 +36,11 @@ std::unique_ptr<Sheet> sheet_for(SmoothingMemory& memory, const OrderedDrawing& 
   const Straightening& straightening = memory.straightening();
   const PathContacts contacts = path_contacts(straightening.triangulation(), straightening.paths());
   const auto& tangled = contacts.tangled;
-  if (std::find(tangled.begin(), tangled.end(), true) != tangled.end()) {
+  if (std::find(tangled.begin(), tangled.end(), true) != tangled.end() &&
+      (setup.fence != nullptr ||
+       !whole->let_cross(
+           std::accumulate(contacts.crossings.begin(), contacts.crossings.end(), std::size_t{0}),
+           progress))) {
     return std::make_unique<UnrolledSheet>(memory, drawing, options, contacts.tangled,
                                            std::move(setup.distance), progress);
   }

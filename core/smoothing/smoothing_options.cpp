@@ -25,6 +25,9 @@ void CurveOptions::validate() const {
   if (bump_radius && !(*bump_radius > 0 && std::isfinite(*bump_radius))) {
     out_of_range("bump_radius must be finite and > 0.");
   }
+  if (click_distance && !(*click_distance >= 0 && std::isfinite(*click_distance))) {
+    out_of_range("click_distance must be finite and >= 0.");
+  }
   for (const WayPoint& way_point : way_points) {
     if (way_point.tolerance >= 0 && std::isfinite(way_point.tolerance)) continue;
     out_of_range("The tolerance of a way-point must be finite and >= 0.");

@@ -41,6 +41,10 @@ struct CurveOptions {
   /// stroke: it tells only on which side of holes and handles the curve passes. The result is a
   /// spline there, and tau its tension.
   std::vector<WayPoint> way_points;
+  /// Way-points that follow each other on a curve at no more than this distance (mesh units, >= 0)
+  /// are one: nobody can have meant more than one. By default an edge of the mesh there, and at
+  /// most a quarter of the median distance between them.
+  std::optional<double> click_distance;
   /// Points of the drawing that were painted. Between the two way-points around one of these, the
   /// drawing is a stroke, as are curves without way-points and the ends before and after these.
   std::vector<SurfacePoint> painted;

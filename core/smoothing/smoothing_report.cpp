@@ -56,10 +56,9 @@ void warn_of_crossings(SmoothingReport& report) {
 
 /// The deviation that deserves a warning, mesh units. A drawing that is finer than the mesh's edges
 /// cannot be judged by their length.
-double far_from(const SurfaceMesh& mesh, const SurfaceCurve& drawn, double edge, Engine engine) {
+double far_from(double slack, double edge, Engine engine) {
   constexpr double kFarInSlacks = 4;
-  return engine == Engine::kRefined ? kFarInSlacks * default_slack(mesh.surface(), drawn)
-                                    : kFarInEdges * edge;
+  return engine == Engine::kRefined ? kFarInSlacks * slack : kFarInEdges * edge;
 }
 
 void add_run(SmoothingReport& report, const Smoothed& smoothed) {
@@ -102,10 +101,14 @@ SmoothingResult reported(const OpenedMesh& mesh, const OrderedDrawing& drawing,
     SmoothingReport& report = result.reports.emplace_back(
         report_on_curve(mesh.mesh(), drawn, edge, drawing.measures()[c], smoothed.curves[c].curve));
     report.tau = options.tau_of(c);
+    const bool given = options.slack_of(c) || !options.slack_at.empty();
+    if (smoothed.potential == PotentialKind::kCorridor) {
+      report.slack_from = given ? SlackSource::kGiven : drawing.slacks()[c].source;
+    }
     add_run(report, smoothed);
     add_curve(report, smoothed.curves[c]);
     if (!smoothed.curves[c].has_legs) {
-      warn_if_far(report, far_from(mesh.mesh(), drawn, edge, smoothed.engine),
+      warn_if_far(report, far_from(drawing.slacks()[c].slack, edge, smoothed.engine),
                   options.deviation == DeviationMeasure::kAutomatic);
     }
     warn_of_straightening(report, options, smoothed, smoothed.curves[c].path.termination);

@@ -65,7 +65,7 @@ void UnrolledSheet::set_reach() {
     const SurfaceCurve& curve = drawing_->curves()[c];
     const bool free = legs_of(curve, options_.pins, options_.way_points, options_.painted).all();
     all_free = all_free && free;
-    const double slack = free ? 0 : default_slack(surface, curve);
+    const double slack = free ? 0 : drawing_->slacks()[c].slack;
     reach_ = std::max(reach_, kOfSlack * slack + kOfEdge * drawing_->edges_near()[c]);
   }
   most_faces_ = std::max(kFewFaces, surface.face_count() / (all_free ? 1 : 8));
@@ -82,7 +82,8 @@ std::unique_ptr<UnrolledSheet::Strips> UnrolledSheet::laid_strips(
   const std::vector<SurfaceCurve> curves =
       strips->mesh.unrolled(memory_->mesh(), strips->memory->surface(), drawn);
   const CurveOptions own = options_on(*strips, curves);
-  strips->drawing = checked_drawing(strips->memory->mesh(), curves, own, progress);
+  strips->drawing =
+      checked_drawing(strips->memory->mesh(), curves, drawing_->slacks(), own, progress);
   strips->sheet = std::make_unique<WholeSheet>(
       *strips->memory, strips->drawing, own,
       EmbeddedDrawing::Ground{Loops::kErase, &strips->mesh.at_cut}, progress);

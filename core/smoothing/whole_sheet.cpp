@@ -63,6 +63,25 @@ WholeSheet::WholeSheet(SmoothingMemory& memory, const OrderedDrawing& drawing,
   }
 }
 
+bool WholeSheet::let_cross(std::size_t crossings, const Progress& progress) {
+  return corridor_ && drawing_.let_legs_cross(crossings, progress);
+}
+
+void WholeSheet::count_crossings(Smoothed& result, const Progress& progress) {
+  const OrderedDrawing& drawing = drawing_.drawing();
+  Straightening& straightening = memory_->straightening();
+  straightening.clear();  // of legs, which are embedded one by one
+  if (crossings_.empty()) crossings_ = straightening.crossings_of(drawing.drawn(), progress);
+  std::vector<SurfaceCurve> curves;
+  for (const SmoothedCurve& curve : result.curves) curves.push_back(curve.curve);
+  const std::vector<std::size_t> after =
+      straightening.crossings_of(drawing.in_drawn_order(curves), progress);
+  for (std::size_t c = 0; c < curves.size(); ++c) {
+    result.curves[c].crossings_before = crossings_[drawing.numbers()[c]];
+    result.curves[c].crossings_after = after[drawing.numbers()[c]];
+  }
+}
+
 void WholeSheet::solve(const Progress& progress) {
   const Stopwatch watch;
   if (corridor_) corridor_->solve(progress);
@@ -103,11 +122,14 @@ Smoothed WholeSheet::smooth(const SmoothingOptions& options, const GivenPotentia
 
 Smoothed WholeSheet::curves(const SmoothingOptions& options, const GivenPotential* given,
                             const Progress& progress) {
-  Smoothed result = given != nullptr ? smooth_in(drawing_, *given, options, progress)
-                    : corridor_      ? corridor_->smooth(options, progress)
-                                     : paper_->smooth(options, progress);
+  // Nothing holds legs, and those that cross are never straightened together.
+  const bool lifted = given != nullptr && !drawing_.may_cross();
+  Smoothed result = lifted      ? smooth_in(drawing_, *given, options, progress)
+                    : corridor_ ? corridor_->smooth(options, progress)
+                                : paper_->smooth(options, progress);
   result.time_ms.solve = solve_ms_;
-  if (corridor_ && given == nullptr) warn_of_upper_bounds(result);
+  if (drawing_.may_cross()) count_crossings(result, progress);
+  if (corridor_ && !lifted) warn_of_upper_bounds(result);
   if (paper_) {
     result.time_ms.open = paper_->lift().open_ms();
     result.time_ms.solve = paper_->lift().solve_ms();

@@ -21,6 +21,9 @@ class WholeSheet final : public Sheet {
   WholeSheet(SmoothingMemory& memory, const OrderedDrawing& drawing, const CurveOptions& options,
              EmbeddedDrawing::Ground ground, const Progress& progress);
 
+  /// Lets curves cross that cross as drawn, so often in all, if they are all legs: see
+  /// EmbeddedDrawing. False, and nothing changes, where that is not possible.
+  bool let_cross(std::size_t crossings, const Progress& progress);
   /// Computes what the method needs at once: the corridor's distance and valleys, or the paper's
   /// distance.
   void solve(const Progress& progress);
@@ -43,6 +46,7 @@ class WholeSheet final : public Sheet {
   }
 
  private:
+  void count_crossings(Smoothed& result, const Progress& progress);
   void warn_of_upper_bounds(Smoothed& result) const;
   [[nodiscard]] MeasuredDeviation deviation_of(std::size_t curve, const SurfaceCurve& result,
                                                DeviationMeasure measure, const Progress& progress);
@@ -51,6 +55,7 @@ class WholeSheet final : public Sheet {
   EmbeddedDrawing drawing_;
   std::optional<CorridorMethod> corridor_;  // either this or the paper's method
   std::optional<PaperMethod> paper_;
+  std::vector<std::size_t> crossings_;  // of each drawn curve, where they may cross
   double solve_ms_ = 0;
 };
 

@@ -40,6 +40,7 @@ struct CutCommandOptions {
   bool tag = false;
   std::string cap;
   double merge = CutOptions{}.merge;
+  std::string ends = "auto";
   std::string mesh_units = "mm";
 };
 
@@ -97,8 +98,9 @@ Cutting::Cutting(const CutCommandOptions& options, Progress progress)
       progress_(std::move(progress)),
       read_(read_and_repair(options.mesh, options.repair, attributes_)),
       mesh_(SurfaceMesh::open(read_.lists)) {
-  drawing_ = DrawingReader(mesh_, read_.map.get())
-                 .read(o_.curves, LengthUnit::named(options.mesh_units), progress_);
+  DrawingReader reader(mesh_, read_.map.get());
+  reader.set_ends(curve_ends(options.ends));
+  drawing_ = reader.read(o_.curves, LengthUnit::named(options.mesh_units), progress_);
   const Stopwatch watch;
   cut_ = cut_along(mesh_, drawing_.curves, {o_.merge}, progress_);
   cut_.lists.single_precision = read_.lists.single_precision;
@@ -263,6 +265,14 @@ Command add_cut(CLI::App& app, const GlobalOptions& global) {
       ->add_option("--merge", o->merge,
                    "Points within this part of an edge of a vertex, an edge or each other are one")
       ->capture_default_str();
+  command
+      ->add_option("--ends", o->ends,
+                   "auto: a stroke whose end stops a little short of its beginning, or runs over "
+                   "it, is a loop; closed: every curve is; open: none that does not say it")
+      ->check(CLI::IsMember({"auto", "closed", "open"}))
+      ->capture_default_str();
+  command->add_flag_callback(
+      "--closed", [o] { o->ends = "closed"; }, "The same as --ends closed");
   add_repair_option(*command, o->repair);
   add_unit_option(*command, o->mesh_units);
   return [o, &global] {

@@ -1,4 +1,5 @@
-// talweg draw: a jagged curve along mesh edges, or a straight one, through given vertices.
+// talweg draw: a curve through given vertices, straight or along mesh edges.
+#include <algorithm>
 #include <cstdio>
 #include <string>
 #include <utility>
@@ -25,7 +26,7 @@ struct Options {
   std::string mesh;
   std::vector<std::uint32_t> through;
   bool closed = false;
-  bool straight = false;
+  bool straight = false, edges = false;
   std::vector<std::string> outputs;
   std::string repair;
   std::string mesh_units = "mm";
@@ -52,7 +53,11 @@ PlacedCurve drawn(const SurfaceMesh& mesh, const RepairMap* map, const Options& 
   }
   DrawOptions own;
   own.closed = options.closed;
-  own.straight = options.straight;
+  if (options.points == "rough") own.tolerance.reset();
+  const bool of_vertices =
+      std::any_of(options.outputs.begin(), options.outputs.end(),
+                  [](const std::string& output) { return output.ends_with(".txt"); });
+  if (options.straight || options.edges || of_vertices) own.straight = options.straight;
   const Drawing drawing = draw(mesh.surface(), clicks, own, progress);
   PlacedCurve placed = place(mesh, drawing.curve);
   if (options.points == "exact") placed.exact = marks_through(drawing.curve, clicks);
@@ -101,7 +106,7 @@ int run(const Options& options, const GlobalOptions& global) {
 Command add_draw(CLI::App& app, const GlobalOptions& global) {
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand(
-      "draw", "Draw a curve through mesh vertices: shortest edge paths, never through itself");
+      "draw", "Draw a curve through mesh vertices: straight over the faces, or along edges");
   command->add_option("mesh", options->mesh, "Mesh: OBJ, OFF, PLY, STL or OM")->required();
   command
       ->add_option("--through", options->through,
@@ -109,8 +114,15 @@ Command add_draw(CLI::App& app, const GlobalOptions& global) {
       ->delimiter(',')
       ->required();
   command->add_flag("--closed", options->closed, "Go back to the first vertex");
-  command->add_flag("--straight", options->straight,
-                    "Straight over the faces instead of along edges");
+  CLI::Option* straight = command->add_flag(
+      "--straight", options->straight,
+      "Straight over the faces, where legs may cross; the default between way-points");
+  command
+      ->add_flag(
+          "--edges", options->edges,
+          "Along edges of the mesh, never through itself; the default of a stroke, and where a "
+          "file is written that holds vertices only")
+      ->excludes(straight);
   command
       ->add_option("--points", options->points,
                    "exact: the vertices are way-points, which a result passes; rough: the whole "

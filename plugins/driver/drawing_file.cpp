@@ -31,7 +31,7 @@ SnappedDrawing DrawingReader::read(std::span<const std::string> paths, const Len
       throw Error(error.code(), error.what() + *weld_hint_);
     }
   }
-  return drawing;
+  return with_loops_closed(*mesh_, std::move(drawing), *lines_, ends_);
 }
 
 void DrawingReader::add(const std::vector<CurveInput>& inputs, SnappedDrawing& drawing,

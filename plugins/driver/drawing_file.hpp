@@ -14,6 +14,7 @@
 #include "talweg/core/mesh/closest_point.hpp"
 #include "talweg/core/mesh/surface_mesh.hpp"
 #include "talweg/core/repair/repair_map.hpp"
+#include "talweg/core/strokes/loop_closing.hpp"
 #include "talweg/intrinsic/progress.hpp"
 #include "talweg/intrinsic/surface/surface_point.hpp"
 
@@ -26,6 +27,8 @@ class DrawingReader {
   /// With a map, curves are in the numbers of the file.
   explicit DrawingReader(const SurfaceMesh& mesh, const RepairMap* map = nullptr)
       : mesh_(&mesh), map_(map) {}
+  /// What the ends of curves are that are read from now on; open by default.
+  void set_ends(CurveEnds ends) { ends_ = ends; }
   /// The curves of all files, in their order; `unit` is that of the mesh. Throws Cancelled, and
   /// Error as read_curves(), snap() and StraightLines::join() do, with a hint if welding may help.
   SnappedDrawing read(std::span<const std::string> paths, const LengthUnit& unit = {},
@@ -39,6 +42,7 @@ class DrawingReader {
   const RepairMap* map_;
   std::optional<ClosestPoint> closest_;
   std::optional<StraightLines> lines_;
+  CurveEnds ends_ = CurveEnds::kOpen;
   std::optional<std::string> weld_hint_;  ///< made when a curve is first rejected
 };
 

@@ -16,6 +16,10 @@ std::string table_of(const SmoothingReport& r) {
   const auto degrees = [](double angle) {
     return fmt::format("{:.4g}", angle * 180 / std::numbers::pi);
   };
+  // What makes a result useless for many comes first.
+  for (const std::string& warning : r.warnings) {
+    if (warning.starts_with("The result misses")) out += warning + "\n";
+  }
   fmt::format_to(std::back_inserter(out), "{:<22}{:>14}{:>14}\n", "", "drawn", "smoothed");
   line("points", r.points_before, r.points_after, "");
   line("length", number(r.length_before), number(r.length_after), "mesh units");

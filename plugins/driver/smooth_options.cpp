@@ -42,6 +42,12 @@ void add_inputs(CLI::App& app, SmoothOptions& o) {
                  "are the way-points")
       ->capture_default_str();
   add(app, "tolerance", o.tolerance)->capture_default_str();
+  add(app, "click_distance", o.click_distance);
+  add_choice(app, plugins::smooth_parameter("ends"), o.ends);
+  app.add_flag_callback(
+      "--closed", [&o] { o.ends = "closed"; }, "The same as --ends closed");
+  app.add_flag_callback(
+      "--open", [&o] { o.ends = "open"; }, "The same as --ends open");
   add_repair_option(app, o.repair);
   add_unit_option(app, o.mesh_units);
 }

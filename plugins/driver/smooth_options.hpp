@@ -31,6 +31,8 @@ struct SmoothOptions {
   std::vector<std::size_t> pins, corners;
   std::string points = "given";  ///< given, exact or rough; or "exact=" and vertices
   double tolerance = 0;
+  std::optional<double> click_distance;
+  std::string ends = plugins::smooth_parameter("ends").default_choice;
   std::size_t repeat = 1;
   // One value for all curves, or one for each of them.
   std::vector<double> tau = {plugins::smooth_parameter("tau").default_number};

@@ -93,6 +93,7 @@ Prepared prepare(const MeshFromFile& mesh, DrawingReader& reader, const SmoothOp
                  const Progress& progress) {
   const Stopwatch watch;
   const Surface& surface = mesh.mesh().surface();
+  reader.set_ends(curve_ends(options.ends));
   SnappedDrawing drawing =
       options.labels.empty()
           ? reader.read(options.curves, LengthUnit::named(options.mesh_units), progress)
@@ -189,6 +190,7 @@ plugin::Parameters parameters_of(const Prepared& run) {
   parameters.set_number("relax", o.relax);
   parameters.set_number("threads", o.threads);
   parameters.set_number("tolerance", o.tolerance);
+  set_if("click_distance", o.click_distance);
   set_if("max_deviation", o.max_deviation);
   set_if("heat_time", o.heat_time);
   set_if("budget", o.budget);

@@ -36,8 +36,15 @@ void Workspace::set_curves(std::span<const talweg_curve* const> curves) {
 
 void Workspace::put(const std::vector<CurveInput>& curves) {
   SnappedDrawing drawing = drawing_of(host_mesh(), lines(), curves);
-  if (!same(drawing.curves, drawing_.curves)) ++drawings_;
-  drawing_ = std::move(drawing);
+  if (!same(drawing.curves, snapped_.curves)) ++drawings_;
+  snapped_ = std::move(drawing);
+  drawing_ = snapped_;
+}
+
+void Workspace::close_loops(CurveEnds ends) {
+  if (ends != ends_) ++drawings_;
+  ends_ = ends;
+  drawing_ = with_loops_closed(mesh(), snapped_, lines(), ends);
 }
 
 void Workspace::put_again() {
@@ -53,6 +60,7 @@ std::vector<CurveInput> Workspace::taken(const std::vector<CurveInput>& curves) 
 
 void Workspace::forget() {
   lines_.reset();  // refers to the mesh
+  snapped_ = {};
   drawing_ = {};
   ++drawings_;
 }

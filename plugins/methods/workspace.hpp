@@ -9,6 +9,7 @@
 #include "host_curves.hpp"
 #include "mesh_workspace.hpp"
 #include "talweg/core/drawing/straight_lines.hpp"
+#include "talweg/core/strokes/loop_closing.hpp"
 
 namespace talweg::plugins {
 
@@ -32,6 +33,8 @@ class Workspace : public MeshWorkspace {
 
   [[nodiscard]] StraightLines& lines();
   [[nodiscard]] const SnappedDrawing& drawing() const { return drawing_; }
+  /// Makes loops of the curves that were set and are meant to be some. Until then none are.
+  void close_loops(CurveEnds ends);
   /// Warnings on the drawing, and sentences on what was repaired.
   [[nodiscard]] std::vector<std::string> reading_warnings() const;
   /// Counts the drawings and meshes that were set; a change of pins alone does not count.
@@ -43,7 +46,9 @@ class Workspace : public MeshWorkspace {
 
   std::optional<StraightLines> lines_;  // made when first needed
   std::vector<CurveInput> curves_;      // in the host's numbers
-  SnappedDrawing drawing_;
+  SnappedDrawing snapped_;
+  SnappedDrawing drawing_;  // with loops closed
+  CurveEnds ends_ = CurveEnds::kOpen;
   std::uint64_t drawings_ = 0;
 };
 

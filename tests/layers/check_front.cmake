@@ -18,7 +18,8 @@ set(drawing/curve_embedding_needs intrinsic/flips/signpost_triangulation)
 set(drawing/path_contacts_needs core/drawing/curve_embedding intrinsic/flips/signpost_triangulation)
 set(smoothing/potential_needs core/smoothing/lifted_lengths)
 set(smoothing/touched_edges_needs core/smoothing/corridor core/smoothing/corridor_width
-    core/smoothing/lifted_lengths)
+    core/smoothing/lifted_lengths core/strokes/stroke_slack)
+set(smoothing/corridor_width_needs core/strokes/stroke_slack)
 
 set(wrong "")
 set(looked 0)

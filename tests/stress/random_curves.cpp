@@ -6,6 +6,8 @@
 #include <numbers>
 #include <utility>
 
+#include "tools/scenes/hands.hpp"
+
 namespace talweg::stress {
 namespace {
 
@@ -221,10 +223,42 @@ CurveInput random_curve(const SurfaceMesh& mesh, Random& random, RandomDrawing& 
   return curve;
 }
 
+/// What a hand and a device make of a way on the mesh; empty where there is no room.
+CurveInput hand_drawn(const SurfaceMesh& mesh, Random& random) {
+  scenes::Hand hand;
+  hand.length = random.scale(4, 60);
+  hand.amplitude = random.scale(0.05, 1.5);
+  hand.wave = random.scale(1, 6);
+  if (random.one_in(3)) {
+    hand.radius = random.scale(1, 8);
+    hand.over = random.uniform(-1, 3);
+  }
+  scenes::Sampling sampling;
+  sampling.step = random.scale(0.02, 2);
+  sampling.uneven = random.one_in(3) ? random.scale(1, 10) : 1;
+  sampling.jitter = random.one_in(2) ? random.scale(1e-4, 0.3) : 0;
+  sampling.off = random.one_in(3) ? random.scale(0.01, 3) : 0;
+  sampling.rests = random.below(4);
+  sampling.spikes = random.one_in(4) ? random.below(4) : 0;
+  sampling.hook = random.one_in(4) ? random.scale(0.1, 2) : 0;
+  sampling.doubled = random.one_in(8);
+  CurveInput curve;
+  const scenes::HandStroke stroke(mesh, hand, random.next());
+  if (stroke.is_drawn()) curve.points = stroke.sampled(sampling);
+  return curve;
+}
+
 }  // namespace
 
 RandomDrawing random_drawing(const SurfaceMesh& mesh, Random& random) {
   RandomDrawing drawing;
+  Random own = random;  // so that the other drawings stay what they were before there were hands
+  if (own.one_in(6)) {
+    drawing.curves = {hand_drawn(mesh, own)};
+    drawing.kind = "hand ";
+    if (point_count(drawing.curves[0]) > 1) return drawing;
+    drawing = {};
+  }
   const std::size_t curves = random.one_in(4) ? 2 + random.below(3) : 1;
   for (std::size_t c = 0; c < curves; ++c) {
     drawing.curves.push_back(random_curve(mesh, random, drawing));

@@ -18,6 +18,8 @@
 namespace talweg::plugins {
 namespace {
 
+constexpr const char* kEnds[] = {"auto", "closed", "open"};
+constexpr const char* kEndLabels[] = {"As drawn", "Closed: loops", "Open"};
 constexpr const char* kSides[] = {"both", "left", "right"};
 constexpr const char* kSideLabels[] = {"Both sides", "Left of the curves", "Right of the curves"};
 constexpr const char* kCaps[] = {"none", "auto", "planar", "least-area"};
@@ -59,6 +61,10 @@ class Cut : public MakesMeshes<Workspace> {
                 "outside."),
          choice("cap", "Lids", "none", kCaps, kCapLabels,
                 "Close what the cut leaves open, never through the piece."),
+         choice("ends", "Ends", "auto", kEnds, kEndLabels,
+                "auto: a stroke whose end stops a little short of its beginning, or runs over it, "
+                "is a loop; closed: every curve is; open: none that does not say it.",
+                TALWEG_STAGE_RUN),
          number("merge", "Merge", "part of an edge", CutOptions{}.merge, {1e-11, 1e-2, 1e-9, 1e-2},
                 "Points within this part of an edge of a vertex, an edge or each other are one.",
                 TALWEG_STAGE_RUN, TALWEG_ADVANCED | TALWEG_LOGARITHMIC)});
@@ -74,6 +80,7 @@ class Cut : public MakesMeshes<Workspace> {
     made_.clear();
     plan_.reset();
     const Stopwatch watch;
+    close_loops(curve_ends(parameters.choice("ends")));
     CutPlan plan = cancellable([&] {
       return plan_cut(mesh(), drawing().curves, {parameters.number("merge")}, progress());
     });

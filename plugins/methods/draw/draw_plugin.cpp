@@ -24,8 +24,8 @@ class Draw : public Workspace {
   static talweg_plugin about() {
     talweg_plugin about = about_curves(
         "talweg.draw", "Draw curves",
-        "Draws curves through points in their order: shortest edge paths between vertices, never "
-        "through itself, or straight lines over the surface between any points. Points need not be "
+        "Draws curves through points in their order: straight lines over the surface between any "
+        "points, or shortest edge paths between vertices, never through itself. Points need not be "
         "neighbours.");
     about.get_extension = extension;
     return about;
@@ -38,8 +38,14 @@ class Draw : public Workspace {
   }
   static std::vector<talweg_parameter> parameters() {
     return with_repair(
-        {plugin::boolean("straight", "Straight", false,
-                         "Straight over the faces instead of along edges."),
+        {plugin::choice(
+             "way", "Way", "auto", kWays, kWayLabels,
+             "Between the points. straight: over the faces, where legs may cross; edges: "
+             "along edges of the mesh, never through itself; auto: straight between "
+             "way-points, along edges in a stroke.",
+             TALWEG_STAGE_RUN),
+         plugin::boolean("straight", "Straight", false, "The same as way = straight.",
+                         TALWEG_STAGE_RUN, TALWEG_ADVANCED),
          plugin::choice("points", "Points", "exact", kPoints, kPointLabels,
                         "What the given points are in the drawn curve. exact: way-points, "
                         "unless the given curve says what they are; rough: a stroke.",
@@ -76,8 +82,11 @@ class Draw : public Workspace {
   }
 
   void run(const plugin::Parameters& parameters, const plugin::Outputs& outputs) {
-    const bool straight = parameters.flag("straight"), preview = parameters.flag("preview");
+    const bool preview = parameters.flag("preview");
     const bool exact = parameters.choice("points") == "exact";
+    const std::string& way = parameters.choice("way");
+    const bool straight =
+        parameters.flag("straight") || way == "straight" || (way == "auto" && exact);
     std::vector<PlacedCurve> placed;
     std::vector<std::vector<PointField>> fields(snapped_.size());
     std::vector<double> lengths;
@@ -109,6 +118,8 @@ class Draw : public Workspace {
   }
 
  private:
+  static constexpr const char* kWays[] = {"auto", "straight", "edges"};
+  static constexpr const char* kWayLabels[] = {"Automatic", "Straight", "Along edges"};
   static constexpr const char* kPoints[] = {"exact", "rough"};
   static constexpr const char* kPointLabels[] = {"Exact: way-points", "Rough: a stroke"};
 

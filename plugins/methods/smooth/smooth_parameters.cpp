@@ -30,6 +30,8 @@ constexpr const char* kEngineLabels[] = {"Automatic", "Distance over the whole m
 constexpr const char* kPoints[] = {"given", "exact", "rough"};
 constexpr const char* kPointLabels[] = {"As the drawing says", "Exact: way-points",
                                         "Rough: a stroke"};
+constexpr const char* kEnds[] = {"auto", "closed", "open"};
+constexpr const char* kEndLabels[] = {"As drawn", "Closed: loops", "Open"};
 constexpr const char* kShapes[] = {"power", "exponential"};
 constexpr const char* kShapeLabels[] = {"Power", "Exponential"};
 constexpr const char* kLengths[] = {"max_distance", "curve_length", "given"};
@@ -71,8 +73,8 @@ std::vector<talweg_parameter> main_parameters() {
              "0: straight lines; more keeps closer to the drawing."),
       number(
           "slack", "Slack", "mesh units", 0, {0, HUGE_VAL, 0, 10},
-          "How exact the drawing is (corridor). By default 0.7 of its median segment, less where "
-          "it turns little, at most 1/24 of its length.",
+          "How exact the drawing is (corridor). By default as wide as the hand trembled, or 0.7 of "
+          "the median segment of a path along edges; at most 1/24 of the length.",
           kRun, kOptional),
       number(
           "max_deviation", "Largest deviation", "mesh units", 0, {0, HUGE_VAL, 0, 10},
@@ -109,6 +111,14 @@ std::vector<talweg_parameter> main_parameters() {
       number("tolerance", "Tolerance", "mesh units", 0, {0, HUGE_VAL, 0, 10},
              "How far from a way-point the result may pass, where the drawing does not say it.",
              kCurves, kAdvanced),
+      number("click_distance", "Click distance", "mesh units", 0, {0, HUGE_VAL, 0, 10},
+             "Way-points that follow each other at no more than this distance are one. By default "
+             "an edge of the mesh, and at most a quarter of their median distance; 0: none are.",
+             kCurves, kOptional | kAdvanced),
+      choice("ends", "Ends", "auto", kEnds, kEndLabels,
+             "auto: a stroke whose end stops a little short of its beginning, or runs over it, is "
+             "a loop; closed: every curve is; open: none that does not say it.",
+             kCurves),
       boolean("preview", "Preview", false,
               "While a curve is dragged: smooths only the stretch that differs from the last run "
               "without preview, and joins it to that result (corridor, one curve changed; else "
@@ -254,6 +264,7 @@ CurveOptions curve_options_of(const Parameters& p) {
   if (const auto heat_time = p.optional("heat_time")) options.heat_time = *heat_time;
   const double bump = p.number("bump_radius");
   if (bump > 0) options.bump_radius = bump;
+  options.click_distance = p.optional("click_distance");
   options.cap_corners = p.flag("cap_corners");
   options.threads = static_cast<unsigned>(p.number("threads"));
   options.distance_at_once = false;  // only run() knows whether the distance is needed

@@ -54,6 +54,7 @@ class Smooth : public SmootherWorkspace {
 
   void run(const plugin::Parameters& parameters, const plugin::Outputs& outputs) {
     CurveOptions curve_options = curve_options_of(parameters);
+    close_loops(curve_ends(parameters.choice("ends")));
     const PointsTaken taken =
         points_taken(parameters, host_mesh().taken_vertices(parameters.vertices("exact")));
     points_ = take_points(drawing(), taken);

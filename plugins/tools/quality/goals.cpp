@@ -22,6 +22,8 @@ constexpr double kRises = 0.02, kMoves = 0.01, kMovesOfOne = 0.03;  // parts of 
 constexpr double kMedianApart = 0.1, kWorstApart = 0.3;             // h₀
 constexpr double kMissed = 1e-6, kInserted = 0.1;                   // h₀
 constexpr double kClickedBent = 0.15, kSwing = 0.25, kLonger = 1.08;
+constexpr double kMedianHandsApart = 0.25, kWorstHandsApart = 0.5;  // h₀
+constexpr double kMedianHandsOther = 1.5, kWorstHandsOther = 3, kHandsBent = 0.3;
 constexpr double kOther = 1.1;  // times, or once over that
 
 double percent(double part) { return 100 * part; }
@@ -162,12 +164,28 @@ void of_clicks(std::span<const ClickedRun> clicked, std::vector<Goal>& goals) {
             kInserted, goals);
 }
 
+/// One hand, however it is sampled.
+void of_hands(std::span<const HandRun> hands, std::vector<Goal>& goals) {
+  std::vector<double> apart, ratio, bending;
+  for (const HandRun& run : hands) {
+    apart.push_back(run.apart);
+    ratio.push_back(run.ratio);
+    bending.push_back(run.bending);
+  }
+  of_values("hands: apart from the same hand, sampled 10 times per edge", " h₀", apart,
+            kMedianHandsApart, kWorstHandsApart, goals);
+  of_values("hands: bending over that of this, or under", "", ratio, kMedianHandsOther,
+            kWorstHandsOther, goals);
+  of_values("hands: bending", "", bending, kHandsBent, kHandsBent, goals);
+}
+
 }  // namespace
 
 std::vector<Goal> goals(std::span<const Run> runs, std::span<const Sweep> sweeps,
                         std::span<const Subdivision> subdivisions,
-                        std::span<const ClickedRun> clicked) {
+                        std::span<const ClickedRun> clicked, std::span<const HandRun> hands) {
   std::vector<Goal> result;
+  of_hands(hands, result);
   of_spread(runs, result);
   of_runs(runs, result);
   of_sweeps(sweeps, result);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "tools/quality/clicked_runs.hpp"
+#include "tools/quality/hand_runs.hpp"
 #include "tools/quality/runs.hpp"
 
 namespace talweg::quality {
@@ -18,7 +19,8 @@ struct Goal {
 /// The goals of the default settings. Those of which nothing was measured are left out.
 std::vector<Goal> goals(std::span<const Run> runs, std::span<const Sweep> sweeps,
                         std::span<const Subdivision> subdivisions,
-                        std::span<const ClickedRun> clicked = {});
+                        std::span<const ClickedRun> clicked = {},
+                        std::span<const HandRun> hands = {});
 
 /// As Markdown.
 std::string tables(std::span<const Goal> goals);

@@ -18,6 +18,7 @@
 #include "tools/quality/clicked_runs.hpp"
 #include "tools/quality/gallery.hpp"
 #include "tools/quality/goals.hpp"
+#include "tools/quality/hand_runs.hpp"
 #include "tools/quality/runs.hpp"
 #include "tools/quality/tables.hpp"
 #include "tools/scenes/scenes.hpp"
@@ -28,8 +29,9 @@ namespace {
 struct Options {
   std::filesystem::path out, meshes, curves;
   std::vector<std::string> names;
-  std::vector<std::string> parts{"runs",  "paper",       "bound",  "clicks",
-                                 "sweep", "subdivision", "gallery"};
+  std::vector<std::string> parts{"hands",  "runs",  "paper",       "bound",
+                                 "clicks", "sweep", "subdivision", "gallery"};
+  std::size_t hands = 6;
   std::uint64_t seed = 1;
   CurveOptions curve_options;
 };
@@ -85,6 +87,7 @@ struct Measured {
   std::vector<Run> runs, paper, relaxed;
   std::vector<BoundedRun> bounded;
   std::vector<ClickedRun> clicked;
+  std::vector<HandRun> hands;
   std::vector<Sweep> sweeps;
   std::vector<Subdivision> subdivisions;
 };
@@ -139,6 +142,9 @@ void measure(const Subject& subject, const Options& options, Measured& measured)
   std::fflush(stdout);
   if (subject.drawings.empty()) return;
   write_drawings(subject, options.out / "drawings");
+  if (wants(options, "hands") && options.curve_options.method == Method::kCorridor) {
+    append(measured.hands, hand_runs(subject, options.hands, options.seed));
+  }
   if (wants(options, "runs")) measure_runs(subject, options, measured);
   if (wants(options, "clicks") && options.curve_options.method == Method::kCorridor) {
     append(measured.clicked, clicked_runs(subject));
@@ -162,9 +168,10 @@ std::string text_of(const Options& options, const Measured& measured) {
     text += table;
     text += "\n";
   };
-  const std::vector<Goal> reached =
-      goals(measured.runs, measured.sweeps, measured.subdivisions, measured.clicked);
+  const std::vector<Goal> reached = goals(measured.runs, measured.sweeps, measured.subdivisions,
+                                          measured.clicked, measured.hands);
   if (!reached.empty()) add("Goals", tables(reached));
+  if (!measured.hands.empty()) add("Hands, τ = 1", tables(measured.hands));
   if (!measured.runs.empty()) add("Default settings, τ = 0.5, 1, 2, 4", tables(measured.runs));
   if (!measured.paper.empty()) {
     add("Beside the paper's potential",
@@ -187,6 +194,7 @@ std::string text_of(const Options& options, const Measured& measured) {
 
 void write_results(const Options& options, const Measured& measured) {
   if (!measured.runs.empty()) write(options.out / "runs.csv", csv(measured.runs));
+  if (!measured.hands.empty()) write(options.out / "hands.csv", csv(measured.hands));
   if (!measured.paper.empty()) write(options.out / "paper_runs.csv", csv(measured.paper));
   if (!measured.relaxed.empty()) {
     write(options.out / "paper_relaxed_runs.csv", csv(measured.relaxed));
@@ -208,6 +216,8 @@ int run(int argc, char** argv) {
   app.add_option("--parts", options.parts, "What to measure; paper and bound need runs")
       ->delimiter(',')
       ->check(CLI::IsMember(options.parts))
+      ->capture_default_str();
+  app.add_option("--hands", options.hands, "How many hands draw on each mesh")
       ->capture_default_str();
   app.add_option("--seed", options.seed, "Of the generated drawings")->capture_default_str();
   app.add_option("--potential", options.curve_options.method, "corridor or paper")

@@ -5,7 +5,7 @@
 #include "talweg/core/measure/deviation.hpp"
 #include "talweg/core/measure/edge_length_near.hpp"
 #include "talweg/core/measure/measures.hpp"
-#include "talweg/core/smoothing/corridor_width.hpp"
+#include "talweg/core/strokes/stroke_slack.hpp"
 #include "tools/paper/refinement.hpp"
 #include "tools/quality/runs.hpp"
 
@@ -52,7 +52,8 @@ Subdivision subdivision(const Subject& subject, const NamedPath& drawing, double
   const double edge = edge_length_near(coarse, drawing.curve(coarse));
   SmoothingOptions options;
   options.tau = tau;
-  options.slack = default_slack(coarse, drawing.curve(coarse));
+  const SurfaceCurve drawn = drawing.curve(coarse);
+  options.slack = stroke_slack(subject.mesh->mesh(), std::span(&drawn, 1), edge).slack;
   MeshLists lists = subject.lists;
   NamedPath now = drawing;
   std::vector<Point> coarsest;

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "talweg/talweg.hpp"
+#include "tools/scenes/hands.hpp"
 #include "tools/scenes/patients.hpp"
 #include "tools/scenes/ply_writer.hpp"
 #include "tools/scenes/scenes.hpp"
@@ -66,6 +67,20 @@ Waypoints waypoints_on(const std::string& path) {
   return through;
 }
 
+void write_hand(const std::string& mesh, const std::string& file, std::uint64_t seed) {
+  const HandStroke stroke(SurfaceMesh::open(read_mesh(mesh)), {}, seed);
+  if (!stroke.is_drawn()) {
+    throw Error(ErrorCode::kBadMesh, mesh + ": there is no room for a stroke of 60 edges.");
+  }
+  std::string text, line = "l";
+  std::size_t count = 0;
+  for (const Point& p : stroke.sampled({})) {
+    text += fmt::format("v {:.9g} {:.9g} {:.9g}\n", p.x(), p.y(), p.z());
+    line += fmt::format(" {}", ++count);
+  }
+  write_bytes(file, text + line + "\n");
+}
+
 int run(int argc, char** argv) {
   CLI::App app("Generates the demo's meshes, and jagged curves to draw on them.", "talweg-scenes");
   std::string folder, mesh;
@@ -82,6 +97,14 @@ int run(int argc, char** argv) {
       ->check(CLI::Range(1, 100000));
   app.add_option("--through-for", mesh, "Print arguments for talweg draw on this mesh instead")
       ->excludes(out);
+  std::vector<std::string> hand;
+  std::uint64_t seed = 1;
+  app.add_option("--hand", hand,
+                 "MESH STROKE.obj: writes a stroke on this mesh instead, as a trembling hand and a "
+                 "tablet of ten samples per edge give it")
+      ->expected(2)
+      ->excludes(out);
+  app.add_option("--seed", seed, "Of the hand")->capture_default_str();
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& asked) {
@@ -91,12 +114,15 @@ int run(int argc, char** argv) {
   }
   if (!mesh.empty()) {
     std::printf("%s\n", draw_arguments(waypoints_on(mesh)).c_str());
+  } else if (!hand.empty()) {
+    write_hand(hand[0], hand[1], seed);
   } else if (!folder.empty() && patients > 0) {
     write_patients(folder, patients);
   } else if (!folder.empty()) {
     write_scenes(folder, gallery ? gallery_scenes() : demo_scenes());
   } else {
-    throw Error(ErrorCode::kBadUsage, "a folder OUTDIR or --through-for MESH is needed");
+    throw Error(ErrorCode::kBadUsage,
+                "a folder OUTDIR, --through-for MESH or --hand MESH STROKE.obj is needed");
   }
   return 0;
 }

@@ -24,11 +24,15 @@ class Draw : public testing::Test {
 };
 
 TEST_F(Draw, ThroughVerticesAlongEdgesOrStraight) {
-  const Drawing edges = draw(surface(), clicks);
-  for (const SurfacePoint& point : edges.curve.points) EXPECT_TRUE(point.is_vertex());
   DrawOptions options;
-  options.straight = true;
-  const Drawing straight = draw(surface(), clicks, options);
+  options.straight = false;
+  const Drawing edges = draw(surface(), clicks, options);
+  for (const SurfacePoint& point : edges.curve.points) EXPECT_TRUE(point.is_vertex());
+  // Way-points say nothing of the way; a stroke is one along edges.
+  const Drawing straight = draw(surface(), clicks);
+  options.straight.reset();
+  options.tolerance.reset();
+  EXPECT_EQ(draw(surface(), clicks, options).curve.points, edges.curve.points);
   EXPECT_NEAR(curve_length(surface(), straight.curve), std::hypot(9, 4) + std::hypot(6, 3), 1e-9);
   for (const Drawing* drawing : {&edges, &straight}) {
     ASSERT_EQ(drawing->way_points.size(), 3U);

@@ -264,3 +264,76 @@ TEST(SnappingOfRoundedFiles, NearPointsStayApart) {
 
 }  // namespace
 }  // namespace talweg
+
+namespace talweg {
+namespace {
+
+/// A closed plate of 12 x 12 squares, 0.1 thick.
+MeshLists plate() {
+  MeshLists lists = test::grid(12, 12);
+  const auto count = static_cast<std::uint32_t>(lists.points.size());
+  const std::size_t faces = lists.triangles.size();
+  for (std::uint32_t v = 0; v < count; ++v)
+    lists.points.push_back(lists.points[v] - Point(0, 0, 0.1));
+  for (std::size_t f = 0; f < faces; ++f) {
+    const auto [a, b, c] = lists.triangles[f];
+    lists.triangles.push_back({a + count, c + count, b + count});
+  }
+  const auto at = [](std::uint32_t x, std::uint32_t y) { return y * 13 + x; };
+  const auto wall = [&](std::uint32_t a, std::uint32_t b) {  // along the rim, counterclockwise
+    lists.triangles.push_back({b, a, a + count});
+    lists.triangles.push_back({b, a + count, b + count});
+  };
+  for (std::uint32_t k = 0; k < 12; ++k) {
+    wall(at(k, 0), at(k + 1, 0));
+    wall(at(12, k), at(12, k + 1));
+    wall(at(k + 1, 12), at(k, 12));
+    wall(at(0, k + 1), at(0, k));
+  }
+  return lists;
+}
+
+TEST(SnappingToThinWalls, PutsAllPointsOnOneSide) {
+  const SurfaceMesh mesh = SurfaceMesh::open(plate());
+  for (const bool far_below : {false, true}) {
+    std::vector<Point> points;
+    for (int x = 2; x <= 10; ++x) points.emplace_back(x, 6, 0.01);
+    points[4].z() = -0.06;  // nearer to the bottom
+    if (far_below) points[5].z() = points[6].z() = -0.07;
+    const SnappedCurve snapped = snap(mesh, {false, points, {}});
+    for (const SurfacePoint& point : snapped.points)
+      EXPECT_NEAR(mesh.position(point).z(), 0, 1e-12);
+    ASSERT_EQ(snapped.told.size(), 1U);
+    EXPECT_NE(snapped.told[0].find(far_below ? "3 of 9 points" : "1 of 9 points"),
+              std::string::npos)
+        << snapped.told[0];
+    EXPECT_NE(snapped.told[0].find("the first at (6, 6, -0.06)"), std::string::npos);
+  }
+}
+
+TEST(SnappingToThinWalls, FollowsACurveAroundTheRim) {
+  const SurfaceMesh mesh = SurfaceMesh::open(plate());
+  std::vector<Point> points;
+  for (double x = 9; x <= 12; x += 0.5) points.emplace_back(x, 6, 0);
+  for (double x = 12; x >= 9; x -= 0.5) points.emplace_back(x, 6, -0.1);
+  const SnappedCurve snapped = snap(mesh, {false, points, {}});
+  EXPECT_TRUE(snapped.told.empty());
+  EXPECT_NEAR(mesh.position(snapped.points.back()).z(), -0.1, 1e-12);
+}
+
+TEST(SnappingToThinWalls, SaysWhereACurveLeavesTheSurface) {
+  // Two sheets that are joined far away: from one to the other there is no short way.
+  MeshLists lists = plate();
+  for (std::size_t v = 169; v < lists.points.size(); ++v) lists.points[v].z() -= 3;
+  const SurfaceMesh mesh = SurfaceMesh::open(lists);
+  std::vector<Point> points;
+  for (int x = 4; x <= 8; ++x) points.emplace_back(x, 6, x < 6 ? 0 : -3.1);
+  const SnappedCurve snapped = snap(mesh, {false, points, {}});
+  ASSERT_EQ(snapped.told.size(), 1U);
+  EXPECT_NE(snapped.told[0].find("in 1 place where the surface is no way as short"),
+            std::string::npos)
+      << snapped.told[0];
+}
+
+}  // namespace
+}  // namespace talweg

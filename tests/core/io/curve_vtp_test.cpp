@@ -187,10 +187,19 @@ TEST_F(CurveVtp, SeveralPieces) {
   std::string text = ascii(kFour, "0 1", "2");
   const std::size_t from = text.find("<Piece");
   const std::size_t to = text.find("</PolyData>");
-  const std::string piece = text.substr(from, to - from);
+  std::string piece = text.substr(from, to - from);
+  piece.replace(piece.find("0 0 0  1 0 0"), 12, "5 0 0  6 0 0");
   const auto curves = read("a.vtp", text.insert(to, piece));
   ASSERT_EQ(curves.size(), 2U);
-  EXPECT_EQ(test::positions(curves[0]), test::positions(curves[1]));
+  EXPECT_EQ(test::positions(curves[0])[0], Point(0, 0, 0));
+  EXPECT_EQ(test::positions(curves[1])[0], Point(5, 0, 0));
+}
+
+TEST_F(CurveVtp, SegmentsWithPointsOfTheirOwnAreJoinedByPosition) {
+  const auto curves = read(
+      "a.vtp", ascii("0 0 0  1 0 0\n1 0 0  1 1 0.1  1 1 0.1  0 1 0", "0 1 2 3 4 5", "2 4 6", "6"));
+  ASSERT_EQ(curves.size(), 1U);
+  EXPECT_EQ(test::positions(curves[0]), kBentSquare);
 }
 
 TEST_F(CurveVtp, RefusesMalformedXml) {

@@ -9,6 +9,7 @@
 #include "core/generated_meshes.hpp"
 #include "core/jagged_curves.hpp"
 #include "core/small_meshes.hpp"
+#include "talweg/core/strokes/stroke_slack.hpp"
 #include "talweg/talweg.hpp"
 
 namespace talweg {
@@ -27,7 +28,7 @@ struct Scale {
 };
 
 Scale scale_of(const SurfaceMesh& mesh, const SurfaceCurve& curve) {
-  return {default_slack(mesh.surface(), curve), corridor_length(mesh, curve),
+  return {slack_of_segments(mesh.surface(), curve), corridor_length(mesh, curve),
           width_of_loop(mesh, curve)};
 }
 
@@ -120,10 +121,10 @@ TEST_F(CorridorScale, FollowsTheDrawingAndNotItsPoints) {
 
 TEST_F(CorridorScale, TwoPointsAndOne) {
   const SurfaceCurve two = test::vertex_curve(surface, std::vector{at(4, 4), at(5, 4)}, false);
-  EXPECT_NEAR(default_slack(surface, two), 1 / 24.0, kTiny);
+  EXPECT_NEAR(slack_of_segments(surface, two), 1 / 24.0, kTiny);
   EXPECT_NEAR(corridor_length(mesh, two), 0.5 / 4, kTiny);
   const SurfaceCurve one = test::vertex_curve(surface, std::vector{at(4, 4)}, false);
-  EXPECT_EQ(default_slack(surface, one), 0);
+  EXPECT_EQ(slack_of_segments(surface, one), 0);
   EXPECT_EQ(corridor_length(mesh, one), 0);
   EXPECT_EQ(width_of_loop(mesh, one), 0);
 }

@@ -20,9 +20,11 @@ class MissedPoints : public testing::Test {
   [[nodiscard]] static VertexId at(std::uint32_t x, std::uint32_t y) {
     return VertexId{y * columns + x};
   }
-  /// Along rows and columns from one corner to the next; the corners are way-points.
+  /// Along rows and columns from one corner to the next; the corners are way-points. The last
+  /// stretch may be painted.
   [[nodiscard]] SmoothingResult smooth_through(
-      const std::vector<std::pair<std::uint32_t, std::uint32_t>>& corners) const {
+      const std::vector<std::pair<std::uint32_t, std::uint32_t>>& corners,
+      bool painted = false) const {
     const Surface& surface = opened->mesh().surface();
     CurveOptions options;
     SurfaceCurve drawn{false, {}};
@@ -37,6 +39,7 @@ class MissedPoints : public testing::Test {
       options.way_points.push_back({SurfacePoint::at_vertex(surface, at(x, y))});
     }
     drawn.points.push_back(SurfacePoint::at_vertex(surface, at(x, y)));
+    if (painted) options.painted.push_back(drawn.points[drawn.points.size() - 2]);
     return smooth_curve(opened, drawn, {}, options);
   }
   [[nodiscard]] static std::vector<std::string> said(const SmoothingResult& result) {
@@ -49,6 +52,7 @@ class MissedPoints : public testing::Test {
   static void expect_six_away(const SmoothingResult& result) {
     const std::vector<std::string> warnings = said(result);
     ASSERT_EQ(warnings.size(), 1);
+    EXPECT_EQ(result.report().termination, Outcome::kMissed);
     EXPECT_NE(warnings[0].find("misses 1 of the points"), std::string::npos) << warnings[0];
     EXPECT_NE(warnings[0].find("by up to 6 through space, at (20, 10, 0)"), std::string::npos)
         << warnings[0];
@@ -60,11 +64,19 @@ TEST_F(MissedPoints, NothingIsSaidWhereAllArePassed) {
   EXPECT_TRUE(said(smooth_through({{2, 2}, {2, 12}, {14, 12}, {14, 4}})).empty());
 }
 
-TEST_F(MissedPoints, AWayBackIsLeftOut) {
+TEST_F(MissedPoints, LegsMayGoBackAndCross) {
+  const std::vector<std::pair<std::uint32_t, std::uint32_t>> back{{2, 10},  {20, 10}, {14, 10},
+                                                                  {14, 20}, {6, 20},  {6, 4}};
+  const SmoothingResult result = smooth_through(back);
+  EXPECT_TRUE(said(result).empty());
+  EXPECT_EQ(result.report().termination, Outcome::kConverged);
+}
+
+TEST_F(MissedPoints, AWayBackBesideAStrokeIsLeftOut) {
   // From (20, 10) it goes back to (14, 10).
-  expect_six_away(smooth_through({{2, 10}, {20, 10}, {14, 10}, {14, 20}}));
+  expect_six_away(smooth_through({{2, 10}, {20, 10}, {14, 10}, {14, 20}}, true));
   // Later it crosses its beginning.
-  expect_six_away(smooth_through({{2, 10}, {20, 10}, {14, 10}, {14, 20}, {6, 20}, {6, 4}}));
+  expect_six_away(smooth_through({{2, 10}, {20, 10}, {14, 10}, {14, 20}, {6, 20}, {6, 4}}, true));
 }
 
 }  // namespace

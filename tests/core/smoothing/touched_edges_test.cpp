@@ -14,6 +14,7 @@
 #include "talweg/core/smoothing/corridor.hpp"
 #include "talweg/core/smoothing/corridor_width.hpp"
 #include "talweg/core/smoothing/lifted_lengths.hpp"
+#include "talweg/core/strokes/stroke_slack.hpp"
 #include "talweg/intrinsic/exact_distance/polyline_distance.hpp"
 #include "talweg/talweg.hpp"
 
@@ -74,7 +75,7 @@ TEST(TouchedEdges, NoLiftLengthensAnEdgeByMoreThanTheCorridorSays) {
       for (const SurfaceCurve& curve : drawn) {
         Corridor::Valley& valley = valleys.emplace_back();
         valley.closed = curve.closed;
-        valley.slack = default_slack(surface, curve);
+        valley.slack = slack_of_segments(surface, curve);
         valley.length = corridor_length(mesh, curve);
         valley.turns = 3;
         if (!field) continue;

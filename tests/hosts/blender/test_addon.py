@@ -217,7 +217,6 @@ class Addon(unittest.TestCase):
         for point in hook:
             point[2] = 3 * np.sin(point[0] / 7) * np.cos(point[1] / 5)
         scene.annotate([hook])
-        self.assertEqual(bpy.ops.talweg.smooth_annotations(thin=0), {"FINISHED"})
         self.assertEqual(bpy.ops.talweg.smooth_annotations(), {"FINISHED"})
         ends = session.last_result().curve.positions[[0, -1]]
         np.testing.assert_allclose(ends[:, :2], [hook[0][:2], hook[-1][:2]], atol=1e-2)
@@ -225,7 +224,7 @@ class Addon(unittest.TestCase):
     def test_a_stroke_inside_one_face_is_cut_whole(self):
         bpy.ops.object.mode_set(mode="OBJECT")
         scene.annotate([[[10.2, 10.1, 0], [10.3, 10.15, 0]]])
-        self.assertEqual(bpy.ops.talweg.smooth_annotations(output="EDGES", thin=0), {"FINISHED"})
+        self.assertEqual(bpy.ops.talweg.smooth_annotations(output="EDGES"), {"FINISHED"})
         self.assertFalse(self.obj.data.validate())
         self.assertEqual(sum(edge.select for edge in self.obj.data.edges), 1)
 

@@ -149,7 +149,7 @@ class Places(Results):
         own = bpy.data.materials.new("Mine")
         shown.data.materials[0] = own
         shown.hide_set(True)
-        result = self.smooth(tau=4, thin=1)
+        result = self.smooth(tau=4)
         self.assertEqual([o.name for o in curve_objects()], ["Mine"])
         self.assertEqual(len(bpy.data.curves), 1)
         self.assertTrue(shown.visible_get())

@@ -76,6 +76,7 @@ TEST_F(DrawPlugin, TellsWhichPointsWereGiven) {
   }
   ASSERT_EQ(given(1).size(), 3U);
   instance_.set("straight", 0.0);
+  instance_.set("way", "edges");
   instance_.set_curves({through({64, 400, 590})});
   const host::Curve along_edges = instance_.run(wanted).curves.at(0);
   for (std::size_t k = 0; k < along_edges.vertices.size(); ++k) {
@@ -85,6 +86,7 @@ TEST_F(DrawPlugin, TellsWhichPointsWereGiven) {
 }
 
 TEST_F(DrawPlugin, DrawsShortestEdgePathsAsTheLibraryDoes) {
+  instance_.set("way", "edges");
   instance_.set_curves({through({64, 400, 590}), through({31, 45, 300}, true)});
   const host::Results results = instance_.run();
   ASSERT_EQ(results.curves.size(), 2U);
@@ -116,6 +118,7 @@ TEST_F(DrawPlugin, PreviewsDrawTheLegsOfAMovedWayPointOnly) {
   const auto drawn = [&](const std::vector<VertexId>& vertices) {
     return place(mesh_, test::vertex_curve(mesh_.surface(), vertices, false));
   };
+  instance_.set("way", "edges");
   instance_.set_curves({through(way)});
   instance_.set("preview", 1.0);
   EXPECT_TRUE(same_bits(instance_.run().curves[0], drawn(path)));  // nothing to keep yet
@@ -131,6 +134,7 @@ TEST_F(DrawPlugin, PreviewsDrawTheLegsOfAMovedWayPointOnly) {
 }
 
 TEST_F(DrawPlugin, SaysWhichPointsItCannotJoin) {
+  instance_.set("way", "edges");
   EXPECT_NE(sentence({through({5, 5})}).find("5"), std::string::npos);
   host::Curve between;
   between.positions = {{0, 0, 0}, {3.3, 4.4, 0}};

@@ -23,6 +23,7 @@ class WayPointsPlugin : public test::TemporaryFolder {
     test::set_mesh(smooth_, subject_.lists);
     test::set_mesh(draw_, subject_.lists);
     clicks_.vertices = {200, 760, 1500};
+    draw_.set("way", "edges");
     draw_.set_curves({clicks_});
     drawn_ = draw_.run().curves.at(0);
   }

@@ -145,9 +145,6 @@ _STROKES = {
         name="Strokes", default="",
         description="Numbers of the strokes to smooth, such as 0, 2-4; -1 is the last; empty: all"),
     "closed": bpy.props.BoolProperty(name="Closed", description="Strokes are loops"),
-    "thin": bpy.props.FloatProperty(
-        name="Thin out", default=0.5, min=0, soft_max=4,
-        description="Points of a stroke are at least so many mean edges of the mesh apart"),
 }
 
 
@@ -185,7 +182,7 @@ class _OnActive(_Smoothing):
 
     def execute(self, context):
         return self.smooth(context, [context.object], lambda obj, place: strokes.drawing_of(
-            self.items(context, obj), place, self.closed, self.thin, self.strokes),
+            self.items(context, obj), place, self.closed, self.strokes),
             self.output == "CURVE")
 
 

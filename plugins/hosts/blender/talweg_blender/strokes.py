@@ -10,19 +10,6 @@ from .package import talweg
 MEND = "set the annotation tool's Placement to Surface and draw again"
 
 
-def thinned(points, distance):
-    """Without the points nearer than this to the one kept before; first and last stay.
-
-    A hand that rests draws hooks smaller than a triangle, and a curve must not touch itself."""
-    kept = [0]
-    for k in range(1, len(points)):
-        if not np.linalg.norm(points[k] - points[kept[-1]]) < distance:  # also where it is no number
-            kept.append(k)
-    if len(kept) > 1 and kept[-1] != len(points) - 1:
-        kept[-1] = len(points) - 1
-    return points[kept]
-
-
 class Item(NamedTuple):
     """What may become a curve."""
 
@@ -66,10 +53,9 @@ def objects(context, obj):
     return found
 
 
-def drawing_of(items, surface, closed, thin, chosen):
+def drawing_of(items, surface, closed, chosen):
     """The Drawing of items on a surface.
 
-    :param thin: points of strokes are at least so many mean edges apart.
     :param chosen: numbers of items such as "0, 2-4, -1"; empty: all.
     :raises talweg.BadCurve: if none is on the surface.
     """
@@ -77,7 +63,7 @@ def drawing_of(items, surface, closed, thin, chosen):
     for number in _numbers(chosen, len(items)):
         item = items[number]
         raw.append(item.points)
-        points = item.points if item.exact else thinned(item.points, thin * surface.edge)
+        points = item.points
         is_closed = closed or item.cyclic
         distance = surface.farthest(points) if np.isfinite(points).all() else 0.0
         reason = item.reason or _astray(points, is_closed, distance, surface)

@@ -11,7 +11,7 @@
 
 from __future__ import annotations
 
-from typing import Any, Sequence, Union
+from typing import Any, Optional, Sequence, Union
 
 from ._curves import Curve, CurveLike
 from ._errors import (BadCurve, BadFile, BadMesh, BadUsage, Cancelled, Error, Internal, Numerical,
@@ -67,14 +67,15 @@ def smooth(vertices: Any, faces: ArrayLike, curve: Union[CurveLike, Sequence[Cur
 
 
 def draw(vertices: Any, faces: ArrayLike, points: CurveLike, *, closed: bool = False,
-         straight: bool = False, exact: bool = True) -> Curve:
-    """A curve through points in their order: shortest edge paths between vertices.
+         straight: Optional[bool] = None, exact: bool = True) -> Curve:
+    """A curve through points in their order: straight over the surface, or along edges of the mesh.
 
     The points are its way-points (``Curve.exact``): smooth() is free between them.
 
-    :param points: vertices (k,), k >= 2, anywhere; with ``straight`` also positions or a Curve.
+    :param points: vertices (k,), k >= 2, anywhere; where it is straight also positions or a Curve.
     :param closed: back to the first point (also if the vertices repeat it at the end).
-    :param straight: straight over the faces instead of along edges.
+    :param straight: straight over the faces, where it may cross itself, or along edges between
+        vertices, where it never does. None: straight if the points are way-points.
     :param exact: False: the curve is a stroke, and smooth() keeps near it.
     :raises BadCurve: if there is no way, or it would cross itself.
     """

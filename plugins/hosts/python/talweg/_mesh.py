@@ -165,10 +165,11 @@ class Mesh:
         return work.smooth(tau, point_fields=point_fields, vertex_fields=vertex_fields,
                            progress=progress, **parameters)
 
-    def draw(self, points: CurveLike, *, closed: bool = False, straight: bool = False,
+    def draw(self, points: CurveLike, *, closed: bool = False, straight: Optional[bool] = None,
              exact: bool = True) -> Curve:
         """talweg.draw() on this mesh."""
-        work = Workspace(self, as_curve(points, closed), plugin="talweg.draw", straight=straight,
+        work = Workspace(self, as_curve(points, closed), plugin="talweg.draw",
+                         way={None: "auto", True: "straight", False: "edges"}[straight],
                          points="exact" if exact else "rough")
         return work.run().curve
 

@@ -1,0 +1,260 @@
+#include "talweg/core/strokes/hand_trembling.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <numbers>
+#include <vector>
+
+#include <Eigen/Dense>
+
+#include "talweg/core/strokes/compass_walk.hpp"
+#include "talweg/core/strokes/even_stroke.hpp"
+#include "talweg/core/strokes/turning_points.hpp"
+
+namespace talweg {
+namespace {
+
+constexpr double kFinest = 1.0 / 4000;    // of the stroke's length
+constexpr double kSamplesInBall = 8;      // the smallest ball, in distances of samples
+constexpr double kLargestBall = 1.0 / 6;  // of the length
+constexpr double kStillOfStroke = 1.0 / 3;
+constexpr double kMostOfStroke = 0.6, kLargestInEdges = 24, kNoWayInEdges = 12, kFewestEdges = 12;
+constexpr std::size_t kBalls = 128, kPointsInBall = 48, kFewestInBall = 8, kFewestBalls = 5;
+constexpr double kStill = 0.8, kRise = 1.2, kSteep = 2.2, kKnee = 1.8, kSmoothWay = 2.9;  // slopes
+constexpr std::size_t kFewestTurns = 6;
+constexpr std::size_t kParts = 8;              // of the stroke, at most
+constexpr double kLeastPart = 6, kChance = 2;  // balls; the ratio of two amplitudes
+
+/// The median distance between successive points at which the stroke turns, counted when they are
+/// a step from the last that counted. None where these are too few to be a trembling.
+std::optional<double> sample_distance(const SurfaceMesh& mesh, const SurfaceCurve& stroke,
+                                      std::span<const Point> positions, double step) {
+  std::vector<double> distances;
+  Point last = positions[0];
+  for (const std::size_t k : turning_points(mesh.surface(), stroke)) {
+    const double distance = (positions[k] - last).norm();
+    if (distance < step) continue;
+    distances.push_back(distance);
+    last = positions[k];
+  }
+  if (distances.size() < kFewestTurns) return std::nullopt;
+  const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
+  std::nth_element(distances.begin(), middle, distances.end());
+  return *middle;
+}
+
+/// What lies connected in a ball: places of the stroke, counted on around a closed one.
+struct InBall {
+  std::ptrdiff_t first = 0, last = 0;
+  bool whole = true;  ///< whether it leaves the ball on both sides
+};
+
+InBall in_ball(const EvenStroke& stroke, std::size_t centre, double radius) {
+  const auto n = static_cast<std::ptrdiff_t>(stroke.at.size());
+  const auto is_in = [&](std::ptrdiff_t k) {
+    return (stroke.at[static_cast<std::size_t>((k % n + n) % n)] - stroke.at[centre]).norm() <=
+           radius;
+  };
+  const auto c = static_cast<std::ptrdiff_t>(centre);
+  InBall ball{c, c};
+  const std::ptrdiff_t low = stroke.closed ? c - n / 2 : 0;
+  const std::ptrdiff_t high = stroke.closed ? c + n / 2 : n - 1;
+  while (ball.first > low && is_in(ball.first - 1)) --ball.first;
+  while (ball.last < high && is_in(ball.last + 1)) ++ball.last;
+  ball.whole = ball.first > low && ball.last < high;
+  return ball;
+}
+
+/// Root mean square of what the best cubic leaves, across the stroke in its mean tangent plane.
+double residual_in(const EvenStroke& stroke, const InBall& ball) {
+  const auto n = static_cast<std::ptrdiff_t>(stroke.at.size());
+  const auto count = static_cast<std::size_t>(ball.last - ball.first + 1);
+  const std::size_t stride = std::max<std::size_t>(1, count / kPointsInBall);
+  std::vector<Point> points;
+  Point mean = Point::Zero(), normal = Point::Zero();
+  for (std::size_t k = 0; k < count; k += stride) {
+    const auto i =
+        static_cast<std::size_t>(((ball.first + static_cast<std::ptrdiff_t>(k)) % n + n) % n);
+    points.push_back(stroke.at[i]);
+    mean += stroke.at[i];
+    normal += stroke.normal[i];
+  }
+  mean /= static_cast<double>(points.size());
+  normal.normalize();
+  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
+  for (Point& p : points) {
+    p -= mean;
+    p -= normal * normal.dot(p);
+    spread += p * p.transpose();
+  }
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(spread);
+  const Point along = axes.eigenvectors().col(2), across = normal.cross(along);
+  const double size = std::sqrt(axes.eigenvalues()[2] / static_cast<double>(points.size()));
+  Eigen::MatrixX4d powers(points.size(), 4);
+  Eigen::VectorXd offsets(points.size());
+  for (Eigen::Index k = 0; k < offsets.size(); ++k) {
+    const double x = points[static_cast<std::size_t>(k)].dot(along) / size;
+    powers.row(k) << 1, x, x * x, x * x * x;
+    offsets[k] = points[static_cast<std::size_t>(k)].dot(across);
+  }
+  const Eigen::Matrix4d normal_matrix = powers.transpose() * powers;
+  const Eigen::Vector4d cubic = normal_matrix.ldlt().solve(powers.transpose() * offsets);
+  return (offsets - powers * cubic).norm() / std::sqrt(static_cast<double>(points.size()));
+}
+
+/// A cubic takes four of the degrees of freedom that the samples in a ball have.
+double of_freedom(double samples) { return std::sqrt(samples / (samples - 4)); }
+
+/// Residuals of balls at places that are evenly spread over the stroke, scale by scale.
+struct Residuals {
+  std::vector<double> scales;
+  double largest_still = 0;     ///< up to here it counts where r(s) stands still
+  double largest_as_it_is = 0;  ///< up to here r(s) counts though it does not stand still
+  std::vector<std::vector<double>> balls;  ///< per scale; NaN where a ball is not within the stroke
+
+  /// r(s) for the balls [first, last) of the places, as far as enough of them are known.
+  [[nodiscard]] std::vector<double> medians(std::size_t first, std::size_t last) const;
+};
+
+std::vector<double> Residuals::medians(std::size_t first, std::size_t last) const {
+  std::vector<double> medians;
+  for (const std::vector<double>& all : balls) {
+    std::vector<double> known;
+    for (std::size_t k = first; k < last; ++k) {
+      if (std::isfinite(all[k])) known.push_back(all[k]);
+    }
+    if (known.size() < kFewestBalls) break;
+    const auto middle = known.begin() + static_cast<std::ptrdiff_t>(known.size() / 2);
+    std::nth_element(known.begin(), middle, known.end());
+    medians.push_back(*middle);
+  }
+  return medians;
+}
+
+std::vector<double> residuals_at(const EvenStroke& stroke, double diameter, double of_samples) {
+  std::vector<double> residuals;
+  const std::size_t n = stroke.at.size();
+  for (std::size_t k = 0; k < kBalls; ++k) {
+    const InBall ball = in_ball(stroke, (2 * k + 1) * n / (2 * kBalls), diameter / 2);
+    const bool counts =
+        ball.whole && static_cast<std::size_t>(ball.last - ball.first) >= kFewestInBall;
+    residuals.push_back(counts ? of_samples * residual_in(stroke, ball) : std::nan(""));
+  }
+  return residuals;
+}
+
+double compass_length(const EvenStroke& stroke, double step) {
+  const auto places = compass_walk(stroke.at, stroke.closed, step);
+  return step * static_cast<double>(places.size() - (stroke.closed ? 0 : 1));
+}
+
+Residuals residuals_of(const EvenStroke& stroke, double apart, double edge) {
+  Residuals result;
+  const double smallest = std::max(kSamplesInBall * apart, 2 * kFewestInBall * stroke.step);
+  // Without the ways that the smallest balls do not see.
+  const double length = compass_length(stroke, smallest / 2);
+  result.largest_as_it_is = kNoWayInEdges * edge;
+  result.largest_still = std::max(kStillOfStroke * length, kNoWayInEdges * edge);
+  const bool is_fine =
+      length < kFewestEdges * edge;  // finer than the mesh, which says nothing then
+  const double largest =
+      std::max(kLargestBall * length,
+               is_fine ? 0 : std::min(kMostOfStroke * length, kLargestInEdges * edge));
+  for (double steps = std::ceil(2 * std::log2(smallest / edge));; ++steps) {
+    const double s = edge * std::exp2(steps / 2);
+    if (s > largest) break;
+    result.scales.push_back(s);
+    result.balls.push_back(residuals_at(stroke, s, of_freedom(s / apart)));
+  }
+  return result;
+}
+
+struct AtScale {
+  double scale, residual;
+  bool is_still = false;  ///< whether it stands still there after a rise
+};
+
+/// Where r(s) stands still, as hand_trembling() says.
+std::optional<AtScale> standstill(const Residuals& residuals, std::span<const double> r) {
+  const std::vector<double>& scales = residuals.scales;
+  std::optional<AtScale> noise, knee, last;
+  double steepest = 0;
+  for (std::size_t k = 0; k + 1 < r.size(); ++k) {
+    if (!(r[k] > 0)) continue;
+    const AtScale next{scales[k + 1], r[k + 1], false};
+    const double slope = std::log(r[k + 1] / r[k]) / std::log(scales[k + 1] / scales[k]);
+    if (slope < kStill) {
+      const bool counts = next.scale <= residuals.largest_still;
+      if (steepest > kRise && counts) return AtScale{next.scale, next.residual, true};
+      if (steepest <= kRise) noise = next;
+    }
+    if (!knee && steepest > kSteep && slope < kKnee) knee = AtScale{scales[k], r[k], false};
+    steepest = std::max(steepest, slope);
+    if (next.scale <= residuals.largest_as_it_is) {
+      last = slope < kSmoothWay ? std::optional(next) : std::nullopt;
+    }
+  }
+  if (noise) return noise;
+  if (knee) return knee;
+  return steepest < kRise ? std::nullopt : last;
+}
+
+/// Amplitudes of the balls [first, last), where a hand is one in one half of them and another in
+/// the other.
+void add_parts(const Residuals& residuals, double length, std::size_t first, std::size_t last,
+               const AtScale& whole, std::vector<double>& along) {
+  const std::size_t middle = (first + last) / 2;
+  const double half = length * static_cast<double>(middle - first) / kBalls;
+  if (last - first > kBalls / 4 && half > kLeastPart * whole.scale) {
+    const auto part = [&](std::size_t from, std::size_t to) {
+      return standstill(residuals, residuals.medians(from, to));
+    };
+    const std::optional<AtScale> left = part(first, middle), right = part(middle, last);
+    if (left && right && left->is_still && right->is_still) {
+      const double ratio = left->residual / right->residual;
+      if (std::max(ratio, 1 / ratio) > kChance) {
+        add_parts(residuals, length, first, middle, *left, along);
+        add_parts(residuals, length, middle, last, *right, along);
+        return;
+      }
+    }
+  }
+  const std::size_t parts = (last - first) * kParts / kBalls;
+  along.insert(along.end(), parts, std::numbers::sqrt3 * whole.residual);
+}
+
+/// Empty where the hand is the same all along.
+std::vector<double> amplitudes_along(const Residuals& residuals, double length,
+                                     const AtScale& whole) {
+  std::vector<double> along;
+  add_parts(residuals, length, 0, kBalls, whole, along);
+  const bool differs =
+      std::adjacent_find(along.begin(), along.end(), std::not_equal_to<>()) != along.end();
+  if (!differs) along.clear();
+  return along;
+}
+
+}  // namespace
+
+std::optional<HandTrembling> hand_trembling(const SurfaceMesh& mesh, const SurfaceCurve& stroke,
+                                            double edge) {
+  const std::vector<Point> positions = positions_of(mesh, stroke);
+  double way = 0;
+  for (std::size_t k = 0; k + 1 < positions.size(); ++k) {
+    way += (positions[k + 1] - positions[k]).norm();
+  }
+  if (positions.size() < 3 || !(way > 0) || !(edge > 0)) return std::nullopt;
+  const double step = kFinest * way;
+  const EvenStroke even = even_stroke(mesh, stroke, step);
+  const std::optional<double> apart = sample_distance(mesh, stroke, positions, step);
+  if (!apart) return std::nullopt;
+  const Residuals residuals = residuals_of(even, *apart, edge);
+  const std::optional<AtScale> found = standstill(residuals, residuals.medians(0, kBalls));
+  if (!found) return std::nullopt;
+  return HandTrembling{std::numbers::sqrt3 * found->residual, found->scale,
+                       amplitudes_along(residuals, even.length(), *found)};
+}
+
+}  // namespace talweg

@@ -1,0 +1,115 @@
+// Clicks beside clicks: a hand that clicks twice means one point.
+#include <algorithm>
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "core/jagged_curves.hpp"
+#include "core/small_meshes.hpp"
+#include "talweg/talweg.hpp"
+
+namespace talweg::near_clicks_test {
+namespace {
+
+class NearClicks : public testing::Test {
+ protected:
+  using Clicks = std::vector<std::array<double, 2>>;
+  [[nodiscard]] Drawing drawn(const Clicks& clicks, bool closed) const {
+    std::vector<Point> points;
+    for (const auto& [x, y] : clicks) points.emplace_back(x, y, 0);
+    const SnappedCurve snapped = snap(opened->mesh(), {closed, points, {}});
+    DrawOptions options;
+    options.closed = closed;
+    return draw(opened->surface(), snapped.points, options);
+  }
+  SmoothingResult smoothed(const Clicks& clicks, bool closed, const CurveOptions& options = {}) {
+    smoother.set_curve(drawn(clicks, closed), options);
+    return smoother.smooth(1);
+  }
+  /// How far the result passes from a click.
+  [[nodiscard]] double missed(const SmoothingResult& result, double x, double y) const {
+    const std::vector<Point> at{Point(x, y, 0), Point(x, y, 0)};
+    return deviation(at, false, positions_of(opened->mesh(), result.curve()), result.curve().closed)
+        .to_drawn.max;
+  }
+
+  const std::shared_ptr<const OpenedMesh> opened = OpenedMesh::open(test::grid(24, 24));
+  CurveSmoother smoother{opened};
+};
+
+const std::vector<std::array<double, 2>> kRing{{22, 12}, {19.07, 19.07}, {12, 22}, {4.93, 19.07},
+                                               {2, 12},  {4.93, 4.93},   {12, 2},  {19.07, 4.93}};
+
+TEST_F(NearClicks, ADoubleClickIsOne) {
+  const SmoothingResult once = smoothed(kRing, true);
+  for (const double beside : {1e-3, 0.3, 1.0}) {
+    auto twice = kRing;
+    twice.insert(twice.begin() + 4, {kRing[3][0] - beside, kRing[3][1]});
+    const SmoothingResult result = smoothed(twice, true);
+    EXPECT_EQ(result.report().termination, Outcome::kConverged) << beside;
+    EXPECT_LT(result.report().bending_after, 1.2 * once.report().bending_after) << beside;
+    ASSERT_EQ(result.report().warnings.size(), 1U) << beside;
+    EXPECT_NE(result.report().warnings[0].find("taken as one with it"), std::string::npos);
+    for (const auto& [x, y] : kRing) EXPECT_LT(missed(result, x, y), 1.1 * beside) << beside;
+  }
+}
+
+TEST_F(NearClicks, ALoopMayBeClosedByAClickBesideTheFirst) {
+  auto ring = kRing;
+  ring.push_back({22.35, 13.04});
+  const SmoothingResult result = smoothed(ring, true);
+  EXPECT_LT(result.report().bending_after, 1.2 * smoothed(kRing, true).report().bending_after);
+  EXPECT_GT(result.report().length_after, 61);
+  for (const auto& [x, y] : kRing) EXPECT_LT(missed(result, x, y), 1.1);
+}
+
+TEST_F(NearClicks, NoneIsLostWhereNoneAreOne) {
+  auto twice = kRing;
+  twice.insert(twice.begin() + 4, {kRing[3][0] - 0.8, kRing[3][1]});
+  CurveOptions options;
+  options.click_distance = 0;
+  const SmoothingResult result = smoothed(twice, true, options);
+  EXPECT_EQ(result.report().termination, Outcome::kConverged);
+  EXPECT_TRUE(result.report().warnings.empty()) << result.report().warnings.front();
+  for (const auto& [x, y] : twice) EXPECT_LT(missed(result, x, y), 1e-6);
+  // What is far from the doubled click is as round as without it.
+  const SmoothingResult once = smoothed(kRing, true);
+  std::vector<Point> far;
+  for (const Point& p : positions_of(opened->mesh(), result.curve())) {
+    if (p.x() > 12) far.push_back(p);
+  }
+  for (const Point& p : far) EXPECT_NEAR((p - Point(12, 12, 0)).norm(), 10, 0.6);
+}
+
+TEST_F(NearClicks, ThoseThatAreAllNearAreAllMeant) {
+  std::vector<std::array<double, 2>> line;
+  for (int k = 0; k < 12; ++k) line.push_back({6.0 + k, 12 + 0.5 * std::sin(k)});
+  const SmoothingResult result = smoothed(line, false);
+  for (const auto& [x, y] : line) EXPECT_LT(missed(result, x, y), 1e-6);
+}
+
+TEST_F(NearClicks, TheirDistanceIsAnOption) {
+  CurveOptions options;
+  options.click_distance = -1;
+  EXPECT_THROW(smoothed(kRing, true, options), Error);
+  options.click_distance = 3;
+  auto twice = kRing;
+  twice.insert(twice.begin() + 4, {kRing[3][0] - 2.5, kRing[3][1]});
+  EXPECT_EQ(smoothed(twice, true, options).report().warnings.size(), 1U);
+  EXPECT_TRUE(smoothed(twice, true).report().warnings.empty());
+}
+
+/// Way-points say nothing of the way between them, so it may cross itself.
+TEST_F(NearClicks, LegsThatCrossAreAsRoundAsOthers) {
+  const std::vector<std::array<double, 2>> eight{{16, 16}, {21, 15}, {21, 9}, {16, 8},
+                                                 {8, 16},  {3, 15},  {3, 9},  {8, 8}};
+  const SmoothingResult result = smoothed(eight, true);
+  EXPECT_EQ(result.report().crossings_before, 1U);
+  EXPECT_EQ(result.report().crossings_after, 1U);
+  EXPECT_LT(result.report().curvature_max_after, 0.1);
+  EXPECT_LT(result.report().length_after, 1.1 * result.report().length_before);
+  for (const auto& [x, y] : eight) EXPECT_LT(missed(result, x, y), 1e-6);
+}
+
+}  // namespace
+}  // namespace talweg::near_clicks_test

@@ -1,0 +1,77 @@
+// A hand that comes back to where it began has drawn a loop.
+#include <cmath>
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+#include "core/small_meshes.hpp"
+#include "talweg/talweg.hpp"
+
+namespace talweg::loop_closing_test {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180;
+
+class LoopClosing : public testing::Test {
+ protected:
+  /// An arc about the middle of a plane; the radius grows by `grows` over all of it.
+  [[nodiscard]] SurfaceCurve arc(double from, double to, double grows = 0) {
+    std::vector<Point> points;
+    for (double angle = from; angle <= to + 1e-9; angle += 5) {
+      const double radius = 6 + grows * (angle - from) / (to - from);
+      points.emplace_back(10 + radius * std::cos(angle * kDegree),
+                          10 + radius * std::sin(angle * kDegree), 0);
+    }
+    return lines.join(snap(opened->mesh(), {false, points, {}}).points, false);
+  }
+  std::optional<ClosedLoop> closed(const SurfaceCurve& stroke, bool always = false) {
+    return closed_loop(opened->mesh(), stroke, lines, always);
+  }
+  [[nodiscard]] double length(const SurfaceCurve& curve) const {
+    return curve_length(opened->surface(), curve);
+  }
+
+  const std::shared_ptr<const OpenedMesh> opened = OpenedMesh::open(test::grid(20, 20));
+  StraightLines lines{opened->surface()};
+};
+
+TEST_F(LoopClosing, AnEndThatStopsALittleShort) {
+  const auto loop = closed(arc(0, 350));
+  ASSERT_TRUE(loop);
+  EXPECT_TRUE(loop->curve.closed);
+  EXPECT_NEAR(length(loop->curve), 2 * std::numbers::pi * 6, 0.1);
+  EXPECT_NEAR(loop->gap, 2 * 6 * std::sin(5 * kDegree), 0.01);
+}
+
+TEST_F(LoopClosing, AnEndThatRunsOverTheBeginning) {
+  for (const double grows : {0.0, 0.4, -0.4}) {
+    const auto loop = closed(arc(0, 385, grows));
+    ASSERT_TRUE(loop) << grows;
+    EXPECT_NEAR(length(loop->curve), 2 * std::numbers::pi * (6 + grows / 2), 0.7) << grows;
+    EXPECT_GT(loop->cut, 1.5) << grows;
+  }
+}
+
+TEST_F(LoopClosing, AHorseshoeIsNone) {
+  EXPECT_FALSE(closed(arc(0, 300)));
+  const auto loop = closed(arc(0, 300), true);  // unless somebody says so
+  ASSERT_TRUE(loop);
+  EXPECT_TRUE(loop->curve.closed);
+}
+
+TEST_F(LoopClosing, AWayOutAndBackIsNone) {
+  std::vector<Point> points;
+  for (double x = 2; x <= 16; x += 0.5) points.emplace_back(x, 10, 0);
+  for (double x = 16; x >= 2; x -= 0.5) points.emplace_back(x, 10.4, 0);
+  EXPECT_FALSE(closed(lines.join(snap(opened->mesh(), {false, points, {}}).points, false)));
+}
+
+TEST_F(LoopClosing, EndsHaveThreeNames) {
+  EXPECT_EQ(curve_ends("auto"), CurveEnds::kAsDrawn);
+  EXPECT_EQ(curve_ends("closed"), CurveEnds::kClosed);
+  EXPECT_EQ(curve_ends("open"), CurveEnds::kOpen);
+  EXPECT_THROW(curve_ends("shut"), Error);
+}
+
+}  // namespace
+}  // namespace talweg::loop_closing_test

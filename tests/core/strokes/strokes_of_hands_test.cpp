@@ -1,0 +1,232 @@
+// Strokes as hands and devices give them, on a plane where the way that was meant is known.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include "core/generated_meshes.hpp"
+#include "core/jagged_curves.hpp"
+#include "core/small_meshes.hpp"
+#include "talweg/talweg.hpp"
+
+namespace talweg::strokes_test {
+namespace {
+
+constexpr double kTurn = 2 * std::numbers::pi;
+
+/// Waves of 2.5 to 5 across a way, of 0.6.
+double trembling(double along, unsigned seed) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> wave(2.5, 5), phase(0, kTurn);
+  double sum = 0;
+  for (int k = 0; k < 12; ++k) {
+    const double length = wave(random);
+    sum += std::sin(kTurn * along / length + phase(random));
+  }
+  return 0.6 * sum / std::sqrt(12);
+}
+
+class StrokesOfHands : public testing::Test {
+ protected:
+  /// Over the plane from left to right, in a slow bend.
+  [[nodiscard]] static Point hand(double along) {
+    return {5 + along, 20 + 4 * std::sin(along / 20) + trembling(along, 7), 0};
+  }
+  [[nodiscard]] static std::vector<Point> stroke(double step, double jitter = 0) {
+    std::mt19937 random(3);
+    std::normal_distribution<double> off(0, 1);
+    std::vector<Point> points;
+    for (double x = 0; x <= 90; x += step) {
+      points.push_back(hand(x) + jitter * Point(off(random), off(random), 0));
+    }
+    return points;
+  }
+  SmoothingResult smoothed(const std::vector<Point>& points, bool closed = false) {
+    CurveInput input;
+    input.points = points;
+    input.closed = closed;
+    const SnappedCurve snapped = snap(opened->mesh(), input);
+    told = snapped.told;
+    drawn = StraightLines(opened->surface()).join(snapped.points, closed);
+    smoother.set_curve(drawn);
+    return smoother.smooth(1);
+  }
+  [[nodiscard]] double apart(const SurfaceCurve& a, const SurfaceCurve& b) const {
+    std::vector<Point> p, q;
+    for (const Point& at : positions_of(opened->mesh(), a)) {
+      if (at.x() > 9 && at.x() < 91) p.push_back(at);
+    }
+    for (const Point& at : positions_of(opened->mesh(), b)) {
+      if (at.x() > 7 && at.x() < 93) q.push_back(at);
+    }
+    return deviation(p, false, q, false).to_drawn.max;
+  }
+
+  const std::shared_ptr<const OpenedMesh> opened = OpenedMesh::open(test::grid(100, 40));
+  CurveSmoother smoother{opened};
+  SurfaceCurve drawn;
+  std::vector<std::string> told;
+};
+
+TEST_F(StrokesOfHands, AreTheSameHoweverTheyAreSampled) {
+  const SmoothingResult ten = smoothed(stroke(0.1));
+  EXPECT_EQ(ten.report().slack_from, SlackSource::kTrembling);
+  EXPECT_NEAR(ten.report().slack, 0.7, 0.2);  // √3 · 0.6 / √2
+  EXPECT_LT(ten.report().bending_after, 0.3);
+  const std::array<std::vector<Point>, 6> others{
+      stroke(1), stroke(0.33), stroke(0.03), stroke(0.01), stroke(0.1, 0.05), stroke(0.03, 0.05)};
+  for (std::size_t k = 0; k < others.size(); ++k) {
+    const SmoothingResult result = smoothed(others[k]);
+    EXPECT_LT(apart(result.curve(), ten.curve()), 0.5) << k;
+    EXPECT_LT(apart(ten.curve(), result.curve()), 0.5) << k;
+    EXPECT_LT(result.report().bending_after, 0.3) << k;
+    EXPECT_TRUE(result.report().warnings.empty()) << k << result.report().warnings.front();
+  }
+}
+
+TEST_F(StrokesOfHands, SayNothingWhereTheyRest) {
+  const SmoothingResult ten = smoothed(stroke(0.33));
+  std::vector<Point> points;
+  std::mt19937 random(5);
+  std::normal_distribution<double> off(0, 0.004);
+  for (const Point& p : stroke(0.33)) {
+    points.push_back(p);
+    if (points.size() % 70 != 9) continue;
+    for (int k = 0; k < 60; ++k) points.push_back(p + Point(off(random), off(random), 0));
+  }
+  const SmoothingResult result = smoothed(points);
+  EXPECT_LT(apart(result.curve(), ten.curve()), 0.5);
+  EXPECT_LT(result.report().bending_after, 0.3);
+  EXPECT_EQ(result.report().points_before, drawn.points.size());
+  EXPECT_GT(result.report().left_out, 150U);
+  EXPECT_LT(result.report().left_out_max, result.report().slack / 2);
+  ASSERT_FALSE(result.report().warnings.empty());
+  EXPECT_NE(result.report().warnings.front().find("where the hand rested"), std::string::npos);
+}
+
+TEST_F(StrokesOfHands, LoseTheSpikesOfATracker) {
+  const SmoothingResult ten = smoothed(stroke(0.1));
+  std::vector<Point> points = stroke(0.1);
+  for (const std::size_t k : {100U, 377U, 612U}) points[k] += Point(3, 9, 5);
+  const SmoothingResult result = smoothed(points);
+  ASSERT_EQ(told.size(), 1U);
+  EXPECT_NE(told[0].find("3 of 901 points of a curve lie far from those before and after"),
+            std::string::npos)
+      << told[0];
+  EXPECT_LT(apart(result.curve(), ten.curve()), 0.3);
+}
+
+TEST_F(StrokesOfHands, LoseAHookAtTheirEnd) {
+  std::vector<Point> points = stroke(0.1);
+  const Point end = points.back();
+  for (double back = 0.1; back < 1.2; back += 0.1)
+    points.emplace_back(end.x() - back, end.y() + 0.1, 0);
+  const SmoothingResult result = smoothed(points);
+  EXPECT_NEAR(opened->mesh().position(result.curve().points.back()).x(), end.x(), 0.2);
+  ASSERT_FALSE(result.report().warnings.empty());
+  EXPECT_NE(result.report().warnings.front().find("1 hook at an end"), std::string::npos);
+}
+
+TEST_F(StrokesOfHands, KeepAGivenSlack) {
+  smoothed(stroke(0.1));
+  SmoothingOptions options;
+  options.slack = 0.3;
+  const SmoothingReport report = smoother.smooth(options).report();
+  EXPECT_EQ(report.slack, 0.3);
+  EXPECT_EQ(report.slack_from, SlackSource::kGiven);
+  // A field has a value for each point that was set, whatever was left out of them.
+  options.slack.reset();
+  options.slack_at = {std::vector<double>(drawn.points.size(), 0.3)};
+  EXPECT_EQ(smoother.smooth(options).report().slack, 0.3);
+}
+
+TEST_F(StrokesOfHands, MayBePinnedWhereSomethingWasLeftOut) {
+  smoothed(stroke(0.01));
+  const SurfacePoint pin = drawn.points[drawn.points.size() / 3];
+  ASSERT_TRUE(smoother.set_pins(std::span(&pin, 1)));
+  const SurfaceCurve result = smoother.smooth(1).curve();
+  EXPECT_NE(std::find(result.points.begin(), result.points.end(), pin), result.points.end());
+}
+
+TEST_F(StrokesOfHands, AreTheSameFromTheirOtherEnd) {
+  const std::vector<Point> points = stroke(0.03, 0.05);
+  const SmoothingResult there = smoothed(points);
+  SurfaceCurve reversed = drawn;
+  std::reverse(reversed.points.begin(), reversed.points.end());
+  smoother.set_curve(reversed);
+  SurfaceCurve back = smoother.smooth(1).curve();
+  std::reverse(back.points.begin(), back.points.end());
+  EXPECT_EQ(back.points, there.curve().points);
+}
+
+/// A drawn U, 20 wide and 250 long in units of a thirteenth, sampled every 13.
+TEST_F(StrokesOfHands, KeepTheNarrowThatWasMeant) {
+  const double width = 20.0 / 13, length = 250.0 / 13;
+  std::vector<Point> points;
+  const auto add = [&](double s) {
+    const double round = 13.0 / 13 * s;
+    if (round <= length) {
+      points.emplace_back(10 + round, 10.3, 0);
+    } else if (round <= length + width) {
+      points.emplace_back(10 + length, 10.3 + round - length, 0);
+    } else {
+      points.emplace_back(10 + 2 * length + width - round, 10.3 + width, 0);
+    }
+  };
+  for (double s = 0; s <= 2 * length + width; s += 1) add(s);
+  const SmoothingResult result = smoothed(points);
+  const double drawn_length = result.report().length_before;
+  EXPECT_GT(result.report().length_after, 0.85 * drawn_length);
+  EXPECT_LT(result.report().deviation_from_drawn_max, width / 2);
+}
+
+TEST_F(StrokesOfHands, KeepCornersAndWavesThatAreLargerThanTheirTrembling) {
+  std::vector<Point> corner, waves;
+  for (double x = 0; x <= 40; x += 0.1) corner.emplace_back(8 + x, 10 + trembling(x, 1), 0);
+  for (double y = 0; y <= 25; y += 0.1) corner.emplace_back(48 + trembling(y, 2), 10 + y, 0);
+  EXPECT_LT(smoothed(corner).report().deviation_from_drawn_max, 3);
+  for (double x = 0; x <= 85; x += 0.1) {
+    waves.emplace_back(6 + x, 20 + 3 * std::sin(kTurn * x / 20), 0);
+  }
+  EXPECT_LT(smoothed(waves).report().deviation_from_drawn_max, 0.5);
+}
+
+TEST_F(StrokesOfHands, HaveAnotherSlackWhereTheHandIsAnother) {
+  std::vector<Point> points;
+  const auto fine = [](double x) { return trembling(x * 1.2, 4) / 6; };
+  for (double x = 0; x <= 45; x += 0.05) points.emplace_back(3 + x, 20 + fine(x), 0);
+  for (double x = 45.2; x <= 92; x += 0.2) points.emplace_back(3 + x, 20 + trembling(x, 9), 0);
+  const SmoothingResult result = smoothed(points);
+  EXPECT_LT(result.report().bending_after, 0.5);
+  double careful = 0;
+  for (const Point& p : positions_of(opened->mesh(), result.curve())) {
+    if (p.x() > 5 && p.x() < 40) careful = std::max(careful, std::abs(p.y() - 20));
+  }
+  EXPECT_LT(careful, 0.3);  // 0.8 with the slack of the other half
+}
+
+TEST_F(StrokesOfHands, LoopsTrembleAsLinesDo) {
+  std::vector<std::vector<Point>> loops(2);
+  for (std::size_t k = 0; k < 2; ++k) {
+    const double step = k == 0 ? 0.1 : 0.02;
+    for (double s = 0; s < kTurn * 14; s += step) {
+      const double radius = 14 + trembling(s, 11), angle = s / 14;
+      loops[k].emplace_back(50 + radius * std::cos(angle), 20 + radius * std::sin(angle), 0);
+    }
+  }
+  const SmoothingResult coarse = smoothed(loops[0], true);
+  const SmoothingResult fine = smoothed(loops[1], true);
+  for (const SmoothingResult* result : {&coarse, &fine}) {
+    EXPECT_EQ(result->report().slack_from, SlackSource::kTrembling);
+    for (const Point& p : positions_of(opened->mesh(), result->curve())) {
+      EXPECT_NEAR((p - Point(50, 20, 0)).norm(), 14, 1);
+    }
+    EXPECT_LT(result->report().curvature_after, 1.15 * kTurn);
+  }
+}
+
+}  // namespace
+}  // namespace talweg::strokes_test
