@@ -5,7 +5,6 @@
 #include <string>
 #include <string_view>
 
-#include "talweg/core/drawing/snapped_drawing.hpp"
 #include "talweg/core/drawing/straight_lines.hpp"
 #include "talweg/core/mesh/surface_mesh.hpp"
 #include "talweg/intrinsic/surface/surface_point.hpp"
@@ -36,10 +35,5 @@ struct ClosedLoop {
 /// both ends.
 std::optional<ClosedLoop> closed_loop(const SurfaceMesh& mesh, const SurfaceCurve& stroke,
                                       StraightLines& lines, bool always = false);
-
-/// The drawing with such loops closed, and told of. As drawn, only strokes are looked at that were
-/// given as positions, without way-points. Throws as StraightLines::join().
-SnappedDrawing with_loops_closed(const SurfaceMesh& mesh, SnappedDrawing drawing,
-                                 StraightLines& lines, CurveEnds ends);
 
 }  // namespace talweg

@@ -14,7 +14,7 @@
 #include "talweg/core/mesh/closest_point.hpp"
 #include "talweg/core/mesh/surface_mesh.hpp"
 #include "talweg/core/repair/repair_map.hpp"
-#include "talweg/core/strokes/loop_closing.hpp"
+#include "talweg/core/strokes/drawn_loops.hpp"
 #include "talweg/intrinsic/progress.hpp"
 #include "talweg/intrinsic/surface/surface_point.hpp"
 

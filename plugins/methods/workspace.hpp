@@ -9,7 +9,7 @@
 #include "host_curves.hpp"
 #include "mesh_workspace.hpp"
 #include "talweg/core/drawing/straight_lines.hpp"
-#include "talweg/core/strokes/loop_closing.hpp"
+#include "talweg/core/strokes/drawn_loops.hpp"
 
 namespace talweg::plugins {
 

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <utility>
 
+#include "talweg/core/drawing/point_marks.hpp"
 #include "tools/scenes/hands.hpp"
 
 namespace talweg::stress {

@@ -127,7 +127,7 @@ class Driver(unittest.TestCase):
         vertices, faces = support.hills()
         support.write_obj(self.folder / "mesh.obj", vertices, faces)
         through = [5 * 60 + 5, 30 * 60 + 20, 50 * 60 + 55]
-        for options, straight in (([], False), (["--straight"], True)):
+        for options, straight in (([], None), (["--edges"], False), (["--straight"], True)):
             support.driver(self.folder, "draw", "mesh.obj", "--through",
                            ",".join(map(str, through)), *options, "-o", "out.json")
             drawn = talweg.draw(vertices, faces, through, straight=straight)

@@ -81,7 +81,7 @@ class Errors(unittest.TestCase):
         for words, points in (("two points", [4]), ("talweg.Curve", [[1], [5, 6]]),
                               ("not at a vertex", [[1.1, 1.2, 0], [5.0, 6.0, 0]])):
             with self.assertRaisesRegex(talweg.BadCurve, words):
-                talweg.draw(self.vertices, self.faces, points)
+                talweg.draw(self.vertices, self.faces, points, straight=False)
         loop = talweg.draw(self.vertices, self.faces, [70, 75, 195, 70])
         self.assertTrue(loop.closed)
 

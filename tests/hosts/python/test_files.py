@@ -55,7 +55,7 @@ class Files(unittest.TestCase):
 
     def test_way_points_of_files(self):
         support.write_obj(self.folder / "mesh.obj", self.vertices, self.faces)
-        drawn = talweg.draw(self.vertices, self.faces, [305, 1820, 3055])
+        drawn = talweg.draw(self.vertices, self.faces, [305, 1820, 3055], straight=False)
         np.testing.assert_array_equal(np.flatnonzero(drawn.exact == 0)[[0, -1]],
                                       [0, len(drawn) - 1])
         curve = talweg.smooth(self.vertices, self.faces, drawn).curve

@@ -20,7 +20,7 @@ class WayPoints(unittest.TestCase):
         cls.vertices = vertices
         cls.mesh = talweg.Mesh(vertices, faces)
         cls.drawing_mesh = talweg.Mesh(vertices, faces, plugin="talweg.draw")
-        cls.drawn = cls.drawing_mesh.draw(THROUGH)
+        cls.drawn = cls.drawing_mesh.draw(THROUGH, straight=False)
         cls.rough = cls.drawing_mesh.draw(THROUGH, exact=False)
         cls.result = cls.mesh.smooth(cls.drawn).curve
 
@@ -48,7 +48,7 @@ class WayPoints(unittest.TestCase):
         self.equal(self.rough, self.drawn)
         vertices, faces = support.hills()
         self.assertIsNone(talweg.draw(vertices, faces, THROUGH, exact=False).exact)
-        np.testing.assert_array_equal(talweg.draw(vertices, faces, THROUGH).exact,
+        np.testing.assert_array_equal(talweg.draw(vertices, faces, THROUGH, straight=False).exact,
                                       self.drawn.exact)
 
     def test_smoothing_passes_them(self):
@@ -98,7 +98,7 @@ class WayPoints(unittest.TestCase):
     def test_files_and_the_driver(self):
         support.write_obj(self.folder / "mesh.obj", *support.hills())
         support.driver(self.folder, "draw", "mesh.obj", "--through", ",".join(map(str, THROUGH)),
-                       "-o", "driver.json", "-o", "driver.vtp", "-o", "driver.vtk")
+                       "--edges", "-o", "driver.json", "-o", "driver.vtp", "-o", "driver.vtk")
         for name in ("json", "vtp", "vtk"):
             talweg.write_curves(self.folder / f"ours.{name}", self.drawn)
             self.assertEqual((self.folder / f"ours.{name}").read_bytes(),

@@ -1,7 +1,7 @@
 """Smooth curves on triangle meshes while they stay close to what was drawn.
 
 >>> import talweg
->>> drawn = talweg.draw(vertices, faces, [12, 845, 9001])   # vertices -> curve along edges
+>>> drawn = talweg.draw(vertices, faces, [12, 845, 9001])   # vertices -> way-points
 >>> result = talweg.smooth(vertices, faces, drawn, tau=2)
 >>> result.curve.positions, result.report.deviation_to_drawn_max
 

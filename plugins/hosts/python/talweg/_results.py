@@ -27,6 +27,9 @@ class Report:
     vertices: Optional[int] = None
     tau: Optional[float] = None
     slack: Optional[float] = None
+    slack_from: Optional[str] = None  #: "trembling", "edges", "segments", "given" or "none"
+    left_out: Optional[int] = None  #: points of strokes that say nothing beside others
+    left_out_max: Optional[float] = None  #: how far they lie from what was smoothed
     max_deviation: Optional[float] = None
     pins_added: Optional[int] = None
     edge_length_near: Optional[float] = None
@@ -68,7 +71,7 @@ class Report:
     mollification: Optional[float] = None  #: most that an edge was lengthened for the paper's distance
     crossings_before: Optional[int] = None
     crossings_after: Optional[int] = None
-    termination: Optional[str] = None  #: "converged", "collapsed", "limit"
+    termination: Optional[str] = None  #: "converged", "missed", "collapsed", "limit"
     warnings: Tuple[str, ...] = ()
     time_ms: Dict[str, float] = field(default_factory=dict)
     peak_memory_mib: Optional[float] = None
