@@ -14,7 +14,8 @@ namespace talweg::scenes {
 namespace {
 
 constexpr double kFine = 0.1;  // edges
-constexpr int kAttempts = 60, kWaves = 12, kSmoothed = 10, kRest = 60;
+constexpr double kUnusual = 1.6;
+constexpr int kAttempts = 100, kWaves = 12, kSmoothed = 10, kRest = 60;
 constexpr double kTurn = 2 * std::numbers::pi;
 
 /// A place of a way, with the directions to its left and away from the surface.
@@ -31,6 +32,12 @@ Place place_of(const SurfaceMesh& mesh, const FaceCoordinates& at, PlanePoint di
   const Point along = direction.x * right + direction.y * normal.cross(right);
   const auto& b = at.barycentric;
   return {b[0] * p[0] + b[1] * p[1] + b[2] * p[2], normal.cross(along), normal};
+}
+
+double mean_side(const Surface& surface, FaceId face) {
+  double sum = 0;
+  for (const HalfedgeId side : FaceFrame(surface, face).sides) sum += surface.length(edge_of(side));
+  return sum / 3;
 }
 
 PlanePoint turned(PlanePoint direction, double angle) {
@@ -67,6 +74,8 @@ HandStroke::HandStroke(const SurfaceMesh& mesh, const Hand& hand, std::uint64_t 
   const std::size_t faces = mesh.surface().face_count();
   for (int attempt = 0; attempt < kAttempts; ++attempt) {
     const FaceId face{static_cast<std::size_t>(random.unit() * static_cast<double>(faces))};
+    const double ratio = mean_side(mesh.surface(), face) / mesh.mean_edge_length();
+    if (ratio < 1 / kUnusual || ratio > kUnusual) continue;  // lengths are in its edges
     const double heading = random.in(0, kTurn);
     const bool found = hand.radius > 0 ? go_round(mesh, face, heading) : walk(mesh, face, heading);
     if (!found) continue;
@@ -78,9 +87,7 @@ HandStroke::HandStroke(const SurfaceMesh& mesh, const Hand& hand, std::uint64_t 
 
 bool HandStroke::walk(const SurfaceMesh& mesh, FaceId face, double heading) {
   const Surface& surface = mesh.surface();
-  const FaceFrame frame(surface, face);
-  edge_ = 0;
-  for (const HalfedgeId side : frame.sides) edge_ += surface.length(edge_of(side)) / 3;
+  edge_ = mean_side(surface, face);
   way_.clear();
   side_.clear();
   normal_.clear();
@@ -106,9 +113,7 @@ bool HandStroke::walk(const SurfaceMesh& mesh, FaceId face, double heading) {
 /// The ends of straight ways from one point in all directions.
 bool HandStroke::go_round(const SurfaceMesh& mesh, FaceId face, double heading) {
   const Surface& surface = mesh.surface();
-  const FaceFrame frame(surface, face);
-  edge_ = 0;
-  for (const HalfedgeId side : frame.sides) edge_ += surface.length(edge_of(side)) / 3;
+  edge_ = mean_side(surface, face);
   way_.clear();
   side_.clear();
   normal_.clear();
