@@ -132,6 +132,7 @@ std::vector<host::Curve> Session::along_edges(std::vector<host::Curve> curves) {
   if (!draw_) {
     draw_ = std::make_unique<host::Instance>(plugin_named("talweg.draw"), services_);
     copy_settings_of_meshes(instance().plugin(), settings_, *draw_);
+    draw_->set("way", "edges");
     draw_->set_mesh(mesh_.positions(), mesh_.triangles());
   }
   draw_->set_curves(curves);
