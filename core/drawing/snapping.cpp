@@ -360,8 +360,9 @@ SnappedCurve snap_one(const SurfaceMesh& mesh, const ClosestPoint* closest, cons
   check_length(result.points.size(), result.closed);
   keep_marks(curve, kept, result);
   if (curve.control_points && curve.way_points.empty()) take_control_points(mesh, result);
+  const bool is_of_hand = has_positions(curve) || !curve.painted.empty();
   result.may_be_loop =
-      has_positions(curve) && !curve.closed && !curve.control_points && result.way_points.empty();
+      is_of_hand && !curve.closed && !curve.control_points && result.way_points.empty();
   return result;
 }
 

@@ -29,7 +29,8 @@ struct SnappedCurve {
   std::vector<std::size_t> pins;     ///< indices of points, ascending
   std::vector<InputWayPoint> way_points;  ///< ascending; each index once
   std::vector<std::size_t> painted;       ///< ascending; no way-points
-  bool may_be_loop = false;  ///< an open stroke that was given as positions, without way-points
+  /// An open stroke of a hand: given as positions, or painted, and without way-points.
+  bool may_be_loop = false;
   std::vector<std::string> told;  ///< sentences on points that were put elsewhere
   std::string why_stroke;         ///< a sentence if control points were not taken for way-points
 };

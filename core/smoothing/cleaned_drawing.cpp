@@ -243,12 +243,17 @@ namespace {
 /// The clicks of one curve that are one with the click before, in its canonical order.
 class NearClicks {
  public:
-  NearClicks(const SurfaceMesh& mesh, const SurfaceCurve& curve, const CurveOptions& options)
-      : mesh_(&mesh), curve_(&curve) {
+  /// Clicks that are passed more often than once stay.
+  NearClicks(const SurfaceMesh& mesh, const SurfaceCurve& curve, const CurveOptions& options,
+             const PointLookup& often)
+      : mesh_(&mesh), curve_(&curve), often_(&often), arcs_{0} {
     PointLookup ways;
     for (const WayPoint& way : options.way_points) ways.add(way.point);
-    for (std::size_t i = 0; i < curve.points.size(); ++i) {
+    const std::size_t n = curve.points.size();
+    for (std::size_t i = 0; i < n; ++i) {
       if (ways.contains(curve.points[i])) clicks_.push_back(i);
+      const Point to = mesh.position(curve.points[(i + 1) % n]);
+      arcs_.push_back(arcs_.back() + (to - mesh.position(curve.points[i])).norm());
     }
     if (clicks_.size() <= fewest()) return;
     distance_ = options.click_distance.value_or(usual_distance());
@@ -264,7 +269,9 @@ class NearClicks {
       const std::size_t here = clicks_[k];
       const bool is_last = k + 1 == clicks_.size();
       double gap = between(last, here);
-      if (curve_->closed && is_last) gap = std::min(gap, between(here, clicks_.front()));
+      if (curve_->closed && is_last) {
+        gap = std::min(gap, between(here, curve_->points.size() + clicks_.front()));
+      }
       if (gap > distance_) {
         last = here;
         continue;
@@ -272,6 +279,10 @@ class NearClicks {
       const bool is_end = !curve_->closed && here + 1 == n;
       const std::size_t drop = is_end ? last : here;
       if (drop == 0 && !curve_->closed) break;
+      if (often_->contains(curve_->points[drop])) {
+        last = here;
+        continue;
+      }
       dropped.push_back(curve_->points[drop]);
       farthest_ = std::max(farthest_, gap);
       --left;
@@ -284,14 +295,19 @@ class NearClicks {
  private:
   /// A spline needs two clicks, and three where it is closed.
   [[nodiscard]] std::size_t fewest() const { return curve_->closed ? 3 : 2; }
+  /// Along the drawing: what comes back from afar is no second click. A place after the last point
+  /// of a loop is in its next round.
   [[nodiscard]] double between(std::size_t a, std::size_t b) const {
-    return (mesh_->position(curve_->points[a]) - mesh_->position(curve_->points[b])).norm();
+    const std::size_t n = curve_->points.size();
+    return b < n ? arcs_[b] - arcs_[a] : arcs_[n] - arcs_[a] + arcs_[b - n];
   }
   [[nodiscard]] double usual_distance() const {
     constexpr double kOfEdge = 1.05, kOfMedian = 0.25;
     std::vector<double> gaps;
     for (std::size_t k = 0; k + (curve_->closed ? 0 : 1) < clicks_.size(); ++k) {
-      gaps.push_back(between(clicks_[k], clicks_[(k + 1) % clicks_.size()]));
+      const bool is_last = k + 1 == clicks_.size();
+      const std::size_t next = is_last ? curve_->points.size() + clicks_[0] : clicks_[k + 1];
+      gaps.push_back(between(clicks_[k], next));
     }
     const auto middle = gaps.begin() + static_cast<std::ptrdiff_t>(gaps.size() / 2);
     std::nth_element(gaps.begin(), middle, gaps.end());
@@ -300,14 +316,17 @@ class NearClicks {
 
   const SurfaceMesh* mesh_;
   const SurfaceCurve* curve_;
+  const PointLookup* often_;
+  std::vector<double> arcs_;  // to each point, and to the first one after a round
   std::vector<std::size_t> clicks_;
   double distance_ = 0, farthest_ = 0;
 };
 
 /// Takes the clicks of a curve that are one with others from the options; returns and tells them.
 std::vector<SurfacePoint> merge_clicks(const SurfaceMesh& mesh, const SurfaceCurve& curve,
-                                       CurveOptions& options, std::vector<std::string>& told) {
-  NearClicks clicks(mesh, curve, options);
+                                       const PointLookup& often, CurveOptions& options,
+                                       std::vector<std::string>& told) {
+  NearClicks clicks(mesh, curve, options, often);
   std::vector<SurfacePoint> dropped = clicks.dropped();
   if (dropped.empty()) return dropped;
   const PointLookup gone(dropped);
@@ -321,6 +340,15 @@ std::vector<SurfacePoint> merge_clicks(const SurfaceMesh& mesh, const SurfaceCur
   return dropped;
 }
 
+/// The points at which curves cross or meet themselves or others.
+PointLookup points_passed_often(std::span<const SurfaceCurve> curves) {
+  PointLookup once, often;
+  for (const SurfaceCurve& curve : curves) {
+    for (const SurfacePoint& point : curve.points) (once.contains(point) ? often : once).add(point);
+  }
+  return often;
+}
+
 }  // namespace
 
 CleanedDrawing cleaned_drawing(const SurfaceMesh& mesh, std::span<const SurfaceCurve> given,
@@ -331,6 +359,7 @@ CleanedDrawing cleaned_drawing(const SurfaceMesh& mesh, std::span<const SurfaceC
   CleanedDrawing cleaned;
   std::vector<SurfacePoint> painted;
   CurveOptions merged = options;
+  const PointLookup often = points_passed_often(given);
   for (std::size_t c = 0; c < given.size(); ++c) {
     const SurfaceCurve& curve = given[c];
     asker.did(kOfPoint * curve.points.size());
@@ -341,7 +370,7 @@ CleanedDrawing cleaned_drawing(const SurfaceMesh& mesh, std::span<const SurfaceC
     const CurveOrder order = canonical_order(mesh, curve);
     const SurfaceCurve ordered = in_order(curve, order);
     std::vector<std::string> told;
-    const std::vector<SurfacePoint> dropped = merge_clicks(mesh, ordered, merged, told);
+    const std::vector<SurfacePoint> dropped = merge_clicks(mesh, ordered, often, merged, told);
     CleanedCurve& own =
         cleaned.curves.emplace_back(CurveCleaning(mesh, ordered, merged, dropped, painted)
                                         .run(known.empty() ? nullptr : &known[c]));

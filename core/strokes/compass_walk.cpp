@@ -74,6 +74,18 @@ class Walker {
 
 }  // namespace
 
+double walkable_step(std::span<const Point> points, bool closed, double step) {
+  constexpr std::size_t kMost = 4096, kMostOfPoint = 16;
+  constexpr double kRounding = 1e-14;  // of coordinates
+  const std::size_t n = points.size();
+  double length = 0, size = 0;
+  for (std::size_t k = 0; k < n; ++k) {
+    size = std::max(size, points[k].lpNorm<Eigen::Infinity>());
+    if (closed || k + 1 < n) length += (points[(k + 1) % n] - points[k]).norm();
+  }
+  return std::max({step, length / static_cast<double>(kMost + kMostOfPoint * n), kRounding * size});
+}
+
 std::vector<PolylinePlace> compass_walk(std::span<const Point> points, bool closed, double step,
                                         bool rejoining) {
   const Walker walker(points, closed, step);

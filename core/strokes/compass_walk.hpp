@@ -16,6 +16,10 @@ struct PolylinePlace {
   Point at = Point::Zero();
 };
 
+/// The step, or the least one that is worth to be walked if that is longer: places between samples
+/// of the polyline say nothing new, so there are at most 4096 and 16 for each point.
+double walkable_step(std::span<const Point> points, bool closed, double step);
+
 /// The places of a walk: it begins at the first point, and each place is where the polyline first
 /// leaves the ball of radius `step` > 0 about the one before. So the walk does not see how the
 /// polyline was sampled: what rests within a step, or trembles there, is passed over. With

@@ -1,11 +1,16 @@
 #include "talweg/core/strokes/drawn_loops.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
+
+#include "talweg/core/drawing/way_point.hpp"
+#include "talweg/intrinsic/surface/point_lookup.hpp"
 
 namespace talweg {
 namespace {
@@ -21,6 +26,24 @@ std::string told_of(const ClosedLoop& loop) {
                      loop.gap);
 }
 
+bool any_on(const PointLookup& points, const SnappedDrawing& drawing) {
+  const auto is_on = [&](const SurfacePoint& point) { return points.contains(point); };
+  return std::any_of(drawing.pins.begin(), drawing.pins.end(), is_on) ||
+         std::any_of(drawing.way_points.begin(), drawing.way_points.end(),
+                     [&](const WayPoint& way) { return is_on(way.point); });
+}
+
+/// What a loop leaves out of its stroke is no part of the drawing any more.
+void forget_marks(const PointLookup& gone, SnappedDrawing& drawing) {
+  PointLookup left;
+  for (const SurfaceCurve& curve : drawing.curves) left.add_all(curve.points);
+  const auto is_gone = [&](const SurfacePoint& point) {
+    return gone.contains(point) && !left.contains(point);
+  };
+  std::erase_if(drawing.painted, is_gone);
+  std::erase_if(drawing.all_exact, [&](const WayPoint& way) { return is_gone(way.point); });
+}
+
 }  // namespace
 
 SnappedDrawing with_loops_closed(const SurfaceMesh& mesh, SnappedDrawing drawing,
@@ -31,8 +54,17 @@ SnappedDrawing with_loops_closed(const SurfaceMesh& mesh, SnappedDrawing drawing
     if (!always && (c >= drawing.may_be_loop.size() || !drawing.may_be_loop[c])) continue;
     std::optional<ClosedLoop> loop = closed_loop(mesh, drawing.curves[c], lines, always);
     if (!loop) continue;
+    const std::vector<SurfacePoint> stroke = std::move(drawing.curves[c].points);
+    const PointLookup kept(loop->curve.points);
+    PointLookup gone;
+    for (const SurfacePoint& point : stroke) {
+      if (!kept.contains(point)) gone.add(point);
+    }
+    // No click is lost.
+    if (any_on(gone, drawing)) loop = ClosedLoop{lines.join(stroke, true), loop->gap, 0};
     drawing.curves[c] = std::move(loop->curve);
     drawing.told.push_back(told_of(*loop));
+    forget_marks(gone, drawing);
   }
   return drawing;
 }

@@ -19,6 +19,7 @@ Point normal_of(const SurfaceMesh& mesh, FaceId face) {
 
 EvenStroke even_stroke(const SurfaceMesh& mesh, const SurfaceCurve& stroke, double step) {
   const std::vector<Point> positions = positions_of(mesh, stroke);
+  step = walkable_step(positions, stroke.closed, step);
   EvenStroke even{stroke.closed, step, {}, {}};
   const std::size_t n = stroke.points.size();
   std::size_t segment = n;

@@ -17,7 +17,8 @@ struct EvenStroke {
   [[nodiscard]] double length() const { return step * static_cast<double>(at.size()); }
 };
 
-/// The stroke walked with a compass (compass_walk.hpp). O(points · degree + places).
+/// The stroke walked with a compass (compass_walk.hpp) in steps that are worth it, see
+/// walkable_step(). O(points · degree + places).
 EvenStroke even_stroke(const SurfaceMesh& mesh, const SurfaceCurve& stroke, double step);
 
 }  // namespace talweg

@@ -19,7 +19,7 @@ class Strands {
       : stroke_(even_stroke(mesh, stroke, step)),
         at_(stroke_.at),
         closed_(stroke.closed),
-        step_(step) {}
+        step_(stroke_.step) {}
 
   [[nodiscard]] std::size_t size() const { return at_.size(); }
   [[nodiscard]] const std::vector<Point>& points() const { return at_; }

@@ -205,8 +205,8 @@ CleanedStroke cleaned_stroke(const SurfaceMesh& mesh, const SurfaceCurve& stroke
                         stroke.points.end() - static_cast<std::ptrdiff_t>(hooks.second)}};
   const std::span<const Point> kept =
       std::span(positions).subspan(hooks.first, trimmed.points.size());
-  const std::vector<PolylinePlace> places =
-      compass_walk(kept, stroke.closed, kStep * trembling, true);
+  const std::vector<PolylinePlace> places = compass_walk(
+      kept, stroke.closed, walkable_step(kept, stroke.closed, kStep * trembling), true);
   if (places.size() < (stroke.closed ? 3U : 2U)) return as_given;
   std::optional<CleanedStroke> cleaned = Joiner(mesh.surface(), trimmed).joined(places);
   if (!cleaned || !is_sound(mesh.surface(), cleaned->curve)) return as_given;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 namespace talweg::editing {
@@ -19,7 +20,17 @@ void apply(const char* id, const std::optional<double>& value, host::Instance& s
   }
 }
 
+constexpr const char* kEnds[] = {"auto", "closed", "open"};
+
 }  // namespace
+
+const char* name_of(Ends ends) { return kEnds[static_cast<std::size_t>(ends)]; }
+
+Ends ends_named(const std::string& name) {
+  const auto* const found = std::find(std::begin(kEnds), std::end(kEnds), name);
+  if (found == std::end(kEnds)) throw Error("Ends are auto, closed or open, not " + name + ".");
+  return static_cast<Ends>(found - std::begin(kEnds));
+}
 
 Point picked(std::uint32_t face, const std::array<double, 3>& barycentric) {
   Point point{face, barycentric};
@@ -145,6 +156,8 @@ void apply(const Drawing& drawing, host::Instance& smooth) {
   smooth.set("potential", paper ? "paper" : "corridor");
   apply("slack", paper ? std::nullopt : drawing.settings.slack, smooth);
   apply("max_deviation", paper ? std::nullopt : drawing.settings.max_deviation, smooth);
+  apply("click_distance", drawing.settings.click_distance, smooth);
+  smooth.set("ends", name_of(drawing.settings.ends));
   std::vector<std::optional<double>> taus, slacks;
   for (const auto& curve : drawing.curves) {
     if (paper || !can_be_smoothed(*curve)) continue;

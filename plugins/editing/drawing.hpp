@@ -55,12 +55,26 @@ struct Curve {
   bool operator==(const Curve& other) const;
 };
 
+/// What becomes of the ends of curves that are not closed.
+enum class Ends {
+  kAuto,    ///< a painted stroke that comes back to its beginning is a loop
+  kClosed,  ///< every curve is
+  kOpen,    ///< none is
+};
+/// As the parameter of talweg.smooth has it: "auto", "closed", "open".
+const char* name_of(Ends ends);
+/// Throws Error for another name.
+Ends ends_named(const std::string& name);
+
 /// Parameters of talweg.smooth that belong to the drawing.
 struct Settings {
   double tau = 1;                       ///< >= 0
   std::optional<double> slack;          ///< mesh units, >= 0; none: the plugin's default
   std::optional<double> max_deviation;  ///< mesh units, > 0; chooses tau and slack
   bool paper = false;  ///< the paper's own potential; then without slack and max_deviation
+  Ends ends = Ends::kAuto;
+  /// Successive clicks at most so far apart are one; mesh units, >= 0; none: the plugin's default.
+  std::optional<double> click_distance = {};
 
   bool operator==(const Settings&) const = default;
 };

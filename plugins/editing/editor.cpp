@@ -42,6 +42,7 @@ void require_bound(double value, bool zero, const char* what) {
 void require(const Settings& settings) {
   require_bound(settings.tau, true, "Tau");
   if (settings.slack) require_bound(*settings.slack, true, "The slack");
+  if (settings.click_distance) require_bound(*settings.click_distance, true, "The click distance");
   if (settings.max_deviation) {
     require_bound(*settings.max_deviation, false, "The largest deviation");
   }
@@ -281,6 +282,18 @@ void Editor::set_paper(bool paper) {
   Settings settings = drawing().settings;
   settings.paper = paper;
   set("Method", settings);
+}
+
+void Editor::set_ends(Ends ends) {
+  Settings settings = drawing().settings;
+  settings.ends = ends;
+  set("Ends", settings);
+}
+
+void Editor::set_click_distance(std::optional<double> distance) {
+  Settings settings = drawing().settings;
+  settings.click_distance = distance;
+  set("Click distance", settings);
 }
 
 }  // namespace talweg::editing

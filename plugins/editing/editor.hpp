@@ -82,6 +82,8 @@ class Editor {
   void set_slack(std::optional<double> slack);
   void set_max_deviation(std::optional<double> bound);
   void set_paper(bool paper);
+  void set_ends(Ends ends);
+  void set_click_distance(std::optional<double> distance);
 
  private:
   const Curve& curve_at(std::size_t curve) const;

@@ -18,6 +18,7 @@
 #include "stress/redrawn_curves.hpp"
 #include "talweg/core/drawing/snapping.hpp"
 #include "talweg/core/drawing/straight_lines.hpp"
+#include "talweg/core/measure/edge_length_near.hpp"
 #include "talweg/core/repair/mesh_repair.hpp"
 #include "talweg/core/smoothing/curve_smoother.hpp"
 #include "talweg/core/smoothing/max_deviation.hpp"
@@ -133,20 +134,33 @@ void check_report(const SmoothingReport& report, RunOutcome& outcome) {
   }
 }
 
+bool warns(const SmoothingResult& result, const std::string& words) {
+  return std::ranges::any_of(result.total.warnings, [&](const std::string& warning) {
+    return warning.find(words) != std::string::npos;
+  });
+}
+
+/// How far clicks may lie from one with which they are one, mesh units.
+double largest_click_distance(const CurveSmoother& smoother) {
+  double most = 0;
+  for (const SurfaceCurve& curve : smoother.drawn()) {
+    most = std::max(most, edge_length_near(smoother.opened().mesh().surface(), curve));
+  }
+  return 1.05 * most;
+}
+
 /// Whatever else is given up, clicks are passed, or a warning says that they are not.
 void check_way_points(const CurveSmoother& smoother, const SmoothingResult& result,
                       RunOutcome& outcome) {
   const auto& way_points = smoother.curve_options().way_points;
-  const bool said = std::ranges::any_of(result.total.warnings, [](const std::string& warning) {
-    return warning.find("it was to pass") != std::string::npos;
-  });
-  if (way_points.empty() || said || !outcome.broken.empty()) return;
+  if (way_points.empty() || warns(result, "it was to pass") || !outcome.broken.empty()) return;
+  const double one = warns(result, "taken as one") ? largest_click_distance(smoother) : 0;
   const SurfaceMesh& mesh = smoother.opened().mesh();
   PolylineDistance distance(mesh.surface());
   distance.set(result.curves);
   for (const WayPoint& way : way_points) {
     const double away = distance.at(way.point).distance;
-    if (away <= way.tolerance + 1e-6 * mesh.mean_edge_length()) continue;
+    if (away <= std::max(way.tolerance, one) + 1e-6 * mesh.mean_edge_length()) continue;
     outcome.broken = fmt::format("a way-point is {:.3g} edges away from the result",
                                  away / mesh.mean_edge_length());
     return;

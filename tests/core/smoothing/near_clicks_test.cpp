@@ -99,6 +99,24 @@ TEST_F(NearClicks, TheirDistanceIsAnOption) {
   EXPECT_TRUE(smoothed(twice, true).report().warnings.empty());
 }
 
+/// Between the second and the third click the drawing goes up and comes back.
+TEST_F(NearClicks, AClickToWhichTheDrawingComesBackIsNoSecondOne) {
+  for (const double beside : {0.0, 0.4}) {
+    const std::vector<Point> points{{4, 4, 0},  {12, 4, 0},          {16, 10, 0},
+                                    {8, 10, 0}, {12 - beside, 4, 0}, {20, 2, 0}};
+    const SnappedCurve snapped = snap(opened->mesh(), {false, points, {}});
+    StraightLines lines(opened->surface());
+    CurveOptions options;
+    for (const std::size_t k : {0, 1, 4, 5}) options.way_points.push_back({snapped.points[k], 0});
+    smoother.set_curve(lines.join(snapped.points, false), options);
+    const SmoothingResult result = smoother.smooth(1);
+    for (const WayPoint& way : options.way_points) {
+      const Point at = opened->mesh().position(way.point);
+      EXPECT_LT(missed(result, at.x(), at.y()), 1e-6) << beside << ": " << at.transpose();
+    }
+  }
+}
+
 /// Way-points say nothing of the way between them, so it may cross itself.
 TEST_F(NearClicks, LegsThatCrossAreAsRoundAsOthers) {
   const std::vector<std::array<double, 2>> eight{{16, 16}, {21, 15}, {21, 9}, {16, 8},

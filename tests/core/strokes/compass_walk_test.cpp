@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/small_meshes.hpp"
 #include "talweg/talweg.hpp"
 
 namespace talweg::compass_walk_test {
@@ -25,6 +26,33 @@ TEST(CompassWalk, GoesInEqualStepsHoweverALineIsSampled) {
     }
     EXPECT_NEAR(places.back().at.x(), 10, step);
   }
+}
+
+TEST(CompassWalk, AStepFarBelowTheSamplesIsNotWorthIt) {
+  const std::vector<Point> points = line(10, 0.1);
+  EXPECT_EQ(walkable_step(points, false, 0.3), 0.3);
+  for (const double tiny : {1e-300, 1e-9, 1e-5}) {
+    const double step = walkable_step(points, false, tiny);
+    const std::size_t places = compass_walk(points, false, step).size();
+    EXPECT_GT(places, 4000U);
+    EXPECT_LT(places, 4100U + 16 * points.size());
+  }
+  const std::vector<Point> far{{1e9, 0, 0}, {1e9 + 1e-6, 0, 0}, {1e9 + 2e-6, 0, 0}};
+  EXPECT_LE(compass_walk(far, false, walkable_step(far, false, 1e-300)).size(), 4U);
+}
+
+/// Segments of 1e-9 of the length, as of a hand that rests: the trembling is that small, too.
+TEST(CompassWalk, AStrokeOfTinySegmentsHasASlackAtOnce) {
+  const auto opened = OpenedMesh::open(test::grid(24, 24));
+  std::vector<Point> points;
+  for (int k = 0; k < 60; ++k) points.emplace_back(2 + 1e-9 * k, 2 + 1e-9 * (k % 2), 0);
+  points.emplace_back(12, 2.5, 0);
+  for (int k = 0; k < 60; ++k) points.emplace_back(22 + 1e-9 * k, 3 + 1e-9 * (k % 2), 0);
+  const SnappedCurve snapped = snap(opened->mesh(), {false, points, {}});
+  StraightLines lines(opened->surface());
+  CurveSmoother smoother(opened);
+  smoother.set_curve(lines.join(snapped.points, false));
+  EXPECT_GT(smoother.smooth(1).report().length_after, 20);
 }
 
 TEST(CompassWalk, PassesOverRests) {

@@ -1,10 +1,13 @@
 // A hand that comes back to where it began has drawn a loop.
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include <gtest/gtest.h>
 
 #include "core/small_meshes.hpp"
+#include "talweg/core/drawing/snapped_drawing.hpp"
+#include "talweg/core/strokes/drawn_loops.hpp"
 #include "talweg/talweg.hpp"
 
 namespace talweg::loop_closing_test {
@@ -64,6 +67,42 @@ TEST_F(LoopClosing, AWayOutAndBackIsNone) {
   for (double x = 2; x <= 16; x += 0.5) points.emplace_back(x, 10, 0);
   for (double x = 16; x >= 2; x -= 0.5) points.emplace_back(x, 10.4, 0);
   EXPECT_FALSE(closed(lines.join(snap(opened->mesh(), {false, points, {}}).points, false)));
+}
+
+TEST_F(LoopClosing, NoClickIsCutOff) {
+  const SurfaceCurve stroke = arc(0, 385);
+  SnappedCurve clicked{false, stroke.points};
+  for (std::size_t k = 0; k < stroke.points.size(); k += 6) clicked.way_points.push_back({k, 0});
+  const std::size_t last = stroke.points.size() - 1;
+  clicked.way_points.push_back({last, 0});
+  SnappedDrawing drawing;
+  drawing.add(opened->mesh(), std::span(&clicked, 1), lines);
+  EXPECT_FALSE(
+      with_loops_closed(opened->mesh(), drawing, lines, CurveEnds::kAsDrawn).curves[0].closed);
+  const SnappedDrawing loop = with_loops_closed(opened->mesh(), drawing, lines, CurveEnds::kClosed);
+  EXPECT_TRUE(loop.curves[0].closed);
+  for (const WayPoint& way : drawing.way_points) {
+    EXPECT_NE(std::find(loop.curves[0].points.begin(), loop.curves[0].points.end(), way.point),
+              loop.curves[0].points.end());
+  }
+}
+
+TEST_F(LoopClosing, WhatIsCutOffOfAPaintedStrokeIsNoPartOfIt) {
+  const SurfaceCurve stroke = arc(0, 385);
+  SnappedCurve painted{false, stroke.points};
+  for (std::size_t k = 0; k < stroke.points.size(); ++k) painted.painted.push_back(k);
+  painted.may_be_loop = true;
+  SnappedDrawing drawing;
+  drawing.add(opened->mesh(), std::span(&painted, 1), lines);
+  const SnappedDrawing loop =
+      with_loops_closed(opened->mesh(), drawing, lines, CurveEnds::kAsDrawn);
+  ASSERT_TRUE(loop.curves[0].closed);
+  EXPECT_LT(loop.painted.size(), drawing.painted.size());
+  EXPECT_GT(loop.painted.size(), drawing.painted.size() / 2);
+  for (const SurfacePoint& point : loop.painted) {
+    EXPECT_NE(std::find(loop.curves[0].points.begin(), loop.curves[0].points.end(), point),
+              loop.curves[0].points.end());
+  }
 }
 
 TEST_F(LoopClosing, EndsHaveThreeNames) {

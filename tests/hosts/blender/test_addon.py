@@ -210,6 +210,20 @@ class Addon(unittest.TestCase):
         np.testing.assert_allclose(result.curve.positions[0],
                                    scene.vertices_of(self.obj)[self.drawn[0]], atol=1e-5)
 
+    def test_ends_that_meet(self):
+        bpy.ops.object.mode_set(mode="OBJECT")
+        angles = np.linspace(0, 2 * np.pi - 0.08, 90)
+        around = np.stack([20 + 8 * np.cos(angles), 20 + 8 * np.sin(angles)], -1)
+        scene.annotate([np.c_[around, 3 * np.sin(around[:, 0] / 7) * np.cos(around[:, 1] / 5)]])
+        self.assertEqual(bpy.ops.talweg.smooth_annotations(), {"FINISHED"})
+        curve, = curve_objects()
+        self.assertTrue(curve.data.splines[0].use_cyclic_u)
+        self.assertTrue(any("taken as a loop" in one for one in session.last_result().total.warnings))
+        curve.talweg.ends = "open"
+        self.assertFalse(curve.data.splines[0].use_cyclic_u)
+        curve.talweg.ends = "closed"
+        self.assertTrue(curve.data.splines[0].use_cyclic_u)
+
     def test_a_hook_smaller_than_a_triangle(self):
         bpy.ops.object.mode_set(mode="OBJECT")
         hook = [[10, 10, 0], [10.2, 10.1, 0], [10.1, 10.2, 0], [10.1, 10.0, 0], [20, 15, 0],

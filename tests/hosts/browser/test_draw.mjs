@@ -67,6 +67,38 @@ export async function aStrokeThatComesBackCloses() {
   await page.picture('stroke');
 }
 
+export async function endsThatMeet() {
+  const page = await withMesh();
+  const [a, b, c, d] = await around(page);
+  const [x, y] = [(a[0] + b[0]) / 2, a[1]];
+  await page.drag([[x, y], b, c, d, a, [x + 25, y + 3]], { steps: 12 });
+  await page.key('Enter');
+  assert.match((await page.curves())[0], /^Curve 1 open/, 'as it was drawn');
+  assert.match(await page.text('notes'), /taken as a loop/);
+  const length = await page.reported('length');
+  await page.page.select('#ends', 'open');
+  await page.rest();
+  assert.doesNotMatch(await page.text('notes'), /taken as a loop/);
+  assert.notEqual(await page.reported('length'), length);
+  await page.act('undo');
+  assert.match(await page.text('notes'), /taken as a loop/);
+  assert.equal(await page.reported('length'), length);
+}
+
+export async function clicksBesideClicks() {
+  const page = await withMesh();
+  const [a, b, c] = await around(page);
+  const beside = [b[0] - 40, b[1] + 10];
+  for (const at of [a, b, beside, c]) await page.click(...at);
+  await page.key('Enter');
+  assert.doesNotMatch(await page.text('notes'), /taken as one/);
+  const apart = (p, q) => Math.hypot(p[0] - q[0], p[1] - q[1]);
+  const share = apart(b, beside) / (apart(a, b) + apart(b, beside) + apart(beside, c));
+  await page.page.type('#click-distance', String(1.5 * share * await page.reported('length')));
+  await page.key('Enter');
+  assert.match(await page.text('notes'), /taken as one/);
+}
+
 export async function theSlider() {
   const page = await withMesh();
   const [a, b, c, d] = await around(page);

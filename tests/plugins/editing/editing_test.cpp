@@ -202,6 +202,22 @@ TEST(Editor, ThePapersMethodIsAStepThatCanBeUndone) {
   EXPECT_FALSE(editor.history().can_undo());
 }
 
+TEST(Editor, WhatTheDrawingIsTakenForIsAStep) {
+  Editor editor;
+  editor.set_ends(editing::Ends::kOpen);
+  editor.set_click_distance(0.5);
+  EXPECT_EQ(editor.history().undo_name(), "Click distance");
+  EXPECT_EQ(refusal([&] { editor.set_click_distance(-1.0); }), "The click distance is 0 or more.");
+  editor.history().undo();
+  EXPECT_EQ(editor.drawing().settings.click_distance, std::nullopt);
+  EXPECT_EQ(editor.drawing().settings.ends, editing::Ends::kOpen);
+  for (const auto ends : {editing::Ends::kAuto, editing::Ends::kClosed, editing::Ends::kOpen}) {
+    EXPECT_EQ(editing::ends_named(editing::name_of(ends)), ends);
+  }
+  EXPECT_EQ(refusal([] { editing::ends_named("ajar"); }),
+            "Ends are auto, closed or open, not ajar.");
+}
+
 TEST(Editor, PointsKeepTheirPinsAndGo) {
   Editor editor;
   editor.add_curve({{at(1), at(2), at(3)}, true});

@@ -37,6 +37,15 @@ double length_of(const host::Curve& curve) {
   return sum;
 }
 
+/// Whether a warning has these words.
+bool says(const host::Results& results, const std::string& words) {
+  const host::ReportEntry* warnings = results.find("warnings");
+  if (warnings == nullptr) return false;
+  return std::any_of(
+      warnings->texts.begin(), warnings->texts.end(),
+      [&](const std::string& sentence) { return sentence.find(words) != std::string::npos; });
+}
+
 /// A tube around the z axis, of radius 1 and height 3.
 struct Tube {
   std::shared_ptr<const editing::MeshArrays> mesh =
@@ -144,6 +153,38 @@ TEST(Workplace, ThePapersMethodIsChosenByASetting) {
   EXPECT_EQ(potential(), "paper");
   tube.editor.set_paper(false);
   EXPECT_EQ(potential(), "corridor");
+}
+
+/// Around the tube, and a little over its own beginning, two rows higher.
+TEST(Workplace, APaintedStrokeThatComesBackIsALoop) {
+  Tube tube;
+  for (std::uint32_t k = 0; k < 51; ++k) {
+    const std::uint32_t row = 14 + k % 2 + (k > 40 ? 1 : 0);
+    tube.editor.paint_point(points_at(*tube.mesh, {Tube::vertex(k % 48, row)}).at(0));
+  }
+  tube.editor.finish_curve();
+  const auto smoothed = [&] {
+    return work(tube.place, Task::kSmooth, tube.editor.drawing()).results;
+  };
+  const host::Results loop = smoothed();
+  EXPECT_TRUE(loop.curves.at(0).closed);
+  EXPECT_TRUE(says(loop, "taken as a loop"));
+  tube.editor.set_ends(editing::Ends::kOpen);
+  EXPECT_FALSE(smoothed().curves.at(0).closed);
+  tube.editor.set_ends(editing::Ends::kClosed);
+  EXPECT_TRUE(smoothed().curves.at(0).closed);
+}
+
+TEST(Workplace, ClicksBesideClicksAreOne) {
+  Tube tube;
+  tube.click({Tube::vertex(0, 5), Tube::vertex(10, 15), Tube::vertex(11, 15), Tube::vertex(20, 5)});
+  tube.editor.finish_curve();
+  const auto merged = [&](std::optional<double> distance) {
+    tube.editor.set_click_distance(distance);
+    return says(work(tube.place, Task::kSmooth, tube.editor.drawing()).results, "taken as one");
+  };
+  EXPECT_FALSE(merged(0.0));
+  EXPECT_TRUE(merged(0.2));
 }
 
 TEST(Workplace, ACurvesOwnTauIsItsOwn) {

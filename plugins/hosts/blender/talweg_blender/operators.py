@@ -144,7 +144,6 @@ _STROKES = {
     "strokes": bpy.props.StringProperty(
         name="Strokes", default="",
         description="Numbers of the strokes to smooth, such as 0, 2-4; -1 is the last; empty: all"),
-    "closed": bpy.props.BoolProperty(name="Closed", description="Strokes are loops"),
 }
 
 
@@ -182,7 +181,7 @@ class _OnActive(_Smoothing):
 
     def execute(self, context):
         return self.smooth(context, [context.object], lambda obj, place: strokes.drawing_of(
-            self.items(context, obj), place, self.closed, self.strokes),
+            self.items(context, obj), place, self.strokes),
             self.output == "CURVE")
 
 

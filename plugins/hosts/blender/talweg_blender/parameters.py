@@ -7,16 +7,23 @@ import bpy
 from .package import talweg
 
 #: In the order of the panel; of these the rest of the add-on knows nothing but the names.
-SHOWN = ("tau", "slack", "max_deviation", "taus", "slacks", "potential", "relax")
+SHOWN = ("tau", "slack", "max_deviation", "taus", "slacks", "ends", "click_distance", "potential", "relax")
 
 
 #: Shorter words where the plugin's do not fit into the panel, or name a page that is not open here.
 _LABELS = {"relax": "Relaxation", "taus": "Taus", "slacks": "Slacks"}
 _CHOICES = {"corridor": ("Corridor", "Flat within the slack, then the exact distance along the surface"),
-            "paper": ("Paper", "The published one, of the approximate distance; has no slack")}
+            "paper": ("Paper", "The published one, of the approximate distance; has no slack"),
+            "auto": ("Strokes That Meet", "A stroke whose end stops a little short of its beginning, or "
+                     "runs over it, is a loop"),
+            "closed": ("Loops", "Every curve is a loop"),
+            "open": ("As Drawn", "No curve is a loop that is not closed already")}
+
+_CHOICE_TEXTS = {"potential": "What keeps the curve close to the drawing",
+                 "ends": "Which open curves become loops"}
 
 #: Lengths; beside the number they have a slider in mean edges, which fits meshes of every size.
-_LENGTHS = ("slack", "max_deviation")
+_LENGTHS = ("slack", "max_deviation", "click_distance")
 
 
 def described():
@@ -98,7 +105,7 @@ def annotations(changed=None):
                      zip(parameter.choices, parameter.choice_labels)]
             result[parameter.id] = bpy.props.EnumProperty(
                 name=parameter.label, items=items, default=parameter.default,
-                description="What keeps the curve close to the drawing", **update)
+                description=_CHOICE_TEXTS[parameter.id], **update)
         elif parameter.kind == "per_curve":
             result[parameter.id] = _text(parameter, update)
         else:

@@ -53,7 +53,7 @@ def objects(context, obj):
     return found
 
 
-def drawing_of(items, surface, closed, chosen):
+def drawing_of(items, surface, chosen):
     """The Drawing of items on a surface.
 
     :param chosen: numbers of items such as "0, 2-4, -1"; empty: all.
@@ -64,16 +64,15 @@ def drawing_of(items, surface, closed, chosen):
         item = items[number]
         raw.append(item.points)
         points = item.points
-        is_closed = closed or item.cyclic
         distance = surface.farthest(points) if np.isfinite(points).all() else 0.0
-        reason = item.reason or _astray(points, is_closed, distance, surface)
+        reason = item.reason or _astray(points, item.cyclic, distance, surface)
         if reason:
             astray.append(f"{item.name} {reason}")
             continue
         if distance > surface.far:
             warnings.append(f"{item.name} was drawn {surface.told(distance)}: if that is not meant, "
                             f"{MEND}.")
-        curves.append(talweg.Curve(positions=points, closed=is_closed, exact=item.exact or None))
+        curves.append(talweg.Curve(positions=points, closed=item.cyclic, exact=item.exact or None))
         names.append(item.name)
     if not curves:
         raise talweg.BadCurve(_listed(astray))

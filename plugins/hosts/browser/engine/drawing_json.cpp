@@ -49,8 +49,12 @@ editing::Drawing drawing_of(const Json& json) {
   }
   drawing.unfinished = json.at("unfinished").get<bool>();
   const Json& settings = json.at("settings");
-  drawing.settings = {settings.at("tau").get<double>(), optional_of(settings.at("slack")),
-                      optional_of(settings.at("maxDeviation")), settings.value("paper", false)};
+  drawing.settings = {settings.at("tau").get<double>(),
+                      optional_of(settings.at("slack")),
+                      optional_of(settings.at("maxDeviation")),
+                      settings.value("paper", false),
+                      editing::ends_named(settings.value("ends", "auto")),
+                      optional_of(settings.value("clickDistance", Json()))};
   return drawing;
 }
 
@@ -74,7 +78,9 @@ Json json_of(const editing::Drawing& drawing) {
            {{"tau", drawing.settings.tau},
             {"slack", number_json(drawing.settings.slack)},
             {"maxDeviation", number_json(drawing.settings.max_deviation)},
-            {"paper", drawing.settings.paper}}}};
+            {"paper", drawing.settings.paper},
+            {"ends", editing::name_of(drawing.settings.ends)},
+            {"clickDistance", number_json(drawing.settings.click_distance)}}}};
 }
 
 }  // namespace talweg::browser

@@ -127,6 +127,14 @@ const std::map<std::string, Call>& calls_of_curves() {
        [](Editor& e, Arguments a) { return done([&] { e.set_slack(optional_of(a.at(0))); }); }},
       {"setPaper",
        [](Editor& e, Arguments a) { return done([&] { e.set_paper(a.at(0).get<bool>()); }); }},
+      {"setEnds",
+       [](Editor& e, Arguments a) {
+         return done([&] { e.set_ends(editing::ends_named(a.at(0).get<std::string>())); });
+       }},
+      {"setClickDistance",
+       [](Editor& e, Arguments a) {
+         return done([&] { e.set_click_distance(optional_of(a.at(0))); });
+       }},
       {"setMaxDeviation", [](Editor& e, Arguments a) {
          return done([&] { e.set_max_deviation(optional_of(a.at(0))); });
        }}};

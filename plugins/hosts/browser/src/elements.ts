@@ -11,6 +11,16 @@ export function input(id: string): HTMLInputElement {
   return byId<HTMLInputElement>(id);
 }
 
+/** Leaves a box alone that a person is writing into. */
+export function setBox(id: string, text: string): void {
+  if (document.activeElement !== input(id)) input(id).value = text;
+}
+
+/** null: the box is empty. */
+export function numberIn(box: HTMLInputElement): number | null {
+  return box.value.trim() === '' ? null : box.valueAsNumber;
+}
+
 /** What the page's buttons do, by the name in their `data-act`. */
 export type Acts = Record<string, () => unknown>;
 

@@ -24,6 +24,17 @@ double diagonal_of(const editing::MeshArrays& mesh) {
   return mesh.positions.empty() ? 1 : (most - least).norm();
 }
 
+double mean_edge_of(const editing::MeshArrays& mesh) {
+  double sum = 0;
+  for (const auto& corners : mesh.triangles) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto &from = mesh.positions[corners[k]], &to = mesh.positions[corners[(k + 1) % 3]];
+      sum += std::hypot(to[0] - from[0], to[1] - from[1], to[2] - from[2]);
+    }
+  }
+  return mesh.triangles.empty() ? 1 : sum / (3 * static_cast<double>(mesh.triangles.size()));
+}
+
 PolyLine* line_of(int id) {
   PolyLineObject* object = PluginFunctions::polyLineObject(id);
   return object == nullptr ? nullptr : object->line();
@@ -42,6 +53,7 @@ Session::Session(HostCalls& host, const editing::Plugins& plugins, TriMeshObject
       name_(object.name()),
       arrays_(arrays_of(*object.mesh())),
       diagonal_(diagonal_of(*arrays_)),
+      mean_edge_(mean_edge_of(*arrays_)),
       editor_(settings) {
   first_number_ = kept_number_ = editor_.history().number();
   if (OpenFlipper::Options::gui()) nodes_ = std::make_unique<CurveNodes>();

@@ -67,6 +67,7 @@ class Session {
   [[nodiscard]] TriMesh& mesh() const { return *object_.mesh(); }
   [[nodiscard]] const QString& name() const { return name_; }
   [[nodiscard]] double diagonal() const { return diagonal_; }
+  [[nodiscard]] double mean_edge() const { return mean_edge_; }
 
   /// One edit; one that cannot be done is told, and false.
   bool edit(const std::function<void(editing::Editor&)>& change);
@@ -219,7 +220,8 @@ class Session {
   int mesh_id_;
   QString name_;
   std::shared_ptr<const editing::MeshArrays> arrays_;
-  double diagonal_;  // of the bounding box, mesh units
+  double diagonal_;   // of the bounding box, mesh units
+  double mean_edge_;  // mesh units
   editing::Editor editor_;
   std::unique_ptr<editing::SmoothingThread> thread_;
   // Of arrays_; null until the thread has made it, or it is needed before.

@@ -109,8 +109,8 @@ QGroupBox* TalwegPanel::make_shape_group() {
        QString()},
       16, false, grid, group);
   slack_ = new NumberRow({"talwegSlack", tr("Slack"),
-                          tr("How exact the drawing is, in mesh units. Unticked it comes from the "
-                             "drawing's segments."),
+                          tr("How exact the drawing is, in mesh units. Unticked it is as wide as "
+                             "the hand trembled."),
                           tr("units")},
                          1, true, grid, group);
   bound_ = new NumberRow({"talwegBound", tr("Within"),
@@ -118,6 +118,7 @@ QGroupBox* TalwegPanel::make_shape_group() {
                              "in mesh units; chooses tau and slack. Unticked: how far it is now."),
                           tr("units")},
                          1, true, grid, group);
+  make_taking(grid, group);
   connect_number(tau_, "Tau");
   connect_number(slack_, "Slack");
   connect_number(bound_, "Largest deviation");
@@ -125,6 +126,27 @@ QGroupBox* TalwegPanel::make_shape_group() {
   connect(slack_, &NumberRow::changed, this, &TalwegPanel::slack_changed);
   connect(bound_, &NumberRow::changed, this, &TalwegPanel::max_deviation_changed);
   return group;
+}
+
+/// What the drawing is taken for.
+void TalwegPanel::make_taking(QGridLayout* grid, QWidget* group) {
+  clicks_ = new NumberRow({"talwegClicks", tr("One click"),
+                           tr("Clicks that follow each other within this distance are one, in mesh "
+                              "units. Unticked: an edge of the mesh."),
+                           tr("units")},
+                          1, true, grid, group);
+  ends_ = new QComboBox(group);
+  ends_->setObjectName("talwegEnds");
+  ends_->addItems({tr("Painted strokes that come back are loops"), tr("All curves are loops"),
+                   tr("Open curves stay open")});
+  ends_->setToolTip(tr("What becomes of the ends of curves that are not closed."));
+  ends_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+  const int row = grid->rowCount();
+  grid->addWidget(new QLabel(tr("Ends"), group), row, 0);
+  grid->addWidget(ends_, row, 1, 1, 3);
+  connect_number(clicks_, "Click distance");
+  connect(clicks_, &NumberRow::changed, this, &TalwegPanel::click_distance_changed);
+  connect(ends_, QOverload<int>::of(&QComboBox::activated), this, &TalwegPanel::ends_changed);
 }
 
 void TalwegPanel::connect_number(NumberRow* row, const QString& name) {
@@ -210,6 +232,8 @@ void TalwegPanel::show_settings(const PanelState& state) {
                      most);
   bound_->show_value(state.settings.max_deviation,
                      state.deviation_now > 0 ? state.deviation_now : most / 9, most);
+  clicks_->show_value(state.settings.click_distance, state.mean_edge, most);
+  ends_->setCurrentIndex(static_cast<int>(state.settings.ends));
   const QString no_stroke =
       state.all_clicked ? tr("Between clicked points the curve is free; this is for painted ones.")
                         : QString();

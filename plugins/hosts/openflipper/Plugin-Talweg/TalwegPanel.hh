@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QCheckBox>
+#include <QComboBox>
 #include <QGroupBox>
 #include <QLabel>
 #include <QProgressBar>
@@ -27,6 +28,7 @@ struct PanelState {
   double scale = 1;           ///< of lengths: the largest that sliders offer, mesh units
   double slack_used = -1;     ///< in the result that is shown; negative: none
   double deviation_now = -1;  ///< likewise
+  double mean_edge = 1;       ///< of the mesh
   bool drawing_mode = false;
   bool unfinished = false;
   bool can_undo = false, can_redo = false;
@@ -77,6 +79,8 @@ class TalwegPanel : public QWidget {
   void tau_changed(double tau);
   void slack_changed(bool set, double slack);
   void max_deviation_changed(bool set, double bound);
+  void ends_changed(int ends);
+  void click_distance_changed(bool set, double distance);
 
  private:
   using Signal = void (TalwegPanel::*)();
@@ -89,6 +93,7 @@ class TalwegPanel : public QWidget {
   QToolButton* button(const QString& name, Sign sign, const QString& text, const QString& tip,
                       Signal signal);
   QToolButton* from_button();
+  void make_taking(QGridLayout* grid, QWidget* group);
   void connect_number(NumberRow* row, const QString& name);
   void show_settings(const PanelState& state);
   void show_problem(const PanelState& state);
@@ -99,7 +104,8 @@ class TalwegPanel : public QWidget {
       *cut_, *split_, *inside_, *cancel_, *repair_;
   QCheckBox* lids_;
   CurvesBox* curves_;
-  NumberRow *tau_, *slack_, *bound_;
+  NumberRow *tau_, *slack_, *bound_, *clicks_;
+  QComboBox* ends_;
   LookBox* look_;
   ResultTable* table_;
   QProgressBar* progress_;

@@ -145,6 +145,13 @@ void TalwegPlugin::connect_panel() {
           [this, optional](bool set, double value) {
             edit_now([&](Editor& e) { e.set_max_deviation(optional(set, value)); });
           });
+  connect(panel_, &TalwegPanel::click_distance_changed, this,
+          [this, optional](bool set, double value) {
+            edit_now([&](Editor& e) { e.set_click_distance(optional(set, value)); });
+          });
+  connect(panel_, &TalwegPanel::ends_changed, this, [this](int ends) {
+    edit_now([&](Editor& e) { e.set_ends(static_cast<editing::Ends>(ends)); });
+  });
 }
 
 void TalwegPlugin::make_menus() {
@@ -342,6 +349,7 @@ void TalwegPlugin::changed() {
     state.mesh = session->name();
     state.settings = session->editor().drawing().settings;
     state.scale = session->diagonal() / 10;
+    state.mean_edge = session->mean_edge();
     state.unfinished = session->editor().is_drawing();
     state.can_undo = session->can_undo();
     state.can_redo = history.can_redo();

@@ -140,6 +140,8 @@ class TalwegPlugin : public QObject,
   bool setTau(int meshId, double tau);
   bool setSlack(int meshId, double slack);
   bool setMaxDeviation(int meshId, double bound);
+  bool setEnds(int meshId, QString ends);
+  bool setClickDistance(int meshId, double distance);
   bool undoEdit(int meshId);
   bool redoEdit(int meshId);
   bool repairMesh(int meshId);

@@ -132,6 +132,16 @@ bool TalwegPlugin::setMaxDeviation(int meshId, double bound) {
   });
 }
 
+bool TalwegPlugin::setEnds(int meshId, QString ends) {
+  return edit(meshId, [&](Editor& e) { e.set_ends(editing::ends_named(ends.toStdString())); });
+}
+
+bool TalwegPlugin::setClickDistance(int meshId, double distance) {
+  return edit(meshId, [&](Editor& e) {
+    e.set_click_distance(distance < 0 ? std::nullopt : std::optional<double>(distance));
+  });
+}
+
 bool TalwegPlugin::undoEdit(int meshId) {
   Session* session = existing(meshId);
   return session != nullptr && session->undo();
@@ -277,6 +287,12 @@ void TalwegPlugin::describe_slots() {
       mesh + tr(";mesh units; negative: from the drawing").replace("; negative", ", negative"));
   describe("setMaxDeviation(int,double)", tr("The largest deviation; chooses tau and slack."),
            "meshId;bound", mesh + tr(";mesh units, 0: no bound"));
+  describe("setEnds(int,QString)", tr("What becomes of the ends of curves that are not closed."),
+           "meshId;ends",
+           mesh + tr(";auto: painted strokes that come back are loops, closed: all are, open"));
+  describe("setClickDistance(int,double)",
+           tr("Clicks that follow each other within this distance are one."), "meshId;distance",
+           mesh + tr(";mesh units, negative: an edge of the mesh"));
   describe("undoEdit(int)", tr("Takes the last edit back."), "meshId", mesh);
   describe("redoEdit(int)", tr("Does it again."), "meshId", mesh);
   describe("repairMesh(int)",

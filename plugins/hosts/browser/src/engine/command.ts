@@ -13,11 +13,13 @@ export function commandOf(name: string, repaired: boolean, drawing: Drawing | nu
   const stem = mesh.replace(/\.[^.]*$/, '');
   const words = ['talweg', 'smooth', mesh, '--curve', `${stem}-drawn.json`];
   if (drawing) {
-    const { tau, slack, maxDeviation, paper } = drawing.settings;
+    const { tau, slack, maxDeviation, paper, ends, clickDistance } = drawing.settings;
     if (paper) words.push('--potential', 'paper', '--tau', String(tau));
     else if (maxDeviation !== null) words.push('--max-deviation', String(maxDeviation));
     else words.push('--tau', String(tau));
     if (slack !== null && !paper) words.push('--slack', String(slack));
+    if (ends !== 'auto') words.push('--ends', ends);
+    if (clickDistance !== null) words.push('--click-distance', String(clickDistance));
   }
   if (repaired) words.push('--repair');
   words.push('-o', `${stem}-smooth.vtp`, '--report', `${stem}-report.json`);

@@ -1,6 +1,6 @@
 // The drawing, and all edits of it: `talweg::editing::Editor`.
 import { Module } from './module';
-import type { Curve, Drawing, Vec3 } from './types';
+import type { Curve, Drawing, Ends, Vec3 } from './types';
 
 interface Place {
   face: number;
@@ -56,8 +56,9 @@ export class Editor {
   setTau(tau: number): void { this.call('setTau', tau); }
   setSlack(slack: number | null): void { this.call('setSlack', slack); }
   setMaxDeviation(bound: number | null): void { this.call('setMaxDeviation', bound); }
-
   setPaper(paper: boolean): void { this.call('setPaper', paper); }
+  setEnds(ends: Ends): void { this.call('setEnds', ends); }
+  setClickDistance(distance: number | null): void { this.call('setClickDistance', distance); }
 
   /** The name of the step that was undone; null: there was none. */
   undo(): string | null { return this.call('undo'); }

@@ -27,6 +27,9 @@ export interface Curve {
   number: number;
 }
 
+/** What becomes of curves that are not closed: a painted stroke that comes back is a loop, all are, none. */
+export type Ends = 'auto' | 'closed' | 'open';
+
 export interface Settings {
   tau: number;
   /** null: the method's default. */
@@ -35,6 +38,9 @@ export interface Settings {
   maxDeviation: number | null;
   /** The paper's own potential: without slack and largest deviation. */
   paper: boolean;
+  ends: Ends;
+  /** Successive clicks at most so far apart are one; null: the method's default. */
+  clickDistance: number | null;
 }
 
 export interface Drawing {

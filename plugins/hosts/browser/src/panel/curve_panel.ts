@@ -4,7 +4,7 @@ import { nameOf, type State } from '../state/state';
 import { changed, type Store } from '../state/store';
 import type { DrawingWork } from '../actions/drawing_work';
 import { numberText } from '../state/numbers';
-import { type Acts, byId, element, enable, input } from '../elements';
+import { type Acts, byId, element, enable, input, numberIn, setBox } from '../elements';
 
 export class CurvePanel {
   constructor(private readonly store: Store, private readonly drawing: DrawingWork) {
@@ -91,13 +91,4 @@ export class CurvePanel {
 
 function pointsText(count: number): string {
   return count === 1 ? '1 point' : `${count} points`;
-}
-
-/** Leaves a box alone that a person is writing into. */
-function setBox(id: string, text: string): void {
-  if (document.activeElement !== input(id)) input(id).value = text;
-}
-
-function numberIn(box: HTMLInputElement): number | null {
-  return box.value.trim() === '' ? null : box.valueAsNumber;
 }

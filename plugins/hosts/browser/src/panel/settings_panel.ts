@@ -1,10 +1,11 @@
-// τ, slack and largest deviation, for all curves.
+// How all curves are smoothed.
 import type { Editor } from '../engine/editor';
+import type { Ends } from '../engine/types';
 import { hasStrokes, type State } from '../state/state';
 import { changed, type Store } from '../state/store';
 import type { DrawingWork } from '../actions/drawing_work';
 import { numberText } from '../state/numbers';
-import { byId, input } from '../elements';
+import { byId, input, numberIn, setBox } from '../elements';
 import { factors, type Scale, Slider, squares } from './slider';
 
 export class SettingsPanel {
@@ -21,16 +22,21 @@ export class SettingsPanel {
     this.bindSwitch('most-on', (e, on) => e.setMaxDeviation(on ? this.edge() : null));
     const method = byId<HTMLSelectElement>('method');
     method.addEventListener('change', () => drawing.edit((e) => e.setPaper(method.value === 'paper')));
+    const ends = byId<HTMLSelectElement>('ends');
+    ends.addEventListener('change', () => drawing.edit((e) => e.setEnds(ends.value as Ends)));
+    const clicks = input('click-distance');
+    clicks.addEventListener('change', () => this.orBack(drawing.edit((e) => e.setClickDistance(numberIn(clicks)))));
     store.watch((now, before) => {
       if (changed(now, before, 'drawing', 'mesh')) this.update(now);
     });
   }
 
   private update({ drawing, mesh }: State): void {
-    const { tau, slack, maxDeviation, paper } = drawing.settings;
-    const method = byId<HTMLSelectElement>('method');
-    method.value = paper ? 'paper' : 'fair';
-    method.disabled = !mesh;
+    const { tau, slack, maxDeviation, paper, ends, clickDistance } = drawing.settings;
+    byId<HTMLSelectElement>('method').value = paper ? 'paper' : 'fair';
+    byId<HTMLSelectElement>('ends').value = ends;
+    setBox('click-distance', clickDistance === null ? '' : numberText(clickDistance));
+    for (const id of ['method', 'ends', 'click-distance']) input(id).disabled = !mesh;
     byId('for-strokes').hidden = paper;
     const strokes = hasStrokes(drawing) || drawing.curves.length === 0;
     const chosen = strokes && maxDeviation !== null && !paper;  // τ and slack are chosen by the bound
@@ -59,15 +65,20 @@ export class SettingsPanel {
       slide: (value) => drawing.edit((e) => set(e, value), '', 'slides'),
       end: () => drawing.release(),
       write: (value) => {
-        if (!drawing.edit((e) => set(e, value))) this.update(this.store.now);
+        this.orBack(drawing.edit((e) => set(e, value)));
       },
     });
   }
 
   private bindSwitch(id: string, set: (editor: Editor, on: boolean) => void): void {
     input(id).addEventListener('change', () => {
-      if (!this.drawing.edit((e) => set(e, input(id).checked))) this.update(this.store.now);
+      this.orBack(this.drawing.edit((e) => set(e, input(id).checked)));
     });
+  }
+
+  /** What was refused is shown as it is. */
+  private orBack(taken: boolean): void {
+    if (!taken) this.update(this.store.now);
   }
 
   private size(): number {

@@ -82,7 +82,7 @@ export interface State {
 export const emptyDrawing: Drawing = {
   curves: [],
   unfinished: false,
-  settings: { tau: 1, slack: null, maxDeviation: null, paper: false },
+  settings: { tau: 1, slack: null, maxDeviation: null, paper: false, ends: 'auto', clickDistance: null },
 };
 
 export const firstState: State = {

@@ -60,6 +60,14 @@
         <translation>Punkt verschieben</translation>
     </message>
     <message>
+        <source>Click distance</source>
+        <translation>Abstand von Klicks</translation>
+    </message>
+    <message>
+        <source>Ends</source>
+        <translation>Enden</translation>
+    </message>
+    <message>
         <source>Open curve</source>
         <translation>Kurve öffnen</translation>
     </message>
@@ -383,6 +391,22 @@
     <message>
         <source>The largest deviation; chooses tau and slack.</source>
         <translation>Die größte Abweichung; wählt Tau und Spielraum.</translation>
+    </message>
+    <message>
+        <source>What becomes of the ends of curves that are not closed.</source>
+        <translation>Was aus den Enden von Kurven wird, die nicht geschlossen sind.</translation>
+    </message>
+    <message>
+        <source>Clicks that follow each other within this distance are one.</source>
+        <translation>Klicks, die in diesem Abstand aufeinander folgen, sind einer.</translation>
+    </message>
+    <message>
+        <source>;auto: painted strokes that come back are loops, closed: all are, open</source>
+        <translation>;auto: gemalte Striche, die zurückkommen, sind geschlossen, closed: alle, open</translation>
+    </message>
+    <message>
+        <source>;mesh units, negative: an edge of the mesh</source>
+        <translation>;Einheiten des Netzes, negativ: eine Kante des Netzes</translation>
     </message>
     <message>
         <source>;mesh units, 0: no bound</source>
@@ -892,8 +916,36 @@
         <translation>Form</translation>
     </message>
     <message>
-        <source>How exact the drawing is, in mesh units. Unticked it comes from the drawing&apos;s segments.</source>
-        <translation>Wie genau die Zeichnung ist, in Einheiten des Netzes. Ohne Haken folgt es aus ihren Strecken.</translation>
+        <source>How exact the drawing is, in mesh units. Unticked it is as wide as the hand trembled.</source>
+        <translation>Wie genau die Zeichnung ist, in Einheiten des Netzes. Ohne Haken so breit, wie die Hand gezittert hat.</translation>
+    </message>
+    <message>
+        <source>One click</source>
+        <translation>Ein Klick</translation>
+    </message>
+    <message>
+        <source>Clicks that follow each other within this distance are one, in mesh units. Unticked: an edge of the mesh.</source>
+        <translation>Klicks, die in diesem Abstand aufeinander folgen, sind einer, in Einheiten des Netzes. Ohne Haken: eine Kante des Netzes.</translation>
+    </message>
+    <message>
+        <source>Ends</source>
+        <translation>Enden</translation>
+    </message>
+    <message>
+        <source>Painted strokes that come back are loops</source>
+        <translation>Gemalte Striche, die zurückkommen, sind geschlossen</translation>
+    </message>
+    <message>
+        <source>All curves are loops</source>
+        <translation>Alle Kurven sind geschlossen</translation>
+    </message>
+    <message>
+        <source>Open curves stay open</source>
+        <translation>Offene Kurven bleiben offen</translation>
+    </message>
+    <message>
+        <source>What becomes of the ends of curves that are not closed.</source>
+        <translation>Was aus den Enden von Kurven wird, die nicht geschlossen sind.</translation>
     </message>
     <message>
         <source>units</source>
