@@ -150,7 +150,10 @@ class Parameters {
   }
   void reset(const char* id) {
     Value& parameter = find(id);
-    parameter.to_default();
+    Value default_value = parameter;
+    default_value.to_default();
+    if (parameter.is_set_as(default_value)) return;
+    parameter = std::move(default_value);
     ++parameter.changes;
   }
 
@@ -163,6 +166,10 @@ class Parameters {
     std::vector<double> field;
     std::uint64_t changes = 0;
 
+    [[nodiscard]] bool is_set_as(const Value& other) const {
+      return number == other.number && choice == other.choice && vertices == other.vertices &&
+             field == other.field;
+    }
     void to_default() {
       number.reset();
       if ((description->flags & TALWEG_OPTIONAL) == 0) number = description->default_number;

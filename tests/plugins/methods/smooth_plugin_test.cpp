@@ -123,6 +123,18 @@ TEST_F(SmoothPlugin, PassesEveryOptionOn) {
   expect_same(smooth_.run(), by_library(options, curve));
 }
 
+/// Hosts set all that they show before each run.
+TEST_F(SmoothPlugin, WhatIsSetAsItWasCostsNothing) {
+  smooth_.set_curves({subject_.curve});
+  const double solved = smooth_.run().number("time_ms.solve");
+  smooth_.reset("click_distance");
+  smooth_.set("ends", "auto");
+  smooth_.set("tau", 2.0);
+  EXPECT_EQ(smooth_.run().number("time_ms.solve"), solved);
+  smooth_.set("ends", "closed");
+  EXPECT_NE(smooth_.run().number("time_ms.solve"), solved);
+}
+
 TEST_F(SmoothPlugin, KeepsPinsAndTheLargestDeviation) {
   host::Curve pinned = subject_.curve;
   pinned.pins = {7};
