@@ -63,7 +63,7 @@ SnappedDrawing with_loops_closed(const SurfaceMesh& mesh, SnappedDrawing drawing
     // No click is lost.
     if (any_on(gone, drawing)) loop = ClosedLoop{lines.join(stroke, true), loop->gap, 0};
     drawing.curves[c] = std::move(loop->curve);
-    drawing.told.push_back(told_of(*loop));
+    if (!always || loop->cut > loop->gap) drawing.told.push_back(told_of(*loop));
     forget_marks(gone, drawing);
   }
   return drawing;

@@ -181,7 +181,8 @@ StrokeSlack stroke_slack(const SurfaceMesh& mesh, std::span<const SurfaceCurve> 
     return std::clamp(slack, least, kMostOfLength * length);
   };
   const double wide = within(found->amplitude);
-  StrokeSlack slack{beside_strands(mesh, *longest, wide, wide), SlackSource::kTrembling, {}};
+  // Two strands that are meant as one may lie an amplitude on either side of it.
+  StrokeSlack slack{beside_strands(mesh, *longest, wide, 2 * wide), SlackSource::kTrembling, {}};
   if (strokes.size() > 1) return slack;
   for (const double amplitude : found->along) {
     slack.along.push_back(within(amplitude) * slack.slack / wide);

@@ -19,7 +19,7 @@ namespace talweg::plugins {
 namespace {
 
 constexpr const char* kEnds[] = {"auto", "closed", "open"};
-constexpr const char* kEndLabels[] = {"As drawn", "Closed: loops", "Open"};
+constexpr const char* kEndLabels[] = {"Loops where they meet", "All are loops", "Open"};
 constexpr const char* kSides[] = {"both", "left", "right"};
 constexpr const char* kSideLabels[] = {"Both sides", "Left of the curves", "Right of the curves"};
 constexpr const char* kCaps[] = {"none", "auto", "planar", "least-area"};

@@ -31,7 +31,7 @@ constexpr const char* kPoints[] = {"given", "exact", "rough"};
 constexpr const char* kPointLabels[] = {"As the drawing says", "Exact: way-points",
                                         "Rough: a stroke"};
 constexpr const char* kEnds[] = {"auto", "closed", "open"};
-constexpr const char* kEndLabels[] = {"As drawn", "Closed: loops", "Open"};
+constexpr const char* kEndLabels[] = {"Loops where they meet", "All are loops", "Open"};
 constexpr const char* kShapes[] = {"power", "exponential"};
 constexpr const char* kShapeLabels[] = {"Power", "Exponential"};
 constexpr const char* kLengths[] = {"max_distance", "curve_length", "given"};

@@ -98,6 +98,7 @@ def draw(layout, curve):
         wrapped.draw(layout, [wrong])
     else:
         wrapped.draw(layout, [numbers(bpy.context, curve)], icon="INFO")
+        wrapped.draw(layout, json.loads(curve.get("talweg_report", "{}")).get("warnings", []))
 
 
 def register():

@@ -46,7 +46,8 @@ def _report_of(result):
             "curvature_before": r.curvature_before, "curvature_after": r.curvature_after,
             "bending_before": r.bending_before, "bending_after": r.bending_after,
             "window_turning_after": r.window_turning_after,
-            "deviation_to_drawn_max": r.deviation_to_drawn_max, "termination": r.termination}
+            "deviation_to_drawn_max": r.deviation_to_drawn_max, "termination": r.termination,
+            "warnings": list(r.warnings)}
 
 
 def of_drawing(context, obj, key):

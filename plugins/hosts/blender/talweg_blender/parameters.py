@@ -14,10 +14,10 @@ SHOWN = ("tau", "slack", "max_deviation", "taus", "slacks", "ends", "click_dista
 _LABELS = {"relax": "Relaxation", "taus": "Taus", "slacks": "Slacks"}
 _CHOICES = {"corridor": ("Corridor", "Flat within the slack, then the exact distance along the surface"),
             "paper": ("Paper", "The published one, of the approximate distance; has no slack"),
-            "auto": ("Where They Meet", "A stroke whose end stops a little short of its beginning, or "
+            "auto": ("If They Meet", "A stroke whose end stops a little short of its beginning, or "
                      "runs over it, is a loop"),
             "closed": ("Loops", "Every curve is a loop"),
-            "open": ("As Drawn", "No curve is a loop that is not closed already")}
+            "open": ("Open", "No curve is a loop that is not closed already")}
 
 _CHOICE_TEXTS = {"potential": "What keeps the curve close to the drawing",
                  "ends": "Which open curves become loops"}

@@ -3,6 +3,7 @@
 #include <QAction>
 #include <QHBoxLayout>
 #include <QMenu>
+#include <algorithm>
 
 #include "PanelParts.hh"
 
@@ -137,8 +138,8 @@ void TalwegPanel::make_taking(QGridLayout* grid, QWidget* group) {
                           1, true, grid, group);
   ends_ = new QComboBox(group);
   ends_->setObjectName("talwegEnds");
-  ends_->addItems({tr("Painted strokes that come back are loops"), tr("All curves are loops"),
-                   tr("Open curves stay open")});
+  ends_->addItems(
+      {tr("Returning strokes are loops"), tr("All curves are loops"), tr("Open curves stay open")});
   ends_->setToolTip(tr("What becomes of the ends of curves that are not closed."));
   ends_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
   const int row = grid->rowCount();
@@ -232,7 +233,8 @@ void TalwegPanel::show_settings(const PanelState& state) {
                      most);
   bound_->show_value(state.settings.max_deviation,
                      state.deviation_now > 0 ? state.deviation_now : most / 9, most);
-  clicks_->show_value(state.settings.click_distance, state.mean_edge, most);
+  clicks_->show_value(state.settings.click_distance, state.mean_edge,
+                      std::max(most, 2 * state.mean_edge));
   ends_->setCurrentIndex(static_cast<int>(state.settings.ends));
   const QString no_stroke =
       state.all_clicked ? tr("Between clicked points the curve is free; this is for painted ones.")

@@ -932,8 +932,8 @@
         <translation>Enden</translation>
     </message>
     <message>
-        <source>Painted strokes that come back are loops</source>
-        <translation>Gemalte Striche, die zurückkommen, sind geschlossen</translation>
+        <source>Returning strokes are loops</source>
+        <translation>Rückkehrende Striche schließen</translation>
     </message>
     <message>
         <source>All curves are loops</source>
