@@ -176,19 +176,35 @@ struct AtScale {
   bool is_still = false;  ///< whether it stands still there after a rise
 };
 
+/// The slope of r(s) over one scale. What a device adds stands still at once: far enough above
+/// that, it is left aside, so that the hand is seen as without it.
+double slope_at(const Residuals& residuals, std::span<const double> r, std::size_t k,
+                double of_device) {
+  constexpr double kFarAbove = 1.25;
+  double from = r[k], to = r[k + 1];
+  if (from > kFarAbove * of_device && to > from) {
+    from = std::sqrt(from * from - of_device * of_device);
+    to = std::sqrt(to * to - of_device * of_device);
+  }
+  return std::log(to / from) / std::log(residuals.scales[k + 1] / residuals.scales[k]);
+}
+
 /// Where r(s) stands still, as hand_trembling() says.
 std::optional<AtScale> standstill(const Residuals& residuals, std::span<const double> r) {
   const std::vector<double>& scales = residuals.scales;
   std::optional<AtScale> noise, knee, last;
-  double steepest = 0;
+  double steepest = 0, of_device = 0;
   for (std::size_t k = 0; k + 1 < r.size(); ++k) {
     if (!(r[k] > 0)) continue;
     const AtScale next{scales[k + 1], r[k + 1], false};
-    const double slope = std::log(r[k + 1] / r[k]) / std::log(scales[k + 1] / scales[k]);
+    const double slope = slope_at(residuals, r, k, of_device);
     if (slope < kStill) {
       const bool counts = next.scale <= residuals.largest_still;
       if (steepest > kRise && counts) return AtScale{next.scale, next.residual, true};
-      if (steepest <= kRise) noise = next;
+      if (steepest <= kRise) {
+        if (!noise) of_device = r[k];
+        noise = next;
+      }
     }
     if (!knee && steepest > kSteep && slope < kKnee) knee = AtScale{scales[k], r[k], false};
     steepest = std::max(steepest, slope);
@@ -196,8 +212,8 @@ std::optional<AtScale> standstill(const Residuals& residuals, std::span<const do
       last = slope < kSmoothWay ? std::optional(next) : std::nullopt;
     }
   }
-  if (noise) return noise;
   if (knee) return knee;
+  if (noise) return noise;
   return steepest < kRise ? std::nullopt : last;
 }
 

@@ -22,6 +22,11 @@ class Cancel(unittest.TestCase):
     def setUp(self):
         self.work = self.mesh.workspace(self.drawn, potential="paper")
 
+    def begin_anew(self):
+        """The stage of the curves is done again."""
+        for heat_time in (9, None):
+            self.work.set(heat_time=heat_time)
+
     def as_if_nothing_had_been(self):
         np.testing.assert_array_equal(self.work.run().curve.positions, self.expected)
 
@@ -42,7 +47,7 @@ class Cancel(unittest.TestCase):
         calls = []
         self.work.run(progress=lambda *at: calls.append(at))
         for last in range(0, len(calls), max(1, len(calls) // 8)):
-            self.work.set(heat_time=None)  # its stage is done anew
+            self.begin_anew()
             left = [last]
 
             def progress(_stage, _fraction, left=left):
@@ -65,7 +70,7 @@ class Cancel(unittest.TestCase):
         caught = []
 
         def on_a_thread():
-            self.work.set(heat_time=None)
+            self.begin_anew()
             try:
                 self.work.run(progress=progress)
             except ZeroDivisionError as error:
@@ -89,7 +94,7 @@ class Cancel(unittest.TestCase):
         try:
             with self.assertRaises(talweg.Cancelled):
                 while True:
-                    self.work.set(heat_time=None)
+                    self.begin_anew()
                     self.work.run()
         finally:
             stop.set()
@@ -110,7 +115,7 @@ class Cancel(unittest.TestCase):
         timer.join()
 
     def solve_anew(self):
-        self.work.set(heat_time=None)
+        self.begin_anew()
         self.work.run()
 
     def test_ctrl_c(self):
