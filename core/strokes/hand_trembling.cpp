@@ -176,10 +176,10 @@ struct AtScale {
   bool is_still = false;  ///< whether it stands still there after a rise
 };
 
-/// The slope of r(s) over one scale. What a device adds stands still at once: far enough above
-/// that, it is left aside, so that the hand is seen as without it.
+/// The slope of r(s) over one scale; without what a device adds, which stands still at once, where
+/// r is far enough above that.
 double slope_at(const Residuals& residuals, std::span<const double> r, std::size_t k,
-                double of_device) {
+                double of_device = 0) {
   constexpr double kFarAbove = 1.25;
   double from = r[k], to = r[k + 1];
   if (from > kFarAbove * of_device && to > from) {
@@ -193,11 +193,12 @@ double slope_at(const Residuals& residuals, std::span<const double> r, std::size
 std::optional<AtScale> standstill(const Residuals& residuals, std::span<const double> r) {
   const std::vector<double>& scales = residuals.scales;
   std::optional<AtScale> noise, knee, last;
-  double steepest = 0, of_device = 0;
+  double steepest = 0, steepest_of_hand = 0, of_device = 0;
   for (std::size_t k = 0; k + 1 < r.size(); ++k) {
     if (!(r[k] > 0)) continue;
     const AtScale next{scales[k + 1], r[k + 1], false};
-    const double slope = slope_at(residuals, r, k, of_device);
+    const double slope = slope_at(residuals, r, k),
+                 slope_of_hand = slope_at(residuals, r, k, of_device);
     if (slope < kStill) {
       const bool counts = next.scale <= residuals.largest_still;
       if (steepest > kRise && counts) return AtScale{next.scale, next.residual, true};
@@ -206,8 +207,11 @@ std::optional<AtScale> standstill(const Residuals& residuals, std::span<const do
         noise = next;
       }
     }
-    if (!knee && steepest > kSteep && slope < kKnee) knee = AtScale{scales[k], r[k], false};
+    if (!knee && steepest_of_hand > kSteep && slope_of_hand < kKnee) {
+      knee = AtScale{scales[k], r[k], false};
+    }
     steepest = std::max(steepest, slope);
+    steepest_of_hand = std::max(steepest_of_hand, slope_of_hand);
     if (next.scale <= residuals.largest_as_it_is) {
       last = slope < kSmoothWay ? std::optional(next) : std::nullopt;
     }

@@ -24,12 +24,12 @@ struct HandTrembling {
 /// smooth way is all that there is, and like s³ for waves that are longer than the ball. Where all
 /// waves of the trembling fit into the ball it stands still: there d log r / d log s < 0.8, after
 /// it was above 1.2, and the amplitude is √3 r, which is that of a zigzag. A sensor's noise stands
-/// still from the smallest scale on; its square is taken off r², so that the slopes are the hand's,
-/// and it is the answer only where nothing rises above it and stands still again, in balls of up to
-/// a third of the stroke, or 12 mesh edges. If nothing stands still, what counts is the end of the
-/// steep rise (the slope falls below 1.8 from above 2.2); else the noise, or the largest ball of up
-/// to 12 mesh edges, if r does not grow there as it does for a smooth way (the slope is below 2.9).
-/// Without that there is no answer.
+/// still from the smallest scale on; it is the answer only where nothing rises above it and stands
+/// still again, in balls of up to a third of the stroke, or 12 mesh edges, or rises steeply. If
+/// nothing stands still, what counts is the end of the steep rise, for which the noise is taken off
+/// r in squares (the slope falls below 1.8 from above 2.2); else the noise; else the largest ball
+/// of up to 12 mesh edges, if r does not grow there as it does for a smooth way (the slope is below
+/// 2.9). Without that there is no answer.
 ///
 /// Scales grow by √2 from eight times the distance of samples. The largest is a sixth of the
 /// stroke, so that a dozen waves are a trembling and a few are not; but waves of a few mesh edges
