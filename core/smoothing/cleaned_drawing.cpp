@@ -8,8 +8,8 @@
 
 #include "talweg/core/drawing/canonical_order.hpp"
 #include "talweg/core/drawing/drawn_legs.hpp"
+#include "talweg/core/lifting/leg_start.hpp"
 #include "talweg/core/measure/edge_length_near.hpp"
-#include "talweg/core/smoothing/leg_start.hpp"
 #include "talweg/core/strokes/stroke_cleaning.hpp"
 #include "talweg/intrinsic/surface/point_lookup.hpp"
 

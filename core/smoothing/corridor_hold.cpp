@@ -6,14 +6,14 @@
 #include <utility>
 
 #include "talweg/core/fairing/curve_fairing.hpp"
+#include "talweg/core/lifting/leg_start.hpp"
+#include "talweg/core/lifting/lifted_lengths.hpp"
+#include "talweg/core/lifting/straight_legs.hpp"
+#include "talweg/core/lifting/touched_edges.hpp"
 #include "talweg/core/measure/measures.hpp"
 #include "talweg/core/smoothing/corridor_valleys.hpp"
 #include "talweg/core/smoothing/cut_off_detours.hpp"
 #include "talweg/core/smoothing/fair_patching.hpp"
-#include "talweg/core/smoothing/leg_start.hpp"
-#include "talweg/core/smoothing/lifted_lengths.hpp"
-#include "talweg/core/smoothing/straight_legs.hpp"
-#include "talweg/core/smoothing/touched_edges.hpp"
 #include "talweg/core/space/nearest_segment.hpp"
 
 namespace talweg {

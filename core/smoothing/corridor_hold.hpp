@@ -8,13 +8,13 @@
 
 #include "talweg/core/fairing/curve_fairing.hpp"
 #include "talweg/core/fairing/sample_chain.hpp"
-#include "talweg/core/smoothing/corridor.hpp"
+#include "talweg/core/lifting/corridor.hpp"
+#include "talweg/core/lifting/straightening.hpp"
 #include "talweg/core/smoothing/embedded_drawing.hpp"
 #include "talweg/core/smoothing/fair_group.hpp"
 #include "talweg/core/smoothing/smoothed.hpp"
 #include "talweg/core/smoothing/smoothing_memory.hpp"
 #include "talweg/core/smoothing/smoothing_options.hpp"
-#include "talweg/core/smoothing/straightening.hpp"
 #include "talweg/intrinsic/exact_distance/polyline_distance.hpp"
 #include "talweg/intrinsic/progress.hpp"
 

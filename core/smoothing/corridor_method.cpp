@@ -3,10 +3,10 @@
 #include <optional>
 #include <utility>
 
+#include "talweg/core/lifting/relaxation.hpp"
 #include "talweg/core/smoothing/corridor_hold.hpp"
 #include "talweg/core/smoothing/corridor_valleys.hpp"
 #include "talweg/core/smoothing/fair_finishing.hpp"
-#include "talweg/core/smoothing/relaxation.hpp"
 #include "talweg/intrinsic/exact_distance/polyline_distance.hpp"
 #include "talweg/intrinsic/stopwatch.hpp"
 

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "talweg/core/smoothing/corridor.hpp"
+#include "talweg/core/lifting/corridor.hpp"
 #include "talweg/core/smoothing/embedded_drawing.hpp"
 #include "talweg/core/smoothing/fair_ladder.hpp"
 #include "talweg/core/smoothing/smoothed.hpp"

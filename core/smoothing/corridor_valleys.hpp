@@ -4,8 +4,8 @@
 #include <functional>
 #include <vector>
 
+#include "talweg/core/lifting/corridor.hpp"
 #include "talweg/core/mesh/surface_mesh.hpp"
-#include "talweg/core/smoothing/corridor.hpp"
 #include "talweg/core/smoothing/ordered_drawing.hpp"
 #include "talweg/core/smoothing/smoothed.hpp"
 #include "talweg/core/smoothing/smoothing_options.hpp"

@@ -114,9 +114,9 @@ struct Detour {
   std::size_t from, to;     ///< segments of the taut curve where it leaves and comes back
 };
 
-class Search {
+class DetourSearch {
  public:
-  Search(const SurfaceMesh& mesh, const Pair& pair)
+  DetourSearch(const SurfaceMesh& mesh, const Pair& pair)
       : pair_(&pair), changes_(mesh, {false, pair.taut}) {
     for (const SurfacePoint& p : pair.drawn) there_.push_back(changes_.nearest(p));
   }
@@ -173,7 +173,7 @@ WithDetours with_detours(const SurfaceMesh& mesh, const SurfaceCurve& taut,
   if (taut.points.size() < 2 || drawn.points.size() < 2) return {taut};
   const std::optional<Pair> pair = opened(mesh, taut, drawn, far);
   if (!pair) return {taut};
-  const std::vector<Detour> detours = Search(mesh, *pair).detours();
+  const std::vector<Detour> detours = DetourSearch(mesh, *pair).detours();
   if (detours.empty()) return {taut};
   WithDetours result{{taut.closed, {}}, detours.size()};
   std::vector<SurfacePoint>& points = result.curve.points;

@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
+#include "talweg/core/lifting/corridor.hpp"
 #include "talweg/core/mesh/surface_mesh.hpp"
-#include "talweg/core/smoothing/corridor.hpp"
 #include "talweg/intrinsic/surface/surface_point.hpp"
 
 namespace talweg {

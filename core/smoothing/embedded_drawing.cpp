@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "talweg/core/drawing/drawn_curves.hpp"
+#include "talweg/core/lifting/lifted_lengths.hpp"
 #include "talweg/core/measure/measures.hpp"
-#include "talweg/core/smoothing/lifted_lengths.hpp"
 #include "talweg/intrinsic/flips/signpost_triangulation.hpp"
 
 namespace talweg {

@@ -7,11 +7,11 @@
 #include <vector>
 
 #include "talweg/core/drawing/drawn_legs.hpp"
+#include "talweg/core/lifting/straightening.hpp"
 #include "talweg/core/mesh/surface_mesh.hpp"
 #include "talweg/core/smoothing/ordered_drawing.hpp"
 #include "talweg/core/smoothing/smoothing_memory.hpp"
 #include "talweg/core/smoothing/smoothing_options.hpp"
-#include "talweg/core/smoothing/straightening.hpp"
 #include "talweg/intrinsic/flips/signpost_triangulation.hpp"
 #include "talweg/intrinsic/progress.hpp"
 #include "talweg/intrinsic/surface/surface_point.hpp"

@@ -7,11 +7,11 @@
 
 #include "talweg/core/drawing/crossings.hpp"
 #include "talweg/core/fairing/curve_fairing.hpp"
+#include "talweg/core/fairing/fair_verdict.hpp"
+#include "talweg/core/lifting/leg_start.hpp"
 #include "talweg/core/measure/measures.hpp"
 #include "talweg/core/smoothing/fair_mending.hpp"
 #include "talweg/core/smoothing/fair_patching.hpp"
-#include "talweg/core/smoothing/fair_verdict.hpp"
-#include "talweg/core/smoothing/leg_start.hpp"
 #include "talweg/intrinsic/surface/point_lookup.hpp"
 
 namespace talweg {

@@ -5,10 +5,10 @@
 #include <optional>
 #include <vector>
 
+#include "talweg/core/fairing/joined_curves.hpp"
 #include "talweg/core/fairing/sample_chain.hpp"
+#include "talweg/core/lifting/leg_start.hpp"
 #include "talweg/core/smoothing/embedded_drawing.hpp"
-#include "talweg/core/smoothing/joined_curves.hpp"
-#include "talweg/core/smoothing/leg_start.hpp"
 #include "talweg/core/smoothing/smoothing_options.hpp"
 #include "talweg/intrinsic/surface/surface_point.hpp"
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "talweg/core/fairing/sample_chain.hpp"
-#include "talweg/core/smoothing/corridor.hpp"
+#include "talweg/core/lifting/corridor.hpp"
 #include "talweg/core/smoothing/corridor_hold.hpp"
 #include "talweg/core/smoothing/smoothed.hpp"
 #include "talweg/core/smoothing/smoothing_options.hpp"

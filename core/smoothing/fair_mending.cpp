@@ -7,9 +7,9 @@
 #include <fmt/format.h>
 
 #include "talweg/core/fairing/curve_fairing.hpp"
+#include "talweg/core/fairing/fair_verdict.hpp"
 #include "talweg/core/measure/measures.hpp"
 #include "talweg/core/measure/turning_windows.hpp"
-#include "talweg/core/smoothing/fair_verdict.hpp"
 #include "talweg/intrinsic/surface/point_lookup.hpp"
 
 namespace talweg {

@@ -11,8 +11,8 @@
 
 #include "talweg/core/drawing/canonical_order.hpp"
 #include "talweg/core/drawing/drawn_legs.hpp"
+#include "talweg/core/lifting/leg_start.hpp"
 #include "talweg/core/measure/measures.hpp"
-#include "talweg/core/smoothing/leg_start.hpp"
 #include "talweg/intrinsic/error.hpp"
 #include "talweg/intrinsic/exact_distance/polyline_distance.hpp"
 
@@ -50,9 +50,9 @@ double both_ways(const SmoothingResult& result) {
   return std::max(to_drawn(result), result.total.deviation_from_drawn_max);
 }
 
-class Search {
+class BoundSearch {
  public:
-  Search(CurveSmoother& smoother, double bound, SmoothingOptions options, Progress progress)
+  BoundSearch(CurveSmoother& smoother, double bound, SmoothingOptions options, Progress progress)
       : smoother_(smoother),
         bound_(bound),
         options_(std::move(options)),
@@ -385,7 +385,7 @@ SmoothingResult smooth_within(CurveSmoother& smoother, double max_deviation,
     throw Error(ErrorCode::kBadUsage, "smooth_within() needs the corridor.");
   }
   try {
-    return Search(smoother, max_deviation, options, progress).run();
+    return BoundSearch(smoother, max_deviation, options, progress).run();
   } catch (const Cancelled&) {  // between two runs
     return smoother.smooth(options, [](const char*, double) { return false; });
   }

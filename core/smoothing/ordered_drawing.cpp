@@ -7,8 +7,8 @@
 
 #include "talweg/core/drawing/curve_embedding.hpp"
 #include "talweg/core/drawing/drawn_curves.hpp"
+#include "talweg/core/lifting/corridor.hpp"
 #include "talweg/core/measure/edge_length_near.hpp"
-#include "talweg/core/smoothing/corridor.hpp"
 #include "talweg/intrinsic/error.hpp"
 
 namespace talweg {

@@ -2,8 +2,8 @@
 
 #include <utility>
 
-#include "talweg/core/smoothing/lifted_lengths.hpp"
-#include "talweg/core/smoothing/relaxation.hpp"
+#include "talweg/core/lifting/lifted_lengths.hpp"
+#include "talweg/core/lifting/relaxation.hpp"
 #include "talweg/intrinsic/flips/signpost_triangulation.hpp"
 #include "talweg/intrinsic/stopwatch.hpp"
 
@@ -39,7 +39,7 @@ Smoothed smooth_in(EmbeddedDrawing& drawing, const GivenPotential& potential,
 }
 
 void PaperMethod::need_distance(const Progress& progress) {
-  if (!lift_.is_known()) lift_.solve(drawing_->capped(), drawing_->options(), progress);
+  if (!lift_.is_known()) lift_.solve(drawing_->capped(), drawing_->options().heat(), progress);
 }
 
 void PaperMethod::set_distance(std::vector<double> distance) {

@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
+#include "talweg/core/lifting/paper_lift.hpp"
 #include "talweg/core/smoothing/embedded_drawing.hpp"
-#include "talweg/core/smoothing/paper_lift.hpp"
 #include "talweg/core/smoothing/smoothed.hpp"
 #include "talweg/core/smoothing/smoothing_options.hpp"
 #include "talweg/intrinsic/progress.hpp"

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "talweg/core/drawing/point_copies.hpp"
-#include "talweg/core/smoothing/corridor.hpp"
+#include "talweg/core/lifting/corridor.hpp"
 #include "talweg/core/smoothing/ordered_drawing.hpp"
 #include "talweg/core/smoothing/paper_method.hpp"
 #include "talweg/core/smoothing/smoothed.hpp"

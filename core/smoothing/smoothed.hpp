@@ -6,10 +6,10 @@
 #include <utility>
 #include <vector>
 
+#include "talweg/core/lifting/straightening.hpp"
 #include "talweg/core/measure/report.hpp"
 #include "talweg/core/measure/result_report.hpp"
 #include "talweg/core/smoothing/ordered_drawing.hpp"
-#include "talweg/core/smoothing/straightening.hpp"
 #include "talweg/intrinsic/surface/surface_point.hpp"
 
 namespace talweg {

@@ -6,10 +6,10 @@
 #include <utility>
 
 #include "talweg/core/fairing/strip_curvature.hpp"
+#include "talweg/core/lifting/straight_legs.hpp"
+#include "talweg/core/lifting/straightening.hpp"
 #include "talweg/core/measure/surface_deviation.hpp"
 #include "talweg/core/mesh/opened_mesh.hpp"
-#include "talweg/core/smoothing/straight_legs.hpp"
-#include "talweg/core/smoothing/straightening.hpp"
 #include "talweg/intrinsic/exact_distance/polyline_distance.hpp"
 
 namespace talweg {

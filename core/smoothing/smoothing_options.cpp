@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "talweg/core/smoothing/relaxation.hpp"
+#include "talweg/core/lifting/relaxation.hpp"
 #include "talweg/intrinsic/error.hpp"
 
 namespace talweg {

@@ -6,8 +6,9 @@
 #include <vector>
 
 #include "talweg/core/drawing/way_point.hpp"
+#include "talweg/core/lifting/heat_settings.hpp"
+#include "talweg/core/lifting/potential.hpp"
 #include "talweg/core/measure/deviation_measure.hpp"
-#include "talweg/core/smoothing/potential.hpp"
 #include "talweg/intrinsic/budget.hpp"
 #include "talweg/intrinsic/surface/surface_point.hpp"
 
@@ -49,6 +50,7 @@ struct CurveOptions {
   /// drawing is a stroke, as are curves without way-points and the ends before and after these.
   std::vector<SurfacePoint> painted;
 
+  [[nodiscard]] HeatSettings heat() const { return {heat_time, threads, bump_radius}; }
   void validate() const;  ///< throws Error(kBadUsage) naming the field and its bound
 };
 

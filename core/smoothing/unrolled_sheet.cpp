@@ -8,9 +8,9 @@
 
 #include "talweg/core/drawing/crossings.hpp"
 #include "talweg/core/drawing/drawn_legs.hpp"
+#include "talweg/core/fairing/joined_curves.hpp"
 #include "talweg/core/measure/measures.hpp"
 #include "talweg/core/smoothing/corridor_width.hpp"
-#include "talweg/core/smoothing/joined_curves.hpp"
 #include "talweg/intrinsic/stopwatch.hpp"
 #include "talweg/intrinsic/surface/point_lookup.hpp"
 
@@ -44,7 +44,8 @@ UnrolledSheet::UnrolledSheet(SmoothingMemory& memory, const OrderedDrawing& draw
   if (distance) lift_.set(*std::move(distance), drawing.curves().size() > 1);
   straightening.clear();
   if (paper && !lift_.is_known()) {
-    lift_.solve(capped_curves(memory.surface(), drawing.curves(), options_), options_, progress);
+    lift_.solve(capped_curves(memory.surface(), drawing.curves(), options_), options_.heat(),
+                progress);
   }
   close_rings();
   solve_ms_ = watch.ms() - lift_.open_ms();

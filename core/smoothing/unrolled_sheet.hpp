@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "talweg/core/smoothing/paper_lift.hpp"
+#include "talweg/core/lifting/paper_lift.hpp"
 #include "talweg/core/smoothing/sheet.hpp"
 #include "talweg/core/smoothing/unrolled_mesh.hpp"
 #include "talweg/core/smoothing/whole_sheet.hpp"

@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "talweg/core/lifting/leg_start.hpp"
 #include "talweg/core/measure/measures.hpp"
-#include "talweg/core/smoothing/leg_start.hpp"
 #include "talweg/intrinsic/stopwatch.hpp"
 
 namespace talweg {

@@ -6,11 +6,11 @@
 
 #include "talweg/core/drawing/curve_embedding.hpp"
 #include "talweg/core/io/mesh_reader.hpp"
+#include "talweg/core/lifting/lifted_lengths.hpp"
+#include "talweg/core/lifting/potential.hpp"
 #include "talweg/core/measure/deviation.hpp"
 #include "talweg/core/measure/measures.hpp"
 #include "talweg/core/smoothing/embedded_drawing.hpp"
-#include "talweg/core/smoothing/lifted_lengths.hpp"
-#include "talweg/core/smoothing/potential.hpp"
 #include "talweg/heat/curve_sources.hpp"
 #include "tools/paper/ball.hpp"
 #include "tools/paper/hand.hpp"

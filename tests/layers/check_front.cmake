@@ -1,4 +1,4 @@
-# Tests of drawing, fairing and smoothing go through the front door: of the library they include
+# Tests of drawing, fairing, lifting and smoothing go through the front door: of the library they include
 # talweg/talweg.hpp only, so that they hold whatever is behind it. The test of an algorithm with a
 # contract of its own includes that algorithm's header, too, and results are measured by instruments with
 # such a contract. cmake -D ROOT=project -P check_front.cmake
@@ -8,22 +8,22 @@ set(algorithms
   drawing/taken_points
   fairing/band_solver fairing/chain_curve fairing/chain_parts fairing/curve_fairing fairing/near_points
   fairing/saddle_passing
-  smoothing/bump_convolution smoothing/corridor smoothing/corridor_width smoothing/curve_gaps
-  smoothing/cut_off_detours smoothing/drawing_change smoothing/joined_curves smoothing/potential
-  smoothing/refined_mesh smoothing/relaxation smoothing/taut_stretches smoothing/touched_edges
+  lifting/bump_convolution lifting/corridor smoothing/corridor_width smoothing/curve_gaps
+  smoothing/cut_off_detours smoothing/drawing_change fairing/joined_curves lifting/potential
+  smoothing/refined_mesh lifting/relaxation smoothing/taut_stretches lifting/touched_edges
   smoothing/unrolled_mesh)
 set(instruments core/drawing/crossings intrinsic/exact_distance/polyline_distance)
 # What such a test needs to make the algorithm's input, or to compare with.
 set(drawing/curve_embedding_needs intrinsic/flips/signpost_triangulation)
 set(drawing/path_contacts_needs core/drawing/curve_embedding intrinsic/flips/signpost_triangulation)
-set(smoothing/potential_needs core/smoothing/lifted_lengths)
-set(smoothing/touched_edges_needs core/smoothing/corridor core/smoothing/corridor_width
-    core/smoothing/lifted_lengths core/strokes/stroke_slack)
+set(lifting/potential_needs core/lifting/lifted_lengths)
+set(lifting/touched_edges_needs core/lifting/corridor core/smoothing/corridor_width
+    core/lifting/lifted_lengths core/strokes/stroke_slack)
 set(smoothing/corridor_width_needs core/strokes/stroke_slack)
 
 set(wrong "")
 set(looked 0)
-foreach(room drawing fairing smoothing)
+foreach(room drawing fairing lifting smoothing)
   file(GLOB files RELATIVE ${ROOT}/tests/core ${ROOT}/tests/core/${room}/*_test.cpp)
   foreach(file IN LISTS files)
     math(EXPR looked "${looked} + 1")

@@ -8,10 +8,10 @@
 #include "methods/point_fields.hpp"
 #include "methods/results.hpp"
 #include "methods/smoother_workspace.hpp"
-#include "talweg/core/smoothing/corridor.hpp"
+#include "talweg/core/lifting/corridor.hpp"
+#include "talweg/core/lifting/potential.hpp"
 #include "talweg/core/smoothing/corridor_width.hpp"
 #include "talweg/core/smoothing/curve_smoother.hpp"
-#include "talweg/core/smoothing/potential.hpp"
 #include "talweg/intrinsic/exact_distance/polyline_distance.hpp"
 
 namespace talweg::plugins {

@@ -1,4 +1,4 @@
-#include "talweg/core/smoothing/touched_edges.hpp"
+#include "talweg/core/lifting/touched_edges.hpp"
 
 #include <algorithm>
 #include <cmath>

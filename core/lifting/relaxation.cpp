@@ -1,4 +1,4 @@
-#include "talweg/core/smoothing/relaxation.hpp"
+#include "talweg/core/lifting/relaxation.hpp"
 
 #include <algorithm>
 #include <cstddef>

@@ -1,4 +1,4 @@
-#include "talweg/core/smoothing/leg_start.hpp"
+#include "talweg/core/lifting/leg_start.hpp"
 
 #include <algorithm>
 

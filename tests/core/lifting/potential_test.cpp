@@ -1,11 +1,11 @@
-#include "talweg/core/smoothing/potential.hpp"
+#include "talweg/core/lifting/potential.hpp"
 
 #include <cmath>
 #include <limits>
 
 #include <gtest/gtest.h>
 
-#include "talweg/core/smoothing/lifted_lengths.hpp"
+#include "talweg/core/lifting/lifted_lengths.hpp"
 #include "talweg/talweg.hpp"
 
 namespace talweg {

@@ -1,4 +1,4 @@
-#include "talweg/core/smoothing/paper_lift.hpp"
+#include "talweg/core/lifting/paper_lift.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 
 #include "talweg/core/drawing/drawn_curves.hpp"
-#include "talweg/core/smoothing/bump_convolution.hpp"
-#include "talweg/core/smoothing/lifted_lengths.hpp"
+#include "talweg/core/lifting/bump_convolution.hpp"
+#include "talweg/core/lifting/lifted_lengths.hpp"
 #include "talweg/intrinsic/error.hpp"
 #include "talweg/intrinsic/flips/signpost_triangulation.hpp"
 #include "talweg/intrinsic/stopwatch.hpp"
@@ -41,18 +41,18 @@ void PaperLift::set(std::vector<double> distance, bool several) {
   find_largest(several);
 }
 
-void PaperLift::solve(std::span<const SurfaceCurve> curves, const CurveOptions& options,
+void PaperLift::solve(std::span<const SurfaceCurve> curves, const HeatSettings& settings,
                       const Progress& progress) {
   const Surface& surface = mesh_->surface();
   Stopwatch watch;
-  const auto heat = mesh_->heat(options.heat_time, progress, options.threads);
+  const auto heat = mesh_->heat(settings.time, progress, settings.threads);
   if (heat == nullptr) throw Cancelled();
   open_ms_ = watch.lap();
   std::vector<double> solved =
       heat->solve(sources_of(surface, curves), DistanceOptions{}, progress);
-  if (options.bump_radius) {
+  if (settings.bump_radius) {
     BumpOptions bump;
-    bump.radius = *options.bump_radius;
+    bump.radius = *settings.bump_radius;
     distance_ = convolve_with_bump(surface, solved, bump, progress);
     at_inserted_ = curves_->at_inserted(distance_, 1);
   } else {

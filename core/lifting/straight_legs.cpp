@@ -1,4 +1,4 @@
-#include "talweg/core/smoothing/straight_legs.hpp"
+#include "talweg/core/lifting/straight_legs.hpp"
 
 #include <algorithm>
 #include <tuple>
@@ -7,8 +7,8 @@
 
 #include "talweg/core/drawing/canonical_order.hpp"
 #include "talweg/core/drawing/crossings.hpp"
-#include "talweg/core/smoothing/leg_start.hpp"
-#include "talweg/core/smoothing/lifted_lengths.hpp"
+#include "talweg/core/lifting/leg_start.hpp"
+#include "talweg/core/lifting/lifted_lengths.hpp"
 #include "talweg/intrinsic/error.hpp"
 
 namespace talweg {

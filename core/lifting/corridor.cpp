@@ -1,4 +1,4 @@
-#include "talweg/core/smoothing/corridor.hpp"
+#include "talweg/core/lifting/corridor.hpp"
 
 #include <algorithm>
 #include <cmath>

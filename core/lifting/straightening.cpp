@@ -1,4 +1,4 @@
-#include "talweg/core/smoothing/straightening.hpp"
+#include "talweg/core/lifting/straightening.hpp"
 
 #include <utility>
 

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "talweg/core/drawing/drawn_legs.hpp"
+#include "talweg/core/lifting/straightening.hpp"
 #include "talweg/core/mesh/surface_mesh.hpp"
-#include "talweg/core/smoothing/straightening.hpp"
 #include "talweg/intrinsic/progress.hpp"
 #include "talweg/intrinsic/surface/surface_point.hpp"
 

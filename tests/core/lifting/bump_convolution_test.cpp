@@ -1,4 +1,4 @@
-#include "talweg/core/smoothing/bump_convolution.hpp"
+#include "talweg/core/lifting/bump_convolution.hpp"
 
 #include <algorithm>
 #include <cmath>

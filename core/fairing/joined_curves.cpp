@@ -1,4 +1,4 @@
-#include "talweg/core/smoothing/joined_curves.hpp"
+#include "talweg/core/fairing/joined_curves.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,5 @@
 // Edges that a straight way can touch, whatever the lift.
-#include "talweg/core/smoothing/touched_edges.hpp"
+#include "talweg/core/lifting/touched_edges.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,9 +11,9 @@
 
 #include "core/jagged_curves.hpp"
 #include "core/small_meshes.hpp"
-#include "talweg/core/smoothing/corridor.hpp"
+#include "talweg/core/lifting/corridor.hpp"
+#include "talweg/core/lifting/lifted_lengths.hpp"
 #include "talweg/core/smoothing/corridor_width.hpp"
-#include "talweg/core/smoothing/lifted_lengths.hpp"
 #include "talweg/core/strokes/stroke_slack.hpp"
 #include "talweg/intrinsic/exact_distance/polyline_distance.hpp"
 #include "talweg/talweg.hpp"

@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "talweg/core/lifting/heat_settings.hpp"
+#include "talweg/core/lifting/potential.hpp"
+#include "talweg/core/lifting/straightening.hpp"
 #include "talweg/core/mesh/opened_mesh.hpp"
-#include "talweg/core/smoothing/potential.hpp"
-#include "talweg/core/smoothing/smoothing_options.hpp"
-#include "talweg/core/smoothing/straightening.hpp"
 #include "talweg/intrinsic/flips/signpost_triangulation.hpp"
 #include "talweg/intrinsic/progress.hpp"
 
@@ -34,7 +34,7 @@ class PaperLift {
   /// Sets a distance that was checked. `several`: whether there is more than one curve.
   void set(std::vector<double> distance, bool several);
   /// Computes the distance to the curves by heat. Throws Cancelled; nothing has changed then.
-  void solve(std::span<const SurfaceCurve> curves, const CurveOptions& options,
+  void solve(std::span<const SurfaceCurve> curves, const HeatSettings& settings,
              const Progress& progress);
 
   /// Lengths in the lifted surface; it refers to this object. `drawn_length`: total of all curves.

@@ -1,4 +1,4 @@
-#include "talweg/core/smoothing/fair_verdict.hpp"
+#include "talweg/core/fairing/fair_verdict.hpp"
 
 #include <algorithm>
 #include <cstddef>

@@ -1,5 +1,5 @@
 // Where two ends of a set meet, the fair curves continue each other without a kink.
-#include "talweg/core/smoothing/joined_curves.hpp"
+#include "talweg/core/fairing/joined_curves.hpp"
 
 #include <algorithm>
 #include <cmath>

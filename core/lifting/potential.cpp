@@ -1,4 +1,4 @@
-#include "talweg/core/smoothing/potential.hpp"
+#include "talweg/core/lifting/potential.hpp"
 
 #include <algorithm>
 #include <cmath>
