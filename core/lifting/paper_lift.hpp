@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "talweg/core/lifting/heat_settings.hpp"
 #include "talweg/core/lifting/potential.hpp"
 #include "talweg/core/lifting/straightening.hpp"
 #include "talweg/core/mesh/opened_mesh.hpp"

@@ -1,7 +1,18 @@
 // Penalty potentials, the paper's family of them, grow with the distance.
 #pragma once
 
+#include <optional>
+
 namespace talweg {
+
+/// How the distance is computed by heat that the potential is a function of.
+struct HeatSettings {
+  double time = 10;      ///< in units of h²; [1e-3, 1e6]
+  unsigned threads = 2;  ///< at most; >= 1; no effect on results
+  /// Unless empty, the distance is convolved with a bump of this radius, mesh units: see
+  /// BumpOptions.
+  std::optional<double> bump_radius;
+};
 
 /// m_tau(x) = L f(a tau x / L), equations 4 to 6 of the paper. The defaults are the paper's.
 struct PotentialOptions {

@@ -1,6 +1,7 @@
 #include "talweg/core/smoothing/corridor_valleys.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 #include "talweg/core/measure/measures.hpp"
@@ -41,6 +42,12 @@ std::vector<bool> doubtful_loops(const std::vector<Corridor::Valley>& valleys,
                        valleys[c].slack > width_of_loop(mesh, drawing.curves()[c]));
   }
   return doubtful;
+}
+
+/// Whether a trial run has left a loop at least so long (mesh units), and fair.
+bool is_held(const SmoothedCurve& result, double least, const SurfaceMesh& mesh) {
+  return result.path.termination == Termination::kConverged && result.warnings.empty() &&
+         measure_curve(mesh.surface(), result.curve).length >= least;
 }
 
 /// What a trial run does not need to know is not faired.
@@ -95,24 +102,33 @@ void hold_loops(std::vector<Corridor::Valley>& valleys, const SurfaceMesh& mesh,
                 const OrderedDrawing& drawing,
                 const std::function<Smoothed(const SmoothingOptions&)>& smooth) {
   constexpr double kLeastTau = 0.25;
-  constexpr int kHalvings = 8;
-  std::vector<bool> doubtful = doubtful_loops(valleys, mesh, drawing);
+  constexpr int kMost = 7;
+  // What the most halvings do not hold, fewer do not hold as a rule, and the most cost most.
+  constexpr int kHalvings[] = {0, 1, kMost, 2, 3, 4, 5, 6};
+  const std::vector<Corridor::Valley> wide = valleys;
+  std::vector<bool> doubtful = doubtful_loops(valleys, mesh, drawing), hopeless(valleys.size());
+  const auto narrow = [&](int halvings) {
+    for (std::size_t c = 0; c < valleys.size(); ++c) {
+      if (doubtful[c]) valleys[c].slack = std::ldexp(wide[c].slack, -halvings);
+    }
+  };
   SmoothingOptions options;
   options.tau = kLeastTau;
-  for (int k = 0; k < kHalvings && any(doubtful); ++k) {
+  for (const int halvings : kHalvings) {
+    if (!any(doubtful)) break;
+    narrow(halvings);
     options.per_curve = fair_where(doubtful);
     const Smoothed tried = smooth(options);
     for (std::size_t c = 0; c < valleys.size(); ++c) {
-      const SmoothedCurve& result = tried.curves[c];
-      doubtful[c] =
-          doubtful[c] &&
-          (result.path.termination != Termination::kConverged || !result.warnings.empty() ||
-           measure_curve(mesh.surface(), result.curve).length < drawing.measures()[c].length / 2);
-      if (doubtful[c]) valleys[c].slack /= 2;
+      if (!doubtful[c]) continue;
+      const bool held = is_held(tried.curves[c], drawing.measures()[c].length / 2, mesh);
+      hopeless[c] = halvings == kMost && !held;
+      doubtful[c] = halvings == kMost ? held : !held;
     }
   }
+  narrow(kMost);
   for (std::size_t c = 0; c < valleys.size(); ++c) {
-    if (doubtful[c]) steepen(valleys[c], mesh, drawing.curves()[c]);
+    if (hopeless[c]) steepen(valleys[c], mesh, drawing.curves()[c]);
   }
 }
 

@@ -22,8 +22,8 @@ std::vector<Corridor::Valley> valleys_of(const SurfaceMesh& mesh, const OrderedD
 /// Narrows the valleys of loops that collapse within their own corridor because they are thin, or
 /// small compared with their slack. Whether a loop collapses is found out by a trial run of
 /// `smooth` in these valleys at tau = 1/4, the smallest tau at which it must not collapse. Where no
-/// slack holds a loop, its valley is made steeper too. Cost: up to eight runs of `smooth`, in which
-/// only loops in doubt are made fair.
+/// slack holds a loop, its valley is made steeper too; that is found by the third run. Cost: up to
+/// eight runs of `smooth`, in which only loops in doubt are made fair.
 void hold_loops(std::vector<Corridor::Valley>& valleys, const SurfaceMesh& mesh,
                 const OrderedDrawing& drawing,
                 const std::function<Smoothed(const SmoothingOptions&)>& smooth);

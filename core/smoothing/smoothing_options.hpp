@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "talweg/core/drawing/way_point.hpp"
-#include "talweg/core/lifting/heat_settings.hpp"
 #include "talweg/core/lifting/potential.hpp"
 #include "talweg/core/measure/deviation_measure.hpp"
 #include "talweg/intrinsic/budget.hpp"
