@@ -103,7 +103,7 @@ void hold_loops(std::vector<Corridor::Valley>& valleys, const SurfaceMesh& mesh,
                 const std::function<Smoothed(const SmoothingOptions&)>& smooth) {
   constexpr double kLeastTau = 0.25;
   constexpr int kMost = 7;
-  // What the most halvings do not hold, fewer do not hold as a rule, and the most cost most.
+  // Most loops need none or one; what the most do not hold, fewer do not hold as a rule.
   constexpr int kHalvings[] = {0, 1, kMost, 2, 3, 4, 5, 6};
   const std::vector<Corridor::Valley> wide = valleys;
   std::vector<bool> doubtful = doubtful_loops(valleys, mesh, drawing), hopeless(valleys.size());

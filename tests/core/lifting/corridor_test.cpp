@@ -17,12 +17,17 @@ using test::grid;
 
 using test::ids;
 
+/// Of a grid of 20 by 20.
+SurfaceCurve middle_row(const Surface& surface) {
+  std::vector<VertexId> row;
+  for (std::uint32_t i = 0; i <= 20; ++i) row.emplace_back(10 * 21 + i);
+  return test::vertex_curve(surface, row, false);
+}
+
 TEST(Corridor, IsFlatWithinTheSlackAndAParabolaBeyond) {
   const auto opened = OpenedMesh::open(grid(20, 20));
   const Surface& surface = opened->surface();
-  std::vector<VertexId> row;
-  for (std::uint32_t i = 0; i <= 20; ++i) row.emplace_back(10 * 21 + i);
-  const SurfaceCurve drawn = test::vertex_curve(surface, row, false);
+  const SurfaceCurve drawn = middle_row(surface);
   PolylineDistance distance(surface);
   distance.set(std::span(&drawn, 1));
   const Corridor corridor(distance, 0.5, {{.slack = 1.5, .length = 4}});
@@ -60,9 +65,7 @@ TEST(Corridor, AConstantFieldIsTheNumber) {
 TEST(Corridor, AFieldIsLinearBetweenThePointsOfTheDrawing) {
   const auto opened = OpenedMesh::open(grid(20, 20));
   const Surface& surface = opened->surface();
-  std::vector<VertexId> row;
-  for (std::uint32_t i = 0; i <= 20; ++i) row.emplace_back(10 * 21 + i);
-  const SurfaceCurve drawn = test::vertex_curve(surface, row, false);
+  const SurfaceCurve drawn = middle_row(surface);
   PolylineDistance distance(surface);
   distance.set(std::span(&drawn, 1));
   Corridor::Valley valley{.length = 4};

@@ -1,7 +1,8 @@
 #include "talweg/core/smoothing/corridor_valleys.hpp"
 
 #include <cmath>
-#include <functional>
+#include <memory>
+#include <span>
 #include <vector>
 
 #include <gtest/gtest.h>
