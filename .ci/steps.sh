@@ -112,6 +112,8 @@ run_steps() {
     }
   done
   for what in "${steps[@]}"; do run_step "${what%% *}" "${what#* }"; done
+  # Who sees only the end of the output needs to know which.
+  if ((failed != 0)); then .ci/failed "$((SECONDS + 60))" build/tests.xml build/*/tests.xml; fi
   printf '\n== %d min %02d s\n' $((SECONDS / 60)) $((SECONDS % 60))
   printf '%s\n' "${table[@]}"
 }
