@@ -117,6 +117,20 @@ TEST_F(NearClicks, AClickToWhichTheDrawingComesBackIsNoSecondOne) {
   }
 }
 
+/// The last click but one lies beside the second one, where the drawing passes again.
+TEST_F(NearClicks, AClickThatIsPassedTwiceStaysThoughAnotherIsBesideIt) {
+  const std::vector<Point> points{{4, 4, 0},  {12, 4, 0},   {16, 10, 0}, {8, 10, 0},
+                                  {11.7, 4, 0}, {12, 4, 0}, {20, 2, 0}};
+  const SnappedCurve snapped = snap(opened->mesh(), {false, points, {}});
+  StraightLines lines(opened->surface());
+  CurveOptions options;
+  for (const std::size_t k : {0, 1, 2, 3, 4, 6}) {
+    options.way_points.push_back({snapped.points[k], 0});
+  }
+  smoother.set_curve(lines.join(snapped.points, false), options);
+  EXPECT_LT(missed(smoother.smooth(1), 12, 4), 1e-6);
+}
+
 /// Way-points say nothing of the way between them, so it may cross itself.
 TEST_F(NearClicks, LegsThatCrossAreAsRoundAsOthers) {
   const std::vector<std::array<double, 2>> eight{{16, 16}, {21, 15}, {21, 9}, {16, 8},
