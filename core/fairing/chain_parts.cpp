@@ -26,6 +26,8 @@ void add_samples(const SampleChain& from, std::size_t first, std::size_t last, S
   add(from.samples, to.samples);
   add(from.fixed, to.fixed);
   add(from.turns, to.turns);
+  if (!from.drawn.empty()) add(from.drawn, to.drawn);
+  to.drawn_length = from.drawn_length;
   to.corners.resize(to.samples.size(), false);
   for (std::size_t i = first; i < last && !from.corners.empty(); ++i) {
     to.corners[to.samples.size() - last + i] = from.corners[i];
@@ -120,19 +122,6 @@ std::optional<SampleChain> framed(const Surface& surface, SampleChain part,
     if (part.samples.back().face != chain.samples[inside.last].face) return std::nullopt;
     add_join(chain, inside.last, result);
     stay(frame.range.last);
-  }
-  settle(result);
-  return result;
-}
-
-SampleChain begun_at(const SampleChain& chain, std::size_t first) {
-  SampleChain result;
-  result.closed = true;
-  for (const auto& [from, to] :
-       {std::pair(first, chain.size()), std::pair(std::size_t{0}, first)}) {
-    add_samples(chain, from, to, result);
-    add_fixed_points(chain, from, to, result);
-    for (std::size_t i = from; i < to; ++i) add_join(chain, i, result);
   }
   settle(result);
   return result;

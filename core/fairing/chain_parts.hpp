@@ -46,9 +46,6 @@ SampleChain part_of(const Surface& surface, const SampleChain& chain, ChainRange
 std::optional<SampleChain> framed(const Surface& surface, SampleChain part,
                                   const ChainFrame& frame);
 
-/// A loop that begins at another of its samples. O(chain).
-SampleChain begun_at(const SampleChain& chain, std::size_t first);
-
 /// The chain with these ranges (ascending, apart from each other) replaced by framed parts.
 /// O(chain + parts).
 SampleChain with_parts(const SampleChain& chain, std::span<const ChainRange> ranges,

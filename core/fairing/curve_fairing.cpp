@@ -11,10 +11,12 @@
 namespace talweg {
 namespace {
 
-constexpr int kLevels = 2, kResamplingParts = 2, kResultParts = 4, kMostParts = 16;
+constexpr int kLevels = 4, kLevelsWithLegs = 2, kResamplingParts = 2, kResultParts = 4,
+              kMostParts = 16;
 constexpr int kTightenings = 4;
 constexpr int kSamplings = 3;
 constexpr double kJoinsOfLeg = 6, kMostOnLeg = 2;  // edges
+constexpr double kJoinsOfStretch = 8, kLeastOfEdge = 16, kUnequal = 1.5;
 constexpr int kSwingRounds = 8;
 constexpr double kEarlier = 0.95, kStiffer = 4, kFarBeyond = 0.25;
 constexpr double kUneven = 2, kMostSamples = 1e5;
@@ -35,21 +37,48 @@ double allowed_swing(const std::vector<double>& lengths, std::size_t leg, bool c
 
 }  // namespace
 
-/// `length`: of all that is sampled, mesh units.
-std::vector<double> CurveFairing::spacings(const CurveTrace& trace, double length,
-                                           int level) const {
-  const double finer = level == 0 ? 1 : 2;
-  const double least = std::max(edge_ / (4 * finer), length / kMostSamples);
+/// Legs of a curve are sampled twice, strokes four times.
+int CurveFairing::levels() const { return legs_.any() ? kLevelsWithLegs : kLevels; }
+
+/// How many times farther apart samples are on a level than on the last one.
+double CurveFairing::coarser(int level) const { return std::exp2(levels() - 1 - level); }
+
+/// How far apart samples are to be on a stretch of this length, for this slack; mesh units.
+double CurveFairing::wanted(double slack, double stretch, int level) const {
+  const double finest = std::max(slack / 2, edge_ / 8);
+  return std::max(finest, std::min(coarser(level) * finest, stretch / kJoinsOfStretch));
+}
+
+/// On each stretch, mesh units.
+std::vector<double> CurveFairing::spacings(const CurveTrace& trace, int level) const {
+  const double most = trace.length / kMostSamples;
+  double slack = 0;
+  if (band_ != nullptr) slack = legs_.any() ? band_->least_slack() : band_->largest_slack();
   std::vector<double> spacings = trace.stretch_lengths();
   for (std::size_t k = 0; k < spacings.size(); ++k) {
+    const double stretch = spacings[k];
     const bool is_leg = k < legs_.is_leg.size() && legs_.is_leg[k];
-    double wanted = band_ != nullptr ? band_->least_slack() : 0;
     if (is_leg) {
-      wanted = std::min({spacings[k] / kJoinsOfLeg, kMostOnLeg * edge_, reach_of_corner(k)});
+      const double leg = std::min({stretch / kJoinsOfLeg, kMostOnLeg * edge_, reach_of_corner(k)});
+      spacings[k] = std::max(coarser(level) / 2 * leg, coarser(level) * edge_ / 8);
+    } else {
+      spacings[k] = wanted(slack, stretch, level);
     }
-    spacings[k] = std::max(wanted / finer, least);
+    spacings[k] = std::max(spacings[k], most);
   }
   return spacings;
+}
+
+std::optional<SampleChain> CurveFairing::sampled(const CurveTrace& trace, int level) {
+  const std::vector<double> apart = spacings(trace, level);
+  if (trace.drawn.empty()) return maker_.sampled(trace, apart);
+  const double most = *std::max_element(apart.begin(), apart.end());
+  const double least = std::max(edge_ / kLeastOfEdge, trace.length / kMostSamples);
+  const auto is_divided = [&](double from, double to, double length) {
+    const double here = std::max(least, wanted(band_->slack_between(from, to), HUGE_VAL, level));
+    return length > kUnequal * std::min(most, here) || band_->cuts_off(from, to);
+  };
+  return maker_.sampled(trace, apart, least, is_divided);
 }
 
 double CurveFairing::least_spacing(double length) const {
@@ -74,69 +103,43 @@ FairChain CurveFairing::chain_fairing(const FairOptions& options) {
   return fair;
 }
 
-std::optional<SampleChain> CurveFairing::from_curve(const CurveTrace& start, Asker& asker) {
-  return from_curve(start, nullptr, asker);
-}
-
-std::optional<SampleChain> CurveFairing::part_from(const CurveTrace& start, const ChainFrame& frame,
-                                                   Asker& asker) {
-  const std::optional<double> mean = options_.mean;
-  options_.mean = FairChain::mean_curvature(*frame.chain);
-  std::optional<SampleChain> part = from_curve(start, &frame, asker);
-  auto faired = part ? curve_of(*part, asker) : std::nullopt;
-  options_.mean = mean;
-  return faired ? std::move(faired->chain) : std::move(part);
-}
-
-/// Samples of a trace, with those of the frame about them.
-std::optional<SampleChain> CurveFairing::sampled(const CurveTrace& trace, const ChainFrame* frame,
-                                                 int level) {
-  if (frame == nullptr) return maker_.sampled(trace, spacings(trace, trace.length, level));
-  auto chain = maker_.sampled(trace, spacings(trace, frame->chain->length(), level));
-  if (chain) chain = framed(*surface_, *std::move(chain), *frame);
-  if (chain) maker_.set_turns(*chain);
-  return chain;
-}
-
 /// The trace of the chain on a finer cubic; none where it cannot be divided.
-std::optional<CurveTrace> CurveFairing::traced(const SampleChain& chain, const ChainFrame* frame) {
+std::optional<CurveTrace> CurveFairing::traced(const SampleChain& chain) {
   const std::optional<SampleChain> divided = maker_.divided(chain, kResamplingParts);
   if (!divided) return std::nullopt;
-  if (frame == nullptr) return maker_.trace_of(*divided);
-  const auto off = [](bool any) { return any ? static_cast<std::size_t>(kResamplingParts) : 0; };
-  const ChainRange inside{off(frame->has_first()), divided->size() - 1 - off(frame->has_last())};
-  return maker_.trace_of(part_of(*surface_, *divided, inside));
+  return maker_.trace_of(*divided);
 }
 
-/// The whole curve, or a part of a chain in its frame.
-std::optional<SampleChain> CurveFairing::from_curve(const CurveTrace& start,
-                                                    const ChainFrame* frame, Asker& asker) {
+/// Coarse samples first: they find a course that bends little, from which finer ones would be kept
+/// by many small minima of the bending.
+std::optional<SampleChain> CurveFairing::from_curve(const CurveTrace& start, Asker& asker) {
+  return from_level(0, start, asker);
+}
+
+std::optional<SampleChain> CurveFairing::from_level(int first, const CurveTrace& start,
+                                                    Asker& asker) {
   CurveTrace trace = start;
   std::optional<SampleChain> chain;
-  for (int level = 0; level < kLevels; ++level) {
-    chain = sampled(trace, frame, level);
-    if (!chain) return chain;
+  for (int level = first; level < levels(); ++level) {
+    const bool last = level + 1 == levels();
     for (int sampling = 0;; ++sampling) {
+      chain = sampled(trace, level);
+      if (!chain) return chain;
       FairOptions options = options_;
-      if (level + 1 < kLevels) options.tolerance = kCoarseTolerance;
+      if (!last) options.tolerance = kCoarseTolerance;
       FairChain fair = chain_fairing(options);
       fair.run(*chain, nullptr, asker);
       if (level == 0 && sampling == 0) hold_swings(fair, *chain, start, asker);
       tension_ = fair.tension();
       if (chain->length() > most_length_) return std::nullopt;
-      const bool last = level + 1 == kLevels;
-      bool enough = is_even(*chain) || sampling == kSamplings;
-      if (last && enough) {
-        keep_within(fair, *chain, nullptr, asker);
-        enough = is_even(*chain) || sampling == kSamplings;
-        if (enough) return loosened(*std::move(chain), asker);
-      }
-      std::optional<CurveTrace> finer = traced(*chain, frame);
+      const auto is_enough = [&] { return sampling == kSamplings || is_even(*chain, level); };
+      if (!legs_.any() || (last && is_enough())) keep_within(fair, *chain, nullptr, asker);
+      const bool enough = is_enough();
+      if (last && enough) return loosened(*std::move(chain), asker);
+      std::optional<CurveTrace> finer = traced(*chain);
       if (!finer) return std::nullopt;
       trace = *std::move(finer);
       if (enough) break;
-      chain = sampled(trace, frame, level);
-      if (!chain) return chain;
     }
   }
   return chain;
@@ -198,7 +201,7 @@ std::optional<SampleChain> CurveFairing::loosened(SampleChain chain, Asker& aske
 
 /// Whether no join is so much longer than the others that what lies between its samples is not
 /// seen.
-bool CurveFairing::is_even(const SampleChain& chain) {
+bool CurveFairing::is_even(const SampleChain& chain, int level) const {
   std::vector<double> lengths, counts;
   for (const ChainJoin& join : chain.joins) {
     lengths.resize(std::max<std::size_t>(lengths.size(), join.stretch + 1), 0);
@@ -206,9 +209,18 @@ bool CurveFairing::is_even(const SampleChain& chain) {
     lengths[join.stretch] += join.length;
     ++counts[join.stretch];
   }
-  return std::all_of(chain.joins.begin(), chain.joins.end(), [&](const ChainJoin& join) {
-    return join.length <= kUneven * lengths[join.stretch] / counts[join.stretch];
-  });
+  const double most = chain.length() / kMostSamples;
+  for (std::size_t i = 0; i < chain.joins.size(); ++i) {
+    const ChainJoin& join = chain.joins[i];
+    const double stretch = lengths[join.stretch];
+    double apart = stretch / counts[join.stretch];
+    if (!chain.drawn.empty()) {
+      const double slack = band_->slack_between(chain.drawn[i], chain.drawn_after(i));
+      apart = std::max(most, wanted(slack, stretch, level));
+    }
+    if (!(join.length <= kUneven * apart)) return false;
+  }
+  return true;
 }
 
 std::optional<SampleChain> CurveFairing::from_chain(SampleChain chain, SampleTrail& trail,
@@ -221,9 +233,10 @@ std::optional<SampleChain> CurveFairing::from_chain(SampleChain chain, SampleTra
 }
 
 std::optional<SampleChain> CurveFairing::evened(const SampleChain& chain, Asker& asker) {
-  if (is_even(chain)) return std::nullopt;
-  const std::optional<SampleChain> divided = maker_.divided(chain, kResamplingParts);
-  return divided ? from_curve(maker_.trace_of(*divided), asker) : std::nullopt;
+  const int last = levels() - 1;
+  if (is_even(chain, last)) return std::nullopt;
+  const std::optional<CurveTrace> trace = traced(chain);
+  return trace ? from_level(last, *trace, asker) : std::nullopt;
 }
 
 /// What is beyond a wall is drawn in by stiffer walls.
@@ -288,27 +301,15 @@ double CurveFairing::in_walls(const SurfacePoint& point) const {
   return place.distance / place.wall;
 }
 
-/// Calls look() with the curve's points, and with the middles of its segments, but for what is left
-/// out.
+/// Calls look() with the curve's points, and with the middles of its segments.
 template <class Look>
 void CurveFairing::look_along(const SurfaceCurve& curve, const Look& look) const {
   const std::size_t n = curve.points.size();
-  std::size_t next = 0;
-  bool out = false;
   for (std::size_t i = 0; i < n; ++i) {
     const SurfacePoint &p = curve.points[i], &q = curve.points[(i + 1) % n];
-    const bool was_out = out;
-    if (!out && next < left_out_.size() && p == left_out_[next][0]) {
-      out = true;
-    } else if (out && p == left_out_[next][1]) {
-      out = false;
-      ++next;
-    }
-    if (!out && !was_out) look(p);
+    look(p);
     if (i + 1 == n && !curve.closed) break;
-    if (!out) {
-      look(segment_between(*surface_, p, q, common_face(*surface_, p, q)).point(*surface_, 0.5));
-    }
+    look(segment_between(*surface_, p, q, common_face(*surface_, p, q)).point(*surface_, 0.5));
   }
 }
 
@@ -316,26 +317,6 @@ double CurveFairing::farthest(const SurfaceCurve& curve) const {
   double most = 0;
   look_along(curve, [&](const SurfacePoint& p) { most = std::max(most, in_walls(p)); });
   return most;
-}
-
-std::vector<SurfacePoint> CurveFairing::beyond(const SurfaceCurve& curve) const {
-  std::vector<SurfacePoint> points;
-  look_along(curve, [&](const SurfacePoint& p) {
-    if (!(in_walls(p) <= 1)) points.push_back(p);
-  });
-  return points;
-}
-
-std::vector<SurfacePoint> CurveFairing::beyond(const SampleChain& chain) const {
-  std::vector<SurfacePoint> points;
-  for (std::size_t i = 0; i < chain.size(); ++i) {
-    if (chain.fixed[i] || !is_held(chain, i)) continue;
-    const FaceCoordinates& at = chain.samples[i];
-    const BandPlace place = band_->at(at, {1, 0});
-    if (place.distance <= place.wall) continue;
-    points.push_back(SurfacePoint::from_barycentric(*surface_, at.face, at.barycentric));
-  }
-  return points;
 }
 
 /// So many joins of the result for each of the chain's that turns are of 3 degrees on average:

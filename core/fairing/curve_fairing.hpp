@@ -1,7 +1,6 @@
 // Fairing spreads the turning of a curve evenly, between the walls of its drawing.
 #pragma once
 
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <optional>
@@ -26,9 +25,10 @@ struct FairedCurve {
   double farthest = 0;  ///< largest distance to the drawing, in distances of the wall there
 };
 
-/// Fairs a curve in the band of its drawing, and on legs by their tension. Samples are a slack
-/// apart at first, then half of it (on a leg, a sixth and a twelfth of its length), but never
-/// nearer than an eighth of an edge, nor more than 100,000. All functions throw Cancelled.
+/// Fairs a curve in the band of its drawing, and on legs by their tension. Samples are four slacks
+/// apart at first, then two, one and half of one (on a leg, a sixth and a twelfth of its length),
+/// nearer where the drawing is wound more tightly, but never nearer than an eighth of an edge, or a
+/// sixteenth there, nor more than 100,000. All functions throw Cancelled.
 /// Cost: a few runs of FairChain on each level.
 class CurveFairing {
  public:
@@ -49,19 +49,11 @@ class CurveFairing {
   [[nodiscard]] bool is_too_long(double length) const;
   /// The least distance of samples on strokes of a curve of this length; mesh units.
   [[nodiscard]] double least_spacing(double length) const;
-  /// Stretches of curves, by their ends, that need not be between the walls: points that stay.
-  void leave_out(std::vector<std::array<SurfacePoint, 2>> stretches) {
-    left_out_ = std::move(stretches);
-  }
   /// From this length on (mesh units) a chain is lost: it winds to and fro between walls, or has
   /// left them, and would only become longer.
   void give_up_beyond(double length) { most_length_ = length; }
   /// A fair chain that starts from a curve; none where samples cannot be joined, or it is lost.
   std::optional<SampleChain> from_curve(const CurveTrace& start, Asker& asker);
-  /// The same for a part of a chain, without legs: what the frame has inside is replaced by a curve
-  /// that begins and ends where that does. With the samples of the frame, for with_parts().
-  std::optional<SampleChain> part_from(const CurveTrace& start, const ChainFrame& frame,
-                                       Asker& asker);
   /// A fair chain that starts from one of another band; none where it is lost. The ways of its
   /// samples are added to the trail.
   std::optional<SampleChain> from_chain(SampleChain chain, SampleTrail& trail, Asker& asker);
@@ -71,22 +63,20 @@ class CurveFairing {
   [[nodiscard]] bool keeps_within(const SampleChain& chain) const;
   /// The largest distance of a curve to the drawing, in distances of the wall there.
   [[nodiscard]] double farthest(const SurfaceCurve& curve) const;
-  /// What lies beyond the walls: samples; points and middles of segments.
-  [[nodiscard]] std::vector<SurfacePoint> beyond(const SampleChain& chain) const;
-  [[nodiscard]] std::vector<SurfacePoint> beyond(const SurfaceCurve& curve) const;
   /// The curve of a chain that is fair or nearly so; the chain is faired on where that is beyond a
   /// wall. None where samples cannot be joined.
   std::optional<FairedCurve> curve_of(SampleChain chain, Asker& asker);
 
  private:
-  [[nodiscard]] static bool is_even(const SampleChain& chain);
+  [[nodiscard]] int levels() const;
+  [[nodiscard]] double coarser(int level) const;
+  [[nodiscard]] double wanted(double slack, double stretch, int level) const;
+  [[nodiscard]] bool is_even(const SampleChain& chain, int level) const;
   [[nodiscard]] static std::vector<int> result_parts(const SampleChain& chain);
-  [[nodiscard]] std::vector<double> spacings(const CurveTrace& trace, double length,
-                                             int level) const;
-  std::optional<SampleChain> sampled(const CurveTrace& trace, const ChainFrame* frame, int level);
-  std::optional<CurveTrace> traced(const SampleChain& chain, const ChainFrame* frame);
-  std::optional<SampleChain> from_curve(const CurveTrace& start, const ChainFrame* frame,
-                                        Asker& asker);
+  [[nodiscard]] std::vector<double> spacings(const CurveTrace& trace, int level) const;
+  std::optional<SampleChain> sampled(const CurveTrace& trace, int level);
+  std::optional<CurveTrace> traced(const SampleChain& chain);
+  std::optional<SampleChain> from_level(int first, const CurveTrace& start, Asker& asker);
   [[nodiscard]] double reach_of_corner(std::size_t leg) const;
   [[nodiscard]] FairChain chain_fairing(const FairOptions& options);
   void hold_swings(FairChain& fair, SampleChain& chain, const CurveTrace& legs, Asker& asker);
@@ -110,7 +100,6 @@ class CurveFairing {
   double edge_;
   FairOptions options_;
   LegTension legs_;
-  std::vector<std::array<SurfacePoint, 2>> left_out_;
   double tension_ = 0;  // of the legs at last, 1 / mesh units²
   double most_length_ = HUGE_VAL;
 };

@@ -80,6 +80,18 @@ void CurveTrace::set_corners(std::span<const SurfacePoint> points) {
   }
 }
 
+void CurveTrace::set_drawn() {
+  drawn.clear();
+  for (const TracePiece& piece : pieces) drawn.push_back(piece.arc);
+  drawn.push_back(length);
+}
+
+double CurveTrace::drawn_at(std::size_t piece, double arc) const {
+  const TracePiece& p = pieces[piece];
+  const double part = p.length > 0 ? std::clamp((arc - p.arc) / p.length, 0.0, 1.0) : 0;
+  return drawn[piece] + part * (drawn[piece + 1] - drawn[piece]);
+}
+
 std::vector<double> CurveTrace::stretch_lengths() const {
   std::vector<double> arcs;
   if (!closed) arcs.push_back(0);

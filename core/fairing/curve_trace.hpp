@@ -26,11 +26,18 @@ struct CurveTrace {
   std::vector<std::size_t> fixed;  ///< pieces, ascending, that begin at points that must stay
   std::vector<SurfacePoint> fixed_points;  ///< these points; the first and the last are the ends
   std::vector<bool> corners;  ///< of these, whether it may turn freely there; empty if nowhere
+  /// Unless empty: the place on the drawing (DrawnLine) of each piece's start, not decreasing, and
+  /// of the end.
+  std::vector<double> drawn;
 
   /// Appends a piece, with no crossings before it since the last.
   void add(const CurveSegment& segment);
   /// Lets the curve turn freely at those of its fixed points that are among these.
   void set_corners(std::span<const SurfacePoint> points);
+  /// Says that it is the drawing itself.
+  void set_drawn();
+  /// The place on the drawing of a point of a piece; mesh units. Only where `drawn` is given.
+  [[nodiscard]] double drawn_at(std::size_t piece, double arc) const;
   /// Of the stretches between points that must stay, mesh units; for a loop the last one leads to
   /// the first of these. One without such points is one stretch.
   [[nodiscard]] std::vector<double> stretch_lengths() const;

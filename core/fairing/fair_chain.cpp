@@ -9,7 +9,7 @@
 namespace talweg {
 namespace {
 
-constexpr int kWallRounds = 8, kTrials = 6;
+constexpr int kWallRounds = 8, kTrials = 6, kHolds = 6;
 constexpr double kJump = 0.02;  // rad
 constexpr double kMostOfSpacing = 0.7;
 
@@ -224,8 +224,8 @@ void FairChain::add_walls(const SampleChain& chain, BandSystem& system) const {
   for (std::size_t i = 0; i < chain.size(); ++i) {
     if (active_[i] == 0) continue;
     const BandPlace& place = places_[i];
-    const double slope = place.slope - options_.felt * place.wall_slope;
-    const double beyond = place.distance - options_.felt * place.wall;
+    const double slope = active_[i] * place.slope - options_.felt * place.wall_slope;
+    const double beyond = active_[i] * place.distance - options_.felt * place.wall;
     const double per = rows_[i].weight / fourth(place.slack) * stiffness_[i];
     system.add(i, i, per * slope * slope);
     system.right(i) -= per * slope * beyond;
@@ -266,16 +266,19 @@ void FairChain::add_bends(const SampleChain& chain) {
 
 /// Which walls are felt follows from the step, and the step from them. A first try starts with
 /// those that are felt without a step, another one of the same step with those that the last has
-/// found.
+/// found. A step may lead across the drawing, and beyond the wall on its other side: on the drawing
+/// itself, rounding decides which side has the positive distance.
 bool FairChain::solve(const SampleChain& chain, bool first, std::vector<double>& left) {
-  const auto beyond = [&](std::size_t i, double step) {
+  const auto felt_wall = [&](std::size_t i, double step) {
+    if (chain.fixed[i]) return 0;
     const BandPlace& place = places_[i];
-    return place.distance + place.slope * step -
-           options_.felt * (place.wall + place.wall_slope * step);
+    const double there = place.distance + place.slope * step;
+    const double wall = options_.felt * (place.wall + place.wall_slope * step);
+    return std::abs(there) > wall ? (there < 0 ? -1 : 1) : 0;
   };
   active_.resize(chain.size());
   for (std::size_t i = 0; i < chain.size() && first; ++i) {
-    active_[i] = !chain.fixed[i] && beyond(i, 0) > 0 ? 1 : 0;
+    active_[i] = felt_wall(i, 0);
   }
   for (int round = 0; round < kWallRounds; ++round) {
     with_walls_ = system_;
@@ -286,7 +289,7 @@ bool FairChain::solve(const SampleChain& chain, bool first, std::vector<double>&
     if (!with_walls_.solve(left)) return false;
     bool same = true;
     for (std::size_t i = 0; i < chain.size(); ++i) {
-      const int active = !chain.fixed[i] && beyond(i, left[i]) > 0 ? 1 : 0;
+      const int active = felt_wall(i, left[i]);
       same = same && active == active_[i];
       active_[i] = active;
     }
@@ -334,6 +337,25 @@ bool FairChain::hold_at_jumps(const SampleChain& chain, const SampleChain& moved
   return any;
 }
 
+/// Whether a place of a sample is between the walls of its own part of the drawing.
+bool FairChain::is_inside(const SampleChain& chain, std::size_t i, const BandPlace& place) const {
+  return place.distance <= place.wall &&
+         (chain.drawn.empty() || std::isnan(place.arc) || band_->is_own(place, chain.drawn[i]));
+}
+
+/// Holds the samples that are inside and would be outside; tells whether there are any.
+bool FairChain::hold_leaving(const SampleChain& chain, const SampleChain& moved,
+                             const std::vector<BandPlace>& now) {
+  bool any = false;
+  if (chain.drawn.empty()) return any;
+  for (std::size_t i = 0; i < chain.size(); ++i) {
+    if (held_[i] != 0 || is_inside(moved, i, now[i]) || !is_inside(chain, i, places_[i])) continue;
+    held_[i] = 1;
+    any = true;
+  }
+  return any;
+}
+
 /// One step that lowers the energy; false if none is found.
 bool FairChain::step(SampleChain& chain, SampleTrail* trail) {
   set_rows(chain);
@@ -347,8 +369,9 @@ bool FairChain::step(SampleChain& chain, SampleTrail* trail) {
   std::vector<double> offsets;
   std::optional<ChainMove> last;
   double part = 1;
+  int holds = 0;
   for (int trial = 0; trial < kTrials; ++trial) {
-    if (!solve(chain, trial == 0, left)) return false;
+    if (!solve(chain, trial == 0 && holds == 0, left)) return false;
     limit(chain, left);
     for (double& d : left) d *= part;
     if (last) take_over(chain, *last, left);
@@ -361,6 +384,12 @@ bool FairChain::step(SampleChain& chain, SampleTrail* trail) {
     offsets = offsets_;
     for (std::size_t i = 0; i < left.size(); ++i) offsets[i] += left[i];
     measure(move->chain, offsets, move->anew, places);
+    if (holds < kHolds && hold_leaving(chain, move->chain, places)) {
+      ++holds;
+      --trial;
+      last = std::move(move);
+      continue;
+    }
     energies(move->chain, places, now);
     const double sum = std::accumulate(now.begin(), now.end(), 0.0);
     if (sum < energy_) {

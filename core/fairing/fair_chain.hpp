@@ -29,7 +29,8 @@ struct FairOptions {
 /// samples of a chain by Gauss and Newton's method; W is the distance of the walls that are felt,
 /// κ₀ the mean curvature of a loop, 0 for an open chain and for a loop with corners, where turns
 /// cost nothing. On legs there is no drawing: t · length, their tension, stands for the terms with
-/// δ. docs/algorithm.md has all of it.
+/// δ. No step leads a sample of a chain whose places on the drawing are known out of the walls, or
+/// into the part of the band that belongs to another strand. docs/algorithm.md has all of it.
 /// Cost of an iteration: samples + the faces that joins and steps pass, and a DrawnBand::at() for
 /// each sample that moves. It ends after 60 iterations, or 5,000 such faces for each sample.
 class FairChain {
@@ -94,6 +95,10 @@ class FairChain {
   void add_walls(const SampleChain& chain, BandSystem& system) const;
   bool solve(const SampleChain& chain, bool first, std::vector<double>& left);
   void limit(const SampleChain& chain, std::vector<double>& left) const;
+  [[nodiscard]] bool is_inside(const SampleChain& chain, std::size_t i,
+                               const BandPlace& place) const;
+  bool hold_leaving(const SampleChain& chain, const SampleChain& moved,
+                    const std::vector<BandPlace>& now);
   bool hold_at_jumps(const SampleChain& chain, const SampleChain& moved,
                      const std::vector<double>& left, const std::vector<double>& now);
   bool step(SampleChain& chain, SampleTrail* trail);
@@ -115,7 +120,8 @@ class FairChain {
   std::vector<Row> rows_;
   BandSystem system_, with_walls_;  // of a step, without walls and with those that are felt
   std::vector<double> stiffness_;   // per sample
-  std::vector<int> active_, held_;  // per sample: whether its wall is felt, whether it stays
+  std::vector<int> active_;         // per sample: whether its wall is felt; -1 across the drawing
+  std::vector<int> held_;           // per sample: whether it stays
 };
 
 }  // namespace talweg

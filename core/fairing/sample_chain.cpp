@@ -132,7 +132,39 @@ struct Place {
   bool fixed = false;
 };
 
-std::vector<Place> places_on(const CurveTrace& trace, std::span<const double> spacings) {
+/// A free place; on a loop arcs may be a length more.
+Place place_at(const CurveTrace& trace, double arc) {
+  if (arc >= trace.length) arc -= trace.length;
+  return {trace.piece_at(arc), arc, false};
+}
+
+/// Halves parts of a trace.
+struct Halving {
+  const CurveTrace* trace;
+  double least;  ///< mesh units
+  const ChainMaker::Divided* divided;
+
+  [[nodiscard]] double drawn_at(double arc) const {
+    if (trace->drawn.empty()) return NAN;
+    const bool again = trace->closed && arc >= trace->length;
+    const double place = again ? arc - trace->length : arc;
+    const double turn = again ? trace->drawn.back() - trace->drawn.front() : 0;
+    return turn + trace->drawn_at(trace->piece_at(place), place);
+  }
+  /// Appends the places between two arcs, ascending.
+  void between(double from, double to, std::vector<Place>& places) const {
+    if (!*divided || to - from < 2 * least) return;
+    if (!(*divided)(drawn_at(from), drawn_at(to), to - from)) return;
+    const double middle = (from + to) / 2;
+    if (!(middle > from && middle < to)) return;
+    between(from, middle, places);
+    places.push_back(place_at(*trace, middle));
+    between(middle, to, places);
+  }
+};
+
+std::vector<Place> places_on(const CurveTrace& trace, std::span<const double> spacings,
+                             const Halving& halving) {
   std::vector<Place> fixed;
   if (!trace.closed) fixed.push_back({0, 0, true});
   for (const std::size_t piece : trace.fixed)
@@ -150,10 +182,11 @@ std::vector<Place> places_on(const CurveTrace& trace, std::span<const double> sp
     const double from = fixed[k].arc, to = fixed[k + 1].arc;
     const double joins = std::max(1.0, std::ceil((to - from) / most * (1 - 1e-9)));
     places.push_back(fixed[k]);
-    for (double i = 1; i < joins; ++i) {
-      double arc = from + (to - from) * i / joins;
-      if (arc >= trace.length) arc -= trace.length;
-      places.push_back({trace.piece_at(arc), arc, false});
+    for (double i = 1; i <= joins; ++i) {
+      const double before = from + (to - from) * (i - 1) / joins;
+      const double arc = i < joins ? from + (to - from) * i / joins : to;
+      halving.between(before, arc, places);
+      if (i < joins) places.push_back(place_at(trace, arc));
     }
   }
   if (!trace.closed) places.push_back(fixed.back());
@@ -167,22 +200,25 @@ std::vector<Place> places_on(const CurveTrace& trace, std::span<const double> sp
 }  // namespace
 
 std::optional<SampleChain> ChainMaker::sampled(const CurveTrace& trace,
-                                               std::span<const double> spacings) {
+                                               std::span<const double> spacings, double least,
+                                               const Divided& divided) {
   SampleChain chain;
   chain.closed = trace.closed;
   chain.fixed_points = trace.fixed_points;
   const bool spaced = std::all_of(spacings.begin(), spacings.end(), [](double s) { return s > 0; });
   if (trace.pieces.empty() || !(trace.length > 0) || !spaced) return std::nullopt;
-  const std::vector<Place> places = places_on(trace, spacings);
+  const std::vector<Place> places = places_on(trace, spacings, {&trace, least, &divided});
   std::size_t passed = 0;  // fixed points
   for (const Place& place : places) {
     const FaceCoordinates at = trace.point(place.piece, place.arc);
     chain.samples.push_back(place.fixed ? at : moved_inside(at));
     chain.fixed.push_back(place.fixed);
+    if (!trace.drawn.empty()) chain.drawn.push_back(trace.drawn_at(place.piece, place.arc));
     if (trace.corners.empty()) continue;
     chain.corners.push_back(place.fixed && trace.corners[passed]);
     if (place.fixed) ++passed;
   }
+  if (!trace.drawn.empty()) chain.drawn_length = trace.drawn.back() - trace.drawn.front();
   const std::size_t joins = places.size() - (trace.closed ? 0 : 1);
   const auto crossed_after = [&](std::size_t piece) {
     const std::size_t stop =
@@ -273,6 +309,8 @@ bool ChainMaker::move(const SampleChain& chain, std::span<const SampleStep> step
   result.fixed = chain.fixed;
   result.corners = chain.corners;
   result.loose = chain.loose;
+  result.drawn = chain.drawn;
+  result.drawn_length = chain.drawn_length;
   if (!walk(chain, steps, other, move)) return false;
   result.joins.reserve(chain.joins.size());
   result.crossed.reserve(chain.crossed.size() + chain.size() / 8);
@@ -309,6 +347,8 @@ std::optional<SampleChain> ChainMaker::loosened(const SampleChain& chain,
   result.closed = chain.closed;
   result.corners = chain.corners;
   result.loose = loose;
+  result.drawn = chain.drawn;
+  result.drawn_length = chain.drawn_length;
   result.fixed = chain.fixed;
   result.samples = chain.samples;
   std::size_t passed = 0;
@@ -359,17 +399,24 @@ std::optional<SampleChain> ChainMaker::divided(const SampleChain& chain,
   SampleChain result;
   result.closed = chain.closed;
   result.fixed_points = chain.fixed_points;
+  result.drawn_length = chain.drawn_length;
   for (std::size_t i = 0; i < chain.joins.size(); ++i) {
+    const std::size_t first = result.samples.size();
     result.samples.push_back(chain.samples[i]);
     result.fixed.push_back(chain.fixed[i]);
     if (!chain.corners.empty()) result.corners.push_back(chain.corners[i]);
     if (!divide(chain, i, parts[parts.size() > 1 ? i : 0], result)) return std::nullopt;
     if (!chain.corners.empty()) result.corners.resize(result.samples.size(), false);
+    const auto added = static_cast<double>(result.samples.size() - first);
+    for (double k = 0; k < added && !chain.drawn.empty(); ++k) {
+      result.drawn.push_back(chain.drawn_along(i, k / added));
+    }
   }
   if (!chain.closed) {
     result.samples.push_back(chain.samples.back());
     result.fixed.push_back(true);
     if (!chain.corners.empty()) result.corners.push_back(chain.corners.back());
+    if (!chain.drawn.empty()) result.drawn.push_back(chain.drawn.back());
   }
   set_turns(result);
   return result;
@@ -453,6 +500,8 @@ CurveTrace ChainMaker::trace_of(const SampleChain& chain) {
   };
   for (std::size_t i = 0; i < chain.joins.size(); ++i) {
     const ChainJoin& join = chain.joins[i];
+    const std::size_t begun = trace.pieces.size();
+    const double before = trace.length;
     if (chain.fixed[i] && !chain.is_end(i)) trace.fixed.push_back(trace.pieces.size());
     const auto strip = chain.strip(join);
     strip_.assign(strip.begin(), strip.end());
@@ -474,6 +523,10 @@ CurveTrace ChainMaker::trace_of(const SampleChain& chain) {
       at.barycentric[(there.side_of(twin(h)) + 1) % 3] = 1 - part;
     }
     add(at, join.to.barycentric);
+    for (std::size_t k = begun; k < trace.pieces.size() && !chain.drawn.empty(); ++k) {
+      const double own = trace.length - before, along = trace.pieces[k].arc - before;
+      trace.drawn.push_back(chain.drawn_along(i, own > 0 ? along / own : 0));
+    }
     // A sample at a vertex or on an edge may have other faces before and after it.
     if (i + 1 == chain.joins.size() && !chain.closed) break;
     const ChainJoin& next = chain.joins[i + 1 == chain.joins.size() ? 0 : i + 1];
@@ -482,6 +535,7 @@ CurveTrace ChainMaker::trace_of(const SampleChain& chain) {
         SurfacePoint::from_barycentric(*surface_, join.to.face, join.to.barycentric);
     cross_at(*surface_, point, join.to.face, next.from.face, trace.crossed);
   }
+  if (!chain.drawn.empty()) trace.drawn.push_back(chain.drawn_after(chain.joins.size() - 1));
   return trace;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -35,9 +36,12 @@ struct SampleChain {
   std::vector<FaceCoordinates> samples;
   std::vector<bool> fixed;
   std::vector<SurfacePoint> fixed_points;  ///< where these are, in their order
-  std::vector<bool> corners;     ///< unless empty: fixed samples at which it may turn freely
-  std::vector<bool> loose;       ///< unless empty: samples that were fixed at first
-  std::vector<double> turns;     ///< radians, to the left positive; 0 at ends
+  std::vector<bool> corners;  ///< unless empty: fixed samples at which it may turn freely
+  std::vector<bool> loose;    ///< unless empty: samples that were fixed at first
+  std::vector<double> turns;  ///< radians, to the left positive; 0 at ends
+  /// Unless empty: where each sample belongs on the drawing (DrawnLine), not decreasing.
+  std::vector<double> drawn;
+  double drawn_length = 0;       ///< of a loop: of the drawing, mesh units
   std::vector<ChainJoin> joins;  ///< as many as samples if closed, else one less
   FaceStrip crossed;
 
@@ -60,6 +64,14 @@ struct SampleChain {
     return std::span(crossed).subspan(join.first, join.count);
   }
   [[nodiscard]] double length() const;
+  /// The place on the drawing of the end of a join, which is not before that of its start.
+  [[nodiscard]] double drawn_after(std::size_t join) const {
+    return join + 1 == size() ? drawn.front() + drawn_length : drawn[join + 1];
+  }
+  /// The place on the drawing of a part of a join, in [0, 1].
+  [[nodiscard]] double drawn_along(std::size_t join, double part) const {
+    return drawn[join] + part * (drawn_after(join) - drawn[join]);
+  }
   /// At a free sample: unit direction halfway between those of both joins.
   [[nodiscard]] PlanePoint tangent(std::size_t i) const;
 };
@@ -96,10 +108,15 @@ class ChainMaker {
 
   [[nodiscard]] const Surface& surface() const { return *surface_; }
 
+  /// Whether the part of a trace between two samples is to be halved. It is given by the places of
+  /// its ends on the drawing (not a number where there is none) and its length, mesh units.
+  using Divided = std::function<bool(double from, double to, double length)>;
   /// Samples at equal arc lengths between points that are fixed; at least 8 joins if closed, else
   /// 2. They are at most so far apart (mesh units): one number for each stretch between such points
-  /// (of a loop, the last one leads to the first of these), or one for all.
-  std::optional<SampleChain> sampled(const CurveTrace& trace, std::span<const double> spacings);
+  /// (of a loop, the last one leads to the first of these), or one for all. Parts between them are
+  /// halved, and halved again, where `divided` says so and they stay longer than `least`.
+  std::optional<SampleChain> sampled(const CurveTrace& trace, std::span<const double> spacings,
+                                     double least = 0, const Divided& divided = {});
   std::optional<SampleChain> sampled(const CurveTrace& trace, double spacing) {
     return sampled(trace, std::span(&spacing, 1));
   }

@@ -18,9 +18,6 @@ struct StraightenedPath {
   double length_before = 0;  ///< in the metric
   double length_after = 0;   ///< in the metric
   Termination termination = Termination::kConverged;
-  /// Stretches of the drawing that fairing started from in place of this path; the whole drawing is
-  /// one.
-  std::size_t redrawn = 0;
 };
 
 /// What a straightening did, summed over all curves.

@@ -120,8 +120,7 @@ struct SmoothingReport {
   std::size_t iterations = 0;  ///< cleared wedges, of the whole run
   std::size_t faces_touched = 0;    ///< mesh faces that the whole run touched
   std::size_t trace_fallbacks = 0;  ///< crossings that the tracing put at the end of their edge
-  /// Parts of the drawing that a fair curve started from in place of the straightened one, which
-  /// had cut them off or was beyond a wall there; the whole drawing is one part.
+  /// 0. Fair curves used to start from the straightened curve but for these parts of the drawing.
   std::size_t stretches_redrawn = 0;
   double mollification = 0;  ///< mesh units: largest lengthening of an edge for the heat distance
   std::size_t crossings_before = 0;  ///< of the drawing with itself and later curves of the set

@@ -12,8 +12,6 @@
 #include "talweg/core/lifting/touched_edges.hpp"
 #include "talweg/core/measure/measures.hpp"
 #include "talweg/core/smoothing/corridor_valleys.hpp"
-#include "talweg/core/smoothing/cut_off_detours.hpp"
-#include "talweg/core/smoothing/fair_patching.hpp"
 #include "talweg/core/space/nearest_segment.hpp"
 
 namespace talweg {
@@ -197,91 +195,71 @@ CurveTrace CorridorHold::traced(const FairGroup& group, const SurfaceCurve& curv
   return traced(curve, fixed);
 }
 
-void CorridorHold::with_fairing(const FairGroup& group, const Taus& taus, double narrower,
-                                const LegTension& legs, Asker& asker,
-                                const std::function<void(CurveFairing&)>& use) {
+CurveTrace CorridorHold::traced(const FairGroup& group) const {
+  CurveTrace trace = traced(group, group.drawn);
+  trace.set_drawn();
+  return trace;
+}
+
+BandWidth CorridorHold::width_of(std::size_t curve, double tau, double narrower) const {
+  const Corridor::Valley& valley = (*valleys_)[curve];
+  return {valley.slack, valley.slack_at, kLeastSlack * drawing_->drawing().edges_near()[curve],
+          narrower * walls_of(tau), valley.apart};
+}
+
+double CorridorHold::largest_wall(const FairGroup& group, const Taus& taus) const {
+  double widest = 0;
+  for (std::size_t k = 0; k < taus.size(); ++k) {
+    const std::size_t c = group.joined.parts[k].curve;
+    const BandWidth width = width_of(c, taus[k], 1);
+    const double slack = std::max(largest_slack((*valleys_)[c]), width.least_slack);
+    widest = std::max(widest, std::min(width.walls * slack, width.most));
+  }
+  return widest;
+}
+
+void CorridorHold::with_fairing(const FairGroup& group, const Taus& taus,
+                                const BandNarrowing& narrowing, const LegTension& legs,
+                                Asker& asker, const std::function<void(CurveFairing&)>& use) {
   const AskedDuring asked(*distance_, asker);
   const auto middle = [](double tau) { return std::min(1.0, std::pow(tau, 4)); };
   FairOptions options;
   options.middle *= middle(taus.front());
   std::vector<BandCurve> curves;
   bool all_legs = true;
-  double widest = 0;  // walls
+  double begin = 0;
   for (std::size_t k = 0; k < taus.size(); ++k) {
     const std::size_t c = group.joined.parts[k].curve;
-    const Corridor::Valley& valley = (*valleys_)[c];
-    BandWidth width{valley.slack, valley.slack_at,
-                    kLeastSlack * drawing_->drawing().edges_near()[c], narrower * walls_of(taus[k]),
-                    valley.apart};
+    BandWidth width = width_of(c, taus[k], narrowing.everywhere);
     if (taus[k] != taus.front()) width.middle = middle(taus[k]) / middle(taus.front());
-    curves.push_back({c, width});
-    widest = std::max(widest, width.walls * std::max(largest_slack(valley), width.least_slack));
+    curves.push_back({c, width, begin, group.joined.parts[k].reversed});
+    begin += drawing_->drawing().measures()[c].length;
     all_legs = all_legs && drawing_->legs()[c].all();
   }
   std::optional<DrawnBand> band;
-  if (!all_legs) band.emplace(*distance_, curves);
+  if (!all_legs) band.emplace(*distance_, curves, group.line.get());
+  if (band && !narrowing.at.empty()) band->narrow(narrowing);
   CurveFairing fairing(drawing_->curvature(), band ? &*band : nullptr, group.edge, options, legs);
-  fairing.give_up_beyond(kMostGrowth * (group.length + 2 * widest));
+  fairing.give_up_beyond(kMostGrowth * (group.length + 2 * largest_wall(group, taus)));
   use(fairing);
 }
 
-SurfaceCurve CorridorHold::with_cut_off_detours(const FairGroup& group,
-                                                Straightened& straight) const {
-  std::vector<SurfaceCurve> parts;
-  for (const JoinedCurves::Part& part : group.joined.parts) {
-    const std::size_t c = part.curve;
-    const Corridor::Valley& valley = (*valleys_)[c];
-    const SurfaceCurve& drawn = drawing_->drawing().curves()[c];
-    const double slack = valley.slack_at.empty() ? valley.trembling : largest_slack(valley);
-    const double least = kLeastSlack * drawing_->drawing().edges_near()[c];
-    const std::vector<double> far(drawn.points.size(), kDetour * std::max(slack, least));
-    WithDetours start = with_detours(drawing_->mesh(), straight.curves[c], drawn, far);
-    parts.push_back(std::move(start.curve));
-    straight.paths[c].redrawn = start.stretches;
-  }
-  return joined_parts(group.joined, std::move(parts));
-}
-
 std::optional<SampleChain> CorridorHold::fair_from(const FairGroup& group, const Taus& taus,
-                                                   Straightened& straight,
+                                                   const Straightened& straight,
                                                    const Progress& progress) {
   std::optional<SampleChain> chain;
   if (has_legs(*drawing_, group)) return chain;
-  // Below this tau a result may lead anywhere.
   const bool is_held = *std::min_element(taus.begin(), taus.end()) >= kLeastHeldTau;
-  const SurfaceCurve start =
-      is_held ? with_cut_off_detours(group, straight) : joined(group.joined, straight.curves);
   Asker asker(progress, "fair");
-  with_fairing(group, taus, 1, {}, asker, [&](CurveFairing& fairing) {
-    chain = fairing.from_curve(traced(group, start), asker);
-    // What straightening has cut off may lie beyond walls that no step leads back through.
-    if (chain && fairing.keeps_within(*chain)) return;
-    if (chain && is_held && patch(group, taus, straight, *chain, fairing, asker)) return;
-    std::optional<SampleChain> again = fairing.from_curve(traced(group, group.drawn), asker);
-    if (!again) return;
-    chain = std::move(again);
-    for (const JoinedCurves::Part& part : group.joined.parts) {
-      straight.paths[part.curve].redrawn = 1;
+  with_fairing(group, taus, {}, {}, asker, [&](CurveFairing& fairing) {
+    if (!is_held) {
+      chain = fairing.from_curve(traced(group, joined(group.joined, straight.curves)), asker);
+      if (chain && fairing.keeps_within(*chain)) return;
     }
+    auto own = fairing.from_curve(traced(group), asker);
+    if (own) chain = std::move(own);
   });
   return chain;
-}
-
-/// Fairs stretches anew that are beyond the walls; false if some still are.
-bool CorridorHold::patch(const FairGroup& group, const Taus& taus, Straightened& straight,
-                         SampleChain& chain, const CurveFairing& fairing, Asker& asker) {
-  if (group.joined.is_joined()) return false;
-  const std::size_t c = group.joined.parts.front().curve;
-  FairPatching patching(*this, group, taus, straight.curves[c], asker);
-  SampleChain own = chain;
-  for (auto bad = fairing.beyond(own); !bad.empty(); bad = fairing.beyond(own)) {
-    auto patched = asker.ends_early() ? std::nullopt : patching.next(own, bad, false);
-    if (!patched) return false;
-    own = *std::move(patched);
-  }
-  straight.paths[c].redrawn += patching.redrawn();
-  chain = std::move(own);
-  return true;
 }
 
 std::optional<SampleChain> CorridorHold::fair_from(const FairGroup& group, const Taus& taus,
@@ -289,7 +267,7 @@ std::optional<SampleChain> CorridorHold::fair_from(const FairGroup& group, const
                                                    const Progress& progress) {
   Asker asker(progress, "fair");
   std::optional<SampleChain> result;
-  with_fairing(group, taus, 1, {}, asker,
+  with_fairing(group, taus, {}, {}, asker,
                [&](CurveFairing& fairing) { result = fairing.from_chain(chain, trail, asker); });
   return result;
 }
@@ -298,7 +276,7 @@ bool CorridorHold::stands(const FairGroup& group, const Taus& taus, const Sample
                           const Progress& progress) {
   Asker asker(progress, "fair");
   bool result = false;
-  with_fairing(group, taus, 1, {}, asker, [&](CurveFairing& fairing) {
+  with_fairing(group, taus, {}, {}, asker, [&](CurveFairing& fairing) {
     const auto curve = fairing.curve_of(chain, asker);
     result = curve && curve->farthest <= 1;
   });
@@ -310,7 +288,7 @@ std::optional<SampleChain> CorridorHold::evened(const FairGroup& group, const Ta
                                                 const Progress& progress) {
   Asker asker(progress, "fair");
   std::optional<SampleChain> result;
-  with_fairing(group, taus, 1, {}, asker,
+  with_fairing(group, taus, {}, {}, asker,
                [&](CurveFairing& fairing) { result = fairing.evened(chain, asker); });
   return result;
 }
@@ -337,7 +315,7 @@ std::optional<SampleChain> CorridorHold::between(const FairGroup& group, const A
     return maker.between(from.chain, to.chain, trail, all);
   };
   std::optional<SampleChain> result;
-  with_fairing(group, taus, 1, {}, asker, [&](CurveFairing& fairing) {
+  with_fairing(group, taus, {}, {}, asker, [&](CurveFairing& fairing) {
     result = at(0);
     if (!result || fairing.keeps_within(*result)) return;
     double out = 0, in = 1;
@@ -361,7 +339,7 @@ std::optional<SurfaceCurve> CorridorHold::fair(double tau, const SurfaceCurve& c
                                                const Progress& progress) {
   Asker asker(progress, "fair");
   std::optional<SurfaceCurve> result;
-  with_fairing(fair_group(*drawing_, {{{0, false}}}), {tau}, 1, {}, asker,
+  with_fairing(fair_group(*drawing_, {{{0, false}}}), {tau}, {}, {}, asker,
                [&](CurveFairing& fairing) {
                  const auto chain = fairing.from_curve(traced(curve, fixed), asker);
                  if (!chain) return;

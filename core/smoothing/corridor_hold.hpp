@@ -56,11 +56,11 @@ class CorridorHold {
   }
   /// All curves, joined where two that are faired meet.
   [[nodiscard]] std::vector<FairGroup> groups(const SmoothingOptions& options) const;
-  /// A fair chain that starts from the straightened curves and, where these have cut off what was
-  /// drawn, from stretches of the drawing, which are counted; none where there are legs, to which
-  /// no rung leads.
+  /// A fair chain that starts from the drawing; where walls are too far away to hold it, from the
+  /// straightened curves if that keeps within them. None where there are legs, to which no rung
+  /// leads.
   std::optional<SampleChain> fair_from(const FairGroup& group, const Taus& taus,
-                                       Straightened& straight, const Progress& progress);
+                                       const Straightened& straight, const Progress& progress);
   /// A fair chain that starts from that of another tau, and the ways of its samples; none where it
   /// has become eight times as long as what was drawn.
   std::optional<SampleChain> fair_from(const FairGroup& group, const Taus& taus,
@@ -88,17 +88,15 @@ class CorridorHold {
   std::optional<SurfaceCurve> fair(double tau, const SurfaceCurve& curve,
                                    std::span<const SurfacePoint> fixed, const Progress& progress);
 
-  /// Calls use() with the fairing of a group, between walls at this part of their distance.
-  void with_fairing(const FairGroup& group, const Taus& taus, double narrower,
+  /// Calls use() with the fairing of a group, between walls that are drawn in.
+  void with_fairing(const FairGroup& group, const Taus& taus, const BandNarrowing& narrowing,
                     const LegTension& legs, Asker& asker,
                     const std::function<void(CurveFairing&)>& use);
-  /// The trace of a curve of a group from which fairing starts.
+  /// The trace of a curve of a group from which fairing starts; that of its drawing knows it.
   [[nodiscard]] CurveTrace traced(const FairGroup& group, const SurfaceCurve& curve) const;
-  /// The straightened curves of a group, with the detours of the drawing that they have cut off.
-  [[nodiscard]] SurfaceCurve with_cut_off_detours(const FairGroup& group,
-                                                  Straightened& straight) const;
-  /// A distance that nothing else uses while curves are held.
-  [[nodiscard]] PolylineDistance& free_distance() { return memory_->meter().distance(); }
+  [[nodiscard]] CurveTrace traced(const FairGroup& group) const;
+  /// The largest distance of the walls of a group, mesh units.
+  [[nodiscard]] double largest_wall(const FairGroup& group, const Taus& taus) const;
   /// Whether the curve's band is too narrow to be faired in.
   [[nodiscard]] bool is_narrow(std::size_t curve) const;
   /// What a curve becomes that is_narrow(): the taut curve or the drawing.
@@ -110,8 +108,7 @@ class CorridorHold {
                                   std::size_t curve) const;
   [[nodiscard]] Corridor corridor(const SmoothingOptions& options) const;
   [[nodiscard]] double exact_for_walls() const;
-  bool patch(const FairGroup& group, const Taus& taus, Straightened& straight, SampleChain& chain,
-             const CurveFairing& fairing, Asker& asker);
+  [[nodiscard]] BandWidth width_of(std::size_t curve, double tau, double narrower) const;
   Straightened straighten_lifted(const SmoothingOptions& options, const std::vector<Walls>& walls,
                                  const Progress& progress);
   [[nodiscard]] CurveTrace traced(const SurfaceCurve& curve,

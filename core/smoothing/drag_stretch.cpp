@@ -88,8 +88,10 @@ DragStretch stretch_of(const SurfaceMesh& mesh, std::span<const SurfaceCurve> cu
   for (const SurfacePoint& point : points) box.extend(mesh.position(point));
   box.min().array() -= reach;
   box.max().array() += reach;
+  const auto add = [&](std::size_t c) { Runs(mesh, curves[c], valleys[c], box).add_to(stretch); };
+  add(number);
   for (std::size_t c = 0; c < curves.size(); ++c) {
-    Runs(mesh, curves[c], valleys[c], box).add_to(stretch);
+    if (c != number) add(c);
   }
   return stretch;
 }

@@ -131,7 +131,19 @@ void Dragging::set(const DragStretch& stretch, const CurveOptions& options,
   stretch_.embedded.emplace(memory_, stretch_.drawing, own,
                             EmbeddedDrawing::Ground{Loops::kErase, nullptr}, progress);
   stretch_.method.emplace(memory_, *stretch_.embedded);
-  stretch_.method->set(stretch.near, stretch.valleys, progress);
+  std::vector<SurfaceCurve> near = stretch.near;
+  std::vector<Corridor::Valley> valleys = stretch.valleys;
+  // The whole curve is measured from as the method knows it.
+  if (near.front().points.size() == stretch.curve.points.size()) {
+    near.front() = stretch_.drawing.curves().front();
+    std::vector<double>& slack_at = valleys.front().slack_at;
+    if (!slack_at.empty()) {
+      SmoothingOptions ordered;
+      ordered.slack_at = {slack_at};
+      slack_at = stretch_.drawing.ordered(std::move(ordered)).slack_at.front();
+    }
+  }
+  stretch_.method->set(near, std::move(valleys), progress);
 }
 
 /// The points of the changed drawing that are smoothed anew, [first, last].

@@ -10,17 +10,17 @@
 #include "talweg/core/fairing/fair_verdict.hpp"
 #include "talweg/core/lifting/leg_start.hpp"
 #include "talweg/core/measure/measures.hpp"
-#include "talweg/core/smoothing/fair_mending.hpp"
-#include "talweg/core/smoothing/fair_patching.hpp"
+#include "talweg/core/space/nearest_segment.hpp"
 #include "talweg/intrinsic/surface/point_lookup.hpp"
 
 namespace talweg {
 namespace {
 
-constexpr double kNoTurn = 1e-6;            // rad
-constexpr double kBands[] = {1, 0.7, 0.4};  // of tries that start from the drawing
-constexpr std::size_t kTries = 1 + std::size(kBands);
-constexpr std::size_t kMended = kTries + 1, kGivenUp = kTries + 2;
+constexpr double kNoTurn = 1e-6;               // rad
+constexpr double kBands[] = {1, 1, 0.7, 0.4};  // of the tries
+constexpr std::size_t kFromTaut = 1;           // the try that starts there
+constexpr std::size_t kTries = std::size(kBands), kBent = kTries + 1, kGivenUp = kTries + 2;
+constexpr double kNoBending = 1e-4;
 
 /// c of a spline's legs: see LegTension::relative. Below the least one it would swing out widely
 /// where its legs turn sharply.
@@ -107,38 +107,45 @@ bool FairFinishing::crosses_as_drawn(std::size_t curve) {
 void FairFinishing::begin(const FairGroup& group, const std::optional<SampleChain>& chain) {
   const std::size_t a = attempts_.size();
   for (const JoinedCurves::Part& part : group.joined.parts) attempt_of_[part.curve] = a;
-  attempts_.push_back({group, chain, joined(group.joined, taut_.curves), is_redrawn(group)});
+  attempts_.push_back({group, chain, joined(group.joined, taut_.curves)});
   const std::size_t c = group.joined.parts.front().curve;
   if (!CorridorHold::is_faired(*options_, c)) return;
   if (hold_->is_narrow(c) && !has_legs(hold_->drawing(), group)) {
     set(c, hold_->in_narrow_band(options_->tau_of(c), c, taut_.curves[c], asker_));
-  } else if (turns_by(kNoTurn, hold_->drawing().surface(), attempts_[a].taut,
-                      hold_->drawing().corners())) {  // else it is fair
-    warn_if_too_long(group);
-    make_fair(a);
+    return;
   }
+  Attempt& attempt = attempts_[a];
+  attempt.is_close = is_close(group, taus_of(group, *options_), attempt.taut);
+  const bool turns =
+      turns_by(kNoTurn, hold_->drawing().surface(), attempt.taut, hold_->drawing().corners());
+  if (!turns && attempt.is_close) return;  // it is fair
+  warn_if_too_long(group);
+  make_fair(a);
 }
 
 void FairFinishing::warn_if_too_long(const FairGroup& group) {
   if (has_legs(hold_->drawing(), group)) return;
   const double length = curve_length(hold_->drawing().surface(), group.drawn);
   bool too_long = false;
-  hold_->with_fairing(group, taus_of(group, *options_), 1, {}, asker_,
+  hold_->with_fairing(group, taus_of(group, *options_), {}, {}, asker_,
                       [&](const CurveFairing& f) { too_long = f.is_too_long(length); });
   if (too_long) (*curves_)[group.joined.parts.front().curve].warnings.emplace_back(kTooLong);
 }
 
-bool FairFinishing::is_redrawn(const FairGroup& group) const {
-  return std::any_of(
-      group.joined.parts.begin(), group.joined.parts.end(),
-      [&](const JoinedCurves::Part& part) { return (*curves_)[part.curve].path.redrawn > 0; });
-}
-
-void FairFinishing::count_redrawn(const FairGroup& group) {
-  if (has_legs(hold_->drawing(), group)) return;
-  for (const JoinedCurves::Part& part : group.joined.parts) {
-    (*curves_)[part.curve].path.redrawn = 1;
-  }
+/// Whether a taut curve lies between the walls, and nothing that is drawn is far from it: then it
+/// has lost nothing. Where walls hold nothing it may lie anywhere.
+bool FairFinishing::is_close(const FairGroup& group, const Taus& taus, const SurfaceCurve& taut) {
+  constexpr double kFar = 4;  // walls
+  if (has_legs(hold_->drawing(), group)) return true;
+  if (!keeps_within(group, taus, taut)) return false;
+  if (*std::min_element(taus.begin(), taus.end()) < kLeastHeldTau) return true;
+  if (hold_->drawing().erases_loops()) return true;  // what they leave is what was meant
+  const SurfaceMesh& mesh = hold_->drawing().mesh();
+  const NearestSegment nearest(segments_of(positions_of(mesh, taut), taut.closed));
+  const double far = kFar * hold_->largest_wall(group, taus);
+  const std::vector<Point> drawn = positions_of(mesh, group.drawn);
+  return std::none_of(drawn.begin(), drawn.end(),
+                      [&](const Point& p) { return nearest.to(p).distance > far; });
 }
 
 void FairFinishing::make_fair(std::size_t number) {
@@ -147,14 +154,17 @@ void FairFinishing::make_fair(std::size_t number) {
   const Taus taus = taus_of(attempt.group, *options_);
   // What begins anew needs more than what is left of a budget that is used up.
   bool ended = false;
-  if (attempt.tries == 1) fair = patched(attempt, taus);
+  if (attempt.tries == 1) fair = drawn_in(attempt, taus);
   while (!fair && attempt.tries < kTries && !ended) {
     fair = tried(attempt, taus);
-    if (attempt.tries++ > 0) count_redrawn(attempt.group);
-    if (!fair && attempt.tries == 1) fair = patched(attempt, taus);
+    ++attempt.tries;
+    if (!fair && attempt.tries == 1) fair = drawn_in(attempt, taus);
     ended = !fair && asker_.ends_early();
   }
-  if (!fair && !ended) fair = mended(attempt, taus);
+  if (!fair && attempt.tries < kBent) {
+    fair = std::move(attempt.bent);
+    attempt.tries = kBent;
+  }
   const FairGroup group = attempt.group;  // more attempts may come
   const auto curves = parted(group.joined, group.junctions, fair ? *fair : attempt.taut);
   for (std::size_t k = 0; k < curves.size(); ++k) set(group.joined.parts[k].curve, curves[k]);
@@ -164,7 +174,7 @@ void FairFinishing::make_fair(std::size_t number) {
     make_fair_apart(group);
   } else {
     const bool smooth = is_smooth(attempt, taus);
-    if (ended || has_ended_early(*progress_)) {  // mending ends with the budget, too
+    if (ended || has_ended_early(*progress_)) {
       attempt.left_taut = smooth ? kEndedFair : kEndedTaut;
     } else if (!smooth) {
       attempt.left_taut = kLeftTaut;
@@ -172,53 +182,72 @@ void FairFinishing::make_fair(std::size_t number) {
   }
 }
 
-/// The curve of the chain with stretches faired anew where it fails; none where that is not enough.
-std::optional<SurfaceCurve> FairFinishing::patched(Attempt& attempt, const Taus& taus) {
+/// Draws the walls in where the curve of the chain crosses something or lies along the boundary,
+/// farther from round to round, and fairs the chain on; once. None where that does not help.
+std::optional<SurfaceCurve> FairFinishing::drawn_in(Attempt& attempt, const Taus& taus) {
+  constexpr int kRounds = 5;
+  constexpr double kReach = 6;  // walls
+  if (!attempt.first || attempt.chain->drawn.empty()) return std::nullopt;
   const FairGroup& group = attempt.group;
-  if (attempt.patched || !attempt.chain || group.joined.is_joined() ||
-      taus.front() < kLeastHeldTau || has_legs(hold_->drawing(), group)) {
-    return std::nullopt;
-  }
-  attempt.patched = true;
-  FairPatching patching(*hold_, group, taus, attempt.taut, asker_);
+  SurfaceCurve curve = *std::exchange(attempt.first, std::nullopt);
   SampleChain chain = *attempt.chain;
-  while (!asker_.ends_early()) {
-    std::optional<SurfaceCurve> curve;
-    const std::vector<SurfacePoint> bad = fails_at(attempt, taus, chain, curve);
-    if (bad.empty()) {
-      if (!curve || bends_more(attempt, taus, *curve)) return std::nullopt;
-      (*curves_)[group.joined.parts.front().curve].path.redrawn += patching.redrawn();
-      return curve;
-    }
-    std::optional<SampleChain> next = patching.next(chain, bad, curve.has_value());
-    if (!next) return std::nullopt;
-    chain = *std::move(next);
-  }
-  return std::nullopt;
-}
-
-/// Where the curve of a chain leaves its walls, crosses or lies along the boundary.
-std::vector<SurfacePoint> FairFinishing::fails_at(const Attempt& attempt, const Taus& taus,
-                                                  SampleChain& chain,
-                                                  std::optional<SurfaceCurve>& curve) {
-  const FairGroup& group = attempt.group;
-  const Surface& surface = hold_->drawing().surface();
-  std::vector<SurfacePoint> bad;
-  hold_->with_fairing(group, taus, 1, {}, asker_, [&](CurveFairing& fairing) {
-    bad = fairing.beyond(chain);
-    if (!bad.empty()) return;
-    auto faired = fairing.curve_of(chain, asker_);
-    if (!faired) return;
-    if (faired->farthest > 1) bad = fairing.beyond(faired->curve);
+  BandNarrowing walls;
+  walls.reach = kReach * hold_->largest_wall(group, taus);
+  for (int round = 0;; ++round) {
+    const std::vector<SurfacePoint> bad = fails_at(attempt, curve);
+    if (bad.empty() && round > 0 && !bends_more(attempt, curve)) return curve;
+    if (bad.empty() || round == kRounds || asker_.ends_early()) return std::nullopt;
+    walls.there *= 0.7;
+    for (const double place : places_near(chain, bad)) walls.at.push_back(place);
+    std::optional<SampleChain> own;
+    hold_->with_fairing(group, taus, walls, {}, asker_, [&](CurveFairing& fairing) {
+      SampleTrail trail;
+      own = fairing.from_chain(chain, trail, asker_);
+    });
+    std::optional<FairedCurve> faired;
+    hold_->with_fairing(group, taus, {}, {}, asker_, [&](CurveFairing& fairing) {
+      if (own) faired = fairing.curve_of(*std::move(own), asker_);
+    });
+    if (!faired || !(faired->farthest <= 1)) return std::nullopt;
     chain = std::move(faired->chain);
     curve = std::move(faired->curve);
-  });
-  if (!curve) return bad;
-  for (const auto& more : {crossed_points(group.joined.parts.front().curve, *curve),
-                           pressed_points(surface, *curve, attempt.taut)}) {
-    bad.insert(bad.end(), more.begin(), more.end());
+  }
+}
+
+/// Where a curve of a group crosses, or lies along the boundary.
+std::vector<SurfacePoint> FairFinishing::fails_at(const Attempt& attempt,
+                                                  const SurfaceCurve& curve) {
+  const FairGroup& group = attempt.group;
+  std::vector<SurfacePoint> bad = pressed_points(hold_->drawing().surface(), curve, attempt.taut);
+  const auto curves = parted(group.joined, group.junctions, curve);
+  for (std::size_t k = 0; k < curves.size(); ++k) {
+    const auto crossed = crossed_points(group.joined.parts[k].curve, curves[k]);
+    bad.insert(bad.end(), crossed.begin(), crossed.end());
   }
   return bad;
+}
+
+/// The places on the drawing of the joins that pass these points.
+std::vector<double> FairFinishing::places_near(const SampleChain& chain,
+                                               std::span<const SurfacePoint> points) const {
+  const SurfaceMesh& mesh = hold_->drawing().mesh();
+  std::vector<Point> samples;
+  for (const FaceCoordinates& at : chain.samples) {
+    samples.push_back(
+        mesh.position(SurfacePoint::from_barycentric(mesh.surface(), at.face, at.barycentric)));
+  }
+  const NearestSegment joins(segments_of(samples, chain.closed));
+  std::vector<double> places;
+  for (const SurfacePoint& point : points) {
+    const Point at = mesh.position(point);
+    const double near = chain.joins[joins.to(at).segment].length;
+    const Point reach = Point::Constant(near);
+    joins.visit_near({at - reach, at + reach}, [&](std::uint32_t i) {
+      if (distance_to(joins.segments()[i], at) > near) return;
+      places.push_back(chain.drawn_along(i, 0.5));
+    });
+  }
+  return places;
 }
 
 /// Where a curve of that number would cross itself or the others as they are now.
@@ -234,18 +263,14 @@ void FairFinishing::set(std::size_t number, SurfaceCurve curve) {
 }
 
 /// Whether a curve bends more than what it started from.
-bool FairFinishing::bends_more(const Attempt& attempt, const Taus& taus,
-                               const SurfaceCurve& curve) {
+bool FairFinishing::bends_more(const Attempt& attempt, const SurfaceCurve& curve) const {
   const EmbeddedDrawing& drawing = hold_->drawing();
   const FairGroup& group = attempt.group;
   const auto bending = [&](const SurfaceCurve& c) {
     return bending_between(drawing.surface(), c, drawing.corners(), group.edge);
   };
   const double own = bending(curve);
-  if (own <= bending(attempt.taut)) return false;
-  const bool from_taut =
-      has_legs(drawing, group) || (!attempt.redrawn && keeps_within(group, taus, attempt.taut));
-  return from_taut || own > bending(group.drawn);
+  return own > kNoBending && own > bending(attempt.is_close ? attempt.taut : group.drawn);
 }
 
 /// The fixed points about which a curve bends more than the taut one.
@@ -298,38 +323,8 @@ void FairFinishing::tighten(Attempt& attempt, std::span<const SurfacePoint> at,
 void FairFinishing::make_fair_apart(const FairGroup& group) {
   for (const JoinedCurves::Part& part : group.joined.parts) {
     const FairGroup one = fair_group(hold_->drawing(), {{{part.curve, false}}});
-    taut_.paths[part.curve].redrawn = 0;
-    const auto chain = hold_->fair_from(one, taus_of(one, *options_), taut_, *progress_);
-    (*curves_)[part.curve].path.redrawn = taut_.paths[part.curve].redrawn;
-    begin(one, chain);
+    begin(one, hold_->fair_from(one, taus_of(one, *options_), taut_, *progress_));
   }
-}
-
-/// The curve with what cannot be made fair left taut; once.
-std::optional<SurfaceCurve> FairFinishing::mended(Attempt& attempt, const Taus& taus) {
-  const FairGroup& group = attempt.group;
-  const bool is_held = taus.front() >= kLeastHeldTau;
-  if (attempt.tries >= kMended || group.joined.is_joined() || !is_held ||
-      has_legs(hold_->drawing(), group) || is_smooth(attempt, taus)) {
-    return std::nullopt;
-  }
-  attempt.tries = kMended;
-  const std::size_t c = group.joined.parts.front().curve;
-  const FairMending::Crossed crossed = [&](const SurfaceCurve& curve) {
-    return crossed_points(c, curve);
-  };
-  FairMending mending(*hold_, group, taus, attempt.taut, crossed, asker_);
-  const SurfaceCurve start = hold_->with_cut_off_detours(group, taut_);
-  std::size_t& redrawn = taut_.paths[c].redrawn;
-  std::optional<MendedCurve> mended = mending.from(start);
-  if (!mended && redrawn > 0) {
-    redrawn = 0;
-    mended = mending.from(attempt.taut);
-  }
-  if (!mended) return std::nullopt;
-  (*curves_)[c].path.redrawn = redrawn;
-  attempt.left_taut = std::move(mended->warning);
-  return std::move(mended->curve);
 }
 
 /// Whether the taut curve turns as little as a fair one, between the walls; not where it has legs.
@@ -341,43 +336,30 @@ bool FairFinishing::is_smooth(const Attempt& attempt, const Taus& taus) {
          keeps_within(attempt.group, taus, taut);
 }
 
-/// The fair curve of one try: from the chain, then from the drawing in ever narrower bands; with
-/// legs from the taut curve, ever tighter. None if it is beyond its walls or worse than the curve
-/// it started from.
+/// The fair curve of one try: from the chain, then from the taut curve, then from the drawing in
+/// ever narrower bands; with legs from the taut curve, ever tighter. None if it is beyond its walls
+/// or worse than the curve it started from.
 std::optional<SurfaceCurve> FairFinishing::tried(Attempt& attempt, const Taus& taus) {
   const EmbeddedDrawing& drawing = hold_->drawing();
   const Surface& surface = drawing.surface();
   const FairGroup& group = attempt.group;
   const SurfaceCurve& taut = attempt.taut;
-  std::optional<SurfaceCurve> result;
   const bool any_legs = has_legs(drawing, group);
   std::optional<LegStart> legs = LegStart{};
   if (any_legs) {
     legs = leg_start(drawing, group, taut, tension_of(taus.front()));
-    if (legs) legs->tension.stronger = attempt.tighter;
+    if (!legs) return std::nullopt;
+    legs->tension.stronger = attempt.tighter;
+  } else if (attempt.tries == kFromTaut && !attempt.is_close) {
+    return std::nullopt;
   }
-  if (!legs) return result;
-  const double band = attempt.tries == 0 ? 1 : kBands[attempt.tries - 1];
-  hold_->with_fairing(group, taus, band, legs->tension, asker_, [&](CurveFairing& fairing) {
-    const auto start = [&] {
-      if (!any_legs) return hold_->traced(group, group.drawn);
-      CurveTrace trace = trace_through(surface, taut, legs->fixed);
-      trace.set_corners(drawing.corners());
-      return trace;
-    };
-    const auto own =
-        !any_legs && attempt.tries == 0 ? attempt.chain : fairing.from_curve(start(), asker_);
-    if (!own) return;
-    auto faired = fairing.curve_of(*own, asker_);
-    if (!faired) return;
-    if (attempt.tries == 0 && attempt.chain) attempt.chain = std::move(faired->chain);
-    if (faired->farthest <= 1) result = std::move(faired->curve);
-  });
+  std::optional<SurfaceCurve> result = faired(attempt, taus, *legs);
   std::vector<SurfacePoint> bad;
-  if (result && bends_more(attempt, taus, *result)) {
-    bad = bends_more_at(attempt, *result);
-  } else if (result && is_pressed(surface, *result, taut)) {
+  if (result && is_pressed(surface, *result, taut)) {
     bad = pressed_points(surface, *result, taut);
+  } else if (result && bends_more(attempt, *result)) {
+    bad = bends_more_at(attempt, *result);
+    if (!any_legs && !attempt.bent) attempt.bent = result;
   } else if (result) {
     return result;
   }
@@ -385,11 +367,43 @@ std::optional<SurfaceCurve> FairFinishing::tried(Attempt& attempt, const Taus& t
   return std::nullopt;
 }
 
+/// That curve, if it is between its walls.
+std::optional<SurfaceCurve> FairFinishing::faired(Attempt& attempt, const Taus& taus,
+                                                  const LegStart& legs) {
+  const EmbeddedDrawing& drawing = hold_->drawing();
+  const FairGroup& group = attempt.group;
+  const bool any_legs = has_legs(drawing, group);
+  std::optional<SurfaceCurve> result;
+  BandNarrowing band;
+  band.everywhere = kBands[attempt.tries];
+  hold_->with_fairing(group, taus, band, legs.tension, asker_, [&](CurveFairing& fairing) {
+    const auto start = [&] {
+      if (!any_legs) {
+        return attempt.tries == kFromTaut ? hold_->traced(group, attempt.taut)
+                                          : hold_->traced(group);
+      }
+      CurveTrace trace = trace_through(drawing.surface(), attempt.taut, legs.fixed);
+      trace.set_corners(drawing.corners());
+      return trace;
+    };
+    const auto own =
+        !any_legs && attempt.tries == 0 ? attempt.chain : fairing.from_curve(start(), asker_);
+    if (!own) return;
+    auto fair = fairing.curve_of(*own, asker_);
+    if (!fair || !(fair->farthest <= 1)) return;
+    result = std::move(fair->curve);
+    if (any_legs || attempt.tries > 0) return;
+    attempt.chain = std::move(fair->chain);
+    attempt.first = result;
+  });
+  return result;
+}
+
 /// Whether a curve is between the walls.
 bool FairFinishing::keeps_within(const FairGroup& group, const Taus& taus,
                                  const SurfaceCurve& curve) {
   bool within = false;
-  hold_->with_fairing(group, taus, 1, {}, asker_,
+  hold_->with_fairing(group, taus, {}, {}, asker_,
                       [&](const CurveFairing& fairing) { within = fairing.farthest(curve) <= 1; });
   return within;
 }

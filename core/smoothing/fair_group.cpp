@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "talweg/core/measure/measures.hpp"
+
 namespace talweg {
 
 std::vector<std::size_t> FairGroup::parts_of_stretches(const SampleChain& chain) const {
@@ -21,9 +23,11 @@ std::vector<std::size_t> FairGroup::parts_of_stretches(const SampleChain& chain)
 
 FairGroup fair_group(const EmbeddedDrawing& embedded, JoinedCurves curves) {
   const OrderedDrawing& drawing = embedded.drawing();
-  FairGroup group{std::move(curves), {}, {}, 0, 0};
+  FairGroup group{std::move(curves), {}, {}, 0, 0, nullptr};
   group.drawn = joined(group.joined, drawing.curves());
   group.junctions = junctions(group.joined, drawing.curves());
+  group.line =
+      std::make_shared<DrawnLine>(positions_of(embedded.mesh(), group.drawn), group.drawn.closed);
   const auto& parts = group.joined.parts;
   for (const JoinedCurves::Part& part : parts) {
     group.edge += drawing.edges_near()[part.curve];

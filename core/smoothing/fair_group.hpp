@@ -2,9 +2,11 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <vector>
 
+#include "talweg/core/fairing/drawn_line.hpp"
 #include "talweg/core/fairing/joined_curves.hpp"
 #include "talweg/core/fairing/sample_chain.hpp"
 #include "talweg/core/lifting/leg_start.hpp"
@@ -17,10 +19,11 @@ namespace talweg {
 /// Curves that are faired as one, and what follows from the drawing for that.
 struct FairGroup {
   JoinedCurves joined;
-  SurfaceCurve drawn;                   ///< all of them
-  std::vector<SurfacePoint> junctions;  ///< where they meet
-  double edge = 0;                      ///< mean edge near them, mesh units
-  double length = 0;                    ///< of all of them, mesh units
+  SurfaceCurve drawn;                     ///< all of them
+  std::vector<SurfacePoint> junctions;    ///< where they meet
+  double edge = 0;                        ///< mean edge near them, mesh units
+  double length = 0;                      ///< of all of them, mesh units
+  std::shared_ptr<const DrawnLine> line;  ///< `drawn` in space
 
   /// Per stretch of a chain between fixed samples, to which of the curves it belongs. O(fixed
   /// samples · junctions).

@@ -81,7 +81,6 @@ void add_curve(SmoothingReport& report, const SmoothedCurve& curve) {
   report.lifted_length_after = curve.path.length_after;
   report.termination = outcome_of(curve.path.termination);
   if (curve.ended_early) report.termination = std::max(report.termination, Outcome::kLimit);
-  report.stretches_redrawn = curve.path.redrawn;
   report.crossings_before = curve.crossings_before;
   report.crossings_after = curve.crossings_after;
   report_deviation(report, curve.deviation);

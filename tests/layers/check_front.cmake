@@ -6,16 +6,17 @@ cmake_minimum_required(VERSION 3.25)
 set(algorithms
   drawing/canonical_order drawing/capping drawing/curve_embedding drawing/drawn_legs drawing/path_contacts
   drawing/taken_points
-  fairing/band_solver fairing/chain_curve fairing/chain_parts fairing/curve_fairing fairing/near_points
-  fairing/saddle_passing
+  fairing/band_solver fairing/chain_curve fairing/chain_parts fairing/curve_fairing fairing/drawn_line
+  fairing/near_points fairing/saddle_passing
   lifting/bump_convolution lifting/corridor smoothing/corridor_valleys smoothing/corridor_width smoothing/curve_gaps
-  smoothing/cut_off_detours smoothing/drawing_change fairing/joined_curves lifting/potential
-  smoothing/refined_mesh lifting/relaxation smoothing/taut_stretches lifting/touched_edges
+  smoothing/drawing_change fairing/joined_curves lifting/potential
+  smoothing/refined_mesh lifting/relaxation lifting/touched_edges
   smoothing/unrolled_mesh)
 set(instruments core/drawing/crossings intrinsic/exact_distance/polyline_distance)
 # What such a test needs to make the algorithm's input, or to compare with.
 set(drawing/curve_embedding_needs intrinsic/flips/signpost_triangulation)
 set(drawing/path_contacts_needs core/drawing/curve_embedding intrinsic/flips/signpost_triangulation)
+set(fairing/drawn_line_needs core/fairing/drawn_band)
 set(lifting/potential_needs core/lifting/lifted_lengths)
 set(lifting/touched_edges_needs core/lifting/corridor core/smoothing/corridor_width
     core/lifting/lifted_lengths core/strokes/stroke_slack)

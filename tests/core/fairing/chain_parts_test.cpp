@@ -75,14 +75,6 @@ TEST_F(ChainPartsTest, APartReplacedByItselfChangesNothing) {
   }
 }
 
-TEST_F(ChainPartsTest, ALoopBegunElsewhereAndBackIsTheSame) {
-  const SampleChain whole = chain(true);
-  const SampleChain begun = begun_at(whole, 10);
-  EXPECT_EQ(begun.samples.front().face, whole.samples[10].face);
-  EXPECT_EQ(begun.turns.front(), whole.turns[10]);
-  expect_same(begun_at(begun, whole.size() - 10), whole);
-}
-
 TEST(ChainRanges, AreApartAndEndWhereTheChainDoes) {
   const std::vector<std::size_t> samples{3, 40, 45, 98};
   const auto ranges = ranges_about(samples, 5, 100);

@@ -11,8 +11,7 @@
 namespace talweg {
 namespace {
 
-// Where the feet of a detour lie within the walls, fairing may still give it up.
-TEST(FairDetours, AreWhereTheFairCurveStarts) {
+TEST(FairDetours, AreKeptWhereStraighteningCutsThemOff) {
   constexpr std::uint32_t kDetourColumns = 60;
   const auto opened = OpenedMesh::open(test::grid(kDetourColumns, 30));
   const auto at = [](std::uint32_t column, std::uint32_t row) {
@@ -33,8 +32,7 @@ TEST(FairDetours, AreWhereTheFairCurveStarts) {
   options.finish = Finish::kTaut;
   const SmoothingResult straightened = smoother.smooth(options);
   EXPECT_GT(straightened.report().deviation_from_drawn_max, 6);
-  EXPECT_EQ(straightened.report().stretches_redrawn, 0U);
-  EXPECT_EQ(fair.report().stretches_redrawn, 1U);
+  EXPECT_LT(fair.report().deviation_from_drawn_max, 3);
   EXPECT_LE(fair.report().deviation_to_drawn_max, 1.5 * fair.report().slack * (1 + 1e-3));
   EXPECT_LT(fair.report().bending_after, fair.report().bending_before / 4);
 }

@@ -119,7 +119,7 @@ TEST_F(NearClicks, AClickToWhichTheDrawingComesBackIsNoSecondOne) {
 
 /// The last click but one lies beside the second one, where the drawing passes again.
 TEST_F(NearClicks, AClickThatIsPassedTwiceStaysThoughAnotherIsBesideIt) {
-  const std::vector<Point> points{{4, 4, 0},  {12, 4, 0},   {16, 10, 0}, {8, 10, 0},
+  const std::vector<Point> points{{4, 4, 0},    {12, 4, 0}, {16, 10, 0}, {8, 10, 0},
                                   {11.7, 4, 0}, {12, 4, 0}, {20, 2, 0}};
   const SnappedCurve snapped = snap(opened->mesh(), {false, points, {}});
   StraightLines lines(opened->surface());

@@ -67,7 +67,7 @@ class Report:
     iterations: Optional[int] = None
     faces_touched: Optional[int] = None
     trace_fallbacks: Optional[int] = None
-    stretches_redrawn: Optional[int] = None  #: parts of the drawing that a fair curve started from
+    stretches_redrawn: Optional[int] = None  #: 0: a fair curve starts from the whole drawing
     mollification: Optional[float] = None  #: most that an edge was lengthened for the paper's distance
     crossings_before: Optional[int] = None
     crossings_after: Optional[int] = None
