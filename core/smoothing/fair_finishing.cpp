@@ -183,11 +183,14 @@ void FairFinishing::make_fair(std::size_t number) {
 }
 
 /// Draws the walls in where the curve of the chain crosses something or lies along the boundary,
-/// farther from round to round, and fairs the chain on; once. None where that does not help.
+/// farther from round to round, and fairs the chain on; once. None where that does not help, and for
+/// chains that are short enough to begin anew as a whole, which bends less.
 std::optional<SurfaceCurve> FairFinishing::drawn_in(Attempt& attempt, const Taus& taus) {
+  constexpr std::size_t kLong = 2'048;  // samples
   constexpr int kRounds = 5;
   constexpr double kReach = 6;  // walls
   if (!attempt.first || attempt.chain->drawn.empty()) return std::nullopt;
+  if (attempt.chain->size() < kLong) return std::nullopt;
   const FairGroup& group = attempt.group;
   SurfaceCurve curve = *std::exchange(attempt.first, std::nullopt);
   SampleChain chain = *attempt.chain;
