@@ -183,8 +183,8 @@ void FairFinishing::make_fair(std::size_t number) {
 }
 
 /// Draws the walls in where the curve of the chain crosses something or lies along the boundary,
-/// farther from round to round, and fairs the chain on; once. None where that does not help, and for
-/// chains that are short enough to begin anew as a whole, which bends less.
+/// farther from round to round, and fairs the chain on; once. None where that does not help, and
+/// for chains that are short enough to begin anew as a whole, which bends less.
 std::optional<SurfaceCurve> FairFinishing::drawn_in(Attempt& attempt, const Taus& taus) {
   constexpr std::size_t kLong = 2'048;  // samples
   constexpr int kRounds = 5;
