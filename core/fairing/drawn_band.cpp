@@ -79,34 +79,6 @@ void DrawnBand::set_width(BandPlace& place, std::uint32_t curve, double arc,
     place.wall = width.most;
     place.wall_slope = 0;
   }
-  if (found != nullptr) draw_in(place, own.reversed ? -arc_slope : arc_slope);
-}
-
-void DrawnBand::narrow(const BandNarrowing& narrowing) {
-  narrowing_ = narrowing;
-  narrowing_.at.clear();
-  const double round = line_->is_closed() ? line_->length() : 0;
-  for (const double turn : {-round, 0.0, round}) {
-    for (const double arc : narrowing.at) narrowing_.at.push_back(arc + turn);
-  }
-  std::sort(narrowing_.at.begin(), narrowing_.at.end());
-}
-
-/// `arc_slope`: of the arc on the line, along the direction that was asked for.
-void DrawnBand::draw_in(BandPlace& place, double arc_slope) const {
-  const std::vector<double>& at = narrowing_.at;
-  if (at.empty()) return;
-  const auto after = std::lower_bound(at.begin(), at.end(), place.arc);
-  double off = after != at.end() ? place.arc - *after : HUGE_VAL;
-  if (after != at.begin() && place.arc - *(after - 1) < std::abs(off)) {
-    off = place.arc - *(after - 1);
-  }
-  if (!(std::abs(off) < narrowing_.reach)) return;
-  const double growth = (1 - narrowing_.there) / narrowing_.reach;
-  const double left = narrowing_.there + growth * std::abs(off);
-  const double slope = off < 0 ? -growth * arc_slope : growth * arc_slope;
-  place.wall_slope = left * place.wall_slope + slope * place.wall;
-  place.wall *= left;
 }
 
 BandPlace DrawnBand::at(const FaceCoordinates& point, PlanePoint direction) const {

@@ -34,14 +34,6 @@ struct BandCurve {
   bool reversed = false;  ///< it runs against the drawn line, towards that place
 };
 
-/// Where the walls of a band are drawn in, as parts of their distance that are left.
-struct BandNarrowing {
-  double everywhere = 1;
-  std::vector<double> at;  ///< places on the drawn line
-  double there = 1;        ///< at these
-  double reach = 0;        ///< mesh units along the line, > 0: within that of them it grows to all
-};
-
 /// Where a point of the band lies; mesh units.
 struct BandPlace {
   double distance = 0;    ///< δ, to the drawing
@@ -66,8 +58,6 @@ class DrawnBand {
   DrawnBand(PolylineDistance& distance, const std::vector<BandCurve>& curves,
             const DrawnLine* line = nullptr);
 
-  /// Draws the walls in at places of the line. O(places).
-  void narrow(const BandNarrowing& narrowing);
   [[nodiscard]] BandPlace at(const FaceCoordinates& point, PlanePoint direction) const;
   [[nodiscard]] BandPlace at(const SurfacePoint& point) const;
   /// Whether a place is in the part of the band that belongs to this place on the line: what is
@@ -104,13 +94,11 @@ class DrawnBand {
   void add(const BandCurve& curve);
   [[nodiscard]] const Width* width_of(std::uint32_t curve) const;
   void set_width(BandPlace& place, std::uint32_t curve, double arc, double arc_slope) const;
-  void draw_in(BandPlace& place, double arc_slope) const;
   template <class Value>
   [[nodiscard]] double least_along(double from, double to, const Value& value) const;
 
   PolylineDistance* distance_;
   const DrawnLine* line_;
-  BandNarrowing narrowing_;    // also at the next and the last turn of a loop
   std::vector<Width> widths_;  // ascending by curve
   std::size_t narrowest_ = 0;
 };

@@ -16,7 +16,6 @@ class DrawnLine {
   DrawnLine(std::vector<Point> points, bool closed);
 
   [[nodiscard]] double length() const { return arcs_.back(); }
-  [[nodiscard]] bool is_closed() const { return closed_; }
   /// O(log points).
   [[nodiscard]] Point at(double arc) const;
   /// The way along the line from one place to another, the shorter one on a closed line; backwards

@@ -218,9 +218,9 @@ double CorridorHold::largest_wall(const FairGroup& group, const Taus& taus) cons
   return widest;
 }
 
-void CorridorHold::with_fairing(const FairGroup& group, const Taus& taus,
-                                const BandNarrowing& narrowing, const LegTension& legs,
-                                Asker& asker, const std::function<void(CurveFairing&)>& use) {
+void CorridorHold::with_fairing(const FairGroup& group, const Taus& taus, double narrower,
+                                const LegTension& legs, Asker& asker,
+                                const std::function<void(CurveFairing&)>& use) {
   const AskedDuring asked(*distance_, asker);
   const auto middle = [](double tau) { return std::min(1.0, std::pow(tau, 4)); };
   FairOptions options;
@@ -230,7 +230,7 @@ void CorridorHold::with_fairing(const FairGroup& group, const Taus& taus,
   double begin = 0;
   for (std::size_t k = 0; k < taus.size(); ++k) {
     const std::size_t c = group.joined.parts[k].curve;
-    BandWidth width = width_of(c, taus[k], narrowing.everywhere);
+    BandWidth width = width_of(c, taus[k], narrower);
     if (taus[k] != taus.front()) width.middle = middle(taus[k]) / middle(taus.front());
     curves.push_back({c, width, begin, group.joined.parts[k].reversed});
     begin += drawing_->drawing().measures()[c].length;
@@ -238,7 +238,6 @@ void CorridorHold::with_fairing(const FairGroup& group, const Taus& taus,
   }
   std::optional<DrawnBand> band;
   if (!all_legs) band.emplace(*distance_, curves, group.line.get());
-  if (band && !narrowing.at.empty()) band->narrow(narrowing);
   CurveFairing fairing(drawing_->curvature(), band ? &*band : nullptr, group.edge, options, legs);
   fairing.give_up_beyond(kMostGrowth * (group.length + 2 * largest_wall(group, taus)));
   use(fairing);
@@ -251,7 +250,7 @@ std::optional<SampleChain> CorridorHold::fair_from(const FairGroup& group, const
   if (has_legs(*drawing_, group)) return chain;
   const bool is_held = *std::min_element(taus.begin(), taus.end()) >= kLeastHeldTau;
   Asker asker(progress, "fair");
-  with_fairing(group, taus, {}, {}, asker, [&](CurveFairing& fairing) {
+  with_fairing(group, taus, 1, {}, asker, [&](CurveFairing& fairing) {
     if (!is_held) {
       chain = fairing.from_curve(traced(group, joined(group.joined, straight.curves)), asker);
       if (chain && fairing.keeps_within(*chain)) return;
@@ -267,7 +266,7 @@ std::optional<SampleChain> CorridorHold::fair_from(const FairGroup& group, const
                                                    const Progress& progress) {
   Asker asker(progress, "fair");
   std::optional<SampleChain> result;
-  with_fairing(group, taus, {}, {}, asker,
+  with_fairing(group, taus, 1, {}, asker,
                [&](CurveFairing& fairing) { result = fairing.from_chain(chain, trail, asker); });
   return result;
 }
@@ -276,7 +275,7 @@ bool CorridorHold::stands(const FairGroup& group, const Taus& taus, const Sample
                           const Progress& progress) {
   Asker asker(progress, "fair");
   bool result = false;
-  with_fairing(group, taus, {}, {}, asker, [&](CurveFairing& fairing) {
+  with_fairing(group, taus, 1, {}, asker, [&](CurveFairing& fairing) {
     const auto curve = fairing.curve_of(chain, asker);
     result = curve && curve->farthest <= 1;
   });
@@ -288,7 +287,7 @@ std::optional<SampleChain> CorridorHold::evened(const FairGroup& group, const Ta
                                                 const Progress& progress) {
   Asker asker(progress, "fair");
   std::optional<SampleChain> result;
-  with_fairing(group, taus, {}, {}, asker,
+  with_fairing(group, taus, 1, {}, asker,
                [&](CurveFairing& fairing) { result = fairing.evened(chain, asker); });
   return result;
 }
@@ -315,7 +314,7 @@ std::optional<SampleChain> CorridorHold::between(const FairGroup& group, const A
     return maker.between(from.chain, to.chain, trail, all);
   };
   std::optional<SampleChain> result;
-  with_fairing(group, taus, {}, {}, asker, [&](CurveFairing& fairing) {
+  with_fairing(group, taus, 1, {}, asker, [&](CurveFairing& fairing) {
     result = at(0);
     if (!result || fairing.keeps_within(*result)) return;
     double out = 0, in = 1;
@@ -339,7 +338,7 @@ std::optional<SurfaceCurve> CorridorHold::fair(double tau, const SurfaceCurve& c
                                                const Progress& progress) {
   Asker asker(progress, "fair");
   std::optional<SurfaceCurve> result;
-  with_fairing(fair_group(*drawing_, {{{0, false}}}), {tau}, {}, {}, asker,
+  with_fairing(fair_group(*drawing_, {{{0, false}}}), {tau}, 1, {}, asker,
                [&](CurveFairing& fairing) {
                  const auto chain = fairing.from_curve(traced(curve, fixed), asker);
                  if (!chain) return;

@@ -88,8 +88,8 @@ class CorridorHold {
   std::optional<SurfaceCurve> fair(double tau, const SurfaceCurve& curve,
                                    std::span<const SurfacePoint> fixed, const Progress& progress);
 
-  /// Calls use() with the fairing of a group, between walls that are drawn in.
-  void with_fairing(const FairGroup& group, const Taus& taus, const BandNarrowing& narrowing,
+  /// Calls use() with the fairing of a group, between walls at this part of their distance.
+  void with_fairing(const FairGroup& group, const Taus& taus, double narrower,
                     const LegTension& legs, Asker& asker,
                     const std::function<void(CurveFairing&)>& use);
   /// The trace of a curve of a group from which fairing starts; that of its drawing knows it.

@@ -127,7 +127,7 @@ void FairFinishing::warn_if_too_long(const FairGroup& group) {
   if (has_legs(hold_->drawing(), group)) return;
   const double length = curve_length(hold_->drawing().surface(), group.drawn);
   bool too_long = false;
-  hold_->with_fairing(group, taus_of(group, *options_), {}, {}, asker_,
+  hold_->with_fairing(group, taus_of(group, *options_), 1, {}, asker_,
                       [&](const CurveFairing& f) { too_long = f.is_too_long(length); });
   if (too_long) (*curves_)[group.joined.parts.front().curve].warnings.emplace_back(kTooLong);
 }
@@ -154,11 +154,9 @@ void FairFinishing::make_fair(std::size_t number) {
   const Taus taus = taus_of(attempt.group, *options_);
   // What begins anew needs more than what is left of a budget that is used up.
   bool ended = false;
-  if (attempt.tries == 1) fair = drawn_in(attempt, taus);
   while (!fair && attempt.tries < kTries && !ended) {
     fair = tried(attempt, taus);
     ++attempt.tries;
-    if (!fair && attempt.tries == 1) fair = drawn_in(attempt, taus);
     ended = !fair && asker_.ends_early();
   }
   if (!fair && attempt.tries < kBent) {
@@ -180,77 +178,6 @@ void FairFinishing::make_fair(std::size_t number) {
       attempt.left_taut = kLeftTaut;
     }
   }
-}
-
-/// Draws the walls in where the curve of the chain crosses something or lies along the boundary,
-/// farther from round to round, and fairs the chain on; once. None where that does not help, and
-/// for chains that are short enough to begin anew as a whole, which bends less.
-std::optional<SurfaceCurve> FairFinishing::drawn_in(Attempt& attempt, const Taus& taus) {
-  constexpr std::size_t kLong = 2'048;  // samples
-  constexpr int kRounds = 5;
-  constexpr double kReach = 6;  // walls
-  if (!attempt.first || attempt.chain->drawn.empty()) return std::nullopt;
-  if (attempt.chain->size() < kLong) return std::nullopt;
-  const FairGroup& group = attempt.group;
-  SurfaceCurve curve = *std::exchange(attempt.first, std::nullopt);
-  SampleChain chain = *attempt.chain;
-  BandNarrowing walls;
-  walls.reach = kReach * hold_->largest_wall(group, taus);
-  for (int round = 0;; ++round) {
-    const std::vector<SurfacePoint> bad = fails_at(attempt, curve);
-    if (bad.empty() && round > 0 && !bends_more(attempt, curve)) return curve;
-    if (bad.empty() || round == kRounds || asker_.ends_early()) return std::nullopt;
-    walls.there *= 0.7;
-    for (const double place : places_near(chain, bad)) walls.at.push_back(place);
-    std::optional<SampleChain> own;
-    hold_->with_fairing(group, taus, walls, {}, asker_, [&](CurveFairing& fairing) {
-      SampleTrail trail;
-      own = fairing.from_chain(chain, trail, asker_);
-    });
-    std::optional<FairedCurve> faired;
-    hold_->with_fairing(group, taus, {}, {}, asker_, [&](CurveFairing& fairing) {
-      if (own) faired = fairing.curve_of(*std::move(own), asker_);
-    });
-    if (!faired || !(faired->farthest <= 1)) return std::nullopt;
-    chain = std::move(faired->chain);
-    curve = std::move(faired->curve);
-  }
-}
-
-/// Where a curve of a group crosses, or lies along the boundary.
-std::vector<SurfacePoint> FairFinishing::fails_at(const Attempt& attempt,
-                                                  const SurfaceCurve& curve) {
-  const FairGroup& group = attempt.group;
-  std::vector<SurfacePoint> bad = pressed_points(hold_->drawing().surface(), curve, attempt.taut);
-  const auto curves = parted(group.joined, group.junctions, curve);
-  for (std::size_t k = 0; k < curves.size(); ++k) {
-    const auto crossed = crossed_points(group.joined.parts[k].curve, curves[k]);
-    bad.insert(bad.end(), crossed.begin(), crossed.end());
-  }
-  return bad;
-}
-
-/// The places on the drawing of the joins that pass these points.
-std::vector<double> FairFinishing::places_near(const SampleChain& chain,
-                                               std::span<const SurfacePoint> points) const {
-  const SurfaceMesh& mesh = hold_->drawing().mesh();
-  std::vector<Point> samples;
-  for (const FaceCoordinates& at : chain.samples) {
-    samples.push_back(
-        mesh.position(SurfacePoint::from_barycentric(mesh.surface(), at.face, at.barycentric)));
-  }
-  const NearestSegment joins(segments_of(samples, chain.closed));
-  std::vector<double> places;
-  for (const SurfacePoint& point : points) {
-    const Point at = mesh.position(point);
-    const double near = chain.joins[joins.to(at).segment].length;
-    const Point reach = Point::Constant(near);
-    joins.visit_near({at - reach, at + reach}, [&](std::uint32_t i) {
-      if (distance_to(joins.segments()[i], at) > near) return;
-      places.push_back(chain.drawn_along(i, 0.5));
-    });
-  }
-  return places;
 }
 
 /// Where a curve of that number would cross itself or the others as they are now.
@@ -377,8 +304,7 @@ std::optional<SurfaceCurve> FairFinishing::faired(Attempt& attempt, const Taus& 
   const FairGroup& group = attempt.group;
   const bool any_legs = has_legs(drawing, group);
   std::optional<SurfaceCurve> result;
-  BandNarrowing band;
-  band.everywhere = kBands[attempt.tries];
+  const double band = kBands[attempt.tries];
   hold_->with_fairing(group, taus, band, legs.tension, asker_, [&](CurveFairing& fairing) {
     const auto start = [&] {
       if (!any_legs) {
@@ -393,11 +319,7 @@ std::optional<SurfaceCurve> FairFinishing::faired(Attempt& attempt, const Taus& 
         !any_legs && attempt.tries == 0 ? attempt.chain : fairing.from_curve(start(), asker_);
     if (!own) return;
     auto fair = fairing.curve_of(*own, asker_);
-    if (!fair || !(fair->farthest <= 1)) return;
-    result = std::move(fair->curve);
-    if (any_legs || attempt.tries > 0) return;
-    attempt.chain = std::move(fair->chain);
-    attempt.first = result;
+    if (fair && fair->farthest <= 1) result = std::move(fair->curve);
   });
   return result;
 }
@@ -406,7 +328,7 @@ std::optional<SurfaceCurve> FairFinishing::faired(Attempt& attempt, const Taus& 
 bool FairFinishing::keeps_within(const FairGroup& group, const Taus& taus,
                                  const SurfaceCurve& curve) {
   bool within = false;
-  hold_->with_fairing(group, taus, {}, {}, asker_,
+  hold_->with_fairing(group, taus, 1, {}, asker_,
                       [&](const CurveFairing& fairing) { within = fairing.farthest(curve) <= 1; });
   return within;
 }

@@ -19,13 +19,12 @@ namespace talweg {
 
 /// Replaces straightened curves by those of their chains, one group after the other, until none
 /// crosses another. Where that would cross what the drawing does not cross, or bend more than
-/// before, walls are drawn in at these places, or they start from the taut curve, or from the
-/// drawing in a narrower band; of legs those that fail are drawn tighter. If nothing helps, what
-/// keeps within its walls is the result, though it bends more; else they stay straightened, with a
-/// warning. Curves that are not faired stay too. Joined curves that fail are faired each for
-/// itself. Refers to the objects it is made from. Cost: up to four tries of a CurveFairing for each
-/// group, and five that go on with the first chain; and the segments of all curves in each round in
-/// which some cross.
+/// before, they start from the taut curve, or from the drawing in a narrower band; of legs those
+/// that fail are drawn tighter. If nothing helps, what keeps within its walls is the result, though
+/// it bends more; else they stay straightened, with a warning. Curves that are not faired stay too.
+/// Joined curves that fail are faired each for itself. Refers to the objects it is made from. Cost:
+/// up to four tries of a CurveFairing for each group; and the segments of all curves in each round
+/// in which some cross.
 class FairFinishing {
  public:
   FairFinishing(CorridorHold& hold, const SmoothingOptions& options, const Progress& progress)
@@ -42,8 +41,7 @@ class FairFinishing {
     SurfaceCurve taut;
     bool is_close = false;  ///< the taut curve, to the drawing: a fair one need not bend more
     std::size_t tries = 0;
-    std::optional<SurfaceCurve> first;  ///< that of the chain, until its walls are drawn in
-    std::optional<SurfaceCurve> bent;   ///< the first result that is only worse for its bending
+    std::optional<SurfaceCurve> bent;  ///< the first result that is only worse for its bending
     /// Of a curve with legs: per stretch, how much tighter it is drawn since it failed.
     std::vector<double> tighter;
     std::string left_taut;  ///< a warning
@@ -53,10 +51,6 @@ class FairFinishing {
   [[nodiscard]] bool is_close(const FairGroup& group, const Taus& taus, const SurfaceCurve& taut);
   void make_fair(std::size_t number);
   void make_fair_apart(const FairGroup& group);
-  std::optional<SurfaceCurve> drawn_in(Attempt& attempt, const Taus& taus);
-  std::vector<SurfacePoint> fails_at(const Attempt& attempt, const SurfaceCurve& curve);
-  [[nodiscard]] std::vector<double> places_near(const SampleChain& chain,
-                                                std::span<const SurfacePoint> points) const;
   std::vector<SurfacePoint> crossed_points(std::size_t number, const SurfaceCurve& curve);
   void set(std::size_t number, SurfaceCurve curve);
   [[nodiscard]] bool crosses_as_drawn(std::size_t curve);
