@@ -29,10 +29,11 @@ struct FairOptions {
 /// samples of a chain by Gauss and Newton's method; W is the distance of the walls that are felt,
 /// κ₀ the mean curvature of a loop, 0 for an open chain and for a loop with corners, where turns
 /// cost nothing. On legs there is no drawing: t · length, their tension, stands for the terms with
-/// δ. No step leads a sample of a chain whose places on the drawing are known out of the walls, or
-/// into the part of the band that belongs to another strand. docs/algorithm.md has all of it.
-/// Cost of an iteration: samples + the faces that joins and steps pass, and a DrawnBand::at() for
-/// each sample that moves. It ends after 60 iterations, or 5,000 such faces for each sample.
+/// δ. Where places on the drawing are known, samples that a step would lead out of the walls, or
+/// into the part of the band that belongs to another strand, are held; the step is solved again up
+/// to six times, and may then lead some out. docs/algorithm.md has all of it. Cost of an iteration:
+/// samples + the faces that joins and steps pass, and a DrawnBand::at() for each sample that moves.
+/// It ends after 60 iterations, or 5,000 such faces for each sample.
 class FairChain {
  public:
   /// The band may be null where every stretch is a leg.

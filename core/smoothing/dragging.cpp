@@ -134,7 +134,7 @@ void Dragging::set(const DragStretch& stretch, const CurveOptions& options,
   std::vector<SurfaceCurve> near = stretch.near;
   std::vector<Corridor::Valley> valleys = stretch.valleys;
   // The whole curve is measured from as the method knows it.
-  if (near.front().points.size() == stretch.curve.points.size()) {
+  if (near.front().points == stretch.curve.points) {
     near.front() = stretch_.drawing.curves().front();
     std::vector<double>& slack_at = valleys.front().slack_at;
     if (!slack_at.empty()) {
