@@ -45,25 +45,52 @@ std::size_t boundary_points(const Surface& surface, const SurfaceCurve& curve) {
                     [&](const SurfacePoint& point) { return is_at_boundary(surface, point); }));
 }
 
-}  // namespace
-
-double bending_between(const Surface& surface, const SurfaceCurve& curve,
-                       std::span<const SurfacePoint> corners, double edge) {
+/// Calls use() with the turns of each piece of a curve between corners.
+template <class Use>
+void for_turns_between(const Surface& surface, const SurfaceCurve& curve,
+                       std::span<const SurfacePoint> corners, const Use& use) {
   const std::size_t n = curve.points.size();
   const PointLookup turns_freely(corners);
   const auto is_corner = [&](std::size_t i) { return turns_freely.contains(curve.points[i % n]); };
   std::size_t first = 0;
   while (curve.closed && first < n && !is_corner(first)) ++first;
-  if (corners.empty() || first == n) return bending(turns_of(surface, curve), edge);
-  double sum = 0;
+  if (corners.empty() || first == n) {
+    use(turns_of(surface, curve));
+    return;
+  }
   SurfaceCurve piece{false, {curve.points[first]}};
   for (std::size_t i = first + 1; i < first + n + (curve.closed ? 1 : 0); ++i) {
     piece.points.push_back(curve.points[i % n]);
     if (!is_corner(i) && i + 1 < n + first + (curve.closed ? 1 : 0)) continue;
-    sum += bending(turns_of(surface, piece), edge);
+    use(turns_of(surface, piece));
     piece.points.assign(1, curve.points[i % n]);
   }
+}
+
+}  // namespace
+
+double bending_between(const Surface& surface, const SurfaceCurve& curve,
+                       std::span<const SurfacePoint> corners, double edge) {
+  double sum = 0;
+  for_turns_between(surface, curve, corners,
+                    [&](const CurveTurns& turns) { sum += bending(turns, edge); });
   return sum;
+}
+
+bool is_gentle(const Surface& surface, const SurfaceCurve& curve,
+               std::span<const SurfacePoint> corners, double edge) {
+  constexpr double kMost = 30 * std::numbers::pi / 180;  // in one edge length
+  double most = 0;
+  for_turns_between(surface, curve, corners, [&](const CurveTurns& turns) {
+    most = std::max(most, window_turning(turns, edge));
+  });
+  if (most > kMost || largest_turn_between(surface, curve, corners) > kMostFairTurn) return false;
+  std::size_t ends = 0;
+  if (!curve.closed) {
+    ends += is_at_boundary(surface, curve.points.front()) ? 1 : 0;
+    ends += is_at_boundary(surface, curve.points.back()) ? 1 : 0;
+  }
+  return boundary_points(surface, curve) <= ends;
 }
 
 namespace {

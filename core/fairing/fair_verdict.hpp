@@ -27,6 +27,12 @@ constexpr double kMostFairTurn = 5 * std::numbers::pi / 180;
 double largest_turn_between(const Surface& surface, const SurfaceCurve& curve,
                             std::span<const SurfacePoint> corners);
 
+/// Whether a curve turns so little between corners, at each point and in each window of one `edge`
+/// length (mesh units), and stays so clear of the boundary, that it is fair whatever it started
+/// from.
+bool is_gentle(const Surface& surface, const SurfaceCurve& curve,
+               std::span<const SurfacePoint> corners, double edge);
+
 /// Whether a fair curve lies along the boundary where the taut one at most ends there.
 bool is_pressed(const Surface& surface, const SurfaceCurve& fair, const SurfaceCurve& taut);
 

@@ -244,7 +244,7 @@ void CorridorHold::with_fairing(const FairGroup& group, const Taus& taus, double
 }
 
 std::optional<SampleChain> CorridorHold::fair_from(const FairGroup& group, const Taus& taus,
-                                                   const Straightened& straight,
+                                                   const TautCurves& taut,
                                                    const Progress& progress) {
   std::optional<SampleChain> chain;
   if (has_legs(*drawing_, group)) return chain;
@@ -252,7 +252,7 @@ std::optional<SampleChain> CorridorHold::fair_from(const FairGroup& group, const
   Asker asker(progress, "fair");
   with_fairing(group, taus, 1, {}, asker, [&](CurveFairing& fairing) {
     if (!is_held) {
-      chain = fairing.from_curve(traced(group, joined(group.joined, straight.curves)), asker);
+      chain = fairing.from_curve(traced(group, joined(group.joined, taut().curves)), asker);
       if (chain && fairing.keeps_within(*chain)) return;
     }
     auto own = fairing.from_curve(traced(group), asker);

@@ -23,6 +23,10 @@ namespace talweg {
 /// Fair curves as samples, one for each group; none where samples could not be joined.
 using FairChains = std::vector<std::optional<SampleChain>>;
 
+/// The straightened curves, which are computed when they are first asked for: most fair curves need
+/// none.
+using TautCurves = std::function<const Straightened&()>;
+
 /// Holds a drawing in its valleys and runs one step of the method at a time, for one tau. Refers to
 /// the objects it is made from; the memory's distance is set to the curves of the valleys. All
 /// functions throw Cancelled. Each costs what it runs, a Straightening or a CurveFairing.
@@ -60,7 +64,7 @@ class CorridorHold {
   /// straightened curves if that keeps within them. None where there are legs, to which no rung
   /// leads.
   std::optional<SampleChain> fair_from(const FairGroup& group, const Taus& taus,
-                                       const Straightened& straight, const Progress& progress);
+                                       const TautCurves& taut, const Progress& progress);
   /// A fair chain that starts from that of another tau, and the ways of its samples; none where it
   /// has become eight times as long as what was drawn.
   std::optional<SampleChain> fair_from(const FairGroup& group, const Taus& taus,

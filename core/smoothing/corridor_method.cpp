@@ -32,13 +32,14 @@ Smoothed smooth_for_itself(CorridorHold& hold, const SmoothingOptions& options,
   if (flat) return smoothed_from(std::move(straight));
   hold.hold_lost_curves(options, straight);
   const std::vector<FairGroup> groups = hold.groups(options);
+  const TautCurves taut = [&]() -> const Straightened& { return straight; };
   FairChains chains(groups.size());
   for (std::size_t g = 0; g < groups.size(); ++g) {
     if (!CorridorHold::is_faired(options, groups[g].joined.parts.front().curve)) continue;
-    chains[g] = hold.fair_from(groups[g], taus_of(groups[g], options), straight, progress);
+    chains[g] = hold.fair_from(groups[g], taus_of(groups[g], options), taut, progress);
   }
-  Smoothed result = smoothed_from(std::move(straight));
-  FairFinishing(hold, options, progress).run(groups, chains, result.curves);
+  Smoothed result = smoothed_from(straight);
+  FairFinishing(hold, options, taut, progress).run(groups, chains, result.curves);
   result.time_ms.fair = watch.ms();
   return result;
 }

@@ -62,9 +62,7 @@ SurfaceCurve about_fixed(const std::vector<SurfacePoint>& fixed, std::size_t poi
 void FairFinishing::run(const std::vector<FairGroup>& groups, const FairChains& chains,
                         std::vector<SmoothedCurve>& curves) {
   curves_ = &curves;
-  for (const SmoothedCurve& curve : curves) taut_.curves.push_back(curve.curve);
-  taut_.paths.resize(curves.size());
-  now_ = taut_.curves;
+  now_.resize(curves.size());
   attempt_of_.resize(curves.size());
   for (std::size_t g = 0; g < groups.size(); ++g) begin(groups[g], chains[g]);
   // Each group is faired separately, so that curves near each other, or strands of one, may
@@ -98,29 +96,42 @@ void FairFinishing::run(const std::vector<FairGroup>& groups, const FairChains& 
 /// drawing: at a crossing, two segments begin.
 bool FairFinishing::crosses_as_drawn(std::size_t curve) {
   if (!hold_->drawing().may_cross()) return false;
-  if (!taut_by_face_) taut_by_face_.emplace(hold_->drawing().surface(), taut_.curves);
+  if (!taut_by_face_) taut_by_face_.emplace(hold_->drawing().surface(), taut_().curves);
   const std::size_t now = crossed_points(curve, now_[curve]).size();
-  return now <= taut_by_face_->crossed_points(curve, taut_.curves[curve]).size() ||
+  return now <= taut_by_face_->crossed_points(curve, taut_().curves[curve]).size() ||
          now <= 2 * hold_->drawing().crossings() + hold_->drawing().crossings() / 5;
 }
 
 void FairFinishing::begin(const FairGroup& group, const std::optional<SampleChain>& chain) {
   const std::size_t a = attempts_.size();
   for (const JoinedCurves::Part& part : group.joined.parts) attempt_of_[part.curve] = a;
-  attempts_.push_back({group, chain, joined(group.joined, taut_.curves)});
+  attempts_.push_back({group, chain});
   const std::size_t c = group.joined.parts.front().curve;
-  if (!CorridorHold::is_faired(*options_, c)) return;
-  if (hold_->is_narrow(c) && !has_legs(hold_->drawing(), group)) {
-    set(c, hold_->in_narrow_band(options_->tau_of(c), c, taut_.curves[c], asker_));
+  if (!CorridorHold::is_faired(*options_, c)) {
+    set(c, taut_().curves[c]);
     return;
   }
-  Attempt& attempt = attempts_[a];
-  attempt.is_close = is_close(group, taus_of(group, *options_), attempt.taut);
-  const bool turns =
-      turns_by(kNoTurn, hold_->drawing().surface(), attempt.taut, hold_->drawing().corners());
-  if (!turns && attempt.is_close) return;  // it is fair
+  const bool any_legs = has_legs(hold_->drawing(), group);
+  if (hold_->is_narrow(c) && !any_legs) {
+    set(c, hold_->in_narrow_band(options_->tau_of(c), c, taut_().curves[c], asker_));
+    return;
+  }
+  if (any_legs && !turns_by(kNoTurn, hold_->drawing().surface(), taut(attempts_[a]).curve,
+                            hold_->drawing().corners())) {  // they are fair
+    for (const JoinedCurves::Part& part : group.joined.parts) {
+      set(part.curve, taut_().curves[part.curve]);
+    }
+    return;
+  }
   warn_if_too_long(group);
   make_fair(a);
+}
+
+const FairFinishing::Taut& FairFinishing::taut(Attempt& attempt) {
+  if (attempt.taut) return *attempt.taut;
+  Taut own{joined(attempt.group.joined, taut_().curves), false};
+  own.is_close = is_close(attempt.group, taus_of(attempt.group, *options_), own.curve);
+  return attempt.taut.emplace(std::move(own));
 }
 
 void FairFinishing::warn_if_too_long(const FairGroup& group) {
@@ -164,7 +175,7 @@ void FairFinishing::make_fair(std::size_t number) {
     attempt.tries = kBent;
   }
   const FairGroup group = attempt.group;  // more attempts may come
-  const auto curves = parted(group.joined, group.junctions, fair ? *fair : attempt.taut);
+  const auto curves = parted(group.joined, group.junctions, fair ? *fair : taut(attempt).curve);
   for (std::size_t k = 0; k < curves.size(); ++k) set(group.joined.parts[k].curve, curves[k]);
   if (fair) return;
   attempt.tries = kGivenUp;
@@ -193,34 +204,35 @@ void FairFinishing::set(std::size_t number, SurfaceCurve curve) {
 }
 
 /// Whether a curve bends more than what it started from.
-bool FairFinishing::bends_more(const Attempt& attempt, const SurfaceCurve& curve) const {
+bool FairFinishing::bends_more(Attempt& attempt, const SurfaceCurve& curve) {
   const EmbeddedDrawing& drawing = hold_->drawing();
   const FairGroup& group = attempt.group;
   const auto bending = [&](const SurfaceCurve& c) {
     return bending_between(drawing.surface(), c, drawing.corners(), group.edge);
   };
   const double own = bending(curve);
-  return own > kNoBending && own > bending(attempt.is_close ? attempt.taut : group.drawn);
+  if (own <= kNoBending) return false;
+  return own > bending(taut(attempt).is_close ? taut(attempt).curve : group.drawn);
 }
 
 /// The fixed points about which a curve bends more than the taut one.
-std::vector<SurfacePoint> FairFinishing::bends_more_at(const Attempt& attempt,
-                                                       const SurfaceCurve& curve) const {
+std::vector<SurfacePoint> FairFinishing::bends_more_at(Attempt& attempt,
+                                                       const SurfaceCurve& curve) {
   const EmbeddedDrawing& drawing = hold_->drawing();
   const FairGroup& group = attempt.group;
-  const auto legs = leg_start(drawing, group, attempt.taut, 1);
+  const SurfaceCurve& taut = this->taut(attempt).curve;
+  const auto legs = leg_start(drawing, group, taut, 1);
   std::vector<SurfacePoint> bad;
   if (!legs) return bad;
   std::vector<SurfacePoint> fixed;
-  for (const std::size_t i : legs->fixed) fixed.push_back(attempt.taut.points[i]);
+  for (const std::size_t i : legs->fixed) fixed.push_back(taut.points[i]);
   for (std::size_t k = 0; k < fixed.size(); ++k) {
-    const SurfaceCurve own = about_fixed(fixed, k, curve),
-                       taut = about_fixed(fixed, k, attempt.taut);
-    if (own.points.size() < 3 || taut.points.size() < 3) continue;
+    const SurfaceCurve own = about_fixed(fixed, k, curve), before = about_fixed(fixed, k, taut);
+    if (own.points.size() < 3 || before.points.size() < 3) continue;
     const auto bending = [&](const SurfaceCurve& c) {
       return bending_between(drawing.surface(), c, drawing.corners(), group.edge);
     };
-    if (bending(own) > bending(taut)) bad.push_back(fixed[k]);
+    if (bending(own) > bending(before)) bad.push_back(fixed[k]);
   }
   return bad;
 }
@@ -229,12 +241,13 @@ std::vector<SurfacePoint> FairFinishing::bends_more_at(const Attempt& attempt,
 /// known.
 void FairFinishing::tighten(Attempt& attempt, std::span<const SurfacePoint> at,
                             const SurfaceCurve& curve) {
-  const auto legs = leg_start(hold_->drawing(), attempt.group, attempt.taut, 1);
+  const SurfaceCurve& taut = this->taut(attempt).curve;
+  const auto legs = leg_start(hold_->drawing(), attempt.group, taut, 1);
   if (!legs) return;
   const std::size_t n = legs->tension.is_leg.size();
   attempt.tighter.resize(n, 1);
   std::vector<SurfacePoint> fixed;
-  for (const std::size_t i : legs->fixed) fixed.push_back(attempt.taut.points[i]);
+  for (const std::size_t i : legs->fixed) fixed.push_back(taut.points[i]);
   const std::vector<std::size_t> stretches = stretches_along(fixed, curve);
   std::vector<bool> bad(n, at.empty() || stretches.empty());
   const PointLookup places(at);
@@ -258,10 +271,10 @@ void FairFinishing::make_fair_apart(const FairGroup& group) {
 }
 
 /// Whether the taut curve turns as little as a fair one, between the walls; not where it has legs.
-bool FairFinishing::is_smooth(const Attempt& attempt, const Taus& taus) {
+bool FairFinishing::is_smooth(Attempt& attempt, const Taus& taus) {
   if (has_legs(hold_->drawing(), attempt.group)) return false;
   const std::vector<SurfacePoint>& corners = hold_->drawing().corners();
-  const SurfaceCurve& taut = attempt.taut;
+  const SurfaceCurve& taut = this->taut(attempt).curve;
   return largest_turn_between(hold_->drawing().surface(), taut, corners) <= kMostFairTurn &&
          keeps_within(attempt.group, taus, taut);
 }
@@ -273,27 +286,29 @@ std::optional<SurfaceCurve> FairFinishing::tried(Attempt& attempt, const Taus& t
   const EmbeddedDrawing& drawing = hold_->drawing();
   const Surface& surface = drawing.surface();
   const FairGroup& group = attempt.group;
-  const SurfaceCurve& taut = attempt.taut;
   const bool any_legs = has_legs(drawing, group);
   std::optional<LegStart> legs = LegStart{};
   if (any_legs) {
-    legs = leg_start(drawing, group, taut, tension_of(taus.front()));
+    legs = leg_start(drawing, group, taut(attempt).curve, tension_of(taus.front()));
     if (!legs) return std::nullopt;
     legs->tension.stronger = attempt.tighter;
-  } else if (attempt.tries == kFromTaut && !attempt.is_close) {
+  } else if (attempt.tries == kFromTaut && !taut(attempt).is_close) {
     return std::nullopt;
   }
   std::optional<SurfaceCurve> result = faired(attempt, taus, *legs);
+  if (result && !any_legs && is_gentle(surface, *result, drawing.corners(), group.edge)) {
+    return result;
+  }
   std::vector<SurfacePoint> bad;
-  if (result && is_pressed(surface, *result, taut)) {
-    bad = pressed_points(surface, *result, taut);
+  if (result && is_pressed(surface, *result, taut(attempt).curve)) {
+    bad = pressed_points(surface, *result, taut(attempt).curve);
   } else if (result && bends_more(attempt, *result)) {
     bad = bends_more_at(attempt, *result);
     if (!any_legs && !attempt.bent) attempt.bent = result;
   } else if (result) {
     return result;
   }
-  if (any_legs) tighten(attempt, bad, result ? *result : taut);
+  if (any_legs) tighten(attempt, bad, result ? *result : taut(attempt).curve);
   return std::nullopt;
 }
 
@@ -308,10 +323,10 @@ std::optional<SurfaceCurve> FairFinishing::faired(Attempt& attempt, const Taus& 
   hold_->with_fairing(group, taus, band, legs.tension, asker_, [&](CurveFairing& fairing) {
     const auto start = [&] {
       if (!any_legs) {
-        return attempt.tries == kFromTaut ? hold_->traced(group, attempt.taut)
+        return attempt.tries == kFromTaut ? hold_->traced(group, taut(attempt).curve)
                                           : hold_->traced(group);
       }
-      CurveTrace trace = trace_through(drawing.surface(), attempt.taut, legs.fixed);
+      CurveTrace trace = trace_through(drawing.surface(), taut(attempt).curve, legs.fixed);
       trace.set_corners(drawing.corners());
       return trace;
     };

@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "talweg/core/drawing/crossings.hpp"
@@ -27,19 +28,27 @@ namespace talweg {
 /// in which some cross.
 class FairFinishing {
  public:
-  FairFinishing(CorridorHold& hold, const SmoothingOptions& options, const Progress& progress)
-      : hold_(&hold), options_(&options), progress_(&progress), asker_(progress, "fair") {}
+  FairFinishing(CorridorHold& hold, const SmoothingOptions& options, TautCurves taut,
+                const Progress& progress)
+      : hold_(&hold),
+        options_(&options),
+        taut_(std::move(taut)),
+        progress_(&progress),
+        asker_(progress, "fair") {}
 
-  /// Once. Throws Cancelled.
+  /// Once; sets the curve of each of `curves`. Throws Cancelled.
   void run(const std::vector<FairGroup>& groups, const FairChains& chains,
            std::vector<SmoothedCurve>& curves);
 
  private:
+  struct Taut {
+    SurfaceCurve curve;
+    bool is_close = false;  ///< to the drawing: a fair curve need not bend more
+  };
   struct Attempt {
     FairGroup group;
     std::optional<SampleChain> chain;
-    SurfaceCurve taut;
-    bool is_close = false;  ///< the taut curve, to the drawing: a fair one need not bend more
+    std::optional<Taut> taut;  ///< once it is asked for
     std::size_t tries = 0;
     std::optional<SurfaceCurve> bent;  ///< the first result that is only worse for its bending
     /// Of a curve with legs: per stretch, how much tighter it is drawn since it failed.
@@ -47,6 +56,7 @@ class FairFinishing {
     std::string left_taut;  ///< a warning
   };
   void begin(const FairGroup& group, const std::optional<SampleChain>& chain);
+  const Taut& taut(Attempt& attempt);
   void warn_if_too_long(const FairGroup& group);
   [[nodiscard]] bool is_close(const FairGroup& group, const Taus& taus, const SurfaceCurve& taut);
   void make_fair(std::size_t number);
@@ -55,21 +65,21 @@ class FairFinishing {
   void set(std::size_t number, SurfaceCurve curve);
   [[nodiscard]] bool crosses_as_drawn(std::size_t curve);
   void tighten(Attempt& attempt, std::span<const SurfacePoint> at, const SurfaceCurve& curve);
-  [[nodiscard]] std::vector<SurfacePoint> bends_more_at(const Attempt& attempt,
-                                                        const SurfaceCurve& curve) const;
-  [[nodiscard]] bool bends_more(const Attempt& attempt, const SurfaceCurve& curve) const;
+  [[nodiscard]] std::vector<SurfacePoint> bends_more_at(Attempt& attempt,
+                                                        const SurfaceCurve& curve);
+  [[nodiscard]] bool bends_more(Attempt& attempt, const SurfaceCurve& curve);
   std::optional<SurfaceCurve> faired(Attempt& attempt, const Taus& taus, const LegStart& legs);
-  [[nodiscard]] bool is_smooth(const Attempt& attempt, const Taus& taus);
+  [[nodiscard]] bool is_smooth(Attempt& attempt, const Taus& taus);
   std::optional<SurfaceCurve> tried(Attempt& attempt, const Taus& taus);
   [[nodiscard]] bool keeps_within(const FairGroup& group, const Taus& taus,
                                   const SurfaceCurve& curve);
 
   CorridorHold* hold_;
   const SmoothingOptions* options_;
+  TautCurves taut_;
   const Progress* progress_;
   Asker asker_;
   std::vector<SmoothedCurve>* curves_ = nullptr;
-  Straightened taut_;
   std::vector<SurfaceCurve> now_;
   std::optional<CurvesByFace> by_face_;       // those of now_, once they are needed
   std::optional<CurvesByFace> taut_by_face_;  // the same of the taut curves

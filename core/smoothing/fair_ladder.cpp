@@ -62,7 +62,7 @@ void FairLadder::clear() {
 }
 
 const FairLadder::Rung& FairLadder::rung(std::size_t number, const Taus& taus, CorridorHold& hold,
-                                         const Progress& progress) {
+                                         const TautCurves& taut, const Progress& progress) {
   const auto known = rungs_[number].find(taus);
   if (known != rungs_[number].end()) return known->second;
   const FairGroup& group = groups_[number];
@@ -72,9 +72,9 @@ const FairLadder::Rung& FairLadder::rung(std::size_t number, const Taus& taus, C
   }
   Rung rung;
   if (next == taus) {
-    rung.chain = hold.fair_from(group, taus, *straight_, progress);
+    rung.chain = hold.fair_from(group, taus, taut, progress);
   } else {
-    const Rung& towards = this->rung(number, next, hold, progress);
+    const Rung& towards = this->rung(number, next, hold, taut, progress);
     if (towards.chain) {
       rung.chain = hold.fair_from(group, taus, *towards.start(), rung.trail, progress);
       if (rung.chain) rung.onward = hold.evened(group, taus, *rung.chain, progress);
@@ -90,7 +90,8 @@ const FairLadder::Rung& FairLadder::rung(std::size_t number, const Taus& taus, C
 
 /// The chain of a group for its tau.
 std::optional<SampleChain> FairLadder::chain(std::size_t number, const SmoothingOptions& options,
-                                             CorridorHold& hold, const Progress& progress) {
+                                             CorridorHold& hold, const TautCurves& taut,
+                                             const Progress& progress) {
   const FairGroup& group = groups_[number];
   Taus taus, from, to;
   for (const JoinedCurves::Part& part : group.joined.parts) {
@@ -99,9 +100,9 @@ std::optional<SampleChain> FairLadder::chain(std::size_t number, const Smoothing
     from.push_back(rung);
     to.push_back(rung >= kOrigin && tau >= kOrigin ? 2 * rung : rung / 2);
   }
-  const Rung& start = rung(number, from, hold, progress);
+  const Rung& start = rung(number, from, hold, taut, progress);
   if (taus == from) return start.chain;
-  const Rung& stop = rung(number, to, hold, progress);
+  const Rung& stop = rung(number, to, hold, taut, progress);
   if (!start.chain || !stop.chain) return std::nullopt;
   return hold.between(group, {from, *start.start()}, {to, *stop.chain}, stop.trail, taus, progress);
 }
@@ -124,10 +125,16 @@ Smoothed FairLadder::smooth(CorridorHold& hold, const SmoothingOptions& options,
   if (whole) clear();
   keep_for(hold, options);
   StageTimes times;
-  if (!straight_) {
-    straight_ = straightened(hold, options, progress);
-    times = straight_->time_ms;
-  }
+  bool asked = false;
+  const TautCurves taut = [&]() -> const Straightened& {
+    asked = true;
+    if (!straight_) {
+      straight_ = straightened(hold, options, progress);
+      times = straight_->time_ms;
+    }
+    return *straight_;
+  };
+  if (whole) taut();
   const Stopwatch watch;
   FairChains chains;
   for (std::size_t g = 0; g < groups_.size(); ++g) {
@@ -136,18 +143,20 @@ Smoothed FairLadder::smooth(CorridorHold& hold, const SmoothingOptions& options,
       return rung_of(options, part.curve).has_value();
     };
     if (std::all_of(parts.begin(), parts.end(), has_rung)) {
-      chains.push_back(chain(g, options, hold, progress));
+      chains.push_back(chain(g, options, hold, taut, progress));
     } else if (CorridorHold::is_faired(options, parts.front().curve)) {
       chains.push_back(
-          hold.fair_from(groups_[g], taus_of(groups_[g], options), *straight_, progress));
+          hold.fair_from(groups_[g], taus_of(groups_[g], options), taut, progress));
     } else {
       chains.emplace_back();
     }
   }
-  Smoothed result = smoothed_from(*straight_);
-  FairFinishing(hold, options, progress).run(groups_, chains, result.curves);
+  Smoothed result;
+  result.curves.resize(hold.drawing().drawing().curves().size());
+  FairFinishing(hold, options, taut, progress).run(groups_, chains, result.curves);
+  if (asked) report_straightening(*straight_, result);
   result.time_ms = times;
-  result.time_ms.fair = watch.ms();
+  result.time_ms.fair = std::max(0.0, watch.ms() - times.straighten - times.trace);
   if (whole || has_ended_early(progress)) clear();
   return result;
 }

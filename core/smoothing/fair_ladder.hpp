@@ -54,10 +54,11 @@ class FairLadder {
 
     bool operator==(const Setting&) const = default;
   };
-  const Rung& rung(std::size_t number, const Taus& taus, CorridorHold& hold,
+  const Rung& rung(std::size_t number, const Taus& taus, CorridorHold& hold, const TautCurves& taut,
                    const Progress& progress);
   std::optional<SampleChain> chain(std::size_t number, const SmoothingOptions& options,
-                                   CorridorHold& hold, const Progress& progress);
+                                   CorridorHold& hold, const TautCurves& taut,
+                                   const Progress& progress);
   void keep_for(const CorridorHold& hold, const SmoothingOptions& options);
 
   std::vector<FairGroup> groups_;

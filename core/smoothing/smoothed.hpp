@@ -40,17 +40,23 @@ struct Smoothed {
   bool at_fence = false;
 };
 
-/// The result of a straightening.
-inline Smoothed smoothed_from(Straightened straight) {
-  Smoothed smoothed;
-  for (std::size_t c = 0; c < straight.curves.size(); ++c) {
-    SmoothedCurve& curve = smoothed.curves.emplace_back();
-    curve.curve = std::move(straight.curves[c]);
-    curve.path = straight.paths[c];
+/// Says in a result what the straightening did that it needed.
+inline void report_straightening(const Straightened& straight, Smoothed& smoothed) {
+  for (std::size_t c = 0; c < straight.paths.size(); ++c) {
+    smoothed.curves[c].path = straight.paths[c];
   }
   smoothed.counts = straight.counts;
   smoothed.time_ms = straight.time_ms;
   smoothed.at_fence = straight.at_fence;
+}
+
+/// The result of a straightening.
+inline Smoothed smoothed_from(Straightened straight) {
+  Smoothed smoothed;
+  for (SurfaceCurve& curve : straight.curves) {
+    smoothed.curves.emplace_back().curve = std::move(curve);
+  }
+  report_straightening(straight, smoothed);
   return smoothed;
 }
 
