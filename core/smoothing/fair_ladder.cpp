@@ -145,8 +145,7 @@ Smoothed FairLadder::smooth(CorridorHold& hold, const SmoothingOptions& options,
     if (std::all_of(parts.begin(), parts.end(), has_rung)) {
       chains.push_back(chain(g, options, hold, taut, progress));
     } else if (CorridorHold::is_faired(options, parts.front().curve)) {
-      chains.push_back(
-          hold.fair_from(groups_[g], taus_of(groups_[g], options), taut, progress));
+      chains.push_back(hold.fair_from(groups_[g], taus_of(groups_[g], options), taut, progress));
     } else {
       chains.emplace_back();
     }

@@ -23,7 +23,9 @@ std::string table_of(const SmoothingReport& r) {
   fmt::format_to(std::back_inserter(out), "{:<22}{:>14}{:>14}\n", "", "drawn", "smoothed");
   line("points", r.points_before, r.points_after, "");
   line("length", number(r.length_before), number(r.length_after), "mesh units");
-  line("lifted length", number(r.lifted_length_before), number(r.lifted_length_after), "");
+  if (r.lifted_length_before > 0) {
+    line("lifted length", number(r.lifted_length_before), number(r.lifted_length_after), "");
+  }
   line("total curvature", number(r.curvature_before), number(r.curvature_after), "rad");
   line("bending", number(r.bending_before), number(r.bending_after), "");
   line("turn in one edge", degrees(r.window_turning_before), degrees(r.window_turning_after),

@@ -89,7 +89,8 @@ TEST(CurveSmoother, LazyAndWholeMeshPreparationGiveTheSameBytes) {
       const SmoothingResult lazy = smoother.smooth({.tau = tau});
       const SmoothingResult whole = smoother.smooth({.tau = tau, .prepare_whole_mesh = true});
       EXPECT_TRUE(same_bytes(opened->mesh(), lazy.curve(), whole.curve())) << tau;
-      EXPECT_EQ(lazy.report().flips, whole.report().flips);
+      const bool straightens = method == Method::kPaper || tau == 0;
+      EXPECT_EQ(lazy.report().flips, straightens ? whole.report().flips : 0U);
       EXPECT_LT(lazy.report().faces_touched, whole.report().faces_touched);
       EXPECT_EQ(whole.report().faces_touched, opened->surface().face_count());
     }
@@ -397,10 +398,12 @@ TEST_P(Metamorphic, ScaleShiftAndNumberingDoNotMatter) {
 
   // Drawn the other way round (ties in the order of flips may fall differently: lengths agree).
   std::vector<VertexId> backwards(path.rbegin(), path.rend());
-  const SmoothingResult reversed =
-      smooth_curve(opened, test::vertex_curve(opened->surface(), backwards, false), {.tau = tau},
-                   {.cap_corners = true});
-  EXPECT_NEAR(reversed.report().lifted_length_after / result.report().lifted_length_after, 1, 2e-3);
+  const SmoothingOptions taut{.tau = tau, .finish = Finish::kTaut};
+  const auto lifted_length = [&](const std::vector<VertexId>& along) {
+    const SurfaceCurve curve = test::vertex_curve(opened->surface(), along, false);
+    return smooth_curve(opened, curve, taut, {.cap_corners = true}).report().lifted_length_after;
+  };
+  EXPECT_NEAR(lifted_length(backwards) / lifted_length(path), 1, 2e-3);
 }
 
 INSTANTIATE_TEST_SUITE_P(Tau, Metamorphic, ::testing::Values(0.0, 0.5, 2.0));
