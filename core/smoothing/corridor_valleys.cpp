@@ -101,7 +101,7 @@ bool has_doubtful_loop(const std::vector<Corridor::Valley>& valleys, const Surfa
 void hold_loops(std::vector<Corridor::Valley>& valleys, const SurfaceMesh& mesh,
                 const OrderedDrawing& drawing,
                 const std::function<Smoothed(const SmoothingOptions&)>& smooth) {
-  constexpr double kLeastTau = 0.25;
+  constexpr double kLeastLoopTau = 0.25;  // from here on no loop may collapse
   constexpr int kMost = 7;
   // Most loops need none or one; what the most do not hold, fewer do not hold as a rule.
   constexpr int kHalvings[] = {0, 1, kMost, 2, 3, 4, 5, 6};
@@ -113,7 +113,7 @@ void hold_loops(std::vector<Corridor::Valley>& valleys, const SurfaceMesh& mesh,
     }
   };
   SmoothingOptions options;
-  options.tau = kLeastTau;
+  options.tau = kLeastLoopTau;
   for (const int halvings : kHalvings) {
     if (!any(doubtful)) break;
     narrow(halvings);
