@@ -42,7 +42,7 @@ double to_drawn(const SmoothingResult& result) { return result.total.deviation_t
 double curvature(const SmoothingResult& result) {
   std::vector<double> each;
   each.reserve(result.reports.size());
-  for (const SmoothingReport& report : result.reports) each.push_back(report.curvature_after);
+  for (const SmoothingReport& report : result.reports) each.push_back(report.after.total_curvature);
   std::sort(each.begin(), each.end());
   return std::accumulate(each.begin(), each.end(), 0.0);
 }

@@ -22,10 +22,10 @@ constexpr double kTaus[] = {0.25, 0.5, 1, 4};
 /// `smooth_length`: of the loop without its zigzag.
 void expect_held(const SmoothingReport& report, double smooth_length) {
   EXPECT_EQ(report.termination, Outcome::kConverged);
-  EXPECT_GE(report.length_after, smooth_length / 2);
+  EXPECT_GE(report.after.length, smooth_length / 2);
   // Rounder at its ends, which counts where it is one edge wide.
-  EXPECT_LE(report.length_after, 1.1 * report.length_before);
-  EXPECT_TRUE(std::isfinite(report.curvature_after));
+  EXPECT_LE(report.after.length, 1.1 * report.before.length);
+  EXPECT_TRUE(std::isfinite(report.after.total_curvature));
   EXPECT_TRUE(std::isfinite(report.deviation_to_drawn_max));
   EXPECT_TRUE(std::isfinite(report.deviation_from_drawn_max));
   EXPECT_GT(report.slack, 0);
@@ -167,7 +167,7 @@ TEST(CorridorLoops, AroundATube) {
   // It cannot be shorter than the tube is round.
   CurveSmoother smoother(opened);
   smoother.set_curve(drawn);
-  EXPECT_GE(smoother.smooth(1).report().length_after, around * (1 - 1e-9));
+  EXPECT_GE(smoother.smooth(1).report().after.length, around * (1 - 1e-9));
 }
 
 TEST(CorridorLoops, AroundAHandle) {
