@@ -134,6 +134,8 @@ std::optional<SampleChain> CurveFairing::from_level(int first, const CurveTrace&
       if (chain->length() > most_length_) return std::nullopt;
       const auto is_enough = [&] { return sampling == kSamplings || is_even(*chain, level); };
       if (!legs_.any() || (last && is_enough())) keep_within(fair, *chain, nullptr, asker);
+      lost_ = lost_ || fair.is_lost();
+      if (lost_) return std::nullopt;
       const bool enough = is_enough();
       if (last && enough) return loosened(*std::move(chain), asker);
       std::optional<CurveTrace> finer = traced(*chain);

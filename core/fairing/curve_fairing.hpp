@@ -52,6 +52,8 @@ class CurveFairing {
   /// From this length on (mesh units) a chain is lost: it winds to and fro between walls, or has
   /// left them, and would only become longer.
   void give_up_beyond(double length) { most_length_ = length; }
+  /// Whether a chain was lost because it passes too many faces, as others in this band would.
+  [[nodiscard]] bool is_lost() const { return lost_; }
   /// A fair chain that starts from a curve; none where samples cannot be joined, or it is lost.
   std::optional<SampleChain> from_curve(const CurveTrace& start, Asker& asker);
   /// A fair chain that starts from one of another band; none where it is lost. The ways of its
@@ -102,6 +104,7 @@ class CurveFairing {
   LegTension legs_;
   double tension_ = 0;  // of the legs at last, 1 / mesh units²
   double most_length_ = HUGE_VAL;
+  bool lost_ = false;
 };
 
 }  // namespace talweg

@@ -436,12 +436,11 @@ void FairChain::run(SampleChain& chain, SampleTrail* trail, Asker& asker) {
   damping_ = 1e-2;
   measure(chain, offsets_, std::vector<bool>(chain.size(), true), places_);
   const double tolerance = has_legs() ? options_.leg_tolerance : options_.tolerance;
-  // Around a vertex that is far away, a step passes thousands of needles.
-  constexpr std::size_t kMostPassed = 5'000;  // faces, for each sample
-  passed_ = 0;
+  constexpr std::size_t kMostPassed = 1'000;  // faces, for each sample; drawings of hands pass 200
   int failed = 0;
   for (int iteration = 0; iteration < options_.max_iterations && failed < 3; ++iteration) {
-    if (passed_ > kMostPassed * chain.size()) return;
+    lost_ = passed_ > kMostPassed * chain.size();
+    if (lost_) return;
     asker.did(chain.size() + chain.crossed.size() / 4);
     if (iteration == 0 || has_legs()) {
       balance(chain);

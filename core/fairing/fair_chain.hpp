@@ -58,6 +58,9 @@ class FairChain {
   /// Those samples, ascending.
   [[nodiscard]] std::vector<std::size_t> near_walls(const SampleChain& chain) const;
   [[nodiscard]] const FairOptions& options() const { return options_; }
+  /// Whether the last run ended because the chain winds through more faces than it is worth: around
+  /// a vertex that is far away, each step passes thousands of needles.
+  [[nodiscard]] bool is_lost() const { return lost_; }
   /// κ₀ of a chain without legs, 1 / mesh units.
   [[nodiscard]] static double mean_curvature(const SampleChain& chain);
   /// Per sample: how far it has moved to the left in all, mesh units.
@@ -115,7 +118,8 @@ class FairChain {
   std::vector<double> offsets_;
   double damping_ = 1e-2;
   std::vector<BandPlace> places_;
-  std::size_t passed_ = 0;        // faces, by joins and steps since run() began
+  std::size_t passed_ = 0;        // faces, by joins and steps
+  bool lost_ = false;
   double energy_ = 0;             // 1 / mesh units
   std::vector<double> energies_;  // per sample
   std::vector<Row> rows_;

@@ -177,13 +177,8 @@ class Network {
     const SmoothingReport same =
         report_on_curve(mesh_->mesh(), drawn.curve, report.edge_length_near, drawn.curve);
     report.points_after = same.points_after;
-    report.length_after = same.length_after;
+    report.after = same.after;
     report.lifted_length_after = report.lifted_length_before;
-    report.curvature_after = same.curvature_after;
-    report.curvature_max_after = same.curvature_max_after;
-    report.bending_after = same.bending_after;
-    report.window_turning_after = same.window_turning_after;
-    report.window_turning_2_after = same.window_turning_2_after;
     report.deviation_to_drawn_max = report.deviation_to_drawn_mean = 0;
     report.deviation_from_drawn_max = report.deviation_from_drawn_mean = 0;
     report.deviation_exact = true;
@@ -369,12 +364,7 @@ class Network {
       const SmoothingReport fresh =
           report_on_curve(mesh_->mesh(), drawn, report.edge_length_near, curve);
       report.points_before = fresh.points_before;
-      report.length_before = fresh.length_before;
-      report.curvature_before = fresh.curvature_before;
-      report.curvature_max_before = fresh.curvature_max_before;
-      report.bending_before = fresh.bending_before;
-      report.window_turning_before = fresh.window_turning_before;
-      report.window_turning_2_before = fresh.window_turning_2_before;
+      report.before = fresh.before;
       report_deviation(report,
                        measure_deviation(DeviationMeasure::kAlongSurface, report.edge_length_near,
                                          *meter_, mesh_->mesh(), drawn, curve, nullptr, progress_));

@@ -55,9 +55,9 @@ void add_borders(std::vector<ReportEntry>& entries, const LabelNetwork& network)
             {"as_drawn", b.as_drawn},
             {"tau", b.report.tau},
             {"slack", b.report.slack},
-            {"length", b.report.length_after},
-            {"curvature_before", b.report.curvature_before},
-            {"curvature_after", b.report.curvature_after}});
+            {"length", b.report.after.length},
+            {"curvature_before", b.report.before.total_curvature},
+            {"curvature_after", b.report.after.total_curvature}});
   }
 }
 

@@ -23,13 +23,6 @@ bool is_on_boundary(const Surface& surface, const SurfacePoint& p) {
   return false;
 }
 
-/// A key that equal ends of borders share; they lie at vertices, midpoints or centroids.
-std::pair<std::size_t, std::size_t> key_of(const SurfacePoint& p) {
-  if (const auto* v = std::get_if<AtVertex>(&p.where())) return {0, v->vertex.index()};
-  if (const auto* e = std::get_if<OnEdge>(&p.where())) return {1, e->edge.index()};
-  return {2, std::get<InFace>(p.where()).face.index()};
-}
-
 /// The two halfedges that leave a vertex along the boundary.
 std::array<HalfedgeId, 2> along_boundary_from(const Surface& surface, VertexId v) {
   HalfedgeId last = surface.halfedge(v);
@@ -70,9 +63,10 @@ NetworkNodes::NetworkNodes(const SurfaceMesh& mesh, std::span<const LabelBorder>
 }
 
 void NetworkNodes::collect() {
-  std::map<std::pair<std::size_t, std::size_t>, std::size_t> numbers;
+  // Equal ends of borders share an element: they lie at vertices, midpoints or centroids.
+  std::map<SurfaceElement, std::size_t> numbers;
   const auto add = [&](std::size_t border, bool front, const SurfacePoint& p) {
-    const auto [found, is_new] = numbers.emplace(key_of(p), nodes_.size());
+    const auto [found, is_new] = numbers.emplace(element_of(p), nodes_.size());
     if (is_new)
       nodes_.push_back({p, p, is_on_boundary(mesh_->surface(), p), false, HUGE_VAL, {}, {}, {}});
     nodes_[found->second].ends.push_back({border, front});

@@ -14,17 +14,10 @@
 namespace talweg {
 namespace {
 
-/// Numbers vertices, edges and faces.
-std::size_t element_of(const SurfacePoint& point) {
-  if (const auto* v = std::get_if<AtVertex>(&point.where())) return 3 * v->vertex.index();
-  if (const auto* e = std::get_if<OnEdge>(&point.where())) return 3 * e->edge.index() + 1;
-  return 3 * std::get<InFace>(point.where()).face.index() + 2;
-}
-
 /// Whether two of the curves, or one with itself, meet at a vertex or on an edge that is not fixed
 /// in both. Loops with fixed points begin at the first of these.
 bool touch(std::span<const SurfaceCurve> curves, std::span<const DrawnLegs> legs) {
-  std::vector<std::tuple<std::size_t, double, bool>> passed;  // element, place on it, fixed
+  std::vector<std::tuple<SurfaceElement, double, bool>> passed;  // with place on it, and fixed
   for (std::size_t c = 0; c < curves.size(); ++c) {
     std::size_t next = 0;
     for (const SurfacePoint& point : curves[c].points) {
@@ -38,8 +31,8 @@ bool touch(std::span<const SurfaceCurve> curves, std::span<const DrawnLegs> legs
   std::sort(passed.begin(), passed.end());
   return std::adjacent_find(passed.begin(), passed.end(), [](const auto& a, const auto& b) {
            const auto& [element, place, fixed] = a;
-           return element % 3 < 2 && element == std::get<0>(b) && place == std::get<1>(b) &&
-                  !(fixed && std::get<2>(b));
+           return element.kind != SurfaceElement::Kind::kFace && element == std::get<0>(b) &&
+                  place == std::get<1>(b) && !(fixed && std::get<2>(b));
          }) != passed.end();
 }
 

@@ -1,12 +1,12 @@
 // Straight legs are those between way-points, made geodesic each for itself, and kept.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <map>
 #include <memory>
 #include <optional>
 #include <span>
+#include <tuple>
 #include <vector>
 
 #include "talweg/core/drawing/drawn_legs.hpp"
@@ -39,7 +39,7 @@ class StraightLegs {
     StraightenedPath path;
     StraighteningCounts counts;
   };
-  using Key = std::array<std::size_t, 3>;  // elements of both ends, number of points
+  using Key = std::tuple<SurfaceElement, SurfaceElement, std::size_t>;  // ends, number of points
   using Legs = std::multimap<Key, std::shared_ptr<const Leg>>;
 
   static std::shared_ptr<const Leg> find(const Legs& legs, const SurfaceCurve& drawn);

@@ -12,7 +12,7 @@
 namespace talweg {
 namespace {
 
-/// Visits every field of a report with its name, in order; `Report` may be const.
+/// Visits what a report has with its name, in order; `Report` may be const.
 template <class Report, class Visit>
 void for_each_field(Report& r, Visit visit) {
   visit("version", r.version);
@@ -31,20 +31,20 @@ void for_each_field(Report& r, Visit visit) {
   visit("closed", r.closed);
   visit("points_before", r.points_before);
   visit("points_after", r.points_after);
-  visit("length_before", r.length_before);
-  visit("length_after", r.length_after);
+  visit("length_before", r.before.length);
+  visit("length_after", r.after.length);
   visit("lifted_length_before", r.lifted_length_before);
   visit("lifted_length_after", r.lifted_length_after);
-  visit("curvature_before", r.curvature_before);
-  visit("curvature_after", r.curvature_after);
-  visit("curvature_max_before", r.curvature_max_before);
-  visit("curvature_max_after", r.curvature_max_after);
-  visit("bending_before", r.bending_before);
-  visit("bending_after", r.bending_after);
-  visit("window_turning_before", r.window_turning_before);
-  visit("window_turning_after", r.window_turning_after);
-  visit("window_turning_2_before", r.window_turning_2_before);
-  visit("window_turning_2_after", r.window_turning_2_after);
+  visit("curvature_before", r.before.total_curvature);
+  visit("curvature_after", r.after.total_curvature);
+  visit("curvature_max_before", r.before.max_curvature);
+  visit("curvature_max_after", r.after.max_curvature);
+  visit("bending_before", r.before.bending);
+  visit("bending_after", r.after.bending);
+  visit("window_turning_before", r.before.window_turning);
+  visit("window_turning_after", r.after.window_turning);
+  visit("window_turning_2_before", r.before.window_turning_2);
+  visit("window_turning_2_after", r.after.window_turning_2);
   visit("deviation", r.deviation);
   visit("deviation_to_drawn_max", r.deviation_to_drawn_max);
   visit("deviation_to_drawn_mean", r.deviation_to_drawn_mean);
@@ -74,6 +74,17 @@ void for_each_field(Report& r, Visit visit) {
   visit("time_ms.measure", r.time_ms.measure);
   visit("time_ms.total", r.time_ms.total);
   visit("peak_memory_mib", r.peak_memory_mib);
+}
+
+/// Adds another curve's measures to the total.
+void add(CurveMeasures& total, const CurveMeasures& m) {
+  total.length += m.length;
+  total.total_curvature += m.total_curvature;
+  total.signed_curvature += m.signed_curvature;
+  total.bending += m.bending;
+  total.max_curvature = std::max(total.max_curvature, m.max_curvature);
+  total.window_turning = std::max(total.window_turning, m.window_turning);
+  total.window_turning_2 = std::max(total.window_turning_2, m.window_turning_2);
 }
 
 }  // namespace
@@ -111,8 +122,8 @@ SmoothingReport total_of(const std::vector<SmoothingReport>& reports) {
   const auto weighted = [](double mean, double length) {
     return std::isfinite(mean) ? mean * length : mean;
   };
-  double mean_to = weighted(total.deviation_to_drawn_mean, total.length_after);
-  double mean_from = weighted(total.deviation_from_drawn_mean, total.length_before);
+  double mean_to = weighted(total.deviation_to_drawn_mean, total.after.length);
+  double mean_from = weighted(total.deviation_from_drawn_mean, total.before.length);
   double worst = std::max(total.deviation_to_drawn_max, total.deviation_from_drawn_max);
   for (std::size_t i = 1; i < reports.size(); ++i) {
     const SmoothingReport& r = reports[i];
@@ -122,29 +133,18 @@ SmoothingReport total_of(const std::vector<SmoothingReport>& reports) {
     total.left_out += r.left_out;
     total.left_out_max = std::max(total.left_out_max, r.left_out_max);
     total.stretches_redrawn += r.stretches_redrawn;
-    total.length_before += r.length_before;
-    total.length_after += r.length_after;
+    add(total.before, r.before);
+    add(total.after, r.after);
     total.lifted_length_before += r.lifted_length_before;
     total.lifted_length_after += r.lifted_length_after;
-    total.curvature_before += r.curvature_before;
-    total.curvature_after += r.curvature_after;
-    total.curvature_max_before = std::max(total.curvature_max_before, r.curvature_max_before);
-    total.curvature_max_after = std::max(total.curvature_max_after, r.curvature_max_after);
-    total.bending_before += r.bending_before;
-    total.bending_after += r.bending_after;
-    total.window_turning_before = std::max(total.window_turning_before, r.window_turning_before);
-    total.window_turning_after = std::max(total.window_turning_after, r.window_turning_after);
-    total.window_turning_2_before =
-        std::max(total.window_turning_2_before, r.window_turning_2_before);
-    total.window_turning_2_after = std::max(total.window_turning_2_after, r.window_turning_2_after);
     if (r.deviation == DeviationMeasure::kEuclidean) total.deviation = r.deviation;
     total.deviation_to_drawn_max = std::max(total.deviation_to_drawn_max, r.deviation_to_drawn_max);
     total.deviation_from_drawn_max =
         std::max(total.deviation_from_drawn_max, r.deviation_from_drawn_max);
     total.deviation_exact = total.deviation_exact && r.deviation_exact;
     total.deviation_at_least = std::max(total.deviation_at_least, r.deviation_at_least);
-    mean_to += weighted(r.deviation_to_drawn_mean, r.length_after);
-    mean_from += weighted(r.deviation_from_drawn_mean, r.length_before);
+    mean_to += weighted(r.deviation_to_drawn_mean, r.after.length);
+    mean_from += weighted(r.deviation_from_drawn_mean, r.before.length);
     const double own_worst = std::max(r.deviation_to_drawn_max, r.deviation_from_drawn_max);
     if (own_worst > worst) {
       worst = own_worst;
@@ -159,8 +159,8 @@ SmoothingReport total_of(const std::vector<SmoothingReport>& reports) {
       }
     }
   }
-  if (total.length_after > 0) total.deviation_to_drawn_mean = mean_to / total.length_after;
-  if (total.length_before > 0) total.deviation_from_drawn_mean = mean_from / total.length_before;
+  if (total.after.length > 0) total.deviation_to_drawn_mean = mean_to / total.after.length;
+  if (total.before.length > 0) total.deviation_from_drawn_mean = mean_from / total.before.length;
   return total;
 }
 

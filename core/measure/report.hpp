@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "talweg/core/measure/deviation_measure.hpp"
+#include "talweg/core/measure/measures.hpp"
 #include "talweg/core/measure/report_entry.hpp"
 #include "talweg/core/mesh/mesh_lists.hpp"
 
@@ -75,7 +76,10 @@ const char* to_string(DeviationMeasure measure);
 /// worst, `deviation` is kEuclidean if any curve's is, and exact if all are. Lengths are in mesh
 /// units, angles in radians. Deviations are infinite if they were not measured, or if the curves
 /// lie on parts of the mesh that are not connected. "Before" and "drawn" mean the curve as it was
-/// given, before corners were capped.
+/// given, before corners were capped. The entries of `before` and `after` are named
+/// `length_before`, `length_after` and so on, those of total_curvature `curvature_...` and those of
+/// max_curvature `curvature_max_...`; signed_curvature and max_at have none, and in totals max_at
+/// means nothing.
 struct SmoothingReport {
   std::string version;       ///< of the library
   std::size_t faces = 0;     ///< of the mesh
@@ -90,23 +94,12 @@ struct SmoothingReport {
   double edge_length_near = 0;      ///< mesh units: mean edge within two rings of the drawing
   PotentialKind potential = PotentialKind::kNone;
   Engine engine = Engine::kNone;
-  bool closed = false;                 ///< the first point is not repeated, and counts once
-  std::size_t points_before = 0;       ///< as drawn
-  std::size_t points_after = 0;        ///< of the result
-  double length_before = 0;            ///< mesh units
-  double length_after = 0;             ///< mesh units
-  double lifted_length_before = 0;     ///< after capping, before straightening
-  double lifted_length_after = 0;      ///< after straightening, before relaxation
-  double curvature_before = 0;         ///< radians: sum of the turning angles
-  double curvature_after = 0;          ///< radians
-  double curvature_max_before = 0;     ///< radians: the largest turn at one point
-  double curvature_max_after = 0;      ///< radians
-  double bending_before = 0;           ///< edge_length_near times the integral of squared curvature
-  double bending_after = 0;            ///< by the same edge length, that near the drawing
-  double window_turning_before = 0;    ///< radians: largest net turning in one edge length
-  double window_turning_after = 0;     ///< radians
-  double window_turning_2_before = 0;  ///< radians: in two edge lengths
-  double window_turning_2_after = 0;   ///< radians
+  bool closed = false;              ///< the first point is not repeated, and counts once
+  std::size_t points_before = 0;    ///< as drawn
+  std::size_t points_after = 0;     ///< of the result
+  CurveMeasures before, after;      ///< both with edge_length_near, that near the drawing
+  double lifted_length_before = 0;  ///< after capping, before straightening
+  double lifted_length_after = 0;   ///< after straightening, before relaxation
   DeviationMeasure deviation = DeviationMeasure::kNone;  ///< which distance is below
   double deviation_to_drawn_max = 0;     ///< mesh units: of the result to the drawing
   double deviation_to_drawn_mean = 0;    ///< mesh units
@@ -134,10 +127,10 @@ struct SmoothingReport {
 /// Sums up the reports on the curves of one run.
 SmoothingReport total_of(const std::vector<SmoothingReport>& reports);
 
-/// All fields of a report, under the names above and in their order.
+/// What a report has, under the names above and in their order.
 std::vector<ReportEntry> entries_of(const SmoothingReport& report);
 
-/// JSON with the field names above; non-finite numbers become null.
+/// JSON with the names of the entries; non-finite numbers become null.
 std::string to_json(const SmoothingReport& report);
 /// For one curve its report; for several the totals, with an array `curves` of the single reports.
 std::string to_json(const SmoothingReport& total, const std::vector<SmoothingReport>& curves);

@@ -62,18 +62,8 @@ SmoothingReport report_between(const SurfaceMesh& mesh, const SurfaceCurve& draw
   report.closed = drawn.closed;
   report.points_before = drawn.points.size();
   report.points_after = result.points.size();
-  report.length_before = before.length;
-  report.length_after = after.length;
-  report.curvature_before = before.total_curvature;
-  report.curvature_after = after.total_curvature;
-  report.curvature_max_before = before.max_curvature;
-  report.curvature_max_after = after.max_curvature;
-  report.bending_before = before.bending;
-  report.bending_after = after.bending;
-  report.window_turning_before = before.window_turning;
-  report.window_turning_after = after.window_turning;
-  report.window_turning_2_before = before.window_turning_2;
-  report.window_turning_2_after = after.window_turning_2;
+  report.before = before;
+  report.after = after;
   return report;
 }
 

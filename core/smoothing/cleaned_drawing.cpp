@@ -230,12 +230,7 @@ void report_cleaning(const CleanedCurve& curve, const SurfaceCurve& given,
   report.points_before = given.points.size();
   report.left_out = curve.left_out;
   report.left_out_max = curve.farthest;
-  report.length_before = curve.measures.length;
-  report.curvature_before = curve.measures.total_curvature;
-  report.curvature_max_before = curve.measures.max_curvature;
-  report.bending_before = curve.measures.bending;
-  report.window_turning_before = curve.measures.window_turning;
-  report.window_turning_2_before = curve.measures.window_turning_2;
+  report.before = curve.measures;
 }
 
 namespace {

@@ -62,23 +62,6 @@ void CorridorMethod::solve(const Progress& progress) {
   }
   set(drawing.curves(), {}, progress);
   valleys_ = valleys_of(drawing_->mesh(), drawing, progress);
-  if (has_doubtful_loop(valleys_, drawing_->mesh(), drawing)) hold_doubtful_loops(progress);
-}
-
-/// Ignores the pins, because they may be taken away later.
-void CorridorMethod::hold_doubtful_loops(const Progress& progress) {
-  const std::vector<SurfacePoint> pins = drawing_->pins();
-  if (!pins.empty()) drawing_->set_pins({}, progress);
-  hold_loops(valleys_, drawing_->mesh(), drawing_->drawing(),
-             // What later calls build on is not cut short.
-             [&, whole = progress.without_budget()](const SmoothingOptions& options) {
-               Smoothed trial = smooth(options, whole);
-               tried_at_fence_ = tried_at_fence_ || trial.at_fence;
-               return trial;
-             });
-  if (pins.empty()) return;
-  drawing_->set_pins(pins, progress);
-  pins_changed();  // the trials' curves do not pass them
 }
 
 Smoothed CorridorMethod::smooth(const SmoothingOptions& options, const Progress& progress) {
@@ -102,7 +85,6 @@ Smoothed CorridorMethod::smooth_in(const std::vector<Corridor::Valley>& valleys,
                              : smooth_for_itself(hold, options, progress);
   result.potential = PotentialKind::kCorridor;
   result.engine = Engine::kLocal;
-  result.at_fence = result.at_fence || tried_at_fence_;
   for (std::size_t c = 0; c < result.curves.size(); ++c) {
     result.curves[c].slack = largest_slack(valleys[c]);
     result.curves[c].has_legs = drawing_->legs()[c].any();

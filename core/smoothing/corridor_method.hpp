@@ -16,8 +16,8 @@
 namespace talweg {
 
 /// Refers to the memory, whose distance it uses, and to the drawing. All functions throw Cancelled.
-/// A smoothing costs a straightening at one tau and the fairings of FairLadder and FairFinishing;
-/// loops that may collapse have up to eight such smoothings before.
+/// A smoothing costs the fairings of FairLadder and FairFinishing, and a straightening where these ask
+/// for it.
 class CorridorMethod {
  public:
   CorridorMethod(SmoothingMemory& memory, EmbeddedDrawing& drawing)
@@ -48,13 +48,11 @@ class CorridorMethod {
  private:
   Smoothed smooth_in(const std::vector<Corridor::Valley>& valleys, const SmoothingOptions& options,
                      const Progress& progress);
-  void hold_doubtful_loops(const Progress& progress);
 
   SmoothingMemory* memory_;
   EmbeddedDrawing* drawing_;
   std::vector<Corridor::Valley> valleys_;
   FairLadder ladder_;
-  bool tried_at_fence_ = false;  // by a trial run, on which the valleys depend
 };
 
 }  // namespace talweg

@@ -1,13 +1,11 @@
 // Valleys hold each curve of a drawing in the corridor: how wide, how long, with which turns.
 #pragma once
 
-#include <functional>
 #include <vector>
 
 #include "talweg/core/lifting/corridor.hpp"
 #include "talweg/core/mesh/surface_mesh.hpp"
 #include "talweg/core/smoothing/ordered_drawing.hpp"
-#include "talweg/core/smoothing/smoothed.hpp"
 #include "talweg/core/smoothing/smoothing_options.hpp"
 #include "talweg/intrinsic/progress.hpp"
 
@@ -18,18 +16,6 @@ namespace talweg {
 /// gaps_to_others() costs.
 std::vector<Corridor::Valley> valleys_of(const SurfaceMesh& mesh, const OrderedDrawing& drawing,
                                          const Progress& progress);
-
-/// Narrows the valleys of loops that collapse within their own corridor because they are thin, or
-/// small compared with their slack. Whether a loop collapses is found out by a trial run of
-/// `smooth` in these valleys at tau = 1/4, the smallest tau at which it must not collapse. Where no
-/// slack holds a loop, its valley is made steeper too; that is found by the third run. Cost: up to
-/// eight runs of `smooth`, in which only loops in doubt are made fair.
-void hold_loops(std::vector<Corridor::Valley>& valleys, const SurfaceMesh& mesh,
-                const OrderedDrawing& drawing,
-                const std::function<Smoothed(const SmoothingOptions&)>& smooth);
-/// Whether any loop might collapse, so that hold_loops() would make a trial run.
-bool has_doubtful_loop(const std::vector<Corridor::Valley>& valleys, const SurfaceMesh& mesh,
-                       const OrderedDrawing& drawing);
 
 /// The valleys with the slack and the turns that the options ask for.
 std::vector<Corridor::Valley> with_options(std::vector<Corridor::Valley> valleys,

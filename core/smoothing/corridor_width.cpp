@@ -33,16 +33,4 @@ double corridor_reach(const SurfaceMesh& mesh, const SurfaceCurve& drawn, double
   return 2.5 * corridor_length(mesh, drawn) + 12 * edge;
 }
 
-double width_of_loop(const SurfaceMesh& mesh, const SurfaceCurve& drawn) {
-  const std::vector<Point> points = positions_of(mesh, drawn);
-  Point area = Point::Zero();
-  double length = 0;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const Point p = points[i] - points[0], q = points[(i + 1) % points.size()] - points[0];
-    area += p.cross(q) / 2;
-    length += (q - p).norm();
-  }
-  return length > 0 ? area.norm() / (2 * length) : 0;
-}
-
 }  // namespace talweg

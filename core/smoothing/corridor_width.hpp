@@ -16,10 +16,4 @@ double corridor_length(const SurfaceMesh& mesh, const SurfaceCurve& drawn);
 /// of the drawing), plus a few edges of length `edge`. Mesh units.
 double corridor_reach(const SurfaceMesh& mesh, const SurfaceCurve& drawn, double edge);
 
-/// Half the inradius of a strip with the area and length of a closed curve; about 1/24 of the
-/// length of a circle. With less slack than this a loop cannot collapse within its own corridor.
-/// Mesh units. This is an estimate by the area vector, so it is too small for loops that are far
-/// from planar.
-double width_of_loop(const SurfaceMesh& mesh, const SurfaceCurve& drawn);
-
 }  // namespace talweg

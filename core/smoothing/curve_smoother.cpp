@@ -13,6 +13,7 @@
 #include "talweg/core/smoothing/dragging.hpp"
 #include "talweg/core/smoothing/missed_points.hpp"
 #include "talweg/core/smoothing/sheet.hpp"
+#include "talweg/core/smoothing/sheet_choice.hpp"
 #include "talweg/core/smoothing/smoothing_memory.hpp"
 #include "talweg/core/smoothing/smoothing_report.hpp"
 #include "talweg/intrinsic/error.hpp"
@@ -137,9 +138,7 @@ bool CurveSmoother::set(std::span<const SurfaceCurve> curves, const CurveOptions
         checked_drawing(memory_->mesh(), cleaned_->drawn(), cleaned_->slacks(), cleaned, progress);
     given_ = own;
     curve_options_ = options;
-    SheetSetup setup;
-    setup.distance = std::move(distance);
-    sheet_ = sheet_for(*memory_, *drawing_, cleaned, std::move(setup), progress);
+    sheet_ = sheet_for(*memory_, *drawing_, cleaned, std::move(distance), progress);
   } catch (const Cancelled&) {
     forget();
     return false;

@@ -18,13 +18,6 @@ constexpr double kSameWay = 0.5;       // edges that two curves may lie apart wh
 
 using Points = std::vector<SurfacePoint>;
 
-/// Numbers the elements on which two curves can meet: edges, and vertices after them.
-std::size_t element_of(const SurfacePoint& point) {
-  if (const auto* e = std::get_if<OnEdge>(&point.where())) return 2 * e->edge.index();
-  if (const auto* v = std::get_if<AtVertex>(&point.where())) return 2 * v->vertex.index() + 1;
-  return SIZE_MAX;
-}
-
 /// Indices of the point where a stretch and the last result are joined.
 struct Joint {
   std::size_t in_stretch = 0, in_last = 0;
@@ -34,16 +27,17 @@ struct Joint {
 /// that lie nearest to each other; none where the last result passes none of these elements.
 std::optional<Joint> joint(const Surface& surface, const Points& stretch, std::size_t first,
                            std::size_t last, const Points& result) {
-  std::vector<std::pair<std::size_t, std::size_t>> elements;  // and the point of the stretch
+  std::vector<std::pair<SurfaceElement, std::size_t>> elements;  // and the point of the stretch
   for (std::size_t i = first; i < last; ++i) elements.emplace_back(element_of(stretch[i]), i);
   std::sort(elements.begin(), elements.end());
   std::optional<Joint> best;
   double least = HUGE_VAL;
   for (std::size_t j = 0; j < result.size(); ++j) {
-    const std::size_t element = element_of(result[j]);
+    const SurfaceElement element = element_of(result[j]);
+    if (element.kind == SurfaceElement::Kind::kFace) continue;  // curves meet on edges
     auto at =
         std::lower_bound(elements.begin(), elements.end(), std::pair(element, std::size_t{0}));
-    for (; element != SIZE_MAX && at != elements.end() && at->first == element; ++at) {
+    for (; at != elements.end() && at->first == element; ++at) {
       double gap = 0, edge = 1;
       if (const auto* e = std::get_if<OnEdge>(&result[j].where())) {
         edge = surface.length(e->edge);

@@ -332,6 +332,7 @@ std::optional<SurfaceCurve> FairFinishing::faired(Attempt& attempt, const Taus& 
     };
     const auto own =
         !any_legs && attempt.tries == 0 ? attempt.chain : fairing.from_curve(start(), asker_);
+    if (fairing.is_lost()) attempt.tries = kTries - 1;
     if (!own) return;
     auto fair = fairing.curve_of(*own, asker_);
     if (fair && fair->farthest <= 1) result = std::move(fair->curve);

@@ -19,7 +19,7 @@
 namespace talweg {
 namespace {
 
-constexpr double kLeastTau = 1.0 / 8, kMostTau = 64;
+constexpr double kMostTau = 64;
 constexpr double kFairTau = 1;          // where the ladder begins, so that no rung leads there
 constexpr double kSureSlack = 2 / 3.0;  // of the bound: its walls are as far away as that
 constexpr int kSlackHalvings = 6;
@@ -42,7 +42,7 @@ double to_drawn(const SmoothingResult& result) { return result.total.deviation_t
 double curvature(const SmoothingResult& result) {
   std::vector<double> each;
   each.reserve(result.reports.size());
-  for (const SmoothingReport& report : result.reports) each.push_back(report.curvature_after);
+  for (const SmoothingReport& report : result.reports) each.push_back(report.after.total_curvature);
   std::sort(each.begin(), each.end());
   return std::accumulate(each.begin(), each.end(), 0.0);
 }
@@ -239,7 +239,7 @@ class BoundSearch {
   double measured_now(double tau, Measure measure) {
     options_.tau = tau;
     // Bounds are enough, but what is through space proves nothing.
-    const bool held = tau >= kLeastTau;
+    const bool held = tau >= kLeastHeldTau;
     options_.deviation = held ? DeviationMeasure::kAutomatic : DeviationMeasure::kAlongSurface;
     last_ = smoother_.smooth(options_, progress_);
     cancelled_ = last_.total.termination == Outcome::kCancelled;
@@ -255,8 +255,8 @@ class BoundSearch {
       do {
         high = low;
         low /= 4;
-      } while (low >= kLeastTau && measured(low, measure) <= bound_);
-      if (low < kLeastTau) return high;
+      } while (low >= kLeastHeldTau && measured(low, measure) <= bound_);
+      if (low < kLeastHeldTau) return high;
     } else {
       do {
         low = high;

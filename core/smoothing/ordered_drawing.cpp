@@ -53,8 +53,10 @@ OrderedDrawing::OrderedDrawing(const SurfaceMesh& mesh, std::span<const SurfaceC
     next();
     edges_near_.push_back(edge_length_near(surface, curve));
     next();
-    measures_.push_back(measure_curve(surface, curve, edges_near_.back()));
-    if (!(measures_.back().length > 0)) refuse_point(mesh, curve, c);
+    CurveMeasures& own = measures_.emplace_back(measure_curve(surface, curve, edges_near_.back()));
+    if (!(own.length > 0)) refuse_point(mesh, curve, c);
+    own.max_at = orders[c].drawn_index(own.max_at, curve.points.size());
+    if (orders[c].reversed) own.signed_curvature = -own.signed_curvature;
   }
 }
 
@@ -95,6 +97,14 @@ void OrderedDrawing::order_slack(SmoothingOptions& options) const {
 SurfaceCurve OrderedDrawing::in_drawn_direction(std::size_t ordered, SurfaceCurve curve) const {
   if (orders_[ordered].reversed) std::reverse(curve.points.begin(), curve.points.end());
   return curve;
+}
+
+CurveMeasures OrderedDrawing::in_drawn_direction(std::size_t ordered, CurveMeasures measures,
+                                                 std::size_t points) const {
+  if (!orders_[ordered].reversed) return measures;
+  measures.signed_curvature = -measures.signed_curvature;
+  measures.max_at = points - 1 - measures.max_at;
+  return measures;
 }
 
 SmoothingResult OrderedDrawing::as_drawn(SmoothingResult result) const {

@@ -32,6 +32,7 @@ class OrderedDrawing {
   [[nodiscard]] const std::vector<SurfaceCurve>& drawn() const { return drawn_; }
   /// The curves and their points in canonical order; the numbers below refer to this order.
   [[nodiscard]] const std::vector<SurfaceCurve>& curves() const { return ordered_; }
+  /// What depends on the order of the points (sign, index) is that of the curve as it was drawn.
   [[nodiscard]] const std::vector<CurveMeasures>& measures() const { return measures_; }
   /// How exact the curves are, unless somebody says otherwise.
   [[nodiscard]] const std::vector<StrokeSlack>& slacks() const { return slacks_; }
@@ -53,6 +54,9 @@ class OrderedDrawing {
   [[nodiscard]] SmoothingOptions ordered(SmoothingOptions options) const;
   /// One of the ordered curves, or its result, in the direction in which it was drawn.
   [[nodiscard]] SurfaceCurve in_drawn_direction(std::size_t ordered, SurfaceCurve curve) const;
+  /// Measures of such a result, which has so many points.
+  [[nodiscard]] CurveMeasures in_drawn_direction(std::size_t ordered, CurveMeasures measures,
+                                                 std::size_t points) const;
   /// A result for the ordered curves, converted to the curves as they were drawn.
   [[nodiscard]] SmoothingResult as_drawn(SmoothingResult result) const;
 

@@ -1,11 +1,13 @@
 #include "talweg/core/smoothing/refined_sheet.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "talweg/core/drawing/drawn_legs.hpp"
 #include "talweg/core/measure/measures.hpp"
 #include "talweg/core/smoothing/corridor_width.hpp"
+#include "talweg/core/smoothing/undivided_sheet.hpp"
 #include "talweg/intrinsic/stopwatch.hpp"
 
 namespace talweg {
@@ -87,10 +89,8 @@ std::unique_ptr<RefinedSheet::Part> RefinedSheet::part_within(double reach,
   const CurveOptions options = options_there(options_, copies_on(part->mesh, curves));
   part->drawing =
       checked_drawing(part->memory->mesh(), curves, drawing_->slacks(), options, progress);
-  SheetSetup setup;
-  setup.may_divide = false;
-  setup.fence = &part->mesh.at_cut;
-  part->sheet = sheet_for(*part->memory, part->drawing, options, setup, progress);
+  part->sheet = undivided_sheet_for(*part->memory, part->drawing, options, &part->mesh.at_cut,
+                                    std::nullopt, progress);
   solve_ms_ += watch.ms();
   return part;
 }

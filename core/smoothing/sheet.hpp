@@ -1,8 +1,6 @@
 // A sheet is the surface on which a drawing is smoothed: the mesh, or one made for the drawing.
 #pragma once
 
-#include <memory>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -65,22 +63,5 @@ inline CurveOptions options_there(const CurveOptions& options, const PointCopies
 /// Whether a result might go on beyond a part of the surface that was cut off at these vertices.
 /// O(points).
 bool may_leave(const std::vector<bool>& at_cut, const Surface& part, const Smoothed& result);
-
-/// Which kinds of sheet are allowed, and what is known of the mesh.
-struct SheetSetup {
-  bool may_divide = true;  ///< whether too large faces may be divided
-  /// For a part of a mesh: see EmbeddedDrawing::Ground.
-  const std::vector<bool>* fence = nullptr;
-  /// The paper's distance per mesh vertex, used as it is.
-  std::optional<std::vector<double>> distance;
-};
-/// Divides faces where the drawing is finer than they are, unrolls curves that cross themselves or
-/// each other, and takes the mesh as it is otherwise. Refers to the memory and the drawing. Throws
-/// as embed_curves() does, and Cancelled. Cost: that of embedding the curves and of
-/// path_contacts(); of dividing or unrolling where it is needed, after which they are embedded
-/// again.
-std::unique_ptr<Sheet> sheet_for(SmoothingMemory& memory, const OrderedDrawing& drawing,
-                                 const CurveOptions& options, SheetSetup setup,
-                                 const Progress& progress);
 
 }  // namespace talweg

@@ -99,6 +99,7 @@ SmoothingResult reported(const OpenedMesh& mesh, const OrderedDrawing& drawing,
     const double edge = drawing.edges_near()[c];
     SmoothingReport& report = result.reports.emplace_back(
         report_on_curve(mesh.mesh(), drawn, edge, drawing.measures()[c], smoothed.curves[c].curve));
+    report.after = drawing.in_drawn_direction(c, report.after, report.points_after);
     report.tau = options.tau_of(c);
     const bool given = options.slack_of(c) || !options.slack_at.empty();
     if (smoothed.potential == PotentialKind::kCorridor) {

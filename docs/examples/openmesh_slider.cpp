@@ -26,7 +26,7 @@ int main(int argc, char** argv) try {
   for (double tau = 0; std::scanf("%lf", &tau) == 1;) {  // as often as somebody moves it
     const talweg::SmoothingResult result = smoother.smooth(tau);
     std::printf("tau %g: %g long, off the drawing by %g at most\n", tau,
-                result.report().length_after, result.report().deviation_from_drawn_max);
+                result.report().after.length, result.report().deviation_from_drawn_max);
     curves = result.curves;
   }
 

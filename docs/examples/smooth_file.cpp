@@ -43,8 +43,8 @@ int run(int argc, char** argv) {
   for (std::size_t i = 0; i < result.reports.size(); ++i) {
     const talweg::SmoothingReport& r = result.reports[i];
     std::printf("curve %zu: %s, length %g -> %g, curvature %g -> %g rad, off by %g at most\n", i,
-                to_string(r.termination), r.length_before, r.length_after, r.curvature_before,
-                r.curvature_after, r.deviation_from_drawn_max);
+                to_string(r.termination), r.before.length, r.after.length, r.before.total_curvature,
+                r.after.total_curvature, r.deviation_from_drawn_max);
     for (const std::string& warning : r.warnings) std::printf("  %s\n", warning.c_str());
   }
   if (result.report().termination == talweg::Outcome::kCancelled) return 4;

@@ -52,7 +52,7 @@ int run(const char* mesh_file, const char* curve_file) {
 
   std::printf("%8s %12s %12s %12s %12s\n", "tau", "length", "curvature", "deviation", "");
   for (const talweg::SmoothingReport& r : reports) {
-    std::printf("%8g %12.6g %12.6g %12.6g %12s\n", r.tau, r.length_after, r.curvature_after,
+    std::printf("%8g %12.6g %12.6g %12.6g %12s\n", r.tau, r.after.length, r.after.total_curvature,
                 r.deviation_from_drawn_max, to_string(r.termination));
   }
   return 0;

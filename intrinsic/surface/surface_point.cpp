@@ -145,6 +145,15 @@ SurfacePoint SurfacePoint::from_barycentric(const Surface& surface, FaceId face,
   return in_face(surface, face, b);
 }
 
+SurfaceElement element_of(const SurfacePoint& point) {
+  using Kind = SurfaceElement::Kind;
+  if (const auto* v = std::get_if<AtVertex>(&point.where())) {
+    return {Kind::kVertex, v->vertex.index()};
+  }
+  if (const auto* e = std::get_if<OnEdge>(&point.where())) return {Kind::kEdge, e->edge.index()};
+  return {Kind::kFace, std::get<InFace>(point.where()).face.index()};
+}
+
 std::vector<FaceId> faces_at(const Surface& surface, const SurfacePoint& point) {
   std::vector<FaceId> faces;
   for_faces_at(surface, point, [&](FaceId f) { faces.push_back(f); });

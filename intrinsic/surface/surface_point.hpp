@@ -2,6 +2,8 @@
 #pragma once
 
 #include <array>
+#include <compare>
+#include <cstddef>
 #include <variant>
 #include <vector>
 
@@ -55,6 +57,16 @@ class SurfacePoint {
   explicit SurfacePoint(std::variant<AtVertex, OnEdge, InFace> where) : where_(where) {}
   std::variant<AtVertex, OnEdge, InFace> where_;
 };
+
+/// The vertex, edge or face that a point lies at or in. They have an order, so that points can be
+/// sorted by what they lie in and looked up there.
+struct SurfaceElement {
+  enum class Kind { kVertex, kEdge, kFace };
+  Kind kind = Kind::kVertex;
+  std::size_t index = 0;  ///< of the VertexId, EdgeId or FaceId
+  friend auto operator<=>(const SurfaceElement&, const SurfaceElement&) = default;
+};
+SurfaceElement element_of(const SurfacePoint& point);
 
 /// Barycentrics of a point with respect to one face that contains it.
 struct FaceCoordinates {

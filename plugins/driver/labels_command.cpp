@@ -103,7 +103,8 @@ std::string summary_of(const LabelNetwork& network, double ms) {
         network.moved, network.imbalance_after, network.imbalance_before);
   }
   text += fmt::format("total curvature {:.6g} rad, was {:.6g}; length {:.6g}, was {:.6g}\n",
-                      t.curvature_after, t.curvature_before, t.length_after, t.length_before);
+                      t.after.total_curvature, t.before.total_curvature, t.after.length,
+                      t.before.length);
   text += fmt::format("deviation at most {:.6g} to the labels' borders, {:.6g} from them\n",
                       t.deviation_to_drawn_max, t.deviation_from_drawn_max);
   return text + fmt::format("{:.1f} ms\n", ms);

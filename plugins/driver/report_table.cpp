@@ -22,17 +22,17 @@ std::string table_of(const SmoothingReport& r) {
   }
   fmt::format_to(std::back_inserter(out), "{:<22}{:>14}{:>14}\n", "", "drawn", "smoothed");
   line("points", r.points_before, r.points_after, "");
-  line("length", number(r.length_before), number(r.length_after), "mesh units");
+  line("length", number(r.before.length), number(r.after.length), "mesh units");
   if (r.lifted_length_before > 0) {
     line("lifted length", number(r.lifted_length_before), number(r.lifted_length_after), "");
   }
-  line("total curvature", number(r.curvature_before), number(r.curvature_after), "rad");
-  line("bending", number(r.bending_before), number(r.bending_after), "");
-  line("turn in one edge", degrees(r.window_turning_before), degrees(r.window_turning_after),
+  line("total curvature", number(r.before.total_curvature), number(r.after.total_curvature), "rad");
+  line("bending", number(r.before.bending), number(r.after.bending), "");
+  line("turn in one edge", degrees(r.before.window_turning), degrees(r.after.window_turning),
        "degrees");
-  line("turn in two edges", degrees(r.window_turning_2_before), degrees(r.window_turning_2_after),
+  line("turn in two edges", degrees(r.before.window_turning_2), degrees(r.after.window_turning_2),
        "degrees");
-  line("largest turn", degrees(r.curvature_max_before), degrees(r.curvature_max_after), "degrees");
+  line("largest turn", degrees(r.before.max_curvature), degrees(r.after.max_curvature), "degrees");
   const bool through_space = r.deviation == DeviationMeasure::kEuclidean;
   fmt::format_to(std::back_inserter(out), "{:<22}{:>14}{:>14}{}\n",
                  r.deviation_exact ? "deviation" : "deviation at most", "max", "mean",

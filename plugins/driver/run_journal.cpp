@@ -11,7 +11,7 @@
 #include <fmt/format.h>
 
 #include "output_file.hpp"
-#include "run_list.hpp"
+#include "table_lines.hpp"
 #include "talweg/core/io/file_bytes.hpp"
 
 namespace talweg::driver {

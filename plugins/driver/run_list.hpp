@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "smooth_options.hpp"
@@ -33,14 +32,5 @@ std::vector<ListedRun> read_run_list(const std::string& path, const SmoothOption
 /// one or the list is read from; and for outputs that cannot be written, as FilePlan::check() does.
 void check_files(const std::vector<ListedRun>& runs, const std::string& list,
                  const std::string& summary);
-
-/// The cells of a line that is neither empty nor a comment, and the number of the line where it
-/// begins.
-struct TableLine {
-  std::size_t line = 0;
-  std::vector<std::string> cells;
-};
-/// Throws Error(kBadFile) naming the line of a quote that is not closed or is inside a cell.
-std::vector<TableLine> table_lines(const std::string& path, std::string_view text);
 
 }  // namespace talweg::driver

@@ -200,7 +200,7 @@ plugin::Parameters parameters_of(const Prepared& run) {
   return parameters;
 }
 
-void finish_reports(SmoothedCurves& result, const std::vector<std::vector<StageTimes>>& times,
+void finish_reports(PlacedResult& result, const std::vector<std::vector<StageTimes>>& times,
                     const Prepared& run, const std::vector<std::string>& idle) {
   std::vector<std::string> warnings = run.warnings;
   warnings.insert(warnings.end(), idle.begin(), idle.end());
@@ -245,8 +245,8 @@ SmoothingResult smooth_once(CurveSmoother& smoother, const Prepared& run,
   return plugins::smooth_by(parameters, smoother, own, is_free(run), run.progress);
 }
 
-SmoothedCurves placed(const SurfaceMesh& mesh, SmoothingResult result) {
-  SmoothedCurves smoothed;
+PlacedResult placed(const SurfaceMesh& mesh, SmoothingResult result) {
+  PlacedResult smoothed;
   smoothed.reports = std::move(result.reports);
   for (const SurfaceCurve& curve : result.curves) {
     smoothed.curves.push_back(place(mesh, curve, smoothed.curves.size()));
@@ -254,8 +254,8 @@ SmoothedCurves placed(const SurfaceMesh& mesh, SmoothingResult result) {
   return smoothed;
 }
 
-SmoothedCurves smooth_set(CurveSmoother& smoother, const Prepared& run) {
-  SmoothedCurves result;
+PlacedResult smooth_set(CurveSmoother& smoother, const Prepared& run) {
+  PlacedResult result;
   std::vector<std::vector<StageTimes>> times(run.curves.size());
   std::vector<std::string> idle;
   try {
@@ -279,7 +279,7 @@ SmoothedCurves smooth_set(CurveSmoother& smoother, const Prepared& run) {
 }
 
 /// Combines the results of independent curves in their order.
-RunOutcome gathered(std::vector<SmoothedCurves> results, std::vector<CurveFailure> failures) {
+RunOutcome gathered(std::vector<PlacedResult> results, std::vector<CurveFailure> failures) {
   RunOutcome outcome;
   outcome.failures = std::move(failures);
   for (std::size_t i = 0; i < results.size(); ++i) {
@@ -300,7 +300,7 @@ RunOutcome gathered(std::vector<SmoothedCurves> results, std::vector<CurveFailur
 RunOutcome smooth_each(std::vector<std::unique_ptr<CurveSmoother>>& smoothers,
                        const MeshFromFile& mesh, const Prepared& run) {
   const std::size_t count = run.curves.size();
-  std::vector<SmoothedCurves> results(count);
+  std::vector<PlacedResult> results(count);
   std::vector<std::optional<CurveFailure>> failed(count);
   share_work(count, smoothers.size(), [&](std::size_t worker, std::size_t i) {
     if (!go_on(run.progress, "curves", static_cast<double>(i) / static_cast<double>(count))) {

@@ -38,7 +38,7 @@ struct CurveFailure {
 };
 
 /// The result of smoothing, ready to be written.
-struct SmoothedCurves {
+struct PlacedResult {
   std::vector<PlacedCurve> curves;
   std::vector<SmoothingReport> reports;
   SmoothingReport total;
@@ -46,7 +46,7 @@ struct SmoothedCurves {
 
 /// `result.curves` lacks curves that failed; only independent curves can fail separately.
 struct RunOutcome {
-  SmoothedCurves result;
+  PlacedResult result;
   std::vector<std::size_t> numbers;  ///< numbers of result.curves among the run's curves
   std::vector<CurveFailure> failures;
   SnappedDrawing moved;  ///< how far the curves were moved onto the mesh; has no curves

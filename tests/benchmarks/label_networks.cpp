@@ -37,7 +37,8 @@ void add(Row& row, const LabelNetwork& network, double h, double bound, double s
   const SmoothingReport& total = network.total;
   const double apart = std::max(total.deviation_to_drawn_max, total.deviation_from_drawn_max);
   if (bound > 0 && apart > bound) ++row.beyond;
-  row.curvature = std::max(row.curvature, total.curvature_after / total.curvature_before);
+  row.curvature =
+      std::max(row.curvature, total.after.total_curvature / total.before.total_curvature);
   row.deviation = std::max(row.deviation, apart / h);
   row.seconds = std::max(row.seconds, seconds);
   row.moved += network.moved;

@@ -41,7 +41,7 @@ double smoothed_length(const Mesh& mesh, double tau) {
     if (i < kCells) stairs.emplace_back(i * (kCells + 1) + i + 1);
   }
   smoother.set_curve(talweg::curve_through(smoother.opened().surface(), stairs));
-  return smoother.smooth(tau).report().length_after;
+  return smoother.smooth(tau).report().after.length;
 }
 
 template <class Mesh>

@@ -76,7 +76,8 @@ void check(const OpenedMesh& mesh, const SmoothingResult& result, std::size_t cu
     }
   }
   const SmoothingReport& total = result.total;
-  require(std::isfinite(total.length_after) && std::isfinite(total.curvature_after), "numbers");
+  require(std::isfinite(total.after.length) && std::isfinite(total.after.total_curvature),
+          "numbers");
   require(total.tau == tau, "the tau that was asked for");
   require(total.lifted_length_after <= total.lifted_length_before * (1 + 1e-9), "never longer");
 }

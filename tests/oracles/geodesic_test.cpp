@@ -100,7 +100,7 @@ class Geodesic : public ::testing::TestWithParam<const char*> {
     smoother.set_curve(curve,
                        {.cap_corners = false,
                         .way_points = {{curve.points.front(), 0}, {curve.points.back(), 0}}});
-    return smoother.smooth(0.0).report().length_after;
+    return smoother.smooth(0.0).report().after.length;
   }
 
   MeshLists lists_;

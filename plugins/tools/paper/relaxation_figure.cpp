@@ -42,13 +42,13 @@ std::string relaxation_figure(const Folders& folders) {
     const Timed timed = experiment.smooth(kTau, rounds);
     const SmoothingReport& report = timed.result.report();
     if (rounds == 0) {
-      text +=
-          fmt::format("| drawn | {} | {:.4f} | {:.1f} | {:.2f} | |\n", report.points_before,
-                      report.length_before, report.curvature_before, report.curvature_max_before);
+      text += fmt::format("| drawn | {} | {:.4f} | {:.1f} | {:.2f} | |\n", report.points_before,
+                          report.before.length, report.before.total_curvature,
+                          report.before.max_curvature);
     }
     text += fmt::format("| {} | {} | {:.4f} | {:.1f} | {:.2f} | {:.2f} |\n", rounds,
-                        report.points_after, report.length_after, report.curvature_after,
-                        report.curvature_max_after, report.deviation_to_drawn_max / h);
+                        report.points_after, report.after.length, report.after.total_curvature,
+                        report.after.max_curvature, report.deviation_to_drawn_max / h);
     if (rounds > 5) continue;
     picture::Panel panel;
     panel.caption = rounds == 0 ? "Not relaxed" : fmt::format("Relaxed, {} rounds", rounds);

@@ -111,7 +111,7 @@ std::string report_on(Experiment& experiment, const std::vector<double>& taus,
       text += fmt::format(
           "| {} | {} | {:.4f} | {} → {} | {:.1f} → {:.1f} | {:.1f} → {:.1f} | {} |\n", tau,
           part.name, mean_edge(mesh, part.low, part.high), report.points_before,
-          report.points_after, report.curvature_before, report.curvature_after,
+          report.points_after, report.before.total_curvature, report.after.total_curvature,
           bending(mesh, experiment.drawn(), part.low, part.high),
           bending(mesh, timed.result.curve(), part.low, part.high), to_string(report.termination));
     }

@@ -89,9 +89,10 @@ std::string measures_of(const Row& row, const SmoothingReport& report, double h)
       "| {} | {:.2f} | {:.2f} | {:.1f} → {:.1f} | {:+.0f} % | {:.4g} → {:.4g} | {:.2f} | {} | {} "
       "|\n",
       row.model, double(report.points_after) / double(report.points_before),
-      double(row.points_after) / double(row.points_before), report.curvature_before,
-      report.curvature_after, 100 * (report.curvature_after / report.curvature_before - 1),
-      report.length_before, report.length_after, report.deviation_to_drawn_max / h, report.flips,
+      double(row.points_after) / double(row.points_before), report.before.total_curvature,
+      report.after.total_curvature,
+      100 * (report.after.total_curvature / report.before.total_curvature - 1),
+      report.before.length, report.after.length, report.deviation_to_drawn_max / h, report.flips,
       to_string(report.termination));
 }
 

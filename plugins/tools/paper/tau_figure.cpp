@@ -49,13 +49,13 @@ std::string tau_figure(const Folders& folders) {
     const SmoothingReport& report = timed.result.report();
     if (tau == 0) {
       text += fmt::format("| drawn | {} | | | | | {:.3f} | {:.1f} | |\n", report.points_before,
-                          report.length_before, report.curvature_before);
+                          report.before.length, report.before.total_curvature);
     }
-    text +=
-        fmt::format("| {} | {} | {} | {:.1f} | {:.2f} | {} | {:.3f} | {:.1f} | {:.2f} / {:.2f} |\n",
-                    tau, report.points_before, report.points_after, timed.solve_ms,
-                    timed.straighten_ms, report.flips, report.length_after, report.curvature_after,
-                    report.deviation_to_drawn_max / h, report.deviation_to_drawn_mean / h);
+    text += fmt::format(
+        "| {} | {} | {} | {:.1f} | {:.2f} | {} | {:.3f} | {:.1f} | {:.2f} / {:.2f} |\n", tau,
+        report.points_before, report.points_after, timed.solve_ms, timed.straighten_ms,
+        report.flips, report.after.length, report.after.total_curvature,
+        report.deviation_to_drawn_max / h, report.deviation_to_drawn_mean / h);
     picture::Panel panel;
     panel.caption = fmt::format("tau = {}", tau);
     panel.curves = {0, scene.curves.size()};

@@ -26,7 +26,7 @@ BoundedRun bounded(const Subject& subject, const NamedPath& drawing, Run run,
   smoother.set_curve(drawn, curve_options);
   const SmoothingResult smoothed = smooth_within(smoother, kBound * run.edge);
   const SmoothingReport& report = smoothed.report();
-  run.curvature_after = report.curvature_after;
+  run.curvature_after = report.after.total_curvature;
   if (run.closed) {
     run.least_curvature =
         std::min(std::abs(measure_curve(surface, drawn).signed_curvature),

@@ -34,11 +34,11 @@ std::vector<Run> default_runs(const Subject& subject, const CurveOptions& curve_
       const SmoothingResult result = smoother.smooth(options);
       const SmoothingReport& report = result.report();
       run.tau = tau;
-      run.bending_before = report.bending_before;
-      run.bending_after = report.bending_after;
-      run.window_turning = report.window_turning_after;
-      run.largest_turn = report.curvature_max_after;
-      run.curvature_after = report.curvature_after;
+      run.bending_before = report.before.bending;
+      run.bending_after = report.after.bending;
+      run.window_turning = report.after.window_turning;
+      run.largest_turn = report.after.max_curvature;
+      run.curvature_after = report.after.total_curvature;
       if (drawing.closed) {
         // What the curve turns in all is given by the curvature that it encloses.
         const double after = measure_curve(surface, result.curve()).signed_curvature;
@@ -47,7 +47,7 @@ std::vector<Run> default_runs(const Subject& subject, const CurveOptions& curve_
       run.to_drawn = report.deviation_to_drawn_max / run.edge;
       run.from_drawn = report.deviation_from_drawn_max / run.edge;
       run.slack = report.slack / run.edge;
-      run.length_ratio = report.length_after / report.length_before;
+      run.length_ratio = report.after.length / report.before.length;
       const StageTimes& times = report.time_ms;
       run.solve_ms = times.solve;
       run.smooth_ms = times.straighten + times.trace + times.relax + times.fair;

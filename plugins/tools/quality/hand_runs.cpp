@@ -111,8 +111,8 @@ class HandRuns {
     const SmoothingReport& report = result.report();
     edge_ = report.edge_length_near;
     run.slack = report.slack / edge_;
-    run.bending = report.bending_after;
-    run.largest_turn = report.curvature_max_after;
+    run.bending = report.after.bending;
+    run.largest_turn = report.after.max_curvature;
     run.warned = std::ranges::any_of(report.warnings, [](const std::string& warning) {
       return !warning.starts_with("Left out of the drawing");
     });

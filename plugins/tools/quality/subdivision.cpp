@@ -70,7 +70,7 @@ Subdivision subdivision(const Subject& subject, const NamedPath& drawing, double
     const std::vector<Point> points = positions_of(mesh->mesh(), smoothed.curve());
     if (level == 0) coarsest = points;
     const Deviation apart = deviation(points, now.closed, coarsest, now.closed);
-    result.curvature[level] = smoothed.report().curvature_after;
+    result.curvature[level] = smoothed.report().after.total_curvature;
     result.bending[level] = measure_curve(mesh->surface(), smoothed.curve(), edge).bending;
     result.apart[level] = std::max(apart.to_drawn.max, apart.from_drawn.max) / edge;
   }

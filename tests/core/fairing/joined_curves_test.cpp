@@ -151,7 +151,7 @@ TEST_F(JoinedCurvesTest, TwoEndsHaveNoKink) {
       for (const std::string& warning : result.reports[c].warnings) {
         EXPECT_EQ(warning.find("fair"), std::string::npos) << warning;
       }
-      EXPECT_LE(result.reports[c].curvature_max_after, 5 * kDegreeOfTurn);
+      EXPECT_LE(result.reports[c].after.max_curvature, 5 * kDegreeOfTurn);
     }
     const SmoothingResult other = smooth(curves, {.tau = tau}, {.corners = {wave.points[half]}});
     apart =

@@ -85,7 +85,7 @@ TEST(LabelJunctions, OfThreeRegionsOnASheetEndAt120Degrees) {
   EXPECT_GT(worst(fixed), 9 * kDegree);
   EXPECT_LT(worst(free), 4 * kDegree);
   EXPECT_LT(free.imbalance_after, 0.06);
-  EXPECT_LT(free.total.length_after, fixed.total.length_after);
+  EXPECT_LT(free.total.after.length, fixed.total.after.length);
 }
 
 TEST(LabelJunctions, MoveNoFartherThanTheSlackWhereNoBoundIsGiven) {

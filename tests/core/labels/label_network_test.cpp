@@ -53,8 +53,8 @@ TEST(LabelNetwork, OfRandomPartitionsKeepsEveryRegionWhole) {
         const LabelNetwork network = smoothed(mesh, labels, 1);
         expect_sound(shape.lists, *mesh, labels, network);
         // With 200 regions a border is a handful of edges long.
-        EXPECT_LE(network.total.curvature_after,
-                  (count < 200 ? 0.2 : 0.3) * network.total.curvature_before);
+        EXPECT_LE(network.total.after.total_curvature,
+                  (count < 200 ? 0.2 : 0.3) * network.total.before.total_curvature);
       }
     }
   }
@@ -100,7 +100,7 @@ TEST(LabelNetwork, ABorderBeyondTheBoundIsTightenedOnlyThere) {
         expect_within(*mesh, labels, network, bound);
         EXPECT_EQ(network.as_drawn, 0U);
         // A border of many edges that is stiff all along has 0.5 and more.
-        EXPECT_LE(network.total.curvature_after, 0.2 * network.total.curvature_before);
+        EXPECT_LE(network.total.after.total_curvature, 0.2 * network.total.before.total_curvature);
       }
     }
   }
@@ -299,7 +299,7 @@ TEST(LabelNetwork, OnARealMesh) {
     const LabelNetwork network = smoothed(mesh, labels, 1, bound);
     expect_sound(lists, *mesh, labels, network);
     expect_within(*mesh, labels, network, bound);
-    EXPECT_LE(network.total.curvature_after, 0.2 * network.total.curvature_before);
+    EXPECT_LE(network.total.after.total_curvature, 0.2 * network.total.before.total_curvature);
   }
 }
 

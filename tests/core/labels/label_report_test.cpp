@@ -19,7 +19,7 @@ LabelNetwork two_regions() {
   border.border.curve.closed = true;
   border.as_drawn = true;
   border.report.tau = 4;
-  border.report.length_after = 12;
+  border.report.after.length = 12;
   network.borders = {border};
   network.junctions = 3;
   network.imbalance_before = 0.5;

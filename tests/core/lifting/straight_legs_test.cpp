@@ -65,7 +65,7 @@ TEST_F(StraightLegsOnHills, WhatIsKeptIsWhatWouldBeMade) {
   smoother.emplace(opened);
   EXPECT_EQ(straightened(through(clicks)), 4U);
   EXPECT_EQ(kept.curve().points, last.curve().points);
-  EXPECT_EQ(kept.report().length_after, last.report().length_after);
+  EXPECT_EQ(kept.report().after.length, last.report().after.length);
   EXPECT_EQ(kept.report().flips, last.report().flips);
   EXPECT_EQ(kept.report().faces_touched, last.report().faces_touched);
 }

@@ -1,5 +1,7 @@
 #include "talweg/core/measure/report.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <string>
 
@@ -9,6 +11,7 @@
 #include "core/generated_meshes.hpp"
 #include "core/small_meshes.hpp"
 #include "talweg/core/drawing/edge_dijkstra.hpp"
+#include "talweg/core/measure/measures.hpp"
 #include "talweg/core/measure/result_report.hpp"
 #include "talweg/core/measure/surface_deviation.hpp"
 #include "talweg/core/smoothing/curve_smoother.hpp"
@@ -27,30 +30,20 @@ SmoothingReport numbered(double start) {
   r.termination = Outcome::kConverged;
   r.deviation = DeviationMeasure::kAlongSurface;
   double next = start;
-  for (double SmoothingReport::*field : {&SmoothingReport::tau,
-                                         &SmoothingReport::slack,
-                                         &SmoothingReport::length_before,
-                                         &SmoothingReport::length_after,
-                                         &SmoothingReport::lifted_length_before,
-                                         &SmoothingReport::lifted_length_after,
-                                         &SmoothingReport::curvature_before,
-                                         &SmoothingReport::curvature_after,
-                                         &SmoothingReport::curvature_max_before,
-                                         &SmoothingReport::curvature_max_after,
-                                         &SmoothingReport::bending_before,
-                                         &SmoothingReport::bending_after,
-                                         &SmoothingReport::window_turning_before,
-                                         &SmoothingReport::window_turning_after,
-                                         &SmoothingReport::window_turning_2_before,
-                                         &SmoothingReport::window_turning_2_after,
-                                         &SmoothingReport::deviation_to_drawn_max,
-                                         &SmoothingReport::deviation_to_drawn_mean,
-                                         &SmoothingReport::deviation_from_drawn_max,
-                                         &SmoothingReport::deviation_from_drawn_mean,
-                                         &SmoothingReport::deviation_at_least,
-                                         &SmoothingReport::mollification,
-                                         &SmoothingReport::peak_memory_mib}) {
+  for (double SmoothingReport::*field :
+       {&SmoothingReport::tau, &SmoothingReport::slack, &SmoothingReport::lifted_length_before,
+        &SmoothingReport::lifted_length_after, &SmoothingReport::deviation_to_drawn_max,
+        &SmoothingReport::deviation_to_drawn_mean, &SmoothingReport::deviation_from_drawn_max,
+        &SmoothingReport::deviation_from_drawn_mean, &SmoothingReport::deviation_at_least,
+        &SmoothingReport::mollification, &SmoothingReport::peak_memory_mib}) {
     r.*field = next++;
+  }
+  for (double CurveMeasures::*field :
+       {&CurveMeasures::length, &CurveMeasures::total_curvature, &CurveMeasures::signed_curvature,
+        &CurveMeasures::max_curvature, &CurveMeasures::bending, &CurveMeasures::window_turning,
+        &CurveMeasures::window_turning_2}) {
+    r.before.*field = next++;
+    r.after.*field = next++;
   }
   for (std::size_t SmoothingReport::*field :
        {&SmoothingReport::faces, &SmoothingReport::vertices, &SmoothingReport::points_before,
@@ -135,20 +128,20 @@ TEST(Report, HasEachNumberUnderItsName) {
   EXPECT_EQ(j["vertices"], r.vertices);
   EXPECT_EQ(j["points_before"], r.points_before);
   EXPECT_EQ(j["points_after"], r.points_after);
-  EXPECT_EQ(j["length_before"], r.length_before);
-  EXPECT_EQ(j["length_after"], r.length_after);
+  EXPECT_EQ(j["length_before"], r.before.length);
+  EXPECT_EQ(j["length_after"], r.after.length);
   EXPECT_EQ(j["lifted_length_before"], r.lifted_length_before);
   EXPECT_EQ(j["lifted_length_after"], r.lifted_length_after);
-  EXPECT_EQ(j["curvature_before"], r.curvature_before);
-  EXPECT_EQ(j["curvature_after"], r.curvature_after);
-  EXPECT_EQ(j["curvature_max_before"], r.curvature_max_before);
-  EXPECT_EQ(j["curvature_max_after"], r.curvature_max_after);
-  EXPECT_EQ(j["bending_before"], r.bending_before);
-  EXPECT_EQ(j["bending_after"], r.bending_after);
-  EXPECT_EQ(j["window_turning_before"], r.window_turning_before);
-  EXPECT_EQ(j["window_turning_after"], r.window_turning_after);
-  EXPECT_EQ(j["window_turning_2_before"], r.window_turning_2_before);
-  EXPECT_EQ(j["window_turning_2_after"], r.window_turning_2_after);
+  EXPECT_EQ(j["curvature_before"], r.before.total_curvature);
+  EXPECT_EQ(j["curvature_after"], r.after.total_curvature);
+  EXPECT_EQ(j["curvature_max_before"], r.before.max_curvature);
+  EXPECT_EQ(j["curvature_max_after"], r.after.max_curvature);
+  EXPECT_EQ(j["bending_before"], r.before.bending);
+  EXPECT_EQ(j["bending_after"], r.after.bending);
+  EXPECT_EQ(j["window_turning_before"], r.before.window_turning);
+  EXPECT_EQ(j["window_turning_after"], r.after.window_turning);
+  EXPECT_EQ(j["window_turning_2_before"], r.before.window_turning_2);
+  EXPECT_EQ(j["window_turning_2_after"], r.after.window_turning_2);
   EXPECT_EQ(j["deviation"], "surface");
   EXPECT_EQ(j["deviation_to_drawn_max"], r.deviation_to_drawn_max);
   EXPECT_EQ(j["deviation_to_drawn_mean"], r.deviation_to_drawn_mean);
@@ -175,7 +168,7 @@ TEST(Report, NumbersThatAreNoneBecomeNull) {
   SmoothingReport r = numbered(1);
   r.deviation_to_drawn_max = kForever;
   r.deviation_from_drawn_mean = -kForever;
-  r.length_before = std::numeric_limits<double>::quiet_NaN();
+  r.before.length = std::numeric_limits<double>::quiet_NaN();
   r.deviation_at = Point::Constant(kForever);
   const auto j = parsed(r);
   EXPECT_TRUE(j["deviation_to_drawn_max"].is_null());
@@ -198,8 +191,8 @@ TEST(Report, SeveralCurvesAreAnArrayBesideTheirTotal) {
 TEST(Report, TotalsAreSumsMaximaAndMeansByLength) {
   SmoothingReport a = numbered(1), b = numbered(100);
   a.closed = true;
-  a.length_after = 3;
-  b.length_after = 1;
+  a.after.length = 3;
+  b.after.length = 1;
   a.deviation_to_drawn_mean = 1;
   b.deviation_to_drawn_mean = 5;
   a.warnings = {"x", "y"};
@@ -212,11 +205,15 @@ TEST(Report, TotalsAreSumsMaximaAndMeansByLength) {
   EXPECT_FALSE(total.closed);
   EXPECT_EQ(total.points_before, a.points_before + b.points_before);
   EXPECT_EQ(total.points_after, a.points_after + b.points_after);
-  EXPECT_EQ(total.length_before, a.length_before + b.length_before);
-  EXPECT_EQ(total.length_after, 4);
+  EXPECT_EQ(total.before.length, a.before.length + b.before.length);
+  EXPECT_EQ(total.after.length, 4);
   EXPECT_EQ(total.lifted_length_after, a.lifted_length_after + b.lifted_length_after);
-  EXPECT_EQ(total.curvature_before, a.curvature_before + b.curvature_before);
-  EXPECT_EQ(total.curvature_max_after, b.curvature_max_after);
+  EXPECT_EQ(total.before.total_curvature, a.before.total_curvature + b.before.total_curvature);
+  EXPECT_EQ(total.before.signed_curvature, a.before.signed_curvature + b.before.signed_curvature);
+  EXPECT_EQ(total.after.max_curvature, b.after.max_curvature);
+  EXPECT_EQ(total.before.bending, a.before.bending + b.before.bending);
+  EXPECT_EQ(total.after.window_turning, b.after.window_turning);
+  EXPECT_EQ(total.before.window_turning_2, b.before.window_turning_2);
   EXPECT_EQ(total.deviation_from_drawn_max, b.deviation_from_drawn_max);
   EXPECT_EQ(total.deviation_to_drawn_mean, 2);
   EXPECT_EQ(total.deviation_at, b.deviation_at);
@@ -233,7 +230,7 @@ TEST(Report, TotalsAreSumsMaximaAndMeansByLength) {
 TEST(Report, TotalsOfWhatIsInfiniteAreInfinite) {
   SmoothingReport a = numbered(1), b = numbered(100);
   b.deviation_to_drawn_max = b.deviation_to_drawn_mean = kForever;
-  b.length_after = 0;  // and not NaN
+  b.after.length = 0;  // and not NaN
   for (const SmoothingReport& total : {total_of({a, b}), total_of({b, a})}) {
     EXPECT_EQ(total.deviation_to_drawn_max, kForever);
     EXPECT_EQ(total.deviation_to_drawn_mean, kForever);
@@ -274,7 +271,32 @@ TEST(Report, TheMeasureOfDeviationIsAChoice) {
               0.05 * euclidean.deviation_to_drawn_max);
   EXPECT_EQ(none.deviation_to_drawn_max, kForever);
   EXPECT_TRUE(parsed(none)["deviation_from_drawn_mean"].is_null());
-  EXPECT_EQ(surface.length_after, none.length_after);  // the result is the same
+  EXPECT_EQ(surface.after.length, none.after.length);  // the result is the same
+}
+
+TEST(Report, SignsAndIndicesAreThoseOfTheCurveAsItWasDrawn) {
+  const auto opened = OpenedMesh::open(test::sphere(4));
+  const Surface& surface = opened->surface();
+  const auto way = test::ids({0, 600, 3, 200});
+  SurfaceCurve drawn = test::vertex_curve(surface, draw_edge_path(surface, way), false);
+  for (const bool reversed : {false, true}) {
+    if (reversed) std::reverse(drawn.points.begin(), drawn.points.end());
+    CurveSmoother smoother(opened);
+    smoother.set_curve(drawn);
+    const SmoothingResult result = smoother.smooth(4);
+    const SmoothingReport& report = result.report();
+    const auto expect = [&](const CurveMeasures& reported, const SurfaceCurve& curve) {
+      const CurveMeasures own = measure_curve(surface, curve, report.edge_length_near);
+      EXPECT_GT(std::abs(own.signed_curvature), 0.1);
+      EXPECT_NEAR(reported.signed_curvature, own.signed_curvature, 1e-9);
+      ASSERT_GT(reported.max_at, 0U);
+      ASSERT_LT(reported.max_at + 1, curve.points.size());
+      const auto* at = &curve.points[reported.max_at];
+      EXPECT_NEAR(turning_angle(surface, at[-1], at[0], at[1]), own.max_curvature, 1e-9);
+    };
+    expect(report.before, drawn);
+    expect(report.after, result.curve());
+  }
 }
 
 TEST(Report, CurvesOnPartsThatAreNotConnectedGetAWarning) {

@@ -79,7 +79,7 @@ TEST_F(SmoothingBudget, GivesAWholeCurveForAnyWork) {
     EXPECT_EQ(report.termination, Outcome::kLimit);
     EXPECT_TRUE(says(report, "The budget was used up"));
     EXPECT_FALSE(says(report, "Straightening was given up"));
-    EXPECT_LT(report.bending_after, report.bending_before);
+    EXPECT_LT(report.after.bending, report.before.bending);
   }
   EXPECT_GT(ended, 8U);
 }
@@ -160,8 +160,8 @@ TEST_F(SmoothingBudget, OfASearchWithinABound) {
     if (!within) continue;
     EXPECT_TRUE(says(report, "there may be a smoother curve"));
     if (report.deviation_exact) {
-      EXPECT_LE(report.curvature_after, curvature);
-      curvature = report.curvature_after;
+      EXPECT_LE(report.after.total_curvature, curvature);
+      curvature = report.after.total_curvature;
     }
   }
   EXPECT_LT(curvature, HUGE_VAL);

@@ -37,10 +37,12 @@ TEST(CorridorCurves, LoopsOnADiscHoldAndAreRound) {
       const SmoothingReport report = in_corridor(opened, drawn, {.tau = tau}).report();
       EXPECT_EQ(report.termination, Outcome::kConverged) << radius << " " << tau;
       // The zigzag itself makes up a quarter of the drawn length.
-      EXPECT_GE(report.length_after, 0.4 * report.length_before) << radius << " " << tau;
-      EXPECT_GE(report.curvature_after, 2 * std::numbers::pi * (1 - 1e-9));  // Gauss and Bonnet
+      EXPECT_GE(report.after.length, 0.4 * report.before.length) << radius << " " << tau;
+      EXPECT_GE(report.after.total_curvature,
+                2 * std::numbers::pi * (1 - 1e-9));  // Gauss and Bonnet
       if (radius > 10 && tau >= 1) {
-        EXPECT_LT(report.curvature_after, 2 * std::numbers::pi + 0.2 * report.curvature_before);
+        EXPECT_LT(report.after.total_curvature,
+                  2 * std::numbers::pi + 0.2 * report.before.total_curvature);
       }
     }
   }
@@ -53,8 +55,10 @@ TEST(CorridorCurves, FairingTurnsNoMoreAndKeepsTheEnds) {
   for (const double tau : {0.5, 1.0, 2.0, 4.0}) {
     const SmoothingResult rough = in_corridor(opened, drawn, {.tau = tau, .finish = Finish::kTaut});
     const SmoothingResult fine = in_corridor(opened, drawn, {.tau = tau});
-    EXPECT_LE(fine.report().curvature_after, rough.report().curvature_after + 0.2) << tau;
-    EXPECT_LT(fine.report().curvature_after, 0.3 * fine.report().curvature_before) << tau;
+    EXPECT_LE(fine.report().after.total_curvature, rough.report().after.total_curvature + 0.2)
+        << tau;
+    EXPECT_LT(fine.report().after.total_curvature, 0.3 * fine.report().before.total_curvature)
+        << tau;
     EXPECT_EQ(fine.curve().points.front(), drawn.points.front());
     EXPECT_EQ(fine.curve().points.back(), drawn.points.back());
     for (std::size_t i = 0; i + 1 < fine.curve().points.size(); ++i) {
@@ -70,7 +74,7 @@ TEST(CorridorCurves, ADrawingThatIsStraightStays) {
   for (std::uint32_t i = 2; i <= 18; ++i) row.emplace_back(10 * 21 + i);
   const SurfaceCurve drawn = test::vertex_curve(opened->surface(), row, false);
   const SmoothingReport report = in_corridor(opened, drawn, {.tau = 2}).report();
-  EXPECT_NEAR(report.length_after, 16, 1e-12);
+  EXPECT_NEAR(report.after.length, 16, 1e-12);
   EXPECT_LT(report.deviation_to_drawn_max, 1e-8);
 }
 
@@ -85,8 +89,8 @@ TEST(CorridorCurves, ScalesWithTheMesh) {
   const SurfaceCurve drawn = test::jagged_circle(small_mesh->mesh(), 40, 12);
   const SmoothingReport a = in_corridor(small_mesh, drawn, {.tau = 1}).report();
   const SmoothingReport b = in_corridor(large_mesh, drawn, {.tau = 1}).report();
-  EXPECT_NEAR(b.length_after / a.length_after, 1e6, 1);
-  EXPECT_NEAR(b.curvature_after, a.curvature_after, 1e-3);
+  EXPECT_NEAR(b.after.length / a.after.length, 1e6, 1);
+  EXPECT_NEAR(b.after.total_curvature, a.after.total_curvature, 1e-3);
   EXPECT_NEAR(b.slack / a.slack, 1e6, 1e-3);
 }
 

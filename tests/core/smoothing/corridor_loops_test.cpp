@@ -22,10 +22,10 @@ constexpr double kTaus[] = {0.25, 0.5, 1, 4};
 /// `smooth_length`: of the loop without its zigzag.
 void expect_held(const SmoothingReport& report, double smooth_length) {
   EXPECT_EQ(report.termination, Outcome::kConverged);
-  EXPECT_GE(report.length_after, smooth_length / 2);
+  EXPECT_GE(report.after.length, smooth_length / 2);
   // Rounder at its ends, which counts where it is one edge wide.
-  EXPECT_LE(report.length_after, 1.1 * report.length_before);
-  EXPECT_TRUE(std::isfinite(report.curvature_after));
+  EXPECT_LE(report.after.length, 1.1 * report.before.length);
+  EXPECT_TRUE(std::isfinite(report.after.total_curvature));
   EXPECT_TRUE(std::isfinite(report.deviation_to_drawn_max));
   EXPECT_TRUE(std::isfinite(report.deviation_from_drawn_max));
   EXPECT_GT(report.slack, 0);
@@ -55,9 +55,8 @@ SurfaceCurve on_grid(const Surface& surface, std::uint32_t columns,
   return test::vertex_curve(surface, draw_edge_path(surface, vertices, true), true);
 }
 
-/// A set with a loop in doubt asks while it makes curves fair about what its curves ask each for
-/// itself: the trials for the loop make no other curve fair.
-TEST(CorridorLoops, OneInDoubtHoldsAndCostsOthersNothing) {
+/// A set with a thin loop asks while it makes curves fair about what its curves ask each for itself.
+TEST(CorridorLoops, AThinOneHoldsAndCostsOthersNothing) {
   constexpr std::uint32_t kAcross = 60;
   const auto opened = OpenedMesh::open(grid(kAcross, kAcross));
   std::vector<SurfaceCurve> lines;
@@ -94,12 +93,10 @@ TEST(CorridorLoops, OneInDoubtHoldsAndCostsOthersNothing) {
   for (std::size_t c = 0; c < lines.size(); ++c) {
     EXPECT_EQ(set.result.curves[c].points, without.result.curves[c].points) << c;
   }
-  EXPECT_GT(alone.asked, without.asked / lines.size());  // it is tried more than once
   EXPECT_LT(set.asked, without.asked + alone.asked + without.asked / 2);
 }
 
-/// Trials of thin and of small loops are made without pins.
-TEST(CorridorLoops, ThatAreInDoubtPassTheirPins) {
+TEST(CorridorLoops, ThatAreThinOrSmallPassTheirPins) {
   constexpr std::uint32_t kAcross = 24;
   using Way = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
   const auto opened = OpenedMesh::open(grid(kAcross, kAcross));
@@ -167,7 +164,7 @@ TEST(CorridorLoops, AroundATube) {
   // It cannot be shorter than the tube is round.
   CurveSmoother smoother(opened);
   smoother.set_curve(drawn);
-  EXPECT_GE(smoother.smooth(1).report().length_after, around * (1 - 1e-9));
+  EXPECT_GE(smoother.smooth(1).report().after.length, around * (1 - 1e-9));
 }
 
 TEST(CorridorLoops, AroundAHandle) {

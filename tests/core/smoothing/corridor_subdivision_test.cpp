@@ -73,11 +73,11 @@ void expect_the_same_on_finer_meshes(Drawn drawn, double tau) {
     if (level == 0) {
       coarsest = points;
       edge = result.report().edge_length_near;
-      curvature = result.report().curvature_after;
+      curvature = result.report().after.total_curvature;
     }
     const Deviation apart = deviation(points, drawn.closed, coarsest, drawn.closed);
     EXPECT_LT(std::max(apart.to_drawn.max, apart.from_drawn.max), 0.6 * edge);
-    EXPECT_LE(result.report().curvature_after, 1.1 * curvature + 0.6);
+    EXPECT_LE(result.report().after.total_curvature, 1.1 * curvature + 0.6);
   }
 }
 

@@ -24,18 +24,16 @@ constexpr double kTiny = 1e-12;  // relative: some hundred sums of lengths
 VertexId at(std::uint32_t i, std::uint32_t j) { return VertexId{j * (kColumns + 1) + i}; }
 
 struct Scale {
-  double slack, length, width;
+  double slack, length;
 };
 
 Scale scale_of(const SurfaceMesh& mesh, const SurfaceCurve& curve) {
-  return {slack_of_segments(mesh.surface(), curve), corridor_length(mesh, curve),
-          width_of_loop(mesh, curve)};
+  return {slack_of_segments(mesh.surface(), curve), corridor_length(mesh, curve)};
 }
 
 void expect_same(const Scale& a, const Scale& b, double factor = 1) {
   EXPECT_NEAR(a.slack * factor, b.slack, kTiny * b.slack);
   EXPECT_NEAR(a.length * factor, b.length, kTiny * b.length);
-  EXPECT_NEAR(a.width * factor, b.width, kTiny * (b.width + b.length));
 }
 
 SurfaceCurve rectangle(const Surface& surface, std::uint32_t a, std::uint32_t b) {
@@ -77,7 +75,6 @@ TEST_F(CorridorScale, RectanglesInClosedForm) {
     const double round = 2.0 * (a + b);
     EXPECT_NEAR(scale.slack, std::min(0.7 * a, round / 24), 1e-9);
     EXPECT_NEAR(scale.length, std::hypot(a, b) / 8, 1e-9);
-    EXPECT_NEAR(scale.width, a * b / (2 * round), 1e-9);
   }
 }
 
@@ -90,7 +87,6 @@ TEST_F(CorridorScale, ACircleInClosedForm) {
   const Scale scale = scale_of(tube, test::vertex_curve(tube.surface(), ring, true));
   const double half = std::numbers::pi / n;
   EXPECT_NEAR(scale.length, 0.25, 1e-9);
-  EXPECT_NEAR(scale.width, std::cos(half) / 4, 1e-9);
   EXPECT_NEAR(scale.slack, 2 * n * std::sin(half) / 24, 1e-9);
 }
 
@@ -126,7 +122,6 @@ TEST_F(CorridorScale, TwoPointsAndOne) {
   const SurfaceCurve one = test::vertex_curve(surface, std::vector{at(4, 4)}, false);
   EXPECT_EQ(slack_of_segments(surface, one), 0);
   EXPECT_EQ(corridor_length(mesh, one), 0);
-  EXPECT_EQ(width_of_loop(mesh, one), 0);
 }
 
 }  // namespace

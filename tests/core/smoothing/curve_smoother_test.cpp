@@ -55,11 +55,11 @@ TEST(CurveSmoother, TauZeroGivesTheStraightLineOnAPlane) {
   const Point p = points.front(), q = points.back();
   EXPECT_EQ(p, opened->mesh().position(drawn.points.front()));
   EXPECT_EQ(q, opened->mesh().position(drawn.points.back()));
-  EXPECT_NEAR(result.report().length_after, (q - p).norm(), 1e-12 * (q - p).norm());
+  EXPECT_NEAR(result.report().after.length, (q - p).norm(), 1e-12 * (q - p).norm());
   for (const Point& x : points) {
     EXPECT_NEAR((x - p).cross(q - p).norm() / (q - p).norm(), 0, 1e-10);
   }
-  EXPECT_LT(result.report().curvature_after, 1e-9);
+  EXPECT_LT(result.report().after.total_curvature, 1e-9);
   EXPECT_EQ(result.report().termination, Outcome::kConverged);
 }
 
@@ -185,7 +185,7 @@ TEST(CurveSmoother, StartsAndPassesInsideFacesAndEdges) {
     if (tau == 0) {
       const double direct =
           (opened->mesh().position(points.front()) - opened->mesh().position(points.back())).norm();
-      EXPECT_NEAR(result.report().length_after, direct, 1e-10 * direct);
+      EXPECT_NEAR(result.report().after.length, direct, 1e-10 * direct);
     }
   }
 }
@@ -198,7 +198,7 @@ TEST(CurveSmoother, ALoopOnADiscEndsAsCollapsed) {
       smooth_curve(opened, test::vertex_curve(opened->surface(), path, true), {.tau = 0});
   EXPECT_EQ(result.report().termination, Outcome::kCollapsed);
   EXPECT_GE(result.curve().points.size(), 3U);
-  EXPECT_GT(result.report().length_after, 0);
+  EXPECT_GT(result.report().after.length, 0);
   EXPECT_FALSE(result.report().warnings.empty());
   expect_on_mesh(opened->surface(), result.curve());
 }
@@ -216,10 +216,10 @@ TEST(CurveSmoother, CurvesOfASetKeepApart) {
   const SmoothingResult result = smoother.smooth(0.0);
   ASSERT_EQ(result.curves.size(), 2U);
   ASSERT_EQ(result.reports.size(), 2U);
-  EXPECT_NEAR(result.total.length_after,
-              result.reports[0].length_after + result.reports[1].length_after, 1e-12);
-  EXPECT_NEAR(result.reports[0].length_after, 26, 1e-9);
-  EXPECT_NEAR(result.reports[1].length_after, 26, 1e-9);
+  EXPECT_NEAR(result.total.after.length,
+              result.reports[0].after.length + result.reports[1].after.length, 1e-12);
+  EXPECT_NEAR(result.reports[0].after.length, 26, 1e-9);
+  EXPECT_NEAR(result.reports[1].after.length, 26, 1e-9);
 }
 
 TEST(CurveSmoother, ASetOverTwoComponentsIsTheTwoAlone) {
@@ -240,12 +240,12 @@ TEST(CurveSmoother, ASetOverTwoComponentsIsTheTwoAlone) {
     const std::size_t v = std::get<AtVertex>(p.where()).vertex.index();
     second.points.push_back(SurfacePoint::at_vertex(opened->surface(), VertexId{v + shift}));
   }
-  const double length = smooth_curve(alone, first, {.tau = 1}).report().length_after;
+  const double length = smooth_curve(alone, first, {.tau = 1}).report().after.length;
   CurveSmoother smoother(opened);
   smoother.set_curves(std::vector<SurfaceCurve>{first, second});
   const SmoothingResult result = smoother.smooth(1.0);
-  EXPECT_NEAR(result.reports[0].length_after, length, 1e-9 * length);
-  EXPECT_NEAR(result.reports[1].length_after, 10 * length, 1e-8 * length);
+  EXPECT_NEAR(result.reports[0].after.length, length, 1e-9 * length);
+  EXPECT_NEAR(result.reports[1].after.length, 10 * length, 1e-8 * length);
 }
 
 TEST(CurveSmoother, TakesADistanceAndAPotentialOfTheCallers) {
@@ -296,7 +296,7 @@ TEST(CurveSmoother, RefusesWhatIsNoCurve) {
   EXPECT_THROW(smoother.smooth(-1.0), Error);
   // A curl of one face, and the way on.
   EXPECT_TRUE(smoother.set_curve(test::vertex_curve(surface, ids({5, 6, 17, 5, 4}), false)));
-  EXPECT_NEAR(smoother.smooth(1.0).report().length_after, 1, 1e-12);
+  EXPECT_NEAR(smoother.smooth(1.0).report().after.length, 1, 1e-12);
 }
 
 TEST(CurveSmoother, CancelsAtAnyMoment) {
@@ -457,7 +457,7 @@ TEST_P(OwnDistance, SmoothsTheReferenceCurves) {
     const SmoothingReport& report = result.report();
     expect_on_mesh(opened->surface(), result.curve());
     EXPECT_LE(report.lifted_length_after, report.lifted_length_before);
-    EXPECT_TRUE(std::isfinite(report.curvature_after));
+    EXPECT_TRUE(std::isfinite(report.after.total_curvature));
     EXPECT_EQ(report.trace_fallbacks, 0U);
     if (drawn.closed) {
       EXPECT_TRUE(report.termination == Outcome::kConverged ||
@@ -486,7 +486,7 @@ TEST(RealBuildings, ADrawingAlongLongEdgesAmongNeedles) {
   const SmoothingResult result = smoother.smooth(1.0);
   expect_on_mesh(opened->surface(), result.curve());
   EXPECT_EQ(result.report().termination, Outcome::kConverged);
-  EXPECT_LT(result.report().curvature_after, result.report().curvature_before);
+  EXPECT_LT(result.report().after.total_curvature, result.report().before.total_curvature);
   EXPECT_LT(result.report().deviation_from_drawn_max, result.report().edge_length_near);
 }
 

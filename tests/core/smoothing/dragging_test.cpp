@@ -110,7 +110,8 @@ TEST_F(Dragging, OfALoopAlsoAtItsSeam) {
     EXPECT_GT(apart(dragged.curve(), before), 1.5 * edge);
     EXPECT_LT(apart(dragged.curve(), in_full(moved, {})), kSame * edge);
     EXPECT_GT(shared(before, dragged.curve()), before.points.size() / 3);
-    EXPECT_LT(dragged.report().curvature_after, 0.4 * dragged.report().curvature_before);
+    EXPECT_LT(dragged.report().after.total_curvature,
+              0.4 * dragged.report().before.total_curvature);
   }
 }
 
@@ -134,7 +135,7 @@ TEST_F(Dragging, LeavesNoKinkWhereItJoins) {
   const CurveMeasures dragged = measure_curve(hills()->surface(), smoother.drag(0, moved).curve());
   EXPECT_LT(dragged.total_curvature, 1.1 * expected.total_curvature);
   EXPECT_LE(dragged.max_curvature,
-            std::max(before.curvature_max_after, expected.max_curvature) + 0.2);
+            std::max(before.after.max_curvature, expected.max_curvature) + 0.2);
 }
 
 TEST_F(Dragging, ChangesNothingThatIsSet) {

@@ -44,10 +44,10 @@ TEST(FairCurve, OfAJaggedCircleIsRoundAndOfItsSize) {
     }
     EXPECT_LT(most - least, 0.6 + 0.1 * radius) << radius;
     EXPECT_NEAR((most + least) / 2, radius, 0.6) << radius;
-    EXPECT_NEAR(result.report().curvature_after, 2 * kPi, 0.5) << radius;
-    EXPECT_LT(result.report().curvature_max_after, kFive) << radius;
+    EXPECT_NEAR(result.report().after.total_curvature, 2 * kPi, 0.5) << radius;
+    EXPECT_LT(result.report().after.max_curvature, kFive) << radius;
     // A circle bends by h 2 pi / r.
-    EXPECT_LT(result.report().bending_after, 1.5 * 2 * kPi / radius) << radius;
+    EXPECT_LT(result.report().after.bending, 1.5 * 2 * kPi / radius) << radius;
   }
 }
 
@@ -64,7 +64,7 @@ TEST(FairCurve, KeepsToItsWallsForEveryTau) {
     EXPECT_LE(far, (1.25 + 0.25 / tau) * slack * (1 + 1e-9)) << tau;
     EXPECT_LE(far, last + 0.05 * result.report().edge_length_near) << tau;
     last = far;
-    EXPECT_LT(result.report().curvature_max_after, kFive) << tau;
+    EXPECT_LT(result.report().after.max_curvature, kFive) << tau;
     EXPECT_TRUE(result.report().warnings.empty()) << result.report().warnings.front();
   }
 }
@@ -80,8 +80,8 @@ TEST(FairCurve, BendsMuchLessThanTheTautOneAndNoMoreAtAnyPoint) {
   const SmoothingResult fair = smooth_curve(opened, drawn, {});
   const double edge = fair.report().edge_length_near;
   EXPECT_LT(bending(mesh, fair.curve(), edge), 0.5 * bending(mesh, straight.curve(), edge));
-  EXPECT_GT(straight.report().curvature_max_after, 2 * kFive);
-  EXPECT_LT(fair.report().curvature_max_after, kFive);
+  EXPECT_GT(straight.report().after.max_curvature, 2 * kFive);
+  EXPECT_LT(fair.report().after.max_curvature, kFive);
 }
 
 // The drawing runs around three sides of a square that is far larger than its slack.
@@ -92,7 +92,7 @@ TEST(FairCurve, GoesWhereTheDrawingGoes) {
   const SurfaceCurve drawn = test::drawn_near(opened->mesh(), corners, false);
   const SmoothingResult result = smooth_curve(opened, drawn, {});
   EXPECT_LT(result.report().deviation_from_drawn_max, 3 * result.report().slack);
-  EXPECT_LT(result.report().curvature_max_after, kFive);
+  EXPECT_LT(result.report().after.max_curvature, kFive);
   EXPECT_EQ(result.curve().points.front(), drawn.points.front());
   EXPECT_EQ(result.curve().points.back(), drawn.points.back());
 }

@@ -34,7 +34,7 @@ TEST(FairDetours, AreKeptWhereStraighteningCutsThemOff) {
   EXPECT_GT(straightened.report().deviation_from_drawn_max, 6);
   EXPECT_LT(fair.report().deviation_from_drawn_max, 3);
   EXPECT_LE(fair.report().deviation_to_drawn_max, 1.5 * fair.report().slack * (1 + 1e-3));
-  EXPECT_LT(fair.report().bending_after, fair.report().bending_before / 4);
+  EXPECT_LT(fair.report().after.bending, fair.report().before.bending / 4);
 }
 
 }  // namespace

@@ -52,7 +52,7 @@ TEST(FineDrawings, GiveTheSameOnMeshesOfAnyResolution) {
       EXPECT_EQ(result.report().engine, Engine::kRefined) << count;
       EXPECT_LT(result.report().deviation_to_drawn_max, 2 * slack) << count;
       EXPECT_LT(result.report().deviation_from_drawn_max, 2.6 * slack) << count;
-      EXPECT_LT(result.report().curvature_after, closed ? 8 : 7.5) << count;
+      EXPECT_LT(result.report().after.total_curvature, closed ? 8 : 7.5) << count;
       EXPECT_TRUE(result.report().warnings.empty()) << result.report().warnings.front();
       results.push_back(straight_through(reference->mesh(),
                                          positions_of(opened->mesh(), result.curve()), closed));
@@ -82,8 +82,8 @@ TEST(FineDrawings, GeodesicsStayStraight) {
   const SmoothingResult result = smoother.smooth(0.0);
   const Point ends =
       opened->mesh().position(drawn.points.front()) - opened->mesh().position(drawn.points.back());
-  EXPECT_NEAR(result.report().length_after, ends.norm(), 1e-9);
-  EXPECT_LT(result.report().curvature_after, 1e-6);
+  EXPECT_NEAR(result.report().after.length, ends.norm(), 1e-9);
+  EXPECT_LT(result.report().after.total_curvature, 1e-6);
 }
 
 TEST(FineDrawings, ResultsDoNotDependOnWhatWasAskedBefore) {
@@ -168,7 +168,7 @@ TEST(FineDrawings, StayWithinABound) {
   EXPECT_LE(result.report().deviation_to_drawn_max, 0.1);
   EXPECT_LE(result.report().deviation_from_drawn_max, 0.1);
   // The drawing is smooth, so there is nothing to gain.
-  EXPECT_LE(result.report().curvature_after, 1.1 * result.report().curvature_before);
+  EXPECT_LE(result.report().after.total_curvature, 1.1 * result.report().before.total_curvature);
 }
 
 TEST(FineDrawings, KeepTheirCrossings) {
@@ -183,7 +183,7 @@ TEST(FineDrawings, KeepTheirCrossings) {
   const SmoothingReport report = smooth_curve(opened, drawn).report();
   EXPECT_EQ(report.crossings_before, 1U);
   EXPECT_EQ(report.crossings_after, 1U);
-  EXPECT_LT(report.curvature_after, report.curvature_before / 4);
+  EXPECT_LT(report.after.total_curvature, report.before.total_curvature / 4);
 }
 
 TEST(FineDrawings, OfASetDoNotCross) {
@@ -250,8 +250,8 @@ TEST(FineDrawings, ThatLeadFarAreFollowed) {
   const SmoothingResult result = smoother.smooth(options, progress);
   ASSERT_EQ(result.report().engine, Engine::kRefined);
   EXPECT_GT(dividing, 0U);
-  EXPECT_NEAR(result.report().length_after, 200, 1e-9);
-  EXPECT_LT(result.report().curvature_after, 1e-6);
+  EXPECT_NEAR(result.report().after.length, 200, 1e-9);
+  EXPECT_LT(result.report().after.total_curvature, 1e-6);
 }
 
 TEST(FineDrawings, CanBeDragged) {
@@ -275,7 +275,7 @@ TEST(FineDrawings, TakeAPotentialOfTheCaller) {
   const std::vector<double> flat(opened->surface().vertex_count(), 3.0);
   const SmoothingResult result = smoother.smooth({}, flat, 1);
   EXPECT_EQ(result.report().potential, PotentialKind::kCustom);
-  EXPECT_LT(result.report().curvature_after, 1e-6);  // a constant potential gives geodesics
+  EXPECT_LT(result.report().after.total_curvature, 1e-6);  // a constant potential gives geodesics
 }
 
 }  // namespace

@@ -60,9 +60,9 @@ TEST_F(MaxDeviation, IsKeptInBothDirectionsAndCurvatureFallsAsItGrows) {
     EXPECT_EQ(result.report().termination, Outcome::kConverged);
     EXPECT_EQ(result.report().max_deviation, bound);
     EXPECT_LE(test::apart(opened->mesh(), result.curve(), drawn), with_meter(bound));
-    EXPECT_LE(result.report().curvature_after, result.report().curvature_before);
-    EXPECT_GE(result.report().curvature_after, last * (1 - 1e-3));
-    last = result.report().curvature_after;
+    EXPECT_LE(result.report().after.total_curvature, result.report().before.total_curvature);
+    EXPECT_GE(result.report().after.total_curvature, last * (1 - 1e-3));
+    last = result.report().after.total_curvature;
   }
 }
 
@@ -84,7 +84,7 @@ TEST_F(MaxDeviation, OfTheWholeRoomUseIsMade) {
       const SmoothingResult by_hand = smoother.smooth(options);
       if (test::apart(hills->mesh(), by_hand.curve(), wave) > bound) continue;
       ++tried;
-      EXPECT_LE(within.report().curvature_after, 1.1 * by_hand.report().curvature_after)
+      EXPECT_LE(within.report().after.total_curvature, 1.1 * by_hand.report().after.total_curvature)
           << slack << " " << tau;
     }
   }
@@ -97,12 +97,12 @@ TEST_F(MaxDeviation, ASpikeTakesItsTurns) {
   const SmoothingResult result = smooth_within(smoother, 1);
   // Up and down a spike of 10 from within 1 of its foot to within 1 of its top, at most 4 wide:
   // turns of nearly half a circle at the top and of a quarter at each foot.
-  EXPECT_GT(result.report().curvature_after, 2 * std::numbers::pi * 0.8);
+  EXPECT_GT(result.report().after.total_curvature, 2 * std::numbers::pi * 0.8);
   // The zigzag beside it is gone.
-  EXPECT_LT(result.report().curvature_after, result.report().curvature_before / 3);
+  EXPECT_LT(result.report().after.total_curvature, result.report().before.total_curvature / 3);
   // A bound as large as the spike lets all of it go.
   const SmoothingResult wide = smooth_within(smoother, 11);
-  EXPECT_LT(wide.report().curvature_after, 0.1);
+  EXPECT_LT(wide.report().after.total_curvature, 0.1);
   EXPECT_EQ(wide.report().pins_added, 0U);
 }
 
@@ -129,7 +129,7 @@ TEST_F(MaxDeviation, ALoopKeepsItToo) {
     EXPECT_EQ(result.report().termination, Outcome::kConverged);
     EXPECT_TRUE(result.curve().closed);
     EXPECT_LE(test::apart(opened->mesh(), result.curve(), loop), with_meter(bound));
-    EXPECT_GE(result.report().curvature_after, 2 * std::numbers::pi * (1 - 1e-9));
+    EXPECT_GE(result.report().after.total_curvature, 2 * std::numbers::pi * (1 - 1e-9));
   }
 }
 
@@ -277,7 +277,8 @@ TEST_F(MaxDeviation, OnRealMeshes) {
       const SmoothingResult result = smooth_within(smoother, bound);
       EXPECT_EQ(result.report().termination, Outcome::kConverged) << name << " " << edges;
       EXPECT_LE(test::apart(real->mesh(), result.curve(), path), bound * 1.002) << name;
-      EXPECT_LT(result.report().curvature_after, result.report().curvature_before / 2) << name;
+      EXPECT_LT(result.report().after.total_curvature, result.report().before.total_curvature / 2)
+          << name;
     }
   }
 }

@@ -70,7 +70,7 @@ class NarrowPlacesTest : public testing::Test {
       EXPECT_EQ(warning.find("left taut"), std::string::npos) << warning;
     }
     EXPECT_EQ(kinks(result.curve()).size(), 0U);
-    EXPECT_LT(result.report().bending_after, 0.2 * result.report().bending_before);
+    EXPECT_LT(result.report().after.bending, 0.2 * result.report().before.bending);
     PolylineDistance distance(surface);
     distance.set(std::span(&drawing.curve, 1));
     for (const SurfacePoint& point : result.curve().points) {

@@ -47,7 +47,7 @@ TEST_F(NearClicks, ADoubleClickIsOne) {
     twice.insert(twice.begin() + 4, {kRing[3][0] - beside, kRing[3][1]});
     const SmoothingResult result = smoothed(twice, true);
     EXPECT_EQ(result.report().termination, Outcome::kConverged) << beside;
-    EXPECT_LT(result.report().bending_after, 1.2 * once.report().bending_after) << beside;
+    EXPECT_LT(result.report().after.bending, 1.2 * once.report().after.bending) << beside;
     ASSERT_EQ(result.report().warnings.size(), 1U) << beside;
     EXPECT_NE(result.report().warnings[0].find("taken as one with it"), std::string::npos);
     for (const auto& [x, y] : kRing) EXPECT_LT(missed(result, x, y), 1.1 * beside) << beside;
@@ -58,8 +58,8 @@ TEST_F(NearClicks, ALoopMayBeClosedByAClickBesideTheFirst) {
   auto ring = kRing;
   ring.push_back({22.35, 13.04});
   const SmoothingResult result = smoothed(ring, true);
-  EXPECT_LT(result.report().bending_after, 1.2 * smoothed(kRing, true).report().bending_after);
-  EXPECT_GT(result.report().length_after, 61);
+  EXPECT_LT(result.report().after.bending, 1.2 * smoothed(kRing, true).report().after.bending);
+  EXPECT_GT(result.report().after.length, 61);
   for (const auto& [x, y] : kRing) EXPECT_LT(missed(result, x, y), 1.1);
 }
 
@@ -138,8 +138,8 @@ TEST_F(NearClicks, LegsThatCrossAreAsRoundAsOthers) {
   const SmoothingResult result = smoothed(eight, true);
   EXPECT_EQ(result.report().crossings_before, 1U);
   EXPECT_EQ(result.report().crossings_after, 1U);
-  EXPECT_LT(result.report().curvature_max_after, 0.1);
-  EXPECT_LT(result.report().length_after, 1.1 * result.report().length_before);
+  EXPECT_LT(result.report().after.max_curvature, 0.1);
+  EXPECT_LT(result.report().after.length, 1.1 * result.report().before.length);
   for (const auto& [x, y] : eight) EXPECT_LT(missed(result, x, y), 1e-6);
 }
 

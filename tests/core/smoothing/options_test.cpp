@@ -73,9 +73,9 @@ TEST(Options, ARefusedTauLeavesTheCurveSet) {
   CurveSmoother smoother(opened);
   smoother.set_curve(
       test::vertex_curve(opened->surface(), test::ids({24, 25, 37, 38, 50, 51}), false));
-  const double before = smoother.smooth(1.0).report().length_after;
+  const double before = smoother.smooth(1.0).report().after.length;
   for (const double tau : {-1.0, kInf, kNaN}) EXPECT_THROW(smoother.smooth(tau), Error);
-  EXPECT_EQ(smoother.smooth(1.0).report().length_after, before);
+  EXPECT_EQ(smoother.smooth(1.0).report().after.length, before);
 }
 
 TEST(Options, DistancesAndPotentialsThatAreNoNumbersNameTheVertex) {

@@ -28,7 +28,7 @@ Scaled at_scale(double unit, Method method) {
       method == Method::kCorridor ? smooth_within(smoother, 2 * opened->mesh().mean_edge_length())
                                   : smoother.smooth(1);
   Scaled scaled;
-  scaled.curvature = result.total.curvature_after;
+  scaled.curvature = result.total.after.total_curvature;
   scaled.smoothed = positions_of(opened->mesh(), result.curve());
   scaled.cut = cut_along(opened->mesh(), result.curves).lists.points;
   for (std::vector<Point>* points : {&scaled.smoothed, &scaled.cut}) {

@@ -56,7 +56,7 @@ TEST(SmoothingOutcomes, NeedlesAreToldAndHarmless) {
   EXPECT_GT(result.report().mollification, 0);
   EXPECT_LE(result.report().mollification, 1e-5 * opened->mesh().mean_edge_length());
   EXPECT_EQ(smooth_curve(opened, drawn).report().mollification, 0);  // the corridor needs none
-  EXPECT_LT(result.report().length_after, result.report().length_before);
+  EXPECT_LT(result.report().after.length, result.report().before.length);
 }
 
 TEST(SmoothingOutcomes, PathsBecomeStraightOverPleatsWithoutWidth) {
@@ -80,7 +80,7 @@ TEST(SmoothingOutcomes, PathsBecomeStraightOverPleatsWithoutWidth) {
     for (const Method method : {Method::kPaper, Method::kCorridor}) {
       const SmoothingReport report =
           smooth_curve(opened, drawn, {.tau = 0}, {.method = method}).report();
-      EXPECT_NEAR(report.length_after, std::hypot(6 + 12 * w, 6.0), 1e-9) << w;
+      EXPECT_NEAR(report.after.length, std::hypot(6 + 12 * w, 6.0), 1e-9) << w;
     }
   }
 }
@@ -122,8 +122,8 @@ TEST(SmoothingOutcomes, AJointThatAnotherCurveHoldsIsTold) {
   const SmoothingResult result = smoother.smooth(straight);
   EXPECT_TRUE(has_warning(result.reports[0], "another part of the drawing is in the way"));
   // The shortest way above the obstacle's end.
-  EXPECT_NEAR(result.reports[0].length_after, 2 * std::hypot(4, 2), 1e-9);
-  EXPECT_NEAR(result.reports[1].length_after, 6, 1e-12);
+  EXPECT_NEAR(result.reports[0].after.length, 2 * std::hypot(4, 2), 1e-9);
+  EXPECT_NEAR(result.reports[1].after.length, 6, 1e-12);
 }
 
 TEST(SmoothingOutcomes, ABumpOverAConstantSlopeChangesNothingButTheValley) {

@@ -97,8 +97,8 @@ TEST(StraightResults, GrowIntoLiftedOnes) {
     const SmoothingResult lifted = smoother.smooth(tau);
     if (lifted.curve().points == straight.curve().points) continue;
     EXPECT_GT(tau, 1e-5);
-    EXPECT_NEAR(lifted.report().length_after, straight.report().length_after,
-                2e-7 * straight.report().length_after);
+    EXPECT_NEAR(lifted.report().after.length, straight.report().after.length,
+                2e-7 * straight.report().after.length);
     return;
   }
   FAIL() << "no tau is felt";

@@ -36,7 +36,7 @@ TEST(TremblingStrokes, AreFairAllAlong) {
   ASSERT_EQ(drawn.points.size(), 1879U);
   const SmoothingResult result = smooth_curve(opened, drawn);
   EXPECT_TRUE(result.report().warnings.empty());
-  EXPECT_LT(result.report().bending_after, 0.02 * result.report().bending_before);
+  EXPECT_LT(result.report().after.bending, 0.02 * result.report().before.bending);
   EXPECT_LT(result.report().deviation_to_drawn_max, 1.6 * result.report().slack);
   EXPECT_TRUE(self_contacts(opened->surface(), result.curves).empty());
 }

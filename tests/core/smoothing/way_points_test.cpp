@@ -80,8 +80,8 @@ TEST_F(WayPointsOnHills, MayLieARoundingBesideVertices) {
   for (const double beside : {1e-16, 1e-13, 1e-11, 1e-9}) {
     const SmoothingReport report = smooth_through(beside);
     EXPECT_TRUE(report.warnings.empty()) << beside << ": " << report.warnings.front();
-    EXPECT_NEAR(report.curvature_before, there.curvature_before, 1e-6) << beside;
-    EXPECT_NEAR(report.bending_after, there.bending_after, 1e-3 * there.bending_after) << beside;
+    EXPECT_NEAR(report.before.total_curvature, there.before.total_curvature, 1e-6) << beside;
+    EXPECT_NEAR(report.after.bending, there.after.bending, 1e-3 * there.after.bending) << beside;
   }
 }
 

@@ -52,7 +52,7 @@ TEST(CompassWalk, AStrokeOfTinySegmentsHasASlackAtOnce) {
   StraightLines lines(opened->surface());
   CurveSmoother smoother(opened);
   smoother.set_curve(lines.join(snapped.points, false));
-  EXPECT_GT(smoother.smooth(1).report().length_after, 20);
+  EXPECT_GT(smoother.smooth(1).report().after.length, 20);
 }
 
 TEST(CompassWalk, PassesOverRests) {

@@ -75,14 +75,14 @@ TEST_F(StrokesOfHands, AreTheSameHoweverTheyAreSampled) {
   const SmoothingResult ten = smoothed(stroke(0.1));
   EXPECT_EQ(ten.report().slack_from, SlackSource::kTrembling);
   EXPECT_NEAR(ten.report().slack, 0.7, 0.2);  // √3 · 0.6 / √2
-  EXPECT_LT(ten.report().bending_after, 0.3);
+  EXPECT_LT(ten.report().after.bending, 0.3);
   const std::array<std::vector<Point>, 6> others{
       stroke(1), stroke(0.33), stroke(0.03), stroke(0.01), stroke(0.1, 0.05), stroke(0.03, 0.05)};
   for (std::size_t k = 0; k < others.size(); ++k) {
     const SmoothingResult result = smoothed(others[k]);
     EXPECT_LT(apart(result.curve(), ten.curve()), 0.5) << k;
     EXPECT_LT(apart(ten.curve(), result.curve()), 0.5) << k;
-    EXPECT_LT(result.report().bending_after, 0.3) << k;
+    EXPECT_LT(result.report().after.bending, 0.3) << k;
     EXPECT_TRUE(result.report().warnings.empty()) << k << result.report().warnings.front();
   }
 }
@@ -122,7 +122,7 @@ TEST_F(StrokesOfHands, SayNothingWhereTheyRest) {
   }
   const SmoothingResult result = smoothed(points);
   EXPECT_LT(apart(result.curve(), ten.curve()), 0.5);
-  EXPECT_LT(result.report().bending_after, 0.3);
+  EXPECT_LT(result.report().after.bending, 0.3);
   EXPECT_EQ(result.report().points_before, drawn.points.size());
   EXPECT_GT(result.report().left_out, 150U);
   EXPECT_LT(result.report().left_out_max, result.report().slack / 2);
@@ -201,8 +201,8 @@ TEST_F(StrokesOfHands, KeepTheNarrowThatWasMeant) {
   };
   for (double s = 0; s <= 2 * length + width; s += 1) add(s);
   const SmoothingResult result = smoothed(points);
-  const double drawn_length = result.report().length_before;
-  EXPECT_GT(result.report().length_after, 0.85 * drawn_length);
+  const double drawn_length = result.report().before.length;
+  EXPECT_GT(result.report().after.length, 0.85 * drawn_length);
   EXPECT_LT(result.report().deviation_from_drawn_max, width / 2);
 }
 
@@ -223,7 +223,7 @@ TEST_F(StrokesOfHands, HaveAnotherSlackWhereTheHandIsAnother) {
   for (double x = 0; x <= 45; x += 0.05) points.emplace_back(3 + x, 20 + fine(x), 0);
   for (double x = 45.2; x <= 92; x += 0.2) points.emplace_back(3 + x, 20 + trembling(x, 9), 0);
   const SmoothingResult result = smoothed(points);
-  EXPECT_LT(result.report().bending_after, 0.5);
+  EXPECT_LT(result.report().after.bending, 0.5);
   double careful = 0;
   for (const Point& p : positions_of(opened->mesh(), result.curve())) {
     if (p.x() > 5 && p.x() < 40) careful = std::max(careful, std::abs(p.y() - 20));
@@ -247,7 +247,7 @@ TEST_F(StrokesOfHands, LoopsTrembleAsLinesDo) {
     for (const Point& p : positions_of(opened->mesh(), result->curve())) {
       EXPECT_NEAR((p - Point(50, 20, 0)).norm(), 14, 1);
     }
-    EXPECT_LT(result->report().curvature_after, 1.15 * kTurn);
+    EXPECT_LT(result->report().after.total_curvature, 1.15 * kTurn);
   }
 }
 

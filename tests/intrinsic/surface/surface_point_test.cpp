@@ -147,5 +147,21 @@ TEST(SurfacePoint, DistanceInFaceIsEuclidean) {
   }
 }
 
+TEST(SurfacePoint, PointsOfOneElementHaveItInCommon) {
+  using Kind = SurfaceElement::Kind;
+  const Surface s = surface_of(grid(2, 2));
+  const SurfaceElement vertex = element_of(SurfacePoint::at_vertex(s, VertexId{3}));
+  const SurfaceElement edge = element_of(SurfacePoint::on_edge(s, EdgeId{3}, 0.2));
+  const SurfaceElement face = element_of(SurfacePoint::in_face(s, FaceId{3}, {0.2, 0.3, 0.5}));
+  EXPECT_EQ(vertex, (SurfaceElement{Kind::kVertex, 3}));
+  EXPECT_EQ(edge, (SurfaceElement{Kind::kEdge, 3}));
+  EXPECT_EQ(face, (SurfaceElement{Kind::kFace, 3}));
+  EXPECT_EQ(element_of(SurfacePoint::on_edge(s, EdgeId{3}, 0.7)), edge);
+  EXPECT_EQ(element_of(SurfacePoint::in_face(s, FaceId{3}, {0.5, 0.3, 0.2})), face);
+  EXPECT_LT(vertex, edge);
+  EXPECT_LT(edge, face);
+  EXPECT_LT(edge, element_of(SurfacePoint::on_edge(s, EdgeId{4}, 0.1)));
+}
+
 }  // namespace
 }  // namespace talweg

@@ -1,0 +1,22 @@
+#include "talweg/core/smoothing/sheet_choice.hpp"
+
+#include <utility>
+
+#include "talweg/core/smoothing/refined_sheet.hpp"
+#include "talweg/core/smoothing/undivided_sheet.hpp"
+
+namespace talweg {
+
+std::unique_ptr<Sheet> sheet_for(SmoothingMemory& memory, const OrderedDrawing& drawing,
+                                 const CurveOptions& options,
+                                 std::optional<std::vector<double>> distance,
+                                 const Progress& progress) {
+  // The paper's method works on the mesh's own vertices only.
+  if (options.method == Method::kCorridor &&
+      !faces_to_divide(memory.mesh(), drawing, options).empty()) {
+    return std::make_unique<RefinedSheet>(memory.mesh(), drawing, options, progress);
+  }
+  return undivided_sheet_for(memory, drawing, options, nullptr, std::move(distance), progress);
+}
+
+}  // namespace talweg
