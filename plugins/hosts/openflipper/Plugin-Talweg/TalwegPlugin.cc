@@ -1,14 +1,16 @@
-// What scripts can call; the descriptions are what the host's script window shows.
-#include <algorithm>
+#include "TalwegPlugin.hh"
+
 #include <cmath>
 
 #include <OpenFlipper/BasePlugin/PluginFunctions.hh>
 #include <OpenFlipper/common/GlobalOptions.hh>
 
-#include "TalwegPlugin.hh"
-#include "talweg/editing/curve_files.hpp"
+#include "Report.hh"
+#include "ScriptHelp.hh"
 
 using talweg::editing::Editor;
+using talweg::openflipper::ColourBy;
+using talweg::openflipper::Mark;
 using talweg::openflipper::Session;
 namespace editing = talweg::editing;
 
@@ -17,12 +19,39 @@ namespace {
 /// Indices of scripts, where -1 is one that is not there.
 std::size_t index(int i) { return i < 0 ? SIZE_MAX : static_cast<std::size_t>(i); }
 
-std::array<double, 3> numbers(const Vector& v) { return {v[0], v[1], v[2]}; }
+/// Of scripts, where a negative number is none.
+std::optional<double> own(double value) {
+  return value < 0 ? std::nullopt : std::optional<double>(value);
+}
+
+editing::Point picked(int face, const Vector& at) {
+  return editing::picked(static_cast<std::uint32_t>(face), {at[0], at[1], at[2]});
+}
 
 }  // namespace
 
+void TalwegPlugin::pluginsInitialized() {
+  for (const auto& [slot, what, parameters, meanings] : talweg::openflipper::script_help()) {
+    emit setSlotDescription(slot, what, QString(parameters).split(';'), meanings.split(';'));
+  }
+  HostLink::pluginsInitialized();
+}
+
+bool TalwegPlugin::edit(int mesh_id, const std::function<void(Editor&)>& change) {
+  Session* session = sessions_.of(mesh_id);
+  return session != nullptr && session->edit(change);
+}
+
+Session* TalwegPlugin::done(int mesh_id) {
+  Session* session = sessions_.existing(mesh_id);
+  if (session != nullptr) session->wait();
+  return session;
+}
+
+// ---- Drawing
+
 bool TalwegPlugin::draw(int meshId, IdList vertices, bool closed) {
-  Session* session = session_of(meshId);
+  Session* session = sessions_.of(meshId);
   if (session == nullptr) return false;
   emit scriptInfo(QString("draw(%1, [...], %2)").arg(meshId).arg(closed ? "true" : "false"));
   return session->edit([&](Editor& e) {
@@ -38,9 +67,7 @@ bool TalwegPlugin::draw(int meshId, IdList vertices, bool closed) {
 }
 
 bool TalwegPlugin::addPoint(int meshId, int face, Vector barycentric) {
-  return edit(meshId, [&](Editor& e) {
-    e.add_point(editing::picked(static_cast<std::uint32_t>(face), numbers(barycentric)));
-  });
+  return edit(meshId, [&](Editor& e) { e.add_point(picked(face, barycentric)); });
 }
 
 bool TalwegPlugin::finishCurve(int meshId) {
@@ -60,28 +87,28 @@ bool TalwegPlugin::dropCurve(int meshId) {
 }
 
 bool TalwegPlugin::fromSelection(int meshId) {
-  Session* session = session_of(meshId);
+  Session* session = sessions_.of(meshId);
   if (session == nullptr) return false;
   session->add_selection();
   return session->last_error().isEmpty();
 }
 
 bool TalwegPlugin::fromFaceSelection(int meshId) {
-  Session* session = session_of(meshId);
+  Session* session = sessions_.of(meshId);
   if (session == nullptr) return false;
   session->add_face_borders(true);
   return session->last_error().isEmpty();
 }
 
 bool TalwegPlugin::fromFaceColours(int meshId) {
-  Session* session = session_of(meshId);
+  Session* session = sessions_.of(meshId);
   if (session == nullptr) return false;
   session->add_face_borders(false);
   return session->last_error().isEmpty();
 }
 
 bool TalwegPlugin::fromPolyLine(int meshId, int polyLineId) {
-  Session* session = session_of(meshId);
+  Session* session = sessions_.of(meshId);
   const PolyLineObject* line = PluginFunctions::polyLineObject(polyLineId);
   if (session == nullptr || line == nullptr) {
     warn(tr("There is no polyline with the id %1.").arg(polyLineId));
@@ -92,6 +119,20 @@ bool TalwegPlugin::fromPolyLine(int meshId, int polyLineId) {
   return session->last_error().isEmpty();
 }
 
+void TalwegPlugin::drawMode(bool on) { hand_.set_draws(on); }
+
+bool TalwegPlugin::undoEdit(int meshId) {
+  Session* session = sessions_.existing(meshId);
+  return session != nullptr && session->undo();
+}
+
+bool TalwegPlugin::redoEdit(int meshId) {
+  Session* session = sessions_.existing(meshId);
+  return session != nullptr && session->redo();
+}
+
+// ---- Curves and points
+
 bool TalwegPlugin::removeCurve(int meshId, int curve) {
   return edit(meshId, [&](Editor& e) { e.remove_curve(index(curve)); });
 }
@@ -100,10 +141,33 @@ bool TalwegPlugin::clear(int meshId) {
   return edit(meshId, [](Editor& e) { e.clear(); });
 }
 
+bool TalwegPlugin::renameCurve(int meshId, int curve, QString name) {
+  return edit(meshId, [&](Editor& e) { e.rename_curve(index(curve), name.toStdString()); });
+}
+
+bool TalwegPlugin::pinCurve(int meshId, int curve, bool pinned) {
+  return edit(meshId, [&](Editor& e) { e.pin_curve(index(curve), pinned); });
+}
+
+bool TalwegPlugin::continueCurve(int meshId, int curve) {
+  return edit(meshId, [&](Editor& e) { e.continue_curve(index(curve)); });
+}
+
+bool TalwegPlugin::setClosed(int meshId, int curve, bool closed) {
+  return edit(meshId, [&](Editor& e) { e.set_closed(index(curve), closed); });
+}
+
+bool TalwegPlugin::setCurveTau(int meshId, int curve, double tau) {
+  return edit(meshId, [&](Editor& e) { e.set_curve_tau(index(curve), own(tau)); });
+}
+
+bool TalwegPlugin::setCurveTolerance(int meshId, int curve, double tolerance) {
+  return edit(meshId, [&](Editor& e) { e.set_curve_tolerance(index(curve), own(tolerance)); });
+}
+
 bool TalwegPlugin::movePoint(int meshId, int curve, int point, int face, Vector barycentric) {
   return edit(meshId, [&](Editor& e) {
-    e.move_point(index(curve), index(point),
-                 editing::picked(static_cast<std::uint32_t>(face), numbers(barycentric)));
+    e.move_point(index(curve), index(point), picked(face, barycentric));
   });
 }
 
@@ -111,9 +175,19 @@ bool TalwegPlugin::setPinned(int meshId, int curve, int point, bool pinned) {
   return edit(meshId, [&](Editor& e) { e.set_pinned(index(curve), index(point), pinned); });
 }
 
-bool TalwegPlugin::setClosed(int meshId, int curve, bool closed) {
-  return edit(meshId, [&](Editor& e) { e.set_closed(index(curve), closed); });
+bool TalwegPlugin::insertPoint(int meshId, int curve, int before, int face, Vector barycentric) {
+  return edit(meshId, [&](Editor& e) {
+    e.insert_point(index(curve), index(before),
+                   editing::picked(static_cast<std::uint32_t>(face),
+                                   {barycentric[0], barycentric[1], barycentric[2]}));
+  });
 }
+
+bool TalwegPlugin::removePoint(int meshId, int curve, int point) {
+  return edit(meshId, [&](Editor& e) { e.remove_point(index(curve), index(point)); });
+}
+
+// ---- Settings
 
 bool TalwegPlugin::setTau(int meshId, double tau) {
   emit scriptInfo(QString("setTau(%1, %2)").arg(meshId).arg(tau));
@@ -142,27 +216,10 @@ bool TalwegPlugin::setClickDistance(int meshId, double distance) {
   });
 }
 
-bool TalwegPlugin::undoEdit(int meshId) {
-  Session* session = existing(meshId);
-  return session != nullptr && session->undo();
-}
-
-bool TalwegPlugin::redoEdit(int meshId) {
-  Session* session = existing(meshId);
-  return session != nullptr && session->redo();
-}
-
-bool TalwegPlugin::repairMesh(int meshId) {
-  Session* session = session_of(meshId);
-  if (session == nullptr) return false;
-  emit scriptInfo(QString("repairMesh(%1)").arg(meshId));
-  session->repair();
-  session->wait();
-  return session->problem().isEmpty();
-}
+// ---- Results
 
 IdList TalwegPlugin::smooth(int meshId) {
-  Session* session = session_of(meshId);
+  Session* session = sessions_.of(meshId);
   if (session == nullptr) return {};
   session->wait();
   emit scriptInfo(QString("smooth(%1)").arg(meshId));
@@ -171,152 +228,119 @@ IdList TalwegPlugin::smooth(int meshId) {
 }
 
 QString TalwegPlugin::report(int meshId) {
-  Session* session = existing(meshId);
+  Session* session = done(meshId);
   if (session == nullptr) return {};
-  session->wait();
   return whole_report(*session);
 }
 
 double TalwegPlugin::measure(int meshId, QString key) {
-  Session* session = existing(meshId);
+  Session* session = done(meshId);
   if (session == nullptr) return std::nan("");
-  session->wait();
   return session->results().number(key.toStdString(), -1, std::nan(""));
 }
 
+double TalwegPlugin::measureCurve(int meshId, int curve, QString key) {
+  Session* session = done(meshId);
+  if (session == nullptr) return std::nan("");
+  const auto& curves = session->drawing().curves;
+  if (index(curve) >= curves.size()) return std::nan("");
+  const auto result = session->result_of(curves[index(curve)]->number);
+  if (!result) return std::nan("");
+  return session->results().number(key.toStdString(), static_cast<int>(*result), std::nan(""));
+}
+
 QString TalwegPlugin::lastError(int meshId) {
-  Session* session = existing(meshId);
+  Session* session = done(meshId);
   if (session == nullptr) return {};
-  session->wait();
   return session->last_error();
 }
 
 bool TalwegPlugin::writeResult(int meshId, QString filename) {
-  Session* session = existing(meshId);
-  if (session == nullptr) return false;
-  session->wait();
-  return session->attempt([&] {
-    editing::write_curves(*plugins_, filename.toStdString(), session->results().curves);
-    say(tr("Wrote %1.").arg(filename));
-  });
+  Session* session = done(meshId);
+  return session != nullptr && session->write_result(filename);
 }
 
 bool TalwegPlugin::writeDrawing(int meshId, QString filename) {
-  Session* session = existing(meshId);
-  if (session == nullptr) return false;
-  return session->attempt([&] {
-    editing::write_curves(*plugins_, filename.toStdString(),
-                          drawn_curves(session->arrays(), session->editor().drawing()));
-    say(tr("Wrote %1.").arg(filename));
-  });
+  Session* session = sessions_.existing(meshId);
+  return session != nullptr && session->write_drawing(filename);
 }
 
 bool TalwegPlugin::readDrawing(int meshId, QString filename) {
-  Session* session = session_of(meshId);
+  Session* session = sessions_.of(meshId);
   if (session == nullptr) return false;
-  const bool read = session->attempt(
-      [&] { session->add_curves(editing::read_curves(*plugins_, filename.toStdString())); });
+  const bool read = session->read_drawing(filename);
   if (OpenFlipper::Options::nogui()) session->wait();
   return read && session->last_error().isEmpty();
 }
 
-bool TalwegPlugin::cut(int meshId) {
-  Session* session = existing(meshId);
+// ---- The mesh
+
+bool TalwegPlugin::repairMesh(int meshId) {
+  Session* session = sessions_.of(meshId);
   if (session == nullptr) return false;
+  emit scriptInfo(QString("repairMesh(%1)").arg(meshId));
+  session->repair();
   session->wait();
+  return session->problem().isEmpty();
+}
+
+bool TalwegPlugin::cut(int meshId) {
+  Session* session = done(meshId);
+  if (session == nullptr) return false;
   emit scriptInfo(QString("cut(%1)").arg(meshId));
   return session->cut(false);
 }
 
 bool TalwegPlugin::selectInside(int meshId) {
-  Session* session = existing(meshId);
+  Session* session = done(meshId);
   if (session == nullptr) return false;
-  session->wait();
   emit scriptInfo(QString("selectInside(%1)").arg(meshId));
   return session->cut(true);
 }
 
 IdList TalwegPlugin::split(int meshId, bool lids) {
-  Session* session = existing(meshId);
+  Session* session = done(meshId);
   IdList parts;
   if (session == nullptr) return parts;
-  session->wait();
   emit scriptInfo(QString("split(%1, %2)").arg(meshId).arg(lids ? "true" : "false"));
   session->split(lids, parts);
   return parts;
 }
 
-void TalwegPlugin::describe(const char* slot, const QString& what, const char* parameters,
-                            const QString& meanings) {
-  emit setSlotDescription(slot, what, QString(parameters).split(';'), meanings.split(';'));
+// ---- How curves look
+
+bool TalwegPlugin::colourBy(int meshId, QString what) {
+  Session* session = sessions_.existing(meshId);
+  const QStringList names = {"nothing", "deviation", "distance", "potential"};
+  const auto at = names.indexOf(what);
+  if (session == nullptr || at < 0) {
+    warn(tr("Colours are: %1.").arg(names.join(", ")));
+    return false;
+  }
+  session->colour_by(static_cast<ColourBy>(at));
+  session->wait();
+  return true;
 }
 
-void TalwegPlugin::describe_slots() {
-  describe_curve_slots();
-  describe_look_slots();
-  const QString mesh = tr("id of a triangle mesh");
-  const QString curve_point = mesh + tr(";curve, from 0;point, from 0;");
-  describe("draw(int,IdList,bool)", tr("Adds a curve through vertices, straight over the faces."),
-           "meshId;vertices;closed", mesh + tr(";vertices from 0;whether it comes back"));
-  describe("addPoint(int,int,Vector)", tr("Adds a point to the curve that is being drawn."),
-           "meshId;face;barycentric", mesh + tr(";face from 0;its coordinates there"));
-  describe("finishCurve(int)", tr("Ends the curve that is being drawn."), "meshId", mesh);
-  describe("closeCurve(int)", tr("Closes the curve that is being drawn."), "meshId", mesh);
-  describe("takeBackPoint(int)", tr("Takes the last point back."), "meshId", mesh);
-  describe("dropCurve(int)", tr("Drops the curve that is being drawn."), "meshId", mesh);
-  describe("fromSelection(int)", tr("Curves from selected vertices or edges."), "meshId", mesh);
-  describe("fromFaceSelection(int)", tr("Curves along the border of the selected faces."), "meshId",
-           mesh);
-  describe("fromFaceColours(int)", tr("Curves along the borders between face colours."), "meshId",
-           mesh);
-  describe("fromPolyLine(int,int)", tr("A curve from a polyline, put onto the mesh."),
-           "meshId;polyLineId", mesh + tr(";id of a polyline"));
-  describe("removeCurve(int,int)", tr("Removes a curve."), "meshId;curve", mesh + tr(";from 0"));
-  describe("clear(int)", tr("Removes all curves."), "meshId", mesh);
-  describe("movePoint(int,int,int,int,Vector)", tr("Moves a drawn point."),
-           "meshId;curve;point;face;barycentric",
-           curve_point + tr("face from 0;its coordinates there"));
-  describe("setPinned(int,int,int,bool)", tr("Pins a drawn point, or lets it go."),
-           "meshId;curve;point;pinned", curve_point + tr("whether the result passes through it"));
-  describe("setClosed(int,int,bool)", tr("Closes or opens a curve."), "meshId;curve;closed",
-           mesh + tr(";from 0;whether it comes back"));
-  describe("setTau(int,double)", tr("0: straight lines; more keeps closer to the drawing."),
-           "meshId;tau", mesh + tr(";0 or more"));
-  describe(
-      "setSlack(int,double)", tr("How exact the drawing is."), "meshId;slack",
-      mesh + tr(";mesh units; negative: from the drawing").replace("; negative", ", negative"));
-  describe("setMaxDeviation(int,double)", tr("The largest deviation; chooses tau and slack."),
-           "meshId;bound", mesh + tr(";mesh units, 0: no bound"));
-  describe("setEnds(int,QString)", tr("What becomes of the ends of curves that are not closed."),
-           "meshId;ends",
-           mesh + tr(";auto: painted strokes that come back are loops, closed: all are, open"));
-  describe("setClickDistance(int,double)",
-           tr("Clicks that follow each other within this distance are one."), "meshId;distance",
-           mesh + tr(";mesh units, negative: an edge of the mesh"));
-  describe("undoEdit(int)", tr("Takes the last edit back."), "meshId", mesh);
-  describe("redoEdit(int)", tr("Does it again."), "meshId", mesh);
-  describe("repairMesh(int)",
-           tr("Draws on the mesh as if it was repaired, if it is no surface; the mesh stays."),
-           "meshId", mesh);
-  describe("smooth(int)", tr("Waits for the smoothed curves and returns their polylines' ids."),
-           "meshId", mesh);
-  describe("report(int)", tr("Everything that was measured, one \"key = value\" a line."), "meshId",
-           mesh);
-  describe("measure(int,QString)", tr("One number of the report, for all curves together."),
-           "meshId;key", mesh + tr(";such as length_after"));
-  describe("lastError(int)", tr("Why the last edit or smoothing failed; empty if it did not."),
-           "meshId", mesh);
-  describe("writeResult(int,QString)", tr("Writes the smoothed curves."), "meshId;filename",
-           mesh + tr(";.json, .vtp, .vtk, .obj, .ply, .mrk.json"));
-  describe("writeDrawing(int,QString)", tr("Writes the drawn points."), "meshId;filename",
-           mesh + tr(";as writeResult"));
-  describe("readDrawing(int,QString)", tr("Adds the curves of a file."), "meshId;filename",
-           mesh + tr(";as writeResult, or .txt"));
-  describe("cut(int)", tr("Makes the smoothed curves edges of the mesh, and selects them."),
-           "meshId", mesh);
-  describe("selectInside(int)", tr("Cuts, and selects the faces inside the closed curves."),
-           "meshId", mesh);
-  describe("split(int,bool)", tr("Makes a mesh of each part that the smoothed curves leave."),
-           "meshId;lids", mesh + tr(";whether the parts are closed where they were cut"));
-  describe("drawMode(bool)", tr("Begins or ends drawing with the mouse."), "on", tr("whether"));
+bool TalwegPlugin::showComb(int meshId, bool with) {
+  Session* session = sessions_.existing(meshId);
+  if (session == nullptr) return false;
+  session->show_comb(with);
+  session->wait();
+  return true;
+}
+
+Vector TalwegPlugin::largest(int meshId, QString what) {
+  Session* session = sessions_.existing(meshId);
+  const QStringList names = {"nothing", "deviation", "curvature"};
+  const auto at = names.indexOf(what);
+  const double none = std::nan("");
+  if (session == nullptr || at < 0) {
+    warn(tr("What is largest is: %1.").arg(names.join(", ")));
+    return Vector(none, none, none);
+  }
+  session->wait();
+  session->mark_largest(static_cast<Mark>(at));
+  session->wait();
+  return session->inspection().marked().at.value_or(Vector(none, none, none));
 }
