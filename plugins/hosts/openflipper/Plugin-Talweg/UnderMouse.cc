@@ -2,12 +2,11 @@
 
 #include <QCoreApplication>
 #include <algorithm>
-#include <cmath>
 #include <vector>
 
 #include <OpenFlipper/BasePlugin/PluginFunctions.hh>
 
-#include "ScreenLine.hh"
+#include "talweg/editing/screen_line.hpp"
 
 namespace talweg::openflipper {
 namespace {
@@ -24,7 +23,9 @@ ACG::GLState& active_view() {
   return PluginFunctions::viewerProperties(viewer).glState();
 }
 
-QPointF on_screen(ACG::GLState& view, const ACG::Vec3d& place) {
+editing::Pixel pixel(const QPoint& at) { return {1.0 * at.x(), 1.0 * at.y()}; }
+
+editing::Pixel on_screen(ACG::GLState& view, const ACG::Vec3d& place) {
   const ACG::Vec3d s = view.project(place);
   return {s[0], view.context_height() - s[1]};
 }
@@ -112,8 +113,8 @@ std::optional<Handle> UnderMouse::handle(const QPoint& at) const {
   for (std::size_t c = 0; c < curves.size(); ++c) {
     for (std::size_t p = 0; p < curves[c]->points.size(); ++p) {
       if (!session->shows_point(c, p)) continue;
-      const QPointF off = on_screen(view, vector_at(session->arrays(), curves[c]->points[p])) - at;
-      const double away = std::hypot(off.x(), off.y());
+      const ACG::Vec3d place = vector_at(session->arrays(), curves[c]->points[p]);
+      const double away = editing::distance(on_screen(view, place), pixel(at));
       if (away <= kReach) candidates.push_back({away, {c, p}});
     }
   }
@@ -133,11 +134,11 @@ std::optional<CurvePlace> UnderMouse::curve(const QPoint& at) const {
   std::vector<Candidate<CurvePlace>> candidates;
   for (std::size_t c = 0; c < session->drawing().curves.size(); ++c) {
     for (const host::Curve* line : session->lines_of(c)) {
-      std::vector<QPointF> points;
+      std::vector<editing::Pixel> points;
       for (const auto& p : line->positions) {
         points.push_back(on_screen(view, ACG::Vec3d(p[0], p[1], p[2])));
       }
-      const NearSegment near = nearest_segment(points, line->closed, at);
+      const auto near = editing::nearest_segment(points, line->closed, pixel(at));
       if (near.away <= kLineReach) candidates.push_back({near.away, {c, line, near.segment}});
     }
   }
