@@ -118,7 +118,7 @@ class FairChain {
   std::vector<double> offsets_;
   double damping_ = 1e-2;
   std::vector<BandPlace> places_;
-  std::size_t passed_ = 0;        // faces, by joins and steps
+  std::size_t passed_ = 0;  // faces, by joins and steps
   bool lost_ = false;
   double energy_ = 0;             // 1 / mesh units
   std::vector<double> energies_;  // per sample

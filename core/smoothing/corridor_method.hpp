@@ -16,8 +16,8 @@
 namespace talweg {
 
 /// Refers to the memory, whose distance it uses, and to the drawing. All functions throw Cancelled.
-/// A smoothing costs the fairings of FairLadder and FairFinishing, and a straightening where these ask
-/// for it.
+/// A smoothing costs the fairings of FairLadder and FairFinishing, and a straightening where these
+/// ask for it.
 class CorridorMethod {
  public:
   CorridorMethod(SmoothingMemory& memory, EmbeddedDrawing& drawing)

@@ -1,6 +1,9 @@
 #include "mesh_arrays.hpp"
 
+#include <algorithm>
 #include <unordered_map>
+
+#include "vectors.hpp"
 
 namespace talweg::editing {
 
@@ -37,6 +40,30 @@ std::vector<Point> points_at(const MeshArrays& mesh, const std::vector<std::uint
     }
   }
   return points;
+}
+
+double diagonal_of(const MeshArrays& mesh) {
+  if (mesh.positions.empty()) return 0;
+  Vector low = mesh.positions[0], high = low;
+  for (const Vector& p : mesh.positions) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      low[k] = std::min(low[k], p[k]);
+      high[k] = std::max(high[k], p[k]);
+    }
+  }
+  return length(minus(high, low));
+}
+
+double mean_edge_of(const MeshArrays& mesh) {
+  double sum = 0;
+  for (const auto& t : mesh.triangles) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t a = t[k], b = t[(k + 1) % 3];
+      if (std::max(a, b) >= mesh.positions.size()) continue;
+      sum += length(minus(mesh.positions[b], mesh.positions[a]));
+    }
+  }
+  return mesh.triangles.empty() ? 0 : sum / static_cast<double>(3 * mesh.triangles.size());
 }
 
 void set_mesh(host::Instance& instance, const MeshArrays& mesh) {

@@ -24,6 +24,13 @@ std::array<double, 3> position_of(const MeshArrays& mesh, const Point& point);
 /// vertex has no triangle. O(triangles), for any number of vertices.
 std::vector<Point> points_at(const MeshArrays& mesh, const std::vector<std::uint32_t>& vertices);
 
+/// The diagonal of the box around all vertices, mesh units; 0 without any.
+double diagonal_of(const MeshArrays& mesh);
+
+/// The mean length of edges, mesh units, where those between two triangles count twice; 0 without
+/// triangles. Corners that the mesh does not have are passed over.
+double mean_edge_of(const MeshArrays& mesh);
+
 /// Sets the mesh of an instance, which copies it. Throws host::Error.
 void set_mesh(host::Instance& instance, const MeshArrays& mesh);
 

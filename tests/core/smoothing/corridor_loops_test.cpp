@@ -55,7 +55,8 @@ SurfaceCurve on_grid(const Surface& surface, std::uint32_t columns,
   return test::vertex_curve(surface, draw_edge_path(surface, vertices, true), true);
 }
 
-/// A set with a thin loop asks while it makes curves fair about what its curves ask each for itself.
+/// A set with a thin loop asks while it makes curves fair about what its curves ask each for
+/// itself.
 TEST(CorridorLoops, AThinOneHoldsAndCostsOthersNothing) {
   constexpr std::uint32_t kAcross = 60;
   const auto opened = OpenedMesh::open(grid(kAcross, kAcross));

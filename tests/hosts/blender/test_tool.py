@@ -97,6 +97,14 @@ class Lines(unittest.TestCase):
         self.assertEqual(lines.place_on(loop, around, 0), 2)
         self.assertEqual(lines.place_on(loop, around, 4), 4)
 
+    def test_a_line_that_comes_back_is_not_taken_for_its_other_stretch(self):
+        """As in tests/plugins/editing/curves_test.cpp, of the same in C++."""
+        there = [(k / 10, 0.0, 0.0) for k in range(21)]
+        along = np.array(there + [(x, 0.01, 0.0) for x, _, _ in reversed(there)])
+        places = (0.0, 0.0, 0.0), (1.0, 0.009, 0.0), (2.0, 0.005, 0.0), (1.2, 0.001, 0.0), (0.0, 0.01, 0.0)
+        line = lines.Line(tuple(lines.Point(0, (1, 0, 0), place, True) for place in places))
+        self.assertEqual([lines.place_on(line, along, segment) for segment in (5, 15, 24, 35)], [1, 2, 3, 4])
+
     def test_too_few_points(self):
         self.assertIsNone(lines.without(self.line(1), 0))
         triangle = self.line(3)._replace(closed=True)

@@ -10,6 +10,7 @@
 #include "plugins/editing_drawings.hpp"
 #include "talweg/editing/comb.hpp"
 #include "talweg/editing/legs.hpp"
+#include "talweg/editing/screen_line.hpp"
 #include "talweg/editing/sight.hpp"
 
 namespace talweg {
@@ -200,6 +201,25 @@ TEST(Legs, WhatIsNotThereIsRefused) {
   EXPECT_EQ(editing::leg_at(line, line, true, 1), 2U);
   EXPECT_NE(refusal([&] { (void)editing::leg_at({{0, 0, 0}}, line, false, 0); }), "no refusal");
   EXPECT_NE(refusal([&] { (void)editing::leg_at(line, {}, false, 0); }), "no refusal");
+}
+
+// ---- Lines on the screen
+
+TEST(ScreenLine, TellsTheSegmentUnderTheMouse) {
+  const std::vector<editing::Pixel> line = {{0, 0}, {10, 0}, {10, 10}, {0, 10}};
+  const auto near = editing::nearest_segment(line, false, {7, 4});
+  EXPECT_EQ(near.segment, 1U);
+  EXPECT_EQ(near.away, 3);
+  EXPECT_EQ(near.along, 0.4);
+  EXPECT_EQ(editing::nearest_segment(line, false, {1, 4}).segment, 0U);
+  EXPECT_EQ(editing::nearest_segment(line, true, {1, 4}).segment, 3U);
+  EXPECT_EQ(editing::nearest_segment(line, false, {13, 14}).away, 5) << "beyond an end";
+}
+
+TEST(ScreenLine, WhatIsNoSegmentIsNowhere) {
+  EXPECT_TRUE(std::isinf(editing::nearest_segment({}, true, {0, 0}).away));
+  EXPECT_TRUE(std::isinf(editing::nearest_segment({{1, 1}}, false, {0, 0}).away));
+  EXPECT_EQ(editing::nearest_segment({{3, 4}, {3, 4}}, false, {0, 0}).away, 5) << "of no length";
 }
 
 // ---- Combs

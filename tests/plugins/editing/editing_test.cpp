@@ -353,6 +353,18 @@ TEST(MeshArrays, PointsAtVerticesLieThere) {
             "Vertex 30 is no corner of any face.");
 }
 
+TEST(MeshArrays, TellsHowLargeItIs) {
+  const editing::MeshArrays square{{{0, 0, 0}, {3, 0, 0}, {3, 4, 0}, {0, 4, 0}},
+                                   {{0, 1, 2}, {0, 2, 3}}};
+  EXPECT_EQ(editing::diagonal_of(square), 5);
+  EXPECT_EQ(editing::mean_edge_of(square), (3 + 4 + 5) / 3.0);
+  editing::MeshArrays lacking = square;
+  lacking.triangles.push_back({0, 1, 9});
+  EXPECT_EQ(editing::mean_edge_of(lacking), (2 * (3 + 4 + 5) + 3) / 9.0);
+  EXPECT_EQ(editing::diagonal_of({}), 0);
+  EXPECT_EQ(editing::mean_edge_of({}), 0);
+}
+
 // ---- Selections. Vertex (x, y) of the sheet is x + 31 y.
 
 class Selection : public testing::Test {

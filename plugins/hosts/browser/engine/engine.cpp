@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <utility>
 
 #include "drawing_json.hpp"
@@ -43,32 +42,6 @@ std::vector<std::uint32_t> shown_triangles(
   return result;
 }
 
-/// The diagonal of the box around all vertices.
-double size_of(const MeshArrays& mesh) {
-  if (mesh.positions.empty()) return 0;
-  editing::Vector low = mesh.positions[0], high = low;
-  for (const editing::Vector& p : mesh.positions) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      low[k] = std::min(low[k], p[k]);
-      high[k] = std::max(high[k], p[k]);
-    }
-  }
-  return editing::length(editing::minus(high, low));
-}
-
-/// Edges between two faces count twice.
-double mean_edge_of(const MeshArrays& mesh) {
-  double sum = 0;
-  for (const auto& t : mesh.triangles) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::uint32_t a = t[k], b = t[(k + 1) % 3];
-      if (std::max(a, b) >= mesh.positions.size()) continue;
-      sum += editing::length(editing::minus(mesh.positions[b], mesh.positions[a]));
-    }
-  }
-  return mesh.triangles.empty() ? 0 : sum / static_cast<double>(3 * mesh.triangles.size());
-}
-
 host::Results inspected(const editing::Plugins& plugins, const MeshArrays& mesh) {
   const host::Services services("Talweg page", "1");
   host::Instance repair(plugins.find("talweg.repair"), services);
@@ -101,7 +74,7 @@ Answer Engine::open(const std::string& name, std::string_view bytes, bool repair
                  {"faces", mesh_.arrays->triangles.size()},
                  {"positions", answer.array(shown_positions(mesh_.arrays->positions))},
                  {"triangles", answer.array(shown_triangles(mesh_.arrays->triangles))},
-                 {"size", size_of(*mesh_.arrays)},
+                 {"size", diagonal_of(*mesh_.arrays)},
                  {"meanEdge", mean_edge_},
                  {"unit", ""},
                  {"repair", opened.repair},
@@ -188,8 +161,8 @@ Answer Engine::comb(std::size_t curve, double spacing) const {
   std::vector<editing::Vector> roots, tips;
   std::vector<double> curvature;
   // A circle as large as the mesh has teeth of a twentieth of its size.
-  const double scale = size_of(*mesh_.arrays) * size_of(*mesh_.arrays) / 40;
-  const double longest = size_of(*mesh_.arrays) / 8;
+  const double scale = diagonal_of(*mesh_.arrays) * diagonal_of(*mesh_.arrays) / 40;
+  const double longest = diagonal_of(*mesh_.arrays) / 8;
   for (const editing::Tooth& tooth : teeth) {
     roots.push_back(tooth.root);
     const double length = std::min(longest, scale * tooth.curvature);

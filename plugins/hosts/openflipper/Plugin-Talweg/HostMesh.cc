@@ -143,11 +143,14 @@ std::vector<editing::OrderedVertices> ordered_selection(TriMesh& mesh,
   return curves;
 }
 
-std::vector<ACG::Vec4f> colours_of(const std::vector<double>& values) {
+double largest_of(const std::vector<double>& values) {
   double largest = 0;
-  for (const double value : values) {
-    if (std::isfinite(value)) largest = std::max(largest, value);
-  }
+  for (const double value : values) largest = std::max(largest, std::isfinite(value) ? value : 0);
+  return largest;
+}
+
+std::vector<ACG::Vec4f> colours_of(const std::vector<double>& values) {
+  const double largest = largest_of(values);
   const ACG::ColorCoder coder(0.0f, largest > 0 ? static_cast<float>(largest) : 1.0f);
   std::vector<ACG::Vec4f> colours;
   for (const double value : values) colours.push_back(colour_of(coder, value));

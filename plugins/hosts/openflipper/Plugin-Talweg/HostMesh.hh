@@ -36,6 +36,8 @@ host::Curve positions_of(const PolyLine& line);
 std::vector<editing::OrderedVertices> ordered_selection(TriMesh& mesh,
                                                         const editing::MeshArrays& arrays);
 
+/// Of the finite values; 0 without any above it.
+double largest_of(const std::vector<double>& values);
 /// Colours from blue (0) to red (the largest finite value); grey where a value is not finite.
 std::vector<ACG::Vec4f> colours_of(const std::vector<double>& values);
 void colour(TriMesh& mesh, const std::vector<double>& values);

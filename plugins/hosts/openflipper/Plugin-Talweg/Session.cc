@@ -1,46 +1,28 @@
 #include "Session.hh"
 
+#include <QCoreApplication>
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
-#include <OpenFlipper/BasePlugin/PluginFunctions.hh>
 #include <OpenFlipper/common/GlobalOptions.hh>
 
-#include "CurveColours.hh"
-#include "DrawingBackup.hh"
+#include "MeshUse.hh"
+#include "Report.hh"
+#include "talweg/editing/curve_files.hpp"
 
 namespace talweg::openflipper {
 namespace {
 
 constexpr double kPatienceMs = 2000;  // with a task that was cancelled
 
-double diagonal_of(const editing::MeshArrays& mesh) {
-  ACG::Vec3d least(1e300), most(-1e300);
-  for (const auto& p : mesh.positions) {
-    least.minimize(ACG::Vec3d(p[0], p[1], p[2]));
-    most.maximize(ACG::Vec3d(p[0], p[1], p[2]));
-  }
-  return mesh.positions.empty() ? 1 : (most - least).norm();
-}
-
-double mean_edge_of(const editing::MeshArrays& mesh) {
-  double sum = 0;
-  for (const auto& corners : mesh.triangles) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      const auto &from = mesh.positions[corners[k]], &to = mesh.positions[corners[(k + 1) % 3]];
-      sum += std::hypot(to[0] - from[0], to[1] - from[1], to[2] - from[2]);
-    }
-  }
-  return mesh.triangles.empty() ? 1 : sum / (3 * static_cast<double>(mesh.triangles.size()));
-}
-
-PolyLine* line_of(int id) {
-  PolyLineObject* object = PluginFunctions::polyLineObject(id);
-  return object == nullptr ? nullptr : object->line();
-}
+struct Words {
+  Q_DECLARE_TR_FUNCTIONS(Session)
+};
 
 QString in_words(const std::string& text) { return QString::fromStdString(text); }
+
+/// Sliders need a length.
+double or_one(double length) { return length > 0 ? length : 1; }
 
 }  // namespace
 
@@ -49,49 +31,28 @@ Session::Session(HostCalls& host, const editing::Plugins& plugins, TriMeshObject
     : host_(host),
       plugins_(plugins),
       object_(object),
-      mesh_id_(object.id()),
       name_(object.name()),
-      arrays_(arrays_of(*object.mesh())),
-      diagonal_(diagonal_of(*arrays_)),
-      mean_edge_(mean_edge_of(*arrays_)),
-      editor_(settings) {
-  first_number_ = kept_number_ = editor_.history().number();
-  if (OpenFlipper::Options::gui()) nodes_ = std::make_unique<CurveNodes>();
+      now_{arrays_of(*object.mesh()), editing::Editor(settings)},
+      diagonal_(or_one(editing::diagonal_of(arrays()))),
+      mean_edge_(or_one(editing::mean_edge_of(arrays()))),
+      requests_(
+          plugins, [&host] { host.wake(); }, OpenFlipper::Options::gui()),
+      nodes_(OpenFlipper::Options::gui() ? std::make_unique<CurveNodes>() : nullptr),
+      line_(host, name_, editor().history(), [this](std::uint64_t number) { go_to(number); }),
+      drawn_(nodes_.get()),
+      lines_(host, name_),
+      colours_(host, object, lines_),
+      inspection_(host, nodes_.get(), diagonal_) {
   open();
 }
 
 Session::~Session() = default;
 
 void Session::open() {
-  thread_.reset();
-  HostCalls* host = &host_;
-  thread_ = std::make_unique<editing::SmoothingThread>(
-      plugins_, arrays_, [host] { host->wake(); }, 400, defects_);
-  asked_ = {};
+  requests_.open(now_.arrays, defects_);
   sight_.reset();
-  ticket_ = done_ = stale_ = leg_ticket_ = 0;
-  tickets_.clear();
-  lines_asked_.clear();
   problem_.clear();
   repair_told_.clear();
-}
-
-void Session::cancel() {
-  thread_->cancel();
-  done_ = ticket_;
-  lines_asked_.clear();
-  if (nodes_ && !sight_) thread_->see();
-}
-
-void Session::leave_what_never_ends() {
-  const editing::Progress progress = thread_->progress();
-  if (progress.cancelled_ms < kPatienceMs) return;
-  fail(work_error_,
-       QString("The plugin %1 has not ended two seconds after it was cancelled, and is "
-               "given up; the mesh is opened again.")
-           .arg(editing::plugin_of(progress.task)));
-  open();
-  asked_ = editor_.drawing();  // what never ended is not begun again by itself
 }
 
 void Session::repair() {
@@ -102,26 +63,21 @@ void Session::repair() {
   host_.changed();
 }
 
-bool Session::owns(int object_id) const {
-  return object_id == drawing_id_ ||
-         std::any_of(lines_.begin(), lines_.end(),
-                     [object_id](const ResultLine& line) { return line.id == object_id; });
-}
-
 // ---- Edits
 
 /// A curve that has come is the selected one, and the last one is where that has gone.
 void Session::select_after(std::size_t curves_before) {
-  const auto& curves = editor_.drawing().curves;
+  const auto& curves = drawing().curves;
   const bool gone = selected_ != 0 && !selected();
   if (curves.empty() || (curves.size() <= curves_before && !gone)) return;
   selected_ = curves.back()->number;
+  lines_.select(selected_);
 }
 
 bool Session::edit(const std::function<void(editing::Editor&)>& change) {
-  const std::size_t before = editor_.drawing().curves.size();
+  const std::size_t before = drawing().curves.size();
   try {
-    change(editor_);
+    change(now_.editor);
   } catch (const editing::Error& error) {
     fail(edit_error_, in_words(error.what()));
     return false;
@@ -134,10 +90,10 @@ bool Session::edit(const std::function<void(editing::Editor&)>& change) {
 
 bool Session::edit_together(const char* name, const std::function<void(editing::Editor&)>& change) {
   end_gesture();
-  const std::uint64_t before = editor_.history().number();
+  const std::uint64_t before = editor().history().number();
   begin_gesture(name);
   const bool done = edit(change);
-  if (!done && editor_.history().number() != before) editor_.history().undo();
+  if (!done && editor().history().number() != before) now_.editor.history().undo();
   end_gesture();
   return done;
 }
@@ -148,148 +104,192 @@ void Session::fail(QString& error, const QString& sentence) {
   host_.changed();
 }
 
+bool Session::attempt(const std::function<void()>& work) {
+  edit_error_.clear();
+  try {
+    work();
+    return true;
+  } catch (const std::exception& error) {
+    fail(edit_error_, in_words(error.what()));
+    return false;
+  }
+}
+
 void Session::begin_gesture(const char* name, bool preview) {
-  editor_.history().begin_gesture(name);
+  now_.editor.history().begin_gesture(name);
   preview_ = preview;
 }
 
 void Session::end_gesture() {
   if (!in_gesture()) return;
-  editor_.history().end_gesture();
-  asked_ = {};  // once more, for the log
+  now_.editor.history().end_gesture();
+  requests_.asked_already({});  // once more, for the log
   after_edit();
 }
 
 void Session::after_edit() {
   show_drawing();
   ask();
-  if (!in_gesture()) keep_backup();
+  if (!in_gesture()) line_.keep(editor().history());
   host_.changed();
 }
 
-void Session::ask() {
-  ask_to_smooth();
-  ask_for_lines();
-}
-
-void Session::ask_to_smooth() {
-  const editing::Drawing& now = editor_.drawing();
-  if (now == asked_) return;
-  asked_ = now;
-  log_next_ = log_next_ || !in_gesture();
-  host::Wanted wanted;
-  wanted.point_fields = wants_fields();
-  if (host_curves(now).empty()) {
-    if (smooths()) cancel();
-    stale_ = ticket_;
-    show_results({}, {}, true);
-    return;
-  }
-  const editing::Hand moving = preview_ ? editing::Hand::kDrags : editing::Hand::kSlides;
-  ticket_ = thread_->smooth(now, wanted, in_gesture() ? moving : editing::Hand::kRests);
-  tickets_.asked(ticket_, now);
-}
-
-/// The host's list of undo gets the state that is there now. A new list begins with the one before.
-void Session::keep_backup() {
-  const std::uint64_t number = editor_.history().number();
-  if (number == kept_number_) return;
-  BaseObjectData* object = nullptr;
-  if (drawing_id_ >= 0 && PluginFunctions::getObject(drawing_id_, object)) {
-    const auto restore = [self = std::weak_ptr<Session*>(self_)](std::uint64_t to) {
-      return [self, to] {
-        if (const auto session = self.lock()) (*session)->go_to(to);
-      };
-    };
-    if (!object->hasObjectData(OBJECT_BACKUPS)) first_number_ = kept_number_;
-    BackupData& backups = backups_of(*object, restore(first_number_));
-    const QString name = in_words(editor_.history().undo_name());
-    backups.storeBackup(new DrawingBackup(object, name, restore(number)));
-    host_.push_backup(drawing_id_, name);
-  }
-  kept_number_ = number;
-}
-
 void Session::go_to(std::uint64_t number) {
-  const std::size_t before = editor_.drawing().curves.size();
-  if (!editor_.history().go_to(number)) {
+  const std::size_t before = drawing().curves.size();
+  if (!now_.editor.history().go_to(number)) {
     fail(edit_error_, "This state of the drawing is no longer there.");
     return;
   }
-  kept_number_ = number;
+  line_.is_at(number);
   select_after(before);
   show_drawing();
   ask();
   host_.changed();
 }
 
-/// Numbers of states grow along the history: those before first_number_ are not on the host's list.
 bool Session::undo() {
   end_gesture();
-  const bool listed = drawing_id_ >= 0 && editor_.history().number() > first_number_;
-  if (listed && host_.host_undo(drawing_id_)) return true;
-  if (!editor_.history().can_undo() && born_of_cut_) return host_.host_undo(mesh_id_);
-  if (!editor_.history().undo()) return false;
-  go_to(editor_.history().number());
+  if (line_.undo(editor().history())) return true;
+  if (!editor().history().can_undo() && now_.born_of_cut) return host_.host_undo(object_.id());
+  if (!now_.editor.history().undo()) return false;
+  go_to(editor().history().number());
   return true;
 }
 
 bool Session::redo() {
   end_gesture();
-  const bool listed = drawing_id_ >= 0 && editor_.history().number() >= first_number_;
-  if (listed && host_.host_redo(drawing_id_)) return true;
-  if (!editor_.history().redo()) return false;
-  go_to(editor_.history().number());
+  if (line_.redo(editor().history())) return true;
+  if (!now_.editor.history().redo()) return false;
+  go_to(editor().history().number());
   return true;
 }
 
 void Session::add_line(const PolyLine& line) { add_curves({positions_of(line)}); }
 
+namespace {
+
+/// A curve that says where on the mesh it is; nothing for one of positions.
+std::optional<editing::Curve> curve_on(const editing::MeshArrays& mesh, const host::Curve& given) {
+  editing::Curve curve;
+  curve.closed = given.closed;
+  if (!given.vertices.empty()) {
+    curve.points = editing::points_at(mesh, given.vertices);
+  } else if (!given.faces.empty()) {
+    for (std::size_t k = 0; k < given.faces.size(); ++k) {
+      curve.points.push_back(editing::picked(given.faces[k], given.barycentrics.at(k)));
+    }
+  } else {
+    return std::nullopt;
+  }
+  for (const std::uint32_t pin : given.pins) curve.points.at(pin).pinned = true;
+  for (std::size_t k = 0; k < given.exact.size(); ++k) curve.points.at(k).exact = given.exact[k];
+  return curve;
+}
+
+}  // namespace
+
 void Session::add_curves(std::vector<host::Curve> curves) {
   std::vector<host::Curve> positions;
   edit_together("Add curves", [&](editing::Editor& editor) {
     for (host::Curve& curve : curves) {
-      editing::Curve drawn;
-      drawn.closed = curve.closed;
-      if (!curve.vertices.empty()) {
-        drawn.points = editing::points_at(*arrays_, curve.vertices);
-      } else if (!curve.faces.empty()) {
-        for (std::size_t k = 0; k < curve.faces.size(); ++k) {
-          drawn.points.push_back(editing::picked(curve.faces[k], curve.barycentrics.at(k)));
-        }
+      if (auto drawn = curve_on(arrays(), curve)) {
+        editor.add_curve(std::move(*drawn));
       } else {
         positions.push_back(std::move(curve));
-        continue;
       }
-      for (const std::uint32_t pin : curve.pins) drawn.points.at(pin).pinned = true;
-      for (std::size_t k = 0; k < curve.exact.size(); ++k) {
-        drawn.points.at(k).exact = curve.exact[k];
-      }
-      editor.add_curve(std::move(drawn));
     }
   });
-  if (!positions.empty()) thread_->place(std::move(positions));
+  if (!positions.empty()) requests_.place(std::move(positions));
 }
 
-// ---- What the thread has done
+namespace {
+
+void add_all(editing::Editor& editor, const editing::MeshArrays& arrays,
+             const std::vector<editing::OrderedVertices>& curves) {
+  for (const editing::OrderedVertices& ordered : curves) {
+    editor.add_curve({editing::points_at(arrays, ordered.vertices), ordered.closed});
+  }
+}
+
+}  // namespace
+
+void Session::add_selection() {
+  edit_together("Curves from selection", [&](editing::Editor& editor) {
+    add_all(editor, arrays(), ordered_selection(mesh(), arrays()));
+  });
+}
+
+void Session::add_face_borders(bool of_selection) {
+  edit_together("Curves from faces", [&](editing::Editor& editor) {
+    add_all(editor, arrays(),
+            of_selection ? border_of_selection(mesh()) : borders_of_colours(mesh()));
+  });
+}
+
+std::optional<std::size_t> Session::selected() const { return index_of(drawing(), selected_); }
+
+void Session::select(std::optional<std::size_t> curve) {
+  const std::uint32_t before = selected_;
+  selected_ = curve ? drawing().curves.at(*curve)->number : 0;
+  if (selected_ == before) return;
+  lines_.select(selected_);
+  host_.changed();
+}
+
+// ---- Files
+
+bool Session::write_result(const QString& path) {
+  return attempt([&] {
+    editing::write_curves(plugins_, path.toStdString(), results_.curves);
+    host_.say(Words::tr("Wrote %1.").arg(path));
+  });
+}
+
+bool Session::write_drawing(const QString& path) {
+  return attempt([&] {
+    editing::write_curves(plugins_, path.toStdString(), drawn_curves(arrays(), drawing()));
+    host_.say(Words::tr("Wrote %1.").arg(path));
+  });
+}
+
+bool Session::read_drawing(const QString& path) {
+  return attempt([&] { add_curves(editing::read_curves(plugins_, path.toStdString())); });
+}
+
+// ---- The thread
+
+void Session::ask() {
+  host::Wanted wanted;
+  wanted.point_fields = colours_.by() == ColourBy::kDeviation || inspection_.wants_fields();
+  const editing::Hand moving = preview_ ? editing::Hand::kDrags : editing::Hand::kSlides;
+  const auto asked =
+      requests_.smooth(drawing(), wanted, in_gesture() ? moving : editing::Hand::kRests);
+  if (asked != Requests::Asked::kAsAlready) log_next_ = log_next_ || !in_gesture();
+  if (asked == Requests::Asked::kWithoutCurves) show_results({}, {}, true);
+  if (nodes_) requests_.draw(drawing());
+}
+
+void Session::ask_again() {
+  requests_.asked_already({});
+  ask();
+}
 
 void Session::wait() {
   do {
-    thread_->wait();
+    requests_.wait();
     take();
-  } while (thread_->progress().busy);
+  } while (requests_.progress().busy);
 }
 
 void Session::take() {
   remove_deleted();
-  while (auto outcome = thread_->take()) take(std::move(*outcome));
+  while (auto answer = requests_.take()) take(std::move(*answer));
 }
 
-void Session::take(editing::Outcome outcome) {
-  const bool smoothed = outcome.task == editing::Task::kSmooth;
+void Session::take(Answer answer) {
+  editing::Outcome& outcome = answer.outcome;
   const bool drawn = outcome.task == editing::Task::kDraw || outcome.task == editing::Task::kLeg;
-  if (smoothed) done_ = outcome.ticket;
-  if (!smoothed && !drawn) {  // those are in the report
+  if (outcome.task != editing::Task::kSmooth && !drawn) {  // those are in the report
     for (const std::string& note : outcome.notes) host_.say(in_words(note));
   }
   if (outcome.task == editing::Task::kOpen) take_opened(outcome);
@@ -307,28 +307,28 @@ void Session::take(editing::Outcome outcome) {
       });
       return;
     case editing::Task::kDistance:
-      return show_mesh_colours(outcome.results);
+      colours_.show(outcome.results);
+      return host_.changed();
     case editing::Task::kSmooth:
-      if (outcome.ticket <= stale_) return;
       last_run_ms_ = outcome.milliseconds;
       work_error_.clear();
-      show_results(std::move(outcome.results), tickets_.take(outcome.ticket),
-                   outcome.ticket == ticket_);
-      return;
+      return show_results(std::move(outcome.results), std::move(answer.numbers), answer.newest);
     case editing::Task::kSee:
       sight_ = std::move(outcome.sight);
       return;
     case editing::Task::kDraw:
-      return take_drawn(outcome);
+      drawn_.take(std::move(outcome.results.curves), answer.numbers, drawing());
+      return host_.redraw();
     case editing::Task::kLeg:
-      return take_leg(outcome);
+      if (outcome.results.curves.empty()) return;
+      drawn_.show_leg(outcome.results.curves[0], drawing().curves.back()->number);
+      return host_.redraw();
   }
 }
 
 void Session::take_opened(const editing::Outcome& outcome) {
   if (outcome.status == TALWEG_OK) {
     host_.say(QString("%1 is open after %2 ms.").arg(name_).arg(outcome.milliseconds, 0, 'f', 0));
-    if (nodes_) thread_->see();
     return;
   }
   problem_ = in_words(outcome.sentence);
@@ -337,27 +337,202 @@ void Session::take_opened(const editing::Outcome& outcome) {
   }
 }
 
-// ---- The host's objects
+void Session::leave_what_never_ends() {
+  const editing::Progress progress = requests_.progress();
+  if (progress.cancelled_ms < kPatienceMs) return;
+  fail(work_error_,
+       QString("The plugin %1 has not ended two seconds after it was cancelled, and is "
+               "given up; the mesh is opened again.")
+           .arg(editing::plugin_of(progress.task)));
+  open();
+  requests_.asked_already(drawing());  // what never ended is not begun again by itself
+}
 
-std::vector<ACG::Vec3d> Session::drawn_positions(std::size_t curve) const {
-  std::vector<ACG::Vec3d> positions;
-  for (const editing::Point& point : editor_.drawing().curves.at(curve)->points) {
-    positions.push_back(vector_at(*arrays_, point));
+// ---- What is shown
+
+void Session::show_results(host::Results results, std::vector<std::uint32_t> numbers, bool newest) {
+  results_ = std::move(results);
+  numbers_ = std::move(numbers);
+  numbers_.resize(results_.curves.size());
+  lines_.show(mesh(), results_.curves, numbers_, drawing());
+  inspection_.show(inspected());
+  if (newest && !in_gesture() && log_next_ && !results_.curves.empty()) {
+    log_next_ = false;
+    host_.say(short_report(*this));
+    if (colours_.on_mesh()) requests_.distance(drawing());
   }
-  return positions;
+  host_.changed();
+}
+
+std::optional<std::size_t> Session::result_of(std::uint32_t number) const {
+  const auto at = std::find(numbers_.begin(), numbers_.end(), number);
+  if (at == numbers_.end()) return std::nullopt;
+  return static_cast<std::size_t>(at - numbers_.begin());
+}
+
+Inspected Session::inspected() const { return {arrays(), results_, numbers_, requests_.smooths()}; }
+
+void Session::colour_by(ColourBy by) {
+  if (by == colours_.by()) return;
+  colours_.choose(by);
+  if (host_curves(drawing()).empty()) return;
+  if (colours_.on_mesh()) requests_.distance(drawing());
+  if (by == ColourBy::kDeviation) ask_again();
+  host_.changed();
+}
+
+void Session::show_comb(bool with) {
+  if (with == inspection_.with_combs()) return;
+  inspection_.show_combs(with);
+  if (with) ask_again();
+  host_.changed();
+}
+
+void Session::mark_largest(Mark mark) {
+  inspection_.set_mark(mark);
+  if (mark == Mark::kCurvature && !inspection_.has_combs()) {
+    ask_again();
+  } else {
+    inspection_.find_mark(inspected());
+  }
+  host_.changed();
+}
+
+void Session::show_drawing() {
+  requests_.no_leg();
+  line_.show(drawing(), mesh(), arrays());
+  show_drawn();
+}
+
+void Session::show_drawn() {
+  if (nodes_) nodes_->set_visible(object_.visible() && !line_.is_hidden());
+  drawn_.show(drawing(), arrays());
+}
+
+void Session::show_points(bool with) {
+  drawn_.set_with_points(with);
+  show_drawn();
+}
+
+void Session::reach_for(const std::optional<editing::Point>& to) {
+  if (!nodes_) return;
+  if (editor().is_drawing() && to) {
+    requests_.leg(drawing().curves.back()->points.back(), *to);
+    return;
+  }
+  requests_.no_leg();
+  drawn_.hide_leg();
+  host_.redraw();
+}
+
+std::vector<const host::Curve*> Session::lines_of(std::size_t curve) const {
+  std::vector<const host::Curve*> lines;
+  const std::uint32_t number = drawing().curves.at(curve)->number;
+  if (const auto result = result_of(number)) lines.push_back(&results_.curves[*result]);
+  if (const host::Curve* drawn = drawn_.line_of(number)) lines.push_back(drawn);
+  return lines;
+}
+
+std::optional<editing::Point> Session::seen(const ACG::Vec3d& eye, const ACG::Vec3d& way) const {
+  return sight_->first({eye[0], eye[1], eye[2]}, {way[0], way[1], way[2]});
+}
+
+bool Session::is_hidden(const editing::Point& point, const ACG::Vec3d& eye) const {
+  if (!object_.visible()) return false;
+  // The thread may not be there yet.
+  if (!sight_) sight_ = std::make_shared<const editing::Sight>(now_.arrays);
+  return sight_->is_hidden(point, {eye[0], eye[1], eye[2]});
+}
+
+// ---- The host's mesh
+
+void Session::require_results() const {
+  if (editor().is_drawing()) throw editing::Error("First end the curve that is being drawn.");
+  if (requests_.smooths()) throw editing::Error("The curves are still being smoothed.");
+  if (results_.curves.empty()) throw editing::Error("There is no smoothed curve to cut along.");
+}
+
+bool Session::cut(bool select_inside) {
+  return attempt([&] {
+    require_results();
+    const host::Results results = results_;
+    const AppliedPlan plan = cut_mesh(plugins_, mesh(), arrays(), results.curves);
+    for (const auto& chain : plan.chains) {
+      for (const auto h : chain) mesh().status(mesh().edge_handle(h)).set_selected(true);
+    }
+    go_over(plan);
+    host_.show_mesh(object_.id());
+    host_.push_backup(object_.id(), "Cut");
+    host_.say(QString("%1 is cut: %2 new vertices, %3 new faces.")
+                  .arg(name_)
+                  .arg(plan.vertices.size())
+                  .arg(plan.faces.size()));
+    if (!select_inside) return;
+    const auto inside = faces_inside(mesh(), plan, results.curves);
+    for (const auto f : inside) mesh().status(f).set_selected(true);
+    host_.show_selection(object_.id());
+    host_.push_backup(object_.id(), "Select inside");
+    host_.say(QString("%1 faces are inside.").arg(inside.size()));
+  });
+}
+
+bool Session::split(bool lids, std::vector<int>& parts) {
+  return attempt([&] {
+    require_results();
+    const auto say = [this](const QString& sentence) { host_.say(sentence); };
+    for (TriMesh& part : parts_of_mesh(plugins_, mesh(), results_.curves, lids, say)) {
+      const QString name = QString("%1 part %2").arg(name_).arg(parts.size() + 1);
+      parts.push_back(host_.add_mesh(name, std::move(part)));
+    }
+    host_.say(QString("%1 has %2 parts now; itself it is as it was.").arg(name_).arg(parts.size()));
+  });
+}
+
+/// The drawing as it is on the mesh after a cut. Its history begins anew: states before belong to
+/// the mesh before, and come back with it.
+void Session::go_over(const AppliedPlan& plan) {
+  editing::Drawing there = drawing();
+  for (auto& curve : there.curves) {
+    auto moving = std::make_shared<editing::Curve>(*curve);
+    for (editing::Point& point : moving->points) point = moved(arrays(), mesh(), plan, point);
+    curve = std::move(moving);
+  }
+  others_.push_back(std::move(now_));
+  if (others_.size() > 4) others_.erase(others_.begin());
+  now_ = {arrays_of(mesh()), editing::Editor(std::move(there)), true};
+  mesh_is_another();
+}
+
+/// Goes back to the drawing on that mesh, if there was one.
+bool Session::go_back_to(const editing::MeshArrays& mesh) {
+  const auto other = std::find_if(others_.begin(), others_.end(),
+                                  [&mesh](const OnMesh& other) { return *other.arrays == mesh; });
+  if (other == others_.end()) return false;
+  std::swap(now_, *other);
+  mesh_is_another();
+  return true;
+}
+
+/// The host's list of undo belongs to the line of the drawing, so that begins anew, too.
+void Session::mesh_is_another() {
+  const int before = line_.begin_anew(editor().history());
+  if (before >= 0) to_remove_.push_back(before);
+  host_.wake();
+  open();
+  after_edit();
 }
 
 void Session::mesh_updated() {
-  std::shared_ptr<const editing::MeshArrays> now;
+  std::shared_ptr<const editing::MeshArrays> arrays;
   try {
-    now = arrays_of(mesh());
+    arrays = arrays_of(mesh());
   } catch (const editing::Error& error) {
     return fail(work_error_, in_words(error.what()));
   }
-  if (*now == *arrays_ || go_back_to(now)) return;
-  born_of_cut_ = false;
-  const bool same_faces = now->triangles == arrays_->triangles;
-  arrays_ = std::move(now);
+  if (*arrays == *now_.arrays || go_back_to(*arrays)) return;
+  now_.born_of_cut = false;
+  const bool same_faces = arrays->triangles == now_.arrays->triangles;
+  now_.arrays = std::move(arrays);
   open();
   host_.warn(QString("%1 has changed and is opened again.").arg(name_));
   if (!same_faces) {
@@ -369,17 +544,12 @@ void Session::mesh_updated() {
 }
 
 void Session::object_deleted(int object_id) {
-  if (object_id == drawing_id_) {  // shows the last curve
-    drawing_id_ = -1;
-    const auto& curves = editor_.drawing().curves;
-    if (!curves.empty()) deleted_.push_back(curves.back()->number);
+  if (line_.was_deleted(object_id)) {  // shows the last curve
+    if (!drawing().curves.empty()) deleted_.push_back(drawing().curves.back()->number);
+  } else if (const auto number = lines_.was_deleted(object_id)) {
+    deleted_.push_back(*number);
   } else {
-    const auto at = std::find_if(lines_.begin(), lines_.end(), [object_id](const ResultLine& line) {
-      return line.id == object_id;
-    });
-    if (at == lines_.end()) return;
-    deleted_.push_back(at->number);
-    lines_.erase(at);
+    return;
   }
   host_.wake();
 }
@@ -389,34 +559,16 @@ void Session::remove_deleted() {
   for (const int id : std::exchange(to_remove_, {})) host_.remove_object(id);
   if (deleted_.empty()) return;
   end_gesture();
-  stale_ = ticket_;
+  requests_.drop();
   for (const std::uint32_t number : std::exchange(deleted_, {})) {
-    if (const auto curve = index_of(editor_.drawing(), number)) {
+    if (const auto curve = index_of(drawing(), number)) {
       edit([curve](editing::Editor& editor) { editor.remove_curve(*curve); });
     }
   }
 }
 
-std::optional<editing::Point> Session::seen(const ACG::Vec3d& eye, const ACG::Vec3d& way) const {
-  return sight_->first({eye[0], eye[1], eye[2]}, {way[0], way[1], way[2]});
-}
-
-bool Session::is_hidden(const editing::Point& point, const ACG::Vec3d& eye) const {
-  if (!object_.visible()) return false;
-  if (!sight_)
-    sight_ = std::make_shared<const editing::Sight>(arrays_);  // the thread is not there yet
-  return sight_->is_hidden(point, {eye[0], eye[1], eye[2]});
-}
-
-bool Session::attempt(const std::function<void()>& work) {
-  edit_error_.clear();
-  try {
-    work();
-    return true;
-  } catch (const std::exception& error) {
-    fail(edit_error_, in_words(error.what()));
-    return false;
-  }
+void Session::visibility_changed(int object_id) {
+  if (object_id == object_.id() || object_id == line_.id()) show_drawn();
 }
 
 }  // namespace talweg::openflipper

@@ -1,462 +1,346 @@
 #include "TalwegPlugin.hh"
 
-#include <QAction>
-#include <QApplication>
-#include <QDateTime>
-#include <QFileDialog>
-#include <QFileInfo>
-#include <QLocale>
-#include <QMenu>
-#include <algorithm>
+#include <cmath>
 
 #include <OpenFlipper/BasePlugin/PluginFunctions.hh>
 #include <OpenFlipper/common/GlobalOptions.hh>
 
-#include "CurveRows.hh"
-#include "DrawingBackup.hh"
-#include "EditNames.hh"
-#include "HostVersion.hh"
-#include "talweg/editing/curve_files.hpp"
+#include "Report.hh"
+#include "ScriptHelp.hh"
 
 using talweg::editing::Editor;
 using talweg::openflipper::ColourBy;
-using talweg::openflipper::PanelState;
+using talweg::openflipper::Mark;
 using talweg::openflipper::Session;
-using talweg::openflipper::TalwegPanel;
 namespace editing = talweg::editing;
 
 namespace {
 
-const char* const kJob = "Talweg";
+/// Indices of scripts, where -1 is one that is not there.
+std::size_t index(int i) { return i < 0 ? SIZE_MAX : static_cast<std::size_t>(i); }
 
-void show_results_of(const Session& session, PanelState& state) {
-  const talweg::host::Results& results = session.results();
-  state.rows = talweg::openflipper::result_rows(session);
-  state.summary = talweg::openflipper::result_summary(session);
-  state.summary_tip = talweg::openflipper::result_settings(session);
-  state.notes = talweg::openflipper::result_notes(session);
-  if (results.curves.empty()) return;
-  state.slack_used = results.number("slack");
-  state.deviation_now = results.number("deviation_to_drawn_max", -1, -1);
+/// Of scripts, where a negative number is none.
+std::optional<double> own(double value) {
+  return value < 0 ? std::nullopt : std::optional<double>(value);
 }
 
-double now_ms() { return static_cast<double>(QDateTime::currentMSecsSinceEpoch()); }
+editing::Point picked(int face, const Vector& at) {
+  return editing::picked(static_cast<std::uint32_t>(face), {at[0], at[1], at[2]});
+}
 
 }  // namespace
 
-TalwegPlugin::~TalwegPlugin() = default;
-
-// ---- Start and end
-
-void TalwegPlugin::initializePlugin() {
-  plugins_ = std::make_unique<editing::Plugins>();
-  speak_the_hosts_language();
-  if (!OpenFlipper::Options::gui()) return;
-  show_points_ = OpenFlipperSettings().value("Plugin-Talweg/points", true).toBool();
-  make_panel();
-}
-
-void TalwegPlugin::speak_the_hosts_language() {
-  const QString set = OpenFlipperSettings().value("Core/Language/Translation", "en_US").toString();
-  const QLocale language = set == "locale" ? QLocale::system() : QLocale(set);
-  if (translator_.load(language, "Plugin-Talweg", "_", ":/talweg")) {
-    QCoreApplication::installTranslator(&translator_);
-  }
-}
-
 void TalwegPlugin::pluginsInitialized() {
-  describe_slots();
-  if (!OpenFlipper::Options::gui()) return;
-  emit addHiddenPickMode(TalwegPlugin::kPickMode);
-  emit setPickModeMouseTracking(TalwegPlugin::kPickMode, true);
-  emit setPickModeCursor(TalwegPlugin::kPickMode, QCursor(Qt::ArrowCursor));
-  make_menus();
-  qApp->installEventFilter(this);
-  connect(&timer_, &QTimer::timeout, this, &TalwegPlugin::look_at_progress);
-  timer_.setInterval(100);
-}
-
-void TalwegPlugin::exit() {
-  sessions_.clear();
-  plugins_.reset();  // waits for threads, not for ever: the host may never delete this object
-}
-
-void TalwegPlugin::slotAllCleared() {
-  sessions_.clear();
-  current_ = -1;
-  changed();
-}
-
-void TalwegPlugin::make_panel() {
-  panel_ = new TalwegPanel;
-  panel_->setObjectName("talwegPanel");
-  auto* icon = new QIcon(":/talweg/talweg.png");
-  connect_panel();
-  connect_curves();
-  connect_look();
-  emit addToolbox(tr("Talweg"), panel_, icon);
-}
-
-void TalwegPlugin::connect_panel() {
-  connect(panel_, &TalwegPanel::draw_toggled, this, &TalwegPlugin::drawMode);
-  connect(panel_, &TalwegPanel::finish, this, [this] { key(Qt::Key_Return); });
-  connect(panel_, &TalwegPanel::close_curve, this,
-          [this] { edit_now([](Editor& e) { e.close_curve(); }); });
-  connect(panel_, &TalwegPanel::take_back, this, [this] { key(Qt::Key_Backspace); });
-  connect(panel_, &TalwegPanel::discard, this, [this] { key(Qt::Key_Escape); });
-  connect(panel_, &TalwegPanel::from_selection, this, [this] {
-    if (Session* session = target_session()) session->add_selection();
-  });
-  const auto from_faces = [this](bool selected) {
-    if (Session* session = target_session()) session->add_face_borders(selected);
-  };
-  connect(panel_, &TalwegPanel::from_face_selection, this, [from_faces] { from_faces(true); });
-  connect(panel_, &TalwegPanel::from_face_colours, this, [from_faces] { from_faces(false); });
-  connect(panel_, &TalwegPanel::from_lines, this, &TalwegPlugin::from_lines);
-  connect(panel_, &TalwegPanel::cut, this, [this] { use([](Session& s) { s.cut(false); }); });
-  connect(panel_, &TalwegPanel::select_inside, this,
-          [this] { use([](Session& s) { s.cut(true); }); });
-  connect(panel_, &TalwegPanel::split, this, [this](bool lids) {
-    use([lids](Session& s) {
-      std::vector<int> parts;
-      s.split(lids, parts);
-    });
-  });
-  connect(panel_, &TalwegPanel::undo, this, [this] { undoEdit(current_); });
-  connect(panel_, &TalwegPanel::redo, this, [this] { redoEdit(current_); });
-  connect(panel_, &TalwegPanel::write_result, this, [this] { ask_for_file(true, true); });
-  connect(panel_, &TalwegPanel::cancel, this, [this] { canceledJob(kJob); });
-  connect(panel_, &TalwegPanel::gesture_begun, this, &TalwegPlugin::begin_gesture);
-  connect(panel_, &TalwegPanel::gesture_ended, this, &TalwegPlugin::end_gesture);
-  connect(panel_, &TalwegPanel::tau_changed, this, [this](double tau) {
-    if (existing(current_) == nullptr) return save_settings({tau, {}, {}});
-    edit_now([tau](Editor& e) { e.set_tau(tau); });
-  });
-  connect(panel_, &TalwegPanel::repair, this, [this] {
-    if (Session* session = existing(current_)) session->repair();
-  });
-  const auto optional = [](bool set, double value) {
-    return set ? std::optional<double>(value) : std::nullopt;
-  };
-  connect(panel_, &TalwegPanel::slack_changed, this, [this, optional](bool set, double value) {
-    edit_now([&](Editor& e) { e.set_slack(optional(set, value)); });
-  });
-  connect(panel_, &TalwegPanel::max_deviation_changed, this,
-          [this, optional](bool set, double value) {
-            edit_now([&](Editor& e) { e.set_max_deviation(optional(set, value)); });
-          });
-  connect(panel_, &TalwegPanel::click_distance_changed, this,
-          [this, optional](bool set, double value) {
-            edit_now([&](Editor& e) { e.set_click_distance(optional(set, value)); });
-          });
-  connect(panel_, &TalwegPanel::ends_changed, this, [this](int ends) {
-    edit_now([&](Editor& e) { e.set_ends(static_cast<editing::Ends>(ends)); });
-  });
-}
-
-void TalwegPlugin::make_menus() {
-  mesh_menu_ = new QMenu(tr("Talweg"));
-  draw_action_ = mesh_menu_->addAction(tr("Draw on this mesh"));
-  selection_action_ = mesh_menu_->addAction(tr("Curves from its selection"));
-  line_menu_ = new QMenu(tr("Talweg"));
-  line_action_ = line_menu_->addAction(tr("Smooth this line on the target mesh"));
-  connect(draw_action_, &QAction::triggered, this, [this] {
-    BaseObjectData* mesh = nullptr;
-    if (session_of(menu_object_) == nullptr) return;
-    if (PluginFunctions::getObject(menu_object_, mesh)) mesh->target(true);
-    drawMode(true);
-  });
-  connect(selection_action_, &QAction::triggered, this, [this] { fromSelection(menu_object_); });
-  connect(line_action_, &QAction::triggered, this, [this] {
-    Session* session = target_session();
-    PolyLineObject* line = PluginFunctions::polyLineObject(menu_object_);
-    if (session != nullptr && line != nullptr) session->add_line(*line->line());
-  });
-  emit addContextMenuItem(mesh_menu_->menuAction(), DATA_TRIANGLE_MESH, CONTEXTOBJECTMENU);
-  emit addContextMenuItem(line_menu_->menuAction(), DATA_POLY_LINE, CONTEXTOBJECTMENU);
-}
-
-void TalwegPlugin::slotUpdateContextMenu(int _objectId) { menu_object_ = _objectId; }
-
-// ---- Sessions
-
-Session* TalwegPlugin::existing(int mesh_id) {
-  const auto found = sessions_.find(mesh_id);
-  return found == sessions_.end() ? nullptr : found->second.get();
-}
-
-Session* TalwegPlugin::session_of(int mesh_id) {
-  Session* session = existing(mesh_id);
-  if (session == nullptr) {
-    TriMeshObject* object = nullptr;
-    if (!PluginFunctions::getObject(mesh_id, object) || object == nullptr) {
-      warn(tr("There is no triangle mesh with the id %1.").arg(mesh_id));
-      return nullptr;
-    }
-    try {
-      std::unique_ptr<Session> made(
-          new Session(*this, *plugins_, *object, saved_settings()));  // a private base
-      session = sessions_.emplace(mesh_id, std::move(made)).first->second.get();
-    } catch (const std::exception& error) {
-      warn(QString::fromStdString(error.what()));
-      return nullptr;
-    }
-    session->show_points(show_points_);
-    if (panel_ != nullptr) timer_.start();
+  for (const auto& [slot, what, parameters, meanings] : talweg::openflipper::script_help()) {
+    emit setSlotDescription(slot, what, QString(parameters).split(';'), meanings.split(';'));
   }
-  current_ = mesh_id;
+  HostLink::pluginsInitialized();
+}
+
+bool TalwegPlugin::edit(int mesh_id, const std::function<void(Editor&)>& change) {
+  Session* session = sessions_.of(mesh_id);
+  return session != nullptr && session->edit(change);
+}
+
+Session* TalwegPlugin::done(int mesh_id) {
+  Session* session = sessions_.existing(mesh_id);
+  if (session != nullptr) session->wait();
   return session;
 }
 
-Session* TalwegPlugin::target_session() {
-  if (existing(current_) != nullptr && is_target(current_)) return existing(current_);
-  for (PluginFunctions::ObjectIterator it(PluginFunctions::TARGET_OBJECTS, DATA_TRIANGLE_MESH);
-       it != PluginFunctions::objectsEnd(); ++it) {
-    return session_of(it->id());
+// ---- Drawing
+
+bool TalwegPlugin::draw(int meshId, IdList vertices, bool closed) {
+  Session* session = sessions_.of(meshId);
+  if (session == nullptr) return false;
+  emit scriptInfo(QString("draw(%1, [...], %2)").arg(meshId).arg(closed ? "true" : "false"));
+  return session->edit([&](Editor& e) {
+    std::vector<std::uint32_t> through;
+    for (const int v : vertices) {
+      if (v < 0) throw editing::Error("Vertices are counted from 0.");
+      through.push_back(static_cast<std::uint32_t>(v));
+    }
+    editing::Curve curve{editing::points_at(session->arrays(), through), closed};
+    for (editing::Point& point : curve.points) point.exact = 0;
+    e.add_curve(std::move(curve));
+  });
+}
+
+bool TalwegPlugin::addPoint(int meshId, int face, Vector barycentric) {
+  return edit(meshId, [&](Editor& e) { e.add_point(picked(face, barycentric)); });
+}
+
+bool TalwegPlugin::finishCurve(int meshId) {
+  return edit(meshId, [](Editor& e) { e.finish_curve(); });
+}
+
+bool TalwegPlugin::closeCurve(int meshId) {
+  return edit(meshId, [](Editor& e) { e.close_curve(); });
+}
+
+bool TalwegPlugin::takeBackPoint(int meshId) {
+  return edit(meshId, [](Editor& e) { e.take_back_point(); });
+}
+
+bool TalwegPlugin::dropCurve(int meshId) {
+  return edit(meshId, [](Editor& e) { e.drop_curve(); });
+}
+
+bool TalwegPlugin::fromSelection(int meshId) {
+  Session* session = sessions_.of(meshId);
+  if (session == nullptr) return false;
+  session->add_selection();
+  return session->last_error().isEmpty();
+}
+
+bool TalwegPlugin::fromFaceSelection(int meshId) {
+  Session* session = sessions_.of(meshId);
+  if (session == nullptr) return false;
+  session->add_face_borders(true);
+  return session->last_error().isEmpty();
+}
+
+bool TalwegPlugin::fromFaceColours(int meshId) {
+  Session* session = sessions_.of(meshId);
+  if (session == nullptr) return false;
+  session->add_face_borders(false);
+  return session->last_error().isEmpty();
+}
+
+bool TalwegPlugin::fromPolyLine(int meshId, int polyLineId) {
+  Session* session = sessions_.of(meshId);
+  const PolyLineObject* line = PluginFunctions::polyLineObject(polyLineId);
+  if (session == nullptr || line == nullptr) {
+    warn(tr("There is no polyline with the id %1.").arg(polyLineId));
+    return false;
   }
-  warn(tr("Make a triangle mesh the target first."));
-  return nullptr;
+  session->add_line(*PluginFunctions::polyLineObject(polyLineId)->line());
+  session->wait();
+  return session->last_error().isEmpty();
 }
 
-void TalwegPlugin::objectDeleted(int _id) {
-  if (sessions_.erase(_id) > 0) {
-    if (current_ == _id) current_ = -1;
-    let_go();
-    changed();
-    return;
+void TalwegPlugin::drawMode(bool on) { hand_.set_draws(on); }
+
+bool TalwegPlugin::undoEdit(int meshId) {
+  Session* session = sessions_.existing(meshId);
+  return session != nullptr && session->undo();
+}
+
+bool TalwegPlugin::redoEdit(int meshId) {
+  Session* session = sessions_.existing(meshId);
+  return session != nullptr && session->redo();
+}
+
+// ---- Curves and points
+
+bool TalwegPlugin::removeCurve(int meshId, int curve) {
+  return edit(meshId, [&](Editor& e) { e.remove_curve(index(curve)); });
+}
+
+bool TalwegPlugin::clear(int meshId) {
+  return edit(meshId, [](Editor& e) { e.clear(); });
+}
+
+bool TalwegPlugin::renameCurve(int meshId, int curve, QString name) {
+  return edit(meshId, [&](Editor& e) { e.rename_curve(index(curve), name.toStdString()); });
+}
+
+bool TalwegPlugin::pinCurve(int meshId, int curve, bool pinned) {
+  return edit(meshId, [&](Editor& e) { e.pin_curve(index(curve), pinned); });
+}
+
+bool TalwegPlugin::continueCurve(int meshId, int curve) {
+  return edit(meshId, [&](Editor& e) { e.continue_curve(index(curve)); });
+}
+
+bool TalwegPlugin::setClosed(int meshId, int curve, bool closed) {
+  return edit(meshId, [&](Editor& e) { e.set_closed(index(curve), closed); });
+}
+
+bool TalwegPlugin::setCurveTau(int meshId, int curve, double tau) {
+  return edit(meshId, [&](Editor& e) { e.set_curve_tau(index(curve), own(tau)); });
+}
+
+bool TalwegPlugin::setCurveTolerance(int meshId, int curve, double tolerance) {
+  return edit(meshId, [&](Editor& e) { e.set_curve_tolerance(index(curve), own(tolerance)); });
+}
+
+bool TalwegPlugin::movePoint(int meshId, int curve, int point, int face, Vector barycentric) {
+  return edit(meshId, [&](Editor& e) {
+    e.move_point(index(curve), index(point), picked(face, barycentric));
+  });
+}
+
+bool TalwegPlugin::setPinned(int meshId, int curve, int point, bool pinned) {
+  return edit(meshId, [&](Editor& e) { e.set_pinned(index(curve), index(point), pinned); });
+}
+
+bool TalwegPlugin::insertPoint(int meshId, int curve, int before, int face, Vector barycentric) {
+  return edit(meshId, [&](Editor& e) {
+    e.insert_point(index(curve), index(before),
+                   editing::picked(static_cast<std::uint32_t>(face),
+                                   {barycentric[0], barycentric[1], barycentric[2]}));
+  });
+}
+
+bool TalwegPlugin::removePoint(int meshId, int curve, int point) {
+  return edit(meshId, [&](Editor& e) { e.remove_point(index(curve), index(point)); });
+}
+
+// ---- Settings
+
+bool TalwegPlugin::setTau(int meshId, double tau) {
+  emit scriptInfo(QString("setTau(%1, %2)").arg(meshId).arg(tau));
+  return edit(meshId, [&](Editor& e) { e.set_tau(tau); });
+}
+
+bool TalwegPlugin::setSlack(int meshId, double slack) {
+  return edit(meshId, [&](Editor& e) {
+    e.set_slack(slack < 0 ? std::nullopt : std::optional<double>(slack));
+  });
+}
+
+bool TalwegPlugin::setMaxDeviation(int meshId, double bound) {
+  return edit(meshId, [&](Editor& e) {
+    e.set_max_deviation(bound > 0 ? std::optional<double>(bound) : std::nullopt);
+  });
+}
+
+bool TalwegPlugin::setEnds(int meshId, QString ends) {
+  return edit(meshId, [&](Editor& e) { e.set_ends(editing::ends_named(ends.toStdString())); });
+}
+
+bool TalwegPlugin::setClickDistance(int meshId, double distance) {
+  return edit(meshId, [&](Editor& e) {
+    e.set_click_distance(distance < 0 ? std::nullopt : std::optional<double>(distance));
+  });
+}
+
+// ---- Results
+
+IdList TalwegPlugin::smooth(int meshId) {
+  Session* session = sessions_.of(meshId);
+  if (session == nullptr) return {};
+  session->wait();
+  emit scriptInfo(QString("smooth(%1)").arg(meshId));
+  if (!session->work_error().isEmpty()) return {};
+  return session->lines();
+}
+
+QString TalwegPlugin::report(int meshId) {
+  Session* session = done(meshId);
+  if (session == nullptr) return {};
+  return whole_report(*session);
+}
+
+double TalwegPlugin::measure(int meshId, QString key) {
+  Session* session = done(meshId);
+  if (session == nullptr) return std::nan("");
+  return session->results().number(key.toStdString(), -1, std::nan(""));
+}
+
+double TalwegPlugin::measureCurve(int meshId, int curve, QString key) {
+  Session* session = done(meshId);
+  if (session == nullptr) return std::nan("");
+  const auto& curves = session->drawing().curves;
+  if (index(curve) >= curves.size()) return std::nan("");
+  const auto result = session->result_of(curves[index(curve)]->number);
+  if (!result) return std::nan("");
+  return session->results().number(key.toStdString(), static_cast<int>(*result), std::nan(""));
+}
+
+QString TalwegPlugin::lastError(int meshId) {
+  Session* session = done(meshId);
+  if (session == nullptr) return {};
+  return session->last_error();
+}
+
+bool TalwegPlugin::writeResult(int meshId, QString filename) {
+  Session* session = done(meshId);
+  return session != nullptr && session->write_result(filename);
+}
+
+bool TalwegPlugin::writeDrawing(int meshId, QString filename) {
+  Session* session = sessions_.existing(meshId);
+  return session != nullptr && session->write_drawing(filename);
+}
+
+bool TalwegPlugin::readDrawing(int meshId, QString filename) {
+  Session* session = sessions_.of(meshId);
+  if (session == nullptr) return false;
+  const bool read = session->read_drawing(filename);
+  if (OpenFlipper::Options::nogui()) session->wait();
+  return read && session->last_error().isEmpty();
+}
+
+// ---- The mesh
+
+bool TalwegPlugin::repairMesh(int meshId) {
+  Session* session = sessions_.of(meshId);
+  if (session == nullptr) return false;
+  emit scriptInfo(QString("repairMesh(%1)").arg(meshId));
+  session->repair();
+  session->wait();
+  return session->problem().isEmpty();
+}
+
+bool TalwegPlugin::cut(int meshId) {
+  Session* session = done(meshId);
+  if (session == nullptr) return false;
+  emit scriptInfo(QString("cut(%1)").arg(meshId));
+  return session->cut(false);
+}
+
+bool TalwegPlugin::selectInside(int meshId) {
+  Session* session = done(meshId);
+  if (session == nullptr) return false;
+  emit scriptInfo(QString("selectInside(%1)").arg(meshId));
+  return session->cut(true);
+}
+
+IdList TalwegPlugin::split(int meshId, bool lids) {
+  Session* session = done(meshId);
+  IdList parts;
+  if (session == nullptr) return parts;
+  emit scriptInfo(QString("split(%1, %2)").arg(meshId).arg(lids ? "true" : "false"));
+  session->split(lids, parts);
+  return parts;
+}
+
+// ---- How curves look
+
+bool TalwegPlugin::colourBy(int meshId, QString what) {
+  Session* session = sessions_.existing(meshId);
+  const QStringList names = {"nothing", "deviation", "distance", "potential"};
+  const auto at = names.indexOf(what);
+  if (session == nullptr || at < 0) {
+    warn(tr("Colours are: %1.").arg(names.join(", ")));
+    return false;
   }
-  for (auto& [mesh, session] : sessions_) {
-    if (!session->owns(_id)) continue;
-    let_go();
-    return session->object_deleted(_id);
-  }
-}
-
-void TalwegPlugin::slotObjectUpdated(int _identifier, const UpdateType& _type) {
-  if (updating_) return;
-  if (!_type.contains(UPDATE_GEOMETRY) && !_type.contains(UPDATE_TOPOLOGY)) return;
-  if (Session* session = existing(_identifier)) session->mesh_updated();
-}
-
-void TalwegPlugin::slotVisibilityChanged(int _identifier) {
-  for (auto& [mesh, session] : sessions_) {
-    if (mesh == _identifier || session->drawing_id() == _identifier) session->visibility_changed();
-  }
-}
-
-// ---- What sessions ask for
-
-int TalwegPlugin::add_line(const QString& name) {
-  int id = -1;
-  emit addEmptyObject(DATA_POLY_LINE, id);
-  BaseObjectData* object = nullptr;
-  if (!PluginFunctions::getObject(id, object)) return -1;
-  object->setName(name);
-  object->target(false);
-  return id;
-}
-
-void TalwegPlugin::show_line(int id) {
-  updating_ = true;
-  emit updatedObject(id, UPDATE_GEOMETRY | UPDATE_TOPOLOGY);
-  updating_ = false;
-}
-
-void TalwegPlugin::show_colours(int id) {
-  updating_ = true;
-  emit updatedObject(id, UPDATE_COLOR);
-  updating_ = false;
-}
-
-void TalwegPlugin::show_selection(int id) {
-  updating_ = true;
-  emit updatedObject(id, UPDATE_SELECTION);
-  updating_ = false;
-}
-
-void TalwegPlugin::show_mesh(int id) {
-  updating_ = true;
-  emit updatedObject(id, UPDATE_ALL);
-  updating_ = false;
-}
-
-int TalwegPlugin::add_mesh(const QString& name, TriMesh&& mesh) {
-  int id = -1;
-  emit addEmptyObject(DATA_TRIANGLE_MESH, id);
-  TriMeshObject* object = nullptr;
-  if (!PluginFunctions::getObject(id, object)) return -1;
-  *object->mesh() = std::move(mesh);
-  object->setName(name);
-  show_mesh(id);
-  return id;
-}
-
-void TalwegPlugin::remove_object(int id) { emit deleteObject(id); }
-
-void TalwegPlugin::push_backup(int id, const QString& name) {
-  if (OpenFlipper::Options::gui()) emit createBackup(id, name, UPDATE_ALL);
-}
-
-namespace {
-
-BackupData* backups_of_object(int id) {
-  BaseObjectData* object = nullptr;
-  if (!PluginFunctions::getObject(id, object) || !object->hasObjectData(OBJECT_BACKUPS)) {
-    return nullptr;
-  }
-  return dynamic_cast<BackupData*>(object->objectData(OBJECT_BACKUPS));
-}
-
-}  // namespace
-
-bool TalwegPlugin::host_undo(int id) {
-  BackupData* backups = backups_of_object(id);
-  if (!OpenFlipper::Options::gui() || backups == nullptr || !backups->undoAvailable()) return false;
-  emit undo(id);
+  session->colour_by(static_cast<ColourBy>(at));
+  session->wait();
   return true;
 }
 
-bool TalwegPlugin::host_redo(int id) {
-  BackupData* backups = backups_of_object(id);
-  if (!OpenFlipper::Options::gui() || backups == nullptr || !backups->redoAvailable()) return false;
-  emit redo(id);
+bool TalwegPlugin::showComb(int meshId, bool with) {
+  Session* session = sessions_.existing(meshId);
+  if (session == nullptr) return false;
+  session->show_comb(with);
+  session->wait();
   return true;
 }
 
-void TalwegPlugin::say(const QString& sentence) { emit log(LOGINFO, sentence); }
-
-void TalwegPlugin::warn(const QString& sentence) {
-  emit log(LOGWARN, sentence);
-  if (OpenFlipper::Options::gui()) emit showStatusMessage(sentence, 6000);
-}
-
-void TalwegPlugin::wake() {
-  QMetaObject::invokeMethod(this, "look_at_sessions", Qt::QueuedConnection);
-}
-
-void TalwegPlugin::look_at_sessions() {
-  for (auto& [mesh, session] : sessions_) session->take();
-}
-
-void TalwegPlugin::changed() {
-  if (panel_ == nullptr) return;
-  PanelState state;
-  state.drawing_mode = in_draw_mode();
-  state.hint = hint_;
-  state.settings = saved_settings();
-  if (const Session* session = existing(current_)) {
-    const editing::History& history = session->editor().history();
-    state.mesh = session->name();
-    state.settings = session->editor().drawing().settings;
-    state.scale = session->diagonal() / 10;
-    state.mean_edge = session->mean_edge();
-    state.unfinished = session->editor().is_drawing();
-    state.can_undo = session->can_undo();
-    state.can_redo = history.can_redo();
-    state.undo_name = talweg::openflipper::name_of_edit(history.undo_name());
-    state.redo_name = talweg::openflipper::name_of_edit(history.redo_name());
-    state.curves = talweg::openflipper::curves_state(*session);
-    state.all_clicked = editing::all_clicked(session->editor().drawing());
-    state.look = look_state(*session);
-    show_results_of(*session, state);
-    state.problem = session->problem();
-    state.repair_told = session->repair_told();
-    save_settings(state.settings);
+Vector TalwegPlugin::largest(int meshId, QString what) {
+  Session* session = sessions_.existing(meshId);
+  const QStringList names = {"nothing", "deviation", "curvature"};
+  const auto at = names.indexOf(what);
+  const double none = std::nan("");
+  if (session == nullptr || at < 0) {
+    warn(tr("What is largest is: %1.").arg(names.join(", ")));
+    return Vector(none, none, none);
   }
-  state.look.points = show_points_;
-  panel_->show_state(state);
-  emit updateView();
-}
-
-editing::Settings TalwegPlugin::saved_settings() const {
-  editing::Settings settings;
-  if (!OpenFlipper::Options::gui()) return settings;  // a script says what it wants
-  settings.tau = std::max(0.0, OpenFlipperSettings().value("Plugin-Talweg/tau", 1.0).toDouble());
-  return settings;
-}
-
-void TalwegPlugin::save_settings(const editing::Settings& settings) const {
-  OpenFlipperSettings().setValue("Plugin-Talweg/tau", settings.tau);
-}
-
-// ---- Progress
-
-void TalwegPlugin::look_at_progress() {
-  for (auto& [mesh, session] : sessions_) session->leave_what_never_ends();
-  const Session* session = existing(current_);
-  editing::Progress progress = session == nullptr ? editing::Progress() : session->progress();
-  if (progress.task == editing::Task::kLeg) progress.busy = false;  // one after another
-  if (!progress.busy) busy_since_ = 0;
-  if (progress.busy && busy_since_ == 0) busy_since_ = now_ms();
-  const double busy_ms = progress.busy ? now_ms() - busy_since_ : 0;
-  const int percent = static_cast<int>(100 * progress.fraction);
-  panel_->show_progress(busy_ms > 300, QString::fromStdString(progress.stage), percent);
-  if (busy_ms > 1500 && !job_shown_) {
-    job_shown_ = true;
-    emit startJob(kJob, tr("Talweg on %1").arg(session->name()), 0, 100, false);
-  }
-  if (job_shown_ && progress.busy) emit setJobState(kJob, percent);
-  if (job_shown_ && !progress.busy) {
-    job_shown_ = false;
-    emit finishJob(kJob);
-  }
-}
-
-void TalwegPlugin::canceledJob(QString _job) {
-  if (_job != kJob) return;
-  for (auto& [mesh, session] : sessions_) session->cancel();
-  say(tr("Cancelled."));
-}
-
-// ---- Edits from panel and script
-
-bool TalwegPlugin::edit(int mesh_id, const std::function<void(Editor&)>& change) {
-  Session* session = session_of(mesh_id);
-  return session != nullptr && session->edit(change);
-}
-
-bool TalwegPlugin::edit_now(const std::function<void(Editor&)>& change) {
-  Session* session = existing(current_);
-  return session != nullptr && session->edit(change);
-}
-
-/// What takes a moment and is waited for.
-void TalwegPlugin::use(const std::function<void(Session&)>& work) {
-  Session* session = existing(current_);
-  if (session == nullptr) return;
-  QApplication::setOverrideCursor(Qt::WaitCursor);
-  work(*session);
-  QApplication::restoreOverrideCursor();
-}
-
-void TalwegPlugin::from_lines() {
-  Session* session = target_session();
-  if (session == nullptr) return;
-  bool found = false;
-  for (PluginFunctions::ObjectIterator it(PluginFunctions::TARGET_OBJECTS, DATA_POLY_LINE);
-       it != PluginFunctions::objectsEnd(); ++it) {
-    if (session->owns(it->id())) continue;
-    session->add_line(*PluginFunctions::polyLine(*it));
-    found = true;
-  }
-  if (!found) warn(tr("Make a polyline the target first."));
-}
-
-void TalwegPlugin::ask_for_file(bool write, bool result) {
-  Session* session = write ? existing(current_) : target_session();
-  if (session == nullptr) return;
-  const QString kinds = tr("Curves (*.json *.vtp *.vtk *.obj *.ply *.mrk.json *.txt)");
-  const QString folder = OpenFlipperSettings().value("Plugin-Talweg/folder").toString();
-  QString path = write ? QFileDialog::getSaveFileName(panel_, tr("Write curves"), folder, kinds)
-                       : QFileDialog::getOpenFileName(panel_, tr("Read curves"), folder, kinds);
-  if (path.isEmpty()) return;
-  OpenFlipperSettings().setValue("Plugin-Talweg/folder", QFileInfo(path).absolutePath());
-  if (write && QFileInfo(path).suffix().isEmpty()) path += ".json";
-  if (!write) {
-    readDrawing(session->mesh_id(), path);
-  } else if (result) {
-    writeResult(session->mesh_id(), path);
-  } else {
-    writeDrawing(session->mesh_id(), path);
-  }
+  session->wait();
+  session->mark_largest(static_cast<Mark>(at));
+  session->wait();
+  return session->inspection().marked().at.value_or(Vector(none, none, none));
 }

@@ -7,7 +7,7 @@
 namespace talweg::paraview {
 
 /// Between which of the points that a curve joins it passes a place, within a distance: k behind
-/// the point k. -1 if it does not, or if it does not pass the points in their order.
+/// the point k. -1 if it does not.
 int segment_at(const std::vector<std::array<double, 3>>& curve, bool closed,
                const std::vector<std::array<double, 3>>& joined, const std::array<double, 3>& place,
                double within);

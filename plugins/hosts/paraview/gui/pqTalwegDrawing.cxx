@@ -33,6 +33,7 @@
 #include "pqUndoStack.h"
 #include "pqView.h"
 #include "properties_panel.hpp"
+#include "talweg/editing/screen_line.hpp"
 
 namespace {
 
@@ -45,19 +46,6 @@ constexpr float kBeforeOthers = 10;
 
 double distance(const std::array<double, 3>& a, const std::array<double, 3>& b) {
   return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
-}
-
-double distance(const std::array<double, 2>& a, const std::array<double, 2>& b) {
-  return std::hypot(a[0] - b[0], a[1] - b[1]);
-}
-
-/// How far along a segment of pixels what is nearest to another is, from 0 to 1.
-double along(const std::array<double, 2>& a, const std::array<double, 2>& b,
-             const std::array<double, 2>& p) {
-  const double dx = b[0] - a[0], dy = b[1] - a[1];
-  const double squared = dx * dx + dy * dy;
-  const double t = squared > 0 ? ((p[0] - a[0]) * dx + (p[1] - a[1]) * dy) / squared : 0;
-  return std::clamp(t, 0.0, 1.0);
 }
 
 }  // namespace
@@ -183,7 +171,8 @@ bool pqTalwegDrawing::move() {
   if (!place) return true;
   std::vector<Point> points = this->clicked();
   if (static_cast<std::size_t>(this->Dragged) >= points.size()) return true;
-  if (!this->Moved && distance(this->mouse(), this->seenAt(points[this->Dragged])) <= kClick)
+  if (!this->Moved &&
+      talweg::editing::distance(this->mouse(), this->seenAt(points[this->Dragged])) <= kClick)
     return true;
   points[static_cast<std::size_t>(this->Dragged)] = *place;
   this->give(points, this->Dragged);
@@ -201,7 +190,7 @@ bool pqTalwegDrawing::release() {
     if (closes && this->closedBox() != nullptr) this->closedBox()->setChecked(true);
     return true;
   }
-  if (!down || distance(*down, this->mouse()) > kClick) return false;
+  if (!down || talweg::editing::distance(*down, this->mouse()) > kClick) return false;
   const std::optional<Point> place = this->onMesh();
   if (!place) return false;
   std::vector<Point> points = this->clicked();
@@ -308,7 +297,7 @@ int pqTalwegDrawing::pointAt(const Pixel& mouse) const {
   int found = -1;
   double nearest = kNear;
   for (std::size_t k = 0; k < points.size(); ++k) {
-    const double apart = distance(mouse, this->seenAt(points[k]));
+    const double apart = talweg::editing::distance(mouse, this->seenAt(points[k]));
     if (apart >= nearest || this->isHidden(points[k])) continue;
     nearest = apart;
     found = static_cast<int>(k);
@@ -321,13 +310,12 @@ int pqTalwegDrawing::segmentAt(const Pixel& mouse) const {
   if (points.size() < 2) return -1;
   if (this->closedBox() != nullptr && this->closedBox()->isChecked()) points.push_back(points[0]);
   for (std::size_t k = 0; k + 1 < points.size(); ++k) {
-    const Pixel from = this->seenAt(points[k]), to = this->seenAt(points[k + 1]);
-    const double t = along(from, to, mouse);
-    const Pixel near = {from[0] + t * (to[0] - from[0]), from[1] + t * (to[1] - from[1])};
-    if (distance(near, mouse) >= kOnLine) continue;
+    const auto near = talweg::editing::nearest_segment(
+        {this->seenAt(points[k]), this->seenAt(points[k + 1])}, false, mouse);
+    if (near.away >= kOnLine) continue;
     Point place;
     for (std::size_t i = 0; i < 3; ++i) {
-      place[i] = points[k][i] + t * (points[k + 1][i] - points[k][i]);
+      place[i] = points[k][i] + near.along * (points[k + 1][i] - points[k][i]);
     }
     if (!this->isHidden(place)) return static_cast<int>(k);
   }

@@ -75,14 +75,31 @@ def bent(line, at, to):
 
 
 def place_on(line, along, segment):
-    """Before which point of a line something belongs that lies on a segment of its result.
+    """Before which point of a line something belongs that lies on a segment of its result; as leg_at() of
+    talweg::editing, which is C++, says it.
 
     :param along: (k, 3), the points of the result.
     """
-    where = np.array([int(((along - p) ** 2).sum(axis=1).argmin()) for p in line.positions])
-    if line.closed:
-        where = (where - where[0]) % len(along)
-        segment = (segment - int(((along - line.positions[0]) ** 2).sum(axis=1).argmin())) % len(along)
-    where = np.maximum.accumulate(where)
-    before = int(np.searchsorted(where, segment, side="right"))
-    return before if line.closed else min(max(before, 1), len(line.points) - 1)
+    given = line.positions
+    if line.closed:  # from its point next to the first one, where it also ends
+        first = int(((along - given[0]) ** 2).sum(axis=1).argmin())
+        along = np.concatenate([along[first:], along[:first + 1]])
+        segment = (segment - first) % (len(along) - 1)
+    before = int(np.searchsorted(_passed_at(given, along), segment, side="right"))
+    return max(before, 1) if line.closed else min(max(before, 1), len(given) - 1)
+
+
+def _passed_at(given, along):
+    """The point of a polyline next to each given one, in order, so that the sum of the squared distances
+    is least: near stretches of a line that comes back are not taken for each other."""
+    best = np.zeros(len(along))  # of the points so far, with the last one there or before
+    reached = []  # where it is best to have the point there itself
+    for point in given:
+        here = best + ((along - point) ** 2).sum(axis=1)
+        best = np.minimum.accumulate(here)
+        reached.append(np.append(True, here[1:] < best[:-1]))
+    at, last = [], len(along) - 1
+    for there in reversed(reached):
+        last = int(np.flatnonzero(there[:last + 1])[-1])
+        at.append(last)
+    return at[::-1]

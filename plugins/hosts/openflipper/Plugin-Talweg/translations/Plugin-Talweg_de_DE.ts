@@ -16,6 +16,10 @@
         <translation>Punkt hinzufügen</translation>
     </message>
     <message>
+        <source>Click distance</source>
+        <translation>Abstand von Klicks</translation>
+    </message>
+    <message>
         <source>Close curve</source>
         <translation>Kurve schließen</translation>
     </message>
@@ -44,6 +48,10 @@
         <translation>Kurve verwerfen</translation>
     </message>
     <message>
+        <source>Ends</source>
+        <translation>Enden</translation>
+    </message>
+    <message>
         <source>Finish curve</source>
         <translation>Kurve beenden</translation>
     </message>
@@ -58,14 +66,6 @@
     <message>
         <source>Move point</source>
         <translation>Punkt verschieben</translation>
-    </message>
-    <message>
-        <source>Click distance</source>
-        <translation>Abstand von Klicks</translation>
-    </message>
-    <message>
-        <source>Ends</source>
-        <translation>Enden</translation>
     </message>
     <message>
         <source>Open curve</source>
@@ -135,6 +135,10 @@
         <translation>Einh.</translation>
     </message>
     <message>
+        <source>1/unit</source>
+        <translation>1/Einh.</translation>
+    </message>
+    <message>
         <source>Length</source>
         <translation>Länge</translation>
     </message>
@@ -161,10 +165,6 @@
     <message>
         <source>Bending</source>
         <translation>Biegung</translation>
-    </message>
-    <message>
-        <source>1/unit</source>
-        <translation>1/Einh.</translation>
     </message>
     <message>
         <source>Curvature squared, along the curves.</source>
@@ -211,82 +211,14 @@
     </message>
 </context>
 <context>
-    <name>TalwegPlugin</name>
-    <message>
-        <source>Talweg</source>
-        <translation>Talweg</translation>
-    </message>
-    <message>
-        <source>Draw on this mesh</source>
-        <translation>Auf diesem Netz zeichnen</translation>
-    </message>
-    <message>
-        <source>Curves from its selection</source>
-        <translation>Kurven aus seiner Auswahl</translation>
-    </message>
-    <message>
-        <source>Smooth this line on the target mesh</source>
-        <translation>Diese Linie auf dem Zielnetz glätten</translation>
-    </message>
-    <message>
-        <source>There is no triangle mesh with the id %1.</source>
-        <translation>Es gibt kein Dreiecksnetz mit der Nummer %1.</translation>
-    </message>
-    <message>
-        <source>Make a triangle mesh the target first.</source>
-        <translation>Machen Sie zuerst ein Dreiecksnetz zum Ziel (Target).</translation>
-    </message>
-    <message>
-        <source>Talweg on %1</source>
-        <translation>Talweg auf %1</translation>
-    </message>
-    <message>
-        <source>Cancelled.</source>
-        <translation>Abgebrochen.</translation>
-    </message>
-    <message>
-        <source>Make a polyline the target first.</source>
-        <translation>Machen Sie zuerst eine Linie (Polyline) zum Ziel (Target).</translation>
-    </message>
-    <message>
-        <source>Curves (*.json *.vtp *.vtk *.obj *.ply *.mrk.json *.txt)</source>
-        <translation>Kurven (*.json *.vtp *.vtk *.obj *.ply *.mrk.json *.txt)</translation>
-    </message>
-    <message>
-        <source>Write curves</source>
-        <translation>Kurven schreiben</translation>
-    </message>
-    <message>
-        <source>Read curves</source>
-        <translation>Kurven lesen</translation>
-    </message>
-    <message>
-        <source>Make this mesh the target to draw on it.</source>
-        <translation>Machen Sie dieses Netz zum Ziel (Target), um darauf zu zeichnen.</translation>
-    </message>
-    <message>
-        <source>Click to close the curve.</source>
-        <translation>Klick schließt die Kurve.</translation>
-    </message>
-    <message>
-        <source>Drag to move, double click to pin, Shift-click to remove.</source>
-        <translation>Ziehen verschiebt, Doppelklick hält fest, Umschalt-Klick entfernt.</translation>
-    </message>
-    <message>
-        <source>There is no polyline with the id %1.</source>
-        <translation>Es gibt keine Linie mit der Nummer %1.</translation>
-    </message>
-    <message>
-        <source>Colours are: %1.</source>
-        <translation>Farben sind: %1.</translation>
-    </message>
-    <message>
-        <source>Wrote %1.</source>
-        <translation>%1 ist geschrieben.</translation>
-    </message>
+    <name>ScriptHelp</name>
     <message>
         <source>id of a triangle mesh</source>
         <translation>Nummer eines Dreiecksnetzes</translation>
+    </message>
+    <message>
+        <source>;from 0</source>
+        <translation>;ab 0</translation>
     </message>
     <message>
         <source>;curve, from 0;point, from 0;</source>
@@ -329,6 +261,14 @@
         <translation>Kurven aus ausgewählten Ecken oder Kanten.</translation>
     </message>
     <message>
+        <source>Curves along the border of the selected faces.</source>
+        <translation>Kurven am Rand der ausgewählten Dreiecke.</translation>
+    </message>
+    <message>
+        <source>Curves along the borders between face colours.</source>
+        <translation>Kurven an den Grenzen zwischen Dreiecksfarben.</translation>
+    </message>
+    <message>
         <source>A curve from a polyline, put onto the mesh.</source>
         <translation>Eine Kurve aus einer Linie, auf das Netz gelegt.</translation>
     </message>
@@ -339,10 +279,6 @@
     <message>
         <source>Removes a curve.</source>
         <translation>Entfernt eine Kurve.</translation>
-    </message>
-    <message>
-        <source>;from 0</source>
-        <translation>;ab 0</translation>
     </message>
     <message>
         <source>Removes all curves.</source>
@@ -393,24 +329,24 @@
         <translation>Die größte Abweichung; wählt Tau und Spielraum.</translation>
     </message>
     <message>
-        <source>What becomes of the ends of curves that are not closed.</source>
-        <translation>Was aus den Enden von Kurven wird, die nicht geschlossen sind.</translation>
+        <source>;mesh units, 0: no bound</source>
+        <translation>;Einheiten des Netzes, 0: keine Grenze</translation>
     </message>
     <message>
-        <source>Clicks that follow each other within this distance are one.</source>
-        <translation>Klicks, die in diesem Abstand aufeinander folgen, sind einer.</translation>
+        <source>What becomes of the ends of curves that are not closed.</source>
+        <translation>Was aus den Enden von Kurven wird, die nicht geschlossen sind.</translation>
     </message>
     <message>
         <source>;auto: painted strokes that come back are loops, closed: all are, open</source>
         <translation>;auto: gemalte Striche, die zurückkommen, sind geschlossen, closed: alle, open</translation>
     </message>
     <message>
-        <source>;mesh units, negative: an edge of the mesh</source>
-        <translation>;Einheiten des Netzes, negativ: eine Kante des Netzes</translation>
+        <source>Clicks that follow each other within this distance are one.</source>
+        <translation>Klicks, die in diesem Abstand aufeinander folgen, sind einer.</translation>
     </message>
     <message>
-        <source>;mesh units, 0: no bound</source>
-        <translation>;Einheiten des Netzes, 0: keine Grenze</translation>
+        <source>;mesh units, negative: an edge of the mesh</source>
+        <translation>;Einheiten des Netzes, negativ: eine Kante des Netzes</translation>
     </message>
     <message>
         <source>Takes the last edit back.</source>
@@ -419,6 +355,10 @@
     <message>
         <source>Does it again.</source>
         <translation>Macht sie wieder.</translation>
+    </message>
+    <message>
+        <source>Draws on the mesh as if it was repaired, if it is no surface; the mesh stays.</source>
+        <translation>Zeichnet auf dem Netz, als wäre es repariert, wenn es keine Fläche ist; das Netz bleibt.</translation>
     </message>
     <message>
         <source>Waits for the smoothed curves and returns their polylines&apos; ids.</source>
@@ -439,14 +379,6 @@
     <message>
         <source>Why the last edit or smoothing failed; empty if it did not.</source>
         <translation>Warum die letzte Änderung oder Glättung misslang; leer, wenn nicht.</translation>
-    </message>
-    <message>
-        <source>Colours the curves or the mesh.</source>
-        <translation>Färbt die Kurven oder das Netz.</translation>
-    </message>
-    <message>
-        <source>;nothing, deviation, distance or potential</source>
-        <translation>;nothing, deviation, distance oder potential</translation>
     </message>
     <message>
         <source>Writes the smoothed curves.</source>
@@ -473,38 +405,6 @@
         <translation>;wie writeResult, oder .txt</translation>
     </message>
     <message>
-        <source>Begins or ends drawing with the mouse.</source>
-        <translation>Beginnt oder beendet das Zeichnen mit der Maus.</translation>
-    </message>
-    <message>
-        <source>whether</source>
-        <translation>ob</translation>
-    </message>
-    <message>
-        <source>Draws curves on meshes and smooths them while they stay close to the drawing.</source>
-        <translation>Zeichnet Kurven auf Netze und glättet sie nah an der Zeichnung.</translation>
-    </message>
-    <message>
-        <source>Click or paint; Enter ends, the first point closes, Backspace takes back, Esc discards. The wheel zooms, the middle button moves, the right one turns.</source>
-        <translation>Klicken oder malen; Eingabe beendet, der erste Punkt schließt, Rücktaste nimmt zurück, Esc verwirft. Das Rad zoomt, die mittlere Taste verschiebt, die rechte dreht.</translation>
-    </message>
-    <message>
-        <source>Click or paint on the target mesh to draw. The wheel zooms, the middle button moves, the right one turns.</source>
-        <translation>Zum Zeichnen auf das Zielnetz klicken oder malen. Das Rad zoomt, die mittlere Taste verschiebt, die rechte dreht.</translation>
-    </message>
-    <message>
-        <source>Curves along the border of the selected faces.</source>
-        <translation>Kurven am Rand der ausgewählten Dreiecke.</translation>
-    </message>
-    <message>
-        <source>Curves along the borders between face colours.</source>
-        <translation>Kurven an den Grenzen zwischen Dreiecksfarben.</translation>
-    </message>
-    <message>
-        <source>Draws on the mesh as if it was repaired, if it is no surface; the mesh stays.</source>
-        <translation>Zeichnet auf dem Netz, als wäre es repariert, wenn es keine Fläche ist; das Netz bleibt.</translation>
-    </message>
-    <message>
         <source>Makes the smoothed curves edges of the mesh, and selects them.</source>
         <translation>Macht die geglätteten Kurven zu Kanten des Netzes und wählt sie aus.</translation>
     </message>
@@ -519,6 +419,14 @@
     <message>
         <source>;whether the parts are closed where they were cut</source>
         <translation>;ob die Teile am Schnitt geschlossen werden</translation>
+    </message>
+    <message>
+        <source>Begins or ends drawing with the mouse.</source>
+        <translation>Beginnt oder beendet das Zeichnen mit der Maus.</translation>
+    </message>
+    <message>
+        <source>whether</source>
+        <translation>ob</translation>
     </message>
     <message>
         <source>Gives a curve a name.</source>
@@ -573,12 +481,12 @@
         <translation>Eine Zahl des Berichts, für eine Kurve.</translation>
     </message>
     <message>
-        <source>up to %1 %2</source>
-        <translation>bis %1 %2</translation>
+        <source>Colours the curves or the mesh.</source>
+        <translation>Färbt die Kurven oder das Netz.</translation>
     </message>
     <message>
-        <source>What is largest is: %1.</source>
-        <translation>Am größten sein kann: %1.</translation>
+        <source>;nothing, deviation, distance or potential</source>
+        <translation>;nothing, deviation, distance oder potential</translation>
     </message>
     <message>
         <source>Shows combs of curvature along the curves.</source>
@@ -596,13 +504,49 @@
         <source>;nothing, deviation or curvature</source>
         <translation>;nothing, deviation oder curvature</translation>
     </message>
+</context>
+<context>
+    <name>Session</name>
     <message>
-        <source>Ctrl-click to insert a point.</source>
-        <translation>Strg-Klick fügt einen Punkt ein.</translation>
+        <source>Wrote %1.</source>
+        <translation>%1 ist geschrieben.</translation>
+    </message>
+</context>
+<context>
+    <name>Sessions</name>
+    <message>
+        <source>There is no triangle mesh with the id %1.</source>
+        <translation>Es gibt kein Dreiecksnetz mit der Nummer %1.</translation>
     </message>
     <message>
-        <source>Click to select the curve, Ctrl-click to insert a point; paint to draw.</source>
-        <translation>Klick wählt die Kurve aus, Strg-Klick fügt einen Punkt ein; Malen zeichnet.</translation>
+        <source>Make a triangle mesh the target first.</source>
+        <translation>Machen Sie zuerst ein Dreiecksnetz zum Ziel (Target).</translation>
+    </message>
+</context>
+<context>
+    <name>TalwegPlugin</name>
+    <message>
+        <source>There is no polyline with the id %1.</source>
+        <translation>Es gibt keine Linie mit der Nummer %1.</translation>
+    </message>
+    <message>
+        <source>Colours are: %1.</source>
+        <translation>Farben sind: %1.</translation>
+    </message>
+    <message>
+        <source>What is largest is: %1.</source>
+        <translation>Am größten sein kann: %1.</translation>
+    </message>
+    <message>
+        <source>Draws curves on meshes and smooths them while they stay close to the drawing.</source>
+        <translation>Zeichnet Kurven auf Netze und glättet sie nah an der Zeichnung.</translation>
+    </message>
+</context>
+<context>
+    <name>UnderMouse</name>
+    <message>
+        <source>Make this mesh the target to draw on it.</source>
+        <translation>Machen Sie dieses Netz zum Ziel (Target), um darauf zu zeichnen.</translation>
     </message>
 </context>
 <context>
@@ -655,6 +599,10 @@
         <translation>Fügt die Kurven einer Datei hinzu.</translation>
     </message>
     <message>
+        <source>Write</source>
+        <translation>Schreiben</translation>
+    </message>
+    <message>
         <source>Writes the drawn points; .json keeps which were clicked and pinned.</source>
         <translation>Schreibt die gezeichneten Punkte; .json behält, welche geklickt und festgehalten sind.</translation>
     </message>
@@ -691,6 +639,10 @@
         <translation>Schließt die ausgewählte Kurve oder öffnet sie.</translation>
     </message>
     <message>
+        <source>Go on</source>
+        <translation>Weiter</translation>
+    </message>
+    <message>
         <source>Draws on at the end of the selected curve.</source>
         <translation>Zeichnet am Ende der ausgewählten Kurve weiter.</translation>
     </message>
@@ -718,13 +670,59 @@
         <source>Select a curve in the list or in the scene.</source>
         <translation>Wählen Sie eine Kurve in der Liste oder in der Szene aus.</translation>
     </message>
+</context>
+<context>
+    <name>talweg::openflipper::DrawingHand</name>
     <message>
-        <source>Write</source>
-        <translation>Schreiben</translation>
+        <source>Click or paint; Enter ends, the first point closes, Backspace takes back, Esc discards. The wheel zooms, the middle button moves, the right one turns.</source>
+        <translation>Klicken oder malen; Eingabe beendet, der erste Punkt schließt, Rücktaste nimmt zurück, Esc verwirft. Das Rad zoomt, die mittlere Taste verschiebt, die rechte dreht.</translation>
     </message>
     <message>
-        <source>Go on</source>
-        <translation>Weiter</translation>
+        <source>Click or paint on the target mesh to draw. The wheel zooms, the middle button moves, the right one turns.</source>
+        <translation>Zum Zeichnen auf das Zielnetz klicken oder malen. Das Rad zoomt, die mittlere Taste verschiebt, die rechte dreht.</translation>
+    </message>
+    <message>
+        <source>Click to close the curve.</source>
+        <translation>Klick schließt die Kurve.</translation>
+    </message>
+    <message>
+        <source>Drag to move, double click to pin, Shift-click to remove.</source>
+        <translation>Ziehen verschiebt, Doppelklick hält fest, Umschalt-Klick entfernt.</translation>
+    </message>
+    <message>
+        <source>Ctrl-click to insert a point.</source>
+        <translation>Strg-Klick fügt einen Punkt ein.</translation>
+    </message>
+    <message>
+        <source>Click to select the curve, Ctrl-click to insert a point; paint to draw.</source>
+        <translation>Klick wählt die Kurve aus, Strg-Klick fügt einen Punkt ein; Malen zeichnet.</translation>
+    </message>
+</context>
+<context>
+    <name>talweg::openflipper::HostLink</name>
+    <message>
+        <source>Talweg</source>
+        <translation>Talweg</translation>
+    </message>
+    <message>
+        <source>Draw on this mesh</source>
+        <translation>Auf diesem Netz zeichnen</translation>
+    </message>
+    <message>
+        <source>Curves from its selection</source>
+        <translation>Kurven aus seiner Auswahl</translation>
+    </message>
+    <message>
+        <source>Smooth this line on the target mesh</source>
+        <translation>Diese Linie auf dem Zielnetz glätten</translation>
+    </message>
+    <message>
+        <source>Talweg on %1</source>
+        <translation>Talweg auf %1</translation>
+    </message>
+    <message>
+        <source>Cancelled.</source>
+        <translation>Abgebrochen.</translation>
     </message>
 </context>
 <context>
@@ -732,30 +730,6 @@
     <message>
         <source>No colours</source>
         <translation>Keine Farben</translation>
-    </message>
-    <message>
-        <source>Comb</source>
-        <translation>Kamm</translation>
-    </message>
-    <message>
-        <source>Teeth across the curves, as long as they are curved there.</source>
-        <translation>Zähne quer zu den Kurven, so lang wie sie dort gekrümmt sind.</translation>
-    </message>
-    <message>
-        <source>Mark nothing</source>
-        <translation>Nichts markieren</translation>
-    </message>
-    <message>
-        <source>Largest deviation</source>
-        <translation>Größte Abweichung</translation>
-    </message>
-    <message>
-        <source>Largest curvature</source>
-        <translation>Größte Krümmung</translation>
-    </message>
-    <message>
-        <source>Marks where it is largest, and turns the view to it.</source>
-        <translation>Markiert, wo sie am größten ist, und dreht die Ansicht dorthin.</translation>
     </message>
     <message>
         <source>Deviation</source>
@@ -781,6 +755,53 @@
         <source>Hidden points cannot be moved; curves show as before.</source>
         <translation>Verborgene Punkte lassen sich nicht bewegen; Kurven bleiben sichtbar.</translation>
     </message>
+    <message>
+        <source>Comb</source>
+        <translation>Kamm</translation>
+    </message>
+    <message>
+        <source>Teeth across the curves, as long as they are curved there.</source>
+        <translation>Zähne quer zu den Kurven, so lang wie sie dort gekrümmt sind.</translation>
+    </message>
+    <message>
+        <source>Mark nothing</source>
+        <translation>Nichts markieren</translation>
+    </message>
+    <message>
+        <source>Largest deviation</source>
+        <translation>Größte Abweichung</translation>
+    </message>
+    <message>
+        <source>Largest curvature</source>
+        <translation>Größte Krümmung</translation>
+    </message>
+    <message>
+        <source>Marks where it is largest, and turns the view to it.</source>
+        <translation>Markiert, wo sie am größten ist, und dreht die Ansicht dorthin.</translation>
+    </message>
+</context>
+<context>
+    <name>talweg::openflipper::PanelLink</name>
+    <message>
+        <source>up to %1 %2</source>
+        <translation>bis %1 %2</translation>
+    </message>
+    <message>
+        <source>Make a polyline the target first.</source>
+        <translation>Machen Sie zuerst eine Linie (Polyline) zum Ziel (Target).</translation>
+    </message>
+    <message>
+        <source>Curves (*.json *.vtp *.vtk *.obj *.ply *.mrk.json *.txt)</source>
+        <translation>Kurven (*.json *.vtp *.vtk *.obj *.ply *.mrk.json *.txt)</translation>
+    </message>
+    <message>
+        <source>Read curves</source>
+        <translation>Kurven lesen</translation>
+    </message>
+    <message>
+        <source>Write curves</source>
+        <translation>Kurven schreiben</translation>
+    </message>
 </context>
 <context>
     <name>talweg::openflipper::ResultTable</name>
@@ -795,6 +816,22 @@
 </context>
 <context>
     <name>talweg::openflipper::TalwegPanel</name>
+    <message>
+        <source>Repair</source>
+        <translation>Reparieren</translation>
+    </message>
+    <message>
+        <source>Draws on the mesh as if it was repaired; the mesh itself stays.</source>
+        <translation>Zeichnet auf dem Netz, als wäre es repariert; das Netz selbst bleibt.</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Wiederholen</translation>
+    </message>
     <message>
         <source>Draw</source>
         <translation>Zeichnen</translation>
@@ -818,58 +855,6 @@
     <message>
         <source>Closes the curve (click its first point).</source>
         <translation>Schließt die Kurve (Klick auf ihren ersten Punkt).</translation>
-    </message>
-    <message>
-        <source>Undo</source>
-        <translation>Rückgängig</translation>
-    </message>
-    <message>
-        <source>Redo</source>
-        <translation>Wiederholen</translation>
-    </message>
-    <message>
-        <source>Write result</source>
-        <translation>Ergebnis schreiben</translation>
-    </message>
-    <message>
-        <source>Writes the smoothed curves: .json, .vtp, .vtk, .obj, .ply, .mrk.json</source>
-        <translation>Schreibt die geglätteten Kurven: .json, .vtp, .vtk, .obj, .ply, .mrk.json</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>Abbrechen</translation>
-    </message>
-    <message>
-        <source>Stops what is being computed.</source>
-        <translation>Hält an, was gerechnet wird.</translation>
-    </message>
-    <message>
-        <source>Tau</source>
-        <translation>Tau</translation>
-    </message>
-    <message>
-        <source>0: straight lines; more keeps closer to the drawing, and is tighter between clicks.</source>
-        <translation>0: gerade Linien; mehr bleibt näher an der Zeichnung und ist zwischen Klicks straffer.</translation>
-    </message>
-    <message>
-        <source>Between clicked points the curve is free; this is for painted ones.</source>
-        <translation>Zwischen geklickten Punkten ist die Kurve frei; dies ist für gemalte.</translation>
-    </message>
-    <message>
-        <source>Slack</source>
-        <translation>Spielraum</translation>
-    </message>
-    <message>
-        <source>No drawing yet.</source>
-        <translation>Noch keine Zeichnung.</translation>
-    </message>
-    <message>
-        <source>Repair</source>
-        <translation>Reparieren</translation>
-    </message>
-    <message>
-        <source>Draws on the mesh as if it was repaired; the mesh itself stays.</source>
-        <translation>Zeichnet auf dem Netz, als wäre es repariert; das Netz selbst bleibt.</translation>
     </message>
     <message>
         <source>Take back</source>
@@ -916,8 +901,32 @@
         <translation>Form</translation>
     </message>
     <message>
+        <source>Tau</source>
+        <translation>Tau</translation>
+    </message>
+    <message>
+        <source>0: straight lines; more keeps closer to the drawing, and is tighter between clicks.</source>
+        <translation>0: gerade Linien; mehr bleibt näher an der Zeichnung und ist zwischen Klicks straffer.</translation>
+    </message>
+    <message>
+        <source>Slack</source>
+        <translation>Spielraum</translation>
+    </message>
+    <message>
         <source>How exact the drawing is, in mesh units. Unticked it is as wide as the hand trembled.</source>
         <translation>Wie genau die Zeichnung ist, in Einheiten des Netzes. Ohne Haken so breit, wie die Hand gezittert hat.</translation>
+    </message>
+    <message>
+        <source>units</source>
+        <translation>Einh.</translation>
+    </message>
+    <message>
+        <source>Within</source>
+        <translation>Innerhalb</translation>
+    </message>
+    <message>
+        <source>The smoothest curve that stays within this distance of the drawing, in mesh units; chooses tau and slack. Unticked: how far it is now.</source>
+        <translation>Die glatteste Kurve in diesem Abstand von der Zeichnung, in Einheiten des Netzes; wählt Tau und Spielraum. Ohne Haken: wie weit sie jetzt ist.</translation>
     </message>
     <message>
         <source>One click</source>
@@ -926,10 +935,6 @@
     <message>
         <source>Clicks that follow each other within this distance are one, in mesh units. Unticked: an edge of the mesh.</source>
         <translation>Klicks, die in diesem Abstand aufeinander folgen, sind einer, in Einheiten des Netzes. Ohne Haken: eine Kante des Netzes.</translation>
-    </message>
-    <message>
-        <source>Ends</source>
-        <translation>Enden</translation>
     </message>
     <message>
         <source>Returning strokes are loops</source>
@@ -948,16 +953,8 @@
         <translation>Was aus den Enden von Kurven wird, die nicht geschlossen sind.</translation>
     </message>
     <message>
-        <source>units</source>
-        <translation>Einh.</translation>
-    </message>
-    <message>
-        <source>Within</source>
-        <translation>Innerhalb</translation>
-    </message>
-    <message>
-        <source>The smoothest curve that stays within this distance of the drawing, in mesh units; chooses tau and slack. Unticked: how far it is now.</source>
-        <translation>Die glatteste Kurve in diesem Abstand von der Zeichnung, in Einheiten des Netzes; wählt Tau und Spielraum. Ohne Haken: wie weit sie jetzt ist.</translation>
+        <source>Ends</source>
+        <translation>Enden</translation>
     </message>
     <message>
         <source>Result</source>
@@ -996,12 +993,36 @@
         <translation>Schneidet und wählt die Dreiecke in den geschlossenen Kurven aus: die kleinere Seite.</translation>
     </message>
     <message>
+        <source>Write result</source>
+        <translation>Ergebnis schreiben</translation>
+    </message>
+    <message>
+        <source>Writes the smoothed curves: .json, .vtp, .vtk, .obj, .ply, .mrk.json</source>
+        <translation>Schreibt die geglätteten Kurven: .json, .vtp, .vtk, .obj, .ply, .mrk.json</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Stops what is being computed.</source>
+        <translation>Hält an, was gerechnet wird.</translation>
+    </message>
+    <message>
+        <source>No drawing yet.</source>
+        <translation>Noch keine Zeichnung.</translation>
+    </message>
+    <message>
         <source>Takes the last edit back (Ctrl+Z): %1</source>
         <translation>Nimmt die letzte Änderung zurück (Strg+Z): %1</translation>
     </message>
     <message>
         <source>Does it again (Ctrl+Y): %1</source>
         <translation>Macht sie wieder (Strg+Y): %1</translation>
+    </message>
+    <message>
+        <source>Between clicked points the curve is free; this is for painted ones.</source>
+        <translation>Zwischen geklickten Punkten ist die Kurve frei; dies ist für gemalte.</translation>
     </message>
     <message>
         <source>&quot;Within&quot; chooses it.</source>

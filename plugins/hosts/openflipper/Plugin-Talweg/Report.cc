@@ -1,4 +1,5 @@
-// What a session tells of its results.
+#include "Report.hh"
+
 #include <QCoreApplication>
 #include <cmath>
 

@@ -1,0 +1,27 @@
+// A report is what is told of the results of a session.
+#pragma once
+
+#include <QString>
+#include <QStringList>
+#include <vector>
+
+#include "ResultTable.hh"
+
+namespace talweg::openflipper {
+
+class Session;
+
+/// As the panel writes it.
+QString length_unit();
+QString curvature_unit();
+/// A line for the log.
+QString short_report(const Session& session);
+/// What the panel shows of the results: the numbers, a line, with which settings, and the warnings.
+std::vector<ResultRow> result_rows(const Session& session);
+QString result_summary(const Session& session);
+QString result_settings(const Session& session);
+QStringList result_notes(const Session& session);
+/// Everything that was measured, "key = value" or "curve.key = value", one a line.
+QString whole_report(const Session& session);
+
+}  // namespace talweg::openflipper

@@ -1,0 +1,114 @@
+#include "ScriptHelp.hh"
+
+#include <QCoreApplication>
+
+namespace talweg::openflipper {
+namespace {
+
+struct ScriptHelp {
+  Q_DECLARE_TR_FUNCTIONS(ScriptHelp)
+
+ public:
+  static std::vector<ScriptSlot> all();
+};
+
+std::vector<ScriptSlot> ScriptHelp::all() {
+  const QString mesh = tr("id of a triangle mesh");
+  const QString curve = mesh + tr(";from 0");
+  const QString curve_point = mesh + tr(";curve, from 0;point, from 0;");
+  return {
+      {"draw(int,IdList,bool)", tr("Adds a curve through vertices, straight over the faces."),
+       "meshId;vertices;closed", mesh + tr(";vertices from 0;whether it comes back")},
+      {"addPoint(int,int,Vector)", tr("Adds a point to the curve that is being drawn."),
+       "meshId;face;barycentric", mesh + tr(";face from 0;its coordinates there")},
+      {"finishCurve(int)", tr("Ends the curve that is being drawn."), "meshId", mesh},
+      {"closeCurve(int)", tr("Closes the curve that is being drawn."), "meshId", mesh},
+      {"takeBackPoint(int)", tr("Takes the last point back."), "meshId", mesh},
+      {"dropCurve(int)", tr("Drops the curve that is being drawn."), "meshId", mesh},
+      {"fromSelection(int)", tr("Curves from selected vertices or edges."), "meshId", mesh},
+      {"fromFaceSelection(int)", tr("Curves along the border of the selected faces."), "meshId",
+       mesh},
+      {"fromFaceColours(int)", tr("Curves along the borders between face colours."), "meshId",
+       mesh},
+      {"fromPolyLine(int,int)", tr("A curve from a polyline, put onto the mesh."),
+       "meshId;polyLineId", mesh + tr(";id of a polyline")},
+      {"removeCurve(int,int)", tr("Removes a curve."), "meshId;curve", mesh + tr(";from 0")},
+      {"clear(int)", tr("Removes all curves."), "meshId", mesh},
+      {"movePoint(int,int,int,int,Vector)", tr("Moves a drawn point."),
+       "meshId;curve;point;face;barycentric",
+       curve_point + tr("face from 0;its coordinates there")},
+      {"setPinned(int,int,int,bool)", tr("Pins a drawn point, or lets it go."),
+       "meshId;curve;point;pinned", curve_point + tr("whether the result passes through it")},
+      {"setClosed(int,int,bool)", tr("Closes or opens a curve."), "meshId;curve;closed",
+       mesh + tr(";from 0;whether it comes back")},
+      {"setTau(int,double)", tr("0: straight lines; more keeps closer to the drawing."),
+       "meshId;tau", mesh + tr(";0 or more")},
+      {"setSlack(int,double)", tr("How exact the drawing is."), "meshId;slack",
+       mesh + tr(";mesh units; negative: from the drawing").replace("; negative", ", negative")},
+      {"setMaxDeviation(int,double)", tr("The largest deviation; chooses tau and slack."),
+       "meshId;bound", mesh + tr(";mesh units, 0: no bound")},
+      {"setEnds(int,QString)", tr("What becomes of the ends of curves that are not closed."),
+       "meshId;ends",
+       mesh + tr(";auto: painted strokes that come back are loops, closed: all are, open")},
+      {"setClickDistance(int,double)",
+       tr("Clicks that follow each other within this distance are one."), "meshId;distance",
+       mesh + tr(";mesh units, negative: an edge of the mesh")},
+      {"undoEdit(int)", tr("Takes the last edit back."), "meshId", mesh},
+      {"redoEdit(int)", tr("Does it again."), "meshId", mesh},
+      {"repairMesh(int)",
+       tr("Draws on the mesh as if it was repaired, if it is no surface; the mesh stays."),
+       "meshId", mesh},
+      {"smooth(int)", tr("Waits for the smoothed curves and returns their polylines' ids."),
+       "meshId", mesh},
+      {"report(int)", tr("Everything that was measured, one \"key = value\" a line."), "meshId",
+       mesh},
+      {"measure(int,QString)", tr("One number of the report, for all curves together."),
+       "meshId;key", mesh + tr(";such as length_after")},
+      {"lastError(int)", tr("Why the last edit or smoothing failed; empty if it did not."),
+       "meshId", mesh},
+      {"writeResult(int,QString)", tr("Writes the smoothed curves."), "meshId;filename",
+       mesh + tr(";.json, .vtp, .vtk, .obj, .ply, .mrk.json")},
+      {"writeDrawing(int,QString)", tr("Writes the drawn points."), "meshId;filename",
+       mesh + tr(";as writeResult")},
+      {"readDrawing(int,QString)", tr("Adds the curves of a file."), "meshId;filename",
+       mesh + tr(";as writeResult, or .txt")},
+      {"cut(int)", tr("Makes the smoothed curves edges of the mesh, and selects them."), "meshId",
+       mesh},
+      {"selectInside(int)", tr("Cuts, and selects the faces inside the closed curves."), "meshId",
+       mesh},
+      {"split(int,bool)", tr("Makes a mesh of each part that the smoothed curves leave."),
+       "meshId;lids", mesh + tr(";whether the parts are closed where they were cut")},
+      {"drawMode(bool)", tr("Begins or ends drawing with the mouse."), "on", tr("whether")},
+
+      {"renameCurve(int,int,QString)", tr("Gives a curve a name."), "meshId;curve;name",
+       curve + tr(";empty: none")},
+      {"pinCurve(int,int,bool)", tr("Pins all points of a curve, or lets all go."),
+       "meshId;curve;pinned", curve + tr(";whether the result passes through them")},
+      {"continueCurve(int,int)", tr("Draws on at the end of a curve, which is the last then."),
+       "meshId;curve", curve},
+      {"setCurveTau(int,int,double)", tr("Gives a curve a tau of its own."), "meshId;curve;tau",
+       curve + tr(";0 or more, negative: as all curves")},
+      {"setCurveTolerance(int,int,double)", tr("Gives a curve a tolerance of its own."),
+       "meshId;curve;tolerance", curve + tr(";mesh units, negative: none")},
+      {"insertPoint(int,int,int,int,Vector)", tr("Inserts a point into a curve."),
+       "meshId;curve;before;face;barycentric",
+       curve + tr(";the point before which it comes, from 0;face from 0;its coordinates there")},
+      {"removePoint(int,int,int)", tr("Removes a point of a curve."), "meshId;curve;point",
+       curve + tr(";from 0")},
+      {"measureCurve(int,int,QString)", tr("One number of the report, for one curve."),
+       "meshId;curve;key", curve + tr(";such as length_after")},
+
+      {"colourBy(int,QString)", tr("Colours the curves or the mesh."), "meshId;what",
+       mesh + tr(";nothing, deviation, distance or potential")},
+      {"showComb(int,bool)", tr("Shows combs of curvature along the curves."), "meshId;with",
+       mesh + tr(";whether")},
+      {"largest(int,QString)", tr("Marks where it is largest, and tells the place."), "meshId;what",
+       mesh + tr(";nothing, deviation or curvature")},
+  };
+}
+
+}  // namespace
+
+std::vector<ScriptSlot> script_help() { return ScriptHelp::all(); }
+
+}  // namespace talweg::openflipper
