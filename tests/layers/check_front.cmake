@@ -8,7 +8,7 @@ set(algorithms
   drawing/taken_points
   fairing/band_solver fairing/chain_curve fairing/chain_parts fairing/curve_fairing fairing/drawn_line
   fairing/near_points fairing/saddle_passing
-  lifting/bump_convolution lifting/corridor smoothing/corridor_valleys smoothing/corridor_width smoothing/curve_gaps
+  lifting/bump_convolution lifting/corridor smoothing/corridor_width smoothing/curve_gaps
   smoothing/drawing_change fairing/joined_curves lifting/potential
   smoothing/refined_mesh lifting/relaxation lifting/touched_edges
   smoothing/unrolled_mesh)
