@@ -279,6 +279,16 @@ bool FairFinishing::is_smooth(Attempt& attempt, const Taus& taus) {
          keeps_within(attempt.group, taus, taut);
 }
 
+/// Whether a fair curve is good without a comparison: it turns little, and is held. Between walls
+/// that are far apart a straight one may lie anywhere.
+bool FairFinishing::needs_no_taut(const FairGroup& group, const Taus& taus,
+                                  const SurfaceCurve& curve) const {
+  constexpr double kHeld = 1.0 / 8;  // of the length
+  const EmbeddedDrawing& drawing = hold_->drawing();
+  return hold_->largest_wall(group, taus) <= kHeld * group.length &&
+         is_gentle(drawing.surface(), curve, drawing.corners(), group.edge);
+}
+
 /// The fair curve of one try: from the chain, then from the taut curve, then from the drawing in
 /// ever narrower bands; with legs from the taut curve, ever tighter. None if it is beyond its walls
 /// or worse than the curve it started from.
@@ -296,9 +306,7 @@ std::optional<SurfaceCurve> FairFinishing::tried(Attempt& attempt, const Taus& t
     return std::nullopt;
   }
   std::optional<SurfaceCurve> result = faired(attempt, taus, *legs);
-  if (result && !any_legs && is_gentle(surface, *result, drawing.corners(), group.edge)) {
-    return result;
-  }
+  if (result && !any_legs && needs_no_taut(group, taus, *result)) return result;
   std::vector<SurfacePoint> bad;
   if (result && is_pressed(surface, *result, taut(attempt).curve)) {
     bad = pressed_points(surface, *result, taut(attempt).curve);

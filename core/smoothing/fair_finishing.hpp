@@ -70,6 +70,8 @@ class FairFinishing {
   [[nodiscard]] bool bends_more(Attempt& attempt, const SurfaceCurve& curve);
   std::optional<SurfaceCurve> faired(Attempt& attempt, const Taus& taus, const LegStart& legs);
   [[nodiscard]] bool is_smooth(Attempt& attempt, const Taus& taus);
+  [[nodiscard]] bool needs_no_taut(const FairGroup& group, const Taus& taus,
+                                   const SurfaceCurve& curve) const;
   std::optional<SurfaceCurve> tried(Attempt& attempt, const Taus& taus);
   [[nodiscard]] bool keeps_within(const FairGroup& group, const Taus& taus,
                                   const SurfaceCurve& curve);
