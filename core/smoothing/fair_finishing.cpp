@@ -270,6 +270,13 @@ void FairFinishing::make_fair_apart(const FairGroup& group) {
   }
 }
 
+/// Whether the taut curve does not turn at all, and has lost nothing: it is fair.
+bool FairFinishing::is_straight(Attempt& attempt) {
+  const Taut& own = taut(attempt);
+  return own.is_close &&
+         !turns_by(kNoTurn, hold_->drawing().surface(), own.curve, hold_->drawing().corners());
+}
+
 /// Whether the taut curve turns as little as a fair one, between the walls; not where it has legs.
 bool FairFinishing::is_smooth(Attempt& attempt, const Taus& taus) {
   if (has_legs(hold_->drawing(), attempt.group)) return false;
@@ -307,6 +314,7 @@ std::optional<SurfaceCurve> FairFinishing::tried(Attempt& attempt, const Taus& t
   }
   std::optional<SurfaceCurve> result = faired(attempt, taus, *legs);
   if (result && !any_legs && needs_no_taut(group, taus, *result)) return result;
+  if (!any_legs && is_straight(attempt)) return taut(attempt).curve;
   std::vector<SurfacePoint> bad;
   if (result && is_pressed(surface, *result, taut(attempt).curve)) {
     bad = pressed_points(surface, *result, taut(attempt).curve);

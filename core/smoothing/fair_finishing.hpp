@@ -69,6 +69,7 @@ class FairFinishing {
                                                         const SurfaceCurve& curve);
   [[nodiscard]] bool bends_more(Attempt& attempt, const SurfaceCurve& curve);
   std::optional<SurfaceCurve> faired(Attempt& attempt, const Taus& taus, const LegStart& legs);
+  [[nodiscard]] bool is_straight(Attempt& attempt);
   [[nodiscard]] bool is_smooth(Attempt& attempt, const Taus& taus);
   [[nodiscard]] bool needs_no_taut(const FairGroup& group, const Taus& taus,
                                    const SurfaceCurve& curve) const;
