@@ -182,6 +182,7 @@ TEST(Legs, ALineThatComesBackIsNotTakenForItsOtherStretch) {
 TEST(Legs, AClosedLineMayBeginAnywhere) {
   const std::vector<Vector> given = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
   std::vector<Vector> square;  // from the middle of the side from (1, 0) to (1, 1)
+  square.reserve(40);
   for (int k = 0; k < 5; ++k) square.push_back({1, 0.5 + k / 10.0, 0});
   for (int k = 10; k > 0; --k) square.push_back({k / 10.0, 1, 0});
   for (int k = 10; k > 0; --k) square.push_back({0, k / 10.0, 0});
