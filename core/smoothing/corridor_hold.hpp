@@ -1,4 +1,4 @@
-// The corridor holds curves: they are straightened in its potential, then faired between its walls.
+// The corridor holds curves: they are faired between its walls, or straightened in its potential.
 #pragma once
 
 #include <functional>

@@ -18,14 +18,14 @@
 
 namespace talweg {
 
-/// Replaces straightened curves by those of their chains, one group after the other, until none
+/// Makes curves of chains, one group after the other, until none
 /// crosses another. Where that would cross what the drawing does not cross, or bend more than
 /// before, they start from the taut curve, or from the drawing in a narrower band; of legs those
 /// that fail are drawn tighter. If nothing helps, what keeps within its walls is the result, though
-/// it bends more; else they stay straightened, with a warning. Curves that are not faired stay too.
-/// Joined curves that fail are faired each for itself. Refers to the objects it is made from. Cost:
-/// up to four tries of a CurveFairing for each group; and the segments of all curves in each round
-/// in which some cross.
+/// it bends more; else they stay straightened, with a warning. Curves that are not faired are the
+/// straightened ones. Joined curves that fail are faired each for itself. Refers to the objects it
+/// is made from. Cost: up to four tries of a CurveFairing for each group; and the segments of all
+/// curves in each round in which some cross.
 class FairFinishing {
  public:
   FairFinishing(CorridorHold& hold, const SmoothingOptions& options, TautCurves taut,

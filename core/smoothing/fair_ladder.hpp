@@ -15,12 +15,12 @@
 
 namespace talweg {
 
-/// Continuation in τ. A drawing is straightened once, at tau = 1, and faired there. From there the
-/// chains of samples lead on to the powers of two above and below (the rungs), one after the other,
-/// each curve's own to its own tau; joined curves go together. Between two rungs the samples lie on
-/// the ways between theirs. The result therefore follows tau without jumping between several nearly
-/// equal curves, and it does not depend on what was asked for before.
-/// Cost: a fairing for each power of two from tau to 1.
+/// Continuation in τ. A drawing is faired at tau = 1, and straightened there where a fair curve
+/// asks for that. From there the chains of samples lead on to the powers of two above and below
+/// (the rungs), one after the other, each curve's own to its own tau; joined curves go together.
+/// Between two rungs the samples lie on the ways between theirs. The result therefore follows tau
+/// without jumping between several nearly equal curves, and it does not depend on what was asked
+/// for before. Cost: a fairing for each power of two from tau to 1.
 class FairLadder {
  public:
   /// The rung at or next to a curve's tau, towards 1; none where it is straightened on its own.
