@@ -81,10 +81,13 @@ Turn turn_at(const Surface& surface, VertexId v, const Side& before, const Side&
   const double swept = in - out;  // counterclockwise from `out` to `in`
   if (surface.on_boundary(v)) {   // the cone does not close
     const double turn = kPi - std::abs(swept);
-    return {std::clamp(turn, 0.0, kPi), swept > 0 ? turn : -turn};
+    const double inside = std::clamp(turn, 0.0, kPi);
+    return {inside, swept > 0 ? turn : -turn, inside};
   }
   const double left = swept < 0 ? swept + cone : swept;
-  return {std::clamp(kPi - std::min(left, cone - left), 0.0, kPi), cone / 2 - left};
+  const double toward_left = cone / 2 - left;
+  return {std::clamp(kPi - std::min(left, cone - left), 0.0, kPi), toward_left,
+          std::abs(toward_left)};
 }
 
 /// At points of edges and inside faces both ways lie in one plane.
@@ -105,7 +108,7 @@ Turn turn_at(const Surface& surface, const SurfacePoint& at, const Side& before,
   const PlanePoint in = way(surface, h, before.other, before.at);
   const PlanePoint out = sign * way(surface, beyond, after.at, after.other);
   const double left = std::atan2(cross(in, out), dot(in, out));
-  return {std::abs(left), left};
+  return {std::abs(left), left, std::abs(left)};
 }
 
 std::size_t segment_count(const SurfaceCurve& curve) {
@@ -162,8 +165,8 @@ CurveMeasures measure(const Surface& surface, const SurfaceCurve& curve, CurveTu
     measures.signed_curvature += turn.toward_left;
     turns.at.push_back(at[i]);
     turns.angle.push_back(turn.toward_left);
-    if (turn.angle > measures.max_curvature) {
-      measures.max_curvature = turn.angle;
+    if (turn.from_straight > measures.max_curvature) {
+      measures.max_curvature = turn.from_straight;
       measures.max_at = i;
     }
   }

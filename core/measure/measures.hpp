@@ -17,7 +17,7 @@ struct CurveMeasures {
   double total_curvature = 0;  ///< radians: sum of the turning angles
   double signed_curvature =
       0;                     ///< radians: left turns less right turns; on a loop Gauss and Bonnet's
-  double max_curvature = 0;  ///< radians: the largest turning angle
+  double max_curvature = 0;  ///< radians: the largest PointTurn::from_straight
   std::size_t max_at = 0;    ///< index of the point that turns most; the first if several do
   double bending = 0;        ///< without unit: h times the integral of the squared curvature
   double window_turning = 0;    ///< radians: the largest net turning in a window of length h
@@ -41,10 +41,14 @@ double turning_angle(const Surface& surface, const SurfacePoint& before, const S
 double signed_turning(const Surface& surface, const SurfacePoint& before, const SurfacePoint& at,
                       const SurfacePoint& after);
 
-/// Both of them.
+/// Both of them, and how far the curve is from the passage that has the same angle on both sides
+/// (the straightest one of Polthier & Schmies 1998): what the eye takes for a kink. Straight over
+/// a spike it is 0 where the turning angle is not, and at a saddle vertex it is more than that. On
+/// the boundary it is the turning angle.
 struct PointTurn {
-  double angle = 0;        ///< turning_angle()
-  double toward_left = 0;  ///< signed_turning()
+  double angle = 0;          ///< turning_angle()
+  double toward_left = 0;    ///< signed_turning()
+  double from_straight = 0;  ///< radians, >= 0
 };
 PointTurn turn_of(const Surface& surface, const SurfacePoint& before, const SurfacePoint& at,
                   const SurfacePoint& after);

@@ -26,6 +26,7 @@ void for_each_field(Report& r, Visit visit) {
   visit("max_deviation", r.max_deviation);
   visit("pins_added", r.pins_added);
   visit("edge_length_near", r.edge_length_near);
+  visit("roughness_near", r.roughness_near);
   visit("potential", r.potential);
   visit("engine", r.engine);
   visit("closed", r.closed);

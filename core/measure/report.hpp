@@ -92,6 +92,9 @@ struct SmoothingReport {
   double max_deviation = HUGE_VAL;  ///< mesh units: the bound of smooth_within(), if any
   std::size_t pins_added = 0;       ///< by smooth_within()
   double edge_length_near = 0;      ///< mesh units: mean edge within two rings of the drawing
+  /// edge_length_near: how rough the mesh is along the drawing. Where it is above 0.04, turns and
+  /// bending are those on the surface without that roughness. HUGE_VAL where nobody has looked.
+  double roughness_near = HUGE_VAL;
   PotentialKind potential = PotentialKind::kNone;
   Engine engine = Engine::kNone;
   bool closed = false;              ///< the first point is not repeated, and counts once

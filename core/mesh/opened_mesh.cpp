@@ -6,6 +6,7 @@
 #include <thread>
 #include <utility>
 
+#include "talweg/core/mesh/smooth_ground.hpp"
 #include "talweg/intrinsic/stopwatch.hpp"
 
 namespace talweg {
@@ -26,6 +27,12 @@ std::shared_ptr<const OpenedMesh> OpenedMesh::open(MeshLists&& lists) {
 
 std::shared_ptr<const OpenedMesh> OpenedMesh::open(SurfaceMesh mesh) {
   return std::shared_ptr<OpenedMesh>(new OpenedMesh(std::move(mesh)));
+}
+
+std::shared_ptr<const OpenedMesh> OpenedMesh::ground(const Progress& progress) const {
+  const std::scoped_lock lock(ground_mutex_);
+  if (!ground_) ground_ = open(smooth_ground(mesh_, progress));
+  return ground_;
 }
 
 std::shared_ptr<const HeatDistance> OpenedMesh::heat(double time_scale, const Progress& progress,

@@ -26,6 +26,10 @@ class OpenedMesh {
   /// Time to check the mesh and build the surface, in ms.
   [[nodiscard]] double open_ms() const { return open_ms_; }
 
+  /// The mesh's smooth_ground(), made on first use; safe to call from any thread. O(mesh), once.
+  /// Throws Cancelled; then nothing is made.
+  [[nodiscard]] std::shared_ptr<const OpenedMesh> ground(const Progress& progress = {}) const;
+
   /// The heat solver for this time scale (in units of h²), factored on first use; safe to call from
   /// any thread. The two most recently used solvers are kept, so a slider of the time scale costs
   /// the memory of two; others are freed when nobody holds them any more. nullptr when cancelled,
@@ -42,6 +46,8 @@ class OpenedMesh {
   double open_ms_ = 0;
   using Heat = std::pair<double, std::shared_ptr<const HeatDistance>>;
   mutable std::mutex mutex_;
+  mutable std::mutex ground_mutex_;
+  mutable std::shared_ptr<const OpenedMesh> ground_;
   mutable std::vector<Heat> heat_;  // by time scale, the most recently used one first
 };
 

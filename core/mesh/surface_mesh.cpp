@@ -130,9 +130,13 @@ SurfaceMesh SurfaceMesh::moved(MeshLists&& lists) const {
   }
   if (!acceptable(lists)) refuse(lists, "The mesh cannot be used.");
   if (!large_enough(lists)) refuse(lists, "The mesh is too small.");
+  return moved(std::move(lists.points));
+}
+
+SurfaceMesh SurfaceMesh::moved(std::vector<Point>&& points) const {
   SurfaceMesh mesh;
   mesh.surface_ = surface_;
-  mesh.points_ = std::move(lists.points);
+  mesh.points_ = std::move(points);
   mesh.measure();
   return mesh;
 }

@@ -23,6 +23,8 @@ class SurfaceMesh {
   /// The same mesh with its vertices elsewhere. Throws Error(kBadUsage) if the lists' triangles are
   /// not those of this mesh, and Error(kBadMesh) as open() does. O(mesh), but nothing is connected.
   [[nodiscard]] SurfaceMesh moved(MeshLists&& lists) const;
+  /// The same with one point per vertex, which are not checked: each must be finite.
+  [[nodiscard]] SurfaceMesh moved(std::vector<Point>&& points) const;
 
   [[nodiscard]] const Surface& surface() const { return surface_; }        ///< lengths only
   [[nodiscard]] std::span<const Point> points() const { return points_; }  ///< one per vertex

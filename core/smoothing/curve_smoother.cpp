@@ -9,6 +9,7 @@
 #include "talweg/core/drawing/curve_embedding.hpp"
 #include "talweg/core/drawing/drawn_curves.hpp"
 #include "talweg/core/measure/result_report.hpp"
+#include "talweg/core/mesh/smooth_ground.hpp"
 #include "talweg/core/smoothing/cleaned_drawing.hpp"
 #include "talweg/core/smoothing/dragging.hpp"
 #include "talweg/core/smoothing/missed_points.hpp"
@@ -138,7 +139,10 @@ bool CurveSmoother::set(std::span<const SurfaceCurve> curves, const CurveOptions
         checked_drawing(memory_->mesh(), cleaned_->drawn(), cleaned_->slacks(), cleaned, progress);
     given_ = own;
     curve_options_ = options;
-    sheet_ = sheet_for(*memory_, *drawing_, cleaned, std::move(distance), progress);
+    roughness_ = options.method == Method::kCorridor
+                     ? roughness_along(memory_->mesh(), drawing_->curves(), progress)
+                     : HUGE_VAL;
+    sheet_ = sheet_for(*memory_, *drawing_, cleaned, std::move(distance), roughness_, progress);
   } catch (const Cancelled&) {
     forget();
     return false;
@@ -269,6 +273,7 @@ SmoothingResult CurveSmoother::smooth_ordered(const SmoothingOptions& options,
   for (std::size_t c = 0; c < result.reports.size(); ++c) {
     const std::size_t given_number = drawing_->numbers()[c];
     report_cleaning(cleaned_->curves[given_number], given_[given_number], result.reports[c]);
+    result.reports[c].roughness_near = roughness_;
   }
   report_moves(options, result, progress);
   const double ms = watch.ms();

@@ -138,6 +138,7 @@ class CurveSmoother {
   std::unique_ptr<CleanedDrawing> cleaned_;  // of those that were given
   std::unique_ptr<OrderedDrawing> drawing_;  // of what is left of them
   CurveOptions curve_options_;
+  double roughness_ = 0;                      // roughness_along() the drawing
   std::unique_ptr<Sheet> sheet_;              // null where no curve is set
   std::unique_ptr<Last> last_;                // the last result of smooth(), on the ordered curves
   std::unique_ptr<Dragging> dragging_;        // made when first needed, as is previewer_

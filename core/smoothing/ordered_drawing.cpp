@@ -53,11 +53,16 @@ OrderedDrawing::OrderedDrawing(const SurfaceMesh& mesh, std::span<const SurfaceC
     next();
     edges_near_.push_back(edge_length_near(surface, curve));
     next();
-    CurveMeasures& own = measures_.emplace_back(measure_curve(surface, curve, edges_near_.back()));
-    if (!(own.length > 0)) refuse_point(mesh, curve, c);
-    own.max_at = orders[c].drawn_index(own.max_at, curve.points.size());
-    if (orders[c].reversed) own.signed_curvature = -own.signed_curvature;
+    measures_.push_back(of_drawn(places_[c], measure_curve(surface, curve, edges_near_.back())));
+    if (!(measures_.back().length > 0)) refuse_point(mesh, curve, c);
   }
+}
+
+CurveMeasures OrderedDrawing::of_drawn(std::size_t ordered, CurveMeasures measures) const {
+  const CurveOrder& order = orders_[ordered];
+  measures.max_at = order.drawn_index(measures.max_at, ordered_[ordered].points.size());
+  if (order.reversed) measures.signed_curvature = -measures.signed_curvature;
+  return measures;
 }
 
 SmoothingOptions OrderedDrawing::ordered(SmoothingOptions options) const {

@@ -57,6 +57,8 @@ class OrderedDrawing {
   /// Measures of such a result, which has so many points.
   [[nodiscard]] CurveMeasures in_drawn_direction(std::size_t ordered, CurveMeasures measures,
                                                  std::size_t points) const;
+  /// Measures of one of the ordered curves itself, as those of the curve that was drawn.
+  [[nodiscard]] CurveMeasures of_drawn(std::size_t ordered, CurveMeasures measures) const;
   /// A result for the ordered curves, converted to the curves as they were drawn.
   [[nodiscard]] SmoothingResult as_drawn(SmoothingResult result) const;
 

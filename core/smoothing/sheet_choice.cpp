@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "talweg/core/mesh/smooth_ground.hpp"
+#include "talweg/core/smoothing/ground_sheet.hpp"
 #include "talweg/core/smoothing/refined_sheet.hpp"
 #include "talweg/core/smoothing/undivided_sheet.hpp"
 
@@ -9,8 +11,18 @@ namespace talweg {
 
 std::unique_ptr<Sheet> sheet_for(SmoothingMemory& memory, const OrderedDrawing& drawing,
                                  const CurveOptions& options,
-                                 std::optional<std::vector<double>> distance,
+                                 std::optional<std::vector<double>> distance, double roughness,
                                  const Progress& progress) {
+  if (options.method == Method::kCorridor && roughness > kLeastRoughness) {
+    return std::make_unique<GroundSheet>(memory, drawing, options, progress);
+  }
+  return sheet_on(memory, drawing, options, std::move(distance), progress);
+}
+
+std::unique_ptr<Sheet> sheet_on(SmoothingMemory& memory, const OrderedDrawing& drawing,
+                                const CurveOptions& options,
+                                std::optional<std::vector<double>> distance,
+                                const Progress& progress) {
   // The paper's method works on the mesh's own vertices only.
   if (options.method == Method::kCorridor &&
       !faces_to_divide(memory.mesh(), drawing, options).empty()) {

@@ -9,6 +9,7 @@
 #include "talweg/core/lifting/straightening.hpp"
 #include "talweg/core/measure/report.hpp"
 #include "talweg/core/measure/result_report.hpp"
+#include "talweg/core/mesh/surface_mesh.hpp"
 #include "talweg/core/smoothing/ordered_drawing.hpp"
 #include "talweg/intrinsic/surface/surface_point.hpp"
 
@@ -30,7 +31,9 @@ struct Smoothed {
   PotentialKind potential = PotentialKind::kPaper;
   Engine engine = Engine::kFull;
   StraighteningCounts counts;
-  double mollification = 0;           ///< mesh units
+  double mollification = 0;  ///< mesh units
+  /// The ground on which the curves are fair, where that is not the mesh; else null.
+  const SurfaceMesh* ground = nullptr;
   std::vector<std::string> warnings;  ///< sentences for the user
   /// `open`: the time beyond opening the mesh; `measure` that on the surface where it was smoothed;
   /// the total is not set.

@@ -11,6 +11,7 @@
 #include "talweg/core/measure/surface_deviation.hpp"
 #include "talweg/core/mesh/opened_mesh.hpp"
 #include "talweg/intrinsic/exact_distance/polyline_distance.hpp"
+#include "talweg/intrinsic/progress.hpp"
 
 namespace talweg {
 
@@ -38,6 +39,11 @@ class SmoothingMemory {
     if (!meter_) meter_.emplace(mesh());
     return *meter_;
   }
+  /// For smoothing on the mesh's ground. Throws Cancelled.
+  SmoothingMemory& ground(const Progress& progress) {
+    if (!ground_) ground_ = std::make_unique<SmoothingMemory>(mesh_->ground(progress));
+    return *ground_;
+  }
 
  private:
   std::shared_ptr<const OpenedMesh> mesh_;
@@ -46,6 +52,7 @@ class SmoothingMemory {
   StripCurvature curvature_;
   std::optional<PolylineDistance> distance_;
   std::optional<DeviationMeter> meter_;
+  std::unique_ptr<SmoothingMemory> ground_;
 };
 
 }  // namespace talweg

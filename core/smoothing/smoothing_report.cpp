@@ -61,6 +61,12 @@ double far_from(double slack, double edge, Engine engine) {
   return engine == Engine::kRefined ? kFarInSlacks * slack : kFarInEdges * edge;
 }
 
+/// The measures of turning on the ground, with the length on the mesh.
+CurveMeasures turns_as_on(const CurveMeasures& on_mesh, CurveMeasures on_ground) {
+  on_ground.length = on_mesh.length;
+  return on_ground;
+}
+
 void add_run(SmoothingReport& report, const Smoothed& smoothed) {
   report.potential = smoothed.potential;
   report.engine = smoothed.engine;
@@ -99,6 +105,13 @@ SmoothingResult reported(const OpenedMesh& mesh, const OrderedDrawing& drawing,
     const double edge = drawing.edges_near()[c];
     SmoothingReport& report = result.reports.emplace_back(
         report_on_curve(mesh.mesh(), drawn, edge, drawing.measures()[c], smoothed.curves[c].curve));
+    if (smoothed.ground != nullptr) {
+      const Surface& ground = smoothed.ground->surface();
+      report.before =
+          drawing.of_drawn(c, turns_as_on(report.before, measure_curve(ground, drawn, edge)));
+      report.after =
+          turns_as_on(report.after, measure_curve(ground, smoothed.curves[c].curve, edge));
+    }
     report.after = drawing.in_drawn_direction(c, report.after, report.points_after);
     report.tau = options.tau_of(c);
     const bool given = options.slack_of(c) || !options.slack_at.empty();

@@ -13,8 +13,7 @@
 namespace talweg {
 
 /// The drawing smoothed on the mesh itself. Cost: that of its method, and of measuring the
-/// deviation, which has a budget that grows with the points unless the caller says how it is
-/// measured.
+/// deviation.
 class WholeSheet final : public Sheet {
  public:
   /// Embeds the drawing; solve() or set_distance() must be called next.
@@ -48,8 +47,6 @@ class WholeSheet final : public Sheet {
  private:
   void count_crossings(Smoothed& result, const Progress& progress);
   void warn_of_upper_bounds(Smoothed& result) const;
-  [[nodiscard]] MeasuredDeviation deviation_of(std::size_t curve, const SurfaceCurve& result,
-                                               DeviationMeasure measure, const Progress& progress);
 
   SmoothingMemory* memory_;
   EmbeddedDrawing drawing_;

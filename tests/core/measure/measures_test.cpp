@@ -100,6 +100,20 @@ TEST(Measures, ConesTurnByTheSmallerSide) {
   }
 }
 
+TEST(Measures, TheLargestTurnIsHalfTheDifferenceOfBothSides) {
+  // Straight over a spike, and past a saddle vertex with 147 degrees on one side of 434.
+  const Surface spike = test::fan(6, 1.3 * kHalfTurn, true);
+  EXPECT_NEAR(turn_of(spike, vertex(spike, 1), vertex(spike, 0), vertex(spike, 4)).from_straight, 0,
+              1e-12);
+  const Surface saddle = test::fan(6, 3 * kHalfTurn, true);
+  EXPECT_NEAR(
+      turn_of(saddle, vertex(saddle, 1), vertex(saddle, 0), vertex(saddle, 3)).from_straight,
+      kHalfTurn / 2, 1e-12);  // a half turn on one side, a whole one on the other
+  const SurfaceCurve curve{false, {vertex(saddle, 1), vertex(saddle, 0), vertex(saddle, 3)}};
+  EXPECT_NEAR(measure_curve(saddle, curve).max_curvature, kHalfTurn / 2, 1e-12);
+  EXPECT_NEAR(measure_curve(saddle, curve).total_curvature, 0, 1e-12);
+}
+
 TEST(Measures, OnTheBoundaryOnlyTheInsideCounts) {
   // A quarter of a disc about a corner, and a boundary vertex with more than pi inside.
   const Surface corner = test::fan(2, kHalfTurn / 2, false);

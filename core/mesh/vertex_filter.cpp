@@ -1,0 +1,161 @@
+#include "talweg/core/mesh/vertex_filter.hpp"
+
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+namespace talweg {
+namespace {
+
+constexpr std::size_t kDegree = 20;
+constexpr double kTime = 0.61;  // a wave 2π s / √8 edges long is halved, where λ = 2 / s²
+constexpr std::uint32_t kOutside = 0xFFFFFFFFU;
+
+/// Visits each neighbour of a vertex.
+template <class Visit>
+void for_each_neighbour(const Surface& surface, VertexId v, const Visit& visit) {
+  const HalfedgeId first = surface.halfedge(v);
+  if (!first.valid()) return;
+  HalfedgeId h = first;
+  do {
+    visit(surface.head(h));
+    if (!surface.has_face(h)) return;
+    h = surface.turn_ccw(h);
+  } while (h != first);
+}
+
+using Coefficients = std::array<double, kDegree + 1>;
+
+/// Of (1 − exp(−tλ))² / λ over x = λ − 1 in [−1, 1], at Chebyshev's points.
+Coefficients coefficients_of(double scale) {
+  const double t = kTime * scale * scale;
+  Coefficients c{};
+  constexpr std::size_t kPoints = kDegree + 1;
+  for (std::size_t j = 0; j < kPoints; ++j) {
+    const double angle = std::numbers::pi * (static_cast<double>(j) + 0.5) / kPoints;
+    const double lambda = std::cos(angle) + 1;
+    const double gone = -std::expm1(-t * lambda);
+    for (std::size_t k = 0; k < kPoints; ++k) {
+      c[k] += (k == 0 ? 1.0 : 2.0) / kPoints * gone * gone / lambda *
+              std::cos(static_cast<double>(k) * angle);
+    }
+  }
+  return c;
+}
+
+/// `values` minus the means of their neighbours; 0 at vertices that are not whole.
+std::vector<Point> rough_part(const VertexGraph& graph, std::span<const Point> values) {
+  std::vector<Point> result(graph.size(), Point::Zero());
+  for (std::size_t i = 0; i < graph.size(); ++i) {
+    const auto neighbours = graph.neighbours(i);
+    if (!graph.is_whole(i) || neighbours.empty()) continue;
+    // Differences first: they keep their digits far from the origin.
+    Point sum = Point::Zero();
+    for (const std::uint32_t j : neighbours) sum += values[i] - values[j];
+    result[i] = sum / static_cast<double>(neighbours.size());
+  }
+  return result;
+}
+
+/// The means of the neighbours, negative: what x = L − 1 does.
+void negative_means(const VertexGraph& graph, const std::vector<Point>& values,
+                    std::vector<Point>& result) {
+  for (std::size_t i = 0; i < graph.size(); ++i) {
+    const auto neighbours = graph.neighbours(i);
+    Point sum = Point::Zero();
+    for (const std::uint32_t j : neighbours) sum -= values[j];
+    result[i] = neighbours.empty() ? sum : sum / static_cast<double>(neighbours.size());
+  }
+}
+
+}  // namespace
+
+VertexGraph::VertexGraph(const Surface& surface) {
+  vertices_.reserve(surface.vertex_count());
+  for (std::size_t v = 0; v < surface.vertex_count(); ++v) vertices_.emplace_back(v);
+  std::vector<std::uint32_t> number_of(surface.vertex_count());
+  std::iota(number_of.begin(), number_of.end(), 0U);
+  connect(surface, number_of);
+}
+
+VertexGraph::VertexGraph(const Surface& surface, std::span<const VertexId> seeds, int rings) {
+  std::vector<std::uint32_t> number_of(surface.vertex_count(), kOutside);
+  const auto add = [&](VertexId v) {
+    if (number_of[v.index()] != kOutside) return;
+    number_of[v.index()] = static_cast<std::uint32_t>(vertices_.size());
+    vertices_.push_back(v);
+  };
+  for (const VertexId v : seeds) add(v);
+  std::size_t first = 0;
+  for (int ring = 0; ring < rings; ++ring) {
+    const std::size_t last = vertices_.size();
+    for (; first < last; ++first) {
+      for_each_neighbour(surface, vertices_[first], add);
+    }
+  }
+  connect(surface, number_of);
+}
+
+void VertexGraph::connect(const Surface& surface, std::span<const std::uint32_t> number_of) {
+  begin_.reserve(vertices_.size() + 1);
+  begin_.push_back(0);
+  whole_.assign(vertices_.size(), 1);
+  for (std::size_t i = 0; i < vertices_.size(); ++i) {
+    for_each_neighbour(surface, vertices_[i], [&](VertexId w) {
+      const std::uint32_t number = number_of[w.index()];
+      if (number == kOutside) {
+        whole_[i] = 0;
+      } else {
+        neighbours_.push_back(number);
+      }
+    });
+    begin_.push_back(static_cast<std::uint32_t>(neighbours_.size()));
+  }
+}
+
+std::vector<std::vector<Point>> finer_parts(const VertexGraph& graph,
+                                            std::span<const Point> positions,
+                                            std::span<const double> scales, Asker& asker) {
+  std::vector<Point> last = rough_part(graph, positions);  // L p
+  std::vector<Point> now(graph.size()), next(graph.size());
+  std::vector<Coefficients> coefficients;
+  for (const double scale : scales) coefficients.push_back(coefficients_of(scale));
+  std::vector<std::vector<Point>> parts(scales.size(),
+                                        std::vector<Point>(graph.size(), Point::Zero()));
+  const auto add = [&](std::size_t k, const std::vector<Point>& term) {
+    for (std::size_t s = 0; s < scales.size(); ++s) {
+      for (std::size_t i = 0; i < term.size(); ++i) parts[s][i] += coefficients[s][k] * term[i];
+    }
+  };
+  negative_means(graph, last, now);
+  add(0, last);
+  add(1, now);
+  for (std::size_t k = 2; k <= kDegree; ++k) {
+    asker.did(graph.size());
+    negative_means(graph, now, next);
+    for (std::size_t i = 0; i < next.size(); ++i) next[i] = 2 * next[i] - last[i];
+    last.swap(now);
+    now.swap(next);
+    add(k, now);
+  }
+  return parts;
+}
+
+void spread(const VertexGraph& graph, std::vector<double>& values, Asker& asker) {
+  constexpr int kSteps = 16;
+  std::vector<double> next(values.size());
+  for (int step = 0; step < kSteps; ++step) {
+    asker.did(graph.size() / 4);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      const auto neighbours = graph.neighbours(i);
+      double sum = 0;
+      for (const std::uint32_t j : neighbours) sum += values[j];
+      next[i] = neighbours.empty() ? values[i]
+                                   : (values[i] + sum / static_cast<double>(neighbours.size())) / 2;
+    }
+    values.swap(next);
+  }
+}
+
+}  // namespace talweg
