@@ -33,6 +33,7 @@ class Report:
     max_deviation: Optional[float] = None
     pins_added: Optional[int] = None
     edge_length_near: Optional[float] = None
+    roughness_near: Optional[float] = None  #: of the mesh along the drawing, in edge_length_near
     potential: Optional[str] = None
     engine: Optional[str] = None
     closed: Optional[bool] = None
