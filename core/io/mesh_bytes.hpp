@@ -20,6 +20,20 @@ struct MeshContent {
   const MeshAttributes& attributes;
   std::span<const TaggedEdge> edges;
   std::vector<std::string> left_out;
+  const FaceOutlines* outlines = nullptr;  ///< the faces to write; null: the triangles
+
+  [[nodiscard]] std::size_t face_count() const {
+    return outlines == nullptr ? lists.triangles.size() : outlines->size();
+  }
+  /// The corners of a face that is written; `own` is where those of a triangle are put.
+  std::span<const PolygonCorner> face(std::size_t f, std::array<PolygonCorner, 3>& own) const {
+    if (outlines != nullptr) return outlines->face(f);
+    for (std::uint32_t k = 0; k < 3; ++k) own[k] = {static_cast<std::uint32_t>(f), k};
+    return own;
+  }
+  [[nodiscard]] std::uint32_t vertex(const PolygonCorner& at) const {
+    return lists.triangles[at.triangle][at.corner];
+  }
 };
 
 std::string obj_bytes(MeshContent& content);

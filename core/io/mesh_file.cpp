@@ -24,10 +24,14 @@ std::string lower_extension(const std::filesystem::path& path) {
 }
 
 void add_polygon(MeshLists& lists, std::span<const std::uint32_t> corners) {
+  if (corners.size() > 3) {
+    ++lists.polygon_count;
+    lists.polygons.push_back({static_cast<std::uint32_t>(lists.triangles.size()),
+                              static_cast<std::uint32_t>(corners.size())});
+  }
   for (std::size_t k = 2; k < corners.size(); ++k) {
     lists.triangles.push_back({corners[0], corners[k - 1], corners[k]});
   }
-  if (corners.size() > 3) ++lists.polygon_count;
 }
 
 }  // namespace talweg

@@ -27,7 +27,8 @@ struct MeshFile {
 /// The extension in lower case: ".ply" for "A.PLY".
 std::string lower_extension(const std::filesystem::path& path);
 
-/// Appends the fan of triangles of a polygon with at least three corners.
+/// Appends the fan of triangles of a polygon with at least three corners. read_mesh() triangulates
+/// concave ones inside themselves when all points are known.
 void add_polygon(MeshLists& lists, std::span<const std::uint32_t> corners);
 
 /// Each reader also reads the file's attributes if `attributes` is not null.

@@ -49,7 +49,7 @@ class ObjWriter {
     }
     corner_values("vt", attributes_.texture, texture_);
     corner_values("vn", attributes_.normals, normals_);
-    for (std::size_t f = 0; f < lists_.triangles.size(); ++f) face(f);
+    for (std::size_t f = 0; f < content_.face_count(); ++f) face(f);
     for (const TaggedEdge& edge : content_.edges) {
       fmt::format_to(out, "l {} {}\n", std::uint64_t{edge.from} + 1, std::uint64_t{edge.to} + 1);
     }
@@ -110,10 +110,10 @@ class ObjWriter {
   }
 
   /// Writes "o", "g", "usemtl" and "s" where they change.
-  void names(std::size_t f) {
+  void names(std::uint32_t triangle) {
     for (const FaceNames& names : attributes_.names) {
-      const std::uint32_t now = names.of_face[f];
-      if (now == (f == 0 ? 0 : names.of_face[f - 1])) continue;
+      const std::uint32_t now = names.of_face[triangle];
+      if (now == (last_ == kNoTriangle ? 0 : names.of_face[last_])) continue;
       if (now > 0) {
         text_ += names.keyword + " " + names.names[now] + "\n";
       } else if (names.keyword == "g") {
@@ -122,42 +122,51 @@ class ObjWriter {
         text_ += "s off\n";
       }  // the format cannot return to no object or no material
     }
+    last_ = triangle;
+  }
+
+  /// The entry of a corner; kNone without one.
+  [[nodiscard]] std::uint32_t entry(const PolygonCorner& at, const CornerAttribute& of_corners,
+                                    const Columns& of) const {
+    if (!of.empty()) return content_.vertex(at);
+    if (of_corners.dimension == 0) return CornerAttribute::kNone;
+    return of_corners.corners[at.triangle][at.corner];
   }
 
   void face(std::size_t f) {
-    names(f);
-    constexpr std::uint64_t kNone = CornerAttribute::kNone;
+    constexpr std::uint32_t kNone = CornerAttribute::kNone;
+    const auto corners = content_.face(f, own_);
+    names(corners.front().triangle);
     const auto out = std::back_inserter(text_);
     // Either all corners of a face have the attribute, or none has.
-    const auto of_face = [&](const CornerAttribute& of_corners, const Columns& of) {
-      std::array<std::uint64_t, 3> found{kNone, kNone, kNone};
-      if (!of.empty()) {
-        for (std::size_t k = 0; k < 3; ++k) found[k] = lists_.triangles[f][k];
-      } else if (of_corners.dimension > 0) {
-        const auto& own = of_corners.corners[f];
-        if (std::find(own.begin(), own.end(), CornerAttribute::kNone) == own.end()) {
-          std::copy(own.begin(), own.end(), found.begin());
-        }
-      }
-      return found;
+    const auto have = [&](const CornerAttribute& of_corners, const Columns& of) {
+      return std::all_of(corners.begin(), corners.end(), [&](const PolygonCorner& at) {
+        return entry(at, of_corners, of) != kNone;
+      });
     };
-    const auto texture = of_face(attributes_.texture, texture_);
-    const auto normals = of_face(attributes_.normals, normals_);
+    const bool texture = have(attributes_.texture, texture_);
+    const bool normals = have(attributes_.normals, normals_);
     text_ += 'f';
-    for (std::size_t k = 0; k < 3; ++k) {
-      fmt::format_to(out, " {}", std::uint64_t{lists_.triangles[f][k]} + 1);
-      if (texture[k] != kNone) fmt::format_to(out, "/{}", texture[k] + 1);
-      if (normals[k] != kNone) {
-        fmt::format_to(out, "{}{}", texture[k] == kNone ? "//" : "/", normals[k] + 1);
+    for (const PolygonCorner& at : corners) {
+      fmt::format_to(out, " {}", std::uint64_t{content_.vertex(at)} + 1);
+      if (texture) {
+        fmt::format_to(out, "/{}", std::uint64_t{entry(at, attributes_.texture, texture_)} + 1);
+      }
+      if (normals) {
+        fmt::format_to(out, "{}{}", texture ? "/" : "//",
+                       std::uint64_t{entry(at, attributes_.normals, normals_)} + 1);
       }
     }
     text_ += '\n';
   }
 
+  static constexpr std::uint32_t kNoTriangle = 0xFFFFFFFFU;
   MeshContent& content_;
   const MeshLists& lists_;
   const MeshAttributes& attributes_;
   Columns colours_, normals_, texture_;
+  std::uint32_t last_ = kNoTriangle;  // that was written before
+  std::array<PolygonCorner, 3> own_;
   std::string text_;
 };
 

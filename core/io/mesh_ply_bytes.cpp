@@ -80,6 +80,9 @@ class PlyWriter {
   explicit PlyWriter(MeshContent& content)
       : content_(content), lists_(content.lists), attributes_(content.attributes) {
     for (const AttributeColumn& column : attributes_.vertices) vertices_.push_back(&column);
+    for (std::size_t f = 0; f < content.face_count() && content.outlines != nullptr; ++f) {
+      long_lists_ |= content.outlines->face(f).size() > 255 / 2;
+    }
     if (attributes_.normals.dimension == 0) return;
     normals_ = normals_of_vertices(lists_, attributes_.normals);
     for (const AttributeColumn& column : normals_) vertices_.push_back(&column);
@@ -96,7 +99,7 @@ class PlyWriter {
         put_number(bytes_, column->type, column->values[v]);
       }
     }
-    for (std::size_t f = 0; f < lists_.triangles.size(); ++f) face(f);
+    for (std::size_t f = 0; f < content_.face_count(); ++f) face(f);
     for (const TaggedEdge& edge : content_.edges) {
       put(bytes_, edge.from);
       put(bytes_, edge.to);
@@ -126,9 +129,13 @@ class PlyWriter {
         fmt::format("element vertex {}\nproperty double x\nproperty double y\nproperty double z\n",
                     lists_.points.size());
     for (const AttributeColumn* column : vertices_) property(*column);
-    bytes_ += fmt::format("element face {}\nproperty list uchar {} vertex_indices\n",
-                          lists_.triangles.size(), index);  // some readers do not know uint
-    if (attributes_.texture.dimension > 0) bytes_ += "property list uchar float texcoord\n";
+    // Some readers do not know uint, and only few expect lists of more than a byte can count.
+    const char* const length = long_lists_ ? "int" : "uchar";
+    bytes_ += fmt::format("element face {}\nproperty list {} {} vertex_indices\n",
+                          content_.face_count(), length, index);
+    if (attributes_.texture.dimension > 0) {
+      bytes_ += fmt::format("property list {} float texcoord\n", length);
+    }
     for (const AttributeColumn& column : attributes_.faces) property(column);
     if (!content_.edges.empty()) {
       bytes_ += fmt::format(
@@ -140,11 +147,13 @@ class PlyWriter {
   }
 
   void face(std::size_t f) {
-    put(bytes_, std::uint8_t{3});
-    for (const std::uint32_t v : lists_.triangles[f]) put(bytes_, v);
+    const auto corners = content_.face(f, own_);
+    put_length(corners.size());
+    for (const PolygonCorner& at : corners) put(bytes_, content_.vertex(at));
     if (attributes_.texture.dimension > 0) {
-      put(bytes_, std::uint8_t{6});
-      for (const std::uint32_t c : attributes_.texture.corners[f]) {
+      put_length(2 * corners.size());
+      for (const PolygonCorner& at : corners) {
+        const std::uint32_t c = attributes_.texture.corners[at.triangle][at.corner];
         for (std::size_t d = 0; d < 2; ++d) {
           const bool none = c == CornerAttribute::kNone;
           put(bytes_,
@@ -153,7 +162,15 @@ class PlyWriter {
       }
     }
     for (const AttributeColumn& column : attributes_.faces) {
-      put_number(bytes_, column.type, column.values[f]);
+      put_number(bytes_, column.type, column.values[corners.front().triangle]);
+    }
+  }
+
+  void put_length(std::size_t n) {
+    if (long_lists_) {
+      put(bytes_, static_cast<std::int32_t>(n));
+    } else {
+      put(bytes_, static_cast<std::uint8_t>(n));
     }
   }
 
@@ -162,6 +179,8 @@ class PlyWriter {
   const MeshAttributes& attributes_;
   std::vector<AttributeColumn> normals_;
   std::vector<const AttributeColumn*> vertices_;
+  bool long_lists_ = false;
+  std::array<PolygonCorner, 3> own_;
   std::string bytes_;
 };
 

@@ -6,6 +6,7 @@
 #include "talweg/core/io/file_bytes.hpp"
 #include "talweg/core/io/mesh_file.hpp"
 #include "talweg/core/io/text_encoding.hpp"
+#include "talweg/core/mesh/polygon_triangulation.hpp"
 
 namespace talweg {
 namespace {
@@ -39,6 +40,7 @@ MeshLists read_bytes(const std::filesystem::path& path, std::string_view bytes,
   if (lists.points.size() >= kMost || lists.triangles.size() >= kMost / 6) {
     bad_file(path, "the mesh has more elements than 32-bit indices can count.");
   }
+  triangulate_polygons(lists, attributes);
   return lists;
 }
 

@@ -11,9 +11,9 @@ namespace talweg {
 
 /// Reads OBJ, OFF (text), PLY (text, binary of both byte orders), STL (text, binary) or OM, by the
 /// file's extension. Nothing is dropped, duplicated or reordered: vertex and face ids are the
-/// file's, coordinates are read as doubles. Polygons are fan-triangulated from their first corner
-/// and counted. STL has no vertex ids: corners at exactly equal positions become one vertex,
-/// numbered by first appearance.
+/// file's, coordinates are read as doubles. Polygons are triangulated inside themselves, convex
+/// ones as fans from their first corner, and counted (triangulate_polygons()). STL has no vertex
+/// ids: corners at exactly equal positions become one vertex, numbered by first appearance.
 ///
 /// Defects of the surface are accepted (see inspect()), but defects of the file are not. Throws
 /// Error(kBadFile) with the file's name and, if there is one, the line, vertex or face, when the

@@ -18,11 +18,15 @@ namespace formats {
 
 std::string off_bytes(MeshContent& content) {
   const MeshLists& lists = content.lists;
-  std::string text = fmt::format("OFF\n{} {} 0\n", lists.points.size(), lists.triangles.size());
+  std::string text = fmt::format("OFF\n{} {} 0\n", lists.points.size(), content.face_count());
   const auto out = std::back_inserter(text);
   for (const Point& p : lists.points) fmt::format_to(out, "{} {} {}\n", p.x(), p.y(), p.z());
-  for (const Triangle& t : lists.triangles) {
-    fmt::format_to(out, "3 {} {} {}\n", t[0], t[1], t[2]);
+  std::array<PolygonCorner, 3> own;
+  for (std::size_t f = 0; f < content.face_count(); ++f) {
+    const auto face = content.face(f, own);
+    fmt::format_to(out, "{}", face.size());
+    for (const PolygonCorner& at : face) fmt::format_to(out, " {}", content.vertex(at));
+    text += '\n';
   }
   return text;
 }
@@ -58,6 +62,27 @@ void check_indices(const MeshLists& lists) {
                   fmt::format("Face {} refers to vertex {}, but there are only {} vertices.", f, v,
                               lists.points.size()));
     }
+  }
+}
+
+void check_outlines(const std::filesystem::path& name, const MeshLists& lists,
+                    const FaceOutlines& outlines) {
+  if (lower_extension(name) == ".stl") {
+    throw Error(ErrorCode::kBadUsage,
+                fmt::format("{} cannot hold polygons, as STL files have triangles only; .obj, .off "
+                            "and .ply hold them.",
+                            name.string()));
+  }
+  for (std::size_t f = 0; f < outlines.size(); ++f) {
+    const auto face = outlines.face(f);
+    const bool exists = std::all_of(face.begin(), face.end(), [&](const PolygonCorner& at) {
+      return at.triangle < lists.triangles.size() && at.corner < 3;
+    });
+    if (exists && face.size() >= 3) continue;
+    throw Error(ErrorCode::kBadUsage,
+                fmt::format("Polygon {} has less than three corners, or one of a triangle that "
+                            "does not exist.",
+                            f));
   }
 }
 
@@ -114,19 +139,22 @@ void write_mesh(const std::filesystem::path& path, const MeshLists& lists) {
 
 std::vector<std::string> write_mesh(const std::filesystem::path& path, const MeshLists& lists,
                                     const MeshAttributes& attributes,
-                                    std::span<const TaggedEdge> edges) {
-  MeshBytes file = mesh_bytes(path, lists, attributes, edges);
+                                    std::span<const TaggedEdge> edges,
+                                    const FaceOutlines* outlines) {
+  MeshBytes file = mesh_bytes(path, lists, attributes, edges, outlines);
   write_file(path, file.bytes);
   return std::move(file.left_out);
 }
 
 MeshBytes mesh_bytes(const std::filesystem::path& name, const MeshLists& lists,
-                     const MeshAttributes& attributes, std::span<const TaggedEdge> edges) {
+                     const MeshAttributes& attributes, std::span<const TaggedEdge> edges,
+                     const FaceOutlines* outlines) {
   check_mesh_name(name);
   const Bytes bytes = bytes_of(name);
   check_indices(lists);
   check_attributes(lists, attributes);
-  formats::MeshContent content{lists, attributes, edges, {}};
+  if (outlines != nullptr) check_outlines(name, lists, *outlines);
+  formats::MeshContent content{lists, attributes, edges, {}, outlines};
   if (bytes == &formats::off_bytes || bytes == &formats::stl_bytes) {
     content.left_out = all_of(attributes, !edges.empty());
   }

@@ -30,10 +30,14 @@ void write_mesh(const std::filesystem::path& path, const MeshLists& lists);
 /// and edges (element edge: vertex1, vertex2, curve). OBJ holds the colours, normals and texture
 /// coordinates of vertices, all attributes of corners, names of faces, and edges (l). OFF and STL
 /// hold none of these. Returns descriptions of what the file does not hold.
-/// Throws Error(kBadUsage) where the number of attributes is not that of the elements.
+/// With `outlines` its faces are written instead of the triangles, each with the attributes of the
+/// triangle of its first corner.
+/// Throws Error(kBadUsage) where the number of attributes is not that of the elements, an outline
+/// has a corner that does not exist, and for outlines in STL.
 std::vector<std::string> write_mesh(const std::filesystem::path& path, const MeshLists& lists,
                                     const MeshAttributes& attributes,
-                                    std::span<const TaggedEdge> edges = {});
+                                    std::span<const TaggedEdge> edges = {},
+                                    const FaceOutlines* outlines = nullptr);
 
 /// A file in memory.
 struct MeshBytes {
@@ -42,7 +46,8 @@ struct MeshBytes {
 };
 /// The bytes that write_mesh() would write to a file of this name. Throws as it does.
 MeshBytes mesh_bytes(const std::filesystem::path& name, const MeshLists& lists,
-                     const MeshAttributes& attributes = {}, std::span<const TaggedEdge> edges = {});
+                     const MeshAttributes& attributes = {}, std::span<const TaggedEdge> edges = {},
+                     const FaceOutlines* outlines = nullptr);
 /// Throws as write_mesh() does if the name's extension is not that of a mesh format it writes.
 void check_mesh_name(const std::filesystem::path& name);
 

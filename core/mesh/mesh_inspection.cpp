@@ -224,6 +224,7 @@ MeshInspection inspect(const MeshLists& lists) {
   found.vertices = lists.points.size();
   found.faces = lists.triangles.size();
   found.polygons = lists.polygon_count;
+  found.polygon_shapes = lists.polygon_shapes;
   found.single_precision = lists.single_precision;
   const std::vector<bool> proper = proper_faces(lists, found);
   measure_box(lists, found);

@@ -51,9 +51,10 @@ enum class MeshVerdict { kUsable, kRepairable, kUnusable };
 /// are ignored in the measures.
 struct MeshInspection {
   // What it is.
-  std::size_t vertices = 0;  ///< includes those in no face
-  std::size_t faces = 0;     ///< triangles, polygons counted as their fans
-  std::size_t polygons = 0;  ///< faces of the file that had more than three corners
+  std::size_t vertices = 0;      ///< includes those in no face
+  std::size_t faces = 0;         ///< triangles, polygons counted as theirs
+  std::size_t polygons = 0;      ///< faces of the file that had more than three corners
+  PolygonShapes polygon_shapes;  ///< of the file
   std::size_t edges = 0;
   std::size_t components = 0;             ///< sets of faces joined by edges
   std::size_t boundary_edges = 0;         ///< edges with one face

@@ -122,10 +122,10 @@ std::vector<OpenMesh::HalfedgeHandle> corner_halfedges(const Mesh& mesh, OpenMes
 }  // namespace detail
 
 /// The mesh's points (converted to double) and triangles, without its deleted elements; `ids`, if
-/// given, receives the numbering. Polygons become fans from their first corner. Only point(),
-/// connectivity and the deleted bits are used, so any traits will do. Corners keep the order in
-/// which a face was added. O(mesh).
-/// Throws Error(kBadMesh) when a face that is not deleted has a deleted vertex.
+/// given, receives the numbering. Polygons are triangulated as triangulate_polygons() does. Only
+/// point(), connectivity and the deleted bits are used, so any traits will do. Corners keep the
+/// order in which a face was added. O(mesh). Throws Error(kBadMesh) when a face that is not deleted
+/// has a deleted vertex.
 template <OpenMeshKernel Mesh>
 MeshLists lists_of(const Mesh& mesh, OpenMeshIds* ids = nullptr) {
   using Scalar = std::remove_cvref_t<decltype(mesh.point(OpenMesh::VertexHandle())[0])>;
@@ -160,10 +160,16 @@ MeshLists lists_of(const Mesh& mesh, OpenMeshIds* ids = nullptr) {
         triangle[2] = corner(h, i);
         lists.triangles.push_back(triangle);
       }
-      if (lists.triangles.size() > before + 1) ++lists.polygon_count;
+      const std::size_t more = lists.triangles.size() - before;
+      if (more > 1) {
+        ++lists.polygon_count;
+        lists.polygons.push_back(
+            {static_cast<std::uint32_t>(before), static_cast<std::uint32_t>(more + 2)});
+      }
     }
     numbering.add_face(lists.triangles.size() - before);
   }
+  triangulate_polygons(lists);
   if (ids != nullptr) *ids = std::move(numbering);
   return lists;
 }

@@ -69,6 +69,11 @@ std::vector<ReportEntry> entries_of(const MeshInspection& m) {
                      {"vertices", std::uint64_t{m.vertices}},
                      {"edges", std::uint64_t{m.edges}},
                      {"polygons", std::uint64_t{m.polygons}},
+                     {"polygon_shapes.concave", std::uint64_t{m.polygon_shapes.concave}},
+                     {"polygon_shapes.crossing", std::uint64_t{m.polygon_shapes.crossing}},
+                     {"polygon_shapes.not_plane", std::uint64_t{m.polygon_shapes.not_plane}},
+                     {"polygon_shapes.largest_distance", m.polygon_shapes.largest_distance},
+                     {"polygon_shapes.largest_face", std::uint64_t{m.polygon_shapes.largest_face}},
                      {"components", std::uint64_t{m.components}},
                      {"boundary_edges", std::uint64_t{m.boundary_edges}},
                      {"boundary_loops", std::uint64_t{m.boundary_loops}},
@@ -96,6 +101,8 @@ std::vector<ReportEntry> entries_of(const MeshChanges& c, const MeshInspection& 
   add_defect(entries, "repair.welded_vertices", c.welded_vertices);
   entries.push_back({"repair.weld_tolerance", c.weld_tolerance});
   entries.push_back({"repair.weld_distance", c.weld_distance});
+  entries.push_back({"repair.held_apart", std::uint64_t{c.held_apart}});
+  add_defect(entries, "repair.flattened_faces", c.flattened_faces);
   add_defect(entries, "repair.collapsed_faces", c.collapsed_faces);
   add_defect(entries, "repair.duplicate_faces", c.duplicate_faces);
   add_defect(entries, "repair.zero_area_faces", c.zero_area_faces);
@@ -109,10 +116,17 @@ std::vector<ReportEntry> entries_of(const MeshChanges& c, const MeshInspection& 
   return entries;
 }
 
+std::vector<ReportEntry> entries_of(const NearVertices& near) {
+  return {{"near_vertices.count", std::uint64_t{near.count}},
+          {"near_vertices.within", near.within},
+          {"near_vertices.largest_gap", near.largest_gap}};
+}
+
 std::vector<ReportEntry> entries_of(const std::optional<WeldedMesh>& welded,
                                     const MeshInspection& before) {
   if (!welded) return {{"weld", HUGE_VAL}};
   return {{"weld.steps", welded->steps},
+          {"weld.tolerance", welded->tolerance},
           {"weld.vertices", std::uint64_t{welded->vertices}},
           {"weld.components", std::uint64_t{welded->after.components}},
           {"weld.boundary_loops", std::uint64_t{welded->after.boundary_loops}},

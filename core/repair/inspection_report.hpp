@@ -7,6 +7,7 @@
 #include "talweg/core/measure/report_entry.hpp"
 #include "talweg/core/mesh/mesh_inspection.hpp"
 #include "talweg/core/repair/mesh_repair.hpp"
+#include "talweg/core/repair/vertex_welding.hpp"
 
 namespace talweg {
 
@@ -19,6 +20,9 @@ std::vector<ReportEntry> entries_of(const MeshInspection& inspection);
 
 /// What a repair did, and the verdict on the mesh after it: the group "repair".
 std::vector<ReportEntry> entries_of(const MeshChanges& changes, const MeshInspection& after);
+
+/// How many vertices nearly coincide with others: the group "near_vertices".
+std::vector<ReportEntry> entries_of(const NearVertices& near);
 
 /// What welding would give the mesh that was inspected, with a sentence: the group "weld".
 std::vector<ReportEntry> entries_of(const std::optional<WeldedMesh>& welded,

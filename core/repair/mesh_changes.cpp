@@ -1,9 +1,11 @@
 // Names of repair steps, and sentences on what a repair did.
+#include <cmath>
 #include <string>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "talweg/core/io/text_words.hpp"
 #include "talweg/core/repair/mesh_repair.hpp"
 #include "talweg/intrinsic/error.hpp"
 
@@ -30,6 +32,19 @@ void tell(std::vector<std::string>& all, const Defect<Place>& what, const char* 
                             what.count > places.size() ? ", ..." : ""));
 }
 
+constexpr std::string_view kWeldWithin = "weld=";
+
+double tolerance_of(std::string_view text) {
+  double tolerance = 0;
+  if (!parse(text, tolerance) || !(tolerance > 0) || !std::isfinite(tolerance)) {
+    throw Error(ErrorCode::kBadUsage,
+                fmt::format("The tolerance of weld must be a length above 0 in mesh units, as in "
+                            "weld=1e-4, not \"{}\".",
+                            printable(text)));
+  }
+  return tolerance;
+}
+
 }  // namespace
 
 RepairSteps repair_steps(std::string_view list) {
@@ -41,7 +56,11 @@ RepairSteps repair_steps(std::string_view list) {
   for (std::size_t begin = 0; begin <= list.size();) {
     const std::size_t end = std::min(list.find(',', begin), list.size());
     const std::string_view word = list.substr(begin, end - begin);
-    bool found = false;
+    bool found = word.starts_with(kWeldWithin);
+    if (found) {
+      steps.weld = true;
+      steps.weld_tolerance = tolerance_of(word.substr(kWeldWithin.size()));
+    }
     for (const auto& [name, step] : known) {
       if (word != name && word != "all") continue;
       *step = true;
@@ -49,8 +68,8 @@ RepairSteps repair_steps(std::string_view list) {
     }
     if (!found) {
       throw Error(ErrorCode::kBadUsage,
-                  fmt::format("\"{}\" is no repair; known are weld, drop, orient, split and all, "
-                              "separated by commas.",
+                  fmt::format("\"{}\" is no repair; known are weld, weld=TOLERANCE, drop, orient, "
+                              "split and all, separated by commas.",
                               word));
     }
     begin = end + 1;
@@ -69,6 +88,14 @@ std::vector<std::string> sentences(const MeshChanges& changes) {
   tell(all, changes.welded_vertices, "vertex was welded onto another",
        "vertices were welded onto others", "vertex",
        fmt::format(", over at most {:.3g} mesh units", changes.weld_distance));
+  if (changes.held_apart > 0) {
+    all.push_back(fmt::format(
+        "Repair: {} vertices within the tolerance of others stay apart: they are ends of one edge, "
+        "or farther than half of their shortest edge.",
+        changes.held_apart));
+  }
+  tell(all, changes.flattened_faces, "face has no area any more after welding",
+       "faces have no area any more after welding", "face");
   tell(all, changes.collapsed_faces, "face with a vertex twice was dropped",
        "faces with a vertex twice were dropped", "face");
   tell(all, changes.duplicate_faces, "face that repeats another was dropped",

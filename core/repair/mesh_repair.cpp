@@ -4,12 +4,15 @@
 #include <array>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "talweg/core/mesh/face_dropping.hpp"
 #include "talweg/core/mesh/measurable_point.hpp"
 #include "talweg/core/mesh/mesh_sides.hpp"
 #include "talweg/core/repair/face_turning.hpp"
 #include "talweg/core/repair/sheet_splitting.hpp"
 #include "talweg/core/repair/vertex_welding.hpp"
+#include "talweg/core/space/face_shape.hpp"
 #include "talweg/core/space/point_distance.hpp"
 #include "talweg/intrinsic/error.hpp"
 
@@ -56,7 +59,7 @@ class Repair {
   }
 
   RepairedMesh run(const RepairSteps& steps) {
-    if (steps.weld) weld();
+    if (steps.weld) weld(steps.weld_tolerance);
     if (steps.drop) drop();
     if (steps.orient) orient();
     if (steps.split) split();
@@ -64,12 +67,20 @@ class Repair {
   }
 
  private:
-  void weld() {
-    const Welding welding = weld_vertices(file_);
+  void weld(double tolerance) {
+    const Welding welding = weld_vertices(file_, tolerance);
     changes_.weld_tolerance = welding.tolerance;
-    for (Triangle& t : lists_.triangles) {
+    changes_.held_apart = welding.held_apart;
+    for (std::uint32_t f = 0; f < lists_.triangles.size(); ++f) {
+      Triangle& t = lists_.triangles[f];
+      const Triangle before = t;
       for (std::uint32_t& v : t) v = welding.onto[v];
+      if (t == before || !(tolerance > 0)) continue;
+      if (!is_flat(before) && is_flat(t)) changes_.flattened_faces.add(f);
     }
+  }
+  [[nodiscard]] bool is_flat(const Triangle& t) const {
+    return shape_of({file_.points[t[0]], file_.points[t[1]], file_.points[t[2]]}).flat;
   }
 
   void drop() {
@@ -253,6 +264,7 @@ class Repair {
       faces[d.place.element].face = other.face;
     }
     lists_.triangles.resize(face_to_file.size());
+    lists_.polygons.clear();
     return {
         std::move(lists_),
         RepairMap(std::move(vertex_to_file_), std::move(face_to_file), std::move(faces), images),
@@ -292,8 +304,10 @@ void try_repair(const MeshLists& lists, MeshInspection& inspection) {
   inspection.steps.clear();
 }
 
-std::optional<WeldedMesh> try_weld(const MeshLists& lists, const MeshInspection& before) {
-  if (before.verdict != MeshVerdict::kUsable || !before.duplicate_positions.found()) return {};
+namespace {
+
+/// Welding and the steps that must follow it; nothing where the mesh is not usable then.
+std::optional<WeldedMesh> welded_by(const MeshLists& lists, const std::string& weld) {
   WeldedMesh welded;
   const auto inspect_with = [&](const std::string& steps) {
     const RepairedMesh mesh = repair(lists, repair_steps(steps));
@@ -301,12 +315,33 @@ std::optional<WeldedMesh> try_weld(const MeshLists& lists, const MeshInspection&
     welded.vertices = mesh.changes.welded_vertices.count;
     welded.after = inspect(mesh.lists);
   };
-  inspect_with("weld");
-  if (welded.after.verdict == MeshVerdict::kRepairable) inspect_with("weld," + welded.after.steps);
+  inspect_with(weld);
+  if (welded.after.verdict == MeshVerdict::kRepairable) {
+    inspect_with(fmt::format("{},{}", weld, welded.after.steps));
+  }
   if (welded.after.verdict != MeshVerdict::kUsable) return {};
-  const bool joined = welded.after.components < before.components ||
-                      welded.after.boundary_loops < before.boundary_loops;
-  return joined ? std::optional(std::move(welded)) : std::nullopt;
+  return welded;
+}
+
+/// Whether welding joins more parts or closes more of the boundary.
+bool joins_more(const MeshInspection& welded, const MeshInspection& than) {
+  return welded.components < than.components || welded.boundary_loops < than.boundary_loops;
+}
+
+}  // namespace
+
+std::optional<WeldedMesh> try_weld(const MeshLists& lists, const MeshInspection& before) {
+  if (before.verdict != MeshVerdict::kUsable) return {};
+  std::optional<WeldedMesh> best;
+  if (before.duplicate_positions.found()) best = welded_by(lists, "weld");
+  if (best && !joins_more(best->after, before)) best.reset();
+  const NearVertices near = near_vertices(lists, before);
+  if (near.count == 0) return best;
+  auto nearly = welded_by(lists, fmt::format("weld={:.2g}", near.tolerance));
+  if (!nearly || !joins_more(nearly->after, best ? best->after : before)) return best;
+  nearly->tolerance = near.tolerance;
+  nearly->vertices = near.count;
+  return nearly;
 }
 
 }  // namespace talweg

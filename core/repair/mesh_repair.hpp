@@ -20,12 +20,14 @@ struct RepairSteps {
   bool drop = true;    ///< faces without area and repeated faces are dropped
   bool orient = true;  ///< faces are turned to agree with their neighbours
   bool split = true;   ///< crowded edges and bow-ties are cut into sheets (sheet_splitting.hpp)
+  double weld_tolerance = 0;  ///< mesh units: vertices that near are welded, too; 0: only rounding
 
   friend bool operator==(const RepairSteps&, const RepairSteps&) = default;
 };
 
-/// Parses names separated by commas: weld, drop, orient, split, or all. Throws Error(kBadUsage)
-/// naming an unknown word, and for an empty list.
+/// Parses names separated by commas: weld, drop, orient, split, or all; weld may have a tolerance,
+/// "weld=1e-4". Throws Error(kBadUsage) naming an unknown word or a tolerance that is no positive
+/// number, and for an empty list.
 RepairSteps repair_steps(std::string_view list);
 
 /// What a repair did. Numbers are those of the lists before the repair.
@@ -33,6 +35,8 @@ struct MeshChanges {
   double weld_tolerance = 0;              ///< mesh units; 0 where there was nothing to weld
   double weld_distance = 0;               ///< mesh units: the farthest that a corner was moved
   Defect<RepeatPlace> welded_vertices;    ///< each with the vertex that replaces it
+  std::size_t held_apart = 0;             ///< vertices within the tolerance that stay (Welding)
+  Defect<std::uint32_t> flattened_faces;  ///< that have no area any more since their corners moved
   Defect<std::uint32_t> collapsed_faces;  ///< dropped: a vertex twice, in the file or after welding
   Defect<RepeatPlace> duplicate_faces;    ///< dropped: the same three vertices as an earlier one
   Defect<std::uint32_t> zero_area_faces;  ///< dropped: zero area, and dropping leaves no gap
@@ -56,13 +60,13 @@ struct RepairedMesh {
 /// Does the steps, each where it is needed. Only welding changes positions, and only the faces
 /// reported as dropped are missing afterwards.
 ///
-/// Weld: as weld_vertices(); a vertex that splitting would separate again keeps its own number.
-/// Drop: of faces with the same vertices the first stays; a face of zero area is dropped only where
-/// its neighbours keep theirs, or where it is a flap on the boundary.
-/// Orient: in each part joined over edges with two faces the smaller set of faces is turned; if
-/// both are equally large, the part's first face is kept. A one-sided part stays as it is.
-/// inspect() tells what was left undone; a usable mesh with nothing to weld or drop is unchanged.
-/// O(faces log faces).
+/// Weld: as weld_vertices(), each group at the place of its vertex with the smallest number; a
+/// vertex that splitting would separate again keeps its own number. Drop: of faces with the same
+/// vertices the first stays; a face of zero area is dropped only where its neighbours keep theirs,
+/// or where it is a flap on the boundary. Orient: in each part joined over edges with two faces the
+/// smaller set of faces is turned; if both are equally large, the part's first face is kept. A
+/// one-sided part stays as it is. inspect() tells what was left undone; a usable mesh with nothing
+/// to weld or drop is unchanged. O(faces log faces).
 ///
 /// Throws Error(kBadMesh) for what no repair can fix: no vertices, no faces, an index out of range,
 /// a coordinate that is not finite or beyond 1e40, a mesh or edges that are too small.
@@ -79,14 +83,17 @@ void try_repair(const MeshLists& lists, MeshInspection& inspection);
 
 /// A usable mesh in which vertices at the same place have been welded.
 struct WeldedMesh {
-  std::string steps;         ///< for repair_steps(): "weld", and the steps that must follow it
-  std::size_t vertices = 0;  ///< number of vertices that were welded onto others
+  std::string steps;     ///< for repair_steps(): "weld", and the steps that must follow it
+  double tolerance = 0;  ///< mesh units: that of the steps; 0 where positions are the same
+  std::size_t vertices =
+      0;  ///< that were welded onto others; with a tolerance, that lie near others
   MeshInspection after;
 };
 
-/// The result of welding where vertices lie at the same place, as in a soup of single triangles.
-/// Nothing if welding joins no parts and closes no boundary, or if the mesh is not usable before or
-/// after. Time and memory are those of repair().
+/// The result of welding where vertices lie at the same place, as in a soup of single triangles, or
+/// nearly coincide (near_vertices()), whichever joins more. Nothing if welding joins no parts and
+/// closes no boundary, or if the mesh is not usable before or after. Time and memory are those of
+/// repair().
 std::optional<WeldedMesh> try_weld(const MeshLists& lists, const MeshInspection& before);
 
 }  // namespace talweg

@@ -17,11 +17,28 @@ namespace {
 
 constexpr double kUnitsInTheLastPlace = 2;
 constexpr double kPartOfEdge = 0.25;
+constexpr double kPartOfEdgeWhereAsked = 0.5;  // for a tolerance that was given
+constexpr double kNear = 1e-4;                 // of the mean edge length
+
+double unit_of(const MeshLists& lists) {
+  return lists.single_precision ? static_cast<double>(std::numeric_limits<float>::epsilon())
+                                : std::numeric_limits<double>::epsilon();
+}
+
+/// The smallest number of two digits that is no less than a length, but for its rounding; 0 for a
+/// length of 0.
+double with_two_digits(double length, double rounding) {
+  if (!(length > 0)) return 0;
+  const double unit = std::pow(10, std::floor(std::log10(length)) - 1);
+  const double digits = std::ceil((length - rounding) / unit);
+  return std::max(1.0, digits) * unit;
+}
 
 class Welder {
  public:
-  explicit Welder(const MeshLists& lists)
+  Welder(const MeshLists& lists, double tolerance)
       : lists_(lists),
+        asked_(tolerance),
         groups_(lists.points.size()),
         shortest_(lists.points.size(), std::numeric_limits<double>::infinity()),
         used_(lists.points.size(), false) {}
@@ -29,9 +46,22 @@ class Welder {
   Welding run() {
     measure();
     join_equal();
-    if (tolerance_ > 0) join_close();
-    Welding result{std::vector<std::uint32_t>(lists_.points.size()), tolerance_};
-    for (std::uint32_t v = 0; v < result.onto.size(); ++v) result.onto[v] = groups_.find(v);
+    Welding result{std::vector<std::uint32_t>(lists_.points.size()), tolerance_, 0};
+    if (!(tolerance_ > 0)) {
+      name(result, groups_);
+      return result;
+    }
+    UnionFind equal = groups_;
+    const std::vector<std::uint32_t> crowded = crowded_places();
+    std::vector<double> reach = shortest_;
+    const double part = asked_ > 0 ? kPartOfEdgeWhereAsked : kPartOfEdge;
+    for (double& r : reach) r = std::min(tolerance_, part * r);
+    ReachTree(lists_.points, reach, crowded, groups_).join();
+    name(result, groups_);
+    if (asked_ > 0) {
+      keep_edges(result, equal);
+      result.held_apart = held_apart(result, crowded, std::move(equal));
+    }
     return result;
   }
 
@@ -59,10 +89,7 @@ class Welder {
         shortest_[b] = std::min(shortest_[b], length);
       }
     }
-    const double unit = lists_.single_precision
-                            ? static_cast<double>(std::numeric_limits<float>::epsilon())
-                            : std::numeric_limits<double>::epsilon();
-    tolerance_ = kUnitsInTheLastPlace * unit * largest;
+    tolerance_ = kUnitsInTheLastPlace * unit_of(lists_) * largest + asked_;
   }
 
   /// Joins equal positions; a group's shortest edge is the shortest of all its vertices.
@@ -98,9 +125,47 @@ class Welder {
     return cell;
   }
 
-  /// Joins different positions. Of nearly all vertices a grid with cells twice as wide as the
-  /// tolerance tells that nothing else is near.
-  void join_close() {
+  static void name(Welding& result, UnionFind& groups) {
+    for (std::uint32_t v = 0; v < result.onto.size(); ++v) result.onto[v] = groups.find(v);
+  }
+
+  /// Takes groups apart again that have both ends of an edge.
+  void keep_edges(Welding& result, UnionFind& equal) const {
+    std::vector<bool> has_edge(result.onto.size(), false);
+    for (const Triangle& t : lists_.triangles) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::uint32_t a = t[k], b = t[(k + 1) % 3];
+        if (result.onto[a] == result.onto[b] && equal.find(a) != equal.find(b)) {
+          has_edge[result.onto[a]] = true;
+        }
+      }
+    }
+    for (std::uint32_t v = 0; v < result.onto.size(); ++v) {
+      if (has_edge[result.onto[v]]) result.onto[v] = equal.find(v);
+    }
+  }
+
+  /// How many vertices have others within the tolerance that they were not joined to.
+  [[nodiscard]] std::size_t held_apart(const Welding& result,
+                                       const std::vector<std::uint32_t>& crowded,
+                                       UnionFind all) const {
+    const std::vector<double> reach(lists_.points.size(), tolerance_);
+    ReachTree(lists_.points, reach, crowded, all).join();
+    std::vector<std::uint32_t> one(result.onto.size(), kNone);  // of each wider group
+    std::vector<bool> mixed(result.onto.size(), false);
+    for (const std::uint32_t v : crowded) {
+      std::uint32_t& first = one[all.find(v)];
+      if (first == kNone) first = result.onto[v];
+      if (first != result.onto[v]) mixed[all.find(v)] = true;
+    }
+    std::size_t count = 0;
+    for (const std::uint32_t v : crowded) count += mixed[all.find(v)] ? 1 : 0;
+    return count;
+  }
+
+  /// One vertex of each position that may have others near. Of nearly all vertices a grid with
+  /// cells twice as wide as the tolerance tells that nothing else is near.
+  std::vector<std::uint32_t> crowded_places() {
     grid_.reserve(places_.size());
     for (const std::uint32_t v : places_) grid_.push_back({cell_of(lists_.points[v]), v});
     std::sort(grid_.begin(), grid_.end());
@@ -108,9 +173,7 @@ class Welder {
     for (const Placed& placed : grid_) {
       if (!is_alone(placed.vertex)) crowded.push_back(placed.vertex);
     }
-    std::vector<double> reach(std::move(shortest_));
-    for (double& r : reach) r = std::min(tolerance_, kPartOfEdge * r);
-    ReachTree(lists_.points, reach, std::move(crowded), groups_).join();
+    return crowded;
   }
 
   [[nodiscard]] bool is_alone(std::uint32_t v) const {
@@ -133,7 +196,9 @@ class Welder {
     return at != grid_.end() && at->cell == cell;
   }
 
+  static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
   const MeshLists& lists_;
+  double asked_;
   UnionFind groups_;
   std::vector<double> shortest_;  ///< length of the shortest edge of positive length at each vertex
   std::vector<bool> used_;
@@ -144,6 +209,29 @@ class Welder {
 
 }  // namespace
 
-Welding weld_vertices(const MeshLists& lists) { return Welder(lists).run(); }
+Welding weld_vertices(const MeshLists& lists, double tolerance) {
+  return Welder(lists, tolerance).run();
+}
+
+NearVertices near_vertices(const MeshLists& lists, const MeshInspection& inspection) {
+  NearVertices near;
+  if (inspection.indices_out_of_range.found() || inspection.non_finite_vertices.found())
+    return near;
+  const double rounding = kUnitsInTheLastPlace * unit_of(lists) * inspection.coordinate_max;
+  near.within = std::max(kNear * inspection.edge_length_mean, 2 * rounding);
+  if (!(near.within > 0)) return near;
+  const Welding welding = weld_vertices(lists, near.within);
+  std::vector<bool> has_gap(lists.points.size(), false);
+  for (std::uint32_t v = 0; v < welding.onto.size(); ++v) {
+    const std::uint32_t onto = welding.onto[v];
+    const double gap = point_distance(lists.points[v], lists.points[onto]);
+    if (!(gap > 0)) continue;
+    near.largest_gap = std::max(near.largest_gap, gap);
+    has_gap[onto] = true;
+  }
+  for (const std::uint32_t onto : welding.onto) near.count += has_gap[onto] ? 1 : 0;
+  near.tolerance = with_two_digits(near.largest_gap, rounding);
+  return near;
+}
 
 }  // namespace talweg

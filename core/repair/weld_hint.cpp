@@ -19,10 +19,12 @@ std::string boundary_of(const MeshInspection& m) {
 
 std::string weld_sentence(const MeshInspection& before, const WeldedMesh& welded) {
   const bool one = welded.vertices == 1;
+  const std::string where =
+      welded.tolerance > 0 ? fmt::format("within {:.2g} of", welded.tolerance) : "at the place of";
   std::string text =
-      fmt::format("{} {} at the place of {}: with repair={} the mesh has {}", welded.vertices,
-                  one ? "vertex lies" : "vertices lie", one ? "another" : "others", welded.steps,
-                  counted(welded.after.components, "part"));
+      fmt::format("{} {} {} {}: with repair={} the mesh has {}", welded.vertices,
+                  one ? "vertex lies" : "vertices lie", where, one ? "another" : "others",
+                  welded.steps, counted(welded.after.components, "part"));
   if (welded.after.components != before.components) {
     text += fmt::format(" instead of {}", before.components);
   }

@@ -19,7 +19,9 @@
 #include "talweg/core/cutting/cut_report.hpp"
 #include "talweg/core/cutting/mesh_cutting.hpp"
 #include "talweg/core/cutting/mesh_parts.hpp"
+#include "talweg/core/cutting/part_polygons.hpp"
 #include "talweg/core/cutting/tagged_edges.hpp"
+#include "talweg/core/io/mesh_file.hpp"
 #include "talweg/core/io/mesh_writer.hpp"
 #include "talweg/intrinsic/error.hpp"
 #include "talweg/intrinsic/stopwatch.hpp"
@@ -38,6 +40,7 @@ struct CutCommandOptions {
   bool open = false;
   bool split = false;
   bool tag = false;
+  bool polygons = false;
   std::string cap;
   double merge = CutOptions{}.merge;
   std::string ends = "auto";
@@ -78,6 +81,7 @@ class Cutting {
  private:
   [[nodiscard]] std::string path_of(std::size_t part) const;
   [[nodiscard]] std::vector<PartOrigins> origins() const;
+  std::vector<FaceOutlines> outlines(std::vector<PartOrigins>& origins) const;
   [[nodiscard]] std::string map_json(const std::vector<PartOrigins>& origins) const;
   [[nodiscard]] std::vector<std::string> warnings() const;
 
@@ -90,6 +94,7 @@ class Cutting {
   CutMesh cut_;  // without lists: the parts have them
   MeshParts made_;
   double cut_ms_ = 0;
+  std::vector<std::size_t> faces_;     // that were written, of each part
   std::vector<std::string> left_out_;  // sentences, one for each format
 };
 
@@ -121,7 +126,7 @@ std::string Cutting::path_of(std::size_t part) const {
 
 std::vector<PartOrigins> Cutting::origins() const {
   std::vector<PartOrigins> origins;
-  if (o_.map.empty() && !o_.tag) return origins;
+  if (o_.map.empty() && !o_.tag && !o_.polygons) return origins;
   for (const MeshPart& part : made_.parts) {
     origins.push_back(origins_of(part, cut_, mesh_.surface(), read_.map.get()));
   }
@@ -134,15 +139,32 @@ std::string Cutting::map_json(const std::vector<PartOrigins>& origins) const {
   return cut_map_json(origins, files);
 }
 
+/// With --polygons a face comes from that of its first triangle.
+std::vector<FaceOutlines> Cutting::outlines(std::vector<PartOrigins>& origins) const {
+  std::vector<FaceOutlines> all;
+  for (std::size_t k = 0; k < made_.parts.size() && o_.polygons; ++k) {
+    all.push_back(polygons_of(made_.parts[k], origins[k], read_.polygons));
+    std::vector<std::uint32_t> faces;
+    for (std::size_t f = 0; f < all.back().size(); ++f) {
+      faces.push_back(origins[k].faces[all.back().face(f).front().triangle]);
+    }
+    origins[k].faces = std::move(faces);
+  }
+  return all;
+}
+
 void Cutting::write() {
-  const std::vector<PartOrigins> origins = this->origins();
+  std::vector<PartOrigins> origins = this->origins();
+  const std::vector<FaceOutlines> outlines = this->outlines(origins);
   const std::string map = o_.map.empty() ? "" : map_json(origins);
   std::vector<std::string> left_out;  // the same for all parts
   for (std::size_t k = 0; k < made_.parts.size(); ++k) {
     const MeshPart& part = made_.parts[k];
     std::vector<TaggedEdge> edges;
     if (o_.tag) edges = tagged_edges(part.lists.triangles, origins[k].curves);
-    MeshBytes file = mesh_bytes(path_of(k), part.lists, part.attributes, edges);
+    const FaceOutlines* faces = o_.polygons ? &outlines[k] : nullptr;
+    MeshBytes file = mesh_bytes(path_of(k), part.lists, part.attributes, edges, faces);
+    faces_.push_back(faces == nullptr ? part.lists.triangles.size() : faces->size());
     write_output(path_of(k), file.bytes);
     left_out = std::move(file.left_out);
   }
@@ -185,8 +207,8 @@ std::string Cutting::summary() const {
   }
   for (std::size_t k = 0; k < made_.parts.size(); ++k) {
     const MeshPart& part = made_.parts[k];
-    text += fmt::format("{}: {} vertices, {} faces", path_of(k), part.lists.points.size(),
-                        part.lists.triangles.size());
+    text +=
+        fmt::format("{}: {} vertices, {} faces", path_of(k), part.lists.points.size(), faces_[k]);
     if (!o_.cap.empty()) {
       text += fmt::format(", {} rims closed by {} faces, {} of them plane", part.lids.filled,
                           part.lids.triangles, part.lids.planar);
@@ -209,6 +231,10 @@ std::string Cutting::summary() const {
 void check(const CutCommandOptions& o) {
   if (!o.cap.empty()) lid_kind(o.cap);
   if (o.tag) check_tag(o.output);
+  if (o.polygons && lower_extension(o.output) == ".stl") {
+    throw Error(ErrorCode::kBadUsage,
+                "--polygons needs an output that holds polygons: .ply, .obj or .off.");
+  }
   if (!o.keep.empty() && o.keep != "left" && o.keep != "right") {
     throw Error(ErrorCode::kBadUsage, "--keep must be left or right, not \"" + o.keep + "\".");
   }
@@ -258,6 +284,9 @@ Command add_cut(CLI::App& app, const GlobalOptions& global) {
                     "the piece");
   command->add_flag("--tag", o->tag,
                     "Write the curves' edges, too: element edge of a .ply, l of an .obj");
+  command->add_flag("--polygons", o->polygons,
+                    "Write polygons of the mesh as polygons: whole where no curve cuts them, plane "
+                    "ones also in parts; .ply, .obj or .off");
   command->add_option("--map", o->map,
                       "JSON: where every vertex and face comes from, and the curves' vertices");
   command->add_option("--report", o->report, "What was cut, and what the parts are, as JSON");

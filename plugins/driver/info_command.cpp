@@ -11,6 +11,7 @@
 #include "talweg/core/mesh/mesh_inspection.hpp"
 #include "talweg/core/mesh/opened_mesh.hpp"
 #include "talweg/core/repair/mesh_repair.hpp"
+#include "talweg/core/repair/vertex_welding.hpp"
 #include "talweg/intrinsic/error.hpp"
 #include "talweg/intrinsic/stopwatch.hpp"
 
@@ -57,8 +58,9 @@ Command add_info(CLI::App& app, const GlobalOptions& /*global*/) {
     const std::optional<WeldedMesh> welded = try_weld(lists, inspection);
     if (inspection.verdict == MeshVerdict::kUsable) times.open = OpenedMesh::open(lists)->open_ms();
     const std::optional<InfoRepair> repaired = repair_of(lists, options->repair);
-    const std::string text = options->json ? info_json(inspection, times, repaired, welded)
-                                           : info_text(inspection, times, repaired, welded);
+    const NearVertices near = near_vertices(lists, inspection);
+    const std::string text = options->json ? info_json(inspection, times, repaired, welded, near)
+                                           : info_text(inspection, times, repaired, welded, near);
     std::fputs(text.c_str(), stdout);
     const MeshVerdict verdict = repaired ? repaired->after.verdict : inspection.verdict;
     return verdict == MeshVerdict::kUnusable ? kBadInput : kDone;

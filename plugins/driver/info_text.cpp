@@ -68,6 +68,23 @@ std::string line(const char* label, const std::string& value) {
   return fmt::format("{:<18}{}\n", label, value);
 }
 
+/// "22,117, 3 of them concave, 12 not plane (by up to 0.02 of their size, face 7)"
+std::string polygon_line(const MeshInspection& m) {
+  if (m.polygons == 0) return "";
+  const PolygonShapes& shapes = m.polygon_shapes;
+  std::string text = grouped(m.polygons);
+  if (shapes.concave > 0) text += fmt::format(", {} of them concave", grouped(shapes.concave));
+  if (shapes.not_plane > 0) {
+    text += fmt::format(", {} not plane (by up to {:.3g} of their size, face {} of the file)",
+                        grouped(shapes.not_plane), shapes.largest_distance, shapes.largest_face);
+  }
+  if (shapes.crossing > 0) {
+    text += fmt::format(", {} cross themselves or have no area (first: face {} of the file)",
+                        grouped(shapes.crossing), shapes.crossing_face);
+  }
+  return line("polygons", text);
+}
+
 std::string size_lines(const MeshInspection& m) {
   const auto extent = [&](std::size_t k) { return m.box_max[k] - m.box_min[k]; };
   std::string text =
@@ -96,13 +113,13 @@ std::string repair_text(const InfoRepair& repair) {
 
 std::string info_text(const MeshInspection& m, const InfoTimes& times,
                       const std::optional<InfoRepair>& repair,
-                      const std::optional<WeldedMesh>& welded) {
+                      const std::optional<WeldedMesh>& welded, const NearVertices& near) {
   std::string text = line("faces", grouped(m.faces));
   if (m.polygons > 0) {
     text.pop_back();
     text += fmt::format(" (after cutting {} polygons into triangles)\n", grouped(m.polygons));
   }
-  text += line("vertices", grouped(m.vertices));
+  text += polygon_line(m) + line("vertices", grouped(m.vertices));
   text += line("edges", grouped(m.edges));
   text += line("parts", grouped(m.components));
   text +=
@@ -124,6 +141,10 @@ std::string info_text(const MeshInspection& m, const InfoTimes& times,
       list += fmt::format("  {:>9} {} {}{}\n", grouped(defect.count), words,
                           fmt::join(places, ", "), defect.count > places.size() ? ", ..." : "");
     });
+    if (!blocking && near.count > 0) {
+      list += fmt::format("  {:>9} vertices that nearly coincide with others, up to {:.3g} apart\n",
+                          grouped(near.count), near.largest_gap);
+    }
     if (!list.empty())
       text += (blocking ? "\nDefects:\n" : "\nNo obstacle, but good to know:\n") + list;
   }
@@ -135,12 +156,13 @@ std::string info_text(const MeshInspection& m, const InfoTimes& times,
 
 std::string info_json(const MeshInspection& m, const InfoTimes& times,
                       const std::optional<InfoRepair>& repair,
-                      const std::optional<WeldedMesh>& welded) {
+                      const std::optional<WeldedMesh>& welded, const NearVertices& near) {
   std::vector<ReportEntry> entries = entries_of(m);
   append(entries, "",
          {{"time_ms.load", times.load},
           {"time_ms.inspect", times.inspect},
           {"time_ms.open", times.open.value_or(HUGE_VAL)}});
+  append(entries, "", entries_of(near));
   append(entries, "", entries_of(welded, m));
   if (repair) append(entries, "", entries_of(repair->changes, repair->after));
   return to_json(entries, {});

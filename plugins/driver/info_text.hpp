@@ -6,6 +6,7 @@
 
 #include "talweg/core/mesh/mesh_inspection.hpp"
 #include "talweg/core/repair/mesh_repair.hpp"
+#include "talweg/core/repair/vertex_welding.hpp"
 
 namespace talweg::driver {
 
@@ -25,12 +26,12 @@ struct InfoRepair {
 /// Readable lines with the verdict last; only defects that the mesh has are listed.
 std::string info_text(const MeshInspection& inspection, const InfoTimes& times,
                       const std::optional<InfoRepair>& repair = {},
-                      const std::optional<WeldedMesh>& welded = {});
+                      const std::optional<WeldedMesh>& welded = {}, const NearVertices& near = {});
 
 /// The same as JSON with stable keys; every kind of defect is included, with its count and first
 /// places. Angles in radians, lengths in mesh units, times in ms.
 std::string info_json(const MeshInspection& inspection, const InfoTimes& times,
                       const std::optional<InfoRepair>& repair = {},
-                      const std::optional<WeldedMesh>& welded = {});
+                      const std::optional<WeldedMesh>& welded = {}, const NearVertices& near = {});
 
 }  // namespace talweg::driver

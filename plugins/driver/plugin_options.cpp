@@ -113,6 +113,7 @@ void set_repair(host::Instance& instance, const std::string& list) {
   instance.set("repair_drop", steps.drop ? 1.0 : 0.0);
   instance.set("repair_orient", steps.orient ? 1.0 : 0.0);
   instance.set("repair_split", steps.split ? 1.0 : 0.0);
+  if (steps.weld_tolerance > 0) instance.set("repair_weld_tolerance", steps.weld_tolerance);
 }
 
 void PluginOptions::apply(host::Instance& instance) const {

@@ -14,7 +14,8 @@ namespace talweg::driver {
 void add_repair_option(CLI::App& app, std::string& list) {
   app.add_flag("--repair{all}", list,
                "Make the mesh a surface first: weld, drop, orient, split, or all (the default), "
-               "separated by commas after an equals sign; results have the file's numbers");
+               "separated by commas after an equals sign; weld=TOLERANCE welds vertices that near; "
+               "results have the file's numbers");
 }
 
 void add_unit_option(CLI::App& app, std::string& unit) {
@@ -39,6 +40,7 @@ void check_range(const std::string& path, const MeshLists& lists) {
 ReadMesh repaired(MeshLists lists, const std::string& list) {
   ReadMesh mesh;
   mesh.lists = std::move(lists);
+  mesh.polygons = std::move(mesh.lists.polygons);
   if (list.empty()) return mesh;
   RepairedMesh repaired = repair_to_surface(mesh.lists, repair_steps(list));
   mesh.changes = sentences(repaired.changes);

@@ -16,6 +16,7 @@ struct ReadMesh {
   MeshLists lists;
   std::shared_ptr<const RepairMap> map;  ///< to the file's numbers; null if nothing was repaired
   std::vector<std::string> changes;      ///< sentences
+  std::vector<Polygon> polygons;         ///< of the file, in its numbers
 };
 
 /// Adds --repair[=LIST]; `list` stays empty without it.

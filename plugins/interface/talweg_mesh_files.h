@@ -36,7 +36,7 @@ typedef struct talweg_mesh_file {
   uint32_t reference_count;
   const talweg_name_list* const* name_lists;
   const char* const* references; /* lines that name other files: "mtllib bone.mtl" */
-  uint64_t polygon_count; /* of the file's faces, those that became fans of triangles; 0 to write */
+  uint64_t polygon_count; /* of the file's faces, those with more than three corners; 0 to write */
   /* To write into .obj and .ply: edges of curves, 3 columns: two vertices, and the curve. */
   talweg_array edges;
 } talweg_mesh_file;

@@ -1,5 +1,6 @@
 #include "host_mesh.hpp"
 
+#include <cmath>
 #include <cstring>
 #include <mutex>
 #include <utility>
@@ -45,13 +46,19 @@ std::vector<talweg_parameter> with_repair(std::vector<talweg_parameter> paramete
   step("repair_drop", "Repair: drop", "Faces without area and repeated faces are dropped.");
   step("repair_orient", "Repair: orient", "Faces are turned to agree with their neighbours.");
   step("repair_split", "Repair: split", "Crowded edges and bow-ties are cut into sheets.");
+  parameters.push_back(plugin::number(
+      "repair_weld_tolerance", "Repair: weld within", "mesh units", 0, {0, HUGE_VAL, 0, 1},
+      "Vertices within this of others are welded, too, but never both ends of an edge; 0: only "
+      "those at one place.",
+      TALWEG_STAGE_MESH, TALWEG_ADVANCED));
   return parameters;
 }
 
 std::optional<RepairSteps> repair_of(const plugin::Parameters& parameters) {
   if (!parameters.flag("repair")) return std::nullopt;
   return RepairSteps{parameters.flag("repair_weld"), parameters.flag("repair_drop"),
-                     parameters.flag("repair_orient"), parameters.flag("repair_split")};
+                     parameters.flag("repair_orient"), parameters.flag("repair_split"),
+                     parameters.number("repair_weld_tolerance")};
 }
 
 namespace {

@@ -53,6 +53,11 @@ void read_mesh_bytes(const Target& target, const std::uint8_t* data, std::size_t
     for (const Triangle& t : lists.triangles) {
       for (const std::uint32_t v : t) require(v < lists.points.size(), "indices in range");
     }
+    require(lists.polygons.size() == lists.polygon_count, "every polygon");
+    for (const Polygon& p : lists.polygons) {
+      require(p.corners > 3 && p.first + std::size_t{p.corners} - 2 <= lists.triangles.size(),
+              "triangles of polygons");
+    }
     const bool text = target.name == "mesh_obj" || target.name == "mesh_off";
     for (const Point& p : lists.points) require(!text || p.allFinite(), "finite coordinates");
   } catch (const Error& error) {

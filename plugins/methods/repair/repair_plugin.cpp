@@ -16,6 +16,7 @@
 #include "talweg/core/mesh/opened_mesh.hpp"
 #include "talweg/core/repair/inspection_report.hpp"
 #include "talweg/core/repair/mesh_repair.hpp"
+#include "talweg/core/repair/vertex_welding.hpp"
 #include "talweg/core/version.hpp"
 #include "talweg/intrinsic/error.hpp"
 #include "talweg/intrinsic/stopwatch.hpp"
@@ -100,6 +101,7 @@ class Repair {
   struct Inspected {
     std::shared_ptr<const MeshInspection> inspection;
     std::optional<WeldedMesh> welded;
+    NearVertices near;
     double inspect_ms = 0;
     std::optional<double> open_ms;
   };
@@ -123,6 +125,7 @@ class Repair {
     result.inspect_ms = watch.ms();
     go_on("inspect", 0.6);
     result.welded = try_weld(*lists_, *inspection);
+    result.near = near_vertices(*lists_, *inspection);
     if (inspection->verdict == MeshVerdict::kUsable) {
       result.open_ms = OpenedMesh::open(*lists_)->open_ms();
     }
@@ -151,6 +154,7 @@ class Repair {
     const auto add = [&](std::vector<ReportEntry> more) {
       entries.insert(entries.end(), more.begin(), more.end());
     };
+    add(entries_of(inspected_.near));
     add(entries_of(inspected_.welded, *inspected_.inspection));
     if (repaired == nullptr) return entries;
     add(entries_of(repaired->changes, inspect(repaired->lists)));

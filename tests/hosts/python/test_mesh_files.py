@@ -72,7 +72,7 @@ end_header
         with self.assertLogs("talweg", "INFO") as told:
             mesh = talweg.read_mesh(path)
         self.assertEqual(told.output, [
-            f"INFO:talweg:{path}: 1 faces of more than three corners became fans of triangles."])
+            f"INFO:talweg:{path}: 1 faces of more than three corners became triangles."])
         np.testing.assert_array_equal(mesh.faces, [[0, 1, 2], [0, 2, 3]])
         self.assertEqual(mesh.vertices.dtype, np.float64)
         expected = {"normals": ("f4", [[0, 0, 1]] * 4),

@@ -54,6 +54,18 @@ class Objects(unittest.TestCase):
         np.testing.assert_array_equal(curve.barycentrics, barycentrics)
         np.testing.assert_array_equal(curve.positions, positions)
 
+    def test_concave_polygons_are_triangulated_inside(self):
+        points = np.array([[0, 0, 0], [2, 0, 0], [2, 1, 0], [1, 1, 0], [1, 2, 0], [0, 2, 0]], float)
+        for first in range(6):  # an L of area 3
+            corners = np.roll(np.arange(6), first)[None]
+            mesh = talweg.Mesh(types.SimpleNamespace(
+                points=points, cells=[types.SimpleNamespace(type="polygon", data=corners)]))
+            a, b, c = (mesh.vertices[mesh.faces[:, k]] for k in range(3))
+            areas = np.cross(b - a, c - a)[:, 2] / 2
+            self.assertEqual(len(areas), 4)
+            self.assertTrue(np.all(areas > 0))
+            self.assertEqual(areas.sum(), 3)
+
     def test_meshio(self):
         try:
             import meshio  # pylint: disable=import-outside-toplevel

@@ -1,12 +1,15 @@
 // talweg cut as its users see it, on a ball and a plane.
+#include <algorithm>
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include "core/generated_meshes.hpp"
 #include "core/jagged_curves.hpp"
+#include "core/mesh_numbers.hpp"
 #include "plugins/driver_runs.hpp"
 #include "talweg/core/io/curve_file.hpp"
 #include "talweg/core/io/mesh_reader.hpp"
@@ -281,6 +284,36 @@ TEST_F(CutCommand, SaysWhatIsWrong) {
   expect_failure("cut plane.ply --curve line.txt -o c.xyz", 2, {"xyz"});
   expect_failure("cut plane.ply -o c.ply", 1, {"--curve"});
   EXPECT_FALSE(there("c.ply"));
+}
+
+TEST_F(CutCommand, WritesPolygonsWhereAsked) {
+  // Two squares and an L of area 3 beside them, which share the side x = 2; a label for each.
+  write(file("faces.ply"),
+        "ply\nformat ascii 1.0\nelement vertex 10\nproperty double x\nproperty double y\n"
+        "property double z\nelement face 3\nproperty list uchar int vertex_indices\n"
+        "property int label\nend_header\n0 0 0\n1 0 0\n2 0 0\n0 1 0\n1 1 0\n2 1 0\n4 0 0\n"
+        "4 2 0\n3 2 0\n3 1 0\n4 0 1 4 3 7\n4 1 2 5 4 8\n6 6 7 8 9 5 2 9\n");
+  write(file("up.obj"), "v 0.5 0 0\nv 0.5 1 0\nl 1 2\n");
+  const Outcome outcome =
+      run("cut faces.ply --curve up.obj -o cut.ply --polygons --map map.json --tag");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("13 vertices, 4 faces"), std::string::npos) << outcome.out;
+  MeshAttributes attributes;
+  const MeshLists cut = read_mesh(file("cut.ply"), attributes);
+  EXPECT_EQ(cut.polygon_count, 4U);
+  EXPECT_EQ(cut.polygon_shapes.concave, 1U);
+  EXPECT_NEAR(test::area(cut), 5, 1e-14);
+  // The halves have a corner on the diagonal, too: three triangles each.
+  std::vector<double> labels = attributes.faces.at(0).values;
+  std::sort(labels.begin(), labels.end());
+  EXPECT_EQ(labels, (std::vector<double>{7, 7, 7, 7, 7, 7, 8, 8, 9, 9, 9, 9}));
+  EXPECT_EQ(json("map.json")["parts"][0]["faces"].size(), 4U);
+  EXPECT_EQ(run("cut faces.ply --curve up.obj -o plain.ply").code, 0);
+  EXPECT_EQ(read_mesh(file("plain.ply")).polygon_count, 0U);
+  EXPECT_NEAR(test::area(read_mesh(file("plain.ply"))), 5, 1e-14);
+  const Outcome refused = run("cut faces.ply --curve up.obj -o cut.stl --polygons");
+  EXPECT_EQ(refused.code, 1);
+  EXPECT_NE(refused.err.find("holds polygons: .ply, .obj or .off"), std::string::npos);
 }
 
 }  // namespace

@@ -11,7 +11,7 @@ import numpy as np
 from . import _vtk
 from ._attributes import Attributes, Parts, of_numbers
 from ._errors import BadMesh
-from ._polygons import fans
+from ._polygons import triangulated
 from ._types import Array
 
 _log = logging.getLogger("talweg")
@@ -62,7 +62,7 @@ def _of_meshio(mesh: Any) -> Parts:
     if len(blocks) == 1 and mesh.cells[blocks[0]].type == "triangle":  # as they lie
         at_faces = of_numbers({name: values[blocks[0]] for name, values in data.items()})
         return Parts(mesh.points, mesh.cells[blocks[0]].data, at_vertices, at_faces)
-    parts = [_fans_of(np.asarray(mesh.cells[k].data)) for k in blocks]
+    parts = [_triangles_of(mesh.points, np.asarray(mesh.cells[k].data)) for k in blocks]
     at_faces = of_numbers({
         name: np.concatenate([np.asarray(values[k])[polygons] for k, (_, polygons) in
                               zip(blocks, parts)]) for name, values in data.items()})
@@ -70,8 +70,8 @@ def _of_meshio(mesh: Any) -> Parts:
                  at_faces)
 
 
-def _fans_of(block: Array) -> Tuple[Array, Array]:
-    return fans(block.reshape(-1), np.full(len(block), block.shape[1]))
+def _triangles_of(points: Array, block: Array) -> Tuple[Array, Array]:
+    return triangulated(points, block.reshape(-1), np.full(len(block), block.shape[1]))
 
 
 def to_trimesh(parts: Parts) -> Any:

@@ -27,7 +27,7 @@ class Mesh:
 
     :param vertices: (n, 3) real numbers, float64 or float32, mesh units. Or, without ``faces``, a
         file as for read_mesh(), or a mesh of trimesh, meshio, VTK (``vtkPolyData``), PyVista or
-        vedo, with its attributes; polygons become fans.
+        vedo, with its attributes; polygons become triangles.
     :param faces: (m, 3) whole numbers, counterclockwise from outside.
     :param vertex_attributes: arrays of numbers by name, of shape (n, ...).
     :param face_attributes: (m, ...) each.
@@ -50,7 +50,7 @@ class Mesh:
                  corner_attributes: Optional[Mapping[str, ArrayLike]] = None,
                  repair: Union[None, bool, str] = None, progress: Any = None,
                  plugin: str = "talweg.smooth") -> None:
-        #: What is done before the mesh is worked on: False, True, or steps as "weld,drop"
+        #: What is done before the mesh is worked on: False, True, or steps as "weld=1e-4,drop"
         self.repair_steps = _repair_steps.checked(repair)
         parts = _parts_of(vertices) if faces is None else Parts(vertices, faces)
         self.vertices = _arrays.readable(parts.vertices, 3, "The mesh's vertices", BadMesh)

@@ -82,7 +82,7 @@ def _parts_of(file: Any, path: Path) -> Parts:
         one = file.name_lists[k].contents
         names[_text(one.attribute)] = [_text(one.names[n]) for n in range(one.count)]
     if file.polygon_count:
-        _log.info("%s: %d faces of more than three corners became fans of triangles.",
+        _log.info("%s: %d faces of more than three corners became triangles.",
                   os.fspath(path), file.polygon_count)
     mesh = file.mesh.contents
     return Parts(_arrays.copied(mesh.positions).reshape(-1, 3),

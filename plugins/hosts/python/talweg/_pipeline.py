@@ -254,7 +254,8 @@ def repair(mesh: Any, steps: Union[bool, str] = True, *, progress: Any = None,
     Vertices keep their numbers: copies come last, and those that no face has any more stay.
 
     :param mesh: as for cut(); it may be no surface. Its attributes come along.
-    :param steps: True, or some of "weld", "drop", "orient" and "split" as "weld,drop".
+    :param steps: True, or some of "weld", "drop", "orient" and "split" as "weld,drop"; with
+        "weld=1e-4" vertices within 1e-4 mesh units of others are welded, too.
     :raises BadMesh: if these steps make no surface of it.
     """
     chosen = _repair_steps.checked(steps)
@@ -269,7 +270,7 @@ def repair(mesh: Any, steps: Union[bool, str] = True, *, progress: Any = None,
                   _whole(result.fields["became_triangle"]), report)
 
 
-def _inspected(mesh: Any, parameters: Dict[str, bool], progress: Any, wanted: bool = False,
+def _inspected(mesh: Any, parameters: Dict[str, Any], progress: Any, wanted: bool = False,
                carry: Optional[Mapping[str, str]] = None) -> Any:
     given = mesh_of(mesh, "talweg.repair")
     work = Workspace(given, plugin="talweg.repair", **parameters)

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Dict, Union
+import math
+from typing import TYPE_CHECKING, Any, Dict, List, Union
 
 from ._errors import BadUsage
 
@@ -10,10 +11,11 @@ if TYPE_CHECKING:
     from ._instance import Instance
 
 STEPS = ("weld", "drop", "orient", "split")
+WITHIN = "weld="
 
 
 def checked(repair: Union[None, bool, str]) -> Union[bool, str]:
-    """False, True for all steps, or their names separated by commas.
+    """False, True for all steps, or their names separated by commas, "weld" as "weld=TOLERANCE".
 
     :raises BadUsage: for anything else.
     """
@@ -22,16 +24,37 @@ def checked(repair: Union[None, bool, str]) -> Union[bool, str]:
     names = [name.strip() for name in repair.split(",")] if isinstance(repair, str) else []
     if names == ["all"]:
         return True
-    if not names or not set(names) <= set(STEPS):
+    tolerances = [_tolerance(name) for name in names if name.startswith(WITHIN)]
+    names = ["weld" if name.startswith(WITHIN) else name for name in names]
+    if not names or not set(names) <= {"all", *STEPS}:
         raise BadUsage(f"repair must be True, False or some of {', '.join(STEPS)}, separated by "
-                       f"commas, not {repair!r}.")
-    return ",".join(name for name in STEPS if name in names)
+                       f"commas, also weld=TOLERANCE, not {repair!r}.")
+    chosen = [name for name in STEPS if name in names or "all" in names]
+    if tolerances:
+        chosen[0] = f"{WITHIN}{tolerances[-1]!r}"
+    return ",".join(chosen)
 
 
-def values(repair: Union[bool, str]) -> Dict[str, bool]:
+def _tolerance(name: str) -> float:
+    try:
+        tolerance = float(name[len(WITHIN):])
+    except ValueError:
+        tolerance = math.nan
+    if not 0 < tolerance < math.inf:
+        raise BadUsage("The tolerance of weld must be a length above 0 in mesh units, as in "
+                       f"weld=1e-4, not {name[len(WITHIN):]!r}.")
+    return tolerance
+
+
+def values(repair: Union[bool, str]) -> Dict[str, Any]:
     """Parameters of plugins for what checked() gives."""
-    chosen = repair.split(",") if isinstance(repair, str) else STEPS
-    return {"repair": bool(repair), **{"repair_" + step: step in chosen for step in STEPS}}
+    chosen: List[str] = repair.split(",") if isinstance(repair, str) else list(STEPS)
+    names = [step.split("=")[0] for step in chosen]
+    result: Dict[str, Any] = {"repair": bool(repair)}
+    result.update({"repair_" + step: step in names for step in STEPS})
+    if chosen[0].startswith(WITHIN):
+        result["repair_weld_tolerance"] = float(chosen[0][len(WITHIN):])
+    return result
 
 
 def put(instance: Instance, repair: Union[bool, str]) -> None:

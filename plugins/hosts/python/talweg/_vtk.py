@@ -9,7 +9,7 @@ import numpy as np
 
 from ._attributes import Attributes, Parts
 from ._errors import BadMesh
-from ._polygons import fans
+from ._polygons import triangulated
 from ._types import Array, ArrayLike
 
 _CORNER = "corner:"  # VTK has no attributes of corners; as field data they keep this name
@@ -41,7 +41,7 @@ def polydata_of(mesh: Any) -> Optional[Any]:
 
 
 def parts_of(polydata: Any) -> Parts:
-    """The polygons of a vtkPolyData, as fans, with point and cell data."""
+    """The polygons of a vtkPolyData, as triangles, with point and cell data."""
     if polydata.GetNumberOfStrips() > 0:
         raise BadMesh("The mesh has triangle strips; vtkTriangleFilter makes triangles of them.")
     if polydata.GetNumberOfPolys() == 0:
@@ -52,14 +52,14 @@ def parts_of(polydata: Any) -> Parts:
     at_polygons = slice(polydata.GetNumberOfVerts() + polydata.GetNumberOfLines(), None)
     at_faces = {name: values[at_polygons] for name, values in _read(polydata.GetCellData()).items()}
     at_corners: Attributes = {}
+    points = _numpy().vtk_to_numpy(polydata.GetPoints().GetData())
     if np.all(sizes == 3):
         faces = corners.reshape(-1, 3)
         at_corners = _corners(_read(polydata.GetFieldData()), len(faces))
     else:
-        faces, polygon = fans(corners, sizes)
+        faces, polygon = triangulated(points, corners, sizes)
         at_faces = {name: values[polygon] for name, values in at_faces.items()}
-    return Parts(_numpy().vtk_to_numpy(polydata.GetPoints().GetData()), faces,
-                 _read(polydata.GetPointData()), at_faces, at_corners)
+    return Parts(points, faces, _read(polydata.GetPointData()), at_faces, at_corners)
 
 
 def _read(data: Any) -> Attributes:
