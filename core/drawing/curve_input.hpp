@@ -1,6 +1,7 @@
 // A curve input is a curve as a file or a host gives it.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <variant>
 #include <vector>
@@ -17,11 +18,19 @@ struct InputWayPoint {
   double tolerance = 0;   ///< mesh units, >= 0: how far from it a result may pass
 };
 
+/// A point between three vertices of a face; they may be the same where a weight is 0.
+struct CornerCoordinates {
+  std::array<VertexId, 3> corners;
+  std::array<double, 3> weights{};  ///< of the corners
+};
+
 /// It has not been checked against a mesh; snap() does that.
 struct CurveInput {
   bool closed = false;  ///< the first point is then not repeated
-  /// Vertices of the mesh, points in its faces, or positions in space.
-  std::variant<std::vector<VertexId>, std::vector<FaceCoordinates>, std::vector<Point>> points;
+  /// Vertices of the mesh, points in its faces, positions in space, or points between vertices.
+  std::variant<std::vector<VertexId>, std::vector<FaceCoordinates>, std::vector<Point>,
+               std::vector<CornerCoordinates>>
+      points;
   std::vector<std::size_t> pins;          ///< indices of points that must stay, ascending
   std::vector<InputWayPoint> way_points;  ///< ascending
   /// Indices of points that were painted, ascending. Without way-points all of them were; between

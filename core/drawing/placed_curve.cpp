@@ -29,6 +29,7 @@ PlacedCurve place(const SurfaceMesh& mesh, const SurfaceCurve& curve, std::size_
   const std::size_t n = curve.points.size();
   if (n < 2) throw Error(ErrorCode::kBadCurve, name + " has fewer than two points.");
   PlacedCurve result{curve.closed, {}, {}, positions_of(mesh, curve), {}};
+  result.vertex_count = mesh.surface().vertex_count();
   for (std::size_t k = 0; k < n; ++k) {
     const bool last = k + 1 == n && !curve.closed;
     const SurfacePoint& next = last ? curve.points[k - 1] : curve.points[(k + 1) % n];
@@ -38,6 +39,7 @@ PlacedCurve place(const SurfaceMesh& mesh, const SurfaceCurve& curve, std::size_
                   name + ": point " + std::to_string(k) + " and the next lie in no common face.");
     }
     result.faces.push_back(exact_coordinates(mesh.surface(), curve.points[k], face));
+    result.corners.push_back(mesh.surface().corners(face));
     const auto* at = std::get_if<AtVertex>(&curve.points[k].where());
     result.vertices.push_back(at == nullptr ? VertexId{} : at->vertex);
   }

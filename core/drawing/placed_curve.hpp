@@ -1,6 +1,7 @@
 // A placed curve is one as other programs take it: faces, barycentrics, positions.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -22,6 +23,10 @@ struct PlacedCurve {
   /// The marks of the points (point_marks.hpp); empty if nothing is said of any.
   std::vector<double> exact;
   std::vector<std::size_t> pins;  ///< indices of points that must stay, ascending
+  /// The corners of the faces, and the number of the mesh's vertices; empty and 0 where the mesh is
+  /// not known.
+  std::vector<std::array<VertexId, 3>> corners;
+  std::size_t vertex_count = 0;
 };
 
 /// Places a curve. From the faces and barycentrics snap() makes the same points again, bit for bit.

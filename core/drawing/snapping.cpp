@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "talweg/core/drawing/control_points.hpp"
+#include "talweg/core/drawing/corner_coordinates.hpp"
 #include "talweg/core/drawing/sheet_matching.hpp"
 #include "talweg/core/drawing/straight_lines.hpp"
 #include "talweg/core/drawing/stroke_spikes.hpp"
@@ -351,6 +352,9 @@ SnappedCurve snap_one(const SurfaceMesh& mesh, const ClosestPoint* closest, cons
     points = snap_vertices(mesh.surface(), *ids, curve.closed, options);
   } else if (const auto* at = std::get_if<std::vector<FaceCoordinates>>(&curve.points)) {
     points = snap_coordinates(mesh.surface(), *at);
+    settle_ends_of_lines(mesh.surface(), curve, points);
+  } else if (const auto* between = std::get_if<std::vector<CornerCoordinates>>(&curve.points)) {
+    points = snap_coordinates(mesh.surface(), in_faces(mesh.surface(), *between));
     settle_ends_of_lines(mesh.surface(), curve, points);
   } else {
     points =

@@ -39,7 +39,8 @@ struct SnappedCurve {
 ///
 /// Vertex ids must exist, and each must be a neighbour of the one before (unless `connect`). Points
 /// in faces are taken as they are; but pins, way-points, and points that share no face with a
-/// neighbour are settled (straight_lines.hpp). Positions are moved to the nearest point of the
+/// neighbour are settled (straight_lines.hpp). So are points between vertices, which must be those
+/// of a face as far as their weights are not 0. Positions are moved to the nearest point of the
 /// mesh. They are then moved to a vertex, or else an edge, that lies within 1e-9 of the face's
 /// longest side or within the rounding of single-precision coordinates (1.2e-7 of the largest one,
 /// but no more than 1e-4 of the longest side). So mesh vertices are recognised from files with 9

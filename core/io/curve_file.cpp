@@ -33,7 +33,7 @@ std::vector<double> all_marks(std::span<const PlacedCurve> curves) {
 }  // namespace formats
 namespace {
 
-constexpr const char* kKnown = "known are .obj .ply .vtp .vtk .mrk.json .txt .json";
+constexpr const char* kKnown = "known are .obj .ply .vtp .vtk .mrk.json .border .txt .json";
 
 std::string curve_extension(const std::filesystem::path& path) {
   std::string name = path.filename().string();
@@ -52,6 +52,7 @@ CurveReader curve_reader_of(const std::filesystem::path& path) {
   if (extension == ".vtp") return formats::read_vtp;
   if (extension == ".vtk") return formats::read_vtk;
   if (extension == ".txt") return formats::read_txt;
+  if (extension == ".border") return formats::read_workbench;
   if (extension == ".json" || extension == ".mrk.json") return formats::read_json;
   cannot_read(path, "no curve format has the extension '" + extension + "'; " + kKnown);
 }
@@ -69,7 +70,8 @@ std::vector<CurveInput> read_curves(const std::filesystem::path& path, std::stri
   const CurveReader reader = curve_reader_of(path);
   if (bytes.empty()) cannot_read(path, "the file is empty");
   formats::check_encoding(path, bytes);
-  if (reader != formats::read_json && reader != formats::read_vtp) {
+  if (reader != formats::read_json && reader != formats::read_vtp &&
+      reader != formats::read_workbench) {
     formats::check_line_ends(path, bytes);
   }
   if (reader == formats::read_obj || reader == formats::read_txt) {
@@ -99,6 +101,7 @@ std::string bytes_with(const std::filesystem::path& name, std::span<const Placed
   const std::string extension = curve_extension(name);
   if (extension == ".txt") return formats::write_txt(name, curves);
   if (extension == ".mrk.json") return formats::write_slicer(curves, mesh_unit);
+  if (extension == ".border") return formats::write_workbench(name, curves, sides);
   return writer_of(extension)(curves, sides);
 }
 
@@ -112,6 +115,7 @@ bool holds_way_points(const std::filesystem::path& name) {
 void check_curve_name(const std::filesystem::path& name) {
   const std::string extension = curve_extension(name);
   if (writer_of(extension) != nullptr || extension == ".txt" || extension == ".mrk.json") return;
+  if (extension == ".border") return;
   cannot_write(name, "no curve format has the extension '" + extension + "'; " + kKnown);
 }
 

@@ -34,6 +34,8 @@ namespace talweg {
 ///   positions are in that of the mesh.
 /// - `.txt`: vertex ids from 0, separated by blanks, commas or ends of lines; `#` starts a comment,
 ///   a blank line separates curves; a list that repeats its first id at its end is closed.
+/// - `.border`: connectome-workbench's, version 3: points between the vertices of a surface, each
+///   `<BorderPart>` a curve.
 /// - `.json`: ours (below). A `.json` that holds Slicer's markups is read as such.
 ///
 /// Way-points and painted points are read from our JSON, `.vtp` and `.vtk` as write_curves() writes
@@ -58,7 +60,8 @@ std::vector<CurveInput> read_curves(const std::filesystem::path& path, std::stri
 /// contains the point and the next (the one of smallest id), for an open curve's last point the one
 /// before; the barycentrics are in the order of Surface::corners(face). It gives back the same
 /// SurfacePoints, bit for bit. `.vtp` and `.vtk` carry `face` and `barycentric` as point data;
-/// `.mrk.json` names the mesh's unit.
+/// `.mrk.json` names the mesh's unit. `.border` has the vertices of each point's face with weights,
+/// and the structure that the file's name tells (`lh.`, `.L.`, `hemi-L`; `rh.`, ...; else CORTEX).
 ///
 /// Where something is said of points (PlacedCurve::exact), a point of our JSON has the member
 /// `exact`: true at a way-point, or its tolerance in mesh units if that is more than 0; false at a

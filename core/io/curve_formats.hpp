@@ -25,6 +25,9 @@ std::vector<CurveInput> read_ply(const Source& source);
 std::vector<CurveInput> read_vtp(const Source& source);
 std::vector<CurveInput> read_vtk(const Source& source);
 std::vector<CurveInput> read_txt(const Source& source);
+/// Border files of connectome-workbench, version 3: points between vertices (BorderFile.cxx and
+/// Border.cxx of the program are its specification). Names and colors are not kept.
+std::vector<CurveInput> read_workbench(const Source& source);
 /// Reads our own JSON, or Slicer's if the file has `markups`.
 std::vector<CurveInput> read_json(const Source& source);
 
@@ -42,6 +45,10 @@ std::string write_vtp(std::span<const PlacedCurve> curves, Sides sides = {});
 std::string write_vtk(std::span<const PlacedCurve> curves, Sides sides = {});
 /// Throws Error(kBadFile) if a point is not a vertex.
 std::string write_txt(const std::filesystem::path& path, std::span<const PlacedCurve> curves);
+/// Throws Error(kBadFile) if the curves' mesh is not known. The structure is told by the file's
+/// name (lh., .L., hemi-L, and so on), or CORTEX.
+std::string write_workbench(const std::filesystem::path& path, std::span<const PlacedCurve> curves,
+                            Sides sides = {});
 std::string write_json(std::span<const PlacedCurve> curves, Sides sides = {});
 std::string write_slicer(std::span<const PlacedCurve> curves, const LengthUnit& unit);
 

@@ -1,13 +1,16 @@
 #include "talweg/core/io/label_file.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
 #include <fmt/format.h>
 
+#include "talweg/core/io/field_formats.hpp"
 #include "talweg/core/io/file_bytes.hpp"
 #include "talweg/core/io/label_formats.hpp"
 #include "talweg/core/io/mesh_file.hpp"
+#include "talweg/core/io/numpy_array.hpp"
 #include "talweg/core/io/text_words.hpp"
 #include "talweg/core/io/word_scanner.hpp"
 
@@ -18,16 +21,40 @@ namespace {
 constexpr std::array<std::string_view, 6> kUsual = {"label",  "labels", "segment",
                                                     "region", "class",  "scalar_label"};
 
+/// Whole numbers of at most this size are told apart by doubles.
+constexpr double kMost = 9007199254740992;  // 2^53
+
+bool is_whole(double x) { return std::abs(x) < kMost && x == std::floor(x); }
+
+}  // namespace
+
+std::int64_t whole_number(const WordScanner& words, std::string_view word) {
+  std::int64_t whole = 0;
+  if (parse(word, whole)) return whole;
+  double real = 0;
+  if (parse(word, real) && is_whole(real)) return static_cast<std::int64_t>(real);
+  words.fail("a label (a whole number)", word);
+}
+
 LabelFile read_text_labels(const Source& source) {
   WordScanner words(source.path, source.bytes);
   LabelFile file;
   for (std::string_view word = words.word(); !word.empty(); word = words.word()) {
-    file.labels.push_back(words.integer(word, "a label (a whole number)"));
+    if (word.front() == '#') {
+      words.next_line();
+    } else {
+      file.labels.push_back(whole_number(words, word));
+    }
   }
   return file;
 }
 
-}  // namespace
+std::string usual_name_among(const std::vector<std::string>& names) {
+  for (const std::string_view usual : kUsual) {
+    if (std::find(names.begin(), names.end(), usual) != names.end()) return std::string(usual);
+  }
+  return "";
+}
 
 const NamedNumbers& chosen(const Source& source, const std::vector<NamedNumbers>& all,
                            const std::string& property) {
@@ -57,15 +84,15 @@ const NamedNumbers& chosen(const Source& source, const std::vector<NamedNumbers>
                           names.empty() ? "nothing of one number per face or vertex" : names));
 }
 
-std::vector<std::int64_t> whole_numbers(const Source& source, const NamedNumbers& numbers) {
-  constexpr double kMost = 9007199254740992;  // 2^53
+std::vector<std::int64_t> whole_numbers(const Source& source, const NamedNumbers& numbers,
+                                        const char* element) {
+  if (element == nullptr) element = numbers.of_faces ? "face" : "vertex";
   std::vector<std::int64_t> labels;
   labels.reserve(numbers.numbers.size());
   for (const double x : numbers.numbers) {
-    if (!(std::abs(x) <= kMost) || x != std::floor(x)) {
+    if (!is_whole(x)) {
       cannot_read(source.path, fmt::format("{} {}: expected a whole number as {}, found {:.17g}",
-                                           numbers.of_faces ? "face" : "vertex", labels.size(),
-                                           printable(numbers.name), x));
+                                           element, labels.size(), printable(numbers.name), x));
     }
     labels.push_back(static_cast<std::int64_t>(x));
   }
@@ -79,6 +106,14 @@ LabelFile read_label_file(const std::filesystem::path& path, std::string_view by
   const formats::Source source{path, bytes};
   const std::string extension = lower_extension(path);
   if (extension == ".annot") return formats::read_annot_labels(source);
+  if (extension == ".gii") return formats::read_gifti_labels(source, options.property);
+  if (extension == ".csv") return formats::read_csv_labels(source, options.property);
+  if (extension == ".dpv") {
+    return {formats::whole_numbers(source, {"label", false, formats::read_dpv(source)})};
+  }
+  if (extension == ".npy") {
+    return {formats::whole_numbers(source, {"label", false, formats::read_npy(source)}, "number")};
+  }
   if (extension == ".label") return formats::read_freesurfer_label(source, options.vertex_count);
   if (extension == ".ply") return formats::read_ply_labels(source, options.property);
   if (extension == ".vtk") return formats::read_vtk_labels(source, options.property);

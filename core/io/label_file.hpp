@@ -1,6 +1,7 @@
 // Label files hold a number for each vertex or face, and are read by their extension.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -11,15 +12,20 @@
 
 namespace talweg {
 
+/// Red, green, blue and alpha, each from 0 to 1.
+using LabelColor = std::array<double, 4>;
+
 /// Labels from a file, one per face or per vertex of a mesh.
 struct LabelFile {
   std::vector<std::int64_t> labels;
   std::map<std::int64_t, std::string> names;  ///< names of labels, if they have one; printable
+  std::map<std::int64_t, LabelColor> colors;  ///< colors of labels, if they have one
 };
 
 struct LabelFileOptions {
   /// The property of a PLY file or the array of a VTK file. If empty, it is the first of label,
-  /// labels, segment, region, class, scalar_label that exists, for faces before vertices.
+  /// labels, segment, region, class, scalar_label that exists, for faces before vertices. Also the
+  /// column of a CSV file, and the map of a GIFTI file (default: the first).
   std::string property;
   std::size_t vertex_count = 0;  ///< of the mesh; FreeSurfer's .label lists vertices only
 };
@@ -34,7 +40,15 @@ struct LabelFileOptions {
 ///   each triangle of its fan.
 /// - `.vtk` (legacy, ascii and binary), `.vtp`: an array of one component per cell or point; the
 ///   file must have as many cells as the mesh has faces.
-/// - Others: whole numbers separated by blanks or ends of lines.
+/// - `.gii` (`.label.gii`): an array of the intent NIFTI_INTENT_LABEL, with names and colors of the
+///   label table; see gifti.hpp.
+/// - `.dpv` of FreeSurfer, text: lines `number x y z label`, the numbers counted from 0.
+/// - `.csv`: one column, or several with a header: the label's as for `property`, or the only one
+///   beside the column of the vertices' or faces' numbers (vertex, face, index, id or no name),
+///   each of which must then come once. Separated by commas, semicolons or tabs.
+/// - `.npy` of NumPy: see numpy_array.hpp.
+/// - Others: whole numbers separated by blanks or ends of lines, also as `1.000e+00`; `#` starts a
+///   comment.
 ///
 /// The number of labels is not checked here. Sources of FreeSurfer's formats:
 /// "LabelsClutsAnnotationFiles" in FreeSurfer's wiki; nibabel.freesurfer.io reads and writes the

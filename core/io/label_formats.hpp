@@ -7,6 +7,7 @@
 
 #include "talweg/core/io/curve_formats.hpp"
 #include "talweg/core/io/label_file.hpp"
+#include "talweg/core/io/word_scanner.hpp"
 
 namespace talweg::formats {
 
@@ -21,9 +22,24 @@ struct NamedNumbers {
 /// list of those in the file if none fits.
 const NamedNumbers& chosen(const Source& source, const std::vector<NamedNumbers>& all,
                            const std::string& property);
-/// Throws Error(kBadFile) naming the first number that is not whole.
-std::vector<std::int64_t> whole_numbers(const Source& source, const NamedNumbers& numbers);
+/// The first of the usual names of labels (label, labels, ...) that is among these; empty if none
+/// is.
+std::string usual_name_among(const std::vector<std::string>& names);
+/// Throws Error(kBadFile) naming the first number that is not whole, by its face or vertex or what
+/// `element` calls it.
+std::vector<std::int64_t> whole_numbers(const Source& source, const NamedNumbers& numbers,
+                                        const char* element = nullptr);
 
+/// One whole number of a text, which may be written as 1.0e+00. Throws Error(kBadFile) naming the
+/// line.
+std::int64_t whole_number(const WordScanner& words, std::string_view word);
+
+/// The longest name of a label that is kept.
+inline constexpr std::size_t kLongestName = 255;
+
+LabelFile read_text_labels(const Source& source);
+LabelFile read_csv_labels(const Source& source, const std::string& property);
+LabelFile read_gifti_labels(const Source& source, const std::string& map);
 LabelFile read_annot_labels(const Source& source);
 LabelFile read_freesurfer_label(const Source& source, std::size_t vertex_count);
 LabelFile read_ply_labels(const Source& source, const std::string& property);

@@ -1,4 +1,5 @@
 // FreeSurfer's annotations (binary, big-endian) and labels (text).
+#include <algorithm>
 #include <bit>
 #include <utility>
 
@@ -63,10 +64,13 @@ class AnnotReader {
     if (index < 0) fail(fmt::format("an entry of the color table has the number {}", index));
     std::string name = string("a name");
     std::int64_t color = 0;  // red + 256 green + 65536 blue; the fourth number is transparency
-    for (int k = 0; k < 4; ++k) {
+    LabelColor parts{};
+    for (std::size_t k = 0; k < 4; ++k) {
       const std::int64_t part = number("a color");
       if (k < 3) color += part << (8 * k);
+      parts[k] = std::clamp(static_cast<double>(k < 3 ? part : 255 - part) / 255, 0.0, 1.0);
     }
+    file_.colors.emplace(index, parts);
     if (!file_.names.emplace(index, std::move(name)).second) {
       fail(fmt::format("entry {} of the color table comes twice", index));
     }
@@ -102,7 +106,7 @@ class AnnotReader {
       fail(
           fmt::format("{} has {} characters, but {} bytes are left", what, length, cursor_.left()));
     const std::string_view all(at, static_cast<std::size_t>(length));
-    return printable(all.substr(0, all.find('\0')));
+    return printable(all.substr(0, all.find('\0')), kLongestName);
   }
 
   [[noreturn]] void fail(const std::string& what) const { cannot_read(source_.path, what); }

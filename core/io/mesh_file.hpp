@@ -37,5 +37,7 @@ MeshLists read_off(const MeshFile& file, MeshAttributes* attributes = nullptr);
 MeshLists read_ply(const MeshFile& file, MeshAttributes* attributes = nullptr);
 MeshLists read_stl(const MeshFile& file, MeshAttributes* attributes = nullptr);
 MeshLists read_om(const MeshFile& file, MeshAttributes* attributes = nullptr);
+MeshLists read_gifti_mesh(const MeshFile& file, MeshAttributes* attributes = nullptr);
+MeshLists read_freesurfer_mesh(const MeshFile& file, MeshAttributes* attributes = nullptr);
 
 }  // namespace talweg

@@ -20,9 +20,16 @@ FormatReader format_reader_of(const std::filesystem::path& path) {
   if (extension == ".ply") return &read_ply;
   if (extension == ".stl") return &read_stl;
   if (extension == ".om") return &read_om;
+  if (extension == ".gii") return &read_gifti_mesh;
+  for (const char* surface : {".white", ".pial", ".inflated", ".sphere", ".smoothwm", ".orig",
+                              ".mid", ".midthickness", ".graymid", ".reg", ".nofix"}) {
+    if (extension == surface) return &read_freesurfer_mesh;
+  }
   bad_file(path, (extension.empty() ? "the file name has no extension"
                                     : "'" + extension + "' is no mesh format we read") +
-                     "; expected .obj, .off, .ply, .stl or .om.");
+                     "; expected .obj, .off, .ply, .stl, .om, .gii (GIFTI), or a surface of "
+                     "FreeSurfer (.white, "
+                     ".pial, .inflated, .sphere, .smoothwm, .orig, .mid).");
 }
 
 MeshLists read_bytes(const std::filesystem::path& path, std::string_view bytes,

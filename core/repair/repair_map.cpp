@@ -6,6 +6,7 @@
 #include <utility>
 #include <variant>
 
+#include "talweg/core/drawing/corner_coordinates.hpp"
 #include "talweg/intrinsic/error.hpp"
 
 namespace talweg {
@@ -111,8 +112,39 @@ CurveInput RepairMap::to_repaired(const CurveInput& curve, const Surface& repair
     result.points = moved(*ids, curve.closed, repaired);
   } else if (const auto* at = std::get_if<std::vector<FaceCoordinates>>(&curve.points)) {
     result.points = moved(*at);
+  } else if (const auto* between = std::get_if<std::vector<CornerCoordinates>>(&curve.points)) {
+    result.points = moved(*between, repaired);
   }
   return result;
+}
+
+std::vector<CornerCoordinates> RepairMap::moved(std::vector<CornerCoordinates> points,
+                                                const Surface& repaired) const {
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    std::array<std::span<const std::uint32_t>, 3> choices;
+    for (std::size_t c = 0; c < 3; ++c) {
+      const std::size_t v = points[k].corners[c].index();
+      if (v >= file_vertex_count()) {
+        bad_position(k, "there is no vertex " + std::to_string(v) + "; the mesh has " +
+                            std::to_string(file_vertex_count()) + ", counted from 0.");
+      }
+      choices[c] = images(points[k].corners[c]);
+    }
+    CornerCoordinates found = points[k];
+    const auto pick = [&] {
+      for (const std::uint32_t a : choices[0]) {
+        for (const std::uint32_t b : choices[1]) {
+          for (const std::uint32_t c : choices[2]) {
+            found.corners = {VertexId{a}, VertexId{b}, VertexId{c}};
+            if (any_face(repaired, found).valid()) return;
+          }
+        }
+      }
+    };
+    pick();
+    points[k] = found;
+  }
+  return points;
 }
 
 std::vector<FaceCoordinates> RepairMap::moved(std::vector<FaceCoordinates> points) const {
@@ -178,6 +210,12 @@ std::vector<SurfacePoint> RepairMap::on_one_sheet(std::vector<SurfacePoint> poin
 }
 
 PlacedCurve RepairMap::to_file(PlacedCurve curve) const {
+  for (std::size_t k = 0; k < curve.corners.size(); ++k) {
+    const auto there = curve.corners[k];
+    const FaceImage& image = images_[file_face(curve.faces[k].face).index()];
+    for (std::size_t c = 0; c < 3; ++c) curve.corners[k][c] = file_vertex(there[image.corner[c]]);
+  }
+  curve.vertex_count = curve.vertex_count == 0 ? 0 : file_vertex_count();
   for (VertexId& v : curve.vertices) {
     if (v.valid()) v = file_vertex(v);
   }

@@ -106,6 +106,8 @@ class RepairMap {
     return result;
   }
   [[nodiscard]] std::vector<FaceCoordinates> moved(std::vector<FaceCoordinates> points) const;
+  [[nodiscard]] std::vector<CornerCoordinates> moved(std::vector<CornerCoordinates> points,
+                                                     const Surface& repaired) const;
   [[nodiscard]] std::vector<VertexId> moved(const std::vector<VertexId>& ids, bool closed,
                                             const Surface& repaired) const;
 

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>
-#include <iterator>
 #include <memory>
 #include <optional>
 #include <string>
@@ -21,10 +20,12 @@
 #include "talweg/core/cutting/mesh_parts.hpp"
 #include "talweg/core/io/border_file.hpp"
 #include "talweg/core/io/curve_file.hpp"
+#include "talweg/core/io/label_writer.hpp"
 #include "talweg/core/io/mesh_reader.hpp"
 #include "talweg/core/io/mesh_writer.hpp"
 #include "talweg/core/labels/label_network.hpp"
 #include "talweg/core/labels/label_report.hpp"
+#include "talweg/core/labels/returned_labels.hpp"
 #include "talweg/core/mesh/mesh_attributes.hpp"
 #include "talweg/core/repair/weld_hint.hpp"
 #include "talweg/intrinsic/error.hpp"
@@ -38,6 +39,7 @@ struct LabelsOptions {
   std::string labels;
   std::vector<std::string> outputs;
   std::string labels_out;
+  std::string labels_per;
   std::string cut;
   std::string cut_labels;
   std::string report;
@@ -66,15 +68,6 @@ Budget budget_of(const LabelsOptions& o, double ms) {
   return budget;
 }
 
-/// One label per line.
-std::string lines_of(const std::vector<std::int64_t>& labels) {
-  std::string text;
-  for (const std::int64_t label : labels) {
-    fmt::format_to(std::back_inserter(text), "{}\n", label);
-  }
-  return text;
-}
-
 /// Labels for the faces of the file. A face that the repair dropped has its old label; if labels
 /// are per vertex, that of its first corner.
 std::vector<std::int64_t> of_file_faces(const std::vector<std::int64_t>& labels,
@@ -88,6 +81,78 @@ std::vector<std::int64_t> of_file_faces(const std::vector<std::int64_t>& labels,
     if (!lists) lists = read_mesh(mesh);
     return read.of_file[lists->triangles[f][0]];
   });
+}
+
+bool are_of_faces(const LabelsOptions& o, std::size_t labels, std::size_t faces) {
+  return o.labels_per.empty() ? labels == faces : o.labels_per == "face";
+}
+
+/// A sentence on the labels that smoothing would have lost.
+std::string lost_warning(const std::vector<LostLabel>& lost, bool by_face, bool of_faces,
+                         const LabelNames& names) {
+  constexpr std::size_t kNamed = 5;
+  const bool one = lost.size() == 1;
+  const bool covers = std::any_of(lost.begin(), lost.end(),
+                                  [](const LostLabel& label) { return label.covers_faces; });
+  std::string list;
+  for (std::size_t k = 0; k < std::min(lost.size(), kNamed); ++k) {
+    const LostLabel& label = lost[k];
+    const auto found = names.find(label.label);
+    const std::string name = found == names.end() ? "" : found->second + ", ";
+    const char* element = by_face ? (label.elements == 1 ? "face" : "faces")
+                                  : (label.elements == 1 ? "vertex" : "vertices");
+    const char* separator = k == 0 ? "" : k + 1 == lost.size() ? " and " : ", ";
+    list += fmt::format("{}{} ({}{} {})", separator, label.label, name, label.elements, element);
+  }
+  if (lost.size() > kNamed) list += fmt::format(" and {} more", lost.size() - kNamed);
+  const char* what = covers ? (one ? "has no vertex of its own"
+                                   : "have no vertex or no face of "
+                                     "their own")
+                            : (one ? "covers no face" : "cover no face");
+  const char* elements = by_face ? "faces" : "vertices";
+  if (by_face == of_faces) {
+    return fmt::format("{} {} {}: {} {} keep {}.", one ? "Label" : "Labels", list, what,
+                       one ? "its" : "their", elements, one ? "it" : "them");
+  }
+  return fmt::format("{} {} {}: the new labels of {} do not have {}; --labels-per {} keeps {}.",
+                     one ? "Label" : "Labels", list, what, of_faces ? "faces" : "vertices",
+                     one ? "it" : "them", by_face ? "face" : "vertex", one ? "it" : "them");
+}
+
+/// The new labels in the order of the mesh's file. Labels that would be lost are named.
+LabelOutput new_labels(const LabelsOptions& o, const LabelNetwork& network, const Surface& surface,
+                       const RepairMap* map, const ReadLabels& read,
+                       std::vector<std::string>& warnings) {
+  LabelOutput output;
+  const bool by_face = read.labels.size() == surface.face_count();
+  output.of_faces = are_of_faces(o, read.labels.size(), surface.face_count());
+  output.names = read.names;
+  output.colors = read.colors;
+  if (output.of_faces) {
+    output.labels = of_file_faces(network.face_labels, map, read, o.mesh);
+  } else {
+    output.labels = labels_of_vertices(network, surface, read.labels);
+    if (map != nullptr) output.labels = map->to_file_vertices(output.labels);
+  }
+  const std::vector<LostLabel> lost =
+      give_back(map == nullptr ? read.labels : read.of_file, network.face_labels, output.labels);
+  if (!lost.empty()) warnings.push_back(lost_warning(lost, by_face, output.of_faces, read.names));
+  std::size_t alone = 0;
+  for (std::size_t v = 0; by_face && !output.of_faces && v < surface.vertex_count(); ++v) {
+    if (!surface.halfedge(VertexId{v}).valid()) ++alone;
+  }
+  if (alone > 0) {
+    warnings.push_back(
+        fmt::format("{} vertices of the mesh are in no face; their new label is 0.", alone));
+  }
+  return output;
+}
+
+std::string bytes_of(const LabelsOptions& o, const LabelOutput& output) {
+  MeshAttributes attributes;
+  MeshLists lists;
+  if (!is_label_list(o.labels_out)) lists = read_mesh(o.mesh, attributes);
+  return label_bytes(o.labels_out, output, lists, attributes);
 }
 
 std::string summary_of(const LabelNetwork& network, double ms) {
@@ -125,7 +190,8 @@ void write_cut(const std::string& path, LabelNetwork& network, const SurfaceMesh
 
 void write(const LabelsOptions& o, LabelNetwork& network, const SurfaceMesh& mesh,
            const RepairMap* map, const MeshAttributes& attributes,
-           const std::vector<std::string>& warnings, const ReadLabels& labels) {
+           const std::vector<std::string>& warnings, const ReadLabels& labels,
+           const LabelOutput& returned) {
   std::vector<PlacedCurve> placed;
   std::vector<SideLabels> sides;
   for (const SmoothedBorder& border : network.borders) {
@@ -140,10 +206,14 @@ void write(const LabelsOptions& o, LabelNetwork& network, const SurfaceMesh& mes
   const auto write_text = [&](const std::string& path, const auto& text) {
     if (!path.empty()) attempts.make([&] { write_output(path, text()); });
   };
-  write_text(o.labels_out,
-             [&] { return lines_of(of_file_faces(network.face_labels, map, labels, o.mesh)); });
+  write_text(o.labels_out, [&] { return bytes_of(o, returned); });
   if (!o.cut.empty()) attempts.make([&] { write_cut(o.cut, network, mesh, attributes); });
-  write_text(o.cut_labels, [&] { return lines_of(network.cut_labels); });
+  write_text(o.cut_labels, [&] {
+    LabelOutput exact;
+    exact.labels = network.cut_labels;
+    exact.of_faces = true;
+    return label_bytes(o.cut_labels, exact, {});
+  });
   write_text(o.report, [&] {
     return to_json(entries_of(network, warnings, labels.names), curve_entries_of(network));
   });
@@ -156,9 +226,9 @@ void check_files(const LabelsOptions& o) {
   // The mesh and its labels may be the same file.
   files.reads("LABELS", o.labels);
   files.writes("-o", o.outputs, check_curve_name);
-  files.writes("--labels-out", o.labels_out);
+  files.writes("--labels-out", o.labels_out, o.labels_out == "-" ? nullptr : check_label_name);
   files.writes("--cut", o.cut, check_mesh_name);
-  files.writes("--cut-labels", o.cut_labels);
+  files.writes("--cut-labels", o.cut_labels, o.cut_labels == "-" ? nullptr : check_label_list_name);
   files.writes("--report", o.report);
   files.check();
 }
@@ -173,6 +243,10 @@ int run_labels(const LabelsOptions& o, const GlobalOptions& global) {
   std::vector<std::string> warnings = reading_warnings({}, read.lists.polygon_count);
   const auto mesh = OpenedMesh::open(std::move(read.lists));
   const ReadLabels file = read_labels(o.labels, mesh->surface(), read.map.get(), o.property);
+  if (!o.labels_out.empty()) {
+    const std::size_t faces = mesh->surface().face_count();
+    check_label_kind(o.labels_out, are_of_faces(o, file.labels.size(), faces));
+  }
   const double load_ms = since_start.ms() - mesh->open_ms();
   LabelNetworkOptions options = o.network;
   options.budget = budget_of(o, since_start.ms());
@@ -195,10 +269,14 @@ int run_labels(const LabelsOptions& o, const GlobalOptions& global) {
   const std::vector<std::string> held = warnings_of(network, file.names);
   warnings.insert(warnings.end(), read.changes.begin(), read.changes.end());
   warnings.insert(warnings.end(), held.begin(), held.end());
+  LabelOutput returned;
+  if (!o.labels_out.empty()) {
+    returned = new_labels(o, network, mesh->surface(), read.map.get(), file, warnings);
+  }
   network.cut.lists.single_precision = single;
   network.total.time_ms.load = load_ms;
   network.total.time_ms.total += load_ms;
-  write(o, network, mesh->mesh(), read.map.get(), attributes, warnings, file);
+  write(o, network, mesh->mesh(), read.map.get(), attributes, warnings, file, returned);
   if (!global.quiet) {
     std::fputs(summary_of(network, ms).c_str(), text_stream());
     for (const std::string& warning : warnings) {
@@ -221,11 +299,15 @@ Command add_labels(CLI::App& app, const GlobalOptions& global) {
       "labels",
       "Smooth all borders of a segmentation together: none crosses another, no region is lost or "
       "torn apart");
-  command->add_option("mesh", o->mesh, "Mesh: OBJ, OFF, PLY, STL or OM")->required();
   command
-      ->add_option("labels", o->labels,
-                   "One whole number per face or per vertex; or a PLY, VTK or VTP file with such a "
-                   "property, the mesh itself too; or FreeSurfer's .annot or .label")
+      ->add_option("mesh", o->mesh, "Mesh: OBJ, OFF, PLY, STL, OM, GIFTI or FreeSurfer's surface")
+      ->required();
+  command
+      ->add_option(
+          "labels", o->labels,
+          "One whole number per face or per vertex (text, .csv, .npy); or a PLY, VTK or VTP file "
+          "with such a property, the mesh itself too; or FreeSurfer's .annot, .label or "
+          ".dpv; or GIFTI's .label.gii")
       ->required();
   command->add_option("--labels-property", o->property,
                       "Which property of LABELS (default: the first of label, labels, segment, "
@@ -258,8 +340,15 @@ Command add_labels(CLI::App& app, const GlobalOptions& global) {
   command->add_option("-o,--output", o->outputs,
                       "The borders as curves; the ending chooses the format; may be given several "
                       "times");
-  command->add_option("--labels-out", o->labels_out,
-                      "New labels of the mesh's faces: that of the larger share of each");
+  CLI::Option* labels_out = command->add_option(
+      "--labels-out", o->labels_out,
+      "New labels of the mesh's faces (that of the larger share of each) or vertices; the ending "
+      "chooses the format: .txt .csv .npy .dpv .annot .label .gii .ply .vtk .vtp");
+  command
+      ->add_option("--labels-per", o->labels_per,
+                   "What the new labels are of: vertex or face (default: as LABELS came in)")
+      ->check(CLI::IsMember({"vertex", "face"}))
+      ->needs(labels_out);
   CLI::Option* cut = command->add_option(
       "--cut", o->cut,
       "The mesh with the borders as edges: .ply (with the faces' labels), .obj, .off");

@@ -103,6 +103,9 @@ host::Curve host_curve(const CurveInput& curve) {
     for (const VertexId v : *ids) result.vertices.push_back(number_of(v.index()));
   } else if (const auto* at = std::get_if<std::vector<FaceCoordinates>>(&curve.points)) {
     result = host_curve(PlacedCurve{curve.closed, {}, *at, {}, {}});
+  } else if (std::holds_alternative<std::vector<CornerCoordinates>>(curve.points)) {
+    throw Error(ErrorCode::kBadUsage,
+                "Plugins take no points between vertices (.border); `talweg smooth` does.");
   } else {
     for (const Point& p : std::get<std::vector<Point>>(curve.points)) {
       result.positions.push_back({p.x(), p.y(), p.z()});

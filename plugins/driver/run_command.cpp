@@ -1,10 +1,12 @@
 // talweg run PLUGIN: any plugin, with options made from its description.
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <map>
 #include <memory>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include <fmt/format.h>
@@ -19,9 +21,11 @@
 #include "plugin_options.hpp"
 #include "progress_bar.hpp"
 #include "repaired_mesh.hpp"
+#include "talweg/core/drawing/corner_coordinates.hpp"
 #include "talweg/core/drawing/snapping.hpp"
 #include "talweg/core/io/border_file.hpp"
 #include "talweg/core/io/curve_file.hpp"
+#include "talweg/core/io/mesh_file.hpp"
 #include "talweg/core/io/mesh_reader.hpp"
 #include "talweg/core/io/mesh_writer.hpp"
 #include "talweg/core/repair/weld_hint.hpp"
@@ -121,12 +125,35 @@ std::vector<host::Curve> curves_on(const ReadMesh& mesh, const Files& files) {
   }
   std::vector<host::Curve> curves;
   for (const std::string& path : files.curves) {
-    for (const CurveInput& curve : read_curves(path, unit)) {
-      curves.push_back(
-          host_curve(mesh.map != nullptr ? mesh.map->to_repaired(curve, surface) : curve));
+    for (CurveInput& curve : read_curves(path, unit)) {
+      if (mesh.map != nullptr) curve = mesh.map->to_repaired(curve, surface);
+      if (const auto* between = std::get_if<std::vector<CornerCoordinates>>(&curve.points)) {
+        if (surface.face_count() == 0) {
+          surface = Surface::from_triangles(mesh.lists.points.size(), mesh.lists.triangles);
+        }
+        curve.points = in_faces(surface, *between);  // plugins take points in faces
+      }
+      curves.push_back(host_curve(curve));
     }
   }
   return curves;
+}
+
+/// A `.border` names the vertices around each point, so the mesh is needed to the end.
+bool writes_borders(const Files& files) {
+  return std::any_of(files.outputs.begin(), files.outputs.end(), [](const std::string& output) {
+    return lower_extension(output) == ".border";
+  });
+}
+
+void add_corners(PlacedCurve& curve, const MeshLists& lists) {
+  curve.vertex_count = lists.points.size();
+  for (const FaceCoordinates& at : curve.faces) {
+    std::array<VertexId, 3>& corners = curve.corners.emplace_back();
+    for (std::size_t c = 0; c < 3; ++c) {
+      corners[c] = VertexId{std::size_t{lists.triangles.at(at.face.index())[c]}};
+    }
+  }
 }
 
 /// One number per vertex of the file; a vertex that was split has that of its first copy.
@@ -170,10 +197,13 @@ std::vector<SideLabels> sides_of(const host::Results& results) {
 }
 
 void write_results(const Files& files, const talweg_plugin& plugin, const host::Results& results,
-                   const PluginMeshes& meshes, const RepairMap* map) {
+                   const PluginMeshes& meshes, const ReadMesh& mesh) {
+  const RepairMap* map = mesh.map.get();
   std::vector<PlacedCurve> curves;
   for (const host::Curve& curve : results.curves) {
-    curves.push_back(in_file_numbers(map, placed_curve(curve)));
+    PlacedCurve placed = placed_curve(curve);
+    if (!mesh.lists.triangles.empty()) add_corners(placed, mesh.lists);
+    curves.push_back(in_file_numbers(map, std::move(placed)));
   }
   const LengthUnit unit = LengthUnit::named(files.mesh_units);
   const std::vector<SideLabels> sides = sides_of(results);
@@ -272,7 +302,7 @@ int run_plugin(const talweg_plugin& plugin, const Files& files, const PluginOpti
     set_mesh(instance, mesh.lists);
     const bool single = mesh.lists.single_precision;
     const std::vector<host::Curve> curves = curves_on(mesh, files);
-    mesh.lists = {};
+    if (!writes_borders(files)) mesh.lists = {};
     if (!curves.empty()) instance.set_curves(curves);
     host::Wanted wanted;
     wanted.meshes = !files.meshes.empty() || !files.map.empty();
@@ -293,7 +323,7 @@ int run_plugin(const talweg_plugin& plugin, const Files& files, const PluginOpti
   }
   clear_progress_bar();
   if (!global.quiet) lead_with_far_results(results);
-  write_results(files, plugin, results, meshes, mesh.map.get());
+  write_results(files, plugin, results, meshes, mesh);
   for (std::string& change : repairs_in(results)) mesh.changes.push_back(std::move(change));
   for (const std::string& change : mesh.changes) {
     if (!global.quiet) fmt::print(text_stream(), "{}\n", change);

@@ -6,6 +6,7 @@
 #include "fuzz_bytes.hpp"
 #include "fuzz_target.hpp"
 #include "talweg/core/io/curve_file.hpp"
+#include "talweg/core/io/field_values.hpp"
 #include "talweg/core/io/label_file.hpp"
 #include "talweg/core/io/mesh_reader.hpp"
 #include "talweg/intrinsic/error.hpp"
@@ -81,6 +82,10 @@ void read_curve_bytes(const Target& target, const std::uint8_t* data, std::size_
         for (const FaceCoordinates& at : *places) {
           for (const double b : at.barycentric) require(std::isfinite(b), "finite barycentrics");
         }
+      } else if (const auto* between = std::get_if<std::vector<CornerCoordinates>>(&curve.points)) {
+        for (const CornerCoordinates& at : *between) {
+          for (const double w : at.weights) require(std::isfinite(w) && w >= 0, "weights");
+        }
       }
     }
   } catch (const Error& error) {
@@ -96,6 +101,15 @@ void read_label_bytes(const Target& target, const std::uint8_t* data, std::size_
     for (const auto& [label, name] : file.names) {
       for (const char c : name) require(c >= ' ' && c <= '~', "printable names");
     }
+  } catch (const Error& error) {
+    check_refusal(target, error);
+  }
+}
+
+void read_field_bytes(const Target& target, const std::uint8_t* data, std::size_t size) {
+  try {
+    const std::vector<double> values = read_field_values(target.file, text_of(data, size));
+    require(values.size() <= size, "no more values than bytes");
   } catch (const Error& error) {
     check_refusal(target, error);
   }

@@ -232,6 +232,42 @@ std::string curve_ply_binary() {
   return bytes;
 }
 
+std::string gifti_array(const char* intent, const char* type, const char* rows,
+                        const char* encoding, const std::string& data) {
+  return std::string("<DataArray Intent=\"NIFTI_INTENT_") + intent + "\" DataType=\"NIFTI_TYPE_" +
+         type + "\" Dimensionality=\"2\" Dim0=\"" + rows + "\" Dim1=\"3\" Encoding=\"" + encoding +
+         "\" Endian=\"LittleEndian\"><Data>" + data + "</Data></DataArray>";
+}
+std::string gifti_text() {
+  return "<GIFTI>" + gifti_array("POINTSET", "FLOAT32", "4", "ASCII", "0 0 0 1 0 0 0 1 0 0 0 1.5") +
+         gifti_array("TRIANGLE", "INT32", "2", "ASCII", "0 2 1 0 1 3") + "</GIFTI>";
+}
+/// The first array is plain base64, the second one packed by zlib.
+std::string gifti_packed() {
+  return "<GIFTI>" +
+         gifti_array("POINTSET", "FLOAT32", "4", "Base64Binary",
+                     "AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAAAAAAAAAAAAAAAMA/") +
+         gifti_array("TRIANGLE", "INT32", "4", "GZipBase64Binary",
+                     "eJxjYGBgYAJiRgYIANHMUJoJymaCyoHYAAG4ABM=") +
+         "</GIFTI>";
+}
+std::string freesurfer_triangles() {
+  std::string bytes = "\xFF\xFF\xFEmade\n\n";
+  for (const std::int32_t count : {5, 4}) put(bytes, count, true);
+  for (const auto& p : kPoints) {
+    for (const float x : p) put(bytes, x, true);
+  }
+  for (const auto& t : kSides) {
+    for (const std::uint32_t v : t) put(bytes, v, true);
+  }
+  return bytes;
+}
+std::string freesurfer_quads() {
+  std::string bytes("\xFF\xFF\xFF\0\0\4\0\0\1", 9);
+  for (int k = 0; k < 12; ++k) put(bytes, static_cast<std::int16_t>(100 * k % 250), true);
+  return bytes + std::string("\0\0\0\0\0\1\0\0\2\0\0\3", 12);
+}
+
 }  // namespace
 
 std::vector<std::string> mesh_seeds(const Target& target) {
@@ -240,6 +276,8 @@ std::vector<std::string> mesh_seeds(const Target& target) {
   if (target.name == "mesh_ply")
     return {ply_text(), ply_binary(false), ply_binary(true), ply_strips()};
   if (target.name == "mesh_stl") return {stl_text(), stl_binary()};
+  if (target.name == "mesh_gifti") return {gifti_text(), gifti_packed()};
+  if (target.name == "mesh_freesurfer") return {freesurfer_triangles(), freesurfer_quads()};
   return {om_faces(), om_halfedges()};
 }
 
@@ -252,6 +290,12 @@ std::vector<std::string> curve_seeds(const Target& target) {
   if (target.name == "curve_vtk") return {formats::write_vtk(curves), vtk_binary()};
   if (target.name == "curve_txt") return {formats::write_txt("c.txt", curves), "0,1 2 # here\n\n3"};
   if (target.name == "curve_json") return {formats::write_json(curves)};
+  if (target.name == "curve_border") {
+    return {
+        "<BorderFile Version=\"3\" SurfaceNumberOfVertices=\"4\"><Class><Border><BorderPart "
+        "Closed=\"True\"><Vertices>0 1 2 3 2 1</Vertices><Weights>0.5 0.25 0.25 0 1 0</Weights>"
+        "</BorderPart></Border></Class></BorderFile>"};
+  }
   return {formats::write_slicer(curves, {})};
 }
 
@@ -277,6 +321,26 @@ std::vector<std::string> label_seeds(const Target& target) {
       bytes->replace(bytes->find("uchar red"), 9, "uchar label");
     }
     return {text, binary};
+  }
+  if (target.name == "label_gifti") {
+    return {
+        "<GIFTI><LabelTable><Label Key=\"1\" Red=\"0.5\">one</Label></LabelTable><DataArray "
+        "Intent=\"NIFTI_INTENT_LABEL\" DataType=\"NIFTI_TYPE_INT32\" Dimensionality=\"1\" "
+        "Dim0=\"3\" Encoding=\"ASCII\"><Data>1 2 1</Data></DataArray></GIFTI>"};
+  }
+  if (target.name == "label_csv") return {"vertex,label\n0,5\n2,7\n1,6.0\n", "label\n1\n\"2\"\n"};
+  if (target.name == "label_dpv") return {"000 0 0 0 5\n001 1 0 0.5 -1.0\n"};
+  if (target.name == "label_npy") {
+    std::string bytes("\x93NUMPY\x01\x00", 8);
+    const std::string header = "{'descr': '<i2', 'fortran_order': False, 'shape': (3,), }\n";
+    put(bytes, static_cast<std::uint16_t>(header.size()));
+    return {bytes + header + std::string("\1\0\2\0\3\0", 6)};
+  }
+  if (target.name == "field_curv") {
+    std::string bytes = "\xFF\xFF\xFF";
+    for (const std::int32_t number : {2, 1, 1}) put(bytes, number, true);
+    for (const float value : {0.5F, -1.0F}) put(bytes, value, true);
+    return {bytes, std::string("\0\0\2\0\0\1\0\x32\xFF\x9C", 10)};
   }
   if (target.name == "label_vtk") {
     const std::string head = "# vtk DataFile Version 3.0\nlabels\n";

@@ -97,6 +97,12 @@ class Input {
     for (const Point& p : points) numbers_.insert(numbers_.end(), p.begin(), p.end());
     view_.positions = plugin::view(numbers_.data(), points.size(), 3);
   }
+  static void take(const std::vector<CornerCoordinates>& /*points*/) {
+    throw plugin::Failure(
+        TALWEG_BAD_FILE,
+        "The curves lie between vertices (.border), which only the program talweg "
+        "and its library read: there they can be written as .json.");
+  }
 
   void take_marks(std::vector<double> marks) {
     if (marks.empty()) return;

@@ -10,9 +10,11 @@
 #include <nlohmann/json.hpp>
 
 #include "core/jagged_curves.hpp"
+#include "core/small_meshes.hpp"
 #include "core/voronoi_labels.hpp"
 #include "plugins/driver_runs.hpp"
 #include "talweg/core/io/curve_file.hpp"
+#include "talweg/core/io/label_file.hpp"
 #include "talweg/core/io/mesh_reader.hpp"
 #include "talweg/core/io/mesh_writer.hpp"
 
@@ -216,6 +218,85 @@ TEST_F(LabelsCommand, WritesWhatLiesBesideEachBorder) {
   }
 }
 
+/// A sheet of 8 x 8 squares with labels of its vertices: 0 left of x = 4.5, 1 right of it, and an
+/// island of one vertex in each.
+class IslandLabels : public LabelsCommand {
+ protected:
+  void SetUp() override {
+    LabelsCommand::SetUp();
+    const MeshLists sheet = test::grid(8, 8);
+    write_mesh(file("plane.off"), sheet);
+    std::ostringstream whole, real;
+    real << std::scientific;
+    real.precision(18);
+    for (std::size_t v = 0; v < sheet.points.size(); ++v) {
+      drawn_.push_back(sheet.points[v].x() > 4.5 ? 1 : 0);
+    }
+    drawn_[2 * 9 + 2] = 7;
+    drawn_[6 * 9 + 6] = 9;
+    for (const std::int64_t label : drawn_) {
+      whole << label << "\n";
+      real << static_cast<double>(label) << "\n";
+    }
+    write("whole.txt", whole.str());
+    write("real.txt", real.str());
+  }
+
+  std::vector<std::int64_t> drawn_;
+};
+
+TEST_F(IslandLabels, ComeBackPerVertexAndNoneIsLost) {
+  const Outcome outcome =
+      run("labels plane.off whole.txt --labels-out new.txt --report report.json");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(labels_in("new.txt"), drawn_);
+  const char* told =
+      "Labels 7 (1 vertex) and 9 (1 vertex) cover no face: their vertices keep them.";
+  EXPECT_NE(outcome.out.find(told), std::string::npos) << outcome.out;
+  EXPECT_NE(bytes_of(file("report.json")).find(told), std::string::npos);
+  // As numpy.savetxt writes them.
+  ASSERT_EQ(run("labels plane.off real.txt --labels-out real-new.txt -o b.vtp").code, 0);
+  EXPECT_EQ(bytes_of(file("real-new.txt")), bytes_of(file("new.txt")));
+}
+
+TEST_F(IslandLabels, AreNamedWhereFacesCannotHaveThem) {
+  const Outcome outcome = run("labels plane.off whole.txt --labels-per face --labels-out new.txt");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(labels_in("new.txt").size(), 128U);
+  EXPECT_NE(outcome.out.find("Labels 7 (1 vertex) and 9 (1 vertex) cover no face: the new labels "
+                             "of faces do not have them; --labels-per vertex keeps them."),
+            std::string::npos)
+      << outcome.out;
+}
+
+TEST_F(IslandLabels, AreWrittenInTheFormatThatTheEndingNames) {
+  for (const char* name : {"new.annot", "new.label.gii", "new.ply", "new.vtk", "new.vtp", "new.csv",
+                           "new.npy", "new.dpv"}) {
+    ASSERT_EQ(run(std::string("labels plane.off whole.txt --labels-out ") + name).code, 0) << name;
+    EXPECT_EQ(read_label_file(file(name), {}).labels, drawn_) << name;
+  }
+  EXPECT_EQ(read_mesh(file("new.ply")).triangles, read_mesh(file("plane.off")).triangles);
+  expect_failure("labels plane.off whole.txt --labels-out new.label", 2,
+                 {"new.label", "one label"});
+  expect_failure("labels plane.off whole.txt --labels-out new.nii", 2,
+                 {"new.nii", "known are", ".annot"});
+  expect_failure("labels plane.off whole.txt --labels-per face --labels-out new2.annot", 2,
+                 {"new2.annot", "of vertices"});
+  expect_failure("labels plane.off whole.txt --cut c.ply --cut-labels c.annot", 2, {"c.annot"});
+  expect_failure("labels plane.off whole.txt --labels-per vertex", 1, {"--labels-out"});
+}
+
+TEST_F(IslandLabels, ComeWithABorderFileOfWorkbench) {
+  ASSERT_EQ(run("labels plane.off whole.txt -o lh.border -o b.json").code, 0);
+  const auto borders = read_curves(file("lh.border"));
+  EXPECT_EQ(borders.size(), read_curves(file("b.json")).size());
+  EXPECT_NE(bytes_of(file("lh.border")).find("SurfaceNumberOfVertices=\"81\""), std::string::npos);
+  // A border is smoothed again, and measured.
+  EXPECT_EQ(run("measure plane.off lh.border b.json --report m.json").code, 0);
+  const auto report = nlohmann::json::parse(bytes_of(file("m.json")));
+  EXPECT_LE(report["deviation_to_other_max"].get<double>(), 1e-12);
+}
+
 TEST_F(LabelsCommand, GivesADroppedFaceTheLabelThatItHad) {
   // A face at the end that uses a vertex twice; repair drops it.
   const MeshLists lists = test::hills(40);
@@ -241,7 +322,8 @@ TEST_F(LabelsCommand, GivesADroppedFaceTheLabelThatItHad) {
   std::string text;
   for (const std::int64_t label : of_vertices) text += std::to_string(label) + "\n";
   write("vertices.txt", text);
-  ASSERT_EQ(run("labels twice.off vertices.txt --repair --labels-out new.txt").code, 0);
+  ASSERT_EQ(
+      run("labels twice.off vertices.txt --repair --labels-per face --labels-out new.txt").code, 0);
   EXPECT_EQ(labels_in("new.txt").back(), of_vertices[lists.triangles[5][0]]);
 }
 
