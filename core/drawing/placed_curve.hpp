@@ -22,6 +22,7 @@ struct PlacedCurve {
   /// The marks of the points (point_marks.hpp); empty if nothing is said of any.
   std::vector<double> exact;
   std::vector<std::size_t> pins;  ///< indices of points that must stay, ascending
+  std::vector<Point> normals;     ///< of the surface (surface_normals.hpp), or none
 };
 
 /// Places a curve. From the faces and barycentrics snap() makes the same points again, bit for bit.

@@ -225,6 +225,8 @@ MeshInspection inspect(const MeshLists& lists) {
   found.faces = lists.triangles.size();
   found.polygons = lists.polygon_count;
   found.single_precision = lists.single_precision;
+  found.unit = lists.unit;
+  found.space = lists.space;
   const std::vector<bool> proper = proper_faces(lists, found);
   measure_box(lists, found);
   measure_faces(lists, proper, found);

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
+#include "talweg/core/space/coordinate_frame.hpp"
 #include "talweg/core/space/point.hpp"
 #include "talweg/intrinsic/surface/surface.hpp"
 
@@ -16,6 +18,11 @@ struct MeshLists {
   std::vector<Triangle> triangles;  ///< counterclockwise, indices of points
   std::size_t polygon_count = 0;    ///< faces of the file that had more than three corners
   bool single_precision = false;    ///< the file stores its coordinates as 32-bit floats
+  std::optional<LengthUnit> unit;   ///< of the coordinates, if the file has one
+  PatientSpace space = PatientSpace::kNotSaid;  ///< of the coordinates, if the file says it
+
+  /// The frame of the coordinates; millimetres if nothing is said.
+  [[nodiscard]] CoordinateFrame frame() const { return {unit.value_or(LengthUnit()), space}; }
 };
 
 }  // namespace talweg

@@ -252,6 +252,15 @@ std::vector<std::string> curve_seeds(const Target& target) {
   if (target.name == "curve_vtk") return {formats::write_vtk(curves), vtk_binary()};
   if (target.name == "curve_txt") return {formats::write_txt("c.txt", curves), "0,1 2 # here\n\n3"};
   if (target.name == "curve_json") return {formats::write_json(curves)};
+  if (target.name == "curve_fcsv") {
+    return {formats::write_fcsv("c.fcsv", std::span(curves).first(1), {}),
+            "# CoordinateSystem = 0\n# columns = label,x,y,z,sel,vis\n\"a, \"\"b\",1,2,3,1,1\n"};
+  }
+  if (target.name == "clicks") {
+    return {formats::write_slicer(std::span(curves).first(1), {}),
+            R"({"markups": [{"type": "Fiducial", "coordinateSystem": "RAS", "controlPoints":
+[{"position": [1, 2, 3]}, {"positionStatus": "undefined"}]}]})"};
+  }
   return {formats::write_slicer(curves, {})};
 }
 
