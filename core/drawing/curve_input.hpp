@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <string>
 #include <variant>
 #include <vector>
 
@@ -39,6 +40,8 @@ struct CurveInput {
   /// Whether the points are those that a program's curve is controlled by. snap() makes them
   /// way-points if they can have been clicked, see why_no_clicks().
   bool control_points = false;
+  /// Sentences on what reading did to it: positions were turned or scaled, points left out.
+  std::vector<std::string> told;
 };
 
 }  // namespace talweg

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
+
 namespace talweg {
 namespace {
 
@@ -30,13 +32,15 @@ void SnappedDrawing::add(const SurfaceMesh& mesh, std::span<const SnappedCurve> 
     for (const std::size_t k : curve.painted) painted.push_back(curve.points[k]);
     if (!curve.why_stroke.empty()) strokes.push_back(curve.why_stroke);
     told.insert(told.end(), curve.told.begin(), curve.told.end());
+    if (better_fit.empty()) better_fit = curve.better_fit;
     may_be_loop.push_back(curve.may_be_loop);
     curves.push_back(lines.join(curve.points, curve.closed, progress));
     gaps.add(lines.gaps());
     largest_snap_distance = std::max(largest_snap_distance, curve.largest_snap_distance);
   }
   moved = snap_warning(largest_snap_distance, mesh);
-  far = moved_far(largest_snap_distance, mesh);
+  if (!better_fit.empty()) moved += fmt::format(" It {}.", better_fit);
+  far = moved_far(largest_snap_distance, mesh) || !better_fit.empty();
 }
 
 std::vector<std::string> SnappedDrawing::warnings() const {

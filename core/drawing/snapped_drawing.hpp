@@ -24,8 +24,10 @@ struct SnappedDrawing {
   std::vector<std::string> strokes;   ///< sentences on control points that are no way-points
   std::vector<std::string> told;      ///< sentences on points that were put elsewhere
   double largest_snap_distance = 0;   ///< largest move of a position onto the mesh, mesh units
-  std::string moved;                  ///< a sentence about that; empty if nothing was moved
-  bool far = false;  ///< whether it was moved so far that the sentence must come first
+  std::string better_fit;             ///< of the first curve that has one, see SnappedCurve
+  std::string moved;                  ///< sentences about that; empty if nothing was moved
+  /// Whether these must come first: it was moved far, or would fit better elsewhere.
+  bool far = false;
   JoinedGaps gaps;
 
   /// Adds curves whose points are joined straight over the surface. Throws as

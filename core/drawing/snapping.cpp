@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "talweg/core/drawing/better_fit.hpp"
 #include "talweg/core/drawing/control_points.hpp"
 #include "talweg/core/drawing/corner_coordinates.hpp"
 #include "talweg/core/drawing/sheet_matching.hpp"
@@ -32,6 +33,8 @@ constexpr double kFarthestInEdges = 10;
 /// In mean edges. A mesh that was only smoothed or made coarser stays nearer to its drawing than
 /// this.
 constexpr double kMovedFarInEdges = 3;
+/// In mean edges. Only drawings that were moved farther are looked at for a better fit.
+constexpr double kLookedAtInEdges = 0.25;
 /// Positions that were written in few digits are moved by so much, in mean edges.
 constexpr double kRoundingInEdges = 1e-4;
 
@@ -180,6 +183,13 @@ SurfacePoint settled(const SurfaceMesh& mesh, const ClosestPoint::Result& found,
   return SurfacePoint::from_barycentric(surface, found.face, *on_side);
 }
 
+/// What a refusal says of a space, unit or place in which the positions would fit.
+std::string which_fits(const SurfaceMesh& mesh, const ClosestPoint& closest,
+                       const std::vector<Point>& positions) {
+  const std::string words = better_fit(mesh, closest, positions);
+  return words.empty() ? words : fmt::format("; it {}", words);
+}
+
 /// The nearest point of the mesh to each position, one by one.
 std::vector<ClosestPoint::Result> nearest_to(const SurfaceMesh& mesh, const ClosestPoint& closest,
                                              const std::vector<Point>& positions, Asker& asker) {
@@ -195,8 +205,8 @@ std::vector<ClosestPoint::Result> nearest_to(const SurfaceMesh& mesh, const Clos
       if (nearest.back().distance > farthest) {
         bad_curve(fmt::format(
             "the mesh is {:.3g} away and {:.3g} large, and at most {:.3g} is taken: the "
-            "curve seems to be in another unit or place",
-            nearest.back().distance, size, farthest));
+            "curve seems to be in another unit or place{}",
+            nearest.back().distance, size, farthest, which_fits(mesh, closest, positions)));
       }
     } catch (const Error& error) {
       throw Error(error.code(), "At " + at_position(k) + ": " + error.what());
@@ -238,6 +248,9 @@ std::vector<SurfacePoint> snap_positions(const SurfaceMesh& mesh, const ClosestP
     points.push_back(settled(mesh, matching.points[k], positions[k]));
     curve.largest_snap_distance =
         std::max(curve.largest_snap_distance, (mesh.position(points.back()) - positions[k]).norm());
+  }
+  if (curve.largest_snap_distance > kLookedAtInEdges * mesh.mean_edge_length()) {
+    curve.better_fit = better_fit(mesh, closest, positions);
   }
   return points;
 }
@@ -344,6 +357,7 @@ std::optional<CurveInput> without_spikes(const CurveInput& curve, std::vector<st
 SnappedCurve snap_one(const SurfaceMesh& mesh, const ClosestPoint* closest, const CurveInput& given,
                       const SnapOptions& options, Asker& asker) {
   SnappedCurve result;
+  result.told = given.told;
   const std::optional<CurveInput> rest = without_spikes(given, result.told);
   const CurveInput& curve = rest ? *rest : given;
   result.closed = curve.closed;

@@ -31,7 +31,8 @@ struct SnappedCurve {
   std::vector<std::size_t> painted;       ///< ascending; no way-points
   /// An open stroke of a hand: given as positions, or painted, and without way-points.
   bool may_be_loop = false;
-  std::vector<std::string> told;  ///< sentences on points that were put elsewhere
+  std::vector<std::string> told;  ///< the input's sentences, and others on points put elsewhere
+  std::string better_fit;         ///< words on a space, unit or place in which it would fit
   std::string why_stroke;         ///< a sentence if control points were not taken for way-points
 };
 

@@ -6,8 +6,8 @@
 #include <span>
 #include <string>
 
-#include "talweg/core/drawing/length_unit.hpp"
 #include "talweg/core/drawing/placed_curve.hpp"
+#include "talweg/core/space/coordinate_frame.hpp"
 
 namespace talweg {
 
@@ -21,10 +21,10 @@ struct SideLabels {
 /// `.obj` as a group `left_right`. Other formats leave them out. Throws as write_curves() does, and
 /// Error(kBadUsage) when the number of sides is not that of the curves.
 void write_borders(const std::filesystem::path& path, std::span<const PlacedCurve> curves,
-                   std::span<const SideLabels> sides, const LengthUnit& mesh_unit = {});
+                   std::span<const SideLabels> sides, const CoordinateFrame& frame = {});
 
 /// The bytes that write_borders() would write to a file of this name. Throws as it does.
 std::string border_bytes(const std::filesystem::path& name, std::span<const PlacedCurve> curves,
-                         std::span<const SideLabels> sides, const LengthUnit& mesh_unit = {});
+                         std::span<const SideLabels> sides, const CoordinateFrame& frame = {});
 
 }  // namespace talweg

@@ -1,6 +1,7 @@
 #include "talweg/core/io/curve_file.hpp"
 
 #include <algorithm>
+#include <array>
 #include <string>
 
 #include "talweg/core/drawing/point_marks.hpp"
@@ -19,6 +20,12 @@ bool has_marks(std::span<const PlacedCurve> curves) {
   });
 }
 
+bool has_normals(std::span<const PlacedCurve> curves) {
+  return std::all_of(curves.begin(), curves.end(), [](const PlacedCurve& curve) {
+    return curve.normals.size() == curve.positions.size();
+  });
+}
+
 std::vector<double> all_marks(std::span<const PlacedCurve> curves) {
   std::vector<double> marks;
   for (const PlacedCurve& curve : curves) {
@@ -33,7 +40,7 @@ std::vector<double> all_marks(std::span<const PlacedCurve> curves) {
 }  // namespace formats
 namespace {
 
-constexpr const char* kKnown = "known are .obj .ply .vtp .vtk .mrk.json .border .txt .json";
+constexpr const char* kKnown = "known are .obj .ply .vtp .vtk .mrk.json .border .fcsv .txt .json";
 
 std::string curve_extension(const std::filesystem::path& path) {
   std::string name = path.filename().string();
@@ -53,6 +60,7 @@ CurveReader curve_reader_of(const std::filesystem::path& path) {
   if (extension == ".vtk") return formats::read_vtk;
   if (extension == ".txt") return formats::read_txt;
   if (extension == ".border") return formats::read_workbench;
+  if (extension == ".fcsv") return formats::read_fcsv;
   if (extension == ".json" || extension == ".mrk.json") return formats::read_json;
   cannot_read(path, "no curve format has the extension '" + extension + "'; " + kKnown);
 }
@@ -60,13 +68,13 @@ CurveReader curve_reader_of(const std::filesystem::path& path) {
 }  // namespace
 
 std::vector<CurveInput> read_curves(const std::filesystem::path& path,
-                                    const LengthUnit& mesh_unit) {
+                                    const CoordinateFrame& frame) {
   static_cast<void>(curve_reader_of(path));  // checks the extension before the file is read
-  return read_curves(path, read_file(path), mesh_unit);
+  return read_curves(path, read_file(path), frame);
 }
 
 std::vector<CurveInput> read_curves(const std::filesystem::path& path, std::string_view bytes,
-                                    const LengthUnit& mesh_unit) {
+                                    const CoordinateFrame& frame) {
   const CurveReader reader = curve_reader_of(path);
   if (bytes.empty()) cannot_read(path, "the file is empty");
   formats::check_encoding(path, bytes);
@@ -74,35 +82,35 @@ std::vector<CurveInput> read_curves(const std::filesystem::path& path, std::stri
       reader != formats::read_workbench) {
     formats::check_line_ends(path, bytes);
   }
-  if (reader == formats::read_obj || reader == formats::read_txt) {
+  if (reader == formats::read_obj || reader == formats::read_txt || reader == formats::read_fcsv) {
     formats::check_no_nul(path, bytes);
   }
-  return reader({path, bytes, mesh_unit});
+  return reader({path, bytes, frame});
 }
 
 namespace {
 
-using Writer = std::string (*)(std::span<const PlacedCurve>, formats::Sides);
-
-/// The writer of a format that holds only positions of points and no unit, otherwise null.
-Writer writer_of(const std::string& extension) {
-  if (extension == ".obj") return formats::write_obj;
-  if (extension == ".ply") return formats::write_ply;
-  if (extension == ".vtp") return formats::write_vtp;
-  if (extension == ".vtk") return formats::write_vtk;
-  if (extension == ".json") return formats::write_json;
-  return nullptr;
+/// Whether a format that is written has the extension.
+bool is_written(const std::string& extension) {
+  constexpr std::array kWritten = {".obj", ".ply",      ".vtp",  ".vtk",   ".json",
+                                   ".txt", ".mrk.json", ".fcsv", ".border"};
+  return std::find(kWritten.begin(), kWritten.end(), extension) != kWritten.end();
 }
 
 std::string bytes_with(const std::filesystem::path& name, std::span<const PlacedCurve> curves,
-                       formats::Sides sides, const LengthUnit& mesh_unit) {
+                       formats::Sides sides, const CoordinateFrame& frame) {
   check_curve_name(name);
   if (curves.empty()) throw Error(ErrorCode::kBadCurve, "There is no curve to write.");
   const std::string extension = curve_extension(name);
   if (extension == ".txt") return formats::write_txt(name, curves);
-  if (extension == ".mrk.json") return formats::write_slicer(curves, mesh_unit);
+  if (extension == ".mrk.json") return formats::write_slicer(curves, frame);
   if (extension == ".border") return formats::write_workbench(name, curves, sides);
-  return writer_of(extension)(curves, sides);
+  if (extension == ".fcsv") return formats::write_fcsv(name, curves, frame);
+  if (extension == ".obj") return formats::write_obj(curves, sides, frame.space);
+  if (extension == ".ply") return formats::write_ply(curves, sides, frame.space);
+  if (extension == ".vtk") return formats::write_vtk(curves, sides, frame.space);
+  if (extension == ".vtp") return formats::write_vtp(curves, sides, frame.space);
+  return formats::write_json(curves, sides);
 }
 
 }  // namespace
@@ -114,37 +122,36 @@ bool holds_way_points(const std::filesystem::path& name) {
 
 void check_curve_name(const std::filesystem::path& name) {
   const std::string extension = curve_extension(name);
-  if (writer_of(extension) != nullptr || extension == ".txt" || extension == ".mrk.json") return;
-  if (extension == ".border") return;
+  if (is_written(extension)) return;
   cannot_write(name, "no curve format has the extension '" + extension + "'; " + kKnown);
 }
 
 std::string curve_bytes(const std::filesystem::path& name, std::span<const PlacedCurve> curves,
-                        const LengthUnit& mesh_unit) {
-  return bytes_with(name, curves, {}, mesh_unit);
+                        const CoordinateFrame& frame) {
+  return bytes_with(name, curves, {}, frame);
 }
 std::string border_bytes(const std::filesystem::path& name, std::span<const PlacedCurve> curves,
-                         std::span<const SideLabels> sides, const LengthUnit& mesh_unit) {
+                         std::span<const SideLabels> sides, const CoordinateFrame& frame) {
   if (sides.size() != curves.size()) {
     throw Error(ErrorCode::kBadUsage, "There must be as many sides as curves.");
   }
-  return bytes_with(name, curves, sides, mesh_unit);
+  return bytes_with(name, curves, sides, frame);
 }
 
 void write_curves(const std::filesystem::path& path, std::span<const PlacedCurve> curves,
-                  const LengthUnit& mesh_unit) {
-  write_file(path, curve_bytes(path, curves, mesh_unit));
+                  const CoordinateFrame& frame) {
+  write_file(path, curve_bytes(path, curves, frame));
 }
 void write_borders(const std::filesystem::path& path, std::span<const PlacedCurve> curves,
-                   std::span<const SideLabels> sides, const LengthUnit& mesh_unit) {
-  write_file(path, border_bytes(path, curves, sides, mesh_unit));
+                   std::span<const SideLabels> sides, const CoordinateFrame& frame) {
+  write_file(path, border_bytes(path, curves, sides, frame));
 }
 
 void write_curves(const std::filesystem::path& path, const SurfaceMesh& mesh,
-                  std::span<const SurfaceCurve> curves, const LengthUnit& mesh_unit) {
+                  std::span<const SurfaceCurve> curves, const CoordinateFrame& frame) {
   std::vector<PlacedCurve> ready;
   for (const SurfaceCurve& curve : curves) ready.push_back(place(mesh, curve, ready.size()));
-  write_curves(path, ready, mesh_unit);
+  write_curves(path, ready, frame);
 }
 
 }  // namespace talweg

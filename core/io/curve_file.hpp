@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "talweg/core/drawing/curve_input.hpp"
-#include "talweg/core/drawing/length_unit.hpp"
 #include "talweg/core/drawing/placed_curve.hpp"
 #include "talweg/core/mesh/mesh_lists.hpp"
 #include "talweg/core/mesh/surface_mesh.hpp"
+#include "talweg/core/space/coordinate_frame.hpp"
 #include "talweg/intrinsic/surface/ids.hpp"
 #include "talweg/intrinsic/surface/surface_point.hpp"
 
@@ -30,7 +30,7 @@ namespace talweg {
 ///   points; a locked control point is a pin, one without a defined position is left out. The mesh
 ///   is taken to be in LPS, as Slicer itself writes meshes; positions of a markup in RAS get x and
 ///   y negated. Positions are converted from the markup's `coordinateUnits`, a UCUM code or a coded
-///   entry with one (mm where it has none), to `mesh_unit`. The other formats name no unit: their
+///   entry with one (mm where it has none), to `frame`. The other formats name no unit: their
 ///   positions are in that of the mesh.
 /// - `.txt`: vertex ids from 0, separated by blanks, commas or ends of lines; `#` starts a comment,
 ///   a blank line separates curves; a list that repeats its first id at its end is closed.
@@ -46,11 +46,11 @@ namespace talweg {
 /// data) and what was expected. The result has at least one curve, every index in it is in range of
 /// the file's own points, and every coordinate is finite.
 std::vector<CurveInput> read_curves(const std::filesystem::path& path,
-                                    const LengthUnit& mesh_unit = {});
+                                    const CoordinateFrame& frame = {});
 
 /// Reads from a file's bytes in memory; the path gives the extension and the name in errors.
 std::vector<CurveInput> read_curves(const std::filesystem::path& path, std::string_view bytes,
-                                    const LengthUnit& mesh_unit = {});
+                                    const CoordinateFrame& frame = {});
 
 /// Writes curves by extension, in the formats of read_curves. Coordinates and barycentrics have 17
 /// digits (doubles in binary). Nothing else is written, so equal curves give equal files.
@@ -74,14 +74,14 @@ std::vector<CurveInput> read_curves(const std::filesystem::path& path, std::stri
 /// format cannot hold the curves: `.txt` only vertices. Throws Error(kBadCurve) when there is no
 /// curve, a curve has no points, or a point and the next lie in no common face.
 void write_curves(const std::filesystem::path& path, const SurfaceMesh& mesh,
-                  std::span<const SurfaceCurve> curves, const LengthUnit& mesh_unit = {});
+                  std::span<const SurfaceCurve> curves, const CoordinateFrame& frame = {});
 /// The same for curves that place() has placed already.
 void write_curves(const std::filesystem::path& path, std::span<const PlacedCurve> curves,
-                  const LengthUnit& mesh_unit = {});
+                  const CoordinateFrame& frame = {});
 
 /// The bytes that write_curves() would write to a file of this name. Throws as it does.
 std::string curve_bytes(const std::filesystem::path& name, std::span<const PlacedCurve> curves,
-                        const LengthUnit& mesh_unit = {});
+                        const CoordinateFrame& frame = {});
 /// Whether the format of this name can say which points are way-points.
 bool holds_way_points(const std::filesystem::path& name);
 /// Throws as write_curves() does if the name's extension is not that of a curve format.

@@ -16,7 +16,7 @@ namespace talweg::formats {
 struct Source {
   const std::filesystem::path& path;
   std::string_view bytes;
-  LengthUnit mesh_unit;
+  CoordinateFrame frame;  ///< of the mesh
 };
 
 /// Readers and writers take one pass, O(bytes), but for read_json(): see parsed_json().
@@ -28,6 +28,7 @@ std::vector<CurveInput> read_txt(const Source& source);
 /// Border files of connectome-workbench, version 3: points between vertices (BorderFile.cxx and
 /// Border.cxx of the program are its specification). Names and colors are not kept.
 std::vector<CurveInput> read_workbench(const Source& source);
+std::vector<CurveInput> read_fcsv(const Source& source);
 /// Reads our own JSON, or Slicer's if the file has `markups`.
 std::vector<CurveInput> read_json(const Source& source);
 
@@ -36,20 +37,30 @@ using Sides = std::span<const SideLabels>;
 
 /// Whether anything is said of a point of the curves.
 bool has_marks(std::span<const PlacedCurve> curves);
+/// Whether all points of all curves have a normal.
+bool has_normals(std::span<const PlacedCurve> curves);
 /// The marks of all points of all curves (point_marks.hpp).
 std::vector<double> all_marks(std::span<const PlacedCurve> curves);
 
-std::string write_obj(std::span<const PlacedCurve> curves, Sides sides = {});
-std::string write_ply(std::span<const PlacedCurve> curves, Sides sides = {});
-std::string write_vtp(std::span<const PlacedCurve> curves, Sides sides = {});
-std::string write_vtk(std::span<const PlacedCurve> curves, Sides sides = {});
+std::string write_obj(std::span<const PlacedCurve> curves, Sides sides = {},
+                      PatientSpace space = {});
+std::string write_ply(std::span<const PlacedCurve> curves, Sides sides = {},
+                      PatientSpace space = {});
+std::string write_vtp(std::span<const PlacedCurve> curves, Sides sides = {},
+                      PatientSpace space = {});
+std::string write_vtk(std::span<const PlacedCurve> curves, Sides sides = {},
+                      PatientSpace space = {});
 /// Throws Error(kBadFile) if a point is not a vertex.
 std::string write_txt(const std::filesystem::path& path, std::span<const PlacedCurve> curves);
 /// Throws Error(kBadFile) if the curves' mesh is not known. The structure is told by the file's
 /// name (lh., .L., hemi-L, and so on), or CORTEX.
 std::string write_workbench(const std::filesystem::path& path, std::span<const PlacedCurve> curves,
                             Sides sides = {});
+/// In LPS and millimetres. Throws Error(kBadFile) if there are several curves.
+std::string write_fcsv(const std::filesystem::path& path, std::span<const PlacedCurve> curves,
+                       const CoordinateFrame& frame);
 std::string write_json(std::span<const PlacedCurve> curves, Sides sides = {});
-std::string write_slicer(std::span<const PlacedCurve> curves, const LengthUnit& unit);
+/// In LPS, whatever the space of the mesh is.
+std::string write_slicer(std::span<const PlacedCurve> curves, const CoordinateFrame& frame);
 
 }  // namespace talweg::formats

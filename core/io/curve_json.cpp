@@ -35,6 +35,13 @@ std::string pinned_member(const PlacedCurve& curve, std::size_t k) {
   return std::binary_search(curve.pins.begin(), curve.pins.end(), k) ? ", \"pinned\": true" : "";
 }
 
+/// The member `normal`, where the curve has normals.
+std::string normal_member(const PlacedCurve& curve, std::size_t k) {
+  if (curve.normals.size() != curve.positions.size()) return {};
+  const Point& n = curve.normals[k];
+  return fmt::format(", \"normal\": [{:.17g}, {:.17g}, {:.17g}]", n.x(), n.y(), n.z());
+}
+
 CurveInput read_curve(const JsonPlace& curve) {
   CurveInput result;
   result.closed = curve.member("closed").boolean();
@@ -61,7 +68,7 @@ CurveInput read_curve(const JsonPlace& curve) {
 std::vector<CurveInput> read_json(const Source& source) {
   const nlohmann::json document = parsed_json(source);
   const JsonPlace root(source.path, document, "");
-  if (root.has("markups")) return read_slicer(root, source.mesh_unit);
+  if (root.has("markups")) return read_slicer(root, source);
   const JsonPlace format = root.member("format");
   if (format.string() != "talweg-curves") {
     format.fail("expected \"talweg-curves\", found \"" + printable(format.string()) + "\"");
@@ -94,9 +101,10 @@ std::string write_json(std::span<const PlacedCurve> curves, Sides sides) {
       const Point& p = curve.positions[k];
       fmt::format_to(to,
                      "{}\n  {{\"face\": {}, \"barycentric\": [{:.17g}, {:.17g}, {:.17g}], "
-                     "\"xyz\": [{:.17g}, {:.17g}, {:.17g}]{}{}}}",
+                     "\"xyz\": [{:.17g}, {:.17g}, {:.17g}]{}{}{}}}",
                      k > 0 ? "," : "", curve.faces[k].face.index(), b[0], b[1], b[2], p.x(), p.y(),
-                     p.z(), exact_member(curve, k), pinned_member(curve, k));
+                     p.z(), exact_member(curve, k), pinned_member(curve, k),
+                     normal_member(curve, k));
     }
     fmt::format_to(to, "\n]}}");
   }

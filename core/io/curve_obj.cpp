@@ -6,6 +6,7 @@
 #include "talweg/core/io/curve_formats.hpp"
 #include "talweg/core/io/file_bytes.hpp"
 #include "talweg/core/io/polylines.hpp"
+#include "talweg/core/io/space_note.hpp"
 #include "talweg/core/io/word_scanner.hpp"
 
 namespace talweg::formats {
@@ -62,11 +63,14 @@ std::vector<CurveInput> read_obj(const Source& source) {
     }
     lines.push_back(std::move(line.points));
   }
-  return curves_of(points, std::move(lines));
+  std::vector<CurveInput> curves = curves_of(points, std::move(lines));
+  turn_to(source.frame, space_in_comments(source.bytes), source.path, curves);
+  return curves;
 }
 
-std::string write_obj(std::span<const PlacedCurve> curves, Sides sides) {
+std::string write_obj(std::span<const PlacedCurve> curves, Sides sides, PatientSpace space) {
   fmt::memory_buffer out;
+  fmt::format_to(fmt::appender(out), "{}", space_line("# ", space));
   for (const PlacedCurve& curve : curves) {
     for (const Point& p : curve.positions) {
       fmt::format_to(fmt::appender(out), "v {:.17g} {:.17g} {:.17g}\n", p.x(), p.y(), p.z());

@@ -9,6 +9,7 @@
 #include "talweg/core/io/file_bytes.hpp"
 #include "talweg/core/io/ply_header.hpp"
 #include "talweg/core/io/polylines.hpp"
+#include "talweg/core/io/space_note.hpp"
 #include "talweg/core/io/text_words.hpp"
 #include "talweg/core/io/word_scanner.hpp"
 
@@ -43,7 +44,9 @@ class PlyReader {
       }
       if (to_come == 0) break;
     }
-    return curves_of(points_, lines());
+    std::vector<CurveInput> curves = curves_of(points_, lines());
+    turn_to(source_.frame, header_.space, source_.path, curves);
+    return curves;
   }
 
  private:
@@ -175,22 +178,31 @@ class PlyReader {
 
 std::vector<CurveInput> read_ply(const Source& source) { return PlyReader(source).read(); }
 
-std::string write_ply(std::span<const PlacedCurve> curves, Sides /*sides*/) {
+std::string write_ply(std::span<const PlacedCurve> curves, Sides /*sides*/, PatientSpace space) {
   std::size_t vertices = 0;
   std::size_t edges = 0;
   for (const PlacedCurve& curve : curves) {
     vertices += curve.positions.size();
     edges += curve.positions.size() - (curve.closed ? 0 : 1);
   }
+  const bool with_normals = has_normals(curves);
   fmt::memory_buffer out;
-  fmt::format_to(fmt::appender(out),
-                 "ply\nformat ascii 1.0\nelement vertex {}\nproperty double x\nproperty double y\n"
-                 "property double z\nelement edge {}\nproperty int vertex1\nproperty int vertex2\n"
-                 "end_header\n",
-                 vertices, edges);
+  fmt::format_to(
+      fmt::appender(out),
+      "ply\nformat ascii 1.0\n{}element vertex {}\nproperty double x\nproperty double y\n"
+      "property double z\n{}element edge {}\nproperty int vertex1\nproperty int vertex2\n"
+      "end_header\n",
+      space_line("comment ", space), vertices,
+      with_normals ? "property double nx\nproperty double ny\nproperty double nz\n" : "", edges);
   for (const PlacedCurve& curve : curves) {
-    for (const Point& p : curve.positions) {
-      fmt::format_to(fmt::appender(out), "{:.17g} {:.17g} {:.17g}\n", p.x(), p.y(), p.z());
+    for (std::size_t k = 0; k < curve.positions.size(); ++k) {
+      const Point& p = curve.positions[k];
+      fmt::format_to(fmt::appender(out), "{:.17g} {:.17g} {:.17g}", p.x(), p.y(), p.z());
+      if (with_normals) {
+        const Point& n = curve.normals[k];
+        fmt::format_to(fmt::appender(out), " {:.17g} {:.17g} {:.17g}", n.x(), n.y(), n.z());
+      }
+      out.push_back('\n');
     }
   }
   std::size_t first = 0;

@@ -1,11 +1,12 @@
 // 3D Slicer markups (.mrk.json, schema 1.0.3).
 #include <algorithm>
+#include <array>
 
 #include <fmt/format.h>
 
-#include "talweg/core/drawing/length_unit.hpp"
 #include "talweg/core/io/curve_formats.hpp"
 #include "talweg/core/io/json_place.hpp"
+#include "talweg/core/io/space_note.hpp"
 #include "talweg/core/io/text_words.hpp"
 #include "talweg/core/io/word_scanner.hpp"
 #include "talweg/intrinsic/error.hpp"
@@ -13,15 +14,14 @@
 namespace talweg::formats {
 namespace {
 
-/// True if x and y change their sign: our mesh is taken to be in LPS, as Slicer writes meshes.
-bool is_flipped(const JsonPlace& markup) {
-  if (!markup.has("coordinateSystem")) return false;
+/// LPS where nothing is said, as the schema has it. Early files have the numbers of an enum.
+PatientSpace space_of(const JsonPlace& markup) {
+  if (!markup.has("coordinateSystem")) return PatientSpace::kLps;
   const JsonPlace system = markup.member("coordinateSystem");
   const std::string name = system.string();
-  if (name != "LPS" && name != "RAS") {
-    system.fail("expected \"LPS\" or \"RAS\", found \"" + printable(name) + "\"");
-  }
-  return name == "RAS";
+  if (name == "LPS" || name == "1") return PatientSpace::kLps;
+  if (name == "RAS" || name == "0") return PatientSpace::kRas;
+  system.fail("expected \"LPS\" or \"RAS\", found \"" + printable(name) + "\"");
 }
 
 /// Reads a code like "mm", or a coded entry: code, coding scheme, meaning. Millimetres if there is
@@ -46,12 +46,10 @@ LengthUnit unit_of(const JsonPlace& markup) {
   }
 }
 
-CurveInput read_markup(const JsonPlace& markup, bool closed, const LengthUnit& mesh_unit) {
-  CurveInput result;
-  result.closed = closed;
-  const double scale = unit_of(markup).in(mesh_unit);
-  const double sign = is_flipped(markup) ? -scale : scale;
-  const JsonPlace controls = markup.member("controlPoints");
+std::vector<Point> positions_of(const JsonPlace& controls, const CoordinateFrame& from,
+                                const CoordinateFrame& to, CurveInput& curve) {
+  const double scale = from.unit.in(to.unit);
+  const double sign = to.turns(from.space) ? -scale : scale;
   std::vector<Point> positions;
   for (std::size_t k = 0; k < controls.size(); ++k) {
     const JsonPlace control = controls.element(k);
@@ -60,22 +58,62 @@ CurveInput read_markup(const JsonPlace& markup, bool closed, const LengthUnit& m
     }
     const std::array<double, 3> p = control.member("position").triple();
     if (control.has("locked") && control.member("locked").boolean()) {
-      result.pins.push_back(positions.size());
+      curve.pins.push_back(positions.size());
     }
     positions.emplace_back(sign * p[0], sign * p[1], scale * p[2]);
     if (!positions.back().allFinite()) {
       control.member("position").fail("a coordinate is too large in the unit of the mesh");
     }
   }
+  return positions;
+}
+
+/// The control points of a markup in the frame of the mesh.
+CurveInput read_markup(const JsonPlace& markup, bool closed, const Source& source) {
+  CurveInput result;
+  result.closed = closed;
+  const CoordinateFrame from{unit_of(markup), space_of(markup)};
+  const JsonPlace controls = markup.member("controlPoints");
+  std::vector<Point> positions = positions_of(controls, from, source.frame, result);
   if (positions.empty()) controls.fail("expected at least one point with a defined position");
+  const std::string converted = conversion(source.path, from, source.frame);
+  if (!converted.empty()) result.told.push_back(converted);
+  if (positions.size() < controls.size()) {
+    result.told.push_back(
+        left_out(source.path, controls.size() - positions.size(), controls.size()));
+  }
   result.points = std::move(positions);
   result.control_points = true;
   return result;
 }
 
+/// A sentence that is told once for a file need not come with each of its curves.
+void tell_once(std::vector<CurveInput>& curves) {
+  std::vector<std::string> said;
+  for (CurveInput& curve : curves) {
+    std::erase_if(curve.told, [&](const std::string& sentence) {
+      const bool again = std::find(said.begin(), said.end(), sentence) != said.end();
+      if (!again) said.push_back(sentence);
+      return again;
+    });
+  }
+}
+
+/// The member `orientation`, where the curve has normals: a matrix whose third column is the
+/// normal.
+std::string orientation(const PlacedCurve& curve, std::size_t k, double sign) {
+  if (curve.normals.size() != curve.positions.size()) return {};
+  const Point n(sign * curve.normals[k].x(), sign * curve.normals[k].y(), curve.normals[k].z());
+  if (!(n.norm() > 0)) return {};
+  const Point x = n.unitOrthogonal(), y = n.cross(x);
+  std::vector<double> rows;
+  for (int r = 0; r < 3; ++r) rows.insert(rows.end(), {x[r], y[r], n[r]});
+  return fmt::format("\"orientation\": [{:.17g}], ", fmt::join(rows, ", "));
+}
+
 }  // namespace
 
-std::vector<CurveInput> read_slicer(const JsonPlace& root, const LengthUnit& mesh_unit) {
+std::vector<CurveInput> read_slicer(const JsonPlace& root, const Source& source) {
   const JsonPlace markups = root.member("markups");
   std::vector<CurveInput> curves;
   std::string other;
@@ -83,16 +121,33 @@ std::vector<CurveInput> read_slicer(const JsonPlace& root, const LengthUnit& mes
     const JsonPlace markup = markups.element(k);
     const std::string type = markup.member("type").string();
     if (type == "Curve" || type == "ClosedCurve") {
-      curves.push_back(read_markup(markup, type == "ClosedCurve", mesh_unit));
+      curves.push_back(read_markup(markup, type == "ClosedCurve", source));
     } else if (other.empty()) {
       other = " (the first is a " + printable(type) + ")";
     }
   }
   if (curves.empty()) markups.fail("expected a Curve or ClosedCurve among the markups" + other);
+  tell_once(curves);
   return curves;
 }
 
-std::string write_slicer(std::span<const PlacedCurve> curves, const LengthUnit& unit) {
+CurveInput read_slicer_clicks(const JsonPlace& root, const Source& source) {
+  const JsonPlace markups = root.member("markups");
+  if (markups.size() != 1) {
+    markups.fail(fmt::format("expected one list of points, found {} markups", markups.size()));
+  }
+  const JsonPlace markup = markups.element(0);
+  const std::string type = markup.member("type").string();
+  constexpr std::array kOfPoints = {"Fiducial", "PointList", "Line", "Curve", "ClosedCurve"};
+  if (std::find(kOfPoints.begin(), kOfPoints.end(), type) == kOfPoints.end()) {
+    markup.fail("expected a Fiducial, PointList, Line, Curve or ClosedCurve, found a " +
+                printable(type));
+  }
+  return read_markup(markup, type == "ClosedCurve", source);
+}
+
+std::string write_slicer(std::span<const PlacedCurve> curves, const CoordinateFrame& frame) {
+  const double sign = frame.turns(PatientSpace::kLps) ? -1 : 1;
   fmt::memory_buffer out;
   const auto to = fmt::appender(out);
   fmt::format_to(
@@ -107,16 +162,17 @@ std::string write_slicer(std::span<const PlacedCurve> curves, const LengthUnit& 
                    "\"{}\", \"locked\": false, \"fixedNumberOfControlPoints\": false, "
                    "\"labelFormat\": \"%N-%d\", \"lastUsedControlPointNumber\": {}, "
                    "\"controlPoints\": [",
-                   c > 0 ? "," : "", curve.closed ? "ClosedCurve" : "Curve", unit.code(),
+                   c > 0 ? "," : "", curve.closed ? "ClosedCurve" : "Curve", frame.unit.code(),
                    curve.positions.size());
     for (std::size_t k = 0; k < curve.positions.size(); ++k) {
       const Point& p = curve.positions[k];
       fmt::format_to(to,
                      "{}\n  {{\"id\": \"{}\", \"label\": \"\", \"description\": \"\", "
-                     "\"associatedNodeID\": \"\", \"position\": [{:.17g}, {:.17g}, {:.17g}], "
+                     "\"associatedNodeID\": \"\", \"position\": [{:.17g}, {:.17g}, {:.17g}], {}"
                      "\"selected\": true, \"locked\": {}, \"visibility\": true, "
                      "\"positionStatus\": \"defined\"}}",
-                     k > 0 ? "," : "", k + 1, p.x(), p.y(), p.z(),
+                     k > 0 ? "," : "", k + 1, sign * p.x(), sign * p.y(), p.z(),
+                     orientation(curve, k, sign),
                      std::binary_search(curve.pins.begin(), curve.pins.end(), k));
     }
     fmt::format_to(to, "\n]}}");

@@ -6,6 +6,7 @@
 #include "talweg/core/io/curve_formats.hpp"
 #include "talweg/core/io/file_bytes.hpp"
 #include "talweg/core/io/polylines.hpp"
+#include "talweg/core/io/space_note.hpp"
 #include "talweg/core/io/vtk_legacy.hpp"
 
 namespace talweg::formats {
@@ -25,7 +26,9 @@ class VtkReader {
     if (source_.bytes.find("exact") != std::string_view::npos) read_data(section);
     if (cells_.empty()) cannot_read(source_.path, "it has no LINES, so it holds no curves");
     check_indices();
-    return curves_of(points_, std::move(cells_), marks_);
+    std::vector<CurveInput> curves = curves_of(points_, std::move(cells_), marks_);
+    turn_to(source_.frame, file_.space(), source_.path, curves);
+    return curves;
   }
 
  private:
@@ -137,7 +140,7 @@ class VtkReader {
 
 std::vector<CurveInput> read_vtk(const Source& source) { return VtkReader(source).read(); }
 
-std::string write_vtk(std::span<const PlacedCurve> curves, Sides sides) {
+std::string write_vtk(std::span<const PlacedCurve> curves, Sides sides, PatientSpace space) {
   std::size_t points = 0;
   std::size_t indices = 0;
   for (const PlacedCurve& curve : curves) {
@@ -146,7 +149,9 @@ std::string write_vtk(std::span<const PlacedCurve> curves, Sides sides) {
   }
   fmt::memory_buffer out;
   const auto to = fmt::appender(out);
-  fmt::format_to(to, "# vtk DataFile Version 3.0\ntalweg curves\nASCII\nDATASET POLYDATA\n");
+  fmt::format_to(
+      to, "# vtk DataFile Version 3.0\ntalweg curves{}\nASCII\nDATASET POLYDATA\n",
+      space == PatientSpace::kNotSaid ? "" : fmt::format(" SPACE={}", space_name(space)));
   fmt::format_to(to, "POINTS {} double\n", points);
   for (const PlacedCurve& curve : curves) {
     for (const Point& p : curve.positions) {
@@ -163,9 +168,9 @@ std::string write_vtk(std::span<const PlacedCurve> curves, Sides sides) {
     fmt::format_to(to, "\n");
     first += n;
   }
-  const bool marked = has_marks(curves);
-  fmt::format_to(to, "POINT_DATA {}\nFIELD FieldData {}\nface 1 {} int\n", points, marked ? 3 : 2,
-                 points);
+  const bool marked = has_marks(curves), with_normals = has_normals(curves);
+  fmt::format_to(to, "POINT_DATA {}\nFIELD FieldData {}\nface 1 {} int\n", points,
+                 2 + (marked ? 1 : 0) + (with_normals ? 1 : 0), points);
   for (const PlacedCurve& curve : curves) {
     for (const FaceCoordinates& at : curve.faces) fmt::format_to(to, "{}\n", at.face.index());
   }
@@ -179,6 +184,14 @@ std::string write_vtk(std::span<const PlacedCurve> curves, Sides sides) {
   if (marked) {
     fmt::format_to(to, "exact 1 {} double\n", points);
     for (const double mark : all_marks(curves)) fmt::format_to(to, "{:.17g}\n", mark);
+  }
+  if (with_normals) {
+    fmt::format_to(to, "Normals 3 {} double\n", points);
+    for (const PlacedCurve& curve : curves) {
+      for (const Point& n : curve.normals) {
+        fmt::format_to(to, "{:.17g} {:.17g} {:.17g}\n", n.x(), n.y(), n.z());
+      }
+    }
   }
   if (!sides.empty()) {
     fmt::format_to(to, "CELL_DATA {0}\nFIELD FieldData 2\nleft 1 {0} long\n", sides.size());

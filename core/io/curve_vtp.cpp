@@ -5,6 +5,7 @@
 #include "talweg/core/io/curve_formats.hpp"
 #include "talweg/core/io/file_bytes.hpp"
 #include "talweg/core/io/polylines.hpp"
+#include "talweg/core/io/space_note.hpp"
 #include "talweg/core/io/vtk_xml.hpp"
 
 namespace talweg::formats {
@@ -17,7 +18,9 @@ class VtpReader {
   std::vector<CurveInput> read() {
     for (const pugi::xml_node piece : xml_.pieces()) read_piece(piece);
     if (lines_.empty()) cannot_read(source_.path, "it has no lines, so it holds no curves");
-    return curves_of(points_, std::move(lines_), marks_);
+    std::vector<CurveInput> curves = curves_of(points_, std::move(lines_), marks_);
+    turn_to(source_.frame, xml_.space(), source_.path, curves);
+    return curves;
   }
 
  private:
@@ -86,11 +89,22 @@ class VtpReader {
   std::vector<Line> lines_;
 };
 
+/// A string array as VTK writes it: the codes of the letters and 0.
+std::string space_data(PatientSpace space) {
+  if (space == PatientSpace::kNotSaid) return {};
+  std::string codes;
+  for (const char letter : space_name(space)) codes += fmt::format("{} ", int{letter});
+  return fmt::format(
+      "<FieldData>\n<Array type=\"String\" Name=\"SPACE\" NumberOfTuples=\"1\" "
+      "format=\"ascii\">\n{}0\n</Array>\n</FieldData>\n",
+      codes);
+}
+
 }  // namespace
 
 std::vector<CurveInput> read_vtp(const Source& source) { return VtpReader(source).read(); }
 
-std::string write_vtp(std::span<const PlacedCurve> curves, Sides sides) {
+std::string write_vtp(std::span<const PlacedCurve> curves, Sides sides, PatientSpace space) {
   std::size_t points = 0;
   for (const PlacedCurve& curve : curves) points += curve.positions.size();
   fmt::memory_buffer out;
@@ -98,9 +112,9 @@ std::string write_vtp(std::span<const PlacedCurve> curves, Sides sides) {
   fmt::format_to(to,
                  "<?xml version=\"1.0\"?>\n"
                  "<VTKFile type=\"PolyData\" version=\"0.1\" byte_order=\"LittleEndian\">\n"
-                 "<PolyData>\n<Piece NumberOfPoints=\"{}\" NumberOfVerts=\"0\" "
+                 "<PolyData>\n{}<Piece NumberOfPoints=\"{}\" NumberOfVerts=\"0\" "
                  "NumberOfLines=\"{}\" NumberOfStrips=\"0\" NumberOfPolys=\"0\">\n",
-                 points, curves.size());
+                 space_data(space), points, curves.size());
   const auto open_array = [&](const char* type, const char* name, int components) {
     fmt::format_to(to,
                    "<DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\" "
@@ -124,6 +138,13 @@ std::string write_vtp(std::span<const PlacedCurve> curves, Sides sides) {
   if (has_marks(curves)) {
     open_array("Float64", "exact", 1);
     for (const double mark : all_marks(curves)) fmt::format_to(to, "{:.17g}\n", mark);
+    fmt::format_to(to, "</DataArray>\n");
+  }
+  if (has_normals(curves)) {
+    open_array("Float64", "Normals", 3);
+    for (const PlacedCurve& curve : curves) {
+      for (const Point& normal : curve.normals) put_triple(normal);
+    }
     fmt::format_to(to, "</DataArray>\n");
   }
   fmt::format_to(to, "</PointData>\n");

@@ -53,6 +53,8 @@ class JsonPlace {
 };
 
 /// The curves of a 3D Slicer markups file, given its root.
-std::vector<CurveInput> read_slicer(const JsonPlace& root, const LengthUnit& mesh_unit);
+std::vector<CurveInput> read_slicer(const JsonPlace& root, const Source& source);
+/// The points of its only markup, see read_clicks().
+CurveInput read_slicer_clicks(const JsonPlace& root, const Source& source);
 
 }  // namespace talweg::formats

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "talweg/core/io/line_scanner.hpp"
+#include "talweg/core/io/space_note.hpp"
 #include "talweg/core/io/word_scanner.hpp"
 
 namespace talweg {
@@ -267,6 +268,7 @@ MeshLists read_obj(const MeshFile& file, MeshAttributes* attributes) {
                  " vertices.");
   }
   if (beside != nullptr) beside->end(lists.points.size(), lists.triangles.size());
+  lists.space = formats::space_in_comments(file.bytes);
   return lists;
 }
 

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "talweg/core/io/mesh_bytes.hpp"
+#include "talweg/core/io/space_note.hpp"
 
 namespace talweg::formats {
 namespace {
@@ -35,6 +36,7 @@ class ObjWriter {
   }
 
   std::string bytes() {
+    text_ = space_line("# ", lists_.space);
     for (const std::string& line : attributes_.references) {
       if (line.starts_with("mtllib")) text_ += line + "\n";
     }

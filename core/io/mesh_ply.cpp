@@ -464,6 +464,7 @@ MeshLists read_ply(const MeshFile& file, MeshAttributes* attributes) {
   Plan plan = make_plan(file);
   if (attributes != nullptr) plan_attributes(*attributes, plan);
   MeshLists lists;
+  lists.space = plan.header.space;
   set_aside(file, plan, lists);
   if (plan.header.encoding == PlyEncoding::kText) {
     TextBody(file, plan, lists).read();

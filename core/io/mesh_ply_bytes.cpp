@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "talweg/core/io/mesh_bytes.hpp"
+#include "talweg/core/io/space_note.hpp"
 
 namespace talweg::formats {
 namespace {
@@ -110,7 +111,7 @@ class PlyWriter {
 
  private:
   void header() {
-    bytes_ = "ply\nformat binary_little_endian 1.0\n";
+    bytes_ = "ply\nformat binary_little_endian 1.0\n" + space_line("comment ", lists_.space);
     for (const std::string& line : attributes_.references) {
       if (line.starts_with("comment ")) {
         bytes_ += line + "\n";

@@ -15,6 +15,9 @@ namespace talweg {
 /// ones as fans from their first corner, and counted (triangulate_polygons()). STL has no vertex
 /// ids: corners at exactly equal positions become one vertex, numbered by first appearance.
 ///
+/// The space of the coordinates is read where 3D Slicer notes it, as SPACE=LPS or SPACE=RAS: in
+/// comments of OBJ (before anything else) and PLY, in the first line or the header of STL.
+///
 /// Defects of the surface are accepted (see inspect()), but defects of the file are not. Throws
 /// Error(kBadFile) with the file's name and, if there is one, the line, vertex or face, when the
 /// file cannot be opened or is empty, its extension is unknown, it ends too early or continues

@@ -8,11 +8,13 @@
 
 #include "talweg/core/io/byte_cursor.hpp"
 #include "talweg/core/io/line_scanner.hpp"
+#include "talweg/core/io/space_note.hpp"
 
 namespace talweg {
 namespace {
 
-constexpr std::size_t kHeader = 84;    // 80 bytes of text and the number of triangles
+constexpr std::size_t kText = 80;      // bytes of text
+constexpr std::size_t kHeader = 84;    // the text and the number of triangles
 constexpr std::size_t kTriangle = 50;  // normal, three corners, two bytes of attributes
 
 /// Numbers positions by first appearance, in a hash table with open addressing on their bits.
@@ -69,6 +71,7 @@ MeshLists read_binary(const MeshFile& file, std::size_t triangles, MeshAttribute
   const bool swap = std::endian::native == std::endian::big;
   MeshLists lists;
   lists.single_precision = true;
+  lists.space = formats::space_in(file.bytes.substr(0, kText));
   lists.triangles.resize(triangles);
   CornerWelder welder(lists.points, triangles);
   bool has_attributes = false;
@@ -97,6 +100,7 @@ void need_word(LineScanner& lines, std::string_view expected, std::size_t facet)
 
 MeshLists read_text(const MeshFile& file) {
   MeshLists lists;
+  lists.space = formats::space_in(file.bytes.substr(0, file.bytes.find('\n')));
   CornerWelder welder(lists.points, 0);
   LineScanner lines(file);
   bool inside = false;

@@ -34,6 +34,10 @@ std::string off_bytes(MeshContent& content) {
 std::string stl_bytes(MeshContent& content) {
   const MeshLists& lists = content.lists;
   std::string bytes(80, ' ');
+  if (lists.space != PatientSpace::kNotSaid) {
+    const std::string note = fmt::format("Talweg. SPACE={}", space_name(lists.space));
+    bytes.replace(0, note.size(), note);
+  }
   bytes.reserve(84 + 50 * lists.triangles.size());
   put(bytes, static_cast<std::uint32_t>(lists.triangles.size()));
   const auto put_point = [&](const Point& p) {
@@ -157,6 +161,10 @@ MeshBytes mesh_bytes(const std::filesystem::path& name, const MeshLists& lists,
   formats::MeshContent content{lists, attributes, edges, {}, outlines};
   if (bytes == &formats::off_bytes || bytes == &formats::stl_bytes) {
     content.left_out = all_of(attributes, !edges.empty());
+  }
+  if (bytes == &formats::off_bytes && lists.space != PatientSpace::kNotSaid) {
+    content.left_out.push_back(
+        fmt::format("the space of coordinates ({})", space_name(lists.space)));
   }
   MeshBytes file;
   file.bytes = bytes(content);

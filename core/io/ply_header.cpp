@@ -3,6 +3,7 @@
 #include <map>
 
 #include "talweg/core/io/line_scanner.hpp"
+#include "talweg/core/io/space_note.hpp"
 #include "talweg/core/io/word_scanner.hpp"
 
 namespace talweg {
@@ -48,6 +49,19 @@ PlyProperty read_property(LineScanner& lines) {
   return property;
 }
 
+/// A comment may name a file of textures, or the space of the coordinates.
+void read_comment(LineScanner& lines, std::string_view keyword, PlyHeader& header) {
+  std::string_view word = lines.word();
+  if (word == "TextureFile" && keyword == "comment") {
+    header.textures.push_back("comment TextureFile " + printable(lines.word()));
+    return;
+  }
+  for (; !word.empty(); word = lines.word()) {
+    const PatientSpace space = formats::space_in(word);
+    if (space != PatientSpace::kNotSaid) header.space = space;
+  }
+}
+
 }  // namespace
 
 PlyHeader read_ply_header(const MeshFile& file) {
@@ -75,11 +89,9 @@ PlyHeader read_ply_header(const MeshFile& file) {
     } else if (keyword == "property") {
       if (header.elements.empty()) lines.fail("a property comes before its element.");
       header.elements.back().properties.push_back(read_property(lines));
-    } else if (keyword == "comment") {
-      if (lines.word() == "TextureFile") {
-        header.textures.push_back("comment TextureFile " + printable(lines.word()));
-      }
-    } else if (keyword != "obj_info") {
+    } else if (keyword == "comment" || keyword == "obj_info") {
+      read_comment(lines, keyword, header);
+    } else {
       lines.fail(quoted(keyword) + " is no word of a PLY header.");
     }
   }

@@ -27,9 +27,10 @@ enum class PlyEncoding { kText, kLittleEndian, kBigEndian };
 struct PlyHeader {
   PlyEncoding encoding{};
   std::vector<PlyElement> elements;
-  std::size_t body = 0;               ///< the byte where the data begins
-  std::size_t lines = 0;              ///< number of lines before the data
-  std::vector<std::string> textures;  ///< comments that name texture files, unchanged
+  std::size_t body = 0;                         ///< the byte where the data begins
+  std::size_t lines = 0;                        ///< number of lines before the data
+  std::vector<std::string> textures;            ///< comments that name texture files, unchanged
+  PatientSpace space = PatientSpace::kNotSaid;  ///< that a comment names
 };
 
 /// Throws Error(kBadFile) naming a line that cannot be understood.

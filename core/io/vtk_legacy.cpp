@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "talweg/core/io/file_bytes.hpp"
+#include "talweg/core/io/space_note.hpp"
 
 namespace talweg::formats {
 namespace {
@@ -42,6 +43,7 @@ VtkLegacy::VtkLegacy(const Source& source) : source_(source), scanner_(source.pa
   first.remove_prefix(kMagic.size());
   split_cells_ = !first.empty() && first[0] >= '5';
   scanner_.next_line();
+  space_ = space_in(scanner_.rest_of_line());  // the title may say it
   scanner_.next_line();
   const std::string_view encoding = scanner_.word_on_line();
   if (encoding != "ASCII" && encoding != "BINARY") scanner_.fail("ASCII or BINARY", encoding);

@@ -43,6 +43,8 @@ class VtkLegacy {
   /// Skips to the next blank line.
   void skip_metadata();
 
+  /// The space of the coordinates that the title names (space_note.hpp).
+  [[nodiscard]] PatientSpace space() const { return space_; }
   [[nodiscard]] bool is_ascii() const { return ascii_; }
   /// Whether cells have separate offsets and connectivity, as since version 5.
   [[nodiscard]] bool splits_cells() const { return split_cells_; }
@@ -57,6 +59,7 @@ class VtkLegacy {
   WordScanner scanner_;
   bool ascii_ = true;
   bool split_cells_ = false;
+  PatientSpace space_ = PatientSpace::kNotSaid;
 };
 
 }  // namespace talweg::formats

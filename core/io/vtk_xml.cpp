@@ -8,6 +8,7 @@
 
 #include "talweg/core/io/file_bytes.hpp"
 #include "talweg/core/io/number_text.hpp"
+#include "talweg/core/io/space_note.hpp"
 #include "talweg/core/io/text_words.hpp"
 #include "talweg/core/io/word_scanner.hpp"
 
@@ -20,6 +21,7 @@ std::optional<NumberType> xml_type(std::string_view name) {
   for (std::size_t k = 0; k < std::size(kNames); ++k) {
     if (name == kNames[k]) return static_cast<NumberType>(k);
   }
+  if (name == "String") return NumberType::kInt8;  // the codes of its letters, 0 at the end
   return std::nullopt;
 }
 
@@ -84,6 +86,17 @@ pugi::xml_node VtkXml::named(const pugi::xml_node& among, const char* name) cons
   const pugi::xml_node array = among.find_child_by_attribute("DataArray", "Name", name);
   if (!array) fail(among, fmt::format("expected a <DataArray Name=\"{}\">", name));
   return array;
+}
+
+PatientSpace VtkXml::space() const {
+  const pugi::xml_node data = document_.child("VTKFile").child("PolyData").child("FieldData");
+  const pugi::xml_node array = data.find_child_by_attribute("Array", "Name", "SPACE");
+  if (!array) return PatientSpace::kNotSaid;
+  std::string note = "SPACE=";
+  for (const double code : read_array(array)) {
+    if (code > 0 && code < 128) note += static_cast<char>(code);
+  }
+  return space_in(note);
 }
 
 std::vector<double> VtkXml::read_array(const pugi::xml_node& array) const {

@@ -23,6 +23,8 @@ class VtkXml {
   [[nodiscard]] pugi::xml_node named(const pugi::xml_node& among, const char* name) const;
   /// An array's numbers, of any type and encoding.
   [[nodiscard]] std::vector<double> read_array(const pugi::xml_node& array) const;
+  /// The space of the coordinates that 3D Slicer notes in the field data: a string SPACE.
+  [[nodiscard]] PatientSpace space() const;
   [[noreturn]] void fail(const pugi::xml_node& node, const std::string& what) const;
 
  private:

@@ -226,6 +226,8 @@ MeshInspection inspect(const MeshLists& lists) {
   found.polygons = lists.polygon_count;
   found.polygon_shapes = lists.polygon_shapes;
   found.single_precision = lists.single_precision;
+  found.unit = lists.unit;
+  found.space = lists.space;
   const std::vector<bool> proper = proper_faces(lists, found);
   measure_box(lists, found);
   measure_faces(lists, proper, found);

@@ -61,8 +61,10 @@ struct MeshInspection {
   std::size_t boundary_loops = 0;         ///< connected sets of boundary edges
   std::int64_t euler_characteristic = 0;  ///< used vertices - edges + faces
   std::optional<std::int64_t> genus;      ///< of all components together, if manifold
-  bool orientable = true;         ///< turning faces around would make the orientation consistent
-  bool single_precision = false;  ///< the file stores 32-bit floats
+  bool orientable = true;          ///< turning faces around would make the orientation consistent
+  bool single_precision = false;   ///< the file stores 32-bit floats
+  std::optional<LengthUnit> unit;  ///< of the coordinates, if the file has one
+  PatientSpace space = PatientSpace::kNotSaid;  ///< of the coordinates, if the file says it
 
   // Defects that keep a mesh from being opened.
   Defect<FaceIndexPlace> indices_out_of_range;  ///< counted once per face

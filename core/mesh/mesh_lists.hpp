@@ -3,9 +3,11 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
+#include "talweg/core/space/coordinate_frame.hpp"
 #include "talweg/core/space/point.hpp"
 #include "talweg/intrinsic/surface/surface.hpp"
 
@@ -59,6 +61,11 @@ struct MeshLists {
   bool single_precision = false;       ///< the file stores its coordinates as 32-bit floats
   std::vector<Polygon> polygons = {};  ///< those, where the triangles are still the file's
   PolygonShapes polygon_shapes = {};
+  std::optional<LengthUnit> unit = {};          ///< of the coordinates, if the file has one
+  PatientSpace space = PatientSpace::kNotSaid;  ///< of the coordinates, if the file says it
+
+  /// The frame of the coordinates; millimetres if nothing is said.
+  [[nodiscard]] CoordinateFrame frame() const { return {unit.value_or(LengthUnit()), space}; }
 };
 
 /// Triangulates the polygons inside themselves. In the lists they are fans from their first corner,

@@ -81,6 +81,8 @@ std::vector<ReportEntry> entries_of(const MeshInspection& m) {
                      {"genus", m.genus ? EntryValue(*m.genus) : EntryValue(HUGE_VAL)},
                      {"orientable", m.orientable},
                      {"single_precision", m.single_precision},
+                     {"unit", m.unit ? m.unit->code() : std::string()},
+                     {"space", std::string(space_name(m.space))},
                      {"box_min", coordinates(m.box_min)},
                      {"box_max", coordinates(m.box_max)},
                      {"size", m.size},

@@ -29,7 +29,7 @@ struct CompareCommandOptions {
   bool sweep = false;
   std::string picture, plot, report, table, results;
   std::string repair;
-  std::string mesh_units = "mm";
+  std::string mesh_units;
 };
 
 /// Writes the curves of each method that has a result, as PREFIX-METHOD.json; numbered in a sweep.
@@ -85,11 +85,12 @@ int run_compare(const CompareCommandOptions& o, const GlobalOptions& global) {
   if (!o.plot.empty() && !o.sweep) {
     throw Error(ErrorCode::kBadUsage, "--plot needs --sweep: it shows a line for each method.");
   }
-  const LengthUnit unit = LengthUnit::named(o.mesh_units);
+  check_unit(o.mesh_units);
   check_files(o, options.methods);
   const ReadMesh read = read_and_repair(o.mesh, o.repair);
   const SurfaceMesh mesh = SurfaceMesh::open(read.lists);
-  const SnappedDrawing drawing = DrawingReader(mesh, read.map.get()).read(o.curves, unit);
+  const CoordinateFrame frame = with_unit(read.lists.frame(), o.mesh_units);
+  const SnappedDrawing drawing = DrawingReader(mesh, read.map.get()).read(o.curves, frame);
   lead_with_far_move(drawing, global.quiet);
   Comparison comparison;
   try {
@@ -123,7 +124,7 @@ Command add_compare(CLI::App& app, const GlobalOptions& global) {
   command
       ->add_option(
           "--curve", o->curves,
-          "Curves: .obj, .ply, .vtp, .vtk, .mrk.json, .border, .txt (vertex numbers) or .json; may "
+          "Curves: .obj, .ply, .vtp, .vtk, .mrk.json, .border, .fcsv, .txt (vertex numbers) or .json; may "
           "be given several times")
       ->required();
   std::string names;

@@ -44,7 +44,7 @@ struct CutCommandOptions {
   std::string cap;
   double merge = CutOptions{}.merge;
   std::string ends = "auto";
-  std::string mesh_units = "mm";
+  std::string mesh_units;
 };
 
 LidKind lid_kind(const std::string& name) {
@@ -105,11 +105,12 @@ Cutting::Cutting(const CutCommandOptions& options, Progress progress)
       mesh_(SurfaceMesh::open(read_.lists)) {
   DrawingReader reader(mesh_, read_.map.get());
   reader.set_ends(curve_ends(options.ends));
-  drawing_ = reader.read(o_.curves, LengthUnit::named(options.mesh_units), progress_);
+  drawing_ = reader.read(o_.curves, with_unit(read_.lists.frame(), options.mesh_units), progress_);
   const Stopwatch watch;
   cut_ = cut_along(mesh_, drawing_.curves, {o_.merge}, progress_);
   cut_.lists.single_precision = read_.lists.single_precision;
   made_ = take_apart(mesh_, std::move(cut_), attributes_, part_options(o_), progress_);
+  for (MeshPart& part : made_.parts) part.lists.space = read_.lists.space;
   attributes_ = {};  // the parts have them
   cut_ms_ = watch.ms();
   if (!made_.left_out.empty()) {
@@ -306,7 +307,7 @@ Command add_cut(CLI::App& app, const GlobalOptions& global) {
   add_unit_option(*command, o->mesh_units);
   return [o, &global] {
     check(*o);
-    LengthUnit::named(o->mesh_units);
+    check_unit(o->mesh_units);
     check_files(*o);
     Cutting cutting(*o, progress_bar(global.quiet));
     clear_progress_bar();

@@ -5,19 +5,24 @@
 #include <utility>
 #include <vector>
 
+#include <fmt/format.h>
+
 #include "commands.hpp"
 #include "file_plan.hpp"
 #include "output_file.hpp"
 #include "progress_bar.hpp"
 #include "repaired_mesh.hpp"
 #include "talweg/core/drawing/draw.hpp"
-#include "talweg/core/drawing/length_unit.hpp"
 #include "talweg/core/drawing/placed_curve.hpp"
 #include "talweg/core/drawing/point_marks.hpp"
+#include "talweg/core/drawing/snapping.hpp"
+#include "talweg/core/drawing/straight_lines.hpp"
+#include "talweg/core/io/click_file.hpp"
 #include "talweg/core/io/curve_file.hpp"
 #include "talweg/core/mesh/surface_mesh.hpp"
 #include "talweg/core/repair/weld_hint.hpp"
 #include "talweg/intrinsic/error.hpp"
+#include "written_points.hpp"
 
 namespace talweg::driver {
 namespace {
@@ -25,12 +30,22 @@ namespace {
 struct Options {
   std::string mesh;
   std::vector<std::uint32_t> through;
+  std::string clicks;  ///< a file, instead
   bool closed = false;
   bool straight = false, edges = false;
   std::vector<std::string> outputs;
   std::string repair;
-  std::string mesh_units = "mm";
+  std::string mesh_units;
   std::string points = "exact";
+  WrittenPoints written;
+};
+
+/// The points to draw through, on the mesh.
+struct Clicks {
+  std::vector<SurfacePoint> points;
+  bool closed = false;
+  std::vector<std::string> told;  ///< sentences on how they were read
+  bool far = false;               ///< whether the first of these is a warning
 };
 
 /// The way-points, in the numbers of the mesh.
@@ -45,23 +60,66 @@ std::vector<VertexId> through_on(const SurfaceMesh& mesh, const RepairMap* map,
   return std::get<std::vector<VertexId>>(input.points);
 }
 
-PlacedCurve drawn(const SurfaceMesh& mesh, const RepairMap* map, const Options& options,
-                  const Progress& progress) {
-  std::vector<SurfacePoint> clicks;
+Clicks given_vertices(const SurfaceMesh& mesh, const RepairMap* map, const Options& options) {
+  Clicks clicks;
+  clicks.closed = options.closed;
   for (const VertexId v : through_on(mesh, map, options)) {
-    clicks.push_back(SurfacePoint::at_vertex(mesh.surface(), v));
+    clicks.points.push_back(SurfacePoint::at_vertex(mesh.surface(), v));
   }
+  return clicks;
+}
+
+/// The points of the file, each at the nearest point of the mesh.
+Clicks clicks_of_file(const SurfaceMesh& mesh, const RepairMap* map, const Options& options,
+                      const CoordinateFrame& frame, const Progress& progress) {
+  CurveInput input = read_clicks(options.clicks, frame);
+  input.closed = input.closed || options.closed;
+  SnappedCurve snapped = snap(mesh, input, {}, progress);
+  Clicks clicks;
+  clicks.closed = input.closed;
+  std::string moved = snap_warning(snapped.largest_snap_distance, mesh);
+  if (!snapped.better_fit.empty()) moved += fmt::format(" It {}.", snapped.better_fit);
+  clicks.far = moved_far(snapped.largest_snap_distance, mesh) || !snapped.better_fit.empty();
+  if (!moved.empty()) clicks.told.push_back(moved);
+  clicks.told.insert(clicks.told.end(), snapped.told.begin(), snapped.told.end());
+  if (snapped.merged > 0) {
+    clicks.told.push_back(fmt::format("{} clicks lie where the one before lies.", snapped.merged));
+  }
+  clicks.points = std::move(snapped.points);
+  if (map != nullptr) {
+    clicks.points = map->on_one_sheet(clicks.points, clicks.closed, mesh.surface());
+  }
+  for (SurfacePoint& point : clicks.points) point = settled(mesh.surface(), point);
+  return clicks;
+}
+
+ReadyCurve drawn(const SurfaceMesh& mesh, const Clicks& clicks, const Options& options,
+                 const CoordinateFrame& frame, const Progress& progress) {
   DrawOptions own;
-  own.closed = options.closed;
+  own.closed = clicks.closed;
   if (options.points == "rough") own.tolerance.reset();
   const bool of_vertices =
       std::any_of(options.outputs.begin(), options.outputs.end(),
                   [](const std::string& output) { return output.ends_with(".txt"); });
   if (options.straight || options.edges || of_vertices) own.straight = options.straight;
-  const Drawing drawing = draw(mesh.surface(), clicks, own, progress);
-  PlacedCurve placed = place(mesh, drawing.curve);
-  if (options.points == "exact") placed.exact = marks_through(drawing.curve, clicks);
-  return placed;
+  const Drawing drawing = draw(mesh.surface(), clicks.points, own, progress);
+  ReadyCurve made = ready(mesh, drawing.curve, 0, options.written, frame);
+  if (options.points == "exact" && !made.spacing) {
+    made.curve.exact = marks_through(drawing.curve, clicks.points);
+  }
+  return made;
+}
+
+/// Tells how clicks of a file were read; first and on the standard error that they lie far away.
+void tell_clicks(const Clicks& clicks, bool quiet) {
+  clear_progress_bar();
+  for (std::size_t k = 0; k < clicks.told.size() && !quiet; ++k) {
+    if (k == 0 && clicks.far) {
+      std::fprintf(stderr, "talweg: warning: %s\n", clicks.told[k].c_str());
+    } else {
+      std::fprintf(text_stream(), "%s\n", clicks.told[k].c_str());
+    }
+  }
 }
 
 /// Says of which files the points are a stroke, because the format has no way-points.
@@ -70,31 +128,45 @@ void tell_strokes(const Options& options) {
   for (const std::string& output : options.outputs) {
     if (!holds_way_points(output)) names += (names.empty() ? "" : ", ") + output;
   }
-  if (names.empty() || options.points != "exact") return;
+  if (names.empty() || options.points != "exact" || !options.written.resample.empty()) return;
   std::fprintf(text_stream(), "%s: the path, a stroke; .json, .vtp and .vtk hold way-points.\n",
                names.c_str());
 }
 
 int run(const Options& options, const GlobalOptions& global) {
-  const LengthUnit unit = LengthUnit::named(options.mesh_units);
+  check_unit(options.mesh_units);
+  check_points(options.written);
+  if (options.through.empty() && options.clicks.empty()) {
+    throw Error(ErrorCode::kBadUsage, "--through is required, or --clicks.");
+  }
   FilePlan files;
   files.reads("the mesh", options.mesh);
+  files.reads("--clicks", options.clicks);
   files.writes("-o", options.outputs, check_curve_name);
   files.check();
   const ReadMesh read = read_and_repair(options.mesh, options.repair);
   const SurfaceMesh mesh = SurfaceMesh::open(read.lists);
+  const CoordinateFrame frame = with_unit(read.lists.frame(), options.mesh_units);
   std::vector<PlacedCurve> curves;
+  std::string spacing;
   try {
-    PlacedCurve curve = drawn(mesh, read.map.get(), options, progress_bar(global.quiet));
-    curves.push_back(in_file_numbers(read.map.get(), std::move(curve)));
+    const Progress progress = progress_bar(global.quiet);
+    const Clicks clicks = options.clicks.empty()
+                              ? given_vertices(mesh, read.map.get(), options)
+                              : clicks_of_file(mesh, read.map.get(), options, frame, progress);
+    tell_clicks(clicks, global.quiet);
+    ReadyCurve made = drawn(mesh, clicks, options, frame, progress);
+    if (made.spacing) spacing = spacing_text(made);
+    curves.push_back(in_file_numbers(read.map.get(), std::move(made.curve)));
   } catch (const Error& error) {
     rethrow_with_weld_hint(error, read.lists);
   }
   clear_progress_bar();
   for (const std::string& output : options.outputs) {
-    write_output(output, curve_bytes(output, curves, unit));
+    write_output(output, curve_bytes(output, curves, frame));
   }
   if (!global.quiet) tell_strokes(options);
+  if (!global.quiet && !spacing.empty()) std::fprintf(text_stream(), "%s\n", spacing.c_str());
   for (const std::string& change : read.changes) {
     if (!global.quiet) std::fprintf(text_stream(), "%s\n", change.c_str());
   }
@@ -108,11 +180,16 @@ Command add_draw(CLI::App& app, const GlobalOptions& global) {
   CLI::App* command = app.add_subcommand(
       "draw", "Draw a curve through mesh vertices: straight over the faces, or along edges");
   command->add_option("mesh", options->mesh, "Mesh: OBJ, OFF, PLY, STL or OM")->required();
+  CLI::Option* through =
+      command
+          ->add_option("--through", options->through,
+                       "Vertex numbers from 0, separated by commas, in the order of drawing")
+          ->delimiter(',');
   command
-      ->add_option("--through", options->through,
-                   "Vertex numbers from 0, separated by commas, in the order of drawing")
-      ->delimiter(',')
-      ->required();
+      ->add_option("--clicks", options->clicks,
+                   "Instead: points in space, each put on the nearest point of the mesh, of a list "
+                   "or curve of 3D Slicer: .fcsv or .mrk.json")
+      ->excludes(through);
   command->add_flag("--closed", options->closed, "Go back to the first vertex");
   CLI::Option* straight = command->add_flag(
       "--straight", options->straight,
@@ -132,10 +209,11 @@ Command add_draw(CLI::App& app, const GlobalOptions& global) {
   command
       ->add_option(
           "-o,--output", options->outputs,
-          "Curve: .obj, .ply, .vtp, .vtk, .mrk.json, .border, .txt (vertex numbers) or .json")
+          "Curve: .obj, .ply, .vtp, .vtk, .mrk.json, .border, .fcsv, .txt (vertex numbers) or .json")
       ->required();
   add_repair_option(*command, options->repair);
   add_unit_option(*command, options->mesh_units);
+  add_point_options(*command, options->written);
   return [options, &global] { return run(*options, global); };
 }
 

@@ -14,12 +14,12 @@
 
 namespace talweg::driver {
 
-SnappedDrawing DrawingReader::read(std::span<const std::string> paths, const LengthUnit& unit,
+SnappedDrawing DrawingReader::read(std::span<const std::string> paths, const CoordinateFrame& frame,
                                    const Progress& progress) {
   SnappedDrawing drawing;
   if (!lines_) lines_.emplace(mesh_->surface());
   for (const std::string& path : paths) {
-    std::vector<CurveInput> inputs = read_curves(path, unit);
+    std::vector<CurveInput> inputs = read_curves(path, frame);
     for (CurveInput& input : inputs) {
       if (map_ != nullptr) input = map_->to_repaired(input, mesh_->surface());
     }
@@ -47,8 +47,8 @@ void DrawingReader::add(const std::vector<CurveInput>& inputs, SnappedDrawing& d
 }
 
 SnappedDrawing read_drawing(const std::string& path, const SurfaceMesh& mesh, const RepairMap* map,
-                            const LengthUnit& unit) {
-  return DrawingReader(mesh, map).read(std::span(&path, 1), unit);
+                            const CoordinateFrame& frame) {
+  return DrawingReader(mesh, map).read(std::span(&path, 1), frame);
 }
 
 namespace {

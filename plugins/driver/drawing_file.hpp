@@ -7,13 +7,13 @@
 #include <string>
 #include <vector>
 
-#include "talweg/core/drawing/length_unit.hpp"
 #include "talweg/core/drawing/snapped_drawing.hpp"
 #include "talweg/core/drawing/straight_lines.hpp"
 #include "talweg/core/io/label_file.hpp"
 #include "talweg/core/mesh/closest_point.hpp"
 #include "talweg/core/mesh/surface_mesh.hpp"
 #include "talweg/core/repair/repair_map.hpp"
+#include "talweg/core/space/coordinate_frame.hpp"
 #include "talweg/core/strokes/drawn_loops.hpp"
 #include "talweg/intrinsic/progress.hpp"
 #include "talweg/intrinsic/surface/surface_point.hpp"
@@ -29,9 +29,9 @@ class DrawingReader {
       : mesh_(&mesh), map_(map) {}
   /// What the ends of curves are that are read from now on; open by default.
   void set_ends(CurveEnds ends) { ends_ = ends; }
-  /// The curves of all files, in their order; `unit` is that of the mesh. Throws Cancelled, and
+  /// The curves of all files, in their order; `frame` is that of the mesh. Throws Cancelled, and
   /// Error as read_curves(), snap() and StraightLines::join() do, with a hint if welding may help.
-  SnappedDrawing read(std::span<const std::string> paths, const LengthUnit& unit = {},
+  SnappedDrawing read(std::span<const std::string> paths, const CoordinateFrame& frame = {},
                       const Progress& progress = {});
 
  private:
@@ -48,7 +48,7 @@ class DrawingReader {
 
 /// The same for one file.
 SnappedDrawing read_drawing(const std::string& path, const SurfaceMesh& mesh,
-                            const RepairMap* map = nullptr, const LengthUnit& unit = {});
+                            const RepairMap* map = nullptr, const CoordinateFrame& frame = {});
 
 /// Labels of a file; if there was a map, converted to the repaired mesh.
 struct ReadLabels : LabelFile {

@@ -98,6 +98,8 @@ std::string size_lines(const MeshInspection& m) {
   text += line("smallest angle",
                fmt::format("{:.3g} degrees", m.smallest_angle * 180 / std::numbers::pi));
   text += line("coordinates", m.single_precision ? "single precision" : "double precision");
+  if (m.unit) text += line("unit", m.unit->code());
+  if (m.space != PatientSpace::kNotSaid) text += line("space", std::string(space_name(m.space)));
   return text;
 }
 

@@ -30,6 +30,7 @@
 #include "talweg/core/repair/weld_hint.hpp"
 #include "talweg/intrinsic/error.hpp"
 #include "talweg/intrinsic/stopwatch.hpp"
+#include "written_points.hpp"
 
 namespace talweg::driver {
 namespace {
@@ -47,7 +48,8 @@ struct LabelsOptions {
   std::string property;
   std::string junctions = "fixed";
   std::string ends = "stay";
-  std::string mesh_units = "mm";
+  std::string mesh_units;
+  WrittenPoints written;
   LabelNetworkOptions network;
   std::optional<double> budget, budget_work;
 };
@@ -191,17 +193,17 @@ void write_cut(const std::string& path, LabelNetwork& network, const SurfaceMesh
 void write(const LabelsOptions& o, LabelNetwork& network, const SurfaceMesh& mesh,
            const RepairMap* map, const MeshAttributes& attributes,
            const std::vector<std::string>& warnings, const ReadLabels& labels,
-           const LabelOutput& returned) {
+           const LabelOutput& returned, const CoordinateFrame& frame) {
   std::vector<PlacedCurve> placed;
   std::vector<SideLabels> sides;
   for (const SmoothedBorder& border : network.borders) {
     sides.push_back({border.border.labels[0], border.border.labels[1]});
-    placed.push_back(in_file_numbers(map, place(mesh, border.border.curve, placed.size())));
+    ReadyCurve made = ready(mesh, border.border.curve, placed.size(), o.written, frame);
+    placed.push_back(in_file_numbers(map, std::move(made.curve)));
   }
-  const LengthUnit unit = LengthUnit::named(o.mesh_units);
   OutputAttempts attempts;
   for (const std::string& output : o.outputs) {
-    attempts.make([&] { write_output(output, border_bytes(output, placed, sides, unit)); });
+    attempts.make([&] { write_output(output, border_bytes(output, placed, sides, frame)); });
   }
   const auto write_text = [&](const std::string& path, const auto& text) {
     if (!path.empty()) attempts.make([&] { write_output(path, text()); });
@@ -234,12 +236,14 @@ void check_files(const LabelsOptions& o) {
 }
 
 int run_labels(const LabelsOptions& o, const GlobalOptions& global) {
-  LengthUnit::named(o.mesh_units);
+  check_unit(o.mesh_units);
+  check_points(o.written);
   check_files(o);
   MeshAttributes attributes;
   const Stopwatch since_start;
   ReadMesh read = read_and_repair(o.mesh, o.repair, attributes);
   const bool single = read.lists.single_precision;
+  const CoordinateFrame frame = with_unit(read.lists.frame(), o.mesh_units);
   std::vector<std::string> warnings = reading_warnings({}, read.lists.polygon_count);
   const auto mesh = OpenedMesh::open(std::move(read.lists));
   const ReadLabels file = read_labels(o.labels, mesh->surface(), read.map.get(), o.property);
@@ -274,9 +278,11 @@ int run_labels(const LabelsOptions& o, const GlobalOptions& global) {
     returned = new_labels(o, network, mesh->surface(), read.map.get(), file, warnings);
   }
   network.cut.lists.single_precision = single;
+  network.cut.lists.space = frame.space;
   network.total.time_ms.load = load_ms;
   network.total.time_ms.total += load_ms;
-  write(o, network, mesh->mesh(), read.map.get(), attributes, warnings, file, returned);
+  write(o, network, mesh->mesh(), read.map.get(), attributes, warnings, file, returned,
+        frame);
   if (!global.quiet) {
     std::fputs(summary_of(network, ms).c_str(), text_stream());
     for (const std::string& warning : warnings) {
@@ -356,6 +362,7 @@ Command add_labels(CLI::App& app, const GlobalOptions& global) {
   command->add_option("--report", o->report, "What was done and measured, as JSON");
   add_repair_option(*command, o->repair);
   add_unit_option(*command, o->mesh_units);
+  add_point_options(*command, o->written);
   return [o, &global] { return run_labels(*o, global); };
 }
 

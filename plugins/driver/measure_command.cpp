@@ -23,22 +23,24 @@ struct MeasureOptions {
   std::string other;
   std::string report;
   std::string repair;
-  std::string mesh_units = "mm";
+  std::string mesh_units;
   CurveMeasurementOptions measurement;
 };
 
 CurveMeasurement measure(const MeasureOptions& options, const Progress& progress, bool quiet) {
-  const LengthUnit unit = LengthUnit::named(options.mesh_units);
+  check_unit(options.mesh_units);
   options.measurement.validate();
   ReadMesh read = read_and_repair(options.mesh, options.repair);
   const std::size_t polygons = read.lists.polygon_count;
+  const CoordinateFrame frame = with_unit(read.lists.frame(), options.mesh_units);
   const SurfaceMesh mesh = SurfaceMesh::open(std::move(read.lists));
-  SnappedDrawing drawing = read_drawing(options.curve, mesh, read.map.get(), unit);
+  SnappedDrawing drawing = read_drawing(options.curve, mesh, read.map.get(), frame);
   lead_with_far_move(drawing, quiet);
   SnappedDrawing other;
   if (!options.other.empty()) {
-    other = read_drawing(options.other, mesh, read.map.get(), unit);
+    other = read_drawing(options.other, mesh, read.map.get(), frame);
     lead_with_far_move(other, quiet);
+    drawing.told.insert(drawing.told.end(), other.told.begin(), other.told.end());
     if (other.largest_snap_distance > drawing.largest_snap_distance) {
       drawing.largest_snap_distance = other.largest_snap_distance;
       drawing.moved = other.moved;
@@ -66,7 +68,7 @@ Command add_measure(CLI::App& app, const GlobalOptions& global) {
   command
       ->add_option(
           "curve", o->curve,
-          "Curves: .obj, .ply, .vtp, .vtk, .mrk.json, .border, .txt (vertex numbers) or .json")
+          "Curves: .obj, .ply, .vtp, .vtk, .mrk.json, .border, .fcsv, .txt (vertex numbers) or .json")
       ->required();
   command->add_option("other", o->other,
                       "Curves to compare with: as many are compared one by one in their order, "

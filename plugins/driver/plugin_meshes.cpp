@@ -46,12 +46,13 @@ void check_tag(const std::string& path) {
 }
 
 PluginMeshes::PluginMeshes(const host::Instance& instance, const host::Results& results,
-                           const MeshAttributes& attributes, bool single) {
+                           const MeshAttributes& attributes, bool single, PatientSpace space) {
   const talweg_meshes* extension = meshes_of(instance.plugin());
   for (const host::Mesh& mesh : results.meshes) {
     const std::size_t number = meshes_.size();
     Made& made = meshes_.emplace_back();
     made.lists.single_precision = single;
+    made.lists.space = space;
     for (const auto& p : mesh.positions) made.lists.points.emplace_back(p.data());
     made.lists.triangles.assign(mesh.triangles.begin(), mesh.triangles.end());
     if (extension == nullptr) continue;

@@ -25,7 +25,7 @@ class PluginMeshes {
   /// Takes the meshes of the instance's last run. `attributes`: of the mesh that went in; `single`:
   /// whether its file stores coordinates as 32-bit floats.
   PluginMeshes(const host::Instance& instance, const host::Results& results,
-               const MeshAttributes& attributes, bool single);
+               const MeshAttributes& attributes, bool single, PatientSpace space);
 
   [[nodiscard]] bool empty() const { return meshes_.empty(); }
   /// One is written to this file; of several "out.ply" becomes "out-0.ply", "out-1.ply", ...

@@ -21,8 +21,16 @@ void add_repair_option(CLI::App& app, std::string& list) {
 void add_unit_option(CLI::App& app, std::string& unit) {
   app.add_option("--mesh-units", unit,
                  "The unit of the mesh's coordinates, for .mrk.json files, which name theirs: pm, "
-                 "nm, um, mm, cm, dm, m, km, in or ft")
-      ->capture_default_str();
+                 "nm, um, mm, cm, dm, m, km, in or ft (default: what the mesh says, or mm)");
+}
+
+void check_unit(const std::string& unit) {
+  if (!unit.empty()) LengthUnit::named(unit);
+}
+
+CoordinateFrame with_unit(CoordinateFrame frame, const std::string& unit) {
+  if (!unit.empty()) frame.unit = LengthUnit::named(unit);
+  return frame;
 }
 
 void check_repair(const std::string& list) {
@@ -44,6 +52,8 @@ ReadMesh repaired(MeshLists lists, const std::string& list) {
   if (list.empty()) return mesh;
   RepairedMesh repaired = repair_to_surface(mesh.lists, repair_steps(list));
   mesh.changes = sentences(repaired.changes);
+  repaired.lists.unit = mesh.lists.unit;
+  repaired.lists.space = mesh.lists.space;
   mesh.lists = std::move(repaired.lists);
   mesh.map = std::make_shared<const RepairMap>(std::move(repaired.map));
   return mesh;

@@ -22,8 +22,12 @@ struct ReadMesh {
 /// Adds --repair[=LIST]; `list` stays empty without it.
 void add_repair_option(CLI::App& app, std::string& list);
 
-/// Adds --mesh-units UNIT; `unit` keeps its value, "mm", without it.
+/// Adds --mesh-units UNIT; `unit` stays empty without it.
 void add_unit_option(CLI::App& app, std::string& unit);
+/// Throws Error(kBadUsage) if `unit` is neither empty nor a unit.
+void check_unit(const std::string& unit);
+/// The frame of a mesh in this unit, unless it is empty. Throws as check_unit().
+CoordinateFrame with_unit(CoordinateFrame frame, const std::string& unit);
 
 /// Reads a mesh, and repairs it unless `list` is empty. Throws Error as read_mesh(), repair_steps()
 /// and repair() do, and Error(kBadMesh) if the repaired mesh cannot be used.

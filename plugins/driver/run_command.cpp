@@ -21,6 +21,7 @@
 #include "plugin_options.hpp"
 #include "progress_bar.hpp"
 #include "repaired_mesh.hpp"
+#include "talweg/core/drawing/better_fit.hpp"
 #include "talweg/core/drawing/corner_coordinates.hpp"
 #include "talweg/core/drawing/snapping.hpp"
 #include "talweg/core/io/border_file.hpp"
@@ -45,11 +46,11 @@ struct Files {
   bool tag = false;
   std::map<std::string, std::string> fields;  ///< by name
   std::string repair;                         ///< steps; empty for none
-  std::string mesh_units = "mm";
+  std::string mesh_units;
 };
 
 void plan(const Files& files, const PluginOptions& options) {
-  LengthUnit::named(files.mesh_units);
+  check_unit(files.mesh_units);
   FilePlan plan;
   plan.reads("the mesh", files.mesh);
   plan.reads("--curve", files.curves);
@@ -75,9 +76,10 @@ void add_files(CLI::App& app, const talweg_plugin& plugin, Files& files) {
   add_repair_option(app, files.repair);
   add_unit_option(app, files.mesh_units);
   if ((plugin.flags & TALWEG_TAKES_CURVES) != 0) {
-    app.add_option("--curve", files.curves,
-                   "Curves: .obj, .ply, .vtp, .vtk, .mrk.json, .txt (vertex numbers) or .json; may "
-                   "be given several times")
+    app.add_option(
+           "--curve", files.curves,
+           "Curves: .obj, .ply, .vtp, .vtk, .mrk.json, .fcsv, .txt (vertex numbers) or .json; may "
+           "be given several times")
         ->required();
   }
   if (gives(plugin, TALWEG_OUTPUT_CURVES)) {
@@ -116,16 +118,18 @@ std::string list_text(const host::ReportEntry& entry) {
   return fmt::format("{:.6g}", fmt::join(entry.numbers, " "));
 }
 
-/// Reads the curves of the files, converted to the numbers of the mesh.
-std::vector<host::Curve> curves_on(const ReadMesh& mesh, const Files& files) {
-  const LengthUnit unit = LengthUnit::named(files.mesh_units);
+/// Reads the curves of the files, converted to the numbers of the mesh; tells what that did.
+std::vector<host::Curve> curves_on(const ReadMesh& mesh, const Files& files,
+                                   std::vector<std::string>& told) {
+  const CoordinateFrame frame = with_unit(mesh.lists.frame(), files.mesh_units);
   Surface surface;
   if (mesh.map != nullptr) {
     surface = Surface::from_triangles(mesh.lists.points.size(), mesh.lists.triangles);
   }
   std::vector<host::Curve> curves;
   for (const std::string& path : files.curves) {
-    for (CurveInput& curve : read_curves(path, unit)) {
+    for (CurveInput& curve : read_curves(path, frame)) {
+      told.insert(told.end(), curve.told.begin(), curve.told.end());
       if (mesh.map != nullptr) curve = mesh.map->to_repaired(curve, surface);
       if (const auto* between = std::get_if<std::vector<CornerCoordinates>>(&curve.points)) {
         if (surface.face_count() == 0) {
@@ -197,7 +201,8 @@ std::vector<SideLabels> sides_of(const host::Results& results) {
 }
 
 void write_results(const Files& files, const talweg_plugin& plugin, const host::Results& results,
-                   const PluginMeshes& meshes, const ReadMesh& mesh) {
+                   const PluginMeshes& meshes, const ReadMesh& mesh,
+                   const CoordinateFrame& frame) {
   const RepairMap* map = mesh.map.get();
   std::vector<PlacedCurve> curves;
   for (const host::Curve& curve : results.curves) {
@@ -205,13 +210,12 @@ void write_results(const Files& files, const talweg_plugin& plugin, const host::
     if (!mesh.lists.triangles.empty()) add_corners(placed, mesh.lists);
     curves.push_back(in_file_numbers(map, std::move(placed)));
   }
-  const LengthUnit unit = LengthUnit::named(files.mesh_units);
   const std::vector<SideLabels> sides = sides_of(results);
   OutputAttempts attempts;
   for (const std::string& output : files.outputs) {
     attempts.make([&] {
-      write_output(output, sides.empty() ? curve_bytes(output, curves, unit)
-                                         : border_bytes(output, curves, sides, unit));
+      write_output(output, sides.empty() ? curve_bytes(output, curves, frame)
+                                         : border_bytes(output, curves, sides, frame));
     });
   }
   for (const auto& field : files.fields) {
@@ -250,7 +254,8 @@ void lead_with_far_results(const host::Results& results) {
   for (const host::ReportEntry& entry : results.report) {
     if (entry.curve >= 0 || entry.key != "warnings") continue;
     for (const std::string& warning : entry.texts) {
-      if (!warning.starts_with(kFarFromMesh)) continue;
+      const bool fits_elsewhere = warning.find(kWouldFit) != warning.npos;
+      if (!warning.starts_with(kFarFromMesh) && !fits_elsewhere) continue;
       std::fprintf(stderr, "talweg: warning: %s\n", warning.c_str());
     }
   }
@@ -292,6 +297,7 @@ int run_plugin(const talweg_plugin& plugin, const Files& files, const PluginOpti
       });
   host::Results results;
   ReadMesh mesh;
+  CoordinateFrame frame;
   PluginMeshes meshes;
   try {
     host::Instance instance(plugin, services);
@@ -301,7 +307,10 @@ int run_plugin(const talweg_plugin& plugin, const Files& files, const PluginOpti
     mesh = mesh_for(plugin, options, files, attributes);
     set_mesh(instance, mesh.lists);
     const bool single = mesh.lists.single_precision;
-    const std::vector<host::Curve> curves = curves_on(mesh, files);
+    frame = with_unit(mesh.lists.frame(), files.mesh_units);
+    std::vector<std::string> told;
+    const std::vector<host::Curve> curves = curves_on(mesh, files, told);
+    mesh.changes.insert(mesh.changes.end(), told.begin(), told.end());
     if (!writes_borders(files)) mesh.lists = {};
     if (!curves.empty()) instance.set_curves(curves);
     host::Wanted wanted;
@@ -314,7 +323,7 @@ int run_plugin(const talweg_plugin& plugin, const Files& files, const PluginOpti
       wanted.vertex_fields = wanted.vertex_fields || !path.empty();
     }
     results = instance.run(wanted);
-    if (wanted.meshes) meshes = PluginMeshes(instance, results, attributes, single);
+    if (wanted.meshes) meshes = PluginMeshes(instance, results, attributes, single, frame.space);
   } catch (const host::Error& error) {
     if (error.status() != TALWEG_CANCELLED) rethrow_with_hint(error, files);
     clear_progress_bar();
@@ -323,7 +332,7 @@ int run_plugin(const talweg_plugin& plugin, const Files& files, const PluginOpti
   }
   clear_progress_bar();
   if (!global.quiet) lead_with_far_results(results);
-  write_results(files, plugin, results, meshes, mesh);
+  write_results(files, plugin, results, meshes, mesh, frame);
   for (std::string& change : repairs_in(results)) mesh.changes.push_back(std::move(change));
   for (const std::string& change : mesh.changes) {
     if (!global.quiet) fmt::print(text_stream(), "{}\n", change);

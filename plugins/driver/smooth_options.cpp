@@ -25,7 +25,7 @@ CLI::Option* add(CLI::App& app, const char* id, Value& value) {
 
 void add_inputs(CLI::App& app, SmoothOptions& o) {
   CLI::Option* curve = app.add_option("--curve", o.curves,
-                                      "Drawn curves: .obj, .ply, .vtp, .vtk, .mrk.json, .border, "
+                                      "Drawn curves: .obj, .ply, .vtp, .vtk, .mrk.json, .border, .fcsv, "
                                       ".txt (vertex numbers) or .json; may be "
                                       "given several times");
   app.add_option("--labels", o.labels,
@@ -55,6 +55,7 @@ void add_inputs(CLI::App& app, SmoothOptions& o) {
 void add_outputs(CLI::App& app, SmoothOptions& o) {
   app.add_option("-o,--output", o.outputs,
                  "Smoothed curves; the ending chooses the format; may be given several times");
+  add_point_options(app, o.written);
   app.add_option("--report", o.report, "What was done and measured, as JSON");
 }
 
@@ -179,7 +180,8 @@ void check_lists(const SmoothOptions& options, std::size_t curves) {
 
 void check_method(const SmoothOptions& options) {
   check_repair(options.repair);
-  LengthUnit::named(options.mesh_units);
+  check_unit(options.mesh_units);
+  check_points(options.written);
   points_choice(options);
   const bool corridor = options.potential == "corridor";
   const auto fail = [](const std::string& text) { throw Error(ErrorCode::kBadUsage, text); };

@@ -10,6 +10,7 @@
 
 #include "file_plan.hpp"
 #include "methods/smooth/smooth_parameters.hpp"
+#include "written_points.hpp"
 
 namespace talweg::driver {
 
@@ -18,9 +19,10 @@ struct SmoothOptions {
   std::string repair;               ///< steps; empty for none
   std::vector<std::string> curves;  ///< files
   std::string labels;               ///< a file of labels whose borders are the curves
-  std::string mesh_units = "mm";    ///< the unit of the mesh, for files that name theirs
+  std::string mesh_units;           ///< the unit of the mesh; empty: what its file says
   bool independent = false;         ///< smooth each curve separately instead of all as one set
   std::vector<std::string> outputs;
+  WrittenPoints written;  ///< the points of outputs
   std::string report;
   std::string potential = plugins::smooth_parameter("potential").default_choice;
   std::string engine = plugins::smooth_parameter("engine").default_choice;

@@ -43,6 +43,7 @@ struct Prepared {
   std::vector<double> distance;     ///< per vertex; empty unless given
   std::vector<double> slack_field;  ///< per vertex; empty unless given
   const SmoothOptions* options = nullptr;
+  CoordinateFrame frame;  ///< of the mesh
   Progress progress;
   std::vector<std::string> warnings;
   SnappedDrawing moved;  ///< without its curves and pins
@@ -96,10 +97,11 @@ Prepared prepare(const MeshFromFile& mesh, DrawingReader& reader, const SmoothOp
   reader.set_ends(curve_ends(options.ends));
   SnappedDrawing drawing =
       options.labels.empty()
-          ? reader.read(options.curves, LengthUnit::named(options.mesh_units), progress)
+          ? reader.read(options.curves, with_unit(mesh.frame, options.mesh_units), progress)
           : drawing_of_labels(options.labels, surface, mesh.map.get());
   Prepared run;
   run.options = &options;
+  run.frame = with_unit(mesh.frame, options.mesh_units);
   run.progress = progress;
   run.load_ms = mesh.load_ms;
   check_lists(options, drawing.curves.size());
@@ -145,6 +147,7 @@ Prepared alone(const Prepared& run, std::size_t curve) {
   one.distance = run.distance;
   one.slack_field = run.slack_field;
   one.options = run.options;
+  one.frame = run.frame;
   one.progress = run.progress;
   one.warnings = run.warnings;
   one.moved = run.moved;
@@ -245,11 +248,13 @@ SmoothingResult smooth_once(CurveSmoother& smoother, const Prepared& run,
   return plugins::smooth_by(parameters, smoother, own, is_free(run), run.progress);
 }
 
-PlacedResult placed(const SurfaceMesh& mesh, SmoothingResult result) {
+PlacedResult placed(const SurfaceMesh& mesh, SmoothingResult result, const Prepared& run) {
   PlacedResult smoothed;
   smoothed.reports = std::move(result.reports);
   for (const SurfaceCurve& curve : result.curves) {
-    smoothed.curves.push_back(place(mesh, curve, smoothed.curves.size()));
+    ReadyCurve made = ready(mesh, curve, smoothed.curves.size(), run.options->written, run.frame);
+    if (made.spacing) smoothed.spacings.push_back(*made.spacing);
+    smoothed.curves.push_back(std::move(made.curve));
   }
   return smoothed;
 }
@@ -268,7 +273,7 @@ PlacedResult smooth_set(CurveSmoother& smoother, const Prepared& run) {
         result.total.termination = smoothed.total.termination;
         return result;
       }
-      result = placed(smoother.opened().mesh(), std::move(smoothed));
+      result = placed(smoother.opened().mesh(), std::move(smoothed), run);
       for (std::size_t c = 0; c < times.size(); ++c) times[c].push_back(result.reports[c].time_ms);
     }
   } catch (const plugin::Failure& failure) {
@@ -292,6 +297,8 @@ RunOutcome gathered(std::vector<PlacedResult> results, std::vector<CurveFailure>
     outcome.numbers.push_back(i);
     outcome.result.curves.push_back(std::move(results[i].curves.front()));
     outcome.result.reports.push_back(std::move(results[i].reports.front()));
+    if (results[i].spacings.empty()) continue;
+    outcome.result.spacings.push_back(results[i].spacings.front());
   }
   if (!outcome.numbers.empty()) outcome.result.total = total_of(outcome.result.reports);
   return outcome;
@@ -325,6 +332,30 @@ RunOutcome smooth_each(std::vector<std::unique_ptr<CurveSmoother>>& smoothers,
   return gathered(std::move(results), std::move(failures));
 }
 
+void add_resampling(std::vector<ReportEntry>& entries, std::size_t points, double spacing) {
+  entries.push_back({"resampled_points", std::uint64_t{points}});
+  entries.push_back({"resampled_spacing", spacing});
+}
+
+/// The report; of resampled curves also how many points they have and how far apart these are: in
+/// the totals all points, and the largest spacing.
+std::string report_json(const PlacedResult& result) {
+  std::vector<ReportEntry> total = entries_of(result.total);
+  std::vector<std::vector<ReportEntry>> curves;
+  std::size_t points = 0;
+  for (std::size_t c = 0; c < result.reports.size(); ++c) {
+    curves.push_back(entries_of(result.reports[c]));
+    if (result.spacings.empty()) continue;
+    add_resampling(curves.back(), result.curves[c].positions.size(), result.spacings[c]);
+    points += result.curves[c].positions.size();
+  }
+  if (!result.spacings.empty()) {
+    add_resampling(total, points,
+                   *std::max_element(result.spacings.begin(), result.spacings.end()));
+  }
+  return to_json(total, curves);
+}
+
 }  // namespace
 
 bool RunOutcome::cancelled() const { return is_cancelled(result.total); }
@@ -337,6 +368,7 @@ MeshFromFile load_mesh(const std::string& path, const std::string& repair) {
   mesh.changes = std::move(read.changes);
   mesh.load_ms = watch.ms();
   mesh.polygons = read.lists.polygon_count;
+  mesh.frame = read.lists.frame();
   mesh.opened = OpenedMesh::open(std::move(read.lists));
   return mesh;
 }
@@ -361,6 +393,7 @@ RunOutcome Workspace::smooth(const SmoothOptions& options, const Progress& progr
     for (std::size_t i = 0; i < outcome.result.curves.size(); ++i) outcome.numbers.push_back(i);
   }
   outcome.moved = run.moved;
+  outcome.frame = run.frame;
   for (PlacedCurve& curve : outcome.result.curves) {
     curve = in_file_numbers(mesh_.map.get(), std::move(curve));
   }
@@ -369,15 +402,13 @@ RunOutcome Workspace::smooth(const SmoothOptions& options, const Progress& progr
 
 void write_run(const SmoothOptions& options, const RunOutcome& outcome) {
   if (outcome.cancelled() || outcome.result.curves.empty()) return;
-  const LengthUnit unit = LengthUnit::named(options.mesh_units);
   OutputAttempts attempts;
   for (const std::string& output : options.outputs) {
-    attempts.make([&] { write_output(output, curve_bytes(output, outcome.result.curves, unit)); });
+    attempts.make(
+        [&] { write_output(output, curve_bytes(output, outcome.result.curves, outcome.frame)); });
   }
   if (!options.report.empty()) {
-    attempts.make([&] {
-      write_output(options.report, to_json(outcome.result.total, outcome.result.reports));
-    });
+    attempts.make([&] { write_output(options.report, report_json(outcome.result)); });
   }
   attempts.finish();
 }

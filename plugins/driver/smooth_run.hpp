@@ -21,6 +21,7 @@ namespace talweg::driver {
 struct MeshFromFile {
   std::shared_ptr<const OpenedMesh> opened;
   double load_ms = 0;
+  CoordinateFrame frame;                 ///< of the coordinates, as the file says
   std::size_t polygons = 0;              ///< number of polygons that were split into triangles
   std::shared_ptr<const RepairMap> map;  ///< to the file's numbers; null without a repair
   std::vector<std::string> changes;      ///< made by the repair, as sentences
@@ -40,6 +41,7 @@ struct CurveFailure {
 /// The result of smoothing, ready to be written.
 struct PlacedResult {
   std::vector<PlacedCurve> curves;
+  std::vector<double> spacings;  ///< of the curves' points, if they were resampled; mesh units
   std::vector<SmoothingReport> reports;
   SmoothingReport total;
 };
@@ -49,7 +51,8 @@ struct RunOutcome {
   PlacedResult result;
   std::vector<std::size_t> numbers;  ///< numbers of result.curves among the run's curves
   std::vector<CurveFailure> failures;
-  SnappedDrawing moved;  ///< how far the curves were moved onto the mesh; has no curves
+  CoordinateFrame frame;  ///< of the mesh
+  SnappedDrawing moved;   ///< how far the curves were moved onto the mesh; has no curves
 
   [[nodiscard]] bool cancelled() const;
 };

@@ -5,9 +5,9 @@
 namespace talweg::editing {
 namespace {
 
-const talweg_curve_files& files_of(const Plugins& plugins) {
-  const auto* files = static_cast<const talweg_curve_files*>(
-      plugins.find("talweg.draw").get_extension(TALWEG_CURVE_FILES));
+const talweg_curve_files_2& files_of(const Plugins& plugins) {
+  const auto* files = static_cast<const talweg_curve_files_2*>(
+      plugins.find("talweg.draw").get_extension(TALWEG_CURVE_FILES_2));
   if (files == nullptr) throw Error("This talweg.draw cannot read and write files.");
   return *files;
 }
@@ -24,20 +24,21 @@ talweg_status append(void* context, const talweg_curve* curve) {
 }  // namespace
 
 void write_curves(const Plugins& plugins, const std::string& path,
-                  const std::vector<host::Curve>& curves) {
+                  const std::vector<host::Curve>& curves, const std::string& frame) {
   const host::detail::CurveViews views(curves);
   std::string message(1000, 0);
-  const talweg_status status = files_of(plugins).write(path.c_str(), views.data(), views.size(),
-                                                       message.data(), message.size());
+  const talweg_status status = files_of(plugins).write(
+      path.c_str(), frame.c_str(), views.data(), views.size(), message.data(), message.size());
   if (status != TALWEG_OK) throw host::Error(status, message.c_str());
 }
 
-std::vector<host::Curve> read_curves(const Plugins& plugins, const std::string& path) {
+std::vector<host::Curve> read_curves(const Plugins& plugins, const std::string& path,
+                                     const std::string& frame) {
   std::vector<host::Curve> curves;
   const talweg_sink sink = {sizeof sink, 0, &curves, append, nullptr, nullptr, nullptr};
   std::string message(1000, 0);
   const talweg_status status =
-      files_of(plugins).read(path.c_str(), &sink, message.data(), message.size());
+      files_of(plugins).read(path.c_str(), frame.c_str(), &sink, message.data(), message.size());
   if (status != TALWEG_OK) throw host::Error(status, message.c_str());
   return curves;
 }

@@ -10,12 +10,14 @@
 namespace talweg::editing {
 
 /// Writes result curves with their faces, barycentrics and positions, by extension (.json, .vtp,
-/// .obj, ...). Throws host::Error; the file is then unchanged.
+/// .obj, ...). `frame` is what the mesh's file says of its coordinates (talweg_mesh_files.h).
+/// Throws host::Error; the file is then unchanged.
 void write_curves(const Plugins& plugins, const std::string& path,
-                  const std::vector<host::Curve>& curves);
+                  const std::vector<host::Curve>& curves, const std::string& frame = {});
 
 /// All curves of a file, as input for set_curves(). Throws host::Error.
-std::vector<host::Curve> read_curves(const Plugins& plugins, const std::string& path);
+std::vector<host::Curve> read_curves(const Plugins& plugins, const std::string& path,
+                                     const std::string& frame = {});
 
 /// A drawing's own points, for a file from which the drawing can be read again. Throws Error.
 std::vector<host::Curve> drawn_curves(const MeshArrays& mesh, const Drawing& drawing);

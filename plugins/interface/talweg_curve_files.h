@@ -33,8 +33,11 @@ typedef struct talweg_curve_files {
                         uint64_t message_size);
 } talweg_curve_files;
 
-/* For meshes in any unit. `mesh_unit` is its UCUM code ("mm", "cm", "m", "um", "[in_i]", ...; null:
- * "mm"); one that is not known is TALWEG_BAD_USAGE. All else is as above. */
+/* For meshes in any unit and space. `mesh_unit` is the unit's UCUM code ("mm", "cm", "m", "um",
+ * "[in_i]", ...; null: "mm"), or what talweg_mesh_file's `frame` says: also "RAS" or "mm RAS", and
+ * positions of files in another space get x and y turned. One that is not known is
+ * TALWEG_BAD_USAGE. After a success `message` of read tells what was converted or left out, a few
+ * sentences, or is empty. All else is as above. */
 typedef struct talweg_curve_files_2 {
   uint32_t size;
   talweg_status (*write)(const char* path, const char* mesh_unit,

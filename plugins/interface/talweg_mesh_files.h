@@ -39,6 +39,10 @@ typedef struct talweg_mesh_file {
   uint64_t polygon_count; /* of the file's faces, those with more than three corners; 0 to write */
   /* To write into .obj and .ply: edges of curves, 3 columns: two vertices, and the curve. */
   talweg_array edges;
+  /* What the file says of its coordinates: a unit (its UCUM code), the space of a patient (LPS or
+   * RAS), both ("mm RAS") or nothing (""). To write, null is nothing; formats without a place for it
+   * leave it out. talweg_curve_files_2 takes it. Structs of interface 1.2 end before it. */
+  const char* frame;
 } talweg_mesh_file;
 
 typedef talweg_status (*talweg_mesh_file_function)(void* context, const talweg_mesh_file* file);

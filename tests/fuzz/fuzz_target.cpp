@@ -36,6 +36,8 @@ const std::vector<Target>& targets() {
       {"curve_json", read_curve_bytes, curve_seeds, "c.json", 16.1},
       {"curve_slicer", read_curve_bytes, curve_seeds, "c.mrk.json", 13.2},
       {"curve_border", read_curve_bytes, curve_seeds, "c.border", 8},
+      {"curve_fcsv", read_curve_bytes, curve_seeds, "c.fcsv", 10},
+      {"clicks", read_click_bytes, curve_seeds, "c.mrk.json", 13.2},
       {"label_annot", read_label_bytes, label_seeds, "l.annot", 6.37},
       {"label_list", read_label_bytes, label_seeds, "l.label", 10.9},
       {"label_ply", read_label_bytes, label_seeds, "l.ply", 7.18},

@@ -28,6 +28,7 @@ std::uint64_t run(const Target& target, const std::uint8_t* data, std::size_t si
 
 void read_mesh_bytes(const Target& target, const std::uint8_t* data, std::size_t size);
 void read_curve_bytes(const Target& target, const std::uint8_t* data, std::size_t size);
+void read_click_bytes(const Target& target, const std::uint8_t* data, std::size_t size);
 void read_label_bytes(const Target& target, const std::uint8_t* data, std::size_t size);
 void read_field_bytes(const Target& target, const std::uint8_t* data, std::size_t size);
 void take_in(const Target& target, const std::uint8_t* data, std::size_t size);

@@ -5,6 +5,7 @@
 
 #include "fuzz_bytes.hpp"
 #include "fuzz_target.hpp"
+#include "talweg/core/io/click_file.hpp"
 #include "talweg/core/io/curve_file.hpp"
 #include "talweg/core/io/field_values.hpp"
 #include "talweg/core/io/label_file.hpp"
@@ -66,28 +67,45 @@ void read_mesh_bytes(const Target& target, const std::uint8_t* data, std::size_t
   }
 }
 
+namespace {
+
+void check_curve(const CurveInput& curve) {
+  const std::size_t n = std::visit([](const auto& list) { return list.size(); }, curve.points);
+  require(n > 0, "points");
+  for (std::size_t k = 0; k < curve.pins.size(); ++k) {
+    require(curve.pins[k] < n && (k == 0 || curve.pins[k - 1] < curve.pins[k]), "pins");
+  }
+  if (const auto* positions = std::get_if<std::vector<Point>>(&curve.points)) {
+    for (const Point& p : *positions) require(p.allFinite(), "finite coordinates");
+  } else if (const auto* places = std::get_if<std::vector<FaceCoordinates>>(&curve.points)) {
+    for (const FaceCoordinates& at : *places) {
+      for (const double b : at.barycentric) require(std::isfinite(b), "finite barycentrics");
+    }
+  } else if (const auto* between = std::get_if<std::vector<CornerCoordinates>>(&curve.points)) {
+    for (const CornerCoordinates& at : *between) {
+      for (const double w : at.weights) require(std::isfinite(w) && w >= 0, "weights");
+    }
+  }
+  for (const std::string& sentence : curve.told) {
+    for (const char c : sentence) require(c >= ' ' && c <= '~', "printable sentences");
+  }
+}
+
+}  // namespace
+
 void read_curve_bytes(const Target& target, const std::uint8_t* data, std::size_t size) {
   try {
     const std::vector<CurveInput> curves = read_curves(target.file, text_of(data, size));
     require(!curves.empty(), "curves");
-    for (const CurveInput& curve : curves) {
-      const std::size_t n = std::visit([](const auto& list) { return list.size(); }, curve.points);
-      require(n > 0, "points");
-      for (std::size_t k = 0; k < curve.pins.size(); ++k) {
-        require(curve.pins[k] < n && (k == 0 || curve.pins[k - 1] < curve.pins[k]), "pins");
-      }
-      if (const auto* positions = std::get_if<std::vector<Point>>(&curve.points)) {
-        for (const Point& p : *positions) require(p.allFinite(), "finite coordinates");
-      } else if (const auto* places = std::get_if<std::vector<FaceCoordinates>>(&curve.points)) {
-        for (const FaceCoordinates& at : *places) {
-          for (const double b : at.barycentric) require(std::isfinite(b), "finite barycentrics");
-        }
-      } else if (const auto* between = std::get_if<std::vector<CornerCoordinates>>(&curve.points)) {
-        for (const CornerCoordinates& at : *between) {
-          for (const double w : at.weights) require(std::isfinite(w) && w >= 0, "weights");
-        }
-      }
-    }
+    for (const CurveInput& curve : curves) check_curve(curve);
+  } catch (const Error& error) {
+    check_refusal(target, error);
+  }
+}
+
+void read_click_bytes(const Target& target, const std::uint8_t* data, std::size_t size) {
+  try {
+    check_curve(read_clicks(target.file, text_of(data, size)));
   } catch (const Error& error) {
     check_refusal(target, error);
   }

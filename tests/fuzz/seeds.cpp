@@ -296,6 +296,15 @@ std::vector<std::string> curve_seeds(const Target& target) {
         "Closed=\"True\"><Vertices>0 1 2 3 2 1</Vertices><Weights>0.5 0.25 0.25 0 1 0</Weights>"
         "</BorderPart></Border></Class></BorderFile>"};
   }
+  if (target.name == "curve_fcsv") {
+    return {formats::write_fcsv("c.fcsv", std::span(curves).first(1), {}),
+            "# CoordinateSystem = 0\n# columns = label,x,y,z,sel,vis\n\"a, \"\"b\",1,2,3,1,1\n"};
+  }
+  if (target.name == "clicks") {
+    return {formats::write_slicer(std::span(curves).first(1), {}),
+            R"({"markups": [{"type": "Fiducial", "coordinateSystem": "RAS", "controlPoints":
+[{"position": [1, 2, 3]}, {"positionStatus": "undefined"}]}]})"};
+  }
   return {formats::write_slicer(curves, {})};
 }
 

@@ -4,7 +4,8 @@
 # such a contract. cmake -D ROOT=project -P check_front.cmake
 cmake_minimum_required(VERSION 3.25)
 set(algorithms
-  drawing/canonical_order drawing/capping drawing/curve_embedding drawing/drawn_legs drawing/path_contacts
+  drawing/better_fit drawing/canonical_order drawing/capping drawing/curve_embedding drawing/drawn_legs drawing/even_points
+  drawing/path_contacts drawing/surface_normals
   drawing/taken_points
   fairing/band_solver fairing/chain_curve fairing/chain_parts fairing/curve_fairing fairing/drawn_line
   fairing/near_points fairing/saddle_passing

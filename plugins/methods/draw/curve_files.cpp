@@ -50,9 +50,7 @@ PlacedCurve placed(const talweg_curve* curve) {
   return result;
 }
 
-LengthUnit unit_of(const char* code) {
-  return code == nullptr ? LengthUnit() : LengthUnit::named(code);
-}
+CoordinateFrame frame_of(const char* text) { return frame_named(text == nullptr ? "" : text); }
 
 talweg_status write_in(const char* path, const char* mesh_unit, const talweg_curve* const* curves,
                        std::uint64_t count, char* message, std::uint64_t message_size) noexcept {
@@ -61,7 +59,7 @@ talweg_status write_in(const char* path, const char* mesh_unit, const talweg_cur
       bad_call("The path or the curves are null.");
     std::vector<PlacedCurve> ready;
     for (std::uint64_t k = 0; k < count; ++k) ready.push_back(placed(curves[k]));
-    write_curves(path, ready, unit_of(mesh_unit));
+    write_curves(path, ready, frame_of(mesh_unit));
   });
 }
 
@@ -125,13 +123,16 @@ talweg_status read_in(const char* path, const char* mesh_unit, const talweg_sink
   return attempt(message, message_size, [&] {
     if (path == nullptr) bad_call("The path is null.");
     if (sink == nullptr || sink->size < sizeof *sink) bad_call("The sink is null or too small.");
-    for (const CurveInput& curve : read_curves(path, unit_of(mesh_unit))) {
+    std::string told;
+    for (const CurveInput& curve : read_curves(path, frame_of(mesh_unit))) {
+      for (const std::string& sentence : curve.told) told += (told.empty() ? "" : " ") + sentence;
       if (sink->curve == nullptr) continue;
       const Input input(curve);
       if (sink->curve(sink->context, &input.view()) != TALWEG_OK) {
         throw plugin::Failure(TALWEG_HOST_FAILED, "The host did not take a curve.");
       }
     }
+    tell(told.c_str(), message, message_size);
   });
 }
 

@@ -1,6 +1,7 @@
 #include "mesh_files.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <filesystem>
 #include <memory>
 #include <span>
@@ -36,7 +37,9 @@ void tell_all(const std::vector<std::string>& texts, talweg_text_function tell, 
 class FileView {
  public:
   FileView(const MeshLists& lists, const MeshAttributes& attributes)
-      : attributes_(grouped(attributes)), references_(c_strings(attributes.references)) {
+      : attributes_(grouped(attributes)),
+        references_(c_strings(attributes.references)),
+        frame_(frame_text(lists.unit, lists.space)) {
     view_mesh(lists);
     for (const HostAttribute& attribute : attributes_) {
       const auto& view = views_.emplace_back(std::make_unique<AttributeView>(attribute));
@@ -58,7 +61,8 @@ class FileView {
              name_list_pointers_.data(),
              references_.data(),
              lists.polygon_count,
-             plugin::kNoArray};
+             plugin::kNoArray,
+             frame_.c_str()};
   }
   FileView(const FileView&) = delete;
   FileView& operator=(const FileView&) = delete;
@@ -87,6 +91,7 @@ class FileView {
   std::vector<talweg_name_list> name_lists_;
   std::vector<const talweg_name_list*> name_list_pointers_;
   std::vector<const char*> references_;
+  std::string frame_;
   talweg_mesh_file view_ = {};
 };
 
@@ -127,6 +132,7 @@ class Content {
     }
     take_references(file);
     take_edges(file.edges);
+    take_frame(file);
   }
 
   void write(const std::string& path, talweg_text_function left_out, void* context) {
@@ -193,6 +199,11 @@ class Content {
     }
   }
 
+  void take_frame(const talweg_mesh_file& file) {
+    if (file.size < sizeof file || file.frame == nullptr) return;  // a host of interface 1.2
+    lists_.space = frame_named(file.frame).space;
+  }
+
   MeshLists lists_;
   MeshAttributes attributes_;
   std::vector<TaggedEdge> edges_;
@@ -203,7 +214,10 @@ talweg_status write(const char* path, const talweg_mesh_file* file, talweg_text_
                     void* context, char* message, std::uint64_t message_size) noexcept {
   return attempt(message, message_size, [&] {
     if (path == nullptr) bad_call("The path is null.");
-    Content(path, plugin::checked(file, "The file")).write(path, left_out, context);
+    if (file == nullptr || file->size < offsetof(talweg_mesh_file, frame)) {
+      bad_call("The file is null or too small.");
+    }
+    Content(path, *file).write(path, left_out, context);
   });
 }
 

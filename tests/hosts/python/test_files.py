@@ -24,6 +24,28 @@ class Files(unittest.TestCase):
         self.addCleanup(folder.cleanup)
         self.folder = Path(folder.name)
 
+    def test_spaces(self):
+        """A mesh tells its space, and curves of another one are turned, which is told."""
+        corners = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]
+        talweg.write_mesh(self.folder / "plain.ply", (corners, [[0, 2, 1], [0, 1, 3], [1, 2, 3],
+                                                               [2, 0, 3]]))
+        plain = (self.folder / "plain.ply").read_bytes()
+        noted = plain.replace(b"1.0\n", b"1.0\ncomment 3D Slicer output. SPACE=RAS\n", 1)
+        (self.folder / "ras.ply").write_bytes(noted)
+        self.assertEqual(talweg.read_mesh(self.folder / "plain.ply").frame, "")
+        mesh = talweg.read_mesh(self.folder / "ras.ply")
+        self.assertEqual(mesh.frame, "RAS")
+        talweg.write_mesh(self.folder / "again.ply", mesh)
+        self.assertIn(b"comment SPACE=RAS\n", (self.folder / "again.ply").read_bytes())
+        path = self.folder / "lps.mrk.json"
+        path.write_text('{"markups": [{"type": "Curve", "controlPoints": [{"position": [1, 2, 3]},'
+                        ' {"position": [4, 5, 6]}]}]}')
+        with self.assertLogs("talweg", "WARNING") as told:
+            curve, = talweg.read_curves(path, mesh.frame)
+        self.assertIn("turned from LPS to RAS", told.output[0])
+        np.testing.assert_array_equal(curve.positions, [[-1, -2, 3], [-4, -5, 6]])
+        np.testing.assert_array_equal(talweg.read_curves(path)[0].positions, [[1, 2, 3], [4, 5, 6]])
+
     def test_units(self):
         text = ('{"markups": [{"type": "Curve", "coordinateUnits": "cm", "controlPoints": '
                 '[{"position": [1, 2, 3]}, {"position": [4, 5, 6]}]}]}')

@@ -54,6 +54,21 @@ TEST_F(CurveFileUnits, AreConvertedToMillimetresOrToTheUnitThatIsTold) {
   EXPECT_NE(std::string(message).find("furlong"), std::string::npos);
 }
 
+TEST_F(CurveFileUnits, SpacesAreThoseOfTheMeshAndTheSuccessTellsWhatWasTurned) {
+  const std::string path = file("cm.mrk.json").string();
+  std::vector<double> found;
+  const talweg_sink sink = {sizeof sink, 0, &found, take, nullptr, nullptr, nullptr};
+  char message[200] = "x";
+  ASSERT_EQ(second_->read(path.c_str(), "cm LPS", &sink, message, sizeof message), TALWEG_OK);
+  EXPECT_EQ(found, (std::vector<double>{1, 2, 3, 4, 5, 6}));
+  EXPECT_STREQ(message, "");
+  ASSERT_EQ(second_->read(path.c_str(), "RAS", &sink, message, sizeof message), TALWEG_OK);
+  EXPECT_EQ(found, (std::vector<double>{-10, -20, 30, -40, -50, 60}));
+  EXPECT_NE(std::string(message).find("turned from LPS to RAS"), std::string::npos) << message;
+  EXPECT_EQ(second_->read(path.c_str(), "cm LAS", &sink, message, sizeof message),
+            TALWEG_BAD_USAGE);
+}
+
 TEST_F(CurveFileUnits, NameTheUnitOfTheMesh) {
   host::Curve curve;
   curve.faces = {0, 0};
@@ -69,7 +84,7 @@ TEST_F(CurveFileUnits, NameTheUnitOfTheMesh) {
   EXPECT_EQ(unit(), "mm");
   ASSERT_EQ(second_->write(path.c_str(), "um", list, 1, nullptr, 0), TALWEG_OK);
   EXPECT_EQ(unit(), "um");
-  EXPECT_EQ(second_->write(path.c_str(), "", list, 1, nullptr, 0), TALWEG_BAD_USAGE);
+  EXPECT_EQ(second_->write(path.c_str(), "furlong", list, 1, nullptr, 0), TALWEG_BAD_USAGE);
   EXPECT_EQ(unit(), "um");  // as it was
 }
 

@@ -1,4 +1,5 @@
 // Mesh files through the plugin interface, as a host in C has them.
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <string>
@@ -20,6 +21,7 @@ struct Seen {
   std::vector<float> uv;
   std::vector<std::uint32_t> corners, material;
   std::uint64_t polygons = 0;
+  std::string frame;
   talweg_status answer = TALWEG_OK;
 };
 
@@ -45,6 +47,7 @@ talweg_status take(void* context, const talweg_mesh_file* file) {
     }
   }
   seen.polygons = file->polygon_count;
+  seen.frame = file->frame;
   return seen.answer;
 }
 
@@ -140,6 +143,28 @@ TEST_F(MeshFilesOfPlugin, WriteColumnsOfAttributesAndEdges) {
   EXPECT_TRUE(seen.left_out.empty());
   ASSERT_EQ(write("a.stl", &seen), TALWEG_OK) << message_;
   EXPECT_EQ(seen.left_out.size(), 4U);  // three columns, and edges
+}
+
+TEST_F(MeshFilesOfPlugin, TellAndKeepTheSpaceOfCoordinates) {
+  file_.frame = "mm RAS";
+  ASSERT_EQ(write("a.ply"), TALWEG_OK) << message_;
+  EXPECT_NE(bytes_of(file("a.ply")).find("comment SPACE=RAS\n"), std::string::npos);
+  Seen seen;
+  ASSERT_EQ(read("a.ply", seen), TALWEG_OK) << message_;
+  EXPECT_EQ(seen.frame, "RAS");  // PLY has no unit
+  for (const char* nothing : {"", static_cast<const char*>(nullptr)}) {
+    file_.frame = nothing;
+    ASSERT_EQ(write("b.ply"), TALWEG_OK) << message_;
+    ASSERT_EQ(read("b.ply", seen), TALWEG_OK) << message_;
+    EXPECT_EQ(seen.frame, "");
+  }
+  file_.frame = "mm LAS";
+  expect_refused("LAS");
+  // A host of interface 1.2 has no frame.
+  file_.size = offsetof(talweg_mesh_file, frame);
+  EXPECT_EQ(write("b.ply"), TALWEG_OK) << message_;
+  file_.size = 8;
+  expect_refused("too small");
 }
 
 TEST_F(MeshFilesOfPlugin, RefuseBadInputAndLeaveFilesAsTheyWere) {

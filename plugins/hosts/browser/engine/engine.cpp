@@ -227,7 +227,7 @@ Answer Engine::save_curves(const std::string& format) const {
       drawn ? editing::drawn_curves(*mesh_.arrays, last_) : results_.curves;
   Answer answer;
   const auto write = [&](const std::string& path) {
-    editing::write_curves(*plugins_, path, curves);
+    editing::write_curves(*plugins_, path, curves, mesh_.frame);
   };
   answer.json = {{"name", name}, {"bytes", answer.array(written(name, write))}};
   return answer;
@@ -239,7 +239,7 @@ Answer Engine::save_mesh(const std::string& format) const {
   const FileMesh mesh = is_cut_ ? pieces_->together() : mesh_;
   Answer answer;
   const auto write = [&](const std::string& path) {
-    write_mesh(*plugins_, path, *mesh.arrays, mesh.attributes);
+    write_mesh(*plugins_, path, *mesh.arrays, mesh.attributes, mesh_.frame);
   };
   answer.json = {{"name", name}, {"bytes", answer.array(written(name, write))}};
   return answer;
@@ -248,7 +248,7 @@ Answer Engine::save_mesh(const std::string& format) const {
 Answer Engine::read_curves(const std::string& name, std::string_view bytes) {
   editing::Request request{Task::kPlace};
   with_file(name, bytes, [&](const std::string& path) {
-    request.curves = editing::read_curves(*plugins_, path);
+    request.curves = editing::read_curves(*plugins_, path, mesh_.frame);
   });
   Answer answer;
   answer.json = Json::array();

@@ -23,6 +23,7 @@ talweg_status take(void* context, const talweg_mesh_file* file) {
       mesh.attributes.push_back(host::detail::copy(*file->attributes[k]));
     }
     mesh.arrays = std::move(arrays);
+    if (file->size >= sizeof *file) mesh.frame = file->frame;
     return TALWEG_OK;
   } catch (...) {
     return TALWEG_OUT_OF_MEMORY;
@@ -46,7 +47,8 @@ FileMesh read_mesh(const editing::Plugins& plugins, const std::string& path) {
 
 std::vector<std::string> write_mesh(const editing::Plugins& plugins, const std::string& path,
                                     const editing::MeshArrays& mesh,
-                                    const std::vector<host::Attribute>& attributes) {
+                                    const std::vector<host::Attribute>& attributes,
+                                    const std::string& frame) {
   const talweg_mesh view = {
       sizeof view, 0, host::detail::view_of(mesh.positions),
       host::view(mesh.triangles.empty() ? nullptr : mesh.triangles.front().data(),
@@ -63,6 +65,7 @@ std::vector<std::string> write_mesh(const editing::Plugins& plugins, const std::
   file.mesh = &view;
   file.attribute_count = static_cast<std::uint32_t>(list.size());
   file.attributes = list.data();
+  file.frame = frame.c_str();
   FileMesh notes;
   std::string message(1000, 0);
   const talweg_status status =

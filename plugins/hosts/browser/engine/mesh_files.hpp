@@ -14,6 +14,7 @@ namespace talweg::browser {
 struct FileMesh {
   std::shared_ptr<const editing::MeshArrays> arrays;
   std::vector<host::Attribute> attributes;
+  std::string frame;                  ///< what it says of its coordinates: "", "mm", "RAS", ...
   std::vector<std::string> left_out;  ///< what of the file is not read, a few words each
 };
 
@@ -23,6 +24,7 @@ FileMesh read_mesh(const editing::Plugins& plugins, const std::string& path);
 /// Gives what the format does not hold, a few words each. Throws host::Error.
 std::vector<std::string> write_mesh(const editing::Plugins& plugins, const std::string& path,
                                     const editing::MeshArrays& mesh,
-                                    const std::vector<host::Attribute>& attributes);
+                                    const std::vector<host::Attribute>& attributes,
+                                    const std::string& frame = {});
 
 }  // namespace talweg::browser

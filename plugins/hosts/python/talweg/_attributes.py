@@ -22,6 +22,7 @@ class Parts(NamedTuple):
     corner_attributes: Mapping[str, ArrayLike] = {}
     face_names: Mapping[str, Sequence[str]] = {}
     references: Sequence[str] = ()
+    frame: str = ""
 
 
 def checked(given: Mapping[str, ArrayLike], rows: Tuple[int, ...], what: str) -> Attributes:

@@ -66,6 +66,7 @@ class Carrier:
         parts = mesh._parts()
         #: What the numbers of some attributes stand for, and what the file names; unchanged.
         self.face_names, self.references = parts.face_names, parts.references
+        self.frame = parts.frame
         names = {*parts.vertex_attributes, *parts.face_attributes, *parts.corner_attributes}
         self._rules = _checked_rules(carry or {}, names)
         for element, attributes in ((c.OF_VERTICES, parts.vertex_attributes),

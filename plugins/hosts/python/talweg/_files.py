@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ctypes
+import logging
 import os
 from ctypes import byref, sizeof
 from typing import Any, Callable, List, Sequence, Union
@@ -14,6 +15,7 @@ from ._errors import Unsupported, error_of
 
 Path = Union[str, "os.PathLike[str]"]
 _MESSAGE_SIZE = 1000
+_log = logging.getLogger("talweg")
 
 
 def _extension() -> Any:
@@ -29,20 +31,27 @@ def extension(plugin_id: str, extension_id: bytes, struct: Any, what: str) -> An
     return struct.from_address(address)
 
 
-def checked(call: Callable[[Any], Any]) -> None:
-    """Runs a call that tells what is wrong in a message. :raises Error: of the kind of its status."""
+def checked(call: Callable[[Any], Any]) -> str:
+    """Runs a call that tells what is wrong in a message, or what it did: that is returned.
+
+    :raises Error: of the kind of its status.
+    """
     message = ctypes.create_string_buffer(_MESSAGE_SIZE)
     status = call(message)
+    text = message.value.decode(errors="replace")
     if status != c.OK:
-        raise error_of(status, message.value.decode(errors="replace"))
+        raise error_of(status, text)
+    return text
 
 
 def read_curves(path: Path, mesh_unit: str = "mm") -> List[Curve]:
     """The curves of a file, for smooth() and the others.
 
-    :param path: .obj, .ply, .vtp, .vtk, .mrk.json (3D Slicer), .json (ours) or .txt (vertices).
-    :param mesh_unit: the unit of the mesh ("mm", "cm", "m", "um", ...): .mrk.json files name theirs
-        and are converted to it.
+    :param path: .obj, .ply, .vtp, .vtk, .mrk.json and .fcsv (3D Slicer), .json (ours) or .txt
+        (vertices).
+    :param mesh_unit: the unit of the mesh ("mm", "cm", "m", "um", ...), or its ``Mesh.frame``, which
+        names its space, too ("mm RAS"): files of 3D Slicer name theirs and are converted to it. What
+        was converted is told in the logger ``talweg``.
     :raises BadFile: with file, line, and what was expected. Nothing is checked against a mesh.
     """
     curves: List[Curve] = []
@@ -58,12 +67,14 @@ def read_curves(path: Path, mesh_unit: str = "mm") -> List[Curve]:
 
     sink = c.Sink(size=sizeof(c.Sink), curve=c.CurveSink(take))
     try:
-        checked(lambda message: _extension().read(os.fsencode(path), mesh_unit.encode(),
-                                                  byref(sink), message, _MESSAGE_SIZE))
+        told = checked(lambda message: _extension().read(os.fsencode(path), mesh_unit.encode(),
+                                                         byref(sink), message, _MESSAGE_SIZE))
     except Exception:
         if failures:
             raise failures[0] from None
         raise
+    if told:
+        _log.warning("%s", told)
     return curves
 
 
@@ -72,7 +83,8 @@ def write_curves(path: Path, curves: Union[Curve, Sequence[Curve]], mesh_unit: s
 
     :param path: its extension tells the format, as for read_curves(). .json keeps everything; .txt
         needs curves whose points are all at vertices.
-    :param mesh_unit: the unit of the mesh, which .mrk.json files name.
+    :param mesh_unit: the unit of the mesh, which .mrk.json files name, or its ``Mesh.frame``: files
+        of 3D Slicer are written in LPS.
     :raises BadFile: if the file cannot be written; it is as it was then.
     """
     pointers, kept = _curves.whole_views([curves] if isinstance(curves, Curve) else curves)

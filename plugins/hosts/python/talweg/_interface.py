@@ -185,7 +185,8 @@ class MeshFile(Structure):
     _fields_ = [("size", c_uint32), ("attribute_count", c_uint32), ("mesh", POINTER(Mesh)),
                 ("attributes", POINTER(POINTER(Attribute))), ("name_list_count", c_uint32),
                 ("reference_count", c_uint32), ("name_lists", POINTER(POINTER(NameList))),
-                ("references", POINTER(c_char_p)), ("polygon_count", c_uint64), ("edges", Array)]
+                ("references", POINTER(c_char_p)), ("polygon_count", c_uint64), ("edges", Array),
+                ("frame", c_char_p)]
 
 
 MeshFileFunction = CFUNCTYPE(Status, c_void_p, POINTER(MeshFile))

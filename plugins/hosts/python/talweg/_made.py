@@ -94,7 +94,7 @@ def _made(instance: Instance, carrier: Carrier, number: int, vertices: Array,
     mesh.__setstate__({"vertices": vertices, "faces": faces, "repair_steps": False,
                        "vertex_attributes": at_vertices, "face_attributes": at_faces,
                        "corner_attributes": at_corners, "face_names": dict(carrier.face_names),
-                       "references": list(carrier.references), "origin": origin, "chains": chains})
+                       "references": list(carrier.references), "frame": carrier.frame, "origin": origin, "chains": chains})
     return mesh
 
 

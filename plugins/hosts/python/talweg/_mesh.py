@@ -63,6 +63,9 @@ class Mesh:
         self.face_names = {name: list(texts) for name, texts in parts.face_names.items()}
         #: Lines of an OBJ file that name other files: ["mtllib bone.mtl"]
         self.references = list(parts.references)
+        #: What a file says of its coordinates, for read_curves() and write_curves(): a unit ("mm"), a
+        #: space of patients ("RAS" or "LPS"), both ("mm RAS"), or nothing ("")
+        self.frame = parts.frame
         self._begin()
         try:
             self._instance(plugin, progress)
@@ -106,7 +109,7 @@ class Mesh:
     def _parts(self) -> Parts:
         self._keep_attributes(self.vertex_attributes, self.face_attributes, self.corner_attributes)
         return Parts(self.vertices, self.faces, self.vertex_attributes, self.face_attributes,
-                     self.corner_attributes, self.face_names, self.references)
+                     self.corner_attributes, self.face_names, self.references, self.frame)
 
     def to_trimesh(self) -> Any:
         """A ``trimesh.Trimesh`` with the same numbering. The vertex or face attribute ``colors``

@@ -88,7 +88,8 @@ def _parts_of(file: Any, path: Path) -> Parts:
     return Parts(_arrays.copied(mesh.positions).reshape(-1, 3),
                  _arrays.copied(mesh.triangles).reshape(-1, 3), attributes[c.OF_VERTICES],
                  attributes[c.OF_TRIANGLES], attributes[c.OF_CORNERS], names,
-                 [_text(file.references[k]) for k in range(file.reference_count)])
+                 [_text(file.references[k]) for k in range(file.reference_count)],
+                 _text(file.frame or b"") if file.size >= sizeof(c.MeshFile) else "")
 
 
 def write_parts(path: Path, parts: Parts, chains: Sequence[Chain] = ()) -> None:
@@ -119,6 +120,7 @@ class _Writer:
         self._names = self._name_lists(parts.face_names)
         lines = [_bytes(line) for line in parts.references]
         self._references = (ctypes.c_char_p * len(lines))(*lines)
+        self._frame = _bytes(parts.frame)
         self._edges = self._view(_tagged(np.asarray(parts.faces), chains), 3, "The edges")
 
     def _view(self, values: Any, columns: int, what: str) -> c.Array:
@@ -158,7 +160,8 @@ class _Writer:
             size=sizeof(c.MeshFile), mesh=pointer(self._mesh),
             attribute_count=len(self._attributes), attributes=_pointers(self._attributes),
             name_list_count=len(self._names), name_lists=_pointers(self._names),
-            reference_count=len(self._references), references=self._references, edges=self._edges)
+            reference_count=len(self._references), references=self._references, edges=self._edges,
+            frame=self._frame)
 
 
 def _pointers(structs: Sequence[Any]) -> Optional[Any]:

@@ -791,8 +791,8 @@
         <translation>Machen Sie zuerst eine Linie (Polyline) zum Ziel (Target).</translation>
     </message>
     <message>
-        <source>Curves (*.json *.vtp *.vtk *.obj *.ply *.mrk.json *.txt)</source>
-        <translation>Kurven (*.json *.vtp *.vtk *.obj *.ply *.mrk.json *.txt)</translation>
+        <source>Curves (*.json *.vtp *.vtk *.obj *.ply *.mrk.json *.fcsv *.txt)</source>
+        <translation>Kurven (*.json *.vtp *.vtk *.obj *.ply *.mrk.json *.fcsv *.txt)</translation>
     </message>
     <message>
         <source>Read curves</source>

@@ -1,4 +1,4 @@
-#include "talweg/core/drawing/length_unit.hpp"
+#include "talweg/core/space/coordinate_frame.hpp"
 
 #include <fmt/format.h>
 
@@ -29,6 +29,11 @@ constexpr KnownUnit kUnits[] = {{"pm", "pm", 1e-9},
                                 {"\xC2\xB5m", "um", 1e-3},
                                 {"\xCE\xBCm", "um", 1e-3}};
 
+PatientSpace space_named(std::string_view name) {
+  if (name == "LPS") return PatientSpace::kLps;
+  return name == "RAS" ? PatientSpace::kRas : PatientSpace::kNotSaid;
+}
+
 }  // namespace
 
 LengthUnit LengthUnit::named(std::string_view code) {
@@ -40,6 +45,28 @@ LengthUnit LengthUnit::named(std::string_view code) {
       fmt::format("\"{}\" is no unit of length that is known; known are pm, nm, um, mm, cm, "
                   "dm, m, km, in and ft.",
                   code.substr(0, 40)));
+}
+
+CoordinateFrame frame_named(std::string_view text) {
+  CoordinateFrame frame;
+  const std::size_t blank = text.rfind(' ');
+  const std::string_view last = blank == text.npos ? text : text.substr(blank + 1);
+  frame.space = space_named(last);
+  if (frame.space != PatientSpace::kNotSaid) {
+    text = blank == text.npos ? std::string_view() : text.substr(0, blank);
+  } else if (blank != text.npos) {
+    throw Error(ErrorCode::kBadUsage,
+                fmt::format("\"{}\" is no space of coordinates; known are LPS and RAS.",
+                            last.substr(0, 40)));
+  }
+  if (!text.empty()) frame.unit = LengthUnit::named(text);
+  return frame;
+}
+
+std::string frame_text(const std::optional<LengthUnit>& unit, PatientSpace space) {
+  std::string text = unit ? unit->code() : std::string();
+  if (unit && space != PatientSpace::kNotSaid) text += ' ';
+  return text.append(space_name(space));
 }
 
 }  // namespace talweg
