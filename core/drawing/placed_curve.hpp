@@ -27,7 +27,7 @@ struct PlacedCurve {
   /// not known.
   std::vector<std::array<VertexId, 3>> corners;
   std::size_t vertex_count = 0;
-  std::vector<Point> normals;     ///< of the surface (surface_normals.hpp), or none
+  std::vector<Point> normals;  ///< of the surface (surface_normals.hpp), or none
 };
 
 /// Places a curve. From the faces and barycentrics snap() makes the same points again, bit for bit.

@@ -122,10 +122,10 @@ Command add_compare(CLI::App& app, const GlobalOptions& global) {
       "compare", "Smooth one drawing by every method there is, and measure all results alike");
   command->add_option("mesh", o->mesh, "Mesh: OBJ, OFF, PLY, STL or OM")->required();
   command
-      ->add_option(
-          "--curve", o->curves,
-          "Curves: .obj, .ply, .vtp, .vtk, .mrk.json, .border, .fcsv, .txt (vertex numbers) or .json; may "
-          "be given several times")
+      ->add_option("--curve", o->curves,
+                   "Curves: .obj, .ply, .vtp, .vtk, .mrk.json, .border, .fcsv, .txt (vertex "
+                   "numbers) or .json; may "
+                   "be given several times")
       ->required();
   std::string names;
   for (const Method& method : known_methods()) names += (names.empty() ? "" : ", ") + method.name;

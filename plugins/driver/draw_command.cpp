@@ -207,9 +207,9 @@ Command add_draw(CLI::App& app, const GlobalOptions& global) {
       ->check(CLI::IsMember({"exact", "rough"}))
       ->capture_default_str();
   command
-      ->add_option(
-          "-o,--output", options->outputs,
-          "Curve: .obj, .ply, .vtp, .vtk, .mrk.json, .border, .fcsv, .txt (vertex numbers) or .json")
+      ->add_option("-o,--output", options->outputs,
+                   "Curve: .obj, .ply, .vtp, .vtk, .mrk.json, .border, .fcsv, .txt (vertex "
+                   "numbers) or .json")
       ->required();
   add_repair_option(*command, options->repair);
   add_unit_option(*command, options->mesh_units);

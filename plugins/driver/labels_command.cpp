@@ -281,8 +281,7 @@ int run_labels(const LabelsOptions& o, const GlobalOptions& global) {
   network.cut.lists.space = frame.space;
   network.total.time_ms.load = load_ms;
   network.total.time_ms.total += load_ms;
-  write(o, network, mesh->mesh(), read.map.get(), attributes, warnings, file, returned,
-        frame);
+  write(o, network, mesh->mesh(), read.map.get(), attributes, warnings, file, returned, frame);
   if (!global.quiet) {
     std::fputs(summary_of(network, ms).c_str(), text_stream());
     for (const std::string& warning : warnings) {

@@ -66,9 +66,9 @@ Command add_measure(CLI::App& app, const GlobalOptions& global) {
                                          "apart they lie along the surface, both ways");
   command->add_option("mesh", o->mesh, "Mesh: OBJ, OFF, PLY, STL or OM")->required();
   command
-      ->add_option(
-          "curve", o->curve,
-          "Curves: .obj, .ply, .vtp, .vtk, .mrk.json, .border, .fcsv, .txt (vertex numbers) or .json")
+      ->add_option("curve", o->curve,
+                   "Curves: .obj, .ply, .vtp, .vtk, .mrk.json, .border, .fcsv, .txt (vertex "
+                   "numbers) or .json")
       ->required();
   command->add_option("other", o->other,
                       "Curves to compare with: as many are compared one by one in their order, "

@@ -201,8 +201,7 @@ std::vector<SideLabels> sides_of(const host::Results& results) {
 }
 
 void write_results(const Files& files, const talweg_plugin& plugin, const host::Results& results,
-                   const PluginMeshes& meshes, const ReadMesh& mesh,
-                   const CoordinateFrame& frame) {
+                   const PluginMeshes& meshes, const ReadMesh& mesh, const CoordinateFrame& frame) {
   const RepairMap* map = mesh.map.get();
   std::vector<PlacedCurve> curves;
   for (const host::Curve& curve : results.curves) {

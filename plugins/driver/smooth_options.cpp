@@ -24,10 +24,11 @@ CLI::Option* add(CLI::App& app, const char* id, Value& value) {
 }
 
 void add_inputs(CLI::App& app, SmoothOptions& o) {
-  CLI::Option* curve = app.add_option("--curve", o.curves,
-                                      "Drawn curves: .obj, .ply, .vtp, .vtk, .mrk.json, .border, .fcsv, "
-                                      ".txt (vertex numbers) or .json; may be "
-                                      "given several times");
+  CLI::Option* curve =
+      app.add_option("--curve", o.curves,
+                     "Drawn curves: .obj, .ply, .vtp, .vtk, .mrk.json, .border, .fcsv, "
+                     ".txt (vertex numbers) or .json; may be "
+                     "given several times");
   app.add_option("--labels", o.labels,
                  "Instead of curves: the borders between these labels, one whole number per face")
       ->excludes(curve);
