@@ -1,34 +1,51 @@
 #include "talweg/core/io/mesh_reader.hpp"
 
+#include <array>
 #include <limits>
 #include <string>
 
+#include <fmt/format.h>
+
 #include "talweg/core/io/file_bytes.hpp"
 #include "talweg/core/io/mesh_file.hpp"
+#include "talweg/core/io/other_formats.hpp"
 #include "talweg/core/io/text_encoding.hpp"
+#include "talweg/core/io/text_words.hpp"
 
 namespace talweg {
 namespace {
 
 using FormatReader = MeshLists (*)(const MeshFile&, MeshAttributes*);
 
+struct Format {
+  std::string_view extension;
+  FormatReader read;
+};
+
+/// In the order in which refusals name them.
+constexpr std::array kFormats{
+    Format{".obj", &read_obj},      Format{".off", &read_off}, Format{".ply", &read_ply},
+    Format{".stl", &read_stl},      Format{".om", &read_om},   Format{".vtk", &read_vtk_mesh},
+    Format{".vtp", &read_vtp_mesh}, Format{".msh", &read_msh}, Format{".gltf", &read_gltf},
+    Format{".glb", &read_gltf},     Format{".3mf", &read_3mf}};
+
 FormatReader format_reader_of(const std::filesystem::path& path) {
   const std::string extension = lower_extension(path);
-  if (extension == ".obj") return &read_obj;
-  if (extension == ".off") return &read_off;
-  if (extension == ".ply") return &read_ply;
-  if (extension == ".stl") return &read_stl;
-  if (extension == ".om") return &read_om;
-  bad_file(path, (extension.empty() ? "the file name has no extension"
-                                    : "'" + extension + "' is no mesh format we read") +
-                     "; expected .obj, .off, .ply, .stl or .om.");
+  for (const Format& format : kFormats) {
+    if (extension == format.extension) return format.read;
+  }
+  const std::string known = fmt::format("; expected {}.", readable_meshes());
+  if (extension.empty()) bad_file(path, "the file name has no extension" + known);
+  bad_file(path, fmt::format("'{}' is no mesh format we read{}{}", printable(extension),
+                             instead_of(path), known));
 }
 
 MeshLists read_bytes(const std::filesystem::path& path, std::string_view bytes,
                      MeshAttributes* attributes) {
   const FormatReader read = format_reader_of(path);
   if (bytes.empty()) bad_file(path, "the file is empty.");
-  if (read == &read_obj || read == &read_off || read == &read_ply) {
+  const bool off_text = read == &read_off && !is_binary_off(bytes);
+  if (read == &read_obj || off_text || read == &read_ply) {
     formats::check_encoding(path, bytes);
     formats::check_line_ends(path, bytes);
     if (read != &read_ply) formats::check_no_nul(path, bytes);
@@ -43,6 +60,15 @@ MeshLists read_bytes(const std::filesystem::path& path, std::string_view bytes,
 }
 
 }  // namespace
+
+std::string readable_meshes() {
+  std::string all;
+  for (std::size_t k = 0; k < kFormats.size(); ++k) {
+    if (k > 0) all += k + 1 == kFormats.size() ? " or " : ", ";
+    all += kFormats[k].extension;
+  }
+  return all;
+}
 
 MeshLists read_mesh(const std::filesystem::path& path) {
   static_cast<void>(format_reader_of(path));  // checks the extension before the file is read

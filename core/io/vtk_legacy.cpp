@@ -1,12 +1,15 @@
 #include "talweg/core/io/vtk_legacy.hpp"
 
 #include <bit>
+#include <charconv>
+#include <cmath>
 #include <optional>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "talweg/core/io/file_bytes.hpp"
+#include "talweg/core/io/text_words.hpp"
 
 namespace talweg::formats {
 namespace {
@@ -33,9 +36,27 @@ std::optional<NumberType> legacy_type(std::string_view name) {
   return std::nullopt;
 }
 
+/// A name without VTK's escapes: %20 is a blank.
+std::string array_name(std::string_view word) {
+  std::string name;
+  for (std::size_t k = 0; k < word.size(); ++k) {
+    unsigned code = 0;
+    const char* const digits = word.data() + k + 1;
+    if (word[k] == '%' && k + 2 < word.size() &&
+        std::from_chars(digits, digits + 2, code, 16).ptr == digits + 2) {
+      name += static_cast<char>(code);
+      k += 2;
+    } else {
+      name += word[k];
+    }
+  }
+  return name;
+}
+
 }  // namespace
 
-VtkLegacy::VtkLegacy(const Source& source) : source_(source), scanner_(source.path, source.bytes) {
+VtkLegacy::VtkLegacy(const Source& source, bool any_number)
+    : source_(source), scanner_(source.path, source.bytes), any_number_(any_number) {
   constexpr std::string_view kMagic = "# vtk DataFile Version ";
   std::string_view first = scanner_.rest_of_line();
   if (first.substr(0, kMagic.size()) != kMagic) scanner_.fail("expected '# vtk DataFile Version'");
@@ -68,7 +89,10 @@ std::vector<double> VtkLegacy::read_numbers(std::uint64_t count, NumberType type
   const auto n = static_cast<std::size_t>(count);
   std::vector<double> numbers(n);
   if (ascii_) {
-    for (double& x : numbers) x = scanner_.number(scanner_.word(), "a number");
+    for (double& x : numbers) {
+      const std::string_view word = scanner_.word();
+      if (!any_number_ || !parse(word, x)) x = scanner_.number(word, "a number");
+    }
     return numbers;
   }
   if (n > scanner_.remaining() / size) fail("the data ends too early");
@@ -90,12 +114,16 @@ std::vector<VtkLegacy::Array> VtkLegacy::read_fields() {
   std::vector<Array> arrays;
   for (std::uint64_t k = 0; k < count; ++k) {
     Array array;
-    array.name = scanner_.word();
+    array.name = array_name(scanner_.word());
+    while (array.name == "METADATA") {  // of the array before
+      skip_metadata();
+      array.name = array_name(scanner_.word());
+    }
     if (array.name.empty()) scanner_.fail("the name of a field", {});
     array.components = read_count();
     const std::uint64_t tuples = read_count();
-    const NumberType type = read_type();
-    array.numbers = read_numbers(array.components * tuples, type);
+    array.type = read_type();
+    array.numbers = read_numbers(array.components * tuples, array.type);
     arrays.push_back(std::move(array));
   }
   return arrays;
@@ -112,19 +140,23 @@ std::vector<VtkLegacy::Array> VtkLegacy::read_attribute(std::string_view kind,
     const std::uint64_t n = read_count();
     read_numbers(4 * n, ascii_ ? NumberType::kFloat32 : NumberType::kUint8);
   } else if (kind == "COLOR_SCALARS") {
-    word_on_line();
-    const std::uint64_t n = read_count();
-    read_numbers(n * count, ascii_ ? NumberType::kFloat32 : NumberType::kUint8);
+    Array array{array_name(word_on_line()), read_count(), {}, NumberType::kUint8};
+    array.numbers =
+        read_numbers(array.components * count, ascii_ ? NumberType::kFloat32 : NumberType::kUint8);
+    if (ascii_) {  // as parts of one
+      for (double& x : array.numbers) x = std::round(255 * x);
+    }
+    return {std::move(array)};
   } else if (kind == "TEXTURE_COORDINATES") {
-    word_on_line();
-    const std::uint64_t n = read_count();
-    const NumberType type = read_type();
-    read_numbers(n * count, type);
+    Array array{array_name(word_on_line()), read_count(), {}};
+    array.type = read_type();
+    array.numbers = read_numbers(array.components * count, array.type);
+    return {std::move(array)};
   } else if (kind == "VECTORS" || kind == "NORMALS" || kind == "TENSORS") {
-    const std::uint64_t each = kind == "TENSORS" ? 9 : 3;
-    word_on_line();
-    const NumberType type = read_type();
-    read_numbers(each * count, type);
+    Array array{array_name(word_on_line()), kind == "TENSORS" ? 9U : 3U, {}};
+    array.type = read_type();
+    array.numbers = read_numbers(array.components * count, array.type);
+    return {std::move(array)};
   } else {
     fail("SCALARS or FIELD", kind);
   }
@@ -132,8 +164,8 @@ std::vector<VtkLegacy::Array> VtkLegacy::read_attribute(std::string_view kind,
 }
 
 VtkLegacy::Array VtkLegacy::read_scalars(std::uint64_t count) {
-  Array array{std::string(word_on_line()), 1, {}};
-  const NumberType type = read_type();
+  Array array{array_name(word_on_line()), 1, {}};
+  array.type = read_type();
   const std::string_view given = word_on_line();
   if (given == "2" || given == "3" || given == "4") {
     array.components = static_cast<std::uint64_t>(given[0] - '0');
@@ -143,7 +175,7 @@ VtkLegacy::Array VtkLegacy::read_scalars(std::uint64_t count) {
   const std::string_view table = word();
   if (table != "LOOKUP_TABLE") fail("LOOKUP_TABLE", table);
   word_on_line();
-  array.numbers = read_numbers(array.components * count, type);
+  array.numbers = read_numbers(array.components * count, array.type);
   return array;
 }
 

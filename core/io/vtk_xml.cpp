@@ -86,9 +86,13 @@ pugi::xml_node VtkXml::named(const pugi::xml_node& among, const char* name) cons
   return array;
 }
 
+std::optional<NumberType> VtkXml::number_type(const pugi::xml_node& array) {
+  return xml_type(array.attribute("type").value());
+}
+
 std::vector<double> VtkXml::read_array(const pugi::xml_node& array) const {
   const std::string_view format = array.attribute("format").as_string("ascii");
-  const auto type = xml_type(array.attribute("type").value());
+  const auto type = number_type(array);
   if (!type) fail(array, "expected a type such as Float64 or Int32");
   if (format == "ascii") return read_ascii(array);
   if (format != "binary" && format != "appended") {
@@ -118,7 +122,8 @@ std::vector<double> VtkXml::read_ascii(const pugi::xml_node& array) const {
     if (parsed.ec == std::errc::invalid_argument || parsed.ptr != end) {
       fail(array, "expected a number, found '" + printable(word) + "'");
     }
-    numbers.push_back(parsed.ec == std::errc{} ? value : scanner.number(word, "a number"));
+    if (parsed.ec != std::errc{}) static_cast<void>(talweg::parse(word, value));  // 1e-400 is 0
+    numbers.push_back(value);
   }
   return numbers;
 }

@@ -1,6 +1,7 @@
 // VTK's XML files have data arrays in a tree; they are read if they are well-formed.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,8 @@ class VtkXml {
   }
   /// The data array with this name.
   [[nodiscard]] pugi::xml_node named(const pugi::xml_node& among, const char* name) const;
+  /// The type of an array's numbers; nothing for texts and bits.
+  [[nodiscard]] static std::optional<NumberType> number_type(const pugi::xml_node& array);
   /// An array's numbers, of any type and encoding.
   [[nodiscard]] std::vector<double> read_array(const pugi::xml_node& array) const;
   [[noreturn]] void fail(const pugi::xml_node& node, const std::string& what) const;

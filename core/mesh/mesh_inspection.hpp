@@ -60,12 +60,13 @@ struct MeshInspection {
   std::size_t boundary_loops = 0;         ///< connected sets of boundary edges
   std::int64_t euler_characteristic = 0;  ///< used vertices - edges + faces
   std::optional<std::int64_t> genus;      ///< of all components together, if manifold
-  bool orientable = true;         ///< turning faces around would make the orientation consistent
-  bool single_precision = false;  ///< the file stores 32-bit floats
+  bool orientable = true;          ///< turning faces around would make the orientation consistent
+  bool single_precision = false;   ///< the file stores 32-bit floats
+  std::vector<std::string> notes;  ///< of the reader (MeshLists)
 
   // Defects that keep a mesh from being opened.
   Defect<FaceIndexPlace> indices_out_of_range;  ///< counted once per face
-  Defect<std::uint32_t> non_finite_vertices;    ///< or coordinates beyond kLargestCoordinate
+  Defect<std::uint32_t> non_finite_vertices;    ///< of faces; or beyond kLargestCoordinate
   Defect<std::uint32_t> repeated_vertex_faces;  ///< faces that name a vertex twice
   Defect<RepeatPlace> duplicate_faces;          ///< same three vertices, in any order
   Defect<EdgePlace> non_manifold_edges;         ///< more than two faces
@@ -74,6 +75,7 @@ struct MeshInspection {
 
   // Oddities that are handled.
   Defect<std::uint32_t> isolated_vertices;  ///< in no face
+  Defect<std::uint32_t> stray_vertices;     ///< those of them whose coordinates are not finite
   Defect<RepeatPlace> duplicate_positions;  ///< vertices at exactly the position of an earlier one
   Defect<std::uint32_t> zero_area_faces;    ///< flat up to the rounding of their coordinates
   Defect<std::uint32_t> needle_faces;       ///< smallest angle < 1 degree; includes zero-area faces
@@ -81,7 +83,7 @@ struct MeshInspection {
   // Measures.
   std::array<double, 3> box_min{};
   std::array<double, 3> box_max{};
-  double coordinate_max = 0;     ///< the largest absolute value of a finite coordinate
+  double coordinate_max = 0;     ///< the largest absolute value of a coordinate, but of strays
   double edge_length_min = 0;    ///< mesh units
   double edge_length_mean = 0;   ///< mesh units
   double edge_length_max = 0;    ///< mesh units

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 #include <vector>
 
 #include "talweg/core/space/point.hpp"
@@ -16,6 +17,7 @@ struct MeshLists {
   std::vector<Triangle> triangles;  ///< counterclockwise, indices of points
   std::size_t polygon_count = 0;    ///< faces of the file that had more than three corners
   bool single_precision = false;    ///< the file stores its coordinates as 32-bit floats
+  std::vector<std::string> notes;   ///< sentences: what a file has that was read otherwise or not
 };
 
 }  // namespace talweg

@@ -221,7 +221,7 @@ Command add_labels(CLI::App& app, const GlobalOptions& global) {
       "labels",
       "Smooth all borders of a segmentation together: none crosses another, no region is lost or "
       "torn apart");
-  command->add_option("mesh", o->mesh, "Mesh: OBJ, OFF, PLY, STL or OM")->required();
+  command->add_option("mesh", o->mesh, mesh_help())->required();
   command
       ->add_option("labels", o->labels,
                    "One whole number per face or per vertex; or a PLY, VTK or VTP file with such a "
