@@ -12,6 +12,7 @@
 #include "talweg/core/io/base64.hpp"
 #include "talweg/core/io/byte_cursor.hpp"
 #include "talweg/core/io/file_bytes.hpp"
+#include "talweg/core/io/percent_escapes.hpp"
 #include "talweg/core/io/text_words.hpp"
 #include "talweg/intrinsic/error.hpp"
 
@@ -42,26 +43,6 @@ bool is_appearance(std::string_view name) {
     if (name.starts_with(start)) return true;
   }
   return false;
-}
-
-/// %20 is a blank.
-std::string without_escapes(std::string_view uri) {
-  std::string text;
-  for (std::size_t k = 0; k < uri.size(); ++k) {
-    const auto digit = [&](std::size_t at) {
-      const char c = at < uri.size() ? uri[at] : ' ';
-      if (c >= '0' && c <= '9') return c - '0';
-      const char lower = static_cast<char>(c | 0x20);
-      return lower >= 'a' && lower <= 'f' ? lower - 'a' + 10 : -1;
-    };
-    if (uri[k] == '%' && digit(k + 1) >= 0 && digit(k + 2) >= 0) {
-      text += static_cast<char>(16 * digit(k + 1) + digit(k + 2));
-      k += 2;
-    } else {
-      text += uri[k];
-    }
-  }
-  return text;
 }
 
 /// Whether a name is that of a file in the folder or in one below it.

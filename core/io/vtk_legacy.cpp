@@ -1,7 +1,6 @@
 #include "talweg/core/io/vtk_legacy.hpp"
 
 #include <bit>
-#include <charconv>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -9,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "talweg/core/io/file_bytes.hpp"
+#include "talweg/core/io/percent_escapes.hpp"
 #include "talweg/core/io/text_words.hpp"
 
 namespace talweg::formats {
@@ -22,35 +22,32 @@ std::optional<NumberType> legacy_type(std::string_view name) {
     std::string_view name;
     NumberType type;
   };
-  static constexpr Name kNames[] = {
-      {"char", NumberType::kInt8},          {"unsigned_char", NumberType::kUint8},
-      {"short", NumberType::kInt16},        {"unsigned_short", NumberType::kUint16},
-      {"int", NumberType::kInt32},          {"unsigned_int", NumberType::kUint32},
-      {"long", NumberType::kInt64},         {"unsigned_long", NumberType::kUint64},
-      {"vtktypeint64", NumberType::kInt64}, {"vtktypeuint64", NumberType::kUint64},
-      {"vtkIdType", NumberType::kInt32},    {"float", NumberType::kFloat32},
-      {"double", NumberType::kFloat64}};
+  static constexpr Name kNames[] = {{"char", NumberType::kInt8},
+                                    {"unsigned_char", NumberType::kUint8},
+                                    {"short", NumberType::kInt16},
+                                    {"unsigned_short", NumberType::kUint16},
+                                    {"int", NumberType::kInt32},
+                                    {"unsigned_int", NumberType::kUint32},
+                                    {"long", NumberType::kInt64},
+                                    {"unsigned_long", NumberType::kUint64},
+                                    {"vtktypeint64", NumberType::kInt64},
+                                    {"vtktypeuint64", NumberType::kUint64},
+                                    {"vtktypeint32", NumberType::kInt32},
+                                    {"vtktypeuint32", NumberType::kUint32},
+                                    {"vtktypeint16", NumberType::kInt16},
+                                    {"vtktypeuint16", NumberType::kUint16},
+                                    {"vtktypeint8", NumberType::kInt8},
+                                    {"vtktypeuint8", NumberType::kUint8},
+                                    {"signed_char", NumberType::kInt8},
+                                    {"vtktypefloat32", NumberType::kFloat32},
+                                    {"vtktypefloat64", NumberType::kFloat64},
+                                    {"vtkIdType", NumberType::kInt32},
+                                    {"float", NumberType::kFloat32},
+                                    {"double", NumberType::kFloat64}};
   for (const Name& known : kNames) {
     if (name == known.name) return known.type;
   }
   return std::nullopt;
-}
-
-/// A name without VTK's escapes: %20 is a blank.
-std::string array_name(std::string_view word) {
-  std::string name;
-  for (std::size_t k = 0; k < word.size(); ++k) {
-    unsigned code = 0;
-    const char* const digits = word.data() + k + 1;
-    if (word[k] == '%' && k + 2 < word.size() &&
-        std::from_chars(digits, digits + 2, code, 16).ptr == digits + 2) {
-      name += static_cast<char>(code);
-      k += 2;
-    } else {
-      name += word[k];
-    }
-  }
-  return name;
 }
 
 }  // namespace
@@ -114,10 +111,10 @@ std::vector<VtkLegacy::Array> VtkLegacy::read_fields() {
   std::vector<Array> arrays;
   for (std::uint64_t k = 0; k < count; ++k) {
     Array array;
-    array.name = array_name(scanner_.word());
+    array.name = without_escapes(scanner_.word());
     while (array.name == "METADATA") {  // of the array before
       skip_metadata();
-      array.name = array_name(scanner_.word());
+      array.name = without_escapes(scanner_.word());
     }
     if (array.name.empty()) scanner_.fail("the name of a field", {});
     array.components = read_count();
@@ -140,7 +137,7 @@ std::vector<VtkLegacy::Array> VtkLegacy::read_attribute(std::string_view kind,
     const std::uint64_t n = read_count();
     read_numbers(4 * n, ascii_ ? NumberType::kFloat32 : NumberType::kUint8);
   } else if (kind == "COLOR_SCALARS") {
-    Array array{array_name(word_on_line()), read_count(), {}, NumberType::kUint8};
+    Array array{without_escapes(word_on_line()), read_count(), {}, NumberType::kUint8};
     array.numbers =
         read_numbers(array.components * count, ascii_ ? NumberType::kFloat32 : NumberType::kUint8);
     if (ascii_) {  // as parts of one
@@ -148,12 +145,12 @@ std::vector<VtkLegacy::Array> VtkLegacy::read_attribute(std::string_view kind,
     }
     return {std::move(array)};
   } else if (kind == "TEXTURE_COORDINATES") {
-    Array array{array_name(word_on_line()), read_count(), {}};
+    Array array{without_escapes(word_on_line()), read_count(), {}};
     array.type = read_type();
     array.numbers = read_numbers(array.components * count, array.type);
     return {std::move(array)};
   } else if (kind == "VECTORS" || kind == "NORMALS" || kind == "TENSORS") {
-    Array array{array_name(word_on_line()), kind == "TENSORS" ? 9U : 3U, {}};
+    Array array{without_escapes(word_on_line()), kind == "TENSORS" ? 9U : 3U, {}};
     array.type = read_type();
     array.numbers = read_numbers(array.components * count, array.type);
     return {std::move(array)};
@@ -164,7 +161,7 @@ std::vector<VtkLegacy::Array> VtkLegacy::read_attribute(std::string_view kind,
 }
 
 VtkLegacy::Array VtkLegacy::read_scalars(std::uint64_t count) {
-  Array array{array_name(word_on_line()), 1, {}};
+  Array array{without_escapes(word_on_line()), 1, {}};
   array.type = read_type();
   const std::string_view given = word_on_line();
   if (given == "2" || given == "3" || given == "4") {

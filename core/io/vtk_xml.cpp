@@ -14,6 +14,8 @@
 namespace talweg::formats {
 namespace {
 
+constexpr std::uint64_t kMostBytes = std::uint64_t{1} << 31U;
+
 std::optional<NumberType> xml_type(std::string_view name) {
   static constexpr std::string_view kNames[] = {"Int8",   "UInt8", "Int16",  "UInt16",  "Int32",
                                                 "UInt32", "Int64", "UInt64", "Float32", "Float64"};
@@ -106,7 +108,13 @@ std::vector<double> VtkXml::read_array(const pugi::xml_node& array) const {
   }
   try {
     const bool base64 = format == "binary" || encoding_.appended_base64;
-    return numbers_of(decoded_block(encoding_, stored, base64), *type, encoding_.swap);
+    const std::string block = decoded_block(encoding_, stored, base64);
+    // Arrays may name the same data any number of times.
+    unpacked_ += block.size();
+    if (unpacked_ > kMostBytes) {
+      throw std::runtime_error("the arrays unpack to more than 2 GiB together");
+    }
+    return numbers_of(block, *type, encoding_.swap);
   } catch (const std::runtime_error& error) {
     fail(array, error.what());
   }

@@ -37,6 +37,7 @@ class VtkXml {
   std::string xml_;
   pugi::xml_document document_;
   VtkEncoding encoding_;
+  mutable std::uint64_t unpacked_ = 0;  // bytes of all arrays that were read
 };
 
 }  // namespace talweg::formats

@@ -8,7 +8,7 @@
 
 #include "core/io/format_bytes.hpp"
 
-namespace talweg::test {
+namespace talweg::test::three_mf_meshes {
 namespace {
 
 using Faces = std::vector<Triangle>;
@@ -178,4 +178,4 @@ TEST(ThreeMf, Errors) {
 }
 
 }  // namespace
-}  // namespace talweg::test
+}  // namespace talweg::test::three_mf_meshes

@@ -6,7 +6,7 @@
 
 #include "core/io/format_bytes.hpp"
 
-namespace talweg::test {
+namespace talweg::test::msh_meshes {
 namespace {
 
 using Faces = std::vector<Triangle>;
@@ -158,4 +158,4 @@ TEST(MshMesh, Errors) {
 }
 
 }  // namespace
-}  // namespace talweg::test
+}  // namespace talweg::test::msh_meshes

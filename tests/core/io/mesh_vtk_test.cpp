@@ -8,7 +8,7 @@
 #include "core/io/format_bytes.hpp"
 #include "talweg/core/io/mesh_writer.hpp"
 
-namespace talweg::test {
+namespace talweg::test::vtk_meshes {
 namespace {
 
 using Faces = std::vector<Triangle>;
@@ -72,12 +72,13 @@ TEST(VtkMesh, FacesOfAnUnstructuredGrid) {
       "POINTS 6 double\n0 0 0 1 0 0 1 1 0 0 1 0 .5 0 0 0 0 1\n";
   MeshAttributes attributes;
   // A line, a pixel, a quadratic triangle and a tetrahedron.
-  const MeshLists lists = read_mesh("a.vtk",
-                                    grid +
-                                        "CELLS 4 20\n2 0 1\n4 0 1 3 2\n6 0 1 2 4 4 4\n4 0 1 2 5\n"
-                                        "CELL_TYPES 4\n3 8 22 10\nCELL_DATA 4\nSCALARS region int\n"
-                                        "LOOKUP_TABLE default\n7 8 9 10\n",
-                                    attributes);
+  const MeshLists lists =
+      read_mesh("a.vtk",
+                grid +
+                    "CELLS 4 20\n2 0 1\n4 0 1 3 2\n6 0 1 2 4 4 4\n4 0 1 2 5\n"
+                    "CELL_TYPES 4\n3 8 22 10\nCELL_DATA 4\nSCALARS region vtktypeint32\n"
+                    "LOOKUP_TABLE default\n7 8 9 10\n",
+                attributes);
   EXPECT_EQ(lists.triangles, (Faces{{0, 1, 2}, {0, 2, 3}, {0, 1, 2}}));
   EXPECT_EQ(attributes.faces[0].values, (std::vector<double>{8, 8, 9}));
   EXPECT_EQ(lists.notes.size(), 3U);
@@ -189,4 +190,4 @@ TEST(VtkMesh, WrittenFilesComeBackWithAttributesAndEdges) {
 }
 
 }  // namespace
-}  // namespace talweg::test
+}  // namespace talweg::test::vtk_meshes

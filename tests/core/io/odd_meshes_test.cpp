@@ -14,7 +14,7 @@
 #include "talweg/core/mesh/mesh_inspection.hpp"
 #include "talweg/core/mesh/surface_mesh.hpp"
 
-namespace talweg::test {
+namespace talweg::test::odd_meshes {
 namespace {
 
 using Faces = std::vector<Triangle>;
@@ -189,4 +189,4 @@ TEST(OddMeshes, FormatsThatAreNotReadGetAWordOnWhatToDo) {
 }
 
 }  // namespace
-}  // namespace talweg::test
+}  // namespace talweg::test::odd_meshes
