@@ -99,7 +99,8 @@ TEST(HostileFiles, SizesThatLieTakeNoMemory) {
                   {"line 6", "end of the line"});
   expect_bad_mesh("a.stl", std::string(80, ' ') + raw({0xFFFFFFFFU}), {"4294967295 triangles"});
   expect_bad_mesh("a.om", "OMT\x20"s + raw({0x7FFFFFFFU, 1U, 3U}), {"2147483647 vertices"});
-  expect_bad_mesh("a.off", "OFF BINARY\n" + raw({0x7FFFFFFF, 0x7FFFFFFF, 0}), {"vertex 0 of"});
+  expect_bad_mesh("a.off", "OFF BINARY\n\x7F\xFF\xFF\xFF\x7F\xFF\xFF\xFF\0\0\0\0"s,
+                  {"vertex 0 of"});
   const std::string vtk = "# vtk DataFile Version 3.0\nx\nBINARY\nDATASET POLYDATA\n";
   expect_bad_mesh("a.vtk", vtk + "POINTS 4000000000 float\n0000", {"byte ", "12000000000"});
   expect_bad_mesh("a.msh", "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n4000000000\n1 0 0 0\n",
