@@ -4,9 +4,12 @@
 #include <array>
 #include <string>
 
+#include <fmt/format.h>
+
 #include "talweg/core/drawing/point_marks.hpp"
 #include "talweg/core/io/curve_formats.hpp"
 #include "talweg/core/io/file_bytes.hpp"
+#include "talweg/core/io/other_formats.hpp"
 #include "talweg/core/io/text_encoding.hpp"
 #include "talweg/intrinsic/error.hpp"
 
@@ -62,7 +65,8 @@ CurveReader curve_reader_of(const std::filesystem::path& path) {
   if (extension == ".border") return formats::read_workbench;
   if (extension == ".fcsv") return formats::read_fcsv;
   if (extension == ".json" || extension == ".mrk.json") return formats::read_json;
-  cannot_read(path, "no curve format has the extension '" + extension + "'; " + kKnown);
+  cannot_read(path, fmt::format("no curve format has the extension '{}'{}; {}", extension,
+                                instead_of(path), kKnown));
 }
 
 }  // namespace

@@ -79,6 +79,20 @@ double LineScanner::number(const char* what) {
   return unusual_number(what);
 }
 
+double LineScanner::coordinate(std::string_view& odd) {
+  double value = 0;
+  const std::string_view before = rest_;
+  if (take(value) && std::isfinite(value)) return value;
+  rest_ = before;
+  const std::string_view found = word();
+  if (parse(found, value) && !std::isfinite(value)) {
+    odd = found;
+    return value;
+  }
+  rest_ = before;
+  return unusual_number("a coordinate");
+}
+
 double LineScanner::unusual_number(const char* what) {
   const std::string_view found = word();
   double value = 0;

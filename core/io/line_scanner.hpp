@@ -32,6 +32,8 @@ class LineScanner {
   std::string_view word();
   /// The next word as a finite number. Throws Error(kBadFile).
   double number(const char* what);
+  /// The next word as a coordinate, which may be NaN or infinite; `odd` is then the word.
+  double coordinate(std::string_view& odd);
   /// The next word as a whole number. Throws Error(kBadFile).
   std::int64_t integer(const char* what);
 

@@ -40,6 +40,8 @@ std::string obj_bytes(MeshContent& content);
 std::string off_bytes(MeshContent& content);
 std::string ply_bytes(MeshContent& content);
 std::string stl_bytes(MeshContent& content);
+std::string vtk_bytes(MeshContent& content);
+std::string vtp_bytes(MeshContent& content);
 
 /// Appends a number's bytes in little-endian order.
 template <class T>

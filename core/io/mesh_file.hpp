@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "talweg/core/mesh/mesh_attributes.hpp"
 #include "talweg/core/mesh/mesh_lists.hpp"
@@ -27,6 +28,23 @@ struct MeshFile {
 /// The extension in lower case: ".ply" for "A.PLY".
 std::string lower_extension(const std::filesystem::path& path);
 
+/// Vertices of a text whose coordinates are not finite numbers, and the lines where they stand.
+/// They are refused where a face uses them; others stay as they are.
+class StrayVertices {
+ public:
+  /// Only the last coordinate that is not finite is quoted.
+  void add(std::size_t vertex, std::size_t line, std::string_view word);
+  /// Throws Error(kBadFile) naming the first that a face uses. O(faces) if there are any.
+  void check(const MeshFile& file, const MeshLists& lists) const;
+
+ private:
+  struct Stray {
+    std::size_t vertex, line;
+    std::string_view word;
+  };
+  std::vector<Stray> all_;
+};
+
 /// Appends the fan of triangles of a polygon with at least three corners. read_mesh() triangulates
 /// concave ones inside themselves when all points are known.
 void add_polygon(MeshLists& lists, std::span<const std::uint32_t> corners);
@@ -34,10 +52,18 @@ void add_polygon(MeshLists& lists, std::span<const std::uint32_t> corners);
 /// Each reader also reads the file's attributes if `attributes` is not null.
 MeshLists read_obj(const MeshFile& file, MeshAttributes* attributes = nullptr);
 MeshLists read_off(const MeshFile& file, MeshAttributes* attributes = nullptr);
+/// Whether the first line of an OFF file says BINARY; then it is no text.
+bool is_binary_off(std::string_view bytes);
+MeshLists read_binary_off(const MeshFile& file, MeshAttributes* attributes);
 MeshLists read_ply(const MeshFile& file, MeshAttributes* attributes = nullptr);
 MeshLists read_stl(const MeshFile& file, MeshAttributes* attributes = nullptr);
 MeshLists read_om(const MeshFile& file, MeshAttributes* attributes = nullptr);
 MeshLists read_gifti_mesh(const MeshFile& file, MeshAttributes* attributes = nullptr);
 MeshLists read_freesurfer_mesh(const MeshFile& file, MeshAttributes* attributes = nullptr);
+MeshLists read_gltf(const MeshFile& file, MeshAttributes* attributes = nullptr);
+MeshLists read_3mf(const MeshFile& file, MeshAttributes* attributes = nullptr);
+MeshLists read_msh(const MeshFile& file, MeshAttributes* attributes = nullptr);
+MeshLists read_vtk_mesh(const MeshFile& file, MeshAttributes* attributes = nullptr);
+MeshLists read_vtp_mesh(const MeshFile& file, MeshAttributes* attributes = nullptr);
 
 }  // namespace talweg

@@ -15,8 +15,6 @@
 namespace talweg {
 namespace {
 
-constexpr const char* kCoordinate = "a coordinate";
-
 /// Parses "7", "7/1", "7//3", "7/1/3"; negative numbers count back from the newest vertex.
 /// Vertices may follow the faces that use them, so the upper bound is checked at the end.
 std::uint32_t corner_of(const LineScanner& lines, std::string_view word, std::size_t vertices) {
@@ -242,12 +240,15 @@ MeshLists read_obj(const MeshFile& file, MeshAttributes* attributes) {
   // The largest vertex that any face names, and its line.
   std::uint32_t largest = 0;
   std::size_t largest_line = 0;
+  StrayVertices strays;
   LineScanner lines(file, '#');
   while (lines.next_line()) {
     const std::string_view keyword = lines.word();
     if (keyword == "v") {
       Point p;
-      for (double& coordinate : p) coordinate = lines.number(kCoordinate);
+      std::string_view odd;
+      for (double& coordinate : p) coordinate = lines.coordinate(odd);
+      if (!odd.empty()) strays.add(lists.points.size(), lines.line(), odd);
       if (beside != nullptr) beside->vertex(lines, lists.points.size());
       lists.points.push_back(p);
     } else if (keyword == "f" || keyword == "fo") {
@@ -267,6 +268,7 @@ MeshLists read_obj(const MeshFile& file, MeshAttributes* attributes) {
                  " (counted from 1), but the file has " + std::to_string(lists.points.size()) +
                  " vertices.");
   }
+  strays.check(file, lists);
   if (beside != nullptr) beside->end(lists.points.size(), lists.triangles.size());
   lists.space = formats::space_in_comments(file.bytes);
   return lists;

@@ -1,4 +1,5 @@
-// Object File Format, text: vertices and polygons; normals and colours are passed over.
+// Object File Format, text (binary: mesh_off_binary.cpp): vertices and polygons; normals and
+// colours are passed over.
 #include <algorithm>
 #include <vector>
 
@@ -20,7 +21,6 @@ Counts read_header(LineScanner& lines) {
     lines.fail("expected the word OFF at the beginning of the file.");
   }
   std::string_view word = lines.word();
-  if (word == "BINARY") lines.fail("binary OFF files are not supported; save it as text or PLY.");
   if (word.empty()) {
     lines.need_line("the numbers of vertices and faces");
     word = lines.word();
@@ -39,17 +39,21 @@ std::string missing(const char* kind, std::size_t index, std::size_t count) {
 }  // namespace
 
 MeshLists read_off(const MeshFile& file, MeshAttributes* attributes) {
+  if (is_binary_off(file.bytes)) return read_binary_off(file, attributes);
   LineScanner lines(file, '#');
   bool more_of_vertices = false, more_of_faces = false;
   const Counts counts = read_header(lines);
   MeshLists lists;
+  StrayVertices strays;
   // A line has at least six bytes, so no more memory is reserved than the file can fill.
   lists.points.reserve(std::min(counts.vertices, file.bytes.size() / 6));
   lists.triangles.reserve(std::min(counts.faces, file.bytes.size() / 6));
   for (std::size_t v = 0; v < counts.vertices; ++v) {
     if (!lines.next_line()) lines.need_line(missing("vertex", v, counts.vertices));
     Point p;
-    for (double& coordinate : p) coordinate = lines.number("a coordinate");
+    std::string_view odd;
+    for (double& coordinate : p) coordinate = lines.coordinate(odd);
+    if (!odd.empty()) strays.add(v, lines.line(), odd);
     lists.points.push_back(p);
     if (attributes != nullptr) more_of_vertices |= !lines.word().empty();
   }
@@ -75,6 +79,7 @@ MeshLists read_off(const MeshFile& file, MeshAttributes* attributes) {
   }
   if (more_of_vertices) attributes->left_out.emplace_back("normals or colours of vertices (OFF)");
   if (more_of_faces) attributes->left_out.emplace_back("colours of faces (OFF)");
+  strays.check(file, lists);
   if (lines.next_line()) {
     lines.fail("the file goes on after the " + std::to_string(counts.vertices) + " vertices and " +
                std::to_string(counts.faces) + " faces that its header announces.");

@@ -211,7 +211,8 @@ class FaceSink {
 class TextBody {
  public:
   TextBody(const MeshFile& file, const Plan& plan, MeshLists& lists)
-      : plan_(plan),
+      : file_(file),
+        plan_(plan),
         lists_(lists),
         lines_(file, '\0', plan.header.body, plan.header.lines),
         faces_(file, plan, lists),
@@ -232,6 +233,7 @@ class TextBody {
       }
     }
     if (lines_.next_line()) lines_.fail("the file goes on after all that its header announces.");
+    strays_.check(file_, lists_);
   }
 
  private:
@@ -255,18 +257,20 @@ class TextBody {
 
   void read_vertex(const PlyElement& element) {
     Point p;
+    std::string_view odd;
     for (std::size_t i = 0; i < element.properties.size(); ++i) {
       const auto k =
           static_cast<std::size_t>(std::find(plan_.coordinate.begin(), plan_.coordinate.end(), i) -
                                    plan_.coordinate.begin());
       if (k < 3) {
-        p[static_cast<int>(k)] = lines_.number("a coordinate");
+        p[static_cast<int>(k)] = lines_.coordinate(odd);
       } else if (const std::size_t c = plan_.vertex_columns.at(i); c != kAbsent) {
         plan_.attributes->vertices[c].values.push_back(number(element.properties[i]));
       } else {
         skip(element.properties[i]);
       }
     }
+    if (!odd.empty()) strays_.add(lists_.points.size(), lines_.line(), odd);
     lists_.points.push_back(p);
   }
 
@@ -303,8 +307,10 @@ class TextBody {
     }
   }
 
+  const MeshFile& file_;
   const Plan& plan_;
   MeshLists& lists_;
+  StrayVertices strays_;
   LineScanner lines_;
   FaceSink faces_;
   TriangleStrips strips_;

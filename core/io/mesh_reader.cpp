@@ -1,11 +1,17 @@
 #include "talweg/core/io/mesh_reader.hpp"
 
+#include <algorithm>
+#include <array>
 #include <limits>
 #include <string>
 
+#include <fmt/format.h>
+
 #include "talweg/core/io/file_bytes.hpp"
 #include "talweg/core/io/mesh_file.hpp"
+#include "talweg/core/io/other_formats.hpp"
 #include "talweg/core/io/text_encoding.hpp"
+#include "talweg/core/io/text_words.hpp"
 #include "talweg/core/mesh/polygon_triangulation.hpp"
 
 namespace talweg {
@@ -13,30 +19,42 @@ namespace {
 
 using FormatReader = MeshLists (*)(const MeshFile&, MeshAttributes*);
 
+struct Format {
+  std::string_view extension;
+  FormatReader read;
+};
+
+/// In the order in which refusals name them.
+constexpr std::array kFormats{
+    Format{".obj", &read_obj},      Format{".off", &read_off}, Format{".ply", &read_ply},
+    Format{".stl", &read_stl},      Format{".om", &read_om},   Format{".vtk", &read_vtk_mesh},
+    Format{".vtp", &read_vtp_mesh}, Format{".msh", &read_msh}, Format{".gltf", &read_gltf},
+    Format{".glb", &read_gltf},     Format{".3mf", &read_3mf}, Format{".gii", &read_gifti_mesh}};
+
+/// FreeSurfer's endings say what a surface is, and not its format.
+constexpr std::array kFreeSurfer{".white", ".pial", ".inflated",    ".sphere",   ".smoothwm", ".orig",
+                                 ".mid",   ".reg",  ".midthickness", ".graymid", ".nofix"};
+
 FormatReader format_reader_of(const std::filesystem::path& path) {
   const std::string extension = lower_extension(path);
-  if (extension == ".obj") return &read_obj;
-  if (extension == ".off") return &read_off;
-  if (extension == ".ply") return &read_ply;
-  if (extension == ".stl") return &read_stl;
-  if (extension == ".om") return &read_om;
-  if (extension == ".gii") return &read_gifti_mesh;
-  for (const char* surface : {".white", ".pial", ".inflated", ".sphere", ".smoothwm", ".orig",
-                              ".mid", ".midthickness", ".graymid", ".reg", ".nofix"}) {
-    if (extension == surface) return &read_freesurfer_mesh;
+  for (const Format& format : kFormats) {
+    if (extension == format.extension) return format.read;
   }
-  bad_file(path, (extension.empty() ? "the file name has no extension"
-                                    : "'" + extension + "' is no mesh format we read") +
-                     "; expected .obj, .off, .ply, .stl, .om, .gii (GIFTI), or a surface of "
-                     "FreeSurfer (.white, "
-                     ".pial, .inflated, .sphere, .smoothwm, .orig, .mid).");
+  if (std::find(kFreeSurfer.begin(), kFreeSurfer.end(), extension) != kFreeSurfer.end()) {
+    return &read_freesurfer_mesh;
+  }
+  const std::string known = fmt::format("; expected {}.", readable_meshes());
+  if (extension.empty()) bad_file(path, "the file name has no extension" + known);
+  bad_file(path, fmt::format("'{}' is no mesh format we read{}{}", printable(extension),
+                             instead_of(path), known));
 }
 
 MeshLists read_bytes(const std::filesystem::path& path, std::string_view bytes,
                      MeshAttributes* attributes) {
   const FormatReader read = format_reader_of(path);
   if (bytes.empty()) bad_file(path, "the file is empty.");
-  if (read == &read_obj || read == &read_off || read == &read_ply) {
+  const bool off_text = read == &read_off && !is_binary_off(bytes);
+  if (read == &read_obj || off_text || read == &read_ply) {
     formats::check_encoding(path, bytes);
     formats::check_line_ends(path, bytes);
     if (read != &read_ply) formats::check_no_nul(path, bytes);
@@ -52,6 +70,15 @@ MeshLists read_bytes(const std::filesystem::path& path, std::string_view bytes,
 }
 
 }  // namespace
+
+std::string readable_meshes() {
+  std::string all;
+  for (std::size_t k = 0; k < kFormats.size(); ++k) {
+    if (k > 0) all += ", ";
+    all += kFormats[k].extension;
+  }
+  return all + " or a surface of FreeSurfer (.white, .pial, .inflated, .sphere, .smoothwm, .orig, .mid)";
+}
 
 MeshLists read_mesh(const std::filesystem::path& path) {
   static_cast<void>(format_reader_of(path));  // checks the extension before the file is read

@@ -1,10 +1,12 @@
-// STL, text and binary. It stores triangles without vertex ids: corners at equal positions are one
-// vertex.
+// STL, text (keywords in either case) and binary. It stores triangles without vertex ids: corners
+// at equal positions are one vertex.
 #include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstring>
 #include <vector>
+
+#include <fmt/format.h>
 
 #include "talweg/core/io/byte_cursor.hpp"
 #include "talweg/core/io/line_scanner.hpp"
@@ -87,12 +89,24 @@ MeshLists read_binary(const MeshFile& file, std::size_t triangles, MeshAttribute
   if (attributes != nullptr && has_attributes) {
     attributes->left_out.emplace_back("attribute bytes of faces (STL)");
   }
+  const std::size_t rest = file.bytes.size() - kHeader - kTriangle * triangles;
+  if (rest > 0) {
+    lists.notes.push_back(fmt::format(
+        "{} bytes after the {} triangles of the STL file were passed over.", rest, triangles));
+  }
   return lists;
+}
+
+/// Compares without regard to case; `lower` has none.
+bool is_word(std::string_view word, std::string_view lower) {
+  return std::equal(word.begin(), word.end(), lower.begin(), lower.end(), [](char a, char b) {
+    return a == b || (a >= 'A' && a <= 'Z' && a - 'A' + 'a' == b);
+  });
 }
 
 void need_word(LineScanner& lines, std::string_view expected, std::size_t facet) {
   const bool found = lines.next_line();
-  if (found && lines.word() == expected) return;
+  if (found && is_word(lines.word(), expected)) return;
   const std::string what = quoted(expected) + " of facet " + std::to_string(facet);
   if (!found) lines.need_line(what);
   lines.fail("expected " + what + ".");
@@ -106,11 +120,11 @@ MeshLists read_text(const MeshFile& file) {
   bool inside = false;
   while (lines.next_line()) {
     const std::string_view keyword = lines.word();
-    if (keyword == "solid" && !inside) {
+    if (is_word(keyword, "solid") && !inside) {
       inside = true;
-    } else if (keyword == "endsolid" && inside) {
+    } else if (is_word(keyword, "endsolid") && inside) {
       inside = false;
-    } else if (keyword == "facet" && inside) {
+    } else if (is_word(keyword, "facet") && inside) {
       const std::size_t facet = lists.triangles.size();
       need_word(lines, "outer", facet);
       Triangle triangle{};
@@ -139,12 +153,14 @@ MeshLists read_stl(const MeshFile& file, MeshAttributes* attributes) {
   if (size >= kHeader) {
     announced =
         load<std::uint32_t>(file.bytes.data() + 80, std::endian::native == std::endian::big);
-    // Some binary files also begin with the word solid, so the size decides.
-    if (size == kHeader + kTriangle * announced) return read_binary(file, announced, attributes);
+    // Some binary files also begin with the word solid, so the size decides: four bytes of text
+    // would announce more triangles than the largest file can hold. Bytes may follow.
+    if (size >= kHeader + kTriangle * announced) return read_binary(file, announced, attributes);
   }
   const std::string_view head = file.bytes.substr(0, 1024);
-  const std::size_t first = head.find_first_not_of(" \t\r\n");
-  if (first != std::string_view::npos && head.substr(first, 5) == "solid" &&
+  const std::size_t mark = head.starts_with("\xEF\xBB\xBF") ? 3 : 0;
+  const std::size_t first = head.find_first_not_of(" \t\r\n", mark);
+  if (first != std::string_view::npos && is_word(head.substr(first, 5), "solid") &&
       head.find('\0') == std::string_view::npos) {
     return read_text(file);
   }

@@ -132,6 +132,8 @@ Bytes bytes_of(const std::filesystem::path& name) {
   if (extension == ".off") return &formats::off_bytes;
   if (extension == ".ply") return &formats::ply_bytes;
   if (extension == ".stl") return &formats::stl_bytes;
+  if (extension == ".vtk") return &formats::vtk_bytes;
+  if (extension == ".vtp") return &formats::vtp_bytes;
   return nullptr;
 }
 
@@ -174,7 +176,7 @@ MeshBytes mesh_bytes(const std::filesystem::path& name, const MeshLists& lists,
 
 void check_mesh_name(const std::filesystem::path& name) {
   if (bytes_of(name) == nullptr) {
-    cannot_write(name, "its name does not end in .obj, .off, .ply or .stl");
+    cannot_write(name, "its name does not end in .obj, .off, .ply, .stl, .vtk or .vtp");
   }
 }
 

@@ -19,22 +19,23 @@ struct TaggedEdge {
 };
 
 /// Writes OBJ, OFF (text, shortest digits that read back exactly), PLY (binary, little-endian,
-/// `double`) or STL (binary, `float`: no ids, and coordinates are rounded), by the extension. The
-/// space of the coordinates is noted as read_mesh() finds it (OFF has no place for it). The
-/// file is either unchanged or complete: a new file is written beside it and renamed.
-/// Throws Error(kBadFile) naming path and reason; Error(kBadMesh) when a face refers to a vertex
-/// that does not exist.
+/// `double`), STL (binary, `float`: no ids, and coordinates are rounded), VTK (legacy, binary) or
+/// VTP (raw), both `double`, by the extension. The space of the coordinates is noted as read_mesh()
+/// finds it (OFF, VTK and VTP have no place for it). The file is either unchanged or complete: a new
+/// file is written beside it and renamed. Throws Error(kBadFile) naming path and reason;
+/// Error(kBadMesh) when a face refers to a vertex that does not exist.
 void write_mesh(const std::filesystem::path& path, const MeshLists& lists);
 
 /// Writes attributes and edges too. PLY holds all columns of vertices and faces in their types,
 /// texture coordinates of corners (list texcoord), normals of corners if each vertex has only one,
 /// and edges (element edge: vertex1, vertex2, curve). OBJ holds the colours, normals and texture
-/// coordinates of vertices, all attributes of corners, names of faces, and edges (l). OFF and STL
-/// hold none of these. Returns descriptions of what the file does not hold.
-/// With `outlines` its faces are written instead of the triangles, each with the attributes of the
-/// triangle of its first corner.
+/// coordinates of vertices, all attributes of corners, names of faces, and edges (l). VTK and VTP
+/// hold all columns of vertices and faces (columns that belong together are one array) and edges
+/// (as lines before the faces, with their curve in the array curve). OFF and STL hold none of
+/// these. Returns descriptions of what the file does not hold. With `outlines` its faces are
+/// written instead of the triangles, each with the attributes of the triangle of its first corner.
 /// Throws Error(kBadUsage) where the number of attributes is not that of the elements, an outline
-/// has a corner that does not exist, and for outlines in STL.
+/// has a corner that does not exist, and for outlines in STL, VTK and VTP.
 std::vector<std::string> write_mesh(const std::filesystem::path& path, const MeshLists& lists,
                                     const MeshAttributes& attributes,
                                     std::span<const TaggedEdge> edges = {},

@@ -4,19 +4,12 @@
 
 #include <zlib.h>
 
+#include "talweg/core/io/base64.hpp"
+
 namespace talweg::formats {
 namespace {
 
 constexpr std::uint64_t kLargestArray = std::uint64_t{1} << 31U;
-
-int base64_digit(char c) {
-  if (c >= 'A' && c <= 'Z') return c - 'A';
-  if (c >= 'a' && c <= 'z') return c - 'a' + 26;
-  if (c >= '0' && c <= '9') return c - '0' + 52;
-  if (c == '+') return 62;
-  if (c == '/') return 63;
-  return -1;
-}
 
 /// Takes bytes from the front of raw or base64 data. Base64 data may continue after padding,
 /// because writers encode a block's header and its data separately.

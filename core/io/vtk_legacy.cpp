@@ -1,6 +1,7 @@
 #include "talweg/core/io/vtk_legacy.hpp"
 
 #include <bit>
+#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -8,6 +9,8 @@
 
 #include "talweg/core/io/file_bytes.hpp"
 #include "talweg/core/io/space_note.hpp"
+#include "talweg/core/io/percent_escapes.hpp"
+#include "talweg/core/io/text_words.hpp"
 
 namespace talweg::formats {
 namespace {
@@ -20,14 +23,28 @@ std::optional<NumberType> legacy_type(std::string_view name) {
     std::string_view name;
     NumberType type;
   };
-  static constexpr Name kNames[] = {
-      {"char", NumberType::kInt8},          {"unsigned_char", NumberType::kUint8},
-      {"short", NumberType::kInt16},        {"unsigned_short", NumberType::kUint16},
-      {"int", NumberType::kInt32},          {"unsigned_int", NumberType::kUint32},
-      {"long", NumberType::kInt64},         {"unsigned_long", NumberType::kUint64},
-      {"vtktypeint64", NumberType::kInt64}, {"vtktypeuint64", NumberType::kUint64},
-      {"vtkIdType", NumberType::kInt32},    {"float", NumberType::kFloat32},
-      {"double", NumberType::kFloat64}};
+  static constexpr Name kNames[] = {{"char", NumberType::kInt8},
+                                    {"unsigned_char", NumberType::kUint8},
+                                    {"short", NumberType::kInt16},
+                                    {"unsigned_short", NumberType::kUint16},
+                                    {"int", NumberType::kInt32},
+                                    {"unsigned_int", NumberType::kUint32},
+                                    {"long", NumberType::kInt64},
+                                    {"unsigned_long", NumberType::kUint64},
+                                    {"vtktypeint64", NumberType::kInt64},
+                                    {"vtktypeuint64", NumberType::kUint64},
+                                    {"vtktypeint32", NumberType::kInt32},
+                                    {"vtktypeuint32", NumberType::kUint32},
+                                    {"vtktypeint16", NumberType::kInt16},
+                                    {"vtktypeuint16", NumberType::kUint16},
+                                    {"vtktypeint8", NumberType::kInt8},
+                                    {"vtktypeuint8", NumberType::kUint8},
+                                    {"signed_char", NumberType::kInt8},
+                                    {"vtktypefloat32", NumberType::kFloat32},
+                                    {"vtktypefloat64", NumberType::kFloat64},
+                                    {"vtkIdType", NumberType::kInt32},
+                                    {"float", NumberType::kFloat32},
+                                    {"double", NumberType::kFloat64}};
   for (const Name& known : kNames) {
     if (name == known.name) return known.type;
   }
@@ -36,7 +53,8 @@ std::optional<NumberType> legacy_type(std::string_view name) {
 
 }  // namespace
 
-VtkLegacy::VtkLegacy(const Source& source) : source_(source), scanner_(source.path, source.bytes) {
+VtkLegacy::VtkLegacy(const Source& source, bool any_number)
+    : source_(source), scanner_(source.path, source.bytes), any_number_(any_number) {
   constexpr std::string_view kMagic = "# vtk DataFile Version ";
   std::string_view first = scanner_.rest_of_line();
   if (first.substr(0, kMagic.size()) != kMagic) scanner_.fail("expected '# vtk DataFile Version'");
@@ -70,7 +88,10 @@ std::vector<double> VtkLegacy::read_numbers(std::uint64_t count, NumberType type
   const auto n = static_cast<std::size_t>(count);
   std::vector<double> numbers(n);
   if (ascii_) {
-    for (double& x : numbers) x = scanner_.number(scanner_.word(), "a number");
+    for (double& x : numbers) {
+      const std::string_view word = scanner_.word();
+      if (!any_number_ || !parse(word, x)) x = scanner_.number(word, "a number");
+    }
     return numbers;
   }
   if (n > scanner_.remaining() / size) fail("the data ends too early");
@@ -92,12 +113,16 @@ std::vector<VtkLegacy::Array> VtkLegacy::read_fields() {
   std::vector<Array> arrays;
   for (std::uint64_t k = 0; k < count; ++k) {
     Array array;
-    array.name = scanner_.word();
+    array.name = without_escapes(scanner_.word());
+    while (array.name == "METADATA") {  // of the array before
+      skip_metadata();
+      array.name = without_escapes(scanner_.word());
+    }
     if (array.name.empty()) scanner_.fail("the name of a field", {});
     array.components = read_count();
     const std::uint64_t tuples = read_count();
-    const NumberType type = read_type();
-    array.numbers = read_numbers(array.components * tuples, type);
+    array.type = read_type();
+    array.numbers = read_numbers(array.components * tuples, array.type);
     arrays.push_back(std::move(array));
   }
   return arrays;
@@ -114,19 +139,23 @@ std::vector<VtkLegacy::Array> VtkLegacy::read_attribute(std::string_view kind,
     const std::uint64_t n = read_count();
     read_numbers(4 * n, ascii_ ? NumberType::kFloat32 : NumberType::kUint8);
   } else if (kind == "COLOR_SCALARS") {
-    word_on_line();
-    const std::uint64_t n = read_count();
-    read_numbers(n * count, ascii_ ? NumberType::kFloat32 : NumberType::kUint8);
+    Array array{without_escapes(word_on_line()), read_count(), {}, NumberType::kUint8};
+    array.numbers =
+        read_numbers(array.components * count, ascii_ ? NumberType::kFloat32 : NumberType::kUint8);
+    if (ascii_) {  // as parts of one
+      for (double& x : array.numbers) x = std::round(255 * x);
+    }
+    return {std::move(array)};
   } else if (kind == "TEXTURE_COORDINATES") {
-    word_on_line();
-    const std::uint64_t n = read_count();
-    const NumberType type = read_type();
-    read_numbers(n * count, type);
+    Array array{without_escapes(word_on_line()), read_count(), {}};
+    array.type = read_type();
+    array.numbers = read_numbers(array.components * count, array.type);
+    return {std::move(array)};
   } else if (kind == "VECTORS" || kind == "NORMALS" || kind == "TENSORS") {
-    const std::uint64_t each = kind == "TENSORS" ? 9 : 3;
-    word_on_line();
-    const NumberType type = read_type();
-    read_numbers(each * count, type);
+    Array array{without_escapes(word_on_line()), kind == "TENSORS" ? 9U : 3U, {}};
+    array.type = read_type();
+    array.numbers = read_numbers(array.components * count, array.type);
+    return {std::move(array)};
   } else {
     fail("SCALARS or FIELD", kind);
   }
@@ -134,8 +163,8 @@ std::vector<VtkLegacy::Array> VtkLegacy::read_attribute(std::string_view kind,
 }
 
 VtkLegacy::Array VtkLegacy::read_scalars(std::uint64_t count) {
-  Array array{std::string(word_on_line()), 1, {}};
-  const NumberType type = read_type();
+  Array array{without_escapes(word_on_line()), 1, {}};
+  array.type = read_type();
   const std::string_view given = word_on_line();
   if (given == "2" || given == "3" || given == "4") {
     array.components = static_cast<std::uint64_t>(given[0] - '0');
@@ -145,7 +174,7 @@ VtkLegacy::Array VtkLegacy::read_scalars(std::uint64_t count) {
   const std::string_view table = word();
   if (table != "LOOKUP_TABLE") fail("LOOKUP_TABLE", table);
   word_on_line();
-  array.numbers = read_numbers(array.components * count, type);
+  array.numbers = read_numbers(array.components * count, array.type);
   return array;
 }
 

@@ -18,7 +18,8 @@ class VtkLegacy {
  public:
   static constexpr std::uint64_t kMostItems = std::numeric_limits<std::uint32_t>::max();
 
-  explicit VtkLegacy(const Source& source);
+  /// Numbers in text must be finite unless `any_number`; bytes may hold all.
+  explicit VtkLegacy(const Source& source, bool any_number = false);
 
   /// word() gives the next word on any line, word_on_line() on this line; empty at the end.
   std::string_view word() { return scanner_.word(); }
@@ -34,6 +35,7 @@ class VtkLegacy {
     std::string name;
     std::uint64_t components = 0;
     std::vector<double> numbers;
+    NumberType type = NumberType::kFloat64;
   };
   /// Reads the arrays of a field, after the word FIELD.
   std::vector<Array> read_fields();
@@ -57,6 +59,7 @@ class VtkLegacy {
   Array read_scalars(std::uint64_t count);
   const Source& source_;
   WordScanner scanner_;
+  bool any_number_ = false;
   bool ascii_ = true;
   bool split_cells_ = false;
   PatientSpace space_ = PatientSpace::kNotSaid;

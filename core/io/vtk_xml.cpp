@@ -15,6 +15,8 @@
 namespace talweg::formats {
 namespace {
 
+constexpr std::uint64_t kMostBytes = std::uint64_t{1} << 31U;
+
 std::optional<NumberType> xml_type(std::string_view name) {
   static constexpr std::string_view kNames[] = {"Int8",   "UInt8", "Int16",  "UInt16",  "Int32",
                                                 "UInt32", "Int64", "UInt64", "Float32", "Float64"};
@@ -99,9 +101,13 @@ PatientSpace VtkXml::space() const {
   return space_in(note);
 }
 
+std::optional<NumberType> VtkXml::number_type(const pugi::xml_node& array) {
+  return xml_type(array.attribute("type").value());
+}
+
 std::vector<double> VtkXml::read_array(const pugi::xml_node& array) const {
   const std::string_view format = array.attribute("format").as_string("ascii");
-  const auto type = xml_type(array.attribute("type").value());
+  const auto type = number_type(array);
   if (!type) fail(array, "expected a type such as Float64 or Int32");
   if (format == "ascii") return read_ascii(array);
   if (format != "binary" && format != "appended") {
@@ -115,7 +121,13 @@ std::vector<double> VtkXml::read_array(const pugi::xml_node& array) const {
   }
   try {
     const bool base64 = format == "binary" || encoding_.appended_base64;
-    return numbers_of(decoded_block(encoding_, stored, base64), *type, encoding_.swap);
+    const std::string block = decoded_block(encoding_, stored, base64);
+    // Arrays may name the same data any number of times.
+    unpacked_ += block.size();
+    if (unpacked_ > kMostBytes) {
+      throw std::runtime_error("the arrays unpack to more than 2 GiB together");
+    }
+    return numbers_of(block, *type, encoding_.swap);
   } catch (const std::runtime_error& error) {
     fail(array, error.what());
   }
@@ -131,7 +143,8 @@ std::vector<double> VtkXml::read_ascii(const pugi::xml_node& array) const {
     if (parsed.ec == std::errc::invalid_argument || parsed.ptr != end) {
       fail(array, "expected a number, found '" + printable(word) + "'");
     }
-    numbers.push_back(parsed.ec == std::errc{} ? value : scanner.number(word, "a number"));
+    if (parsed.ec != std::errc{}) static_cast<void>(talweg::parse(word, value));  // 1e-400 is 0
+    numbers.push_back(value);
   }
   return numbers;
 }

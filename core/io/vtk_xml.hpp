@@ -1,6 +1,7 @@
 // VTK's XML files have data arrays in a tree; they are read if they are well-formed.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,8 @@ class VtkXml {
   }
   /// The data array with this name.
   [[nodiscard]] pugi::xml_node named(const pugi::xml_node& among, const char* name) const;
+  /// The type of an array's numbers; nothing for texts and bits.
+  [[nodiscard]] static std::optional<NumberType> number_type(const pugi::xml_node& array);
   /// An array's numbers, of any type and encoding.
   [[nodiscard]] std::vector<double> read_array(const pugi::xml_node& array) const;
   /// The space of the coordinates that 3D Slicer notes in the field data: a string SPACE.
@@ -36,6 +39,7 @@ class VtkXml {
   std::string xml_;
   pugi::xml_document document_;
   VtkEncoding encoding_;
+  mutable std::uint64_t unpacked_ = 0;  // bytes of all arrays that were read
 };
 
 }  // namespace talweg::formats

@@ -68,6 +68,11 @@ std::string_view WordScanner::bytes(std::size_t n) {
   return result;
 }
 
+void WordScanner::skip_to(std::size_t position) {
+  line_ += line_of(text_.substr(position_, position - position_), position - position_) - 1;
+  position_ = position;
+}
+
 double WordScanner::number(std::string_view word, const char* expected) const {
   double value = 0;
   if (!parse(word, value)) fail(expected, word);

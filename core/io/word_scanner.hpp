@@ -41,6 +41,8 @@ class WordScanner {
   [[nodiscard]] std::size_t remaining() const { return text_.size() - position_; }
   /// The next n bytes, unchanged; throws if there are fewer. Lines in them are not counted.
   std::string_view bytes(std::size_t n);
+  /// Goes on at a later byte. Lines up to it are counted.
+  void skip_to(std::size_t position);
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
 
   [[noreturn]] void fail(const std::string& expected, std::string_view found) const;

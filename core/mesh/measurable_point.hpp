@@ -17,7 +17,11 @@ inline bool can_be_measured(const Point& p) {
   return (p.array().abs() <= kLargestCoordinate).all();
 }
 
-/// Whether size and edges of a mesh, whose points can all be measured, keep the lower bounds. A
+/// Whether all vertices can be measured, but for those that no face uses: they may be anywhere,
+/// also nowhere (NaN). O(vertices); O(faces), too, if some cannot.
+bool all_measurable(const MeshLists& lists);
+
+/// Whether size and edges of a mesh, all of which is measurable, keep the lower bounds. A
 /// mesh without any extent and edges without length are allowed.
 bool large_enough(const MeshLists& lists);
 

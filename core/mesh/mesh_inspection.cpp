@@ -38,6 +38,17 @@ std::vector<bool> proper_faces(const MeshLists& lists, MeshInspection& found) {
   return proper;
 }
 
+/// Which vertices some face uses.
+std::vector<bool> used_vertices(const MeshLists& lists) {
+  std::vector<bool> used(lists.points.size(), false);
+  for (const Triangle& t : lists.triangles) {
+    for (const std::uint32_t v : t) {
+      if (v < used.size()) used[v] = true;
+    }
+  }
+  return used;
+}
+
 /// Joins the elements that edges connect.
 class Topology {
  public:
@@ -104,11 +115,7 @@ class Topology {
   void count() {
     std::vector<std::uint32_t> fans(lists_.points.size(), 0);
     std::int64_t used_faces = 0;
-    std::vector<bool> used(lists_.points.size(), false);
     for (std::uint32_t f = 0; f < lists_.triangles.size(); ++f) {
-      for (const std::uint32_t v : lists_.triangles[f]) {
-        if (v < used.size()) used[v] = true;
-      }
       if (!proper_[f]) continue;
       ++used_faces;
       if (faces_.find(f) == f) ++found_.components;
@@ -117,6 +124,7 @@ class Topology {
         if (corners_.find(3 * f + k) == 3 * f + k) ++fans[lists_.triangles[f][k]];
       }
     }
+    const std::vector<bool> used = used_vertices(lists_);
     std::int64_t in_topology = 0;
     for (std::uint32_t v = 0; v < lists_.points.size(); ++v) {
       if (!used[v]) found_.isolated_vertices.add(v);
@@ -175,13 +183,19 @@ void find_duplicate_positions(const MeshLists& lists, MeshInspection& found) {
 }
 
 void measure_box(const MeshLists& lists, MeshInspection& found) {
+  const std::vector<bool> used = used_vertices(lists);
   Point low = Point::Constant(std::numeric_limits<double>::infinity());
   Point high = -low;
   for (std::uint32_t v = 0; v < lists.points.size(); ++v) {
+    const bool measurable = can_be_measured(lists.points[v]);
+    if (!measurable && !used[v]) {
+      found.stray_vertices.add(v);
+      continue;
+    }
     for (const double x : lists.points[v]) {
       if (std::abs(x) > found.coordinate_max) found.coordinate_max = std::abs(x);
     }
-    if (!can_be_measured(lists.points[v])) {
+    if (!measurable) {
       found.non_finite_vertices.add(v);
       continue;
     }
@@ -228,6 +242,7 @@ MeshInspection inspect(const MeshLists& lists) {
   found.single_precision = lists.single_precision;
   found.unit = lists.unit;
   found.space = lists.space;
+  found.notes = lists.notes;
   const std::vector<bool> proper = proper_faces(lists, found);
   measure_box(lists, found);
   measure_faces(lists, proper, found);

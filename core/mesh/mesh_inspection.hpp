@@ -65,10 +65,11 @@ struct MeshInspection {
   bool single_precision = false;   ///< the file stores 32-bit floats
   std::optional<LengthUnit> unit;  ///< of the coordinates, if the file has one
   PatientSpace space = PatientSpace::kNotSaid;  ///< of the coordinates, if the file says it
+  std::vector<std::string> notes;  ///< of the reader (MeshLists)
 
   // Defects that keep a mesh from being opened.
   Defect<FaceIndexPlace> indices_out_of_range;  ///< counted once per face
-  Defect<std::uint32_t> non_finite_vertices;    ///< or coordinates beyond kLargestCoordinate
+  Defect<std::uint32_t> non_finite_vertices;    ///< of faces; or beyond kLargestCoordinate
   Defect<std::uint32_t> repeated_vertex_faces;  ///< faces that name a vertex twice
   Defect<RepeatPlace> duplicate_faces;          ///< same three vertices, in any order
   Defect<EdgePlace> non_manifold_edges;         ///< more than two faces
@@ -77,6 +78,7 @@ struct MeshInspection {
 
   // Oddities that are handled.
   Defect<std::uint32_t> isolated_vertices;  ///< in no face
+  Defect<std::uint32_t> stray_vertices;     ///< those of them whose coordinates are not finite
   Defect<RepeatPlace> duplicate_positions;  ///< vertices at exactly the position of an earlier one
   Defect<std::uint32_t> zero_area_faces;    ///< flat up to the rounding of their coordinates
   Defect<std::uint32_t> needle_faces;       ///< smallest angle < 1 degree; includes zero-area faces
@@ -84,7 +86,7 @@ struct MeshInspection {
   // Measures.
   std::array<double, 3> box_min{};
   std::array<double, 3> box_max{};
-  double coordinate_max = 0;     ///< the largest absolute value of a finite coordinate
+  double coordinate_max = 0;     ///< the largest absolute value of a coordinate, but of strays
   double edge_length_min = 0;    ///< mesh units
   double edge_length_mean = 0;   ///< mesh units
   double edge_length_max = 0;    ///< mesh units

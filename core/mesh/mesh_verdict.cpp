@@ -140,8 +140,7 @@ std::string obstacle(const MeshInspection& inspection) {
 }
 
 std::string out_of_range(const MeshLists& lists) {
-  const bool measurable = std::all_of(lists.points.begin(), lists.points.end(), can_be_measured);
-  return measurable && large_enough(lists) ? "" : beyond_range(inspect(lists));
+  return all_measurable(lists) && large_enough(lists) ? "" : beyond_range(inspect(lists));
 }
 
 void judge(MeshInspection& inspection) {

@@ -15,7 +15,17 @@ namespace {
 /// Checks for the obstacles of inspect() that Surface::from_triangles does not find.
 bool acceptable(const MeshLists& lists) {
   if (lists.points.empty() || lists.triangles.empty()) return false;
-  return std::all_of(lists.points.begin(), lists.points.end(), can_be_measured);
+  return all_measurable(lists);
+}
+
+/// Vertices without a face that cannot be measured get the place of one that can: boxes around all
+/// points stay finite, and no curve comes there.
+void place_strays(std::vector<Point>& points) {
+  const auto measurable = std::find_if(points.begin(), points.end(), can_be_measured);
+  if (measurable == points.end()) return;
+  const Point place = *measurable;
+  std::replace_if(
+      points.begin(), points.end(), [](const Point& p) { return !can_be_measured(p); }, place);
 }
 
 [[noreturn]] void refuse(const MeshLists& lists, const std::string& otherwise) {
@@ -73,10 +83,21 @@ double instead_of_zero(const Surface& surface, const std::vector<double>& length
 
 }  // namespace
 
+bool all_measurable(const MeshLists& lists) {
+  if (std::all_of(lists.points.begin(), lists.points.end(), can_be_measured)) return true;
+  const std::size_t n = lists.points.size();
+  return std::all_of(lists.triangles.begin(), lists.triangles.end(), [&](const Triangle& t) {
+    return std::all_of(t.begin(), t.end(),
+                       [&](std::uint32_t v) { return v >= n || can_be_measured(lists.points[v]); });
+  });
+}
+
 bool large_enough(const MeshLists& lists) {
-  if (lists.points.empty()) return true;
-  Point low = lists.points.front(), high = low;
+  const auto first = std::find_if(lists.points.begin(), lists.points.end(), can_be_measured);
+  if (first == lists.points.end()) return true;
+  Point low = *first, high = low;
   for (const Point& p : lists.points) {
+    if (!can_be_measured(p)) continue;  // no face uses it
     low = low.cwiseMin(p);
     high = high.cwiseMax(p);
   }
@@ -103,6 +124,7 @@ SurfaceMesh SurfaceMesh::open(const MeshLists& lists) {
   SurfaceMesh mesh;
   mesh.surface_ = checked_surface(lists);
   mesh.points_ = lists.points;
+  place_strays(mesh.points_);
   mesh.measure();
   return mesh;
 }
@@ -111,6 +133,7 @@ SurfaceMesh SurfaceMesh::open(MeshLists&& lists) {
   SurfaceMesh mesh;
   mesh.surface_ = checked_surface(lists);
   mesh.points_ = std::move(lists.points);
+  place_strays(mesh.points_);
   mesh.measure();
   return mesh;
 }
@@ -137,6 +160,7 @@ SurfaceMesh SurfaceMesh::moved(std::vector<Point>&& points) const {
   SurfaceMesh mesh;
   mesh.surface_ = surface_;
   mesh.points_ = std::move(points);
+  place_strays(mesh.points_);
   mesh.measure();
   return mesh;
 }

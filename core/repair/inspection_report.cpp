@@ -52,6 +52,7 @@ void add_defects(Entries& entries, const MeshInspection& m) {
   add_defect(entries, "defects.misoriented_edges", m.misoriented_edges);
   add_defect(entries, "defects.non_manifold_vertices", m.non_manifold_vertices);
   add_defect(entries, "defects.isolated_vertices", m.isolated_vertices);
+  add_defect(entries, "defects.stray_vertices", m.stray_vertices);
   add_defect(entries, "defects.duplicate_positions", m.duplicate_positions);
   add_defect(entries, "defects.zero_area_faces", m.zero_area_faces);
   add_defect(entries, "defects.needle_faces", m.needle_faces);
@@ -83,6 +84,7 @@ std::vector<ReportEntry> entries_of(const MeshInspection& m) {
                      {"single_precision", m.single_precision},
                      {"unit", m.unit ? m.unit->code() : std::string()},
                      {"space", std::string(space_name(m.space))},
+                     {"notes", m.notes},
                      {"box_min", coordinates(m.box_min)},
                      {"box_max", coordinates(m.box_max)},
                      {"size", m.size},

@@ -28,8 +28,7 @@ bool mendable(const MeshLists& lists) {
   const auto exists = [n](const Triangle& t) { return t[0] < n && t[1] < n && t[2] < n; };
   return n > 0 && !lists.triangles.empty() &&
          std::all_of(lists.triangles.begin(), lists.triangles.end(), exists) &&
-         std::all_of(lists.points.begin(), lists.points.end(), can_be_measured) &&
-         large_enough(lists);
+         all_measurable(lists) && large_enough(lists);
 }
 
 /// A dropped face, the face that it repeats, and for each of its corners the matching corner there.

@@ -120,7 +120,7 @@ Command add_compare(CLI::App& app, const GlobalOptions& global) {
   auto o = std::make_shared<CompareCommandOptions>();
   CLI::App* command = app.add_subcommand(
       "compare", "Smooth one drawing by every method there is, and measure all results alike");
-  command->add_option("mesh", o->mesh, "Mesh: OBJ, OFF, PLY, STL or OM")->required();
+  command->add_option("mesh", o->mesh, mesh_help())->required();
   command
       ->add_option("--curve", o->curves,
                    "Curves: .obj, .ply, .vtp, .vtk, .mrk.json, .border, .fcsv, .txt (vertex "

@@ -267,10 +267,11 @@ Command add_cut(CLI::App& app, const GlobalOptions& global) {
                                          "Make curves edges of the mesh, exactly: no vertex moves, "
                                          "new ones only on edges and in faces; "
                                          "then take it apart along them");
-  command->add_option("mesh", o->mesh, "Mesh: OBJ, OFF, PLY, STL or OM")->required();
+  command->add_option("mesh", o->mesh, mesh_help())->required();
   command->add_option("--curve", o->curves, "Curves to cut along; may be given several times")
       ->required();
-  command->add_option("-o,--output", o->output, "The cut mesh: .ply, .obj, .off or .stl")
+  command
+      ->add_option("-o,--output", o->output, "The cut mesh: .ply, .obj, .off, .stl, .vtk or .vtp")
       ->required();
   command->add_flag("--open", o->open, "Open a seam: either side of it has vertices of its own");
   command->add_flag("--split", o->split,
@@ -284,7 +285,8 @@ Command add_cut(CLI::App& app, const GlobalOptions& global) {
                     "area; the default), planar or least-area, after an equals sign; never through "
                     "the piece");
   command->add_flag("--tag", o->tag,
-                    "Write the curves' edges, too: element edge of a .ply, l of an .obj");
+                    "Write the curves' edges, too: element edge of a .ply, l of an .obj, "
+                    "lines of a .vtk or .vtp");
   command->add_flag("--polygons", o->polygons,
                     "Write polygons of the mesh as polygons: whole where no curve cuts them, plane "
                     "ones also in parts; .ply, .obj or .off");

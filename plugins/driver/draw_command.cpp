@@ -179,7 +179,7 @@ Command add_draw(CLI::App& app, const GlobalOptions& global) {
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand(
       "draw", "Draw a curve through mesh vertices: straight over the faces, or along edges");
-  command->add_option("mesh", options->mesh, "Mesh: OBJ, OFF, PLY, STL or OM")->required();
+  command->add_option("mesh", options->mesh, mesh_help())->required();
   CLI::Option* through =
       command
           ->add_option("--through", options->through,

@@ -42,7 +42,7 @@ Command add_info(CLI::App& app, const GlobalOptions& /*global*/) {
   auto options = std::make_shared<InfoOptions>();
   CLI::App* command = app.add_subcommand(
       "info", "Tell what a mesh is, what is wrong with it, and whether curves can be drawn on it");
-  command->add_option("mesh", options->mesh, "Mesh: OBJ, OFF, PLY, STL or OM")->required();
+  command->add_option("mesh", options->mesh, mesh_help())->required();
   command->add_flag("--json", options->json, "As JSON");
   add_repair_option(*command, options->repair);
   return [options] {

@@ -47,6 +47,8 @@ void for_each_defect(const MeshInspection& m, Visit visit) {
   visit("vertices where surface parts only touch (bow-ties): vertex", m.non_manifold_vertices,
         true);
   visit("vertices without a face: vertex", m.isolated_vertices, false);
+  visit("of these, with coordinates that are not finite or too large: vertex", m.stray_vertices,
+        false);
   visit("vertices at the place of another one: vertex", m.duplicate_positions, false);
   visit("faces of zero area: face", m.zero_area_faces, false);
   visit("needle faces (an angle below 1 degree): face", m.needle_faces, false);
@@ -133,6 +135,8 @@ std::string info_text(const MeshInspection& m, const InfoTimes& times,
       line("time", fmt::format("{:.0f} ms to read the file, {:.0f} ms to look for defects{}",
                                times.load, times.inspect,
                                times.open ? fmt::format(", {:.0f} ms to open", *times.open) : ""));
+
+  for (const std::string& note : m.notes) text += line("note", note);
 
   for (const bool blocking : {true, false}) {
     std::string list;

@@ -304,9 +304,7 @@ Command add_labels(CLI::App& app, const GlobalOptions& global) {
       "labels",
       "Smooth all borders of a segmentation together: none crosses another, no region is lost or "
       "torn apart");
-  command
-      ->add_option("mesh", o->mesh, "Mesh: OBJ, OFF, PLY, STL, OM, GIFTI or FreeSurfer's surface")
-      ->required();
+  command->add_option("mesh", o->mesh, mesh_help())->required();
   command
       ->add_option(
           "labels", o->labels,

@@ -64,7 +64,7 @@ Command add_measure(CLI::App& app, const GlobalOptions& global) {
                                          "Length, geodesic curvature, bending and self-contacts of "
                                          "curves; with a second file also how far "
                                          "apart they lie along the surface, both ways");
-  command->add_option("mesh", o->mesh, "Mesh: OBJ, OFF, PLY, STL or OM")->required();
+  command->add_option("mesh", o->mesh, mesh_help())->required();
   command
       ->add_option("curve", o->curve,
                    "Curves: .obj, .ply, .vtp, .vtk, .mrk.json, .border, .fcsv, .txt (vertex "

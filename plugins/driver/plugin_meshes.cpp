@@ -41,8 +41,9 @@ const talweg_meshes* meshes_of(const talweg_plugin& plugin) {
 
 void check_tag(const std::string& path) {
   const std::string ending = lower_extension(path);
-  if (ending == ".ply" || ending == ".obj") return;
-  throw Error(ErrorCode::kBadUsage, "--tag needs an output that holds edges: .ply or .obj.");
+  if (ending == ".ply" || ending == ".obj" || ending == ".vtk" || ending == ".vtp") return;
+  throw Error(ErrorCode::kBadUsage,
+              "--tag needs an output that holds edges: .ply, .obj, .vtk or .vtp.");
 }
 
 PluginMeshes::PluginMeshes(const host::Instance& instance, const host::Results& results,

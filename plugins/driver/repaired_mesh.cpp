@@ -11,6 +11,8 @@
 
 namespace talweg::driver {
 
+std::string mesh_help() { return "Mesh: " + readable_meshes(); }
+
 void add_repair_option(CLI::App& app, std::string& list) {
   app.add_flag("--repair{all}", list,
                "Make the mesh a surface first: weld, drop, orient, split, or all (the default), "
@@ -49,9 +51,11 @@ ReadMesh repaired(MeshLists lists, const std::string& list) {
   ReadMesh mesh;
   mesh.lists = std::move(lists);
   mesh.polygons = std::move(mesh.lists.polygons);
+  mesh.changes = mesh.lists.notes;
   if (list.empty()) return mesh;
   RepairedMesh repaired = repair_to_surface(mesh.lists, repair_steps(list));
-  mesh.changes = sentences(repaired.changes);
+  const std::vector<std::string> changes = sentences(repaired.changes);
+  mesh.changes.insert(mesh.changes.end(), changes.begin(), changes.end());
   repaired.lists.unit = mesh.lists.unit;
   repaired.lists.space = mesh.lists.space;
   mesh.lists = std::move(repaired.lists);

@@ -15,9 +15,12 @@ namespace talweg::driver {
 struct ReadMesh {
   MeshLists lists;
   std::shared_ptr<const RepairMap> map;  ///< to the file's numbers; null if nothing was repaired
-  std::vector<std::string> changes;      ///< sentences
+  std::vector<std::string> changes;      ///< sentences: the file's notes, then the repairs
   std::vector<Polygon> polygons;         ///< of the file, in its numbers
 };
+
+/// What a mesh argument may be, for --help.
+std::string mesh_help();
 
 /// Adds --repair[=LIST]; `list` stays empty without it.
 void add_repair_option(CLI::App& app, std::string& list);

@@ -72,7 +72,7 @@ bool gives(const talweg_plugin& plugin, std::uint32_t kind) {
 }
 
 void add_files(CLI::App& app, const talweg_plugin& plugin, Files& files) {
-  app.add_option("mesh", files.mesh, "Mesh: OBJ, OFF, PLY, STL or OM")->required();
+  app.add_option("mesh", files.mesh, mesh_help())->required();
   add_repair_option(app, files.repair);
   add_unit_option(app, files.mesh_units);
   if ((plugin.flags & TALWEG_TAKES_CURVES) != 0) {
@@ -100,7 +100,8 @@ void add_files(CLI::App& app, const talweg_plugin& plugin, Files& files) {
                    "vertices");
     app.add_flag(
         "--tag", files.tag,
-        "Write the curves' edges into the mesh, too: element edge of a .ply, l of an .obj");
+        "Write the curves' edges into the mesh, too: element edge of a .ply, l of an .obj, "
+        "lines of a .vtk or .vtp");
   }
   for (std::uint32_t k = 0; k < plugin.output_count; ++k) {
     const talweg_output& output = *plugin.outputs[k];

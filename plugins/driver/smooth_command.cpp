@@ -11,6 +11,7 @@
 #include "file_plan.hpp"
 #include "output_file.hpp"
 #include "progress_bar.hpp"
+#include "repaired_mesh.hpp"
 #include "report_table.hpp"
 #include "run_journal.hpp"
 #include "run_list.hpp"
@@ -90,7 +91,7 @@ Command add_smooth(CLI::App& app, const GlobalOptions& global) {
   auto o = std::make_shared<SmoothCommand>();
   CLI::App* command =
       app.add_subcommand("smooth", "Smooth drawn curves while they stay close to the drawing");
-  command->add_option("mesh", o->one.mesh, "Mesh: OBJ, OFF, PLY, STL or OM");
+  command->add_option("mesh", o->one.mesh, mesh_help());
   add_smooth_options(*command, o->one);
   command->add_option("--batch", o->many.list,
                       "Many runs instead of one: a table (CSV or TSV) with the columns mesh, curve "

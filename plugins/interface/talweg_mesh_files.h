@@ -1,7 +1,7 @@
 /*
  * Mesh files through the plugin interface: an extension of the plugin talweg.repair, asked for by
  * plugin->get_extension(TALWEG_MESH_FILES). Formats by the file's extension, as the driver's: .obj,
- * .off, .ply, .stl, and .om for reading (docs/meshes.md).
+ * .off, .ply, .stl, .vtk, .vtp, and for reading .om, .msh, .gltf, .glb and .3mf (docs/meshes.md).
  *
  * Columns of a file that belong together are one attribute (talweg_meshes.h), and the other way
  * round: `normals` is nx ny nz; `colors` red green blue, and alpha; `uv` of vertices s t, u v or

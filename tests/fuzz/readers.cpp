@@ -60,8 +60,16 @@ void read_mesh_bytes(const Target& target, const std::uint8_t* data, std::size_t
       require(p.corners > 3 && p.first + std::size_t{p.corners} - 2 <= lists.triangles.size(),
               "triangles of polygons");
     }
-    const bool text = target.name == "mesh_obj" || target.name == "mesh_off";
-    for (const Point& p : lists.points) require(!text || p.allFinite(), "finite coordinates");
+    // Text has them where a face uses them.
+    const bool text = target.name == "mesh_obj";
+    for (const Triangle& t : lists.triangles) {
+      for (const std::uint32_t v : t) {
+        require(!text || lists.points[v].allFinite(), "finite coordinates");
+      }
+    }
+    for (const std::string& note : lists.notes) {
+      for (const char c : note) require(c >= ' ' && c <= '~', "printable notes");
+    }
   } catch (const Error& error) {
     check_refusal(target, error);
   }

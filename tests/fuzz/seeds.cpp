@@ -6,6 +6,7 @@
 
 #include "fuzz_target.hpp"
 #include "talweg/core/io/curve_formats.hpp"
+#include "talweg/core/io/mesh_writer.hpp"
 
 namespace talweg::fuzz {
 namespace {
@@ -118,6 +119,142 @@ std::string om_halfedges() {
   put_chunk(bytes, 2, 7, 0, 1, 0);
   bytes.push_back(0);
   return bytes;
+}
+
+std::string off_binary() {
+  std::string bytes = "OFF BINARY\n";
+  for (const int n : {5, 2, 0}) put(bytes, n, true);
+  for (const auto& p : kPoints) {
+    for (const float x : p) put(bytes, x, true);
+  }
+  for (const int n : {3, 0, 1, 4, 0, 4, 3, 2, 1, 0, 3}) put(bytes, n, true);
+  for (int k = 0; k < 3; ++k) put(bytes, 0.5F, true);
+  return bytes;
+}
+
+/// The pyramid's sides with attributes, as we write them.
+std::string written(const std::string& name) {
+  MeshLists lists;
+  for (const auto& p : kPoints) lists.points.emplace_back(p[0], p[1], p[2]);
+  for (const auto& t : kSides) lists.triangles.push_back({t[0], t[1], t[2]});
+  MeshAttributes attributes;
+  for (const char* column : {"nx", "ny", "nz"}) {
+    attributes.vertices.push_back({column, NumberType::kFloat32, {0, 0, 1, 0, 1}});
+  }
+  attributes.faces.push_back({"label", NumberType::kInt16, {1, 1, 2, 2}});
+  const TaggedEdge edge{0, 1, 0};
+  return mesh_bytes(name, lists, attributes, {&edge, 1}).bytes;
+}
+
+std::string vtk_text() {
+  return "# vtk DataFile Version 3.0\nx\nASCII\nDATASET POLYDATA\nPOINTS 4 float\n"
+         "0 0 0 1 0 0 1 1 0\n0 1 0\nVERTICES 1 2\n1 0\nPOLYGONS 1 5\n4 0 1 2 3\n"
+         "TRIANGLE_STRIPS 1 5\n4 0 1 3 2\nCELL_DATA 3\nSCALARS label int\n"
+         "LOOKUP_TABLE default\n1 2 3\nPOINT_DATA 4\nFIELD f 1\na%20b 2 4 double\n"
+         "1 2 3 4 5 6 7 nan\n";
+}
+
+std::string vtp_mesh() {
+  return "<VTKFile type=\"PolyData\"><PolyData><Piece NumberOfPoints=\"3\" NumberOfPolys=\"1\">"
+         "<PointData><DataArray type=\"UInt8\" Name=\"RGB\" NumberOfComponents=\"3\" "
+         "format=\"ascii\">1 2 3 4 5 6 7 8 9</DataArray></PointData><Points><DataArray "
+         "type=\"Float32\" NumberOfComponents=\"3\" format=\"ascii\">0 0 0 1 0 0 0 1 0"
+         "</DataArray></Points><Polys><DataArray type=\"Int32\" Name=\"connectivity\" "
+         "format=\"ascii\">0 1 2</DataArray><DataArray type=\"Int32\" Name=\"offsets\" "
+         "format=\"ascii\">3</DataArray></Polys></Piece></PolyData></VTKFile>";
+}
+
+std::string msh2(bool binary) {
+  const std::string names = "$PhysicalNames\n1\n2 7 \"skin\"\n$EndPhysicalNames\n";
+  if (!binary) {
+    return "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n" + names +
+           "$Nodes\n4\n10 0 0 0\n3 1 0 0\n7 1 1 0\n8 0 1 0\n$EndNodes\n$Elements\n3\n"
+           "1 1 2 5 1 10 3\n2 2 2 7 1 3 8 7\n3 3 0 10 3 7 8\n$EndElements\n";
+  }
+  std::string bytes = "$MeshFormat\n2.2 1 8\n";
+  put(bytes, 1);
+  bytes += "\n$EndMeshFormat\n" + names + "$Nodes\n3\n";
+  for (int k = 0; k < 3; ++k) {
+    put(bytes, k + 1);
+    for (const float x : kPoints[k]) put(bytes, static_cast<double>(x));
+  }
+  bytes += "\n$EndNodes\n$Elements\n1\n";
+  for (const int n : {2, 1, 2, 1, 7, 1, 1, 2, 3}) put(bytes, n);
+  return bytes + "\n$EndElements\n";
+}
+
+std::string msh4() {
+  return "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Entities\n1 0 1 0\n1 0 0 0 0\n"
+         "1 0 0 0 1 1 0 1 7 0\n$EndEntities\n$Nodes\n1 3 1 3\n2 1 0 3\n1\n2\n5\n0 0 0\n"
+         "1 0 0\n0 1 0\n$EndNodes\n$Elements\n1 1 1 1\n2 1 2 1\n1 1 2 5\n$EndElements\n";
+}
+
+std::string base64(const std::string& bytes);
+
+std::string gltf_buffer() {
+  std::string bytes;
+  for (int k = 0; k < 3; ++k) {
+    for (const float x : kPoints[k]) put(bytes, x);
+  }
+  for (const int v : {0, 1, 2, 0}) put(bytes, static_cast<std::uint16_t>(v));
+  return bytes;
+}
+
+std::string gltf(bool inside) {
+  const std::string uri =
+      inside ? R"(,"uri":"data:;base64,)" + base64(gltf_buffer()) + "\"" : std::string();
+  return R"({"asset":{"version":"2.0"},"nodes":[{"mesh":0,"scale":[2,1,-1],"children":[1]},{}],)"
+         R"("meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":1}]}],)"
+         R"("buffers":[{"byteLength":44)" +
+         uri +
+         R"(}],"bufferViews":[{"buffer":0,"byteLength":36},)"
+         R"({"buffer":0,"byteOffset":36,"byteLength":8}],"accessors":[)"
+         R"({"bufferView":0,"componentType":5126,"count":3,"type":"VEC3"},)"
+         R"({"bufferView":1,"componentType":5123,"count":3,"type":"SCALAR"}]})";
+}
+
+std::string glb() {
+  std::string text = gltf(false), bytes = "glTF";
+  text.resize((text.size() + 3) / 4 * 4, ' ');
+  const std::string data = gltf_buffer();
+  for (const std::size_t n : {std::size_t{2}, 28 + text.size() + data.size(), text.size()}) {
+    put(bytes, static_cast<std::uint32_t>(n));
+  }
+  bytes += "JSON" + text;
+  put(bytes, static_cast<std::uint32_t>(data.size()));
+  bytes += std::string("BIN\0", 4);
+  return bytes + data;
+}
+
+/// An archive with the model alone, stored.
+std::string three_mf() {
+  const std::string name = "3D/3dmodel.model";
+  const std::string model =
+      "<model unit=\"inch\"><resources><object id=\"1\"><mesh><vertices><vertex x=\"0\" y=\"0\" "
+      "z=\"0\"/><vertex x=\"1\" y=\"0\" z=\"0\"/><vertex x=\"0\" y=\"1\" z=\"0\"/></vertices>"
+      "<triangles><triangle v1=\"0\" v2=\"1\" v3=\"2\"/></triangles></mesh></object></resources>"
+      "<build><item objectid=\"1\" transform=\"1 0 0 0 1 0 0 0 1 0 0 5\"/></build></model>";
+  const auto size = static_cast<std::uint32_t>(model.size());
+  const auto sum = static_cast<std::uint32_t>(
+      crc32(0, reinterpret_cast<const Bytef*>(model.data()), static_cast<uInt>(size)));
+  const auto head = [&](std::string& bytes) {
+    for (int k = 0; k < 4; ++k) put(bytes, std::uint16_t{0});  // flags, method, time, date
+    for (const std::uint32_t x : {sum, size, size}) put(bytes, x);
+    put(bytes, static_cast<std::uint16_t>(name.size()));
+    put(bytes, std::uint16_t{0});
+  };
+  std::string bytes("PK\3\4\x14\0", 6);
+  head(bytes);
+  bytes += name + model;
+  const auto at = static_cast<std::uint32_t>(bytes.size());
+  bytes += std::string("PK\1\2\x14\0\x14\0", 8);
+  head(bytes);
+  bytes += std::string(14, '\0') + name;  // the file is at the beginning
+  const auto length = static_cast<std::uint32_t>(bytes.size()) - at;
+  bytes += std::string("PK\5\6\0\0\0\0\1\0\1\0", 12);
+  put(bytes, length);
+  put(bytes, at);
+  return bytes + std::string(2, '\0');
 }
 
 std::vector<PlacedCurve> two_curves() {
@@ -272,7 +409,16 @@ std::string freesurfer_quads() {
 
 std::vector<std::string> mesh_seeds(const Target& target) {
   if (target.name == "mesh_obj") return {obj()};
-  if (target.name == "mesh_off") return {off()};
+  if (target.name == "mesh_off") return {off(), off_binary()};
+  if (target.name == "mesh_vtk") {
+    return {written(target.file), vtk_text(),
+            "# vtk DataFile Version 2.0\nx\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 4 float\n"
+            "0 0 0 1 0 0 1 1 0 0 1 0\nCELLS 2 8\n3 0 1 2\n3 0 2 3\nCELL_TYPES 2\n5 5\n"};
+  }
+  if (target.name == "mesh_vtp") return {written(target.file), vtp_mesh()};
+  if (target.name == "mesh_msh") return {msh2(false), msh2(true), msh4()};
+  if (target.name == "mesh_gltf") return {gltf(true), glb()};
+  if (target.name == "mesh_3mf") return {three_mf()};
   if (target.name == "mesh_ply")
     return {ply_text(), ply_binary(false), ply_binary(true), ply_strips()};
   if (target.name == "mesh_stl") return {stl_text(), stl_binary()};

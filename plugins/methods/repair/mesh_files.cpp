@@ -102,6 +102,7 @@ talweg_status read(const char* path, talweg_mesh_file_function take, talweg_text
     MeshAttributes attributes;
     const MeshLists lists = read_mesh(path, attributes);
     tell_all(attributes.left_out, left_out, context);
+    tell_all(lists.notes, left_out, context);
     const FileView file(lists, attributes);
     if (take(context, &file.view()) != TALWEG_OK) {
       throw plugin::Failure(TALWEG_HOST_FAILED, "The host did not take the mesh.");

@@ -176,7 +176,7 @@ int run(int argc, char** argv) {
   CLI::App app("Draws curves on a shaded mesh and writes a PNG file; needs no display.",
                "talweg-picture");
   Arguments a;
-  app.add_option("MESH", a.mesh, "Mesh file: OBJ, OFF, PLY, STL or OM")->required();
+  app.add_option("MESH", a.mesh, "Mesh file: " + readable_meshes())->required();
   app.add_option("-o,--output", a.output, "The PNG file to be written")->required();
   app.add_option("--curve", a.curves, "FILE[:rrggbb[:width in pixels]]; may be repeated");
   app.add_option("--panel", a.panels,

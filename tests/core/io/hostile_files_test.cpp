@@ -99,6 +99,18 @@ TEST(HostileFiles, SizesThatLieTakeNoMemory) {
                   {"line 6", "end of the line"});
   expect_bad_mesh("a.stl", std::string(80, ' ') + raw({0xFFFFFFFFU}), {"4294967295 triangles"});
   expect_bad_mesh("a.om", "OMT\x20"s + raw({0x7FFFFFFFU, 1U, 3U}), {"2147483647 vertices"});
+  expect_bad_mesh("a.off", "OFF BINARY\n\x7F\xFF\xFF\xFF\x7F\xFF\xFF\xFF\0\0\0\0"s,
+                  {"vertex 0 of"});
+  const std::string vtk = "# vtk DataFile Version 3.0\nx\nBINARY\nDATASET POLYDATA\n";
+  expect_bad_mesh("a.vtk", vtk + "POINTS 4000000000 float\n0000", {"byte ", "12000000000"});
+  expect_bad_mesh("a.msh", "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n4000000000\n1 0 0 0\n",
+                  {"line 5", "4000000000 nodes"});
+  expect_bad_mesh(
+      "a.msh",
+      "$MeshFormat\n4.1 1 8\n" + raw({1}) + "\n$EndMeshFormat\n$Nodes\n" +
+          raw({std::uint64_t{1}, std::uint64_t{1} << 62U, std::uint64_t{1}, std::uint64_t{1}}),
+      {"byte ", "nodes are announced"});
+  expect_bad_mesh("a.glb", "glTF" + raw({2U, 100U, 0xFFFFFFFFU}) + "JSON{}", {"chunk"});
   // A header that the file's length allows, but not its positions.
   expect_bad_mesh("a.om",
                   "OMT\x20"s + raw({999'999U, 1U, 3U}) + raw({std::uint16_t{0x1400}}) +
@@ -172,6 +184,7 @@ TEST(HostileFiles, NulBytesAndOtherEncodings) {
   expect_bad_curve("a.obj", "v 0 0 0\nv 1 0 0\n\0l 1 2\n"sv, {"line 3", "NUL"});
   expect_bad_curve("a.json", "{\"format\": \0}"sv, {"line 1, column 12"});
   expect_bad_curve("a.vtp", "<VTKFile type=\"PolyData\">\0</VTKFile>"sv, {"line 1"});
+  expect_bad_mesh("a.3mf", "PK\3\4 and nothing more"sv, {"no directory"});
   for (const std::string_view bom : {"\xFF\xFE"sv, "\xFE\xFF"sv, "\0\0\xFE\xFF"sv}) {
     const std::string text = std::string(bom) + "v\0 \0000\0"s;
     for (const char* name : {"a.obj", "a.off", "a.ply"}) expect_bad_mesh(name, text, {"UTF-16"});

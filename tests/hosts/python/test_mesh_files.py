@@ -188,10 +188,10 @@ end_header
             talweg.read_mesh(self.path("none.ply"))
         with self.assertRaisesRegex(talweg.BadFile, "bad.obj, line 2: "):
             talweg.read_mesh(self.written("bad.obj", "v 0 0 0\nv 1 zero 0\n"))
-        with self.assertRaisesRegex(talweg.BadFile, r"'\.vtk' is no mesh format"):
-            talweg.Mesh(self.path("a.vtk"))
+        with self.assertRaisesRegex(talweg.BadFile, r"'\.vtu' is no mesh format"):
+            talweg.Mesh(self.path("a.vtu"))
         with self.assertRaisesRegex(talweg.BadFile, "does not end in"):
-            talweg.write_mesh(self.path("a.vtk"), (vertices, faces))
+            talweg.write_mesh(self.path("a.vtu"), (vertices, faces))
         with self.assertRaisesRegex(talweg.BadMesh, "vertex 99999"):
             talweg.write_mesh(self.path("a.ply"), (vertices, [[0, 1, 99999]]))
         with self.assertRaisesRegex(talweg.BadUsage, "tag needs a mesh that was cut"):

@@ -187,7 +187,8 @@ TEST_F(CutCommand, ClosesWithLidsOfAKind) {
                  {"The rim of ", "is not plane"});
   expect_failure("cut ball.ply --curve ring.json -o c.ply --cap=round", 1,
                  {"--cap", "planar", "round"});
-  expect_failure("cut ball.ply --curve ring.json -o c.stl --tag", 1, {"--tag", ".ply or .obj"});
+  expect_failure("cut ball.ply --curve ring.json -o c.stl --tag", 1,
+                 {"--tag", ".ply, .obj, .vtk or .vtp"});
 }
 
 /// A parallel of a tube of 16 columns, seen from outside with what is above on its left.

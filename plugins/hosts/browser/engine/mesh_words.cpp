@@ -37,6 +37,7 @@ std::string defects_in(const host::Results& r) {
       {"misoriented_edges", "edges between faces of opposite orientation"},
       {"non_manifold_vertices", "vertices where surface parts only touch (bow-ties)"},
       {"isolated_vertices", "vertices without a face"},
+      {"stray_vertices", "of these, with coordinates that are not finite or too large"},
       {"duplicate_positions", "vertices at the place of another one"},
       {"zero_area_faces", "faces of zero area"},
       {"needle_faces", "needle faces (an angle below 1 degree)"}};

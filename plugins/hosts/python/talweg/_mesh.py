@@ -237,7 +237,7 @@ def read_mesh(path: Path, *, repair: Union[None, bool, str] = None, progress: An
     blue, alpha), ``uv`` (s, t), ``NAME`` (NAME_0, NAME_1, ...). What is not read is told in the
     logger ``talweg``, and so is what the other functions of files leave out.
 
-    :param path: .ply, .obj, .off, .stl or .om.
+    :param path: .ply, .obj, .off, .stl, .om, .vtk, .vtp, .msh, .gltf, .glb or .3mf.
     :param repair: as for ``Mesh``.
     :param plugin: what the mesh is opened for first: "talweg.cut" if it will be cut.
     :raises BadFile: with file, line, and what was expected.
@@ -247,11 +247,12 @@ def read_mesh(path: Path, *, repair: Union[None, bool, str] = None, progress: An
 
 
 def write_mesh(path: Path, mesh: Any, *, tag: bool = False) -> None:
-    """Writes a mesh with its attributes, the same bytes as the driver's: .ply, .obj, .off or .stl.
+    """Writes a mesh with its attributes, the same bytes as the driver's: .ply, .obj, .off, .stl,
+    .vtk or .vtp.
 
     :param mesh: a ``Mesh``, a pair (vertices, faces), or a mesh of another package; no surface is
         asked for.
-    :param tag: the curves of a mesh that was cut, too, as edges (.ply, .obj).
+    :param tag: the curves of a mesh that was cut, too, as edges (.ply, .obj, .vtk, .vtp).
     :raises BadFile: if the file cannot be written; it is as it was then.
     :raises BadUsage: for an attribute of another shape.
     """

@@ -45,7 +45,7 @@ export class Engine {
     });
   }
 
-  /** OBJ, OFF, PLY, STL or OM, also packed by gzip. Takes the bytes: they are not there any more. */
+  /** OBJ, OFF, PLY, STL, OM, VTK, VTP, MSH, glTF or 3MF, also packed by gzip. Takes the bytes: they are not there any more. */
   async open(name: string, bytes: ArrayBuffer, repair = false): Promise<MeshInfo> {
     const info = await this.ask<MeshInfo>('open', [name, repair], bytes);
     this.mesh = { name, repaired: repair };

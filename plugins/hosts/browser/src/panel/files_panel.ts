@@ -7,7 +7,7 @@ import type { SessionWork } from '../session/session_work';
 import type { CutPanel } from './cut_panel';
 import { type Acts, byId, chooseFile, enable, setText } from '../elements';
 
-export const meshFiles = '.obj,.off,.ply,.stl,.om,.gz';
+export const meshFiles = '.obj,.off,.ply,.stl,.om,.vtk,.vtp,.msh,.gltf,.glb,.3mf,.gz';
 const curveFiles = '.json,.vtp,.vtk,.obj,.ply,.txt';
 export const sessionFiles = '.talweg';
 
@@ -76,12 +76,18 @@ export class FilesPanel {
 
 type Kind = 'mesh' | 'curves' | 'labels' | 'session';
 
-/** What a file is, by its name; OBJ and PLY files may hold either. */
+/** What a file is, by its name; OBJ, PLY and VTK files may hold either. */
 async function kindOf(file: File): Promise<Kind> {
   const name = file.name.toLowerCase();
   if (name.endsWith('.talweg')) return 'session';
   if (name.endsWith('.labels')) return 'labels';
-  if (/\.(json|vtp|vtk|txt|csv)$/.test(name)) return 'curves';
+  if (/\.(json|txt|csv)$/.test(name)) return 'curves';
+  if (name.endsWith('.vtp')) {
+    return /NumberOf(Polys|Strips)="0*[1-9]/.test(await file.text()) ? 'mesh' : 'curves';
+  }
+  if (name.endsWith('.vtk')) {
+    return /^(POLYGONS|TRIANGLE_STRIPS|CELLS) /m.test(await file.text()) ? 'mesh' : 'curves';
+  }
   if (name.endsWith('.obj')) return /^f\s/m.test(await file.text()) ? 'mesh' : 'curves';
   if (name.endsWith('.ply')) {
     const head = await file.slice(0, 4096).text();
