@@ -103,9 +103,9 @@ void read_quads(BigEndianBytes& bytes, bool floats, MeshLists& lists) {
     }
   }
   bytes.need(quads, 12, "faces");
-  lists.polygon_count = static_cast<std::size_t>(quads);
-  lists.triangles.reserve(2 * lists.polygon_count);
-  for (std::size_t f = 0; f < lists.polygon_count; ++f) {
+  const auto count = static_cast<std::size_t>(quads);
+  lists.triangles.reserve(2 * count);  // no polygons of the lists, which begin as fans
+  for (std::size_t f = 0; f < count; ++f) {
     std::array<std::uint32_t, 4> q{};
     for (std::uint32_t& corner : q)
       corner = checked(bytes, bytes.three_bytes("a corner"), f, lists);
@@ -125,6 +125,7 @@ MeshLists read_freesurfer_mesh(const MeshFile& file, MeshAttributes* attributes)
   BigEndianBytes bytes(file.path, file.bytes);
   const std::uint32_t magic = bytes.three_bytes("the magic number");
   MeshLists lists;
+  lists.unit = LengthUnit::named("mm");
   lists.single_precision = magic != kQuads;
   if (magic == kTriangles) {
     read_triangles(bytes, lists);

@@ -106,6 +106,7 @@ MeshLists read_gifti_mesh(const MeshFile& mesh_file, MeshAttributes* attributes)
   const GiftiArray& points = array_of_three(source, gifti, kPointsIntent);
   const GiftiArray& triangles = array_of_three(source, gifti, kTrianglesIntent);
   MeshLists lists;
+  lists.unit = LengthUnit::named("mm");
   lists.single_precision = points.type == NumberType::kFloat32;
   const std::vector<double> xyz = gifti.numbers(points);
   for (std::size_t k = 0; k + 2 < xyz.size(); k += 3) lists.points.emplace_back(&xyz[k]);

@@ -9,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include <fmt/format.h>
+
 #include "talweg/core/drawing/canonical_order.hpp"
 #include "talweg/core/drawing/drawn_legs.hpp"
 #include "talweg/core/lifting/leg_start.hpp"
@@ -346,6 +348,7 @@ class BoundSearch {
                                   (report.deviation_exact ? "" : "at most ") +
                                   std::to_string(apart) + ".");
       }
+      warn_if_too_narrow(report);
       if (!ended_) return;
       report.termination = std::max(report.termination, Outcome::kLimit);
       report.warnings.emplace_back(
@@ -354,6 +357,19 @@ class BoundSearch {
     };
     for (SmoothingReport& report : best_.reports) fill(report);
     fill(best_.total);
+  }
+
+  /// A bound below what the hand trembles by leaves nothing to smooth.
+  void warn_if_too_narrow(SmoothingReport& report) const {
+    constexpr double kHardly = 0.5;
+    const std::vector<double> slacks = smoother_.slack();
+    const double slack = slacks.empty() ? 0 : *std::max_element(slacks.begin(), slacks.end());
+    if (given_slack_ || !(bound_ < slack)) return;
+    if (report.after.bending <= kHardly * report.before.bending) return;
+    report.warnings.push_back(
+        fmt::format("The bound of {:.4g} is less than the drawing trembles by ({:.4g}), so hardly "
+                    "anything of it is smoothed.",
+                    bound_, slack));
   }
 
   CurveSmoother& smoother_;

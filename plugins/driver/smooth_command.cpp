@@ -37,6 +37,15 @@ std::string why_not_converged(const SmoothOptions& options, Outcome outcome) {
   return fmt::format("the result did not converge ({})", to_string(outcome));
 }
 
+/// Kinks that the user would not expect come before everything else.
+void lead_with_kinks(const SmoothingReport& report, bool quiet) {
+  if (quiet) return;
+  for (const std::string& warning : report.warnings) {
+    if (warning.find("left taut") == std::string::npos) continue;
+    std::fprintf(stderr, "talweg: warning: %s\n", warning.c_str());
+  }
+}
+
 int finish(const SmoothOptions& options, const GlobalOptions& global, const RunOutcome& outcome) {
   clear_progress_bar();
   const SmoothingReport& total = outcome.result.total;
@@ -45,6 +54,7 @@ int finish(const SmoothOptions& options, const GlobalOptions& global, const RunO
     return kCancelled;
   }
   lead_with_far_move(outcome.moved, global.quiet);
+  lead_with_kinks(total, global.quiet);
   write_run(options, outcome);
   const bool table = global.verbose || (options.outputs.empty() && options.report.empty());
   if (table && !global.quiet) std::fputs(table_of(total).c_str(), text_stream());

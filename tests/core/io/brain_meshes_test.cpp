@@ -234,7 +234,8 @@ TEST(FreeSurferSurface, QuadsAreDividedAsFreeSurferDividesThem) {
       read_mesh("lh.orig", "\xFF\xFF\xFF" + three_bytes({4, 2}) +
                                big_shorts({0, 0, 0, 100, 0, 0, 0, 250, -50, 0, 0, 150}) + corners);
   EXPECT_EQ(old.triangles, expected);
-  EXPECT_EQ(old.polygon_count, 2U);
+  EXPECT_EQ(old.polygon_count, 0U);
+  EXPECT_EQ(old.unit.value_or(LengthUnit::named("m")).code(), "mm");
   EXPECT_EQ(old.points[2], Point(0, 2.5, -0.5));  // in hundredths
   const MeshLists floats = read_mesh(
       "lh.orig", "\xFF\xFF\xFD" + three_bytes({4, 2}) +
