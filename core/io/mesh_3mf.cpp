@@ -113,15 +113,17 @@ class ThreeMfReader {
 
   void tell_unit(const Model& model) {
     const std::string_view unit = model.root().attribute("unit").as_string("millimeter");
-    constexpr std::array<std::string_view, 6> kUnits{"micron", "millimeter", "centimeter",
-                                                     "inch",   "foot",       "meter"};
-    if (std::find(kUnits.begin(), kUnits.end(), unit) == kUnits.end()) {
+    using Named = std::pair<std::string_view, std::string_view>;
+    constexpr std::array<Named, 6> kUnits{Named{"micron", "um"},    Named{"millimeter", "mm"},
+                                          Named{"centimeter", "cm"}, Named{"inch", "in"},
+                                          Named{"foot", "ft"},       Named{"meter", "m"}};
+    const auto* known = std::find_if(kUnits.begin(), kUnits.end(),
+                                     [&](const Named& named) { return named.first == unit; });
+    if (known == kUnits.end()) {
       fail(model, model.root(),
            fmt::format("expected a unit from micron to meter, found '{}'", printable(unit)));
     }
-    if (unit != "millimeter") {
-      lists_.notes.push_back(fmt::format("The unit of the file is the {}.", unit));
-    }
+    lists_.unit = LengthUnit::named(known->second);
   }
 
   double number(const Model& model, const pugi::xml_node& node, const char* name) const {

@@ -83,6 +83,7 @@ class GltfReader {
       : file_(file), data_(file), attributes_(attributes) {}
 
   MeshLists read() {
+    lists_.unit = LengthUnit::named("m");
     for (const std::uint32_t node : root_nodes()) walk(node);
     if (lists_.triangles.empty()) {
       bad_file(file_.path, "its scene has no triangles, so it holds no surface.");

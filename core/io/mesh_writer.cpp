@@ -71,10 +71,11 @@ void check_indices(const MeshLists& lists) {
 
 void check_outlines(const std::filesystem::path& name, const MeshLists& lists,
                     const FaceOutlines& outlines) {
-  if (lower_extension(name) == ".stl") {
+  const std::string extension = lower_extension(name);
+  if (extension == ".stl" || extension == ".vtk" || extension == ".vtp") {
     throw Error(ErrorCode::kBadUsage,
-                fmt::format("{} cannot hold polygons, as STL files have triangles only; .obj, .off "
-                            "and .ply hold them.",
+                fmt::format("{} cannot hold polygons, as these files are written with triangles "
+                            "only; .obj, .off and .ply hold them.",
                             name.string()));
   }
   for (std::size_t f = 0; f < outlines.size(); ++f) {

@@ -232,7 +232,8 @@ std::string Cutting::summary() const {
 void check(const CutCommandOptions& o) {
   if (!o.cap.empty()) lid_kind(o.cap);
   if (o.tag) check_tag(o.output);
-  if (o.polygons && lower_extension(o.output) == ".stl") {
+  const std::string extension = lower_extension(o.output);
+  if (o.polygons && (extension == ".stl" || extension == ".vtk" || extension == ".vtp")) {
     throw Error(ErrorCode::kBadUsage,
                 "--polygons needs an output that holds polygons: .ply, .obj or .off.");
   }
