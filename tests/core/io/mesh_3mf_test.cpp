@@ -136,12 +136,14 @@ TEST(ThreeMf, ItemsComponentsAndOtherParts) {
   EXPECT_EQ(lists.notes, std::vector<std::string>{"1 supports of the build were left out."});
 }
 
-TEST(ThreeMf, UnitsAreTold) {
+TEST(ThreeMf, UnitsAreRead) {
   const std::string item = "<item objectid=\"1\"/>";
-  EXPECT_TRUE(
-      read_mesh("a.3mf", zip(files(model(mesh("1"), item, " unit=\"millimeter\"")))).notes.empty());
-  EXPECT_EQ(read_mesh("a.3mf", zip(files(model(mesh("1"), item, " unit=\"inch\"")))).notes[0],
-            "The unit of the file is the inch.");
+  const auto unit_of = [&](const char* attribute) {
+    return read_mesh("a.3mf", zip(files(model(mesh("1"), item, attribute)))).unit.value().code();
+  };
+  EXPECT_EQ(unit_of(""), "mm");
+  EXPECT_EQ(unit_of(" unit=\"millimeter\""), "mm");
+  EXPECT_EQ(unit_of(" unit=\"inch\""), "[in_i]");
   EXPECT_NE(
       refusal_of("a.3mf", zip(files(model(mesh("1"), item, " unit=\"mile\"")))).find("'mile'"),
       std::string::npos);
