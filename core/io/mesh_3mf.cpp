@@ -114,7 +114,7 @@ class ThreeMfReader {
   void tell_unit(const Model& model) {
     const std::string_view unit = model.root().attribute("unit").as_string("millimeter");
     using Named = std::pair<std::string_view, std::string_view>;
-    constexpr std::array<Named, 6> kUnits{Named{"micron", "um"},    Named{"millimeter", "mm"},
+    constexpr std::array<Named, 6> kUnits{Named{"micron", "um"},     Named{"millimeter", "mm"},
                                           Named{"centimeter", "cm"}, Named{"inch", "in"},
                                           Named{"foot", "ft"},       Named{"meter", "m"}};
     const auto* known = std::find_if(kUnits.begin(), kUnits.end(),

@@ -32,8 +32,9 @@ constexpr std::array kFormats{
     Format{".glb", &read_gltf},     Format{".3mf", &read_3mf}, Format{".gii", &read_gifti_mesh}};
 
 /// FreeSurfer's endings say what a surface is, and not its format.
-constexpr std::array kFreeSurfer{".white", ".pial", ".inflated",    ".sphere",   ".smoothwm", ".orig",
-                                 ".mid",   ".reg",  ".midthickness", ".graymid", ".nofix"};
+constexpr std::array kFreeSurfer{".white",        ".pial",    ".inflated", ".sphere",
+                                 ".smoothwm",     ".orig",    ".mid",      ".reg",
+                                 ".midthickness", ".graymid", ".nofix"};
 
 FormatReader format_reader_of(const std::filesystem::path& path) {
   const std::string extension = lower_extension(path);
@@ -77,7 +78,8 @@ std::string readable_meshes() {
     if (k > 0) all += ", ";
     all += kFormats[k].extension;
   }
-  return all + " or a surface of FreeSurfer (.white, .pial, .inflated, .sphere, .smoothwm, .orig, .mid)";
+  return all +
+         " or a surface of FreeSurfer (.white, .pial, .inflated, .sphere, .smoothwm, .orig, .mid)";
 }
 
 MeshLists read_mesh(const std::filesystem::path& path) {

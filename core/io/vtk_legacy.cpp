@@ -8,8 +8,8 @@
 #include <fmt/format.h>
 
 #include "talweg/core/io/file_bytes.hpp"
-#include "talweg/core/io/space_note.hpp"
 #include "talweg/core/io/percent_escapes.hpp"
+#include "talweg/core/io/space_note.hpp"
 #include "talweg/core/io/text_words.hpp"
 
 namespace talweg::formats {

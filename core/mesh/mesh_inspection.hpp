@@ -65,7 +65,7 @@ struct MeshInspection {
   bool single_precision = false;   ///< the file stores 32-bit floats
   std::optional<LengthUnit> unit;  ///< of the coordinates, if the file has one
   PatientSpace space = PatientSpace::kNotSaid;  ///< of the coordinates, if the file says it
-  std::vector<std::string> notes;  ///< of the reader (MeshLists)
+  std::vector<std::string> notes;               ///< of the reader (MeshLists)
 
   // Defects that keep a mesh from being opened.
   Defect<FaceIndexPlace> indices_out_of_range;  ///< counted once per face

@@ -64,7 +64,8 @@ struct MeshLists {
   PolygonShapes polygon_shapes = {};
   std::optional<LengthUnit> unit = {};          ///< of the coordinates, if the file has one
   PatientSpace space = PatientSpace::kNotSaid;  ///< of the coordinates, if the file says it
-  std::vector<std::string> notes = {};  ///< sentences: what a file has that was read otherwise or not
+  std::vector<std::string> notes =
+      {};  ///< sentences: what a file has that was read otherwise or not
 
   /// The frame of the coordinates; millimetres if nothing is said.
   [[nodiscard]] CoordinateFrame frame() const { return {unit.value_or(LengthUnit()), space}; }
