@@ -19,6 +19,7 @@
 #include "tools/quality/gallery.hpp"
 #include "tools/quality/goals.hpp"
 #include "tools/quality/hand_runs.hpp"
+#include "tools/quality/rough_runs.hpp"
 #include "tools/quality/runs.hpp"
 #include "tools/quality/tables.hpp"
 #include "tools/scenes/scenes.hpp"
@@ -29,8 +30,8 @@ namespace {
 struct Options {
   std::filesystem::path out, meshes, curves;
   std::vector<std::string> names;
-  std::vector<std::string> parts{"hands",  "runs",  "paper",       "bound",
-                                 "clicks", "sweep", "subdivision", "gallery"};
+  std::vector<std::string> parts{"hands", "runs",  "paper",       "bound",  "clicks",
+                                 "rough", "sweep", "subdivision", "gallery"};
   std::size_t hands = 6;
   std::uint64_t seed = 1;
   CurveOptions curve_options;
@@ -88,6 +89,7 @@ struct Measured {
   std::vector<BoundedRun> bounded;
   std::vector<ClickedRun> clicked;
   std::vector<HandRun> hands;
+  std::vector<RoughRun> rough;
   std::vector<Sweep> sweeps;
   std::vector<Subdivision> subdivisions;
 };
@@ -149,6 +151,9 @@ void measure(const Subject& subject, const Options& options, Measured& measured)
   if (wants(options, "clicks") && options.curve_options.method == Method::kCorridor) {
     append(measured.clicked, clicked_runs(subject));
   }
+  if (wants(options, "rough") && subject.lists.triangles.size() < kSubdivided) {
+    append(measured.rough, rough_runs(subject, longest_of_each(subject)));
+  }
   for (const NamedPath& drawing : longest_of_each(subject)) {
     if (wants(options, "sweep"))
       measured.sweeps.push_back(sweep(subject, drawing, options.curve_options));
@@ -182,6 +187,9 @@ std::string text_of(const Options& options, const Measured& measured) {
   }
   if (!measured.clicked.empty()) {
     add("Through every 25th vertex, as clicks, τ = 1", tables(measured.clicked));
+  }
+  if (!measured.rough.empty()) {
+    add("Through every 25th vertex of rough meshes, beside the smooth one", tables(measured.rough));
   }
   if (!measured.sweeps.empty()) {
     add("τ from 0.25 to 4 in steps of 1 %", tables(measured.sweeps));
