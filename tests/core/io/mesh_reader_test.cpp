@@ -337,7 +337,9 @@ TEST_F(MeshReader, FilesThatAreNoMeshes) {
     EXPECT_NE(refusal(name, std::string(200, '\0')), "");
   }
   EXPECT_EQ(refusal("a.xyz", "0 0 0\n"),
-            ": '.xyz' is no mesh format we read; expected .obj, .off, .ply, .stl or .om.");
+            ": '.xyz' is no mesh format we read; expected .obj, .off, .ply, .stl, .om, .gii "
+            "(GIFTI), or a surface of FreeSurfer (.white, .pial, .inflated, .sphere, .smoothwm, "
+            ".orig, .mid).");
 }
 
 /// Whatever is read refers only to vertices that exist.
