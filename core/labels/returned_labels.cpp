@@ -5,6 +5,8 @@
 #include <map>
 #include <tuple>
 
+#include <fmt/format.h>
+
 namespace talweg {
 namespace {
 
@@ -111,6 +113,36 @@ std::vector<LostLabel> give_back(std::span<const std::int64_t> drawn,
   std::vector<LostLabel> list;
   for (const auto& [label, entry] : lost) list.push_back(entry);
   return list;
+}
+
+std::string told_of(const std::vector<LostLabel>& lost, bool by_face, bool of_faces,
+                    const LabelNames& names) {
+  constexpr std::size_t kNamed = 5;
+  const bool one = lost.size() == 1;
+  std::string list;
+  for (std::size_t k = 0; k < std::min(lost.size(), kNamed); ++k) {
+    const LostLabel& label = lost[k];
+    const auto found = names.find(label.label);
+    const std::string name = found == names.end() ? "" : fmt::format("{}, ", found->second);
+    const char* element = by_face ? (label.elements == 1 ? "face" : "faces")
+                                  : (label.elements == 1 ? "vertex" : "vertices");
+    const char* separator = k == 0 ? "" : k + 1 == lost.size() ? " and " : ", ";
+    list += fmt::format("{}{} ({}{} {})", separator, label.label, name, label.elements, element);
+  }
+  if (lost.size() > kNamed) list += fmt::format(" and {} more", lost.size() - kNamed);
+  const bool covers = std::any_of(lost.begin(), lost.end(),
+                                  [](const LostLabel& label) { return label.covers_faces; });
+  const char* what =
+      covers ? (one ? "has no vertex of its own" : "have no vertex or no face of their own")
+             : (one ? "covers no face" : "cover no face");
+  const std::string start = fmt::format("{} {} {}: ", one ? "Label" : "Labels", list, what);
+  const char* them = one ? "it" : "them";
+  if (by_face == of_faces) {
+    return start + fmt::format("{} {} keep {}", one ? "its" : "their",
+                               by_face ? "faces" : "vertices", them);
+  }
+  return start +
+         fmt::format("the new labels of {} do not have {}", of_faces ? "faces" : "vertices", them);
 }
 
 }  // namespace talweg

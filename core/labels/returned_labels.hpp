@@ -4,9 +4,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "talweg/core/labels/label_network.hpp"
+#include "talweg/core/labels/label_report.hpp"
 #include "talweg/intrinsic/surface/surface.hpp"
 
 namespace talweg {
@@ -31,5 +33,11 @@ struct LostLabel {
 std::vector<LostLabel> give_back(std::span<const std::int64_t> drawn,
                                  std::span<const std::int64_t> face_labels,
                                  std::vector<std::int64_t>& returned);
+
+/// A sentence on labels that would be lost, without its period: "Label 7 (1 vertex) covers no face:
+/// its vertices keep it". `by_face`: whether the labels that came in are of faces; `of_faces`:
+/// whether the new ones are. The first five are named. O(labels).
+std::string told_of(const std::vector<LostLabel>& lost, bool by_face, bool of_faces,
+                    const LabelNames& names = {});
 
 }  // namespace talweg

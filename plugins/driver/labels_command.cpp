@@ -89,38 +89,6 @@ bool are_of_faces(const LabelsOptions& o, std::size_t labels, std::size_t faces)
   return o.labels_per.empty() ? labels == faces : o.labels_per == "face";
 }
 
-/// A sentence on the labels that smoothing would have lost.
-std::string lost_warning(const std::vector<LostLabel>& lost, bool by_face, bool of_faces,
-                         const LabelNames& names) {
-  constexpr std::size_t kNamed = 5;
-  const bool one = lost.size() == 1;
-  const bool covers = std::any_of(lost.begin(), lost.end(),
-                                  [](const LostLabel& label) { return label.covers_faces; });
-  std::string list;
-  for (std::size_t k = 0; k < std::min(lost.size(), kNamed); ++k) {
-    const LostLabel& label = lost[k];
-    const auto found = names.find(label.label);
-    const std::string name = found == names.end() ? "" : found->second + ", ";
-    const char* element = by_face ? (label.elements == 1 ? "face" : "faces")
-                                  : (label.elements == 1 ? "vertex" : "vertices");
-    const char* separator = k == 0 ? "" : k + 1 == lost.size() ? " and " : ", ";
-    list += fmt::format("{}{} ({}{} {})", separator, label.label, name, label.elements, element);
-  }
-  if (lost.size() > kNamed) list += fmt::format(" and {} more", lost.size() - kNamed);
-  const char* what = covers ? (one ? "has no vertex of its own"
-                                   : "have no vertex or no face of "
-                                     "their own")
-                            : (one ? "covers no face" : "cover no face");
-  const char* elements = by_face ? "faces" : "vertices";
-  if (by_face == of_faces) {
-    return fmt::format("{} {} {}: {} {} keep {}.", one ? "Label" : "Labels", list, what,
-                       one ? "its" : "their", elements, one ? "it" : "them");
-  }
-  return fmt::format("{} {} {}: the new labels of {} do not have {}; --labels-per {} keeps {}.",
-                     one ? "Label" : "Labels", list, what, of_faces ? "faces" : "vertices",
-                     one ? "it" : "them", by_face ? "face" : "vertex", one ? "it" : "them");
-}
-
 /// The new labels in the order of the mesh's file. Labels that would be lost are named.
 LabelOutput new_labels(const LabelsOptions& o, const LabelNetwork& network, const Surface& surface,
                        const RepairMap* map, const ReadLabels& read,
@@ -138,7 +106,13 @@ LabelOutput new_labels(const LabelsOptions& o, const LabelNetwork& network, cons
   }
   const std::vector<LostLabel> lost =
       give_back(map == nullptr ? read.labels : read.of_file, network.face_labels, output.labels);
-  if (!lost.empty()) warnings.push_back(lost_warning(lost, by_face, output.of_faces, read.names));
+  if (!lost.empty()) {
+    const std::string told = told_of(lost, by_face, output.of_faces, read.names);
+    const char* other = by_face == output.of_faces ? "."
+                        : by_face                  ? " (--labels-per face does)."
+                                                   : " (--labels-per vertex does).";
+    warnings.push_back(told + other);
+  }
   std::size_t alone = 0;
   for (std::size_t v = 0; by_face && !output.of_faces && v < surface.vertex_count(); ++v) {
     if (!surface.halfedge(VertexId{v}).valid()) ++alone;

@@ -17,6 +17,7 @@
 #include "talweg/core/cutting/mesh_parts.hpp"
 #include "talweg/core/labels/label_network.hpp"
 #include "talweg/core/labels/label_report.hpp"
+#include "talweg/core/labels/returned_labels.hpp"
 #include "talweg/core/version.hpp"
 
 namespace talweg::plugins {
@@ -92,6 +93,8 @@ class Labels : public MakesMeshes<MeshWorkspace> {
     if (network->cancelled) throw plugin::Services::cancelled();
     std::vector<std::string> warnings = host_mesh().changes();
     for (std::string& held : warnings_of(*network)) warnings.push_back(std::move(held));
+    std::vector<double> labels;
+    if (outputs.wants_fields()) labels = new_labels(*network, given, warnings);
     for (const std::string& warning : warnings) services().log(TALWEG_LOG_WARNING, warning);
     std::vector<SurfaceCurve> curves;
     for (const SmoothedBorder& border : network->borders) curves.push_back(border.border.curve);
@@ -102,7 +105,7 @@ class Labels : public MakesMeshes<MeshWorkspace> {
     give_curves(outputs, host_mesh(), curves, fields, [&](std::int64_t curve) {
       return curve < 0 ? entries_of(*network, warnings) : each[static_cast<std::size_t>(curve)];
     });
-    if (outputs.wants_fields()) give(outputs, "labels", "", new_labels(*network, given));
+    if (outputs.wants_fields()) give(outputs, "labels", "", labels);
     if (outputs.wants_meshes()) give_cut(outputs, network);
   }
 
@@ -152,16 +155,23 @@ class Labels : public MakesMeshes<MeshWorkspace> {
   }
 
   /// Per triangle that came in. One that the repair dropped has its old label; if labels are per
-  /// vertex, that of its first corner.
-  [[nodiscard]] std::vector<double> new_labels(const LabelNetwork& network,
-                                               const Given& given) const {
+  /// vertex, that of its first corner. Labels that would be lost are told.
+  [[nodiscard]] std::vector<double> new_labels(const LabelNetwork& network, const Given& given,
+                                               std::vector<std::string>& warnings) const {
     const RepairMap* map = host_mesh().map();
-    std::vector<double> labels(network.face_labels.begin(), network.face_labels.end());
-    if (map == nullptr) return labels;
-    const MeshLists lists = given.by_triangle ? MeshLists{} : host_mesh().lists();
-    return map->to_file_faces(labels, [&](std::size_t f) {
-      return given.came_in[given.by_triangle ? f : lists.triangles[f][0]];
-    });
+    const std::vector<std::int64_t> came_in(given.came_in.begin(), given.came_in.end());
+    std::vector<std::int64_t> labels = network.face_labels;
+    if (map != nullptr) {
+      const MeshLists lists = given.by_triangle ? MeshLists{} : host_mesh().lists();
+      labels = map->to_file_faces(labels, [&](std::size_t f) {
+        return came_in[given.by_triangle ? f : lists.triangles[f][0]];
+      });
+    }
+    const std::vector<LostLabel> lost = give_back(came_in, network.face_labels, labels);
+    if (!lost.empty()) {
+      warnings.push_back(fmt::format("{}.", told_of(lost, given.by_triangle, true)));
+    }
+    return {labels.begin(), labels.end()};
   }
 
   void give_cut(const plugin::Outputs& outputs, const std::shared_ptr<LabelNetwork>& network) {
