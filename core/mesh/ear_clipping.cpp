@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <deque>
+#include <functional>
 #include <limits>
-#include <numeric>
+#include <queue>
+#include <utility>
 
 namespace talweg {
 namespace {
@@ -118,6 +119,16 @@ class InwardTree {
   std::vector<std::uint32_t> open_;
 };
 
+/// A corner that may be an ear, and its neighbours then. The shortest cut comes first: cutting in
+/// the order of the corners would make fans of slivers, whose boxes reach far.
+struct Asked {
+  double cut;
+  std::uint32_t corner, before, next;
+  friend bool operator>(const Asked& a, const Asked& b) {
+    return std::pair{a.cut, a.corner} > std::pair{b.cut, b.corner};
+  }
+};
+
 class EarClipper {
  public:
   EarClipper(std::span<const PlanePoint> corners, double rounding)
@@ -185,25 +196,30 @@ class EarClipper {
         triangle, [&](std::uint32_t w) { return is_in_the_way(w, b); }, steps_);
   }
 
-  /// Every corner is asked whether it is an ear: once, and again where rounding or corners at one
-  /// place keep the rule from holding that only neighbours become ears. Every other one comes
-  /// first, so that neighbours are not cut off one after the other, which would make a fan.
+  /// Every corner that turns left is asked whether it is an ear: once, and again where rounding or
+  /// corners at one place keep the rule from holding that only neighbours become ears.
   bool ask_all() {
     if (asked_with_ == left_) return false;
     asked_with_ = left_;
-    for (const std::uint32_t first : {0U, 1U}) {
-      for (std::uint32_t b = first; b < corners_.size(); b += 2) {
-        if (!is_cut_[b]) asked_.push_back(b);
-      }
+    for (std::uint32_t b = 0; b < corners_.size(); ++b) {
+      if (!is_cut_[b]) ask(b);
     }
     return true;
   }
 
+  void ask(std::uint32_t b) {
+    if (!turn(b).left()) return;
+    const std::uint32_t a = before_[b], c = next_[b];
+    asked_.push({norm(corners_[c] - corners_[a]), b, a, c});
+  }
+
   bool cut_an_ear() {
     while (!asked_.empty()) {
-      const std::uint32_t b = asked_.front();
-      asked_.pop_front();
-      if (is_cut_[b] || !is_ear(b)) continue;
+      const Asked asked = asked_.top();
+      asked_.pop();
+      const std::uint32_t b = asked.corner;
+      if (is_cut_[b] || before_[b] != asked.before || next_[b] != asked.next) continue;
+      if (!is_ear(b)) continue;
       cut(b);
       return true;
     }
@@ -231,9 +247,8 @@ class EarClipper {
     --left_;
     last_cut_neighbour_ = c;
     for (const std::uint32_t v : {a, c}) {
-      if (!turn(v).left()) continue;
-      inward_.leave(v);
-      asked_.push_back(v);
+      if (turn(v).left()) inward_.leave(v);
+      ask(v);
     }
   }
 
@@ -243,7 +258,7 @@ class EarClipper {
   std::vector<std::uint32_t> next_, before_;
   std::vector<bool> is_cut_;
   InwardTree inward_;
-  std::deque<std::uint32_t> asked_;  // corners that may be ears
+  std::priority_queue<Asked, std::vector<Asked>, std::greater<>> asked_;
   std::vector<PolygonTriangle> triangles_;
   std::size_t asked_with_ = 0;
   std::size_t steps_ = 0;

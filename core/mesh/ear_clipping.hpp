@@ -30,7 +30,8 @@ struct TurnInPlane {
 ///
 /// Empty where there is no such triangulation: a polygon that crosses itself. (Meisters 1975,
 /// "Polygons have ears"; a corner's ear changes only when a neighbour is cut off, and a tree of the
-/// corners that turn inwards tells whether one lies in an ear.) O(n log n) as a rule. It gives up,
+/// corners that turn inwards tells whether one lies in an ear.) The shortest cuts come first.
+/// O(n log n) as a rule. It gives up,
 /// with an empty result, after 1000 n steps, which the polygons tried so far never came near.
 std::vector<PolygonTriangle> clip_ears(std::span<const PlanePoint> corners, double rounding);
 

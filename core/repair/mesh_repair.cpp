@@ -331,10 +331,15 @@ bool joins_more(const MeshInspection& welded, const MeshInspection& than) {
 
 std::optional<WeldedMesh> try_weld(const MeshLists& lists, const MeshInspection& before) {
   if (before.verdict != MeshVerdict::kUsable) return {};
+  return try_weld(lists, before, near_vertices(lists, before));
+}
+
+std::optional<WeldedMesh> try_weld(const MeshLists& lists, const MeshInspection& before,
+                                   const NearVertices& near) {
+  if (before.verdict != MeshVerdict::kUsable) return {};
   std::optional<WeldedMesh> best;
   if (before.duplicate_positions.found()) best = welded_by(lists, "weld");
   if (best && !joins_more(best->after, before)) best.reset();
-  const NearVertices near = near_vertices(lists, before);
   if (near.count == 0) return best;
   auto nearly = welded_by(lists, fmt::format("weld={:.2g}", near.tolerance));
   if (!nearly || !joins_more(nearly->after, best ? best->after : before)) return best;

@@ -11,6 +11,7 @@
 #include "talweg/core/mesh/mesh_inspection.hpp"
 #include "talweg/core/mesh/mesh_lists.hpp"
 #include "talweg/core/repair/repair_map.hpp"
+#include "talweg/core/repair/vertex_welding.hpp"
 
 namespace talweg {
 
@@ -95,5 +96,8 @@ struct WeldedMesh {
 /// closes no boundary, or if the mesh is not usable before or after. Time and memory are those of
 /// repair().
 std::optional<WeldedMesh> try_weld(const MeshLists& lists, const MeshInspection& before);
+/// The same with near_vertices(lists, before), where it is known.
+std::optional<WeldedMesh> try_weld(const MeshLists& lists, const MeshInspection& before,
+                                   const NearVertices& near);
 
 }  // namespace talweg

@@ -30,8 +30,7 @@ double unit_of(const MeshLists& lists) {
 double with_two_digits(double length, double rounding) {
   if (!(length > 0)) return 0;
   const double unit = std::pow(10, std::floor(std::log10(length)) - 1);
-  const double digits = std::ceil((length - rounding) / unit);
-  return std::max(1.0, digits) * unit;
+  return std::ceil((length - std::min(rounding, 1e-3 * length)) / unit) * unit;
 }
 
 class Welder {

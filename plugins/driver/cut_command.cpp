@@ -84,6 +84,9 @@ class Cutting {
   std::vector<FaceOutlines> outlines(std::vector<PartOrigins>& origins) const;
   [[nodiscard]] std::string map_json(const std::vector<PartOrigins>& origins) const;
   [[nodiscard]] std::vector<std::string> warnings() const;
+  [[nodiscard]] std::size_t split_polygons() const {
+    return o_.polygons ? 0 : read_.lists.polygon_count;
+  }
 
   const CutCommandOptions& o_;
   Progress progress_;
@@ -179,7 +182,7 @@ void Cutting::write() {
 }
 
 std::vector<std::string> Cutting::warnings() const {
-  std::vector<std::string> warnings = reading_warnings(drawing_, read_.lists.polygon_count);
+  std::vector<std::string> warnings = reading_warnings(drawing_, split_polygons());
   warnings.insert(warnings.end(), read_.changes.begin(), read_.changes.end());
   return warnings;
 }
@@ -195,7 +198,7 @@ std::string Cutting::summary() const {
   }
   for (const std::string& change : read_.changes) text += change + "\n";
   for (const std::string& sentence : left_out_) text += sentence + "\n";
-  for (const std::string& warning : reading_warnings(drawing_, read_.lists.polygon_count)) {
+  for (const std::string& warning : reading_warnings(drawing_, split_polygons())) {
     text += warning + "\n";
   }
   if (part_options(o_).opens()) {

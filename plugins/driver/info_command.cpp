@@ -55,10 +55,10 @@ Command add_info(CLI::App& app, const GlobalOptions& /*global*/) {
     MeshInspection inspection = inspect(lists);
     try_repair(lists, inspection);
     times.inspect = check.ms();
-    const std::optional<WeldedMesh> welded = try_weld(lists, inspection);
+    const NearVertices near = near_vertices(lists, inspection);
+    const std::optional<WeldedMesh> welded = try_weld(lists, inspection, near);
     if (inspection.verdict == MeshVerdict::kUsable) times.open = OpenedMesh::open(lists)->open_ms();
     const std::optional<InfoRepair> repaired = repair_of(lists, options->repair);
-    const NearVertices near = near_vertices(lists, inspection);
     const std::string text = options->json ? info_json(inspection, times, repaired, welded, near)
                                            : info_text(inspection, times, repaired, welded, near);
     std::fputs(text.c_str(), stdout);

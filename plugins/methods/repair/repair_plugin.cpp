@@ -124,8 +124,8 @@ class Repair {
     try_repair(*lists_, *inspection);
     result.inspect_ms = watch.ms();
     go_on("inspect", 0.6);
-    result.welded = try_weld(*lists_, *inspection);
     result.near = near_vertices(*lists_, *inspection);
+    result.welded = try_weld(*lists_, *inspection, result.near);
     if (inspection->verdict == MeshVerdict::kUsable) {
       result.open_ms = OpenedMesh::open(*lists_)->open_ms();
     }

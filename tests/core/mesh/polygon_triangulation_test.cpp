@@ -168,6 +168,16 @@ TEST(PolygonTriangulation, SpiralsAndRandomStars) {
   }
 }
 
+TEST(PolygonTriangulation, ALongDiagonalStripTakesNoTimeToSpeakOf) {
+  // Between y = x - 1 and y = x + 1, with teeth 1 wide: thin ears across it would reach far.
+  constexpr int kColumns = 50000;
+  Corners strip;
+  for (int x = 0; x < kColumns; ++x) strip.push_back({1.0 * x, x - 1.0, 0});
+  for (int x = kColumns - 1; x >= 0; --x)
+    strip.push_back({1.0 * x, x + (x % 2 == 0 ? 1.0 : 2.0), 0});
+  expect_covered(strip, shoelace(strip));
+}
+
 TEST(PolygonTriangulation, AHoleBehindABridge) {
   // A square of 4 with a hole of 2, joined by a bridge from corner to corner, there and back.
   const Corners corners =

@@ -65,6 +65,7 @@ TEST(WeldTolerance, SeamsBeyondRoundingOfLargeCoordinates) {
   const MeshLists lists = plates(1e-13, 40);  // coordinates of 50
   const MeshInspection before = inspect(lists);
   EXPECT_EQ(near_vertices(lists, before).count, 4U);
+  EXPECT_GE(near_vertices(lists, before).tolerance, 0.9e-13);
   const auto welded = try_weld(lists, before);
   ASSERT_TRUE(welded);
   EXPECT_EQ(welded->after.components, 1U);

@@ -196,6 +196,22 @@ class Repair(unittest.TestCase):
             talweg.Mesh(vertices, faces, repair="orient")
         self.assertEqual(mesh.repair_steps, True)
         self.assertEqual(talweg.Mesh(vertices, faces, repair="drop, weld").repair_steps, "weld,drop")
+        self.assertEqual(talweg.Mesh(vertices, faces, repair="drop, weld=1e-9").repair_steps,
+                         "weld=1e-09,drop")
+        with self.assertRaisesRegex(talweg.BadUsage, "length above 0"):
+            talweg.Mesh(vertices, faces, repair="weld=0")
+
+    def test_repair_welds_within_a_tolerance(self):
+        gap = 1e-6  # two plates of 10 x 10; vertices 1 and 2 lie at 4 and 7 but for the gap
+        vertices = np.array([[0, 0, 0], [10, 0, 0], [10, 10, 0], [0, 10, 0], [10 + gap, 0, 0],
+                             [20, 0, 0], [20, 10, 0], [10, 10 - gap, 0]])
+        faces = [[0, 1, 2], [0, 2, 3], [4, 5, 6], [4, 6, 7]]
+        told = talweg.inspect((vertices, faces))
+        self.assertEqual(told.near_vertices.count, 4)
+        self.assertEqual(told.weld.steps, "weld=1e-06")
+        fixed = talweg.repair((vertices, faces), "weld=1e-6")
+        self.assertEqual(fixed.became.tolist(), [0, 1, 2, 3, 1, 5, 6, 2])
+        talweg.Mesh(vertices, faces, repair=told.weld.steps).draw([0, 6])  # they are one part
 
 
 def info(folder, name):
