@@ -408,7 +408,7 @@ std::string freesurfer_quads() {
 }  // namespace
 
 std::vector<std::string> mesh_seeds(const Target& target) {
-  if (target.name == "mesh_obj") return {obj()};
+  if (target.name == "mesh_obj") return {obj(), "# SPACE=RAS\n" + obj()};
   if (target.name == "mesh_off") return {off(), off_binary()};
   if (target.name == "mesh_vtk") {
     return {written(target.file), vtk_text(),
@@ -432,7 +432,9 @@ std::vector<std::string> curve_seeds(const Target& target) {
   if (target.name == "curve_obj")
     return {formats::write_obj(curves), "v 0 0 0\nv 1 0 0\nl -2 -1\n"};
   if (target.name == "curve_ply") return {formats::write_ply(curves), curve_ply_binary()};
-  if (target.name == "curve_vtp") return {formats::write_vtp(curves), vtp(0), vtp(1), vtp(2)};
+  if (target.name == "curve_vtp")
+    return {formats::write_vtp(curves), formats::write_vtp(curves, {}, PatientSpace::kRas), vtp(0),
+            vtp(1), vtp(2)};
   if (target.name == "curve_vtk") return {formats::write_vtk(curves), vtk_binary()};
   if (target.name == "curve_txt") return {formats::write_txt("c.txt", curves), "0,1 2 # here\n\n3"};
   if (target.name == "curve_json") return {formats::write_json(curves)};

@@ -175,12 +175,16 @@ TEST(HostileFiles, EndlessLines) {
   expect_bad_mesh("a.ply", "ply\nformat " + digits, {"line 2", "1111..."});
   expect_bad_curve("a.txt", digits, {"line 1", "1111..."});
   expect_bad_curve("a.json", digits, {"number"});
+  expect_bad_curve("a.fcsv", digits, {"line 1", "1111..."});
+  expect_bad_curve("a.fcsv", std::string(32U << 20U, ','), {"line 1"});
+  expect_bad_curve("a.fcsv", "1,2,3,\"" + digits, {"line 1", "1111..."});
 }
 
 TEST(HostileFiles, NulBytesAndOtherEncodings) {
   expect_bad_mesh("a.obj", "v 0 0 0\nv\0 1 0 0\n"sv, {"line 2", "byte 9", "NUL"});
   expect_bad_mesh("a.off", "OFF\n1 0 0\n0 0\0 0\n"sv, {"line 3", "NUL"});
   expect_bad_curve("a.txt", "1\n2\0\n3\n"sv, {"line 2", "NUL"});
+  expect_bad_curve("a.fcsv", "a,1,2,3\nb,\0,2,3\n"sv, {"line 2", "NUL"});
   expect_bad_curve("a.obj", "v 0 0 0\nv 1 0 0\n\0l 1 2\n"sv, {"line 3", "NUL"});
   expect_bad_curve("a.json", "{\"format\": \0}"sv, {"line 1, column 12"});
   expect_bad_curve("a.vtp", "<VTKFile type=\"PolyData\">\0</VTKFile>"sv, {"line 1"});
@@ -188,7 +192,7 @@ TEST(HostileFiles, NulBytesAndOtherEncodings) {
   for (const std::string_view bom : {"\xFF\xFE"sv, "\xFE\xFF"sv, "\0\0\xFE\xFF"sv}) {
     const std::string text = std::string(bom) + "v\0 \0000\0"s;
     for (const char* name : {"a.obj", "a.off", "a.ply"}) expect_bad_mesh(name, text, {"UTF-16"});
-    for (const char* name : {"a.obj", "a.txt", "a.json", "a.vtk", "a.vtp"}) {
+    for (const char* name : {"a.obj", "a.txt", "a.json", "a.vtk", "a.vtp", "a.fcsv"}) {
       expect_bad_curve(name, text, {"UTF-16"});
     }
   }
