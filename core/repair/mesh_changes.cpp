@@ -1,11 +1,12 @@
 // Names of repair steps, and sentences on what a repair did.
 #include <cmath>
+#include <locale>
+#include <sstream>
 #include <string>
 #include <utility>
 
 #include <fmt/format.h>
 
-#include "talweg/core/io/text_words.hpp"
 #include "talweg/core/repair/mesh_repair.hpp"
 #include "talweg/intrinsic/error.hpp"
 
@@ -36,11 +37,14 @@ constexpr std::string_view kWeldWithin = "weld=";
 
 double tolerance_of(std::string_view text) {
   double tolerance = 0;
-  if (!parse(text, tolerance) || !(tolerance > 0) || !std::isfinite(tolerance)) {
+  std::istringstream words{std::string(text)};
+  words.imbue(std::locale::classic());
+  words >> tolerance;
+  if (!words || !words.eof() || !(tolerance > 0) || !std::isfinite(tolerance)) {
     throw Error(ErrorCode::kBadUsage,
                 fmt::format("The tolerance of weld must be a length above 0 in mesh units, as in "
                             "weld=1e-4, not \"{}\".",
-                            printable(text)));
+                            text));
   }
   return tolerance;
 }
