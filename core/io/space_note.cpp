@@ -62,19 +62,20 @@ void turn_to(const CoordinateFrame& frame, PatientSpace space, const std::filesy
 
 std::string conversion(const std::filesystem::path& path, const CoordinateFrame& from,
                        const CoordinateFrame& to) {
-  std::string done;
+  std::string done, why;
   if (to.turns(from.space)) {
+    const bool said = to.space != PatientSpace::kNotSaid;
     done = fmt::format("turned from {} to {} (x and y change their sign)", space_name(from.space),
-                       to.space == PatientSpace::kNotSaid
-                           ? "LPS, in which a mesh is taken to be that says nothing"
-                           : std::string(space_name(to.space)));
+                       said ? space_name(to.space) : "LPS");
+    if (!said) why = ", since a mesh that names no space is taken to be in LPS";
   }
   const double scale = from.unit.in(to.unit);
   if (scale != 1) {
     done += fmt::format("{}scaled by {:.6g} from {} to {}", done.empty() ? "" : " and ", scale,
                         from.unit.code(), to.unit.code());
   }
-  return done.empty() ? done : fmt::format("The positions of {} were {}.", file_name(path), done);
+  if (done.empty()) return done;
+  return fmt::format("The positions of {} were {}{}.", file_name(path), done, why);
 }
 
 std::string left_out(const std::filesystem::path& path, std::size_t count, std::size_t all) {
