@@ -89,17 +89,6 @@ class VtpReader {
   std::vector<Line> lines_;
 };
 
-/// A string array as VTK writes it: the codes of the letters and 0.
-std::string space_data(PatientSpace space) {
-  if (space == PatientSpace::kNotSaid) return {};
-  std::string codes;
-  for (const char letter : space_name(space)) codes += fmt::format("{} ", int{letter});
-  return fmt::format(
-      "<FieldData>\n<Array type=\"String\" Name=\"SPACE\" NumberOfTuples=\"1\" "
-      "format=\"ascii\">\n{}0\n</Array>\n</FieldData>\n",
-      codes);
-}
-
 }  // namespace
 
 std::vector<CurveInput> read_vtp(const Source& source) { return VtpReader(source).read(); }

@@ -19,7 +19,8 @@ namespace talweg {
 /// vertex, numbered by first appearance.
 ///
 /// The space of the coordinates is read where 3D Slicer notes it, as SPACE=LPS or SPACE=RAS: in
-/// comments of OBJ (before anything else) and PLY, in the first line or the header of STL.
+/// comments of OBJ (before anything else) and PLY, in the first line or the header of STL, in the
+/// title of VTK and the field data of VTP.
 ///
 /// Defects of the surface are accepted (see inspect()), but defects of the file are not. Throws
 /// Error(kBadFile) with the file's name and, if there is one, the line, vertex or face, when the

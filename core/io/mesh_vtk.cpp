@@ -47,6 +47,7 @@ class LegacyMesh {
     if (with_attributes_) read_data(section);
     faces_.end_piece(std::move(of_points_), std::move(of_cells_));
     faces_.end();
+    lists_.space = file_.space();
     return std::move(lists_);
   }
 

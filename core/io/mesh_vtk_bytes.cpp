@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "talweg/core/io/mesh_bytes.hpp"
+#include "talweg/core/io/space_note.hpp"
 
 namespace talweg::formats {
 namespace {
@@ -242,7 +243,10 @@ void put_cells(XmlParts& parts, const char* kind, const std::string& corners, st
 std::string vtk_bytes(MeshContent& mesh) {
   const VtkContent content(mesh, true);
   const MeshLists& lists = content.lists();
-  std::string bytes = "# vtk DataFile Version 3.0\nmesh by Talweg\nBINARY\nDATASET POLYDATA\n";
+  std::string bytes = "# vtk DataFile Version 3.0\n";
+  bytes += lists.space == PatientSpace::kNotSaid ? "mesh by Talweg\n"
+                                                 : space_line("mesh by Talweg. ", lists.space);
+  bytes += "BINARY\nDATASET POLYDATA\n";
   bytes += fmt::format("POINTS {} double\n", lists.points.size()) + content.coordinates() + "\n";
   const std::size_t edges = content.edges().size(), faces = lists.triangles.size();
   const auto corner = [&](std::uint32_t v) { put_as<std::int32_t>(bytes, v, true); };
@@ -284,12 +288,12 @@ std::string vtp_bytes(MeshContent& mesh) {
   put_cells(parts, "Polys", corners, lists.triangles.size(), 3);
   return fmt::format(
       "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"1.0\" "
-      "byte_order=\"LittleEndian\" header_type=\"UInt64\">\n<PolyData>\n"
+      "byte_order=\"LittleEndian\" header_type=\"UInt64\">\n<PolyData>\n{}"
       "<Piece NumberOfPoints=\"{}\" NumberOfVerts=\"0\" NumberOfLines=\"{}\" NumberOfStrips=\"0\" "
       "NumberOfPolys=\"{}\">\n{}</Piece>\n</PolyData>\n<AppendedData encoding=\"raw\">\n_{}\n"
       "</AppendedData>\n</VTKFile>\n",
-      lists.points.size(), content.edges().size(), lists.triangles.size(), parts.tree,
-      parts.appended);
+      space_data(lists.space), lists.points.size(), content.edges().size(), lists.triangles.size(),
+      parts.tree, parts.appended);
 }
 
 }  // namespace talweg::formats

@@ -34,6 +34,7 @@ class VtpMesh {
       bad_file(source_.path,
                "it has points but no polygons or triangle strips, so it holds no surface.");
     }
+    lists_.space = xml_.space();
     return std::move(lists_);
   }
 

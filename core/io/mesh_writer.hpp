@@ -21,7 +21,7 @@ struct TaggedEdge {
 /// Writes OBJ, OFF (text, shortest digits that read back exactly), PLY (binary, little-endian,
 /// `double`), STL (binary, `float`: no ids, and coordinates are rounded), VTK (legacy, binary) or
 /// VTP (raw), both `double`, by the extension. The space of the coordinates is noted as read_mesh()
-/// finds it (OFF, VTK and VTP have no place for it). The file is either unchanged or complete: a
+/// finds it (OFF has no place for it). The file is either unchanged or complete: a
 /// new file is written beside it and renamed. Throws Error(kBadFile) naming path and reason;
 /// Error(kBadMesh) when a face refers to a vertex that does not exist.
 void write_mesh(const std::filesystem::path& path, const MeshLists& lists);

@@ -47,6 +47,16 @@ std::string space_line(std::string_view prefix, PatientSpace space) {
   return fmt::format("{}{}{}\n", prefix, kTag, space_name(space));
 }
 
+std::string space_data(PatientSpace space) {
+  if (space == PatientSpace::kNotSaid) return {};
+  std::string codes;
+  for (const char letter : space_name(space)) codes += fmt::format("{} ", int{letter});
+  return fmt::format(
+      "<FieldData>\n<Array type=\"String\" Name=\"SPACE\" NumberOfTuples=\"1\" "
+      "format=\"ascii\">\n{}0\n</Array>\n</FieldData>\n",
+      codes);
+}
+
 void turn_to(const CoordinateFrame& frame, PatientSpace space, const std::filesystem::path& path,
              std::vector<CurveInput>& curves) {
   if (!frame.turns(space)) return;

@@ -22,6 +22,10 @@ PatientSpace space_in_comments(std::string_view text);
 /// nothing is said.
 std::string space_line(std::string_view prefix, PatientSpace space);
 
+/// The field data of a VTP file that say so, as 3D Slicer writes and finds them: a string array of
+/// the codes of the letters and 0. Empty where nothing is said.
+std::string space_data(PatientSpace space);
+
 /// Turns x and y of curves of positions where they are in another space than the mesh, and tells
 /// the first curve so.
 void turn_to(const CoordinateFrame& frame, PatientSpace space, const std::filesystem::path& path,
