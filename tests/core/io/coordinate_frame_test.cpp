@@ -10,7 +10,7 @@
 #include "talweg/core/io/mesh_reader.hpp"
 #include "talweg/core/io/mesh_writer.hpp"
 
-namespace talweg {
+namespace talweg::coordinate_frames {
 namespace {
 
 using Frames = test::CurveFiles;
@@ -185,4 +185,4 @@ TEST_F(Frames, AreNamed) {
 }
 
 }  // namespace
-}  // namespace talweg
+}  // namespace talweg::coordinate_frames

@@ -12,7 +12,7 @@
 #include "talweg/core/io/mesh_reader.hpp"
 #include "talweg/intrinsic/error.hpp"
 
-namespace talweg::test {
+namespace talweg::test::label_lists {
 namespace {
 
 using namespace std::string_literals;
@@ -284,4 +284,4 @@ TEST_F(NibabelLabelFiles, AreTakenBothWays) {
 }
 
 }  // namespace
-}  // namespace talweg::test
+}  // namespace talweg::test::label_lists

@@ -35,10 +35,12 @@ std::string buffer() {
   for (const float x : {0.F, 0.F, 0.F, 1.F, 0.F, 0.F, 1.F, 1.F, 0.F, 0.F, 1.F, 0.F}) {
     put_number(bytes, x);
   }
-  for (const std::uint8_t v : {0, 1, 2, 0, 2, 3}) put_number(bytes, v);
+  for (const std::uint8_t v : std::initializer_list<std::uint8_t>{0, 1, 2, 0, 2, 3})
+    put_number(bytes, v);
   bytes += std::string(2, '\0');
   for (const std::uint32_t v : {0U, 1U, 2U, 0U, 2U, 3U}) put_number(bytes, v);
-  for (const std::uint16_t v : {0, 1, 3, 2}) put_number(bytes, v);
+  for (const std::uint16_t v : std::initializer_list<std::uint16_t>{0, 1, 3, 2})
+    put_number(bytes, v);
   for (const float x : {5.F, 6.F, 7.F}) put_number(bytes, x);
   put_number(bytes, std::uint16_t{3});
   return bytes;
@@ -113,11 +115,13 @@ TEST(GltfMesh, NodesArePlacedAndMirroredOnesTurned) {
 TEST(GltfMesh, AttributesAndNames) {
   std::string bytes;
   for (const float x : {0.F, 0.F, 0.F, 1.F, 0.F, 0.F, 0.F, 1.F, 0.F}) put_number(bytes, x);
-  for (const std::uint8_t c : {255, 0, 51, 255, 255, 0, 51, 255, 255, 0, 51, 255}) {
+  for (const std::uint8_t c :
+       std::initializer_list<std::uint8_t>{255, 0, 51, 255, 255, 0, 51, 255, 255, 0, 51, 255}) {
     put_number(bytes, c);
   }
   for (int k = 0; k < 3; ++k) {
-    for (const std::int8_t n : {0, 0, 127, 0}) put_number(bytes, n);
+    for (const std::int8_t n : std::initializer_list<std::int8_t>{0, 0, 127, 0})
+      put_number(bytes, n);
   }
   MeshAttributes attributes;
   const std::string text =

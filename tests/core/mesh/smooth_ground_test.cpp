@@ -10,7 +10,7 @@
 #include "core/generated_meshes.hpp"
 #include "core/rough_meshes.hpp"
 #include "core/small_meshes.hpp"
-#include "talweg/core/drawing/draw.hpp"
+#include "talweg/core/drawing/edge_dijkstra.hpp"
 #include "talweg/core/mesh/opened_mesh.hpp"
 
 namespace talweg {
