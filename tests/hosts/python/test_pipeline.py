@@ -207,11 +207,11 @@ class Repair(unittest.TestCase):
                              [20, 0, 0], [20, 10, 0], [10, 10 - gap, 0]])
         faces = [[0, 1, 2], [0, 2, 3], [4, 5, 6], [4, 6, 7]]
         told = talweg.inspect((vertices, faces))
-        self.assertEqual(told.near_vertices.count, 4)
-        self.assertEqual(told.weld.steps, "weld=1e-06")
+        self.assertEqual(told["near_vertices"]["count"], 4)
+        self.assertEqual(told["weld"]["steps"], "weld=1e-06")
         fixed = talweg.repair((vertices, faces), "weld=1e-6")
         self.assertEqual(fixed.became.tolist(), [0, 1, 2, 3, 1, 5, 6, 2])
-        talweg.Mesh(vertices, faces, repair=told.weld.steps).draw([0, 6])  # they are one part
+        talweg.Mesh(vertices, faces, repair=told["weld"]["steps"]).draw([0, 6])  # they are one part
 
 
 def info(folder, name):

@@ -123,6 +123,23 @@ TEST_F(RepairOption, SoupOfTriangles) {
   expect_on(soup, "s.json");
 }
 
+TEST_F(RepairOption, SeamsAreNamedAndWeldedWithinATolerance) {
+  MeshLists plates;  // two of 10 x 10; vertices 1 and 2 lie 1e-6 away from 4 and 7
+  plates.points = {{0, 0, 0},         {10, 0, 0}, {10, 10, 0}, {0, 10, 0},
+                   {10.000001, 0, 0}, {20, 0, 0}, {20, 10, 0}, {10, 9.999999, 0}};
+  plates.triangles = {{0, 1, 2}, {0, 2, 3}, {4, 5, 6}, {4, 6, 7}};
+  write_mesh(file("seam.obj"), plates);
+  expect_failure("draw seam.obj --through 0,6 --repair -o no.json", 2,
+                 {"different components", "4 vertices lie within 1e-06 of others",
+                  "repair=weld=1e-06", "1 part instead of 2"});
+  succeed("draw seam.obj --through 0,6 --repair=weld=1e-6 -o drawn.json");
+  succeed("run talweg.smooth seam.obj --curve drawn.json --repair=all,weld=1e-4 -o ran.json");
+  expect_failure("draw seam.obj --through 0,6 --repair=weld=-1 -o no.json", 1,
+                 {"length above 0 in mesh units"});
+  EXPECT_NE(run("info seam.obj").out.find("4 vertices that nearly coincide with others"),
+            std::string::npos);
+}
+
 TEST_F(RepairOption, InfoTellsWhatItWouldDo) {
   write_mesh(file("mesh.ply"), test::with_turned_face(test::sphere(2), 17));
   const Outcome text = run("info mesh.ply --repair");
