@@ -6,6 +6,7 @@
 
 #include "core/generated_meshes.hpp"
 #include "core/io/format_bytes.hpp"
+#include "core/small_meshes.hpp"
 #include "talweg/core/io/mesh_writer.hpp"
 
 namespace talweg::test::vtk_meshes {
@@ -148,6 +149,24 @@ TEST(VtkMesh, XmlErrors) {
   EXPECT_NE(refusal_of("a.vtp", vtp(piece(""))).find("no surface"), std::string::npos);
   EXPECT_NE(refusal_of("a.vtp", "<VTKFile type=\"UnstructuredGrid\"/>").find("PolyData"),
             std::string::npos);
+}
+
+TEST(VtkMesh, TheSpaceIsRead) {
+  const std::string faces = "POINTS 3 float\n0 0 0 1 0 0 0 1 0\nPOLYGONS 1 4\n3 0 1 2\n";
+  const auto with_title = [&](const std::string& title) {
+    return "# vtk DataFile Version 4.2\n" + title + "\nASCII\nDATASET POLYDATA\n" + faces;
+  };
+  EXPECT_EQ(read_mesh("a.vtk", with_title("3D Slicer output. SPACE=RAS")).space,
+            PatientSpace::kRas);
+  EXPECT_EQ(read_mesh("a.vtk", with_title("vtk output")).space, PatientSpace::kNotSaid);
+  MeshLists lists = grid(2, 2);
+  for (const PatientSpace space :
+       {PatientSpace::kNotSaid, PatientSpace::kLps, PatientSpace::kRas}) {
+    lists.space = space;
+    for (const char* name : {"a.vtk", "a.vtp"}) {
+      EXPECT_EQ(read_mesh(name, mesh_bytes(name, lists, {}).bytes).space, space) << name;
+    }
+  }
 }
 
 TEST(VtkMesh, WrittenFilesComeBackWithAttributesAndEdges) {
