@@ -23,7 +23,6 @@ std::optional<NumberType> xml_type(std::string_view name) {
   for (std::size_t k = 0; k < std::size(kNames); ++k) {
     if (name == kNames[k]) return static_cast<NumberType>(k);
   }
-  if (name == "String") return NumberType::kInt8;  // the codes of its letters, 0 at the end
   return std::nullopt;
 }
 
@@ -107,7 +106,9 @@ std::optional<NumberType> VtkXml::number_type(const pugi::xml_node& array) {
 
 std::vector<double> VtkXml::read_array(const pugi::xml_node& array) const {
   const std::string_view format = array.attribute("format").as_string("ascii");
-  const auto type = number_type(array);
+  // A string has the codes of its letters, 0 at the end.
+  const bool is_text = std::string_view(array.attribute("type").value()) == "String";
+  const auto type = is_text ? NumberType::kInt8 : number_type(array);
   if (!type) fail(array, "expected a type such as Float64 or Int32");
   if (format == "ascii") return read_ascii(array);
   if (format != "binary" && format != "appended") {

@@ -12,7 +12,7 @@ namespace talweg {
 namespace {
 
 constexpr std::array<double, 3> kScales{2, 4, 6};  // edges
-constexpr double kFull = 1.5;  // of noise, that the scale of 2 edges takes two thirds away
+constexpr double kFull = 1.35;  // of noise the scale of 2 edges takes three quarters away
 
 /// The normals of the faces around each vertex with its own part `finer` taken away; not of unit
 /// length, 0 where there is none. Only faces whose corners are all in the graph count.

@@ -292,7 +292,7 @@ TEST(Report, SignsAndIndicesAreThoseOfTheCurveAsItWasDrawn) {
       ASSERT_GT(reported.max_at, 0U);
       ASSERT_LT(reported.max_at + 1, curve.points.size());
       const auto* at = &curve.points[reported.max_at];
-      EXPECT_NEAR(turning_angle(surface, at[-1], at[0], at[1]), own.max_curvature, 1e-9);
+      EXPECT_NEAR(turn_of(surface, at[-1], at[0], at[1]).from_straight, own.max_curvature, 1e-9);
     };
     expect(report.before, drawn);
     expect(report.after, result.curve());

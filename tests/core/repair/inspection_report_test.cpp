@@ -22,7 +22,7 @@ TEST(InspectionReport, TellsWhatASoundMeshIs) {
   EXPECT_EQ(found["genus"], 0);
   EXPECT_EQ(found["box_max"], json({3, 2, 0}));
   EXPECT_EQ(found["verdict"], "usable");
-  EXPECT_EQ(found["defects"].size(), 11U);
+  EXPECT_EQ(found["defects"].size(), 12U);
   for (const json& defect : found["defects"]) {
     EXPECT_EQ(defect, json({{"count", 0}, {"first", json::array()}}));
   }
