@@ -348,7 +348,6 @@ class BoundSearch {
                                   (report.deviation_exact ? "" : "at most ") +
                                   std::to_string(apart) + ".");
       }
-      warn_if_too_narrow(report);
       if (!ended_) return;
       report.termination = std::max(report.termination, Outcome::kLimit);
       report.warnings.emplace_back(
@@ -357,14 +356,17 @@ class BoundSearch {
     };
     for (SmoothingReport& report : best_.reports) fill(report);
     fill(best_.total);
+    const std::vector<double> slacks = smoother_.slack();
+    for (std::size_t c = 0; c < slacks.size(); ++c) {
+      warn_if_too_narrow(slacks[c], best_.reports[c]);
+      if (slacks.size() == 1) best_.total.warnings = best_.reports[c].warnings;
+    }
   }
 
   /// A bound below what the hand trembles by leaves nothing to smooth.
-  void warn_if_too_narrow(SmoothingReport& report) const {
-    constexpr double kHardly = 0.5;
-    const std::vector<double> slacks = smoother_.slack();
-    const double slack = slacks.empty() ? 0 : *std::max_element(slacks.begin(), slacks.end());
-    if (given_slack_ || !(bound_ < slack)) return;
+  void warn_if_too_narrow(double slack, SmoothingReport& report) const {
+    constexpr double kHardly = 0.5, kTrembles = 1;  // of its bending, and that
+    if (given_slack_ || !(bound_ < slack) || report.before.bending < kTrembles) return;
     if (report.after.bending <= kHardly * report.before.bending) return;
     report.warnings.push_back(
         fmt::format("The bound of {:.4g} is less than the drawing trembles by ({:.4g}), so hardly "

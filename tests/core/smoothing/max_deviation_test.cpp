@@ -163,6 +163,9 @@ TEST_F(MaxDeviation, ATinyOneGivesTheDrawing) {
   const SmoothingResult result = smooth_within(smoother, 1e-7);
   EXPECT_EQ(result.report().termination, Outcome::kConverged);
   EXPECT_LE(test::apart(opened->mesh(), result.curve(), drawn), 1e-7);
+  ASSERT_FALSE(result.report().warnings.empty());
+  EXPECT_NE(result.report().warnings.back().find("is less than the drawing trembles by"),
+            std::string::npos);
 }
 
 // A quarter of a circle in unit steps, to the right and down: with so much slack only pins hold it,

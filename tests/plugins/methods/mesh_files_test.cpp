@@ -175,7 +175,7 @@ TEST_F(MeshFilesOfPlugin, RefuseBadInputAndLeaveFilesAsTheyWere) {
   EXPECT_EQ(files_->read(nullptr, take, nullptr, &seen, nullptr, 0), TALWEG_BAD_USAGE);
   EXPECT_EQ(files_->read("a.ply", nullptr, nullptr, &seen, nullptr, 0), TALWEG_BAD_USAGE);
   EXPECT_EQ(files_->write("a.ply", nullptr, nullptr, nullptr, nullptr, 0), TALWEG_BAD_USAGE);
-  EXPECT_EQ(write("a.vtk"), TALWEG_BAD_FILE);
+  EXPECT_EQ(write("a.vtu"), TALWEG_BAD_FILE);
   const std::uint32_t edges[3] = {0, 3, 0};
   file_.edges = {edges, 1, 0, 3, TALWEG_UINT32};
   expect_refused("vertex 3, and the mesh has 3");
