@@ -203,6 +203,7 @@ std::string text_of(const Options& options, const Measured& measured) {
 void write_results(const Options& options, const Measured& measured) {
   if (!measured.runs.empty()) write(options.out / "runs.csv", csv(measured.runs));
   if (!measured.hands.empty()) write(options.out / "hands.csv", csv(measured.hands));
+  if (!measured.rough.empty()) write(options.out / "rough.csv", csv(measured.rough));
   if (!measured.paper.empty()) write(options.out / "paper_runs.csv", csv(measured.paper));
   if (!measured.relaxed.empty()) {
     write(options.out / "paper_relaxed_runs.csv", csv(measured.relaxed));

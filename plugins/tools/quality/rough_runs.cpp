@@ -17,7 +17,9 @@ namespace talweg::quality {
 namespace {
 
 constexpr std::array kRoughness{0.1, 0.3, 0.5, 1.0};
-constexpr std::size_t kApart = 25;  // vertices of a drawing from one click to the next
+constexpr std::size_t kApart = 25;       // vertices of a drawing from one click to the next
+constexpr double kNearlyStraight = 0.1;  // what is straight has no ratio
+constexpr double kSamples = 4;  // h₀: the distance of samples on such legs, a sixth of these
 
 /// Each vertex moved along the normal of the faces around it.
 std::shared_ptr<const OpenedMesh> roughened(const Subject& subject, double deviation) {
@@ -87,11 +89,11 @@ std::vector<RoughRun> rough_runs(const Subject& subject, std::span<const NamedPa
       const Made made = through(rough, clicks, drawing.closed);
       const double edge = edge_length_near(mesh.surface(), smooth.curve);
       const auto bending = [&](const SurfaceCurve& curve) {
-        return measure_curve(mesh.surface(), curve, edge).bending;
+        return measure_curve(mesh.surface(), curve, kSamples * edge).bending;
       };
       RoughRun run{subject.name, drawing.name, roughness};
       run.told = made.report.roughness_near;
-      run.bending = bending(made.curve) / bending(smooth.curve);
+      run.bending = bending(made.curve) / std::max(bending(smooth.curve), kNearlyStraight);
       run.swing = apart(mesh, made.curve, smooth.legs) / apart(mesh, smooth.curve, smooth.legs);
       run.apart = apart(mesh, made.curve, smooth.curve) / edge;
       run.time = made.ms / smooth.ms;
@@ -126,6 +128,15 @@ std::string tables(std::span<const RoughRun> runs) {
     text += fmt::format("| {} | {} | {:.2f} | {} | {} | {} | {} | {} |\n", roughness, told.size(),
                         quantile(told, 0.5), both(bending, 1), both(swing, 0), both(apart, 1),
                         both(time, 1), warned);
+  }
+  return text;
+}
+
+std::string csv(std::span<const RoughRun> runs) {
+  std::string text = "mesh,drawing,roughness,told,bending,swing,apart,time,warned\n";
+  for (const RoughRun& r : runs) {
+    text += fmt::format("{},{},{},{:.3f},{:.3f},{:.3f},{:.3f},{:.2f},{}\n", r.mesh, r.drawing,
+                        r.roughness, r.told, r.bending, r.swing, r.apart, r.time, r.warned ? 1 : 0);
   }
   return text;
 }

@@ -15,7 +15,7 @@ struct RoughRun {
   std::string mesh, drawing;
   double roughness = 0;  ///< standard deviation of the noise
   double told = 0;       ///< roughness_near in the report
-  double bending = 0;    ///< over that of the curve on the mesh as it is
+  double bending = 0;    ///< in windows of 2 h₀, over that of the curve on the mesh as it is
   double swing = 0;      ///< farthest from the straight legs, over the same of that curve
   double apart = 0;      ///< from that curve, both ways
   double time = 0;       ///< of a new drawing and its result, over the same; the ground was there
@@ -27,5 +27,6 @@ std::vector<RoughRun> rough_runs(const Subject& subject, std::span<const NamedPa
 
 /// As Markdown: a row for each roughness.
 std::string tables(std::span<const RoughRun> runs);
+std::string csv(std::span<const RoughRun> runs);
 
 }  // namespace talweg::quality
