@@ -45,6 +45,16 @@ Point position(const MeshLists& mesh, const FaceCoordinates& point) {
   return sum;
 }
 
+Point position(const MeshLists& mesh, const CornerCoordinates& point) {
+  Point sum = Point::Zero();
+  double weights = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    sum += point.weights[k] * vertex_position(mesh, point.corners[k].index());
+    weights += point.weights[k];
+  }
+  return sum / weights;
+}
+
 Point position(const MeshLists& /*mesh*/, const Point& point) { return point; }
 
 std::vector<Point> positions(const MeshLists& mesh, const CurveInput& curve) {

@@ -35,7 +35,8 @@ enum class Zip { kStored, kDeflated, kWide };
 
 std::string zip(const Files& files, Zip kind = Zip::kStored, std::uint16_t flags = 0) {
   std::string bytes, directory;
-  for (const auto& [name, content] : files) {
+  for (const auto& file : files) {
+    const std::string &name = file.first, &content = file.second;
     const auto at = static_cast<std::uint32_t>(bytes.size());
     const std::string packed = kind == Zip::kDeflated ? deflated(content) : content;
     const auto method = static_cast<std::uint16_t>(kind == Zip::kDeflated ? 8 : 0);
