@@ -92,7 +92,7 @@ void add_files(CLI::App& app, const talweg_plugin& plugin, Files& files) {
   if (gives(plugin, TALWEG_OUTPUT_MESH)) {
     app.add_option(
         "--write-mesh", files.meshes,
-        "The resulting mesh: OBJ, OFF, PLY or STL; of several OUT-0.ply, OUT-1.ply, ...");
+        "The resulting mesh: OBJ, OFF, PLY, STL, VTK or VTP; of several OUT-0.ply, OUT-1.ply, ...");
   }
   if (meshes_of(plugin) != nullptr) {
     app.add_option("--map", files.map,
