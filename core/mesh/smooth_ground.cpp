@@ -112,19 +112,19 @@ Point part_at(const Relief& relief, std::size_t i) {
   return below;
 }
 
-std::vector<VertexId> vertices_beside(const Surface& surface,
-                                      std::span<const SurfaceCurve> curves) {
-  std::vector<VertexId> vertices;
+/// Vertices at so many points, evenly spread over those of the curves; each once.
+std::vector<VertexId> vertices_along(const Surface& surface, std::span<const SurfaceCurve> curves,
+                                     std::size_t most) {
+  std::vector<const SurfacePoint*> points;
   for (const SurfaceCurve& curve : curves) {
-    for (const SurfacePoint& point : curve.points) {
-      if (const auto* v = std::get_if<AtVertex>(&point.where())) {
-        vertices.push_back(v->vertex);
-        continue;
-      }
-      for (const VertexId corner : surface.corners(any_face(surface, point))) {
-        vertices.push_back(corner);
-      }
-    }
+    for (const SurfacePoint& point : curve.points) points.push_back(&point);
+  }
+  const std::size_t count = std::min(most, points.size());
+  std::vector<VertexId> vertices;
+  for (std::size_t k = 0; k < count; ++k) {
+    const SurfacePoint& point = *points[k * points.size() / count];
+    const auto* at = std::get_if<AtVertex>(&point.where());
+    vertices.push_back(at != nullptr ? at->vertex : surface.corners(any_face(surface, point))[0]);
   }
   std::sort(vertices.begin(), vertices.end());
   vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
@@ -136,8 +136,9 @@ std::vector<VertexId> vertices_beside(const Surface& surface,
 double roughness_along(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves,
                        const Progress& progress) {
   Asker asker(progress, "embed");
-  constexpr int kRings = 10;
-  const std::vector<VertexId> beside = vertices_beside(mesh.surface(), curves);
+  constexpr int kRings = 8;
+  constexpr std::size_t kPlaces = 24;
+  const std::vector<VertexId> beside = vertices_along(mesh.surface(), curves, kPlaces);
   if (beside.empty()) return 0;
   const VertexGraph graph(mesh.surface(), beside, kRings);
   Relief relief = relief_of(graph, mesh, std::span(kScales).first(2), asker);

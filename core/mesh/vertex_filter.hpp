@@ -40,9 +40,9 @@ class VertexGraph {
 /// = p minus the mean of its neighbours. That is what a diffusion takes away, and does again with
 /// what it took away (Tukey's twicing): a wave 2π s / √8 edges long is halved, and of longer ones
 /// goes the fourth power of their frequency, so that bent surfaces do not shrink. The exponential
-/// is a Chebyshev polynomial of degree 20 in L, which is exact to 0.003 for scales up to 6. One
-/// result for each scale; at vertices that are not whole there is no L p. O(degree · graph). Throws
-/// Cancelled.
+/// is a Chebyshev polynomial of degree 3 s + 2 in L, which is exact to 0.003 for scales up to 6.
+/// One result for each scale; at vertices that are not whole there is no L p. O(degree · graph).
+/// Throws Cancelled.
 std::vector<std::vector<Point>> finer_parts(const VertexGraph& graph,
                                             std::span<const Point> positions,
                                             std::span<const double> scales, Asker& asker);
