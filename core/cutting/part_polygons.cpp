@@ -111,6 +111,7 @@ class PolygonFinder {
       pieces[groups.find(i)].push_back(triangles[i]);
     }
     std::vector<std::vector<std::uint32_t>> result;
+    result.reserve(pieces.size());
     for (auto& [first, piece] : pieces) result.push_back(std::move(piece));
     return result;
   }

@@ -111,6 +111,7 @@ std::string better_fit(const SurfaceMesh& mesh, const ClosestPoint& closest,
   std::string words;
   for (const Change& change : changes_for(box, drawing, mean, edge)) {
     std::vector<Point> changed;
+    changed.reserve(samples.size());
     for (const Point& p : samples) changed.push_back(change.factors.cwiseProduct(p) + change.shift);
     const double now = mean_distance(closest, changed);
     if (!(now <= kOnInEdges * edge)) continue;

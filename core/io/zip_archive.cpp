@@ -123,7 +123,7 @@ std::string ZipArchive::read(const std::string& name) const {
     fail(fmt::format("{} is said to have {} bytes, which is impossible or more than 2 GiB",
                      printable(name), entry.size));
   }
-  const std::string bytes = entry.method == 0 ? std::string(packed) : unpacked(packed, entry.size);
+  std::string bytes = entry.method == 0 ? std::string(packed) : unpacked(packed, entry.size);
   const auto* data = reinterpret_cast<const Bytef*>(bytes.data());
   if (bytes.size() != entry.size || crc32(0, data, static_cast<uInt>(bytes.size())) != entry.sum) {
     fail(fmt::format("{} in the zip archive is damaged", printable(name)));

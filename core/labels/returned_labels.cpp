@@ -111,6 +111,7 @@ std::vector<LostLabel> give_back(std::span<const std::int64_t> drawn,
     if (same_elements) returned[k] = drawn[k];
   }
   std::vector<LostLabel> list;
+  list.reserve(lost.size());
   for (const auto& [label, entry] : lost) list.push_back(entry);
   return list;
 }

@@ -69,7 +69,7 @@ class Input {
   explicit Input(const CurveInput& curve) {
     view_.size = sizeof view_;
     view_.closed = curve.closed ? 1 : 0;
-    std::visit([this](const auto& points) { take(points); }, curve.points);
+    std::visit([this](const auto& points) { this->take(points); }, curve.points);
     for (const std::size_t pin : curve.pins) pins_.push_back(static_cast<std::uint32_t>(pin));
     view_.pins = plugin::view(pins_.data(), pins_.size());
     take_marks(marks_of(curve));
