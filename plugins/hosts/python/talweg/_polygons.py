@@ -58,13 +58,14 @@ def _in_plane(corners: Array, normal: Array) -> Array:
     normal = normal / np.linalg.norm(normal)
     x = np.cross(normal, np.eye(3)[np.argmin(np.abs(normal))])
     x /= np.linalg.norm(x)
-    return np.stack([corners @ x, corners @ np.cross(normal, x)], axis=1) / np.abs(corners).max()
+    size = np.abs(corners).max()
+    return np.asarray(np.stack([corners @ x, corners @ np.cross(normal, x)], axis=1) / size)
 
 
 def _turn(a: Array, b: Array, c: Array) -> Array:
     """Twice the area of a, b, c; positive where they turn left."""
-    return (b[..., 0] - a[..., 0]) * (c[..., 1] - a[..., 1]) - (
-        b[..., 1] - a[..., 1]) * (c[..., 0] - a[..., 0])
+    return np.asarray((b[..., 0] - a[..., 0]) * (c[..., 1] - a[..., 1]) - (
+        b[..., 1] - a[..., 1]) * (c[..., 0] - a[..., 0]))
 
 
 def _ears(places: Array) -> Optional[Array]:
