@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <string>
 
+#include "talweg/core/repair/vertex_welding.hpp"
 #include "talweg/core/repair/weld_hint.hpp"
 
 namespace talweg {

@@ -7,9 +7,10 @@
 #include "talweg/core/measure/report_entry.hpp"
 #include "talweg/core/mesh/mesh_inspection.hpp"
 #include "talweg/core/repair/mesh_repair.hpp"
-#include "talweg/core/repair/vertex_welding.hpp"
 
 namespace talweg {
+
+struct NearVertices;  // vertex_welding.hpp
 
 /// "usable", "repairable" or "not_usable".
 const char* to_string(MeshVerdict verdict);

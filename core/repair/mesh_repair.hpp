@@ -11,9 +11,10 @@
 #include "talweg/core/mesh/mesh_inspection.hpp"
 #include "talweg/core/mesh/mesh_lists.hpp"
 #include "talweg/core/repair/repair_map.hpp"
-#include "talweg/core/repair/vertex_welding.hpp"
 
 namespace talweg {
+
+struct NearVertices;  // vertex_welding.hpp
 
 /// What repair() may do, in the order it is done.
 struct RepairSteps {

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "talweg/core/repair/inspection_report.hpp"
+#include "talweg/core/repair/vertex_welding.hpp"
 #include "talweg/core/repair/weld_hint.hpp"
 
 namespace talweg::driver {

@@ -33,6 +33,7 @@ def described(plugin="talweg.smooth"):
             kind = "LIST" if found[5] else found[3] or "FLAG"
             default = found[4] if found[3] else "1" if found[2] else "0"
             options.append((found[1], kind, default, advanced))
+    options.append(("repair-weld-tolerance", "FLOAT", "0", True))
     return options + [(step, "FLAG", str(int(step != "repair" or plugin == "talweg.repair")),
                        step != "repair") for step in REPAIR]
 
