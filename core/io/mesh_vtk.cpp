@@ -182,8 +182,8 @@ class LegacyMesh {
         continue;
       }
       for (VtkLegacy::Array& array : file_.read_attribute(section, count)) {
-        to->push_back(
-            {std::move(array.name), array.type, array.components, std::move(array.numbers)});
+        to->push_back({std::move(array.name), array.type,
+                       static_cast<std::size_t>(array.components), std::move(array.numbers)});
       }
     }
   }

@@ -141,6 +141,8 @@ double roughness_along(const SurfaceMesh& mesh, std::span<const SurfaceCurve> cu
   const std::vector<VertexId> beside = vertices_along(mesh.surface(), curves, kPlaces);
   if (beside.empty()) return 0;
   const VertexGraph graph(mesh.surface(), beside, kRings);
+  constexpr std::size_t kFew = 200;  // vertices that cannot tell noise from shape
+  if (graph.size() < kFew) return 0;
   Relief relief = relief_of(graph, mesh, std::span(kScales).first(2), asker);
   std::vector<double>& rough = relief.roughness;
   rough.resize(beside.size());  // the graph has them first

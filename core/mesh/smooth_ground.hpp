@@ -17,8 +17,9 @@ constexpr double kLeastRoughness = 0.04;
 /// σ² = (4 d₂² − d₄²) / 3, where d_s is the root mean square over its surroundings of what is finer
 /// than s edges (finer_parts()), along the normal of the surface that is left at 4 edges. Of noise,
 /// d₂ and d₄ are nearly the same; at a crease d₄ is twice d₂, on a bent surface more, and nothing
-/// is left. The upper quartile over 24 vertices along the curves counts. O(vertices within eight
-/// edges of these, and points), and a number for each vertex of the mesh is set to 0. Throws
+/// is left. The upper quartile over 24 vertices along the curves counts;
+/// 0 where fewer than 200 vertices are near, which cannot tell noise from shape. O(vertices within
+/// eight edges of these, and points), and a number for each vertex of the mesh is set to 0. Throws
 /// Cancelled.
 double roughness_along(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves,
                        const Progress& progress = {});

@@ -53,7 +53,8 @@ void check_repair(const MeshLists& lists, const RepairedMesh& mended) {
   for (std::size_t v = 0; v < mended.lists.points.size(); ++v) {
     const std::size_t from = mended.map.file_vertex(VertexId{v}).index();
     require(from < lists.points.size(), "vertices of the file");
-    require(mended.lists.points[v] == lists.points[from], "positions stay");
+    const Point& place = lists.points[from];
+    require(mended.lists.points[v] == place || !place.allFinite(), "positions stay");
   }
   check_faces(lists, mended);
 }
