@@ -213,7 +213,7 @@ class BoundSearch {
   /// grows with the slack; it is with the lower one.
   double widest_slack(double low, double high, Measure measure) {
     while (high > low * kFineness && !is_over()) {
-      const double middle = std::sqrt(low * high);
+      const double middle = std::sqrt(low) * std::sqrt(high);
       begin_with(middle);
       (measured(kFairTau, measure) <= bound_ ? low : high) = middle;
     }
@@ -267,7 +267,7 @@ class BoundSearch {
       if (high > kMostTau) return low;
     }
     while (high > low * kFineness && !is_over()) {
-      const double middle = std::sqrt(low * high);
+      const double middle = std::sqrt(low) * std::sqrt(high);
       (measured(middle, measure) <= bound_ ? high : low) = middle;
     }
     return high;

@@ -168,6 +168,14 @@ TEST_F(MaxDeviation, ATinyOneGivesTheDrawing) {
             std::string::npos);
 }
 
+// Products of two such bounds are 0.
+TEST_F(MaxDeviation, OneOfHardlyAnythingEndsTheSearch) {
+  CurveSmoother smoother(opened);
+  smoother.set_curve(drawn);
+  const SmoothingResult result = smooth_within(smoother, 1e-200);
+  EXPECT_LE(test::apart(opened->mesh(), result.curve(), drawn), 1e-7);
+}
+
 // A quarter of a circle in unit steps, to the right and down: with so much slack only pins hold it,
 // and a search does not set one at each of 290 corners.
 TEST_F(MaxDeviation, OneThatCannotBeKeptIsTold) {
