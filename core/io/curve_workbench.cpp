@@ -15,6 +15,7 @@
 #include "talweg/core/io/file_bytes.hpp"
 #include "talweg/core/io/text_words.hpp"
 #include "talweg/core/io/word_scanner.hpp"
+#include "talweg/core/io/xml_text.hpp"
 
 namespace talweg::formats {
 namespace {
@@ -22,14 +23,7 @@ namespace {
 class BorderReader {
  public:
   explicit BorderReader(const Source& source) : source_(source) {
-    const pugi::xml_parse_result result =
-        document_.load_buffer(source.bytes.data(), source.bytes.size());
-    if (!result) {
-      cannot_read(source_.path,
-                  fmt::format("line {}: it is not well-formed XML ({})",
-                              line_of(source_.bytes, static_cast<std::size_t>(result.offset)),
-                              result.description()));
-    }
+    load_xml(document_, source.path, source.bytes);
   }
 
   std::vector<CurveInput> read() {

@@ -12,6 +12,7 @@
 #include "talweg/core/io/text_words.hpp"
 #include "talweg/core/io/vtk_data_array.hpp"
 #include "talweg/core/io/word_scanner.hpp"
+#include "talweg/core/io/xml_text.hpp"
 
 namespace talweg::formats {
 namespace {
@@ -48,14 +49,7 @@ std::vector<double> by_rows(const std::vector<double>& stored, std::size_t rows)
 }  // namespace
 
 Gifti::Gifti(const Source& source) : source_(source) {
-  const pugi::xml_parse_result result =
-      document_.load_buffer(source.bytes.data(), source.bytes.size());
-  if (!result) {
-    cannot_read(source_.path,
-                fmt::format("line {}: it is not well-formed XML ({})",
-                            line_of(source_.bytes, static_cast<std::size_t>(result.offset)),
-                            result.description()));
-  }
+  load_xml(document_, source.path, source.bytes);
   const pugi::xml_node root = document_.child("GIFTI");
   if (!root) fail(root, "expected <GIFTI>");
   for (const pugi::xml_node node : root.children("DataArray")) read_description(node);

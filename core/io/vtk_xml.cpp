@@ -11,6 +11,7 @@
 #include "talweg/core/io/space_note.hpp"
 #include "talweg/core/io/text_words.hpp"
 #include "talweg/core/io/word_scanner.hpp"
+#include "talweg/core/io/xml_text.hpp"
 
 namespace talweg::formats {
 namespace {
@@ -56,12 +57,7 @@ void VtkXml::parse() {
     xml_.resize(tag);
     xml_ += "</VTKFile>";
   }
-  const pugi::xml_parse_result result = document_.load_buffer(xml_.data(), xml_.size());
-  if (!result) {
-    cannot_read(source_.path, fmt::format("line {}: it is not well-formed XML ({})",
-                                          line_of(xml_, static_cast<std::size_t>(result.offset)),
-                                          result.description()));
-  }
+  load_xml(document_, source_.path, xml_);
 }
 
 void VtkXml::read_encoding(const pugi::xml_node& root) {

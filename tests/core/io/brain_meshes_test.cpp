@@ -11,7 +11,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/temporary_folder.hpp"
+#include "core/io/nibabel_folder.hpp"
 #include "talweg/core/io/field_values.hpp"
 #include "talweg/core/io/label_file.hpp"
 #include "talweg/core/io/mesh_reader.hpp"
@@ -282,18 +282,10 @@ TEST(FreeSurferValues, LiesAreRefused) {
   expect_bad_field("v.txt", "1\nx\n", {"line 2", "'x'"});
 }
 
-class NibabelMeshes : public TemporaryFolder {
- protected:
-  bool python(const std::string& script) {
-    write("script.py", "import numpy, nibabel, nibabel.freesurfer as fs\n" + script);
-    return std::system(
-               ("cd '" + file("").string() + "' && /usr/bin/python3 script.py > out.txt 2> err.txt")
-                   .c_str()) == 0;
-  }
-};
+class NibabelMeshes : public NibabelFolder {};
 
 TEST_F(NibabelMeshes, AreReadAsTheyWereWritten) {
-  if (!python("")) GTEST_SKIP() << "skipped: there is no nibabel (Debian: python3-nibabel)";
+  if (!has_nibabel()) GTEST_SKIP() << kNoNibabel;
   ASSERT_TRUE(
       python("p = numpy.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1.5]], 'f4')\n"
              "t = numpy.array([[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]], 'i4')\n"

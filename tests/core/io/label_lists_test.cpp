@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/temporary_folder.hpp"
+#include "core/io/nibabel_folder.hpp"
 #include "talweg/core/io/label_file.hpp"
 #include "talweg/core/io/label_writer.hpp"
 #include "talweg/core/io/mesh_reader.hpp"
@@ -232,18 +232,10 @@ TEST(LabelWriter, RefusesWhatAFormatCannotHold) {
   expect_refused([] { check_label_list_name("a.annot"); }, {".txt .csv .npy"});
 }
 
-class NibabelLabelFiles : public TemporaryFolder {
- protected:
-  bool python(const std::string& script) {
-    write("script.py", "import numpy, nibabel, nibabel.freesurfer as fs\n" + script);
-    return std::system(
-               ("cd '" + file("").string() + "' && /usr/bin/python3 script.py > out.txt 2> err.txt")
-                   .c_str()) == 0;
-  }
-};
+class NibabelLabelFiles : public NibabelFolder {};
 
 TEST_F(NibabelLabelFiles, AreTakenBothWays) {
-  if (!python("")) GTEST_SKIP() << "skipped: there is no nibabel (Debian: python3-nibabel)";
+  if (!has_nibabel()) GTEST_SKIP() << kNoNibabel;
   LabelOutput output = of_vertices({3, 5, -1, 9});
   output.names = {{3, "a & b"}, {5, "motor"}};
   output.colors = {{5, {1, 0, 0.2, 1}}};
