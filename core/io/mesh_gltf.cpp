@@ -22,7 +22,7 @@ using formats::GltfNumbers;
 using formats::JsonPlace;
 using Place = Eigen::Affine3d;
 
-enum Mode : std::uint32_t { kTriangles = 4, kStrip = 5, kFan = 6 };
+enum Mode : std::uint32_t { kTriangleList = 4, kStrip = 5, kFan = 6 };
 
 /// Numbers of a vertex beside its position: one attribute of the file, several columns.
 struct VertexNumbers {
@@ -179,9 +179,9 @@ class GltfReader {
           "it without compression");
     }
     const std::uint32_t mode =
-        primitive.has("mode") ? primitive.member("mode").index() : kTriangles;
+        primitive.has("mode") ? primitive.member("mode").index() : kTriangleList;
     const JsonPlace attributes = primitive.member("attributes");
-    if (mode < kTriangles || !attributes.has("POSITION")) {
+    if (mode < kTriangleList || !attributes.has("POSITION")) {
       ++others_;
       return;
     }
@@ -292,7 +292,7 @@ class GltfReader {
       lists_.triangles.push_back(mirrored ? Triangle{a, c, b} : Triangle{a, b, c});
     };
     check_size(primitive, lists_.triangles.size() + corners.size());
-    if (mode == kTriangles) {
+    if (mode == kTriangleList) {
       if (corners.size() % 3 != 0) {
         primitive.fail(fmt::format("{} corners are no triangles", corners.size()));
       }
