@@ -1,5 +1,7 @@
 #!/usr/bin/env python3
-"""plant.py FOLDER [WORD...]: plants the faults of faults.txt, one at a time, in a copy of this project's
+"""plant.py --check: fails where the lines of a fault are not once in its source.
+
+plant.py FOLDER [WORD...]: plants the faults of faults.txt, one at a time, in a copy of this project's
 sources in FOLDER, and fails where the tests that should find one all pass. WORDs choose faults by their
 sources and titles. Compiles the libraries and their tests once, then what each fault changes."""
 
@@ -113,9 +115,24 @@ def outcome(fault, tree, build):
         source.write_text(text)
 
 
+def check():
+    faults = read_faults(Path(__file__).with_name("faults.txt"))
+    wrong = []
+    for fault in faults:
+        try:
+            fault.planted_in((PROJECT / fault.source).read_text())
+        except (OSError, ValueError) as why:
+            wrong.append(f"{fault.title}: {why}")
+    print("\n".join([*wrong, f"{len(faults)} faults, {len(wrong)} do not apply"]))
+    sys.exit(bool(wrong))
+
+
 def main():
     if len(sys.argv) < 2:
         sys.exit(__doc__)
+    if sys.argv[1] == "--check":
+        check()
+        return
     tree = Path(sys.argv[1]).resolve() / "tree"
     build = tree / "build"
     faults = [f for f in read_faults(Path(__file__).with_name("faults.txt"))

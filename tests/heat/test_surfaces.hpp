@@ -12,7 +12,7 @@
 
 #include "talweg/intrinsic/surface/surface.hpp"
 
-namespace talweg::test {
+namespace talweg::test::inline heat {  // other layers' tests have functions of the same names
 
 using Position = std::array<double, 3>;
 
@@ -163,4 +163,4 @@ inline TestMesh jittered(TestMesh mesh, double size) {
   return mesh;
 }
 
-}  // namespace talweg::test
+}  // namespace talweg::test::inline heat

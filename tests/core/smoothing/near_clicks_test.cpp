@@ -117,14 +117,15 @@ TEST_F(NearClicks, AClickToWhichTheDrawingComesBackIsNoSecondOne) {
   }
 }
 
-/// The last click but one lies beside the second one, where the drawing passes again.
+/// Where the drawing passes the second click again, clicks lie beside it, before and after: the
+/// drawing may be walked from either end.
 TEST_F(NearClicks, AClickThatIsPassedTwiceStaysThoughAnotherIsBesideIt) {
-  const std::vector<Point> points{{4, 4, 0},    {12, 4, 0}, {16, 10, 0}, {8, 10, 0},
-                                  {11.7, 4, 0}, {12, 4, 0}, {20, 2, 0}};
+  const std::vector<Point> points{{4, 4, 0},    {12, 4, 0}, {16, 10, 0},    {8, 10, 0},
+                                  {11.7, 4, 0}, {12, 4, 0}, {12.3, 3.8, 0}, {20, 2, 0}};
   const SnappedCurve snapped = snap(opened->mesh(), {false, points, {}});
   StraightLines lines(opened->surface());
   CurveOptions options;
-  for (const std::size_t k : {0, 1, 2, 3, 4, 6}) {
+  for (const std::size_t k : {0, 1, 2, 3, 4, 6, 7}) {
     options.way_points.push_back({snapped.points[k], 0});
   }
   smoother.set_curve(lines.join(snapped.points, false), options);
