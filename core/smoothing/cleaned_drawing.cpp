@@ -54,7 +54,7 @@ class CurveCleaning {
     result.curve = curve_;
     result.slack = known != nullptr ? *known : slack();
     const bool trembles = result.slack.source == SlackSource::kTrembling;
-    if (!trembles && !any_dropped_) return result;
+    if (legs_.all() && !any_dropped_) return result;
     trembling_ = trembles ? result.slack.slack : 0;
     if (fixed_.empty() && curve_.closed) {
       result.curve.points.clear();

@@ -9,6 +9,7 @@
 #include "talweg/core/fairing/curve_trace.hpp"
 #include "talweg/core/space/nearest_segment.hpp"
 #include "talweg/core/strokes/compass_walk.hpp"
+#include "talweg/core/strokes/hand_rests.hpp"
 #include "talweg/core/strokes/turning_points.hpp"
 #include "talweg/intrinsic/lines/face_frame.hpp"
 #include "talweg/intrinsic/lines/strip_line.hpp"
@@ -178,19 +179,33 @@ bool is_sound(const Surface& surface, const SurfaceCurve& curve) {
   return true;
 }
 
-}  // namespace
-
-std::optional<CleanedStroke> straight_line_along(const Surface& surface,
-                                                 const SurfaceCurve& curve) {
-  if (curve.closed || curve.points.size() < 2) return std::nullopt;
-  const PolylinePlace first{0, 0, Point::Zero()};
-  const PolylinePlace last{curve.points.size() - 2, 1, Point::Zero()};
-  std::optional<CleanedStroke> line = Joiner(surface, curve).joined({first, last});
-  return line && is_sound(surface, line->curve) ? line : std::nullopt;
+double farthest_from(const SurfaceMesh& mesh, const SurfaceCurve& curve,
+                     std::span<const Point> points) {
+  const NearestSegment nearest(segments_of(positions_of(mesh, curve), curve.closed));
+  double farthest = 0;
+  for (const Point& p : points) farthest = std::max(farthest, nearest.to(p).distance);
+  return farthest;
 }
 
-CleanedStroke cleaned_stroke(const SurfaceMesh& mesh, const SurfaceCurve& stroke, double trembling,
-                             FreeEnds ends) {
+/// All points of a stroke but those of its rests.
+std::vector<PolylinePlace> places_beside(std::span<const HandRest> rests,
+                                         std::span<const Point> positions, bool closed) {
+  std::vector<PolylinePlace> places;
+  const std::size_t n = positions.size();
+  std::size_t rest = 0;
+  for (std::size_t k = 0; k < n; ++k) {
+    while (rest < rests.size() && rests[rest].last < k) ++rest;
+    const bool rests_here = rest < rests.size() && rests[rest].first <= k;
+    if (rests_here && rests[rest].kept != k) continue;
+    const bool is_end = !closed && k + 1 == n;
+    places.push_back(is_end ? PolylinePlace{k - 1, 1, positions[k]}
+                            : PolylinePlace{k, 0, positions[k]});
+  }
+  return places;
+}
+
+CleanedStroke without_trembling(const SurfaceMesh& mesh, const SurfaceCurve& stroke,
+                                double trembling, FreeEnds ends) {
   CleanedStroke as_given{stroke, {}};
   const std::vector<Point> positions = positions_of(mesh, stroke);
   const std::size_t n = positions.size();
@@ -214,12 +229,58 @@ CleanedStroke cleaned_stroke(const SurfaceMesh& mesh, const SurfaceCurve& stroke
   cleaned->hooks =
       static_cast<std::size_t>(hooks.first > 0) + static_cast<std::size_t>(hooks.second > 0);
   cleaned->rests = rests_between(places);
-  const NearestSegment nearest(
-      segments_of(positions_of(mesh, cleaned->curve), cleaned->curve.closed));
-  for (const Point& p : positions) {
-    cleaned->farthest = std::max(cleaned->farthest, nearest.to(p).distance);
-  }
+  cleaned->farthest = farthest_from(mesh, cleaned->curve, positions);
   return *std::move(cleaned);
+}
+
+/// The places of a stroke that was cleaned twice, on the one that was given.
+std::vector<double> places_on_given(std::span<const double> once, std::span<const double> twice,
+                                    std::size_t given_points) {
+  std::vector<double> places;
+  for (const double place : twice) {
+    const auto k = static_cast<std::size_t>(place);
+    const double next = k + 1 < once.size() ? once[k + 1] : static_cast<double>(given_points);
+    const double part = place - static_cast<double>(k);
+    places.push_back(part > 0 ? (1 - part) * once[k] + part * next : once[k]);
+  }
+  return places;
+}
+
+}  // namespace
+
+std::optional<CleanedStroke> straight_line_along(const Surface& surface,
+                                                 const SurfaceCurve& curve) {
+  if (curve.closed || curve.points.size() < 2) return std::nullopt;
+  const PolylinePlace first{0, 0, Point::Zero()};
+  const PolylinePlace last{curve.points.size() - 2, 1, Point::Zero()};
+  std::optional<CleanedStroke> line = Joiner(surface, curve).joined({first, last});
+  return line && is_sound(surface, line->curve) ? line : std::nullopt;
+}
+
+CleanedStroke without_rests(const SurfaceMesh& mesh, const SurfaceCurve& stroke) {
+  CleanedStroke as_given{stroke, {}};
+  const std::vector<HandRest> rests = hand_rests(mesh, stroke);
+  if (rests.empty()) return as_given;
+  const std::vector<Point> positions = positions_of(mesh, stroke);
+  const auto places = places_beside(rests, positions, stroke.closed);
+  if (places.size() < (stroke.closed ? 3U : 2U)) return as_given;
+  std::optional<CleanedStroke> still = Joiner(mesh.surface(), stroke).joined(places);
+  if (!still || !is_sound(mesh.surface(), still->curve)) return as_given;
+  still->rests = rests.size();
+  still->farthest = farthest_from(mesh, still->curve, positions);
+  return *std::move(still);
+}
+
+CleanedStroke cleaned_stroke(const SurfaceMesh& mesh, const SurfaceCurve& stroke, double trembling,
+                             FreeEnds ends) {
+  CleanedStroke still = without_rests(mesh, stroke);
+  CleanedStroke cleaned = without_trembling(mesh, still.curve, trembling, ends);
+  if (!still.is_cleaned()) return cleaned;
+  if (!cleaned.is_cleaned()) return still;
+  cleaned.places = places_on_given(still.places, cleaned.places, stroke.points.size());
+  cleaned.rests += still.rests;
+  cleaned.farthest = farthest_from(mesh, cleaned.curve, positions_of(mesh, stroke));
+  return cleaned;
 }
 
 }  // namespace talweg

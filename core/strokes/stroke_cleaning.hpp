@@ -28,11 +28,15 @@ struct FreeEnds {
   bool start = true, end = true;
 };
 
-/// Leaves out what lies within a quarter of `trembling` (mesh units, > 0) of what is left: the
-/// stroke is walked with a compass (compass_walk.hpp, rejoining), and its places are joined by
-/// straight lines through the faces that it passes. An end that hooks back by more than half of
-/// `trembling` begins where the hook turns. Strokes whose points are no nearer to each other than
-/// an eighth of `trembling` stay as they are, to the last bit. O(points).
+/// Leaves out the rests of a stroke (hand_rests.hpp): of each, one point is left, which straight
+/// lines through the faces join to what lies before and after it. O(points).
+CleanedStroke without_rests(const SurfaceMesh& mesh, const SurfaceCurve& stroke);
+
+/// Leaves out rests and, where `trembling` (mesh units, >= 0) is not 0, what lies within a quarter
+/// of it of what is left: the stroke is walked with a compass (compass_walk.hpp, rejoining), and
+/// its places are joined by straight lines through the faces that it passes. An end that hooks back
+/// by more than half of `trembling` begins where the hook turns. Strokes whose points are no nearer
+/// to each other than an eighth of `trembling` stay as they are, to the last bit. O(points).
 CleanedStroke cleaned_stroke(const SurfaceMesh& mesh, const SurfaceCurve& stroke, double trembling,
                              FreeEnds ends = {});
 

@@ -8,6 +8,7 @@
 #include "talweg/core/measure/measures.hpp"
 #include "talweg/core/strokes/hand_trembling.hpp"
 #include "talweg/core/strokes/strand_gap.hpp"
+#include "talweg/core/strokes/stroke_cleaning.hpp"
 
 namespace talweg {
 namespace {
@@ -112,6 +113,38 @@ double beside_strands(const SurfaceMesh& mesh, const SurfaceCurve& stroke, doubl
       slack, kOfGap * strand_gap(mesh, stroke, slack / 2, kApart * slack, least, slack / kOfGap));
 }
 
+/// The slack of the longest stroke; it is the same all along unless that is the only one.
+StrokeSlack slack_of_stroke(const SurfaceMesh& mesh, const SurfaceCurve& stroke, bool is_only,
+                            double edge) {
+  const Surface& surface = mesh.surface();
+  if (runs_along_edges(surface, stroke)) {
+    const double slack = std::min(slack_of_segments(surface, stroke), kMostOfEdge * edge);
+    // A path along edges that zigzags is as narrow as these are; one that runs straight may be a U.
+    const bool is_straight = slack == kMostOfEdge * edge;
+    return {is_straight ? beside_strands(mesh, stroke, slack, kLeastGap * edge) : slack,
+            SlackSource::kEdges,
+            {}};
+  }
+  const std::optional<HandTrembling> found = hand_trembling(mesh, stroke, edge);
+  if (!found) {
+    const double slack = std::min(slack_of_segments(surface, stroke), kMostOfEdge * edge);
+    return {beside_strands(mesh, stroke, slack, kLeastGap * edge), SlackSource::kSegments, {}};
+  }
+  const double length = curve_length(surface, stroke);
+  const double least = std::min(kLeastOfEdge * edge, kLeastOfLength * length);
+  const auto within = [&](double slack) {
+    return std::clamp(slack, least, kMostOfLength * length);
+  };
+  const double wide = within(found->amplitude);
+  // Two strands that are meant as one may lie an amplitude on either side of it.
+  StrokeSlack slack{beside_strands(mesh, stroke, wide, 2 * wide), SlackSource::kTrembling, {}};
+  if (!is_only) return slack;
+  for (const double amplitude : found->along) {
+    slack.along.push_back(within(amplitude) * slack.slack / wide);
+  }
+  return slack;
+}
+
 }  // namespace
 
 std::vector<double> slack_at_points(const SurfaceMesh& mesh, const SurfaceCurve& curve,
@@ -153,41 +186,16 @@ double slack_of_segments(const Surface& surface, const SurfaceCurve& curve) {
 
 StrokeSlack stroke_slack(const SurfaceMesh& mesh, std::span<const SurfaceCurve> strokes,
                          double edge) {
-  const Surface& surface = mesh.surface();
   const SurfaceCurve* longest = nullptr;
   double length = 0;
   for (const SurfaceCurve& stroke : strokes) {
-    const double own = curve_length(surface, stroke);
+    const double own = curve_length(mesh.surface(), stroke);
     if (longest != nullptr && !(own > length)) continue;
     longest = &stroke;
     length = own;
   }
   if (longest == nullptr) return {};
-  if (runs_along_edges(surface, *longest)) {
-    const double slack = std::min(slack_of_segments(surface, *longest), kMostOfEdge * edge);
-    // A path along edges that zigzags is as narrow as these are; one that runs straight may be a U.
-    const bool is_straight = slack == kMostOfEdge * edge;
-    return {is_straight ? beside_strands(mesh, *longest, slack, kLeastGap * edge) : slack,
-            SlackSource::kEdges,
-            {}};
-  }
-  const std::optional<HandTrembling> found = hand_trembling(mesh, *longest, edge);
-  if (!found) {
-    const double slack = std::min(slack_of_segments(surface, *longest), kMostOfEdge * edge);
-    return {beside_strands(mesh, *longest, slack, kLeastGap * edge), SlackSource::kSegments, {}};
-  }
-  const double least = std::min(kLeastOfEdge * edge, kLeastOfLength * length);
-  const auto within = [&](double slack) {
-    return std::clamp(slack, least, kMostOfLength * length);
-  };
-  const double wide = within(found->amplitude);
-  // Two strands that are meant as one may lie an amplitude on either side of it.
-  StrokeSlack slack{beside_strands(mesh, *longest, wide, 2 * wide), SlackSource::kTrembling, {}};
-  if (strokes.size() > 1) return slack;
-  for (const double amplitude : found->along) {
-    slack.along.push_back(within(amplitude) * slack.slack / wide);
-  }
-  return slack;
+  return slack_of_stroke(mesh, without_rests(mesh, *longest).curve, strokes.size() == 1, edge);
 }
 
 }  // namespace talweg

@@ -32,11 +32,11 @@ StrokeSlack turned_back(const StrokeSlack& slack, const SurfaceMesh& mesh,
                         const SurfaceCurve& curve, const CurveOrder& order);
 
 /// How exact the strokes of one curve are: the width of their trembling (hand_trembling.hpp), of
-/// which the longest stroke decides. It is at least a tenth of `edge` (the length of the mesh's
-/// edges near the curve, mesh units) and a 240th of the stroke's length, whichever is less, and at
-/// most a 24th of that length. Strokes along edges of the mesh, and those in which nothing stands
-/// still, have the slack of their segments, and at most that of segments of eight edges. What
-/// hand_trembling() costs. Throws Error(kBadCurve) as turning_angle() does.
+/// which the longest stroke decides, without its rests. It is at least a tenth of `edge` (the
+/// length of the mesh's edges near the curve, mesh units) and a 240th of the stroke's length,
+/// whichever is less, and at most a 24th of that length. Strokes along edges of the mesh, and those
+/// in which nothing stands still, have the slack of their segments, and at most that of segments of
+/// eight edges. What hand_trembling() costs. Throws Error(kBadCurve) as turning_angle() does.
 StrokeSlack stroke_slack(const SurfaceMesh& mesh, std::span<const SurfaceCurve> strokes,
                          double edge);
 

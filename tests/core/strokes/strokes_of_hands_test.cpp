@@ -10,6 +10,7 @@
 #include "core/generated_meshes.hpp"
 #include "core/jagged_curves.hpp"
 #include "core/small_meshes.hpp"
+#include "talweg/core/strokes/hand_rests.hpp"
 #include "talweg/talweg.hpp"
 
 namespace talweg::strokes_test {
@@ -128,6 +129,45 @@ TEST_F(StrokesOfHands, SayNothingWhereTheyRest) {
   EXPECT_LT(result.report().left_out_max, result.report().slack / 2);
   ASSERT_FALSE(result.report().warnings.empty());
   EXPECT_NE(result.report().warnings.front().find("where the hand rested"), std::string::npos);
+}
+
+/// A mouse gives a point every two edges, and a hundred where the hand waits; a tablet's pen
+/// wobbles where it waits by more than its samples are apart while it moves.
+TEST_F(StrokesOfHands, SayNothingWhereTheyRestHoweverTheyAreSampled) {
+  std::mt19937 random(5);
+  for (const double step : {2.0, 1.0, 0.1}) {
+    for (const double wobble : {0.003, 0.05, 0.15}) {
+      const SmoothingResult moving = smoothed(stroke(step));
+      std::normal_distribution<double> off(0, wobble);
+      std::vector<Point> points;
+      const std::vector<Point> without = stroke(step);
+      for (std::size_t k = 0; k < without.size(); ++k) {
+        points.push_back(without[k]);
+        if (k % (without.size() / 4) != 5) continue;
+        for (int i = 0; i < 100; ++i)
+          points.push_back(without[k] + Point(off(random), off(random), 0));
+      }
+      const SmoothingResult result = smoothed(points);
+      EXPECT_LT(apart(result.curve(), moving.curve()), 0.5) << step << ' ' << wobble;
+      EXPECT_NEAR(result.report().slack, moving.report().slack, 0.15 * moving.report().slack)
+          << step << ' ' << wobble;
+      EXPECT_LT(result.report().after.bending, moving.report().after.bending + 0.3)
+          << step << ' ' << wobble;
+      EXPECT_GT(result.report().left_out, 350U) << step << ' ' << wobble;
+    }
+  }
+}
+
+/// A slow hand moves on: careful parts keep each of their bends.
+TEST_F(StrokesOfHands, DoNotRestWhereTheyAreSlow) {
+  std::vector<Point> points;
+  for (double x = 0; x < 30; x += 2) points.emplace_back(5 + x, 20 + 0.3 * trembling(x, 7), 0);
+  for (double x = 0; x < 12; x += 0.05) {
+    points.emplace_back(35 + x, 20 + 1.5 * std::sin(kTurn * x / 6), 0);
+  }
+  for (double x = 12; x < 50; x += 2) points.emplace_back(35 + x, 20 + 0.3 * trembling(x, 8), 0);
+  smoothed(points);
+  EXPECT_TRUE(hand_rests(opened->mesh(), drawn).empty());
 }
 
 TEST_F(StrokesOfHands, LoseTheSpikesOfATracker) {

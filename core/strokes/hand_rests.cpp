@@ -1,0 +1,176 @@
+#include "talweg/core/strokes/hand_rests.hpp"
+
+#include <algorithm>
+#include <span>
+
+#include "talweg/core/strokes/compass_walk.hpp"
+#include "talweg/core/strokes/turning_points.hpp"
+
+namespace talweg {
+namespace {
+
+constexpr std::size_t kFewest = 16, kFewestOutside = 3;  // samples
+constexpr double kRadii[] = {3, 1, 1.0 / 3};             // in usual distances of samples
+constexpr double kMoreThanUsual = 8;                     // times the samples
+constexpr double kBackAndForth = 3, kMovesOn = 1.0 / 3;  // of the width
+constexpr double kLongestStep = 1.0 / 16, kShortestStep = 1.0 / 4000;  // of the way
+
+/// A sample of a stroke, or a rest, which counts as one.
+struct Sample {
+  Point at;
+  HandRest points;
+};
+
+using Samples = std::span<const Sample>;
+
+double way_through(Samples samples) {
+  double way = 0;
+  for (std::size_t k = 0; k + 1 < samples.size(); ++k) {
+    way += (samples[k + 1].at - samples[k].at).norm();
+  }
+  return way;
+}
+
+std::size_t median_of_samples_passed(std::span<const Point> samples, double step) {
+  const std::vector<PolylinePlace> places = compass_walk(samples, false, step);
+  std::vector<std::size_t> passed;
+  for (std::size_t k = 0; k + 1 < places.size(); ++k) {
+    passed.push_back(places[k + 1].segment - places[k].segment);
+  }
+  if (passed.empty()) return samples.size();
+  const auto middle = passed.begin() + static_cast<std::ptrdiff_t>(passed.size() / 2);
+  std::nth_element(passed.begin(), middle, passed.end());
+  return *middle;
+}
+
+/// The usual distance of samples while the hand moves, up to a third; 0 where it is too small to be
+/// known.
+double usual_distance(Samples samples) {
+  std::vector<Point> at;
+  for (const Sample& sample : samples) at.push_back(sample.at);
+  const double way = way_through(samples);
+  for (double step = kLongestStep * way; step > kShortestStep * way; step /= 2) {
+    if (median_of_samples_passed(at, step) <= 1) return 1.5 * step;  // it is 1 to 2 of them
+  }
+  return 0;
+}
+
+Point mean_of(Samples samples) {
+  Point sum = Point::Zero();
+  for (const Sample& sample : samples) sum += sample.at;
+  return sum / static_cast<double>(samples.size());
+}
+
+/// How many samples at the start lie around their mean, until one lies far outside, or several in a
+/// row outside.
+std::size_t crowd_at_start(Samples samples, double near) {
+  Point mean = samples[0].at;
+  std::size_t size = 1, count = 1, outside = 0;
+  for (std::size_t k = 1; k < samples.size() && outside < kFewestOutside; ++k) {
+    const double distance = (samples[k].at - mean).norm();
+    if (distance > 2 * near) break;
+    if (distance > near) {
+      ++outside;
+      continue;
+    }
+    outside = 0;
+    size = k + 1;
+    mean += (samples[k].at - mean) / static_cast<double>(++count);
+  }
+  return size;
+}
+
+/// Three times the median distance from the mean: almost all samples of a rest lie within.
+double radius_of(Samples samples, const Point& mean) {
+  std::vector<double> distances;
+  for (const Sample& sample : samples) distances.push_back((sample.at - mean).norm());
+  const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
+  std::nth_element(distances.begin(), middle, distances.end());
+  return 3 * *middle;
+}
+
+/// The crowd without samples at its ends that belong to the way there and on.
+Samples without_ways(Samples samples) {
+  for (int repeat = 0; repeat < 3; ++repeat) {
+    const Point mean = mean_of(samples);
+    const double radius = radius_of(samples, mean);
+    const auto is_outside = [&](const Sample& s) { return (s.at - mean).norm() > radius; };
+    while (samples.size() > 1 && is_outside(samples.front())) samples = samples.subspan(1);
+    while (samples.size() > 1 && is_outside(samples.back())) {
+      samples = samples.first(samples.size() - 1);
+    }
+  }
+  return samples;
+}
+
+/// Whether the samples of a crowd go back and forth and do not move on.
+bool stands_still(Samples samples) {
+  const double width = 2 * radius_of(samples, mean_of(samples));
+  const std::size_t third = samples.size() / 3;
+  const double moved = (mean_of(samples.last(third)) - mean_of(samples.first(third))).norm();
+  return way_through(samples) >= kBackAndForth * width && moved <= kMovesOn * width;
+}
+
+/// A crowd as one sample, at the sample that is nearest to its mean, or at an end of the stroke.
+Sample rest_of(Samples samples, bool has_start, bool has_end) {
+  const Point mean = mean_of(samples);
+  const auto nearest =
+      std::min_element(samples.begin(), samples.end(), [&](const Sample& a, const Sample& b) {
+        return (a.at - mean).squaredNorm() < (b.at - mean).squaredNorm();
+      });
+  const Sample& kept = has_start ? samples.front() : has_end ? samples.back() : *nearest;
+  return {kept.at, {samples.front().points.first, kept.points.kept, samples.back().points.last}};
+}
+
+/// The samples, where those of each rest within a radius have become one.
+std::vector<Sample> rested_within(Samples samples, double radius, std::size_t fewest, bool closed) {
+  std::vector<Sample> rested;
+  for (Samples left = samples; !left.empty();) {
+    const Samples crowd = left.first(crowd_at_start(left, radius));
+    const Samples rest = crowd.size() < fewest ? crowd : without_ways(crowd);
+    const auto before = static_cast<std::size_t>(rest.data() - left.data());
+    if (rest.size() >= fewest && stands_still(rest)) {
+      rested.insert(rested.end(), left.begin(), left.begin() + static_cast<std::ptrdiff_t>(before));
+      left = left.subspan(before + rest.size());
+      const bool has_start = !closed && rest.data() == samples.data();
+      rested.push_back(rest_of(rest, has_start, !closed && left.empty()));
+    } else {  // a rest may begin later, but not each sample needs to be tried
+      const std::size_t passed = std::max<std::size_t>(1, crowd.size() / fewest);
+      rested.insert(rested.end(), left.begin(), left.begin() + static_cast<std::ptrdiff_t>(passed));
+      left = left.subspan(passed);
+    }
+  }
+  return rested;
+}
+
+std::vector<Sample> samples_of(const SurfaceMesh& mesh, const SurfaceCurve& stroke) {
+  std::vector<std::size_t> at = turning_points(mesh.surface(), stroke);
+  const std::size_t end = stroke.points.size() - 1;
+  if (at.empty() || at.front() != 0) at.insert(at.begin(), 0);
+  if (at.back() != end) at.push_back(end);
+  std::vector<Sample> samples;
+  for (const std::size_t k : at) samples.push_back({mesh.position(stroke.points[k]), {k, k, k}});
+  return samples;
+}
+
+}  // namespace
+
+std::vector<HandRest> hand_rests(const SurfaceMesh& mesh, const SurfaceCurve& stroke) {
+  if (stroke.points.size() < kFewest) return {};
+  std::vector<Sample> samples = samples_of(mesh, stroke);
+  if (samples.size() < kFewest) return {};
+  const double usual = usual_distance(samples);
+  for (const double radius : kRadii) {
+    const auto more = static_cast<std::size_t>(kMoreThanUsual * 2 * radius);
+    if (usual > 0) {
+      samples = rested_within(samples, radius * usual, std::max(kFewest, more), stroke.closed);
+    }
+  }
+  std::vector<HandRest> rests;
+  for (const Sample& sample : samples) {
+    if (sample.points.first < sample.points.last) rests.push_back(sample.points);
+  }
+  return rests;
+}
+
+}  // namespace talweg
