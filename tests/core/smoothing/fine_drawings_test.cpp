@@ -232,10 +232,10 @@ TEST(FineDrawings, ThatLeadFarAreFollowed) {
   const Point centre(150.3, 80.2, 0);
   std::vector<Point> points = circle(centre, Point(100, 0, 0), Point(0, 100, 0), 800);
   points.resize(401);
-  // Too many points for one face, at the top.
+  // Too many points for one face, at the top, where the hand is slow.
   std::vector<Point> trembling;
   for (int i = 0; i < 100; ++i) {
-    trembling.push_back(points[200] + Point(0.002 * (50 - i), i % 2 == 0 ? 0.05 : -0.05, 0));
+    trembling.push_back(points[200] + Point(0.005 * (50 - i), i % 2 == 0 ? 0.02 : -0.02, 0));
   }
   points.insert(points.erase(points.begin() + 200), trembling.begin(), trembling.end());
   CurveSmoother smoother(opened);
