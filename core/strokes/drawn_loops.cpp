@@ -26,6 +26,13 @@ std::string told_of(const ClosedLoop& loop) {
                      loop.gap);
 }
 
+std::string told_of_open(double gap) {
+  return fmt::format(
+      "The ends of a curve lie {:.3g} mesh units apart; it is taken as open. If a loop is meant, "
+      "close it.",
+      gap);
+}
+
 bool any_on(const PointLookup& points, const SnappedDrawing& drawing) {
   const auto is_on = [&](const SurfacePoint& point) { return points.contains(point); };
   return std::any_of(drawing.pins.begin(), drawing.pins.end(), is_on) ||
@@ -53,7 +60,12 @@ SnappedDrawing with_loops_closed(const SurfaceMesh& mesh, SnappedDrawing drawing
     const bool always = ends == CurveEnds::kClosed;
     if (!always && (c >= drawing.may_be_loop.size() || !drawing.may_be_loop[c])) continue;
     std::optional<ClosedLoop> loop = closed_loop(mesh, drawing.curves[c], lines, always);
-    if (!loop) continue;
+    if (!loop) {
+      if (const auto gap = gap_of_near_loop(mesh, drawing.curves[c])) {
+        drawing.told.push_back(told_of_open(*gap));
+      }
+      continue;
+    }
     const std::vector<SurfacePoint> stroke = std::move(drawing.curves[c].points);
     const PointLookup kept(loop->curve.points);
     PointLookup gone;

@@ -8,9 +8,10 @@
 
 namespace talweg {
 
-/// The drawing with the loops of closed_loop() closed, and told of where nobody asked for them. As
-/// drawn, only strokes are looked at that were given as positions, or painted, without way-points.
-/// Pins and way-points are never cut off. Throws as StraightLines::join().
+/// The drawing with the loops of closed_loop() closed, and told of where nobody asked for them; of
+/// gap_of_near_loop() is told, too. As drawn, only strokes are looked at that were given as
+/// positions, or painted, without way-points. Pins and way-points are never cut off. Throws as
+/// StraightLines::join().
 SnappedDrawing with_loops_closed(const SurfaceMesh& mesh, SnappedDrawing drawing,
                                  StraightLines& lines, CurveEnds ends);
 

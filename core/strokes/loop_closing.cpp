@@ -21,6 +21,24 @@ constexpr double kSameWay = 0.25;     // cosine
 constexpr double kGapCounts = 4;      // as much as so much that is cut off
 constexpr std::size_t kPlaces = 200;  // looked at near either end
 
+/// The direction over a stretch as long as `reach`, before or after a place.
+Point direction(std::span<const Point> at, std::size_t place, bool before, double reach) {
+  std::size_t other = place;
+  while (before ? other > 0 : other + 1 < at.size()) {
+    other = before ? other - 1 : other + 1;
+    if ((at[other] - at[place]).norm() >= reach) break;
+  }
+  const Point way = before ? Point(at[place] - at[other]) : Point(at[other] - at[place]);
+  return way.normalized();
+}
+
+/// Whether a loop from the place `end` to the place `start` goes on in about the same direction.
+bool goes_on(std::span<const Point> at, std::size_t start, std::size_t end, double reach) {
+  const Point in = direction(at, end, true, reach), out = direction(at, start, false, reach);
+  if (in.dot(out) < kSameWay) return false;
+  return (at[start] - at[end]).dot(in) > -kSameWay * reach;
+}
+
 /// The ends of a stroke, and which places near them belong together.
 class Ends {
  public:
@@ -53,7 +71,7 @@ class Ends {
     const std::vector<std::size_t> ends = places_near_end();
     for (const std::size_t a : places_near_start()) {
       for (const std::size_t b : ends) {
-        if (a >= b || gap(a, b) > most_ || !goes_on(a, b)) continue;
+        if (a >= b || gap(a, b) > most_ || !goes_on(at_, a, b, most_)) continue;
         const double cost = cut(a, b) + kGapCounts * gap(a, b);
         if (cost >= least) continue;
         least = cost;
@@ -82,23 +100,6 @@ class Ends {
     return places;
   }
 
-  /// The direction over a stretch as long as the largest gap, before or after a place.
-  [[nodiscard]] Point direction(std::size_t place, bool before) const {
-    std::size_t other = place;
-    while (before ? other > 0 : other + 1 < at_.size()) {
-      other = before ? other - 1 : other + 1;
-      if ((at_[other] - at_[place]).norm() >= most_) break;
-    }
-    const Point way = before ? Point(at_[place] - at_[other]) : Point(at_[other] - at_[place]);
-    return way.normalized();
-  }
-  [[nodiscard]] bool goes_on(std::size_t a, std::size_t b) const {
-    const Point in = direction(b, true), out = direction(a, false);
-    if (in.dot(out) < kSameWay) return false;
-    const Point across = at_[a] - at_[b];
-    return across.dot(in) > -kSameWay * most_;
-  }
-
   std::vector<Point> at_;
   std::vector<double> arcs_;
   double most_ = 0;  // the largest gap
@@ -112,6 +113,16 @@ CurveEnds curve_ends(std::string_view name) {
   if (name == "open") return CurveEnds::kOpen;
   throw Error(ErrorCode::kBadUsage,
               fmt::format("The ends of curves are auto, closed or open, not \"{}\".", name));
+}
+
+std::optional<double> gap_of_near_loop(const SurfaceMesh& mesh, const SurfaceCurve& stroke) {
+  if (stroke.closed || stroke.points.size() < 3) return std::nullopt;
+  const std::vector<Point> at = positions_of(mesh, stroke);
+  double length = 0;
+  for (std::size_t i = 0; i + 1 < at.size(); ++i) length += (at[i + 1] - at[i]).norm();
+  const double gap = (at.front() - at.back()).norm();
+  if (gap > kGapOfLength * length || !goes_on(at, 0, at.size() - 1, gap)) return std::nullopt;
+  return gap;
 }
 
 std::optional<ClosedLoop> closed_loop(const SurfaceMesh& mesh, const SurfaceCurve& stroke,

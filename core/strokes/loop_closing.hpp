@@ -36,4 +36,9 @@ struct ClosedLoop {
 std::optional<ClosedLoop> closed_loop(const SurfaceMesh& mesh, const SurfaceCurve& stroke,
                                       StraightLines& lines, bool always = false);
 
+/// How far the ends of an open stroke lie apart, mesh units through space, where that is no more
+/// than a twelfth of its length and a loop through them would go on in about the same direction: it
+/// may be meant as a loop, though closed_loop() is not sure. O(points).
+std::optional<double> gap_of_near_loop(const SurfaceMesh& mesh, const SurfaceCurve& stroke);
+
 }  // namespace talweg

@@ -62,11 +62,32 @@ TEST_F(LoopClosing, AHorseshoeIsNone) {
   EXPECT_TRUE(loop->curve.closed);
 }
 
+TEST_F(LoopClosing, ALargerGapStaysAndIsTold) {
+  SnappedDrawing drawing;
+  drawing.curves = {arc(0, 340)};
+  drawing.may_be_loop = {true};
+  const auto told = [&](CurveEnds ends) {
+    return with_loops_closed(opened->mesh(), drawing, lines, ends);
+  };
+  const SnappedDrawing as_drawn = told(CurveEnds::kAsDrawn);
+  EXPECT_FALSE(as_drawn.curves[0].closed);
+  ASSERT_EQ(as_drawn.told.size(), 1U);  // 2 · 6 · sin 10°
+  EXPECT_EQ(as_drawn.told[0],
+            "The ends of a curve lie 2.08 mesh units apart; it is taken as open. If a loop is "
+            "meant, close it.");
+  EXPECT_TRUE(told(CurveEnds::kOpen).told.empty());
+  EXPECT_TRUE(told(CurveEnds::kClosed).curves[0].closed);
+  drawing.curves = {arc(0, 300)};  // a horseshoe
+  EXPECT_TRUE(told(CurveEnds::kAsDrawn).told.empty());
+}
+
 TEST_F(LoopClosing, AWayOutAndBackIsNone) {
   std::vector<Point> points;
   for (double x = 2; x <= 16; x += 0.5) points.emplace_back(x, 10, 0);
   for (double x = 16; x >= 2; x -= 0.5) points.emplace_back(x, 10.4, 0);
-  EXPECT_FALSE(closed(lines.join(snap(opened->mesh(), {false, points, {}}).points, false)));
+  const SurfaceCurve way = lines.join(snap(opened->mesh(), {false, points, {}}).points, false);
+  EXPECT_FALSE(closed(way));
+  EXPECT_FALSE(gap_of_near_loop(opened->mesh(), way));
 }
 
 TEST_F(LoopClosing, NoClickIsCutOff) {
