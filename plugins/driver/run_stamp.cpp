@@ -68,13 +68,13 @@ std::string options_text(const SmoothOptions& options) {
   const auto or_none = [](const std::optional<double>& value) {
     return value ? fmt::format("{}", *value) : "none";
   };
-  return fmt::format("{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}",
-                     repair, !labels.empty(), mesh_units, independent, fmt::join(endings, ","),
-                     written.resample, written.normals, !report.empty(), potential, engine,
-                     or_none(max_deviation), or_none(heat_time), fmt::join(pins, ","),
-                     fmt::join(corners, ","), points, tolerance, or_none(click_distance), ends,
-                     border, repeat, fmt::join(tau, ","), fmt::join(slack, ","), fmt::join(finish, ","),
-                     relax, or_none(budget), or_none(budget_work));
+  return fmt::format(
+      "{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}", repair,
+      !labels.empty(), mesh_units, independent, fmt::join(endings, ","), written.resample,
+      written.normals, !report.empty(), potential, engine, or_none(max_deviation),
+      or_none(heat_time), fmt::join(pins, ","), fmt::join(corners, ","), points, tolerance,
+      or_none(click_distance), ends, border, repeat, fmt::join(tau, ","), fmt::join(slack, ","),
+      fmt::join(finish, ","), relax, or_none(budget), or_none(budget_work));
 }
 
 /// The files that a run reads, in an order in which none can be taken for another.

@@ -291,8 +291,8 @@ TEST_F(CutCommand, AnOpenSheetIsCutFromBorderToBorder) {
   write(file("over.obj"), line_over(-2, 12, 5.3));  // over both edges
   Outcome outcome = run("cut plane.ply --curve over.obj -o half.ply --split --report over.json");
   ASSERT_EQ(outcome.code, 0) << outcome.err;
-  for (const char* words : {"at its start: 8 points up to 2 mesh units beyond it", "at its end: 8",
-                            "2 pieces"}) {
+  for (const char* words :
+       {"at its start: 8 points up to 2 mesh units beyond it", "at its end: 8", "2 pieces"}) {
     EXPECT_NE(outcome.out.find(words), std::string::npos) << outcome.out;
   }
   EXPECT_EQ(json("over.json")["separates"], nlohmann::json::array({true}));
@@ -310,8 +310,9 @@ TEST_F(CutCommand, AnOpenSheetIsCutFromBorderToBorder) {
   EXPECT_EQ(json("led.json")["pieces"], 2);
   EXPECT_EQ(json("led.json")["warnings"].size(), 2U);
 
-  outcome = run("cut plane.ply --curve short.obj -o left.ply --open --border leave "
-                "--report left.json");
+  outcome =
+      run("cut plane.ply --curve short.obj -o left.ply --open --border leave "
+          "--report left.json");
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_NE(outcome.out.find("Curve 0 does not separate the mesh: its start at (1, 5.3, 0) lies "
                              "inside, 1 mesh units from the border, and its end at (9, 5.3, 0)"),
@@ -335,7 +336,8 @@ TEST_F(CutCommand, AStrokeOverTheEdgesIsSmoothedAndCutThere) {
   EXPECT_EQ(outcome.out.find("border"), std::string::npos) << outcome.out;
   // A stroke that stops short is smoothed as it is, unless asked for.
   write(file("short.obj"), line_over(1, 9, 5.3));
-  outcome = run("smooth plane.ply --curve short.obj --border snap -o s.json --report s-report.json");
+  outcome =
+      run("smooth plane.ply --curve short.obj --border snap -o s.json --report s-report.json");
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_NEAR(json("s-report.json")["length_after"], 10, 1e-6);
   EXPECT_EQ(json("s-report.json")["warnings"].size(), 2U);
