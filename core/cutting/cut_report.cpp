@@ -28,6 +28,12 @@ class Entries {
     count("merged", cut.merged);
     add("merged_by_at_most", cut.largest_move);
   }
+  /// Empty where no seam was opened.
+  void add_separation(const std::vector<bool>& separates) {
+    for (std::size_t c = 0; c < separates.size(); ++c) {
+      add("separates." + std::to_string(c), static_cast<bool>(separates[c]));
+    }
+  }
   void add_pieces(std::size_t pieces, std::size_t between) {
     count("pieces", pieces);
     count("pieces_between", between);
@@ -61,11 +67,14 @@ std::vector<ReportEntry> entries_of(const SurfaceMesh& mesh, const CutMesh& cut,
   Entries entries;
   entries.add_cut(mesh, cut);
   entries.add_pieces(made.pieces, made.between);
+  entries.add_separation(made.separates);
   for (std::size_t k = 0; k < made.parts.size(); ++k) {
     const MeshPart& part = made.parts[k];
     entries.add_part(k, part.lists.points.size(), part.lists.triangles.size(), part.lids);
   }
-  return entries.take(warnings, ms);
+  std::vector<std::string> all = warnings;
+  all.insert(all.end(), made.told.begin(), made.told.end());
+  return entries.take(all, ms);
 }
 
 std::vector<ReportEntry> entries_of(const SurfaceMesh& mesh, const CutPlan& plan,

@@ -9,8 +9,9 @@
 
 namespace talweg {
 
-/// Counts of the cut, and of every part ("parts.0.faces"). Lengths in mesh units. `ms`: the time
-/// that it took.
+/// Counts of the cut, and of every part ("parts.0.faces"); where seams were opened, whether each
+/// curve separates the mesh ("separates.0"), with a warning where it does not. Lengths in mesh
+/// units. `ms`: the time that it took.
 std::vector<ReportEntry> entries_of(const SurfaceMesh& mesh, const CutMesh& cut,
                                     const MeshParts& made, const std::vector<std::string>& warnings,
                                     double ms);

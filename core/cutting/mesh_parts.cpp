@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "talweg/core/cutting/attribute_transfer.hpp"
+#include "talweg/core/cutting/curve_separation.hpp"
 #include "talweg/core/cutting/seam_opening.hpp"
 #include "talweg/intrinsic/error.hpp"
 
@@ -22,16 +23,14 @@ const std::vector<std::vector<std::uint32_t>>& pieces_on(const OpenedSeams& seam
   return left ? seams.left : seams.right;
 }
 
-void check_parted(const OpenedSeams& seams, KeptSide keep) {
+/// A curve at the border has a side without faces, which is another mistake.
+void check_parted(const SurfaceMesh& mesh, const CutMesh& cut, const OpenedSeams& seams,
+                  KeptSide keep) {
   for (std::size_t c = 0; c < seams.left.size(); ++c) {
-    for (const std::uint32_t l : seams.left[c]) {
-      const auto& right = seams.right[c];
-      if (std::find(right.begin(), right.end(), l) == right.end()) continue;
-      throw Error(ErrorCode::kBadCurve,
-                  fmt::format("Curve {} does not part its left from its right, so keep {} says "
-                              "nothing: the mesh hangs together around it.",
-                              c, name_of(keep)));
-    }
+    if (separates(seams, c) || seams.left[c].empty() || seams.right[c].empty()) continue;
+    throw Error(ErrorCode::kBadCurve,
+                fmt::format("{} So keep {} says nothing.", why_not_separated(mesh, cut, seams, c),
+                            name_of(keep)));
   }
 }
 
@@ -62,7 +61,6 @@ void check_parted(const OpenedSeams& seams, KeptSide keep) {
 /// Which pieces are on the side that is kept, and how many are on both.
 std::vector<bool> kept(const OpenedSeams& seams, KeptSide keep, std::size_t& between) {
   if (keep == KeptSide::kBoth) return std::vector<bool>(seams.pieces, true);
-  check_parted(seams, keep);
   std::vector<bool> wanted(seams.pieces, false), other(seams.pieces, false);
   const bool left = keep == KeptSide::kLeft;
   for (const auto& pieces : pieces_on(seams, left)) {
@@ -104,8 +102,9 @@ MeshPart part_of(const OpenedSeams& seams, const std::vector<bool>& wanted, cons
   return part;
 }
 
-MeshParts without_attributes(MeshLists lists, const Chains& chains, const PartOptions& options,
-                             const Progress& progress) {
+MeshParts without_attributes(MeshLists lists, const SurfaceMesh& mesh, const CutMesh& cut,
+                             const PartOptions& options, const Progress& progress) {
+  const Chains& chains = cut.chains;
   MeshParts made;
   if (!options.opens()) {
     made.parts.push_back(whole(std::move(lists)));
@@ -113,6 +112,9 @@ MeshParts without_attributes(MeshLists lists, const Chains& chains, const PartOp
   }
   const OpenedSeams seams = open_seams(std::move(lists), chains);
   made.pieces = seams.pieces;
+  for (std::size_t c = 0; c < chains.size(); ++c) made.separates.push_back(separates(seams, c));
+  if (options.keep != KeptSide::kBoth) check_parted(mesh, cut, seams, options.keep);
+  made.told = separation_notes(mesh, cut, seams);
   const std::vector<bool> wanted = kept(seams, options.keep, made.between);
   if (!options.split) {
     made.parts.push_back(part_of(seams, wanted, chains, options.lids, progress));
@@ -167,7 +169,7 @@ class VerticesOnChains {
 
 MeshParts take_apart(const SurfaceMesh& mesh, const CutMesh& cut, const MeshAttributes& attributes,
                      const PartOptions& options, const Progress& progress) {
-  MeshParts made = without_attributes(cut.lists, cut.chains, options, progress);
+  MeshParts made = without_attributes(cut.lists, mesh, cut, options, progress);
   put_attributes(made, carried_to(cut, mesh.surface(), attributes));
   return made;
 }
@@ -175,7 +177,7 @@ MeshParts take_apart(const SurfaceMesh& mesh, const CutMesh& cut, const MeshAttr
 MeshParts take_apart(const SurfaceMesh& mesh, CutMesh&& cut, const MeshAttributes& attributes,
                      const PartOptions& options, const Progress& progress) {
   MeshAttributes carried = carried_to(cut, mesh.surface(), attributes);  // needs the lists
-  MeshParts made = without_attributes(std::move(cut.lists), cut.chains, options, progress);
+  MeshParts made = without_attributes(std::move(cut.lists), mesh, cut, options, progress);
   put_attributes(made, std::move(carried));
   return made;
 }

@@ -40,17 +40,21 @@ struct MeshPart {
 };
 
 struct MeshParts {
-  std::vector<MeshPart> parts;        ///< at least one
-  std::size_t pieces = 1;             ///< that hang together, before some are left out
-  std::size_t between = 0;            ///< left out: on the left of one curve, the right of another
+  std::vector<MeshPart> parts;  ///< at least one
+  std::size_t pieces = 1;       ///< that hang together, before some are left out
+  std::size_t between = 0;      ///< left out: on the left of one curve, the right of another
+  /// Per curve whether no piece lies on both of its sides, and one on either; none where no seam
+  /// was opened.
+  std::vector<bool> separates;
+  std::vector<std::string> told;      ///< sentences on curves that do not: why, and what would
   std::vector<std::string> left_out;  ///< attributes that are not carried over
 };
 
 /// Takes the cut mesh apart. `attributes` are those of the mesh before the cut. Throws
-/// Error(kBadCurve) naming a curve that does not part its sides where one is to be kept, and the
-/// curves where nothing is left; otherwise as add_lids() and carried_to() do. O(vertices + faces),
-/// and what lids cost. Worse: with `split` that for each piece, so many small pieces of a large
-/// mesh cost their number times the mesh.
+/// Error(kBadCurve) naming a curve that does not separate the mesh where one side is to be kept,
+/// with why and what would, and the curves where nothing is left; otherwise as add_lids() and
+/// carried_to() do. O(vertices + faces), and what lids cost. Worse: with `split` that for each
+/// piece, so many small pieces of a large mesh cost their number times the mesh.
 MeshParts take_apart(const SurfaceMesh& mesh, const CutMesh& cut, const MeshAttributes& attributes,
                      const PartOptions& options, const Progress& progress = {});
 /// The same; takes the lists of the cut instead of copying them, also where it throws. All else of

@@ -17,6 +17,36 @@ std::vector<InputWayPoint> exact_points(const SnappedCurve& curve) {
   return all;
 }
 
+/// The largest of the three steps of a stroke at its start and at its end.
+std::array<double, 2> steps_at_ends(const SurfaceMesh& mesh, const SnappedCurve& curve) {
+  constexpr std::size_t kSteps = 3;
+  std::array<double, 2> steps{};
+  if (!curve.of_hand) return steps;
+  const std::size_t n = curve.points.size();
+  const auto step = [&](std::size_t k) {
+    return (mesh.position(curve.points[k + 1]) - mesh.position(curve.points[k])).norm();
+  };
+  for (std::size_t k = 0; k < std::min(kSteps, n - 1); ++k) {
+    steps[0] = std::max(steps[0], step(k));
+    steps[1] = std::max(steps[1], step(n - 2 - k));
+  }
+  return steps;
+}
+
+/// Sentences on the ends of a curve that ran over the border.
+void tell_beyond_border(const SnappedCurve& curve, std::size_t number,
+                        std::vector<std::string>& told) {
+  for (std::size_t side = 0; side < 2; ++side) {
+    const BeyondBorder& beyond = curve.beyond_border[side];
+    if (beyond.points == 0) continue;
+    told.push_back(fmt::format(
+        "Curve {} runs over the border of the mesh at its {}: {} {} up to {:.3g} mesh units beyond "
+        "it {} left out, and it {} exactly there.",
+        number, side == 0 ? "start" : "end", beyond.points, beyond.points == 1 ? "point" : "points",
+        beyond.farthest, beyond.points == 1 ? "is" : "are", side == 0 ? "begins" : "ends"));
+  }
+}
+
 }  // namespace
 
 void SnappedDrawing::add(const SurfaceMesh& mesh, std::span<const SnappedCurve> snapped,
@@ -33,7 +63,9 @@ void SnappedDrawing::add(const SurfaceMesh& mesh, std::span<const SnappedCurve> 
     if (!curve.why_stroke.empty()) strokes.push_back(curve.why_stroke);
     told.insert(told.end(), curve.told.begin(), curve.told.end());
     if (better_fit.empty()) better_fit = curve.better_fit;
+    tell_beyond_border(curve, curves.size(), told);
     may_be_loop.push_back(curve.may_be_loop);
+    hand_steps.push_back(steps_at_ends(mesh, curve));
     curves.push_back(lines.join(curve.points, curve.closed, progress));
     gaps.add(lines.gaps());
     largest_snap_distance = std::max(largest_snap_distance, curve.largest_snap_distance);

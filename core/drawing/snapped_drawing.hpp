@@ -1,6 +1,7 @@
 // A snapped drawing is curves that were put on a mesh and joined there, and what that did to them.
 #pragma once
 
+#include <array>
 #include <span>
 #include <string>
 #include <vector>
@@ -17,6 +18,9 @@ namespace talweg {
 struct SnappedDrawing {
   std::vector<SurfaceCurve> curves;
   std::vector<bool> may_be_loop;  ///< per curve, see SnappedCurve; or none
+  /// Per curve how far apart in space the samples of a hand are at its start and at its end, the
+  /// largest of three steps, mesh units; 0 for what is no open stroke of a hand. Or none.
+  std::vector<std::array<double, 2>> hand_steps;
   std::vector<SurfacePoint> pins;
   std::vector<WayPoint> way_points;   ///< that the drawing names
   std::vector<WayPoint> all_exact;    ///< instead, if a curve that names none has all its points

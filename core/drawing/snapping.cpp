@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "talweg/core/drawing/better_fit.hpp"
+#include "talweg/core/drawing/border_runs.hpp"
 #include "talweg/core/drawing/control_points.hpp"
 #include "talweg/core/drawing/corner_coordinates.hpp"
 #include "talweg/core/drawing/sheet_matching.hpp"
@@ -190,14 +191,19 @@ std::string which_fits(const SurfaceMesh& mesh, const ClosestPoint& closest,
   return words.empty() ? words : fmt::format("; it {}", words);
 }
 
-/// The nearest point of the mesh to each position, one by one.
+/// How far from the mesh a position may lie that belongs to it.
+double farthest_taken(const SurfaceMesh& mesh, double size) {
+  return std::max(kFarthestOfSize * size, kFarthestInEdges * mesh.mean_edge_length());
+}
+
+/// The nearest point of the mesh to each position, one by one; the first of them is that of this
+/// number in the curve.
 std::vector<ClosestPoint::Result> nearest_to(const SurfaceMesh& mesh, const ClosestPoint& closest,
-                                             const std::vector<Point>& positions, Asker& asker) {
+                                             const std::vector<Point>& positions, std::size_t first,
+                                             Asker& asker) {
   constexpr std::size_t kOfPoint = 64;  // units of work
   std::vector<ClosestPoint::Result> nearest;
-  const double size = size_of(mesh);
-  const double farthest =
-      std::max(kFarthestOfSize * size, kFarthestInEdges * mesh.mean_edge_length());
+  const double size = size_of(mesh), farthest = farthest_taken(mesh, size);
   for (std::size_t k = 0; k < positions.size(); ++k) {
     asker.did(kOfPoint);
     try {
@@ -209,7 +215,7 @@ std::vector<ClosestPoint::Result> nearest_to(const SurfaceMesh& mesh, const Clos
             nearest.back().distance, size, farthest, which_fits(mesh, closest, positions)));
       }
     } catch (const Error& error) {
-      throw Error(error.code(), "At " + at_position(k) + ": " + error.what());
+      throw Error(error.code(), "At " + at_position(first + k) + ": " + error.what());
     }
   }
   return nearest;
@@ -240,8 +246,10 @@ void tell_matching(const SheetMatching& matching, const std::vector<Point>& posi
 std::vector<SurfacePoint> snap_positions(const SurfaceMesh& mesh, const ClosestPoint& closest,
                                          const std::vector<Point>& positions, SnappedCurve& curve,
                                          Asker& asker) {
+  const std::size_t before = curve.beyond_border[0].points;
+  const std::size_t first = before > 0 ? before - 1 : 0;
   SheetMatching matching = matched_to_sheets(mesh, closest, positions, curve.closed,
-                                             nearest_to(mesh, closest, positions, asker));
+                                             nearest_to(mesh, closest, positions, first, asker));
   tell_matching(matching, positions, curve);
   std::vector<SurfacePoint> points;
   for (std::size_t k = 0; k < positions.size(); ++k) {
@@ -354,12 +362,58 @@ std::optional<CurveInput> without_spikes(const CurveInput& curve, std::vector<st
   return rest;
 }
 
+/// Whether a stroke is cut off where it runs over the border. One that is mostly far away belongs
+/// to another place.
+bool runs_over(const SurfaceMesh& mesh, const std::array<BorderRun, 2>& runs, std::size_t samples) {
+  const auto& [start, end] = runs;
+  if (start.samples + end.samples == 0) return false;
+  if (2 * (start.samples + end.samples) <= samples) return true;
+  return std::max(start.farthest, end.farthest) <= farthest_taken(mesh, size_of(mesh));
+}
+
+/// A stroke of positions as far as it is on the mesh; none if all of it is, or next to nothing.
+/// Where it leaves, that place stands for all samples beyond.
+std::optional<CurveInput> within_border(const SurfaceMesh& mesh, const ClosestPoint& closest,
+                                        const CurveInput& curve, SnappedCurve& result) {
+  const auto* samples = std::get_if<std::vector<Point>>(&curve.points);
+  const bool is_stroke = samples != nullptr && !curve.closed && !curve.control_points &&
+                         curve.pins.empty() && curve.way_points.empty();
+  if (!is_stroke) return std::nullopt;
+  const std::size_t n = samples->size();
+  std::array<BorderRun, 2> runs;
+  try {
+    runs = border_runs(mesh, closest, *samples);
+  } catch (const Error&) {
+    return std::nullopt;  // nearest_to() says at which position
+  }
+  if (!runs_over(mesh, runs, n)) return std::nullopt;
+  const auto& [start, end] = runs;
+  const std::size_t first = start.samples > 0 ? start.samples - 1 : 0;
+  const std::size_t last = end.samples > 0 ? n - end.samples : n - 1;
+  std::vector<Point> left(samples->begin() + static_cast<std::ptrdiff_t>(first),
+                          samples->begin() + static_cast<std::ptrdiff_t>(last) + 1);
+  if (start.samples > 0) left.front() = start.leaves;
+  if (end.samples > 0) left.back() = end.leaves;
+  const bool has_length = std::any_of(left.begin(), left.end(), [&](const Point& p) {
+    return (p - left.front()).norm() > kRoundingInEdges * mesh.mean_edge_length();
+  });
+  if (!has_length) return std::nullopt;
+  for (std::size_t k = 0; k < 2; ++k) result.beyond_border[k] = {runs[k].samples, runs[k].farthest};
+  CurveInput rest = curve;
+  rest.points = std::move(left);
+  std::erase_if(rest.painted, [&](std::size_t k) { return k < first || (k > last && k < n); });
+  for (std::size_t& k : rest.painted) k -= k < n ? first : 0;
+  return rest;
+}
+
 SnappedCurve snap_one(const SurfaceMesh& mesh, const ClosestPoint* closest, const CurveInput& given,
                       const SnapOptions& options, Asker& asker) {
   SnappedCurve result;
   result.told = given.told;
   const std::optional<CurveInput> rest = without_spikes(given, result.told);
-  const CurveInput& curve = rest ? *rest : given;
+  std::optional<CurveInput> within;
+  if (closest != nullptr) within = within_border(mesh, *closest, rest ? *rest : given, result);
+  const CurveInput& curve = within ? *within : rest ? *rest : given;
   result.closed = curve.closed;
   std::vector<SurfacePoint> points;
   if (const auto* ids = std::get_if<std::vector<VertexId>>(&curve.points)) {
@@ -379,8 +433,9 @@ SnappedCurve snap_one(const SurfaceMesh& mesh, const ClosestPoint* closest, cons
   keep_marks(curve, kept, result);
   if (curve.control_points && curve.way_points.empty()) take_control_points(mesh, result);
   const bool is_of_hand = has_positions(curve) || !curve.painted.empty();
-  result.may_be_loop =
+  result.of_hand =
       is_of_hand && !curve.closed && !curve.control_points && result.way_points.empty();
+  result.may_be_loop = result.of_hand && !within;
   return result;
 }
 

@@ -1,6 +1,7 @@
 // Snapping puts what a curve file holds onto a mesh.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -20,6 +21,12 @@ struct SnapOptions {
   bool connect = false;
 };
 
+/// What was left out of a stroke at one of its ends, because it ran over the border of the mesh.
+struct BeyondBorder {
+  std::size_t points = 0;
+  double farthest = 0;  ///< mesh units: of these from the mesh
+};
+
 /// A curve's points on a mesh; consecutive ones differ but need not share a face.
 struct SnappedCurve {
   bool closed = false;               ///< the first point is not repeated
@@ -29,8 +36,10 @@ struct SnappedCurve {
   std::vector<std::size_t> pins;     ///< indices of points, ascending
   std::vector<InputWayPoint> way_points;  ///< ascending; each index once
   std::vector<std::size_t> painted;       ///< ascending; no way-points
-  /// An open stroke of a hand: given as positions, or painted, and without way-points.
-  bool may_be_loop = false;
+  /// An open stroke of a hand: given as positions, or painted, and without way-points. One that
+  /// runs over the border is no loop.
+  bool of_hand = false, may_be_loop = false;
+  std::array<BeyondBorder, 2> beyond_border;  ///< at the start and at the end
   std::vector<std::string> told;  ///< the input's sentences, and others on points put elsewhere
   std::string better_fit;         ///< words on a space, unit or place in which it would fit
   std::string why_stroke;         ///< a sentence if control points were not taken for way-points
@@ -45,10 +54,11 @@ struct SnappedCurve {
 /// mesh. They are then moved to a vertex, or else an edge, that lies within 1e-9 of the face's
 /// longest side or within the rounding of single-precision coordinates (1.2e-7 of the largest one,
 /// but no more than 1e-4 of the longest side). So mesh vertices are recognised from files with 9
-/// digits or 32-bit floats. Those of a stroke are first rid of spikes (stroke_spikes.hpp), and put
-/// on one side of thin walls (sheet_matching.hpp). Points in faces and positions that coincide with
-/// the one before are merged; the point that stays is what any of them was: a way-point with the
-/// smallest tolerance, a painted one.
+/// digits or 32-bit floats. Those of a stroke are first rid of spikes (stroke_spikes.hpp), put on
+/// one side of thin walls (sheet_matching.hpp), and cut off where an open one runs over the border
+/// of the mesh (border_runs.hpp), so that it ends exactly there. Points in faces and positions that
+/// coincide with the one before are merged; the point that stays is what any of them was: a
+/// way-point with the smallest tolerance, a painted one.
 ///
 /// Throws Error(kBadCurve) naming the position in the curve (from 0) and the ids: for an id or face
 /// out of range, neighbours that share no edge, barycentrics out of range, a position that is not

@@ -8,6 +8,8 @@
 #include <utility>
 #include <variant>
 
+#include "talweg/core/mesh/border_points.hpp"
+
 namespace talweg {
 namespace {
 
@@ -31,12 +33,6 @@ struct Meeting {
   Key at;
   End end;
 };
-
-bool is_on_boundary(const Surface& surface, const SurfacePoint& point) {
-  if (const auto* v = std::get_if<AtVertex>(&point.where())) return surface.on_boundary(v->vertex);
-  if (const auto* e = std::get_if<OnEdge>(&point.where())) return surface.on_boundary(e->edge);
-  return false;
-}
 
 const SurfacePoint& point_of(std::span<const SurfaceCurve> curves, const End& end) {
   const auto& points = curves[end.curve].points;

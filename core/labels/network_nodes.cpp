@@ -7,6 +7,8 @@
 #include <numeric>
 #include <utility>
 
+#include "talweg/core/mesh/border_points.hpp"
+
 namespace talweg {
 namespace {
 
@@ -16,12 +18,6 @@ constexpr double kBent = 0.15;   // radians
 constexpr double kBalanced = 0.01;  // of a unit tangent, per border: smaller sums count as balanced
 constexpr double kStandsStill = 0.01;  // of the reach; smaller moves count as none
 constexpr double kSurroundings = 1.5;  // radius around a node's home, in lengths of its move
-
-bool is_on_boundary(const Surface& surface, const SurfacePoint& p) {
-  if (const auto* v = std::get_if<AtVertex>(&p.where())) return surface.on_boundary(v->vertex);
-  if (const auto* e = std::get_if<OnEdge>(&p.where())) return surface.on_boundary(e->edge);
-  return false;
-}
 
 /// The two halfedges that leave a vertex along the boundary.
 std::array<HalfedgeId, 2> along_boundary_from(const Surface& surface, VertexId v) {

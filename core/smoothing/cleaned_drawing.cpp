@@ -10,6 +10,7 @@
 #include "talweg/core/drawing/drawn_legs.hpp"
 #include "talweg/core/lifting/leg_start.hpp"
 #include "talweg/core/measure/edge_length_near.hpp"
+#include "talweg/core/mesh/border_points.hpp"
 #include "talweg/core/strokes/stroke_cleaning.hpp"
 #include "talweg/intrinsic/surface/point_lookup.hpp"
 
@@ -124,8 +125,10 @@ class CurveCleaning {
     return {stretch, {}};
   }
 
+  /// An end on the border is where the drawing left the mesh.
   [[nodiscard]] bool is_free(std::size_t end) const {
-    return !curve_.closed && !std::binary_search(fixed_.begin(), fixed_.end(), end);
+    return !curve_.closed && !std::binary_search(fixed_.begin(), fixed_.end(), end) &&
+           !is_on_boundary(mesh_->surface(), curve_.points[end % curve_.points.size()]);
   }
 
   [[nodiscard]] CleanedStroke cleaned(const SurfaceCurve& stretch, FreeEnds ends) const {

@@ -2,6 +2,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -44,6 +45,7 @@ struct CutCommandOptions {
   std::string cap;
   double merge = CutOptions{}.merge;
   std::string ends = "auto";
+  std::string border = "snap";
   std::string mesh_units;
 };
 
@@ -63,6 +65,12 @@ PartOptions part_options(const CutCommandOptions& o) {
   if (o.keep == "right") parts.keep = KeptSide::kRight;
   if (!o.cap.empty()) parts.lids = lid_kind(o.cap);
   return parts;
+}
+
+/// A curve that only becomes edges may end anywhere.
+std::optional<LedCurves> led_curves(const CutCommandOptions& o) {
+  const bool snap = border_ends(o.border) == BorderEnds::kSnap;
+  return snap && part_options(o).opens() ? std::optional(LedCurves::kAll) : std::nullopt;
 }
 
 /// The part of the outputs' names before the pieces' numbers.
@@ -107,7 +115,7 @@ Cutting::Cutting(const CutCommandOptions& options, Progress progress)
       read_(read_and_repair(options.mesh, options.repair, attributes_)),
       mesh_(SurfaceMesh::open(read_.lists)) {
   DrawingReader reader(mesh_, read_.map.get());
-  reader.set_ends(curve_ends(options.ends));
+  reader.set_ends(curve_ends(options.ends), led_curves(options));
   drawing_ = reader.read(o_.curves, with_unit(read_.lists.frame(), options.mesh_units), progress_);
   const Stopwatch watch;
   cut_ = cut_along(mesh_, drawing_.curves, {o_.merge}, progress_);
@@ -208,6 +216,7 @@ std::string Cutting::summary() const {
           fmt::format("{} of them left out: on the left of one curve and on the right of another\n",
                       made_.between);
     }
+    for (const std::string& sentence : made_.told) text += sentence + "\n";
   }
   for (std::size_t k = 0; k < made_.parts.size(); ++k) {
     const MeshPart& part = made_.parts[k];
@@ -309,6 +318,12 @@ Command add_cut(CLI::App& app, const GlobalOptions& global) {
       ->capture_default_str();
   command->add_flag_callback(
       "--closed", [o] { o->ends = "closed"; }, "The same as --ends closed");
+  command
+      ->add_option("--border", o->border,
+                   "snap: where a seam is opened, ends of open curves within two edges of the "
+                   "mesh's border are led straight to it; leave: they stay")
+      ->check(CLI::IsMember({"snap", "leave"}))
+      ->capture_default_str();
   add_repair_option(*command, o->repair);
   add_unit_option(*command, o->mesh_units);
   return [o, &global] {

@@ -31,7 +31,9 @@ SnappedDrawing DrawingReader::read(std::span<const std::string> paths, const Coo
       throw Error(error.code(), error.what() + *weld_hint_);
     }
   }
-  return with_loops_closed(*mesh_, std::move(drawing), *lines_, ends_);
+  drawing = with_loops_closed(*mesh_, std::move(drawing), *lines_, ends_);
+  if (led_) drawing = with_ends_at_border(*mesh_, std::move(drawing), *lines_, *led_);
+  return drawing;
 }
 
 void DrawingReader::add(const std::vector<CurveInput>& inputs, SnappedDrawing& drawing,

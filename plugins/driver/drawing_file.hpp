@@ -14,6 +14,7 @@
 #include "talweg/core/mesh/surface_mesh.hpp"
 #include "talweg/core/repair/repair_map.hpp"
 #include "talweg/core/space/coordinate_frame.hpp"
+#include "talweg/core/strokes/border_ends.hpp"
 #include "talweg/core/strokes/drawn_loops.hpp"
 #include "talweg/intrinsic/progress.hpp"
 #include "talweg/intrinsic/surface/surface_point.hpp"
@@ -27,8 +28,12 @@ class DrawingReader {
   /// With a map, curves are in the numbers of the file.
   explicit DrawingReader(const SurfaceMesh& mesh, const RepairMap* map = nullptr)
       : mesh_(&mesh), map_(map) {}
-  /// What the ends of curves are that are read from now on; open by default.
-  void set_ends(CurveEnds ends) { ends_ = ends; }
+  /// What the ends of curves are that are read from now on (open by default), and which are led to
+  /// the border (none).
+  void set_ends(CurveEnds ends, std::optional<LedCurves> led) {
+    ends_ = ends;
+    led_ = led;
+  }
   /// The curves of all files, in their order; `frame` is that of the mesh. Throws Cancelled, and
   /// Error as read_curves(), snap() and StraightLines::join() do, with a hint if welding may help.
   SnappedDrawing read(std::span<const std::string> paths, const CoordinateFrame& frame = {},
@@ -43,6 +48,7 @@ class DrawingReader {
   std::optional<ClosestPoint> closest_;
   std::optional<StraightLines> lines_;
   CurveEnds ends_ = CurveEnds::kOpen;
+  std::optional<LedCurves> led_;
   std::optional<std::string> weld_hint_;  ///< made when a curve is first rejected
 };
 

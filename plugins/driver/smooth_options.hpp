@@ -35,6 +35,7 @@ struct SmoothOptions {
   double tolerance = 0;
   std::optional<double> click_distance;
   std::string ends = plugins::smooth_parameter("ends").default_choice;
+  std::string border = plugins::smooth_parameter("border").default_choice;
   std::size_t repeat = 1;
   // One value for all curves, or one for each of them.
   std::vector<double> tau = {plugins::smooth_parameter("tau").default_number};

@@ -94,7 +94,9 @@ Prepared prepare(const MeshFromFile& mesh, DrawingReader& reader, const SmoothOp
                  const Progress& progress) {
   const Stopwatch watch;
   const Surface& surface = mesh.mesh().surface();
-  reader.set_ends(curve_ends(options.ends));
+  std::optional<LedCurves> led;
+  if (border_ends(options.border) == BorderEnds::kSnap) led = LedCurves::kStrokes;
+  reader.set_ends(curve_ends(options.ends), led);
   SnappedDrawing drawing =
       options.labels.empty()
           ? reader.read(options.curves, with_unit(mesh.frame, options.mesh_units), progress)

@@ -41,10 +41,12 @@ void Workspace::put(const std::vector<CurveInput>& curves) {
   drawing_ = snapped_;
 }
 
-void Workspace::close_loops(CurveEnds ends) {
-  if (ends != ends_) ++drawings_;
+void Workspace::finish_ends(CurveEnds ends, std::optional<LedCurves> led) {
+  if (ends != ends_ || led != led_) ++drawings_;
   ends_ = ends;
+  led_ = led;
   drawing_ = with_loops_closed(mesh(), snapped_, lines(), ends);
+  if (led) drawing_ = with_ends_at_border(mesh(), std::move(drawing_), lines(), *led);
 }
 
 void Workspace::put_again() {

@@ -9,6 +9,7 @@
 #include "host_curves.hpp"
 #include "mesh_workspace.hpp"
 #include "talweg/core/drawing/straight_lines.hpp"
+#include "talweg/core/strokes/border_ends.hpp"
 #include "talweg/core/strokes/drawn_loops.hpp"
 
 namespace talweg::plugins {
@@ -33,8 +34,9 @@ class Workspace : public MeshWorkspace {
 
   [[nodiscard]] StraightLines& lines();
   [[nodiscard]] const SnappedDrawing& drawing() const { return drawing_; }
-  /// Makes loops of the curves that were set and are meant to be some. Until then none are.
-  void close_loops(CurveEnds ends);
+  /// Makes loops of the curves that were set and are meant to be some, and leads the ends of those
+  /// that are `led` to the border. Until then none are.
+  void finish_ends(CurveEnds ends, std::optional<LedCurves> led = {});
   /// Warnings on the drawing, and sentences on what was repaired.
   [[nodiscard]] std::vector<std::string> reading_warnings() const;
   /// Counts the drawings and meshes that were set; a change of pins alone does not count.
@@ -47,8 +49,9 @@ class Workspace : public MeshWorkspace {
   std::optional<StraightLines> lines_;  // made when first needed
   std::vector<CurveInput> curves_;      // in the host's numbers
   SnappedDrawing snapped_;
-  SnappedDrawing drawing_;  // with loops closed
+  SnappedDrawing drawing_;  // with loops closed, and ends led to the border
   CurveEnds ends_ = CurveEnds::kOpen;
+  std::optional<LedCurves> led_;
   std::uint64_t drawings_ = 0;
 };
 

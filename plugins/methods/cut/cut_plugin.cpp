@@ -20,6 +20,8 @@ namespace {
 
 constexpr const char* kEnds[] = {"auto", "closed", "open"};
 constexpr const char* kEndLabels[] = {"Loops where they meet", "All are loops", "Open"};
+constexpr const char* kBorders[] = {"snap", "leave"};
+constexpr const char* kBorderLabels[] = {"Led to the border", "As they are"};
 constexpr const char* kSides[] = {"both", "left", "right"};
 constexpr const char* kSideLabels[] = {"Both sides", "Left of the curves", "Right of the curves"};
 constexpr const char* kCaps[] = {"none", "auto", "planar", "least-area"};
@@ -65,6 +67,10 @@ class Cut : public MakesMeshes<Workspace> {
                 "auto: a stroke whose end stops a little short of its beginning, or runs over it, "
                 "is a loop; closed: every curve is; open: none that does not say it.",
                 TALWEG_STAGE_RUN),
+         choice("border", "Ends near the border", "snap", kBorders, kBorderLabels,
+                "snap: where a seam is opened, ends of open curves within two edges of the mesh's "
+                "border are led straight to it; leave: they stay.",
+                TALWEG_STAGE_RUN, TALWEG_ADVANCED),
          number("merge", "Merge", "part of an edge", CutOptions{}.merge, {1e-11, 1e-2, 1e-9, 1e-2},
                 "Points within this part of an edge of a vertex, an edge or each other are one.",
                 TALWEG_STAGE_RUN, TALWEG_ADVANCED | TALWEG_LOGARITHMIC)});
@@ -80,11 +86,15 @@ class Cut : public MakesMeshes<Workspace> {
     made_.clear();
     plan_.reset();
     const Stopwatch watch;
-    close_loops(curve_ends(parameters.choice("ends")));
+    const PartOptions options = part_options(parameters);
+    std::optional<LedCurves> led;
+    if (options.opens() && border_ends(parameters.choice("border")) == BorderEnds::kSnap) {
+      led = LedCurves::kAll;
+    }
+    finish_ends(curve_ends(parameters.choice("ends")), led);
     CutPlan plan = cancellable([&] {
       return plan_cut(mesh(), drawing().curves, {parameters.number("merge")}, progress());
     });
-    const PartOptions options = part_options(parameters);
     std::vector<std::string> warnings;
     drawing().add_to(warnings, reading_warnings());
     if (!outputs.wants_meshes() && !options.opens()) {

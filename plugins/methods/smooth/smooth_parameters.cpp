@@ -32,6 +32,8 @@ constexpr const char* kPointLabels[] = {"As the drawing says", "Exact: way-point
                                         "Rough: a stroke"};
 constexpr const char* kEnds[] = {"auto", "closed", "open"};
 constexpr const char* kEndLabels[] = {"Loops where they meet", "All are loops", "Open"};
+constexpr const char* kBorders[] = {"leave", "snap"};
+constexpr const char* kBorderLabels[] = {"As drawn", "Led to the border"};
 constexpr const char* kShapes[] = {"power", "exponential"};
 constexpr const char* kShapeLabels[] = {"Power", "Exponential"};
 constexpr const char* kLengths[] = {"max_distance", "curve_length", "given"};
@@ -119,6 +121,10 @@ std::vector<talweg_parameter> main_parameters() {
              "auto: a stroke whose end stops a little short of its beginning, or runs over it, is "
              "a loop; closed: every curve is; open: none that does not say it.",
              kCurves),
+      choice("border", "Ends near the border", "leave", kBorders, kBorderLabels,
+             "snap: ends of open strokes that stop within two edges of the mesh's border, or one "
+             "and a half steps of the hand, are led straight to it; leave: they stay.",
+             kCurves, kAdvanced),
       boolean("preview", "Preview", false,
               "While a curve is dragged: smooths only the stretch that differs from the last run "
               "without preview, and joins it to that result (corridor, one curve changed; else "

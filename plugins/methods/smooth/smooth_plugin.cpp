@@ -54,7 +54,9 @@ class Smooth : public SmootherWorkspace {
 
   void run(const plugin::Parameters& parameters, const plugin::Outputs& outputs) {
     CurveOptions curve_options = curve_options_of(parameters);
-    close_loops(curve_ends(parameters.choice("ends")));
+    std::optional<LedCurves> led;
+    if (border_ends(parameters.choice("border")) == BorderEnds::kSnap) led = LedCurves::kStrokes;
+    finish_ends(curve_ends(parameters.choice("ends")), led);
     const PointsTaken taken =
         points_taken(parameters, host_mesh().taken_vertices(parameters.vertices("exact")));
     points_ = take_points(drawing(), taken);

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -275,10 +276,80 @@ TEST_F(CutCommand, LidsRepeatNothingOfThePiece) {
   EXPECT_EQ(with_points, 1U);
 }
 
+/// A line over the plane at this height, as an OBJ of positions.
+std::string line_over(double from, double to, double y) {
+  std::string text, line = "l";
+  int n = 0;
+  for (double x = from; x <= to + 1e-9; x += 0.25) {
+    text += fmt::format("v {} {} 0\n", x, y);
+    line += fmt::format(" {}", ++n);
+  }
+  return text + line + "\n";
+}
+
+TEST_F(CutCommand, AnOpenSheetIsCutFromBorderToBorder) {
+  write(file("over.obj"), line_over(-2, 12, 5.3));  // over both edges
+  Outcome outcome = run("cut plane.ply --curve over.obj -o half.ply --split --report over.json");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  for (const char* words :
+       {"at its start: 8 points up to 2 mesh units beyond it", "at its end: 8", "2 pieces"}) {
+    EXPECT_NE(outcome.out.find(words), std::string::npos) << outcome.out;
+  }
+  EXPECT_EQ(json("over.json")["separates"], nlohmann::json::array({true}));
+  EXPECT_EQ(json("over.json")["warnings"].size(), 2U);
+  const double first = test::area(read_mesh(file("half-0.ply")));
+  EXPECT_NEAR(std::min(first, 100 - first), 47, 1e-4);  // coordinates are floats
+  EXPECT_NEAR(first + test::area(read_mesh(file("half-1.ply"))), 100, 1e-4);
+
+  write(file("short.obj"), line_over(1, 9, 5.3));
+  outcome = run("cut plane.ply --curve short.obj -o led.ply --open --report led.json");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("The end of curve 0 lies 1 mesh units before the border; it is led"),
+            std::string::npos)
+      << outcome.out;
+  EXPECT_EQ(json("led.json")["pieces"], 2);
+  EXPECT_EQ(json("led.json")["warnings"].size(), 2U);
+
+  outcome =
+      run("cut plane.ply --curve short.obj -o left.ply --open --border leave "
+          "--report left.json");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("Curve 0 does not separate the mesh: its start at (1, 5.3, 0) lies "
+                             "inside, 1 mesh units from the border, and its end at (9, 5.3, 0)"),
+            std::string::npos)
+      << outcome.out;
+  EXPECT_EQ(json("left.json")["pieces"], 1);
+  EXPECT_EQ(json("left.json")["separates"], nlohmann::json::array({false}));
+
+  outcome = run("cut plane.ply --curve short.obj -o edges.ply");  // only edges: it ends anywhere
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(outcome.out.find("border"), std::string::npos) << outcome.out;
+  expect_failure("cut plane.ply --curve short.obj -o c.ply --border cut", 1, {"--border"});
+}
+
+TEST_F(CutCommand, AStrokeOverTheEdgesIsSmoothedAndCutThere) {
+  write(file("over.obj"), line_over(-1, 11, 5.3));
+  ASSERT_EQ(run("smooth plane.ply --curve over.obj -o smooth.json").code, 0);
+  Outcome outcome = run("cut plane.ply --curve smooth.json -o half.ply --split");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("2 pieces"), std::string::npos) << outcome.out;
+  EXPECT_EQ(outcome.out.find("border"), std::string::npos) << outcome.out;
+  // A stroke that stops short is smoothed as it is, unless asked for.
+  write(file("short.obj"), line_over(1, 9, 5.3));
+  outcome =
+      run("smooth plane.ply --curve short.obj --border snap -o s.json --report s-report.json");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_NEAR(json("s-report.json")["length_after"], 10, 1e-6);
+  EXPECT_EQ(json("s-report.json")["warnings"].size(), 2U);
+  ASSERT_EQ(run("smooth plane.ply --curve short.obj -o s.json --report s-report.json").code, 0);
+  EXPECT_NEAR(json("s-report.json")["length_after"], 8, 1e-6);
+}
+
 TEST_F(CutCommand, SaysWhatIsWrong) {
   expect_failure("cut plane.ply --curve line.txt -o c.ply --keep up", 1,
                  {"--keep", "left or right"});
-  expect_failure("cut plane.ply --curve line.txt -o c.ply --keep left", 2, {"does not part"});
+  expect_failure("cut plane.ply --curve line.txt -o c.ply --keep left", 2,
+                 {"Curve 0 does not separate the mesh", "(3, 3, 0)", "keep left says nothing"});
   expect_failure("cut plane.ply --curve line.txt -o c.ply --merge 1", 1, {"merge", "1e-2"});
   expect_failure("cut plane.ply --curve none.txt -o c.ply", 2, {"none.txt"});
   expect_failure("cut plane.ply --curve line.txt -o nowhere/c.ply", 2, {"nowhere"});

@@ -60,6 +60,11 @@ class OnHills : public testing::Test {
   host::Instance instance;
 };
 
+std::vector<std::string> warnings_of(const host::Results& results) {
+  const host::ReportEntry* warnings = results.find("warnings");
+  return warnings == nullptr ? std::vector<std::string>() : warnings->texts;
+}
+
 struct CutPlugin : OnHills {
   CutPlugin() : OnHills("talweg.cut") {
     test::set_mesh(instance, subject.lists);
@@ -289,8 +294,27 @@ TEST_F(CutPlugin, SaysWhatTheDriverSaysOfBadInput) {
   slit.vertices = {420, 421, 422};
   instance.set_curves({slit});
   instance.set("keep", "left");
-  EXPECT_NE(sentence_of([&] { run_with_meshes(); }).find("does not part its left from its right"),
+  EXPECT_NE(sentence_of([&] { run_with_meshes(); }).find("does not separate the mesh: its start"),
             std::string::npos);
+}
+
+TEST_F(CutPlugin, LeadsEndsToTheBorderWhereASeamIsOpened) {
+  host::Curve row;  // the hills' row 20, one vertex short of either border
+  for (std::uint32_t i = 1; i < 40; ++i) row.vertices.push_back(20 * 41 + i);
+  instance.set_curves({row});
+  EXPECT_EQ(warnings_of(instance.run()).size(), 0U);  // only edges: it may end anywhere
+  instance.set("split", 1.0);
+  const host::Results led = run_with_meshes();
+  EXPECT_EQ(led.meshes.size(), 2U);
+  EXPECT_EQ(led.number("separates.0"), 1);
+  ASSERT_EQ(warnings_of(led).size(), 2U);
+  EXPECT_EQ(warnings_of(led)[0].find("The start of curve 0 lies "), 0U);
+  instance.set("border", "leave");
+  const host::Results left = run_with_meshes();
+  EXPECT_EQ(left.meshes.size(), 1U);
+  EXPECT_EQ(left.number("separates.0"), 0);
+  ASSERT_EQ(warnings_of(left).size(), 1U);
+  EXPECT_EQ(warnings_of(left)[0].find("Curve 0 does not separate the mesh: its start"), 0U);
 }
 
 TEST_F(CutPlugin, CanBeCancelledBeforeWithinAndAfterTheCut) {

@@ -135,6 +135,22 @@ TEST_F(SmoothPlugin, WhatIsSetAsItWasCostsNothing) {
   EXPECT_NE(smooth_.run().number("time_ms.solve"), solved);
 }
 
+TEST_F(SmoothPlugin, LeadsStrokesToTheBorderIfAsked) {
+  host::Curve stroke;
+  for (int k = 0; k <= 76; ++k) stroke.positions.push_back({1 + 0.5 * k, 20, 0});
+  smooth_.set_curves({stroke});
+  const double before = smooth_.run().curves.at(0).positions.front()[0];
+  smooth_.set("border", "snap");
+  const host::Results led = smooth_.run();
+  const auto& positions = led.curves.at(0).positions;
+  EXPECT_GT(before, 0.7);
+  // The hills' border is a little curved.
+  EXPECT_NEAR(positions.front()[0], 0, 0.3);
+  EXPECT_NEAR(positions.back()[0], 40, 0.3);
+  smooth_.set("border", "leave");
+  EXPECT_EQ(smooth_.run().curves.at(0).positions.front()[0], before);
+}
+
 TEST_F(SmoothPlugin, KeepsPinsAndTheLargestDeviation) {
   host::Curve pinned = subject_.curve;
   pinned.pins = {7};

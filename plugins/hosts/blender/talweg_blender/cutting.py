@@ -52,6 +52,11 @@ def cut(obj, arrays, curves, mark=None, **how):
     return made, objects.warnings(obj, saved.lost)
 
 
+def of_report(made):
+    """Warnings on a cut, without how far curves were moved: the drawing has told it where it mattered."""
+    return [one for one in made.report["warnings"] if "moved onto the mesh" not in one]
+
+
 def separate(obj, arrays, curves, **how):
     """An object for each piece, in the place of this one, which becomes the first of them.
     Steps of jobs; they return the objects, and warnings."""
@@ -67,7 +72,7 @@ def separate(obj, arrays, curves, **how):
             place = remade.rewrite(one, piece, saved, arrays)[1]
             remade.select_chains(one, piece, place)
             one.select_set(True)
-    return pieces, objects.warnings(obj, saved.lost)
+    return pieces, [*objects.warnings(obj, saved.lost), *of_report(made)]
 
 
 def _copy(obj):

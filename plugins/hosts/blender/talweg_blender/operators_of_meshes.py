@@ -63,11 +63,6 @@ def _drawing(context, obj):
     return drawing, place.arrays, {} if exact else {"merge": _MERGE}
 
 
-def _of_report(made):
-    """Without how far curves were moved: the drawing has told it where it mattered."""
-    return [one for one in made.report["warnings"] if "moved onto the mesh" not in one]
-
-
 class TALWEG_OT_cut(_OnMesh, bpy.types.Operator):
     """Make selected curve objects edges of the active mesh; it keeps all that it has"""
 
@@ -80,7 +75,7 @@ class TALWEG_OT_cut(_OnMesh, bpy.types.Operator):
             made, warnings = yield from cutting.cut(obj, arrays, drawing.curves, open=self.open, **how)
         context.tool_settings.mesh_select_mode = (False, True, False)
         return (_counted(made.report["cut_faces"], "face") + " cut.",
-                [*drawing.warnings, *warnings, *_of_report(made)])
+                [*drawing.warnings, *warnings, *cutting.of_report(made)])
 
 
 class TALWEG_OT_separate(_OnMesh, bpy.types.Operator):
@@ -94,8 +89,6 @@ class TALWEG_OT_separate(_OnMesh, bpy.types.Operator):
         with named(drawing.names):
             pieces, warnings = yield from cutting.separate(obj, arrays, drawing.curves, keep=self.keep,
                                                            cap=self.cap, **how)
-        if len(pieces) == 1 and self.keep == "both":
-            warnings.append("The curves do not part the mesh; it was only opened along them.")
         return (f"{_counted(len(pieces), 'object')}: {', '.join(one.name for one in pieces)}.",
                 [*drawing.warnings, *warnings])
 

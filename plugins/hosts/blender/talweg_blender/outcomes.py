@@ -34,8 +34,6 @@ def of_mesh(context, obj, place, result, output):
     """The same of all others, as steps of jobs; without modifiers the surface must be the mesh itself."""
     if output == "SEPARATE":
         pieces, warnings = yield from cutting.separate(obj, place.arrays, result.curves)
-        if len(pieces) == 1:
-            warnings.append("The curves do not part the mesh; it was only opened along them.")
         return f"Objects: {', '.join(one.name for one in pieces)}.", warnings
     mark = {"SEAM": "use_seam", "SHARP": "use_edge_sharp"}.get(output)
     how = {"open": True} if output == "OPEN" else {}

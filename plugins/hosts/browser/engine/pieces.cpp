@@ -48,7 +48,11 @@ void Pieces::run(bool lids) {
   instance_.set("cap", lids ? "auto" : "none");
   host::Wanted wanted;
   wanted.meshes = true;
-  meshes_ = instance_.run(wanted).meshes;
+  host::Results results = instance_.run(wanted);
+  if (const host::ReportEntry* warnings = results.find("warnings")) {
+    notes_.insert(notes_.end(), warnings->texts.begin(), warnings->texts.end());
+  }
+  meshes_ = std::move(results.meshes);
   attributes_.clear();
   for (std::size_t k = 0; k < meshes_.size(); ++k) attributes_.push_back(instance_.attributes(k));
 }

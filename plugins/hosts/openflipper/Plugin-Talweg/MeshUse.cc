@@ -161,6 +161,9 @@ std::vector<TriMesh> parts_of_mesh(const editing::Plugins& plugins, const TriMes
   host::Wanted wanted;
   wanted.meshes = true;
   const host::OpenMeshResults results = cut.run(wanted);
+  if (const host::ReportEntry* warnings = results.raw.find("warnings")) {
+    for (const std::string& sentence : warnings->texts) say(QString::fromStdString(sentence));
+  }
   std::vector<TriMesh> parts;
   for (std::size_t k = 0; k < results.raw.meshes.size(); ++k) {
     TriMesh part = cut.made(results, k).mesh;

@@ -144,7 +144,8 @@ def cut(mesh: Any, curves: Union[CurveLike, Sequence[Curve]], *, closed: bool = 
         three columns of real numbers with the name "normal" or "normals" directions; at
         corners whole numbers are rounded.
     :param parameters: ``open`` (two sides of vertices), ``split`` (a mesh for each piece), ``keep``
-        ("both", "left", "right"), ``cap`` ("none", "auto", "planar", "least-area"), ``merge``.
+        ("both", "left", "right"), ``cap`` ("none", "auto", "planar", "least-area"), ``merge``,
+        ``border`` ("snap": ends near the border are led to it where a seam is opened; "leave").
     :raises BadMesh, BadCurve, BadUsage: with the library's sentence.
     """
     work = Workspace(mesh_of(mesh, "talweg.cut"), curves, closed=closed, plugin="talweg.cut",

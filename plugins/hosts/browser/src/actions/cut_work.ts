@@ -11,7 +11,8 @@ export class CutWork {
     const cut = await this.desk.wait('cut', 'Cutting', engine.cut(drawing));
     if (!cut || store.now.drawing !== drawing) return;
     store.set({ cut, kept: null, leg: null });
-    this.desk.tell(cut.parts === 1 ? 'The curves do not take the mesh apart.' : `${cut.parts} parts.`);
+    const parts = cut.parts === 1 ? 'The curves do not take the mesh apart.' : `${cut.parts} parts.`;
+    this.desk.tell([parts, ...cut.notes].join(' '));
   }
 
   /** Shows one part alone. */

@@ -19,6 +19,7 @@ export function commandOf(name: string, repaired: boolean, drawing: Drawing | nu
     else words.push('--tau', String(tau));
     if (slack !== null && !paper) words.push('--slack', String(slack));
     if (ends !== 'auto') words.push('--ends', ends);
+    words.push('--border', 'snap');
     if (clickDistance !== null) words.push('--click-distance', String(clickDistance));
   }
   if (repaired) words.push('--repair');
