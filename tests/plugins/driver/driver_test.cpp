@@ -304,6 +304,7 @@ TEST_F(Driver, ListsItsPlugins) {
             "talweg.geodesic\tGeodesic\n"
             "talweg.labels\tSmooth label borders\ntalweg.measure\tMeasure curves\n"
             "talweg.midpoints\tSubdivision by geodesic midpoints (Morera et al. 2008)\n"
+            "talweg.offset\tOffset curves\n"
             "talweg.repair\tInspect and repair\n"
             "talweg.smooth\tSmooth curves\n");
 }
