@@ -12,7 +12,7 @@
 namespace talweg {
 namespace {
 
-constexpr double kAtEnd = 1e-9;  // of an edge
+constexpr double kOntoVertex = 1e-9;  // of an edge
 
 /// Nodes on edges and in faces, and which follows which.
 struct LevelNodes {
@@ -92,9 +92,9 @@ const IsolineTracer::EdgeCrossings& IsolineTracer::crossings(EdgeId edge) {
   for (const double x : level_crossings(near, length, tail, head)) {
     const double t = length > 0 ? x / length : x > 0 ? 1.0 : 0.0;
     made.parts.push_back(t);
-    nodes_.add(t < kAtEnd       ? SurfacePoint::at_vertex(surface_, surface_.tail(h))
-               : t > 1 - kAtEnd ? SurfacePoint::at_vertex(surface_, surface_.head(h))
-                                : SurfacePoint::on_edge(surface_, edge, t));
+    nodes_.add(t < kOntoVertex       ? SurfacePoint::at_vertex(surface_, surface_.tail(h))
+               : t > 1 - kOntoVertex ? SurfacePoint::at_vertex(surface_, surface_.head(h))
+                                     : SurfacePoint::on_edge(surface_, edge, t));
   }
   return made;
 }
@@ -137,7 +137,7 @@ void IsolineTracer::look_into(FaceId face) {
   std::vector<std::uint32_t> all = outer;
   for (std::size_t i = outer.size(); i < level.nodes.size(); ++i) {
     all.push_back(
-        nodes_.add(SurfacePoint::from_barycentric(surface_, face, level.nodes[i], kAtEnd)));
+        nodes_.add(SurfacePoint::from_barycentric(surface_, face, level.nodes[i], kOntoVertex)));
   }
   for (const FaceLevel::Chord& chord : level.chords) {
     nodes_.join(all[chord.from], all[chord.to], face);

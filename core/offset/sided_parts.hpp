@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "talweg/core/offset/distance_isoline.hpp"
-#include "talweg/core/offset/offset_options.hpp"
+#include "talweg/core/offset/offset_curves.hpp"
 #include "talweg/core/offset/way_origin.hpp"
 
 namespace talweg {

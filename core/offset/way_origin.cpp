@@ -7,7 +7,7 @@
 namespace talweg {
 namespace {
 
-bool is_on_boundary(const Surface& surface, const SurfacePoint& point) {
+bool ends_on_boundary(const Surface& surface, const SurfacePoint& point) {
   if (const auto* v = std::get_if<AtVertex>(&point.where())) return surface.on_boundary(v->vertex);
   if (const auto* e = std::get_if<OnEdge>(&point.where())) return surface.on_boundary(e->edge);
   return false;
@@ -51,13 +51,13 @@ WayOrigins::WayOrigins(const Surface& surface, std::span<const SurfaceCurve> cur
   for (std::size_t c = 0; c < curves.size(); ++c) {
     const SurfaceCurve& curve = curves[c];
     const bool open = !curve.closed && distance.curve_length(c) > 0;
-    ends_.push_back({open && !is_on_boundary(surface, curve.points.front()),
-                     open && !is_on_boundary(surface, curve.points.back())});
+    ends_.push_back({open && !ends_on_boundary(surface, curve.points.front()),
+                     open && !ends_on_boundary(surface, curve.points.back())});
   }
 }
 
 WayOrigin WayOrigins::of(const FaceCoordinates& at) const {
-  constexpr double kAtEnd = 1e-12;  // of the curve
+  constexpr double kEndPart = 1e-12;  // of the curve
   const WaysIntoFace& ways = distance_->ways_into(at.face, limit_);
   const WaysIntoFace::Hit hit = sided_hit(ways, at.barycentric);
   const int side = side_of(ways, hit, at.barycentric);
@@ -66,8 +66,8 @@ WayOrigin WayOrigins::of(const FaceCoordinates& at) const {
   const double length = distance_->curve_length(nearest.curve);
   if (side != 0) {
     origin.kind = side > 0 ? WayOrigin::Kind::kLeft : WayOrigin::Kind::kRight;
-  } else if ((ends_[nearest.curve].first && nearest.arc_length <= kAtEnd * length) ||
-             (ends_[nearest.curve].last && nearest.arc_length >= (1 - kAtEnd) * length)) {
+  } else if ((ends_[nearest.curve].first && nearest.arc_length <= kEndPart * length) ||
+             (ends_[nearest.curve].last && nearest.arc_length >= (1 - kEndPart) * length)) {
     origin.kind = WayOrigin::Kind::kEnd;
   }
   return origin;
