@@ -10,7 +10,8 @@
 
 namespace talweg {
 
-/// The totals: numbers, length, the largest error, and these warnings. O(curves), as the next.
+/// The totals: numbers, length, the largest error, and these warnings; of a single curve also the
+/// distance and side. O(curves), as the next.
 std::vector<ReportEntry> entries_of(const SurfaceMesh& mesh, const OffsetResult& result,
                                     const std::vector<std::string>& warnings);
 /// The report on each curve.

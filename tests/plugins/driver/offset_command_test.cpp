@@ -65,6 +65,9 @@ TEST_F(OffsetCommand, MakesOneSideOrNoCaps) {
   for (const char* side : {"left", "right"}) {
     const auto report = components(std::string("--side ") + side);
     EXPECT_EQ(report["components"], 1);
+    EXPECT_EQ(report["side"], side);
+    EXPECT_EQ(report["distance"], 2.5);
+    EXPECT_EQ(report["closed"], false);
     EXPECT_NEAR(report["length"].get<double>(), 20, 1e-5);
   }
 }
