@@ -48,7 +48,7 @@
 #include "talweg/core/cutting/mesh_cutting.hpp"        // cut_along
 #include "talweg/core/cutting/mesh_parts.hpp"          // take_apart, origins_of
 #include "talweg/core/cutting/seam_opening.hpp"        // open_seams, piece_of
-#include "talweg/core/offset/offset_curves.hpp"        // offset_curves
+#include "talweg/core/offset/offset_curves.hpp"        // offset_curves, OffsetOptions, OffsetResult
 
 // The borders of a segmentation.
 #include "talweg/core/io/border_file.hpp"        // write_borders

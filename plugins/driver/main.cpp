@@ -120,8 +120,7 @@ int run(int argc, char** argv) {
   }
   return fail(kBadUsage,
               "A command is needed: draw, smooth, measure, cut, offset, labels, compare, info, "
-              "plugins or run "
-              "(see talweg --help)");
+              "plugins or run (see talweg --help)");
 }
 
 /// Whether this is the name of an option, of any command, that takes a list.
