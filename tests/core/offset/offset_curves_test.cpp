@@ -87,7 +87,8 @@ TEST(OffsetCurves, RunAlongEdgesWhoseVerticesHaveTheDistance) {
   EXPECT_FALSE(left.closed);
   ASSERT_EQ(left.points.size(), 11U);
   for (std::size_t i = 0; i < 11; ++i) {
-    EXPECT_NEAR((mesh.position(left.points[i]) - Point(5.0 + i, 12, 0)).norm(), 0, 1e-8);
+    const Point expected(5 + static_cast<double>(i), 12, 0);
+    EXPECT_NEAR((mesh.position(left.points[i]) - expected).norm(), 0, 1e-8);
     EXPECT_TRUE(left.points[i].is_vertex());
   }
 }
