@@ -11,8 +11,8 @@
 
 #include "talweg/core/cutting/face_triangulation.hpp"
 #include "talweg/core/cutting/mixed_order.hpp"
-#include "talweg/core/cutting/no_element.hpp"
 #include "talweg/core/cutting/point_merging.hpp"
+#include "talweg/core/cutting/vertex_origin.hpp"
 #include "talweg/intrinsic/error.hpp"
 #include "talweg/intrinsic/exact_distance/polyline_pieces.hpp"
 

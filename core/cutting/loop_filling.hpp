@@ -10,8 +10,8 @@
 #include <span>
 #include <vector>
 
-#include "talweg/core/cutting/no_element.hpp"
 #include "talweg/core/cutting/seam_opening.hpp"
+#include "talweg/core/cutting/vertex_origin.hpp"
 #include "talweg/core/mesh/mesh_lists.hpp"
 #include "talweg/intrinsic/progress.hpp"
 

@@ -4,12 +4,15 @@
 #include <array>
 #include <cstdint>
 
-#include "talweg/core/cutting/no_element.hpp"
 #include "talweg/core/repair/repair_map.hpp"
 #include "talweg/intrinsic/surface/surface.hpp"
 #include "talweg/intrinsic/surface/surface_point.hpp"
 
 namespace talweg {
+
+// The numbers that stand for no element, as the origin of what lies in lids.
+inline constexpr std::uint32_t kNoFace = 0xFFFFFFFFU;
+inline constexpr std::uint32_t kNoVertex = 0xFFFFFFFFU;
 
 /// Where a vertex lies on the mesh that came in: at a vertex of weight 1, on an edge or in a face.
 struct VertexOrigin {

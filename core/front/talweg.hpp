@@ -42,12 +42,13 @@
 #include "talweg/heat/curve_sources.hpp"              // curve_sources
 #include "talweg/heat/heat_distance.hpp"              // HeatDistance
 
-// And used: the mesh cut along it.
+// And used: the mesh cut along it, and curves at a distance from it.
 #include "talweg/core/cutting/attribute_transfer.hpp"  // carried_to, picked
 #include "talweg/core/cutting/loop_filling.hpp"        // add_lids
 #include "talweg/core/cutting/mesh_cutting.hpp"        // cut_along
 #include "talweg/core/cutting/mesh_parts.hpp"          // take_apart, origins_of
 #include "talweg/core/cutting/seam_opening.hpp"        // open_seams, piece_of
+#include "talweg/core/offset/offset_curves.hpp"        // offset_curves, OffsetOptions, OffsetResult
 
 // The borders of a segmentation.
 #include "talweg/core/io/border_file.hpp"        // write_borders

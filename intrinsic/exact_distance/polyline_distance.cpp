@@ -118,6 +118,34 @@ double PolylineDistance::below(double limit, const SurfacePoint& point) {
   return known < limit ? known : std::numeric_limits<double>::infinity();
 }
 
+std::vector<Stretch> PolylineDistance::within(EdgeId edge, double limit) {
+  constexpr double kGap = 1e-11;  // of the edge: windows side by side may miss each other by that
+  reach(limit);
+  const double length = surface_->length(edge);
+  const HalfedgeId h = halfedge_of(edge);
+  const double tail = front_.vertices()[surface_->tail(h)].distance;
+  const double head = front_.vertices()[surface_->head(h)].distance;
+  std::vector<Stretch> parts;
+  if (tail <= limit) parts.push_back({0, std::min(length, limit - tail)});
+  if (head <= limit) parts.push_back({std::max(0.0, length - (limit - head)), length});
+  front_.windows().each(edge, [&](const EdgeWindow& window) {
+    const auto way = [&](double x) {
+      const double bend = std::clamp(x, window.begin, window.end);
+      return window.value(bend) + std::abs(x - bend);
+    };
+    if (const auto part = stretch_below(way, length, limit)) parts.push_back(*part);
+  });
+  return joined_stretches(std::move(parts), kGap * length);
+}
+
+const WaysIntoFace& PolylineDistance::ways_into(FaceId face, double limit) {
+  reach(limit);
+  if (!faces_.contain(face) || !front_.is_behind(limit, faces_.at(face).front)) {
+    faces_.copy(face, front_, pieces_);
+  }
+  return faces_.at(face).ways;
+}
+
 /// The ways into a face that are final for the answer at b, and that answer.
 const WaysIntoFace& PolylineDistance::final_ways(FaceId face, const Barycentric& b,
                                                  WaysIntoFace::Hit& hit) {

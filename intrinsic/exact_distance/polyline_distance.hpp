@@ -5,7 +5,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <vector>
 
+#include "talweg/intrinsic/exact_distance/convex_stretch.hpp"
 #include "talweg/intrinsic/exact_distance/curve_components.hpp"
 #include "talweg/intrinsic/exact_distance/edge_ways.hpp"
 #include "talweg/intrinsic/exact_distance/known_faces.hpp"
@@ -72,6 +74,13 @@ class PolylineDistance {
   /// The distance if it is less than `limit`, otherwise infinite; computes no distances beyond
   /// `limit`.
   double below(double limit, const SurfacePoint& point);
+
+  /// Where an edge is not farther than `limit`: stretches from the tail of halfedge_of(edge), mesh
+  /// units, in order. Computes no distances beyond `limit`. O(windows of the edge).
+  std::vector<Stretch> within(EdgeId edge, double limit);
+  /// Everything that leads into a face, final for distances up to `limit` and an upper bound of
+  /// those beyond. Valid until the next call of any member function.
+  const WaysIntoFace& ways_into(FaceId face, double limit);
 
   /// Computes all distances below `distance`; queries do this by themselves.
   void reach(double distance) {

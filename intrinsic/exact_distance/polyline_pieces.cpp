@@ -64,6 +64,7 @@ class Cutter {
       if (i + 1 == n && !(curve.closed && n > 1)) break;
       arc += add_segment(curve.points[i], curve.points[(i + 1) % n], id, i, arc);
     }
+    if (arc == 0) add_lone_point(curve.points.front(), id);
     pieces_.lengths.push_back(arc);
   }
 
@@ -88,6 +89,15 @@ class Cutter {
       }
     } else {
       add(std::get<InFace>(point.where()).face);
+    }
+  }
+
+  /// A curve without length is a segment of none, so that the faces of its point know of it.
+  void add_lone_point(const SurfacePoint& point, std::uint32_t curve) {
+    if (point.is_vertex()) return;
+    for (const FaceId face : faces_at(surface_, point)) {
+      const auto b = coordinates_in(surface_, point, face).barycentric;
+      pieces_.segments.push_back({face, curve, b, b, 0, VertexId{}});
     }
   }
 

@@ -49,29 +49,55 @@ Arrival from_segment(PlanePoint x, PlanePoint p, PlanePoint q) {
 
 }  // namespace
 
+namespace {
+
+/// The way through a window of a side to a point in that side's frame.
+NearestOnCurve through(const LedIn& in, double length, PlanePoint p) {
+  NearestOnCurve nearest{0, in.window.curve, 0};
+  nearest.distance = in.own ? in.window.value_beyond(p.x, p.y, nearest.arc_length)
+                            : in.window.value_beyond(length - p.x, -p.y, nearest.arc_length);
+  return nearest;
+}
+
+/// The way from a segment in the face itself to a point in the frame of side 0.
+NearestOnCurve straight_from(const PolylinePiece& segment, const SideFrame& frame, PlanePoint at) {
+  const PlanePoint p = frame.at(segment.from, 0), q = frame.at(segment.to, 0);
+  const double part = nearest_part(at, p, q), dx = q.x - p.x, dy = q.y - p.y;
+  return {length_of(at.x - (p.x + part * dx), at.y - (p.y + part * dy)), segment.curve,
+          segment.arc + part * length_of(dx, dy)};
+}
+
+}  // namespace
+
 /// Offers ways through the windows of the sides, which are at least as long as at the windows'
 /// lowest point.
 void WaysIntoFace::offer_windows(const Corners& at, Hit& best) const {
   for (const LedIn& in : windows) {
     if (in.lowest > best.nearest.distance) continue;
-    const PlanePoint p = at[in.side];
-    NearestOnCurve nearest{0, in.window.curve, 0};
-    nearest.distance =
-        in.own ? in.window.value_beyond(p.x, p.y, nearest.arc_length)
-               : in.window.value_beyond(frames[in.side].length - p.x, -p.y, nearest.arc_length);
+    const NearestOnCurve nearest = through(in, frames[in.side].length, at[in.side]);
     if (nearest.is_nearer_than(best.nearest)) best = {nearest, in.side, &in};
   }
 }
 
-/// Offers ways from the curves' segments in the face itself, in the frame of side 0.
 void WaysIntoFace::offer_segments(PlanePoint at, Hit& best) const {
   for (const PolylinePiece& segment : segments) {
-    const PlanePoint p = frames[0].at(segment.from, 0), q = frames[0].at(segment.to, 0);
-    const double part = nearest_part(at, p, q), dx = q.x - p.x, dy = q.y - p.y;
-    const NearestOnCurve nearest{length_of(at.x - (p.x + part * dx), at.y - (p.y + part * dy)),
-                                 segment.curve, segment.arc + part * length_of(dx, dy)};
+    const NearestOnCurve nearest = straight_from(segment, frames[0], at);
     if (nearest.is_nearer_than(best.nearest)) best = {nearest, 0, nullptr, &segment};
   }
+}
+
+WaysIntoFace::Hit WaysIntoFace::way(std::size_t i, const Barycentric& b) const {
+  if (i < 3) {
+    const PlanePoint p = frames[i].at(b, i);
+    return {corners[i].farther_by(length_of(p.x, p.y)), i};
+  }
+  i -= 3;
+  if (i < windows.size()) {
+    const LedIn& in = windows[i];
+    return {through(in, frames[in.side].length, frames[in.side].at(b, in.side)), in.side, &in};
+  }
+  const PolylinePiece& segment = segments[i - windows.size()];
+  return {straight_from(segment, frames[0], frames[0].at(b, 0)), 0, nullptr, &segment};
 }
 
 WaysIntoFace::Hit WaysIntoFace::hit(const Barycentric& b) const {

@@ -43,6 +43,12 @@ struct WaysIntoFace {
   /// At most O(windows + segments of the face).
   [[nodiscard]] Hit hit(const Barycentric& b) const;
 
+  /// The number of ways: one from each corner, through each window, and from each segment.
+  [[nodiscard]] std::size_t count() const { return 3 + windows.size() + segments.size(); }
+  /// Way number i < count() to a point of the face, whether it is the shortest or not. Its length
+  /// is a convex function on the face, and the distance is the least of them.
+  [[nodiscard]] Hit way(std::size_t i, const Barycentric& b) const;
+
   /// How the answer at b changes along a direction, one of the plane of frames[0].
   struct Slopes {
     double distance = 0;

@@ -37,6 +37,7 @@ void check_values(const CLI::App& app, const std::vector<std::string>& arguments
 Command add_draw(CLI::App& app, const GlobalOptions& global);
 Command add_smooth(CLI::App& app, const GlobalOptions& global);
 Command add_measure(CLI::App& app, const GlobalOptions& global);
+Command add_offset(CLI::App& app, const GlobalOptions& global);
 Command add_labels(CLI::App& app, const GlobalOptions& global);
 Command add_cut(CLI::App& app, const GlobalOptions& global);
 Command add_compare(CLI::App& app, const GlobalOptions& global);

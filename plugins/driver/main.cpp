@@ -86,6 +86,7 @@ int run(int argc, char** argv) {
   add(add_smooth);
   add(add_measure);
   add(add_cut);
+  add(add_offset);
   add(add_labels);
   add(add_compare);
   add(add_info);
@@ -117,10 +118,9 @@ int run(int argc, char** argv) {
       return printed(code);
     }
   }
-  return fail(
-      kBadUsage,
-      "A command is needed: draw, smooth, measure, cut, labels, compare, info, plugins or run (see "
-      "talweg --help)");
+  return fail(kBadUsage,
+              "A command is needed: draw, smooth, measure, cut, offset, labels, compare, info, "
+              "plugins or run (see talweg --help)");
 }
 
 /// Whether this is the name of an option, of any command, that takes a list.

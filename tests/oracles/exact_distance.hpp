@@ -56,6 +56,20 @@ class ExactGeodesics {
 
   double distance(VertexId v) { return paths_.shortest_distance_to_source_points(vertex(v)).first; }
 
+  /// Of a point with these weights of the corners of a face.
+  double distance(FaceId f, const std::array<VertexId, 3>& corners,
+                  const std::array<double, 3>& weights) {
+    const Mesh::Face_index face(static_cast<Mesh::size_type>(f.index()));
+    Traits::Barycentric_coordinates at{{0, 0, 0}};
+    Halfedge side = mesh_.halfedge(face);
+    for (std::size_t k = 0; k < 3; ++k, side = mesh_.next(side)) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        if (vertex(corners[i]) == mesh_.source(side)) at[k] = weights[i];
+      }
+    }
+    return paths_.shortest_distance_to_source_points(face, at).first;
+  }
+
   /// What the shortest path from v to the source passes: vertices, and edges by their two ends, of
   /// which the first is on the left.
   struct Passage {

@@ -134,6 +134,24 @@ class Driver(unittest.TestCase):
             self.equal_curves(self.folder / "out.json", [drawn])
             self.assertEqual(drawn.vertices[0], through[0])
 
+    def test_offset(self):
+        vertices, faces = support.hills()
+        support.write_obj(self.folder / "mesh.obj", vertices, faces)
+        drawn = support.staircase()
+        (self.folder / "drawn.txt").write_text("\n".join(map(str, drawn)))
+        for options in ({}, {"side": "left"}, {"caps": "none", "tolerance": 0.01}):
+            support.driver(self.folder, "offset", "mesh.obj", "--curve", "drawn.txt", "--distance",
+                           "2.5", "-o", "out.json", *names_of(options))
+            ours = talweg.offset((vertices, faces), drawn, 2.5, **options)
+            self.equal_curves(self.folder / "out.json", ours.curves)
+            for report in ours.reports:
+                self.assertEqual(report.more["distance"], 2.5)
+                self.assertLess(report.more["distance_off_max"], 0.011)
+        twice = talweg.Mesh(vertices, faces).offset(drawn, 2.5, count=2)
+        self.assertEqual([report.more["distance"] for report in twice.reports], [2.5, 5])
+        with self.assertRaisesRegex(talweg.BadUsage, "the farthest vertex is"):
+            talweg.offset((vertices, faces), drawn, 1000)
+
     def test_geodesic_and_distance(self):
         vertices, faces = support.hills()
         support.write_obj(self.folder / "mesh.obj", vertices, faces)

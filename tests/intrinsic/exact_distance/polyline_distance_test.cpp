@@ -150,6 +150,53 @@ TEST(PolylineDistance, IsEuclideanInThePlane) {
   }
 }
 
+TEST(PolylineDistance, KnowsACurveOfOnePointInItsOwnFace) {
+  const TestMesh mesh = test::grid(4, 4);
+  const Surface surface = test::surface_of(mesh);
+  const FaceId face{7};
+  const auto at = [&](double a, double b) {
+    return SurfacePoint::from_barycentric(surface, face, {a, b, 1 - a - b});
+  };
+  PolylineDistance distance(surface);
+  for (const SurfacePoint& point : {at(0.3, 0.3), at(0.4, 0.6)}) {
+    for (const std::size_t copies : {1U, 2U}) {
+      const SurfaceCurve curve{false, std::vector(copies, point)};
+      distance.set({&curve, 1});
+      EXPECT_EQ(distance.at(point).distance, 0);
+      const SurfacePoint beside = at(0.31, 0.35);
+      EXPECT_NEAR(
+          distance.at(beside).distance,
+          test::distance(position_on(mesh, surface, point), position_on(mesh, surface, beside)),
+          1e-15);
+    }
+  }
+}
+
+/// Stretches of edges that are within a limit are those that the distance tells.
+TEST(PolylineDistance, TellsWhereEdgesAreWithinALimit) {
+  Random random(3);
+  const TestMesh mesh = test::grid(9, 9, 0.24, 3);
+  const Surface surface = test::surface_of(mesh);
+  const SurfaceCurve curve = random_walk(random, surface, 9);
+  PolylineDistance distance(surface), asked(surface);
+  distance.set({&curve, 1});
+  asked.set({&curve, 1});
+  constexpr double kLimit = 1.3;
+  for (std::size_t e = 0; e < surface.edge_count(); ++e) {
+    const auto parts = distance.within(EdgeId{e}, kLimit);
+    for (int i = 0; i <= 40; ++i) {
+      const double x = surface.length(EdgeId{e}) * i / 40;
+      const bool inside = std::any_of(parts.begin(), parts.end(), [&](const Stretch& part) {
+        return part.from <= x && x <= part.to;
+      });
+      const double found = asked.on_edge(EdgeId{e}, i / 40.0).distance;
+      if (std::abs(found - kLimit) <= kExact) continue;
+      EXPECT_EQ(inside, found < kLimit) << e << " " << i;
+    }
+  }
+  EXPECT_LT(distance.front(), kLimit + 1);
+}
+
 /// A plane grid in whose triangles vertices were inserted next to a side (caps) or next to a corner
 /// (needles), `small()` of the triangle's size away; some of them inside each other.
 template <class Small>

@@ -45,6 +45,23 @@ TEST_F(WaysIntoAFace, ComeFromCorners) {
   EXPECT_EQ(ways_.slopes(hit, at_, up_).arc_length, 0);
 }
 
+TEST_F(WaysIntoAFace, AreCounted) {
+  const LedIn led_in{test::window_from(0.25, -1, 0, 1), 1, 0, true};
+  PolylinePiece piece;
+  piece.from = barycentric(0.5, 0.1);
+  piece.to = barycentric(0.9, 0.1);
+  ways_.windows = {&led_in, 1};
+  ways_.segments = {&piece, 1};
+  ways_.corners[1] = {5, 0, 0};
+  ASSERT_EQ(ways_.count(), 5U);
+  EXPECT_NEAR(ways_.way(1, at_).nearest.distance, 5 + std::hypot(0.25, 0.5), 1e-15);
+  EXPECT_TRUE(std::isinf(ways_.way(2, at_).nearest.distance));
+  EXPECT_NEAR(ways_.way(3, at_).nearest.distance, std::hypot(0.5, 1.5), 1e-15);
+  EXPECT_EQ(ways_.way(3, at_).window, &led_in);
+  EXPECT_NEAR(ways_.way(4, at_).nearest.distance, 0.4, 1e-15);
+  EXPECT_EQ(ways_.way(4, at_).segment, &piece);
+}
+
 TEST_F(WaysIntoAFace, ComeThroughWindows) {
   // From (0.25, -1), through all of the base.
   const LedIn led_in{test::window_from(0.25, -1, 0, 1), 1, 0, true};

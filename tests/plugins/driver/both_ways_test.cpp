@@ -1,5 +1,5 @@
-// `talweg smooth`, `draw`, `cut`, `labels`, `measure` and `info` call the library; `talweg run`
-// goes through the loader and the C interface. Both give the same bytes.
+// `talweg smooth`, `draw`, `cut`, `offset`, `labels`, `measure` and `info` call the library;
+// `talweg run` goes through the loader and the C interface. Both give the same bytes.
 #include <cstdint>
 #include <string>
 #include <utility>
@@ -173,6 +173,24 @@ TEST_F(BothWaysOnAttributes, SmoothLabelsTheSame) {
     for (const std::string ending : {".json", ".txt", ".ply"}) {
       EXPECT_EQ(bytes_of(file("a" + ending)), bytes_of(file("b" + ending))) << ending;
     }
+    EXPECT_EQ(report("a-report.json"), report("b-report.json"));
+  }
+}
+
+TEST_F(BothWaysOnAttributes, OffsetTheSame) {
+  for (const char* options :
+       {"", "--side left", "--side right --tolerance 0.01", "--caps none", "--closed"}) {
+    SCOPED_TRACE(options);
+    std::string loaded = options;
+    if (loaded == "--closed") loaded = "--ends closed";
+    expect_done(std::string("offset mesh.ply --curve across.json --distance 1.7 -o a.json --report "
+                            "a-report.json ") +
+                options);
+    expect_done(
+        "run talweg.offset mesh.ply --curve across.json --distance 1.7 -o b.json --report "
+        "b-report.json " +
+        loaded);
+    EXPECT_EQ(bytes_of(file("a.json")), bytes_of(file("b.json")));
     EXPECT_EQ(report("a-report.json"), report("b-report.json"));
   }
 }

@@ -215,7 +215,7 @@ TEST_F(Driver, HoldsTheDrawingWhereTheSlackFieldIsSmall) {
 }
 
 TEST_F(Driver, SaysWhatIsWrongWithTheArguments) {
-  expect_failure("", 1, {"draw, smooth, measure, cut, labels, compare, info, plugins or run"});
+  expect_failure("", 1, {"draw, smooth, measure, cut, offset, labels, compare, info, plugins or run"});
   expect_failure("smoth mesh.ply", 1, {"smoth"});
   expect_failure("smooth mesh.ply", 1, {"--curve"});
   expect_failure("smooth mesh.ply --curve a.txt --bogus", 1, {"--bogus"});
@@ -304,6 +304,7 @@ TEST_F(Driver, ListsItsPlugins) {
             "talweg.geodesic\tGeodesic\n"
             "talweg.labels\tSmooth label borders\ntalweg.measure\tMeasure curves\n"
             "talweg.midpoints\tSubdivision by geodesic midpoints (Morera et al. 2008)\n"
+            "talweg.offset\tOffset curves\n"
             "talweg.repair\tInspect and repair\n"
             "talweg.smooth\tSmooth curves\n");
 }

@@ -19,7 +19,7 @@ from ._errors import (BadCurve, BadFile, BadMesh, BadUsage, Cancelled, Error, In
 from ._files import read_curves, write_curves
 from ._made import Chain, MadeMesh, Origin
 from ._mesh import Mesh, read_mesh, write_mesh
-from ._pipeline import Cut, Labels, Measurement, Repair, cut, inspect, labels, measure, repair
+from ._pipeline import Cut, Labels, Measurement, Repair, cut, inspect, labels, measure, offset, repair
 from ._plot import plot_curvature
 from ._plugins import Parameter, Plugin, folders, help_text, plugin, plugins
 from ._results import Distance, Report, Result
@@ -33,7 +33,7 @@ __all__ = [
     "Error", "Internal", "Labels", "MadeMesh", "Measurement", "Mesh", "Numerical", "Origin",
     "OutOfMemory", "Parameter", "Plugin", "PluginNotFound", "Repair", "Report", "Result",
     "Unsupported", "Workspace", "__version__", "cut", "distance", "draw", "folders", "geodesic",
-    "help_text", "inspect", "labels", "measure", "plot_curvature", "plugin", "plugins",
+    "help_text", "inspect", "labels", "measure", "offset", "plot_curvature", "plugin", "plugins",
     "read_curves", "read_mesh", "repair", "show", "smooth", "write_curves", "write_mesh"
 ]
 

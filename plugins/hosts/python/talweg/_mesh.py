@@ -197,6 +197,12 @@ class Mesh:
         made: Cut = _pipeline().cut(self, curves, **how)
         return made
 
+    def offset(self, curves: Union[CurveLike, Sequence[Curve]], distance: float,
+               **how: Any) -> Result:
+        """talweg.offset() on this mesh."""
+        made: Result = _pipeline().offset(self, curves, distance, **how)
+        return made
+
     def labels(self, values: Union[str, ArrayLike], **how: Any) -> Labels:
         """talweg.labels() on this mesh."""
         made: Labels = _pipeline().labels(self, values, **how)

@@ -236,6 +236,26 @@ def measure(mesh: Any, curves: Union[CurveLike, Sequence[Curve]],
     return Measurement([tree_of(report) for report in result.reports], tree_of(result.total))
 
 
+def offset(mesh: Any, curves: Union[CurveLike, Sequence[Curve]], distance: float, *,
+           closed: bool = False, progress: Any = None, **parameters: Any) -> Result:
+    """Curves at an exact distance along the surface from others: margins, bands, guides.
+
+    :param mesh: as for cut(). :param curves: as for cut().
+    :param distance: > 0, mesh units.
+    :param closed: curves that are arrays are loops.
+    :param parameters: ``side`` ("both", "left", "right" of the curve, seen from outside), ``caps``
+        ("round": around the ends of an open curve, "none"), ``count`` (also at twice the distance,
+        three times, ...), ``tolerance`` (mesh units, between two points), ``ends``.
+    :returns: a curve for each component. Its report has ``more``: "distance", "side", "along" (the
+        number of the given curve) and "distance_off_max" (mesh units).
+    :raises BadUsage: if nothing is at that distance, with the farthest there is.
+    :raises BadMesh, BadCurve: with the library's sentence.
+    """
+    work = Workspace(mesh_of(mesh, "talweg.offset"), curves, closed=closed, plugin="talweg.offset",
+                     distance=distance, **parameters)
+    return work.run(progress=progress)
+
+
 def inspect(mesh: Any, *, progress: Any = None) -> Tree:
     """What a mesh is, what is wrong with it, and whether curves can be drawn on it.
 
