@@ -51,4 +51,11 @@ std::vector<std::string> SnappedDrawing::warnings() const {
   return sentences;
 }
 
+std::vector<std::string> SnappedDrawing::decisive() const {
+  std::vector<std::string> sentences;
+  if (far) sentences.push_back(moved);
+  if (gaps.count > 0) sentences.push_back(gap_warning(gaps));
+  return sentences;
+}
+
 }  // namespace talweg

@@ -36,6 +36,8 @@ struct SnappedDrawing {
            const Progress& progress = {});
   /// Warnings for the user: that the drawing was moved onto the mesh, and that gaps were joined.
   [[nodiscard]] std::vector<std::string> warnings() const;
+  /// Those of them by which a result may be of no use: moved far, or gaps joined.
+  [[nodiscard]] std::vector<std::string> decisive() const;
   /// Adds warnings to `all`: at the front if the drawing was moved far, otherwise at the end.
   void add_to(std::vector<std::string>& all, const std::vector<std::string>& warnings) const {
     all.insert(far ? all.begin() : all.end(), warnings.begin(), warnings.end());
