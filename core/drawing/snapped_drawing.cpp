@@ -36,6 +36,7 @@ void SnappedDrawing::add(const SurfaceMesh& mesh, std::span<const SnappedCurve> 
     may_be_loop.push_back(curve.may_be_loop);
     curves.push_back(lines.join(curve.points, curve.closed, progress));
     gaps.add(lines.gaps());
+    if (curve.way_points.empty()) gaps_in_strokes.add(lines.gaps());
     largest_snap_distance = std::max(largest_snap_distance, curve.largest_snap_distance);
   }
   moved = snap_warning(largest_snap_distance, mesh);
@@ -54,7 +55,7 @@ std::vector<std::string> SnappedDrawing::warnings() const {
 std::vector<std::string> SnappedDrawing::decisive() const {
   std::vector<std::string> sentences;
   if (far) sentences.push_back(moved);
-  if (gaps.count > 0) sentences.push_back(gap_warning(gaps));
+  if (gaps_in_strokes.count > 0) sentences.push_back(gap_warning(gaps));
   return sentences;
 }
 

@@ -120,6 +120,17 @@ export async function aBoundThatCannotBeHeld() {
   assert.doesNotMatch((await badges(page))[0], /No curve within/);
 }
 
+/** A leg from a stroke to a click is no gap. */
+export async function strokesAndClicks() {
+  const page = await withMesh();
+  const [a, b, c, d] = await around(page);
+  await page.drag([a, b], { steps: 30 });
+  for (const at of [c, d]) await page.click(...at);
+  await page.key('Enter');
+  assert.deepEqual(await badges(page), []);
+  assert.equal(await alert(page), '');
+}
+
 export async function settingsWithoutEffectSayWhy() {
   const page = await withMesh();
   const [a, b, c, d] = await around(page);
