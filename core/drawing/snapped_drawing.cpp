@@ -68,6 +68,7 @@ void SnappedDrawing::add(const SurfaceMesh& mesh, std::span<const SnappedCurve> 
     hand_steps.push_back(steps_at_ends(mesh, curve));
     curves.push_back(lines.join(curve.points, curve.closed, progress));
     gaps.add(lines.gaps());
+    if (curve.way_points.empty()) gaps_in_strokes.add(lines.gaps());
     largest_snap_distance = std::max(largest_snap_distance, curve.largest_snap_distance);
   }
   moved = snap_warning(largest_snap_distance, mesh);
@@ -80,6 +81,13 @@ std::vector<std::string> SnappedDrawing::warnings() const {
   if (!moved.empty()) sentences.push_back(moved);
   sentences.insert(sentences.end(), told.begin(), told.end());
   if (gaps.count > 0) sentences.push_back(gap_warning(gaps));
+  return sentences;
+}
+
+std::vector<std::string> SnappedDrawing::decisive() const {
+  std::vector<std::string> sentences;
+  if (far) sentences.push_back(moved);
+  if (gaps_in_strokes.count > 0) sentences.push_back(gap_warning(gaps));
   return sentences;
 }
 

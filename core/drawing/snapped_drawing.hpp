@@ -33,6 +33,7 @@ struct SnappedDrawing {
   /// Whether these must come first: it was moved far, or would fit better elsewhere.
   bool far = false;
   JoinedGaps gaps;
+  JoinedGaps gaps_in_strokes;  ///< those of curves without way-points, between which a leg is meant
 
   /// Adds curves whose points are joined straight over the surface. Throws as
   /// StraightLines::join(). O(points log points), and the lines over gaps.
@@ -40,6 +41,8 @@ struct SnappedDrawing {
            const Progress& progress = {});
   /// Warnings for the user: that the drawing was moved onto the mesh, and that gaps were joined.
   [[nodiscard]] std::vector<std::string> warnings() const;
+  /// Those of them by which a result may be of no use: moved far, or gaps joined in a stroke.
+  [[nodiscard]] std::vector<std::string> decisive() const;
   /// Adds warnings to `all`: at the front if the drawing was moved far, otherwise at the end.
   void add_to(std::vector<std::string>& all, const std::vector<std::string>& warnings) const {
     all.insert(far ? all.begin() : all.end(), warnings.begin(), warnings.end());

@@ -185,7 +185,10 @@ class Network {
     report.deviation_at_least = 0;
     report.slack = 0;
     report.termination = Outcome::kConverged;
+    report.missed_points = 0;
+    report.missed_max = 0;
     report.warnings = {"A border stays as it was drawn."};
+    report.decisive.clear();
     result_[c] = {drawn, std::move(report), true};
   }
 

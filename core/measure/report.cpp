@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <type_traits>
+#include <utility>
 
 #if defined(__unix__) || defined(__APPLE__)
 #include <sys/resource.h>
@@ -12,9 +13,9 @@
 namespace talweg {
 namespace {
 
-/// Visits what a report has with its name, in order; `Report` may be const.
-template <class Report, class Visit>
-void for_each_field(Report& r, Visit visit) {
+/// Visits what a report has with its name, in order.
+template <class Visit>
+void for_each_field(const SmoothingReport& r, Visit visit) {
   visit("version", r.version);
   visit("faces", r.faces);
   visit("vertices", r.vertices);
@@ -54,6 +55,14 @@ void for_each_field(Report& r, Visit visit) {
   visit("deviation_at", r.deviation_at);
   visit("deviation_exact", r.deviation_exact);
   visit("deviation_at_least", r.deviation_at_least);
+  visit("missed_points", r.missed_points);
+  visit("missed_max", r.missed_max);
+  visit("missed_at", r.missed_at);
+  const Farthest far = farthest(r);
+  visit("farthest", far.at_least);
+  visit("farthest_at_most", far.at_most);
+  visit("farthest_at", far.at);
+  visit("farthest_of", far.of);
   visit("moved", r.moved);
   visit("flips", r.flips);
   visit("iterations", r.iterations);
@@ -65,6 +74,14 @@ void for_each_field(Report& r, Visit visit) {
   visit("crossings_after", r.crossings_after);
   visit("termination", r.termination);
   visit("warnings", r.warnings);
+  std::vector<std::string> decisive;
+  std::vector<double> places;
+  for (const Decisive& one : r.decisive) {
+    decisive.push_back(one.sentence);
+    places.insert(places.end(), one.at.begin(), one.at.end());
+  }
+  visit("decisive", decisive);
+  visit("decisive_at", places);
   visit("time_ms.load", r.time_ms.load);
   visit("time_ms.open", r.time_ms.open);
   visit("time_ms.solve", r.time_ms.solve);
@@ -86,6 +103,20 @@ void add(CurveMeasures& total, const CurveMeasures& m) {
   total.max_curvature = std::max(total.max_curvature, m.max_curvature);
   total.window_turning = std::max(total.window_turning, m.window_turning);
   total.window_turning_2 = std::max(total.window_turning_2, m.window_turning_2);
+}
+
+/// Adds what is not there yet.
+template <class Warning>
+void add(std::vector<Warning>& total, const std::vector<Warning>& warnings) {
+  for (const Warning& warning : warnings) {
+    if (std::find(total.begin(), total.end(), warning) == total.end()) total.push_back(warning);
+  }
+}
+
+void add_missed(SmoothingReport& total, const SmoothingReport& r) {
+  if (r.missed_max > total.missed_max) total.missed_at = r.missed_at;
+  total.missed_max = std::max(total.missed_max, r.missed_max);
+  total.missed_points += r.missed_points;
 }
 
 }  // namespace
@@ -114,6 +145,37 @@ const char* to_string(SlackSource source) {
 const char* to_string(DeviationMeasure measure) {
   constexpr std::array kNames = {"automatic", "surface", "euclidean", "none"};
   return kNames[static_cast<std::size_t>(measure)];
+}
+
+const char* to_string(FarthestOf of) {
+  constexpr std::array kNames = {"none", "result", "drawing", "point"};
+  return kNames[static_cast<std::size_t>(of)];
+}
+
+void warn_decisively(SmoothingReport& report, Decisive warning) {
+  report.warnings.push_back(warning.sentence);
+  report.decisive.push_back(std::move(warning));
+}
+
+void lead_with(SmoothingReport& report, const std::vector<std::string>& sentences) {
+  std::vector<Decisive> first;
+  for (const std::string& sentence : sentences) first.push_back({sentence});
+  report.decisive.insert(report.decisive.begin(), first.begin(), first.end());
+}
+
+Farthest farthest(const SmoothingReport& r) {
+  Farthest far;
+  if (r.deviation != DeviationMeasure::kNone) {
+    const double most = std::max(r.deviation_to_drawn_max, r.deviation_from_drawn_max);
+    const bool along = r.deviation == DeviationMeasure::kAlongSurface;
+    const bool cut = r.deviation_from_drawn_max > r.deviation_to_drawn_max;
+    far = {r.deviation_exact ? most : r.deviation_at_least, along ? most : HUGE_VAL, r.deviation_at,
+           cut ? FarthestOf::kDrawing : FarthestOf::kResult};
+  }
+  if (r.missed_points == 0) return far;
+  far.at_most = HUGE_VAL;  // misses are measured through space
+  if (far.of != FarthestOf::kNothing && far.at_least > r.missed_max) return far;
+  return {r.missed_max, HUGE_VAL, r.missed_at, FarthestOf::kPoint};
 }
 
 SmoothingReport total_of(const std::vector<SmoothingReport>& reports) {
@@ -153,12 +215,9 @@ SmoothingReport total_of(const std::vector<SmoothingReport>& reports) {
     }
     total.moved = std::max(total.moved, r.moved);
     total.termination = std::max(total.termination, r.termination);
-    for (const std::string& warning : r.warnings) {
-      if (std::find(total.warnings.begin(), total.warnings.end(), warning) ==
-          total.warnings.end()) {
-        total.warnings.push_back(warning);
-      }
-    }
+    add_missed(total, r);
+    add(total.warnings, r.warnings);
+    add(total.decisive, r.decisive);
   }
   if (total.after.length > 0) total.deviation_to_drawn_mean = mean_to / total.after.length;
   if (total.before.length > 0) total.deviation_from_drawn_mean = mean_from / total.before.length;

@@ -64,12 +64,28 @@ enum class SlackSource {
   kSegments,   ///< the segments of a drawing in which no trembling stands out
 };
 
+/// What lies farthest from the other.
+enum class FarthestOf {
+  kNothing,  ///< nothing was measured
+  kResult,   ///< a point of the result, from the drawing
+  kDrawing,  ///< a point of the drawing, from the result: a part that was cut off
+  kPoint,    ///< a point that the result was to pass, and misses
+};
+
 /// The names used in reports; those of DeviationMeasure are "surface", "euclidean" and "none".
 const char* to_string(PotentialKind potential);
 const char* to_string(Engine engine);
 const char* to_string(Outcome outcome);
 const char* to_string(SlackSource source);
 const char* to_string(DeviationMeasure measure);
+const char* to_string(FarthestOf of);
+
+/// A warning by which a result may be of no use.
+struct Decisive {
+  std::string sentence;
+  Point at = Point::Constant(HUGE_VAL);  ///< the place that it is about; infinite where it has none
+  bool operator==(const Decisive& other) const = default;
+};
 
 /// The report on one curve, or the totals of a set. In totals, counts, lengths, total curvatures
 /// and bendings are sums, maxima are maxima, means are weighted by length, `termination` is the
@@ -79,7 +95,8 @@ const char* to_string(DeviationMeasure measure);
 /// given, before corners were capped. The entries of `before` and `after` are named
 /// `length_before`, `length_after` and so on, those of total_curvature `curvature_...` and those of
 /// max_curvature `curvature_max_...`; signed_curvature and max_at have none, and in totals max_at
-/// means nothing.
+/// means nothing. `decisive` are the sentences, and `decisive_at` x, y and z of their places, one
+/// after the other.
 struct SmoothingReport {
   std::string version;       ///< of the library
   std::size_t faces = 0;     ///< of the mesh
@@ -111,6 +128,9 @@ struct SmoothingReport {
   Point deviation_at = Point::Zero();    ///< the point with the larger of both maxima
   bool deviation_exact = true;    ///< false: measuring ended early, and the above are upper bounds
   double deviation_at_least = 0;  ///< mesh units: the largest distance known to be there
+  std::size_t missed_points = 0;  ///< that the result was to pass
+  double missed_max = 0;          ///< mesh units, through space: of these to the result
+  Point missed_at = Point::Zero();  ///< the one that lies farthest from it
   double moved = HUGE_VAL;     ///< mesh units: from the last result, if its tau differs by <= 5 %
   std::size_t flips = 0;       ///< of the whole run
   std::size_t iterations = 0;  ///< cleared wedges, of the whole run
@@ -123,9 +143,29 @@ struct SmoothingReport {
   std::size_t crossings_after = 0;   ///< of the result, counted likewise
   Outcome termination = Outcome::kConverged;
   std::vector<std::string> warnings;  ///< sentences for the user
+  std::vector<Decisive> decisive;     ///< those of them by which the result may be of no use
   StageTimes time_ms;                 ///< milliseconds
   double peak_memory_mib = 0;         ///< of the process so far, MiB
 };
+
+/// Adds a warning that is decisive.
+void warn_decisively(SmoothingReport& report, Decisive warning);
+/// Says first that sentences, which the warnings have already, are decisive.
+void lead_with(SmoothingReport& report, const std::vector<std::string>& sentences);
+
+/// How far a result and its drawing lie apart, whichever of them has the point that is farther.
+struct Farthest {
+  double at_least = HUGE_VAL;  ///< mesh units; infinite where nothing was measured, or not reached
+  /// Mesh units: the same where the distance is exact, and infinite where it is measured through
+  /// space, since along the surface it may be any more.
+  double at_most = HUGE_VAL;
+  Point at = Point::Constant(HUGE_VAL);
+  FarthestOf of = FarthestOf::kNothing;
+};
+/// The one number for people. It is the larger of both deviations, or how far off a point is that
+/// the result was to pass. Its entries are named `farthest` (at_least), `farthest_at_most`,
+/// `farthest_at` and `farthest_of`.
+Farthest farthest(const SmoothingReport& report);
 
 /// Sums up the reports on the curves of one run.
 SmoothingReport total_of(const std::vector<SmoothingReport>& reports);

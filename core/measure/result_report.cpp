@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -30,12 +31,17 @@ void warn_if_far(SmoothingReport& report, double far, bool automatic) {
   if (!through_space && report.deviation != DeviationMeasure::kAlongSurface) return;
   const bool is_known = through_space && kAutomaticTo * report.edge_length_near > far;
   if (!std::isfinite(apart) || !(apart > far || is_known)) return;
-  report.warnings.push_back(
+  std::string sentence =
       fmt::format("{} by up to {:.3g}{}, {:.2g} mesh edges, at ({:.6g}, {:.6g}, {:.6g}).",
                   cut ? "The result cuts off parts of the drawing that lie away from it"
                       : "The result leaves the drawing",
                   apart, through_space ? " through space" : "", apart / report.edge_length_near,
-                  report.deviation_at.x(), report.deviation_at.y(), report.deviation_at.z()));
+                  report.deviation_at.x(), report.deviation_at.y(), report.deviation_at.z());
+  if (cut) {
+    warn_decisively(report, {std::move(sentence), report.deviation_at});
+  } else {
+    report.warnings.push_back(std::move(sentence));
+  }
 }
 
 std::size_t count_touched_faces(const SignpostTriangulation& triangulation) {
@@ -167,8 +173,8 @@ void report_deviation(SmoothingReport& report, const MeasuredDeviation& measured
         most, measured.at_least));
   }
   if (measured.measure == DeviationMeasure::kAlongSurface && most == HUGE_VAL) {
-    report.warnings.emplace_back(
-        "The result and the drawing lie on parts of the mesh that are not connected.");
+    warn_decisively(
+        report, {"The result and the drawing lie on parts of the mesh that are not connected."});
   }
 }
 

@@ -85,7 +85,11 @@ void FairFinishing::run(const std::vector<FairGroup>& groups, const FairChains& 
   for (std::size_t c = 0; c < curves.size(); ++c) {
     curves[c].curve = std::move(now_[c]);
     const Attempt& attempt = attempts_[attempt_of_[c]];
-    if (!attempt.left_taut.empty()) curves[c].warnings.push_back(attempt.left_taut);
+    if (attempt.left_taut == kEndedFair) {
+      curves[c].warnings.push_back(attempt.left_taut);
+    } else {
+      curves[c].left_taut = attempt.left_taut;
+    }
     if (attempt.tries == 0 || !has_ended_early(*progress_)) continue;
     curves[c].ended_early = true;
     if (attempt.tries != kGivenUp) curves[c].warnings.emplace_back(kEndedFair);

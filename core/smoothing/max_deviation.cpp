@@ -343,10 +343,10 @@ class BoundSearch {
       if (!(apart <= bound_)) {
         const bool limited = report.termination == Outcome::kLimit && has_ended_early(progress_);
         if (!limited) report.termination = Outcome::kDeviation;
-        report.warnings.push_back("No curve within " + std::to_string(bound_) +
-                                  " of the drawing was found; this one deviates by " +
-                                  (report.deviation_exact ? "" : "at most ") +
-                                  std::to_string(apart) + ".");
+        std::string sentence = fmt::format(
+            "No curve within {:.6g} of the drawing was found; this one deviates by {}{:.6g}.",
+            bound_, report.deviation_exact ? "" : "at most ", apart);
+        warn_decisively(report, {std::move(sentence), report.deviation_at});
       }
       if (!ended_) return;
       report.termination = std::max(report.termination, Outcome::kLimit);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -68,11 +70,15 @@ void warn_of_missed_points(const SurfaceMesh& mesh, DeviationMeter& meter,
     const Point& at = missed.at;
     SmoothingReport& report = result.reports[c];
     report.termination = std::max(report.termination, Outcome::kMissed);
-    report.warnings.push_back(fmt::format(
+    report.missed_points = missed.points;
+    report.missed_max = missed.farthest;
+    report.missed_at = at;
+    std::string sentence = fmt::format(
         "The result misses {} of the points that it was to pass, by up to {:.3g} through "
         "space, at ({:.6g}, {:.6g}, {:.6g}): a drawing that meets itself loses small loops and "
         "ways back.",
-        missed.points, missed.farthest, at.x(), at.y(), at.z()));
+        missed.points, missed.farthest, at.x(), at.y(), at.z());
+    warn_decisively(report, {std::move(sentence), at});
   }
 }
 

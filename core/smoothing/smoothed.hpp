@@ -23,6 +23,7 @@ struct SmoothedCurve {
   double slack = 0;                                       ///< mesh units; 0 without a corridor
   MeasuredDeviation deviation;                            ///< on the surface where it was smoothed
   std::vector<std::string> warnings;                      ///< sentences about this curve
+  std::string left_taut;                                  ///< a sentence, where it is, with kinks
   std::size_t crossings_before = 0, crossings_after = 0;  ///< with itself and later curves
 };
 

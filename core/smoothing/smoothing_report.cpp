@@ -1,6 +1,7 @@
 #include "talweg/core/smoothing/smoothing_report.hpp"
 
 #include <algorithm>
+#include <string>
 #include <utility>
 
 #include <fmt/format.h>
@@ -31,13 +32,14 @@ void warn_of_straightening(SmoothingReport& report, const SmoothingOptions& opti
                            const Smoothed& smoothed, Termination termination) {
   if (termination == Termination::kLimit && !options.max_iterations &&
       options.min_relative_length == 0) {
-    report.warnings.emplace_back(
-        "Straightening was given up before the curve was straight: the drawing has too many "
-        "points for so few faces.");
+    warn_decisively(report,
+                    {"Straightening was given up before the curve was straight: the drawing has "
+                     "too many points for so few faces."});
   }
   if (termination == Termination::kCollapsed) {
-    report.warnings.emplace_back(
-        "The loop shrinks to a point; it is returned as it was when it fell below the floor.");
+    warn_decisively(
+        report,
+        {"The loop shrinks to a point; it is returned as it was when it fell below the floor."});
   }
   if (smoothed.counts.blocked > 0) {
     report.warnings.push_back(
@@ -49,9 +51,14 @@ void warn_of_straightening(SmoothingReport& report, const SmoothingOptions& opti
 
 void warn_of_crossings(SmoothingReport& report) {
   if (report.crossings_after == report.crossings_before) return;
-  report.warnings.push_back(
+  std::string sentence =
       fmt::format("The drawing crosses itself and others {} times, the result {} times.",
-                  report.crossings_before, report.crossings_after));
+                  report.crossings_before, report.crossings_after);
+  if (report.crossings_after > report.crossings_before) {
+    warn_decisively(report, {std::move(sentence)});
+  } else {
+    report.warnings.push_back(std::move(sentence));
+  }
 }
 
 /// The deviation that deserves a warning, mesh units. A drawing that is finer than the mesh's edges
@@ -83,6 +90,7 @@ void add_run(SmoothingReport& report, const Smoothed& smoothed) {
 void add_curve(SmoothingReport& report, const SmoothedCurve& curve) {
   report.slack = curve.slack;
   report.warnings.insert(report.warnings.end(), curve.warnings.begin(), curve.warnings.end());
+  if (!curve.left_taut.empty()) warn_decisively(report, {curve.left_taut});
   report.lifted_length_before = curve.path.length_before;
   report.lifted_length_after = curve.path.length_after;
   report.termination = outcome_of(curve.path.termination);

@@ -38,12 +38,12 @@ for tau in (0, 0.05, 1):
     smoothed[tau] = work.smooth(tau, point_fields=True)  # fields: deviation and curvature
     r = smoothed[tau].report
     print(f"tau = {tau}: {r.length_after:.0f} m, curvature {r.curvature_before:.1f} -> "
-          f"{r.curvature_after:.1f} rad, up to {r.deviation_to_drawn_max:.0f} m from the drawing")
+          f"{r.curvature_after:.1f} rad, {r.farthest:.0f} m from the drawing where farthest")
 
 # %% As smooth as it gets within 30 m of the drawing
 within = work.smooth(max_deviation=30)
 print(f"within 30 m: tau = {within.report.tau:.3g}, curvature "
-      f"{within.report.curvature_after:.1f} rad, {within.report.deviation_to_drawn_max:.1f} m")
+      f"{within.report.curvature_after:.1f} rad, {within.report.farthest:.1f} m")
 
 # %% The distance to the drawing at every vertex
 field = mesh.distance(drawn)

@@ -1,14 +1,38 @@
 #include "report_table.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <numbers>
 
 #include <fmt/format.h>
 
 namespace talweg::driver {
+namespace {
+
+/// What decides whether the result can be used, and how far it is from what was drawn.
+std::string head_of(const SmoothingReport& r) {
+  std::string out;
+  for (const Decisive& one : r.decisive) out += fmt::format("warning: {}\n", one.sentence);
+  const Farthest far = farthest(r);
+  if (far.of == FarthestOf::kNothing) return out;
+  const char* what = far.of == FarthestOf::kPoint     ? "a point that it was to pass"
+                     : far.of == FarthestOf::kDrawing ? "the drawing from the result"
+                                                      : "the result from the drawing";
+  std::string distance = fmt::format("{:.6g}", far.at_least);
+  if (std::isinf(far.at_most) && !std::isinf(far.at_least)) {
+    distance = "at least " + distance;
+  } else if (far.at_most > far.at_least) {
+    distance += fmt::format(" to {:.6g}", far.at_most);
+  }
+  return out + fmt::format("farthest apart: {} mesh units, {}, at {:.6g} {:.6g} {:.6g}\n", distance,
+                           what, far.at[0], far.at[1], far.at[2]);
+}
+
+}  // namespace
 
 std::string table_of(const SmoothingReport& r) {
-  std::string out;
+  std::string out = head_of(r);
   const auto line = [&](const char* name, auto before, auto after, const char* unit) {
     fmt::format_to(std::back_inserter(out), "{:<22}{:>14}{:>14}  {}\n", name, before, after, unit);
   };
@@ -16,10 +40,6 @@ std::string table_of(const SmoothingReport& r) {
   const auto degrees = [](double angle) {
     return fmt::format("{:.4g}", angle * 180 / std::numbers::pi);
   };
-  // What makes a result useless for many comes first.
-  for (const std::string& warning : r.warnings) {
-    if (warning.starts_with("The result misses")) out += warning + "\n";
-  }
   fmt::format_to(std::back_inserter(out), "{:<22}{:>14}{:>14}\n", "", "drawn", "smoothed");
   line("points", r.points_before, r.points_after, "");
   line("length", number(r.before.length), number(r.after.length), "mesh units");
@@ -41,8 +61,6 @@ std::string table_of(const SmoothingReport& r) {
        "mesh units");
   line("  drawn to smoothed", number(r.deviation_from_drawn_max),
        number(r.deviation_from_drawn_mean), "mesh units");
-  fmt::format_to(std::back_inserter(out), "  largest at          {:.6g} {:.6g} {:.6g}\n",
-                 r.deviation_at[0], r.deviation_at[1], r.deviation_at[2]);
   fmt::format_to(
       std::back_inserter(out),
       "tau {:g}, slack {:.6g}, potential {}, engine {}: {} after {} iterations, {} flips, "
@@ -59,6 +77,8 @@ std::string table_of(const SmoothingReport& r) {
     fmt::format_to(std::back_inserter(out), "{} points of the drawing were pinned\n", r.pins_added);
   }
   for (const std::string& warning : r.warnings) {
+    const auto says_so = [&](const Decisive& one) { return one.sentence == warning; };
+    if (std::any_of(r.decisive.begin(), r.decisive.end(), says_so)) continue;
     fmt::format_to(std::back_inserter(out), "warning: {}\n", warning);
   }
   return out;

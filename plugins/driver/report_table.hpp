@@ -8,7 +8,8 @@
 
 namespace talweg::driver {
 
-/// Lines with before and after side by side, then deviations, work and times.
+/// What is decisive and how far apart result and drawing lie, then lines with before and after side
+/// by side, deviations, work and times, and all other warnings.
 std::string table_of(const SmoothingReport& report);
 
 }  // namespace talweg::driver

@@ -37,12 +37,10 @@ std::string why_not_converged(const SmoothOptions& options, Outcome outcome) {
   return fmt::format("the result did not converge ({})", to_string(outcome));
 }
 
-/// Kinks that the user would not expect come before everything else.
-void lead_with_kinks(const SmoothingReport& report, bool quiet) {
-  if (quiet) return;
-  for (const std::string& warning : report.warnings) {
-    if (warning.find("left taut") == std::string::npos) continue;
-    std::fprintf(stderr, "talweg: warning: %s\n", warning.c_str());
+/// What decides whether the result can be used comes before everything else.
+void lead_with_decisive(const SmoothingReport& report) {
+  for (const Decisive& one : report.decisive) {
+    std::fprintf(stderr, "talweg: warning: %s\n", one.sentence.c_str());
   }
 }
 
@@ -53,10 +51,9 @@ int finish(const SmoothOptions& options, const GlobalOptions& global, const RunO
     std::fprintf(stderr, "talweg: cancelled; nothing was written.\n");
     return kCancelled;
   }
-  lead_with_far_move(outcome.moved, global.quiet);
-  lead_with_kinks(total, global.quiet);
-  write_run(options, outcome);
   const bool table = global.verbose || (options.outputs.empty() && options.report.empty());
+  if (!table && !global.quiet) lead_with_decisive(total);
+  write_run(options, outcome);
   if (table && !global.quiet) std::fputs(table_of(total).c_str(), text_stream());
   if (total.termination == Outcome::kConverged) return kDone;
   if (!global.quiet) {

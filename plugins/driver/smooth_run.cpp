@@ -216,6 +216,7 @@ void finish_reports(PlacedResult& result, const std::vector<std::vector<StageTim
     report.time_ms.load = run.load_ms;
     report.time_ms.total += run.load_ms;
     run.moved.add_to(report.warnings, warnings);
+    lead_with(report, run.moved.decisive());
   }
   result.total = total_of(result.reports);
 }

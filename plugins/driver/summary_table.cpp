@@ -46,8 +46,10 @@ std::vector<std::pair<std::string, std::string>> cells_of(const SmoothingReport&
   const ordered_json object = ordered_json::parse(to_json(report));
   for (const auto& [name, value] : object.items()) {
     if (name == "time_ms" || name == "peak_memory_mib" || name == "termination") continue;
-    if (name == "warnings") {
-      cells.emplace_back(name, fmt::format("{}", fmt::join(report.warnings, " ")));
+    if (name == "decisive_at") continue;  // as many columns as sentences
+    if (name == "warnings" || name == "decisive") {
+      cells.emplace_back(name,
+                         fmt::format("{}", fmt::join(value.get<std::vector<std::string>>(), " ")));
     } else if (value.is_array()) {
       for (std::size_t k = 0; k < value.size(); ++k) {
         cells.emplace_back(name + "_" + "xyz"[k], cell_of(value[k]));

@@ -40,6 +40,7 @@ SmoothingReport MethodWorkspace::report_on(const Method& method, std::size_t cur
   report.iterations = made.iterations;
   report.warnings.insert(report.warnings.begin(), made.warnings.begin(), made.warnings.end());
   drawing().add_to(report.warnings, reading_warnings());
+  lead_with(report, drawing().decisive());
   StageTimes& t = report.time_ms = method.times;
   t.open = opened_mesh()->open_ms();
   t.total = t.load + t.open + t.solve + t.straighten + t.trace + t.relax + t.fair;
@@ -59,8 +60,8 @@ std::vector<SmoothingReport> MethodWorkspace::reports_on(const Method& method,
     report.crossings_before = before[c];
     report.crossings_after = after[c];
     if (after[c] <= before[c]) continue;
-    report.warnings.emplace_back(
-        "The result meets itself or another curve where the drawing does not.");
+    warn_decisively(report,
+                    {"The result meets itself or another curve where the drawing does not."});
   }
   return reports;
 }

@@ -157,8 +157,12 @@ class Smooth : public SmootherWorkspace {
   void add_warnings(SmoothingResult& result, const std::vector<std::string>& on_points) const {
     std::vector<std::string> warnings = reading_warnings();
     warnings.insert(warnings.end(), on_points.begin(), on_points.end());
-    for (SmoothingReport& report : result.reports) drawing().add_to(report.warnings, warnings);
-    drawing().add_to(result.total.warnings, warnings);
+    const auto add = [&](SmoothingReport& report) {
+      drawing().add_to(report.warnings, warnings);
+      lead_with(report, drawing().decisive());
+    };
+    for (SmoothingReport& report : result.reports) add(report);
+    add(result.total);
     for (const std::string& warning : result.total.warnings) {
       services().log(TALWEG_LOG_WARNING, warning);
     }

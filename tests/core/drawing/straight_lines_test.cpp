@@ -1,9 +1,12 @@
 #include <array>
+#include <span>
+#include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include "core/small_meshes.hpp"
+#include "talweg/core/drawing/snapped_drawing.hpp"
 #include "talweg/talweg.hpp"
 
 namespace talweg {
@@ -54,6 +57,23 @@ TEST(StraightLines, GapsAreCountedAndMeasured) {
   lines.join(std::span(points).first(2), false);
   EXPECT_EQ(lines.gaps().count, 0U);
   EXPECT_EQ(gap_warning(lines.gaps()), "");
+}
+
+// In a stroke a part may be lost; a leg to a click is meant.
+TEST(StraightLines, GapsOfStrokesDecide) {
+  const SurfaceMesh mesh = SurfaceMesh::open(grid(10, 10));
+  StraightLines lines(mesh.surface());
+  SnappedCurve curve;
+  for (const std::size_t v : {12, 13, 14, 25, 62, 63, 74}) {  // from (3, 2) to (7, 5) is the gap
+    curve.points.push_back(SurfacePoint::at_vertex(mesh.surface(), VertexId{v}));
+  }
+  for (const bool clicked : {false, true}) {
+    if (clicked) curve.way_points = {{4, 0}};
+    SnappedDrawing drawing;
+    drawing.add(mesh, std::span(&curve, 1), lines);
+    EXPECT_EQ(drawing.warnings().size(), 1U);
+    EXPECT_EQ(drawing.decisive(), clicked ? std::vector<std::string>() : drawing.warnings());
+  }
 }
 
 // Clicked points are all far apart: nothing is missing between them.

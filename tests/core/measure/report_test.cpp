@@ -98,6 +98,13 @@ TEST(Report, HasItsStableNames) {
                            "deviation_at",
                            "deviation_exact",
                            "deviation_at_least",
+                           "missed_points",
+                           "missed_max",
+                           "missed_at",
+                           "farthest",
+                           "farthest_at_most",
+                           "farthest_at",
+                           "farthest_of",
                            "flips",
                            "iterations",
                            "faces_touched",
@@ -108,6 +115,7 @@ TEST(Report, HasItsStableNames) {
                            "crossings_after",
                            "termination",
                            "warnings",
+                           "decisive",
                            "time_ms",
                            "peak_memory_mib"}) {
     EXPECT_TRUE(j.contains(name)) << name;
@@ -176,6 +184,87 @@ TEST(Report, NumbersThatAreNoneBecomeNull) {
   EXPECT_TRUE(j["length_before"].is_null());
   EXPECT_EQ(j["deviation_at"], nlohmann::json({nullptr, nullptr, nullptr}));
   EXPECT_EQ(j["deviation_to_drawn_mean"], r.deviation_to_drawn_mean);
+}
+
+/// Of a result that strays from its drawing by 2 along the surface, and cuts 7 of it off.
+SmoothingReport cutting_off() {
+  SmoothingReport r;
+  r.deviation = DeviationMeasure::kAlongSurface;
+  r.deviation_to_drawn_max = 2;
+  r.deviation_from_drawn_max = r.deviation_at_least = 7;
+  r.deviation_at = Point(1, 2, 3);
+  return r;
+}
+
+TEST(Farthest, IsTheLargerOfBothDirections) {
+  SmoothingReport r = cutting_off();
+  Farthest far = farthest(r);
+  EXPECT_EQ(far.at_least, 7);
+  EXPECT_EQ(far.at_most, 7);
+  EXPECT_EQ(far.at, Point(1, 2, 3));
+  EXPECT_EQ(far.of, FarthestOf::kDrawing);
+  r.deviation_to_drawn_max = r.deviation_at_least = 8;
+  far = farthest(r);
+  EXPECT_EQ(far.at_least, 8);
+  EXPECT_EQ(far.of, FarthestOf::kResult);
+}
+
+TEST(Farthest, TellsBounds) {
+  SmoothingReport r = cutting_off();
+  r.deviation_exact = false;
+  r.deviation_at_least = 5;
+  EXPECT_EQ(farthest(r).at_least, 5);
+  EXPECT_EQ(farthest(r).at_most, 7);
+  r = cutting_off();
+  r.deviation = DeviationMeasure::kEuclidean;
+  EXPECT_EQ(farthest(r).at_least, 7);
+  EXPECT_EQ(farthest(r).at_most, kForever);  // along the surface it may be any more
+}
+
+TEST(Farthest, HasPointsThatAreMissed) {
+  SmoothingReport r = cutting_off();
+  r.missed_points = 1;
+  r.missed_max = 9;
+  r.missed_at = Point(4, 5, 6);
+  Farthest far = farthest(r);
+  EXPECT_EQ(far.at_least, 9);
+  EXPECT_EQ(far.at_most, kForever);
+  EXPECT_EQ(far.at, Point(4, 5, 6));
+  EXPECT_EQ(far.of, FarthestOf::kPoint);
+  r.missed_max = 3;
+  far = farthest(r);
+  EXPECT_EQ(far.at_least, 7);
+  EXPECT_EQ(far.of, FarthestOf::kDrawing);
+  r.deviation = DeviationMeasure::kNone;
+  EXPECT_EQ(farthest(r).at_least, 3);
+}
+
+TEST(Farthest, IsNothingWhereNothingWasMeasured) {
+  const auto j = parsed(SmoothingReport{});
+  EXPECT_TRUE(j["farthest"].is_null());
+  EXPECT_EQ(j["farthest_at"], nlohmann::json({nullptr, nullptr, nullptr}));
+  EXPECT_EQ(j["farthest_of"], "none");
+}
+
+TEST(Farthest, OfSeveralCurvesIsThatOfTheWorst) {
+  SmoothingReport a = cutting_off(), b = cutting_off();
+  b.deviation_from_drawn_max = b.deviation_at_least = 1;
+  b.missed_points = 2;
+  b.missed_max = 9;
+  b.missed_at = Point(4, 5, 6);
+  warn_decisively(a, {"A."});
+  warn_decisively(b, {"A."});
+  warn_decisively(b, {"B.", Point(7, 8, 9)});
+  for (const SmoothingReport& total : {total_of({a, b}), total_of({b, a})}) {
+    EXPECT_EQ(farthest(total).at_least, 9);
+    EXPECT_EQ(farthest(total).at, Point(4, 5, 6));
+    EXPECT_EQ(farthest(total).of, FarthestOf::kPoint);
+    EXPECT_EQ(total.missed_points, 2U);
+    EXPECT_EQ(total.warnings, (std::vector<std::string>{"A.", "B."}));
+    const auto j = parsed(total);
+    EXPECT_EQ(j["decisive"], nlohmann::json({"A.", "B."}));
+    EXPECT_EQ(j["decisive_at"], nlohmann::json({nullptr, nullptr, nullptr, 7, 8, 9}));
+  }
 }
 
 TEST(Report, SeveralCurvesAreAnArrayBesideTheirTotal) {

@@ -56,6 +56,12 @@ class MissedPoints : public testing::Test {
     EXPECT_NE(warnings[0].find("misses 1 of the points"), std::string::npos) << warnings[0];
     EXPECT_NE(warnings[0].find("by up to 6 through space, at (20, 10, 0)"), std::string::npos)
         << warnings[0];
+    ASSERT_EQ(result.report().decisive.size(), 1);
+    EXPECT_EQ(result.report().decisive[0].sentence, warnings[0]);
+    const Farthest far = farthest(result.report());
+    EXPECT_EQ(far.of, FarthestOf::kPoint);
+    EXPECT_NEAR(far.at_least, 6, 1e-6);
+    EXPECT_NEAR((far.at - Point(20, 10, 0)).norm(), 0, 1e-9);
   }
   const std::shared_ptr<const OpenedMesh> opened = OpenedMesh::open(test::grid(30, 30));
 };

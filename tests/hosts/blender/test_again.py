@@ -53,9 +53,9 @@ class Again(unittest.TestCase):
         curve = self.made()
         total = session.last_result().total
         self.assertAlmostEqual(curve.talweg.slack, total.slack, places=6)
-        self.assertAlmostEqual(curve.talweg.max_deviation, total.deviation_to_drawn_max, places=6)
+        self.assertAlmostEqual(curve.talweg.max_deviation, total.farthest, places=6)
         curve.talweg.tau = 4
-        self.assertAlmostEqual(curve.talweg.max_deviation, session.last_result().total.deviation_to_drawn_max,
+        self.assertAlmostEqual(curve.talweg.max_deviation, session.last_result().total.farthest,
                                places=6)
 
     def test_the_mesh_is_not_read_for_it(self):

@@ -316,7 +316,7 @@ class Hand(unittest.TestCase):
             self.click(50, 10 + number)
             made.wait()
             self.assertAlmostEqual(made.curve.talweg.slack, edge, places=5)  # way-points have used none
-            self.assertAlmostEqual(made.curve.talweg.max_deviation, made.result.total.deviation_to_drawn_max,
+            self.assertAlmostEqual(made.curve.talweg.max_deviation, made.result.total.farthest,
                                    places=5)
             told, _ = made.finish(bpy.context)
             self.assertIn(again.numbers(bpy.context, made.curve), told)

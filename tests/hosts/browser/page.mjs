@@ -162,15 +162,19 @@ export class Page {
 
   /** What the list tells of the curves, such as "Curve 1 closed, 5 points". */
   curves() {
-    return this.page.$$eval('#curve-list li', (items) => items.map((item) => item.textContent.trim()));
+    return this.page.$$eval('#curve-list li button', (items) => items.map((item) => item.textContent.trim()));
   }
 
-  /** A number of the report's table, of the first curve. */
-  async reported(row) {
+  /** A text of the report's table, of the first curve; empty if there is no such row. */
+  async row(name) {
     const rows = await this.page.$$eval('#reports table:first-of-type tr',
       (all) => all.map((r) => [r.cells[0].textContent, r.cells[1].textContent]));
-    const found = rows.find(([name]) => name === row);
-    return found ? Number.parseFloat(found[1]) : NaN;
+    return rows.find(([head]) => head === name)?.[1] ?? '';
+  }
+
+  /** A number of it; of a bound that bound. */
+  async reported(name) {
+    return Number.parseFloat((await this.row(name)).replace('≥ ', ''));
   }
 
   /** Does what saves a file, and gives its path, which no later file of this name takes. */

@@ -98,6 +98,27 @@ TEST_F(Driver, ReportsWithStableNames) {
   EXPECT_EQ(report["deviation_at"].size(), 3U);
 }
 
+/// A U whose arms are 15 long and 3 apart becomes the straight line between its ends.
+TEST_F(Driver, TheSummaryBeginsWithWhatDecides) {
+  ASSERT_EQ(run("draw mesh.ply --through 67,532,535,70 --points rough -o u.json").code, 0);
+  const std::string smooth = "smooth mesh.ply --curve u.json --tau 0.001";
+  const Outcome table = run(smooth);
+  EXPECT_TRUE(table.out.starts_with("warning: The result cuts off parts of the drawing"))
+      << table.out;
+  EXPECT_NE(table.out.find("\nfarthest apart: at least 15 mesh units, the drawing from the result"),
+            std::string::npos)
+      << table.out;
+  const Outcome quick = run(smooth + " --report r.json");
+  EXPECT_TRUE(quick.err.starts_with("talweg: warning: The result cuts off parts")) << quick.err;
+  const auto report = nlohmann::json::parse(bytes_of(file("r.json")));
+  EXPECT_LT(report["deviation_to_drawn_max"], 2);
+  EXPECT_NEAR(report["farthest"], 15, 1e-6);
+  EXPECT_TRUE(report["farthest_at_most"].is_null());
+  EXPECT_EQ(report["farthest_of"], "drawing");
+  EXPECT_NEAR(report["farthest_at"][1], 17, 1e-9);
+  EXPECT_EQ(report["decisive"].size(), 1U);
+}
+
 TEST_F(Driver, FinishIsFairOrTaut) {
   ASSERT_EQ(run("draw mesh.ply --through 64,400,590 --points rough -o drawn.json").code, 0);
   const auto bending = [&](const std::string& options) {

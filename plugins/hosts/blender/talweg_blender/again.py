@@ -97,8 +97,8 @@ def draw(layout, curve):
     if wrong:
         wrapped.draw(layout, [wrong])
     else:
+        wrapped.draw(layout, sentences.warnings_of(json.loads(curve.get("talweg_report", "{}"))))
         wrapped.draw(layout, [numbers(bpy.context, curve)], icon="INFO")
-        wrapped.draw(layout, json.loads(curve.get("talweg_report", "{}")).get("warnings", []))
 
 
 def register():

@@ -46,8 +46,9 @@ def _report_of(result):
             "curvature_before": r.curvature_before, "curvature_after": r.curvature_after,
             "bending_before": r.bending_before, "bending_after": r.bending_after,
             "window_turning_after": r.window_turning_after,
-            "deviation_to_drawn_max": r.deviation_to_drawn_max, "termination": r.termination,
-            "warnings": list(r.warnings)}
+            "deviation_to_drawn_max": r.deviation_to_drawn_max, "farthest": r.farthest,
+            "farthest_at_most": r.farthest_at_most, "termination": r.termination,
+            "warnings": list(r.warnings), "decisive": list(r.decisive)}
 
 
 def of_drawing(context, obj, key):

@@ -64,7 +64,8 @@ class _Smoothing:
         self.scaled = "\n".join(sentences.of_scale(obj))
         return (f"{sentences.of_result(context, result)} {made}".strip(),
                 [*drawing.warnings, *sentences.of_object(obj, as_shown)],
-                [*warnings, *(one for one in result.total.warnings if not _is_measured(one, drawing))])
+                [*warnings, *(one for one in sentences.warnings_of(vars(result.total))
+                              if not _is_measured(one, drawing))])
 
     def _result(self, context, place, drawing):
         """The drawing without strokes that the library refuses, and the result of the others."""

@@ -133,7 +133,7 @@ def values(operator):
 def show_used(operator, report=None):
     """Lengths that are not ticked show what was used or reached, to begin from, and a mean edge where that
     is nothing; what was typed there stays."""
-    used = {"slack": report.slack, "max_deviation": report.deviation_to_drawn_max} if report else {}
+    used = {"slack": report.slack, "max_deviation": report.farthest} if report else {}
     for id in _LENGTHS:
         value = used.get(id) or operator.mean_edge
         typed = getattr(operator, id) != getattr(operator, "shown_" + id)

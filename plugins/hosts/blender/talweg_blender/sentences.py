@@ -19,8 +19,22 @@ def of_report(context, values):
              for name in ("curvature_before", "curvature_after", "bending_before", "bending_after")}
     return (f"Curvature {shown['curvature_before']} to {shown['curvature_after']} rad, "
             f"bending {shown['bending_before']} to {shown['bending_after']}, "
-            f"{math.degrees(values['window_turning_after']):.0f} degrees in one edge, no farther than "
-            f"{lengths.told(context, values['deviation_to_drawn_max'])} from the drawing.")
+            f"{math.degrees(values['window_turning_after']):.0f} degrees in one edge, "
+            f"{_apart(context, values)} from the drawing, either way.")
+
+
+def _apart(context, values):
+    """How far result and drawing lie apart. Reports that an older add-on kept know it one way."""
+    least = values.get("farthest", values["deviation_to_drawn_max"])
+    most = values.get("farthest_at_most", least)
+    bound = f"no farther than {lengths.told(context, most)}"
+    return bound if math.isfinite(most) else f"at least {lengths.told(context, least)}"
+
+
+def warnings_of(values):
+    """All of a report, those first by which the result may be of no use."""
+    decisive = list(values.get("decisive", ()))
+    return decisive + [one for one in values.get("warnings", ()) if one not in decisive]
 
 
 def of_result(context, result):

@@ -77,17 +77,38 @@ Json texts_of(const host::Results& results, const char* key, std::int64_t curve)
   return entry == nullptr ? Json::array() : Json(entry->texts);
 }
 
+/// The sentences that decide, each with its place, if it has one.
+Json decisive_of(const host::Results& results, std::int64_t curve) {
+  Json all = Json::array();
+  const host::ReportEntry* sentences = results.find("decisive", curve);
+  const host::ReportEntry* places = results.find("decisive_at", curve);
+  if (sentences == nullptr || places == nullptr) return all;
+  for (std::size_t k = 0; k < sentences->texts.size(); ++k) {
+    const auto first = places->numbers.begin() + static_cast<std::ptrdiff_t>(3 * k);
+    const bool has_place = std::isfinite(*first);
+    all.push_back(
+        {{"sentence", sentences->texts[k]},
+         {"at", has_place ? Json(std::vector<double>(first, first + 3)) : Json(nullptr)}});
+  }
+  return all;
+}
+
 Json report_of(const host::Results& results, std::int64_t curve) {
   const auto number = [&](const char* key) { return number_or_null(results, key, curve); };
-  const bool measured = results.text("deviation", curve) != "none";
-  const host::ReportEntry* at = measured ? results.find("deviation_at", curve) : nullptr;
+  const std::string of = results.text("farthest_of", curve);
+  const host::ReportEntry* at = of == "none" ? nullptr : results.find("farthest_at", curve);
+  const double mean = std::max(results.number("deviation_to_drawn_mean", curve, std::nan("")),
+                               results.number("deviation_from_drawn_mean", curve, std::nan("")));
   return {{"length", number("length_after")},
           {"drawnLength", number("length_before")},
-          {"maxDeviation", measured ? number("deviation_to_drawn_max") : Json(nullptr)},
-          {"meanDeviation", measured ? number("deviation_to_drawn_mean") : Json(nullptr)},
+          {"farthest", number("farthest")},
+          {"farthestAtMost", number("farthest_at_most")},
+          {"farthestOf", of},
+          {"meanDeviation", std::isfinite(mean) ? Json(mean) : Json(nullptr)},
           {"turning", number("curvature_after")},
           {"termination", results.text("termination", curve)},
           {"warnings", texts_of(results, "warnings", curve)},
+          {"decisive", decisive_of(results, curve)},
           {"worst", at == nullptr ? Json(nullptr) : Json(at->numbers)}};
 }
 
@@ -120,10 +141,11 @@ Json drawn_lines(const std::vector<host::Curve>& curves, Answer& answer) {
     const double length = arcs_of(curve).back();
     line["turning"] = answer.array(std::vector<double>());
     line["deviation"] = answer.array(std::vector<double>());
-    line["report"] = {{"length", length},          {"drawnLength", length},
-                      {"maxDeviation", nullptr},   {"meanDeviation", nullptr},
-                      {"turning", nullptr},        {"termination", ""},
-                      {"warnings", Json::array()}, {"worst", nullptr}};
+    line["report"] = {
+        {"length", length},          {"drawnLength", length}, {"farthest", nullptr},
+        {"farthestAtMost", nullptr}, {"farthestOf", "none"},  {"meanDeviation", nullptr},
+        {"turning", nullptr},        {"termination", ""},     {"warnings", Json::array()},
+        {"decisive", Json::array()}, {"worst", nullptr}};
     lines.push_back(std::move(line));
   }
   return lines;

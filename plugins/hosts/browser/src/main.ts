@@ -18,6 +18,7 @@ import { bindShowPanel, worstOf } from './panel/show_panel';
 import { bindTrouble } from './panel/trouble';
 import { SessionWork } from './session/session_work';
 import { Store } from './state/store';
+import { firstVerdict } from './state/verdict';
 import { Stage } from './view/stage';
 import { View } from './view/view';
 import { CutWork } from './actions/cut_work';
@@ -76,6 +77,10 @@ async function start(store: Store): Promise<void> {
       if (!worst) return;
       store.set({ show: { ...store.now.show, worst: true } });
       view.goTo(worst, meshes.picker);
+    },
+    'go-alert': () => {
+      const place = firstVerdict(store.now)?.decisive.find((one) => one.at)?.at;
+      if (place) view.goTo(place, meshes.picker);
     },
     help,
     forget: () => sessions.forget(),

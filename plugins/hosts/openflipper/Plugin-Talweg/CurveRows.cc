@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "CurveColours.hh"
+#include "Report.hh"
 #include "ResultTable.hh"
 
 namespace talweg::openflipper {
@@ -31,7 +32,8 @@ CurveRow row_of_curve(const Session& session, const editing::Curve& curve) {
     return session.results().number(key, static_cast<int>(*result), std::nan(""));
   };
   row.length = three_digits(value("length_after"));
-  row.deviation = three_digits(value("deviation_to_drawn_max"));
+  row.deviation = farthest_apart(session.results(), static_cast<int>(*result));
+  row.warning = decisive_sentences(session.results(), static_cast<int>(*result)).join('\n');
   const double degrees = 180 / M_PI * value("curvature_after");
   row.turning = three_digits_of_degrees(degrees) + QString::fromUtf8("°");
   return row;

@@ -28,7 +28,8 @@ CurveTable::CurveTable(QWidget* parent) : QTreeWidget(parent) {
   setHeaderLabels({tr("Curve"), tr("Length"), tr("Deviation"), tr("Turning")});
   headerItem()->setToolTip(kName, tr("Double click a name to change it."));
   headerItem()->setToolTip(kLength, tr("Of the smoothed curve, in mesh units."));
-  headerItem()->setToolTip(kDeviation, tr("The largest from what was drawn, in mesh units."));
+  headerItem()->setToolTip(kDeviation,
+                           tr("How far result and drawing lie apart, either way, in mesh units."));
   headerItem()->setToolTip(kTurning, tr("All that the smoothed curve turns, added up."));
   header()->setStretchLastSection(false);
   header()->setMinimumSectionSize(20);
@@ -69,6 +70,8 @@ void CurveTable::show_row(QTreeWidgetItem& item, const CurveRow& row) const {
   item.setText(kLength, row.length);
   item.setText(kDeviation, row.deviation);
   item.setText(kTurning, row.turning);
+  if (!row.warning.isEmpty()) item.setText(kDeviation, QString::fromUtf8("⚠ ") + row.deviation);
+  for (const int column : {kName, kDeviation}) item.setToolTip(column, row.warning);
   for (const int column : {kLength, kDeviation, kTurning}) {
     item.setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
   }

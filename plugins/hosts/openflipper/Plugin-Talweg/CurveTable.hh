@@ -15,6 +15,7 @@ struct CurveRow {
   QString name;   ///< given by a person; empty: none
   QString title;  ///< shown where it has no name
   QString length, deviation, turning;
+  QString warning;  ///< sentences by which the result may be of no use; empty: none
 
   bool operator==(const CurveRow&) const = default;
 };

@@ -85,8 +85,8 @@ void Inspection::set_mark(Mark mark) {
 std::optional<ACG::Vec3d> Inspection::place_of_largest(const host::Results& results) const {
   if (mark_ == Mark::kCurvature && most_curved_.curvature > 0) return place(most_curved_.root);
   if (mark_ != Mark::kDeviation) return std::nullopt;
-  const host::ReportEntry* at = results.find("deviation_at");
-  if (at == nullptr || at->numbers.size() < 3 || results.text("deviation") == "none") {
+  const host::ReportEntry* at = results.find("farthest_at");
+  if (at == nullptr || at->numbers.size() < 3 || results.text("farthest_of") == "none") {
     return std::nullopt;
   }
   return ACG::Vec3d(at->numbers[0], at->numbers[1], at->numbers[2]);
@@ -109,8 +109,8 @@ void Inspection::find_mark(const Inspected& now) {
         marked_.curve = now.numbers.at(c);
       }
     }
-    marked_.value = mark_ == Mark::kCurvature ? most_curved_.curvature
-                                              : now.results.number("deviation_to_drawn_max");
+    marked_.value =
+        mark_ == Mark::kCurvature ? most_curved_.curvature : now.results.number("farthest");
     if (turns_) host_.look_at(*at, normal_at(now.mesh, face));
   }
   turns_ = turns_ && !marked_.at && now.newer_come;

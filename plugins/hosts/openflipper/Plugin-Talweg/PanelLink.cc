@@ -200,7 +200,7 @@ void PanelLink::show_results(const Session& session, PanelState& state) {
   state.notes = result_notes(session);
   if (results.curves.empty()) return;
   state.slack_used = results.number("slack");
-  state.deviation_now = results.number("deviation_to_drawn_max", -1, -1);
+  state.deviation_now = results.number("farthest", -1, -1);
 }
 
 LookState PanelLink::look_state(const Session& session) {

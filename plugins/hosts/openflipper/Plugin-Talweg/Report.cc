@@ -47,9 +47,10 @@ QString short_report(const Session& session) {
   if (r.text("deviation") == "none") {
     lines << "deviation: when the hand rests";
   } else {
-    lines << QString("deviation at most %1 (result), %2 (drawing)")
+    lines << QString("deviation at most %1 (result), %2 (drawing), farthest %3")
                  .arg(number(r.number("deviation_to_drawn_max")))
-                 .arg(number(r.number("deviation_from_drawn_max")));
+                 .arg(number(r.number("deviation_from_drawn_max")))
+                 .arg(farthest_apart(r, -1));
   }
   lines << QString("%1, %2 ms")
                .arg(in_words(r.text("termination")))
@@ -107,11 +108,28 @@ QString result_settings(const Session& session) {
       .arg(three_digits(r.number("tau")), three_digits(r.number("slack")));
 }
 
+QString farthest_apart(const host::Results& results, int curve) {
+  const double least = results.number("farthest", curve, std::nan(""));
+  const double most = results.number("farthest_at_most", curve, least);
+  if (!std::isfinite(least) || most <= least) return three_digits(least);
+  if (std::isfinite(most)) return three_digits(least) + " .. " + three_digits(most);
+  return QString::fromUtf8("≥ ") + three_digits(least);
+}
+
+QStringList decisive_sentences(const host::Results& results, int curve) {
+  QStringList sentences;
+  if (const host::ReportEntry* decisive = results.find("decisive", curve)) {
+    for (const std::string& sentence : decisive->texts) sentences << in_words(sentence);
+  }
+  return sentences;
+}
+
 QStringList result_notes(const Session& session) {
-  QStringList notes;
+  QStringList notes = decisive_sentences(session.results(), -1);
   if (const host::ReportEntry* warnings = session.results().find("warnings")) {
     for (const std::string& warning : warnings->texts) notes << in_words(warning);
   }
+  notes.removeDuplicates();
   return notes;
 }
 

@@ -152,6 +152,20 @@ namespace {
 
 double degrees(double radians) { return radians * 180 / std::numbers::pi; }
 
+/// What decides whether the result can be used.
+std::string decisive_sentences(const host::Results& results) {
+  std::string all;
+  if (const host::ReportEntry* entry = results.find("decisive")) {
+    for (const std::string& sentence : entry->texts) all += sentence + " ";
+  }
+  return all;
+}
+
+/// Bounds are told as such: along the surface it may be more than through space.
+const char* bound_word(const host::Results& results) {
+  return std::isfinite(results.number("farthest_at_most")) ? "at most" : "at least";
+}
+
 }  // namespace
 
 std::string outcome(const host::Results& results) {
@@ -160,17 +174,19 @@ std::string outcome(const host::Results& results) {
     return std::max(number(one), number(other));
   };
   char text[600];
-  int size = std::snprintf(text, sizeof text,
-                           "Deviation from the drawing, both ways: at most %.4g, on average %.4g. "
-                           "Length: %.6g, drawn %.6g. "
-                           "Largest turn in one edge: %.0f degrees, drawn %.0f.",
-                           larger("deviation_to_drawn_max", "deviation_from_drawn_max"),
-                           larger("deviation_to_drawn_mean", "deviation_from_drawn_mean"),
-                           number("length_after"), number("length_before"),
-                           degrees(number("window_turning_after")),
-                           degrees(number("window_turning_before")));
+  int size = std::snprintf(
+      text, sizeof text,
+      "Deviation from the drawing, both ways: %s %.4g, on average %.4g. "
+      "Length: %.6g, drawn %.6g. "
+      "Largest turn in one edge: %.0f degrees, drawn %.0f.",
+      bound_word(results),
+      std::isfinite(number("farthest_at_most")) ? number("farthest_at_most") : number("farthest"),
+      larger("deviation_to_drawn_mean", "deviation_from_drawn_mean"), number("length_after"),
+      number("length_before"), degrees(number("window_turning_after")),
+      degrees(number("window_turning_before")));
   const std::string ended = results.text("termination");
-  std::string all(text, static_cast<std::size_t>(size));
+  std::string all = decisive_sentences(results);
+  all.append(text, static_cast<std::size_t>(size));
   if (number("slack") > 0) {
     std::snprintf(text, sizeof text, " Slack: %.4g.", number("slack"));
     all += text;
@@ -188,8 +204,8 @@ std::string summary(const host::Results& results) {
                 results.number("curvature_before"), results.number("curvature_after"),
                 results.number("bending_before"), results.number("bending_after"),
                 degrees(results.number("window_turning_before")),
-                degrees(results.number("window_turning_after")),
-                results.number("deviation_to_drawn_max"), results.text("termination").c_str());
+                degrees(results.number("window_turning_after")), results.number("farthest"),
+                results.text("termination").c_str());
   return text;
 }
 

@@ -3,7 +3,7 @@
 >>> import talweg
 >>> drawn = talweg.draw(vertices, faces, [12, 845, 9001])   # vertices -> way-points
 >>> result = talweg.smooth(vertices, faces, drawn, tau=2)
->>> result.curve.positions, result.report.deviation_to_drawn_max
+>>> result.curve.positions, result.report.farthest
 
 ``Mesh`` opens a mesh once for many curves; ``Workspace`` keeps a curve while tau moves.
 ``talweg.help_text()`` tells all parameters. Lengths are in mesh units, angles in radians.

@@ -63,6 +63,13 @@ class Report:
     deviation_at: Optional[Tuple[float, ...]] = None  #: (3,), where the largest is
     deviation_exact: Optional[bool] = None  #: False: a budget was used up; the above are upper bounds
     deviation_at_least: Optional[float] = None  #: the largest distance known
+    missed_points: Optional[int] = None  #: that the result was to pass
+    missed_max: Optional[float] = None  #: through space
+    missed_at: Optional[Tuple[float, ...]] = None  #: (3,), of the farthest
+    farthest: Optional[float] = None  #: result and drawing apart, either way, or a point that is missed; at least
+    farthest_at_most: Optional[float] = None  #: the same where that is exact, infinite where nothing is known
+    farthest_at: Optional[Tuple[float, ...]] = None  #: (3,)
+    farthest_of: Optional[str] = None  #: what is farthest: "result", "drawing", "point", "none"
     moved: Optional[float] = None
     flips: Optional[int] = None
     iterations: Optional[int] = None
@@ -74,6 +81,8 @@ class Report:
     crossings_after: Optional[int] = None
     termination: Optional[str] = None  #: "converged", "missed", "collapsed", "limit"
     warnings: Tuple[str, ...] = ()
+    decisive: Tuple[str, ...] = ()  #: those of them by which a result may be of no use
+    decisive_at: Tuple[float, ...] = ()  #: x, y and z of the place of each; infinite where it has none
     time_ms: Dict[str, float] = field(default_factory=dict)
     peak_memory_mib: Optional[float] = None
     #: Entries under any other name, e.g. of somebody else's plugin

@@ -67,16 +67,31 @@ export interface MeshInfo {
   defects: string | null;
 }
 
+/** A warning by which a result may be of no use. */
+export interface Decisive {
+  sentence: string;
+  /** The place that it is about. */
+  at: Vec3 | null;
+}
+
 export interface CurveReport {
   length: number;
   drawnLength: number;
-  maxDeviation: number;
-  meanDeviation: number;
+  /** How far result and drawing lie apart, in the direction in which that is more, or how far off a missed point
+   * is: at least. null: not measured, or one cannot be reached from the other. */
+  farthest: number | null;
+  /** null: no more is known than that it is at least as far. */
+  farthestAtMost: number | null;
+  /** Which lies that far from the other; 'point': one that the curve was to pass. */
+  farthestOf: 'none' | 'result' | 'drawing' | 'point';
+  /** The larger of both directions. */
+  meanDeviation: number | null;
   /** Total geodesic curvature. */
   turning: number;
   termination: string;
   warnings: string[];
-  /** Where the deviation is largest. */
+  decisive: Decisive[];
+  /** Where the farthest is. */
   worst: Vec3 | null;
 }
 

@@ -4,12 +4,15 @@ import { nameOf, type State } from '../state/state';
 import { changed, type Store } from '../state/store';
 import type { DrawingWork } from '../actions/drawing_work';
 import { numberText } from '../state/numbers';
-import { type Acts, byId, element, enable, input, numberIn, setBox } from '../elements';
+import { whyOwnIsIdle } from '../state/idle';
+import { verdicts } from '../state/verdict';
+import { type Acts, byId, element, enable, input, numberIn, setBox, setText } from '../elements';
 
 export class CurvePanel {
   constructor(private readonly store: Store, private readonly drawing: DrawingWork) {
     store.watch((now, before) => {
       if (changed(now, before, 'drawing', 'chosen')) this.update(now);
+      if (changed(now, before, 'drawing', 'chosen', 'smoothed')) showBadges(now);
     });
     this.bindForm();
   }
@@ -59,8 +62,10 @@ export class CurvePanel {
     const curve = chosen ? drawing.curves[chosen.curve] : undefined;
     byId('curve-form').hidden = !curve;
     if (curve) this.fillForm(curve, drawing.unfinished);
-    // The paper's method has one τ, and no tolerance.
-    for (const id of ['curve-tau', 'curve-tolerance']) input(id).disabled = drawing.settings.paper;
+    const idle = whyOwnIsIdle(drawing);
+    setText('own-told', idle);
+    input('curve-tau').disabled = idle !== '';
+    input('curve-tolerance').disabled = drawing.settings.paper;
   }
 
   private item(curve: Curve, index: number, isChosen: boolean, isCurrent: boolean): HTMLLIElement {
@@ -91,4 +96,16 @@ export class CurvePanel {
 
 function pointsText(count: number): string {
   return count === 1 ? '1 point' : `${count} points`;
+}
+
+/** What decides whether a curve can be used stands below its name. */
+function showBadges(state: State): void {
+  const rows = [...byId('curve-list').children];
+  for (const row of rows) row.querySelector('.badge')?.remove();
+  for (const { curve, decisive } of verdicts(state)) {
+    const badge = element('p', decisive.map((one) => one.sentence).join(' '));
+    badge.className = 'badge';
+    badge.title = badge.textContent ?? '';
+    rows[curve]?.append(badge);
+  }
 }

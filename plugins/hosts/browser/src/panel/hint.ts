@@ -1,12 +1,26 @@
 // The line below the mesh that says what a click would do now, and the buttons that go with it.
 import { nameOf, type State } from '../state/state';
 import { changed, type Store } from '../state/store';
+import { firstVerdict, verdicts } from '../state/verdict';
 import { byId, enable, setText } from '../elements';
 
 export function bindHint(store: Store): void {
   store.watch((now, before) => {
     if (changed(now, before, 'drawing', 'under', 'chosen', 'mesh', 'cut', 'kept', 'undo', 'redo')) update(now);
+    if (changed(now, before, 'drawing', 'chosen', 'cut', 'smoothed')) warn(now);
   });
+}
+
+/** One sentence, the first that decides whether what is seen can be used. */
+function warn(state: State): void {
+  const first = state.cut ? null : firstVerdict(state);
+  byId('alert').hidden = first === null;
+  const all = verdicts(state), more = all.reduce((sum, { decisive }) => sum + decisive.length, 0) - 1;
+  const whose = state.drawing.curves.length > 1 ? `${first?.name}: ` : '';
+  const others = more > 0 ? ` (and ${more} more: see “Curves”)` : '';
+  setText('alert-text', first ? whose + first.decisive[0].sentence + others : '');
+  const button = document.querySelector<HTMLElement>('[data-act="go-alert"]');
+  if (button) button.hidden = !first?.decisive.some((one) => one.at);
 }
 
 function update(state: State): void {

@@ -3,6 +3,7 @@ import type { CurveReport } from '../engine/types';
 import { nameOf, type State } from '../state/state';
 import { changed, type Store } from '../state/store';
 import { angleText, lengthText, numberText } from '../state/numbers';
+import { farthestText, farthestWhat } from '../state/verdict';
 import { byId, element, fill } from '../elements';
 
 export function bindReportPanel(store: Store): void {
@@ -18,9 +19,14 @@ function tell({ smoothed, drawing, mesh }: State): void {
     const name = drawing.curves[k] ? nameOf(drawing.curves[k]) : `Curve ${k + 1}`;
     return table(name, curve.report, unit);
   }));
-  const notes = smoothed
-    ? [...smoothed.notes, ...smoothed.curves.flatMap((curve) => curve.report.warnings)] : [];
-  fill('notes', [...new Set(notes)].map((note) => element('li', note)));
+  const reports = smoothed?.curves.map((curve) => curve.report) ?? [];
+  const decisive = new Set(reports.flatMap((report) => report.decisive.map((one) => one.sentence)));
+  const notes = new Set([...decisive, ...smoothed?.notes ?? [], ...reports.flatMap((report) => report.warnings)]);
+  fill('notes', [...notes].map((note) => {
+    const item = element('li', note);
+    if (decisive.has(note)) item.className = 'trouble';
+    return item;
+  }));
 }
 
 function table(name: string, report: CurveReport, unit: string): HTMLTableElement {
@@ -30,11 +36,12 @@ function table(name: string, report: CurveReport, unit: string): HTMLTableElemen
   const rows = [
     ['length', lengthText(report.length, unit) + shorter],
     ['turns by', angleText(report.turning)],
-    ['farthest from the drawing', lengthText(report.maxDeviation, unit)],
-    ['on average', lengthText(report.meanDeviation, unit)],
+    ['farthest apart', farthestText(report, unit)],
+    ['which is', farthestWhat[report.farthestOf]],
+    ['on average', report.meanDeviation === null ? '–' : lengthText(report.meanDeviation, unit)],
   ];
   if (report.termination !== 'converged') rows.push(['ended', report.termination]);
-  for (const [what, value] of rows) {
+  for (const [what, value] of rows.filter(([, text]) => text !== '')) {
     const row = made.insertRow();
     const head = element('th', what);
     head.scope = 'row';

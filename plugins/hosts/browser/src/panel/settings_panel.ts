@@ -5,7 +5,9 @@ import { hasStrokes, type State } from '../state/state';
 import { changed, type Store } from '../state/store';
 import type { DrawingWork } from '../actions/drawing_work';
 import { numberText } from '../state/numbers';
-import { byId, input, numberIn, setBox } from '../elements';
+import { boundChooses, whySlackIsIdle, whyTauIsIdle } from '../state/idle';
+import { beyondBound, farthestText } from '../state/verdict';
+import { byId, input, numberIn, setBox, setText } from '../elements';
 import { factors, type Scale, Slider, squares } from './slider';
 
 export class SettingsPanel {
@@ -28,6 +30,7 @@ export class SettingsPanel {
     clicks.addEventListener('change', () => this.orBack(drawing.edit((e) => e.setClickDistance(numberIn(clicks)))));
     store.watch((now, before) => {
       if (changed(now, before, 'drawing', 'mesh')) this.update(now);
+      if (changed(now, before, 'drawing', 'mesh', 'smoothed')) tellOfBound(now);
     });
   }
 
@@ -39,7 +42,7 @@ export class SettingsPanel {
     for (const id of ['method', 'ends', 'click-distance']) input(id).disabled = !mesh;
     byId('for-strokes').hidden = paper;
     const strokes = hasStrokes(drawing) || drawing.curves.length === 0;
-    const chosen = strokes && maxDeviation !== null && !paper;  // τ and slack are chosen by the bound
+    const chosen = boundChooses(drawing);
     this.tau.show(tau, numberText(tau), mesh !== null && !chosen);
     this.slack.show(slack, slack === null ? '' : numberText(slack), strokes && slack !== null && !chosen);
     this.most.show(maxDeviation, maxDeviation === null ? '' : numberText(maxDeviation), chosen);
@@ -47,7 +50,8 @@ export class SettingsPanel {
     input('slack-on').disabled = !mesh || !strokes || chosen;
     input('most-on').checked = maxDeviation !== null;
     input('most-on').disabled = !mesh || !strokes;
-    byId('only-clicks').hidden = strokes || paper;
+    setText('tau-told', whyTauIsIdle(drawing));
+    setText('slack-told', whySlackIsIdle(drawing));
     this.letTauBeSeen(drawing.curves.length > 0 && !drawing.unfinished);
   }
 
@@ -92,4 +96,12 @@ export class SettingsPanel {
   private mostScale(): Scale {
     return factors(this.edge() / 5, this.size() / 10);
   }
+}
+
+/** A bound that could not be held says so where it is set. */
+function tellOfBound(state: State): void {
+  const unit = state.mesh?.info.unit ?? '';
+  const beyond = boundChooses(state.drawing) ? beyondBound(state) : [];
+  setText('most-told', beyond.map(({ name, report }) => `${name}: no curve within the bound was found; `
+    + `this one and the drawing lie ${farthestText(report, unit)} apart.`).join(' '));
 }

@@ -34,7 +34,7 @@ function update(state: State): void {
   if (!range) return;
   const unit = state.mesh?.info.unit ?? '';
   const turning = show.colour === 'turning';
-  setText('legend-title', turning ? `turns right – left, in 1/${unit || 'unit'}` : 'distance to the drawing');
+  setText('legend-title', turning ? `turns right – left, in 1/${unit || 'unit'}` : 'distance of the curve to the drawing');
   const text = (value: number) => (turning ? numberText(value) : lengthText(value, unit));
   setText('legend-from', text(range.from));
   setText('legend-to', text(range.to));
@@ -44,6 +44,6 @@ function update(state: State): void {
 /** The curve and place that deviate most; null where nothing was measured. */
 export function worstOf(state: State) {
   const all = state.smoothed?.curves.map(({ report }) => report).filter((report) => report.worst) ?? [];
-  all.sort((a, b) => b.maxDeviation - a.maxDeviation);
+  all.sort((a, b) => (b.farthest ?? 0) - (a.farthest ?? 0));
   return all[0]?.worst ?? null;
 }

@@ -11,7 +11,7 @@ import { MeshView } from './mesh_view';
 import { Overlay } from './overlay';
 import { PointsView } from './points_view';
 import type { Stage } from './stage';
-import { lengthText } from '../state/numbers';
+import { farthestText, verdicts } from '../state/verdict';
 
 export class View {
   private readonly mesh: MeshView;
@@ -66,12 +66,29 @@ export class View {
       this.overlay.mark('cursor', now.cursor ? [{ place: now.cursor.position, text: '' }] : []);
     }
     if (changed(now, before, 'smoothed', 'show')) this.overlay.mark('worst', worstPlaces(now));
+    if (changed(now, before, 'smoothed', 'drawing', 'cut')) {
+      this.overlay.mark('alarm', whole ? alarmPlaces(now) : []);
+    }
   }
 }
 
-/** Where each curve is farthest from what was drawn. */
+/** Where each curve and its drawing are farthest apart. */
 function worstPlaces(state: State) {
   if (!state.show.worst || !state.smoothed) return [];
   return state.smoothed.curves.flatMap(({ report }) => report.worst
-    ? [{ place: report.worst, text: lengthText(report.maxDeviation, state.mesh?.info.unit ?? '') }] : []);
+    ? [{ place: report.worst, text: farthestText(report, state.mesh?.info.unit ?? '') }] : []);
+}
+
+/** The places of what decides whether a curve can be used; of several warnings at one place one. */
+function alarmPlaces(state: State) {
+  const unit = state.mesh?.info.unit ?? '';
+  const marks = new Map<string, { place: Vec3; text: string }>();
+  for (const { report, decisive } of verdicts(state)) {
+    for (const { at } of decisive) {
+      if (!at) continue;
+      const isFarthest = report.worst?.every((x, k) => x === at[k]);
+      marks.set(at.join(), { place: at, text: isFarthest ? farthestText(report, unit) : '' });
+    }
+  }
+  return [...marks.values()];
 }

@@ -1,0 +1,53 @@
+// What decides whether the smoothed curves can be used. It stands beside the curve, on the mesh and in
+// the line below it, not only in the report.
+import type { CurveReport, Decisive } from '../engine/types';
+import { lengthText, numberText } from './numbers';
+import { nameOf, type State } from './state';
+
+export interface Verdict {
+  /** Its number in the drawing, from 0. */
+  curve: number;
+  name: string;
+  report: CurveReport;
+  decisive: Decisive[];
+}
+
+/** Of the curves that have warnings that decide; not of one that is still being drawn. */
+export function verdicts({ smoothed, drawing }: State): Verdict[] {
+  const current = drawing.unfinished ? drawing.curves.length - 1 : -1;
+  return (smoothed?.curves ?? []).flatMap(({ report }, curve) => {
+    const drawn = drawing.curves[curve];
+    if (!drawn || curve === current || report.decisive.length === 0) return [];
+    return [{ curve, name: nameOf(drawn), report, decisive: report.decisive }];
+  });
+}
+
+/** The verdict that comes first: that of the chosen curve, if it has one. */
+export function firstVerdict(state: State): Verdict | null {
+  const all = verdicts(state);
+  return all.find(({ curve }) => curve === state.chosen?.curve) ?? all[0] ?? null;
+}
+
+/** How far result and drawing lie apart. It is a bound where it was measured through space or not to the end. */
+export function farthestText({ farthest, farthestAtMost }: CurveReport, unit: string): string {
+  if (farthest === null) return '–';
+  if (farthestAtMost === null) return `≥ ${lengthText(farthest, unit)}`;
+  if (farthestAtMost > farthest) return `${numberText(farthest)} to ${lengthText(farthestAtMost, unit)}`;
+  return lengthText(farthest, unit);
+}
+
+/** What lies that far from the other. */
+export const farthestWhat: Record<CurveReport['farthestOf'], string> = {
+  none: '',
+  result: 'the curve from the drawing',
+  drawing: 'the drawing from the curve',
+  point: 'a point that the curve misses',
+};
+
+/** The names of curves that a bound could not hold. */
+export function beyondBound({ smoothed, drawing }: State): { name: string; report: CurveReport }[] {
+  return (smoothed?.curves ?? []).flatMap(({ report }, k) => {
+    const curve = drawing.curves[k];
+    return curve && report.termination === 'deviation' ? [{ name: nameOf(curve), report }] : [];
+  });
+}

@@ -1,0 +1,152 @@
+// What decides whether a result can be used is seen at once: beside the curve, on the mesh, below it.
+import assert from 'node:assert/strict';
+import { writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { openPage } from './page.mjs';
+import { around, withMesh } from './places.mjs';
+
+const columns = 30, rows = 30;
+
+/** A flat sheet with edges of 1. */
+function sheet(page) {
+  const lines = ['OFF', `${(columns + 1) * (rows + 1)} ${2 * columns * rows} 0`];
+  for (let y = 0; y <= rows; ++y) for (let x = 0; x <= columns; ++x) lines.push(`${x} ${y} 0`);
+  const at = (x, y) => y * (columns + 1) + x;
+  for (let y = 0; y < rows; ++y) {
+    for (let x = 0; x < columns; ++x) {
+      lines.push(`3 ${at(x, y)} ${at(x + 1, y)} ${at(x + 1, y + 1)}`, `3 ${at(x, y)} ${at(x + 1, y + 1)} ${at(x, y + 1)}`);
+    }
+  }
+  const path = join(page.downloads, 'saved-sheet.off');
+  writeFileSync(path, lines.join('\n'));
+  return path;
+}
+
+/** A point of a drawing: the first corner of a face of the sheet. */
+function vertex(x, y) {
+  return { face: 2 * (y * columns + x), barycentric: [1, 0, 0] };
+}
+
+/** A file with a drawing along the grid from corner to corner, a point at every vertex. */
+function along(page, corners, clicked) {
+  let [x, y] = corners[0];
+  const points = [vertex(x, y)], ends = [0];
+  for (const [toX, toY] of corners.slice(1)) {
+    while (x !== toX || y !== toY) {
+      x += Math.sign(toX - x);
+      y += Math.sign(toY - y);
+      points.push(vertex(x, y));
+    }
+    ends.push(points.length - 1);
+  }
+  if (clicked) {
+    for (const k of ends) points[k].exact = true;
+    points.at(-2).exact = false;
+  } else {
+    for (const point of points) point.exact = false;
+  }
+  const path = join(page.downloads, 'saved-drawn.json');
+  writeFileSync(path, JSON.stringify({ format: 'talweg-curves', version: 1, curves: [{ closed: false, points }] }));
+  return path;
+}
+
+/** The curve of such a drawing on the sheet: painted, or through clicks at its corners with a stroke at its end. */
+async function drawn(corners, clicked = false) {
+  const page = await openPage();
+  await page.openMesh(sheet(page));
+  await page.choose('choose-curves', along(page, corners, clicked));
+  await page.page.waitForFunction(() => document.querySelector('#reports table'));
+  await page.rest();
+  return page;
+}
+
+async function set(page, id, value) {
+  await page.page.$eval(`#${id}`, (box, text) => {
+    box.value = text;
+    box.dispatchEvent(new Event('change'));
+  }, String(value));
+  await page.rest();
+}
+
+const badges = (page) => page.page.$$eval('#curve-list .badge', (all) => all.map((badge) => badge.textContent));
+const rings = (page) => page.page.$$eval('.mark.alarm', (all) => all.map((mark) => mark.textContent));
+const alert = async (page) =>
+  (await page.page.$eval('#alert', (line) => line.hidden)) ? '' : page.text('alert-text');
+
+/** The arms are 15 long and 3 apart, so the line between the ends leaves 15 of the drawing out. */
+export async function aUThatCollapses() {
+  const page = await drawn([[5, 2], [5, 17], [8, 17], [8, 2]]);
+  assert.deepEqual(await rings(page), []);
+  assert.equal(await alert(page), '');
+  await set(page, 'tau-number', 0.001);
+  assert.equal(await page.row('farthest apart'), '≥ 15');
+  assert.equal(await page.row('which is'), 'the drawing from the curve');
+  assert.match((await badges(page))[0], /^The result cuts off parts of the drawing/);
+  assert.deepEqual(await rings(page), ['≥ 15']);
+  assert.match(await alert(page), /^The result cuts off parts of the drawing/);
+  await page.act('go-alert');
+  await page.picture('collapsed-u');
+  await page.act('undo');
+  assert.deepEqual(await badges(page), []);
+  assert.deepEqual(await rings(page), []);
+  assert.equal(await alert(page), '');
+}
+
+/** From the click at (20, 10) it goes back to the one at (14, 10), 6 away, and paints on from there. */
+export async function aClickThatIsMissed() {
+  const page = await drawn([[2, 10], [20, 10], [14, 10], [14, 20]], true);
+  assert.match(await alert(page), /misses 1 of the points/);
+  assert.equal(await page.row('farthest apart'), '≥ 6');
+  assert.equal(await page.row('which is'), 'a point that the curve misses');
+  assert.equal(await page.row('ended'), 'missed');
+  assert.deepEqual(await rings(page), ['≥ 6']);
+  await page.page.$eval('#panel', (panel) => panel.scrollTo(0, 0));
+  await page.picture('missed-click');
+}
+
+/** The way back, which is 6 long, is left out. */
+export async function aBoundThatCannotBeHeld() {
+  const page = await drawn([[2, 10], [20, 10], [14, 10], [14, 20]]);
+  await page.page.click('#most-on');
+  await page.rest();
+  await set(page, 'most-number', 2);
+  await page.picture('bound-fails');
+  assert.match(await page.text('most-told'), /^Curve 1: no curve within the bound was found; .* 6 apart\.$/);
+  assert.match((await badges(page))[0], /No curve within 2(\.0+)? of the drawing was found/);
+  assert.equal((await rings(page)).length, 1);
+  assert.match(await alert(page), /\(and 1 more: see “Curves”\)$/);
+  await set(page, 'most-number', 8);
+  assert.equal(await page.text('most-told'), '');
+  assert.doesNotMatch((await badges(page))[0], /No curve within/);
+}
+
+/** A leg from a stroke to a click is no gap. */
+export async function strokesAndClicks() {
+  const page = await withMesh();
+  const [a, b, c, d] = await around(page);
+  await page.drag([a, b], { steps: 30 });
+  for (const at of [c, d]) await page.click(...at);
+  await page.key('Enter');
+  assert.deepEqual(await badges(page), []);
+  assert.equal(await alert(page), '');
+}
+
+export async function settingsWithoutEffectSayWhy() {
+  const page = await withMesh();
+  const [a, b, c, d] = await around(page);
+  for (const at of [a, b]) await page.click(...at);
+  await page.key('Enter');
+  assert.match(await page.text('tau-told'), /two clicks are joined straight/);
+  assert.match(await page.text('slack-told'), /for painted strokes/);
+  await page.act('undo');
+  await page.click(...c);
+  await page.key('Enter');
+  assert.equal(await page.text('tau-told'), '');
+  await page.drag([d, [d[0] + 40, d[1] - 50]], { steps: 20 });
+  await page.key('Enter');
+  assert.equal(await page.text('slack-told'), '');
+  await page.page.click('#most-on');
+  await page.rest();
+  assert.match(await page.text('tau-told'), /chooses τ/);
+  assert.equal(await page.page.$eval('#tau', (slider) => slider.disabled), true);
+}
