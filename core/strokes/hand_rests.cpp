@@ -9,11 +9,11 @@
 namespace talweg {
 namespace {
 
-constexpr std::size_t kFewest = 16, kFewestOutside = 3;  // samples
+constexpr std::size_t kFewest = 20, kFewestOutside = 3;  // samples
 constexpr double kRadii[] = {3, 1, 1.0 / 3};             // in usual distances of samples
 constexpr double kMoreThanUsual = 8;                     // times the samples
-constexpr double kBackAndForth = 3, kMovesOn = 1.0 / 3;  // of the width
-constexpr double kLongestStep = 1.0 / 16, kShortestStep = 1.0 / 4000;  // of the way
+constexpr double kBackAndForth = 4, kMovesOn = 1.0 / 3, kNearer = 0.5;  // of the width
+constexpr double kLongestStep = 1.0 / 16, kShortestStep = 1.0 / 4000;   // of the way
 
 /// A sample of a stroke, or a rest, which counts as one.
 struct Sample {
@@ -103,8 +103,16 @@ Samples without_ways(Samples samples) {
   return samples;
 }
 
-/// Whether the samples of a crowd go back and forth and do not move on.
-bool stands_still(Samples samples) {
+/// Whether the samples of a crowd are nearer to each other than usual, go back and forth, and do
+/// not move on.
+bool stands_still(Samples samples, double usual) {
+  std::vector<double> steps;
+  for (std::size_t k = 0; k + 1 < samples.size(); ++k) {
+    steps.push_back((samples[k + 1].at - samples[k].at).norm());
+  }
+  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
+  std::nth_element(steps.begin(), middle, steps.end());
+  if (*middle > kNearer * usual) return false;
   const double width = 2 * radius_of(samples, mean_of(samples));
   const std::size_t third = samples.size() / 3;
   const double moved = (mean_of(samples.last(third)) - mean_of(samples.first(third))).norm();
@@ -122,14 +130,16 @@ Sample rest_of(Samples samples, bool has_start, bool has_end) {
   return {kept.at, {samples.front().points.first, kept.points.kept, samples.back().points.last}};
 }
 
-/// The samples, where those of each rest within a radius have become one.
-std::vector<Sample> rested_within(Samples samples, double radius, std::size_t fewest, bool closed) {
+/// The samples, where those of each rest have become one; the radius is in usual distances.
+std::vector<Sample> rested_within(Samples samples, double usual, double radius, bool closed) {
+  const std::size_t fewest =
+      std::max(kFewest, static_cast<std::size_t>(kMoreThanUsual * 2 * radius));
   std::vector<Sample> rested;
   for (Samples left = samples; !left.empty();) {
-    const Samples crowd = left.first(crowd_at_start(left, radius));
+    const Samples crowd = left.first(crowd_at_start(left, radius * usual));
     const Samples rest = crowd.size() < fewest ? crowd : without_ways(crowd);
     const auto before = static_cast<std::size_t>(rest.data() - left.data());
-    if (rest.size() >= fewest && stands_still(rest)) {
+    if (rest.size() >= fewest && stands_still(rest, usual)) {
       rested.insert(rested.end(), left.begin(), left.begin() + static_cast<std::ptrdiff_t>(before));
       left = left.subspan(before + rest.size());
       const bool has_start = !closed && rest.data() == samples.data();
@@ -161,10 +171,7 @@ std::vector<HandRest> hand_rests(const SurfaceMesh& mesh, const SurfaceCurve& st
   if (samples.size() < kFewest) return {};
   const double usual = usual_distance(samples);
   for (const double radius : kRadii) {
-    const auto more = static_cast<std::size_t>(kMoreThanUsual * 2 * radius);
-    if (usual > 0) {
-      samples = rested_within(samples, radius * usual, std::max(kFewest, more), stroke.closed);
-    }
+    if (usual > 0) samples = rested_within(samples, usual, radius, stroke.closed);
   }
   std::vector<HandRest> rests;
   for (const Sample& sample : samples) {

@@ -18,12 +18,13 @@ struct HandRest {
 /// The rests of a stroke, ascending and disjoint. Samples are the points at which the stroke turns
 /// (turning_points.hpp). Their usual distance is 1.5 steps of the longest compass walk
 /// (compass_walk.hpp) whose median step passes one sample at most; steps are halved from a 16th to
-/// a 4000th of the way. In a rest, 16 samples or more, and eight times as many as usual, lie within
-/// a radius of three times that distance, once or one third of it. They are six times as
-/// wide as the median of them is from their mean; the way through them is at least three times as
-/// long, and the means of their first and last thirds are no farther apart than a third of that. So
-/// a slow hand, which moves on, does not rest. A rest at the first point of a closed stroke may be
-/// found as two. O(points · steps).
+/// a 4000th of the way. In a rest, 20 samples or more, and eight times as many as usual, lie within
+/// a radius of three times that distance, once or one third of it. The median step from one to the
+/// next is at most half of the usual distance. They are six times as wide as the median of them is
+/// from their mean; the way through them is at least four times as long, and the means of their
+/// first and last thirds are no farther apart than a third of that. So a slow hand, which moves on,
+/// does not rest, and neither does one that winds a few times around something. A rest at the first
+/// point of a closed stroke may be found as two. O(points · steps).
 std::vector<HandRest> hand_rests(const SurfaceMesh& mesh, const SurfaceCurve& stroke);
 
 }  // namespace talweg

@@ -71,7 +71,7 @@ class Offset : public Workspace {
   }
 
   void run(const plugin::Parameters& parameters, const plugin::Outputs& outputs) {
-    close_loops(curve_ends(parameters.choice("ends")));
+    finish_ends(curve_ends(parameters.choice("ends")));
     const OffsetResult result = cancellable([&] {
       return offset_curves(mesh(), drawing().curves, offset_options(parameters), progress());
     });

@@ -135,8 +135,9 @@ TEST_F(StrokesOfHands, SayNothingWhereTheyRest) {
 /// wobbles where it waits by more than its samples are apart while it moves.
 TEST_F(StrokesOfHands, SayNothingWhereTheyRestHoweverTheyAreSampled) {
   std::mt19937 random(5);
-  for (const double step : {2.0, 1.0, 0.1}) {
+  for (const double step : {2.0, 1.0, 0.3, 0.1}) {
     for (const double wobble : {0.003, 0.05, 0.15}) {
+      if (wobble > 0.5 * step) continue;
       const SmoothingResult moving = smoothed(stroke(step));
       std::normal_distribution<double> off(0, wobble);
       std::vector<Point> points;
@@ -166,6 +167,18 @@ TEST_F(StrokesOfHands, DoNotRestWhereTheyAreSlow) {
     points.emplace_back(35 + x, 20 + 1.5 * std::sin(kTurn * x / 6), 0);
   }
   for (double x = 12; x < 50; x += 2) points.emplace_back(35 + x, 20 + 0.3 * trembling(x, 8), 0);
+  smoothed(points);
+  EXPECT_TRUE(hand_rests(opened->mesh(), drawn).empty());
+}
+
+TEST_F(StrokesOfHands, DoNotRestWhereTheyWindAroundSomething) {
+  std::vector<Point> points;
+  for (double x = 0; x < 40; x += 1) points.emplace_back(5 + x, 20, 0);
+  for (int k = 0; k < 60; ++k) {  // five turns, a little to the right each
+    const double angle = kTurn * (k / 12.0 - 0.25);
+    points.emplace_back(45 + 0.02 * k + 2 * std::cos(angle), 22 + 2 * std::sin(angle), 0);
+  }
+  for (double x = 0; x < 40; x += 1) points.emplace_back(48 + x, 20, 0);
   smoothed(points);
   EXPECT_TRUE(hand_rests(opened->mesh(), drawn).empty());
 }

@@ -236,7 +236,8 @@ TEST_F(Driver, HoldsTheDrawingWhereTheSlackFieldIsSmall) {
 }
 
 TEST_F(Driver, SaysWhatIsWrongWithTheArguments) {
-  expect_failure("", 1, {"draw, smooth, measure, cut, offset, labels, compare, info, plugins or run"});
+  expect_failure("", 1,
+                 {"draw, smooth, measure, cut, offset, labels, compare, info, plugins or run"});
   expect_failure("smoth mesh.ply", 1, {"smoth"});
   expect_failure("smooth mesh.ply", 1, {"--curve"});
   expect_failure("smooth mesh.ply --curve a.txt --bogus", 1, {"--bogus"});
