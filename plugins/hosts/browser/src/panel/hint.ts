@@ -37,7 +37,7 @@ const mouse = {
   point: 'Drag the point. Double click pins it, Shift and click removes it.',
   line: 'Click for a new point on the curve, or pull it.',
   another: 'Click or paint another curve, drag points, or move τ.',
-  begin: 'Click points on the mesh, or keep the button pressed and paint.',
+  begin: 'Click points on the mesh, or keep the button pressed and paint. The right button turns it.',
   close: 'Click to close the curve.',
   finish: 'Click to finish the curve.',
   second: 'Click the next point, or paint on.',

@@ -11,9 +11,20 @@ export function bindMeshPanel(store: Store): void {
   });
 }
 
+const pageTitle = document.title;
+
+/** A hand on its keys goes on with the mesh. */
+function hideStart(hidden: boolean): void {
+  const start = byId('start');
+  const hadFocus = start.contains(document.activeElement);
+  start.hidden = hidden;
+  if (hidden && hadFocus) byId('view').focus({ preventScroll: true });
+}
+
 function tell({ mesh }: State): void {
   byId('mesh-told').hidden = mesh === null;
-  byId('start').hidden = mesh !== null;
+  hideStart(mesh !== null);
+  document.title = mesh ? `${mesh.name} – Talweg` : pageTitle;
   for (const unit of document.querySelectorAll('.unit')) {
     unit.textContent = `in ${mesh?.info.unit || 'units of the mesh'}`;
   }
