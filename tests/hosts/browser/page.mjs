@@ -3,7 +3,7 @@
 import { existsSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, renameSync, rmSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { tmpdir } from 'node:os';
-import { join } from 'node:path';
+import { basename, join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 
 const folder = process.env.TALWEG_PAGE;
@@ -201,6 +201,13 @@ export class Page {
       await new Promise((done) => setTimeout(done, 50));
     }
     throw new Error(`No file was saved: ${await this.text('trouble-files')}`);
+  }
+
+  /** Does what saves so many files, and gives their paths in the order of their names. */
+  async savedAll(count, task) {
+    const paths = [await this.saved(task)];
+    while (paths.length < count) paths.push(await this.saved(() => {}));
+    return paths.sort((a, b) => basename(a).localeCompare(basename(b)));
   }
 
   /** A picture for people to look at, in the folder of TALWEG_PAGE_PICTURES. */

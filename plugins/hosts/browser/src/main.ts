@@ -94,6 +94,7 @@ async function start(store: Store): Promise<void> {
     meshes.wantsAll = all.open;
     void meshes.tellAll();
   });
+  await meshes.loaded();
   await sessions.bringBack();
   document.documentElement.dataset.ready = 'yes';
   await keepForOffline();

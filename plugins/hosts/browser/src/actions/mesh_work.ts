@@ -24,6 +24,11 @@ export class MeshWork {
               private readonly showShape: (shape: Shape | null) => void,
               private readonly lookAtIt: () => void) {}
 
+  /** Resolves as soon as meshes can be opened without a net. Throws Error with a sentence. */
+  loaded(): Promise<void> {
+    return this.preparer.loaded();
+  }
+
   async openFile(file: File): Promise<boolean> {
     const bytes = await this.desk.wait('mesh', `Reading ${file.name}`, bytesOf(file));
     return bytes ? this.open(file.name, bytes, false) : false;

@@ -26,7 +26,7 @@ export class FilesPanel {
     store.watch((now, before) => {
       if (!changed(now, before, 'mesh', 'smoothed')) return;
       const hasCurves = now.smoothed !== null, hasMesh = now.mesh !== null;
-      for (const act of ['save-curves', 'save-report']) enable(act, hasCurves);
+      for (const act of ['save-curves', 'save-report', 'copy-table']) enable(act, hasCurves);
       for (const act of ['save-picture', 'choose-curves', 'save-session']) enable(act, hasMesh);
       tell();
     });
@@ -42,9 +42,11 @@ export class FilesPanel {
       'choose-session': () => chooseFile(sessionFiles, (file) => void sessions.openFile(file)),
       'save-curves': () => files.saveCurves(format('curve-format')),
       'save-mesh': () => files.saveMesh(format('mesh-format')),
+      'save-parts': () => files.saveParts(format('mesh-format')),
       'save-picture': () => files.savePicture(),
       'save-report': () => files.saveReport(),
       'save-session': () => sessions.saveFile(),
+      'copy-table': () => files.copyTable(),
       'copy-command': () => files.copyCommand(),
     };
   }

@@ -70,7 +70,9 @@ function hintOf(state: State): string {
   if (chosen && chosen.point !== null && drawing.curves[chosen.curve]) {
     return `Point ${chosen.point + 1} of ${nameOf(drawing.curves[chosen.curve])}.`;
   }
-  return drawing.curves.length > 0 ? words.another : words.begin;
+  if (drawing.curves.length > 0) return words.another;
+  return mesh.info.weld && !mesh.info.repaired ? 'Parts of this mesh only lie beside each other: Repair would weld them.'
+    : words.begin;
 }
 
 function drawingHint({ drawing, under }: State, words: typeof mouse): string {

@@ -3,6 +3,7 @@ import type { State } from '../state/state';
 import { changed, type Store } from '../state/store';
 import { countText, lengthText } from '../state/numbers';
 import { byId, element, fill, setText } from '../elements';
+import { repairWords } from './repair_words';
 
 export function bindMeshPanel(store: Store): void {
   store.watch((now, before) => {
@@ -37,8 +38,9 @@ function tell({ mesh }: State): void {
     ['size', lengthText(info.size, info.unit)],
     ['edge', lengthText(info.meanEdge, info.unit)],
   ].flatMap(([name, value]) => [element('dt', name), element('dd', value)]));
-  const offered = info.defects !== null || info.repair.length > 0;
-  byId('repair').hidden = !offered;
-  setText('repair-why', info.defects ?? 'The mesh can be used as it is. A repair would do this:');
-  fill('repair-list', info.repair.map((sentence) => element('li', sentence)));
+  const words = repairWords(info);
+  byId('repair').hidden = !words;
+  byId('repair').querySelector('button')!.hidden = info.repaired !== null;
+  setText('repair-why', words?.why ?? '');
+  fill('repair-list', (words?.items ?? []).map((sentence) => element('li', sentence)));
 }

@@ -15,7 +15,7 @@ export interface PrepareAnswer {
 
 interface WorkerSide {
   onmessage: ((event: MessageEvent<PrepareRequest>) => void) | null;
-  postMessage(answer: PrepareAnswer, transfer: Transferable[]): void;
+  postMessage(answer: PrepareAnswer | 'loaded', transfer: Transferable[]): void;
 }
 const side = self as unknown as WorkerSide;
 
@@ -32,3 +32,4 @@ side.onmessage = (event) => {
   side.postMessage({ shape, tree: { ...tree, index: null } },
     [...arrays.flatMap((array) => (array ? [array.buffer] : [])), ...tree.roots] as Transferable[]);
 };
+side.postMessage('loaded', []);

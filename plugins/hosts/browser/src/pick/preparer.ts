@@ -18,6 +18,11 @@ export class Preparer {
   /** Rejects what is being prepared. */
   private stop: ((reason: Error) => void) | null = null;
 
+  /** Resolves as soon as nothing has to be loaded any more. Throws Error with a sentence. */
+  async loaded(): Promise<void> {
+    await this.worker;
+  }
+
   /** One mesh at a time. Throws Error with a sentence. */
   async prepare(mesh: MeshInfo): Promise<Prepared> {
     try {
@@ -42,21 +47,31 @@ export class Preparer {
   private ask(request: PrepareRequest): Promise<PrepareAnswer> {
     return new Promise((resolve, reject) => {
       this.stop = reject;
-      this.worker.onmessage = (event: MessageEvent<PrepareAnswer>) => resolve(event.data);
-      this.worker.onerror = (event) => {
-        const why = event.message ? ` (${event.message})` : '';
-        reject(new Error(`The view of the mesh could not be made: its worker does not run, or has too little memory${why}.`));
-      };
-      this.worker.postMessage(request);
+      this.worker.then((worker) => {
+        worker.onmessage = (event: MessageEvent<PrepareAnswer>) => resolve(event.data);
+        worker.onerror = (event) => reject(failure('has too little memory', event));
+        worker.postMessage(request);
+      }, reject);
     });
   }
 
   private renew(): void {
-    this.worker.terminate();
+    this.worker.then((worker) => worker.terminate(), () => {});
     this.worker = newWorker();
   }
 }
 
-function newWorker(): Worker {
-  return new Worker(new URL('prepare_worker.js', document.baseURI), { type: 'module' });
+/** Its first message says that it is there. */
+function newWorker(): Promise<Worker> {
+  const loaded = new Promise<Worker>((resolve, reject) => {
+    const worker = new Worker(new URL('prepare_worker.js', document.baseURI), { type: 'module' });
+    worker.onmessage = () => resolve(worker);
+    worker.onerror = (event) => reject(failure('cannot be loaded', event));
+  });
+  loaded.catch(() => {});  // whoever needs it is told
+  return loaded;
+}
+
+function failure(what: string, { message }: ErrorEvent): Error {
+  return new Error(`The view of the mesh cannot be made: its worker ${what}${message ? ` (${message})` : ''}.`);
 }

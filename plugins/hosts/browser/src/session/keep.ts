@@ -14,6 +14,8 @@ let keptInTab: Uint8Array | null = null;
 let keptOnMachine: Uint8Array | null = null;
 let asides: Session[] = [];
 let last: Promise<unknown> = Promise.resolve();
+/** What packed() made of these bytes. */
+const texts = new WeakMap<Uint8Array, string>();
 
 /** One after the other, so that what is being kept is forgotten, too. */
 function inTurn<T>(work: () => Promise<T>): Promise<T> {
@@ -72,7 +74,7 @@ async function keepWhole(bytes: Uint8Array, drawing: string): Promise<boolean> {
 /** The tab has the drawings when this returns, and later their meshes, as far as there is room. */
 export function keepAsides(sessions: Session[]): Promise<void> {
   asides = sessions;
-  keepAsideDrawings();
+  keepPackedAsides();
   return inTurn(async () => {
     if (writesOnMachine()) await database.put('asides', asides);
     await keepAsideMeshes();
@@ -82,7 +84,11 @@ export function keepAsides(sessions: Session[]): Promise<void> {
 /** The session of this tab, or the one of this machine; without bytes if only the drawing is there. */
 export async function kept(): Promise<Session | null> {
   const drawing = sessionStorage.getItem(drawingKey), mesh = sessionStorage.getItem(meshKey);
-  if (drawing && mesh) return withBytes(await read(drawing), await unpacked(mesh));
+  if (drawing && mesh) {
+    const bytes = await unpacked(mesh);
+    texts.set(bytes, mesh);
+    return withBytes(await read(drawing), bytes);
+  }
   const onMachine = writesOnMachine() ? await keptOnThisMachine() : null;
   return onMachine ?? (drawing ? read(drawing) : null);
 }
@@ -98,8 +104,12 @@ export async function keptOnThisMachine(): Promise<Session | null> {
 export async function keptAsides(): Promise<Session[]> {
   const onMachine = writesOnMachine() ? await asidesOnThisMachine() : [];
   if (onMachine.length > 0) return onMachine;
-  const all = JSON.parse(sessionStorage.getItem(asidesKey) ?? '[]') as unknown[];
-  return Promise.all(all.map((one) => read(JSON.stringify(one))));
+  const all = JSON.parse(sessionStorage.getItem(asidesKey) ?? '[]') as { mesh: { bytes: string } | null }[];
+  return Promise.all(all.map(async (one) => {
+    const session = await read(JSON.stringify(one));
+    if (session.mesh && one.mesh) texts.set(session.mesh.bytes, one.mesh.bytes);
+    return session;
+  }));
 }
 
 export async function asidesOnThisMachine(): Promise<Session[]> {
@@ -130,31 +140,38 @@ function keepAsideDrawings(): void {
   putAsides(asides.map(drawingText));
 }
 
-/** Those of the newest that still fit. */
-async function keepAsideMeshes(): Promise<void> {
-  const sessions = asides;
-  let room = tabRoom - (sessionStorage.getItem(meshKey)?.length ?? 0);
-  const texts: string[] = [];
-  for (const session of sessions) {
-    const bytes = await textOfBytes(session.mesh?.bytes ?? new Uint8Array());
-    const fits = bytes !== null && bytes.length <= room;
-    if (fits) room -= bytes.length;
-    texts.push(fits ? textOf(session, bytes) : drawingText(session));
-  }
-  if (sessions !== asides) return;
+/** At once: with the meshes that are packed already, if they fit. */
+function keepPackedAsides(): void {
   try {
-    putAsides(texts);
+    putAsides(asides.map((session) => textOf(session, (session.mesh && texts.get(session.mesh.bytes)) ?? '')));
   } catch {
     keepAsideDrawings();
   }
 }
 
-function putAsides(texts: string[]): void {
-  if (texts.length > 0) sessionStorage.setItem(asidesKey, `[${texts.join(',')}]`);
-  else sessionStorage.removeItem(asidesKey);
+/** With the meshes of the newest, as far as there is room. */
+async function keepAsideMeshes(): Promise<void> {
+  const sessions = asides;
+  let room = tabRoom - (sessionStorage.getItem(meshKey)?.length ?? 0);
+  const all: string[] = [];
+  for (const session of sessions) {
+    const bytes = await textOfBytes(session.mesh?.bytes ?? new Uint8Array());
+    const fits = bytes !== null && bytes.length <= room;
+    if (fits) room -= bytes.length;
+    all.push(fits ? textOf(session, bytes) : drawingText(session));
+  }
+  if (sessions !== asides) return;
+  try {
+    putAsides(all);
+  } catch {
+    keepAsideDrawings();
+  }
 }
 
-const texts = new WeakMap<Uint8Array, string>();
+function putAsides(all: string[]): void {
+  if (all.length > 0) sessionStorage.setItem(asidesKey, `[${all.join(',')}]`);
+  else sessionStorage.removeItem(asidesKey);
+}
 
 /** null for bytes that are too many for a tab. */
 async function textOfBytes(bytes: Uint8Array): Promise<string | null> {

@@ -43,8 +43,9 @@ export class SessionWork {
   async bringBack(): Promise<boolean> {
     await this.follow();
     const all = await this.desk.wait('session', 'Looking for what was put aside', keptAsides());
-    if (all) this.asides.add(all);
     const session = await this.desk.wait('session', 'Bringing back the session', kept());
+    // A page that was left while another mesh came has the same drawing twice.
+    this.asides.add((all ?? []).filter(({ drawing }) => drawing !== session?.drawing));
     if (!session?.mesh) return false;
     if (session.mesh.bytes.length > 0) return this.current.open(session);
     this.asides.add([session]);  // it waits for its mesh
