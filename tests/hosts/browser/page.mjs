@@ -54,9 +54,9 @@ export async function endBrowser() {
 }
 
 /** The page from a server of its own, which a test can end: { url, unplug }. */
-export async function servePage() {
+export async function servePage(from = folder) {
   const { serve } = await import(pathToFileURL(join(source, 'serve.mjs')));
-  const { server, url } = await serve(folder);
+  const { server, url } = await serve(from);
   return { url, unplug: () => Promise.all([new Promise((done) => server.close(done)), server.closeAllConnections()]) };
 }
 

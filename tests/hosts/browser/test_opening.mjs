@@ -1,6 +1,9 @@
 // How a mesh comes onto the page, and that nothing leaves it.
 import assert from 'node:assert/strict';
-import { copyFileSync, mkdirSync, mkdtempSync, readFileSync, writeFileSync } from 'node:fs';
+import { createHash } from 'node:crypto';
+import {
+  appendFileSync, copyFileSync, cpSync, mkdirSync, mkdtempSync, readFileSync, writeFileSync,
+} from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { gzipSync } from 'node:zlib';
@@ -118,6 +121,37 @@ export async function withoutANet() {
   await page.page.waitForFunction(() => document.getElementById('told').textContent.includes('stone.ply'));
   await page.rest();
   await drawTwo(page);
+}
+
+/** A version that came during a visit begins with the next one, and what was kept of the old one goes. */
+export async function aNewerVersion() {
+  const folder = mkdtempSync(join(tmpdir(), 'talweg-versions-'));
+  cpSync(process.env.TALWEG_PAGE, folder, { recursive: true });
+  const { url, unplug } = await servePage(folder);
+  const page = await openPage({ url });
+  await page.page.waitForFunction(() => document.getElementById('offline-told').checkVisibility());
+  const kept = () => page.page.evaluate(async () => {
+    const style = await (await fetch('style.css')).text();
+    return { versions: (await caches.keys()).length, isNew: style.includes('/* new */') };
+  });
+  assert.deepEqual(await kept(), { versions: 1, isNew: false });
+
+  // As build.mjs would make it.
+  const [style, worker] = ['style.css', 'service_worker.js'].map((name) => join(folder, name));
+  const hash = () => createHash('sha256').update(readFileSync(style)).digest('base64');
+  const before = hash();
+  appendFileSync(style, '/* new */');
+  const text = readFileSync(worker, 'utf8').replace(before, hash()).replace(/"[0-9a-f]{16}"/, '"0123456789abcdef"');
+  writeFileSync(worker, text);
+  await page.load();
+  await page.page.waitForFunction(async () => (await navigator.serviceWorker.getRegistration()).waiting !== null);
+  assert.equal((await kept()).isNew, false);
+  await Promise.all([page.page.waitForNavigation(), page.page.reload()]);
+  await page.page.waitForFunction(async () => (await caches.keys()).length === 1
+    && (await (await fetch('style.css')).text()).includes('/* new */'));
+  await unplug();
+  await page.load();
+  assert.deepEqual(await kept(), { versions: 1, isNew: true });
 }
 
 /** A browser that keeps no page has what it needs from the start. */

@@ -107,5 +107,6 @@ bindHint(store);
 bindTrouble(store);
 start(store).catch((error: unknown) => {
   store.trouble('mesh', `The page cannot work here: ${sentenceOf(error)}`);
-  byId('start').hidden = true;  // its buttons would do nothing
+  byId('start').hidden = true;
+  for (const button of document.querySelectorAll<HTMLButtonElement>('[data-act]')) button.disabled = true;
 });
