@@ -55,27 +55,29 @@ Answer Engine::open(const std::string& name, std::string_view bytes, bool repair
   stem_ = stem_of(name);
   mean_edge_ = mean_edge_of(*mesh_.arrays);
   defects_ = repair ? editing::Defects::kRepair : editing::Defects::kRefuse;
-  const std::optional<WeldOffer> weld = weld_offer(*plugins_, *mesh_.arrays);
-  weld_within_ = repair && weld ? weld->tolerance : 0;
+  std::optional<WeldOffer> weld;
+  if (repair) weld = weld_offer(*plugins_, *mesh_.arrays);
+  weld_within_ = weld ? weld->tolerance : 0;
   workplace_ = std::make_unique<editing::Workplace>(*plugins_, mesh_.arrays, defects_);
   workplace_->weld_within(weld_within_);
   const editing::Outcome opened = workplace_->work({});
   if (opened.status != TALWEG_OK && opened.status != TALWEG_BAD_MESH) fail(opened);
-  const bool mended = repair && opened.status == TALWEG_OK;
+  const bool usable = opened.status == TALWEG_OK;
+  if (!repair && usable) weld = weld_offer(*plugins_, *mesh_.arrays);
 
   Answer answer;
-  answer.json = {
-      {"vertices", mesh_.arrays->positions.size()},
-      {"faces", mesh_.arrays->triangles.size()},
-      {"positions", answer.array(shown_positions(mesh_.arrays->positions))},
-      {"triangles", answer.array(shown_triangles(mesh_.arrays->triangles))},
-      {"size", diagonal_of(*mesh_.arrays)},
-      {"meanEdge", mean_edge_},
-      {"unit", ""},
-      {"repair", opened.repair},
-      {"weld", weld ? weld->told : Json(nullptr)},
-      {"repaired", mended ? repair_told(*plugins_, *mesh_.arrays, weld_within_) : Json(nullptr)},
-      {"defects", opened.sentence.empty() ? Json(nullptr) : Json(opened.sentence)}};
+  answer.json = {{"vertices", mesh_.arrays->positions.size()},
+                 {"faces", mesh_.arrays->triangles.size()},
+                 {"positions", answer.array(shown_positions(mesh_.arrays->positions))},
+                 {"triangles", answer.array(shown_triangles(mesh_.arrays->triangles))},
+                 {"size", diagonal_of(*mesh_.arrays)},
+                 {"meanEdge", mean_edge_},
+                 {"unit", ""},
+                 {"repair", opened.repair},
+                 {"weld", weld ? weld->told : Json(nullptr)},
+                 {"repaired", repair && usable ? repair_told(*plugins_, *mesh_.arrays, weld_within_)
+                                               : Json(nullptr)},
+                 {"defects", opened.sentence.empty() ? Json(nullptr) : Json(opened.sentence)}};
   return answer;
 }
 
