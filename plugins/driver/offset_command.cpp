@@ -91,7 +91,7 @@ int run_offset(const OffsetCommandOptions& o, const GlobalOptions& global) {
   const CoordinateFrame frame = with_unit(read.lists.frame(), o.mesh_units);
   const Progress progress = progress_bar(global.quiet);
   DrawingReader reader(mesh, read.map.get());
-  reader.set_ends(curve_ends(o.ends));
+  reader.set_ends(curve_ends(o.ends), {});
   const SnappedDrawing drawing = reader.read(o.curves, frame, progress);
   const Stopwatch watch;
   const OffsetResult result = offset_curves(mesh, drawing.curves, options, progress);

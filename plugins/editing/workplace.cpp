@@ -127,6 +127,7 @@ host::Instance& Workplace::opened(std::unique_ptr<host::Instance>& instance, con
   if (!instance) {
     auto made = std::make_unique<host::Instance>(plugins_.find(id), services_);
     if (defects_ == Defects::kRepair) made->set("repair", 1.0);
+    if (weld_within_ > 0) made->set("repair_weld_tolerance", weld_within_);
     set_mesh(*made, *mesh_);
     instance = std::move(made);
   }

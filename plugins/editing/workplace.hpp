@@ -117,6 +117,10 @@ class Workplace {
   Workplace(const Workplace&) = delete;
   Workplace& operator=(const Workplace&) = delete;
 
+  /// Before the first task: a mesh that is repaired is welded within so many mesh units, too; 0:
+  /// only vertices at one place become one.
+  void weld_within(double tolerance) { weld_within_ = tolerance; }
+
   /// Never throws for what is wrong with a request: the outcome says it.
   Outcome work(const Request& request);
 
@@ -135,6 +139,7 @@ class Workplace {
   LoadedPlugins plugins_;
   std::shared_ptr<const MeshArrays> mesh_;
   Defects defects_;
+  double weld_within_ = 0;
   std::vector<std::string> notes_;
   host::Services services_;  // must outlive the instances
   std::unique_ptr<host::Instance> smooth_, draw_, distance_;

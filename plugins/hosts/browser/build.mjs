@@ -1,5 +1,6 @@
 // Builds the page into a folder: node build.mjs --engine FOLDER --out FOLDER. The first folder has what
 // the C++ side of the engine was compiled to.
+import { createHash } from 'node:crypto';
 import { cpSync, existsSync, mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { dirname, join, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -32,7 +33,7 @@ await build({
   legalComments: 'none',  // licences.txt has them whole
   logLevel: 'warning',
 });
-for (const file of ['index.html', 'style.css', 'icon.svg']) cpSync(join(here, file), join(out, file));
+for (const file of ['index.html', 'style.css', 'icon.svg', 'manifest.webmanifest']) cpSync(join(here, file), join(out, file));
 
 const engine = option('--engine');
 if (engine) {
@@ -72,3 +73,27 @@ function licences() {
   return [`Talweg\n\n${ours}`, ...others, ...(engine ? inTheEngine(engine) : [])].join(`\n${'-'.repeat(72)}\n\n`);
 }
 writeFileSync(join(out, 'licences.txt'), licences());
+
+/** Everything that the folder has now, with its SHA-256: what the service worker keeps. */
+function filesOf(folder) {
+  const names = readdirSync(folder).filter((name) => name !== 'service_worker.js').sort();
+  return names.map((name) => {
+    const hash = createHash('sha256').update(readFileSync(join(folder, name))).digest('base64');
+    return [name, `sha256-${hash}`];
+  });
+}
+const files = filesOf(out);
+await build({
+  absWorkingDir: here,
+  entryPoints: ['src/offline/service_worker.ts'],
+  outdir: out,
+  bundle: true,
+  format: 'iife',  // not every browser takes modules there
+  target: 'es2022',
+  minify: true,
+  define: {
+    FILES: JSON.stringify(Object.fromEntries(files)),
+    VERSION: JSON.stringify(createHash('sha256').update(JSON.stringify(files)).digest('hex').slice(0, 16)),
+  },
+  logLevel: 'warning',
+});

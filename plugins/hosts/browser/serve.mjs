@@ -7,6 +7,7 @@ import { fileURLToPath } from 'node:url';
 const kinds = {
   '.html': 'text/html; charset=utf-8', '.js': 'text/javascript', '.css': 'text/css', '.svg': 'image/svg+xml',
   '.wasm': 'application/wasm', '.txt': 'text/plain; charset=utf-8',
+  '.webmanifest': 'application/manifest+json',
 };
 
 /** Begins to serve; gives the server and its address. Port 0: any that is free. */

@@ -39,7 +39,18 @@ function broken() {
   return { points, faces: [...faces, [0, 1, 100000]] };
 }
 
-const kinds = { ball: () => ball(), large: () => ball(400), twice, broken };
+/** Triangles that share no vertices; `gap` moves their corners apart. */
+function soup(gap = 0) {
+  const { points, faces } = ball(8);
+  return {
+    points: faces.flatMap((face) => face.map((v, k) => points[v].map((x, i) => x + (i === k ? gap : 0)))),
+    faces: faces.map((_, f) => [3 * f, 3 * f + 1, 3 * f + 2]),
+  };
+}
+
+const kinds = {
+  ball: () => ball(), large: () => ball(400), twice, broken, soup: () => soup(), loose: () => soup(1e-7),
+};
 
 /** The path of an OFF file with this mesh. */
 export function mesh(kind) {

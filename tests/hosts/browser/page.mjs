@@ -3,7 +3,7 @@
 import { existsSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, renameSync, rmSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { tmpdir } from 'node:os';
-import { join } from 'node:path';
+import { basename, join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 
 const folder = process.env.TALWEG_PAGE;
@@ -53,16 +53,30 @@ export async function endBrowser() {
   launched?.server.close();
 }
 
-/** Opens the page as somebody who was never there; `touch` makes it a phone. */
-export async function openPage({ width = 900, height = 600, touch = false, dark = false } = {}) {
-  const { browser, url } = await launch();
-  const context = await browser.createBrowserContext();
+/** The page from a server of its own, which a test can end: { url, unplug }. */
+export async function servePage(from = folder) {
+  const { serve } = await import(pathToFileURL(join(source, 'serve.mjs')));
+  const { server, url } = await serve(from);
+  return { url, unplug: () => Promise.all([new Promise((done) => server.close(done)), server.closeAllConnections()]) };
+}
+
+/**
+ * Opens the page as somebody who was never there; `touch` makes it a phone. `context` is the browser of
+ * a page that is open already, `url` another server's, `script` runs before the page's own.
+ */
+export async function openPage({ width = 900, height = 600, touch = false, dark = false, context, url, script,
+                                ready = 'html[data-ready]' } = {}) {
+  const launched = await launch();
+  url ??= launched.url;
+  const mine = context === undefined;
+  context ??= await launched.browser.createBrowserContext();
   const page = await context.newPage();
+  if (script) await page.evaluateOnNewDocument(script);
   page.setDefaultTimeout(patience);
   page.setDefaultNavigationTimeout(patience);
   await page.setViewport({ width, height, hasTouch: touch, isMobile: touch });
   await page.emulateMediaFeatures([{ name: 'prefers-color-scheme', value: dark ? 'dark' : 'light' }]);
-  const opened = new Page(context, page, url);
+  const opened = new Page(context, page, url, mine, ready);
   await opened.begin();
   return opened;
 }
@@ -72,8 +86,8 @@ export class Page {
   errors = [];
   downloads = mkdtempSync(join(tmpdir(), 'talweg-page-'));
 
-  constructor(context, page, url) {
-    Object.assign(this, { context, page, url });
+  constructor(context, page, url, mine, ready) {
+    Object.assign(this, { context, page, url, mine, ready });
   }
 
   async begin() {
@@ -90,11 +104,11 @@ export class Page {
 
   async load() {
     await this.page.goto(this.url);
-    await this.page.waitForSelector('html[data-ready]');
+    await this.page.waitForSelector(this.ready);
   }
 
   async end() {
-    await this.context.close();
+    if (this.mine) await this.context.close();
     rmSync(this.downloads, { recursive: true, force: true });
   }
 
@@ -191,6 +205,13 @@ export class Page {
       await new Promise((done) => setTimeout(done, 50));
     }
     throw new Error(`No file was saved: ${await this.text('trouble-files')}`);
+  }
+
+  /** Does what saves so many files, and gives their paths in the order of their names. */
+  async savedAll(count, task) {
+    const paths = [await this.saved(task)];
+    while (paths.length < count) paths.push(await this.saved(() => {}));
+    return paths.sort((a, b) => basename(a).localeCompare(basename(b)));
   }
 
   /** A picture for people to look at, in the folder of TALWEG_PAGE_PICTURES. */

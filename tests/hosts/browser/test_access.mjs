@@ -66,9 +66,35 @@ export async function repairIsOffered() {
   assert.deepEqual(await page.curves(), []);
   await page.picture('repair');
   await look(page, 'repair');
+  // The ball has 224 faces, and one of them comes twice.
+  assert.match(await page.text('repair-list'), /^1 face that repeats another would be dropped/);
   await page.act('repair');
   await page.page.waitForFunction(() => document.getElementById('mesh-name').textContent.includes('repaired'));
   await page.rest();
+  assert.match(await page.text('repair-why'), /^Repaired: 224 faces and 114 vertices/);
+  assert.match(await page.text('repair-list'), /^1 face that repeats another was dropped/);
   await page.click(...a);
   assert.deepEqual(await page.curves(), ['Curve 1 being drawn, 1 point']);
+}
+
+/** No curve gets from one of its triangles to the next, until they are welded: here within 1e-7. */
+export async function aSoupIsWelded() {
+  const page = await openPage();
+  for (const kind of ['soup', 'loose']) {
+    await page.openMesh(mesh(kind));
+    assert.match(await page.text('hint'), /Repair would weld them/);
+    assert.match(await page.text('repair-list'), /would be welded: 224 parts would become 1, 224 borders would become 0/);
+    await page.picture(kind);
+    await page.act('repair');
+    await page.page.waitForFunction(() => document.getElementById('mesh-name').textContent.includes('repaired'));
+    await page.rest();
+    assert.match(await page.text('repair-why'), /^Repaired: 224 faces and 114 vertices/);
+    for (const at of (await around(page, 40)).slice(0, 3)) await page.click(...at);
+    await page.key('Enter');
+    assert.deepEqual(await page.curves(), ['Curve 1 open, 3 points']);
+    assert.ok((await page.reported('length')) > 0);
+  }
+  await page.page.evaluate(() => (document.getElementById('command-details').open = true));
+  await page.page.waitForFunction(() => /--repair=weld=[\d.e-]+,drop,orient,split/.test(
+    document.getElementById('command').textContent));
 }

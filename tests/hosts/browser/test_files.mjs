@@ -148,6 +148,12 @@ export async function theCutIsTheDrivers() {
   talweg('cut', mesh('ball'), '--curve', curve, '--open', '-o', theirs);
   for (const element of ['vertex', 'face']) assert.equal(countIn(ours, element), countIn(theirs, element), element);
 
+  // The parts are the whole, each a file of its own.
+  const parts = await page.savedAll(2, () => page.act('save-parts'));
+  assert.deepEqual(parts.map((path) => basename(path)), ['ball-part-1.ply', 'ball-part-2.ply']);
+  assert.equal(parts.reduce((sum, path) => sum + countIn(path, 'face'), 0), countIn(ours, 'face'));
+  for (const path of parts) assert.equal(JSON.parse(talweg('info', '--json', path)).components, 1);
+
   // One part with a lid is closed.
   await page.page.click('#lids');
   await (await page.page.$('#part-list li button')).click();
@@ -159,6 +165,23 @@ export async function theCutIsTheDrivers() {
   await page.act('uncut');
   await page.rest();
   assert.equal((await page.curves()).length, 1);
+}
+
+/** A row for each point that the page saves, with the report's length at the end. */
+export async function aTableForSpreadsheets() {
+  const page = await stroked(false);
+  await page.page.evaluate(() => {
+    navigator.clipboard.writeText = async (text) => (globalThis.copied = text);
+  });
+  await page.act('copy-table');
+  const rows = (await page.page.evaluate(() => globalThis.copied)).trimEnd().split('\r\n').map((row) => row.split(','));
+  assert.deepEqual(rows.shift(), ['curve', 'length', 'x', 'y', 'z', 'turning', 'deviation']);
+  const [{ points }] = curvesIn(await saveAs(page, 'json'));
+  assert.equal(rows.length, points.length);
+  rows.forEach(([, , ...cells], k) => points[k].xyz.forEach((x, i) => assert.ok(Math.abs(x - cells[i]) < 1e-12)));
+  const report = JSON.parse(readFileSync(await page.saved(() => page.act('save-report')), 'utf8'));
+  assert.ok(Math.abs(rows.at(-1)[1] - report.length_after) < 1e-9 * report.length_after);
+  assert.ok(rows.every(([, , , , , turning, deviation]) => turning !== '' && deviation !== ''));
 }
 
 export async function aPicture() {

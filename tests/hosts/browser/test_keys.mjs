@@ -104,3 +104,26 @@ export async function theHelpListsTheKeys() {
   await page.key('Escape');
   assert.ok(!(await page.page.$eval('#help', (dialog) => dialog.open)));
 }
+
+/** A hand on its keys goes on with the mesh, and Ctrl+Z in a box is about its text. */
+export async function fromTheSampleToTheMesh() {
+  const page = await openPage();
+  await tabTo(page, '#start [data-act="sample"]');
+  await page.key('Enter');
+  await page.page.waitForFunction(() => document.getElementById('told').textContent.includes('Draw on it'));
+  await page.rest();
+  assert.equal(await page.page.evaluate(() => document.activeElement.id), 'view');
+  await page.key('Space');
+  await press(page, 'ArrowRight', 5);
+  await page.key('Space', 'Enter');
+  assert.deepEqual(await page.curves(), ['Curve 1 open, 2 points']);
+  await tabTo(page, '#tau-number');
+  await page.page.keyboard.type('37');
+  const tau = () => page.page.$eval('#tau-number', (box) => box.value);
+  assert.match(await tau(), /37/);
+  await page.page.keyboard.down('Control');
+  await page.key('z');
+  await page.page.keyboard.up('Control');
+  assert.doesNotMatch(await tau(), /37/);
+  assert.deepEqual(await page.curves(), ['Curve 1 open, 2 points']);
+}

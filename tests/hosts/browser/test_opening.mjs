@@ -1,9 +1,14 @@
 // How a mesh comes onto the page, and that nothing leaves it.
 import assert from 'node:assert/strict';
-import { readFileSync, writeFileSync } from 'node:fs';
+import { createHash } from 'node:crypto';
+import {
+  appendFileSync, copyFileSync, cpSync, mkdirSync, mkdtempSync, readFileSync, writeFileSync,
+} from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
 import { gzipSync } from 'node:zlib';
 import { mesh } from './meshes.mjs';
-import { openPage } from './page.mjs';
+import { openPage, servePage } from './page.mjs';
 import { around } from './places.mjs';
 
 async function drawTwo(page) {
@@ -96,4 +101,126 @@ export async function allAboutTheMesh() {
   await page.page.waitForFunction(() => document.getElementById('mesh-text').textContent.includes('there twice'));
   await page.openMesh(mesh('ball'));
   await page.page.waitForFunction(() => document.getElementById('mesh-text').textContent.includes('none (closed)'));
+}
+
+/** The plug is pulled: the page goes on, is loaded anew, and works. */
+export async function withoutANet() {
+  const { url, unplug } = await servePage();
+  const page = await openPage({ url });
+  await page.page.waitForFunction(() => document.getElementById('offline-told').checkVisibility());
+  await unplug();
+  await page.openMesh(mesh('ball'));
+  await drawTwo(page);
+  await page.page.waitForFunction(() => sessionStorage.getItem('talweg.mesh')
+    && sessionStorage.getItem('talweg.session').includes('"unfinished\\":false'));
+  await page.load();
+  await page.page.waitForFunction(() => document.querySelector('#curve-list li'));
+  await page.rest();
+  assert.deepEqual(await page.curves(), ['Curve 1 open, 2 points']);
+  await page.act('sample');
+  await page.page.waitForFunction(() => document.getElementById('told').textContent.includes('stone.ply'));
+  await page.rest();
+  await drawTwo(page);
+}
+
+/** A version that came during a visit begins with the next one, and what was kept of the old one goes. */
+export async function aNewerVersion() {
+  const folder = mkdtempSync(join(tmpdir(), 'talweg-versions-'));
+  cpSync(process.env.TALWEG_PAGE, folder, { recursive: true });
+  const { url, unplug } = await servePage(folder);
+  const page = await openPage({ url });
+  await page.page.waitForFunction(() => document.getElementById('offline-told').checkVisibility());
+  const kept = () => page.page.evaluate(async () => {
+    const style = await (await fetch('style.css')).text();
+    return { versions: (await caches.keys()).length, isNew: style.includes('/* new */') };
+  });
+  assert.deepEqual(await kept(), { versions: 1, isNew: false });
+
+  // As build.mjs would make it.
+  const [style, worker] = ['style.css', 'service_worker.js'].map((name) => join(folder, name));
+  const hash = () => createHash('sha256').update(readFileSync(style)).digest('base64');
+  const before = hash();
+  appendFileSync(style, '/* new */');
+  const text = readFileSync(worker, 'utf8').replace(before, hash()).replace(/"[0-9a-f]{16}"/, '"0123456789abcdef"');
+  writeFileSync(worker, text);
+  await page.load();
+  await page.page.waitForFunction(async () => (await navigator.serviceWorker.getRegistration()).waiting !== null);
+  assert.equal((await kept()).isNew, false);
+  await Promise.all([page.page.waitForNavigation(), page.page.reload()]);
+  await page.page.waitForFunction(async () => (await caches.keys()).length === 1
+    && (await (await fetch('style.css')).text()).includes('/* new */'));
+  await unplug();
+  await page.load();
+  assert.deepEqual(await kept(), { versions: 1, isNew: true });
+}
+
+/** A browser that keeps no page has what it needs from the start. */
+export async function theNetGoesWithoutAServiceWorker() {
+  const { url, unplug } = await servePage();
+  const page = await openPage({ url, script: 'delete Navigator.prototype.serviceWorker' });
+  await unplug();
+  for (const kind of ['twice', 'ball']) await page.openMesh(mesh(kind));
+  await drawTwo(page);
+  assert.equal(await page.text('trouble-mesh'), '');
+}
+
+/** As the system's file manager does it. */
+async function dropPaths(page, ...files) {
+  const client = await page.page.createCDPSession();
+  const { x, y } = await page.middle();
+  const data = { items: [], files, dragOperationsMask: 1 };
+  for (const type of ['dragEnter', 'dragOver', 'drop']) {
+    await client.send('Input.dispatchDragEvent', { type, x, y, data });
+  }
+}
+
+export async function foldersAndSeveralMeshes() {
+  const folder = mkdtempSync(join(tmpdir(), 'talweg-dropped-'));
+  const [empty, one, deep] = ['empty', 'one', 'one/deep'].map((name) => join(folder, name));
+  for (const path of [empty, one, deep]) mkdirSync(path);
+  writeFileSync(join(empty, 'notes.pdf'), 'nothing');
+  const page = await openPage();
+  await dropPaths(page, empty);
+  await page.page.waitForFunction(() => document.getElementById('alarm').textContent.length > 0);
+  assert.match(await page.text('trouble-mesh'), /^There is no mesh in empty: this page opens OBJ, /);
+
+  copyFileSync(mesh('ball'), join(deep, 'ball.off'));
+  writeFileSync(join(one, 'notes.pdf'), 'nothing');
+  await dropPaths(page, one);
+  await page.page.waitForFunction(() => document.getElementById('mesh-name').textContent === 'ball.off');
+  await page.rest();
+  assert.equal(await page.text('alarm'), '');
+  assert.equal(await page.page.title(), 'ball.off – Talweg');
+
+  await dropPaths(page, mesh('ball'), mesh('twice'));
+  await page.page.waitForSelector('#choice[open]');
+  await page.picture('choice');
+  assert.deepEqual(await page.page.$$eval('#choice-list button', (all) => all.map((b) => b.textContent)),
+    ['ball.off', 'twice.off']);
+  await page.page.click('#choice-list li:last-child button');
+  await page.page.waitForFunction(() => document.getElementById('mesh-name').textContent === 'twice.off');
+  await page.rest();
+}
+
+export async function withoutWebGL() {
+  const page = await openPage({ ready: '#trouble-mesh:not(:empty)',
+    script: 'HTMLCanvasElement.prototype.getContext = () => null' });
+  assert.match(await page.text('trouble-mesh'), /^The page cannot work here: this browser has no WebGL 2/);
+  assert.equal(await page.text('alarm'), await page.text('trouble-mesh'));
+  await page.picture('no-webgl');
+}
+
+/** Troubles are told where one looks, and are gone when the work goes on. */
+export async function aTroubleIsOver() {
+  const page = await openPage();
+  await page.choose('choose-mesh', mesh('broken'));
+  await page.page.waitForFunction(() => document.getElementById('alarm').textContent.includes('broken.off'));
+  await page.openMesh(mesh('ball'));
+  assert.equal(await page.text('alarm'), '');
+  await page.choose('choose-mesh', mesh('broken'));
+  await page.page.waitForFunction(() => document.getElementById('alarm').textContent.includes('broken.off'));
+  await page.rest();
+  assert.equal(await page.text('mesh-name'), 'ball.off');
+  await drawTwo(page);
+  for (const id of ['alarm', 'trouble-mesh']) assert.equal(await page.text(id), '');
 }

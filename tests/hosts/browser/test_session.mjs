@@ -1,5 +1,6 @@
 // Nothing is lost, and nothing is kept on the machine unasked.
 import assert from 'node:assert/strict';
+import { mesh } from './meshes.mjs';
 import { openPage } from './page.mjs';
 import { around, withMesh } from './places.mjs';
 
@@ -54,7 +55,15 @@ export async function theMachineKeepsItWhenAsked() {
   await again(page);
   assert.deepEqual(await page.curves(), ['Curve 1 open, 3 points']);
 
-  await Promise.all([page.page.waitForNavigation(), page.page.click('[data-act="forget"]')]);
+  // It asks; Escape and the first answer keep everything.
+  await page.act('forget');
+  await page.picture('forget');
+  await page.key('Escape');
+  assert.equal(await page.page.evaluate(() => document.activeElement.dataset.act), 'forget');
+  await page.key('Enter', 'Enter');
+  assert.deepEqual(await page.curves(), ['Curve 1 open, 3 points']);
+  await page.act('forget');
+  await Promise.all([page.page.waitForNavigation(), page.page.click('[data-act="forget-now"]')]);
   await page.page.waitForSelector('html[data-ready]');
   assert.deepEqual(await page.curves(), []);
   assert.deepEqual(await onMachine(page), { local: 0, databases: [] });
@@ -68,7 +77,7 @@ export async function whatIsBeingKeptIsForgottenToo() {
   await Promise.all([page.page.waitForNavigation(), page.page.evaluate(() => {
     Object.defineProperty(document, 'visibilityState', { value: 'hidden' });
     dispatchEvent(new Event('visibilitychange'));  // keeps at once
-    document.querySelector('[data-act="forget"]').click();
+    document.querySelector('[data-act="forget-now"]').click();
   })]);
   await page.page.waitForSelector('html[data-ready]');
   assert.deepEqual(await page.curves(), []);
@@ -87,4 +96,89 @@ export async function aSessionFileOpensAgain() {
   await other.rest();
   assert.deepEqual(await other.curves(), ['Curve 1 open, 3 points']);
   assert.equal(await other.reported('length'), length);
+}
+
+async function sampleOpened(page) {
+  await page.act('sample');
+  await page.page.waitForFunction(() => document.getElementById('mesh-name').textContent === 'stone.ply');
+  await page.rest();
+}
+
+function asides(page) {
+  return page.page.$$eval('#asides li', (all) => all.map((one) => one.textContent.trim()));
+}
+const ballAside = 'The drawing on ball.off (1 curve) was put aside. Bring it back';
+
+/** Undo goes back over the opening, into the steps of the drawing before it. */
+export async function anotherMeshTakesNoDrawing() {
+  const page = await drawn();
+  const length = await page.reported('length');
+  await sampleOpened(page);
+  assert.deepEqual(await page.curves(), []);
+  assert.deepEqual(await asides(page), [ballAside]);
+  await page.picture('put-aside');
+
+  await page.act('undo');
+  assert.equal(await page.text('mesh-name'), 'ball.off');
+  assert.deepEqual(await page.curves(), ['Curve 1 open, 3 points']);
+  assert.equal(await page.reported('length'), length);
+  assert.deepEqual(await asides(page), []);
+  await page.act('redo');
+  assert.equal(await page.text('mesh-name'), 'stone.ply');
+  assert.deepEqual(await asides(page), [ballAside]);
+  await page.act('undo');
+  await page.act('undo');
+  assert.deepEqual(await page.curves(), ['Curve 1 being drawn, 3 points']);
+}
+
+export async function whatWasPutAsideIsThereAfterAReload() {
+  const page = await drawn();
+  const length = await page.reported('length');
+  await sampleOpened(page);
+  await page.page.waitForFunction(() => sessionStorage.getItem('talweg.session').includes('stone.ply')
+    && JSON.parse(sessionStorage.getItem('talweg.asides'))[0].mesh.bytes.length > 0);
+  await page.load();
+  await page.page.waitForFunction(() => document.getElementById('mesh-name').textContent === 'stone.ply');
+  assert.deepEqual(await asides(page), [ballAside]);
+  const [a, b] = await around(page, 25);
+  await page.click(...a);
+  await page.click(...b);
+  await page.page.click('#asides button');
+  await page.page.waitForFunction(() => document.getElementById('mesh-name').textContent === 'ball.off');
+  await page.rest();
+  assert.deepEqual(await page.curves(), ['Curve 1 open, 3 points']);
+  assert.equal(await page.reported('length'), length);
+  assert.deepEqual(await asides(page), ['The drawing on stone.ply (1 curve) was put aside. Bring it back']);
+  assert.equal(await page.page.evaluate(() => document.activeElement.id), 'view');
+}
+
+/** A mesh that the tab has no room for: the drawing waits for it. */
+export async function aDrawingWaitsForItsMesh() {
+  const page = await drawn();
+  await page.page.waitForFunction(() => JSON.parse(sessionStorage.getItem('talweg.session')).drawing.includes('face'));
+  await page.page.evaluate(() => sessionStorage.removeItem('talweg.mesh'));
+  await page.load();
+  assert.match((await asides(page))[0], /The drawing on ball\.off \(1 curve\) waits for its mesh.*open ball\.off again/);
+  await sampleOpened(page);
+  assert.equal((await asides(page)).length, 1);
+  await page.openMesh(mesh('ball'));
+  await page.page.waitForFunction(() => document.querySelector('#curve-list li'));
+  assert.deepEqual(await page.curves(), ['Curve 1 open, 3 points']);
+  assert.deepEqual(await asides(page), []);
+}
+
+/** The second tab says so, writes nothing over, and puts aside what the first has left when that is closed. */
+export async function twoTabsDoNotWriteOverEachOther() {
+  const first = await drawn();
+  await first.page.click('#on-machine');
+  await first.page.waitForFunction(() => document.getElementById('kept-told').textContent.includes('on this device'));
+  const second = await openPage({ context: first.context });
+  assert.ok(await second.page.$eval('#other-tab', (told) => told.checkVisibility()));
+  assert.deepEqual(await second.curves(), []);
+  await sampleOpened(second);
+  await second.page.waitForFunction(() => document.getElementById('kept-told').textContent.includes('tab'));
+  await first.page.close();
+  await second.page.waitForFunction(() => document.querySelector('#asides li'));
+  assert.deepEqual(await asides(second), [ballAside]);
+  assert.ok(!(await second.page.$eval('#other-tab', (told) => told.checkVisibility())));
 }

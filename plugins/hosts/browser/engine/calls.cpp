@@ -61,6 +61,7 @@ Answer call_engine(const std::string& name, const Json& a) {
   if (name == "labels") return engine.labels(labels_in(a, bytes));
   if (name == "saveCurves") return engine.save_curves(text(0));
   if (name == "saveMesh") return engine.save_mesh(text(0));
+  if (name == "saveParts") return engine.save_parts(text(0), a.at(1).get<bool>());
   if (name == "readCurves") return engine.read_curves(text(0), bytes);
   throw editing::Error("The engine has no " + name + ".");
 }

@@ -6,6 +6,7 @@
 
 #include "drawing_json.hpp"
 #include "files.hpp"
+#include "inspection.hpp"
 #include "label_borders.hpp"
 #include "lines.hpp"
 #include "mesh_words.hpp"
@@ -20,10 +21,6 @@ namespace {
 
 using editing::MeshArrays;
 using editing::Task;
-
-/// Of larger meshes only opening tells what is wrong: looking for everything else takes several
-/// times as long and as much memory.
-constexpr std::size_t kInspected = 300'000;
 
 std::vector<float> shown_positions(const std::vector<editing::Vector>& positions) {
   std::vector<float> result;
@@ -42,13 +39,6 @@ std::vector<std::uint32_t> shown_triangles(
   return result;
 }
 
-host::Results inspected(const editing::Plugins& plugins, const MeshArrays& mesh) {
-  const host::Services services("Talweg page", "1");
-  host::Instance repair(plugins.find("talweg.repair"), services);
-  editing::set_mesh(repair, mesh);
-  return repair.run();
-}
-
 std::string stem_of(const std::string& name) { return name.substr(0, name.rfind('.')); }
 
 [[noreturn]] void fail(const editing::Outcome& outcome) {
@@ -65,9 +55,15 @@ Answer Engine::open(const std::string& name, std::string_view bytes, bool repair
   stem_ = stem_of(name);
   mean_edge_ = mean_edge_of(*mesh_.arrays);
   defects_ = repair ? editing::Defects::kRepair : editing::Defects::kRefuse;
+  std::optional<WeldOffer> weld;
+  if (repair) weld = weld_offer(*plugins_, *mesh_.arrays);
+  weld_within_ = weld ? weld->tolerance : 0;
   workplace_ = std::make_unique<editing::Workplace>(*plugins_, mesh_.arrays, defects_);
+  workplace_->weld_within(weld_within_);
   const editing::Outcome opened = workplace_->work({});
   if (opened.status != TALWEG_OK && opened.status != TALWEG_BAD_MESH) fail(opened);
+  const bool usable = opened.status == TALWEG_OK;
+  if (!repair && usable) weld = weld_offer(*plugins_, *mesh_.arrays);
 
   Answer answer;
   answer.json = {{"vertices", mesh_.arrays->positions.size()},
@@ -78,6 +74,9 @@ Answer Engine::open(const std::string& name, std::string_view bytes, bool repair
                  {"meanEdge", mean_edge_},
                  {"unit", ""},
                  {"repair", opened.repair},
+                 {"weld", weld ? weld->told : Json(nullptr)},
+                 {"repaired", repair && usable ? repair_told(*plugins_, *mesh_.arrays, weld_within_)
+                                               : Json(nullptr)},
                  {"defects", opened.sentence.empty() ? Json(nullptr) : Json(opened.sentence)}};
   return answer;
 }
@@ -180,7 +179,7 @@ Answer Engine::cut(const editing::Drawing& drawing) {
   need_mesh();
   if (!smoothed_ || !(*smoothed_ == drawing)) static_cast<void>(smooth(drawing, "rests"));
   if (results_.curves.empty()) throw editing::Error("There is no smoothed curve to cut along.");
-  if (!pieces_) pieces_ = std::make_unique<Pieces>(*plugins_, mesh_, defects_);
+  if (!pieces_) pieces_ = std::make_unique<Pieces>(*plugins_, mesh_, defects_, weld_within_);
   pieces_->cut(results_.curves);
   is_cut_ = true;
   return pieces();
@@ -242,6 +241,21 @@ Answer Engine::save_mesh(const std::string& format) const {
     write_mesh(*plugins_, path, *mesh.arrays, mesh.attributes, mesh_.frame);
   };
   answer.json = {{"name", name}, {"bytes", answer.array(written(name, write))}};
+  return answer;
+}
+
+Answer Engine::save_parts(const std::string& format, bool lids) {
+  if (!is_cut_) throw editing::Error("The mesh is not cut yet.");
+  Answer answer;
+  answer.json = Json::array();
+  for (const FileMesh& part : pieces_->each(lids)) {
+    const std::string name =
+        stem_ + "-part-" + std::to_string(answer.json.size() + 1) + "." + format;
+    const auto write = [&](const std::string& path) {
+      write_mesh(*plugins_, path, *part.arrays, part.attributes, mesh_.frame);
+    };
+    answer.json.push_back({{"name", name}, {"bytes", answer.array(written(name, write))}});
+  }
   return answer;
 }
 

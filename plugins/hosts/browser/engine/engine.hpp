@@ -42,6 +42,8 @@ class Engine {
   /// Files have the mesh's name. The format "drawn.json" is the drawing itself.
   Answer save_curves(const std::string& format) const;
   Answer save_mesh(const std::string& format) const;
+  /// A file for each part of the cut mesh, also where one is kept alone.
+  Answer save_parts(const std::string& format, bool lids);
   Answer read_curves(const std::string& name, std::string_view bytes);
 
  private:
@@ -53,6 +55,7 @@ class Engine {
   std::string stem_;
   FileMesh mesh_;
   editing::Defects defects_ = editing::Defects::kRefuse;
+  double weld_within_ = 0;  // mesh units, if it is repaired
   double mean_edge_ = 0;
   std::unique_ptr<editing::Workplace> workplace_;
   std::optional<editing::Drawing> smoothed_;  // of which `results_` are, with the hand at rest

@@ -19,13 +19,15 @@ void append(host::Attribute& to, const host::Attribute& more) {
 
 }  // namespace
 
-Pieces::Pieces(const editing::Plugins& plugins, FileMesh mesh, editing::Defects defects)
+Pieces::Pieces(const editing::Plugins& plugins, FileMesh mesh, editing::Defects defects,
+               double weld_within)
     : services_("Talweg page", "1", {},
                 [this](std::uint32_t severity, const char* message) {
                   if (severity >= TALWEG_LOG_WARNING) notes_.emplace_back(message);
                 }),
       instance_(plugins.find("talweg.cut"), services_) {
   if (defects == editing::Defects::kRepair) instance_.set("repair", 1.0);
+  if (weld_within > 0) instance_.set("repair_weld_tolerance", weld_within);
   editing::set_mesh(instance_, *mesh.arrays);
   instance_.set_attributes(mesh.attributes);
   instance_.set("split", 1.0);
@@ -43,8 +45,29 @@ void Pieces::keep(std::size_t part, bool lids) {
   attributes_ = {std::move(attributes_[part])};
 }
 
+std::vector<FileMesh> Pieces::each(bool lids) {
+  std::vector<FileMesh> all;
+  for (Piece& piece : made(lids)) {
+    auto arrays = std::make_shared<editing::MeshArrays>();
+    arrays->positions = std::move(piece.mesh.positions);
+    arrays->triangles = std::move(piece.mesh.triangles);
+    all.push_back({std::move(arrays), std::move(piece.attributes), {}, {}});
+  }
+  return all;
+}
+
 void Pieces::run(bool lids) {
   notes_.clear();
+  std::vector<Piece> pieces = made(lids);
+  meshes_.clear();
+  attributes_.clear();
+  for (Piece& piece : pieces) {
+    meshes_.push_back(std::move(piece.mesh));
+    attributes_.push_back(std::move(piece.attributes));
+  }
+}
+
+std::vector<Pieces::Piece> Pieces::made(bool lids) {
   instance_.set("cap", lids ? "auto" : "none");
   host::Wanted wanted;
   wanted.meshes = true;
@@ -52,9 +75,11 @@ void Pieces::run(bool lids) {
   if (const host::ReportEntry* warnings = results.find("warnings")) {
     notes_.insert(notes_.end(), warnings->texts.begin(), warnings->texts.end());
   }
-  meshes_ = std::move(results.meshes);
-  attributes_.clear();
-  for (std::size_t k = 0; k < meshes_.size(); ++k) attributes_.push_back(instance_.attributes(k));
+  std::vector<Piece> pieces;
+  for (host::Mesh& mesh : results.meshes) {
+    pieces.push_back({std::move(mesh), instance_.attributes(pieces.size())});
+  }
+  return pieces;
 }
 
 FileMesh Pieces::together() const {

@@ -12,7 +12,9 @@ namespace talweg::browser {
 
 class Pieces {
  public:
-  Pieces(const editing::Plugins& plugins, FileMesh mesh, editing::Defects defects);
+  /// A mesh that is repaired may be welded within a tolerance, in mesh units.
+  Pieces(const editing::Plugins& plugins, FileMesh mesh, editing::Defects defects,
+         double weld_within);
 
   /// All pieces along the curves. Throws host::Error.
   void cut(const std::vector<host::Curve>& curves);
@@ -25,9 +27,16 @@ class Pieces {
   [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }
   /// The same as one mesh, with its attributes.
   [[nodiscard]] FileMesh together() const;
+  /// Each piece alone. What cut() or keep() gave last stays.
+  [[nodiscard]] std::vector<FileMesh> each(bool lids);
 
  private:
+  struct Piece {
+    host::Mesh mesh;
+    std::vector<host::Attribute> attributes;
+  };
   void run(bool lids);
+  std::vector<Piece> made(bool lids);
 
   std::vector<std::string> notes_;
   host::Services services_;

@@ -5,9 +5,12 @@ import { Hand } from './gestures/hand';
 import { Keys } from './gestures/keys';
 import { Pointers } from './gestures/pointers';
 import { Finder } from './gestures/under';
+import { beginNewerVersion, keepForOffline } from './offline/offline';
+import { bindAsidePanel } from './panel/aside_panel';
 import { CurvePanel } from './panel/curve_panel';
 import { CutPanel } from './panel/cut_panel';
 import { FilesPanel } from './panel/files_panel';
+import { forgetActs } from './panel/forget_panel';
 import { bindHelp } from './panel/help';
 import { bindHint } from './panel/hint';
 import { bindMeshPanel } from './panel/mesh_panel';
@@ -16,6 +19,8 @@ import { bindReportPanel } from './panel/report_panel';
 import { SettingsPanel } from './panel/settings_panel';
 import { bindShowPanel, worstOf } from './panel/show_panel';
 import { bindTrouble } from './panel/trouble';
+import { Asides } from './session/asides';
+import { Current } from './session/current';
 import { SessionWork } from './session/session_work';
 import { Store } from './state/store';
 import { firstVerdict } from './state/verdict';
@@ -29,6 +34,7 @@ import { Live } from './actions/live';
 import { MeshWork } from './actions/mesh_work';
 
 async function start(store: Store): Promise<void> {
+  if (await beginNewerVersion()) return;
   const box = byId('view');
   const stage = new Stage(box, byId<HTMLCanvasElement>('canvas'));
   const view = new View(stage, byId('marks'), store);
@@ -39,7 +45,10 @@ async function start(store: Store): Promise<void> {
   const meshes = new MeshWork(desk, live, (shape) => view.showShape(shape), () => stage.camera.lookAslant());
   const cutting = new CutWork(desk, drawing);
   const files = new FilesWork(desk, drawing, stage);
-  const sessions = new SessionWork(desk, store, live, meshes, stage.camera);
+  const current = new Current(desk, live, meshes, stage.camera);
+  const asides = new Asides(desk, current, meshes);
+  const sessions = new SessionWork(desk, store, current, asides);
+  bindAsidePanel(store, (id) => asides.bringBack(id));
 
   const viewMoved = () => stage.ask();
   const finder = new Finder(stage, () => meshes.picker);
@@ -83,15 +92,17 @@ async function start(store: Store): Promise<void> {
       if (place) view.goTo(place, meshes.picker);
     },
     help,
-    forget: () => sessions.forget(),
+    ...forgetActs(() => sessions.forget()),
   });
   const all = byId<HTMLDetailsElement>('mesh-all');
   all.addEventListener('toggle', () => {
     meshes.wantsAll = all.open;
     void meshes.tellAll();
   });
+  await meshes.loaded();
   await sessions.bringBack();
   document.documentElement.dataset.ready = 'yes';
+  await keepForOffline();
 }
 
 const store = new Store();
@@ -99,4 +110,8 @@ bindMeshPanel(store);
 bindReportPanel(store);
 bindHint(store);
 bindTrouble(store);
-start(store).catch((error: unknown) => store.trouble('mesh', `The page cannot work here: ${sentenceOf(error)}`));
+start(store).catch((error: unknown) => {
+  store.trouble('mesh', `The page cannot work here: ${sentenceOf(error)}`);
+  byId('start').hidden = true;
+  for (const button of document.querySelectorAll<HTMLButtonElement>('[data-act]')) button.disabled = true;
+});

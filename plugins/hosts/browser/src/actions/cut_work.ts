@@ -7,7 +7,8 @@ export class CutWork {
 
   async cut(): Promise<void> {
     const { store, engine } = this.desk;
-    const { drawing } = store.now;
+    const { drawing, opening } = store.now;
+    if (opening) return;
     const cut = await this.desk.wait('cut', 'Cutting', engine.cut(drawing));
     if (!cut || store.now.drawing !== drawing) return;
     store.set({ cut, kept: null, leg: null });

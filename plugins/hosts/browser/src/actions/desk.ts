@@ -5,7 +5,19 @@ import { Ended, Engine, Replaced } from '../engine/engine';
 import type { Spot } from '../state/state';
 import type { Store } from '../state/store';
 
+/** Openings of meshes: steps that are undone after those of the drawing. */
+export interface Openings {
+  /** null: there is no such step. */
+  undoName(): string | null;
+  redoName(): string | null;
+  undo(): void;
+  redo(): void;
+  /** The drawing has changed: an opening that was undone is not done again. */
+  forgetRedo(): void;
+}
+
 export class Desk {
+  openings: Openings | null = null;
   private works = 0;
 
   private constructor(readonly store: Store, public engine: Engine, public editor: Editor) {}
@@ -34,12 +46,17 @@ export class Desk {
     }
   }
 
-  /** Ends what runs, however long it would take. The mesh has to be opened again. */
+  /**
+   * Ends what runs, however long it would take. The mesh has to be opened again. Throws Error, and
+   * ends nothing, where no new engine can be had.
+   */
   async endEngine(): Promise<void> {
-    this.engine.end();
+    const next = await Engine.start();
+    const old = this.engine;
+    this.engine = next;
     ++this.works;
     this.store.set({ busy: null });
-    this.engine = await Engine.start();
+    old.end();
   }
 
   tell(sentence: string): void {

@@ -11,10 +11,17 @@ export class DrawingWork {
 
   /** Does an edit and smooths what comes of it. Returns whether the editor took it. */
   edit(change: (editor: Editor) => void, told = '', hand: Hand = 'rests'): boolean {
+    const taken = this.step(change, told, hand);
+    if (taken) this.desk.openings?.forgetRedo();
+    return taken;
+  }
+
+  private step(change: (editor: Editor) => void, told: string, hand: Hand): boolean {
     const { store, editor } = this.desk;
+    if (store.now.opening) return false;
     try {
       change(editor);
-      store.trouble('drawing', null);
+      store.goOn();
     } catch (error) {
       store.trouble('drawing', sentenceOf(error));
       return false;
@@ -97,16 +104,23 @@ export class DrawingWork {
     this.desk.tell(`Added ${curves.length} ${curves.length === 1 ? 'curve' : 'curves'}.`);
   }
 
+  /** Takes the last step back; before the first of the drawing, the opening of its mesh. */
   undo(): void {
-    let name: string | null = null;
-    this.edit((e) => (name = e.undo()));
-    this.desk.tell(name ? `Undid: ${String(name)}.` : 'Nothing to undo.');
+    const { editor, openings } = this.desk;
+    if (editor.undoName() === null && openings?.undoName()) openings.undo();
+    else this.back((e) => e.undo(), 'Undid', 'Nothing to undo.');
   }
 
   redo(): void {
+    const { editor, openings } = this.desk;
+    if (editor.redoName() === null && openings?.redoName()) openings.redo();
+    else this.back((e) => e.redo(), 'Redid', 'Nothing to redo.');
+  }
+
+  private back(step: (editor: Editor) => string | null, did: string, nothing: string): void {
     let name: string | null = null;
-    this.edit((e) => (name = e.redo()));
-    this.desk.tell(name ? `Redid: ${String(name)}.` : 'Nothing to redo.');
+    this.step((e) => (name = step(e)), '', 'rests');
+    this.desk.tell(name ? `${did}: ${String(name)}.` : nothing);
   }
 
   choose(chosen: Chosen | null): void {

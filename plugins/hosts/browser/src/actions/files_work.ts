@@ -2,6 +2,8 @@
 // saves what was made here.
 import type { SavedFile } from '../engine/types';
 import type { Stage } from '../view/stage';
+import { nameOf } from '../state/state';
+import { curveTable } from './curve_table';
 import type { Desk } from './desk';
 import type { DrawingWork } from './drawing_work';
 
@@ -15,6 +17,18 @@ export class FilesWork {
 
   async saveMesh(format: string): Promise<void> {
     await this.saveWhen(`Writing ${format}`, this.desk.engine.saveMesh(format));
+  }
+
+  /** A file for each part, one after the other: a browser may ask whether it may save several. */
+  async saveParts(format: string): Promise<void> {
+    const { engine, store } = this.desk;
+    const parts = await this.desk.wait('files', `Writing ${format}`, engine.saveParts(format, store.now.lids));
+    if (!parts) return;
+    for (const part of parts) {
+      save(part);
+      await new Promise((done) => setTimeout(done, 150));
+    }
+    this.desk.tell(`Saved ${parts.length} ${parts.length === 1 ? 'file' : 'files'}.`);
   }
 
   async savePicture(): Promise<void> {
@@ -34,6 +48,14 @@ export class FilesWork {
     if (curves) this.drawing.addCurves(curves);
   }
 
+  async copyTable(): Promise<void> {
+    const { smoothed, drawing } = this.desk.store.now;
+    if (!smoothed) return;
+    const table = curveTable(smoothed.curves, drawing.curves.map(nameOf));
+    await this.desk.wait('files', 'Copying the table', navigator.clipboard.writeText(table));
+    this.desk.tell('Copied a row for each point of the curves.');
+  }
+
   async copyCommand(): Promise<void> {
     await navigator.clipboard.writeText(this.desk.engine.command());
     this.desk.tell('Copied the command line.');
@@ -48,9 +70,13 @@ export class FilesWork {
   private async saveWhen(what: string, work: Promise<SavedFile>): Promise<void> {
     const file = await this.desk.wait('files', what, work);
     if (!file) return;
-    download(file.name, new Blob([file.bytes as Uint8Array<ArrayBuffer>]));
+    save(file);
     this.desk.tell(`Saved ${file.name}.`);
   }
+}
+
+function save(file: SavedFile): void {
+  download(file.name, new Blob([file.bytes as Uint8Array<ArrayBuffer>]));
 }
 
 export function download(name: string, blob: Blob): void {

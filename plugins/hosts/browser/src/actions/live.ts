@@ -22,10 +22,8 @@ export class Live {
   refresh(hand: Hand = 'rests'): void {
     const { editor, store } = this.desk;
     const drawing = editor.drawing();
-    store.set({
-      drawing, undo: editor.undoName(), redo: editor.redoName(), cut: null, kept: null,
-      chosen: stillThere(store.now.chosen, drawing),
-    });
+    store.set({ drawing, cut: null, kept: null, chosen: stillThere(store.now.chosen, drawing) });
+    this.nameSteps();
     if (!drawing.unfinished) this.dropLeg();
     if (!drawable(drawing)) {
       this.shown = ++this.round;
@@ -44,7 +42,17 @@ export class Live {
     this.dropLeg();
     this.desk.store.set({
       drawing: emptyDrawing, drawn: [], smoothed: null, combs: [], cut: null, kept: null,
-      chosen: null, cursor: null, under: { kind: 'nothing' }, undo: null, redo: null,
+      chosen: null, cursor: null, under: { kind: 'nothing' },
+    });
+    this.nameSteps();
+  }
+
+  /** Names the steps that can be undone and done again. */
+  nameSteps(): void {
+    const { editor, openings, store } = this.desk;
+    store.set({
+      undo: editor.undoName() ?? openings?.undoName() ?? null,
+      redo: editor.redoName() ?? openings?.redoName() ?? null,
     });
   }
 
@@ -53,7 +61,7 @@ export class Live {
     const { store, engine } = this.desk;
     const { drawing } = store.now;
     const last = drawing.unfinished ? drawing.curves.at(-1)?.points.at(-1) : undefined;
-    if (!last) return;
+    if (!last || store.now.opening) return;
     const mine = ++this.legRound;
     try {
       const { face, barycentric } = to;

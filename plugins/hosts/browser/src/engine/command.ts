@@ -1,13 +1,18 @@
 // The command line that does what the page does.
-import type { Drawing } from './types';
+import type { Drawing, MeshInfo } from './types';
 
 /** For a shell, where that is needed. */
 function quoted(word: string): string {
-  return /^[\w./+-]+$/.test(word) ? word : `'${word.replace(/'/g, "'\\''")}'`;
+  return /^[\w./+=,-]+$/.test(word) ? word : `'${word.replace(/'/g, "'\\''")}'`;
+}
+
+/** What repairs a mesh as the page does. */
+export function repairOption({ weld }: MeshInfo): string {
+  return weld && weld.tolerance > 0 ? `--repair=weld=${weld.tolerance},drop,orient,split` : '--repair';
 }
 
 /** Smooths the drawing, saved as drawn.json, on the mesh. Empty without a mesh. */
-export function commandOf(name: string, repaired: boolean, drawing: Drawing | null): string {
+export function commandOf(name: string, repair: string, drawing: Drawing | null): string {
   if (!name) return '';
   const mesh = name.replace(/\.gz$/i, '');
   const stem = mesh.replace(/\.[^.]*$/, '');
@@ -22,7 +27,7 @@ export function commandOf(name: string, repaired: boolean, drawing: Drawing | nu
     words.push('--border', 'snap');
     if (clickDistance !== null) words.push('--click-distance', String(clickDistance));
   }
-  if (repaired) words.push('--repair');
+  if (repair) words.push(repair);
   words.push('-o', `${stem}-smooth.vtp`, '--report', `${stem}-report.json`);
   return words.map(quoted).join(' ');
 }

@@ -1,5 +1,5 @@
 // Everything that knows the mesh, in a worker.
-import { commandOf } from './command';
+import { commandOf, repairOption } from './command';
 import type { Curve, CutResult, Drawing, Line, MeshInfo, Point, SavedFile, Smoothed } from './types';
 import type { Reply, Request } from './worker';
 
@@ -25,7 +25,7 @@ export class Engine {
   private waiting: Waiting[] = [];
   private running: Waiting | null = null;
   private ended = false;
-  private mesh = { name: '', repaired: false };
+  private mesh = { name: '', repair: '' };
   private last: Drawing | null = null;
 
   private constructor(private readonly worker: Worker) {}
@@ -48,7 +48,7 @@ export class Engine {
   /** OBJ, OFF, PLY, STL, OM, VTK, VTP, MSH, glTF or 3MF, also packed by gzip. Takes the bytes: they are not there any more. */
   async open(name: string, bytes: ArrayBuffer, repair = false): Promise<MeshInfo> {
     const info = await this.ask<MeshInfo>('open', [name, repair], bytes);
-    this.mesh = { name, repaired: repair };
+    this.mesh = { name, repair: repair ? repairOption(info) : '' };
     this.last = null;
     return info;
   }
@@ -81,12 +81,14 @@ export class Engine {
   saveCurves(format: string): Promise<SavedFile> { return this.ask('saveCurves', [format]); }
   /** The mesh, or what the last cut left of it. */
   saveMesh(format: string): Promise<SavedFile> { return this.ask('saveMesh', [format]); }
+  /** A file for each part of the cut mesh. */
+  saveParts(format: string, lids: boolean): Promise<SavedFile[]> { return this.ask('saveParts', [format, lids]); }
   readCurves(name: string, bytes: ArrayBuffer): Promise<Curve[]> {
     return this.ask('readCurves', [name], bytes);
   }
 
   /** The command line that does the same to the saved files. */
-  command(): string { return commandOf(this.mesh.name, this.mesh.repaired, this.last); }
+  command(): string { return commandOf(this.mesh.name, this.mesh.repair, this.last); }
 
   /** Ends the worker, whatever it does. */
   end(): void {

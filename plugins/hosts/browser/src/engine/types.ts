@@ -61,8 +61,12 @@ export interface MeshInfo {
   meanEdge: number;
   /** The name of the mesh's unit, empty where the file does not tell it. */
   unit: string;
-  /** What a repair would do, a sentence each; empty if there is nothing to do. */
+  /** What a repair would do, a sentence each, told as if it was done; empty if there is nothing to do. */
   repair: string[];
+  /** What welding would give, where parts of a mesh that can be used only lie beside each other. */
+  weld: Weld | null;
+  /** What a repair did; null: the mesh is as it came. Picked faces are those of `triangles` still. */
+  repaired: Repaired | null;
   /** Why the mesh cannot be drawn on as it is; null if it can. */
   defects: string | null;
 }
@@ -72,6 +76,25 @@ export interface Decisive {
   sentence: string;
   /** The place that it is about. */
   at: Vec3 | null;
+}
+
+export interface Weld {
+  /** Mesh units; 0: vertices at one place become one. */
+  tolerance: number;
+  /** So many would be welded onto others. */
+  vertices: number;
+  /** Parts and boundary loops afterwards, and as they are. */
+  parts: number;
+  partsNow: number;
+  borders: number;
+  bordersNow: number;
+}
+
+export interface Repaired {
+  vertices: number;
+  faces: number;
+  /** A sentence each. */
+  changes: string[];
 }
 
 export interface CurveReport {

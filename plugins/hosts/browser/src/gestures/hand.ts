@@ -177,5 +177,5 @@ export class Hand implements DrawingHand {
 }
 
 function isDrawable(state: State): boolean {
-  return state.mesh !== null && state.mesh.info.defects === null && state.cut === null;
+  return state.mesh !== null && !state.opening && state.mesh.info.defects === null && state.cut === null;
 }

@@ -35,6 +35,7 @@ export class CutPanel {
     enable('borders', usable && !drawing.unfinished);
     enable('choose-labels', usable && !drawing.unfinished);
     enable('save-mesh', cut !== null);
+    enable('save-parts', cut !== null);
     byId('parts').hidden = cut === null;
     for (const button of document.querySelectorAll<HTMLElement>('[data-act="all-parts"]')) {
       button.hidden = kept === null;

@@ -4,10 +4,13 @@ import type { Desk } from '../actions/desk';
 import type { FilesWork } from '../actions/files_work';
 import type { MeshWork } from '../actions/mesh_work';
 import type { SessionWork } from '../session/session_work';
+import { chooseOne } from './choice';
 import type { CutPanel } from './cut_panel';
+import { droppedFiles } from './dropped';
 import { type Acts, byId, chooseFile, enable, setText } from '../elements';
 
 export const meshFiles = '.obj,.off,.ply,.stl,.om,.vtk,.vtp,.msh,.gltf,.glb,.3mf,.gz';
+const meshNames = 'OBJ, OFF, PLY, STL, OM, VTK, VTP, MSH, GLB and 3MF, also gzipped';
 const curveFiles = '.json,.vtp,.vtk,.obj,.ply,.txt';
 export const sessionFiles = '.talweg';
 
@@ -23,7 +26,7 @@ export class FilesPanel {
     store.watch((now, before) => {
       if (!changed(now, before, 'mesh', 'smoothed')) return;
       const hasCurves = now.smoothed !== null, hasMesh = now.mesh !== null;
-      for (const act of ['save-curves', 'save-report']) enable(act, hasCurves);
+      for (const act of ['save-curves', 'save-report', 'copy-table']) enable(act, hasCurves);
       for (const act of ['save-picture', 'choose-curves', 'save-session']) enable(act, hasMesh);
       tell();
     });
@@ -39,9 +42,11 @@ export class FilesPanel {
       'choose-session': () => chooseFile(sessionFiles, (file) => void sessions.openFile(file)),
       'save-curves': () => files.saveCurves(format('curve-format')),
       'save-mesh': () => files.saveMesh(format('mesh-format')),
+      'save-parts': () => files.saveParts(format('mesh-format')),
       'save-picture': () => files.savePicture(),
       'save-report': () => files.saveReport(),
       'save-session': () => sessions.saveFile(),
+      'copy-table': () => files.copyTable(),
       'copy-command': () => files.copyCommand(),
     };
   }
@@ -56,25 +61,39 @@ export class FilesPanel {
     addEventListener('dragleave', (event) => (veil.hidden = event.relatedTarget === null || veil.hidden));
     addEventListener('drop', (event) => {
       veil.hidden = true;
-      const all = event.dataTransfer?.files;
-      if (!all?.length) return;
+      if (!event.dataTransfer?.types.includes('Files')) return;
       event.preventDefault();
-      void this.take([...all]);
+      const dropped = droppedFiles(event.dataTransfer);
+      void this.desk.wait('mesh', 'Reading what was dropped', dropped).then((all) => all && this.take(all));
     });
   }
 
   /** Meshes first: curves and labels that come with one belong on it. */
-  private async take(all: File[]): Promise<void> {
-    const kinds = await Promise.all(all.map(async (file) => ({ file, kind: await kindOf(file) })));
+  private async take({ files, folders }: { files: File[]; folders: string[] }): Promise<void> {
+    const kinds = await Promise.all(files.map(async (file) => ({ file, kind: await kindOf(file) })));
     const of = (kind: Kind) => kinds.filter((one) => one.kind === kind).map((one) => one.file);
-    for (const file of of('session')) await this.sessions.openFile(file);
-    for (const file of of('mesh')) await this.meshes.openFile(file);
+    // Of what is no mesh by its name, the library says what it is.
+    const meshes = of('mesh').length > 0 || folders.length > 0 ? of('mesh') : of('other');
+    // Folders have all sorts of files: of those only what can be opened alone is meant.
+    if (folders.length > 0 && meshes.length + of('session').length === 0) {
+      this.desk.store.trouble('mesh', `There is no mesh in ${folders.join(', ')}: this page opens ${meshNames}.`);
+      return;
+    }
+    for (const file of of('session').slice(-1)) await this.sessions.openFile(file);
+    if (meshes.length > 0 && !(await this.openOne(meshes))) return;
+    if (folders.length > 0) return;
     for (const file of of('curves')) await this.files.readCurves(file);
     for (const file of of('labels')) await this.cuts.readLabels(file);
   }
+
+  private async openOne(meshes: File[]): Promise<boolean> {
+    const chosen = meshes.length === 1 ? 0
+      : await chooseOne('One mesh can be open at a time. Which one?', meshes.map(({ name }) => name));
+    return chosen !== null && this.meshes.openFile(meshes[chosen]);
+  }
 }
 
-type Kind = 'mesh' | 'curves' | 'labels' | 'session';
+type Kind = 'mesh' | 'curves' | 'labels' | 'session' | 'other';
 
 /** What a file is, by its name; OBJ, PLY and VTK files may hold either. */
 async function kindOf(file: File): Promise<Kind> {
@@ -93,5 +112,5 @@ async function kindOf(file: File): Promise<Kind> {
     const head = await file.slice(0, 4096).text();
     return /element face (?!0\s)/.test(head) ? 'mesh' : 'curves';
   }
-  return 'mesh';
+  return meshFiles.split(',').some((end) => name.endsWith(end)) ? 'mesh' : 'other';
 }

@@ -51,7 +51,7 @@ const mouse = {
   point: 'Drag the point. Double click pins it, Shift and click removes it.',
   line: 'Click for a new point on the curve, or pull it.',
   another: 'Click or paint another curve, drag points, or move τ.',
-  begin: 'Click points on the mesh, or keep the button pressed and paint.',
+  begin: 'Click points on the mesh, or keep the button pressed and paint. The right button turns it.',
   close: 'Click to close the curve.',
   finish: 'Click to finish the curve.',
   second: 'Click the next point, or paint on.',
@@ -84,7 +84,9 @@ function hintOf(state: State): string {
   if (chosen && chosen.point !== null && drawing.curves[chosen.curve]) {
     return `Point ${chosen.point + 1} of ${nameOf(drawing.curves[chosen.curve])}.`;
   }
-  return drawing.curves.length > 0 ? words.another : words.begin;
+  if (drawing.curves.length > 0) return words.another;
+  return mesh.info.weld && !mesh.info.repaired ? 'Parts of this mesh only lie beside each other: Repair would weld them.'
+    : words.begin;
 }
 
 function drawingHint({ drawing, under }: State, words: typeof mouse): string {

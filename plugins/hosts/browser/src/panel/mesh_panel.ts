@@ -3,6 +3,7 @@ import type { State } from '../state/state';
 import { changed, type Store } from '../state/store';
 import { countText, lengthText } from '../state/numbers';
 import { byId, element, fill, setText } from '../elements';
+import { repairWords } from './repair_words';
 
 export function bindMeshPanel(store: Store): void {
   store.watch((now, before) => {
@@ -11,9 +12,20 @@ export function bindMeshPanel(store: Store): void {
   });
 }
 
+const pageTitle = document.title;
+
+/** A hand on its keys goes on with the mesh. */
+function hideStart(hidden: boolean): void {
+  const start = byId('start');
+  const hadFocus = start.contains(document.activeElement);
+  start.hidden = hidden;
+  if (hidden && hadFocus) byId('view').focus({ preventScroll: true });
+}
+
 function tell({ mesh }: State): void {
   byId('mesh-told').hidden = mesh === null;
-  byId('start').hidden = mesh !== null;
+  hideStart(mesh !== null);
+  document.title = mesh ? `${mesh.name} – Talweg` : pageTitle;
   for (const unit of document.querySelectorAll('.unit')) {
     unit.textContent = `in ${mesh?.info.unit || 'units of the mesh'}`;
   }
@@ -26,8 +38,9 @@ function tell({ mesh }: State): void {
     ['size', lengthText(info.size, info.unit)],
     ['edge', lengthText(info.meanEdge, info.unit)],
   ].flatMap(([name, value]) => [element('dt', name), element('dd', value)]));
-  const offered = info.defects !== null || info.repair.length > 0;
-  byId('repair').hidden = !offered;
-  setText('repair-why', info.defects ?? 'The mesh can be used as it is. A repair would do this:');
-  fill('repair-list', info.repair.map((sentence) => element('li', sentence)));
+  const words = repairWords(info);
+  byId('repair').hidden = !words;
+  byId('repair').querySelector('button')!.hidden = info.repaired !== null;
+  setText('repair-why', words?.why ?? '');
+  fill('repair-list', (words?.items ?? []).map((sentence) => element('li', sentence)));
 }

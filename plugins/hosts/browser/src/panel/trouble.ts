@@ -1,6 +1,6 @@
-// Sentences about trouble stand beside what they are about. What happened is told to screen readers,
-// and work that takes long can be ended.
-import type { Spot } from '../state/state';
+// Sentences about trouble stand beside what they are about, and the newest on the mesh, where one
+// looks. What happened is told to screen readers, and work that takes long can be ended.
+import type { Spot, State } from '../state/state';
 import { changed, type Store } from '../state/store';
 import { byId, setText } from '../elements';
 
@@ -13,6 +13,7 @@ export function bindTrouble(store: Store): void {
   store.watch((now, before) => {
     if (changed(now, before, 'trouble')) {
       for (const spot of spots) setText(`trouble-${spot}`, now.trouble[spot] ?? '');
+      setText('alarm', alarmOf(now, before));
     }
     if (changed(now, before, 'told')) setText('told', now.told);
     if (!changed(now, before, 'busy')) return;
@@ -25,4 +26,12 @@ export function bindTrouble(store: Store): void {
     setText('busy-what', `${now.busy.what} …`);
     timer = window.setTimeout(() => (byId('busy').hidden = false), patience);
   });
+}
+
+/** The trouble that has come just now, or else what the mesh tells already while that lasts. */
+function alarmOf({ trouble }: State, before: State): string {
+  const newest = spots.find((spot) => trouble[spot] !== undefined && trouble[spot] !== before.trouble[spot]);
+  if (newest) return trouble[newest] ?? '';
+  const told = byId('alarm').textContent;
+  return spots.some((spot) => trouble[spot] === told) ? told : '';
 }

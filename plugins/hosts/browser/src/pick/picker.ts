@@ -1,14 +1,12 @@
 // Finds where the mesh is under the mouse, with a tree of boxes that a worker has made.
-import { BufferAttribute, BufferGeometry, DoubleSide, Ray, Vector3 } from 'three';
-import { MeshBVH } from 'three-mesh-bvh';
+import { DoubleSide, Ray, Vector3 } from 'three';
+import type { MeshBVH } from 'three-mesh-bvh';
 import type { MeshInfo, Vec3 } from '../engine/types';
 import type { Place } from '../state/state';
 import { barycentricOf, corners, positionOf } from '../view/vectors';
-import type { PrepareAnswer, PrepareRequest } from './prepare_worker';
-import type { Shape } from './shape';
 
 export class Picker {
-  private constructor(private readonly mesh: MeshInfo, private readonly tree: MeshBVH) {}
+  constructor(private readonly mesh: MeshInfo, private readonly tree: MeshBVH) {}
 
   /** The first place of the mesh along a ray; null if the ray meets none. */
   first(ray: Ray): Place | null {
@@ -35,33 +33,4 @@ export class Picker {
     const [a, b, c] = corners(this.mesh, found.faceIndex).map((corner) => new Vector3(...corner));
     return b.sub(a).cross(c.sub(a)).normalize();
   }
-
-  /** Prepares a mesh; `shown` gets what draws it as soon as that is there. */
-  static prepare(mesh: MeshInfo, shown: (shape: Shape) => void): Promise<Picker> {
-    return prepared(mesh.positions, mesh.triangles, shown, (tree) => {
-      const geometry = new BufferGeometry();
-      geometry.setAttribute('position', new BufferAttribute(mesh.positions, 3));
-      geometry.setIndex(new BufferAttribute(mesh.triangles, 1));
-      return new Picker(mesh, MeshBVH.deserialize(tree, geometry, { setIndex: false }));
-    });
-  }
-}
-
-type Tree = Extract<PrepareAnswer, { kind: 'tree' }>['tree'];
-
-function prepared(positions: Float32Array, triangles: Uint32Array, shown: (shape: Shape) => void,
-                  done: (tree: Tree) => Picker): Promise<Picker> {
-  return new Promise((resolve, reject) => {
-    const worker = new Worker(new URL('prepare_worker.js', document.baseURI), { type: 'module' });
-    worker.onmessage = (event: MessageEvent<PrepareAnswer>) => {
-      if (event.data.kind === 'shape') {
-        shown(event.data.shape);
-        return;
-      }
-      worker.terminate();
-      resolve(done(event.data.tree));
-    };
-    worker.onerror = (event) => reject(new Error(`The mesh could not be prepared: ${event.message}`));
-    worker.postMessage({ positions, triangles } satisfies PrepareRequest);
-  });
 }

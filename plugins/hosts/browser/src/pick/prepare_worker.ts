@@ -8,26 +8,28 @@ export interface PrepareRequest {
   triangles: Uint32Array;
 }
 
-export type PrepareAnswer =
-  | { kind: 'shape'; shape: Shape }
-  | { kind: 'tree'; tree: ReturnType<typeof MeshBVH.serialize> };
+export interface PrepareAnswer {
+  shape: Shape;
+  tree: ReturnType<typeof MeshBVH.serialize>;
+}
 
 interface WorkerSide {
   onmessage: ((event: MessageEvent<PrepareRequest>) => void) | null;
-  postMessage(answer: PrepareAnswer, transfer: Transferable[]): void;
+  postMessage(answer: PrepareAnswer | 'loaded', transfer: Transferable[]): void;
 }
 const side = self as unknown as WorkerSide;
 
 side.onmessage = (event) => {
   const { positions, triangles } = event.data;
   const shape = shapeOf(positions, triangles);
-  side.postMessage({ kind: 'shape', shape },
-    [shape.positions.buffer, shape.normals.buffer, shape.index.buffer] as Transferable[]);
-
   const geometry = new BufferGeometry();
   geometry.setAttribute('position', new BufferAttribute(positions, 3));
   geometry.setIndex(new BufferAttribute(triangles, 1));
   // Indirect: the faces keep their numbers.
   const tree = MeshBVH.serialize(new MeshBVH(geometry, { indirect: true }), { cloneBuffers: false });
-  side.postMessage({ kind: 'tree', tree }, []);
+  // Nothing stays here: the worker waits for the next mesh.
+  const arrays = [shape.positions, shape.normals, shape.index, tree.indirectBuffer];
+  side.postMessage({ shape, tree: { ...tree, index: null } },
+    [...arrays.flatMap((array) => (array ? [array.buffer] : [])), ...tree.roots] as Transferable[]);
 };
+side.postMessage('loaded', []);

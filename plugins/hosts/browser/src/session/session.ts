@@ -4,7 +4,8 @@ import type { Show } from '../state/state';
 import { packed, unpacked } from './bytes';
 
 export interface Session {
-  mesh: { name: string; repaired: boolean; bytes: Uint8Array } | null;
+  /** Without bytes: only the drawing on it is there. `faces` tells it from another of its name. */
+  mesh: { name: string; repaired: boolean; bytes: Uint8Array; faces?: number } | null;
   /** The editor's state. */
   drawing: string;
   camera: CameraState;
@@ -22,7 +23,8 @@ export function drawingText(session: Session): string {
   return textOf(session, '');
 }
 
-function textOf({ mesh, ...others }: Session, bytes: string): string {
+/** The session with its mesh's bytes as packed() gives them. */
+export function textOf({ mesh, ...others }: Session, bytes: string): string {
   return JSON.stringify({ format, version: 1, mesh: mesh ? { ...mesh, bytes } : null, ...others });
 }
 
@@ -37,7 +39,7 @@ export async function sessionOf(name: string, text: string): Promise<Session> {
   if (read.format !== format) throw new Error(`${name} is no session of Talweg: its "format" is not "${format}".`);
   if (read.version !== 1) throw new Error(`${name} has version ${String(read.version)}; this page reads version 1.`);
   const { mesh, drawing, camera, show } = read as unknown as Omit<Session, 'mesh'> & {
-    mesh: { name: string; repaired: boolean; bytes: string } | null;
+    mesh: { name: string; repaired: boolean; bytes: string; faces?: number } | null;
   };
   try {
     return { mesh: mesh ? { ...mesh, bytes: await bytesOf(mesh.bytes) } : null, drawing, camera, show };

@@ -1,13 +1,15 @@
 // Keeps the session while one works, and brings it back.
 import { changed, type Store } from '../state/store';
-import type { ViewCamera } from '../view/camera';
 import { type Desk, sentenceOf } from '../actions/desk';
 import { download } from '../actions/files_work';
-import type { Live } from '../actions/live';
-import type { MeshWork } from '../actions/mesh_work';
 import { byId, input, setText } from '../elements';
-import { forgetAll, isKeptOnMachine, keep, keepOnMachine, kept } from './keep';
-import { sessionOf, sessionText, type Session } from './session';
+import type { Asides } from './asides';
+import type { Current } from './current';
+import {
+  askedKey, asidesOnThisMachine, forgetAll, isKeptOnMachine, keep, keepOnMachine, kept, keptAsides, keptOnThisMachine,
+} from './keep';
+import { becomeKeeper, isKeeper, stopKeeping } from './keeper';
+import { sessionOf, sessionText } from './session';
 
 /** A drawing is kept this long after the last edit, and at once when the page is left. */
 const pause = 400;
@@ -15,43 +17,49 @@ const pause = 400;
 export class SessionWork {
   private timer = 0;
   private forgotten = false;
-  /** A drawing whose mesh did not fit into the tab, until that mesh is opened again. */
-  private waiting: Session | null = null;
 
-  constructor(private readonly desk: Desk, private readonly store: Store, private readonly live: Live,
-              private readonly meshes: MeshWork, private readonly camera: ViewCamera) {
+  constructor(private readonly desk: Desk, private readonly store: Store, private readonly current: Current,
+              private readonly asides: Asides) {
     input('on-machine').addEventListener('change', () => void this.setOnMachine(input('on-machine').checked));
     store.set({ onMachine: isKeptOnMachine() });
     store.watch((now, before) => {
-      if (changed(now, before, 'onMachine')) input('on-machine').checked = now.onMachine;
+      if (changed(now, before, 'onMachine', 'otherTab')) {
+        input('on-machine').checked = now.onMachine;
+        input('on-machine').disabled = now.otherTab;
+        byId('other-tab').hidden = !now.otherTab;
+      }
       if (now === before) return;
-      if (now.mesh !== before.mesh) void this.goOn();
       if (changed(now, before, 'drawing', 'mesh', 'show') && now.mesh) this.soon();
     });
     addEventListener('visibilitychange', () => {
       if (document.visibilityState === 'hidden') void this.keepNow();
     });
+    addEventListener('storage', (event) => {
+      if (event.key === null || event.key === askedKey) void this.follow();
+    });
   }
 
   /** Brings back what was kept; returns whether there was anything. */
   async bringBack(): Promise<boolean> {
+    await this.follow();
+    const all = await this.desk.wait('session', 'Looking for what was put aside', keptAsides());
     const session = await this.desk.wait('session', 'Bringing back the session', kept());
+    // A page that was left while another mesh came has the same drawing twice.
+    this.asides.add((all ?? []).filter(({ drawing }) => drawing !== session?.drawing));
     if (!session?.mesh) return false;
-    if (session.mesh.bytes.length > 0) return this.open(session);
-    this.waiting = session;
-    this.store.trouble('mesh', `Open ${session.mesh.name} again to go on with the drawing: the mesh is too large `
-      + 'for this tab to keep.');
+    if (session.mesh.bytes.length > 0) return this.current.open(session);
+    this.asides.add([session]);  // it waits for its mesh
     return false;
   }
 
   async openFile(file: File): Promise<void> {
     const session = await this.desk.wait('files', `Reading ${file.name}`,
       file.text().then((text) => sessionOf(file.name, text)));
-    if (session) await this.open(session);
+    if (session) await this.current.open(session);
   }
 
   async saveFile(): Promise<void> {
-    const session = this.session();
+    const session = this.current.session();
     if (!session) return;
     const text = await this.desk.wait('files', 'Writing the session', sessionText(session));
     if (!text) return;
@@ -77,44 +85,30 @@ export class SessionWork {
     } catch (error) {
       this.store.trouble('session', sentenceOf(error));
     }
-    this.store.set({ onMachine: isKeptOnMachine() });
+    await this.follow();
     await this.keepNow();
   }
 
-  private async open(session: Session): Promise<boolean> {
-    const { mesh } = session;
-    if (!mesh || !(await this.meshes.open(mesh.name, mesh.bytes, mesh.repaired))) return false;
-    this.restore(session);
-    return true;
+  /** Does what the person said last, in this tab or another. */
+  private async follow(): Promise<void> {
+    const onMachine = isKeptOnMachine();
+    if (!onMachine) stopKeeping();
+    const mine = !onMachine || (await becomeKeeper(() => void this.takeOver()));
+    this.store.set({ onMachine, otherTab: !mine });
   }
 
-  private restore(session: Session): void {
+  /** The tab that kept its session on this machine is closed: its session is put aside here. */
+  private async takeOver(): Promise<void> {
+    this.store.set({ otherTab: false });
     try {
-      this.desk.editor.restore(session.drawing);
-      this.store.set({ show: session.show });
-      this.camera.restore(session.camera);
-      this.live.refresh();
+      const own = this.desk.editor.state();
+      const left = await keptOnThisMachine();
+      const all = [...(left ? [left] : []), ...(await asidesOnThisMachine())];
+      this.asides.add(all.filter(({ drawing }) => drawing !== own));
     } catch (error) {
       this.store.trouble('session', sentenceOf(error));
     }
-  }
-
-  /** The mesh that a drawing waits for may have been opened. */
-  private async goOn(): Promise<void> {
-    const { waiting } = this;
-    const { mesh } = this.store.now;
-    if (!waiting?.mesh || !mesh || mesh.name !== waiting.mesh.name) return;
-    this.waiting = null;
-    this.store.trouble('mesh', null);
-    if (mesh.repaired !== waiting.mesh.repaired) await this.meshes.repair();
-    this.restore(waiting);
-  }
-
-  private session(): Session | null {
-    const { mesh, show } = this.store.now;
-    if (!mesh) return null;
-    const { name, repaired, bytes } = mesh;
-    return { mesh: { name, repaired, bytes }, drawing: this.desk.editor.state(), camera: this.camera.state(), show };
+    await this.keepNow();
   }
 
   private soon(): void {
@@ -123,11 +117,11 @@ export class SessionWork {
   }
 
   private async keepNow(): Promise<void> {
-    const session = this.session();
+    const session = this.current.session();
     if (!session || this.forgotten) return;
     try {
       const whole = await keep(session);
-      const where = this.store.now.onMachine ? 'on this device' : 'until this tab is closed';
+      const where = this.store.now.onMachine && isKeeper() ? 'on this device' : 'until this tab is closed';
       setText('kept-told', whole ? `The session is kept ${where}.`
         : `The drawing is kept ${where}; the mesh is too large and would have to be opened again.`);
       byId('kept-told').hidden = false;

@@ -1,5 +1,6 @@
 // Everything that the page shows, as one value. Parts of it are replaced, never changed in place.
 import type { Curve, CutResult, Drawing, Line, MeshInfo, Smoothed, Vec3 } from '../engine/types';
+import type { Aside } from '../session/asides';
 
 /** A place on the mesh. */
 export interface Place {
@@ -51,6 +52,10 @@ export type Spot = 'mesh' | 'drawing' | 'settings' | 'cut' | 'files' | 'session'
 
 export interface State {
   mesh: OpenMesh | null;
+  /** Another mesh is being opened: the one that is shown is not to be drawn on. */
+  opening: boolean;
+  /** Drawings on other meshes, the newest first. */
+  asides: Aside[];
   /** A file that has defects and waits for the person to say "repair". */
   refused: { name: string; bytes: Uint8Array; info: MeshInfo } | null;
   drawing: Drawing;
@@ -77,6 +82,8 @@ export interface State {
   /** What has just happened, for those who cannot see it. */
   told: string;
   onMachine: boolean;
+  /** Another tab keeps its session on this machine, so this one does not. */
+  otherTab: boolean;
 }
 
 export const emptyDrawing: Drawing = {
@@ -87,6 +94,8 @@ export const emptyDrawing: Drawing = {
 
 export const firstState: State = {
   mesh: null,
+  opening: false,
+  asides: [],
   refused: null,
   drawing: emptyDrawing,
   undo: null,
@@ -107,6 +116,7 @@ export const firstState: State = {
   trouble: {},
   told: '',
   onMachine: false,
+  otherTab: false,
 };
 
 /** What a person calls the curve. */

@@ -34,6 +34,14 @@ export class Store {
     this.set({ trouble: sentence === null ? others : { ...others, [spot]: sentence } });
   }
 
+  /** Work goes on: what was told before is over, but for what cannot be kept. */
+  goOn(): void {
+    const { session } = this.state.trouble;
+    if (Object.keys(this.state.trouble).some((spot) => spot !== 'session')) {
+      this.set({ trouble: session === undefined ? {} : { session } });
+    }
+  }
+
   private tell(): void {
     this.scheduled = false;
     const before = this.told;

@@ -20,8 +20,12 @@ export class Stage {
   private afterwards: (() => void)[] = [];
   private recoloured: ((colours: Colours) => void)[] = [];
 
-  /** Throws Error where the browser has no WebGL. */
+  /** Throws Error where the browser has no WebGL 2. */
   constructor(private readonly box: HTMLElement, canvas: HTMLCanvasElement) {
+    if (!hasWebGL2()) {
+      throw new Error('this browser has no WebGL 2, or has it off, and draws no meshes. Turn on "hardware '
+        + 'acceleration" in its settings, or take another browser.');
+    }
     this.renderer = new WebGLRenderer({ canvas, antialias: true, powerPreference: 'high-performance' });
     this.renderer.outputColorSpace = SRGBColorSpace;
     const sun = new DirectionalLight(0xffffff, 2.1);
@@ -115,4 +119,10 @@ export class Stage {
     for (const task of this.recoloured) task(this.colours);
     this.ask();
   }
+}
+
+function hasWebGL2(): boolean {
+  const context = document.createElement('canvas').getContext('webgl2');
+  context?.getExtension('WEBGL_lose_context')?.loseContext();
+  return context !== null;
 }

@@ -1,0 +1,27 @@
+// The smoothed curves as a table for spreadsheets: a row for each of their points.
+import type { Line } from '../engine/types';
+
+const head = ['curve', 'length', 'x', 'y', 'z', 'turning', 'deviation'];
+
+/**
+ * CSV. `length` is that from the curve's beginning; `turning` the geodesic curvature (1 / mesh unit,
+ * positive to the left), `deviation` the distance to the drawing: empty where they were not measured.
+ */
+export function curveTable(lines: Line[], names: string[]): string {
+  const rows = lines.flatMap((line, k) => rowsOf(line, names[k]));
+  return [head, ...rows].map((row) => row.map(cell).join(',')).join('\r\n') + '\r\n';
+}
+
+function rowsOf({ positions, turning, deviation }: Line, name: string): (string | number | undefined)[][] {
+  let length = 0;
+  return Array.from({ length: positions.length / 3 }, (_, p) => {
+    const [x, y, z] = positions.subarray(3 * p, 3 * p + 3);
+    if (p > 0) length += Math.hypot(x - positions[3 * p - 3], y - positions[3 * p - 2], z - positions[3 * p - 1]);
+    return [name, length, x, y, z, turning[p], deviation[p]];
+  });
+}
+
+function cell(value: string | number | undefined): string {
+  if (typeof value === 'string') return /[",\r\n]/.test(value) ? `"${value.replace(/"/g, '""')}"` : value;
+  return value === undefined || !Number.isFinite(value) ? '' : String(value);
+}

@@ -1,0 +1,77 @@
+// Makes of a mesh what shows it and what finds places on it, in a worker that is there from the start:
+// a page that has lost its net can still open meshes.
+import { BufferAttribute, BufferGeometry } from 'three';
+import { MeshBVH } from 'three-mesh-bvh';
+import { Ended } from '../engine/engine';
+import type { MeshInfo } from '../engine/types';
+import { Picker } from './picker';
+import type { PrepareAnswer, PrepareRequest } from './prepare_worker';
+import type { Shape } from './shape';
+
+export interface Prepared {
+  shape: Shape;
+  picker: Picker;
+}
+
+export class Preparer {
+  private worker = newWorker();
+  /** Rejects what is being prepared. */
+  private stop: ((reason: Error) => void) | null = null;
+
+  /** Resolves as soon as nothing has to be loaded any more. Throws Error with a sentence. */
+  async loaded(): Promise<void> {
+    await this.worker;
+  }
+
+  /** One mesh at a time. Throws Error with a sentence. */
+  async prepare(mesh: MeshInfo): Promise<Prepared> {
+    try {
+      const { shape, tree } = await this.ask({ positions: mesh.positions, triangles: mesh.triangles });
+      const geometry = new BufferGeometry();
+      geometry.setAttribute('position', new BufferAttribute(mesh.positions, 3));
+      geometry.setIndex(new BufferAttribute(mesh.triangles, 1));
+      return { shape, picker: new Picker(mesh, MeshBVH.deserialize(tree, geometry, { setIndex: false })) };
+    } catch (error) {
+      this.renew();
+      throw error;
+    } finally {
+      this.stop = null;
+    }
+  }
+
+  /** Ends what is being prepared: it rejects with Ended. */
+  end(): void {
+    this.stop?.(new Ended('The preparation was ended.'));
+  }
+
+  private ask(request: PrepareRequest): Promise<PrepareAnswer> {
+    return new Promise((resolve, reject) => {
+      this.stop = reject;
+      this.worker.then((worker) => {
+        worker.onmessage = (event: MessageEvent<PrepareAnswer>) => resolve(event.data);
+        worker.onerror = (event) => reject(failure('has too little memory', event));
+        worker.postMessage(request);
+      }, reject);
+    });
+  }
+
+  private renew(): void {
+    this.worker.then((worker) => worker.terminate(), () => {});
+    this.worker = newWorker();
+  }
+}
+
+/** Its first message says that it is there. */
+function newWorker(): Promise<Worker> {
+  const loaded = new Promise<Worker>((resolve, reject) => {
+    const worker = new Worker(new URL('prepare_worker.js', document.baseURI), { type: 'module' });
+    worker.onmessage = () => resolve(worker);
+    worker.onerror = (event) => reject(failure('cannot be loaded', event));
+  });
+  loaded.catch(() => {});  // whoever needs it is told
+  return loaded;
+}
+
+function failure(what: string, { message }: ErrorEvent): Error {
+  return new Error(`The view of the mesh cannot be made: its worker ${what}${message ? ` (${message})` : ''}.`);
+}

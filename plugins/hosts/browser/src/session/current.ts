@@ -1,0 +1,52 @@
+// The session that is open, as a value, and another one in its place.
+import type { Desk } from '../actions/desk';
+import { sentenceOf } from '../actions/desk';
+import type { Live } from '../actions/live';
+import type { MeshWork } from '../actions/mesh_work';
+import type { Editor } from '../engine/editor';
+import type { ViewCamera } from '../view/camera';
+import type { Session } from './session';
+
+export class Current {
+  /** A session is being opened: its drawing comes as soon as its mesh is there. */
+  opening = false;
+
+  constructor(private readonly desk: Desk, private readonly live: Live, private readonly meshes: MeshWork,
+              private readonly camera: ViewCamera) {}
+
+  session(): Session | null {
+    const { mesh, show } = this.desk.store.now;
+    if (!mesh) return null;
+    const { name, repaired, bytes, info: { faces } } = mesh;
+    return {
+      mesh: { name, repaired, bytes, faces }, drawing: this.desk.editor.state(), camera: this.camera.state(), show,
+    };
+  }
+
+  /** With the editor that has the steps of its drawing, where that is still there. */
+  async open(session: Session, editor: Editor | null = null): Promise<boolean> {
+    const { mesh } = session;
+    this.opening = true;
+    try {
+      if (!mesh || !(await this.meshes.open(mesh.name, mesh.bytes, mesh.repaired))) return false;
+    } finally {
+      this.opening = false;
+    }
+    this.restore(session, editor);
+    return true;
+  }
+
+  /** Draws on the mesh that is open what was drawn on it before. */
+  restore(session: Session, editor: Editor | null = null): void {
+    const { desk } = this;
+    try {
+      if (editor) desk.editor = editor;
+      else desk.editor.restore(session.drawing);
+      desk.store.set({ show: session.show });
+      this.camera.restore(session.camera);
+      this.live.refresh();
+    } catch (error) {
+      desk.store.trouble('session', sentenceOf(error));
+    }
+  }
+}
