@@ -33,6 +33,7 @@ class SidedCutter {
   [[nodiscard]] SurfacePoint change_between(std::size_t first) const;
   [[nodiscard]] SidedPart part(std::size_t first, std::size_t count, bool closed) const;
   [[nodiscard]] CurveSide side_of(std::size_t first, std::size_t count) const;
+  static void settle(SidedPart& part, std::vector<WayOrigin>& origins);
   static void begin_at_least_arc(SidedPart& part, std::vector<WayOrigin>& origins);
 
   const Surface& surface_;
@@ -60,7 +61,8 @@ void SidedCutter::fill() {
   }
 }
 
-/// The place on the segment after a point at which the side changes.
+/// The place on the segment after a point at which the side changes; what is not known is as the
+/// point.
 SurfacePoint SidedCutter::change_between(std::size_t first) const {
   constexpr int kHalvings = 40;
   const FaceId face = line_.faces[first];
@@ -73,7 +75,7 @@ SurfacePoint SidedCutter::change_between(std::size_t first) const {
     const double t = (low + high) / 2;
     for (std::size_t k = 0; k < 3; ++k) at.barycentric[k] = (1 - t) * a[k] + t * b[k];
     const Kind kind = origins_.of(at).kind;
-    const bool same = kind == Kind::kUnknown ? i % 2 == 0 : is_wanted(kind) == begins;
+    const bool same = kind == Kind::kUnknown || is_wanted(kind) == begins;
     (same ? low : high) = t;
   }
   return SurfacePoint::from_barycentric(surface_, face, at.barycentric, 1e-9);
@@ -87,6 +89,17 @@ CurveSide SidedCutter::side_of(std::size_t first, std::size_t count) const {
     right = right || kind == Kind::kRight || kind == Kind::kEnd;
   }
   return left == right ? CurveSide::kBoth : left ? CurveSide::kLeft : CurveSide::kRight;
+}
+
+/// Gives a part its direction and, if it is closed, its first point.
+void SidedCutter::settle(SidedPart& part, std::vector<WayOrigin>& origins) {
+  if (part.side == CurveSide::kLeft) {
+    std::reverse(part.curve.points.begin(), part.curve.points.end());
+    std::reverse(origins.begin(), origins.end());
+  }
+  if (part.curve.closed) begin_at_least_arc(part, origins);
+  part.along = origins.front().curve;
+  part.arc = origins.front().arc;
 }
 
 void SidedCutter::begin_at_least_arc(SidedPart& part, std::vector<WayOrigin>& origins) {
@@ -126,13 +139,7 @@ SidedPart SidedCutter::part(std::size_t first, std::size_t count, bool closed) c
       origins.push_back(found_[last]);
     }
   }
-  if (part.side == CurveSide::kLeft) {
-    std::reverse(part.curve.points.begin(), part.curve.points.end());
-    std::reverse(origins.begin(), origins.end());
-  }
-  if (closed) begin_at_least_arc(part, origins);
-  part.along = origins.front().curve;
-  part.arc = origins.front().arc;
+  settle(part, origins);
   return part;
 }
 

@@ -47,7 +47,7 @@ WaysIntoFace::Hit sided_hit(const WaysIntoFace& ways, const std::array<double, 3
 
 WayOrigins::WayOrigins(const Surface& surface, std::span<const SurfaceCurve> curves,
                        PolylineDistance& distance, double limit)
-    : surface_(&surface), distance_(&distance), limit_(limit) {
+    : distance_(&distance), limit_(limit) {
   for (std::size_t c = 0; c < curves.size(); ++c) {
     const SurfaceCurve& curve = curves[c];
     const bool open = !curve.closed && distance.curve_length(c) > 0;

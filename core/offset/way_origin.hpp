@@ -24,7 +24,7 @@ struct WayOrigin {
   double distance = 0;  ///< length of the way
 };
 
-/// Tells the origins of ways that a distance finds. All must outlive the object.
+/// Tells the origins of ways that a distance finds, which must outlive the object.
 class WayOrigins {
  public:
   /// `distance` is set to `curves`; no point will be farther than `limit`.
@@ -38,7 +38,6 @@ class WayOrigins {
   struct Ends {
     bool first = false, last = false;  ///< whether they are inside the surface
   };
-  const Surface* surface_;
   PolylineDistance* distance_;
   double limit_;
   std::vector<Ends> ends_;  // per curve

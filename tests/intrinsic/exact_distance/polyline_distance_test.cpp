@@ -187,7 +187,7 @@ TEST(PolylineDistance, TellsWhereEdgesAreWithinALimit) {
     for (int i = 0; i <= 40; ++i) {
       const double x = surface.length(EdgeId{e}) * i / 40;
       const bool inside = std::any_of(parts.begin(), parts.end(), [&](const Stretch& part) {
-        return part.from <= x && x <= part.to;
+        return part.from <= x + kExact && x <= part.to + kExact;
       });
       const double found = asked.on_edge(EdgeId{e}, i / 40.0).distance;
       if (std::abs(found - kLimit) <= kExact) continue;
