@@ -173,8 +173,9 @@ Farthest farthest(const SmoothingReport& r) {
            cut ? FarthestOf::kDrawing : FarthestOf::kResult};
   }
   if (r.missed_points == 0) return far;
-  far.at_most = HUGE_VAL;  // misses are measured through space
-  if (far.of != FarthestOf::kNothing && far.at_least > r.missed_max) return far;
+  far.at_most = HUGE_VAL;                 // misses are measured through space
+  constexpr double kRounding = 1 + 1e-6;  // the point may be what the drawing is farthest at
+  if (far.of != FarthestOf::kNothing && far.at_least > kRounding * r.missed_max) return far;
   return {r.missed_max, HUGE_VAL, r.missed_at, FarthestOf::kPoint};
 }
 

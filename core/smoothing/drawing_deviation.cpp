@@ -60,8 +60,10 @@ MeasuredDeviation deviation_of(SmoothingMemory& memory, const SurfaceCurve& draw
   const bool mixed = measure != DeviationMeasure::kNone && legs.any() && !legs.all();
   const std::vector<SurfaceCurve> from = mixed ? strokes_of(legs, drawn) : std::vector{drawn};
   const std::vector<SurfaceCurve> to = mixed ? strokes_of(legs, result) : std::vector{result};
+  // A result that misses a point between legs and strokes has no parts to tell apart.
+  const bool lost = mixed && to.size() == 1 && to[0].points.size() == result.points.size();
   if (from.size() == 1 || from.size() != to.size()) {
-    const bool whole = from.size() != to.size();
+    const bool whole = lost || from.size() != to.size();
     return between(whole ? drawn : from[0], whole ? result : to[0], band);
   }
   StrokesDeviation all;

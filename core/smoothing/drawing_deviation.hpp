@@ -14,9 +14,10 @@
 namespace talweg {
 
 /// Sets the deviation of each smoothed curve, and the time that measuring took. A leg is nowhere
-/// near its drawing, so only strokes count where there are any. `legs`: those of the drawing's
-/// curves. `band`: the distance to the drawing, if it is known; else null. Measuring has a budget
-/// that grows with the points unless the caller says how it is measured. Throws Cancelled.
+/// near its drawing, so only strokes count where there are any, unless the result misses a point
+/// between them. `legs`: those of the drawing's curves. `band`: the distance to the drawing, if it
+/// is known; else null. Measuring has a budget that grows with the points unless the caller says
+/// how it is measured. Throws Cancelled.
 void measure_deviations(SmoothingMemory& memory, const OrderedDrawing& drawing,
                         std::span<const DrawnLegs> legs, const SmoothingOptions& options,
                         PolylineDistance* band, Smoothed& smoothed, const Progress& progress);
