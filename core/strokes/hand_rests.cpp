@@ -43,16 +43,16 @@ std::size_t median_of_samples_passed(std::span<const Point> samples, double step
   return *middle;
 }
 
-/// The usual distance of samples while the hand moves, up to a third; 0 where it is too small to be
-/// known.
+/// The usual distance of samples while the hand moves, up to a third; 0 where samples are too few,
+/// or too many, to tell.
 double usual_distance(Samples samples) {
   std::vector<Point> at;
   for (const Sample& sample : samples) at.push_back(sample.at);
   const double way = way_through(samples);
-  for (double step = kLongestStep * way; step > kShortestStep * way; step /= 2) {
-    if (median_of_samples_passed(at, step) <= 1) return 1.5 * step;  // it is 1 to 2 of them
-  }
-  return 0;
+  double step = kLongestStep * way;
+  if (median_of_samples_passed(at, step) <= 1) return 0;
+  while (step > kShortestStep * way && median_of_samples_passed(at, step) > 1) step /= 2;
+  return step > kShortestStep * way ? 1.5 * step : 0;  // it is 1 to 2 of them
 }
 
 Point mean_of(Samples samples) {
@@ -153,13 +153,20 @@ std::vector<Sample> rested_within(Samples samples, double usual, double radius, 
   return rested;
 }
 
+/// The points inside faces, those at which the stroke turns, and its ends. At the others it crosses
+/// an edge.
 std::vector<Sample> samples_of(const SurfaceMesh& mesh, const SurfaceCurve& stroke) {
-  std::vector<std::size_t> at = turning_points(mesh.surface(), stroke);
-  const std::size_t end = stroke.points.size() - 1;
-  if (at.empty() || at.front() != 0) at.insert(at.begin(), 0);
-  if (at.back() != end) at.push_back(end);
+  const std::vector<std::size_t> turning = turning_points(mesh.surface(), stroke);
+  const std::size_t n = stroke.points.size();
   std::vector<Sample> samples;
-  for (const std::size_t k : at) samples.push_back({mesh.position(stroke.points[k]), {k, k, k}});
+  auto next = turning.begin();
+  for (std::size_t k = 0; k < n; ++k) {
+    const bool turns = next != turning.end() && *next == k;
+    if (turns) ++next;
+    const bool is_inside = std::holds_alternative<InFace>(stroke.points[k].where());
+    if (!turns && !is_inside && k != 0 && k + 1 != n) continue;
+    samples.push_back({mesh.position(stroke.points[k]), {k, k, k}});
+  }
   return samples;
 }
 

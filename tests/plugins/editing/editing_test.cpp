@@ -14,7 +14,7 @@
 #include "plugins/editing_drawings.hpp"
 #include "talweg/editing/selection_order.hpp"
 
-namespace talweg {
+namespace talweg::editing_test {
 namespace {
 
 using editing::Curve;
@@ -470,4 +470,4 @@ TEST_F(Selection, EdgesJoinOnlyWhereTheyAre) {
 }
 
 }  // namespace
-}  // namespace talweg
+}  // namespace talweg::editing_test

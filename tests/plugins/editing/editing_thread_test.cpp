@@ -22,7 +22,7 @@
 #include "talweg/editing/curve_files.hpp"
 #include "talweg/editing/smoothing_thread.hpp"
 
-namespace talweg {
+namespace talweg::editing_thread_test {
 namespace {
 
 using editing::Hand;
@@ -559,4 +559,4 @@ TEST(EditingThread, MissingPluginsAreToldWithTheirFolder) {
 }
 
 }  // namespace
-}  // namespace talweg
+}  // namespace talweg::editing_thread_test

@@ -11,7 +11,7 @@
 #include "plugins/found_plugins.hpp"
 #include "talweg/editing/smoothing_thread.hpp"
 
-namespace talweg {
+namespace talweg::workplace_test {
 namespace {
 
 using editing::Request;
@@ -247,4 +247,4 @@ TEST(Workplace, ACurvesOwnToleranceLetsItPassBesideItsClicks) {
 }
 
 }  // namespace
-}  // namespace talweg
+}  // namespace talweg::workplace_test
