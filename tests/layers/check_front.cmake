@@ -12,11 +12,12 @@ set(algorithms
   lifting/bump_convolution lifting/corridor smoothing/corridor_width smoothing/curve_gaps
   smoothing/drawing_change fairing/joined_curves lifting/potential
   smoothing/refined_mesh lifting/relaxation lifting/touched_edges
-  smoothing/unrolled_mesh)
+  smoothing/unrolled_mesh drawing/straight_lines)
 set(instruments core/drawing/crossings intrinsic/exact_distance/polyline_distance)
 # What such a test needs to make the algorithm's input, or to compare with.
 set(drawing/curve_embedding_needs intrinsic/flips/signpost_triangulation)
 set(drawing/path_contacts_needs core/drawing/curve_embedding intrinsic/flips/signpost_triangulation)
+set(drawing/straight_lines_needs core/drawing/snapped_drawing)
 set(fairing/drawn_line_needs core/fairing/drawn_band)
 set(lifting/potential_needs core/lifting/lifted_lengths)
 set(lifting/touched_edges_needs core/lifting/corridor core/smoothing/corridor_width

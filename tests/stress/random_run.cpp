@@ -122,7 +122,8 @@ void check_report(const SmoothingReport& report, RunOutcome& outcome) {
   for (const ReportEntry& entry : entries_of(report)) {
     const double* number = std::get_if<double>(&entry.value);
     if (number == nullptr) continue;
-    const bool may_be_infinite = entry.key.starts_with("deviation") || entry.key == "moved" ||
+    const bool may_be_infinite = entry.key.starts_with("deviation") ||
+                                 entry.key.starts_with("farthest") || entry.key == "moved" ||
                                  entry.key == "max_deviation" || entry.key == "roughness_near";
     if (std::isnan(*number) || (std::isinf(*number) && !may_be_infinite)) {
       outcome.broken = fmt::format("{} is {}", entry.key, *number);

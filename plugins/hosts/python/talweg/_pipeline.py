@@ -36,8 +36,8 @@ def tree_of(report: Report) -> Tree:
     and what is infinite is None."""
     entries = {name: value for name, value in vars(report).items()
                if name not in ("more", "time_ms") and value not in (None, ())}
-    if report.warnings == ():
-        entries["warnings"] = ()
+    lists = ["warnings", "decisive", "decisive_at"] if report.termination else ["warnings"]
+    entries.update({name: () for name in lists if getattr(report, name) == ()})
     entries.update(report.more)
     entries.update({"time_ms." + name: value for name, value in report.time_ms.items()})
     root: Tree = {}
