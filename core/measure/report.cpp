@@ -159,6 +159,7 @@ void warn_decisively(SmoothingReport& report, Decisive warning) {
 
 void lead_with(SmoothingReport& report, const std::vector<std::string>& sentences) {
   std::vector<Decisive> first;
+  first.reserve(sentences.size());
   for (const std::string& sentence : sentences) first.push_back({sentence});
   report.decisive.insert(report.decisive.begin(), first.begin(), first.end());
 }
