@@ -75,7 +75,7 @@ const alert = async (page) =>
 
 /** The arms are 15 long and 3 apart, so the line between the ends leaves 15 of the drawing out. */
 export async function aUThatCollapses() {
-  const page = await drawn([[5, 2], [5, 17], [8, 17], [8, 2]]);
+  const page = await drawn([[5, 4], [5, 19], [8, 19], [8, 4]]);
   assert.deepEqual(await rings(page), []);
   assert.equal(await alert(page), '');
   await set(page, 'tau-number', 0.001);
