@@ -13,7 +13,7 @@ namespace talweg {
 // on its left and corner b on its right.
 
 /// Collects the passages that enter the diamond by `side`, and the strands that start in the
-/// diamond and leave by it. `half` is the side's half of the restored diamond, `opposite` the
+/// diamond and leave by `side`. `half` is the side's half of the restored diamond, `opposite` the
 /// corner across its face.
 void Tracer::collect_entering(HalfedgeId side, Place half, Place opposite, HalfedgeId diagonal,
                               std::vector<Visit>& visits) {
