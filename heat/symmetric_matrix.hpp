@@ -1,4 +1,4 @@
-// A symmetric matrix is sparse, and stands in plain arrays.
+// A symmetric matrix is sparse, and is stored in plain arrays.
 #pragma once
 
 #include <cstddef>
