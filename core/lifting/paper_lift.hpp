@@ -16,7 +16,7 @@
 namespace talweg {
 
 /// The distance, computed by heat or given, and the lengths in the lifted surface that follow from
-/// it (Pawellek, Rössl & Lawonn, section 3.3 and equations 4 to 6). Cost of solve(): that of
+/// it (Pawellek, Rössl & Lawonn, section 3.3 and equations 4 to 6). Cost of solve(): the cost of
 /// HeatDistance over the whole mesh, once for a drawing; of set(): O(vertices); of a length: O(1).
 class PaperLift {
  public:

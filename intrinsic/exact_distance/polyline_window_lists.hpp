@@ -145,7 +145,7 @@ class WindowLists {
     first_[edge.index()] = kCrowd | static_cast<Id>(crowds_.size() - 1);
   }
 
-  /// Makes bounds with two to four parts per window. The bounds are made anew once there are more
+  /// Makes bounds with two to four parts per window. The bounds are rebuilt once there are more
   /// windows than parts.
   void bound(Crowd& crowd, double length) {
     std::size_t parts = 1;

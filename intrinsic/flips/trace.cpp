@@ -87,8 +87,8 @@ void Tracer::undo_one() {
   const HalfedgeId h = halfedge_of(e);
   collect(e, visits_);
   triangulation_->undo_flip();
-  // Passages that crossed or followed the diagonal are linked anew below; its old crossings are
-  // dropped.
+  // Passages that crossed or followed the diagonal are linked again below; the old crossings of the
+  // diagonal are dropped.
   crossings_on_[e.index()] = kNone;
   strands_on_[e.index()] = kNone;
   for (const Visit& visit : visits_) {
