@@ -277,7 +277,7 @@ bool CurveFairing::keep_parts_within(const std::vector<std::size_t>& samples, Fa
   return true;
 }
 
-/// Whether a sample has walls, because neither of its joins is on a leg.
+/// Whether a sample has walls, that is, neither of its joins is on a leg.
 bool CurveFairing::is_held(const SampleChain& chain, std::size_t i) const {
   return !legs_.is_on_leg(chain.join_before(i)) && !legs_.is_on_leg(chain.join_after(i));
 }

@@ -1,5 +1,4 @@
-// The drawn band is the part of the surface, between two walls beside the drawing, for a fair
-// curve.
+// The drawn band is the strip along a drawing, between two walls, where a fair curve may run.
 #pragma once
 
 #include <algorithm>

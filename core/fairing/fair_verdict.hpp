@@ -28,7 +28,7 @@ double largest_turn_between(const Surface& surface, const SurfaceCurve& curve,
                             std::span<const SurfacePoint> corners);
 
 /// Whether a curve is fair without a comparison: between corners it turns little, at each point and
-/// in each window of one `edge` length (mesh units), and only its ends are at the boundary.
+/// in each window of one `edge` length (mesh units), and only its ends may be at the boundary.
 bool is_gentle(const Surface& surface, const SurfaceCurve& curve,
                std::span<const SurfacePoint> corners, double edge);
 

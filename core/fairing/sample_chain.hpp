@@ -132,7 +132,7 @@ class ChainMaker {
   /// `from`. Without a trail, the chain that is nearer by the first fraction.
   std::optional<SampleChain> between(const SampleChain& from, const SampleChain& to,
                                      const SampleTrail& trail, std::span<const double> parts);
-  /// The chain with the samples that `loose` marks freed.
+  /// The chain in which the samples that `loose` marks are free.
   std::optional<SampleChain> loosened(const SampleChain& chain, const std::vector<bool>& loose);
   /// The chain with each join divided into `parts` joins, on a cubic through the chain's samples
   /// with its tangents: one number for each join, or one for all.
@@ -142,7 +142,7 @@ class ChainMaker {
   }
   /// The trace of the chain's joins.
   CurveTrace trace_of(const SampleChain& chain);
-  /// Computes the turns of a chain that was assembled by hand.
+  /// Computes the turns of a chain that was assembled from parts.
   void set_turns(SampleChain& chain) const;
 
  private:

@@ -11,7 +11,7 @@ namespace talweg {
 
 struct RelaxationOptions {
   int rounds = 5;  ///< how often every point moves; 0 leaves the curve as it is
-  std::span<const SurfacePoint> fixed = {};  ///< points of the curves that stay, too
+  std::span<const SurfacePoint> fixed = {};  ///< further points of the curves that stay
 
   /// Throws Error(kBadUsage) naming the field and its bound: 0 <= rounds <= 1,000,000.
   void validate() const;

@@ -1,4 +1,4 @@
-// Edge bounds are upper bounds of the known distances along an edge.
+// Edge bounds are upper bounds of the distances at the points of an edge.
 #pragma once
 
 #include <algorithm>

@@ -51,7 +51,7 @@ class EdgeWays {
   void push(VertexId v, const NearestOnCurve& nearest);
 
   const Surface* surface_;
-  std::vector<Reached> reached_;  // in the last search_near()
+  std::vector<Reached> reached_;  // vertices reached by the last search_near()
   // The search from all exact distances: its limit, queue and settled vertices.
   double from_ = -1;
   std::vector<Way> queue_;

@@ -15,8 +15,8 @@ struct NearestOnCurve {
   /// Paths count as equally short if they differ by less than kSame, relative to the lengths from
   /// which they are computed.
   static constexpr double kSame = 1e-13;
-  /// Distances below kRounding, relative to the edges nearby, are rounding errors of 0, on the
-  /// curve.
+  /// Distances below kRounding, relative to the edges nearby, are rounding errors: the point is on
+  /// the curve, at distance 0.
   static constexpr double kRounding = 1e-14;
 
   static NearestOnCurve none() { return {std::numeric_limits<double>::infinity(), 0, 0}; }

@@ -14,8 +14,8 @@ namespace talweg {
 ///
 /// The edge lies on the x axis, halfedge_of(edge) running from (0, 0) to (length, 0) with its face
 /// above. The source is a point (a curve's point, or a vertex around which the path bends), or the
-/// interior of one of the curve's segments, from which parallel paths lead in one direction. (J.
-/// Mitchell, D. Mount, C. Papadimitriou, "The discrete geodesic problem", 1987; for polygonal
+/// interior of one of the curve's segments, from which parallel paths lead in one direction.
+/// (J. Mitchell, D. Mount, C. Papadimitriou, "The discrete geodesic problem", 1987; for polygonal
 /// sources D. Bommes, L. Kobbelt, "Accurate computation of geodesic distance fields for polygonal
 /// curves on triangle meshes", 2007.)
 struct EdgeWindow {
